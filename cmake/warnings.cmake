@@ -1,0 +1,8 @@
+# One place for warnings: every target of the project links isolaw_warnings privately.
+add_library(isolaw_warnings INTERFACE)
+target_compile_options(isolaw_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Wold-style-cast
+  -Woverloaded-virtual -Wnull-dereference -Wdouble-promotion
+  $<$<BOOL:${ISOLAW_DEVELOPER}>:-Werror>)
+# The scalar path must give the same bits in every build type: no contraction into fused multiply-adds.
+target_compile_options(isolaw_warnings INTERFACE -ffp-contract=off)

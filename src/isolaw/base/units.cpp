@@ -1,0 +1,81 @@
+#include "isolaw/base/units.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace isolaw {
+namespace {
+
+// Exact by definition: 1 kgf = 9.80665 N, 1 lbf = 4.4482216152605 N, 1 in = 25.4 mm.
+constexpr std::array known{
+    kN,
+    N,
+    Unit{Dimension::force, "MN", 1e3},
+    Unit{Dimension::force, "tonf", 9.80665},
+    Unit{Dimension::force, "kgf", 9.80665e-3},
+    Unit{Dimension::force, "daN", 1e-2},
+    Unit{Dimension::force, "kip", 4.4482216152605},
+    Unit{Dimension::force, "lbf", 4.4482216152605e-3},
+    mm,
+    cm,
+    m,
+    Unit{Dimension::length, "in", 25.4},
+    s,
+    Unit{Dimension::time, "ms", 1e-3},
+};
+
+struct Alias {
+  std::string_view text;
+  std::string_view symbol;
+};
+constexpr std::array aliases{
+    Alias{"kips", "kip"}, Alias{"lb", "lbf"},   Alias{"lbs", "lbf"},     Alias{"tf", "tonf"},    Alias{"inch", "in"},
+    Alias{"inches", "in"}, Alias{"\"", "in"},   Alias{"sec", "s"},       Alias{"secs", "s"},     Alias{"second", "s"},
+    Alias{"seconds", "s"}, Alias{"msec", "ms"}, Alias{"kilonewton", "kN"}, Alias{"newton", "N"}, Alias{"kg", "kgf"},
+};
+
+std::string lower(std::string_view text) {
+  std::string out(text);
+  std::ranges::transform(out, out.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return out;
+}
+
+}  // namespace
+
+std::optional<Unit> parse_unit(std::string_view text) {
+  constexpr std::string_view ignored = " \t[](){}";
+  auto const first = text.find_first_not_of(ignored);
+  if (first == std::string_view::npos) return std::nullopt;
+  text = text.substr(first, text.find_last_not_of(ignored) - first + 1);
+  for (auto const& unit : known)
+    if (unit.symbol == text) return unit;
+  if (text == "mN") return std::nullopt;  // millinewton: refused rather than read as meganewton
+  auto const wanted = lower(text);
+  for (auto const& alias : aliases)
+    if (alias.text == wanted) return parse_unit(alias.symbol);
+  for (auto const& unit : known)
+    if (lower(unit.symbol) == wanted) return unit;
+  return std::nullopt;
+}
+
+std::string known_units(Dimension dimension) {
+  std::string text;
+  for (auto const& unit : known) {
+    if (unit.dimension != dimension) continue;
+    if (!text.empty()) text += ", ";
+    text += unit.symbol;
+  }
+  return text;
+}
+
+std::string_view name(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::force: return "force";
+    case Dimension::length: return "length";
+    case Dimension::time: return "time";
+  }
+  return "";
+}
+
+}  // namespace isolaw

@@ -1,0 +1,38 @@
+// A test record in record units (kN, mm, s): as measured, and as the identification sees it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace isolaw::data {
+
+// What a laboratory's file holds after reading: raw values, only converted to record units. Equal lengths;
+// `time_s` is empty when the file has no time column and no sampling interval was given, `load_kN` when there is none.
+struct TestRecord {
+  std::string file;    // as the user named it, relative to the lot file
+  std::string sha256;  // of the file's bytes
+  std::vector<double> time_s;
+  std::vector<double> disp_mm;
+  std::vector<double> force_kN;
+  std::vector<double> load_kN;
+  std::vector<std::string> recognised;  // one sentence per decision: dialect, columns, units, sampling, and why
+  std::vector<std::string> warnings;    // what a careful reader would want to know
+
+  bool has_time() const { return !time_s.empty(); }
+  std::size_t size() const { return disp_mm.size(); }
+};
+
+// What the laws are fitted to. Without a time channel `time_s` counts samples, `vel_mm_s` is empty and only
+// rate-independent laws apply (the objective does not depend on the time scale when sampling is uniform).
+struct FitRecord {
+  std::vector<double> time_s;
+  std::vector<double> disp_mm;
+  std::vector<double> vel_mm_s;
+  std::vector<double> force_kN;
+  std::vector<std::string> cleaning;  // one sentence per step applied, with its numbers
+
+  bool has_time() const { return !vel_mm_s.empty(); }
+  std::size_t size() const { return disp_mm.size(); }
+};
+
+}  // namespace isolaw::data

@@ -1,0 +1,47 @@
+// Counter-based random numbers (Philox 4x32-10, Salmon et al. 2011, through Random123): a draw depends only on the
+// stream's key and the draw's coordinates, so threads, order and interruption change nothing.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace isolaw::num {
+
+// A family of independent generators. The key says whose numbers they are (campaign seed, device, law, run).
+class Stream {
+ public:
+  Stream() = default;
+  explicit Stream(std::uint64_t key) : key_(key) {}
+  // A stream of its own for each part of a name: Stream(seed).split(hash of device).split(hash of law).split(run).
+  Stream split(std::uint64_t part) const;
+  std::uint64_t key() const { return key_; }
+
+ private:
+  std::uint64_t key_ = 0;
+};
+
+// Sequential draws at one place (a, b) of a stream, for instance (generation, individual).
+// Satisfies UniformRandomBitGenerator; the conversions below are our own so that results do not depend on the
+// standard library's distributions.
+class Draws {
+ public:
+  using result_type = std::uint32_t;
+  Draws(Stream const& stream, std::uint32_t a, std::uint32_t b);
+  static constexpr result_type min() { return 0; }
+  static constexpr result_type max() { return 0xffffffffu; }
+  result_type operator()();
+
+  double uniform();                           // [0, 1), 53 bits
+  std::size_t below(std::size_t n);           // 0 .. n-1, unbiased; n > 0
+  double normal();                            // mean 0, standard deviation 1
+
+ private:
+  std::uint64_t key_;
+  std::uint32_t a_, b_;
+  std::uint64_t block_ = 0;
+  std::array<std::uint32_t, 4> buffer_{};
+  std::size_t used_ = 4;
+};
+
+}  // namespace isolaw::num

@@ -1,0 +1,33 @@
+// The contract between an optimiser and what it minimises: a box and the evaluation of a batch of points.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace isolaw::opt {
+
+// A set of points of equal dimension, stored one after another: point i is values[i * dimension .. + dimension).
+struct Points {
+  std::size_t dimension = 0;
+  std::vector<double> values;
+
+  Points() = default;
+  Points(std::size_t dimension_, std::size_t count) : dimension(dimension_), values(dimension_ * count) {}
+  std::size_t size() const { return dimension == 0 ? 0 : values.size() / dimension; }
+  std::span<double> operator[](std::size_t i) { return std::span(values).subspan(i * dimension, dimension); }
+  std::span<double const> operator[](std::size_t i) const {
+    return std::span(values).subspan(i * dimension, dimension);
+  }
+};
+
+// Minimisation over the unit box [0, 1]^dimension; whoever states the problem maps the box to physical parameters,
+// so that every algorithm sees the same scales. `evaluate` writes one value per point; +infinity marks a failed point.
+class Problem {
+ public:
+  virtual ~Problem() = default;
+  virtual std::size_t dimension() const = 0;
+  virtual void evaluate(Points const& points, std::span<double> values) const = 0;
+};
+
+}  // namespace isolaw::opt
