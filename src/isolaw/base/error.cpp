@@ -1,11 +1,8 @@
 #include "isolaw/base/error.hpp"
 
-#include <utility>
-
 namespace isolaw {
-namespace {
 
-std::string join(std::vector<Complaint> const& complaints) {
+std::string Error::join(std::vector<Complaint> const& complaints) {
   std::string text;
   for (auto const& complaint : complaints) {
     if (!text.empty()) text += '\n';
@@ -13,8 +10,6 @@ std::string join(std::vector<Complaint> const& complaints) {
   }
   return text;
 }
-
-}  // namespace
 
 std::string to_string(Complaint const& complaint) {
   std::string text = complaint.where;
@@ -24,10 +19,5 @@ std::string to_string(Complaint const& complaint) {
   if (!complaint.advice.empty()) text += "; try: " + complaint.advice;
   return text;
 }
-
-Error::Error(Complaint complaint) : Error(std::vector<Complaint>{std::move(complaint)}) {}
-
-Error::Error(std::vector<Complaint> complaints)
-    : std::runtime_error(join(complaints)), complaints_(std::move(complaints)) {}
 
 }  // namespace isolaw

@@ -1,18 +1,20 @@
 // The one exception of the library: wrong input or environment, said once and completely.
 #pragma once
 
+#include <concepts>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace isolaw {
 
 // What is wrong with an input. Empty parts are left out of the message.
 struct Complaint {
-  std::string where;    // "file:line", a key, an option
-  std::string found;    // what was found there
-  std::string allowed;  // what would have been accepted
-  std::string advice;   // what to try
+  std::string where = {};    // "file:line", a key, an option
+  std::string found = {};    // what was found there
+  std::string allowed = {};  // what would have been accepted
+  std::string advice = {};   // what to try
 };
 
 // "where: found; allowed: ...; try: ..."
@@ -20,13 +22,15 @@ std::string to_string(Complaint const& complaint);
 
 class Error : public std::runtime_error {
  public:
-  explicit Error(Complaint complaint);
-  // Several problems of one input, found in one pass; never empty.
-  explicit Error(std::vector<Complaint> complaints);
+  explicit Error(Complaint complaint) : Error(std::vector{std::move(complaint)}) {}
+  // Several problems of one input, found in one pass; never empty. (A template, so that braces mean one complaint.)
+  template <std::same_as<std::vector<Complaint>> Complaints>
+  explicit Error(Complaints complaints) : std::runtime_error(join(complaints)), complaints_(std::move(complaints)) {}
 
   std::vector<Complaint> const& complaints() const noexcept { return complaints_; }
 
  private:
+  static std::string join(std::vector<Complaint> const& complaints);
   std::vector<Complaint> complaints_;
 };
 

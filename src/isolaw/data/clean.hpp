@@ -9,18 +9,24 @@ namespace isolaw::data {
 
 struct CleanOptions {
   int smooth = 1;                            // window of the centred moving average, odd; 1 = none
-  std::optional<int> samples_per_cycle = 200;  // thinning; nullopt = all samples
+  std::optional<int> samples_per_cycle = 200;  // thinning to at least this many, 20 or more; nullopt = all samples
   bool center = false;                       // remove the mean of the extremes of displacement and force
 
   void validate() const;  // throws Error
 };
 
-// Centred moving average of `window` (odd) samples; the window shrinks symmetrically at the ends.
+// Centred moving average of `window` (odd) samples; the window shrinks symmetrically at the ends. Cost does not grow
+// with the window.
 std::vector<double> moving_average(std::vector<double> const& values, int window);
 
-// Central differences at true time stamps (second order on uneven spacing), one-sided at the ends. Units of x per s.
+// Derivative of the parabola through three neighbouring samples at true time stamps: exact for quadratics on uneven
+// spacing, also at the ends, where the parabola is one-sided. Units of x per s. time_s must increase.
 std::vector<double> central_difference(std::vector<double> const& time_s, std::vector<double> const& values);
 
+// In this order: centring, by (max + min) / 2 of the raw reported cycle; moving average of `smooth`; where a cycle has
+// at least twice the samples asked for, k = floor(ratio) >= 2, a moving average of the odd window k or k + 1; velocity;
+// every k-th sample, from the first. Velocity is taken before samples are dropped, so that thinning costs it nothing.
+// Thinning needs cycles: a record without a complete one keeps all samples.
 FitRecord clean(TestRecord const& raw, CleanOptions const& options);
 
 }  // namespace isolaw::data

@@ -1,4 +1,5 @@
 // Cyclic properties of a force-displacement history: cycles, effective stiffness, energy, equivalent viscous damping.
+// Formulas of EN 15129 and NTC 2018 (11.9.7): reference/domain.md sections 1.1 to 1.6.
 #pragma once
 
 #include <optional>
@@ -8,7 +9,9 @@
 
 namespace isolaw::data {
 
-// One closed cycle, cut at zero crossings of displacement in the direction of the first motion, interpolated.
+// One closed cycle, cut at zero crossings of displacement in the direction of the first motion, interpolated. A
+// crossing counts once displacement has been beyond a band of 2 % of its half range on the other side, so that noise
+// and tremor about zero cut nothing. A record that starts, or comes to rest, inside the band is cut there.
 struct Cycle {
   int number = 0;             // from 1
   double first = 0.0;         // start and end as fractional sample indices
@@ -23,7 +26,7 @@ struct Properties {
   std::vector<Cycle> cycles;                // complete cycles, in order
   std::optional<Cycle> reported;            // the third, or the last where there are fewer; empty when refused
   std::string refusal;                      // why there is none: less than one cycle, fewer than 20 samples per cycle
-  std::optional<double> samples_per_cycle;  // mean over complete cycles
+  std::optional<double> samples_per_cycle;  // median over complete cycles, so that a hold before the test counts little
 };
 
 // disp_mm and force_kN of equal length; the axis is the sample index, so no time is needed.

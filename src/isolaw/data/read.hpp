@@ -11,17 +11,17 @@
 
 namespace isolaw::data {
 
-enum class Channel { time, disp, force, load };
-
 std::string_view name(Channel channel);
 
 struct ReadOptions {
-  std::map<Channel, std::string> columns;  // name or 1-based number; what is missing is recognised
+  std::map<Channel, std::string> columns;  // name or 1-based number; what is missing is recognised; "none": not read
   std::map<Channel, std::string> units;    // "cm", "tonf", ...; what is missing is read from the header
   std::optional<double> dt_s;              // sampling interval of a file without a time column
+  bool flip_force = false;                 // multiply the force by -1 (option --flip-force)
 };
 
 // Parses "time=1,disp=Displacement,force=3" (option --columns); throws Error on an unknown channel.
+// "none" leaves out a time or load column that the header names.
 std::map<Channel, std::string> parse_columns(std::string_view text);
 // Parses "disp=cm,force=tonf,time=s" (option --units); throws Error on an unknown unit.
 std::map<Channel, std::string> parse_units(std::string_view text);

@@ -1,10 +1,23 @@
 // A test record in record units (kN, mm, s): as measured, and as the identification sees it.
 #pragma once
 
+#include <cstddef>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace isolaw::data {
+
+enum class Channel { time, disp, force, load };
+
+// The choices that reading one file came to. Given back through ReadOptions they read the file the same way.
+struct Layout {
+  std::map<Channel, std::string> columns;  // the column's name where it is unique, else its 1-based number
+  std::map<Channel, std::string> units;    // symbols of base/units
+  std::optional<double> dt_s;              // sampling interval, only where it was given
+  bool flip_force = false;                 // the force was multiplied by -1
+};
 
 // What a laboratory's file holds after reading: raw values, only converted to record units. Equal lengths;
 // `time_s` is empty when the file has no time column and no sampling interval was given, `load_kN` when there is none.
@@ -15,6 +28,7 @@ struct TestRecord {
   std::vector<double> disp_mm;
   std::vector<double> force_kN;
   std::vector<double> load_kN;
+  Layout layout;                        // columns and units as resolved
   std::vector<std::string> recognised;  // one sentence per decision: dialect, columns, units, sampling, and why
   std::vector<std::string> warnings;    // what a careful reader would want to know
 
@@ -22,8 +36,8 @@ struct TestRecord {
   std::size_t size() const { return disp_mm.size(); }
 };
 
-// What the laws are fitted to. Without a time channel `time_s` counts samples, `vel_mm_s` is empty and only
-// rate-independent laws apply (the objective does not depend on the time scale when sampling is uniform).
+// What the laws are fitted to. Without a time channel `time_s` counts the samples of the file, `vel_mm_s` is empty and
+// only rate-independent laws apply (the objective does not depend on the time scale when sampling is uniform).
 struct FitRecord {
   std::vector<double> time_s;
   std::vector<double> disp_mm;

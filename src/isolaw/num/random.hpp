@@ -8,12 +8,17 @@
 
 namespace isolaw::num {
 
+// The generator itself: a bijection of 128-bit counters for each 64-bit key. counter[0] and the low half of key come
+// first in Random123's order.
+std::array<std::uint32_t, 4> philox_4x32_10(std::array<std::uint32_t, 4> const& counter, std::uint64_t key);
+
 // A family of independent generators. The key says whose numbers they are (campaign seed, device, law, run).
 class Stream {
  public:
   Stream() = default;
   explicit Stream(std::uint64_t key) : key_(key) {}
   // A stream of its own for each part of a name: Stream(seed).split(hash of device).split(hash of law).split(run).
+  // The order of the parts matters.
   Stream split(std::uint64_t part) const;
   std::uint64_t key() const { return key_; }
 
@@ -32,11 +37,13 @@ class Draws {
   static constexpr result_type max() { return 0xffffffffu; }
   result_type operator()();
 
-  double uniform();                           // [0, 1), 53 bits
-  std::size_t below(std::size_t n);           // 0 .. n-1, unbiased; n > 0
-  double normal();                            // mean 0, standard deviation 1
+  double uniform();                  // [0, 1), 53 bits
+  std::size_t below(std::size_t n);  // 0 .. n-1, unbiased; n > 0
+  double normal();                   // mean 0, standard deviation 1
 
  private:
+  std::uint64_t bits64();
+
   std::uint64_t key_;
   std::uint32_t a_, b_;
   std::uint64_t block_ = 0;

@@ -1,4 +1,5 @@
-// Descriptive statistics as the method uses them.
+// Descriptive statistics as the method uses them. A value that is not finite makes the result not finite; nothing is
+// left out silently.
 #pragma once
 
 #include <cstddef>
@@ -15,6 +16,7 @@ struct Moments {
 // Two-pass, so that a small spread about a large mean keeps its digits.
 Moments moments(std::span<double const> values);
 
-double population_std(std::span<double const> values);  // divides by n; used by the objective's normalisation
+// Divides by n; used by the objective's normalisation. NaN when there are no values.
+double population_std(std::span<double const> values);
 
 }  // namespace isolaw::num

@@ -1,7 +1,15 @@
-// The genetic algorithm of the paper (section 4.1, Table 3), with the choices of docs/method.md where it is silent.
+// The genetic algorithm of Cucuzza et al. 2025 (section 4.1, Table 3): real-coded, roulette wheel, double-point
+// crossover, uniform mutation. Where the paper is silent the choices are those of docs/method.md: a wheel defined for
+// minimisation, crossover always, survivors chosen among parents and children together, and the initial population
+// counted as the first generation, so that 50 generations of 100 are 5,000 evaluations.
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "isolaw/num/random.hpp"
@@ -11,35 +19,75 @@ namespace isolaw::opt {
 
 struct GeneticOptions {
   int population = 100;             // even, at least 4
-  int generations = 50;             // the initial population is generation 1
+  int generations = 50;             // at most this many; the initial population is generation 1
   double mutation_rate = 0.01;      // probability per gene
   int stagnation = 20;              // generations without improvement before stopping
   double stagnation_tolerance = 0;  // relative improvement that counts as none
   double selection_pressure = 8;    // roulette weight exp(-pressure * value / worst finite value)
 
-  void validate() const;  // throws Error
+  void validate() const;  // throws Error with every option that is out of range
 };
 
+// interrupted: best is the best so far, if a generation was finished. no_finite_value: the whole initial population
+// failed and left nothing to breed from. When the last generation is also the one that stagnates: all_generations.
 enum class GeneticOutcome { all_generations, stagnated, interrupted, no_finite_value };
+std::string_view name(GeneticOutcome outcome);
 
 struct GeneticResult {
   GeneticOutcome outcome = GeneticOutcome::no_finite_value;
-  std::vector<double> best;     // in the unit box; empty when no point was finite
-  double best_value = 0.0;
-  int evaluations = 0;
-  std::vector<double> history;  // best value after each generation
+  std::vector<double> best;  // in the unit box; empty when no point was finite
+  double best_value = std::numeric_limits<double>::infinity();
+  int evaluations = 0;          // population x generations done
+  std::vector<double> history;  // best value after each generation; never rises
 
   bool usable() const { return !best.empty(); }
+  std::string brief() const;  // "stagnated: 0.0712 after 34 generations, 3400 evaluations"
 };
 
-// Deterministic for a given stream: random numbers depend on (stream, generation, individual) alone.
-// `interrupted`, when given, is asked once per generation.
+// Deterministic for a given stream: random numbers depend on (stream, generation, individual or pair) alone.
+// Values that are not finite mark failed points; they survive only where nothing better exists. Best over values >= 0;
+// see roulette_weights for others.
+// `interrupted`, when given, is asked once per generation, before it. A generation counts as without improvement when
+// the best value is not below (1 - tolerance) times the best at the last improvement (for positive values); a flat
+// problem thus stops after 1 + stagnation generations.
+// Throws Error for options out of range and for a problem without dimensions.
 GeneticResult minimise_genetic(Problem const& problem, num::Stream const& stream, GeneticOptions const& options = {},
                                std::function<bool()> const& interrupted = {});
 
 // The operators, each usable and tested alone -------------------------------------------------------------------
 
-// Roulette weights of `values`: exp(-pressure v / worst finite v); 0 for values that are not finite.
+// Roulette weights of `values`: exp(-pressure v / worst finite v); 0 for values that are not finite. When the worst is
+// 0 all finite weights are 1. Values below zero have no such ratio: all are then counted from the smallest.
 std::vector<double> roulette_weights(std::span<double const> values, double pressure);
+
+// Draws indices with probabilities proportional to weights, with replacement, so a point may be paired with itself.
+// Weights: finite, not negative, at least one positive.
+class RouletteWheel {
+ public:
+  explicit RouletteWheel(std::span<double const> weights);
+  std::size_t spin(num::Draws& draws) const;
+
+ private:
+  std::vector<double> cumulative_;
+};
+
+// Two cut points 0 <= first < second <= dimension, every admissible pair equally likely. The pair (0, dimension),
+// which would only exchange the parents' names, is not admissible. dimension >= 2.
+struct Cuts {
+  std::size_t first = 0, second = 0;
+};
+Cuts draw_cuts(std::size_t dimension, num::Draws& draws);
+
+// Double-point crossover: exchanges the genes between two drawn cut points. A single gene offers no cut: unchanged.
+void crossover(std::span<double> a, std::span<double> b, num::Draws& draws);
+
+// Replaces each gene, with probability `rate`, by a new one uniform in [0, 1).
+void mutate(std::span<double> point, double rate, num::Draws& draws);
+
+// The `count` smallest of parents and children together, best first: indices into parents followed by children.
+// Values that are not finite come last; equal values keep parents before children, then the order given.
+// count <= parents + children.
+std::vector<std::size_t> survivors(std::span<double const> parents, std::span<double const> children,
+                                   std::size_t count);
 
 }  // namespace isolaw::opt

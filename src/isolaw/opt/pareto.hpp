@@ -6,7 +6,8 @@
 
 namespace isolaw::opt {
 
-// on_front[i] is true where no other point is at least as small in both objectives and smaller in one.
+// on_front[i] is true where no other point is at least as small in both objectives and smaller in one; equal points
+// do not dominate each other, so duplicates are on the front together.
 // A point with a value that is not finite is never on the front and dominates nothing. a and b: equal length.
 std::vector<bool> non_dominated(std::span<double const> a, std::span<double const> b);
 

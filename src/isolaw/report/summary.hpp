@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "isolaw/data/properties.hpp"
@@ -39,6 +40,12 @@ struct DeviceFit {
   std::vector<double> force_kN;                 // computed by the best run at the samples of the device's FitRecord
   std::vector<std::vector<double>> histories;   // per run: best objective after each generation
 };
+
+// "ok", "refused" (the law does not apply to the device) or "failed" (it was tried, and no run was usable).
+inline std::string_view fit_status(DeviceFit const& fit) {
+  if (!fit.refusal.empty()) return "refused";
+  return fit.objective.mean ? "ok" : "failed";
+}
 
 struct LawResult {
   std::string id, title;

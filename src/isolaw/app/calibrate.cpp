@@ -1,0 +1,193 @@
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <ctime>
+#include <thread>
+
+#include "isolaw/app/commands.hpp"
+#include "isolaw/app/lot_of.hpp"
+#include "isolaw/app/progress.hpp"
+#include "isolaw/base/error.hpp"
+#include "isolaw/campaign/campaign.hpp"
+#include "isolaw/campaign/store.hpp"
+#include "isolaw/report/build_summary.hpp"
+#include "isolaw/report/run_json.hpp"
+#include "isolaw/report/summary_json.hpp"
+#include "isolaw/report/terminal.hpp"
+#include "isolaw/report/write.hpp"
+
+namespace isolaw::app {
+namespace {
+
+constexpr char const* store_name = "campaign.sqlite";
+
+std::atomic<bool> interrupted = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+// Ctrl-C and a polite kill stop the search after the current generation; a second Ctrl-C ends the program at once.
+class SignalGuard {
+ public:
+  SignalGuard() {
+    interrupted = false;
+    previous_int_ = std::signal(SIGINT, on_signal);
+    previous_term_ = std::signal(SIGTERM, on_signal);
+  }
+  SignalGuard(SignalGuard const&) = delete;
+  SignalGuard& operator=(SignalGuard const&) = delete;
+  ~SignalGuard() {
+    std::signal(SIGINT, previous_int_);
+    std::signal(SIGTERM, previous_term_);
+  }
+
+ private:
+  static void on_signal(int number) {
+    interrupted = true;
+    std::signal(number, SIG_DFL);
+  }
+  void (*previous_int_)(int) = nullptr;
+  void (*previous_term_)(int) = nullptr;
+};
+
+void make_directory(std::filesystem::path const& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error)
+    throw Error({.where = directory.string(), .found = "cannot make the directory: " + error.message(), .advice = "--out DIR"});
+}
+
+// What makes the stored campaign another one than the one asked for; empty when it can be continued.
+std::vector<std::string> differences(campaign::Contents const& stored, campaign::Contents const& asked) {
+  std::vector<std::string> found;
+  auto const before = to_pairs(stored.settings), now = to_pairs(asked.settings);
+  for (std::size_t i = 0; i < now.size(); ++i)
+    if (before.at(i).second != now[i].second)
+      found.push_back(fmt::format("{}: {} there, {} now", now[i].first, before[i].second, now[i].second));
+  if (stored.devices.size() != asked.devices.size())
+    found.push_back(fmt::format("{} devices there, {} now", stored.devices.size(), asked.devices.size()));
+  for (std::size_t d = 0; d < std::min(stored.devices.size(), asked.devices.size()); ++d) {
+    auto const &a = stored.devices[d], &b = asked.devices[d];
+    if (a.name != b.name) found.push_back(fmt::format("device {}: '{}' there, '{}' now", d + 1, a.name, b.name));
+    else if (a.raw.sha256 != b.raw.sha256) found.push_back(fmt::format("{}: its file has changed", b.name));
+    else if (a.record.disp_mm != b.record.disp_mm || a.record.force_kN != b.record.force_kN || a.record.time_s != b.record.time_s)
+      found.push_back(fmt::format("{}: its file is read in another way", b.name));
+  }
+  return found;
+}
+
+// Takes over the finished runs of an interrupted or finished campaign of the same settings and inputs, or starts anew.
+void open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh) {
+  if (fresh || !std::filesystem::exists(file)) {
+    campaign::Store::create(file, contents);
+    return;
+  }
+  auto stored = campaign::Store::read(file);
+  auto const changed = differences(stored, contents);
+  if (!changed.empty()) {
+    std::string list;
+    for (auto const& line : changed) list += (list.empty() ? "" : "; ") + line;
+    throw Error({.where = file.string(), .found = "the campaign there differs: " + list,
+                 .allowed = "the same settings and records, to continue it",
+                 .advice = "--fresh to start over, or another --out DIR"});
+  }
+  contents.runs = std::move(stored.runs);
+  if (!contents.complete() && !contents.runs.empty())
+    fmt::print(stderr, "continuing: {} runs are there already\n", contents.runs.size());
+}
+
+int terminal_width() {
+  winsize size{};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col < 40) return 80;
+  return std::min<int>(size.ws_col, 120);
+}
+
+void print(report::Summary const& summary, bool json) {
+  auto const text = json ? report::summary_json(summary) : report::ranking(summary, terminal_width());
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  if (!text.ends_with('\n')) std::fputc('\n', stdout);
+}
+
+// Exit code 1 whenever a device was refused, a law could not be searched on a device, or a run failed.
+int exit_code(report::Summary const& summary) {
+  for (auto const& device : summary.devices)
+    if (device.status != "ok") return exit_with_refusals;
+  for (auto const& law : summary.laws)
+    for (auto const& fit : law.devices)
+      if (!fit.refusal.empty() || fit.failed_runs > 0) return exit_with_refusals;
+  return exit_done;
+}
+
+std::string shell_quoted(std::vector<std::string> const& words) {
+  std::string line;
+  for (auto const& word : words) {
+    bool const simple = !word.empty() && word.find_first_not_of(
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@%") == std::string::npos;
+    line += (line.empty() ? "" : " ");
+    if (simple) { line += word; continue; }
+    line += '\'';
+    for (char const c : word) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    line += '\'';
+  }
+  return line;
+}
+
+}  // namespace
+
+int calibrate(CalibrateArguments const& arguments, std::vector<std::string> const& command_line) {
+  using Clock = std::chrono::steady_clock;
+  auto const start = Clock::now();
+  std::time_t const started_at = std::time(nullptr);
+  auto contents = campaign::prepare(lot_of(arguments));
+  for (auto const& device : contents.devices)
+    if (!device.usable()) fmt::print(stderr, "{}: refused\n  {}\n", device.name, device.refusal);
+
+  auto const directory = output_directory(arguments);
+  make_directory(directory);
+  auto const file = directory / store_name;
+  open_or_create(file, contents, arguments.fresh);
+
+  bool finished = false;
+  {
+    SignalGuard const guard;
+    ProgressLine line;
+    finished = campaign::run(contents, file,
+                             {.jobs = arguments.jobs, .progress = [&](auto const& p) { line.show(p); },
+                              .interrupted = [] { return interrupted.load(); }});
+  }
+  auto const command = shell_quoted(command_line);
+  if (!finished) {
+    fmt::print(stderr, "interrupted: {} finished runs are kept in {}\nto continue: {}\n", contents.runs.size(),
+               file.string(), command);
+    return exit_with_refusals;
+  }
+  double const search_s = std::chrono::duration<double>(Clock::now() - start).count();
+  // From the store, not from memory: what is printed is what `isolaw report` would print.
+  auto const summary = report::build_summary(campaign::Store::read(file));
+  report::write_outputs(summary, directory);
+  report::write_file(directory / "run.json",
+                     report::run_json({.command = command, .directory = std::filesystem::absolute(directory).string(),
+                                       .started_at = started_at, .search_s = search_s,
+                                       .total_s = std::chrono::duration<double>(Clock::now() - start).count(),
+                                       .jobs = arguments.jobs > 0 ? arguments.jobs
+                                                                  : static_cast<int>(std::thread::hardware_concurrency())}));
+  print(summary, arguments.json);
+  fmt::print(stderr, "results: {} (open {})\n", directory.string(), (directory / "report.html").string());
+  return exit_code(summary);
+}
+
+int report(std::filesystem::path const& directory, bool json) {
+  auto const contents = campaign::Store::read(directory / store_name);
+  auto const summary = report::build_summary(contents);
+  report::write_outputs(summary, directory);
+  print(summary, json);
+  if (!contents.complete())
+    fmt::print(stderr, "the campaign is not complete: {} runs are missing; the calibrate command it was started with continues it\n",
+               contents.expected_runs() - contents.runs.size());
+  return exit_code(summary);
+}
+
+}  // namespace isolaw::app

@@ -1,0 +1,94 @@
+// `isolaw laws` and `isolaw example`.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "isolaw/app/commands.hpp"
+#include "isolaw/app/example_lot.hpp"
+#include "isolaw/laws/catalogue.hpp"
+
+namespace isolaw::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json interval_json(laws::Interval const& interval) {
+  auto const bound = [](double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); };
+  return Json::array({bound(interval.lower), bound(interval.upper)});
+}
+
+Json law_json(laws::LawEntry const& law) {
+  Json json;
+  json["id"] = law.info.id;
+  json["title"] = law.info.title;
+  json["source"] = law.info.source;
+  json["units"] = {law.info.force.symbol, law.info.length.symbol, "s"};
+  json["rate_independent"] = law.info.traits.rate_independent;
+  json["note"] = law.info.note;
+  json["parameters"] = Json::array();
+  for (auto const& p : law.parameters)
+    json["parameters"].push_back({{"name", p.name}, {"unit", p.unit}, {"meaning", p.meaning},
+                                  {"physical", interval_json(p.physical)},
+                                  {"published", p.published ? interval_json(*p.published) : Json(nullptr)},
+                                  {"fixed", p.fixed_by_default ? Json(*p.fixed_by_default) : Json(nullptr)}});
+  return json;
+}
+
+// Prose of at most `width` columns, every line indented.
+std::string wrapped(std::string_view text, std::size_t indent, std::size_t width) {
+  std::string out, line;
+  while (!text.empty()) {
+    auto const space = text.find(' ');
+    auto const word = text.substr(0, space);
+    if (!line.empty() && indent + line.size() + 1 + word.size() > width) {
+      out += std::string(indent, ' ') + line + '\n';
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + std::string(word);
+    text = space == std::string_view::npos ? std::string_view() : text.substr(space + 1);
+  }
+  return out + std::string(indent, ' ') + line + '\n';
+}
+
+void print_law(laws::LawEntry const& law) {
+  fmt::print("{}: {}\n  source  {}\n  units   {}, {}, s\n  needs   {}\n", law.info.id, law.info.title, law.info.source,
+             law.info.force.symbol, law.info.length.symbol,
+             law.info.traits.rate_independent ? "displacement" : "displacement and time");
+  if (!law.info.note.empty()) fmt::print("  reading\n{}", wrapped(law.info.note, 4, 96));
+  fmt::print("\n  {:<10} {:<10} {:>12} {:>12}  {}\n", "parameter", "unit", "published", "box", "meaning");
+  for (auto const& p : law.parameters) {
+    auto const bound = [&](double laws::Interval::*end) {
+      return p.published ? fmt::format("{:g}", (*p.published).*end) : std::string("-");
+    };
+    fmt::print("  {:<10} {:<10} {:>12} {:>12}  {}{}\n", p.name, p.unit, bound(&laws::Interval::lower),
+               bound(&laws::Interval::upper), p.meaning,
+               p.fixed_by_default ? fmt::format(" (fixed at {:g})", *p.fixed_by_default) : "");
+  }
+}
+
+}  // namespace
+
+int list_laws(std::string const& id, bool json) {
+  if (!id.empty()) {
+    auto const& law = laws::find_law(id);
+    if (json) fmt::print("{}\n", law_json(law).dump(2));
+    else print_law(law);
+    return exit_done;
+  }
+  Json all = Json::array();
+  for (auto const& law : laws::catalogue()) {
+    if (json) all.push_back(law_json(law));
+    else fmt::print("{:<10} {:>2} parameters  {}\n", law.info.id, law.parameters.size(), law.info.title);
+  }
+  if (json) fmt::print("{}\n", all.dump(2));
+  return exit_done;
+}
+
+int example(std::filesystem::path const& directory) {
+  write_example_lot(directory);
+  fmt::print("written: {0}\nnext: isolaw calibrate {1}\n", directory.string(), (directory / "lot.toml").string());
+  return exit_done;
+}
+
+}  // namespace isolaw::app

@@ -1,0 +1,67 @@
+#include "isolaw/app/lot_of.hpp"
+
+#include "isolaw/base/error.hpp"
+
+namespace isolaw::app {
+namespace {
+
+bool is_lot_file(std::filesystem::path const& path) { return path.extension() == ".toml"; }
+
+template <class T>
+void override_with(std::optional<T> const& given, T& target) {
+  if (given) target = *given;
+}
+
+}  // namespace
+
+void apply(ReadArguments const& arguments, data::ReadOptions& options) {
+  if (arguments.columns)
+    for (auto const& [channel, column] : data::parse_columns(*arguments.columns)) options.columns[channel] = column;
+  if (arguments.units)
+    for (auto const& [channel, unit] : data::parse_units(*arguments.units)) options.units[channel] = unit;
+  if (arguments.dt_s) options.dt_s = arguments.dt_s;
+  if (arguments.flip_force) options.flip_force = true;
+}
+
+campaign::Lot lot_of(CalibrateArguments const& a) {
+  bool const from_file = a.inputs.size() == 1 && is_lot_file(a.inputs.front());
+  for (auto const& input : a.inputs)
+    if (!from_file && is_lot_file(input))
+      throw Error({.where = input.string(), .found = "a lot file together with other inputs",
+                   .allowed = "one lot file alone, or records", .advice = "name the records in the lot file"});
+  auto lot = from_file ? campaign::read_lot_file(a.inputs.front()) : campaign::lot_of_files(a.inputs);
+  if (lot.title.empty())
+    lot.title = from_file ? std::filesystem::absolute(a.inputs.front()).parent_path().filename().string()
+                          : a.inputs.front().stem().string();
+  auto& s = lot.settings;
+  if (a.laws) s.laws = campaign::parse_laws(*a.laws);
+  override_with(a.method, s.method);
+  if (a.integration) s.integration = campaign::parse_integration(*a.integration);
+  if (a.box) s.box = campaign::parse_box(*a.box);
+  for (auto const& text : a.set) {
+    auto const change = fit::parse_override(text);
+    std::erase_if(s.overrides, [&](auto const& o) { return o.law == change.law && o.parameter == change.parameter; });
+    s.overrides.push_back(change);
+  }
+  override_with(a.runs, s.runs);
+  override_with(a.population, s.genetic.population);
+  override_with(a.generations, s.genetic.generations);
+  override_with(a.seed, s.seed);
+  override_with(a.smooth, s.clean.smooth);
+  if (a.samples_per_cycle) s.clean.samples_per_cycle = campaign::parse_samples_per_cycle(*a.samples_per_cycle);
+  if (a.center) s.clean.center = true;
+  for (auto& device : lot.devices) apply(a.read, device.read);
+  if (s.laws.empty()) s.laws = campaign::parse_laws("all");
+  s.validate();
+  return lot;
+}
+
+std::filesystem::path output_directory(CalibrateArguments const& a) {
+  if (a.out) return *a.out;
+  auto const& first = a.inputs.front();
+  auto const name = is_lot_file(first) ? std::filesystem::absolute(first).lexically_normal().parent_path().filename()
+                                       : first.stem();
+  return std::filesystem::path("out") / name;
+}
+
+}  // namespace isolaw::app

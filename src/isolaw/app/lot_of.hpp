@@ -1,0 +1,18 @@
+// From what the user named, files and options, to a lot.
+#pragma once
+
+#include "isolaw/app/commands.hpp"
+#include "isolaw/campaign/lot_file.hpp"
+
+namespace isolaw::app {
+
+// The lot file or the lot of the files named, with the options of the command line laid over it.
+campaign::Lot lot_of(CalibrateArguments const& arguments);
+
+// Options given on the command line win over those in `options`.
+void apply(ReadArguments const& arguments, data::ReadOptions& options);
+
+// The directory of the results: --out, or out/<name of the lot file's directory or of the first record>.
+std::filesystem::path output_directory(CalibrateArguments const& arguments);
+
+}  // namespace isolaw::app

@@ -1,0 +1,58 @@
+#include "isolaw/app/progress.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <string>
+
+namespace isolaw::app {
+namespace {
+
+std::size_t terminal_width() {
+  winsize size{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 20 ? size.ws_col : 80;
+}
+
+std::string duration(double seconds) {
+  auto const s = static_cast<long>(seconds + 0.5);
+  if (s < 60) return fmt::format("{} s", s);
+  if (s < 3600) return fmt::format("{}:{:02} min", s / 60, s % 60);
+  return fmt::format("{}:{:02} h", s / 3600, s % 3600 / 60);
+}
+
+}  // namespace
+
+ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0) {}
+
+ProgressLine::~ProgressLine() {
+  if (drawn_) std::fputs("\r\033[K", stderr);
+}
+
+void ProgressLine::show(campaign::Progress const& progress) {
+  if (!terminal_ || progress.total == 0) return;
+  auto const now = Clock::now();
+  if (first_) {
+    done_at_start_ = progress.done - 1;  // runs of an earlier, interrupted session do not count for the rate
+    first_ = false;
+  }
+  bool const last = progress.done == progress.total;
+  if (!last && now - last_ < std::chrono::milliseconds(100)) return;
+  last_ = now;
+  drawn_ = true;
+  double const elapsed = std::chrono::duration<double>(now - start_).count();
+  double const rate = static_cast<double>(progress.done - done_at_start_) / std::max(elapsed, 1e-3);
+  double const left = static_cast<double>(progress.total - progress.done) / rate;
+  constexpr std::size_t cells = 20;
+  auto const filled = cells * progress.done / progress.total;
+  std::string bar;
+  for (std::size_t i = 0; i < cells; ++i) bar += i < filled ? "#" : "-";
+  auto line = fmt::format("[{}] {}/{} runs  {:.1f}/s  {} left ", bar, progress.done, progress.total, rate, duration(left));
+  for (auto const& [law, best] : progress.best) line += fmt::format(" {} {:.4f}", law, best);
+  line.resize(std::min(line.size(), terminal_width() - 1));
+  fmt::print(stderr, "\r{}\033[K", line);
+  std::fflush(stderr);
+}
+
+}  // namespace isolaw::app

@@ -1,0 +1,34 @@
+// Devices x laws x runs: prepared, identified in parallel, stored as they finish.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "isolaw/campaign/contents.hpp"
+#include "isolaw/campaign/lot_file.hpp"
+
+namespace isolaw::campaign {
+
+// Reads and cleans every record and makes every box. A device that cannot be used is kept with its reason; throws Error
+// only when none is usable.
+Contents prepare(Lot const& lot);
+
+struct Progress {
+  std::size_t done = 0, total = 0;
+  std::map<std::string, double> best;  // best objective so far per law
+};
+
+struct RunOptions {
+  int jobs = 0;                                      // threads; 0: one per core
+  std::function<void(Progress const&)> progress;     // called from one thread at a time
+  std::function<bool()> interrupted;                 // asked between generations; finished runs are kept
+};
+
+// Runs what `store` does not hold yet and adds it. The result of a run depends on (seed, device name, law, number) and
+// the settings alone. Returns false when interrupted.
+bool run(Contents& contents, std::filesystem::path const& store, RunOptions const& options);
+
+}  // namespace isolaw::campaign

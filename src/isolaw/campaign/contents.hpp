@@ -1,0 +1,67 @@
+// What a campaign holds, in memory: the plain image of the store.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "isolaw/campaign/settings.hpp"
+#include "isolaw/data/record.hpp"
+#include "isolaw/fit/box.hpp"
+
+namespace isolaw::campaign {
+
+// What the lot file says about a device beside its record.
+struct DeviceInfo {
+  std::string serial, lot, test_date;
+  std::optional<double> temperature_C, rubber_thickness_mm, rubber_area_mm2;
+};
+
+struct Device {
+  std::string name;
+  std::string file;  // as given, relative to the lot file
+  DeviceInfo info;
+  std::string refusal;  // why the device takes no part; empty for a usable one
+  data::TestRecord raw;
+  data::FitRecord record;  // what the laws are fitted to
+
+  bool usable() const { return refusal.empty(); }
+};
+
+// One law's search on one device: its box, or why it was not searched.
+struct Search {
+  std::size_t device = 0;
+  std::string law;
+  std::string refusal;
+  fit::SearchBox box;
+};
+
+enum class Outcome { all_generations, stagnated, no_finite_value };
+std::string_view name(Outcome outcome);
+
+struct Run {
+  std::size_t device = 0;
+  std::string law;
+  int number = 0;  // from 1
+  Outcome outcome = Outcome::no_finite_value;
+  double objective = 0.0;          // NaN when no parameter set gave a finite force
+  double integration_shift = 0.0;  // of the objective, against a much finer path
+  int evaluations = 0;
+  std::vector<double> parameters;  // all of the law's; empty when not usable
+  std::vector<double> history;     // best objective after each generation
+
+  bool usable() const { return !parameters.empty(); }
+};
+
+struct Contents {
+  std::string title;
+  Settings settings;
+  std::vector<Device> devices;
+  std::vector<Search> searches;  // by device, then in the order of the settings' laws
+  std::vector<Run> runs;         // by device, law, number
+
+  std::size_t expected_runs() const;  // of every search that was not refused
+  bool complete() const { return runs.size() == expected_runs(); }
+};
+
+}  // namespace isolaw::campaign

@@ -1,0 +1,326 @@
+#include "isolaw/campaign/lot_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string_view>
+#include <toml++/toml.h>
+
+#include "isolaw/base/error.hpp"
+
+namespace isolaw::campaign {
+namespace {
+
+// Reads keys of one table, collects what is wrong with them, and remembers which keys are known.
+class TableReader {
+ public:
+  TableReader(toml::table const& table, std::string file, std::string name, std::vector<Complaint>& complaints)
+      : table_(table), file_(std::move(file)), name_(std::move(name)), complaints_(complaints) {}
+
+  std::string where(toml::node const& node) const { return fmt::format("{}:{}", file_, node.source().begin.line); }
+
+  // A key that is read elsewhere.
+  void know(std::string_view key) { known_.emplace(key); }
+
+  // Calls take(value) when the key is there and of type T.
+  template <class T, class Take>
+  void value(std::string_view key, std::string_view expected, Take&& take) {
+    known_.emplace(key);
+    auto const* node = table_.get(key);
+    if (node == nullptr) return;
+    auto const found = node->value<T>();
+    bool const same_kind = !std::is_same_v<T, std::string> || node->is_string();
+    if (!found || !same_kind) {
+      complain(*node, fmt::format("'{}' is not {}", key, expected), std::string(expected));
+      return;
+    }
+    guarded(*node, key, [&] { take(*found); });
+  }
+  template <class T>
+  void set(std::string_view key, std::string_view expected, T& target) {
+    value<T>(key, expected, [&](T const& v) { target = v; });
+  }
+  void set(std::string_view key, std::optional<double>& target) {
+    value<double>(key, "a number", [&](double v) { target = v; });
+  }
+  void strings(std::string_view key, std::function<void(std::string const&)> const& take) {
+    known_.emplace(key);
+    auto const* node = table_.get(key);
+    if (node == nullptr) return;
+    if (auto const one = node->value<std::string>(); one && node->is_string()) {
+      guarded(*node, key, [&] { take(*one); });
+      return;
+    }
+    auto const* array = node->as_array();
+    if (array == nullptr || !array->is_homogeneous(toml::node_type::string))
+      return complain(*node, fmt::format("'{}' is not text or a list of texts", key), "\"...\" or [\"...\", \"...\"]");
+    for (auto const& item : *array) guarded(item, key, [&] { take(*item.value<std::string>()); });
+  }
+  // A sub-table of text by channel, or the command line's text "time=...,disp=...".
+  void channels(std::string_view key, std::function<std::map<data::Channel, std::string>(std::string_view)> const& parse,
+                std::map<data::Channel, std::string>& target) {
+    known_.emplace(key);
+    auto const* node = table_.get(key);
+    if (node == nullptr) return;
+    if (node->is_string()) {
+      guarded(*node, key, [&] {
+        for (auto const& [channel, name] : parse(*node->value<std::string>())) target[channel] = name;
+      });
+      return;
+    }
+    auto const* sub = node->as_table();
+    if (sub == nullptr)
+      return complain(*node, fmt::format("'{}' is neither a table nor text", key),
+                      "{ time = \"...\", disp = \"...\", force = \"...\" }");
+    for (auto const& [channel, item] : *sub) {
+      auto const number = item.value<std::int64_t>();
+      auto const name = item.is_string() ? *item.value<std::string>() : number ? std::to_string(*number) : std::string();
+      if (name.empty()) {
+        complain(item, fmt::format("'{}.{}' is neither text nor a number", key, channel.str()), "a name or a 1-based number");
+        continue;
+      }
+      // A column's name may hold a comma, which the command line's form could not carry.
+      bool const comma = name.find(',') != std::string::npos;
+      guarded(item, key, [&] {
+        for (auto const& [known, value] : parse(fmt::format("{}={}", channel.str(), comma ? "1" : name)))
+          target[known] = comma ? name : value;
+      });
+    }
+  }
+  toml::table const* table(std::string_view key) {
+    known_.emplace(key);
+    auto const* node = table_.get(key);
+    if (node == nullptr) return nullptr;
+    if (!node->is_table()) complain(*node, fmt::format("'{}' is not a table", key), fmt::format("[{}]", key));
+    return node->as_table();
+  }
+  // Every key that nobody asked for is a mistake.
+  void refuse_unknown() {
+    for (auto const& [key, node] : table_) {
+      if (known_.contains(std::string(key.str()))) continue;
+      std::string allowed;
+      for (auto const& k : known_) allowed += (allowed.empty() ? "" : ", ") + k;
+      complain(node, fmt::format("unknown key '{}'{}", key.str(), name_.empty() ? "" : " in " + name_), allowed);
+    }
+  }
+  void complain(toml::node const& node, std::string found, std::string allowed) {
+    complaints_.push_back({.where = where(node), .found = std::move(found), .allowed = std::move(allowed)});
+  }
+
+ private:
+  template <class Action>
+  void guarded(toml::node const& node, std::string_view key, Action&& action) {
+    try {
+      action();
+    } catch (Error const& error) {
+      for (auto complaint : error.complaints()) {
+        complaint.found = fmt::format("{}: {}", key, complaint.found);
+        complaint.where = where(node);
+        complaints_.push_back(std::move(complaint));
+      }
+    }
+  }
+
+  toml::table const& table_;
+  std::string file_, name_;
+  std::vector<Complaint>& complaints_;
+  std::set<std::string> known_;
+};
+
+void read_settings(TableReader& table, Settings& s) {
+  table.strings("laws", [&](std::string const& text) {
+    for (auto const& id : parse_laws(text))
+      if (std::ranges::find(s.laws, id) == s.laws.end()) s.laws.push_back(id);
+  });
+  table.set<std::string>("method", "text", s.method);
+  table.value<std::string>("integration", "text", [&](auto const& v) { s.integration = parse_integration(v); });
+  table.set<int>("runs", "a whole number", s.runs);
+  table.set<int>("population", "a whole number", s.genetic.population);
+  table.set<int>("generations", "a whole number", s.genetic.generations);
+  table.set<double>("stagnation-tolerance", "a number", s.genetic.stagnation_tolerance);
+  table.value<std::int64_t>("seed", "a whole number", [&](std::int64_t v) { s.seed = static_cast<std::uint64_t>(v); });
+  table.value<std::string>("box", "text", [&](auto const& v) { s.box = parse_box(v); });
+  table.strings("set", [&](std::string const& text) { s.overrides.push_back(fit::parse_override(text)); });
+  table.set<int>("smooth", "a whole number", s.clean.smooth);
+  table.set<bool>("center", "true or false", s.clean.center);
+}
+
+// samples-per-cycle is a number or the word "all".
+void read_thinning(TableReader& table, toml::table const& source, data::CleanOptions& clean) {
+  auto const* node = source.get("samples-per-cycle");
+  if (node != nullptr && node->is_string())
+    table.value<std::string>("samples-per-cycle", "a whole number or \"all\"",
+                             [&](auto const& v) { clean.samples_per_cycle = parse_samples_per_cycle(v); });
+  else
+    table.value<int>("samples-per-cycle", "a whole number or \"all\"", [&](int v) { clean.samples_per_cycle = v; });
+}
+
+void read_reading(TableReader& table, data::ReadOptions& options) {
+  table.channels("columns", data::parse_columns, options.columns);
+  table.channels("units", data::parse_units, options.units);
+  table.set("dt", options.dt_s);
+  table.set<bool>("flip-force", "true or false", options.flip_force);
+}
+
+DeviceInput read_device(TableReader& table, toml::table const& source, std::filesystem::path const& directory,
+                        data::ReadOptions const& defaults, std::vector<Complaint>& complaints) {
+  DeviceInput device;
+  device.read = defaults;
+  auto const take_file = [&](std::string const& name) {
+    device.files.push_back(directory / name);
+    device.shown_file += (device.shown_file.empty() ? "" : ", ") + name;
+  };
+  table.set<std::string>("name", "text", device.name);
+  table.strings("file", take_file);
+  table.strings("files", take_file);
+  table.set<std::string>("serial", "text", device.info.serial);
+  table.set<std::string>("lot", "text", device.info.lot);
+  if (auto const* date = source.get("test-date"); date != nullptr && date->is_date()) {
+    std::ostringstream text;
+    text << *date->as_date();
+    device.info.test_date = text.str();
+    table.know("test-date");
+  } else {
+    table.set<std::string>("test-date", "a date or text", device.info.test_date);
+  }
+  table.set("temperature-C", device.info.temperature_C);
+  table.set("rubber-thickness-mm", device.info.rubber_thickness_mm);
+  table.set("rubber-area-mm2", device.info.rubber_area_mm2);
+  read_reading(table, device.read);
+  table.refuse_unknown();
+  if (device.files.empty())
+    complaints.push_back({.where = table.where(source), .found = "a device without a file", .allowed = "file = \"...\" or files = [...]"});
+  if (device.name.empty() && !device.files.empty()) device.name = device.files.front().stem().string();
+  return device;
+}
+
+void refuse_repeated_names(std::vector<DeviceInput> const& devices, std::string const& where,
+                           std::vector<Complaint>& complaints) {
+  std::set<std::string> names;
+  for (auto const& device : devices)
+    if (!names.insert(device.name).second)
+      complaints.push_back({.where = where, .found = fmt::format("two devices are named '{}'", device.name),
+                            .allowed = "a name of its own for each device"});
+}
+
+std::string relative_name(std::filesystem::path const& file, std::filesystem::path const& directory) {
+  auto const inside = std::filesystem::absolute(file).lexically_normal().lexically_relative(
+      std::filesystem::absolute(directory).lexically_normal());
+  bool const below = !inside.empty() && *inside.begin() != "..";
+  return (below ? inside : std::filesystem::absolute(file).lexically_normal()).generic_string();
+}
+
+toml::table channel_table(std::map<data::Channel, std::string> const& channels) {
+  toml::table table;
+  for (auto const& [channel, value] : channels) table.insert(data::name(channel), value);
+  table.is_inline(true);
+  return table;
+}
+
+}  // namespace
+
+Lot read_lot_file(std::filesystem::path const& path) {
+  auto const file = path.string();
+  toml::table root;
+  try {
+    root = toml::parse_file(file);
+  } catch (toml::parse_error const& error) {
+    throw Error({.where = fmt::format("{}:{}", file, error.source().begin.line),
+                 .found = std::string(error.description()), .allowed = "a lot file in TOML",
+                 .advice = "isolaw init FILES... writes one"});
+  }
+  std::vector<Complaint> complaints;
+  Lot lot;
+  data::ReadOptions defaults;
+  TableReader top(root, file, "", complaints);
+  top.set<std::string>("title", "text", lot.title);
+  if (auto const* table = top.table("calibrate")) {
+    TableReader reader(*table, file, "[calibrate]", complaints);
+    read_settings(reader, lot.settings);
+    read_thinning(reader, *table, lot.settings.clean);
+    reader.refuse_unknown();
+  }
+  if (auto const* table = top.table("read")) {
+    TableReader reader(*table, file, "[read]", complaints);
+    read_reading(reader, defaults);
+    reader.refuse_unknown();
+  }
+  auto const* devices = root.get("device");
+  if (devices == nullptr || !devices->is_array_of_tables()) {
+    complaints.push_back({.where = file, .found = "no devices", .allowed = "one [[device]] table for each device",
+                          .advice = "isolaw init FILES... writes a lot file"});
+  } else {
+    for (auto const& node : *devices->as_array()) {
+      TableReader reader(*node.as_table(), file, "[[device]]", complaints);
+      lot.devices.push_back(read_device(reader, *node.as_table(), path.parent_path(), defaults, complaints));
+    }
+    refuse_repeated_names(lot.devices, file, complaints);
+  }
+  top.know("device");
+  top.refuse_unknown();
+  if (!complaints.empty()) throw Error(complaints);
+  return lot;
+}
+
+Lot lot_of_files(std::vector<std::filesystem::path> const& files) {
+  Lot lot;
+  std::set<std::string> names;
+  for (auto const& file : files) {
+    DeviceInput device;
+    device.name = file.stem().string();
+    // Files of one name in several folders: the folder tells them apart, a number where that is not enough.
+    if (names.contains(device.name)) device.name = file.parent_path().filename().string() + "/" + device.name;
+    for (int i = 2; !names.insert(device.name).second; ++i) device.name = fmt::format("{} ({})", file.stem().string(), i);
+    device.files = {file};
+    device.shown_file = file.filename().string();
+    lot.devices.push_back(std::move(device));
+  }
+  return lot;
+}
+
+std::string lot_file_text(Lot const& lot, std::filesystem::path const& directory) {
+  auto const& s = lot.settings;
+  toml::table calibrate{{"box", name(s.box)}, {"runs", s.runs}, {"seed", static_cast<std::int64_t>(s.seed)},
+                        {"smooth", s.clean.smooth}};
+  if (s.clean.samples_per_cycle) calibrate.insert("samples-per-cycle", *s.clean.samples_per_cycle);
+  else calibrate.insert("samples-per-cycle", "all");
+  toml::array devices;
+  for (auto const& input : lot.devices) {
+    toml::table device{{"name", input.name}};
+    if (input.files.size() == 1) {
+      device.insert("file", relative_name(input.files.front(), directory));
+    } else {
+      toml::array files;
+      for (auto const& file : input.files) files.push_back(relative_name(file, directory));
+      device.insert("files", std::move(files));
+    }
+    auto const text = [&](char const* key, std::string const& value) {
+      if (!value.empty()) device.insert(key, value);
+    };
+    auto const number = [&](char const* key, std::optional<double> value) {
+      if (value) device.insert(key, *value);
+    };
+    text("serial", input.info.serial);
+    text("lot", input.info.lot);
+    text("test-date", input.info.test_date);
+    number("temperature-C", input.info.temperature_C);
+    number("rubber-thickness-mm", input.info.rubber_thickness_mm);
+    number("rubber-area-mm2", input.info.rubber_area_mm2);
+    number("dt", input.read.dt_s);
+    if (input.read.flip_force) device.insert("flip-force", true);
+    if (!input.read.columns.empty()) device.insert("columns", channel_table(input.read.columns));
+    if (!input.read.units.empty()) device.insert("units", channel_table(input.read.units));
+    devices.push_back(std::move(device));
+  }
+  toml::table root{{"title", lot.title}, {"calibrate", std::move(calibrate)}, {"device", std::move(devices)}};
+  std::ostringstream out;
+  out << root << '\n';
+  return out.str();
+}
+
+}  // namespace isolaw::campaign

@@ -1,0 +1,123 @@
+#include "isolaw/campaign/settings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "isolaw/base/error.hpp"
+
+namespace isolaw::campaign {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+[[noreturn]] void refuse(std::string_view option, std::string_view found, std::string_view allowed) {
+  throw Error({.where = fmt::format("--{}", option), .found = fmt::format("'{}'", found), .allowed = std::string(allowed)});
+}
+
+}  // namespace
+
+void Settings::validate() const {
+  if (method != "ga") refuse("method", method, "ga");
+  if (runs < 1 || runs > 100000) refuse("runs", fmt::to_string(runs), "1 to 100000");
+  genetic.validate();
+  clean.validate();
+  for (auto const& id : laws) laws::find_law(id);
+}
+
+std::vector<std::string> parse_laws(std::string_view text) {
+  std::vector<std::string> ids;
+  if (text == "all") {
+    for (auto const& law : laws::catalogue()) ids.emplace_back(law.info.id);
+    return ids;
+  }
+  while (true) {
+    auto const comma = text.find(',');
+    auto id = text.substr(0, comma);
+    while (id.starts_with(' ')) id.remove_prefix(1);
+    while (id.ends_with(' ')) id.remove_suffix(1);
+    auto const& law = laws::find_law(id);
+    if (std::ranges::find(ids, law.info.id) == ids.end()) ids.emplace_back(law.info.id);
+    if (comma == std::string_view::npos) return ids;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+fit::BoxKind parse_box(std::string_view text) {
+  if (text == "published") return fit::BoxKind::published;
+  if (text == "auto") return fit::BoxKind::scaled;
+  refuse("box", text, "published, auto");
+}
+
+laws::Integration parse_integration(std::string_view text) {
+  if (text == "converged") return laws::Integration::converged;
+  if (text == "paper") return laws::Integration::paper;
+  refuse("integration", text, "converged, paper");
+}
+
+std::optional<int> parse_samples_per_cycle(std::string_view text) {
+  if (text == "all") return std::nullopt;
+  int value = 0;
+  auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size())
+    refuse("samples-per-cycle", text, "a whole number of at least 20, or all");
+  return value;
+}
+
+std::string_view name(fit::BoxKind kind) { return kind == fit::BoxKind::published ? "published" : "auto"; }
+std::string_view name(laws::Integration integration) {
+  return integration == laws::Integration::paper ? "paper" : "converged";
+}
+
+std::vector<std::pair<std::string, std::string>> to_pairs(Settings const& s) {
+  Json sets = Json::array();
+  for (auto const& change : s.overrides) sets.push_back(change.text());
+  Json json;
+  json["laws"] = s.laws;
+  json["method"] = s.method;
+  json["integration"] = name(s.integration);
+  json["runs"] = s.runs;
+  json["population"] = s.genetic.population;
+  json["generations"] = s.genetic.generations;
+  json["mutation_rate"] = s.genetic.mutation_rate;
+  json["stagnation"] = s.genetic.stagnation;
+  json["stagnation_tolerance"] = s.genetic.stagnation_tolerance;
+  json["selection_pressure"] = s.genetic.selection_pressure;
+  json["seed"] = s.seed;
+  json["box"] = name(s.box);
+  json["set"] = sets;
+  json["smooth"] = s.clean.smooth;
+  json["samples-per-cycle"] = s.clean.samples_per_cycle ? Json(*s.clean.samples_per_cycle) : Json("all");
+  json["center"] = s.clean.center;
+  std::vector<std::pair<std::string, std::string>> pairs;
+  for (auto const& [key, value] : json.items()) pairs.emplace_back(key, value.dump());
+  return pairs;
+}
+
+Settings settings_from_pairs(std::vector<std::pair<std::string, std::string>> const& pairs) {
+  Json json;
+  for (auto const& [key, value] : pairs) json[key] = Json::parse(value);
+  Settings s;
+  s.laws = json.at("laws").get<std::vector<std::string>>();
+  s.method = json.at("method").get<std::string>();
+  s.integration = parse_integration(json.at("integration").get<std::string>());
+  s.runs = json.at("runs").get<int>();
+  s.genetic.population = json.at("population").get<int>();
+  s.genetic.generations = json.at("generations").get<int>();
+  s.genetic.mutation_rate = json.at("mutation_rate").get<double>();
+  s.genetic.stagnation = json.at("stagnation").get<int>();
+  s.genetic.stagnation_tolerance = json.at("stagnation_tolerance").get<double>();
+  s.genetic.selection_pressure = json.at("selection_pressure").get<double>();
+  s.seed = json.at("seed").get<std::uint64_t>();
+  s.box = parse_box(json.at("box").get<std::string>());
+  for (auto const& text : json.at("set")) s.overrides.push_back(fit::parse_override(text.get<std::string>()));
+  s.clean.smooth = json.at("smooth").get<int>();
+  auto const& thinning = json.at("samples-per-cycle");
+  s.clean.samples_per_cycle = thinning.is_number() ? std::optional(thinning.get<int>()) : std::nullopt;
+  s.clean.center = json.at("center").get<bool>();
+  return s;
+}
+
+}  // namespace isolaw::campaign

@@ -1,0 +1,42 @@
+// What decides the numbers of a campaign. Two campaigns with equal settings, inputs and seed give equal results.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "isolaw/data/clean.hpp"
+#include "isolaw/fit/box.hpp"
+#include "isolaw/opt/genetic.hpp"
+
+namespace isolaw::campaign {
+
+struct Settings {
+  std::vector<std::string> laws;  // ids, in the order of reports; empty: all
+  std::string method = "ga";
+  laws::Integration integration = laws::Integration::converged;
+  int runs = 20;
+  opt::GeneticOptions genetic;
+  std::uint64_t seed = 1;
+  fit::BoxKind box = fit::BoxKind::scaled;
+  std::vector<fit::Override> overrides;
+  data::CleanOptions clean;
+
+  void validate() const;  // throws Error
+};
+
+// Every setting with its value as JSON text, in a fixed order; and back.
+std::vector<std::pair<std::string, std::string>> to_pairs(Settings const& settings);
+Settings settings_from_pairs(std::vector<std::pair<std::string, std::string>> const& pairs);
+
+// "all" or "id,id": the ids of known laws without repetition. Throws Error that lists the laws.
+std::vector<std::string> parse_laws(std::string_view text);
+fit::BoxKind parse_box(std::string_view text);                  // "published" or "auto"
+laws::Integration parse_integration(std::string_view text);     // "converged" or "paper"
+std::optional<int> parse_samples_per_cycle(std::string_view text);  // a number or "all"
+std::string_view name(fit::BoxKind kind);
+std::string_view name(laws::Integration integration);
+
+}  // namespace isolaw::campaign

@@ -1,0 +1,407 @@
+#include "isolaw/campaign/store.hpp"
+
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "isolaw/base/error.hpp"
+
+namespace isolaw::campaign {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "series are stored as little-endian doubles");
+
+constexpr char const* schema = R"sql(
+CREATE TABLE meta (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
+CREATE TABLE setting (position INTEGER PRIMARY KEY, key TEXT NOT NULL UNIQUE, json TEXT NOT NULL);
+CREATE TABLE device (
+  id INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE, file TEXT NOT NULL, sha256 TEXT NOT NULL,
+  status TEXT NOT NULL CHECK (status IN ('ok', 'refused')), message TEXT NOT NULL,
+  serial TEXT NOT NULL, lot TEXT NOT NULL, test_date TEXT NOT NULL,
+  temperature_C REAL, rubber_thickness_mm REAL, rubber_area_mm2 REAL,
+  recognised TEXT NOT NULL, warnings TEXT NOT NULL, cleaning TEXT NOT NULL);
+CREATE TABLE series (  -- values: little-endian 8-byte floats; kind: as read, or as the laws saw it
+  device INTEGER NOT NULL REFERENCES device(id), kind TEXT NOT NULL CHECK (kind IN ('raw', 'fit')),
+  channel TEXT NOT NULL, count INTEGER NOT NULL, "values" BLOB NOT NULL,
+  PRIMARY KEY (device, kind, channel)) WITHOUT ROWID;
+CREATE TABLE search (
+  device INTEGER NOT NULL REFERENCES device(id), law TEXT NOT NULL, refusal TEXT NOT NULL,
+  PRIMARY KEY (device, law)) WITHOUT ROWID;
+CREATE TABLE search_parameter (
+  device INTEGER NOT NULL, law TEXT NOT NULL, position INTEGER NOT NULL, name TEXT NOT NULL, unit TEXT NOT NULL,
+  free INTEGER NOT NULL, value REAL, lower REAL, upper REAL, scale TEXT NOT NULL,
+  PRIMARY KEY (device, law, position)) WITHOUT ROWID;
+CREATE TABLE run (
+  device INTEGER NOT NULL, law TEXT NOT NULL, number INTEGER NOT NULL, outcome TEXT NOT NULL,
+  objective REAL, integration_shift REAL, evaluations INTEGER NOT NULL, history BLOB NOT NULL,
+  PRIMARY KEY (device, law, number)) WITHOUT ROWID;
+CREATE TABLE run_parameter (
+  device INTEGER NOT NULL, law TEXT NOT NULL, number INTEGER NOT NULL, position INTEGER NOT NULL, value REAL NOT NULL,
+  PRIMARY KEY (device, law, number, position)) WITHOUT ROWID;
+)sql";
+
+[[noreturn]] void fail(sqlite3* db, std::string_view doing) {
+  auto const* file = db == nullptr ? nullptr : sqlite3_db_filename(db, "main");
+  throw Error({.where = file == nullptr ? "campaign store" : file,
+               .found = fmt::format("{}: {}", doing, db == nullptr ? "out of memory" : sqlite3_errmsg(db)),
+               .advice = "check free space and permissions of the directory; finished runs in the store are kept"});
+}
+
+void execute(sqlite3* db, char const* sql) {
+  if (sqlite3_exec(db, sql, nullptr, nullptr, nullptr) != SQLITE_OK) fail(db, "cannot write");
+}
+
+// A prepared statement whose values are bound in order.
+class Statement {
+ public:
+  Statement(sqlite3* db, char const* sql) : db_(db) {
+    if (sqlite3_prepare_v2(db, sql, -1, &statement_, nullptr) != SQLITE_OK) fail(db, "cannot read");
+  }
+  Statement(Statement const&) = delete;
+  Statement& operator=(Statement const&) = delete;
+  ~Statement() { sqlite3_finalize(statement_); }
+
+  Statement& bind(std::string_view text) {
+    return check(sqlite3_bind_text(statement_, ++bound_, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT));
+  }
+  Statement& bind(std::size_t value) { return check(sqlite3_bind_int64(statement_, ++bound_, static_cast<sqlite3_int64>(value))); }
+  Statement& bind(int value) { return check(sqlite3_bind_int64(statement_, ++bound_, value)); }
+  Statement& bind(double value) {  // not a number is stored as NULL
+    return check(std::isnan(value) ? sqlite3_bind_null(statement_, ++bound_)
+                                   : sqlite3_bind_double(statement_, ++bound_, value));
+  }
+  Statement& bind(std::optional<double> value) { return bind(value.value_or(std::nan(""))); }
+  Statement& bind(std::vector<double> const& values) {
+    return check(sqlite3_bind_blob64(statement_, ++bound_, values.data(), values.size() * sizeof(double), SQLITE_TRANSIENT));
+  }
+  // Runs an INSERT and makes the statement ready for the next row.
+  void insert() {
+    if (sqlite3_step(statement_) != SQLITE_DONE) fail(db_, "cannot write");
+    sqlite3_reset(statement_);
+    bound_ = 0;
+  }
+  // The next row of a SELECT.
+  bool row() {
+    int const status = sqlite3_step(statement_);
+    if (status != SQLITE_ROW && status != SQLITE_DONE) fail(db_, "cannot read");
+    next_ = 0;
+    return status == SQLITE_ROW;
+  }
+  std::string text() {
+    auto const* bytes = sqlite3_column_text(statement_, next_);
+    auto const size = static_cast<std::size_t>(sqlite3_column_bytes(statement_, next_++));
+    return bytes == nullptr ? std::string() : std::string(static_cast<char const*>(static_cast<void const*>(bytes)), size);
+  }
+  sqlite3_int64 integer() { return sqlite3_column_int64(statement_, next_++); }
+  std::size_t index() { return static_cast<std::size_t>(integer()); }
+  double real() {
+    bool const null = sqlite3_column_type(statement_, next_) == SQLITE_NULL;
+    double const value = sqlite3_column_double(statement_, next_++);
+    return null ? std::nan("") : value;
+  }
+  std::optional<double> optional_real() {
+    double const value = real();
+    return std::isnan(value) ? std::nullopt : std::optional(value);
+  }
+  std::vector<double> reals() {
+    auto const* bytes = sqlite3_column_blob(statement_, next_);
+    auto const size = static_cast<std::size_t>(sqlite3_column_bytes(statement_, next_++));
+    std::vector<double> values(size / sizeof(double));
+    if (!values.empty()) std::memcpy(values.data(), bytes, values.size() * sizeof(double));
+    return values;
+  }
+
+ private:
+  Statement& check(int status) {
+    if (status != SQLITE_OK) fail(db_, "cannot write");
+    return *this;
+  }
+  sqlite3* db_;
+  sqlite3_stmt* statement_ = nullptr;
+  int bound_ = 0;
+  int next_ = 0;
+};
+
+// BEGIN ... COMMIT; rolled back when left by an exception.
+class Transaction {
+ public:
+  explicit Transaction(sqlite3* db) : db_(db) { execute(db_, "BEGIN IMMEDIATE"); }
+  Transaction(Transaction const&) = delete;
+  Transaction& operator=(Transaction const&) = delete;
+  ~Transaction() {
+    if (!done_) sqlite3_exec(db_, "ROLLBACK", nullptr, nullptr, nullptr);
+  }
+  void commit() {
+    execute(db_, "COMMIT");
+    done_ = true;
+  }
+
+ private:
+  sqlite3* db_;
+  bool done_ = false;
+};
+
+std::string to_json(std::vector<std::string> const& lines) {
+  return nlohmann::json(lines).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+std::vector<std::string> lines_of(std::string const& json) {
+  return nlohmann::json::parse(json).get<std::vector<std::string>>();
+}
+
+template <class Visit>
+void for_each_series(auto& device, Visit&& visit) {
+  visit("raw", "time_s", device.raw.time_s);
+  visit("raw", "disp_mm", device.raw.disp_mm);
+  visit("raw", "force_kN", device.raw.force_kN);
+  visit("raw", "load_kN", device.raw.load_kN);
+  visit("fit", "time_s", device.record.time_s);
+  visit("fit", "disp_mm", device.record.disp_mm);
+  visit("fit", "vel_mm_s", device.record.vel_mm_s);
+  visit("fit", "force_kN", device.record.force_kN);
+}
+
+void write_devices(sqlite3* db, Contents const& contents) {
+  Statement device(db, "INSERT INTO device VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  Statement series(db, "INSERT INTO series VALUES (?, ?, ?, ?, ?)");
+  for (std::size_t id = 0; id < contents.devices.size(); ++id) {
+    auto const& d = contents.devices[id];
+    device.bind(id).bind(d.name).bind(d.file).bind(d.raw.sha256).bind(d.usable() ? "ok" : "refused").bind(d.refusal);
+    device.bind(d.info.serial).bind(d.info.lot).bind(d.info.test_date);
+    device.bind(d.info.temperature_C).bind(d.info.rubber_thickness_mm).bind(d.info.rubber_area_mm2);
+    device.bind(to_json(d.raw.recognised)).bind(to_json(d.raw.warnings)).bind(to_json(d.record.cleaning)).insert();
+    for_each_series(d, [&](char const* kind, char const* channel, std::vector<double> const& values) {
+      if (!values.empty()) series.bind(id).bind(kind).bind(channel).bind(values.size()).bind(values).insert();
+    });
+  }
+}
+
+void write_searches(sqlite3* db, Contents const& contents) {
+  Statement search(db, "INSERT INTO search VALUES (?, ?, ?)");
+  Statement parameter(db, "INSERT INTO search_parameter VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  for (auto const& s : contents.searches) {
+    search.bind(s.device).bind(s.law).bind(s.refusal).insert();
+    for (std::size_t i = 0; i < s.box.parameters.size(); ++i) {
+      auto const& p = s.box.parameters[i];
+      parameter.bind(s.device).bind(s.law).bind(i).bind(p.name).bind(p.unit).bind(p.free ? 1 : 0);
+      parameter.bind(p.value).bind(p.lower).bind(p.upper);
+      parameter.bind(p.scale == laws::Scale::logarithmic ? "logarithmic" : "linear").insert();
+    }
+  }
+}
+
+void read_devices(sqlite3* db, Contents& contents) {
+  Statement device(db, "SELECT name, file, sha256, status, message, serial, lot, test_date, temperature_C, "
+                       "rubber_thickness_mm, rubber_area_mm2, recognised, warnings, cleaning FROM device ORDER BY id");
+  while (device.row()) {
+    Device d;
+    d.name = device.text();
+    d.file = d.raw.file = device.text();
+    d.raw.sha256 = device.text();
+    bool const refused = device.text() == "refused";
+    auto const message = device.text();
+    if (refused) d.refusal = message;
+    d.info.serial = device.text();
+    d.info.lot = device.text();
+    d.info.test_date = device.text();
+    d.info.temperature_C = device.optional_real();
+    d.info.rubber_thickness_mm = device.optional_real();
+    d.info.rubber_area_mm2 = device.optional_real();
+    d.raw.recognised = lines_of(device.text());
+    d.raw.warnings = lines_of(device.text());
+    d.record.cleaning = lines_of(device.text());
+    contents.devices.push_back(std::move(d));
+  }
+  std::map<std::tuple<std::size_t, std::string, std::string>, std::vector<double>> stored;
+  Statement series(db, "SELECT device, kind, channel, \"values\" FROM series");
+  while (series.row()) {
+    auto const id = series.index();
+    auto kind = series.text(), channel = series.text();
+    stored[{id, std::move(kind), std::move(channel)}] = series.reals();
+  }
+  for (std::size_t id = 0; id < contents.devices.size(); ++id)
+    for_each_series(contents.devices[id], [&](char const* kind, char const* channel, std::vector<double>& values) {
+      if (auto const found = stored.find({id, kind, channel}); found != stored.end()) values = std::move(found->second);
+    });
+}
+
+void read_searches(sqlite3* db, Contents& contents) {
+  Statement search(db, "SELECT device, law, refusal FROM search");
+  std::map<std::pair<std::size_t, std::string>, Search> found;
+  while (search.row()) {
+    Search s;
+    s.device = search.index();
+    s.law = search.text();
+    s.refusal = search.text();
+    found[{s.device, s.law}] = s;
+  }
+  Statement parameter(db, "SELECT device, law, name, unit, free, value, lower, upper, scale FROM search_parameter "
+                          "ORDER BY device, law, position");
+  while (parameter.row()) {
+    auto const device = parameter.index();
+    auto& box = found.at({device, parameter.text()}).box;
+    fit::SearchParameter p;
+    p.name = parameter.text();
+    p.unit = parameter.text();
+    p.free = parameter.integer() != 0;
+    p.value = parameter.real();
+    p.lower = parameter.real();
+    p.upper = parameter.real();
+    p.scale = parameter.text() == "logarithmic" ? laws::Scale::logarithmic : laws::Scale::linear;
+    box.parameters.push_back(std::move(p));
+  }
+  for (std::size_t d = 0; d < contents.devices.size(); ++d)
+    for (auto const& law : contents.settings.laws)
+      if (auto const s = found.find({d, law}); s != found.end()) contents.searches.push_back(s->second);
+}
+
+Outcome outcome_from(std::string_view text) {
+  for (auto const outcome : {Outcome::all_generations, Outcome::stagnated})
+    if (name(outcome) == text) return outcome;
+  return Outcome::no_finite_value;
+}
+
+void read_runs(sqlite3* db, Contents& contents) {
+  std::map<std::tuple<std::size_t, std::string, int>, std::vector<double>> values;
+  Statement parameter(db, "SELECT device, law, number, value FROM run_parameter ORDER BY device, law, number, position");
+  while (parameter.row()) {
+    auto const device = parameter.index();
+    auto law = parameter.text();
+    auto const number = static_cast<int>(parameter.integer());
+    values[{device, std::move(law), number}].push_back(parameter.real());
+  }
+  Statement run(db, "SELECT device, law, number, outcome, objective, integration_shift, evaluations, history FROM run "
+                    "ORDER BY device, law, number");
+  while (run.row()) {
+    Run r;
+    r.device = run.index();
+    r.law = run.text();
+    r.number = static_cast<int>(run.integer());
+    r.outcome = outcome_from(run.text());
+    r.objective = run.real();
+    r.integration_shift = run.real();
+    r.evaluations = static_cast<int>(run.integer());
+    r.history = run.reals();
+    if (auto const found = values.find({r.device, r.law, r.number}); found != values.end())
+      r.parameters = std::move(found->second);
+    contents.runs.push_back(std::move(r));
+  }
+}
+
+std::string meta(sqlite3* db, std::string_view key) {
+  Statement select(db, "SELECT value FROM meta WHERE key = ?");
+  select.bind(key);
+  return select.row() ? select.text() : std::string();
+}
+
+// A store of ours, of a schema this version knows.
+void check_schema(sqlite3* db, std::filesystem::path const& file) {
+  Statement known(db, "SELECT count(*) FROM sqlite_master WHERE name = 'meta'");
+  known.row();
+  auto const version = known.integer() == 1 ? meta(db, "schema") : std::string();
+  if (version.empty())
+    throw Error({.where = file.string(), .found = "not a campaign store of isolaw", .allowed = "campaign.sqlite of a campaign"});
+  if (version != std::to_string(Store::schema_version))
+    throw Error({.where = file.string(),
+                 .found = fmt::format("schema version {}", version),
+                 .allowed = fmt::format("version {}", Store::schema_version),
+                 .advice = "the version of isolaw that wrote it"});
+}
+
+}  // namespace
+
+std::string_view name(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::all_generations: return "all_generations";
+    case Outcome::stagnated: return "stagnated";
+    case Outcome::no_finite_value: return "no_finite_value";
+  }
+  return "";
+}
+
+std::size_t Contents::expected_runs() const {
+  std::size_t expected = 0;
+  for (auto const& search : searches) expected += search.refusal.empty() ? static_cast<std::size_t>(settings.runs) : 0;
+  return expected;
+}
+
+void Store::Close::operator()(sqlite3* db) const { sqlite3_close_v2(db); }
+
+Store::Handle Store::open_handle(std::filesystem::path const& file, int flags) {
+  sqlite3* raw = nullptr;
+  int const status = sqlite3_open_v2(file.c_str(), &raw, flags, nullptr);
+  Handle db(raw);
+  if (status != SQLITE_OK) fail(raw, "cannot open");
+  sqlite3_busy_timeout(raw, 5000);
+  return db;
+}
+
+Store Store::create(std::filesystem::path const& file, Contents const& contents) {
+  std::error_code ignored;
+  for (auto const* suffix : {"", "-wal", "-shm", "-journal"}) std::filesystem::remove(file.string() + suffix, ignored);
+  auto handle = open_handle(file, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+  auto* db = handle.get();
+  execute(db, "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
+  Transaction transaction(db);
+  execute(db, schema);
+  Statement meta(db, "INSERT INTO meta VALUES (?, ?)");
+  meta.bind("schema").bind(std::to_string(schema_version)).insert();
+  meta.bind("isolaw").bind(ISOLAW_VERSION).insert();
+  meta.bind("title").bind(contents.title).insert();
+  Statement setting(db, "INSERT INTO setting VALUES (?, ?, ?)");
+  std::size_t position = 0;
+  for (auto const& [key, json] : to_pairs(contents.settings)) setting.bind(position++).bind(key).bind(json).insert();
+  write_devices(db, contents);
+  write_searches(db, contents);
+  transaction.commit();
+  return Store(std::move(handle), file);
+}
+
+Store Store::open(std::filesystem::path const& file) {
+  auto handle = open_handle(file, SQLITE_OPEN_READWRITE);
+  check_schema(handle.get(), file);
+  execute(handle.get(), "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
+  return Store(std::move(handle), file);
+}
+
+Contents Store::read(std::filesystem::path const& file) {
+  if (!std::filesystem::exists(file))
+    throw Error({.where = file.string(), .found = "no such file", .allowed = "campaign.sqlite of a campaign",
+                 .advice = "isolaw calibrate ... --out DIR makes one"});
+  auto handle = open_handle(file, SQLITE_OPEN_READONLY);
+  auto* db = handle.get();
+  check_schema(db, file);
+  Contents contents;
+  contents.title = meta(db, "title");
+  std::vector<std::pair<std::string, std::string>> pairs;
+  Statement setting(db, "SELECT key, json FROM setting ORDER BY position");
+  while (setting.row()) {
+    auto key = setting.text();
+    pairs.emplace_back(std::move(key), setting.text());
+  }
+  contents.settings = settings_from_pairs(pairs);
+  read_devices(db, contents);
+  read_searches(db, contents);
+  read_runs(db, contents);
+  return contents;
+}
+
+void Store::add(Run const& run) {
+  auto* db = db_.get();
+  Transaction transaction(db);
+  Statement row(db, "INSERT INTO run VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+  row.bind(run.device).bind(run.law).bind(run.number).bind(name(run.outcome)).bind(run.objective);
+  row.bind(run.integration_shift).bind(run.evaluations).bind(run.history).insert();
+  Statement parameter(db, "INSERT INTO run_parameter VALUES (?, ?, ?, ?, ?)");
+  for (std::size_t i = 0; i < run.parameters.size(); ++i)
+    parameter.bind(run.device).bind(run.law).bind(run.number).bind(i).bind(run.parameters[i]).insert();
+  transaction.commit();
+}
+
+void Store::finish() { execute(db_.get(), "PRAGMA journal_mode = DELETE"); }
+
+}  // namespace isolaw::campaign

@@ -1,0 +1,41 @@
+// The campaign on disk: one SQLite file, one transaction per finished run, readable by plain SQL.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "isolaw/campaign/contents.hpp"
+
+struct sqlite3;
+
+namespace isolaw::campaign {
+
+class Store {
+ public:
+  static constexpr int schema_version = 1;
+
+  // A new store that holds the devices and searches of `contents` and no runs; replaces a file of that name.
+  static Store create(std::filesystem::path const& file, Contents const& contents);
+  // An existing one, to add runs to. Throws Error: no such file, not a store, newer schema.
+  static Store open(std::filesystem::path const& file);
+  // Everything in it; the file is not changed. Throws Error as above.
+  static Contents read(std::filesystem::path const& file);
+
+  void add(Run const& run);  // one transaction; not thread-safe
+  void finish();             // no more runs: the write-ahead log is folded into the one file
+
+ private:
+  struct Close {
+    void operator()(sqlite3* db) const;
+  };
+  using Handle = std::unique_ptr<sqlite3, Close>;
+  static Handle open_handle(std::filesystem::path const& file, int flags);
+  Store(Handle db, std::filesystem::path file) : db_(std::move(db)), file_(std::move(file)) {}
+
+  Handle db_;
+  std::filesystem::path file_;
+};
+
+}  // namespace isolaw::campaign

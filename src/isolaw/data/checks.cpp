@@ -1,0 +1,217 @@
+#include "isolaw/data/checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "isolaw/data/properties.hpp"
+
+namespace isolaw::data {
+namespace {
+
+// Larger than any sensor reports in any unit that is read; instruments write 1e10, 9.9e37, 1e30 for "overload".
+constexpr double beyond_any_sensor = 1e10;
+constexpr std::array sentinels{999.0, 9999.0, 99999.0, 999999.0, 9999999.0, 999.9, 9999.9, 99999.9, 999.99, 9999.99, 99999.99};
+constexpr double far_beyond = 50.0;     // times the ordinary size: no device jumps so
+constexpr double sentinel_beyond = 3.0;  // times the ordinary size: 9999 N among values up to 12000 N is a value
+constexpr std::size_t least_values = 20;
+
+bool is_sentinel(double size) { return std::ranges::find(sentinels, size) != sentinels.end(); }
+
+// The 99.9th percentile of |value|, with at least three larger values, sentinels and overloads left out.
+std::optional<double> ordinary_size(std::span<double const> values) {
+  std::vector<double> sizes;
+  sizes.reserve(values.size());
+  for (double const value : values)
+    if (double const size = std::abs(value); size < beyond_any_sensor && !is_sentinel(size)) sizes.push_back(size);
+  if (sizes.size() < least_values) return std::nullopt;
+  auto const above = std::max<std::size_t>(3, sizes.size() / 1000);
+  auto const at = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() - 1 - above);
+  std::ranges::nth_element(sizes, at);
+  return *at > 0.0 ? std::optional(*at) : std::nullopt;
+}
+
+bool is_overload(double value, std::optional<double> ordinary) {
+  double const size = std::abs(value);
+  if (size >= beyond_any_sensor) return true;
+  if (!ordinary) return false;
+  return size > far_beyond * *ordinary || (is_sentinel(size) && size > sentinel_beyond * *ordinary);
+}
+
+void check_overload(std::string const& file, RawChannel const& raw, std::span<std::size_t const> lines,
+                    std::vector<Complaint>& complaints) {
+  auto const ordinary = ordinary_size(raw.values);
+  Findings findings(file, "values beyond the sensor's range");
+  for (std::size_t i = 0; i < raw.values.size(); ++i) {
+    if (!is_overload(raw.values[i], ordinary)) continue;
+    std::string found = fmt::format("{} {} in {} looks like an overload of the sensor", raw.values[i], raw.unit, raw.column);
+    if (ordinary) found += fmt::format(" (99.9 % of the values stay within {:.4g})", *ordinary);
+    findings.add(lines[i], std::move(found), "measured values", "cut the record before the overload, or test again");
+  }
+  findings.append_to(complaints);
+}
+
+void check_constant(std::string const& file, RawChannel const& raw, std::vector<Complaint>& complaints) {
+  auto const [least, largest] = std::ranges::minmax(raw.values);
+  if (largest - least > 1e-12 * std::max(std::abs(least), std::abs(largest))) return;
+  complaints.push_back({file,
+                        fmt::format("{} is constant: {} holds {} {} in all {} samples", name(raw.channel), raw.column,
+                                    least, raw.unit, raw.values.size()),
+                        "a channel that moves",
+                        fmt::format("--columns {}=NUMBER with the column that was measured", name(raw.channel))});
+}
+
+void check_time(std::string const& file, RawChannel const& raw, std::span<std::size_t const> lines,
+                std::vector<Complaint>& complaints) {
+  Findings findings(file, "times that do not increase");
+  for (std::size_t i = 1; i < raw.values.size(); ++i) {
+    double const before = raw.values[i - 1];
+    double const now = raw.values[i];
+    if (now > before) continue;
+    auto found = now == before ? fmt::format("time {} {} is repeated", now, raw.unit)
+                               : fmt::format("time goes back from {} to {} {}", before, now, raw.unit);
+    findings.add(lines[i], std::move(found), "time that increases from row to row",
+                 "keep one test per file, or leave time out with --columns time=none and give --dt");
+  }
+  findings.append_to(complaints);
+}
+
+// Displacement and force over the complete cycles: energy, and the slope and correlation of the whole loop.
+struct Loop {
+  double energy_kN_mm = 0.0;
+  double slope_kN_per_mm = 0.0;
+  double correlation = 0.0;
+  double equivalent_damping = 0.0;  // energy against that of a viscous loop of this slope and spread
+};
+
+Loop measure_loop(TestRecord const& record, std::vector<Cycle> const& cycles) {
+  Loop loop;
+  for (auto const& cycle : cycles) loop.energy_kN_mm += cycle.energy_kN_mm;
+  auto const first = static_cast<std::size_t>(cycles.front().first);
+  auto const end = std::min(record.size(), static_cast<std::size_t>(cycles.back().last) + 1);
+  auto const count = static_cast<double>(end - first);
+  double mean_x = 0.0;
+  double mean_F = 0.0;
+  for (auto i = first; i < end; ++i) {
+    mean_x += record.disp_mm[i] / count;
+    mean_F += record.force_kN[i] / count;
+  }
+  double xx = 0.0;
+  double xF = 0.0;
+  double FF = 0.0;
+  for (auto i = first; i < end; ++i) {
+    double const x = record.disp_mm[i] - mean_x;
+    double const F = record.force_kN[i] - mean_F;
+    xx += x * x;
+    xF += x * F;
+    FF += F * F;
+  }
+  loop.slope_kN_per_mm = xF / xx;
+  loop.correlation = xF / std::sqrt(xx * FF);
+  // The area of the ellipse with the same standard deviations and no correlation is 2 pi sigma_x sigma_F.
+  double const fullest = 2.0 * std::numbers::pi * std::sqrt(xx * FF) / count * static_cast<double>(cycles.size());
+  loop.equivalent_damping = loop.energy_kN_mm / fullest;
+  return loop;
+}
+
+void warn_about_sampling(TestRecord& record) {
+  if (record.time_s.size() < 3) return;
+  double const mean = (record.time_s.back() - record.time_s.front()) / static_cast<double>(record.time_s.size() - 1);
+  double least = mean;
+  double largest = mean;
+  for (std::size_t i = 1; i < record.time_s.size(); ++i) {
+    double const interval = record.time_s[i] - record.time_s[i - 1];
+    least = std::min(least, interval);
+    largest = std::max(largest, interval);
+  }
+  double const jitter = std::max(largest - mean, mean - least) / mean;
+  if (jitter > 0.01)
+    record.warnings.push_back(fmt::format("sampling is not uniform: intervals from {:.6g} to {:.6g} s, {:.6g} s on average",
+                                          least, largest, mean));
+}
+
+// Middle of the extremes over one cycle, and its amplitude.
+void warn_about_offset(TestRecord& record, Cycle const& cycle, std::vector<double> const& values, std::string_view what,
+                       std::string_view unit, double tolerated) {
+  auto const first = static_cast<std::size_t>(cycle.first);
+  auto const end = std::min(values.size(), static_cast<std::size_t>(cycle.last) + 1);
+  auto const [least, largest] = std::ranges::minmax(std::span(values).subspan(first, end - first));
+  double const offset = (largest + least) / 2.0;
+  double const amplitude = (largest - least) / 2.0;
+  if (std::abs(offset) > tolerated * amplitude)
+    record.warnings.push_back(fmt::format(
+        "{} is off centre by {:.4g} {} in cycle {}, {:.0f} % of its amplitude; centring removes this before the fit", what,
+        offset, unit, cycle.number, 100.0 * std::abs(offset) / amplitude));
+}
+
+}  // namespace
+
+void Findings::add(std::size_t line, std::string found, std::string allowed, std::string advice) {
+  ++count_;
+  if (first_.size() < shown)
+    first_.push_back({fmt::format("{}:{}", file_, line), std::move(found), std::move(allowed), std::move(advice)});
+}
+
+void Findings::append_to(std::vector<Complaint>& complaints) const {
+  complaints.insert(complaints.end(), first_.begin(), first_.end());
+  if (count_ > first_.size()) complaints.push_back({file_, fmt::format("and {} more {}", count_ - first_.size(), rest_), {}, {}});
+}
+
+void check_channel(std::string const& file, RawChannel const& raw, std::span<std::size_t const> lines,
+                   std::vector<Complaint>& complaints) {
+  if (raw.values.empty()) return;
+  if (raw.channel == Channel::time) {
+    check_time(file, raw, lines, complaints);
+    return;
+  }
+  check_overload(file, raw, lines, complaints);
+  if (raw.channel != Channel::load) check_constant(file, raw, complaints);  // a load may be held, and is not fitted
+}
+
+void check_physics(TestRecord const& record, std::string const& exchange_advice, std::vector<Complaint>& complaints) {
+  auto const properties = cyclic_properties(record.disp_mm, record.force_kN);
+  if (properties.cycles.empty()) return;
+  auto const loop = measure_loop(record, properties.cycles);
+  // Nothing follows from the sign of an energy within the skew of two channels of a nearly elastic device.
+  constexpr double significant_energy = 0.02;
+  constexpr double significant_correlation = 0.2;
+  if (loop.equivalent_damping > -significant_energy) return;
+  auto const values = fmt::format("energy per cycle {:.4g} kN mm, stiffness {:.4g} kN/mm",
+                                  loop.energy_kN_mm / static_cast<double>(properties.cycles.size()), loop.slope_kN_per_mm);
+  std::string const flip = record.layout.flip_force ? "leave --flip-force out" : "--flip-force";
+  std::string const allowed = "a device that dissipates energy and resists displacement: both positive";
+  if (loop.correlation > significant_correlation)
+    complaints.push_back({record.file, "force and displacement seem swapped: " + values, allowed, exchange_advice});
+  else if (loop.correlation < -significant_correlation)
+    complaints.push_back({record.file, "the force's sign is flipped: " + values, allowed, flip});
+  else
+    complaints.push_back({record.file, "the force's sign is flipped, or force and displacement are swapped: " + values,
+                          allowed, flip + " or " + exchange_advice});
+}
+
+void add_warnings(TestRecord& record) {
+  warn_about_sampling(record);
+  auto const [least, largest] = std::ranges::minmax(record.disp_mm);
+  double const half_range = (largest - least) / 2.0;
+  if (std::abs(record.disp_mm.front()) > 0.05 * half_range)
+    record.warnings.push_back(fmt::format("the first sample is at {:.4g} mm, {:.0f} % of the half range of {:.4g} mm: laws start at rest at zero",
+                                          record.disp_mm.front(), 100.0 * std::abs(record.disp_mm.front()) / half_range,
+                                          half_range));
+  auto const properties = cyclic_properties(record.disp_mm, record.force_kN);
+  if (!properties.refusal.empty()) record.warnings.push_back("no cyclic properties: " + properties.refusal);
+  if (!properties.reported) return;
+  double const samples = *properties.samples_per_cycle;
+  double const angle = 2.0 * std::numbers::pi / samples;
+  if (samples < 100.0)
+    record.warnings.push_back(fmt::format(
+        "{:.1f} samples per cycle: the energy comes out {:.2g} % too small; 100 or more are wanted", samples,
+        100.0 * (1.0 - std::sin(angle) / angle)));
+  warn_about_offset(record, *properties.reported, record.disp_mm, "displacement", "mm", 0.05);
+  warn_about_offset(record, *properties.reported, record.force_kN, "force", "kN", 0.10);
+}
+
+}  // namespace isolaw::data

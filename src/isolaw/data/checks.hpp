@@ -1,0 +1,52 @@
+// What the values themselves tell: sentinels of an overloaded sensor, time that goes back, channels that do not move,
+// force and displacement exchanged. An isolator dissipates energy and pushes back, so both signs are known beforehand.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/data/columns.hpp"
+#include "isolaw/data/record.hpp"
+
+namespace isolaw::data {
+
+// Collects the complaints of one kind: the first few with their line, the rest counted.
+class Findings {
+ public:
+  // `rest` names the kind for the count, "cells that are no number".
+  Findings(std::string file, std::string_view rest) : file_(std::move(file)), rest_(rest) {}
+  void add(std::size_t line, std::string found, std::string allowed, std::string advice);
+  bool empty() const { return count_ == 0; }
+  void append_to(std::vector<Complaint>& complaints) const;
+
+ private:
+  static constexpr std::size_t shown = 5;
+  std::string file_;
+  std::string_view rest_;
+  std::size_t count_ = 0;
+  std::vector<Complaint> first_;
+};
+
+// A channel as read, in the units of the file; `lines` holds the line number of each value.
+struct RawChannel {
+  Channel channel;
+  std::string column;  // "column 2 'Force [kN]'"
+  std::string unit;    // symbol; may be empty
+  std::vector<double> values;
+};
+
+// Overload and constancy of displacement, force and load; order of time.
+void check_channel(std::string const& file, RawChannel const& raw, std::span<std::size_t const> lines,
+                   std::vector<Complaint>& complaints);
+
+// Signs of energy and stiffness over the complete cycles. `advice` is what to type when the columns are exchanged.
+void check_physics(TestRecord const& record, std::string const& exchange_advice, std::vector<Complaint>& complaints);
+
+// Uneven sampling, a start away from zero, few samples per cycle, offsets.
+void add_warnings(TestRecord& record);
+
+}  // namespace isolaw::data

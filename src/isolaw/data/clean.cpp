@@ -1,0 +1,196 @@
+#include "isolaw/data/clean.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/data/properties.hpp"
+
+namespace isolaw::data {
+namespace {
+
+// Sums of the first n values, each kept as a rounded sum and what rounding lost, so that the difference of two far
+// along a million samples is as exact as a direct sum.
+class PrefixSums {
+ public:
+  explicit PrefixSums(std::vector<double> const& values) : sum_(values.size() + 1), lost_(values.size() + 1) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      double const next = sum_[i] + values[i];
+      double const part = next - sum_[i];
+      lost_[i + 1] = lost_[i] + ((sum_[i] - (next - part)) + (values[i] - part));
+      sum_[i + 1] = next;
+    }
+  }
+  double between(std::size_t first, std::size_t end) const {
+    return (sum_[end] - sum_[first]) + (lost_[end] - lost_[first]);
+  }
+
+ private:
+  std::vector<double> sum_;
+  std::vector<double> lost_;
+};
+
+// Samples [first, end) whose extremes centre the record: the reported cycle, or everything.
+struct Range {
+  std::size_t first = 0;
+  std::size_t end = 0;
+  std::string text = "the whole record, which has no complete cycle";
+};
+
+Range centring_range(Properties const& properties, std::size_t size) {
+  if (!properties.reported) return {.end = size};
+  auto const& cycle = *properties.reported;
+  return {.first = static_cast<std::size_t>(std::floor(cycle.first)),
+          .end = std::min(size, static_cast<std::size_t>(std::ceil(cycle.last)) + 1),
+          .text = fmt::format("cycle {}", cycle.number)};
+}
+
+double remove_middle(std::vector<double>& values, Range const& range) {
+  auto const [least, largest] = std::ranges::minmax(std::span(values).subspan(range.first, range.end - range.first));
+  double const middle = (largest + least) / 2.0;
+  for (double& value : values) value -= middle;
+  return middle;
+}
+
+void center(FitRecord& record, Properties const& properties) {
+  auto const range = centring_range(properties, record.size());
+  double const disp_mm = remove_middle(record.disp_mm, range);
+  double const force_kN = remove_middle(record.force_kN, range);
+  record.cleaning.push_back(fmt::format(
+      "centred: {:.4g} mm taken from displacement and {:.4g} kN from force, (max + min) / 2 over {}", disp_mm, force_kN,
+      range.text));
+}
+
+void average(FitRecord& record, int window) {
+  record.disp_mm = moving_average(record.disp_mm, window);
+  record.force_kN = moving_average(record.force_kN, window);
+}
+
+// Keep every how many-th sample; 1 where nothing is dropped. Says why.
+std::size_t thinning_step(FitRecord& record, Properties const& properties, std::optional<int> wanted) {
+  if (!wanted) {
+    record.cleaning.push_back("all samples kept, as asked for");
+    return 1;
+  }
+  if (!properties.samples_per_cycle) {
+    record.cleaning.push_back("all samples kept: thinning needs cycles, and there is " + properties.refusal);
+    return 1;
+  }
+  double const found = *properties.samples_per_cycle;
+  // The tolerance keeps an exact multiple a multiple: crossings are interpolated to rounding error.
+  auto const step = static_cast<std::size_t>(std::floor(found / *wanted * (1.0 + 1e-9)));
+  if (step >= 2) return step;
+  record.cleaning.push_back(
+      fmt::format("all samples kept: {:.1f} per cycle is less than twice the {} asked for", found, *wanted));
+  return 1;
+}
+
+std::vector<double> every(std::vector<double> const& values, std::size_t step) {
+  std::vector<double> kept;
+  kept.reserve(values.size() / step + 1);
+  for (std::size_t i = 0; i < values.size(); i += step) kept.push_back(values[i]);
+  return kept;
+}
+
+void drop_samples(FitRecord& record, std::size_t step) {
+  record.time_s = every(record.time_s, step);
+  record.disp_mm = every(record.disp_mm, step);
+  record.vel_mm_s = every(record.vel_mm_s, step);
+  record.force_kN = every(record.force_kN, step);
+}
+
+std::vector<double> sample_numbers(std::size_t size) {
+  std::vector<double> numbers(size);
+  for (std::size_t i = 0; i < size; ++i) numbers[i] = static_cast<double>(i);
+  return numbers;
+}
+
+}  // namespace
+
+void CleanOptions::validate() const {
+  std::vector<Complaint> complaints;
+  if (smooth < 1 || smooth % 2 == 0)
+    complaints.push_back({"smooth", std::to_string(smooth), "an odd number of samples, 1 for none",
+                          std::to_string(std::max(1, smooth + 1))});
+  if (samples_per_cycle && *samples_per_cycle < 20)
+    complaints.push_back({"samples_per_cycle", std::to_string(*samples_per_cycle), "20 or more, or all", "200"});
+  if (!complaints.empty()) throw Error(std::move(complaints));
+}
+
+std::vector<double> moving_average(std::vector<double> const& values, int window) {
+  assert(window >= 1 && window % 2 == 1);
+  if (window <= 1 || values.size() < 3) return values;
+  auto const half = static_cast<std::size_t>(window / 2);
+  PrefixSums const sums(values);
+  std::vector<double> averages(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    auto const reach = std::min({half, i, values.size() - 1 - i});
+    averages[i] = sums.between(i - reach, i + reach + 1) / static_cast<double>(2 * reach + 1);
+  }
+  return averages;
+}
+
+std::vector<double> central_difference(std::vector<double> const& time_s, std::vector<double> const& values) {
+  assert(time_s.size() == values.size());
+  auto const size = values.size();
+  std::vector<double> rate(size, 0.0);
+  if (size < 2) return rate;
+  auto const interval = [&](std::size_t i) { return time_s[i + 1] - time_s[i]; };
+  auto const slope = [&](std::size_t i) { return (values[i + 1] - values[i]) / interval(i); };
+  if (size == 2) {
+    rate[0] = rate[1] = slope(0);
+    return rate;
+  }
+  for (std::size_t i = 1; i + 1 < size; ++i) {
+    double const before = interval(i - 1);
+    double const after = interval(i);
+    rate[i] = (before * slope(i) + after * slope(i - 1)) / (before + after);
+  }
+  rate.front() = 2.0 * slope(0) - rate[1];  // the slope of a chord is the mean of a parabola's slopes at its ends
+  rate.back() = 2.0 * slope(size - 2) - rate[size - 2];
+  return rate;
+}
+
+FitRecord clean(TestRecord const& raw, CleanOptions const& options) {
+  options.validate();
+  FitRecord record;
+  record.disp_mm = raw.disp_mm;
+  record.force_kN = raw.force_kN;
+  record.time_s = raw.has_time() ? raw.time_s : sample_numbers(raw.size());
+  auto const properties = cyclic_properties(raw.disp_mm, raw.force_kN);
+  if (options.center) center(record, properties);
+  if (options.smooth > 1) {
+    average(record, options.smooth);
+    record.cleaning.push_back(
+        fmt::format("displacement and force averaged over {} samples, fewer at the ends", options.smooth));
+  } else {
+    record.cleaning.push_back("no smoothing");
+  }
+  auto const step = thinning_step(record, properties, options.samples_per_cycle);
+  int const window = static_cast<int>(step % 2 == 0 ? step + 1 : step);
+  if (step >= 2) average(record, window);
+  if (raw.has_time()) {
+    record.vel_mm_s = central_difference(record.time_s, record.disp_mm);
+    record.cleaning.push_back("velocity by central differences of the averaged displacement at the true times");
+  } else {
+    record.cleaning.push_back("no velocity: the record has no time, which counts samples instead");
+  }
+  if (step >= 2) {
+    drop_samples(record, step);
+    record.cleaning.push_back(
+        fmt::format("thinned from {:.1f} to {:.1f} samples per cycle: every {}th of {} samples kept ({}), each the "
+                    "average of {}",
+                    *properties.samples_per_cycle, *properties.samples_per_cycle / static_cast<double>(step), step,
+                    raw.size(), record.size(), window));
+  }
+  return record;
+}
+
+}  // namespace isolaw::data

@@ -1,0 +1,511 @@
+#include "isolaw/data/columns.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <span>
+#include <utility>
+
+#include "isolaw/data/text.hpp"
+
+namespace isolaw::data {
+namespace {
+
+using Words = std::vector<std::string>;
+using Lexicon = std::span<std::string_view const>;
+
+// English, Italian, German, French, Spanish; lower case without accents.
+constexpr std::string_view time_words[]{"time", "tempo", "zeit", "temps", "tiempo", "messzeit"};
+constexpr std::string_view disp_words[]{"disp", "weg", "stroke", "corsa", "hub", "scorrimento"};
+constexpr std::string_view disp_stems[]{"displ", "spost", "verschieb", "deplac", "desplaz", "horizontalverschieb", "horizontalweg",
+                             "kolbenweg"};
+constexpr std::string_view force_words[]{"force", "forces", "forza", "taglio", "shear", "kraft", "fuerza", "effort", "cortante",
+                              "horizontalkraft", "querkraft", "schubkraft", "scherkraft"};
+constexpr std::string_view load_words[]{"load", "carico", "last", "carga", "charge"};
+constexpr std::string_view vertical_force_words[]{"vertikalkraft", "vertikallast", "axialkraft", "axiallast", "normalkraft", "auflast"};
+constexpr std::string_view vertical_words[]{"vertical", "verticale", "vert", "vertikal", "vertikalweg", "vertikalverschiebung",
+                                 "axial", "axiale", "assiale", "normal", "normale", "compression", "compressione",
+                                 "kompression", "z"};
+constexpr std::string_view horizontal_words[]{"horizontal", "horizontale", "orizzontale", "orizz", "horiz", "hor", "lateral",
+                                   "laterale", "shear", "taglio"};
+// Not a measured displacement or force, though the name holds such a word.
+constexpr std::string_view other_quantities[]{
+    "command", "comando", "cmd", "setpoint", "target", "demand", "soll", "sollwert", "sollweg", "consigne", "consigna",
+    "reference", "ref", "riferimento", "velocity", "velocita", "vel", "speed", "geschwindigkeit", "vitesse",
+    "velocidad", "acceleration", "accelerazione", "acc", "beschleunigung", "error", "errore", "fehler", "strain",
+    "stress", "modulus", "temperature", "temperatura", "temperatur", "pressure", "pressione", "rate", "status"};
+constexpr std::string_view disp_symbols[]{"x", "u", "d", "ux", "dx", "uh", "dh"};
+constexpr std::string_view force_symbols[]{"f", "h", "fx", "fh"};
+constexpr std::string_view load_symbols[]{"v", "fv", "fz", "p"};
+constexpr std::string_view vertical_letters[]{"v", "n"};  // beside another word: "Force V"
+constexpr std::string_view counter_words[]{"sample", "samples", "index", "idx", "no", "nr", "num", "number", "count", "counter",
+                                "point", "points", "scan", "campione", "row", "record", "id"};
+
+bool is_in(Lexicon lexicon, std::string_view word) { return std::ranges::find(lexicon, word) != std::ranges::end(lexicon); }
+
+bool any_in(Lexicon lexicon, Words const& words) {
+  return std::ranges::any_of(words, [&](auto const& word) { return is_in(lexicon, word); });
+}
+
+bool any_starts(Lexicon stems, Words const& words) {
+  return std::ranges::any_of(
+      words, [&](auto const& word) { return std::ranges::any_of(stems, [&](auto stem) { return word.starts_with(stem); }); });
+}
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// Lower-case words; "DispH_2" -> disp, h, 2.
+Words words_of(std::string_view name) {
+  auto const text = without_accents(name);
+  Words words;
+  char previous = ' ';
+  for (char const c : text) {
+    bool const part = is_letter(c) || is_digit(c);
+    bool const joined = (is_letter(previous) && is_letter(c) && !(is_capital(c) && !is_capital(previous))) ||
+                        (is_digit(previous) && is_digit(c));
+    if (part && !joined) words.emplace_back();
+    if (part) words.back() += c;
+    previous = c;
+  }
+  for (auto& word : words) word = lower(word);
+  return words;
+}
+
+enum class Certainty { none, symbol, word };
+
+// What a name says. `load` without "vertical" or "horizontal" beside it may be either force.
+struct Meaning {
+  std::optional<Channel> channel;
+  Certainty certainty = Certainty::none;
+  bool plain_load = false;
+};
+
+Meaning meaning_of_words(Words const& words) {
+  auto const word = [](Channel channel) { return Meaning{.channel = channel, .certainty = Certainty::word}; };
+  if (any_in(other_quantities, words)) return {};
+  bool const single_letter_vertical = words.size() > 1 && any_in(vertical_letters, words);
+  bool const vertical = any_in(vertical_words, words) || single_letter_vertical;
+  bool const disp = any_in(disp_words, words) || any_starts(disp_stems, words);
+  if (any_in(vertical_force_words, words)) return word(Channel::load);
+  if (disp) return vertical ? Meaning{} : word(Channel::disp);
+  if (any_in(time_words, words)) return word(Channel::time);
+  bool const load = any_in(load_words, words);
+  if (any_in(force_words, words)) return word(vertical ? Channel::load : Channel::force);
+  if (vertical) return word(Channel::load);
+  if (load && any_in(horizontal_words, words)) return word(Channel::force);
+  if (load) return {.channel = Channel::load, .certainty = Certainty::word, .plain_load = true};
+  return {};
+}
+
+Meaning meaning_of_symbol(std::string_view base, std::optional<Unit> unit) {
+  std::string symbol;
+  for (char const c : without_accents(base))
+    if (is_letter(c) || is_digit(c)) symbol += c;
+  auto const meant = [&](Channel channel) {
+    bool const other_dimension = unit && unit->dimension != dimension(channel);
+    return other_dimension ? Meaning{} : Meaning{.channel = channel, .certainty = Certainty::symbol};
+  };
+  if (symbol == "t") return meant(Channel::time);
+  if (symbol == "T" && unit) return meant(Channel::time);  // alone it is as often a temperature
+  if (symbol == "N") return meant(Channel::load);          // n counts samples
+  auto const small = lower(symbol);
+  if (is_in(disp_symbols, small)) return meant(Channel::disp);
+  if (is_in(force_symbols, small)) return meant(Channel::force);
+  if (is_in(load_symbols, small)) return meant(Channel::load);
+  return {};
+}
+
+Meaning meaning_of(std::string_view name) {
+  auto const parts = dissect_name(name);
+  auto const meaning = meaning_of_words(words_of(parts.base));
+  if (meaning.channel) return meaning;
+  return meaning_of_symbol(parts.base, parse_unit(parts.unit));
+}
+
+bool is_counter(std::string_view name) {
+  auto const words = words_of(dissect_name(name).base);
+  if (words.empty()) return trimmed(name) == "#";
+  bool const symbol = words.front() == "n" && trimmed(name).front() == 'n';
+  return words.size() == 1 && (symbol || is_in(counter_words, words.front()));
+}
+
+// A bracketed unit anywhere in the name: "Displacement [mm] horizontal".
+std::optional<ColumnName> split_brackets(std::string_view name) {
+  constexpr std::array<std::pair<char, char>, 3> brackets{{{'[', ']'}, {'(', ')'}, {'{', '}'}}};
+  std::optional<ColumnName> unknown;
+  for (auto const& [open, close] : brackets) {
+    auto const first = name.find(open);
+    auto const last = name.find(close, first == std::string_view::npos ? 0 : first);
+    if (first == std::string_view::npos || last == std::string_view::npos) continue;
+    auto const inside = trimmed(name.substr(first + 1, last - first - 1));
+    ColumnName parts{.base = std::string(name.substr(0, first)) + ' ' + std::string(name.substr(last + 1)),
+                     .unit = std::string(inside)};
+    parts.base = trimmed(parts.base);
+    if (parse_unit(inside)) return parts;
+    constexpr std::size_t longest_unit = 8;
+    bool const remark = meaning_of_words(words_of(inside)).channel || any_in(horizontal_words, words_of(inside)) ||
+                        inside.size() > longest_unit || inside.empty() || (open == '(' && is_digit(inside.front()));
+    if (!remark && !unknown) unknown = parts;
+  }
+  return unknown;
+}
+
+// A unit as the last word: "displacement_cm", "Force, kN", "Kraft in kN", "F / kN".
+std::optional<ColumnName> split_last_word(std::string_view name) {
+  auto const at = name.find_last_of(" _/,;:-");
+  if (at == std::string_view::npos || at == 0 || !parse_unit(name.substr(at + 1))) return std::nullopt;
+  auto base = name.substr(0, at);
+  auto const tail = base.find_last_not_of(" _/,;:-");
+  if (tail == std::string_view::npos) return std::nullopt;
+  base = base.substr(0, tail + 1);
+  if (base.ends_with(" in")) base.remove_suffix(3);
+  return ColumnName{.base = std::string(base), .unit = std::string(name.substr(at + 1))};
+}
+
+// --- resolution ------------------------------------------------------------------------------------------------
+
+std::string unit_example(Channel channel) {
+  switch (dimension(channel)) {
+    case Dimension::force: return "kN";
+    case Dimension::length: return "mm";
+    default: return "s";
+  }
+}
+
+std::string_view meaning_text(Channel channel) {
+  switch (channel) {
+    case Channel::time: return "time";
+    case Channel::disp: return "horizontal displacement";
+    case Channel::force: return "horizontal force";
+    case Channel::load: return "vertical load";
+  }
+  return "";
+}
+
+class Resolver {
+ public:
+  Resolver(std::string where, Header const& header, Dialect const& dialect, ReadOptions const& options)
+      : file_(std::move(where)), header_(header), dialect_(dialect), options_(options) {}
+
+  Columns run() {
+    if (header_.mismatch) complain_about_mismatch();
+    for (auto const channel : all_channels) take_option(channel);
+    for (auto const channel : all_channels)
+      if (!asked_for(channel)) recognise(channel);
+    refuse_shared_columns();
+    for (auto& [channel, column] : result_.channels) resolve_unit(channel, column);
+    std::erase_if(result_.channels, [](auto const& entry) {
+      return entry.first == Channel::load && !entry.second.unit;  // optional: said in a warning or a complaint
+    });
+    return std::move(result_);
+  }
+
+ private:
+  std::size_t count() const { return dialect_.columns; }
+  bool has_names() const { return !header_.names.empty(); }
+  bool asked_for(Channel channel) const { return options_.columns.contains(channel); }
+
+  std::string header_place() const {
+    return has_names() ? fmt::format("{}:{}", file_, *header_.name_line + 1) : file_;
+  }
+
+  std::string columns_found() const {
+    if (!has_names()) return fmt::format("{} columns without names", count());
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < count(); ++i) texts.push_back(fmt::format("{} {}", i + 1, in_quotes(header_.names[i])));
+    return fmt::format("columns {}", fmt::join(texts, ", "));
+  }
+
+  void complain(std::string place, std::string found, std::string allowed, std::string advice) {
+    result_.complaints.push_back({std::move(place), std::move(found), std::move(allowed), std::move(advice)});
+  }
+
+  void complain_about_mismatch() {
+    auto const& [line, names] = *header_.mismatch;
+    bool const commas = dialect_.delimiter == ',' && count() == 2 * names;
+    complain(fmt::format("{}:{}", file_, line + 1),
+             fmt::format("{} names, but the rows have {} columns{}", names, count(),
+                         commas ? ": commas seem to be both delimiter and decimal separator" : ""),
+             "one name per column",
+             commas ? "export with semicolons or tabs between the columns" : "give every column one name");
+  }
+
+  void take_option(Channel channel) {
+    auto const wanted = options_.columns.find(channel);
+    if (wanted == options_.columns.end()) return;
+    bool const optional_channel = channel == Channel::time || channel == Channel::load;
+    if (optional_channel && lower(wanted->second) == "none" && !find_named(wanted->second)) {
+      result_.recognised.push_back(fmt::format("{}: not read, as asked for", name(channel)));
+      return;
+    }
+    if (auto const index = find_column(channel, wanted->second)) {
+      result_.channels[channel].index = *index;
+      why_[channel] = "as asked for";
+    }
+  }
+
+  // Indices of the columns for which `matches` holds.
+  template <class Matches>
+  std::vector<std::size_t> columns_where(Matches matches) const {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < header_.names.size(); ++i)
+      if (matches(header_.names[i])) found.push_back(i);
+    return found;
+  }
+
+  std::optional<std::vector<std::size_t>> find_named(std::string_view wanted) const {
+    auto const small = lower(trimmed(wanted));
+    auto const base = lower(dissect_name(wanted).base);
+    auto found = columns_where([&](auto const& text) { return text == wanted; });
+    if (found.empty()) found = columns_where([&](auto const& text) { return lower(text) == small; });
+    if (found.empty()) found = columns_where([&](auto const& text) { return lower(dissect_name(text).base) == small; });
+    if (found.empty()) found = columns_where([&](auto const& text) { return lower(dissect_name(text).base) == base; });
+    if (found.empty()) return std::nullopt;
+    return found;
+  }
+
+  std::optional<std::size_t> find_column(Channel channel, std::string const& wanted) {
+    if (auto const named = find_named(wanted)) {
+      if (named->size() == 1) return named->front();
+      complain(header_place(), fmt::format("{} columns are named {}", named->size(), in_quotes(wanted)), "a unique column",
+               options_for(channel, *named));
+      return std::nullopt;
+    }
+    std::size_t number = 0;
+    auto const [end, failure] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
+    bool const is_number = failure == std::errc{} && end == wanted.data() + wanted.size();
+    if (is_number && number >= 1 && number <= count()) return number - 1;
+    complain(header_place(), fmt::format("no column {} for {}", is_number ? wanted : in_quotes(wanted), name(channel)),
+             is_number ? fmt::format("1 to {}; {}", count(), columns_found()) : columns_found(),
+             fmt::format("--columns {}=NUMBER", name(channel)));
+    return std::nullopt;
+  }
+
+  static std::string options_for(Channel channel, std::vector<std::size_t> const& candidates) {
+    std::vector<std::string> texts;
+    for (auto const index : candidates) texts.push_back(fmt::format("--columns {}={}", name(channel), index + 1));
+    return fmt::format("{}", fmt::join(texts, " or "));
+  }
+
+  bool is_taken(std::size_t index) const {
+    return std::ranges::any_of(result_.channels, [&](auto const& entry) { return entry.second.index == index; });
+  }
+
+  std::vector<std::size_t> candidates(Channel channel, Certainty certainty) const {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < header_.names.size(); ++i) {
+      if (is_taken(i)) continue;
+      auto const meaning = meaning_of(header_.names[i]);
+      bool const unsure = meaning.plain_load && !result_.channels.contains(Channel::force);
+      if (meaning.channel == channel && meaning.certainty == certainty && !unsure) found.push_back(i);
+    }
+    return found;
+  }
+
+  // Words before symbols: beside a column "Force", a column "F" is more likely something else.
+  void recognise(Channel channel) {
+    auto found = candidates(channel, Certainty::word);
+    if (found.empty()) found = candidates(channel, Certainty::symbol);
+    if (found.size() == 1) {
+      result_.channels[channel].index = found.front();
+      why_[channel] = "by its name";
+    } else if (found.size() > 1) {
+      report_ambiguity(channel, found);
+    } else if (channel == Channel::disp || channel == Channel::force) {
+      report_missing(channel);
+    }
+  }
+
+  void report_ambiguity(Channel channel, std::vector<std::size_t> const& found) {
+    std::vector<std::string> texts;
+    for (auto const index : found) texts.push_back(column_text(index, header_));
+    auto const text = fmt::format("{} may each be the {}", fmt::join(texts, ", "), meaning_text(channel));
+    if (channel == Channel::load) {
+      result_.warnings.push_back(fmt::format("{}: none is read ({} says which)", text, options_for(channel, found)));
+      return;
+    }
+    complain(header_place(), text, fmt::format("one column for {}", name(channel)), options_for(channel, found));
+  }
+
+  void report_missing(Channel channel) {
+    if (!has_names()) {
+      report_nameless(channel);
+      return;
+    }
+    std::string found = fmt::format("no column is recognised as the {}", meaning_text(channel));
+    auto const loads = columns_where([](auto const& text) { return meaning_of(text).plain_load; });
+    if (channel == Channel::force && !loads.empty())
+      found += fmt::format(" ({} may be the horizontal force or the vertical load)", column_text(loads.front(), header_));
+    complain(header_place(), std::move(found), columns_found(),
+             fmt::format("--columns {}={}", name(channel), loads.empty() ? "NUMBER" : std::to_string(loads.front() + 1)));
+  }
+
+  // Without names nothing tells displacement from force, nor time from a counter: asked for at once.
+  void report_nameless(Channel channel) {
+    bool const both = !asked_for(Channel::disp) && !asked_for(Channel::force);
+    if (both && channel == Channel::force) return;  // said with the displacement
+    auto const what = both ? std::string("displacement and which the force") : std::string(meaning_text(channel));
+    complain(file_, fmt::format("no line names the {} columns, so which is the {} cannot be told", count(), what),
+             fmt::format("column numbers 1 to {}", count()),
+             !both          ? fmt::format("--columns {}=NUMBER", name(channel))
+             : count() >= 3 ? "--columns time=1,disp=2,force=3 --units time=s,disp=mm,force=kN, with your numbers and units"
+                            : "--columns disp=1,force=2 --units disp=mm,force=kN, with your numbers and units");
+  }
+
+  void refuse_shared_columns() {
+    for (auto const& [channel, column] : result_.channels)
+      for (auto const& [other, other_column] : result_.channels)
+        if (channel < other && column.index == other_column.index)
+          complain(header_place(), fmt::format("{} is asked for as {} and as {}", column_text(column.index, header_),
+                                               name(channel), name(other)),
+                   "one column per channel", fmt::format("--columns {}=NUMBER,{}=NUMBER", name(channel), name(other)));
+  }
+
+  struct WrittenUnit {
+    std::string text;
+    std::string source;
+    std::string place;
+  };
+
+  std::vector<WrittenUnit> written_units(Channel channel, std::size_t index) const {
+    std::vector<WrittenUnit> written;
+    if (auto const given = options_.units.find(channel); given != options_.units.end())
+      return {{given->second, "as asked for", "--units " + std::string(name(channel))}};
+    if (has_names()) {
+      auto const unit = dissect_name(header_.names[index]).unit;
+      if (!unit.empty()) written.push_back({unit, "from its name", header_place()});
+    }
+    if (header_.unit_line && !trimmed(header_.units[index]).empty())
+      written.push_back({header_.units[index], fmt::format("from line {}", *header_.unit_line + 1),
+                         fmt::format("{}:{}", file_, *header_.unit_line + 1)});
+    return written;
+  }
+
+  void resolve_unit(Channel channel, Column& column) {
+    auto const text = column_text(column.index, header_);
+    auto const allowed = known_units(dimension(channel));
+    auto const advice = fmt::format("--units {}={}", name(channel), unit_example(channel));
+    auto const written = written_units(channel, column.index);
+    bool const may_be_left = channel == Channel::load && !asked_for(channel) && !options_.units.contains(channel);
+    auto const refuse = [&](std::string place, std::string found) {
+      if (may_be_left)
+        result_.warnings.push_back(fmt::format("{}: the vertical load is not read ({} says its unit)", found, advice));
+      else
+        complain(std::move(place), std::move(found), allowed, advice);
+    };
+    if (written.empty()) return refuse(header_place(), fmt::format("{} ({}) has no unit", text, name(channel)));
+    auto const& first = written.front();
+    auto const unit = parse_unit(first.text);
+    if (!unit) return refuse(first.place, fmt::format("unknown unit {} of {} ({})", in_quotes(first.text), text, name(channel)));
+    if (unit->dimension != dimension(channel))
+      return refuse(first.place, fmt::format("unit {} of {} is a {}, not a {}", unit->symbol, text,
+                                             isolaw::name(unit->dimension), isolaw::name(dimension(channel))));
+    if (written.size() > 1) {
+      auto const second = parse_unit(written[1].text);
+      if (second && second->symbol != unit->symbol)
+        return refuse(written[1].place, fmt::format("{} is in {} by its name and in {} by the row of units", text,
+                                                    unit->symbol, second->symbol));
+    }
+    column.unit = unit;
+    result_.recognised.push_back(
+        fmt::format("{}: {}, {}; unit {} {}", name(channel), text, why_.at(channel), unit->symbol, first.source));
+  }
+
+  std::string file_;
+  Header const& header_;
+  Dialect const& dialect_;
+  ReadOptions const& options_;
+  std::map<Channel, std::string> why_;
+  Columns result_;
+};
+
+// "a=1,b=2" as pairs of channel and text. `where` is the option's name.
+std::map<Channel, std::string> parse_assignments(std::string const& where, std::string_view text) {
+  std::map<Channel, std::string> values;
+  std::vector<Complaint> complaints;
+  while (!text.empty()) {
+    auto const part = trimmed(text.substr(0, text.find(',')));
+    text.remove_prefix(std::min(text.size(), text.find(',')));
+    if (!text.empty()) text.remove_prefix(1);
+    auto const equals = part.find('=');
+    auto const key = lower(trimmed(part.substr(0, equals)));
+    auto const channel = std::ranges::find_if(all_channels, [&](Channel c) { return name(c) == key; });
+    auto const value = equals == std::string_view::npos ? std::string_view{} : trimmed(part.substr(equals + 1));
+    if (channel == std::end(all_channels))
+      complaints.push_back({where, "unknown channel " + in_quotes(key), "time, disp, force, load", {}});
+    else if (value.empty())
+      complaints.push_back({where, key + " has no value", "CHANNEL=VALUE,...", {}});
+    else if (!values.emplace(*channel, value).second)
+      complaints.push_back({where, key + " is given twice", "one value per channel", {}});
+  }
+  if (!complaints.empty()) throw Error(std::move(complaints));
+  return values;
+}
+
+}  // namespace
+
+Dimension dimension(Channel channel) {
+  if (channel == Channel::time) return Dimension::time;
+  return channel == Channel::disp ? Dimension::length : Dimension::force;
+}
+
+ColumnName dissect_name(std::string_view name) {
+  name = trimmed(name);
+  if (auto const parts = split_brackets(name)) return *parts;
+  if (auto const parts = split_last_word(name)) return *parts;
+  return {.base = std::string(name), .unit = {}};
+}
+
+bool names_a_channel(std::string_view cell) { return meaning_of(cell).channel.has_value(); }
+
+std::string column_text(std::size_t index, Header const& header) {
+  if (header.names.empty() || header.names[index].empty()) return fmt::format("column {}", index + 1);
+  return fmt::format("column {} {}", index + 1, in_quotes(header.names[index]));
+}
+
+Columns recognise_columns(std::string const& where, Header const& header, Dialect const& dialect,
+                          ReadOptions const& options) {
+  auto columns = Resolver(where, header, dialect, options).run();
+  if (!columns.channels.contains(Channel::time))
+    for (std::size_t i = 0; i < header.names.size(); ++i)
+      if (is_counter(header.names[i]))
+        columns.recognised.push_back(column_text(i, header) + " counts samples, it is no time");
+  return columns;
+}
+
+std::string_view name(Channel channel) {
+  switch (channel) {
+    case Channel::time: return "time";
+    case Channel::disp: return "disp";
+    case Channel::force: return "force";
+    case Channel::load: return "load";
+  }
+  return "";
+}
+
+std::map<Channel, std::string> parse_columns(std::string_view text) { return parse_assignments("--columns", text); }
+
+std::map<Channel, std::string> parse_units(std::string_view text) {
+  auto units = parse_assignments("--units", text);
+  std::vector<Complaint> complaints;
+  for (auto& [channel, value] : units) {
+    auto const unit = parse_unit(value);
+    if (unit && unit->dimension == dimension(channel))
+      value = unit->symbol;
+    else
+      complaints.push_back({"--units " + std::string(name(channel)),
+                            unit ? fmt::format("{} is a {}", unit->symbol, isolaw::name(unit->dimension))
+                                 : "unknown unit " + in_quotes(value),
+                            known_units(dimension(channel)),
+                            {}});
+  }
+  if (!complaints.empty()) throw Error(std::move(complaints));
+  return units;
+}
+
+}  // namespace isolaw::data

@@ -1,0 +1,261 @@
+#include "isolaw/data/dialect.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <limits>
+#include <map>
+#include <system_error>
+
+#include "isolaw/data/text.hpp"
+
+namespace isolaw::data {
+namespace {
+
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// What acquisition programs and spreadsheets write for a value that is not there or not finite.
+bool is_not_finite(std::string_view cell) {
+  constexpr std::array<std::string_view, 16> marks{"nan",  "inf",  "infinity", "n/a",    "na",      "#n/a", "#nv", "#num!",
+                                                   "null", "none", "#div/0!",  "1.#inf", "1.#qnan", "1.#ind", "--",  "---"};
+  if (cell.size() > 10) return false;
+  auto text = lower(cell);
+  std::ranges::replace(text, ',', '.');
+  std::string_view view = text;
+  if (view.size() > 1 && (view.front() == '+' || (view.front() == '-' && view[1] != '-'))) view.remove_prefix(1);
+  return std::ranges::find(marks, view) != marks.end() || view.starts_with("nan(");
+}
+
+// "1.234,56", "1.234.567", "1 234,56", "1'234.56": digits in groups of three and then, possibly, decimals.
+bool is_grouped(std::string_view cell, char decimal) {
+  auto const take_digits = [&cell] {
+    std::size_t count = 0;
+    while (count < cell.size() && is_digit(cell[count])) ++count;
+    cell.remove_prefix(count);
+    return count;
+  };
+  if (!cell.empty() && (cell.front() == '+' || cell.front() == '-')) cell.remove_prefix(1);
+  auto const lead = take_digits();
+  if (lead < 1 || lead > 3 || cell.empty()) return false;
+  constexpr std::array<std::string_view, 6> separators{".", ",", " ", "'", "\xA0", "\xC2\xA0"};
+  std::string_view separator;
+  for (auto const candidate : separators)
+    if (cell.starts_with(candidate)) separator = candidate;
+  if (separator.empty() || separator.front() == decimal) return false;
+  int groups = 0;
+  for (; cell.starts_with(separator); ++groups) {
+    cell.remove_prefix(separator.size());
+    if (take_digits() != 3) return false;
+  }
+  if (cell.empty()) return groups > 1 || (separator != "." && separator != ",");
+  if (cell.front() != decimal) return false;
+  cell.remove_prefix(1);
+  take_digits();
+  return cell.empty();
+}
+
+Cell parse_point(char const* first, char const* last) {
+  double value = 0.0;
+  auto const [end, failure] = std::from_chars(first, last, value);
+  if (end != last) return {.kind = CellKind::text};
+  if (failure == std::errc::result_out_of_range) {
+    bool const tiny = std::find(first, last, '-') != last && std::string_view(first, last).find_last_of("-") > 0;
+    if (tiny) return {.kind = CellKind::number, .value = 0.0};
+    return {.kind = CellKind::not_finite};
+  }
+  if (failure != std::errc{}) return {.kind = CellKind::text};
+  return {.kind = CellKind::number, .value = value};
+}
+
+// from_chars knows the point only: a decimal comma is replaced in a copy on the stack.
+Cell parse_comma(std::string_view cell) {
+  std::array<char, 64> buffer;
+  if (cell.size() > buffer.size()) return {.kind = CellKind::text};
+  for (std::size_t i = 0; i < cell.size(); ++i) {
+    char const c = cell[i];
+    if (c == '.') return {.kind = CellKind::text};
+    if (c == ',' && (i + 1 == cell.size() || !is_digit(cell[i + 1]))) return {.kind = CellKind::text};
+    buffer[i] = c == ',' ? '.' : c;
+  }
+  return parse_point(buffer.data(), buffer.data() + cell.size());
+}
+
+struct Pair {
+  char delimiter;
+  char decimal;
+};
+
+// What a pair makes of the sampled lines, for the number of cells that explains most of them.
+struct Score {
+  Pair pair{',', '.'};
+  std::size_t columns = 0;
+  std::size_t rows = 0;  // lines with that many cells, at least two of them numbers
+  double points = 0.0;   // sum over those lines of the share of numbers among the cells that are not empty
+};
+
+bool number_like(CellKind kind) {
+  return kind == CellKind::number || kind == CellKind::not_finite || kind == CellKind::grouped;
+}
+
+Score score_pair(std::span<std::string_view const> lines, Pair pair) {
+  struct Group {
+    std::size_t rows = 0;
+    double points = 0.0;
+  };
+  std::map<std::size_t, Group> groups;
+  std::vector<std::string_view> cells;
+  for (auto const line : lines) {
+    split_cells(line, pair.delimiter, cells);
+    std::size_t numbers = 0;
+    std::size_t filled = 0;
+    for (auto const cell : cells) {
+      auto const kind = parse_cell(cell, pair.decimal).kind;
+      numbers += number_like(kind) ? 1u : 0u;
+      filled += kind != CellKind::empty ? 1u : 0u;
+    }
+    if (numbers < 2) continue;
+    auto& group = groups[cells.size()];
+    ++group.rows;
+    group.points += static_cast<double>(numbers) / static_cast<double>(filled);
+  }
+  Score best{.pair = pair};
+  for (auto const& [columns, group] : groups)
+    if (group.points > best.points)
+      best = {.pair = pair, .columns = columns, .rows = group.rows, .points = group.points};
+  return best;
+}
+
+// The first lines and lines from all over the file: enough to decide, few enough to be quick on a million.
+std::vector<std::string_view> sample_lines(std::span<std::string_view const> lines) {
+  constexpr std::size_t first = 200;
+  constexpr std::size_t spread = 800;
+  std::vector<std::string_view> sample;
+  auto const stride = std::max<std::size_t>(1, lines.size() / spread);
+  for (std::size_t i = 0; i < lines.size(); i += i < first ? 1 : stride)
+    if (!is_comment(lines[i]) && !trimmed(lines[i]).empty()) sample.push_back(lines[i]);
+  return sample;
+}
+
+void study_columns(Dialect& dialect, std::span<std::string_view const> sample) {
+  std::vector<std::size_t> numbers(dialect.columns, 0);
+  std::size_t rows = 0;
+  std::vector<std::string_view> cells;
+  for (auto const line : sample) {
+    split_cells(line, dialect.delimiter, cells);
+    if (cells.size() != dialect.columns) continue;
+    std::size_t count = 0;
+    for (auto const cell : cells) count += number_like(parse_cell(cell, dialect.decimal).kind) ? 1u : 0u;
+    if (count < 2) continue;
+    ++rows;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      auto const kind = parse_cell(cells[i], dialect.decimal).kind;
+      numbers[i] += number_like(kind) ? 1u : 0u;
+      if (kind == CellKind::number && cells[i].find(dialect.decimal) != std::string_view::npos)
+        dialect.decimal_seen = true;
+    }
+  }
+  for (auto const count : numbers) dialect.numeric.push_back(2 * count > rows);
+}
+
+}  // namespace
+
+Cell parse_cell(std::string_view cell, char decimal) {
+  if (cell.empty()) return {};
+  auto digits = cell;
+  if (digits.front() == '+') digits.remove_prefix(1);
+  Cell parsed{.kind = CellKind::text};
+  if (!digits.empty() && (is_digit(digits.back()) || digits.back() == '.') && digits.front() != '+')
+    parsed = decimal == '.' ? parse_point(digits.data(), digits.data() + digits.size()) : parse_comma(digits);
+  if (parsed.kind != CellKind::text) return parsed;
+  if (is_not_finite(cell)) return {.kind = CellKind::not_finite};
+  if (is_grouped(cell, decimal)) return {.kind = CellKind::grouped};
+  return parsed;
+}
+
+void split_cells(std::string_view line, char delimiter, std::vector<std::string_view>& cells) {
+  cells.clear();
+  bool const blanks = delimiter == ' ';
+  auto const is_delimiter = [&](char c) { return blanks ? c == ' ' || c == '\t' : c == delimiter; };
+  std::size_t i = 0;
+  auto const size = line.size();
+  while (true) {
+    while (i < size && (line[i] == ' ' || (line[i] == '\t' && delimiter != '\t'))) ++i;
+    if (blanks && i == size) break;
+    std::string_view cell;
+    if (i < size && line[i] == '"') {
+      auto const close = line.find('"', i + 1);
+      cell = trimmed(line.substr(i + 1, close == std::string_view::npos ? close : close - i - 1));
+      i = close == std::string_view::npos ? size : close + 1;
+      while (i < size && !is_delimiter(line[i])) ++i;
+    } else {
+      auto const start = i;
+      while (i < size && !is_delimiter(line[i])) ++i;
+      auto end = i;
+      while (end > start && (line[end - 1] == ' ' || line[end - 1] == '\t')) --end;
+      cell = line.substr(start, end - start);
+    }
+    cells.push_back(cell);
+    if (i >= size) break;
+    ++i;
+  }
+  if (cells.size() > 1 && cells.back().empty()) cells.pop_back();
+}
+
+bool is_comment(std::string_view line) {
+  auto const text = trimmed(line);
+  return !text.empty() && (text.front() == '#' || text.front() == '%');
+}
+
+bool is_blank(std::string_view line, char delimiter) {
+  return std::ranges::all_of(line, [&](char c) { return c == ' ' || c == '\t' || c == delimiter; });
+}
+
+std::string_view delimiter_name(char delimiter) {
+  switch (delimiter) {
+    case ',': return "commas";
+    case ';': return "semicolons";
+    case '\t': return "tabs";
+    default: return "blanks";
+  }
+}
+
+std::string_view decimal_name(char decimal) { return decimal == ',' ? "comma" : "point"; }
+
+std::optional<Dialect> recognise_dialect(std::span<std::string_view const> lines) {
+  auto const sample = sample_lines(lines);
+  // In order of preference where two read the file alike, as with whole numbers or tabs and blanks.
+  std::vector<Pair> pairs{{'\t', '.'}, {'\t', ','}, {';', '.'}, {';', ','}, {',', '.'}, {' ', '.'}, {' ', ','}};
+  bool const quotes = std::ranges::any_of(sample, [](auto line) { return line.find('"') != std::string_view::npos; });
+  if (quotes) pairs.push_back({',', ','});  // "1,5","2,0": only quotes keep the two commas apart
+  Score best;
+  Score second;
+  for (auto const pair : pairs) {
+    auto const score = score_pair(sample, pair);
+    if (score.columns < 2) continue;
+    if (score.points > best.points + 1e-9) {
+      second = best;
+      best = score;
+    } else if (score.points > second.points) {
+      second = score;
+    }
+  }
+  if (best.columns < 2) return std::nullopt;
+  Dialect dialect;
+  dialect.delimiter = best.pair.delimiter;
+  dialect.decimal = best.pair.decimal;
+  dialect.columns = best.columns;
+  study_columns(dialect, sample);
+  dialect.why = fmt::format("columns are separated by {}, decimals by a {}: {} of {} lines looked at read as rows of {}",
+                            delimiter_name(dialect.delimiter), decimal_name(dialect.decimal), best.rows, sample.size(),
+                            best.columns);
+  if (!dialect.decimal_seen)
+    dialect.why += " whole numbers (no decimal separator occurs)";
+  else if (second.points > 0.1 * best.points)
+    dialect.why += fmt::format(" (next best: {} with decimal {})", delimiter_name(second.pair.delimiter),
+                               decimal_name(second.pair.decimal));
+  return dialect;
+}
+
+}  // namespace isolaw::data

@@ -1,0 +1,159 @@
+#include "isolaw/data/header.hpp"
+
+#include <algorithm>
+
+#include "isolaw/base/units.hpp"
+#include "isolaw/data/columns.hpp"
+#include "isolaw/data/text.hpp"
+
+namespace isolaw::data {
+namespace {
+
+using Names = std::vector<std::string>;
+
+Names to_names(std::vector<std::string_view> const& cells) {
+  Names names;
+  for (auto const cell : cells) names.push_back(to_utf8(cell));
+  return names;
+}
+
+Names split_names(std::string_view line, char delimiter) {
+  std::vector<std::string_view> cells;
+  split_cells(line, delimiter, cells);
+  return to_names(cells);
+}
+
+// Names apart by two blanks or more, as in files of aligned columns.
+Names split_wide(std::string_view line) {
+  Names names;
+  line = trimmed(line);
+  while (!line.empty()) {
+    auto const gap = std::min(line.find("  "), line.find('\t'));
+    names.push_back(to_utf8(trimmed(line.substr(0, gap))));
+    line = gap == std::string_view::npos ? std::string_view{} : trimmed(line.substr(gap));
+  }
+  return names;
+}
+
+// "Force [kN]" in a file separated by blanks is one name.
+Names split_bracketed(std::string_view line) {
+  Names names;
+  for (auto& name : split_names(line, ' ')) {
+    bool const unit = name.front() == '[' || name.front() == '(';
+    if (unit && !names.empty())
+      names.back() += ' ' + name;
+    else
+      names.push_back(std::move(name));
+  }
+  return names;
+}
+
+// The cells of a header line; where blanks separate, the reading that gives the right number of them, if any does.
+Names header_cells(std::string_view line, Dialect const& dialect) {
+  auto names = split_names(line, dialect.delimiter);
+  if (dialect.delimiter != ' ' || names.size() == dialect.columns) return names;
+  for (auto const& other : {split_bracketed(line), split_wide(line), split_names(line, '\t')})
+    if (other.size() == dialect.columns) return other;
+  return names;
+}
+
+bool is_data_row(std::string_view line, Dialect const& dialect) {
+  std::vector<std::string_view> cells;
+  split_cells(line, dialect.delimiter, cells);
+  if (cells.size() != dialect.columns) return false;
+  std::size_t numbers = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    auto const kind = parse_cell(cells[i], dialect.decimal).kind;
+    if (dialect.numeric[i] && kind == CellKind::text) return false;
+    numbers += kind != CellKind::text && kind != CellKind::empty ? 1u : 0u;
+  }
+  return numbers >= 1;
+}
+
+bool has_number(Names const& cells, char decimal) {
+  return std::ranges::any_of(cells, [&](auto const& cell) { return parse_cell(cell, decimal).kind == CellKind::number; });
+}
+
+struct UnitShare {
+  std::size_t units = 0;
+  std::size_t filled = 0;
+  bool all() const { return units > 0 && units == filled; }
+  bool most() const { return units > 0 && 2 * units >= filled; }
+};
+
+UnitShare count_units(Names const& cells) {
+  UnitShare share;
+  for (auto const& cell : cells) {
+    if (trimmed(cell).empty() || cell == "-") continue;
+    ++share.filled;
+    share.units += parse_unit(cell) ? 1u : 0u;
+  }
+  return share;
+}
+
+std::size_t count_channels(Names const& cells) {
+  return static_cast<std::size_t>(std::ranges::count_if(cells, [](auto const& cell) { return names_a_channel(cell); }));
+}
+
+std::string_view without_mark(std::string_view comment) {
+  comment = trimmed(comment);
+  comment.remove_prefix(std::min(comment.find_first_not_of("#%"), comment.size()));
+  return comment;
+}
+
+struct Candidate {
+  std::size_t line;
+  Names cells;
+  std::size_t channels;
+};
+
+// The row of names: the line with the right number of cells that names most channels, the last of equals.
+std::optional<Candidate> find_names(std::span<std::string_view const> above, Dialect const& dialect, Header& header) {
+  std::optional<Candidate> best;
+  std::optional<Candidate> comment;
+  for (std::size_t i = 0; i < above.size(); ++i) {
+    bool const commented = is_comment(above[i]);
+    auto cells = header_cells(commented ? without_mark(above[i]) : above[i], dialect);
+    auto const channels = count_channels(cells);
+    if (cells.size() != dialect.columns) {
+      if (channels >= 2 && cells.size() >= 2 && !commented) header.mismatch = Header::Mismatch{i, cells.size()};
+      continue;
+    }
+    if (has_number(cells, dialect.decimal) || (best && count_units(cells).most()) || count_units(cells).all()) continue;
+    auto& slot = commented ? comment : best;
+    if (!slot || channels >= slot->channels) slot = Candidate{i, std::move(cells), channels};
+  }
+  if ((!best || best->channels == 0) && comment && comment->channels > 0) return comment;
+  return best;
+}
+
+}  // namespace
+
+Header recognise_header(std::span<std::string_view const> lines, Dialect const& dialect) {
+  Header header;
+  while (header.first_data < lines.size() &&
+         (is_comment(lines[header.first_data]) || !is_data_row(lines[header.first_data], dialect)))
+    ++header.first_data;
+  auto const names = find_names(lines.first(header.first_data), dialect, header);
+  if (names) {
+    header.name_line = names->line;
+    header.names = names->cells;
+    header.mismatch.reset();
+  }
+  for (std::size_t i = 0; i < header.first_data; ++i) {
+    if (i == header.name_line || is_blank(lines[i], dialect.delimiter)) continue;
+    auto const cells = header_cells(is_comment(lines[i]) ? without_mark(lines[i]) : lines[i], dialect);
+    bool const right_size = cells.size() == dialect.columns;
+    if (right_size && !header.unit_line && (names ? i > names->line && count_units(cells).most() : count_units(cells).all())) {
+      header.unit_line = i;
+      header.units = cells;
+    } else if (right_size && names && i > names->line && has_number(cells, dialect.decimal) && !is_comment(lines[i])) {
+      header.first_data = i;  // a broken row of numbers, which reading the rows complains about
+    } else if (!is_comment(lines[i])) {
+      header.passed_over.push_back(i);
+    }
+  }
+  return header;
+}
+
+}  // namespace isolaw::data

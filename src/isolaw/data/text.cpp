@@ -1,0 +1,209 @@
+#include "isolaw/data/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <system_error>
+
+#include "isolaw/base/error.hpp"
+
+namespace isolaw::data {
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::string_view accepted = "delimited text (UTF-8, ASCII or Windows-1252)";
+
+struct Magic {
+  std::string_view bytes;
+  std::string_view what;
+  std::string_view advice;
+};
+constexpr std::string_view save_as_csv = "save the sheet as CSV";
+constexpr std::string_view export_text = "export the channels as CSV";
+constexpr std::string_view unpack = "unpack it first";
+constexpr std::array known_formats{
+    Magic{"\xD0\xCF\x11\xE0"sv, "an .xls workbook", save_as_csv},
+    Magic{"%PDF"sv, "a PDF document", export_text},
+    Magic{"MATLAB 5.0"sv, "a .mat file", export_text},
+    Magic{"MATLAB 7.3"sv, "a .mat file", export_text},
+    Magic{"\x89HDF"sv, "an HDF5 file", export_text},
+    Magic{"TDSm"sv, "a .tdms file", export_text},
+    Magic{"\x1F\x8B"sv, "a gzip archive", unpack},
+    Magic{"\xFD" "7zXZ\0"sv, "an xz archive", unpack},
+    Magic{"BZh"sv, "a bzip2 archive", unpack},
+    Magic{"7z\xBC\xAF"sv, "a 7z archive", unpack},
+    Magic{"{\\rtf"sv, "an RTF document", "save it as plain text"},
+    Magic{"\xFF\xFE"sv, "UTF-16 text", "save it as UTF-8"},
+    Magic{"\xFE\xFF"sv, "UTF-16 text", "save it as UTF-8"},
+};
+
+[[noreturn]] void refuse(std::string where, std::string found, std::string_view advice = {}) {
+  throw Error(Complaint{.where = std::move(where),
+                        .found = std::move(found),
+                        .allowed = std::string(accepted),
+                        .advice = std::string(advice)});
+}
+
+void refuse_binary(std::string const& where, std::string_view bytes) {
+  if (bytes.starts_with("PK\x03\x04")) {
+    bool const workbook = bytes.find("xl/") != std::string_view::npos || where.ends_with(".xlsx");
+    if (workbook) refuse(where, "is an .xlsx workbook", save_as_csv);
+    refuse(where, "is a zip archive", unpack);
+  }
+  for (auto const& format : known_formats)
+    if (bytes.starts_with(format.bytes)) refuse(where, "is " + std::string(format.what), format.advice);
+  auto const null = bytes.find('\0');
+  if (null != std::string_view::npos)
+    refuse(where, fmt::format("is a binary file (byte {} is 0)", null + 1), export_text);
+}
+
+// Length of the UTF-8 sequence at the start of `bytes`; 0 when it is none.
+std::size_t utf8_length(std::string_view bytes) {
+  auto const lead = static_cast<unsigned char>(bytes.front());
+  std::size_t const length = lead < 0x80                  ? 1
+                             : lead >= 0xC2 && lead < 0xE0 ? 2
+                             : lead >= 0xE0 && lead < 0xF0 ? 3
+                             : lead >= 0xF0 && lead < 0xF5 ? 4
+                                                           : 0;
+  if (length == 0 || length > bytes.size()) return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((static_cast<unsigned char>(bytes[i]) & 0xC0) != 0x80) return 0;
+  return length;
+}
+
+bool is_utf8(std::string_view bytes) {
+  while (!bytes.empty()) {
+    auto const length = utf8_length(bytes);
+    if (length == 0) return false;
+    bytes.remove_prefix(length);
+  }
+  return true;
+}
+
+void append_utf8(std::string& text, std::uint32_t code) {
+  auto const put = [&](std::uint32_t byte) { text += static_cast<char>(static_cast<unsigned char>(byte)); };
+  if (code < 0x80) {
+    put(code);
+  } else if (code < 0x800) {
+    put(0xC0 | (code >> 6));
+    put(0x80 | (code & 0x3F));
+  } else {
+    put(0xE0 | (code >> 12));
+    put(0x80 | ((code >> 6) & 0x3F));
+    put(0x80 | (code & 0x3F));
+  }
+}
+
+// Windows-1252 differs from Latin-1 in 0x80 to 0x9F; the five unassigned bytes become the replacement character.
+std::uint32_t windows_1252(unsigned char byte) {
+  constexpr std::array<std::uint16_t, 32> high{
+      0x20AC, 0xFFFD, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
+      0x2039, 0x0152, 0xFFFD, 0x017D, 0xFFFD, 0xFFFD, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
+      0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0xFFFD, 0x017E, 0x0178};
+  return byte >= 0x80 && byte < 0xA0 ? high[byte - 0x80u] : byte;
+}
+
+// Base letters of U+00C0 to U+00FF; a blank where there is none.
+constexpr std::string_view latin_letters = "AAAAAAACEEEEIIIIDNOOOOO OUUUUY saaaaaaaceeeeiiiidnooooo ouuuuy y";
+static_assert(latin_letters.size() == 64);
+
+}  // namespace
+
+std::string load_text(std::filesystem::path const& file) {
+  auto const where = file.generic_string();
+  std::error_code failure;
+  auto const status = std::filesystem::status(file, failure);
+  if (!std::filesystem::exists(status)) refuse(where, "no such file");
+  if (std::filesystem::is_directory(status)) refuse(where, "is a directory");
+  auto const closed = [](std::FILE* handle) { std::fclose(handle); };
+  std::unique_ptr<std::FILE, decltype(closed)> handle(std::fopen(file.string().c_str(), "rb"), closed);
+  if (!handle) refuse(where, std::string("cannot be read: ") + std::strerror(errno));
+  auto const size = std::filesystem::is_regular_file(status) ? std::filesystem::file_size(file, failure) : 0;
+  if (!failure && size > largest_file_bytes)
+    refuse(where, fmt::format("is {:.2f} GiB large, above 1 GiB", static_cast<double>(size) / (1 << 30)),
+           "export one test per file, or fewer samples per second");
+  std::string bytes;
+  bytes.reserve(failure ? 0 : static_cast<std::size_t>(size) + 1);
+  std::array<char, 1 << 16> buffer;
+  while (auto const count = std::fread(buffer.data(), 1, buffer.size(), handle.get())) {
+    bytes.append(buffer.data(), count);
+    if (bytes.size() > largest_file_bytes) refuse(where, "is above 1 GiB");
+  }
+  if (std::ferror(handle.get()) != 0) refuse(where, "cannot be read to its end");
+  if (bytes.empty()) refuse(where, "is empty");
+  refuse_binary(where, bytes);
+  return bytes;
+}
+
+Lines split_lines(std::string_view bytes) {
+  Lines text;
+  text.byte_order_mark = bytes.starts_with("\xEF\xBB\xBF");
+  if (text.byte_order_mark) bytes.remove_prefix(3);
+  if (bytes.ends_with('\x1A')) bytes.remove_suffix(1);  // end-of-file mark of old acquisition programs
+  text.windows_1252 = !is_utf8(bytes);
+  auto const ends_line = [](char c) { return c == '\n' || c == '\r'; };
+  while (!bytes.empty()) {
+    auto const end = static_cast<std::size_t>(std::ranges::find_if(bytes, ends_line) - bytes.begin());
+    text.lines.push_back(bytes.substr(0, end));
+    if (end == bytes.size()) break;
+    bytes.remove_prefix(end + (bytes.substr(end).starts_with("\r\n") ? 2 : 1));
+  }
+  return text;
+}
+
+std::string to_utf8(std::string_view bytes) {
+  if (is_utf8(bytes)) return std::string(bytes);
+  std::string text;
+  for (char const byte : bytes) append_utf8(text, windows_1252(static_cast<unsigned char>(byte)));
+  return text;
+}
+
+std::string without_accents(std::string_view utf8) {
+  std::string text;
+  while (!utf8.empty()) {
+    auto const length = std::max<std::size_t>(1, utf8_length(utf8));
+    auto const lead = static_cast<unsigned char>(utf8.front());
+    if (lead < 0x80)
+      text += utf8.front();
+    else if (lead == 0xC3 && length == 2)
+      text += latin_letters[static_cast<unsigned char>(utf8[1]) & 0x3Fu];
+    else
+      text += ' ';
+    utf8.remove_prefix(length);
+  }
+  return text;
+}
+
+std::string lower(std::string_view text) {
+  std::string out(text);
+  for (char& c : out)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return out;
+}
+
+std::string_view trimmed(std::string_view text) {
+  auto const first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+std::string in_quotes(std::string_view bytes) {
+  constexpr std::size_t readable = 40;
+  auto text = to_utf8(bytes);
+  if (text.size() > readable) {
+    auto end = readable;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+    text = text.substr(0, end) + "...";
+  }
+  return "'" + text + "'";
+}
+
+}  // namespace isolaw::data

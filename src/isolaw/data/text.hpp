@@ -1,0 +1,38 @@
+// A file's bytes as lines of text. Names are kept as UTF-8; laboratories on Windows write Windows-1252, so bytes that
+// are no UTF-8 are taken as that. Workbooks and other binary files are refused by their first bytes.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace isolaw::data {
+
+inline constexpr std::uintmax_t largest_file_bytes = std::uintmax_t{1} << 30;
+
+// The whole file. Throws Error: no such file, a directory, unreadable, empty, above largest_file_bytes, binary, UTF-16.
+std::string load_text(std::filesystem::path const& file);
+
+struct Lines {
+  std::vector<std::string_view> lines;  // without line ends; line number = index + 1; views into the bytes
+  bool byte_order_mark = false;
+  bool windows_1252 = false;  // there are bytes that are no UTF-8
+};
+
+// Line ends are LF, CRLF or CR, also mixed.
+Lines split_lines(std::string_view bytes);
+
+std::string to_utf8(std::string_view bytes);
+
+// ASCII only: accents dropped ("Déplacement" -> "Deplacement"), other characters replaced by blanks. Keeps case.
+std::string without_accents(std::string_view utf8);
+
+std::string lower(std::string_view text);
+std::string_view trimmed(std::string_view text);
+
+// 'text' for a message, cut to a readable length.
+std::string in_quotes(std::string_view bytes);
+
+}  // namespace isolaw::data

@@ -1,0 +1,167 @@
+#include "isolaw/fit/box.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+
+#include "isolaw/base/error.hpp"
+
+namespace isolaw::fit {
+namespace {
+
+constexpr std::string_view override_form = "law.parameter=value, law.parameter=lower:upper, law.parameter=free";
+
+std::optional<double> parse_number(std::string_view text) {
+  double value = 0.0;
+  if (text.starts_with('+')) text.remove_prefix(1);
+  auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+// Displacement decreasing or increasing through zero after the start; the force there, by linear interpolation.
+std::vector<double> forces_at_zero(std::vector<double> const& x, std::vector<double> const& f) {
+  std::vector<double> forces;
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    if (x[i - 1] == 0.0 || x[i - 1] * x[i] > 0.0) continue;
+    double const t = x[i - 1] / (x[i - 1] - x[i]);
+    forces.push_back(f[i - 1] + t * (f[i] - f[i - 1]));
+  }
+  return forces;
+}
+
+double largest_abs(std::vector<double> const& values) {
+  double largest = 0.0;
+  for (double const v : values) largest = std::max(largest, std::abs(v));
+  return largest;
+}
+
+}  // namespace
+
+std::string Override::text() const {
+  if (!interval) return fmt::format("{}.{}=free", law, parameter);
+  if (interval->lower == interval->upper) return fmt::format("{}.{}={}", law, parameter, interval->lower);
+  return fmt::format("{}.{}={}:{}", law, parameter, interval->lower, interval->upper);
+}
+
+Override parse_override(std::string_view text) {
+  auto const where = fmt::format("--set {}", text);
+  auto const equals = text.find('='), dot = text.find('.');
+  if (equals == std::string_view::npos || dot == std::string_view::npos || dot > equals)
+    throw Error({.where = where, .found = "not of the form law.parameter=...", .allowed = std::string(override_form)});
+
+  auto const& law = laws::find_law(text.substr(0, dot));
+  auto const& parameter = law.parameters[law.index_of(text.substr(dot + 1, equals - dot - 1))];
+  Override made{.law = std::string(law.info.id), .parameter = std::string(parameter.name), .interval = std::nullopt};
+  auto const value = text.substr(equals + 1);
+  if (value == "free") return made;
+
+  auto const colon = value.find(':');
+  bool const fixed = colon == std::string_view::npos;
+  auto const lower = parse_number(value.substr(0, colon));
+  auto const upper = fixed ? lower : parse_number(value.substr(colon + 1));
+  if (!lower || !upper)
+    throw Error({.where = where, .found = fmt::format("'{}' is not a number, an interval or 'free'", value),
+                 .allowed = std::string(override_form)});
+  if (!fixed && *lower >= *upper)
+    throw Error({.where = where,
+                 .found = fmt::format("the lower bound {} is not below the upper bound {}", *lower, *upper),
+                 .allowed = "lower < upper",
+                 .advice = fmt::format("--set {}.{}={}:{}, or one value to fix the parameter", made.law, made.parameter,
+                                       *upper, *lower == *upper ? *upper + 1.0 : *lower)});
+  auto const& limits = parameter.physical;
+  if (*lower < limits.lower || *upper > limits.upper)
+    throw Error({.where = where,
+                 .found = fmt::format("[{}, {}] leaves the physical limits of {}", *lower, *upper, parameter.name),
+                 .allowed = fmt::format("{} to {} {}", limits.lower, limits.upper, parameter.unit)});
+  made.interval = laws::Interval{*lower, *upper};
+  return made;
+}
+
+double SearchParameter::at(double u) const {
+  u = std::clamp(u, 0.0, 1.0);
+  if (scale == laws::Scale::linear) return lower + u * (upper - lower);
+  double const sign = lower < 0.0 ? -1.0 : 1.0;
+  double const a = std::log(std::abs(lower)), b = std::log(std::abs(upper));
+  return std::clamp(sign * std::exp(a + u * (b - a)), lower, upper);
+}
+
+double SearchParameter::coordinate(double value_) const {
+  double u = 0.0;
+  if (scale == laws::Scale::linear) {
+    u = (value_ - lower) / (upper - lower);
+  } else {
+    double const a = std::log(std::abs(lower)), b = std::log(std::abs(upper));
+    u = (std::log(std::abs(value_)) - a) / (b - a);
+  }
+  return std::clamp(u, 0.0, 1.0);
+}
+
+std::size_t SearchBox::free_count() const {
+  return static_cast<std::size_t>(std::ranges::count_if(parameters, [](auto const& p) { return p.free; }));
+}
+
+void SearchBox::expand(std::span<double const> point, std::span<double> values) const {
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    values[i] = parameters[i].free ? parameters[i].at(point[next++]) : parameters[i].value;
+}
+
+AtBound at_bound(SearchParameter const& parameter, double value) {
+  if (!parameter.free) return AtBound::no;
+  double const u = parameter.coordinate(value);
+  return u <= bound_tolerance ? AtBound::lower : u >= 1.0 - bound_tolerance ? AtBound::upper : AtBound::no;
+}
+
+laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const& law) {
+  auto const& x = record.disp_mm;
+  auto const& f = record.force_kN;
+  double const disp = largest_abs(x), force = largest_abs(f);
+  auto const [low, high] = std::ranges::minmax_element(x);
+  auto const index = [&](auto it) { return static_cast<std::size_t>(it - x.begin()); };
+  double stiffness = *high > *low ? (f[index(high)] - f[index(low)]) / (*high - *low) : 0.0;
+  if (!(stiffness > 0.05 * force / disp)) stiffness = force / disp;  // a record without a clear slope
+
+  auto const at_zero = forces_at_zero(x, f);
+  double strength = 0.0;
+  for (double const value : at_zero) strength += std::abs(value) / static_cast<double>(at_zero.size());
+  if (!(strength > 0.02 * force)) strength = 0.25 * force;  // no crossing, or no dissipation to speak of
+
+  double work = 0.0;
+  for (std::size_t i = 1; i < x.size(); ++i) work += 0.5 * (f[i] + f[i - 1]) * (x[i] - x[i - 1]);
+  if (!(work > 0.1 * force * disp)) work = force * disp;
+
+  double const F = law.force.in_record_units, L = law.length.in_record_units;
+  return {.disp = disp / L, .force = force / F, .stiffness = stiffness * L / F, .strength = strength / F,
+          .velocity = largest_abs(record.vel_mm_s) / L, .work = work / (F * L)};
+}
+
+SearchBox make_box(laws::LawEntry const& law, BoxKind kind, laws::RecordScales const& scales,
+                   std::span<Override const> overrides) {
+  SearchBox box;
+  for (auto const& info : law.parameters) {
+    bool const from_paper = kind == BoxKind::published && info.published.has_value();
+    auto const interval = from_paper ? *info.published : info.scaled(scales);
+    SearchParameter made{.name = std::string(info.name), .unit = std::string(info.unit),
+                         .free = !info.fixed_by_default.has_value(), .value = info.fixed_by_default.value_or(0.0),
+                         .lower = interval.lower, .upper = interval.upper,
+                         .scale = from_paper ? laws::Scale::linear : info.scaled_search};
+    for (auto const& change : overrides) {
+      if (change.law != law.info.id || change.parameter != info.name) continue;
+      made.free = !change.interval || change.interval->lower < change.interval->upper;
+      if (!change.interval) continue;
+      made.lower = change.interval->lower;
+      made.upper = change.interval->upper;
+      made.value = made.lower;
+      // A logarithm needs one sign; an interval that touches or spans zero is searched linearly.
+      if (made.lower * made.upper <= 0.0) made.scale = laws::Scale::linear;
+    }
+    box.parameters.push_back(made);
+  }
+  return box;
+}
+
+}  // namespace isolaw::fit

@@ -1,0 +1,64 @@
+// Where the parameters of a law are searched on one device: which are free, between which values, on which scale.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/data/record.hpp"
+#include "isolaw/laws/catalogue.hpp"
+
+namespace isolaw::fit {
+
+enum class BoxKind {
+  published,  // Table 4 of the paper, with the two bounds lost there supplied; always linear
+  scaled,     // "auto": from the size of the record
+};
+
+// Option --set law.parameter=value|lo:hi|free.
+struct Override {
+  std::string law;
+  std::string parameter;
+  std::optional<laws::Interval> interval;  // equal ends: fixed at that value; nullopt: free in its box
+
+  std::string text() const;  // as the user would type it
+};
+
+// Throws Error: malformed, unknown law or parameter, lower >= upper, outside the physical limits.
+Override parse_override(std::string_view text);
+
+struct SearchParameter {
+  std::string name, unit;
+  bool free = true;
+  double value = 0.0;  // when fixed
+  double lower = 0.0, upper = 0.0;
+  laws::Scale scale = laws::Scale::linear;
+
+  // From the unit interval to the parameter's value and back (clamped to it).
+  double at(double unit_coordinate) const;
+  double coordinate(double value_) const;
+};
+
+struct SearchBox {
+  std::vector<SearchParameter> parameters;  // all of the law's, in its order
+
+  std::size_t free_count() const;
+  // Parameter values for a point of the unit box of the free parameters.
+  void expand(std::span<double const> point, std::span<double> values) const;
+};
+
+// A best value this close to an edge, as a share of the interval on the search scale, is at its bound.
+inline constexpr double bound_tolerance = 1e-3;
+enum class AtBound { no, lower, upper };
+AtBound at_bound(SearchParameter const& parameter, double value);
+
+// The size of a record in the units of a law.
+laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const& law);
+
+// `published` falls back to the scaled interval for parameters the paper does not calibrate.
+SearchBox make_box(laws::LawEntry const& law, BoxKind kind, laws::RecordScales const& scales,
+                   std::span<Override const> overrides);
+
+}  // namespace isolaw::fit

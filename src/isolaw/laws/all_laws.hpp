@@ -1,0 +1,24 @@
+// The list of laws. Adding one: its header, one line here, one folder of reference data in tests/verification.
+#pragma once
+
+#include <tuple>
+
+#include "isolaw/laws/abe.hpp"
+#include "isolaw/laws/abe_y0.hpp"
+#include "isolaw/laws/bilinear.hpp"
+#include "isolaw/laws/bouc_wen.hpp"
+#include "isolaw/laws/hwang_wu.hpp"
+#include "isolaw/laws/jankowski.hpp"
+#include "isolaw/laws/vaiana.hpp"
+
+namespace isolaw::laws {
+
+using AllLaws = std::tuple<Bilinear, Jankowski, Vaiana, BoucWen, Abe, AbeY0, HwangWu>;
+
+// Calls visit.template operator()<Law>() for every law, in order.
+template <class Visitor>
+void for_each_law(Visitor&& visit) {
+  [&]<class... Law>(std::tuple<Law...>*) { (visit.template operator()<Law>(), ...); }(static_cast<AllLaws*>(nullptr));
+}
+
+}  // namespace isolaw::laws

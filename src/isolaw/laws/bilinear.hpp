@@ -1,0 +1,63 @@
+// Bilinear: elastic and post-elastic stiffness with kinematic hardening.
+// Source: Cucuzza et al. 2025, Eq. (1), the virgin branch; cyclic behaviour by Masing branches, that is an
+// elastic-perfectly-plastic part in parallel with K2.  Units kN, mm.  Step: exact along a straight path.
+#pragma once
+
+#include "isolaw/laws/law.hpp"
+#include "isolaw/laws/limits.hpp"
+
+namespace isolaw::laws {
+
+struct Bilinear {
+  static constexpr LawInfo info{
+      .id = "bilinear",
+      .title = "Bilinear, kinematic hardening",
+      .source = "Cucuzza et al. 2025, Eq. (1)",
+      .force = kN,
+      .length = mm,
+      .traits = {.rate_independent = true, .odd = true},
+      .note = "The third parameter of Table 4 is printed F_y [mm]; it is read as the yield displacement xy of Eq. (1). "
+              "Derived: characteristic strength Qd = (K1 - K2) xy, yield force K1 xy. As a yield force or a "
+              "characteristic strength in kN the printed numbers would give other loops."};
+
+  template <class T>
+  struct Params {
+    T K1, K2, xy;
+  };
+
+  template <class T>
+  static constexpr std::array rows{
+      Row<T, Params<T>>{&Params<T>::K1,
+                        {.name = "K1", .unit = "kN/mm", .meaning = "elastic stiffness", .physical = positive,
+                         .published = Interval{1.0, 1.9},
+                         .scaled = [](RecordScales const& s) { return Interval{1.0 * s.stiffness, 10.0 * s.stiffness}; }}},
+      Row<T, Params<T>>{&Params<T>::K2,
+                        {.name = "K2", .unit = "kN/mm", .meaning = "post-elastic stiffness", .physical = any_value,
+                         .published = Interval{0.35, 0.95},
+                         .scaled = [](RecordScales const& s) { return Interval{0.05 * s.stiffness, 1.0 * s.stiffness}; }}},
+      Row<T, Params<T>>{&Params<T>::xy,
+                        {.name = "xy", .unit = "mm", .meaning = "yield displacement", .physical = not_negative,
+                         .published = Interval{30.0, 80.0},
+                         .scaled = [](RecordScales const& s) { return Interval{0.01 * s.disp, 0.6 * s.disp}; }}},
+  };
+
+  template <class T>
+  struct State {
+    T z = T(0.0);  // force of the elastic-perfectly-plastic part
+    T strength = T(0.0);
+  };
+
+  template <class T>
+  static State<T> start(Params<T> const& p, Step const&, Integration) {
+    return {.z = T(0.0), .strength = abs((p.K1 - p.K2) * p.xy)};
+  }
+
+  template <class T>
+  static T step(Params<T> const& p, State<T>& state, Step const& step) {
+    T const trial = state.z + (p.K1 - p.K2) * T(step.dx);
+    state.z = min(max(trial, -state.strength), state.strength);
+    return p.K2 * T(step.x1) + state.z;
+  }
+};
+
+}  // namespace isolaw::laws

@@ -1,0 +1,110 @@
+// Bouc-Wen: smooth hysteresis with post-yield stiffness.
+// Source: Cucuzza et al. 2025, Eqs. (13)-(14), after Wen 1976; K_i and K_j of Eq. (13) are the one elastic stiffness Ke.
+// Units kN, mm.  Step: between reversals dz/dx depends on z alone, and its exact flow is read from a table made once per
+// candidate (saturating_flow.hpp); `paper`: one classical Runge-Kutta step per sample, which blows up beyond dx of about
+// two yield displacements.
+#pragma once
+
+#include "isolaw/laws/law.hpp"
+#include "isolaw/laws/limits.hpp"
+#include "isolaw/laws/runge_kutta.hpp"
+#include "isolaw/laws/saturating_flow.hpp"
+
+namespace isolaw::laws {
+
+struct BoucWen {
+  static constexpr LawInfo info{
+      .id = "bouc-wen",
+      .title = "Bouc-Wen, smooth hysteresis",
+      .source = "Cucuzza et al. 2025, Eqs. (13)-(14)",
+      .force = kN,
+      .length = mm,
+      .traits = {.rate_independent = true, .odd = true, .path_integrated = true},
+      .note = "A is redundant: (Ke, A, beta, gamma, alpha) can be rescaled without changing the force, so a calibration with A "
+              "free has no unique answer. The upper bound of alpha is lost in Table 4; 0.3 is used. Parameters must keep "
+              "beta + gamma > 0; others have no bounded force and are rejected."};
+
+  template <class T>
+  struct Params {
+    T alpha, Ke, A, beta, n, gamma;
+  };
+
+  template <class T>
+  static constexpr std::array rows{
+      Row<T, Params<T>>{&Params<T>::alpha,
+                        {.name = "alpha", .unit = "1", .meaning = "ratio of post-yield to elastic stiffness", .physical = any_value,
+                         .published = Interval{0.1, 0.3},
+                         .scaled = [](RecordScales const&) { return Interval{0.01, 0.6}; }}},
+      Row<T, Params<T>>{&Params<T>::Ke,
+                        {.name = "Ke", .unit = "kN/mm", .meaning = "elastic stiffness", .physical = positive,
+                         .published = Interval{2.0, 4.0},
+                         .scaled = [](RecordScales const& s) { return Interval{1.0 * s.stiffness, 12.0 * s.stiffness}; }}},
+      Row<T, Params<T>>{&Params<T>::A,
+                        {.name = "A", .unit = "1", .meaning = "amplitude of the hysteretic variable (redundant with Ke, beta, gamma, alpha)", .physical = positive,
+                         .published = Interval{1.0, 2.0},
+                         .scaled = [](RecordScales const&) { return Interval{0.5, 2.0}; }}},
+      Row<T, Params<T>>{&Params<T>::beta,
+                        {.name = "beta", .unit = "1/mm^n", .meaning = "shape of the loop", .physical = any_value,
+                         .published = Interval{0.025, 0.075},
+                         .scaled = [](RecordScales const& s) { return Interval{0.05 / s.disp, 60.0 / s.disp}; },
+                         .scaled_search = Scale::logarithmic}},
+      Row<T, Params<T>>{&Params<T>::n,
+                        {.name = "n", .unit = "1", .meaning = "sharpness of yielding", .physical = positive,
+                         .published = Interval{1.0, 1.25},
+                         .scaled = [](RecordScales const&) { return Interval{0.5, 2.0}; }}},
+      Row<T, Params<T>>{&Params<T>::gamma,
+                        {.name = "gamma", .unit = "1/mm^n", .meaning = "shape of the loop", .physical = any_value,
+                         .published = Interval{0.025, 0.075},
+                         .scaled = [](RecordScales const& s) { return Interval{0.05 / s.disp, 60.0 / s.disp}; },
+                         .scaled_search = Scale::logarithmic}},
+  };
+
+  template <class T>
+  struct State {
+    T z = T(0.0);
+    // Converged integration: u = z / z_max, time on the flow = A / z_max per unit of travel.
+    T time = T(0.0), z_max = T(0.0), rate = T(0.0);
+    SaturatingFlow<T> flow;
+  };
+
+  template <class T>
+  static State<T> start(Params<T> const& p, Step const&, Integration integration) {
+    State<T> state;
+    if (integration == Integration::paper) return state;
+    T const both = p.beta + p.gamma;
+    // beta + gamma <= 0 makes log2 of it NaN on purpose: such a candidate has no saturated force.
+    state.z_max = exp2((log2(p.A) - log2(both)) / p.n);
+    state.rate = p.A / state.z_max;
+    state.flow = SaturatingFlow<T>(p.n, (p.beta - p.gamma) / both);
+    return state;
+  }
+
+  template <class T>
+  static T step(Params<T> const& p, State<T>& state, Step const& step) {
+    if (step.length > 0.0) {
+      T const direction(step.direction);
+      if (step.reversal) state.time = state.flow.time_at(direction * state.z / state.z_max);
+      state.time += state.rate * T(step.length);
+      state.z = direction * state.z_max * state.flow.value_at(state.time);
+    }
+    return force(p, state.z, step.x1);
+  }
+
+  template <class T>
+  static T step_paper(Params<T> const& p, State<T>& state, Step const& step) {
+    T const direction(step.direction);
+    state.z = runge_kutta(state.z, step.dx, [&](double, T const& z) {
+      T const same = p.beta + p.gamma, opposite = p.gamma - p.beta;  // sgn(x' z) beta + gamma
+      return p.A - power(abs(z), p.n) * select(direction * z < T(0.0), opposite, same);
+    });
+    return force(p, state.z, step.x1);
+  }
+
+ private:
+  template <class T>
+  static T force(Params<T> const& p, T const& z, double x) {
+    return p.alpha * p.Ke * T(x) + (T(1.0) - p.alpha) * p.Ke * z;
+  }
+};
+
+}  // namespace isolaw::laws

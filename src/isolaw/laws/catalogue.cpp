@@ -1,0 +1,54 @@
+#include "isolaw/laws/catalogue.hpp"
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/laws/all_laws.hpp"
+
+namespace isolaw::laws {
+namespace {
+
+template <class Law>
+LawEntry entry() {
+  LawEntry made{.info = Law::info, .parameters = {}, .evaluate = nullptr};
+  for (auto const& row : Law::template rows<double>) made.parameters.push_back(row.info);
+  made.evaluate = [](std::span<double const> parameters, Path const& path, Integration integration,
+                     std::span<double> force) {
+    run<Law, double>(unpack<Law, double>(parameters), path, integration,
+                     [&](std::size_t i, double value) { force[i] = value; });
+  };
+  return made;
+}
+
+}  // namespace
+
+std::size_t LawEntry::index_of(std::string_view parameter) const {
+  std::string allowed;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (parameters[i].name == parameter) return i;
+    allowed += (i == 0 ? "" : ", ") + std::string(parameters[i].name);
+  }
+  throw Error({.where = "law " + std::string(info.id),
+               .found = "unknown parameter '" + std::string(parameter) + "'",
+               .allowed = allowed,
+               .advice = "isolaw laws " + std::string(info.id)});
+}
+
+std::span<LawEntry const> catalogue() {
+  static std::vector<LawEntry> const all = [] {
+    std::vector<LawEntry> made;
+    for_each_law([&]<class Law>() { made.push_back(entry<Law>()); });
+    return made;
+  }();
+  return all;
+}
+
+LawEntry const& find_law(std::string_view id) {
+  std::string allowed;
+  for (auto const& law : catalogue()) {
+    if (law.info.id == id) return law;
+    allowed += (allowed.empty() ? "" : ", ") + std::string(law.info.id);
+  }
+  throw Error({.where = "law '" + std::string(id) + "'", .found = "no such law", .allowed = allowed,
+               .advice = "isolaw laws"});
+}
+
+}  // namespace isolaw::laws

@@ -1,0 +1,30 @@
+// The laws by name, for everything that is decided while running: command line, campaign, reports.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/laws/law.hpp"
+
+namespace isolaw::laws {
+
+struct LawEntry {
+  LawInfo info;
+  std::vector<ParameterInfo> parameters;
+  // Force [law's unit] at every sample of the path into `force` (path.samples() values). `parameters` in order.
+  // Values that overflow come out infinite or NaN; nothing is thrown.
+  void (*evaluate)(std::span<double const> parameters, Path const& path, Integration integration,
+                   std::span<double> force);
+
+  // Index of a parameter; throws Error that lists the law's parameters.
+  std::size_t index_of(std::string_view parameter) const;
+};
+
+std::span<LawEntry const> catalogue();
+
+// Throws Error that lists the laws.
+LawEntry const& find_law(std::string_view id);
+
+}  // namespace isolaw::laws

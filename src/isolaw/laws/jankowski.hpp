@@ -1,0 +1,94 @@
+// Jankowski: non-linear spring and dashpot in displacement and velocity, no memory.
+// Source: Cucuzza et al. 2025, Eqs. (2)-(5), after Jankowski 2003; the product x'x' printed in Eq. (3) is read as one x'.
+// Units N, m, s.  Step: algebraic, exact at every sample.
+#pragma once
+
+#include "isolaw/laws/law.hpp"
+#include "isolaw/laws/limits.hpp"
+
+namespace isolaw::laws {
+
+struct Jankowski {
+  static constexpr LawInfo info{
+      .id = "jankowski",
+      .title = "Jankowski, non-linear spring and dashpot",
+      .source = "Cucuzza et al. 2025, Eqs. (2)-(5)",
+      .force = N,
+      .length = m,
+      .traits = {.odd = true},
+      .note = "The velocity appears once in F = K x + C v (printed twice in Eq. 3). Without motion the damping force is 0, "
+              "also for a11 = 0."};
+
+  template <class T>
+  struct Params {
+    T a1, a2, a3, a4, a5, a6, a7, a8, a9, a10, a11;
+  };
+
+  template <class T>
+  static constexpr std::array rows{
+      Row<T, Params<T>>{&Params<T>::a1,
+                        {.name = "a1", .unit = "N/m", .meaning = "constant stiffness", .physical = any_value,
+                         .published = Interval{1e4, 1e6},
+                         .scaled = [](RecordScales const& s) { return Interval{-0.5 * s.stiffness, 1.5 * s.stiffness}; }}},
+      Row<T, Params<T>>{&Params<T>::a2,
+                        {.name = "a2", .unit = "N/m^3", .meaning = "stiffness growing with x^2", .physical = any_value,
+                         .published = Interval{1e6, 9e6},
+                         .scaled = [](RecordScales const& s) { return Interval{-1.0 * s.stiffness / (s.disp * s.disp), 2.0 * s.stiffness / (s.disp * s.disp)}; }}},
+      Row<T, Params<T>>{&Params<T>::a3,
+                        {.name = "a3", .unit = "N/m^5", .meaning = "stiffness growing with x^4", .physical = any_value,
+                         .published = Interval{1e6, 9e6},
+                         .scaled = [](RecordScales const& s) { return Interval{-1.0 * s.stiffness / (s.disp * s.disp * s.disp * s.disp), 1.0 * s.stiffness / (s.disp * s.disp * s.disp * s.disp)}; }}},
+      Row<T, Params<T>>{&Params<T>::a4,
+                        {.name = "a4", .unit = "N/m", .meaning = "stiffness at rest", .physical = any_value,
+                         .published = Interval{1e3, 1e5},
+                         .scaled = [](RecordScales const& s) { return Interval{0.0 * s.stiffness, 0.5 * s.stiffness}; }}},
+      Row<T, Params<T>>{&Params<T>::a5,
+                        {.name = "a5", .unit = "s/m", .meaning = "its decay with velocity", .physical = not_negative,
+                         .published = Interval{1e3, 1e4},
+                         .scaled = [](RecordScales const& s) { return Interval{1.0 / s.velocity, 1e4 / s.velocity}; },
+                         .scaled_search = Scale::logarithmic}},
+      Row<T, Params<T>>{&Params<T>::a6,
+                        {.name = "a6", .unit = "N/m", .meaning = "stiffness near the origin", .physical = any_value,
+                         .published = Interval{1e5, 3.5e6},
+                         .scaled = [](RecordScales const& s) { return Interval{0.0 * s.stiffness, 6.0 * s.stiffness}; }}},
+      Row<T, Params<T>>{&Params<T>::a7,
+                        {.name = "a7", .unit = "s/m", .meaning = "its decay with velocity", .physical = not_negative,
+                         .published = Interval{0.0, 10.0},
+                         .scaled = [](RecordScales const& s) { return Interval{0.0 / s.velocity, 10.0 / s.velocity}; }}},
+      Row<T, Params<T>>{&Params<T>::a8,
+                        {.name = "a8", .unit = "1/m", .meaning = "its decay with displacement", .physical = not_negative,
+                         .published = Interval{5.0, 20.0},
+                         .scaled = [](RecordScales const& s) { return Interval{0.1 / s.disp, 10.0 / s.disp}; }}},
+      Row<T, Params<T>>{&Params<T>::a9,
+                        {.name = "a9", .unit = "N", .meaning = "damping force", .physical = any_value,
+                         .published = Interval{1e4, 1e5},
+                         .scaled = [](RecordScales const& s) { return Interval{0.0 * s.strength, 4.0 * s.strength}; }}},
+      Row<T, Params<T>>{&Params<T>::a10,
+                        {.name = "a10", .unit = "N/m^2", .meaning = "damping growing with x^2", .physical = any_value,
+                         .published = Interval{1e4, 1e5},
+                         .scaled = [](RecordScales const& s) { return Interval{-2.0 * s.strength / (s.disp * s.disp), 4.0 * s.strength / (s.disp * s.disp)}; }}},
+      Row<T, Params<T>>{&Params<T>::a11,
+                        {.name = "a11", .unit = "m/s", .meaning = "velocity at which damping saturates", .physical = not_negative,
+                         .published = Interval{0.0, 10.0},
+                         .scaled = [](RecordScales const& s) { return Interval{0.001 * s.velocity, 5.0 * s.velocity}; },
+                         .scaled_search = Scale::logarithmic}},
+  };
+
+  template <class T>
+  struct State {};
+
+  template <class T>
+  static State<T> start(Params<T> const&, Step const&, Integration) {
+    return {};
+  }
+
+  template <class T>
+  static T step(Params<T> const& p, State<T>&, Step const& step) {
+    T const x(step.x1), v(step.v1), x2(step.x1 * step.x1);
+    T const K = p.a1 + x2 * (p.a2 + x2 * p.a3) + p.a4 * sech_squared(p.a5 * v) + p.a6 * sech(p.a7 * v) * sech(p.a8 * x);
+    if (step.v1 == 0.0) return K * x;
+    return K * x + (p.a9 + p.a10 * x2) * v / sqrt(p.a11 * p.a11 + v * v);
+  }
+};
+
+}  // namespace isolaw::laws

@@ -1,0 +1,159 @@
+// The contract of a law: what its file says about it, the record as it sees it, and how one is run over a record.
+//
+// A law is a struct with
+//   info                      LawInfo: id, title, source, units, traits, notes on how the source was read
+//   Params<T>                 its parameters, in the paper's symbols
+//   rows<T>                   one Row per parameter, in the order of reports: member, name, unit, limits, boxes, meaning
+//   State<T>                  what it remembers from sample to sample, with constants derived from the parameters
+//   start(params, first, how) the virgin state at the first sample
+//   step(params, state, step) advances the state over one step of the path, returns the force at its end
+//   step_paper(...)           optional: the same by one classical Runge-Kutta step, where that differs
+// T is double, a derivative number or a batch of candidates. No allocation, exception or container in a step;
+// branching on what the record determines (Step) is free, on a candidate's values it is a select.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/base/units.hpp"
+#include "isolaw/num/scalar.hpp"
+
+namespace isolaw::laws {
+
+using num::abs;
+using num::at;
+using num::cell_of;
+using num::exp;
+using num::exp2;
+using num::log2;
+using num::max;
+using num::min;
+using num::power;
+using num::sech;
+using num::sech_squared;
+using num::select;
+using num::sqrt;
+using num::value_of;
+
+struct Interval {
+  double lower = 0.0;
+  double upper = 0.0;
+};
+
+enum class Scale { linear, logarithmic };  // logarithmic: in log|value|, for an interval that does not contain 0
+
+// The size of a record, in the units of the law that asks; boxes of unknown devices are scaled from it.
+struct RecordScales {
+  double disp = 0.0;       // largest |displacement|
+  double force = 0.0;      // largest |force|
+  double stiffness = 0.0;  // effective, peak to peak
+  double strength = 0.0;   // half the force span at zero displacement (characteristic strength)
+  double velocity = 0.0;   // largest |velocity|; 0 without a time channel
+  double work = 0.0;       // energy dissipated by the whole record
+};
+
+struct ParameterInfo {
+  std::string_view name;
+  std::string_view unit;
+  std::string_view meaning;
+  Interval physical;                             // outside: refused
+  std::optional<Interval> published;             // the paper's search box (Table 4), always searched linearly
+  Interval (*scaled)(RecordScales const&);       // the search box of a device of any size
+  Scale scaled_search = Scale::linear;           // how the scaled box is searched
+  std::optional<double> fixed_by_default = {};   // the value of a parameter that is not calibrated unless freed
+};
+
+template <class T, class Params>
+struct Row {
+  T Params::*member;
+  ParameterInfo info;
+};
+
+struct Traits {
+  bool rate_independent = false;  // the velocity does not matter
+  bool odd = false;               // F(-x) = -F(x) for the mirrored history
+  bool path_integrated = false;   // a differential law: the integration method matters
+};
+
+struct LawInfo {
+  std::string_view id;
+  std::string_view title;
+  std::string_view source;
+  Unit force, length;  // time is always in seconds
+  Traits traits;
+  std::string_view note = "";  // how the source was read where it is incomplete
+};
+
+enum class Integration { converged, paper };
+
+// One step of the path, from the sample before to this one, in the law's units. Depends on the record alone.
+struct Step {
+  double x0, x1;     // displacement before and after
+  double v0, v1;     // velocity before and after; 0 for a record without time
+  double dx;         // x1 - x0
+  double length;     // |dx|
+  double direction;  // +1, -1; the last one where dx = 0; 0 before the first motion
+  bool reversal;     // the direction differs from that of the step before
+  double peak0, peak1;            // largest |x| up to the start and the end of the step
+  double log2_abs_x0, log2_abs_x1;  // of |x| clamped to num::smallest_power_base
+};
+
+// The record as a piecewise linear path. The first step has no length: its force is that of the first sample.
+// With `refinement` > 1 every interval is cut into that many equal steps, displacement and velocity interpolated.
+struct Path {
+  std::vector<Step> steps;
+  int refinement = 1;
+
+  std::size_t samples() const {
+    return steps.empty() ? 0 : (steps.size() - 1) / static_cast<std::size_t>(refinement) + 1;
+  }
+};
+
+// x and v in the law's units; v empty for a record without time. Needs at least one sample and refinement >= 1.
+Path make_path(std::span<double const> x, std::span<double const> v, int refinement = 1);
+
+template <class Law, class T>
+using ParamsOf = typename Law::template Params<T>;
+
+template <class Law>
+inline constexpr std::size_t parameter_count = Law::template rows<double>.size();
+
+template <class Law>
+concept HasPaperStep = requires(ParamsOf<Law, double> const& p, typename Law::template State<double>& s, Step const& k) {
+  Law::step_paper(p, s, k);
+};
+
+// Force at every sample of the path: force(i) is called with the sample's index and the force there.
+template <class Law, class T, class Sink>
+void run(ParamsOf<Law, T> const& params, Path const& path, Integration integration, Sink&& sink) {
+  if (path.steps.empty()) return;
+  auto state = Law::template start<T>(params, path.steps.front(), integration);
+  auto const stride = static_cast<std::size_t>(path.refinement);
+  auto const walk = [&](auto&& advance) {
+    sink(std::size_t{0}, advance(path.steps.front()));
+    for (std::size_t i = 1, sample = 1; i < path.steps.size(); ++sample) {
+      for (std::size_t k = 1; k < stride; ++k) advance(path.steps[i++]);
+      sink(sample, advance(path.steps[i++]));
+    }
+  };
+  if constexpr (HasPaperStep<Law>) {
+    if (integration == Integration::paper) {
+      walk([&](Step const& step) { return Law::template step_paper<T>(params, state, step); });
+      return;
+    }
+  }
+  walk([&](Step const& step) { return Law::template step<T>(params, state, step); });
+}
+
+template <class Law, class T>
+ParamsOf<Law, T> unpack(std::span<T const> values) {
+  ParamsOf<Law, T> params{};
+  for (std::size_t i = 0; i < parameter_count<Law>; ++i) params.*(Law::template rows<T>[i].member) = values[i];
+  return params;
+}
+
+}  // namespace isolaw::laws

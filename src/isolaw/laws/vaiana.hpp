@@ -1,0 +1,149 @@
+// Vaiana (VRM+D class): transcendental, rate independent, different loading and unloading branches.
+// Source: Cucuzza et al. 2025, Eqs. (6)-(12), after Vaiana et al. 2021, with the auxiliary length taken to infinity: the
+// branch starts from the reversal point (xP, fP) itself, so no internal variable and no logarithm is left.
+// Units N, m.  Step: exact; a branch continued from any of its points is the same branch, so every sample serves as (xP, fP).
+#pragma once
+
+#include "isolaw/laws/law.hpp"
+#include "isolaw/laws/limits.hpp"
+
+namespace isolaw::laws {
+
+struct Vaiana {
+  static constexpr LawInfo info{
+      .id = "vaiana",
+      .title = "Vaiana, asymmetric transcendental",
+      .source = "Cucuzza et al. 2025, Eqs. (6)-(12)",
+      .force = N,
+      .length = m,
+      .traits = {.rate_independent = true},
+      .note = "The auxiliary length of Eqs. (11)-(12) is infinite here (the source takes exp(-alpha u) = 1e-20). The paper "
+              "calibrates ten of the sixteen parameters and sets the sigmoid (gamma1, gamma2, gamma3) to zero."};
+
+  // _p: loading, displacement increasing; _m: unloading.
+  template <class T>
+  struct Params {
+    T Kb_p, Kb_m, f0_p, f0_m, alpha_p, alpha_m, beta1_p, beta1_m, beta2_p, beta2_m;
+    T gamma1_p, gamma1_m, gamma2_p, gamma2_m, gamma3_p, gamma3_m;
+  };
+
+  template <class T>
+  static constexpr std::array rows{
+      Row<T, Params<T>>{&Params<T>::Kb_p,
+                        {.name = "Kb+", .unit = "N/m", .meaning = "slope of the loading limit curve", .physical = any_value,
+                         .published = Interval{1e5, 6e5},
+                         .scaled = [](RecordScales const& s) { return Interval{0.0 * s.stiffness, 1.2 * s.stiffness}; }}},
+      Row<T, Params<T>>{&Params<T>::Kb_m,
+                        {.name = "Kb-", .unit = "N/m", .meaning = "slope of the unloading limit curve", .physical = any_value,
+                         .published = Interval{1e5, 6e5},
+                         .scaled = [](RecordScales const& s) { return Interval{0.0 * s.stiffness, 1.2 * s.stiffness}; }}},
+      Row<T, Params<T>>{&Params<T>::f0_p,
+                        {.name = "f0+", .unit = "N", .meaning = "half distance of the limit curves, loading", .physical = not_negative,
+                         .published = Interval{1e4, 1e5},
+                         .scaled = [](RecordScales const& s) { return Interval{0.05 * s.strength, 2.5 * s.strength}; }}},
+      Row<T, Params<T>>{&Params<T>::f0_m,
+                        {.name = "f0-", .unit = "N", .meaning = "half distance of the limit curves, unloading", .physical = not_negative,
+                         .published = Interval{1e4, 1e5},
+                         .scaled = [](RecordScales const& s) { return Interval{0.05 * s.strength, 2.5 * s.strength}; }}},
+      Row<T, Params<T>>{&Params<T>::alpha_p,
+                        {.name = "alpha+", .unit = "1/m", .meaning = "rate of approach to the limit curve, loading", .physical = not_negative,
+                         .published = Interval{0.0, 50.0},
+                         .scaled = [](RecordScales const& s) { return Interval{0.5 / s.disp, 50.0 / s.disp}; },
+                         .scaled_search = Scale::logarithmic}},
+      Row<T, Params<T>>{&Params<T>::alpha_m,
+                        {.name = "alpha-", .unit = "1/m", .meaning = "rate of approach to the limit curve, unloading", .physical = not_negative,
+                         .published = Interval{0.0, 50.0},
+                         .scaled = [](RecordScales const& s) { return Interval{0.5 / s.disp, 50.0 / s.disp}; },
+                         .scaled_search = Scale::logarithmic}},
+      Row<T, Params<T>>{&Params<T>::beta1_p,
+                        {.name = "beta1+", .unit = "N", .meaning = "size of the exponential hardening, loading", .physical = any_value,
+                         .published = Interval{0.0, 0.9},
+                         .scaled = [](RecordScales const& s) { return Interval{1e-7 * s.force, 0.1 * s.force}; },
+                         .scaled_search = Scale::logarithmic}},
+      Row<T, Params<T>>{&Params<T>::beta1_m,
+                        {.name = "beta1-", .unit = "N", .meaning = "size of the exponential hardening, unloading", .physical = any_value,
+                         .published = Interval{-0.9, 0.0},
+                         .scaled = [](RecordScales const& s) { return Interval{-0.1 * s.force, -1e-7 * s.force}; },
+                         .scaled_search = Scale::logarithmic}},
+      Row<T, Params<T>>{&Params<T>::beta2_p,
+                        {.name = "beta2+", .unit = "1/m", .meaning = "rate of the exponential hardening, loading", .physical = any_value,
+                         .published = Interval{15.0, 50.0},
+                         .scaled = [](RecordScales const& s) { return Interval{0.5 / s.disp, 15.0 / s.disp}; }}},
+      Row<T, Params<T>>{&Params<T>::beta2_m,
+                        {.name = "beta2-", .unit = "1/m", .meaning = "rate of the exponential hardening, unloading", .physical = any_value,
+                         .published = Interval{-50.0, -15.0},
+                         .scaled = [](RecordScales const& s) { return Interval{-15.0 / s.disp, -0.5 / s.disp}; }}},
+      Row<T, Params<T>>{&Params<T>::gamma1_p,
+                        {.name = "gamma1+", .unit = "N", .meaning = "size of the sigmoid, loading", .physical = any_value,
+                         .published = std::nullopt,
+                         .scaled = [](RecordScales const& s) { return Interval{-0.5 * s.force, 0.5 * s.force}; },
+                         .fixed_by_default = 0.0}},
+      Row<T, Params<T>>{&Params<T>::gamma1_m,
+                        {.name = "gamma1-", .unit = "N", .meaning = "size of the sigmoid, unloading", .physical = any_value,
+                         .published = std::nullopt,
+                         .scaled = [](RecordScales const& s) { return Interval{-0.5 * s.force, 0.5 * s.force}; },
+                         .fixed_by_default = 0.0}},
+      Row<T, Params<T>>{&Params<T>::gamma2_p,
+                        {.name = "gamma2+", .unit = "1/m", .meaning = "steepness of the sigmoid, loading", .physical = any_value,
+                         .published = std::nullopt,
+                         .scaled = [](RecordScales const& s) { return Interval{1.0 / s.disp, 100.0 / s.disp}; },
+                         .scaled_search = Scale::logarithmic,
+                         .fixed_by_default = 0.0}},
+      Row<T, Params<T>>{&Params<T>::gamma2_m,
+                        {.name = "gamma2-", .unit = "1/m", .meaning = "steepness of the sigmoid, unloading", .physical = any_value,
+                         .published = std::nullopt,
+                         .scaled = [](RecordScales const& s) { return Interval{1.0 / s.disp, 100.0 / s.disp}; },
+                         .scaled_search = Scale::logarithmic,
+                         .fixed_by_default = 0.0}},
+      Row<T, Params<T>>{&Params<T>::gamma3_p,
+                        {.name = "gamma3+", .unit = "m", .meaning = "centre of the sigmoid, loading", .physical = any_value,
+                         .published = std::nullopt,
+                         .scaled = [](RecordScales const& s) { return Interval{-1.0 * s.disp, 1.0 * s.disp}; },
+                         .fixed_by_default = 0.0}},
+      Row<T, Params<T>>{&Params<T>::gamma3_m,
+                        {.name = "gamma3-", .unit = "m", .meaning = "centre of the sigmoid, unloading", .physical = any_value,
+                         .published = std::nullopt,
+                         .scaled = [](RecordScales const& s) { return Interval{-1.0 * s.disp, 1.0 * s.disp}; },
+                         .fixed_by_default = 0.0}},
+  };
+
+  template <class T>
+  struct State {
+    T f = T(0.0);
+    T limit = T(0.0);  // the limit curve of the current direction at the last sample
+  };
+
+  template <class T>
+  static State<T> start(Params<T> const&, Step const&, Integration) {
+    return {};
+  }
+
+  template <class T>
+  static T step(Params<T> const& p, State<T>& state, Step const& step) {
+    if (step.length == 0.0) return state.f;
+    bool const loading = step.direction > 0.0;
+    if (step.reversal) state.limit = limit_curve(p, loading, step.x0);
+    T const next = limit_curve(p, loading, step.x1);
+    T const decay = exp(-(loading ? p.alpha_p : p.alpha_m) * T(step.length));
+    state.f = next - (state.limit - state.f) * decay;
+    state.limit = next;
+    return state.f;
+  }
+
+ private:
+  // cu(x) of Eq. (6) for loading, cl(x) for unloading.
+  template <class T>
+  static T limit_curve(Params<T> const& p, bool loading, double at_x) {
+    T const x(at_x), one(1.0);
+    auto const curve = [&](T const& Kb, T const& offset, T const& beta1, T const& beta2, T const& gamma1, T const& gamma2,
+                           T const& gamma3) {
+      T const hardening = beta1 * (exp(beta2 * x) - one);
+      T const sigmoid = T(4.0) * gamma1 / (one + exp(-gamma2 * (x - gamma3))) - T(2.0) * gamma1;
+      return hardening + sigmoid + Kb * x + offset;
+    };
+    return loading ? curve(p.Kb_p, p.f0_p, p.beta1_p, p.beta2_p, p.gamma1_p, p.gamma2_p, p.gamma3_p)
+                   : curve(p.Kb_m, -p.f0_m, p.beta1_m, p.beta2_m, p.gamma1_m, p.gamma2_m, p.gamma3_m);
+  }
+};
+
+}  // namespace isolaw::laws

@@ -1,0 +1,69 @@
+// The operations a law's step may use, for plain doubles. Dual and Batch offer the same set, so that one body runs on
+// all of them: laws call these names unqualified (law.hpp brings the double overloads in, the others come by ADL).
+//
+//   abs exp exp2 log2 sqrt min max        as in <cmath>
+//   select(condition, a, b)               a where true, b elsewhere, lane by lane; both are evaluated
+//   value_of(x)                           the value without derivatives (double), for tests and messages
+//   cell_of(nodes, x)                     index i of the cell nodes[i] <= x < nodes[i+1], clamped to 0 .. count-2
+//   at(values, index)                     values[index], lane by lane
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+namespace isolaw::num {
+
+inline double abs(double x) { return std::abs(x); }
+inline double exp(double x) { return std::exp(x); }
+inline double exp2(double x) { return std::exp2(x); }
+inline double log2(double x) { return std::log2(x); }
+inline double sqrt(double x) { return std::sqrt(x); }
+inline double min(double a, double b) { return b < a ? b : a; }
+inline double max(double a, double b) { return a < b ? b : a; }
+inline double select(bool condition, double a, double b) { return condition ? a : b; }
+inline double value_of(double x) { return x; }
+
+// Branch-free bisection: the trip count depends on the size of the table alone.
+template <std::size_t Count>
+std::size_t cell_of(std::array<double, Count> const& nodes, double x) {
+  static_assert(Count >= 2);
+  std::size_t first = 0;
+  for (std::size_t length = Count - 1; length > 1;) {
+    std::size_t const half = length / 2;
+    first += nodes[first + half] <= x ? half : 0;
+    length -= half;
+  }
+  return first;
+}
+
+template <class T, std::size_t Count>
+T const& at(std::array<T, Count> const& values, std::size_t index) {
+  return values[index];
+}
+
+// |x|^p for x >= 0, as 2^(p log2 x): 0 for x = 0 (p > 0), never the special cases of pow.
+inline constexpr double smallest_power_base = 1e-290;
+template <class T>
+T power(T const& x, T const& p) {
+  return exp2(p * log2(max(x, T(smallest_power_base))));
+}
+
+// 1 / cosh^2(u), through exp(-2|u|): tends to 0 without overflow.
+template <class T>
+T sech_squared(T const& u) {
+  T const e = exp(T(-2.0) * abs(u));
+  T const one_plus = T(1.0) + e;
+  return T(4.0) * e / (one_plus * one_plus);
+}
+
+// 1 / cosh(u), likewise.
+template <class T>
+T sech(T const& u) {
+  T const e = exp(-abs(u));
+  return T(2.0) * e / (T(1.0) + e * e);
+}
+
+}  // namespace isolaw::num

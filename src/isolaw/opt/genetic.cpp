@@ -1,0 +1,229 @@
+#include "isolaw/opt/genetic.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+#include "isolaw/base/error.hpp"
+
+namespace isolaw::opt {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// The sort key of a value: every kind of failure ranks behind every number.
+double rank_key(double value) {
+  return std::isfinite(value) ? value : infinity;
+}
+
+struct Population {
+  Points points;
+  std::vector<double> values;
+};
+
+// Where the random numbers of an individual or pair of a generation are.
+num::Draws draws_at(num::Stream const& stream, int generation, std::size_t index) {
+  return {stream, static_cast<std::uint32_t>(generation), static_cast<std::uint32_t>(index)};
+}
+
+Points initial_points(std::size_t dimension, std::size_t size, num::Stream const& stream) {
+  Points points(dimension, size);
+  for (std::size_t i = 0; i < size; ++i) {
+    auto draws = draws_at(stream, 1, i);
+    for (double& gene : points[i]) gene = draws.uniform();
+  }
+  return points;
+}
+
+Points breed(Population const& parents, num::Stream const& stream, int generation, GeneticOptions const& options) {
+  RouletteWheel const wheel(roulette_weights(parents.values, options.selection_pressure));
+  Points children(parents.points.dimension, parents.points.size());
+  for (std::size_t pair = 0; pair < children.size() / 2; ++pair) {
+    auto draws = draws_at(stream, generation, pair);
+    auto const first = children[2 * pair], second = children[2 * pair + 1];
+    std::ranges::copy(parents.points[wheel.spin(draws)], first.begin());
+    std::ranges::copy(parents.points[wheel.spin(draws)], second.begin());
+    crossover(first, second, draws);
+    mutate(first, options.mutation_rate, draws);
+    mutate(second, options.mutation_rate, draws);
+  }
+  return children;
+}
+
+// The best `size` of both, best first.
+Population select(Population const& parents, Population const& children, std::size_t size) {
+  Population next{Points(children.points.dimension, size), std::vector<double>(size)};
+  auto const kept = survivors(parents.values, children.values, size);
+  for (std::size_t i = 0; i < size; ++i) {
+    bool const is_parent = kept[i] < parents.values.size();
+    auto const& from = is_parent ? parents : children;
+    auto const index = is_parent ? kept[i] : kept[i] - parents.values.size();
+    std::ranges::copy(from.points[index], next.points[i].begin());
+    next.values[i] = from.values[index];
+  }
+  return next;
+}
+
+}  // namespace
+
+void GeneticOptions::validate() const {
+  std::vector<Complaint> complaints;
+  auto const require = [&](bool holds, char const* option, auto found, char const* allowed) {
+    if (!holds) complaints.push_back({option, fmt::format("found {}", found), allowed, {}});
+  };
+  // The upper limits keep the count of evaluations an int; that of the pressure keeps every weight above zero.
+  require(population >= 4 && population <= 100'000 && population % 2 == 0, "--population", population,
+          "an even number from 4 to 100000");
+  require(generations >= 1 && generations <= 20'000, "--generations", generations, "1 to 20000");
+  require(mutation_rate >= 0.0 && mutation_rate <= 1.0, "--mutation-rate", mutation_rate, "0 to 1");
+  require(stagnation >= 1, "--stagnation", stagnation, "at least 1 generation");
+  require(stagnation_tolerance >= 0.0 && stagnation_tolerance < 1.0, "--stagnation-tolerance", stagnation_tolerance,
+          "0 or more, below 1");
+  require(selection_pressure >= 0.0 && selection_pressure <= 100.0, "--selection-pressure", selection_pressure,
+          "0 to 100");
+  if (!complaints.empty()) throw Error(std::move(complaints));
+}
+
+std::string_view name(GeneticOutcome outcome) {
+  switch (outcome) {
+    case GeneticOutcome::all_generations:
+      return "all generations";
+    case GeneticOutcome::stagnated:
+      return "stagnated";
+    case GeneticOutcome::interrupted:
+      return "interrupted";
+    case GeneticOutcome::no_finite_value:
+      return "no finite value";
+  }
+  return "";
+}
+
+std::string GeneticResult::brief() const {
+  auto const value = usable() ? fmt::format("{:.4g}", best_value) : std::string("nothing found");
+  return fmt::format("{}: {} after {} generations, {} evaluations", name(outcome), value, history.size(), evaluations);
+}
+
+GeneticResult minimise_genetic(Problem const& problem, num::Stream const& stream, GeneticOptions const& options,
+                               std::function<bool()> const& interrupted) {
+  options.validate();
+  auto const dimension = problem.dimension();
+  if (dimension == 0)
+    throw Error({"genetic algorithm", "a problem with no free parameter", "at least one",
+                 "freeing a parameter, or evaluating the single point directly"});
+
+  auto const size = static_cast<std::size_t>(options.population);
+  GeneticResult result;
+  Population parents;  // empty at first: all of the initial population survives generation 1
+  double best_at_improvement = infinity;
+  int generations_without = 0;
+  for (int generation = 1; generation <= options.generations; ++generation) {
+    if (interrupted && interrupted()) {
+      result.outcome = GeneticOutcome::interrupted;
+      return result;
+    }
+    Population children{
+        generation == 1 ? initial_points(dimension, size, stream) : breed(parents, stream, generation, options),
+        std::vector<double>(size, infinity)};
+    problem.evaluate(children.points, children.values);
+    result.evaluations += options.population;
+
+    parents = select(parents, children, size);
+    double const best = rank_key(parents.values.front());
+    result.history.push_back(best);
+    if (best == infinity) {
+      result.outcome = GeneticOutcome::no_finite_value;
+      return result;
+    }
+    if (best < result.best_value) {
+      auto const point = parents.points[0];
+      result.best.assign(point.begin(), point.end());
+      result.best_value = best;
+    }
+
+    // Measured from the last improvement, not from the generation before: slow steady progress is progress.
+    if (generation == 1 || best < best_at_improvement - options.stagnation_tolerance * std::abs(best_at_improvement)) {
+      best_at_improvement = best;
+      generations_without = 0;
+    } else if (++generations_without == options.stagnation && generation < options.generations) {
+      result.outcome = GeneticOutcome::stagnated;
+      return result;
+    }
+  }
+  result.outcome = GeneticOutcome::all_generations;
+  return result;
+}
+
+std::vector<double> roulette_weights(std::span<double const> values, double pressure) {
+  double best = infinity, worst = -infinity;
+  for (double const value : values) {
+    if (!std::isfinite(value)) continue;
+    best = std::min(best, value);
+    worst = std::max(worst, value);
+  }
+  // Halved, so that the distance between two huge values of opposite sign stays finite.
+  double const origin = std::min(0.0, 0.5 * best);
+  double const range = 0.5 * worst - origin;
+  std::vector<double> weights(values.size(), 0.0);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!std::isfinite(values[i])) continue;
+    weights[i] = range > 0.0 ? std::exp(-pressure * ((0.5 * values[i] - origin) / range)) : 1.0;
+  }
+  return weights;
+}
+
+RouletteWheel::RouletteWheel(std::span<double const> weights) : cumulative_(weights.size()) {
+  std::partial_sum(weights.begin(), weights.end(), cumulative_.begin());
+  assert(!cumulative_.empty() && cumulative_.back() > 0.0 && std::isfinite(cumulative_.back()));
+}
+
+std::size_t RouletteWheel::spin(num::Draws& draws) const {
+  double const total = cumulative_.back();
+  double const target = draws.uniform() * total;
+  // The first sum above the target: a weight of zero leaves its sum equal to the one before and is never first.
+  // Where rounding lifts the target to the total, the last positive weight is the first to reach it.
+  auto const found =
+      target < total ? std::ranges::upper_bound(cumulative_, target) : std::ranges::lower_bound(cumulative_, total);
+  return static_cast<std::size_t>(found - cumulative_.begin());
+}
+
+Cuts draw_cuts(std::size_t dimension, num::Draws& draws) {
+  assert(dimension >= 2);
+  for (;;) {  // at least 4 of 9 tries succeed (dimension 2)
+    auto const i = draws.below(dimension + 1), j = draws.below(dimension + 1);
+    Cuts const cuts{std::min(i, j), std::max(i, j)};
+    if (cuts.first != cuts.second && cuts.second - cuts.first != dimension) return cuts;
+  }
+}
+
+void crossover(std::span<double> a, std::span<double> b, num::Draws& draws) {
+  assert(a.size() == b.size());
+  if (a.size() < 2) return;
+  auto const [first, second] = draw_cuts(a.size(), draws);
+  std::ranges::swap_ranges(a.subspan(first, second - first), b.subspan(first, second - first));
+}
+
+void mutate(std::span<double> point, double rate, num::Draws& draws) {
+  for (double& gene : point)
+    if (draws.uniform() < rate) gene = draws.uniform();
+}
+
+std::vector<std::size_t> survivors(std::span<double const> parents, std::span<double const> children,
+                                   std::size_t count) {
+  assert(count <= parents.size() + children.size());
+  std::vector<double> keys;
+  keys.reserve(parents.size() + children.size());
+  for (auto const values : {parents, children})
+    for (double const value : values) keys.push_back(rank_key(value));
+  std::vector<std::size_t> order(keys.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return keys[i]; });
+  order.resize(count);
+  return order;
+}
+
+}  // namespace isolaw::opt

@@ -1,0 +1,78 @@
+#include "isolaw/report/html.hpp"
+
+#include <array>
+#include <utility>
+
+#include "isolaw/report/assets.hpp"
+#include "isolaw/report/json.hpp"
+#include "isolaw/report/page_data.hpp"
+
+namespace isolaw::report {
+namespace {
+
+// Inside <script> only these two end or change the script; both stand in strings or regular expressions there, where
+// the backslash means nothing.
+std::string inline_script(std::string_view script) {
+  std::string safe;
+  safe.reserve(script.size());
+  for (std::size_t i = 0; i < script.size(); ++i) {
+    safe += script[i];
+    if (script[i] != '<') continue;
+    if (script.substr(i + 1, 3) == "!--") safe += '\\';
+    if (script.size() - i > 7 && script[i + 1] == '/' && (script[i + 2] | 0x20) == 's' && (script[i + 3] | 0x20) == 'c')
+      safe += '\\';
+  }
+  return safe;
+}
+
+}  // namespace
+
+std::string html_escaped(std::string_view text) {
+  std::string safe;
+  for (char const c : text) {
+    switch (c) {
+      case '&': safe += "&amp;"; break;
+      case '<': safe += "&lt;"; break;
+      case '>': safe += "&gt;"; break;
+      case '"': safe += "&quot;"; break;
+      case '\'': safe += "&#39;"; break;
+      default: safe += c;
+    }
+  }
+  return safe;
+}
+
+std::string html(Summary const& summary) {
+  std::string const title = summary.title.empty() ? "isolaw report" : summary.title + " – isolaw report";
+  std::array<std::pair<std::string_view, std::string>, 5> const contents{{
+      {"{{title}}", html_escaped(title)},
+      {"{{style}}", std::string(assets::page_css())},
+      {"{{plotly}}", inline_script(assets::plotly_js())},
+      {"{{data}}", script_safe(page_data_json(summary))},
+      {"{{script}}", inline_script(assets::page_js())},
+  }};
+  // One pass over the template, so that a placeholder's name inside a content stays what it is.
+  std::string_view rest = assets::page_html();
+  std::string page;
+  while (!rest.empty()) {
+    auto const at = rest.find("{{");
+    page += rest.substr(0, at);
+    if (at == std::string_view::npos) break;
+    rest.remove_prefix(at);
+    bool filled = false;
+    for (auto const& [name, text] : contents) {
+      if (!rest.starts_with(name)) continue;
+      page += text;
+      rest.remove_prefix(name.size());
+      filled = true;
+      break;
+    }
+    if (!filled) {
+      page += "{{";
+      rest.remove_prefix(2);
+    }
+  }
+  return page;
+}
+
+}  // namespace isolaw::report

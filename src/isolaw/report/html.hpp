@@ -1,0 +1,17 @@
+// report.html: one self-contained page that opens offline and loads nothing from the network.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "isolaw/report/summary.hpp"
+
+namespace isolaw::report {
+
+// The page with styles, scripts and data inlined. Text from the input reaches it only inside the data block, escaped,
+// and the title.
+std::string html(Summary const& summary);
+
+std::string html_escaped(std::string_view text);
+
+}  // namespace isolaw::report

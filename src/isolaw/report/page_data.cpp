@@ -1,0 +1,209 @@
+#include "isolaw/report/page_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "isolaw/report/findings.hpp"
+#include "isolaw/report/json.hpp"
+
+namespace isolaw::report {
+namespace {
+
+constexpr int digits = 9;
+constexpr double curve_levels = 20000.0;
+
+void write(JsonWriter& out, Statistic const& statistic) {
+  out.begin_object();
+  out.key("mean").rounded(statistic.mean, digits);
+  out.key("std").rounded(statistic.std, digits);
+  out.key("best").rounded(statistic.best, digits);
+  out.end_object();
+}
+
+// Integer differences of the quantised values; the steps do not add up to a drift. Not finite: the value before.
+void write_curve(JsonWriter& out, std::vector<double> const& values, std::vector<std::size_t> const& samples) {
+  double lower = 0.0, upper = 0.0;
+  bool first = true;
+  for (std::size_t const i : samples) {
+    if (!std::isfinite(values[i])) continue;
+    lower = first ? values[i] : std::min(lower, values[i]);
+    upper = first ? values[i] : std::max(upper, values[i]);
+    first = false;
+  }
+  double const step = upper > lower ? (upper - lower) / curve_levels : 1.0;
+  out.begin_object();
+  out.key("o").rounded(lower, digits).key("s").rounded(step, digits);
+  out.key("d").begin_array();
+  int before = 0;
+  for (std::size_t const i : samples) {
+    int const level = std::isfinite(values[i]) ? static_cast<int>(std::lround((values[i] - lower) / step)) : before;
+    out.value(level - before);
+    before = level;
+  }
+  out.end_array().end_object();
+}
+
+// The page shares about two million drawn points among all curves, so that 160 devices stay small.
+std::size_t points_per_curve(Summary const& summary) {
+  std::size_t const curves = std::max<std::size_t>(1, summary.devices.size() * (summary.laws.size() + 3));
+  return std::clamp<std::size_t>(2'000'000 / curves, 300, 2400);
+}
+
+void write_properties(JsonWriter& out, data::Properties const& properties) {
+  out.key("cycles").begin_array();
+  for (auto const& cycle : properties.cycles) {
+    out.begin_object();
+    out.member("number", cycle.number);
+    out.key("amplitude_mm").rounded(cycle.amplitude_mm, digits);
+    out.key("K_eff_kN_per_mm").rounded(cycle.K_eff_kN_per_mm, digits);
+    out.key("energy_kN_mm").rounded(cycle.energy_kN_mm, digits);
+    out.key("damping_percent").rounded(cycle.damping_percent, digits);
+    out.end_object();
+  }
+  out.end_array();
+  out.key("reported");
+  properties.reported ? out.value(properties.reported->number) : out.null();
+  out.member("properties_refusal", properties.refusal);
+  out.key("samples_per_cycle").rounded(properties.samples_per_cycle, 4);
+}
+
+void write_device(JsonWriter& out, DeviceResult const& device, std::vector<std::size_t> const& drawn) {
+  out.begin_object();
+  out.member("name", device.name).member("file", device.file).member("sha256", device.sha256);
+  out.member("status", device.status).member("message", device.message);
+  out.member("serial", device.serial).member("lot", device.lot).member("test_date", device.test_date);
+  out.member("temperature_C", device.temperature_C).member("rubber_thickness_mm", device.rubber_thickness_mm);
+  out.member("rubber_area_mm2", device.rubber_area_mm2);
+  write_properties(out, device.properties);
+  out.member("recognised", device.raw.recognised).member("warnings", device.raw.warnings);
+  out.member("cleaning", device.record.cleaning);
+  auto const& record = device.record;
+  out.key("record").begin_object();
+  out.member("samples", std::uint64_t{record.size()}).member("drawn", std::uint64_t{drawn.size()});
+  out.member("has_time", record.has_time());
+  if (!drawn.empty()) {
+    out.key("time_s");
+    write_curve(out, record.time_s, drawn);
+    out.key("disp_mm");
+    write_curve(out, record.disp_mm, drawn);
+    out.key("force_kN");
+    write_curve(out, record.force_kN, drawn);
+  }
+  out.end_object().end_object();
+}
+
+// One row [mean, std, best, percent of lot, bound, lower, upper] per parameter; their names stand once, in the law.
+void write_parameter(JsonWriter& out, ParameterFit const& parameter) {
+  out.begin_array();
+  out.rounded(parameter.value.mean, digits).rounded(parameter.value.std, digits).rounded(parameter.value.best, digits);
+  out.rounded(parameter.percent_of_lot, digits).value(parameter.at_bound);
+  out.rounded(parameter.lower, digits).rounded(parameter.upper, digits);
+  out.end_array();
+}
+
+void write_fit(JsonWriter& out, DeviceFit const& fit, int device, std::vector<std::size_t> const& drawn) {
+  out.begin_object();
+  out.member("device", device).member("status", fit_status(fit));
+  out.member("message", fit.refusal.empty() ? fit.failure : fit.refusal);
+  out.member("runs", fit.runs).member("failed_runs", fit.failed_runs);
+  out.key("objective");
+  write(out, fit.objective);
+  out.key("K_eff_error_percent").rounded(fit.K_eff_error_percent, digits);
+  out.key("energy_error_percent").rounded(fit.energy_error_percent, digits);
+  out.key("damping_error_percent").rounded(fit.damping_error_percent, digits);
+  out.key("integration_shift").rounded(fit.integration_shift, digits);
+  out.key("parameters").begin_array();
+  for (auto const& parameter : fit.parameters) write_parameter(out, parameter);
+  out.end_array();
+  out.key("force_kN");
+  bool const has_curve = !drawn.empty() && drawn.back() < fit.force_kN.size();
+  if (has_curve) {
+    write_curve(out, fit.force_kN, drawn);
+  } else {
+    out.null();
+  }
+  out.end_object();
+}
+
+void write_law(JsonWriter& out, Summary const& summary, LawResult const& law,
+               std::vector<std::vector<std::size_t>> const& drawn) {
+  out.begin_object();
+  out.member("id", law.id).member("title", law.title).member("notes", law.notes);
+  out.key("objective");
+  write(out, law.objective);
+  out.key("beta").rounded(law.beta, digits);
+  out.member("beta_note", law.beta_note).member("on_front", law.on_front);
+  out.key("K_eff_error_percent").rounded(mean_magnitude(law, &DeviceFit::K_eff_error_percent), digits);
+  out.key("energy_error_percent").rounded(mean_magnitude(law, &DeviceFit::energy_error_percent), digits);
+  out.key("parameters").begin_array();
+  auto const& parameters = parameters_of(law);
+  for (std::size_t n = 0; n < parameters.size(); ++n) {
+    out.begin_object();
+    out.member("name", parameters[n].name).member("unit", parameters[n].unit).member("free", parameters[n].free);
+    out.key("delta").rounded(largest_difference(law, n), digits);
+    out.end_object();
+  }
+  out.end_array();
+  out.key("devices").begin_array();
+  for (auto const& fit : law.devices) {
+    auto const found = std::find_if(summary.devices.begin(), summary.devices.end(),
+                                    [&](auto const& device) { return device.name == fit.device; });
+    if (found == summary.devices.end()) continue;
+    auto const index = static_cast<std::size_t>(found - summary.devices.begin());
+    write_fit(out, fit, static_cast<int>(index), drawn[index]);
+  }
+  out.end_array().end_object();
+}
+
+void write_findings(JsonWriter& out, Summary const& summary) {
+  auto const found = findings(summary);
+  out.key("findings").begin_object();
+  out.member("headline", found.headline).member("beta_note", found.beta_note);
+  out.key("verdicts").begin_array();
+  for (auto const& verdict : found.verdicts) {
+    out.begin_object();
+    out.member("law", static_cast<int>(verdict.law)).member("role", name(verdict.role));
+    out.member("sentence", verdict.sentence).member("dominated_by", verdict.dominated_by);
+    out.end_object();
+  }
+  out.end_array();
+  out.key("warnings").begin_array();
+  for (auto const& warning : found.warnings)
+    out.begin_object().member("topic", warning.topic).member("sentence", warning.sentence).end_object();
+  out.end_array().end_object();
+}
+
+}  // namespace
+
+std::vector<std::size_t> drawn_samples(std::size_t samples, std::size_t most) {
+  std::vector<std::size_t> drawn;
+  std::size_t const stride = most == 0 ? 1 : std::max<std::size_t>(1, (samples + most - 1) / most);
+  for (std::size_t i = 0; i < samples; i += stride) drawn.push_back(i);
+  if (samples > 0 && drawn.back() != samples - 1) drawn.push_back(samples - 1);
+  return drawn;
+}
+
+std::string page_data_json(Summary const& summary) {
+  std::vector<std::vector<std::size_t>> drawn;
+  for (auto const& device : summary.devices)
+    drawn.push_back(drawn_samples(device.record.size(), points_per_curve(summary)));
+
+  JsonWriter out;
+  out.begin_object();
+  out.member("isolaw", summary.version).member("title", summary.title);
+  out.member("seed", std::to_string(summary.seed));  // as text: 64 bits do not fit a JavaScript number
+  out.key("settings").begin_object();
+  for (auto const& setting : summary.settings) out.key(setting.key).json(setting.json);
+  out.end_object();
+  write_findings(out, summary);
+  out.key("devices").begin_array();
+  for (std::size_t i = 0; i < summary.devices.size(); ++i) write_device(out, summary.devices[i], drawn[i]);
+  out.end_array();
+  out.key("laws").begin_array();
+  for (auto const& law : summary.laws) write_law(out, summary, law, drawn);
+  out.end_array();
+  out.end_object();
+  return out.take();
+}
+
+}  // namespace isolaw::report

@@ -1,0 +1,18 @@
+// run.json: everything about a campaign that varies between runs of the same inputs and settings.
+#pragma once
+
+#include <ctime>
+#include <string>
+
+namespace isolaw::report {
+
+struct RunFacts {
+  std::string command, directory;
+  std::time_t started_at = 0;
+  double search_s = 0.0, total_s = 0.0;
+  int jobs = 0;
+};
+
+std::string run_json(RunFacts const& facts);
+
+}  // namespace isolaw::report

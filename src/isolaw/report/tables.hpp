@@ -1,0 +1,28 @@
+// The result tables as CSV: RFC 4180 (commas, quotes doubled, CRLF), units in the header, six significant digits
+// (summary.json has them all). Text that a spreadsheet would run as a formula gets a leading apostrophe.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "isolaw/report/summary.hpp"
+
+namespace isolaw::report {
+
+// Layout of Table A.5 of Cucuzza et al. 2025: per law a row OF and one per parameter, per device mean and standard
+// deviation over the runs. Bounds scaled from each record read "per device" (summary.json has them).
+std::string parameters_csv(Summary const& summary);
+
+// One row per law and device: objective, runs, errors of the best fit, integration shift, why there is none.
+std::string objective_csv(Summary const& summary);
+
+// One row per law: mean objective, beta, front; one column per parameter with its Delta_n.
+std::string robustness_csv(Summary const& summary);
+
+// One row per device and cycle; a device without cycles has one row with the reason.
+std::string properties_csv(Summary const& summary);
+
+// One cell of untrusted text, quoted where needed and never a formula.
+std::string csv_cell(std::string_view text);
+
+}  // namespace isolaw::report

@@ -1,0 +1,31 @@
+// Writes the outputs of a made-up lot for the browser tests: make_page DIR [DEVICES [LAWS]].
+#include <cstdlib>
+#include <iostream>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/report/terminal.hpp"
+#include "isolaw/report/write.hpp"
+#include "unit/report_fixture.hpp"
+
+int main(int argc, char** argv) {
+  if (argc < 2) {
+    std::cerr << "usage: make_page DIR [DEVICES [LAWS]]\n";
+    return 2;
+  }
+  int const devices = argc > 2 ? std::atoi(argv[2]) : 3;
+  int const laws = argc > 3 ? std::atoi(argv[3]) : 3;
+  try {
+    auto summary = isolaw::report::fixture::lot(devices, laws);
+    // What a careful reader must be told of: a failed run, a coarse integration, a law that does not apply.
+    summary.laws.back().devices.back().integration_shift = 0.0021;
+    summary.laws.back().devices.front().failed_runs = 1;
+    summary.laws.back().devices.front().failure = "the computed force became infinite";
+    summary.devices.front().raw.warnings.push_back("the vertical load column is constant");
+    isolaw::report::write_outputs(summary, argv[1]);
+    std::cout << isolaw::report::ranking(summary);
+  } catch (isolaw::Error const& error) {
+    std::cerr << error.what() << '\n';
+    return 2;
+  }
+  return 0;
+}

@@ -1,0 +1,107 @@
+// Files a laboratory could have written, made for one test and removed after it.
+#pragma once
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/data/read.hpp"
+
+namespace isolaw::data::testing {
+
+class Files : public ::testing::Test {
+ protected:
+  // The file named `name` with these bytes, in a folder of this test's own.
+  std::filesystem::path write(std::string_view bytes, std::string_view file_name = "test.csv") {
+    auto const* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    std::string folder = fmt::format("isolaw-{}-{}", info->test_suite_name(), info->name());
+    for (char& c : folder)
+      if (c == '/') c = '-';
+    folder_ = std::filesystem::temp_directory_path() / folder;
+    std::filesystem::create_directories(folder_);
+    auto const file = folder_ / file_name;
+    std::FILE* handle = std::fopen(file.string().c_str(), "wb");
+    std::fwrite(bytes.data(), 1, bytes.size(), handle);
+    std::fclose(handle);
+    return file;
+  }
+
+  void TearDown() override {
+    if (!folder_.empty()) std::filesystem::remove_all(folder_);
+  }
+
+  TestRecord read(std::string_view bytes, ReadOptions const& options = {}) { return read_record(write(bytes), options); }
+
+  // The complaints, one a line, the file's path written as FILE; empty when the file was read.
+  std::string refusal(std::string_view bytes, ReadOptions const& options = {}, std::string_view file_name = "test.csv") {
+    auto const file = write(bytes, file_name);
+    try {
+      read_record(file, options);
+    } catch (Error const& error) {
+      std::string text = error.what();
+      auto const path = file.generic_string();
+      for (auto at = text.find(path); at != std::string::npos; at = text.find(path)) text.replace(at, path.size(), "FILE");
+      return text;
+    }
+    return {};
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+inline ReadOptions with(std::string_view columns, std::string_view units = {}) {
+  ReadOptions options;
+  options.columns = parse_columns(columns);
+  options.units = parse_units(units);
+  return options;
+}
+
+inline bool says(std::vector<std::string> const& sentences, std::string_view part) {
+  for (auto const& sentence : sentences)
+    if (sentence.find(part) != std::string::npos) return true;
+  return false;
+}
+
+// An elliptic loop F = K x + C v/omega: dissipates, positive stiffness.
+struct Ellipse {
+  double amplitude_mm = 100.0;
+  double K = 0.75;
+  double C = 0.2;
+  int samples_per_cycle = 200;
+  int cycles = 3;
+
+  int size() const { return samples_per_cycle * cycles + 1; }
+  double phase(int i) const { return 2.0 * std::numbers::pi * i / samples_per_cycle; }
+  double disp(int i) const { return amplitude_mm * std::sin(phase(i)); }
+  double force(int i) const { return amplitude_mm * (K * std::sin(phase(i)) + C * std::cos(phase(i))); }
+};
+
+// Rows "time disp force" of a loop with four decimals, in a dialect.
+inline std::string rows(Ellipse const& loop, std::string_view delimiter, char decimal = '.', std::string_view end = "\n") {
+  std::string text;
+  for (int i = 0; i < loop.size(); ++i) {
+    auto row = fmt::format("{:.4f}|{:.4f}|{:.4f}", 0.01 * i, loop.disp(i), loop.force(i));
+    for (char const c : row) {
+      if (c == '.')
+        text += decimal;
+      else if (c == '|')
+        text += delimiter;
+      else
+        text += c;
+    }
+    text += end;
+  }
+  return text;
+}
+
+}  // namespace isolaw::data::testing

@@ -1,0 +1,233 @@
+// Dialects: delimiter and decimal separator together, line ends, encodings, what stands above the data.
+#include "data_fixture.hpp"
+#include "isolaw/base/hash.hpp"
+
+namespace isolaw::data::testing {
+namespace {
+
+using Read = Files;
+using Values = std::vector<double>;
+
+// --- every dialect gives the same record ----------------------------------------------------------------------------
+
+struct Style {
+  std::string delimiter;
+  char decimal;
+  std::string end = "\n";
+  std::string before = {};  // ahead of the header
+};
+
+class Dialects : public Files, public ::testing::WithParamInterface<Style> {};
+
+TEST_P(Dialects, GivesTheSameRecord) {
+  auto const& style = GetParam();
+  Ellipse const loop;
+  auto const header = fmt::format("Time [s]{0}Displacement [mm]{0}Force [kN]", style.delimiter);
+  auto const record = read(style.before + header + style.end + rows(loop, style.delimiter, style.decimal, style.end));
+  ASSERT_EQ(record.size(), 601u);
+  ASSERT_EQ(record.time_s.size(), 601u);
+  for (int i = 0; i < loop.size(); ++i) {
+    auto const k = static_cast<std::size_t>(i);
+    EXPECT_NEAR(record.time_s[k], 0.01 * i, 1e-12);
+    EXPECT_NEAR(record.disp_mm[k], loop.disp(i), 0.5001e-4);
+    EXPECT_NEAR(record.force_kN[k], loop.force(i), 0.5001e-4);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Dialects,
+                         ::testing::Values(Style{",", '.'}, Style{";", '.'}, Style{"\t", '.'}, Style{"  ", '.'},
+                                           Style{";", ','}, Style{"\t", ','}, Style{" ; ", ','}, Style{", ", '.'},
+                                           Style{" \t ", '.'}, Style{"   ", ','}, Style{";", ',', "\r\n"},
+                                           Style{";", ',', "\r"}, Style{"\t", ',', "\r\n", "Specimen\tD07\r\n\r\n"},
+                                           Style{",", '.', "\n", "\xEF\xBB\xBF"}));
+
+// --- the comma, which says nothing alone ----------------------------------------------------------------------------
+
+struct Trap {
+  std::string text;
+  Values disp;
+  Values force;
+};
+
+class Traps : public Files, public ::testing::WithParamInterface<Trap> {};
+
+TEST_P(Traps, AreReadAsMeant) {
+  auto const record = read(GetParam().text, with("disp=1,force=2", "disp=mm,force=kN"));
+  EXPECT_EQ(record.disp_mm, GetParam().disp);
+  EXPECT_EQ(record.force_kN, GetParam().force);
+}
+
+Values const first{1.5, 2.5, -3.25};
+Values const second{2.0, 4.5, 1.0};
+
+INSTANTIATE_TEST_SUITE_P(
+    All, Traps,
+    ::testing::Values(Trap{"1,5;2,0\n2,5;4,5\n-3,25;1,0\n", first, second},
+                      Trap{"1.5,2.0\n2.5,4.5\n-3.25,1.0\n", first, second},
+                      Trap{"1,5\t2,0\n2,5\t4,5\n-3,25\t1,0\n", first, second},
+                      Trap{"1,5 2,0\n2,5 4,5\n-3,25 1,0\n", first, second},
+                      Trap{"1.5 2.0\n2.5 4.5\n-3.25 1.0\n", first, second},
+                      Trap{"\"1,5\",\"2,0\"\n\"2,5\",\"4,5\"\n\"-3,25\",\"1,0\"\n", first, second},
+                      Trap{"\"1,5\";\"2,0\"\n\"2,5\";\"4,5\"\n\"-3,25\";\"1,0\"\n", first, second},
+                      Trap{"1,5;2\n2,5;4,5\n-3,25;1\n", first, second},          // whole numbers among decimals
+                      Trap{"1.5;2;\n2.5;4.5;\n-3.25;1;\n", first, second},       // trailing empty column
+                      Trap{"+1.5,2\r\n+25e-1,4.5\r\n-3.25,1E0\r\n", first, second},
+                      Trap{"1.234;5\n5.678;6\n9.123;4\n", {1.234, 5.678, 9.123}, {5, 6, 4}},  // no thousands
+                      Trap{"1,234;5\n5,678;6\n9,123;4\n", {1.234, 5.678, 9.123}, {5, 6, 4}}));
+
+TEST_F(Read, AnEmptyColumnBetweenTabsIsAColumn) {
+  auto const record = read("1\t\t7\n2\t\t9\n3\t\t8\n", with("disp=1,force=3", "disp=mm,force=kN"));
+  EXPECT_EQ(record.force_kN, (Values{7, 9, 8}));
+}
+
+TEST_F(Read, TextColumnsThatAreNotAskedForDoNotMatter) {
+  auto const record = read("Date;Disp [mm];Force [kN];State\n"
+                           "2024-05-02 10:00:00,25;1,5;2;OK\n2024-05-02 10:00:00,50;2,5;3;OK now\n"
+                           "2024-05-02 10:00:00,75;3,5;1;OK\n");
+  EXPECT_EQ(record.disp_mm, (Values{1.5, 2.5, 3.5}));
+  EXPECT_EQ(record.force_kN, (Values{2, 3, 1}));
+}
+
+// --- above and between the rows -------------------------------------------------------------------------------------
+
+TEST_F(Read, MetadataNamesAndUnitsAboveTheData) {
+  auto const record = read("Specimen;D07\nDate: 2024-05-02\nLoad: 1632 kN\n\nTempo;Spostamento;Forza;Temperatura\n"
+                           "s;cm;N;\xC2\xB0""C\n0;0;100;20\n1;1,5;200;20\n2;1;150;20\n");
+  EXPECT_EQ(record.time_s, (Values{0, 1, 2}));
+  EXPECT_EQ(record.disp_mm, (Values{0, 15, 10}));
+  EXPECT_EQ(record.force_kN, (Values{0.1, 0.2, 0.15}));
+  EXPECT_TRUE(says(record.recognised, "line 5 is the header, line 6 gives the units"));
+  EXPECT_TRUE(says(record.recognised, "above the data, line 1, 2, 3 are passed over"));
+  EXPECT_TRUE(says(record.recognised, "columns are separated by semicolons, decimals by a comma"));
+  EXPECT_TRUE(says(record.recognised, "disp: column 2 'Spostamento', by its name; unit cm from line 6"));
+  EXPECT_TRUE(says(record.recognised, "3 samples, lines 7 to 9"));
+  EXPECT_TRUE(says(record.recognised, "sampling interval 1 s (1 Hz)"));
+}
+
+TEST_F(Read, MetadataWithAsManyCellsAsTheData) {
+  auto const record = read("Specimen;D07\nLoad;1632\nDisp [mm];Force [kN]\n1;2\n2;3\n3;1\n");
+  EXPECT_EQ(record.disp_mm, (Values{1, 2, 3}));
+  EXPECT_TRUE(says(record.recognised, "line 3 is the header"));
+}
+
+TEST_F(Read, GroupLineAboveTheNames) {
+  auto const record = read("Rig;Actuator;Cell\nTime;Displacement;Force\n[s];[mm];[kN]\n0;1;2\n1;2;3\n2;3;1\n");
+  EXPECT_TRUE(says(record.recognised, "line 2 is the header, line 3 gives the units"));
+  EXPECT_EQ(record.disp_mm, (Values{1, 2, 3}));
+}
+
+TEST_F(Read, CommentsAndBlankLinesArePassedOver) {
+  auto const record = read("# lab 7\n% more\nDisp [mm],Force [kN]\n1,2\n\n# gap\n2,3\n,\n3,1\n");
+  EXPECT_EQ(record.disp_mm, (Values{1, 2, 3}));
+  EXPECT_TRUE(says(record.recognised, "1 comment lines among the rows"));
+}
+
+TEST_F(Read, NamesInACommentServeWhereThereAreNoOthers) {
+  auto const record = read("# time[s] disp[mm] force[kN]\n0 1.5 2\n1 2.5 3\n2 3.5 1\n");
+  EXPECT_EQ(record.time_s, (Values{0, 1, 2}));
+  EXPECT_EQ(record.disp_mm, (Values{1.5, 2.5, 3.5}));
+}
+
+TEST_F(Read, NamesWithBlanksInAFileSeparatedByBlanks) {
+  EXPECT_EQ(read("Displacement [mm] Force [kN]\n1.5 2\n2.5 3\n3.5 1\n").disp_mm, (Values{1.5, 2.5, 3.5}));
+  EXPECT_EQ(read("Shear displacement mm   Shear force kN\n1.5   2\n2.5   3\n3.5   1\n").disp_mm, (Values{1.5, 2.5, 3.5}));
+}
+
+TEST_F(Read, Windows1252Names) {
+  auto const record = read("Spostamento [mm] \xB1;Forza [kN];T [\xB0""C]\n1,5;2;20\n2,5;3;20\n3,5;1;20\n");
+  EXPECT_EQ(record.disp_mm, (Values{1.5, 2.5, 3.5}));
+  EXPECT_TRUE(says(record.recognised, "read as Windows-1252"));
+  EXPECT_TRUE(says(record.recognised, "column 1 'Spostamento [mm] \xC2\xB1'"));
+  EXPECT_FALSE(record.has_time());
+}
+
+TEST_F(Read, ByteOrderMarkIsNoPartOfTheFirstName) {
+  auto const record = read("\xEF\xBB\xBF" "Disp [mm];Force [kN]\n1;2\n2;3\n3;1\n");
+  EXPECT_EQ(record.layout.columns.at(Channel::disp), "Disp [mm]");
+}
+
+// --- time and record ------------------------------------------------------------------------------------------------
+
+TEST_F(Read, WithoutTimeSaysWhatIsMissing) {
+  auto const record = read("Disp [mm];Force [kN]\n1;2\n2;3\n3;1\n");
+  EXPECT_FALSE(record.has_time());
+  EXPECT_TRUE(says(record.recognised, "no time column: rate-dependent laws need --dt SECONDS"));
+}
+
+TEST_F(Read, IntervalGivesTime) {
+  ReadOptions options;
+  options.dt_s = 0.25;
+  auto const record = read("Disp [mm];Force [kN]\n1;2\n2;3\n3;1\n", options);
+  EXPECT_EQ(record.time_s, (Values{0, 0.25, 0.5}));
+  EXPECT_EQ(record.layout.dt_s, 0.25);
+  EXPECT_TRUE(says(record.recognised, "sampling interval 0.25 s (4 Hz), as asked for"));
+}
+
+TEST_F(Read, FlippedForceIsNegatedAndSaid) {
+  ReadOptions options;
+  options.flip_force = true;
+  auto const record = read("Disp [mm];Force [kN]\n1;2\n2;3\n3;1\n", options);
+  EXPECT_EQ(record.force_kN, (Values{-2, -3, -1}));
+  EXPECT_TRUE(record.layout.flip_force);
+  EXPECT_TRUE(says(record.recognised, "the force is multiplied by -1"));
+}
+
+TEST_F(Read, KeepsThePathAsGivenAndTheDigestOfTheBytes) {
+  std::string const bytes = "Disp [mm];Force [kN]\r\n1;2\r\n2;3\r\n3;1\r\n";
+  auto const file = write(bytes);
+  auto const record = read_record(file);
+  EXPECT_EQ(record.file, file.generic_string());
+  EXPECT_EQ(record.sha256, sha256(bytes));
+}
+
+TEST_F(Read, LayoutReadsTheFileTheSameWay) {
+  std::string const bytes = "t;Disp [mm];Disp [mm];Force [N];N [kN]\ns;;;;\n0;1;9;2;5\n1;2;9;3;5\n2;3;9;1;5\n";
+  auto const record = read(bytes, with("disp=2"));
+  EXPECT_EQ(record.layout.columns, (std::map<Channel, std::string>{{Channel::time, "t"},
+                                                                   {Channel::disp, "2"},  // its name is not unique
+                                                                   {Channel::force, "Force [N]"},
+                                                                   {Channel::load, "N [kN]"}}));
+  EXPECT_EQ(record.layout.units, (std::map<Channel, std::string>{{Channel::time, "s"},
+                                                                 {Channel::disp, "mm"},
+                                                                 {Channel::force, "N"},
+                                                                 {Channel::load, "kN"}}));
+  ReadOptions options;
+  options.columns = record.layout.columns;
+  options.units = record.layout.units;
+  auto const again = read(bytes, options);
+  EXPECT_EQ(again.time_s, record.time_s);
+  EXPECT_EQ(again.disp_mm, record.disp_mm);
+  EXPECT_EQ(again.force_kN, record.force_kN);
+  EXPECT_EQ(again.load_kN, record.load_kN);
+}
+
+// --- warnings -------------------------------------------------------------------------------------------------------
+
+TEST_F(Read, NoWarningsForACleanRecord) {
+  auto const record = read("Time [s];Disp [mm];Force [kN]\n" + rows({}, ";"));
+  EXPECT_EQ(record.warnings, std::vector<std::string>{});
+}
+
+TEST_F(Read, WarnsOfUnevenSampling) {
+  auto const record = read("t [s];Disp [mm];Force [kN]\n0;0;2\n1;2;3\n2.5;3;1\n4;3;2\n");
+  EXPECT_TRUE(says(record.warnings, "sampling is not uniform: intervals from 1 to 1.5 s, 1.33333 s on average"));
+}
+
+TEST_F(Read, WarnsOfFewSamples) {
+  Ellipse const loop{.samples_per_cycle = 50};
+  auto const record = read("Time [s];Disp [mm];Force [kN]\n" + rows(loop, ";"));
+  EXPECT_TRUE(says(record.warnings, "50.0 samples per cycle: the energy comes out 0.26 % too small"));
+}
+
+TEST_F(Read, WarnsOfOffsetsAndOfAStartAwayFromZero) {
+  std::string text = "Disp [mm];Force [kN]\n";
+  Ellipse const loop;
+  for (int i = 0; i < loop.size(); ++i) text += fmt::format("{};{}\n", loop.disp(i) + 10.0, loop.force(i) + 40.0);
+  auto const record = read(text);
+  EXPECT_TRUE(says(record.warnings, "the first sample is at 10 mm, 10 % of the half range of 100 mm"));
+  EXPECT_TRUE(says(record.warnings, "displacement is off centre by 10 mm"));
+  EXPECT_TRUE(says(record.warnings, "force is off centre by 40"));
+}
+
+}  // namespace
+}  // namespace isolaw::data::testing

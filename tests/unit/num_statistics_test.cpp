@@ -1,0 +1,64 @@
+// Moments against numbers that can be worked out by hand.
+#include "isolaw/num/statistics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace isolaw::num {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TEST(Moments, SampleAndPopulationForm) {
+  std::vector<double> const values{2, 4, 4, 4, 5, 5, 7, 9};  // mean 5, squares of deviations sum to 32
+  auto const m = moments(values);
+  EXPECT_EQ(m.count, 8u);
+  EXPECT_DOUBLE_EQ(m.mean, 5.0);
+  EXPECT_DOUBLE_EQ(m.std, std::sqrt(32.0 / 7.0));
+  EXPECT_DOUBLE_EQ(population_std(values), 2.0);
+}
+
+// The sum of squares minus the square of the sum loses all of these digits: 1e18 against 30.
+TEST(Moments, SmallSpreadAboutALargeMean) {
+  std::vector<double> const values{1e9 + 4, 1e9 + 7, 1e9 + 13, 1e9 + 16};
+  EXPECT_DOUBLE_EQ(moments(values).mean, 1e9 + 10);
+  EXPECT_DOUBLE_EQ(moments(values).std, std::sqrt(30.0));
+  EXPECT_DOUBLE_EQ(population_std(values), std::sqrt(22.5));
+}
+
+// 0.1 summed a thousand times is not 100: the first mean is wrong in its last digits, the corrected one is not.
+TEST(Moments, EqualValuesHaveNoSpread) {
+  std::vector<double> const values(1000, 0.1);
+  EXPECT_DOUBLE_EQ(moments(values).mean, 0.1);
+  EXPECT_LT(moments(values).std, 1e-16);
+}
+
+TEST(Moments, OneValueAndNone) {
+  auto const one = moments(std::vector{3.5});
+  EXPECT_EQ(one.count, 1u);
+  EXPECT_EQ(one.mean, 3.5);
+  EXPECT_EQ(one.std, 0.0);
+  EXPECT_EQ(population_std(std::vector{3.5}), 0.0);
+  auto const none = moments({});
+  EXPECT_EQ(none.count, 0u);
+  EXPECT_TRUE(std::isnan(none.mean));
+  EXPECT_TRUE(std::isnan(none.std));
+  EXPECT_TRUE(std::isnan(population_std({})));
+}
+
+TEST(Moments, ValuesThatAreNotFiniteAreNotHidden) {
+  for (double const bad : {nan, infinity, -infinity}) {
+    for (auto const& values : {std::vector{1.0, bad, 2.0}, std::vector{bad}}) {
+      EXPECT_FALSE(std::isfinite(moments(values).mean));
+      EXPECT_FALSE(std::isfinite(moments(values).std));
+      EXPECT_FALSE(std::isfinite(population_std(values)));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace isolaw::num
