@@ -7,6 +7,8 @@ find_package(SQLite3 REQUIRED)
 find_package(TBB REQUIRED)
 find_package(Threads REQUIRED)
 find_package(tomlplusplus REQUIRED)
+# Random123 is a folder of headers without a package file.
+find_path(ISOLAW_RANDOM123 Random123/philox.h REQUIRED DOC "directory that holds Random123/philox.h")
 
 # The plotting script inlined into the report (npm package plotly.js-basic-dist-min).
 set(ISOLAW_PLOTLY "${PROJECT_SOURCE_DIR}/node_modules/plotly.js-basic-dist-min/plotly-basic.min.js" CACHE FILEPATH

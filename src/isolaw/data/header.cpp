@@ -51,6 +51,8 @@ Names split_bracketed(std::string_view line) {
 // The cells of a header line; where blanks separate, the reading that gives the right number of them, if any does.
 Names header_cells(std::string_view line, Dialect const& dialect) {
   auto names = split_names(line, dialect.delimiter);
+  while (names.size() > dialect.columns && names.back().empty()) names.pop_back();
+  if (names.size() + 1 == dialect.columns && line.ends_with(dialect.delimiter)) names.emplace_back();  // empty last name
   if (dialect.delimiter != ' ' || names.size() == dialect.columns) return names;
   for (auto const& other : {split_bracketed(line), split_wide(line), split_names(line, '\t')})
     if (other.size() == dialect.columns) return other;

@@ -39,12 +39,11 @@ std::string capitalised(std::string text) {
 
 // What the objective and beta say of a law, in words.
 std::string accuracy(LawResult const& law) {
-  return fmt::format("the computed force misses the measured one by {} of its standard deviation on average",
-                     error_percent(law));
+  return fmt::format("misses the measured force by {} of its standard deviation on average", error_percent(law));
 }
 
 std::string scatter(LawResult const& law) {
-  return fmt::format("its parameters stray up to {} from the lot's mean", percent(*law.beta));
+  return fmt::format("parameters stray up to {} from the lot's mean", percent(*law.beta));
 }
 
 Verdict front_verdict(Summary const& summary, std::vector<std::size_t> const& front, std::size_t place) {
@@ -53,15 +52,15 @@ Verdict front_verdict(Summary const& summary, std::vector<std::size_t> const& fr
   Verdict verdict{front[place], Role::between, {}, {}};
   if (front.size() == 1) {
     verdict.role = Role::best_of_both;
-    verdict.sentence = fmt::format("No law is more accurate and none is more robust: {}, and {}.", accuracy(law), scatter(law));
+    verdict.sentence = fmt::format("No law is more accurate and none is more robust: it {}, and its {}.", accuracy(law), scatter(law));
   } else if (place == 0) {
     verdict.role = Role::most_accurate;
-    verdict.sentence = fmt::format("{}. From device to device {}.", capitalised(accuracy(law)), scatter(law));
+    verdict.sentence = fmt::format("{}; its {}.", capitalised(accuracy(law)), scatter(law));
   } else if (place + 1 == front.size()) {
     auto const& accurate = laws[front.front()];
     verdict.role = Role::most_robust;
-    verdict.sentence = fmt::format("From device to device {}, the least of all laws. The price is a mean error of {} against {} for {}.",
-                                   scatter(law), error_percent(law), error_percent(accurate), accurate.id);
+    verdict.sentence = fmt::format("Its {}, the least of all; the price is an error of {} against {} for {}.", scatter(law),
+                                   error_percent(law), error_percent(accurate), accurate.id);
   } else {
     auto const& accurate = laws[front[place - 1]];
     auto const& robust = laws[front[place + 1]];
@@ -77,11 +76,10 @@ Verdict dominated_verdict(Summary const& summary, std::vector<std::size_t> const
   Verdict verdict{index, Role::dominated, {}, {}};
   for (std::size_t const other : front)
     if (dominates(summary.laws[other], law)) verdict.dominated_by.push_back(summary.laws[other].id);
-  auto const numbers = fmt::format("mean error {}, scatter {}", error_percent(law), percent(*law.beta));
+  auto const numbers = fmt::format("error {}, scatter {}", error_percent(law), percent(*law.beta));
   verdict.sentence = verdict.dominated_by.empty()
-                         ? fmt::format("Not on the front ({}).", numbers)
-                         : fmt::format("No reason to take it: {} {} at least as accurate and as robust ({}).",
-                                       enumerate(verdict.dominated_by), verdict.dominated_by.size() == 1 ? "is" : "are", numbers);
+                         ? fmt::format("is not on the front ({}).", numbers)
+                         : fmt::format("is dominated by {} ({}).", enumerate(verdict.dominated_by), numbers);
   return verdict;
 }
 
@@ -90,7 +88,7 @@ Verdict unranked_verdict(LawResult const& law, std::size_t index, LawResult cons
   if (!law.objective.mean) {
     verdict.sentence = "Not identified on any device.";
   } else if (&law == &best) {
-    verdict.sentence = fmt::format("Smallest mean error: {}.", accuracy(law));
+    verdict.sentence = fmt::format("Smallest mean error: it {}.", accuracy(law));
   } else {
     verdict.sentence = fmt::format("Mean error {}, {:.2g} times that of {}.", error_percent(law),
                                    *law.objective.mean / *best.objective.mean, best.id);

@@ -102,6 +102,7 @@ class Canvas {
     return true;
   }
   void put(int column, int row, char32_t c) { cells_[index(column, row)] = c; }
+  int width() const { return width_; }
   std::string line(int row) const {
     std::string text;
     for (int column = 0; column < width_; ++column) append(text, cells_[index(column, row)]);
@@ -133,7 +134,7 @@ void put_label(Canvas& canvas, int column, int row, std::string_view id) {
                           std::pair{column + 2, row - 1}, std::pair{column + 2, row + 1},
                           std::pair{column - 1 - length, row - 1}, std::pair{column - 1 - length, row + 1}};
   for (auto const& [x, y] : places) {
-    if (!canvas.is_free(x, y, length)) continue;
+    if (!canvas.is_free(x - 1, y, length + 2) && !(x + length == canvas.width() && canvas.is_free(x, y, length))) continue;
     for (int i = 0; i < length; ++i) canvas.put(x + i, y, static_cast<char32_t>(id[static_cast<std::size_t>(i)]));
     return;
   }

@@ -125,7 +125,7 @@ function theme() {
   return { colour, law: (law) => colour('law-' + ((law.index % 8) + 1)), font: style.getPropertyValue('--sans').trim() };
 }
 const symbolOf = (law) => SYMBOLS[law.index % SYMBOLS.length];
-const dashOf = (law) => DASHES[law.index % DASHES.length];
+const dashOf = (place) => DASHES[place % DASHES.length];  // by the order of the chosen laws: the first one is solid
 
 // A layout in the page's typography; axes are merged over the common axis style.
 function styled(layout, look) {
@@ -140,6 +140,7 @@ function styled(layout, look) {
     margin: { l: 54, r: 12, t: 10, b: 44 },
     hoverlabel: { bgcolor: look.colour('paper'), bordercolor: look.colour('rule'), font: { family: look.font, size: 12.5, color: look.colour('ink') }, align: 'left' },
     legend: { orientation: 'h', x: 0, y: 1.02, xanchor: 'left', yanchor: 'bottom', font: { size: 12 } },
+    modebar: { bgcolor: 'rgba(0,0,0,0)', color: look.colour('muted'), activecolor: look.colour('ink') },
     showlegend: false, hovermode: 'closest', dragmode: 'zoom',
     ...layout,
   };
@@ -152,18 +153,28 @@ function styled(layout, look) {
   return result;
 }
 
+// The buttons are named one by one, and no server: Plotly's own default offers to upload the figure.
 const PLOT_CONFIG = {
-  displaylogo: false, responsive: true,
-  modeBarButtonsToRemove: ['select2d', 'lasso2d', 'autoScale2d'],
+  displaylogo: false, responsive: true, displayModeBar: 'hover', plotlyServerURL: '',
+  modeBarButtons: [['toImage', 'zoom2d', 'pan2d', 'resetScale2d']],
   toImageButtonOptions: { format: 'svg', filename: 'isolaw-figure' },
 };
 
-// Where each label of a scatter goes: the first side where it meets neither a point nor a label placed before.
-function labelPlaces(points, width, height) {
-  const range = (values) => { const low = Math.min(...values), high = Math.max(...values); return [low, (high - low) || 1]; };
-  const [x0, dx] = range(points.map((p) => p.x)), [y0, dy] = range(points.map((p) => p.y));
-  const at = points.map((p) => [((p.x - x0) / dx) * width * 0.8, (1 - (p.y - y0) / dy) * height * 0.8]);
+// The range of some values with a share of it free on both sides.
+function paddedRange(values, share) {
+  const low = Math.min(...values), high = Math.max(...values), margin = share * (high - low || Math.abs(low) || 1);
+  return [low - margin, high + margin];
+}
+
+// Where each label of a scatter goes: the first side where it meets no point, no label placed before, and not the
+// stair that joins `stair`, the indices of points from left to right. Ranges as drawn, width and height in pixels.
+function labelPlaces(points, stair, xRange, yRange, width, height) {
+  const at = points.map((p) => [((p.x - xRange[0]) / (xRange[1] - xRange[0])) * width, (1 - (p.y - yRange[0]) / (yRange[1] - yRange[0])) * height]);
   const taken = at.map(([x, y]) => [x - 7, y - 7, x + 7, y + 7]);
+  for (let k = 1; k < stair.length; ++k) {
+    const [x0, y0] = at[stair[k - 1]], [x1, y1] = at[stair[k]];
+    taken.push([x0, y0 - 1, x1, y0 + 1], [x1 - 1, y0, x1 + 1, y1]);
+  }
   return points.map((point, i) => {
     const [x, y] = at[i], w = 7 * point.label.length, h = 16;
     const sides = {
@@ -184,7 +195,7 @@ function labelPlaces(points, width, height) {
 
 // columns: [{title, unit, number, pinned}]; rows: [{cells: [text or node], className}]
 function table(columns, rows, label) {
-  const align = (column) => [column.number ? 'number' : '', column.pinned ? 'pinned' : ''].filter(Boolean).join(' ') || null;
+  const align = (column) => [column.number ? 'number' : '', column.pinned ? 'pinned' : '', column.tight ? 'tight' : ''].filter(Boolean).join(' ') || null;
   const head = columns.map((column) =>
     element('th', { scope: 'col', class: align(column), title: column.full ?? null }, column.title, column.unit ? element('small', {}, column.unit) : null));
   const body = rows.map((row) =>
@@ -253,8 +264,11 @@ const FIGURES = [
     }),
     draw: (look, width) => {
       const shown = laws.filter((law) => law.beta !== null && law.objective.mean !== null);
-      const height = 410;
-      const places = labelPlaces(shown.map((law) => ({ x: law.beta, y: law.objective.mean, label: law.id })), width - 70, height - 70);
+      const height = 390;
+      const edge = shown.filter((law) => law.on_front).sort((a, b) => a.beta - b.beta);
+      const xRange = paddedRange(shown.map((law) => law.beta), 0.13), yRange = paddedRange(shown.map((law) => law.objective.mean), 0.13);
+      const places = labelPlaces(shown.map((law) => ({ x: law.beta, y: law.objective.mean, label: law.id })), edge.map((law) => shown.indexOf(law)),
+        xRange, yRange, width - 70, height - 85);
       const points = (onFront, name, symbol, colour) => {
         const some = shown.filter((law) => law.on_front === onFront);
         return {
@@ -265,19 +279,19 @@ const FIGURES = [
           hovertemplate: '<b>%{text}</b><br>mean OF %{y:.4f}<br>beta %{x:.3f}<extra></extra>',
         };
       };
-      const edge = shown.filter((law) => law.on_front).sort((a, b) => a.beta - b.beta);
       return {
         height,
         traces: [
           { x: edge.map((law) => law.beta), y: edge.map((law) => law.objective.mean), mode: 'lines', hoverinfo: 'skip', showlegend: false,
+            opacity: 0.55,
             line: { shape: 'hv', width: 1.2, dash: 'dot', color: look.colour('good') } },
           points(true, 'not dominated', 'circle', 'good'),
           points(false, 'dominated', 'diamond-open', 'poor'),
         ],
         layout: {
           showlegend: true,
-          xaxis: { title: 'robustness index β [-], smaller is more robust', rangemode: 'normal', zeroline: false },
-          yaxis: { title: 'mean objective OF [-]', zeroline: false },
+          xaxis: { title: 'robustness index β [-], smaller is more robust', range: xRange, zeroline: false },
+          yaxis: { title: 'mean objective OF [-], smaller is more accurate', range: yRange, zeroline: false },
         },
       };
     },
@@ -382,7 +396,7 @@ function verdictList() {
     const role = !hasFront && verdict.role === 'not ranked' ? null
       : element('span', { class: 'role ' + verdict.role.replace(/ /g, '-') }, verdict.role);
     return element('li', { class: dominated ? 'dominated-law' : null }, marker(verdict.role),
-      element('div', {}, element('b', {}, law.id), role, element('br'), verdict.sentence));
+      element('div', {}, element('b', {}, law.id), dominated ? ' ' : role, dominated ? null : element('br'), verdict.sentence));
   });
   const warnings = report.findings.warnings.map((warning) => element('li', {}, warning.sentence));
   const few = warnings.length <= 5 ? warnings.length : 4;
@@ -395,8 +409,8 @@ function verdictList() {
 }
 
 function rankingTable() {
-  const columns = [{ title: 'Law', pinned: true }, { title: 'mean OF ± std', unit: '-', number: true }, { title: 'best OF', unit: '-', number: true },
-    { title: 'β', unit: '-', number: true }, { title: 'Verdict' }, { title: 'stiffness error', unit: '%', number: true }, { title: 'energy error', unit: '%', number: true },
+  const columns = [{ title: 'Law', pinned: true, tight: true }, { title: 'mean OF ± std', unit: '-', number: true }, { title: 'best OF', unit: '-', number: true },
+    { title: 'β', unit: '-', number: true }, { title: 'Verdict', tight: true }, { title: 'stiffness error', unit: '%', number: true }, { title: 'energy error', unit: '%', number: true },
     { title: 'parameters', unit: 'calibrated', number: true }, { title: 'Description' }];
   const roles = new Map(report.findings.verdicts.map((verdict) => [verdict.law, verdict.role]));
   const rows = [...lawsByObjective, ...laws.filter((law) => law.objective.mean === null)].map((law) => {
@@ -510,8 +524,8 @@ function drawLoop(look) {
     height: 400,
     traces: [
       { name: 'measured', mode: 'lines', x: measured.x, y: measured.F, line: { color: look.colour('measured'), width: 3.5 }, opacity: 0.75, hovertemplate: '%{x:.1f} mm, %{y:.1f} kN<extra>measured</extra>' },
-      ...fitsOn(device, chosenLaws()).map(({ law, force }) => ({
-        name: plain(law.id), mode: 'lines', x: measured.x, y: force, line: { color: look.law(law), width: 1.8, dash: dashOf(law) },
+      ...fitsOn(device, chosenLaws()).map(({ law, force }, place) => ({
+        name: plain(law.id), mode: 'lines', x: measured.x, y: force, line: { color: look.law(law), width: 1.8, dash: dashOf(place) },
         hovertemplate: '%{x:.1f} mm, %{y:.1f} kN<extra>' + plain(law.id) + '</extra>',
       })),
     ],
@@ -526,10 +540,10 @@ function drawHistory(look) {
     height: 400,
     traces: [
       { name: 'measured', mode: 'lines', x: measured.t, y: measured.F, line: { color: look.colour('measured'), width: 3.5 }, opacity: 0.75, hovertemplate: '%{y:.1f} kN<extra>measured</extra>' },
-      ...fits.map(({ law, force }) => ({ name: plain(law.id), mode: 'lines', x: measured.t, y: force, line: { color: look.law(law), width: 1.8, dash: dashOf(law) },
+      ...fits.map(({ law, force }, place) => ({ name: plain(law.id), mode: 'lines', x: measured.t, y: force, line: { color: look.law(law), width: 1.8, dash: dashOf(place) },
         hovertemplate: '%{y:.1f} kN<extra>' + plain(law.id) + '</extra>' })),
-      ...fits.map(({ law, force }) => ({ mode: 'lines', x: measured.t, y: force.map((f, i) => measured.F[i] - f), yaxis: 'y2', showlegend: false,
-        line: { color: look.law(law), width: 1.4, dash: dashOf(law) }, hovertemplate: 'residual %{y:.1f} kN<extra>' + plain(law.id) + '</extra>' })),
+      ...fits.map(({ law, force }, place) => ({ mode: 'lines', x: measured.t, y: force.map((f, i) => measured.F[i] - f), yaxis: 'y2', showlegend: false,
+        line: { color: look.law(law), width: 1.4, dash: dashOf(place) }, hovertemplate: 'residual %{y:.1f} kN<extra>' + plain(law.id) + '</extra>' })),
     ],
     layout: {
       showlegend: true, hovermode: 'x unified',
@@ -578,6 +592,8 @@ function rowFormat(values) {
   return { factor: 10 ** exponent, exponent, decimals: Math.max(0, 3 - Math.max(-2, Math.floor(Math.log10(scaled)))) };
 }
 
+const trimmed = (value) => typeset(String(Number(value.toPrecision(4))));
+
 function bounds(law, place) {
   const found = law.devices.map((fit) => fit.parameters[place]).filter(Boolean);
   if (found.length === 0) return null;
@@ -586,7 +602,7 @@ function bounds(law, place) {
 }
 
 function parameterTable(law) {
-  const columns = [{ title: 'Quantity', pinned: true }, { title: 'Unit' }, { title: 'Bounds' }, { title: 'Lot mean', number: true }, { title: 'Δ', unit: '%', number: true },
+  const columns = [{ title: 'Quantity', pinned: true }, { title: 'Unit', tight: true }, { title: 'Bounds' }, { title: 'Lot mean', number: true }, { title: 'Δ', unit: '%', number: true },
     ...usable.map((device) => ({ title: device.name, full: device.name, number: true }))];
   const cell = (mean, std, difference, bound, format, best) => {
     const text = [element('span', { class: 'cell-mean', 'data-mark': bound === 'upper' ? '▲' : '▼' }, fixed(mean / format.factor, format.decimals)),
@@ -608,7 +624,7 @@ function parameterTable(law) {
     const format = rowFormat(of.map((p) => p?.[0]));
     const box = bounds(law, place), lot = meanOf(of.map((p) => p?.[0]));
     return { cells: [parameter.name, (format.exponent !== 0 ? '10' + superscript(format.exponent) + ' ' : '') + (parameter.unit ? unitText(parameter.unit) : '-'),
-      !parameter.free ? 'fixed' : !box ? '' : box.same ? significant(box.lower) + ' … ' + significant(box.upper) : 'per device',
+      element('td', { class: 'bounds' }, !parameter.free ? 'fixed' : !box ? '' : box.same ? trimmed(box.lower / format.factor) + ' … ' + trimmed(box.upper / format.factor) : 'per device'),
       isNumber(lot) ? fixed(lot / format.factor, format.decimals) : DASH, parameter.delta === null ? '' : fixed(100 * parameter.delta, 1),
       ...of.map((p, i) => (isNumber(p?.[0]) ? cell(p[0], parameter.free ? p[1] : null, parameter.free ? p[3] : null, p[4], format, p[2]) : none(law.fitOn.get(usable[i].index))))] };
   });
@@ -806,7 +822,7 @@ function markCurrentSection(main, contents) {
       if (isIntersecting) links.get(target.id)?.setAttribute('aria-current', 'true');
       else links.get(target.id)?.removeAttribute('aria-current');
     }
-  }, { rootMargin: '-15% 0px -80% 0px' });
+  }, { rootMargin: '-22% 0px -75% 0px' });
   for (const section of main.children) observer.observe(section);
 }
 

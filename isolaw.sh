@@ -1,0 +1,87 @@
+#!/usr/bin/env bash
+# One front to the CMake presets; every step can be run by hand (the commands are printed as they run).
+#   ./isolaw.sh setup        install what is missing: Debian packages, one npm package
+#   ./isolaw.sh build        configure and build (preset `release`, or ISOLAW_PRESET=developer|sanitize)
+#   ./isolaw.sh run          setup, build, identify the example lot into out/published-lot/
+#   ./isolaw.sh test         setup, build, run all tests
+#   ./isolaw.sh bench        setup, build and run the benchmarks
+#   ./isolaw.sh lint         clang-format and clang-tidy, without changing files (lint --fix formats)
+#   ./isolaw.sh docs         the catalogue of laws from the laws' own files, into build/docs/
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+preset=${ISOLAW_PRESET:-release}
+
+step() { printf '+ %s\n' "$*" >&2; "$@"; }
+as_root() { if [ "$(id -u)" -eq 0 ]; then step "$@"; else step sudo "$@"; fi; }
+
+build_packages=(ca-certificates cmake g++ libboost-dev libcli11-dev libfmt-dev libgtest-dev librandom123-dev libsqlite3-dev
+  libssl-dev libtbb-dev libtomlplusplus-dev ninja-build nlohmann-json3-dev npm)
+test_packages=(chromium xz-utils)
+
+install_missing() {
+  command -v dpkg-query >/dev/null || { echo "isolaw.sh: not a Debian system; install the packages listed here by other means" >&2; return; }
+  local missing=()
+  for package in "$@"; do
+    # npm may have come with a Node.js from elsewhere.
+    [ "$package" = npm ] && command -v npm >/dev/null && continue
+    dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
+  done
+  [ ${#missing[@]} -eq 0 ] && return
+  echo "installing: ${missing[*]}" >&2
+  as_root apt-get update -qq
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}"
+}
+
+setup() {
+  install_missing "${build_packages[@]}" "$@"
+  if [ ! -e node_modules/plotly.js-basic-dist-min/plotly-basic.min.js ]; then
+    echo "installing: plotly.js-basic-dist-min (npm, into node_modules/)" >&2
+    step npm ci --no-audit --no-fund --loglevel=error
+  fi
+}
+
+build() {
+  step cmake --preset "$preset"
+  step cmake --build --preset "$preset"
+}
+
+case "${1:-help}" in
+  setup) setup "${test_packages[@]}" ;;
+  build) build ;;
+  run)
+    setup
+    build
+    step "build/$preset/cli/isolaw" calibrate examples/published-lot/lot.toml --out out/published-lot "${@:2}"
+    ;;
+  test)
+    setup "${test_packages[@]}"
+    build
+    step ctest --preset "$preset" -j "$(nproc)" "${@:2}"
+    ;;
+  bench)
+    setup libbenchmark-dev
+    step cmake --preset bench
+    step cmake --build --preset bench
+    step build/bench/bench/laws_bench "${@:2}"
+    ;;
+  lint)
+    install_missing clang-format clang-tidy
+    mapfile -t sources < <(git ls-files 'src/*.cpp' 'src/*.hpp' 'cli/*.cpp' 'tests/*.cpp' 'tests/*.hpp' 'bench/*.cpp')
+    if [ "${2:-}" = --fix ]; then
+      step clang-format -i "${sources[@]}"
+    else
+      step clang-format --dry-run --Werror "${sources[@]}"
+      mapfile -t units < <(git ls-files 'src/*.cpp' 'cli/*.cpp')
+      step cmake --preset developer
+      step clang-tidy -p build/developer --quiet "${units[@]}"
+    fi
+    ;;
+  docs)
+    setup
+    build
+    mkdir -p build/docs
+    for law in $("build/$preset/cli/isolaw" laws | cut -d' ' -f1); do "build/$preset/cli/isolaw" laws "$law"; echo; done >build/docs/laws.txt
+    echo "written: build/docs/laws.txt" >&2
+    ;;
+  *) sed -n '2,10s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
+esac
