@@ -42,7 +42,7 @@ setup() {
 
 build() {
   step cmake --preset "$preset"
-  step cmake --build --preset "$preset"
+  step cmake --build --preset "$preset" "$@"
 }
 
 case "${1:-help}" in
@@ -50,7 +50,7 @@ case "${1:-help}" in
   build) build ;;
   run)
     setup
-    build
+    build --target isolaw_cli
     step "build/$preset/cli/isolaw" calibrate examples/published-lot/lot.toml --out out/published-lot "${@:2}"
     ;;
   test)
@@ -78,7 +78,7 @@ case "${1:-help}" in
     ;;
   docs)
     setup
-    build
+    build --target isolaw_cli
     mkdir -p build/docs
     for law in $("build/$preset/cli/isolaw" laws | cut -d' ' -f1); do "build/$preset/cli/isolaw" laws "$law"; echo; done >build/docs/laws.txt
     echo "written: build/docs/laws.txt" >&2

@@ -39,17 +39,21 @@ class Files : public ::testing::Test {
     if (!folder_.empty()) std::filesystem::remove_all(folder_);
   }
 
-  TestRecord read(std::string_view bytes, ReadOptions const& options = {}) { return read_record(write(bytes), options); }
+  TestRecord read(std::string_view bytes, ReadOptions const& options = {}) {
+    return read_record(write(bytes), options);
+  }
 
   // The complaints, one a line, the file's path written as FILE; empty when the file was read.
-  std::string refusal(std::string_view bytes, ReadOptions const& options = {}, std::string_view file_name = "test.csv") {
+  std::string refusal(std::string_view bytes, ReadOptions const& options = {},
+                      std::string_view file_name = "test.csv") {
     auto const file = write(bytes, file_name);
     try {
       read_record(file, options);
     } catch (Error const& error) {
       std::string text = error.what();
       auto const path = file.generic_string();
-      for (auto at = text.find(path); at != std::string::npos; at = text.find(path)) text.replace(at, path.size(), "FILE");
+      for (auto at = text.find(path); at != std::string::npos; at = text.find(path))
+        text.replace(at, path.size(), "FILE");
       return text;
     }
     return {};
@@ -87,7 +91,8 @@ struct Ellipse {
 };
 
 // Rows "time disp force" of a loop with four decimals, in a dialect.
-inline std::string rows(Ellipse const& loop, std::string_view delimiter, char decimal = '.', std::string_view end = "\n") {
+inline std::string rows(Ellipse const& loop, std::string_view delimiter, char decimal = '.',
+                        std::string_view end = "\n") {
   std::string text;
   for (int i = 0; i < loop.size(); ++i) {
     auto row = fmt::format("{:.4f}|{:.4f}|{:.4f}", 0.01 * i, loop.disp(i), loop.force(i));

@@ -69,8 +69,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Trap{"1.5 2.0\n2.5 4.5\n-3.25 1.0\n", first, second},
                       Trap{"\"1,5\",\"2,0\"\n\"2,5\",\"4,5\"\n\"-3,25\",\"1,0\"\n", first, second},
                       Trap{"\"1,5\";\"2,0\"\n\"2,5\";\"4,5\"\n\"-3,25\";\"1,0\"\n", first, second},
-                      Trap{"1,5;2\n2,5;4,5\n-3,25;1\n", first, second},          // whole numbers among decimals
-                      Trap{"1.5;2;\n2.5;4.5;\n-3.25;1;\n", first, second},       // trailing empty column
+                      Trap{"1,5;2\n2,5;4,5\n-3,25;1\n", first, second},     // whole numbers among decimals
+                      Trap{"1.5;2;\n2.5;4.5;\n-3.25;1;\n", first, second},  // trailing empty column
                       Trap{"+1.5,2\r\n+25e-1,4.5\r\n-3.25,1E0\r\n", first, second},
                       Trap{"1.234;5\n5.678;6\n9.123;4\n", {1.234, 5.678, 9.123}, {5, 6, 4}},  // no thousands
                       Trap{"1,234;5\n5,678;6\n9,123;4\n", {1.234, 5.678, 9.123}, {5, 6, 4}}));
@@ -81,9 +81,10 @@ TEST_F(Read, AnEmptyColumnBetweenTabsIsAColumn) {
 }
 
 TEST_F(Read, TextColumnsThatAreNotAskedForDoNotMatter) {
-  auto const record = read("Date;Disp [mm];Force [kN];State\n"
-                           "2024-05-02 10:00:00,25;1,5;2;OK\n2024-05-02 10:00:00,50;2,5;3;OK now\n"
-                           "2024-05-02 10:00:00,75;3,5;1;OK\n");
+  auto const record = read(
+      "Date;Disp [mm];Force [kN];State\n"
+      "2024-05-02 10:00:00,25;1,5;2;OK\n2024-05-02 10:00:00,50;2,5;3;OK now\n"
+      "2024-05-02 10:00:00,75;3,5;1;OK\n");
   EXPECT_EQ(record.disp_mm, (Values{1.5, 2.5, 3.5}));
   EXPECT_EQ(record.force_kN, (Values{2, 3, 1}));
 }
@@ -91,8 +92,10 @@ TEST_F(Read, TextColumnsThatAreNotAskedForDoNotMatter) {
 // --- above and between the rows -------------------------------------------------------------------------------------
 
 TEST_F(Read, MetadataNamesAndUnitsAboveTheData) {
-  auto const record = read("Specimen;D07\nDate: 2024-05-02\nLoad: 1632 kN\n\nTempo;Spostamento;Forza;Temperatura\n"
-                           "s;cm;N;\xC2\xB0""C\n0;0;100;20\n1;1,5;200;20\n2;1;150;20\n");
+  auto const record = read(
+      "Specimen;D07\nDate: 2024-05-02\nLoad: 1632 kN\n\nTempo;Spostamento;Forza;Temperatura\n"
+      "s;cm;N;\xC2\xB0"
+      "C\n0;0;100;20\n1;1,5;200;20\n2;1;150;20\n");
   EXPECT_EQ(record.time_s, (Values{0, 1, 2}));
   EXPECT_EQ(record.disp_mm, (Values{0, 15, 10}));
   EXPECT_EQ(record.force_kN, (Values{0.1, 0.2, 0.15}));
@@ -116,6 +119,16 @@ TEST_F(Read, GroupLineAboveTheNames) {
   EXPECT_EQ(record.disp_mm, (Values{1, 2, 3}));
 }
 
+TEST_F(Read, UnknownNamesAreTheLastLineOfTheRightSizeAboveTheData) {
+  auto const record = read("Rig;B\nCH1;CH2\n1;2\n2;3\n3;1\n", with("disp=CH2,force=CH1", "disp=mm,force=kN"));
+  EXPECT_EQ(record.disp_mm, (Values{2, 3, 1}));
+}
+
+TEST_F(Read, ATitleThatNamesChannelsIsNoHeaderOfTheWrongSize) {
+  auto const record = read("Force;Displacement;Time\nDisp [mm];Force [kN]\n1;2\n2;3\n3;1\n");
+  EXPECT_EQ(record.disp_mm, (Values{1, 2, 3}));
+}
+
 TEST_F(Read, CommentsAndBlankLinesArePassedOver) {
   auto const record = read("# lab 7\n% more\nDisp [mm],Force [kN]\n1,2\n\n# gap\n2,3\n,\n3,1\n");
   EXPECT_EQ(record.disp_mm, (Values{1, 2, 3}));
@@ -130,11 +143,14 @@ TEST_F(Read, NamesInACommentServeWhereThereAreNoOthers) {
 
 TEST_F(Read, NamesWithBlanksInAFileSeparatedByBlanks) {
   EXPECT_EQ(read("Displacement [mm] Force [kN]\n1.5 2\n2.5 3\n3.5 1\n").disp_mm, (Values{1.5, 2.5, 3.5}));
-  EXPECT_EQ(read("Shear displacement mm   Shear force kN\n1.5   2\n2.5   3\n3.5   1\n").disp_mm, (Values{1.5, 2.5, 3.5}));
+  EXPECT_EQ(read("Shear displacement mm   Shear force kN\n1.5   2\n2.5   3\n3.5   1\n").disp_mm,
+            (Values{1.5, 2.5, 3.5}));
 }
 
 TEST_F(Read, Windows1252Names) {
-  auto const record = read("Spostamento [mm] \xB1;Forza [kN];T [\xB0""C]\n1,5;2;20\n2,5;3;20\n3,5;1;20\n");
+  auto const record = read(
+      "Spostamento [mm] \xB1;Forza [kN];T [\xB0"
+      "C]\n1,5;2;20\n2,5;3;20\n3,5;1;20\n");
   EXPECT_EQ(record.disp_mm, (Values{1.5, 2.5, 3.5}));
   EXPECT_TRUE(says(record.recognised, "read as Windows-1252"));
   EXPECT_TRUE(says(record.recognised, "column 1 'Spostamento [mm] \xC2\xB1'"));
@@ -142,7 +158,9 @@ TEST_F(Read, Windows1252Names) {
 }
 
 TEST_F(Read, ByteOrderMarkIsNoPartOfTheFirstName) {
-  auto const record = read("\xEF\xBB\xBF" "Disp [mm];Force [kN]\n1;2\n2;3\n3;1\n");
+  auto const record = read(
+      "\xEF\xBB\xBF"
+      "Disp [mm];Force [kN]\n1;2\n2;3\n3;1\n");
   EXPECT_EQ(record.layout.columns.at(Channel::disp), "Disp [mm]");
 }
 
@@ -187,10 +205,9 @@ TEST_F(Read, LayoutReadsTheFileTheSameWay) {
                                                                    {Channel::disp, "2"},  // its name is not unique
                                                                    {Channel::force, "Force [N]"},
                                                                    {Channel::load, "N [kN]"}}));
-  EXPECT_EQ(record.layout.units, (std::map<Channel, std::string>{{Channel::time, "s"},
-                                                                 {Channel::disp, "mm"},
-                                                                 {Channel::force, "N"},
-                                                                 {Channel::load, "kN"}}));
+  EXPECT_EQ(record.layout.units,
+            (std::map<Channel, std::string>{
+                {Channel::time, "s"}, {Channel::disp, "mm"}, {Channel::force, "N"}, {Channel::load, "kN"}}));
   ReadOptions options;
   options.columns = record.layout.columns;
   options.units = record.layout.units;

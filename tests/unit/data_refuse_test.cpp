@@ -1,4 +1,6 @@
 // Files that are refused, and the message each gives.
+#include <algorithm>
+
 #include "data_fixture.hpp"
 
 namespace isolaw::data::testing {
@@ -24,7 +26,8 @@ TEST_F(Refuse, WhatIsNoFile) {
   EXPECT_EQ(thrown_for("nowhere/D07.csv"),
             "nowhere/D07.csv: no such file; allowed: delimited text (UTF-8, ASCII or Windows-1252)");
   auto const folder = write("x").parent_path();
-  EXPECT_EQ(thrown_for(folder), folder.generic_string() + ": is a directory; allowed: delimited text (UTF-8, ASCII or Windows-1252)");
+  EXPECT_EQ(thrown_for(folder),
+            folder.generic_string() + ": is a directory; allowed: delimited text (UTF-8, ASCII or Windows-1252)");
 }
 
 TEST_F(Refuse, WhatIsNotText) {
@@ -39,21 +42,26 @@ TEST_F(Refuse, WhatIsNotText) {
   expect("%PDF-1.7\n1;2\n", "is a PDF document", "export the channels as CSV");
   expect("MATLAB 5.0 MAT-file", "is a .mat file", "export the channels as CSV");
   expect("\x89HDF\r\n\x1A\n", "is an HDF5 file", "export the channels as CSV");
-  expect("\xFF\xFE" "1\0;\0"s, "is UTF-16 text", "save it as UTF-8");
+  expect(
+      "\xFF\xFE"
+      "1\0;\0"s,
+      "is UTF-16 text", "save it as UTF-8");
   expect("1;2\n3;\0\n"s, "is a binary file (byte 7 is 0)", "export the channels as CSV");
 }
 
 TEST_F(Refuse, AFileAboveOneGiB) {
   auto const file = write("x");
   std::filesystem::resize_file(file, (std::uintmax_t{3} << 29));  // a hole: takes no space
-  EXPECT_EQ(thrown_for(file), file.generic_string() +
-                                  ": is 1.50 GiB large, above 1 GiB; allowed: delimited text (UTF-8, ASCII or Windows-1252); "
-                                  "try: export one test per file, or fewer samples per second");
+  EXPECT_EQ(thrown_for(file),
+            file.generic_string() +
+                ": is 1.50 GiB large, above 1 GiB; allowed: delimited text (UTF-8, ASCII or Windows-1252); "
+                "try: export one test per file, or fewer samples per second");
 }
 
 TEST_F(Refuse, NoNumbers) {
-  std::string const rest = "; allowed: two or more columns of numbers, separated by commas, semicolons, tabs or blanks; try: "
-                           "export displacement and force as CSV";
+  std::string const rest =
+      "; allowed: two or more columns of numbers, separated by commas, semicolons, tabs or blanks; try: "
+      "export displacement and force as CSV";
   EXPECT_EQ(refusal("Time;Disp;Force\ns;mm;kN\n"), "FILE: no rows of numbers in 2 lines" + rest);
   EXPECT_EQ(refusal("\n \n"), "FILE: no rows of numbers in 2 lines" + rest);
   EXPECT_EQ(refusal("1.5\n2.5\n3.5\n"), "FILE: no rows of numbers in 3 lines" + rest);
@@ -66,60 +74,78 @@ TEST_F(Refuse, FewerThanThreeSamples) {
 // --- commas ---------------------------------------------------------------------------------------------------------
 
 TEST_F(Refuse, DecimalCommasBetweenCommas) {
-  EXPECT_EQ(refusal("Disp [mm],Force [kN]\n1,5,2,0\n2,5,3,0\n3,5,1,0\n", with("disp=1,force=3", "disp=mm,force=kN")),
-            "FILE:1: 2 names, but the rows have 4 columns: commas seem to be both delimiter and decimal separator; allowed: "
-            "one name per column; try: export with semicolons or tabs between the columns");
-  EXPECT_EQ(refusal("1,5,2,0\n2,5,3,0\n3,5,1,0\n", with("disp=1,force=3", "disp=mm,force=kN")),
-            "FILE:1: 4 columns of whole numbers, or 2 of numbers with a decimal comma: nothing tells; allowed: a delimiter "
-            "that is not the decimal separator, or a line of names; try: export with semicolons or tabs between the columns");
+  EXPECT_EQ(
+      refusal("Disp [mm],Force [kN]\n1,5,2,0\n2,5,3,0\n3,5,1,0\n", with("disp=1,force=3", "disp=mm,force=kN")),
+      "FILE:1: 2 names, but the rows have 4 columns: commas seem to be both delimiter and decimal separator; allowed: "
+      "one name per column; try: export with semicolons or tabs between the columns");
+  EXPECT_EQ(
+      refusal("1,5,2,0\n2,5,3,0\n3,5,1,0\n", with("disp=1,force=3", "disp=mm,force=kN")),
+      "FILE:1: 4 columns of whole numbers, or 2 of numbers with a decimal comma: nothing tells; allowed: a delimiter "
+      "that is not the decimal separator, or a line of names; try: export with semicolons or tabs between the columns");
 }
 
 TEST_F(Refuse, NamesAndColumnsThatDoNotMatch) {
-  EXPECT_EQ(refusal("Disp [mm];Force [kN]\n1;2;3\n2;3;4\n3;1;5\n", with("disp=1,force=3", "disp=mm,force=kN")),
-            "FILE:1: 2 names, but the rows have 3 columns; allowed: one name per column; try: give every column one name");
+  EXPECT_EQ(
+      refusal("Disp [mm];Force [kN]\n1;2;3\n2;3;4\n3;1;5\n", with("disp=1,force=3", "disp=mm,force=kN")),
+      "FILE:1: 2 names, but the rows have 3 columns; allowed: one name per column; try: give every column one name");
 }
 
 TEST_F(Refuse, ThousandsSeparators) {
   EXPECT_EQ(refusal("Disp [mm];Force [kN]\n1,5;1.234,56\n2,5;3,0\n3,5;1,0\n"),
-            "FILE:2: '1.234,56' in column 2 'Force [kN]' has thousands separators; allowed: a number with a decimal comma and "
+            "FILE:2: '1.234,56' in column 2 'Force [kN]' has thousands separators; allowed: a number with a decimal "
+            "comma and "
             "no other separator; try: export without digit grouping");
   EXPECT_EQ(refusal("Disp [mm];Force [N]\n1.5;1,234.56\n2.5;3.0\n3.5;1.0\n"),
-            "FILE:2: '1,234.56' in column 2 'Force [N]' has thousands separators; allowed: a number with a decimal point and no "
+            "FILE:2: '1,234.56' in column 2 'Force [N]' has thousands separators; allowed: a number with a decimal "
+            "point and no "
             "other separator; try: export without digit grouping");
 }
 
 // --- rows -----------------------------------------------------------------------------------------------------------
 
 TEST_F(Refuse, CellsThatAreNoNumbersAllAtOnce) {
-  EXPECT_EQ(refusal(names + "0;1;2\n1;NaN;3\n2;3;-inf\n3;x;1\n4;;1\n5;1,5;1\n6;1;1;9\n7;#N/A;1\n8;2;3\n9;2.5;4\n"),
-            "FILE:8: 4 columns: '6;1;1;9'; allowed: 3 columns, as in most rows; try: remove the line, or put '#' before it\n"
-            "FILE:3: 'NaN' in column 2 'Disp [mm]' is not a finite number; allowed: a finite number; try: cut the record before "
-            "this line, or test again\n"
-            "FILE:4: '-inf' in column 3 'Force [kN]' is not a finite number; allowed: a finite number; try: cut the record "
-            "before this line, or test again\n"
-            "FILE:5: 'x' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: correct the "
-            "cell, or put '#' before the line\n"
-            "FILE:6: column 2 'Disp [mm]' is empty; allowed: a number; try: remove the line, or put '#' before it\n"
-            "FILE:7: '1,5' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: correct the "
-            "cell, or put '#' before the line\n"
-            "FILE: and 1 more cells that are no number");
+  EXPECT_EQ(
+      refusal(names + "0;1;2\n1;NaN;3\n2;3;-inf\n3;x;1\n4;;1\n5;1,5;1\n6;1;1;9\n7;#N/A;1\n8;2;3\n9;2.5;4\n"),
+      "FILE:8: 4 columns: '6;1;1;9'; allowed: 3 columns, as in most rows; try: remove the line, or put '#' before it\n"
+      "FILE:3: 'NaN' in column 2 'Disp [mm]' is not a finite number; allowed: a finite number; try: cut the record "
+      "before "
+      "this line, or test again\n"
+      "FILE:4: '-inf' in column 3 'Force [kN]' is not a finite number; allowed: a finite number; try: cut the record "
+      "before this line, or test again\n"
+      "FILE:5: 'x' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: correct the "
+      "cell, or put '#' before the line\n"
+      "FILE:6: column 2 'Disp [mm]' is empty; allowed: a number; try: remove the line, or put '#' before it\n"
+      "FILE:7: '1,5' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: correct the "
+      "cell, or put '#' before the line\n"
+      "FILE: and 1 more cells that are no number");
 }
 
 TEST_F(Refuse, ABrokenFirstRowIsNoHeader) {
-  EXPECT_EQ(refusal(names + "0;x;2\n1;2;3\n2;3;1\n3;1;2\n"),
-            "FILE:2: 'x' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: correct the "
-            "cell, or put '#' before the line");
+  EXPECT_EQ(
+      refusal(names + "0;x;2\n1;2;3\n2;3;1\n3;1;2\n"),
+      "FILE:2: 'x' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: correct the "
+      "cell, or put '#' before the line");
+}
+
+TEST_F(Refuse, LinesAreCountedAlikeForEveryLineEnd) {
+  for (std::string const end : {"\n", "\r\n", "\r"}) {
+    auto const text =
+        refusal("Disp [mm];Force [kN]" + end + end + "1;2" + end + "x;3" + end + "3;1" + end + "4;2" + end);
+    EXPECT_TRUE(text.starts_with("FILE:4: 'x' in column 1")) << text;
+  }
 }
 
 TEST_F(Refuse, SeveralTestsInOneFile) {
   EXPECT_EQ(refusal(names + "0;1;2\n1;2;3\n2;3;1\n" + names + "3;1;2\n4;2;3\n5;3;1\n"),
-            "FILE:5: the header is repeated: several tests in one file; allowed: one test per file; try: split the file here");
+            "FILE:5: the header is repeated: several tests in one file; allowed: one test per file; try: split the "
+            "file here");
 }
 
 TEST_F(Refuse, ProblemsOfColumnsAndRowsTogether) {
   EXPECT_EQ(refusal("Time [s];Disp;Force [kN]\n0;1;2\n1;x;3\n2;3;1\n3;4;2\n"),
             "FILE:1: column 2 'Disp' (disp) has no unit; allowed: mm, cm, m, in; try: --units disp=mm\n"
-            "FILE:3: 'x' in column 2 'Disp' is not a number; allowed: a number with a decimal point; try: correct the cell, or "
+            "FILE:3: 'x' in column 2 'Disp' is not a number; allowed: a number with a decimal point; try: correct the "
+            "cell, or "
             "put '#' before the line");
 }
 
@@ -127,18 +153,21 @@ TEST_F(Refuse, ProblemsOfColumnsAndRowsTogether) {
 
 TEST_F(Refuse, TimeThatDoesNotIncrease) {
   EXPECT_EQ(refusal(names + "0;1;2\n1;2;3\n1;3;1\n0.5;3;2\n2;1;1\n"),
-            "FILE:4: time 1 s is repeated; allowed: time that increases from row to row; try: keep one test per file, or leave "
+            "FILE:4: time 1 s is repeated; allowed: time that increases from row to row; try: keep one test per file, "
+            "or leave "
             "time out with --columns time=none and give --dt\n"
-            "FILE:5: time goes back from 1 to 0.5 s; allowed: time that increases from row to row; try: keep one test per file, "
+            "FILE:5: time goes back from 1 to 0.5 s; allowed: time that increases from row to row; try: keep one test "
+            "per file, "
             "or leave time out with --columns time=none and give --dt");
 }
 
 TEST_F(Refuse, IntervalBesideATimeColumn) {
   ReadOptions options;
   options.dt_s = 0.01;
-  EXPECT_EQ(refusal(names + "0;1;2\n1;2;3\n2;3;1\n", options),
-            "FILE: --dt 0.01 is given, but column 1 'Time [s]' is the time; allowed: --dt for a file without a time column; "
-            "try: leave --dt out, or leave the column out with --columns time=none");
+  EXPECT_EQ(
+      refusal(names + "0;1;2\n1;2;3\n2;3;1\n", options),
+      "FILE: --dt 0.01 is given, but column 1 'Time [s]' is the time; allowed: --dt for a file without a time column; "
+      "try: leave --dt out, or leave the column out with --columns time=none");
   options.columns[Channel::time] = "none";
   EXPECT_EQ(refusal(names + "0;1;2\n1;2;3\n2;3;1\n", options), "");
   options.dt_s = -1.0;
@@ -146,11 +175,12 @@ TEST_F(Refuse, IntervalBesideATimeColumn) {
 }
 
 TEST_F(Refuse, ChannelsThatDoNotMove) {
-  EXPECT_EQ(refusal(names + "0;1.5;2\n1;1.5;2\n2;1.5;2\n"),
-            "FILE: disp is constant: column 2 'Disp [mm]' holds 1.5 mm in all 3 samples; allowed: a channel that moves; try: "
-            "--columns disp=NUMBER with the column that was measured\n"
-            "FILE: force is constant: column 3 'Force [kN]' holds 2 kN in all 3 samples; allowed: a channel that moves; try: "
-            "--columns force=NUMBER with the column that was measured");
+  EXPECT_EQ(
+      refusal(names + "0;1.5;2\n1;1.5;2\n2;1.5;2\n"),
+      "FILE: disp is constant: column 2 'Disp [mm]' holds 1.5 mm in all 3 samples; allowed: a channel that moves; try: "
+      "--columns disp=NUMBER with the column that was measured\n"
+      "FILE: force is constant: column 3 'Force [kN]' holds 2 kN in all 3 samples; allowed: a channel that moves; try: "
+      "--columns force=NUMBER with the column that was measured");
 }
 
 // The rows of a clean loop with some forces replaced.
@@ -168,8 +198,10 @@ std::string loop_with(std::vector<std::pair<int, std::string>> const& replaced, 
 TEST_F(Refuse, Overloads) {
   std::string const rest = "; allowed: measured values; try: cut the record before the overload, or test again";
   EXPECT_EQ(refusal(loop_with({{10, "1e30"}})),
-            "FILE:12: 1e+30 kN in column 3 'Force [kN]' looks like an overload of the sensor (99.9 % of the values stay within "
-            "77.61)" + rest);
+            "FILE:12: 1e+30 kN in column 3 'Force [kN]' looks like an overload of the sensor (99.9 % of the values "
+            "stay within "
+            "77.62)" +
+                rest);
   EXPECT_NE(refusal(loop_with({{10, "-9999"}, {11, "-9999"}})).find("FILE:13: -9999 kN"), std::string::npos);
   EXPECT_NE(refusal(loop_with({{10, "999.9"}})).find("FILE:12: 999.9 kN"), std::string::npos);
   EXPECT_NE(refusal(loop_with({{10, "4321"}})).find("FILE:12: 4321 kN"), std::string::npos);  // 56 times the others
@@ -184,10 +216,10 @@ TEST_F(Refuse, ManyOverloadsAreCounted) {
 }
 
 TEST_F(Refuse, LegitimateValuesAreNoOverloads) {
-  EXPECT_EQ(refusal(loop_with({{10, "999"}}, {.amplitude_mm = 1000.0})), "");      // among values up to 776
+  EXPECT_EQ(refusal(loop_with({{10, "999"}}, {.amplitude_mm = 1000.0})), "");  // among values up to 776
   EXPECT_EQ(refusal(loop_with({{10, "9999"}}, {.amplitude_mm = 12000.0})), "");
-  EXPECT_EQ(refusal(loop_with({{10, "700"}})), "");                               // 9 times: a spike, not an overload
-  std::string held = "Disp [mm];Force [kN]\n";  // a long hold, then the test
+  EXPECT_EQ(refusal(loop_with({{10, "700"}})), "");  // 9 times: a spike, not an overload
+  std::string held = "Disp [mm];Force [kN]\n";       // a long hold, then the test
   for (int i = 0; i < 20000; ++i) held += "0.001;0.01\n";
   Ellipse const loop;
   for (int i = 0; i < loop.size(); ++i) held += fmt::format("{:.4f};{:.4f}\n", loop.disp(i), loop.force(i));
@@ -196,21 +228,22 @@ TEST_F(Refuse, LegitimateValuesAreNoOverloads) {
 
 // --- physics --------------------------------------------------------------------------------------------------------
 
-std::string const positive = "; allowed: a device that dissipates energy and resists displacement: both positive; try: ";
+std::string const positive =
+    "; allowed: a device that dissipates energy and resists displacement: both positive; try: ";
 
 TEST_F(Refuse, SwappedForceAndDisplacement) {
   Ellipse const loop;
   auto const table = "t [s];Force [mm];Disp [kN]\n" + rows(loop, ";");
   EXPECT_EQ(refusal(table, with("disp=3,force=2", "disp=mm,force=kN")),
-            "FILE: force and displacement seem swapped: energy per cycle -6282 kN mm, stiffness 1.245 kN/mm" + positive +
-                "--columns disp=2,force=3 --units disp=mm,force=kN, with the units these columns have");
+            "FILE: force and displacement seem swapped: energy per cycle -6282 kN mm, stiffness 1.245 kN/mm" +
+                positive + "--columns disp=2,force=3 --units disp=mm,force=kN, with the units these columns have");
   EXPECT_EQ(refusal(table, with("disp=2,force=3", "disp=mm,force=kN")), "");
 }
 
 TEST_F(Refuse, FlippedForce) {
   auto const table = names + rows({.K = -0.75, .C = -0.2}, ";");
-  EXPECT_EQ(refusal(table),
-            "FILE: the force's sign is flipped: energy per cycle -6282 kN mm, stiffness -0.75 kN/mm" + positive + "--flip-force");
+  EXPECT_EQ(refusal(table), "FILE: the force's sign is flipped: energy per cycle -6282 kN mm, stiffness -0.75 kN/mm" +
+                                positive + "--flip-force");
   ReadOptions options;
   options.flip_force = true;
   EXPECT_EQ(refusal(table, options), "");

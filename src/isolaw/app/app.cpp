@@ -26,6 +26,8 @@ void add_calibrate(CLI::App& app, CalibrateArguments& a) {
   c.add_option("--runs", a.runs, "independent runs per law and device (20)");
   c.add_option("--population", a.population, "individuals (100)");
   c.add_option("--generations", a.generations, "generations, the initial one included (50)");
+  c.add_option("--stagnation-tolerance", a.stagnation_tolerance,
+               "relative improvement that counts as none; 20 generations without improvement end a run (0)");
   c.add_option("--seed", a.seed, "seed of the campaign (1)");
   c.add_option("--box", a.box, "search box: auto, scaled from each record (default), or published, Table 4 of the paper");
   c.add_option("--set", a.set, "law.parameter=value | lower:upper | free; may be repeated");

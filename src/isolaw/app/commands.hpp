@@ -2,6 +2,7 @@
 // to standard error, and returns the exit code. Wrong input throws isolaw::Error.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -24,6 +25,7 @@ struct CalibrateArguments {
   std::optional<std::string> laws, method, integration, box, samples_per_cycle;
   std::vector<std::string> set;
   std::optional<int> runs, population, generations, smooth;
+  std::optional<double> stagnation_tolerance;
   std::optional<std::uint64_t> seed;
   bool center = false;
   std::optional<std::filesystem::path> out;

@@ -46,6 +46,7 @@ campaign::Lot lot_of(CalibrateArguments const& a) {
   override_with(a.runs, s.runs);
   override_with(a.population, s.genetic.population);
   override_with(a.generations, s.genetic.generations);
+  override_with(a.stagnation_tolerance, s.genetic.stagnation_tolerance);
   override_with(a.seed, s.seed);
   override_with(a.smooth, s.clean.smooth);
   if (a.samples_per_cycle) s.clean.samples_per_cycle = campaign::parse_samples_per_cycle(*a.samples_per_cycle);

@@ -15,12 +15,15 @@ namespace {
 
 // Larger than any sensor reports in any unit that is read; instruments write 1e10, 9.9e37, 1e30 for "overload".
 constexpr double beyond_any_sensor = 1e10;
-constexpr std::array sentinels{999.0, 9999.0, 99999.0, 999999.0, 9999999.0, 999.9, 9999.9, 99999.9, 999.99, 9999.99, 99999.99};
-constexpr double far_beyond = 50.0;     // times the ordinary size: no device jumps so
+constexpr std::array sentinels{999.0,  9999.0,  99999.0, 999999.0, 9999999.0, 999.9,
+                               9999.9, 99999.9, 999.99,  9999.99,  99999.99};
+constexpr double far_beyond = 50.0;      // times the ordinary size: no device jumps so
 constexpr double sentinel_beyond = 3.0;  // times the ordinary size: 9999 N among values up to 12000 N is a value
 constexpr std::size_t least_values = 20;
 
-bool is_sentinel(double size) { return std::ranges::find(sentinels, size) != sentinels.end(); }
+bool is_sentinel(double size) {
+  return std::ranges::find(sentinels, size) != sentinels.end();
+}
 
 // The 99.9th percentile of |value|, with at least three larger values, sentinels and overloads left out.
 std::optional<double> ordinary_size(std::span<double const> values) {
@@ -48,7 +51,8 @@ void check_overload(std::string const& file, RawChannel const& raw, std::span<st
   Findings findings(file, "values beyond the sensor's range");
   for (std::size_t i = 0; i < raw.values.size(); ++i) {
     if (!is_overload(raw.values[i], ordinary)) continue;
-    std::string found = fmt::format("{} {} in {} looks like an overload of the sensor", raw.values[i], raw.unit, raw.column);
+    std::string found =
+        fmt::format("{} {} in {} looks like an overload of the sensor", raw.values[i], raw.unit, raw.column);
     if (ordinary) found += fmt::format(" (99.9 % of the values stay within {:.4g})", *ordinary);
     findings.add(lines[i], std::move(found), "measured values", "cut the record before the overload, or test again");
   }
@@ -130,8 +134,8 @@ void warn_about_sampling(TestRecord& record) {
   }
   double const jitter = std::max(largest - mean, mean - least) / mean;
   if (jitter > 0.01)
-    record.warnings.push_back(fmt::format("sampling is not uniform: intervals from {:.6g} to {:.6g} s, {:.6g} s on average",
-                                          least, largest, mean));
+    record.warnings.push_back(fmt::format(
+        "sampling is not uniform: intervals from {:.6g} to {:.6g} s, {:.6g} s on average", least, largest, mean));
 }
 
 // Middle of the extremes over one cycle, and its amplitude.
@@ -144,8 +148,8 @@ void warn_about_offset(TestRecord& record, Cycle const& cycle, std::vector<doubl
   double const amplitude = (largest - least) / 2.0;
   if (std::abs(offset) > tolerated * amplitude)
     record.warnings.push_back(fmt::format(
-        "{} is off centre by {:.4g} {} in cycle {}, {:.0f} % of its amplitude; centring removes this before the fit", what,
-        offset, unit, cycle.number, 100.0 * std::abs(offset) / amplitude));
+        "{} is off centre by {:.4g} {} in cycle {}, {:.0f} % of its amplitude; centring removes this before the fit",
+        what, offset, unit, cycle.number, 100.0 * std::abs(offset) / amplitude));
 }
 
 }  // namespace
@@ -158,7 +162,8 @@ void Findings::add(std::size_t line, std::string found, std::string allowed, std
 
 void Findings::append_to(std::vector<Complaint>& complaints) const {
   complaints.insert(complaints.end(), first_.begin(), first_.end());
-  if (count_ > first_.size()) complaints.push_back({file_, fmt::format("and {} more {}", count_ - first_.size(), rest_), {}, {}});
+  if (count_ > first_.size())
+    complaints.push_back({file_, fmt::format("and {} more {}", count_ - first_.size(), rest_), {}, {}});
 }
 
 void check_channel(std::string const& file, RawChannel const& raw, std::span<std::size_t const> lines,
@@ -180,8 +185,9 @@ void check_physics(TestRecord const& record, std::string const& exchange_advice,
   constexpr double significant_energy = 0.02;
   constexpr double significant_correlation = 0.2;
   if (loop.equivalent_damping > -significant_energy) return;
-  auto const values = fmt::format("energy per cycle {:.4g} kN mm, stiffness {:.4g} kN/mm",
-                                  loop.energy_kN_mm / static_cast<double>(properties.cycles.size()), loop.slope_kN_per_mm);
+  auto const values =
+      fmt::format("energy per cycle {:.4g} kN mm, stiffness {:.4g} kN/mm",
+                  loop.energy_kN_mm / static_cast<double>(properties.cycles.size()), loop.slope_kN_per_mm);
   std::string const flip = record.layout.flip_force ? "leave --flip-force out" : "--flip-force";
   std::string const allowed = "a device that dissipates energy and resists displacement: both positive";
   if (loop.correlation > significant_correlation)
@@ -198,18 +204,18 @@ void add_warnings(TestRecord& record) {
   auto const [least, largest] = std::ranges::minmax(record.disp_mm);
   double const half_range = (largest - least) / 2.0;
   if (std::abs(record.disp_mm.front()) > 0.05 * half_range)
-    record.warnings.push_back(fmt::format("the first sample is at {:.4g} mm, {:.0f} % of the half range of {:.4g} mm: laws start at rest at zero",
-                                          record.disp_mm.front(), 100.0 * std::abs(record.disp_mm.front()) / half_range,
-                                          half_range));
+    record.warnings.push_back(fmt::format(
+        "the first sample is at {:.4g} mm, {:.0f} % of the half range of {:.4g} mm: laws start at rest at zero",
+        record.disp_mm.front(), 100.0 * std::abs(record.disp_mm.front()) / half_range, half_range));
   auto const properties = cyclic_properties(record.disp_mm, record.force_kN);
   if (!properties.refusal.empty()) record.warnings.push_back("no cyclic properties: " + properties.refusal);
   if (!properties.reported) return;
   double const samples = *properties.samples_per_cycle;
   double const angle = 2.0 * std::numbers::pi / samples;
   if (samples < 100.0)
-    record.warnings.push_back(fmt::format(
-        "{:.1f} samples per cycle: the energy comes out {:.2g} % too small; 100 or more are wanted", samples,
-        100.0 * (1.0 - std::sin(angle) / angle)));
+    record.warnings.push_back(
+        fmt::format("{:.1f} samples per cycle: the energy comes out {:.2g} % too small; 100 or more are wanted",
+                    samples, 100.0 * (1.0 - std::sin(angle) / angle)));
   warn_about_offset(record, *properties.reported, record.disp_mm, "displacement", "mm", 0.05);
   warn_about_offset(record, *properties.reported, record.force_kN, "force", "kN", 0.10);
 }

@@ -63,9 +63,9 @@ void center(FitRecord& record, Properties const& properties) {
   auto const range = centring_range(properties, record.size());
   double const disp_mm = remove_middle(record.disp_mm, range);
   double const force_kN = remove_middle(record.force_kN, range);
-  record.cleaning.push_back(fmt::format(
-      "centred: {:.4g} mm taken from displacement and {:.4g} kN from force, (max + min) / 2 over {}", disp_mm, force_kN,
-      range.text));
+  record.cleaning.push_back(
+      fmt::format("centred: {:.4g} mm taken from displacement and {:.4g} kN from force, (max + min) / 2 over {}",
+                  disp_mm, force_kN, range.text));
 }
 
 void average(FitRecord& record, int window) {

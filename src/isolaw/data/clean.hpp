@@ -8,9 +8,9 @@
 namespace isolaw::data {
 
 struct CleanOptions {
-  int smooth = 1;                            // window of the centred moving average, odd; 1 = none
+  int smooth = 1;                              // window of the centred moving average, odd; 1 = none
   std::optional<int> samples_per_cycle = 200;  // thinning to at least this many, 20 or more; nullopt = all samples
-  bool center = false;                       // remove the mean of the extremes of displacement and force
+  bool center = false;                         // remove the mean of the extremes of displacement and force
 
   void validate() const;  // throws Error
 };

@@ -20,44 +20,58 @@ using Lexicon = std::span<std::string_view const>;
 // English, Italian, German, French, Spanish; lower case without accents.
 constexpr std::string_view time_words[]{"time", "tempo", "zeit", "temps", "tiempo", "messzeit"};
 constexpr std::string_view disp_words[]{"disp", "weg", "stroke", "corsa", "hub", "scorrimento"};
-constexpr std::string_view disp_stems[]{"displ", "spost", "verschieb", "deplac", "desplaz", "horizontalverschieb", "horizontalweg",
-                             "kolbenweg"};
-constexpr std::string_view force_words[]{"force", "forces", "forza", "taglio", "shear", "kraft", "fuerza", "effort", "cortante",
-                              "horizontalkraft", "querkraft", "schubkraft", "scherkraft"};
+constexpr std::string_view disp_stems[]{
+    "displ", "spost", "verschieb", "deplac", "desplaz", "horizontalverschieb", "horizontalweg", "kolbenweg"};
+constexpr std::string_view force_words[]{"force",     "forces",     "forza",     "taglio",   "shear",
+                                         "kraft",     "fuerza",     "effort",    "cortante", "horizontalkraft",
+                                         "querkraft", "schubkraft", "scherkraft"};
 constexpr std::string_view load_words[]{"load", "carico", "last", "carga", "charge"};
-constexpr std::string_view vertical_force_words[]{"vertikalkraft", "vertikallast", "axialkraft", "axiallast", "normalkraft", "auflast"};
-constexpr std::string_view vertical_words[]{"vertical", "verticale", "vert", "vertikal", "vertikalweg", "vertikalverschiebung",
-                                 "axial", "axiale", "assiale", "normal", "normale", "compression", "compressione",
-                                 "kompression", "z"};
-constexpr std::string_view horizontal_words[]{"horizontal", "horizontale", "orizzontale", "orizz", "horiz", "hor", "lateral",
-                                   "laterale", "shear", "taglio"};
+constexpr std::string_view vertical_force_words[]{"vertikalkraft", "vertikallast", "axialkraft",
+                                                  "axiallast",     "normalkraft",  "auflast"};
+constexpr std::string_view vertical_words[]{
+    "vertical", "verticale", "vert",    "vertikal",    "vertikalweg",  "vertikalverschiebung", "axial", "axiale",
+    "assiale",  "normal",    "normale", "compression", "compressione", "kompression",          "z"};
+constexpr std::string_view horizontal_words[]{"horizontal", "horizontale", "orizzontale", "orizz", "horiz",
+                                              "hor",        "lateral",     "laterale",    "shear", "taglio"};
 // Not a measured displacement or force, though the name holds such a word.
 constexpr std::string_view other_quantities[]{
-    "command", "comando", "cmd", "setpoint", "target", "demand", "soll", "sollwert", "sollweg", "consigne", "consigna",
-    "reference", "ref", "riferimento", "velocity", "velocita", "vel", "speed", "geschwindigkeit", "vitesse",
-    "velocidad", "acceleration", "accelerazione", "acc", "beschleunigung", "error", "errore", "fehler", "strain",
-    "stress", "modulus", "temperature", "temperatura", "temperatur", "pressure", "pressione", "rate", "status"};
+    "command",      "comando",       "cmd",      "setpoint",       "target",          "demand",     "soll",
+    "sollwert",     "sollweg",       "consigne", "consigna",       "reference",       "ref",        "riferimento",
+    "velocity",     "velocita",      "vel",      "speed",          "geschwindigkeit", "vitesse",    "velocidad",
+    "acceleration", "accelerazione", "acc",      "beschleunigung", "error",           "errore",     "fehler",
+    "strain",       "stress",        "modulus",  "temperature",    "temperatura",     "temperatur", "pressure",
+    "pressione",    "rate",          "status"};
 constexpr std::string_view disp_symbols[]{"x", "u", "d", "ux", "dx", "uh", "dh"};
 constexpr std::string_view force_symbols[]{"f", "h", "fx", "fh"};
 constexpr std::string_view load_symbols[]{"v", "fv", "fz", "p"};
 constexpr std::string_view vertical_letters[]{"v", "n"};  // beside another word: "Force V"
-constexpr std::string_view counter_words[]{"sample", "samples", "index", "idx", "no", "nr", "num", "number", "count", "counter",
-                                "point", "points", "scan", "campione", "row", "record", "id"};
+constexpr std::string_view counter_words[]{"sample", "samples",  "index", "idx",     "no",    "nr",
+                                           "num",    "number",   "count", "counter", "point", "points",
+                                           "scan",   "campione", "row",   "record",  "id"};
 
-bool is_in(Lexicon lexicon, std::string_view word) { return std::ranges::find(lexicon, word) != std::ranges::end(lexicon); }
+bool is_in(Lexicon lexicon, std::string_view word) {
+  return std::ranges::find(lexicon, word) != std::ranges::end(lexicon);
+}
 
 bool any_in(Lexicon lexicon, Words const& words) {
   return std::ranges::any_of(words, [&](auto const& word) { return is_in(lexicon, word); });
 }
 
 bool any_starts(Lexicon stems, Words const& words) {
-  return std::ranges::any_of(
-      words, [&](auto const& word) { return std::ranges::any_of(stems, [&](auto stem) { return word.starts_with(stem); }); });
+  return std::ranges::any_of(words, [&](auto const& word) {
+    return std::ranges::any_of(stems, [&](auto stem) { return word.starts_with(stem); });
+  });
 }
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+bool is_capital(char c) {
+  return c >= 'A' && c <= 'Z';
+}
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
 
 // Lower-case words; "DispH_2" -> disp, h, 2.
 Words words_of(std::string_view name) {
@@ -171,18 +185,25 @@ std::optional<ColumnName> split_last_word(std::string_view name) {
 
 std::string unit_example(Channel channel) {
   switch (dimension(channel)) {
-    case Dimension::force: return "kN";
-    case Dimension::length: return "mm";
-    default: return "s";
+    case Dimension::force:
+      return "kN";
+    case Dimension::length:
+      return "mm";
+    default:
+      return "s";
   }
 }
 
 std::string_view meaning_text(Channel channel) {
   switch (channel) {
-    case Channel::time: return "time";
-    case Channel::disp: return "horizontal displacement";
-    case Channel::force: return "horizontal force";
-    case Channel::load: return "vertical load";
+    case Channel::time:
+      return "time";
+    case Channel::disp:
+      return "horizontal displacement";
+    case Channel::force:
+      return "horizontal force";
+    case Channel::load:
+      return "vertical load";
   }
   return "";
 }
@@ -210,9 +231,7 @@ class Resolver {
   bool has_names() const { return !header_.names.empty(); }
   bool asked_for(Channel channel) const { return options_.columns.contains(channel); }
 
-  std::string header_place() const {
-    return has_names() ? fmt::format("{}:{}", file_, *header_.name_line + 1) : file_;
-  }
+  std::string header_place() const { return has_names() ? fmt::format("{}:{}", file_, *header_.name_line + 1) : file_; }
 
   std::string columns_found() const {
     if (!has_names()) return fmt::format("{} columns without names", count());
@@ -272,8 +291,8 @@ class Resolver {
   std::optional<std::size_t> find_column(Channel channel, std::string const& wanted) {
     if (auto const named = find_named(wanted)) {
       if (named->size() == 1) return named->front();
-      complain(header_place(), fmt::format("{} columns are named {}", named->size(), in_quotes(wanted)), "a unique column",
-               options_for(channel, *named));
+      complain(header_place(), fmt::format("{} columns are named {}", named->size(), in_quotes(wanted)),
+               "a unique column", options_for(channel, *named));
       return std::nullopt;
     }
     std::size_t number = 0;
@@ -340,9 +359,11 @@ class Resolver {
     std::string found = fmt::format("no column is recognised as the {}", meaning_text(channel));
     auto const loads = columns_where([](auto const& text) { return meaning_of(text).plain_load; });
     if (channel == Channel::force && !loads.empty())
-      found += fmt::format(" ({} may be the horizontal force or the vertical load)", column_text(loads.front(), header_));
-    complain(header_place(), std::move(found), columns_found(),
-             fmt::format("--columns {}={}", name(channel), loads.empty() ? "NUMBER" : std::to_string(loads.front() + 1)));
+      found +=
+          fmt::format(" ({} may be the horizontal force or the vertical load)", column_text(loads.front(), header_));
+    complain(
+        header_place(), std::move(found), columns_found(),
+        fmt::format("--columns {}={}", name(channel), loads.empty() ? "NUMBER" : std::to_string(loads.front() + 1)));
   }
 
   // Without names nothing tells displacement from force, nor time from a counter: asked for at once.
@@ -352,17 +373,19 @@ class Resolver {
     auto const what = both ? std::string("displacement and which the force") : std::string(meaning_text(channel));
     complain(file_, fmt::format("no line names the {} columns, so which is the {} cannot be told", count(), what),
              fmt::format("column numbers 1 to {}", count()),
-             !both          ? fmt::format("--columns {}=NUMBER", name(channel))
-             : count() >= 3 ? "--columns time=1,disp=2,force=3 --units time=s,disp=mm,force=kN, with your numbers and units"
-                            : "--columns disp=1,force=2 --units disp=mm,force=kN, with your numbers and units");
+             !both ? fmt::format("--columns {}=NUMBER", name(channel))
+             : count() >= 3
+                 ? "--columns time=1,disp=2,force=3 --units time=s,disp=mm,force=kN, with your numbers and units"
+                 : "--columns disp=1,force=2 --units disp=mm,force=kN, with your numbers and units");
   }
 
   void refuse_shared_columns() {
     for (auto const& [channel, column] : result_.channels)
       for (auto const& [other, other_column] : result_.channels)
         if (channel < other && column.index == other_column.index)
-          complain(header_place(), fmt::format("{} is asked for as {} and as {}", column_text(column.index, header_),
-                                               name(channel), name(other)),
+          complain(header_place(),
+                   fmt::format("{} is asked for as {} and as {}", column_text(column.index, header_), name(channel),
+                               name(other)),
                    "one column per channel", fmt::format("--columns {}=NUMBER,{}=NUMBER", name(channel), name(other)));
   }
 
@@ -401,7 +424,8 @@ class Resolver {
     if (written.empty()) return refuse(header_place(), fmt::format("{} ({}) has no unit", text, name(channel)));
     auto const& first = written.front();
     auto const unit = parse_unit(first.text);
-    if (!unit) return refuse(first.place, fmt::format("unknown unit {} of {} ({})", in_quotes(first.text), text, name(channel)));
+    if (!unit)
+      return refuse(first.place, fmt::format("unknown unit {} of {} ({})", in_quotes(first.text), text, name(channel)));
     if (unit->dimension != dimension(channel))
       return refuse(first.place, fmt::format("unit {} of {} is a {}, not a {}", unit->symbol, text,
                                              isolaw::name(unit->dimension), isolaw::name(dimension(channel))));
@@ -461,7 +485,9 @@ ColumnName dissect_name(std::string_view name) {
   return {.base = std::string(name), .unit = {}};
 }
 
-bool names_a_channel(std::string_view cell) { return meaning_of(cell).channel.has_value(); }
+bool names_a_channel(std::string_view cell) {
+  return meaning_of(cell).channel.has_value();
+}
 
 std::string column_text(std::size_t index, Header const& header) {
   if (header.names.empty() || header.names[index].empty()) return fmt::format("column {}", index + 1);
@@ -480,15 +506,21 @@ Columns recognise_columns(std::string const& where, Header const& header, Dialec
 
 std::string_view name(Channel channel) {
   switch (channel) {
-    case Channel::time: return "time";
-    case Channel::disp: return "disp";
-    case Channel::force: return "force";
-    case Channel::load: return "load";
+    case Channel::time:
+      return "time";
+    case Channel::disp:
+      return "disp";
+    case Channel::force:
+      return "force";
+    case Channel::load:
+      return "load";
   }
   return "";
 }
 
-std::map<Channel, std::string> parse_columns(std::string_view text) { return parse_assignments("--columns", text); }
+std::map<Channel, std::string> parse_columns(std::string_view text) {
+  return parse_assignments("--columns", text);
+}
 
 std::map<Channel, std::string> parse_units(std::string_view text) {
   auto units = parse_assignments("--units", text);

@@ -31,8 +31,8 @@ ColumnName dissect_name(std::string_view name);
 bool names_a_channel(std::string_view cell);
 
 struct Column {
-  std::size_t index = 0;      // from 0
-  std::optional<Unit> unit;   // empty when it is missing or wrong, which is among the complaints
+  std::size_t index = 0;     // from 0
+  std::optional<Unit> unit;  // empty when it is missing or wrong, which is among the complaints
 };
 
 struct Columns {

@@ -14,12 +14,15 @@
 namespace isolaw::data {
 namespace {
 
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
 
 // What acquisition programs and spreadsheets write for a value that is not there or not finite.
 bool is_not_finite(std::string_view cell) {
-  constexpr std::array<std::string_view, 16> marks{"nan",  "inf",  "infinity", "n/a",    "na",      "#n/a", "#nv", "#num!",
-                                                   "null", "none", "#div/0!",  "1.#inf", "1.#qnan", "1.#ind", "--",  "---"};
+  constexpr std::array<std::string_view, 16> marks{"nan",     "inf",    "infinity", "n/a",  "na",      "#n/a",
+                                                   "#nv",     "#num!",  "null",     "none", "#div/0!", "1.#inf",
+                                                   "1.#qnan", "1.#ind", "--",       "---"};
   if (cell.size() > 10) return false;
   auto text = lower(cell);
   std::ranges::replace(text, ',', '.');
@@ -214,14 +217,20 @@ bool is_blank(std::string_view line, char delimiter) {
 
 std::string_view delimiter_name(char delimiter) {
   switch (delimiter) {
-    case ',': return "commas";
-    case ';': return "semicolons";
-    case '\t': return "tabs";
-    default: return "blanks";
+    case ',':
+      return "commas";
+    case ';':
+      return "semicolons";
+    case '\t':
+      return "tabs";
+    default:
+      return "blanks";
   }
 }
 
-std::string_view decimal_name(char decimal) { return decimal == ',' ? "comma" : "point"; }
+std::string_view decimal_name(char decimal) {
+  return decimal == ',' ? "comma" : "point";
+}
 
 std::optional<Dialect> recognise_dialect(std::span<std::string_view const> lines) {
   auto const sample = sample_lines(lines);
@@ -247,9 +256,9 @@ std::optional<Dialect> recognise_dialect(std::span<std::string_view const> lines
   dialect.decimal = best.pair.decimal;
   dialect.columns = best.columns;
   study_columns(dialect, sample);
-  dialect.why = fmt::format("columns are separated by {}, decimals by a {}: {} of {} lines looked at read as rows of {}",
-                            delimiter_name(dialect.delimiter), decimal_name(dialect.decimal), best.rows, sample.size(),
-                            best.columns);
+  dialect.why = fmt::format(
+      "columns are separated by {}, decimals by a {}: {} of {} lines looked at read as rows of {}",
+      delimiter_name(dialect.delimiter), decimal_name(dialect.decimal), best.rows, sample.size(), best.columns);
   if (!dialect.decimal_seen)
     dialect.why += " whole numbers (no decimal separator occurs)";
   else if (second.points > 0.1 * best.points)

@@ -14,10 +14,10 @@ namespace isolaw::data {
 struct Dialect {
   char delimiter = ',';  // ' ' stands for runs of blanks and tabs
   char decimal = '.';
-  std::size_t columns = 0;            // cells of a data row, a trailing empty one not counted
-  std::vector<bool> numeric;          // per column: mostly numbers
-  bool decimal_seen = false;          // some number holds the decimal separator
-  std::string why;                    // one sentence
+  std::size_t columns = 0;    // cells of a data row, a trailing empty one not counted
+  std::vector<bool> numeric;  // per column: mostly numbers
+  bool decimal_seen = false;  // some number holds the decimal separator
+  std::string why;            // one sentence
 };
 
 enum class CellKind { number, empty, not_finite, grouped, text };  // grouped: thousands separators, "1.234,56"

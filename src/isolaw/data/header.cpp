@@ -39,7 +39,7 @@ Names split_wide(std::string_view line) {
 Names split_bracketed(std::string_view line) {
   Names names;
   for (auto& name : split_names(line, ' ')) {
-    bool const unit = name.front() == '[' || name.front() == '(';
+    bool const unit = name.starts_with('[') || name.starts_with('(');
     if (unit && !names.empty())
       names.back() += ' ' + name;
     else
@@ -52,7 +52,8 @@ Names split_bracketed(std::string_view line) {
 Names header_cells(std::string_view line, Dialect const& dialect) {
   auto names = split_names(line, dialect.delimiter);
   while (names.size() > dialect.columns && names.back().empty()) names.pop_back();
-  if (names.size() + 1 == dialect.columns && line.ends_with(dialect.delimiter)) names.emplace_back();  // empty last name
+  if (names.size() + 1 == dialect.columns && line.ends_with(dialect.delimiter))
+    names.emplace_back();  // empty last name
   if (dialect.delimiter != ' ' || names.size() == dialect.columns) return names;
   for (auto const& other : {split_bracketed(line), split_wide(line), split_names(line, '\t')})
     if (other.size() == dialect.columns) return other;
@@ -73,7 +74,8 @@ bool is_data_row(std::string_view line, Dialect const& dialect) {
 }
 
 bool has_number(Names const& cells, char decimal) {
-  return std::ranges::any_of(cells, [&](auto const& cell) { return parse_cell(cell, decimal).kind == CellKind::number; });
+  return std::ranges::any_of(cells,
+                             [&](auto const& cell) { return parse_cell(cell, decimal).kind == CellKind::number; });
 }
 
 struct UnitShare {
@@ -146,7 +148,8 @@ Header recognise_header(std::span<std::string_view const> lines, Dialect const& 
     if (i == header.name_line || is_blank(lines[i], dialect.delimiter)) continue;
     auto const cells = header_cells(is_comment(lines[i]) ? without_mark(lines[i]) : lines[i], dialect);
     bool const right_size = cells.size() == dialect.columns;
-    if (right_size && !header.unit_line && (names ? i > names->line && count_units(cells).most() : count_units(cells).all())) {
+    if (right_size && !header.unit_line &&
+        (names ? i > names->line && count_units(cells).most() : count_units(cells).all())) {
       header.unit_line = i;
       header.units = cells;
     } else if (right_size && names && i > names->line && has_number(cells, dialect.decimal) && !is_comment(lines[i])) {

@@ -117,8 +117,8 @@ Cycle properties_on(Cycle const& cycle, std::span<double const> disp_mm, std::sp
   result.amplitude_mm = (largest - least) / 2.0;
   result.K_eff_kN_per_mm = (F_at_largest - F_at_least) / (largest - least);
   result.energy_kN_mm = energy;
-  result.damping_percent = 100.0 * energy / (2.0 * std::numbers::pi * result.K_eff_kN_per_mm * result.amplitude_mm *
-                                             result.amplitude_mm);
+  result.damping_percent =
+      100.0 * energy / (2.0 * std::numbers::pi * result.K_eff_kN_per_mm * result.amplitude_mm * result.amplitude_mm);
   return result;
 }
 

@@ -13,10 +13,10 @@ namespace isolaw::data {
 // crossing counts once displacement has been beyond a band of 2 % of its half range on the other side, so that noise
 // and tremor about zero cut nothing. A record that starts, or comes to rest, inside the band is cut there.
 struct Cycle {
-  int number = 0;             // from 1
-  double first = 0.0;         // start and end as fractional sample indices
+  int number = 0;      // from 1
+  double first = 0.0;  // start and end as fractional sample indices
   double last = 0.0;
-  double amplitude_mm = 0.0;  // (largest - smallest displacement) / 2
+  double amplitude_mm = 0.0;     // (largest - smallest displacement) / 2
   double K_eff_kN_per_mm = 0.0;  // (force at largest x - force at smallest x) / (largest x - smallest x)
   double energy_kN_mm = 0.0;     // trapezoid of F dx over the cycle, closed by a straight line
   double damping_percent = 0.0;  // energy / (2 pi K_eff amplitude^2)

@@ -31,8 +31,8 @@ struct Rows {
 
 class RowReader {
  public:
-  RowReader(std::string const& file, std::span<std::string_view const> lines, Dialect const& dialect, Header const& header,
-            Columns const& columns)
+  RowReader(std::string const& file, std::span<std::string_view const> lines, Dialect const& dialect,
+            Header const& header, Columns const& columns)
       : lines_(lines),
         dialect_(dialect),
         header_(header),
@@ -87,14 +87,14 @@ class RowReader {
 
   void report_width(std::size_t i) {
     widths_.add(i + 1, fmt::format("{} columns: {}", cells_.size(), in_quotes(lines_[i])),
-                fmt::format("{} columns, as in most rows", dialect_.columns),
-                "remove the line, or put '#' before it");
+                fmt::format("{} columns, as in most rows", dialect_.columns), "remove the line, or put '#' before it");
   }
 
   void report_cell(std::size_t i, std::size_t k, std::string_view cell, CellKind kind) {
     auto const& column = rows_.channels[k].column;
     if (repeats_header(i))
-      numbers_.add(i + 1, "the header is repeated: several tests in one file", "one test per file", "split the file here");
+      numbers_.add(i + 1, "the header is repeated: several tests in one file", "one test per file",
+                   "split the file here");
     else if (kind == CellKind::grouped)
       numbers_.add(i + 1, fmt::format("{} in {} has thousands separators", in_quotes(cell), column),
                    fmt::format("a number with a decimal {} and no other separator", decimal_name(dialect_.decimal)),
@@ -138,19 +138,23 @@ void describe_text(Lines const& text, std::vector<std::string>& recognised) {
 
 void describe_header(Header const& header, std::vector<std::string>& recognised) {
   if (header.name_line)
-    recognised.push_back(fmt::format("line {} is the header{}", *header.name_line + 1,
-                                     header.unit_line ? fmt::format(", line {} gives the units", *header.unit_line + 1) : ""));
+    recognised.push_back(
+        fmt::format("line {} is the header{}", *header.name_line + 1,
+                    header.unit_line ? fmt::format(", line {} gives the units", *header.unit_line + 1) : ""));
   else
-    recognised.push_back(header.unit_line ? fmt::format("line {} gives the units; no line names the columns", *header.unit_line + 1)
-                                          : "no line names the columns");
+    recognised.push_back(header.unit_line
+                             ? fmt::format("line {} gives the units; no line names the columns", *header.unit_line + 1)
+                             : "no line names the columns");
   if (!header.passed_over.empty())
     recognised.push_back(fmt::format("above the data, line {} {} passed over", line_list(header.passed_over),
                                      header.passed_over.size() == 1 ? "is" : "are"));
 }
 
 void describe_rows(Rows const& rows, TestRecord const& record, std::vector<std::string>& recognised) {
-  recognised.push_back(fmt::format("{} samples, lines {} to {}", rows.lines.size(), rows.lines.front(), rows.lines.back()));
-  if (rows.comments > 0) recognised.push_back(fmt::format("{} comment lines among the rows are passed over", rows.comments));
+  recognised.push_back(
+      fmt::format("{} samples, lines {} to {}", rows.lines.size(), rows.lines.front(), rows.lines.back()));
+  if (rows.comments > 0)
+    recognised.push_back(fmt::format("{} comment lines among the rows are passed over", rows.comments));
   if (!record.has_time()) {
     recognised.push_back("no time column: rate-dependent laws need --dt SECONDS, the sampling interval");
     return;
@@ -168,11 +172,10 @@ void check_interval(std::string const& file, ReadOptions const& options, Header 
   if (!std::isfinite(*options.dt_s) || *options.dt_s <= 0.0)
     complaints.push_back({"--dt", fmt::format("{}", *options.dt_s), "a positive number of seconds", {}});
   if (auto const time = columns.channels.find(Channel::time); time != columns.channels.end())
-    complaints.push_back({file,
-                          fmt::format("--dt {} is given, but {} is the time", *options.dt_s,
-                                      column_text(time->second.index, header)),
-                          "--dt for a file without a time column",
-                          "leave --dt out, or leave the column out with --columns time=none"});
+    complaints.push_back(
+        {file,
+         fmt::format("--dt {} is given, but {} is the time", *options.dt_s, column_text(time->second.index, header)),
+         "--dt for a file without a time column", "leave --dt out, or leave the column out with --columns time=none"});
 }
 
 // The name where it says which column it is and an option can hold it, else the number.
@@ -212,14 +215,23 @@ void store_channels(Rows& rows, Columns const& columns, TestRecord& record) {
   for (auto& raw : rows.channels) {
     auto values = in_record_units(std::move(raw.values), columns.channels.at(raw.channel).unit->in_record_units);
     switch (raw.channel) {
-      case Channel::time: record.time_s = std::move(values); break;
-      case Channel::disp: record.disp_mm = std::move(values); break;
-      case Channel::force: record.force_kN = std::move(values); break;
-      case Channel::load: record.load_kN = std::move(values); break;
+      case Channel::time:
+        record.time_s = std::move(values);
+        break;
+      case Channel::disp:
+        record.disp_mm = std::move(values);
+        break;
+      case Channel::force:
+        record.force_kN = std::move(values);
+        break;
+      case Channel::load:
+        record.load_kN = std::move(values);
+        break;
     }
   }
   if (record.layout.dt_s)
-    for (std::size_t i = 0; i < record.size(); ++i) record.time_s.push_back(static_cast<double>(i) * *record.layout.dt_s);
+    for (std::size_t i = 0; i < record.size(); ++i)
+      record.time_s.push_back(static_cast<double>(i) * *record.layout.dt_s);
   if (!record.layout.flip_force) return;
   for (double& value : record.force_kN) value = -value;
   record.recognised.push_back("the force is multiplied by -1, as asked for");
@@ -242,8 +254,8 @@ Dialect require_dialect(std::string const& file, std::span<std::string_view cons
 // Whole numbers separated by commas without names may be decimals with a comma: "1,5,2,0".
 void check_commas(std::string const& file, Dialect const& dialect, Header const& header,
                   std::vector<Complaint>& complaints) {
-  if (dialect.delimiter != ',' || dialect.decimal_seen || !header.names.empty() || dialect.columns % 2 != 0 ||
-      dialect.columns < 4)
+  if (dialect.delimiter != ',' || dialect.decimal_seen || !header.names.empty() || header.mismatch ||
+      dialect.columns % 2 != 0 || dialect.columns < 4)
     return;
   complaints.push_back({fmt::format("{}:{}", file, header.first_data + 1),
                         fmt::format("{} columns of whole numbers, or {} of numbers with a decimal comma: nothing tells",
@@ -269,8 +281,8 @@ TestRecord read_record(std::filesystem::path const& file, ReadOptions const& opt
   check_interval(record.file, options, header, columns, complaints);
   auto rows = RowReader(record.file, text.lines, dialect, header, columns).read(complaints);
   if (rows.lines.size() < least_samples && complaints.empty())
-    complaints.push_back({record.file, fmt::format("{} samples", rows.lines.size()),
-                          fmt::format("{} or more", least_samples), {}});
+    complaints.push_back(
+        {record.file, fmt::format("{} samples", rows.lines.size()), fmt::format("{} or more", least_samples), {}});
   for (auto const& raw : rows.channels) check_channel(record.file, raw, rows.lines, complaints);
   if (!complaints.empty()) throw Error(std::move(complaints));
 

@@ -37,7 +37,9 @@ constexpr std::array known_formats{
     Magic{"\x89HDF"sv, "an HDF5 file", export_text},
     Magic{"TDSm"sv, "a .tdms file", export_text},
     Magic{"\x1F\x8B"sv, "a gzip archive", unpack},
-    Magic{"\xFD" "7zXZ\0"sv, "an xz archive", unpack},
+    Magic{"\xFD"
+          "7zXZ\0"sv,
+          "an xz archive", unpack},
     Magic{"BZh"sv, "a bzip2 archive", unpack},
     Magic{"7z\xBC\xAF"sv, "a 7z archive", unpack},
     Magic{"{\\rtf"sv, "an RTF document", "save it as plain text"},
@@ -68,7 +70,7 @@ void refuse_binary(std::string const& where, std::string_view bytes) {
 // Length of the UTF-8 sequence at the start of `bytes`; 0 when it is none.
 std::size_t utf8_length(std::string_view bytes) {
   auto const lead = static_cast<unsigned char>(bytes.front());
-  std::size_t const length = lead < 0x80                  ? 1
+  std::size_t const length = lead < 0x80                   ? 1
                              : lead >= 0xC2 && lead < 0xE0 ? 2
                              : lead >= 0xE0 && lead < 0xF0 ? 3
                              : lead >= 0xF0 && lead < 0xF5 ? 4
@@ -104,10 +106,10 @@ void append_utf8(std::string& text, std::uint32_t code) {
 
 // Windows-1252 differs from Latin-1 in 0x80 to 0x9F; the five unassigned bytes become the replacement character.
 std::uint32_t windows_1252(unsigned char byte) {
-  constexpr std::array<std::uint16_t, 32> high{
-      0x20AC, 0xFFFD, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
-      0x2039, 0x0152, 0xFFFD, 0x017D, 0xFFFD, 0xFFFD, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
-      0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0xFFFD, 0x017E, 0x0178};
+  constexpr std::array<std::uint16_t, 32> high{0x20AC, 0xFFFD, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
+                                               0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0xFFFD, 0x017D, 0xFFFD,
+                                               0xFFFD, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
+                                               0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0xFFFD, 0x017E, 0x0178};
   return byte >= 0x80 && byte < 0xA0 ? high[byte - 0x80u] : byte;
 }
 

@@ -86,11 +86,11 @@ Verdict dominated_verdict(Summary const& summary, std::vector<std::size_t> const
 Verdict unranked_verdict(LawResult const& law, std::size_t index, LawResult const& best) {
   Verdict verdict{index, Role::unranked, {}, {}};
   if (!law.objective.mean) {
-    verdict.sentence = "Not identified on any device.";
+    verdict.sentence = "was not identified on any device.";
   } else if (&law == &best) {
-    verdict.sentence = fmt::format("Smallest mean error: it {}.", accuracy(law));
+    verdict.sentence = fmt::format("{}, the least of all.", accuracy(law));
   } else {
-    verdict.sentence = fmt::format("Mean error {}, {:.2g} times that of {}.", error_percent(law),
+    verdict.sentence = fmt::format("has a mean error of {}, {:.2f} times that of {}.", error_percent(law),
                                    *law.objective.mean / *best.objective.mean, best.id);
   }
   return verdict;
@@ -231,7 +231,7 @@ Findings findings(Summary const& summary) {
   for (std::size_t const index : unranked) {
     auto verdict = unranked_verdict(summary.laws[index], index, summary.laws[ranking.front()]);
     auto const& note = summary.laws[index].beta_note;
-    if (!front.empty() && !note.empty()) verdict.sentence += fmt::format(" Not ranked: {}.", note);
+    if (!front.empty() && !note.empty()) verdict.sentence += fmt::format(" No beta: {}.", note);
     all.verdicts.push_back(std::move(verdict));
   }
   all.warnings = all_warnings(summary);

@@ -29,7 +29,7 @@ std::string_view name(Role role);  // "most accurate", "dominated", ...
 struct Verdict {
   std::size_t law = 0;  // index into Summary::laws
   Role role = Role::unranked;
-  std::string sentence;                   // of a dominated law it continues after the law's name
+  std::string sentence;                   // starts in lower case when it continues after the law's name
   std::vector<std::string> dominated_by;  // ids of laws on the front
 };
 

@@ -134,7 +134,8 @@ void put_label(Canvas& canvas, int column, int row, std::string_view id) {
                           std::pair{column + 2, row - 1}, std::pair{column + 2, row + 1},
                           std::pair{column - 1 - length, row - 1}, std::pair{column - 1 - length, row + 1}};
   for (auto const& [x, y] : places) {
-    if (!canvas.is_free(x - 1, y, length + 2) && !(x + length == canvas.width() && canvas.is_free(x, y, length))) continue;
+    int const after = x + length < canvas.width() ? 1 : 0;  // a blank on both sides keeps it apart from its neighbours
+    if (!canvas.is_free(x - 1, y, 1 + length + after)) continue;
     for (int i = 0; i < length; ++i) canvas.put(x + i, y, static_cast<char32_t>(id[static_cast<std::size_t>(i)]));
     return;
   }
@@ -186,7 +187,7 @@ std::string front_plot(Summary const& summary, int width) {
   }
   text += padded("", margin) + "└" + axis + '\n' + numbers + '\n';
   text += padded("beta, lower is more robust", width, true) + '\n';
-  text += "  ● not dominated   ○ dominated: another law is as accurate and as robust or better\n";
+  text += "  ● not dominated   ○ dominated: another law is as accurate and as robust\n";
   return text;
 }
 

@@ -79,6 +79,9 @@ function enumerate(names, most = 5) {
   return names.length < 2 ? names.join('') : names.slice(0, -1).join(', ') + ' and ' + names[names.length - 1];
 }
 
+// A number and its percent sign stay on one line.
+const sentence = (text) => text.replace(/(\d) %/g, '$1' + THIN + '%');
+
 const count = (number, noun) => number + ' ' + noun + (number === 1 ? '' : 's');
 
 // ------------------------------------------------------------------------------------------------------- data and CSV
@@ -100,7 +103,7 @@ function csvCell(value) {
   if (value === null || value === undefined) return '';
   if (typeof value === 'number') return String(Number(value.toPrecision(9)));
   let text = String(value);
-  if (/^[=+\-@\t\r]/.test(text) && !(text.trim() !== '' && Number.isFinite(Number(text)))) text = "'" + text;
+  if (/^[=+\-@\t\r]./s.test(text) && !(text.trim() !== '' && Number.isFinite(Number(text)))) text = "'" + text;
   return /[",\r\n]/.test(text) ? '"' + text.replace(/"/g, '""') + '"' : text;
 }
 
@@ -195,7 +198,7 @@ function labelPlaces(points, stair, xRange, yRange, width, height) {
 
 // columns: [{title, unit, number, pinned}]; rows: [{cells: [text or node], className}]
 function table(columns, rows, label) {
-  const align = (column) => [column.number ? 'number' : '', column.pinned ? 'pinned' : '', column.tight ? 'tight' : ''].filter(Boolean).join(' ') || null;
+  const align = (column) => [column.number ? 'number' : '', column.pinned ? 'pinned' : '', column.tight ? 'tight' : '', column.name ? 'name' : ''].filter(Boolean).join(' ') || null;
   const head = columns.map((column) =>
     element('th', { scope: 'col', class: align(column), title: column.full ?? null }, column.title, column.unit ? element('small', {}, column.unit) : null));
   const body = rows.map((row) =>
@@ -230,6 +233,8 @@ function marker(role) {
 
 // --------------------------------------------------------------------------------------------------------- the figures
 
+const FRONT_HEIGHT = 390, LOOP_HEIGHT = 400;
+
 const SECTIONS = [
   { id: 'decision', title: 'The decision' },
   { id: 'objective', title: 'Accuracy' },
@@ -247,7 +252,8 @@ const SECTIONS = [
 //   controls()           nodes above the figure
 //   caption()            what to conclude from it
 //   csv()                {columns, rows}: its data
-//   draw(look, width)    a plot: {traces, layout, height};  or
+//   height(width)        of a plot, in pixels, and
+//   draw(look, width)    the plot: {traces, layout};  or
 //   build()              anything else: a node
 const FIGURES = [
   {
@@ -262,9 +268,10 @@ const FIGURES = [
       columns: ['law', 'beta [-]', 'mean OF [-]', 'on front'],
       rows: ranking.map((law) => [law.id, law.beta, law.objective.mean, law.on_front ? 'yes' : 'no']),
     }),
+    height: () => FRONT_HEIGHT,
     draw: (look, width) => {
       const shown = laws.filter((law) => law.beta !== null && law.objective.mean !== null);
-      const height = 390;
+      const height = FRONT_HEIGHT;
       const edge = shown.filter((law) => law.on_front).sort((a, b) => a.beta - b.beta);
       const xRange = paddedRange(shown.map((law) => law.beta), 0.13), yRange = paddedRange(shown.map((law) => law.objective.mean), 0.13);
       const places = labelPlaces(shown.map((law) => ({ x: law.beta, y: law.objective.mean, label: law.id })), edge.map((law) => shown.indexOf(law)),
@@ -280,7 +287,6 @@ const FIGURES = [
         };
       };
       return {
-        height,
         traces: [
           { x: edge.map((law) => law.beta), y: edge.map((law) => law.objective.mean), mode: 'lines', hoverinfo: 'skip', showlegend: false,
             opacity: 0.55,
@@ -304,10 +310,10 @@ const FIGURES = [
       columns: ['law', 'mean OF [-]', 'std OF [-]', 'best OF [-]'],
       rows: lawsByObjective.map((law) => [law.id, law.objective.mean, law.objective.std, law.objective.best]),
     }),
+    height: () => 90 + 38 * lawsByObjective.length,
     draw: (look) => {
       const shown = [...lawsByObjective].reverse();
       return {
-        height: 90 + 38 * shown.length,
         traces: [{
           type: 'bar', orientation: 'h', y: shown.map((law) => plain(law.id)), x: shown.map((law) => law.objective.mean),
           marker: { color: shown.map((law) => look.law(law)) }, width: 0.6,
@@ -348,20 +354,21 @@ const FIGURES = [
       columns: ['law', 'device', 'mean OF [-]', 'std OF [-]', 'best OF [-]', 'runs', 'failed runs'],
       rows: laws.flatMap((law) => law.devices.map((fit) => [law.id, devices[fit.device].name, fit.objective.mean, fit.objective.std, fit.objective.best, fit.runs, fit.failed_runs])),
     }),
-    draw: drawObjectives,
+    height: () => 380, draw: drawObjectives,
   },
   {
     id: 'loop', section: 'loops', width: 'narrow', title: 'Force over displacement', depends: ['device', 'laws'],
-    wanted: () => chosen.device !== null, caption: loopCaption, csv: loopData, draw: drawLoop,
+    wanted: () => chosen.device !== null, caption: loopCaption, csv: loopData, height: () => LOOP_HEIGHT, draw: drawLoop,
   },
   {
     id: 'history', section: 'loops', width: 'wide', title: 'Force over time, and what is left unexplained', depends: ['device', 'laws'],
-    wanted: () => chosen.device !== null, caption: historyCaption, csv: loopData, draw: drawHistory,
+    wanted: () => chosen.device !== null, caption: historyCaption, csv: loopData, height: () => LOOP_HEIGHT, draw: drawHistory,
   },
   {
     id: 'loop-overview', section: 'loops', title: 'All laws on this device', depends: ['device'], wanted: () => chosen.device !== null,
     caption: () => 'The best fit of each law (coloured) over the measured loop of ' + devices[chosen.device].name + ' (grey), in one scale, the smallest objective first.',
-    csv: () => loopData(laws), draw: drawOverview,
+    csv: () => loopData(laws),
+    height: (width) => overviewGrid(fitsOn(devices[chosen.device], laws).length, width).height, draw: drawOverview,
   },
   {
     id: 'parameter-tables', section: 'parameters', title: 'Identified parameters', long: true,
@@ -392,11 +399,10 @@ const FIGURES = [
 function verdictList() {
   const items = report.findings.verdicts.map((verdict) => {
     const law = laws[verdict.law];
-    const dominated = verdict.role === 'dominated';
-    const role = !hasFront && verdict.role === 'not ranked' ? null
-      : element('span', { class: 'role ' + verdict.role.replace(/ /g, '-') }, verdict.role);
-    return element('li', { class: dominated ? 'dominated-law' : null }, marker(verdict.role),
-      element('div', {}, element('b', {}, law.id), dominated ? ' ' : role, dominated ? null : element('br'), verdict.sentence));
+    const inOneLine = verdict.role === 'dominated' || verdict.role === 'not ranked';
+    const role = inOneLine ? ' ' : element('span', { class: 'role ' + verdict.role.replace(/ /g, '-') }, verdict.role);
+    return element('li', { class: inOneLine ? 'brief' : null }, marker(verdict.role),
+      element('div', {}, element('b', {}, law.id), role, inOneLine ? null : element('br'), sentence(verdict.sentence)));
   });
   const warnings = report.findings.warnings.map((warning) => element('li', {}, warning.sentence));
   const few = warnings.length <= 5 ? warnings.length : 4;
@@ -418,7 +424,7 @@ function rankingTable() {
     const tone = role === 'dominated' ? 'poor' : role === 'not ranked' ? 'note' : 'good';
     return { cells: [element('b', { class: 'strong' }, law.id), objectiveText(law.objective), fixed(law.objective.best, 4), fixed(law.beta, 3),
       element('span', { class: tone }, role), fixed(law.K_eff_error_percent, 1), fixed(law.energy_error_percent, 1),
-      String(law.parameters.filter((p) => p.free).length || DASH), element('td', { class: 'note' }, law.title)] };
+      String(law.parameters.filter((p) => p.free).length || DASH), element('td', { class: 'note text' }, law.title)] };
   });
   return table(columns, rows, 'Ranking of the laws');
 }
@@ -458,7 +464,7 @@ function drawObjectives(look) {
   const every = Math.ceil(names.length / 24);
   const ticks = names.map((_, i) => i).filter((i) => i % every === 0);
   return {
-    height: 380, traces,
+    traces,
     layout: {
       showlegend: !byLaw,
       xaxis: { tickmode: 'array', tickvals: ticks, ticktext: ticks.map((i) => plain(names[i])), range: [-0.6, groups - 0.4], showgrid: false, zeroline: false },
@@ -521,7 +527,6 @@ function historyCaption() {
 function drawLoop(look) {
   const device = devices[chosen.device], measured = record(device);
   return {
-    height: 400,
     traces: [
       { name: 'measured', mode: 'lines', x: measured.x, y: measured.F, line: { color: look.colour('measured'), width: 3.5 }, opacity: 0.75, hovertemplate: '%{x:.1f} mm, %{y:.1f} kN<extra>measured</extra>' },
       ...fitsOn(device, chosenLaws()).map(({ law, force }, place) => ({
@@ -537,7 +542,6 @@ function drawHistory(look) {
   const device = devices[chosen.device], measured = record(device);
   const fits = fitsOn(device, chosenLaws());
   return {
-    height: 400,
     traces: [
       { name: 'measured', mode: 'lines', x: measured.t, y: measured.F, line: { color: look.colour('measured'), width: 3.5 }, opacity: 0.75, hovertemplate: '%{y:.1f} kN<extra>measured</extra>' },
       ...fits.map(({ law, force }, place) => ({ name: plain(law.id), mode: 'lines', x: measured.t, y: force, line: { color: look.law(law), width: 1.8, dash: dashOf(place) },
@@ -554,22 +558,30 @@ function drawHistory(look) {
   };
 }
 
+// The small multiples in pixels: panels of one size under a heading each, as many beside one another as fit.
+const OVERVIEW_MARGIN = { l: 50, r: 8, t: 8, b: 44 };
+function overviewGrid(panels, width) {
+  const columns = Math.max(1, Math.min(panels, width > 900 ? 4 : width > 560 ? 3 : 2));
+  const rows = Math.max(1, Math.ceil(panels / columns)), wide = width / columns > 240;
+  const panel = wide ? 190 : 150, heading = 22, between = 46;
+  return { columns, wide, panel, heading, between, height: OVERVIEW_MARGIN.t + heading + rows * panel + (rows - 1) * between + OVERVIEW_MARGIN.b };
+}
+
 function drawOverview(look, width) {
   const device = devices[chosen.device], measured = record(device);
   const fits = fitsOn(device, laws).sort((a, b) => (a.fit.objective.best ?? Infinity) - (b.fit.objective.best ?? Infinity));
-  const columns = Math.max(1, Math.min(fits.length, width > 900 ? 4 : width > 560 ? 3 : 2));
-  const rows = Math.max(1, Math.ceil(fits.length / columns));
-  const panel = width / columns > 240 ? 215 : 175, height = 56 + rows * panel;
+  const { columns, wide, panel, heading, between, height } = overviewGrid(fits.length, width);
+  const plotHeight = height - OVERVIEW_MARGIN.t - OVERVIEW_MARGIN.b;
   const forces = [measured.F, ...fits.map(({ force }) => force)];
   const low = Math.min(...forces.map((f) => Math.min(...f))), high = Math.max(...forces.map((f) => Math.max(...f))), margin = 0.06 * (high - low || 1);
-  const layout = { margin: { l: 50, r: 8, t: 8, b: 44 }, annotations: [] };
+  const layout = { margin: OVERVIEW_MARGIN, annotations: [] };
   const traces = [];
   fits.forEach(({ law, fit, force }, i) => {
     const column = i % columns, row = Math.floor(i / columns), suffix = i === 0 ? '' : String(i + 1);
-    const gap = 0.035, w = (1 - gap * (columns - 1)) / columns, h = (1 - 0.15 * (rows - 1) - 0.09) / rows;
-    const left = column * (w + gap), top = 1 - 0.09 - row * (h + 0.15 * (rows > 1));
+    const gap = 0.035, w = (1 - gap * (columns - 1)) / columns;
+    const left = column * (w + gap), h = panel / plotHeight, top = 1 - (heading + row * (panel + between)) / plotHeight;
     const lowest = i + columns >= fits.length;
-    layout['xaxis' + suffix] = { domain: [left, left + w], anchor: 'y' + suffix, nticks: 5, title: lowest ? 'mm' : '', matches: i > 0 ? 'x' : undefined, showticklabels: lowest };
+    layout['xaxis' + suffix] = { domain: [left, left + w], anchor: 'y' + suffix, nticks: wide ? 6 : 4, tickangle: 0, title: lowest ? 'mm' : '', matches: i > 0 ? 'x' : undefined, showticklabels: lowest };
     layout['yaxis' + suffix] = { domain: [top - h, top], anchor: 'x' + suffix, nticks: 5, range: [low - margin, high + margin], title: column === 0 ? 'kN' : '', matches: i > 0 ? 'y' : undefined, showticklabels: column === 0 };
     layout.annotations.push({ xref: 'paper', yref: 'paper', x: left, y: top, xanchor: 'left', yanchor: 'bottom', showarrow: false, align: 'left',
       text: '<b>' + plain(law.id) + '</b>  OF ' + fixed(fit.objective.best, 4), font: { size: 12, color: look.colour('ink') } });
@@ -577,7 +589,7 @@ function drawOverview(look, width) {
     traces.push({ ...axes, x: measured.x, y: measured.F, hoverinfo: 'skip', opacity: 0.75, line: { color: look.colour('measured'), width: 2.6 } });
     traces.push({ ...axes, x: measured.x, y: force, line: { color: look.law(law), width: 1.5 }, hovertemplate: '%{x:.1f} mm, %{y:.1f} kN<extra>' + plain(law.id) + '</extra>' });
   });
-  return { height, traces, layout };
+  return { traces, layout };
 }
 
 // --- parameters
@@ -601,9 +613,9 @@ function bounds(law, place) {
   return { same, lower: found[0][5], upper: found[0][6] };
 }
 
-function parameterTable(law) {
+function parameterTable(law, shown) {
   const columns = [{ title: 'Quantity', pinned: true }, { title: 'Unit', tight: true }, { title: 'Bounds' }, { title: 'Lot mean', number: true }, { title: 'Δ', unit: '%', number: true },
-    ...usable.map((device) => ({ title: device.name, full: device.name, number: true }))];
+    ...shown.map((device) => ({ title: device.name, full: device.name, name: true, number: true }))];
   const cell = (mean, std, difference, bound, format, best) => {
     const text = [element('span', { class: 'cell-mean', 'data-mark': bound === 'upper' ? '▲' : '▼' }, fixed(mean / format.factor, format.decimals)),
       std === null ? null : element('span', { class: 'cell-std' }, '± ' + fixed(std / format.factor, format.decimals)),
@@ -615,21 +627,26 @@ function parameterTable(law) {
   const meanOf = (values) => { const some = values.filter(isNumber); return some.length > 0 ? some.reduce((sum, v) => sum + v, 0) / some.length : null; };
 
   const objective = { cells: [element('b', { class: 'strong' }, 'OF'), '-', '', fixed(law.objective.mean, 4), '',
-    ...usable.map((device) => {
+    ...shown.map((device) => {
       const fit = law.fitOn.get(device.index);
       return isNumber(fit?.objective.mean) ? cell(fit.objective.mean, fit.objective.std, null, '', { factor: 1, decimals: 4 }, null) : none(fit);
     })] };
   const rows = law.parameters.map((parameter, place) => {
-    const of = usable.map((device) => law.fitOn.get(device.index)?.parameters[place] ?? null);
-    const format = rowFormat(of.map((p) => p?.[0]));
-    const box = bounds(law, place), lot = meanOf(of.map((p) => p?.[0]));
+    const means = usable.map((device) => law.fitOn.get(device.index)?.parameters[place]?.[0]);
+    const format = rowFormat(means);
+    const box = bounds(law, place), lot = meanOf(means);
     return { cells: [parameter.name, (format.exponent !== 0 ? '10' + superscript(format.exponent) + ' ' : '') + (parameter.unit ? unitText(parameter.unit) : '-'),
       element('td', { class: 'bounds' }, !parameter.free ? 'fixed' : !box ? '' : box.same ? trimmed(box.lower / format.factor) + ' … ' + trimmed(box.upper / format.factor) : 'per device'),
       isNumber(lot) ? fixed(lot / format.factor, format.decimals) : DASH, parameter.delta === null ? '' : fixed(100 * parameter.delta, 1),
-      ...of.map((p, i) => (isNumber(p?.[0]) ? cell(p[0], parameter.free ? p[1] : null, parameter.free ? p[3] : null, p[4], format, p[2]) : none(law.fitOn.get(usable[i].index))))] };
+      ...shown.map((device) => {
+        const fit = law.fitOn.get(device.index), p = fit?.parameters[place];
+        return isNumber(p?.[0]) ? cell(p[0], parameter.free ? p[1] : null, parameter.free ? p[3] : null, p[4], format, p[2]) : none(fit);
+      })] };
   });
   return table(columns, [objective, ...rows], 'Parameters of ' + law.id);
 }
+
+const DEVICES_PER_PRINTED_BLOCK = 6, MOST_PRINTED_DEVICES = 30;
 
 function parameterTables() {
   return element('div', {}, ...ranking.map((law, place) => {
@@ -640,10 +657,22 @@ function parameterTables() {
       element('summary', {}, element('b', {}, law.id), element('span', {}, law.title), element('span', {}, 'OF ' + fixed(law.objective.mean, 4) + (law.beta === null ? '' : ', β ' + fixed(law.beta, 3))),
         widest ? element('span', {}, widest.name + ' strays most, ' + fixed(100 * widest.delta, 0) + THIN + '%') : null,
         bound > 0 ? element('span', {}, count(bound, 'parameter') + ' at a bound somewhere') : null), body);
-    const fill = () => { if (details.open && !body.firstChild) body.append(parameterTable(law)); };
+    const fill = () => { if (details.open && !body.firstChild) body.append(parameterTable(law, usable)); };
     details.addEventListener('toggle', fill);
     if (place === 0) { details.open = true; fill(); }
-    details.fill = () => { details.open = true; fill(); };
+    // Paper does not scroll: blocks of devices below one another, as Table A.5 has it; of a large lot its mean alone.
+    details.print = () => {
+      const blocks = [];
+      for (let first = 0; first < usable.length; first += DEVICES_PER_PRINTED_BLOCK) blocks.push(usable.slice(first, first + DEVICES_PER_PRINTED_BLOCK));
+      body.replaceChildren(...(usable.length <= MOST_PRINTED_DEVICES ? blocks : [[]]).map((block) => parameterTable(law, block)));
+      details.wasOpen = details.open;
+      details.open = true;
+    };
+    details.restore = () => {
+      body.replaceChildren();
+      details.open = details.wasOpen;
+      fill();
+    };
     return details;
   }));
 }
@@ -694,7 +723,7 @@ function propertiesTable() {
   const rows = devices.flatMap((device) => {
     const remark = device.status !== 'ok' ? 'refused: ' + device.message : device.reported === null ? device.properties_refusal : '';
     const lead = (first) => [element('b', { class: 'strong' }, first ? device.name : ''), ...facts.map((fact) => (first ? fact.text(device) : ''))];
-    const note = (text) => element('td', { class: 'note' }, text);
+    const note = (text) => element('td', { class: 'note text' }, text);
     if (device.cycles.length === 0) return [{ className: 'group', cells: [...lead(true), ...Array(strained ? 6 : 5).fill(DASH), note(remark)] }];
     return device.cycles.map((cycle, i) => ({
       className: [i === 0 ? 'group' : '', cycle.number === device.reported ? 'strong' : ''].join(' ').trim() || null,
@@ -740,21 +769,26 @@ function lawNotes() {
 
 // ------------------------------------------------------------------------------------------------------------ the page
 
-const drawn = new Map();  // figure -> {node, captionNode, plot, seen, stale}
+const drawn = new Map();  // figure -> {node, body, caption, seen, stale}
+
+// Room for a plot before it is drawn, so that nothing moves when it is.
+function reserve(figure) {
+  const { body } = drawn.get(figure);
+  const height = figure.height(body.clientWidth);
+  body.style.height = height + 'px';
+  return height;
+}
 
 function render(figure) {
   const place = drawn.get(figure);
   place.stale = false;
   if (figure.caption) place.caption.textContent = figure.caption();
-  if (!figure.draw) {
-    if (!place.body.firstChild) place.body.append(figure.build());
-    return;
-  }
+  if (!figure.draw) return;
   const look = theme();
-  const { traces, layout, height } = figure.draw(look, place.body.clientWidth);
-  place.body.style.height = height + 'px';
+  const width = place.body.clientWidth, height = reserve(figure);
+  const { traces, layout } = figure.draw(look, width);
   place.body.setAttribute('aria-label', figure.title + '. ' + (figure.caption ? figure.caption() : ''));
-  return Plotly.react(place.body, traces, styled({ ...layout, height }, look), PLOT_CONFIG);
+  return Plotly.react(place.body, traces, styled({ ...layout, height }, look), { ...PLOT_CONFIG, displayModeBar: width > 480 ? 'hover' : false });
 }
 
 // Everything that depends on `key` is drawn again; what is out of sight waits until it is seen.
@@ -775,10 +809,12 @@ function buildFigure(figure, observer) {
     head.append(button);
   }
   const controls = figure.controls ? element('div', { class: 'controls' }, ...figure.controls()) : null;
-  const body = element('div', figure.draw ? { class: 'plot', role: 'img', 'aria-label': figure.title, style: 'min-height: 20rem' } : {});
+  const body = element('div', figure.draw ? { class: 'plot', role: 'img', 'aria-label': figure.title } : {});
   const caption = figure.caption ? element('figcaption') : null;
   const node = element('figure', { id: 'figure-' + figure.id, class: [figure.width ?? '', figure.long ? 'long' : ''].join(' ').trim() || null }, head, controls, body, caption);
-  drawn.set(figure, { node, body, caption, seen: false, stale: true });
+  if (figure.build) body.append(figure.build());
+  if (figure.caption) caption.textContent = figure.caption();
+  drawn.set(figure, { node, body, caption, seen: false, stale: Boolean(figure.draw) });
   observer.observe(node);
   node.figure = figure;
   return node;
@@ -812,16 +848,18 @@ function buildPage() {
     main.append(node);
     contents.append(element('a', { href: '#' + section.id }, section.title));
   }
+  for (const figure of drawn.keys()) if (figure.draw) reserve(figure);
   markCurrentSection(main, contents);
+  if (location.hash) document.getElementById(location.hash.slice(1))?.scrollIntoView();  // now that it exists
 }
 
 function markCurrentSection(main, contents) {
   const links = new Map([...contents.children].map((link) => [link.hash.slice(1), link]));
+  const inView = new Set();
   const observer = new IntersectionObserver((entries) => {
-    for (const { target, isIntersecting } of entries) {
-      if (isIntersecting) links.get(target.id)?.setAttribute('aria-current', 'true');
-      else links.get(target.id)?.removeAttribute('aria-current');
-    }
+    for (const { target, isIntersecting } of entries) isIntersecting ? inView.add(target.id) : inView.delete(target.id);
+    const current = [...links.keys()].find((id) => inView.has(id));
+    for (const [id, link] of links) id === current ? link.setAttribute('aria-current', 'true') : link.removeAttribute('aria-current');
   }, { rootMargin: '-22% 0px -75% 0px' });
   for (const section of main.children) observer.observe(section);
 }
@@ -834,15 +872,15 @@ function redraw({ everything = false } = {}) {
 }
 
 // On paper: light colours, the width of the page, every figure and every table.
-const mostPrintedTables = 20;
 window.addEventListener('beforeprint', () => {
   document.documentElement.dataset.printing = '';
   redraw({ everything: true });
-  if (usable.length <= mostPrintedTables) for (const details of document.querySelectorAll('details.law')) details.fill?.();
+  for (const details of document.querySelectorAll('details.law')) details.print();
   for (const details of document.querySelectorAll('.warnings details')) details.open = true;
 });
 window.addEventListener('afterprint', () => {
   delete document.documentElement.dataset.printing;
+  for (const details of document.querySelectorAll('details.law')) details.restore();
   redraw();
 });
 

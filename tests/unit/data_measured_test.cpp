@@ -1,0 +1,124 @@
+// Measured records, which are not part of the project: the workshop's copies, skipped where they are absent.
+#include <cstdlib>
+
+#include "data_fixture.hpp"
+#include "isolaw/data/clean.hpp"
+#include "isolaw/data/properties.hpp"
+
+#ifndef ISOLAW_DATA_DIR
+#define ISOLAW_DATA_DIR "absent"
+#endif
+
+namespace isolaw::data::testing {
+namespace {
+
+std::filesystem::path const folder = ISOLAW_DATA_DIR;
+
+struct Row {
+  double start, end, amplitude_mm, K_eff_kN_per_mm, energy_kN_mm, damping_percent;
+};
+
+// reference/gallardo-cycles.json, made by an independent program from the same file: cut at interpolated crossings
+// after displacement has exceeded 5 mm.
+constexpr Row gallardo[] = {
+    {0.0, 1180.8, 38.14, 2.8448, 6161, 23.7},         {1180.8, 2111.5, 38.03, 2.7546, 4896, 19.56},
+    {2111.5, 3042.5, 38.07, 2.7574, 4590, 18.28},     {3042.5, 3973.4, 38.06, 2.7259, 4439, 17.89},
+    {3973.4, 4904.3, 38.05, 2.7108, 4347, 17.63},     {4904.3, 5835.2, 38.06, 2.676, 4285, 17.59},
+    {5835.2, 6714.5, 38.06, 2.6867, 4255, 17.4},      {6714.5, 7695.6, 76.14, 2.0989, 14210, 18.59},
+    {7695.6, 8626.5, 76.1, 1.9925, 12600, 17.38},     {8626.5, 9557.4, 76.12, 1.9506, 12123, 17.07},
+    {9557.4, 10488.3, 76.12, 1.9229, 11866, 16.95},   {10488.3, 11419.2, 76.09, 1.9055, 11688, 16.86},
+    {11419.2, 12350.1, 76.11, 1.8873, 11563, 16.83},  {12350.1, 13229.2, 76.09, 1.8743, 11516, 16.89},
+    {13229.2, 14210.6, 152.27, 1.6798, 41121, 16.8},  {14210.6, 15141.4, 152.19, 1.5557, 35339, 15.61},
+    {15141.4, 16072.3, 152.19, 1.5015, 33874, 15.5},  {16072.3, 17003.2, 152.22, 1.4674, 32996, 15.45},
+    {17003.2, 17934.1, 152.22, 1.4423, 32415, 15.44}, {17934.1, 18865.0, 152.22, 1.4202, 31997, 15.47},
+    {18865.0, 19765.7, 152.38, 1.4016, 31547, 15.43},
+};
+
+TEST(Measured, FullScaleBearingIsRecognisedAndCutIntoItsCycles) {
+  auto const file = folder / "hdrb-gallardo-device/cyclic-24-49-98pct.csv";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not here";
+  auto const record = read_record(file);
+  EXPECT_EQ(record.size(), 19767u);
+  EXPECT_FALSE(record.has_time());
+  EXPECT_EQ(record.layout.columns,
+            (std::map<Channel, std::string>{{Channel::disp, "displacement_cm"}, {Channel::force, "force_tonf"}}));
+  EXPECT_EQ(record.layout.units, (std::map<Channel, std::string>{{Channel::disp, "cm"}, {Channel::force, "tonf"}}));
+  EXPECT_TRUE(says(record.recognised, "column 1 'sample' counts samples"));
+  EXPECT_DOUBLE_EQ(record.disp_mm[1], -0.26163459111111117);
+  EXPECT_DOUBLE_EQ(record.force_kN[1], -0.25866338999999999 * 9.80665);
+
+  auto const properties = cyclic_properties(record.disp_mm, record.force_kN);
+  ASSERT_EQ(properties.cycles.size(), std::size(gallardo));
+  for (std::size_t i = 0; i < std::size(gallardo); ++i) {
+    auto const& cycle = properties.cycles[i];
+    auto const& row = gallardo[i];
+    SCOPED_TRACE(fmt::format("cycle {}", i + 1));
+    EXPECT_NEAR(cycle.first, row.start, 0.051);  // printed with one decimal
+    EXPECT_NEAR(cycle.last, row.end, 0.051);
+    EXPECT_NEAR(cycle.amplitude_mm, row.amplitude_mm, 0.003 * row.amplitude_mm);
+    EXPECT_NEAR(cycle.K_eff_kN_per_mm, row.K_eff_kN_per_mm, 0.003 * row.K_eff_kN_per_mm);
+    EXPECT_NEAR(cycle.energy_kN_mm, row.energy_kN_mm, 0.005 * row.energy_kN_mm);
+    EXPECT_NEAR(cycle.damping_percent, row.damping_percent, 0.1);
+  }
+  EXPECT_EQ(properties.reported->number, 3);
+  EXPECT_NEAR(*properties.samples_per_cycle, 930.9, 0.1);
+  EXPECT_EQ(clean(record, {}).size(), 4942u);  // every 4th
+}
+
+TEST(Measured, BiaxialOrbitsWithoutNamesAreNotGuessed) {
+  auto const file = folder / "hdrb-gallardo-device/biaxial_input_Fig10.txt";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not here";
+  EXPECT_THROW(read_record(file), Error);
+}
+
+class FrictionDamper : public Files {};
+
+// The rows of the JSON file, "[[1, 2], [3, 4]]", as comma separated text.
+std::string rows_of(std::string_view json) {
+  auto const begin = json.find("[[") + 2;
+  auto const end = json.find("]]", begin);
+  std::string text;
+  for (char const c : json.substr(begin, end - begin)) {
+    if (c == ']') text += '\n';
+    if ((c >= '0' && c <= '9') || c == '.' || c == '-' || c == 'e' || c == '+') text += c;
+    if (c == ',' && !text.ends_with('\n')) text += ',';
+  }
+  return text + '\n';
+}
+
+TEST_F(FrictionDamper, InInchesAndKips) {
+  auto const packed = folder / "friction-damper-arts/ds2_1Hz_36lb_1in.json.xz";
+  if (!std::filesystem::exists(packed)) GTEST_SKIP() << packed << " is not here";
+  auto const unpacked = write("");
+  auto const command = fmt::format("xz -dc '{}' > '{}' 2>/dev/null", packed.string(), unpacked.string());
+  if (std::system(command.c_str()) != 0) GTEST_SKIP() << "no xz to unpack " << packed;
+  std::string json(std::filesystem::file_size(unpacked), ' ');
+  std::FILE* handle = std::fopen(unpacked.string().c_str(), "rb");
+  ASSERT_EQ(std::fread(json.data(), 1, json.size(), handle), json.size());
+  std::fclose(handle);
+  auto const table =
+      "time [s],displacement [in],friction force [kip],velocity [in/s],actuator force 1 [lb],actuator force 2 [lb]\n" +
+      rows_of(json);
+
+  EXPECT_NE(refusal(table).find(
+                "column 3 'friction force [kip]', column 5 'actuator force 1 [lb]', column 6 'actuator force 2 "
+                "[lb]' may each be the horizontal force"),
+            std::string::npos);
+  auto const record = read(table, with("force=3"));
+  ASSERT_EQ(record.size(), 7169u);
+  EXPECT_DOUBLE_EQ(record.time_s[1], 0.0009765625);
+  EXPECT_DOUBLE_EQ(record.disp_mm[0], -0.00011792778968811035 * 25.4);
+  EXPECT_DOUBLE_EQ(record.force_kN[0], -0.04164576064795256 * 4.4482216152605);
+  auto const properties = cyclic_properties(record.disp_mm, record.force_kN);
+  ASSERT_EQ(properties.cycles.size(), 7u);  // 7 cycles of 1 in at 1 Hz, 1024 samples per second, the ends ramped
+  EXPECT_NEAR(*properties.samples_per_cycle, 1024.0, 0.5);
+  for (std::size_t i = 2; i < 5; ++i) {
+    EXPECT_NEAR(properties.cycles[i].amplitude_mm, 25.4, 0.3);
+    EXPECT_GT(properties.cycles[i].damping_percent, 50.0);  // friction; a rectangle has 64 %
+    EXPECT_LT(properties.cycles[i].damping_percent, 64.0);
+  }
+  EXPECT_TRUE(says(record.warnings, "force is off centre"));  // -5.1 / +3.8 kip
+}
+
+}  // namespace
+}  // namespace isolaw::data::testing

@@ -1,0 +1,223 @@
+// Cycles and their properties against closed forms.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "isolaw/data/properties.hpp"
+
+namespace isolaw::data {
+namespace {
+
+using std::numbers::pi;
+using Values = std::vector<double>;
+
+struct History {
+  Values x;
+  Values F;
+  void add(double disp_mm, double force_kN) {
+    x.push_back(disp_mm);
+    F.push_back(force_kN);
+  }
+  Properties properties() const { return cyclic_properties(x, F); }
+};
+
+// x = Xa sin, F = Fa sin(. + phi); `sign` is the direction of the first motion.
+History ellipse(int samples_per_cycle, int cycles, double Xa, double Fa, double phi, double sign = 1.0) {
+  History history;
+  for (int i = 0; i <= samples_per_cycle * cycles; ++i) {
+    double const angle = 2.0 * pi * i / samples_per_cycle;
+    history.add(sign * Xa * std::sin(angle), sign * Fa * std::sin(angle + phi));
+  }
+  return history;
+}
+
+// The area of the polygon inscribed in an ellipse, which is what the trapezoid gives.
+double trapezoid_factor(double samples) {
+  return samples / (2.0 * pi) * std::sin(2.0 * pi / samples);
+}
+
+class Ellipses : public ::testing::TestWithParam<int> {};
+
+TEST_P(Ellipses, HaveTheirClosedForm) {
+  int const samples = GetParam();  // a multiple of 4, so that the extremes are sampled
+  double const Xa = 208.0, Fa = 250.0, phi = 0.3;
+  for (double const sign : {1.0, -1.0}) {
+    auto const properties = ellipse(samples, 3, Xa, Fa, phi, sign).properties();
+    ASSERT_EQ(properties.cycles.size(), 3u);
+    ASSERT_TRUE(properties.reported);
+    EXPECT_EQ(properties.refusal, "");
+    EXPECT_NEAR(*properties.samples_per_cycle, samples, 1e-9);
+    for (int k = 0; k < 3; ++k) {
+      auto const& cycle = properties.cycles[static_cast<std::size_t>(k)];
+      EXPECT_EQ(cycle.number, k + 1);
+      EXPECT_NEAR(cycle.first, k * samples, 1e-9);
+      EXPECT_NEAR(cycle.last, (k + 1) * samples, 1e-9);
+      EXPECT_NEAR(cycle.amplitude_mm, Xa, 1e-9);
+      EXPECT_NEAR(cycle.K_eff_kN_per_mm, Fa * std::cos(phi) / Xa, 1e-12);
+      double const energy = pi * Fa * Xa * std::sin(phi) * trapezoid_factor(samples);
+      EXPECT_NEAR(cycle.energy_kN_mm, energy, 1e-9 * energy);
+      EXPECT_NEAR(cycle.damping_percent, 50.0 * std::tan(phi) * trapezoid_factor(samples), 1e-9);
+    }
+    EXPECT_EQ(properties.reported->number, 3);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Samples, Ellipses, ::testing::Values(20, 100, 200, 1000));
+
+TEST(Cycles, CutBetweenSamplesAreInterpolated) {
+  // A triangle of +-2.5 with a period of 10 samples, half a sample late: crossings at 0.5, 10.5, 20.5, where F = -1.
+  History history;
+  for (int i = 0; i <= 21; ++i) {
+    double const t = i - 0.5;
+    double const in_period = t - 10.0 * std::floor(t / 10.0);
+    double const x = in_period < 2.5 ? in_period : in_period < 7.5 ? 5.0 - in_period : in_period - 10.0;
+    history.add(x, 3.0 * x - 1.0);
+  }
+  auto const properties = history.properties();
+  ASSERT_EQ(properties.cycles.size(), 2u);  // the record starts beyond the band, at -0.5, and rises
+  EXPECT_NEAR(properties.cycles[0].first, 0.5, 1e-12);
+  EXPECT_NEAR(properties.cycles[0].last, 10.5, 1e-12);
+  EXPECT_NEAR(properties.cycles[1].last, 20.5, 1e-12);
+  EXPECT_NEAR(properties.cycles[0].energy_kN_mm, 0.0, 1e-12);  // elastic
+  EXPECT_NEAR(properties.cycles[0].K_eff_kN_per_mm, 3.0, 1e-12);
+}
+
+// Exact bilinear loop: K1, K2, Qd; yield displacement D_y = Qd / (K1 - K2).
+TEST(Cycles, BilinearLoopHasTheArea4QdDMinusDy) {
+  double const K1 = 10.0, K2 = 1.0, Qd = 45.0, D = 100.0;
+  double const Dy = Qd / (K1 - K2);
+  History history;
+  double elastic = 0.0;  // force of the elastoplastic part, limited to +-Qd
+  double x = 0.0;
+  history.add(0.0, 0.0);
+  auto const go = [&](double to) {
+    double const step = to > x ? 0.5 : -0.5;  // corners fall on samples: Dy = 5
+    while (x != to) {
+      x += step;
+      elastic = std::clamp(elastic + (K1 - K2) * step, -Qd, Qd);
+      history.add(x, K2 * x + elastic);
+    }
+  };
+  go(D), go(-D), go(D), go(-D), go(0.0);
+  auto const properties = history.properties();
+  ASSERT_EQ(properties.cycles.size(), 2u);
+  auto const& steady = properties.cycles[1];
+  double const energy = 4.0 * Qd * (D - Dy);
+  EXPECT_NEAR(steady.energy_kN_mm, energy, 1e-9 * energy);
+  EXPECT_NEAR(steady.K_eff_kN_per_mm, K2 + Qd / D, 1e-12);
+  EXPECT_NEAR(steady.damping_percent, 100.0 * energy / (2.0 * pi * (K2 + Qd / D) * D * D), 1e-9);
+}
+
+TEST(Cycles, ConstantOffsetsChangeNeitherStiffnessNorEnergy) {
+  auto const plain = ellipse(400, 3, 100.0, 80.0, 0.3);
+  auto moved = plain;
+  for (double& x : moved.x) x += 20.0;
+  for (double& F : moved.F) F -= 30.0;
+  auto const a = plain.properties();
+  auto const b = moved.properties();
+  ASSERT_EQ(b.cycles.size(), 2u);  // the first crossing is no longer the start
+  EXPECT_NEAR(b.cycles[1].K_eff_kN_per_mm, a.cycles[1].K_eff_kN_per_mm, 1e-12);
+  EXPECT_NEAR(b.cycles[1].energy_kN_mm, a.cycles[1].energy_kN_mm, 1e-3 * a.cycles[1].energy_kN_mm);
+}
+
+TEST(Cycles, TheLoopIsClosedByAStraightLine) {
+  // Starts at (1, 2) inside the band, ends at the crossing (0, 0): the closing line adds 1, the mean force times 1 mm.
+  History history;
+  history.add(1.0, 2.0);
+  for (int i = 1; i <= 100; ++i) history.add(100.0 * std::sin(2.0 * pi * i / 100), 0.0);
+  auto const properties = history.properties();
+  ASSERT_EQ(properties.cycles.size(), 1u);
+  double const first_step = 0.5 * 2.0 * (history.x[1] - 1.0);
+  EXPECT_NEAR(properties.cycles[0].energy_kN_mm, first_step + 1.0, 1e-9);
+}
+
+TEST(Cycles, NoiseAndHoldsAboutZeroCutNothing) {
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> tremor(-1.0, 1.0);
+  History history;
+  auto const hold = [&](int samples) {
+    for (int i = 0; i < samples; ++i) history.add(tremor(generator), tremor(generator));
+  };
+  hold(300);
+  for (int cycle = 0; cycle < 3; ++cycle) {
+    for (int i = 0; i < 200; ++i)
+      history.add(-100.0 * std::sin(2.0 * pi * i / 200) + tremor(generator),
+                  -90.0 * std::sin(2.0 * pi * i / 200 + 0.3));
+    if (cycle < 2) hold(50);  // a plateau between cycles
+  }
+  hold(100);
+  auto const properties = history.properties();
+  ASSERT_EQ(properties.cycles.size(), 3u);
+  EXPECT_EQ(properties.cycles[0].first, 0.0);
+  EXPECT_NEAR(properties.cycles[0].last, 500.0, 50.0);
+  EXPECT_NEAR(*properties.samples_per_cycle, 250.0, 60.0);  // the median: the hold of 300 counts little
+}
+
+TEST(Cycles, StagesFromFiveToTwoHundredPercentAreAllFound) {
+  History history;
+  for (double const amplitude : {5.0, 50.0, 200.0})
+    for (int i = 0; i < 600; ++i)
+      history.add(amplitude * std::sin(2.0 * pi * i / 200), amplitude * std::sin(2.0 * pi * i / 200 + 0.3));
+  history.add(0.0, 0.0);
+  EXPECT_EQ(history.properties().cycles.size(), 9u);
+}
+
+TEST(Cycles, TheLastOfFewerThanThreeIsReported) {
+  EXPECT_EQ(ellipse(100, 1, 1.0, 1.0, 0.3).properties().reported->number, 1);
+  EXPECT_EQ(ellipse(100, 2, 1.0, 1.0, 0.3).properties().reported->number, 2);
+  EXPECT_EQ(ellipse(100, 7, 1.0, 1.0, 0.3).properties().reported->number, 3);
+}
+
+TEST(Cycles, AreRefusedWithNumbers) {
+  History half;
+  for (int i = 0; i <= 100; ++i) half.add(100.0 * std::sin(pi * i / 100.0), 0.5 * i);
+  auto const none = half.properties();
+  EXPECT_FALSE(none.reported);
+  EXPECT_FALSE(none.samples_per_cycle);
+  EXPECT_TRUE(none.cycles.empty());
+  EXPECT_TRUE(
+      none.refusal.starts_with("less than one complete cycle: displacement runs from 0 to 100 mm and 1 crossings"))
+      << none.refusal;
+  auto const few = ellipse(16, 3, 100.0, 80.0, 0.3).properties();
+  EXPECT_FALSE(few.reported);
+  EXPECT_EQ(few.cycles.size(), 3u);
+  EXPECT_EQ(few.refusal, "16.0 samples per cycle, fewer than the 20 that stiffness and energy need");
+}
+
+TEST(Cycles, HistoriesThatAreNoTestsDoNotCrash) {
+  EXPECT_FALSE(cyclic_properties(Values{}, Values{}).reported);
+  EXPECT_FALSE(cyclic_properties(Values{1.0}, Values{1.0}).reported);
+  EXPECT_FALSE(cyclic_properties(Values(100, 0.0), Values(100, 1.0)).reported);
+  EXPECT_FALSE(cyclic_properties(Values(100, 7.0), Values(100, 1.0)).reported);
+  std::mt19937 generator(11);
+  std::normal_distribution<double> step(0.0, 1.0);
+  History quake;
+  double x = 0.0, v = 0.0;
+  for (int i = 0; i < 4000; ++i) {
+    v = 0.98 * v - 0.01 * x + step(generator);
+    x += 0.1 * v;
+    quake.add(x, x + v);
+  }
+  for (auto const& cycle : quake.properties().cycles) EXPECT_LT(cycle.first, cycle.last);
+}
+
+TEST(Cycles, AnotherForceOnTheSameCut) {
+  auto const history = ellipse(200, 3, 100.0, 80.0, 0.3);
+  auto const measured = *history.properties().reported;
+  auto const same = properties_on(measured, history.x, history.F);
+  EXPECT_EQ(same.energy_kN_mm, measured.energy_kN_mm);
+  EXPECT_EQ(same.K_eff_kN_per_mm, measured.K_eff_kN_per_mm);
+  auto doubled = history.F;
+  for (double& F : doubled) F *= 2.0;
+  auto const twice = properties_on(measured, history.x, doubled);
+  EXPECT_EQ(twice.number, 3);
+  EXPECT_NEAR(twice.energy_kN_mm, 2.0 * measured.energy_kN_mm, 1e-9);
+  EXPECT_NEAR(twice.damping_percent, measured.damping_percent, 1e-9);
+}
+
+}  // namespace
+}  // namespace isolaw::data

@@ -1,0 +1,1 @@
+isolaw_test(unit_fit fit_objective_test.cpp fit_box_test.cpp)

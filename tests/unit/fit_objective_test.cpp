@@ -1,0 +1,227 @@
+// The objective of Eq. (27) against values worked out by hand, and what a law on a record refuses.
+#include "isolaw/fit/objective.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "isolaw/base/error.hpp"
+
+namespace isolaw::fit {
+namespace {
+
+using Values = std::vector<double>;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double objective_of(LawOnRecord const& model, Values const& parameters) {
+  Values work;
+  return model.objective(parameters, work);
+}
+
+// Uneven time stamps, no noise, a start away from zero force.
+data::FitRecord uneven() {
+  return {.time_s = {0.0, 1.0, 3.0, 3.5},
+          .disp_mm = {0.0, 1.0, -1.0, 2.0},
+          .vel_mm_s = {1.0, -0.5, 2.0, 6.0},
+          .force_kN = {0.0, 2.0, -1.0, 3.0},
+          .cleaning = {}};
+}
+
+// Three cycles of ±100 mm at 0.5 Hz; the force is for the caller to fill in.
+data::FitRecord sine(int samples_per_cycle = 60) {
+  data::FitRecord record;
+  for (int i = 0; i <= 3 * samples_per_cycle; ++i) {
+    double const phase = 2.0 * std::numbers::pi * i / samples_per_cycle;
+    record.time_s.push_back(2.0 * i / samples_per_cycle);
+    record.disp_mm.push_back(100.0 * std::sin(phase));
+    record.vel_mm_s.push_back(100.0 * std::numbers::pi * std::cos(phase));
+    record.force_kN.push_back(80.0 * std::sin(phase) + 20.0 * std::cos(phase));
+  }
+  return record;
+}
+
+// A parameter set of every law that gives a finite, hysteretic or elastic force of the size of `sine`.
+Values plausible(laws::LawEntry const& law) {
+  if (law.info.id == "bilinear") return {1.5, 0.5, 30.0};
+  if (law.info.id == "jankowski") return {3e5, 4e6, 5e6, 4e4, 5e3, 1.2e6, 4.0, 15.0, 5e4, 7e4, 0.4};
+  if (law.info.id == "vaiana") return {4e5, 4.2e5, 4e4, 4.4e4, 45.0, 48.0, 0.4, -0.5, 24.0, -40.0, 0, 0, 0, 0, 0, 0};
+  if (law.info.id == "bouc-wen") return {0.15, 3.0, 1.2, 0.05, 1.1, 0.04};
+  if (law.info.id == "abe") return {7.0, 3.0, 0.03, 0.7, 7.0, 0.3, 40.0, 115.0, 1.7, 2.6, 40.0, 0.2, 0.1};
+  if (law.info.id == "abe-y0") return {7.0, 3.0, 0.03, 0.7, 7.0, 0.3, 50.0, 115.0, 2.6, 40.0, 0.2, 0.1};
+  return {4600, -0.8, 0.01, 55, 0.47, 6e4, 6.0, 55, -2.5e-6, -2e-6};  // hwang-wu
+}
+
+TEST(Objective, IsEquation27WorkedOutByHand) {
+  // K1 = K2 = 1 kN/mm leaves F = x: the differences are 0, 1, 0, 1 kN.
+  // Trapezoid: 0.5 * 1 s + 0.5 * 2 s + 0.5 * 0.5 s = 1.75 kN s, over 3.5 s: 0.5 kN.
+  // Forces 0, 2, -1, 3: mean 1, squares about it 1 + 1 + 4 + 4 = 10, population variance 2.5.
+  LawOnRecord const model(laws::find_law("bilinear"), uneven(), laws::Integration::converged);
+  EXPECT_NEAR(objective_of(model, {1.0, 1.0, 5.0}), 0.5 / std::sqrt(2.5), 1e-15);
+  EXPECT_NEAR(objective_of(model, {1.0, 1.0, 5.0}), 0.31622776601683794, 1e-15);
+}
+
+TEST(Objective, WeighsByTheTrueTimeStamps) {
+  // The same differences with the middle of the record stretched: the sample that is off has other neighbours.
+  auto record = uneven();
+  record.time_s = {0.0, 0.1, 3.4, 3.5};
+  LawOnRecord const model(laws::find_law("bilinear"), record, laws::Integration::converged);
+  double const integral = 0.5 * (0.1 + 3.3 + 0.1);
+  EXPECT_NEAR(objective_of(model, {1.0, 1.0, 5.0}), integral / 3.5 / std::sqrt(2.5), 1e-15);
+}
+
+TEST(Objective, TimeMayStartAnywhere) {
+  auto record = uneven();
+  LawOnRecord const model(laws::find_law("bilinear"), record, laws::Integration::converged);
+  for (double& t : record.time_s) t += 1000.0;
+  LawOnRecord const later(laws::find_law("bilinear"), record, laws::Integration::converged);
+  EXPECT_NEAR(objective_of(later, {1.0, 1.0, 5.0}), objective_of(model, {1.0, 1.0, 5.0}), 1e-12);
+}
+
+TEST(Objective, AnOffsetOfTheForceIsSeenInTheDifferenceAndNotInTheSpread) {
+  auto record = uneven();
+  for (double& f : record.force_kN) f += 10.0;
+  LawOnRecord const model(laws::find_law("bilinear"), record, laws::Integration::converged);
+  // Differences 10, 11, 10, 11 kN: mean over time 10.5.
+  EXPECT_NEAR(objective_of(model, {1.0, 1.0, 5.0}), 10.5 / std::sqrt(2.5), 1e-14);
+}
+
+TEST(Objective, OfTheRecordTheLawItselfMadeIsZero) {
+  for (auto const& law : laws::catalogue()) {
+    auto record = sine();
+    Values const parameters = plausible(law);
+    for (auto const how : {laws::Integration::converged, laws::Integration::paper}) {
+      record.force_kN = LawOnRecord(law, sine(), how).force_kN(parameters);
+      LawOnRecord const model(law, record, how);
+      EXPECT_LT(objective_of(model, parameters), 1e-14) << law.info.id;
+      auto other = parameters;
+      other[0] *= 1.1;
+      EXPECT_GT(objective_of(model, other), 1e-4) << law.info.id;
+    }
+  }
+}
+
+TEST(Objective, DoesNotDependOnWhatTheScratchHeldBefore) {
+  auto const& law = laws::find_law("abe");
+  LawOnRecord const model(law, sine(), laws::Integration::converged);
+  Values work(3, std::nan(""));
+  double const first = model.objective(plausible(law), work);
+  work.assign(5000, infinity);
+  EXPECT_EQ(model.objective(plausible(law), work), first);
+}
+
+TEST(Objective, IsInfiniteWhereAForceIsNotFinite) {
+  auto const objective = [](char const* id, Values const& parameters, laws::Integration how) {
+    return objective_of(LawOnRecord(laws::find_law(id), sine(), how), parameters);
+  };
+  using enum laws::Integration;
+  EXPECT_EQ(objective("vaiana", {4e5, 4e5, 4e4, 4e4, 45, 48, 0.4, -0.5, 1e5, -40.0, 0, 0, 0, 0, 0, 0}, converged), infinity);
+  EXPECT_EQ(objective("bouc-wen", {0.15, 3.0, 1.2, -0.05, 1.1, -0.04}, converged), infinity);  // no saturation
+  EXPECT_EQ(objective("bouc-wen", {0.15, 3.0, 1.2, 500.0, 1.9, 500.0}, paper), infinity);      // Runge-Kutta blows up
+  EXPECT_EQ(objective("bilinear", {1.5, infinity, 30.0}, converged), infinity);
+  EXPECT_EQ(objective("bilinear", {1.5, std::nan(""), 30.0}, converged), infinity);
+}
+
+// One elastic spring of 0.9 kN/mm in the units of three laws: kN and mm, N and m, N and cm.
+TEST(Objective, DoesNotDependOnTheUnitsOfTheLaw) {
+  auto const record = sine();
+  auto const of = [&](char const* id, Values const& parameters) {
+    return objective_of(LawOnRecord(laws::find_law(id), record, laws::Integration::converged), parameters);
+  };
+  double const expected = of("bilinear", {0.9, 0.9, 10.0});
+  EXPECT_GT(expected, 0.1);
+  EXPECT_NEAR(of("jankowski", {0.9e6, 0, 0, 0, 1, 0, 1, 1, 0, 0, 1}), expected, 1e-13);
+  EXPECT_NEAR(of("hwang-wu", {0.9e4, 0, 0, 0, 1, 0, 0, 1, -1e-9, -1e-9}), expected, 1e-13);
+}
+
+TEST(Objective, DoesNotDependOnTheScaleOfForceAndTime) {
+  auto record = sine();
+  auto const& law = laws::find_law("bilinear");
+  double const expected = objective_of(LawOnRecord(law, record, laws::Integration::converged), {1.5, 0.5, 30.0});
+  for (double& f : record.force_kN) f *= 7.0;
+  for (double& t : record.time_s) t *= 3.0;
+  for (double& v : record.vel_mm_s) v /= 3.0;
+  EXPECT_NEAR(objective_of(LawOnRecord(law, record, laws::Integration::converged), {10.5, 3.5, 30.0}), expected, 1e-13);
+}
+
+TEST(Force, IsTheLawsFormulaInKilonewton) {
+  // Jankowski at 100 mm and 500 mm/s by hand: 0.1 m, 0.5 m/s.
+  data::FitRecord record{.time_s = {0.0, 0.1}, .disp_mm = {0.0, 100.0}, .vel_mm_s = {0.0, 500.0}, .force_kN = {0.0, 1.0}, .cleaning = {}};
+  LawOnRecord const model(laws::find_law("jankowski"), record, laws::Integration::converged);
+  double const x = 0.1, v = 0.5;
+  double const K = 3e5 + 4e6 * x * x + 5e6 * x * x * x * x + 4e4 / std::pow(std::cosh(2.0 * v), 2) +
+                   1.2e6 / (std::cosh(4.0 * v) * std::cosh(15.0 * x));
+  double const C = (5e4 + 7e4 * x * x) / std::sqrt(0.16 + v * v);
+  auto const force = model.force_kN(Values{3e5, 4e6, 5e6, 4e4, 2.0, 1.2e6, 4.0, 15.0, 5e4, 7e4, 0.4});
+  ASSERT_EQ(force.size(), 2u);
+  EXPECT_NEAR(force[1], (K * x + C * v) / 1000.0, 1e-10);
+  EXPECT_EQ(force[0], 0.0);
+
+  // Hwang-Wu without degradation at 10 cm and 50 cm/s: (a1 + a2 x^2 + a3 x^4 + a4 / cosh^2) x + 2 (a6 + a7 x^2) v / sqrt.
+  LawOnRecord const other(laws::find_law("hwang-wu"), record, laws::Integration::converged);
+  double const expected = (4000.0 - 1.0 * 100.0 + 0.01 * 1e4 + 60.0 / std::pow(std::cosh(0.02 * 50.0), 2)) * 10.0 +
+                          2.0 * (5e4 + 6.0 * 100.0) * 50.0 / std::sqrt(60.0 * 60.0 + 2500.0);
+  EXPECT_NEAR(other.force_kN(Values{4000, -1, 0.01, 60, 0.02, 5e4, 6, 60, -0.0, -0.0})[1], expected / 1000.0, 1e-10);
+}
+
+TEST(RecordWithoutTime, RefusesTheLawsThatNeedVelocity) {
+  auto record = sine();
+  record.vel_mm_s.clear();
+  for (std::size_t i = 0; i < record.size(); ++i) record.time_s[i] = static_cast<double>(i);
+  for (auto const* id : {"jankowski", "hwang-wu"}) {
+    try {
+      LawOnRecord const model(laws::find_law(id), record, laws::Integration::converged);
+      FAIL() << id << " was accepted";
+    } catch (Error const& error) {
+      std::string const text = error.what();
+      for (auto const* part : {id, "no time", "velocity", "--dt"})
+        EXPECT_NE(text.find(part), std::string::npos) << "'" << part << "' is missing in: " << text;
+    }
+  }
+}
+
+TEST(RecordWithoutTime, GivesTheRateIndependentLawsTheObjectiveOfUniformSampling) {
+  auto const with_time = sine();
+  auto record = with_time;
+  record.vel_mm_s.clear();
+  for (std::size_t i = 0; i < record.size(); ++i) record.time_s[i] = static_cast<double>(i);
+  for (auto const* id : {"bilinear", "vaiana", "bouc-wen", "abe", "abe-y0"}) {
+    auto const& law = laws::find_law(id);
+    double const expected = objective_of(LawOnRecord(law, with_time, laws::Integration::converged), plausible(law));
+    EXPECT_NEAR(objective_of(LawOnRecord(law, record, laws::Integration::converged), plausible(law)), expected, 1e-12) << id;
+  }
+}
+
+TEST(Problem, EvaluatesTheExpandedPoints) {
+  auto const record = sine();
+  auto const& law = laws::find_law("vaiana");
+  auto const box = make_box(law, BoxKind::scaled, scales_of(record, law.info), {});
+  LawOnRecord const model(law, record, laws::Integration::converged);
+  IdentificationProblem const problem(model, box);
+  ASSERT_EQ(problem.dimension(), 10u);  // six of the sixteen are fixed by default
+  opt::Points points(10, 3);
+  for (std::size_t i = 0; i < points.values.size(); ++i) points.values[i] = std::fmod(0.37 + 0.618 * static_cast<double>(i), 1.0);
+  Values values(3, -1.0);
+  problem.evaluate(points, values);
+  for (std::size_t i = 0; i < 3; ++i) {
+    Values parameters;
+    for (std::size_t k = 0; k < 10; ++k) parameters.push_back(box.parameters[k].at(points[i][k]));
+    parameters.resize(16, 0.0);
+    EXPECT_EQ(values[i], objective_of(model, parameters));
+  }
+}
+
+TEST(IntegrationShift, IsZeroForLawsThatAreNotIntegrated) {
+  for (auto const* id : {"bilinear", "jankowski", "vaiana"}) {
+    auto const& law = laws::find_law(id);
+    for (auto const how : {laws::Integration::converged, laws::Integration::paper})
+      EXPECT_EQ(LawOnRecord(law, sine(), how).integration_shift(plausible(law)), 0.0) << id;
+  }
+}
+
+}  // namespace
+}  // namespace isolaw::fit
