@@ -140,21 +140,21 @@ std::vector<double> moving_average(std::vector<double> const& values, int window
 std::vector<double> central_difference(std::vector<double> const& time_s, std::vector<double> const& values) {
   assert(time_s.size() == values.size());
   auto const size = values.size();
-  std::vector<double> rate(size, 0.0);
-  if (size < 2) return rate;
+  if (size < 2) return std::vector<double>(size, 0.0);
   auto const interval = [&](std::size_t i) { return time_s[i + 1] - time_s[i]; };
   auto const slope = [&](std::size_t i) { return (values[i + 1] - values[i]) / interval(i); };
-  if (size == 2) {
-    rate[0] = rate[1] = slope(0);
-    return rate;
-  }
-  for (std::size_t i = 1; i + 1 < size; ++i) {
+  if (size == 2) return {slope(0), slope(0)};
+  auto const central = [&](std::size_t i) {
     double const before = interval(i - 1);
     double const after = interval(i);
-    rate[i] = (before * slope(i) + after * slope(i - 1)) / (before + after);
-  }
-  rate.front() = 2.0 * slope(0) - rate[1];  // the slope of a chord is the mean of a parabola's slopes at its ends
-  rate.back() = 2.0 * slope(size - 2) - rate[size - 2];
+    return (before * slope(i) + after * slope(i - 1)) / (before + after);
+  };
+  // At the ends: the slope of a chord is the mean of the parabola's slopes at the chord's ends.
+  std::vector<double> rate;
+  rate.reserve(size);
+  rate.push_back(2.0 * slope(0) - central(1));
+  for (std::size_t i = 1; i + 1 < size; ++i) rate.push_back(central(i));
+  rate.push_back(2.0 * slope(size - 2) - central(size - 2));
   return rate;
 }
 

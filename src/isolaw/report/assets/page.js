@@ -198,7 +198,7 @@ function labelPlaces(points, stair, xRange, yRange, width, height) {
 
 // columns: [{title, unit, number, pinned}]; rows: [{cells: [text or node], className}]
 function table(columns, rows, label) {
-  const align = (column) => [column.number ? 'number' : '', column.pinned ? 'pinned' : '', column.tight ? 'tight' : '', column.name ? 'name' : ''].filter(Boolean).join(' ') || null;
+  const align = (column) => [column.number ? 'number' : '', column.pinned ? 'pinned' : '', column.tight ? 'tight' : '', column.name ? 'name' : '', column.screen ? 'screen' : ''].filter(Boolean).join(' ') || null;
   const head = columns.map((column) =>
     element('th', { scope: 'col', class: align(column), title: column.full ?? null }, column.title, column.unit ? element('small', {}, column.unit) : null));
   const body = rows.map((row) =>
@@ -207,7 +207,7 @@ function table(columns, rows, label) {
       return element(i === 0 ? 'th' : 'td', { scope: i === 0 ? 'row' : null, class: align(columns[i]) }, cell);
     })));
   // Focusable, so that the keyboard can scroll it.
-  return element('div', { class: 'scroll', tabindex: '0', role: 'region', 'aria-label': label },
+  return element('div', { class: rows.length > 60 ? 'scroll long' : 'scroll', tabindex: '0', role: 'region', 'aria-label': label },
     element('table', {}, element('thead', {}, element('tr', {}, ...head)), element('tbody', {}, ...body)));
 }
 
@@ -345,7 +345,7 @@ const FIGURES = [
         const values = laws.map((law) => law.fitOn.get(device.index)?.objective.mean).filter(isNumber);
         return { device, mean: values.reduce((sum, value) => sum + value, 0) / values.length };
       }).filter((entry) => isNumber(entry.mean)).sort((a, b) => b.mean - a.mean);
-      let text = 'Mean over the runs with ± one standard deviation; the short line is the law\u2019s mean over the devices. '
+      let text = 'Mean over the runs with ± one standard deviation' + (chosen.grouping === 'law' ? '; the line across is the law\u2019s mean over the devices. ' : '. ')
         + (best === worst ? '' : best.id + ' is closest to the records on average (' + fixed(best.objective.mean, 4) + '), ' + worst.id + ' furthest (' + fixed(worst.objective.mean, 4) + '). ');
       if (hardness.length > 1) text += hardness[0].device.name + ' is the hardest device to reproduce, ' + hardness[hardness.length - 1].device.name + ' the easiest.';
       return text;
@@ -417,14 +417,14 @@ function verdictList() {
 function rankingTable() {
   const columns = [{ title: 'Law', pinned: true, tight: true }, { title: 'mean OF ± std', unit: '-', number: true }, { title: 'best OF', unit: '-', number: true },
     { title: 'β', unit: '-', number: true }, { title: 'Verdict', tight: true }, { title: 'stiffness error', unit: '%', number: true }, { title: 'energy error', unit: '%', number: true },
-    { title: 'parameters', unit: 'calibrated', number: true }, { title: 'Description' }];
+    { title: 'parameters', unit: 'calibrated', number: true }, { title: 'Description', screen: true }];
   const roles = new Map(report.findings.verdicts.map((verdict) => [verdict.law, verdict.role]));
   const rows = [...lawsByObjective, ...laws.filter((law) => law.objective.mean === null)].map((law) => {
     const role = roles.get(law.index);
     const tone = role === 'dominated' ? 'poor' : role === 'not ranked' ? 'note' : 'good';
     return { cells: [element('b', { class: 'strong' }, law.id), objectiveText(law.objective), fixed(law.objective.best, 4), fixed(law.beta, 3),
       element('span', { class: tone }, role), fixed(law.K_eff_error_percent, 1), fixed(law.energy_error_percent, 1),
-      String(law.parameters.filter((p) => p.free).length || DASH), element('td', { class: 'note text' }, law.title)] };
+      String(law.parameters.filter((p) => p.free).length || DASH), element('td', { class: 'note text screen' }, law.title)] };
   });
   return table(columns, rows, 'Ranking of the laws');
 }

@@ -1,0 +1,146 @@
+// Parameter sets for the tests of the laws, and the plain way to evaluate one: scalar, through laws::run.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "isolaw/laws/all_laws.hpp"
+#include "isolaw/num/random.hpp"
+#include "laws/motion.hpp"
+#include "verification/table_a5.hpp"
+
+namespace isolaw::law_tests {
+
+template <class Law>
+using Values = std::array<double, laws::parameter_count<Law>>;
+
+inline constexpr std::array both_integrations{laws::Integration::converged, laws::Integration::paper};
+
+inline std::string_view name_of(laws::Integration integration) {
+  return integration == laws::Integration::paper ? "paper" : "converged";
+}
+
+// AllLaws as googletest wants it, and the names of its instances.
+template <class Tuple>
+struct AsTypes;
+template <class... Law>
+struct AsTypes<std::tuple<Law...>> {
+  using type = ::testing::Types<Law...>;
+};
+using EveryLaw = AsTypes<laws::AllLaws>::type;
+
+struct LawName {
+  template <class Law>
+  static std::string GetName(int) {
+    std::string name(Law::info.id);
+    std::ranges::replace(name, '-', '_');
+    return name;
+  }
+};
+
+// About the size of the published devices: 208 mm, 140 kN, 0.5 Hz.
+template <class Law>
+laws::RecordScales published_device() {
+  double const force = 1.0 / Law::info.force.in_record_units, length = 1.0 / Law::info.length.in_record_units;
+  return {.disp = 208.0 * length,
+          .force = 140.0 * force,
+          .stiffness = 0.67 * force / length,
+          .strength = 45.0 * force,
+          .velocity = 650.0 * length,
+          .work = 1e5 * force * length};
+}
+
+// The published search box; for a parameter without one (the sigmoid of vaiana), that of a device of the same size.
+template <class Law>
+std::array<laws::Interval, laws::parameter_count<Law>> box() {
+  std::array<laws::Interval, laws::parameter_count<Law>> made{};
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    auto const& info = Law::template rows<double>[i].info;
+    made[i] = info.published ? *info.published : info.scaled(published_device<Law>());
+  }
+  return made;
+}
+
+// Candidate number `index` of a fixed sequence, uniform in the box.
+template <class Law>
+Values<Law> candidate(std::uint32_t index) {
+  num::Draws draws(num::Stream(20250108), 0, index);
+  Values<Law> values{};
+  auto const intervals = box<Law>();
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = intervals[i].lower + draws.uniform() * (intervals[i].upper - intervals[i].lower);
+  return values;
+}
+
+template <class Law>
+std::size_t index_of(std::string_view name) {
+  auto const& rows = Law::template rows<double>;
+  auto const found = std::ranges::find_if(rows, [&](auto const& row) { return row.info.name == name; });
+  if (found == rows.end()) throw std::invalid_argument(std::string(name));
+  return static_cast<std::size_t>(found - rows.begin());
+}
+
+// A set of parameters by name; those left out are 0.
+template <class Law>
+Values<Law> named(std::initializer_list<std::pair<std::string_view, double>> parameters) {
+  Values<Law> values{};
+  for (auto const& [name, value] : parameters) values[index_of<Law>(name)] = value;
+  return values;
+}
+
+// The rows of Table A.5 for a law; abe and abe-y0 share one.
+template <class Law>
+table_a5::Law const& published() {
+  std::string_view const id = Law::info.id == std::string_view("abe") ? "abe-y0" : Law::info.id;
+  return *std::ranges::find_if(table_a5::laws, [&](auto const& law) { return law.id == id; });
+}
+
+// The published means of a device (0 .. 9). What the table does not have is zero (the sigmoid of vaiana), what the law
+// does not have is left out (p of abe-y0).
+template <class Law>
+Values<Law> published_means(std::size_t device) {
+  Values<Law> values{};
+  for (std::size_t i = 0; i < values.size(); ++i)
+    for (auto const& parameter : published<Law>().parameters)
+      if (parameter.name == Law::template rows<double>[i].info.name) values[i] = parameter.mean[device];
+  return values;
+}
+
+template <class Law>
+std::vector<double> forces(Values<Law> const& values, laws::Path const& path,
+                           laws::Integration integration = laws::Integration::converged) {
+  std::vector<double> out(path.samples());
+  laws::run<Law, double>(laws::unpack<Law, double>(values), path, integration,
+                         [&](std::size_t i, double force) { out[i] = force; });
+  return out;
+}
+
+template <class Law>
+std::vector<double> forces(Values<Law> const& values, Motion const& motion, int refinement = 1,
+                           laws::Integration integration = laws::Integration::converged) {
+  return forces<Law>(values, path_of<Law>(motion, refinement), integration);
+}
+
+// "K1 = 1.5, K2 = 0.4" for messages, in full precision.
+template <class Law>
+std::string describe(Values<Law> const& values) {
+  std::ostringstream text;
+  text.precision(17);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    text << (i == 0 ? "" : ", ") << Law::template rows<double>[i].info.name << " = " << values[i];
+  return text.str();
+}
+
+}  // namespace isolaw::law_tests

@@ -1,0 +1,107 @@
+// Displacement histories for the tests of the laws, in mm and mm/s, and the path a law sees of them.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "isolaw/laws/law.hpp"
+#include "isolaw/num/random.hpp"
+
+namespace isolaw::law_tests {
+
+struct Motion {
+  std::vector<double> disp_mm, velocity_mm_s;
+
+  std::size_t size() const { return disp_mm.size(); }
+};
+
+// x = A sin(2 pi f t) from rest at x = 0, with its exact velocity.
+inline Motion sine(double amplitude_mm, double frequency_Hz, int cycles, int samples_per_cycle) {
+  Motion motion;
+  double const omega = 2.0 * std::numbers::pi * frequency_Hz;
+  for (int i = 0; i <= cycles * samples_per_cycle; ++i) {
+    double const time_s = i / (frequency_Hz * samples_per_cycle);
+    motion.disp_mm.push_back(amplitude_mm * std::sin(omega * time_s));
+    motion.velocity_mm_s.push_back(amplitude_mm * omega * std::cos(omega * time_s));
+  }
+  return motion;
+}
+
+// Straight lines through the given displacements at a constant speed, each in `steps` equal steps; the first
+// displacement is the first sample. The velocity is that of the line that ends at the sample.
+inline Motion polyline(std::span<double const> corners_mm, int steps, double speed_mm_s = 100.0) {
+  Motion motion;
+  motion.disp_mm.push_back(corners_mm[0]);
+  motion.velocity_mm_s.push_back(0.0);
+  for (std::size_t i = 1; i < corners_mm.size(); ++i) {
+    double const rise = corners_mm[i] - corners_mm[i - 1];
+    for (int k = 1; k <= steps; ++k) {
+      motion.disp_mm.push_back(k == steps ? corners_mm[i] : corners_mm[i - 1] + rise * k / steps);
+      motion.velocity_mm_s.push_back(rise > 0.0 ? speed_mm_s : -speed_mm_s);
+    }
+  }
+  return motion;
+}
+
+// Cycles of growing, then shrinking amplitude with noise on top: reversals at almost every sample around the peaks, small
+// loops inside large ones, new peaks throughout the first half. 50 samples a second; velocity by differences.
+inline Motion irregular(std::uint64_t seed, double amplitude_mm, int cycles, int samples_per_cycle,
+                        double noise_share = 0.02) {
+  num::Draws draws(num::Stream(seed), 0, 0);
+  Motion motion;
+  int const count = cycles * samples_per_cycle;
+  for (int i = 0; i <= count; ++i) {
+    double const envelope = std::sin(std::numbers::pi * (i + 0.05 * count) / (1.1 * count));
+    double const phase = 2.0 * std::numbers::pi * i / samples_per_cycle;
+    motion.disp_mm.push_back(amplitude_mm * (envelope * std::sin(phase) + noise_share * draws.normal()));
+  }
+  constexpr double rate_Hz = 50.0;
+  auto const& x = motion.disp_mm;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    std::size_t const before = i == 0 ? 0 : i - 1, after = std::min(i + 1, x.size() - 1);
+    motion.velocity_mm_s.push_back((x[after] - x[before]) * rate_Hz / static_cast<double>(after - before));
+  }
+  return motion;
+}
+
+// The same motion, displacement and velocity multiplied by constants.
+inline Motion scaled(Motion motion, double disp_factor, double velocity_factor) {
+  for (double& x : motion.disp_mm) x *= disp_factor;
+  for (double& v : motion.velocity_mm_s) v *= velocity_factor;
+  return motion;
+}
+
+// In the units of the law.
+template <class Law>
+laws::Path path_of(Motion const& motion, int refinement = 1) {
+  auto const x = scaled(motion, 1.0 / Law::info.length.in_record_units, 1.0 / Law::info.length.in_record_units);
+  return laws::make_path(x.disp_mm, x.velocity_mm_s, refinement);
+}
+
+inline double largest_magnitude(std::span<double const> values) {
+  double largest = 0.0;
+  for (double const value : values) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+// Largest |a - b|; not finite if any of them is not.
+inline double largest_difference(std::span<double const> a, std::span<double const> b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    double const difference = std::abs(a[i] - b[i]);
+    if (!(difference <= largest)) largest = difference;
+    if (!std::isfinite(largest)) return largest;
+  }
+  return largest;
+}
+
+inline bool all_finite(std::span<double const> values) {
+  return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+}
+
+}  // namespace isolaw::law_tests

@@ -1,0 +1,274 @@
+// Every route to a force gives the same force: a double, a lane of a batch, the value of a derivative number, the
+// catalogue. And the derivative is that of the value.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/laws/catalogue.hpp"
+#include "isolaw/num/batch.hpp"
+#include "isolaw/num/dual.hpp"
+#include "laws/candidates.hpp"
+#include "laws/motion.hpp"
+
+namespace isolaw::law_tests {
+namespace {
+
+using laws::Integration;
+using laws::parameter_count;
+
+constexpr std::size_t width = 4;
+using Lanes = num::Batch<width>;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+template <class Law>
+class Routes : public ::testing::Test {};
+TYPED_TEST_SUITE(Routes, EveryLaw, LawName);
+
+template <class Law>
+using Group = std::array<Values<Law>, width>;
+
+template <class Law>
+Group<Law> group_from(std::uint32_t first) {
+  Group<Law> group{};
+  for (std::uint32_t lane = 0; lane < width; ++lane) group[lane] = candidate<Law>(first + lane);
+  return group;
+}
+
+// Forces of each lane when the four candidates go through the law as one batch.
+template <class Law>
+std::array<std::vector<double>, width> batch_forces(Group<Law> const& group, laws::Path const& path,
+                                                    Integration integration) {
+  std::array<Lanes, parameter_count<Law>> packed{};
+  for (std::size_t i = 0; i < packed.size(); ++i)
+    for (std::size_t lane = 0; lane < width; ++lane) packed[i].lane[lane] = group[lane][i];
+  std::array<std::vector<double>, width> out;
+  for (auto& force : out) force.resize(path.samples());
+  laws::run<Law, Lanes>(laws::unpack<Law, Lanes>(packed), path, integration, [&](std::size_t i, Lanes const& force) {
+    for (std::size_t lane = 0; lane < width; ++lane) out[lane][i] = force.lane[lane];
+  });
+  return out;
+}
+
+// The same bits; a NaN equals a NaN, for its sign and payload mean nothing.
+::testing::AssertionResult same(std::vector<double> const& a, std::vector<double> const& b) {
+  if (a.size() != b.size()) return ::testing::AssertionFailure() << a.size() << " samples against " << b.size();
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (!(a[i] == b[i] || (std::isnan(a[i]) && std::isnan(b[i]))))
+      return ::testing::AssertionFailure() << "sample " << i << ": " << a[i] << " against " << b[i];
+  return ::testing::AssertionSuccess();
+}
+
+Motion some_motion() { return irregular(7, 150.0, 4, 40); }
+
+TYPED_TEST(Routes, ALaneIsAScalar) {
+  for (auto const integration : both_integrations)
+    for (int const refinement : {1, 3}) {
+      auto const path = path_of<TypeParam>(some_motion(), refinement);
+      for (std::uint32_t first = 0; first < 20; first += width) {
+        auto const group = group_from<TypeParam>(first);
+        auto const lanes = batch_forces<TypeParam>(group, path, integration);
+        for (std::size_t lane = 0; lane < width; ++lane)
+          EXPECT_TRUE(same(lanes[lane], forces<TypeParam>(group[lane], path, integration)))
+              << name_of(integration) << ", lane " << lane << ": " << describe<TypeParam>(group[lane]);
+      }
+    }
+}
+
+// A population that is no multiple of the width: whatever fills the last batch, its real lanes do not notice.
+TYPED_TEST(Routes, APaddedTailIsAScalar) {
+  auto const path = path_of<TypeParam>(some_motion());
+  for (auto const integration : both_integrations)
+    for (std::size_t real = 1; real < width; ++real) {
+      auto copies = group_from<TypeParam>(40), zeros = copies;
+      for (std::size_t lane = real; lane < width; ++lane) {
+        copies[lane] = copies[real - 1];
+        zeros[lane].fill(0.0);
+      }
+      for (auto const& group : {copies, zeros}) {
+        auto const lanes = batch_forces<TypeParam>(group, path, integration);
+        for (std::size_t lane = 0; lane < real; ++lane)
+          EXPECT_TRUE(same(lanes[lane], forces<TypeParam>(group[lane], path, integration)))
+              << name_of(integration) << ", lane " << lane << " of " << real;
+      }
+    }
+}
+
+TYPED_TEST(Routes, ANaNStaysInItsLane) {
+  auto const path = path_of<TypeParam>(some_motion());
+  auto const clean = group_from<TypeParam>(60);
+  for (auto const integration : both_integrations)
+    for (std::size_t sick = 0; sick < width; ++sick)
+      for (std::size_t parameter = 0; parameter <= parameter_count<TypeParam>; ++parameter) {
+        auto group = clean;
+        if (parameter == parameter_count<TypeParam>)
+          group[sick].fill(nan);
+        else
+          group[sick][parameter] = nan;
+        auto const lanes = batch_forces<TypeParam>(group, path, integration);
+        for (std::size_t lane = 0; lane < width; ++lane) {
+          if (lane == sick) continue;
+          EXPECT_TRUE(same(lanes[lane], forces<TypeParam>(group[lane], path, integration)))
+              << name_of(integration) << ", NaN in parameter " << parameter << " of lane " << sick;
+        }
+      }
+}
+
+// A parameter that is not a number must not vanish in a comparison and leave a plausible force.
+TYPED_TEST(Routes, ANaNParameterShowsInTheForce) {
+  auto const path = path_of<TypeParam>(some_motion());
+  for (auto const integration : both_integrations)
+    for (std::size_t parameter = 0; parameter < parameter_count<TypeParam>; ++parameter) {
+      auto values = candidate<TypeParam>(80);
+      values[parameter] = nan;
+      EXPECT_FALSE(all_finite(forces<TypeParam>(values, path, integration)))
+          << name_of(integration) << ": " << TypeParam::template rows<double>[parameter].info.name;
+    }
+}
+
+// Parameters, one for each law, whose force exceeds the largest double.
+template <class Law>
+Values<Law> overflowing() {
+  auto values = candidate<Law>(90);
+  auto const set = [&](std::string_view name, double value) { values[index_of<Law>(name)] = value; };
+  std::string_view const id = Law::info.id;
+  if (id == "bilinear") set("K2", 1e307);
+  if (id == "jankowski") set("a1", 1.7e308), set("a6", 1.7e308);
+  if (id == "vaiana") set("beta2+", 1e5);
+  if (id == "bouc-wen") set("Ke", 1e308);
+  if (id == "abe" || id == "abe-y0") set("K2", 1e308);
+  if (id == "hwang-wu") set("a1", 1e308);
+  return values;
+}
+
+TYPED_TEST(Routes, AnOverflowStaysInItsLane) {
+  auto const path = path_of<TypeParam>(some_motion());
+  for (auto const integration : both_integrations)
+    for (std::size_t sick = 0; sick < width; ++sick) {
+      auto group = group_from<TypeParam>(100);
+      group[sick] = overflowing<TypeParam>();
+      auto const lanes = batch_forces<TypeParam>(group, path, integration);
+      for (std::size_t lane = 0; lane < width; ++lane) {
+        EXPECT_TRUE(same(lanes[lane], forces<TypeParam>(group[lane], path, integration)))
+            << name_of(integration) << ", lane " << lane;
+        EXPECT_EQ(all_finite(lanes[lane]), lane != sick) << name_of(integration) << ", lane " << lane;
+      }
+    }
+}
+
+TYPED_TEST(Routes, TheCatalogueIsAScalar) {
+  auto const motion = scaled(some_motion(), 1.0 / TypeParam::info.length.in_record_units,
+                             1.0 / TypeParam::info.length.in_record_units);
+  auto const& entry = laws::find_law(TypeParam::info.id);
+  EXPECT_EQ(entry.info.id, TypeParam::info.id);
+  ASSERT_EQ(entry.parameters.size(), parameter_count<TypeParam>);
+  for (auto const integration : both_integrations)
+    for (int const refinement : {1, 2}) {
+      auto const path = laws::make_path(motion.disp_mm, motion.velocity_mm_s, refinement);
+      auto const values = candidate<TypeParam>(120);
+      std::vector<double> force(path.samples());
+      entry.evaluate(values, path, integration, force);
+      EXPECT_TRUE(same(force, forces<TypeParam>(values, path, integration))) << name_of(integration);
+    }
+  for (std::size_t i = 0; i < entry.parameters.size(); ++i)
+    EXPECT_EQ(entry.index_of(entry.parameters[i].name), i);
+}
+
+// One derivative number with all parameters as independent variables.
+template <class Law>
+std::vector<num::Dual<parameter_count<Law>>> dual_forces(Values<Law> const& values, laws::Path const& path,
+                                                         Integration integration) {
+  using Number = num::Dual<parameter_count<Law>>;
+  std::array<Number, parameter_count<Law>> variables{};
+  for (std::size_t i = 0; i < values.size(); ++i) variables[i] = Number(values[i], i);
+  std::vector<Number> out(path.samples());
+  laws::run<Law, Number>(laws::unpack<Law, Number>(variables), path, integration,
+                         [&](std::size_t i, Number const& force) { out[i] = force; });
+  return out;
+}
+
+// The value of a derivative number goes through the same operations in the same order.
+TYPED_TEST(Routes, TheValueOfADerivativeNumberIsAScalar) {
+  auto const path = path_of<TypeParam>(some_motion());
+  for (auto const integration : both_integrations)
+    for (std::uint32_t index = 0; index < 10; ++index) {
+      auto const values = candidate<TypeParam>(index);
+      std::vector<double> value;
+      for (auto const& force : dual_forces<TypeParam>(values, path, integration)) value.push_back(force.value);
+      EXPECT_TRUE(same(value, forces<TypeParam>(values, path, integration)))
+          << name_of(integration) << ": " << describe<TypeParam>(values);
+    }
+}
+
+// Central differences at a step h err by h^2 (truncation) and by the rounding of the force over h. With h = 1e-6 of the
+// box that is 1e-9 and 1e-9 of (force / width of box); the tolerance is ten thousand times the first, relative to the
+// parameter's largest derivative, plus a hundred roundings over h. Differences that straddle a kink (yielding of
+// bilinear, z = 0 for small exponents) are wrong, not the derivative: at most 2 % of the samples may differ.
+TYPED_TEST(Routes, TheDerivativeIsTheCentralDifference) {
+  constexpr double relative = 1e-5, kink_share = 0.02;
+  auto const motion = irregular(11, 150.0, 3, 120, 0.01);
+  auto const path = path_of<TypeParam>(motion);
+  auto const intervals = box<TypeParam>();
+  for (auto const integration : both_integrations)
+    for (std::uint32_t index = 0; index < 8; ++index) {
+      auto const values = candidate<TypeParam>(index);
+      auto const exact = dual_forces<TypeParam>(values, path, integration);
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        double const h = 1e-6 * (intervals[k].upper - intervals[k].lower);
+        auto above = values, below = values;
+        above[k] += h;
+        below[k] -= h;
+        auto const plus = forces<TypeParam>(above, path, integration), minus = forces<TypeParam>(below, path, integration);
+        ASSERT_TRUE(all_finite(plus) && all_finite(minus)) << describe<TypeParam>(values);
+        double largest = 0.0;
+        for (auto const& force : exact) largest = std::max(largest, std::abs(force.slope[k]));
+        double const rounding = std::numeric_limits<double>::epsilon() * largest_magnitude(plus) / h;
+        double const tolerance = relative * largest + 100.0 * rounding;
+        std::size_t different = 0, worst_sample = 0;
+        double worst = 0.0;
+        for (std::size_t i = 0; i < exact.size(); ++i) {
+          double const error = std::abs(exact[i].slope[k] - (plus[i] - minus[i]) / (above[k] - below[k]));
+          if (!(error <= tolerance)) ++different;
+          if (!(error <= worst)) worst = error, worst_sample = i;
+        }
+        EXPECT_LE(static_cast<double>(different), kink_share * static_cast<double>(exact.size()))
+            << name_of(integration) << ", derivative by " << TypeParam::template rows<double>[k].info.name
+            << ": largest difference " << worst << " at sample " << worst_sample << ", largest derivative " << largest
+            << ", tolerance " << tolerance << "; " << describe<TypeParam>(values);
+      }
+    }
+}
+
+TEST(Catalogue, HoldsEveryLawOnceInOrder) {
+  std::vector<std::string_view> expected;
+  laws::for_each_law([&]<class Law>() { expected.push_back(Law::info.id); });
+  auto const all = laws::catalogue();
+  ASSERT_EQ(all.size(), expected.size());
+  for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i].info.id, expected[i]);
+}
+
+TEST(Catalogue, RefusesUnknownNamesAndListsTheKnownOnes) {
+  auto const message = [](auto&& call) -> std::string {
+    try {
+      call();
+    } catch (Error const& error) {
+      return error.what();
+    }
+    return "nothing was thrown";
+  };
+  auto const law = message([] { (void)laws::find_law("boucwen"); });
+  EXPECT_NE(law.find("boucwen"), std::string::npos) << law;
+  for (auto const& entry : laws::catalogue()) EXPECT_NE(law.find(entry.info.id), std::string::npos) << law;
+  auto const parameter = message([] { (void)laws::find_law("bouc-wen").index_of("delta"); });
+  EXPECT_NE(parameter.find("delta"), std::string::npos) << parameter;
+  for (auto const& info : laws::find_law("bouc-wen").parameters)
+    EXPECT_NE(parameter.find(info.name), std::string::npos) << parameter;
+}
+
+}  // namespace
+}  // namespace isolaw::law_tests

@@ -1,0 +1,314 @@
+// The lot file: everything it can say, what it says about mistakes (each with its line), and writing it.
+#include "isolaw/campaign/lot_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "campaign_fixture.hpp"
+#include "isolaw/base/error.hpp"
+
+namespace isolaw::campaign {
+namespace {
+
+using testing::expect_same;
+
+class LotFileTest : public testing::Folder {
+ protected:
+  Lot read(std::string_view text) const { return read_lot_file(write("lot.toml", text)); }
+
+  // The complaints, one a line, without the folder's name; "" when the file was read.
+  std::string complaints(std::string_view text) const {
+    try {
+      read(text);
+    } catch (Error const& error) {
+      std::string said = error.what();
+      auto const prefix = folder.string() + "/";
+      for (auto at = said.find(prefix); at != std::string::npos; at = said.find(prefix)) said.erase(at, prefix.size());
+      return said;
+    }
+    return "";
+  }
+  // A file with these lines after [calibrate] (so that the first of them is line 3), and one device.
+  std::string calibrate(std::string_view lines) const {
+    return complaints(fmt::format("title = \"lot\"\n[calibrate]\n{}\n[[device]]\nname = \"A\"\nfile = \"a.csv\"\n", lines));
+  }
+  std::string device(std::string_view lines) const {  // the first of the lines is line 4
+    return complaints(fmt::format("[[device]]\nname = \"A\"\nfile = \"a.csv\"\n{}\n", lines));
+  }
+};
+
+void expect_parts(std::string const& said, std::vector<std::string> const& parts) {
+  for (auto const& part : parts) EXPECT_NE(said.find(part), std::string::npos) << "'" << part << "' is missing in: " << said;
+}
+
+TEST_F(LotFileTest, SaysEverything) {
+  auto const lot = read(R"(title = "Lot 7 – Prüfung"
+
+[calibrate]
+laws = ["abe", "bilinear"]
+method = "ga"
+integration = "paper"
+runs = 5
+population = 40
+generations = 30
+stagnation-tolerance = 1e-6
+seed = 77
+box = "published"
+set = ["bilinear.K1=1.5", "vaiana.gamma1+=free"]
+smooth = 5
+samples-per-cycle = 100
+center = true
+
+[read]
+units = { disp = "cm" }
+dt = 0.01
+
+[[device]]
+name = "A"
+file = "records/a.csv"
+serial = "0001"
+lot = "L7"
+test-date = 2023-05-11
+temperature-C = 21
+rubber-thickness-mm = 208.0
+rubber-area-mm2 = 282743.5
+columns = { time = 1, disp = "Weg, horizontal", force = "Kraft" }
+units = { force = "tonf" }
+flip-force = true
+
+[[device]]
+name = "B"
+files = ["b1.csv", "b2.csv"]
+test-date = "May 2023"
+dt = 0.002
+columns = "disp=2,force=3"
+)");
+  EXPECT_EQ(lot.title, "Lot 7 – Prüfung");
+  Settings expected;
+  expected.laws = {"abe", "bilinear"};
+  expected.integration = laws::Integration::paper;
+  expected.runs = 5;
+  expected.genetic.population = 40;
+  expected.genetic.generations = 30;
+  expected.genetic.stagnation_tolerance = 1e-6;
+  expected.seed = 77;
+  expected.box = fit::BoxKind::published;
+  expected.overrides = {fit::parse_override("bilinear.K1=1.5"), fit::parse_override("vaiana.gamma1+=free")};
+  expected.clean = {.smooth = 5, .samples_per_cycle = 100, .center = true};
+  expect_same(lot.settings, expected);
+
+  ASSERT_EQ(lot.devices.size(), 2u);
+  auto const& a = lot.devices[0];
+  EXPECT_EQ(a.name, "A");
+  ASSERT_EQ(a.files.size(), 1u);
+  EXPECT_EQ(a.files[0], folder / "records/a.csv");
+  EXPECT_EQ(a.shown_file, "records/a.csv");
+  EXPECT_EQ(a.info.serial, "0001");
+  EXPECT_EQ(a.info.lot, "L7");
+  EXPECT_EQ(a.info.test_date, "2023-05-11");
+  EXPECT_EQ(a.info.temperature_C, 21.0);
+  EXPECT_EQ(a.info.rubber_thickness_mm, 208.0);
+  EXPECT_EQ(a.info.rubber_area_mm2, 282743.5);
+  using enum data::Channel;
+  EXPECT_EQ(a.read.columns, (std::map<data::Channel, std::string>{{time, "1"}, {disp, "Weg, horizontal"}, {force, "Kraft"}}));
+  EXPECT_EQ(a.read.units, (std::map<data::Channel, std::string>{{disp, "cm"}, {force, "tonf"}}));  // [read] and its own
+  EXPECT_EQ(a.read.dt_s, 0.01);
+  EXPECT_TRUE(a.read.flip_force);
+  auto const& b = lot.devices[1];
+  EXPECT_EQ(b.files, (std::vector<std::filesystem::path>{folder / "b1.csv", folder / "b2.csv"}));
+  EXPECT_EQ(b.info.test_date, "May 2023");
+  EXPECT_EQ(b.info.temperature_C, std::nullopt);
+  EXPECT_EQ(b.read.dt_s, 0.002);
+  EXPECT_EQ(b.read.columns, (std::map<data::Channel, std::string>{{disp, "2"}, {force, "3"}}));
+  EXPECT_FALSE(b.read.flip_force);
+}
+
+TEST_F(LotFileTest, TheShortestFileHasTheDefaults) {
+  auto const lot = read("[[device]]\nfile = \"device-04.csv\"\n");
+  ASSERT_EQ(lot.devices.size(), 1u);
+  EXPECT_EQ(lot.devices[0].name, "device-04");
+  expect_same(lot.settings, Settings{});
+}
+
+TEST_F(LotFileTest, ThinningIsANumberOrAll) {
+  EXPECT_EQ(read("[calibrate]\nsamples-per-cycle = \"all\"\n[[device]]\nfile = \"a.csv\"\n").settings.clean.samples_per_cycle, std::nullopt);
+  EXPECT_EQ(read("[calibrate]\nsamples-per-cycle = 50\n[[device]]\nfile = \"a.csv\"\n").settings.clean.samples_per_cycle, 50);
+  EXPECT_EQ(read("[calibrate]\nlaws = \"all\"\n[[device]]\nfile = \"a.csv\"\n").settings.laws, parse_laws("all"));
+  EXPECT_EQ(read("[calibrate]\nlaws = \"abe,vaiana\"\n[[device]]\nfile = \"a.csv\"\n").settings.laws, parse_laws("abe,vaiana"));
+}
+
+// Mistakes -----------------------------------------------------------------------------------------------------
+
+TEST_F(LotFileTest, SyntaxErrorsHaveTheirLine) {
+  expect_parts(complaints("title = \"lot\"\n[[device]]\nname = A\n"), {"lot.toml:3", "TOML"});
+  expect_parts(complaints("[[device]]\nname = \"A\"\nname = \"B\"\n"), {"lot.toml:3"});
+}
+
+TEST_F(LotFileTest, AFileThatIsNotThereIsNamed) {
+  try {
+    read_lot_file(folder / "absent.toml");
+    FAIL();
+  } catch (Error const& error) {
+    expect_parts(error.what(), {"absent.toml"});
+  }
+}
+
+TEST_F(LotFileTest, UnknownKeysHaveTheirLineAndTheKnownOnes) {
+  expect_parts(complaints("titel = \"lot\"\n[[device]]\nfile = \"a.csv\"\n"), {"lot.toml:1", "'titel'", "title", "calibrate", "device"});
+  expect_parts(calibrate("runs = 3\npopulaton = 100"), {"lot.toml:4", "'populaton'", "[calibrate]", "population"});
+  expect_parts(device("serial = \"1\"\nrubber-thickness = 208"), {"lot.toml:5", "'rubber-thickness'", "[[device]]", "rubber-thickness-mm"});
+  expect_parts(complaints("[read]\nunit = { disp = \"cm\" }\n[[device]]\nfile = \"a.csv\"\n"), {"lot.toml:2", "'unit'", "[read]", "units"});
+}
+
+TEST_F(LotFileTest, WrongTypesHaveTheirLine) {
+  expect_parts(calibrate("runs = \"many\""), {"lot.toml:3", "'runs'", "whole number"});
+  expect_parts(calibrate("runs = 2.5"), {"lot.toml:3", "'runs'", "whole number"});
+  expect_parts(calibrate("runs = true"), {"lot.toml:3", "'runs'", "whole number"});
+  expect_parts(calibrate("center = \"yes\""), {"lot.toml:3", "'center'", "true or false"});
+  expect_parts(calibrate("center = 1"), {"lot.toml:3", "'center'", "true or false"});
+  expect_parts(calibrate("box = 1"), {"lot.toml:3", "'box'", "text"});
+  expect_parts(calibrate("laws = 3"), {"lot.toml:3", "'laws'"});
+  expect_parts(calibrate("laws = [\"abe\", 3]"), {"lot.toml:3", "'laws'"});
+  expect_parts(calibrate("samples-per-cycle = [200]"), {"lot.toml:3", "'samples-per-cycle'", "all"});
+  expect_parts(device("temperature-C = \"cold\""), {"lot.toml:4", "'temperature-C'", "a number"});
+  expect_parts(device("serial = 17"), {"lot.toml:4", "'serial'", "text"});
+  expect_parts(device("columns = 3"), {"lot.toml:4", "'columns'"});
+  expect_parts(device("columns = { time = true }"), {"lot.toml:4", "columns.time"});
+  expect_parts(complaints("calibrate = 3\n[[device]]\nfile = \"a.csv\"\n"), {"lot.toml:1", "'calibrate'", "table"});
+}
+
+TEST_F(LotFileTest, ValuesThatAreNotAllowedHaveTheirLine) {
+  expect_parts(calibrate("laws = [\"abe\",\n\"nope\"]"), {"lot.toml:4", "laws", "no such law", "hwang-wu"});
+  expect_parts(calibrate("integration = \"rk4\""), {"lot.toml:3", "integration", "'rk4'", "converged, paper"});
+  expect_parts(calibrate("box = \"wide\""), {"lot.toml:3", "box", "'wide'", "published, auto"});
+  expect_parts(calibrate("set = [\"bilinear.K1=2:1\"]"), {"lot.toml:3", "set", "lower < upper"});
+  expect_parts(calibrate("set = [\"bilinear.K9=2\"]"), {"lot.toml:3", "set", "'K9'", "K1, K2, xy"});
+  expect_parts(calibrate("samples-per-cycle = \"some\""), {"lot.toml:3", "samples-per-cycle", "'some'", "all"});
+  expect_parts(device("units = { disp = \"parsec\" }"), {"lot.toml:4", "units", "parsec"});
+  expect_parts(device("columns = { weight = 3 }"), {"lot.toml:4", "columns", "weight"});
+}
+
+// "Throws one Error that holds every problem of the file with its line: ..., values that are not allowed".
+TEST_F(LotFileTest, NumbersThatAreNotAllowedHaveTheirLine) {
+  expect_parts(calibrate("runs = 0"), {"lot.toml:3", "runs", "0"});
+  expect_parts(calibrate("seed = 1\npopulation = 7"), {"lot.toml:4", "population", "7"});
+  expect_parts(calibrate("generations = 0"), {"lot.toml:3", "generations", "0"});
+  expect_parts(calibrate("smooth = 4"), {"lot.toml:3", "smooth", "4"});
+  expect_parts(calibrate("samples-per-cycle = 5"), {"lot.toml:3", "samples", "5"});
+  expect_parts(calibrate("method = \"pso\""), {"lot.toml:3", "method", "pso"});
+  expect_parts(calibrate("seed = -1"), {"lot.toml:3", "seed", "-1"});
+}
+
+TEST_F(LotFileTest, DevicesThatAreNoneHaveTheirLine) {
+  expect_parts(complaints("title = \"lot\"\n"), {"lot.toml", "no devices", "[[device]]"});
+  expect_parts(complaints("device = 3\n"), {"lot.toml", "[[device]]"});
+  expect_parts(complaints("title = \"lot\"\n[[device]]\nname = \"A\"\n"), {"lot.toml:2", "without a file"});
+  expect_parts(complaints("[[device]]\nfile = \"a.csv\"\n[[device]]\nfile = \"sub/a.csv\"\n"), {"lot.toml:3", "'a'", "a name of its own"});
+  expect_parts(complaints("[[device]]\nfiles = []\n"), {"lot.toml:1", "without a file"});
+}
+
+TEST_F(LotFileTest, EveryProblemIsSaidAtOnce) {
+  auto const said = complaints("titel = 1\n[calibrate]\nruns = \"x\"\nbox = \"wide\"\nlows = \"all\"\n[[device]]\nname = \"A\"\n"
+                               "[[device]]\nfile = \"b.csv\"\ncolour = 3\n");
+  expect_parts(said, {"lot.toml:1", "'titel'", "lot.toml:3", "'runs'", "lot.toml:4", "'wide'", "lot.toml:5", "'lows'",
+                      "lot.toml:6", "without a file", "lot.toml:10", "'colour'"});
+  EXPECT_EQ(std::ranges::count(said, '\n'), 5) << said;
+}
+
+// Writing ------------------------------------------------------------------------------------------------------
+
+void expect_same(DeviceInput const& a, DeviceInput const& b) {
+  EXPECT_EQ(a.name, b.name);
+  EXPECT_EQ(a.files, b.files);
+  EXPECT_EQ(a.info.serial, b.info.serial);
+  EXPECT_EQ(a.info.lot, b.info.lot);
+  EXPECT_EQ(a.info.test_date, b.info.test_date);
+  EXPECT_EQ(a.info.temperature_C, b.info.temperature_C);
+  EXPECT_EQ(a.info.rubber_thickness_mm, b.info.rubber_thickness_mm);
+  EXPECT_EQ(a.info.rubber_area_mm2, b.info.rubber_area_mm2);
+  EXPECT_EQ(a.read.columns, b.read.columns);
+  EXPECT_EQ(a.read.units, b.read.units);
+  EXPECT_EQ(a.read.dt_s, b.read.dt_s);
+  EXPECT_EQ(a.read.flip_force, b.read.flip_force);
+}
+
+TEST_F(LotFileTest, WrittenDevicesReadBack) {
+  Lot lot;
+  lot.title = "O'Brien's \"lot\" <1>\nsecond line – ½";
+  DeviceInput first;
+  first.name = "A \"1\"\\x";
+  first.files = {folder / "records" / "a 'b'.csv"};
+  first.shown_file = "records/a 'b'.csv";
+  first.info = {.serial = "0001", .lot = "L\t7", .test_date = "2023-05-11", .temperature_C = -3.25, .rubber_thickness_mm = 208.0,
+                .rubber_area_mm2 = 0.1 + 0.2};
+  using enum data::Channel;
+  first.read.columns = {{time, "1"}, {disp, "Weg, horizontal"}, {force, "Kraft \"x\""}};
+  first.read.units = {{disp, "cm"}, {force, "tonf"}};
+  first.read.dt_s = 0.00214823;
+  first.read.flip_force = true;
+  DeviceInput second;
+  second.name = "ß";
+  second.files = {folder / "b1.csv", folder / "b2.csv"};
+  second.shown_file = "b1.csv, b2.csv";
+  DeviceInput elsewhere;
+  elsewhere.name = "elsewhere";
+  elsewhere.files = {"/data/somewhere/else.csv"};
+  elsewhere.shown_file = "/data/somewhere/else.csv";
+  lot.devices = {first, second, elsewhere};
+  auto const text = lot_file_text(lot, folder);
+  auto const back = read(text);
+  EXPECT_EQ(back.title, lot.title);
+  ASSERT_EQ(back.devices.size(), 3u) << text;
+  for (std::size_t i = 0; i < 3; ++i) {
+    expect_same(back.devices[i], lot.devices[i]);
+    EXPECT_EQ(back.devices[i].shown_file, lot.devices[i].shown_file);
+  }
+  EXPECT_EQ(text.find(folder.string()), std::string::npos) << "names below the folder are relative: " << text;
+  EXPECT_EQ(lot_file_text(back, folder), text);
+}
+
+// "The text of a lot file that reads back as `lot`".
+TEST_F(LotFileTest, WrittenSettingsReadBack) {
+  Lot lot;
+  lot.title = "lot";
+  DeviceInput device;
+  device.name = "A";
+  device.files = {folder / "a.csv"};
+  device.shown_file = "a.csv";
+  lot.devices = {device};
+  lot.settings.seed = 9;
+  lot.settings.runs = 4;
+  lot.settings.box = fit::BoxKind::published;
+  lot.settings.clean = {.smooth = 7, .samples_per_cycle = std::nullopt, .center = false};
+  expect_same(read(lot_file_text(lot, folder)).settings, lot.settings);
+
+  lot.settings.clean.center = true;
+  lot.settings.laws = {"abe", "vaiana"};
+  lot.settings.integration = laws::Integration::paper;
+  lot.settings.genetic.population = 40;
+  lot.settings.genetic.generations = 30;
+  lot.settings.overrides = {fit::parse_override("bilinear.K1=1.5")};
+  expect_same(read(lot_file_text(lot, folder)).settings, lot.settings);
+}
+
+TEST(LotOfFiles, NamesDevicesAfterTheirFiles) {
+  auto const lot = lot_of_files({"x/a.csv", "x/b.csv", "y/a.csv", "z/y/a.csv"});
+  ASSERT_EQ(lot.devices.size(), 4u);
+  EXPECT_EQ(lot.devices[0].name, "a");
+  EXPECT_EQ(lot.devices[1].name, "b");
+  EXPECT_EQ(lot.devices[2].name, "y/a");
+  std::set<std::string> names;
+  for (auto const& device : lot.devices) {
+    EXPECT_TRUE(names.insert(device.name).second) << device.name;
+    EXPECT_EQ(device.files.size(), 1u);
+  }
+  EXPECT_EQ(lot.devices[1].shown_file, "b.csv");
+}
+
+}  // namespace
+}  // namespace isolaw::campaign

@@ -1,0 +1,388 @@
+// Preparing and running a campaign: what is refused, and that the result of a run depends on (seed, device, law, number)
+// alone: not on threads, order, company or interruption.
+#include "isolaw/campaign/campaign.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "campaign_fixture.hpp"
+#include "isolaw/base/error.hpp"
+#include "isolaw/campaign/store.hpp"
+#include "isolaw/fit/objective.hpp"
+
+namespace isolaw::campaign {
+namespace {
+
+using testing::device_input;
+using testing::expect_same;
+using testing::record_text;
+
+class CampaignTest : public testing::Folder {
+ protected:
+  // Two devices of different stiffness, with time.
+  Lot lot(std::string_view laws = "bilinear,bouc-wen,jankowski") const {
+    Lot made;
+    made.title = "test lot";
+    made.settings.laws = parse_laws(laws);
+    made.settings.runs = 3;
+    made.settings.genetic.population = 10;
+    made.settings.genetic.generations = 5;
+    made.settings.seed = 42;
+    made.devices = {device_input("soft", {write("soft.csv", record_text(1.0))}),
+                    device_input("stiff", {write("stiff.csv", record_text(1.3))})};
+    return made;
+  }
+  std::filesystem::path file(std::string_view name = "campaign.sqlite") const { return folder / name; }
+
+  // Runs a whole campaign in a store of its own, and checks that memory and store agree.
+  Contents done(Lot const& of, int jobs = 1, std::string_view store = "campaign.sqlite") const {
+    auto contents = prepare(of);
+    Store::create(file(store), contents);
+    EXPECT_TRUE(run(contents, file(store), {.jobs = jobs, .progress = {}, .interrupted = {}}));
+    EXPECT_TRUE(contents.complete());
+    expect_same(Store::read(file(store)), contents);
+    return contents;
+  }
+};
+
+using Key = std::tuple<std::string, std::string, int>;  // device's name, law, number
+
+std::map<Key, Run> by_name(Contents const& contents) {
+  std::map<Key, Run> found;
+  for (auto run : contents.runs) {
+    Key const key{contents.devices[run.device].name, run.law, run.number};
+    run.device = 0;
+    found.emplace(key, std::move(run));
+  }
+  return found;
+}
+
+bool sorted(std::vector<Run> const& runs) {
+  return std::ranges::is_sorted(runs, {}, [](Run const& r) { return std::tie(r.device, r.law, r.number); });
+}
+
+// Preparing ----------------------------------------------------------------------------------------------------
+
+TEST_F(CampaignTest, PrepareMakesASearchForEveryDeviceAndLaw) {
+  auto const contents = prepare(lot());
+  EXPECT_EQ(contents.title, "test lot");
+  ASSERT_EQ(contents.devices.size(), 2u);
+  ASSERT_EQ(contents.searches.size(), 6u);
+  EXPECT_EQ(contents.expected_runs(), 18u);
+  EXPECT_FALSE(contents.complete());
+  std::size_t i = 0;
+  for (std::size_t d = 0; d < 2; ++d) {
+    EXPECT_TRUE(contents.devices[d].usable());
+    EXPECT_EQ(contents.devices[d].raw.sha256.size(), 64u);
+    EXPECT_EQ(contents.devices[d].raw.size(), 121u);
+    for (auto const* law : {"bilinear", "bouc-wen", "jankowski"}) {
+      EXPECT_EQ(contents.searches[i].device, d);
+      EXPECT_EQ(contents.searches[i].law, law);
+      EXPECT_EQ(contents.searches[i++].refusal, "");
+    }
+  }
+}
+
+TEST_F(CampaignTest, NoLawsMeansAll) {
+  auto all = lot();
+  all.settings.laws.clear();
+  auto const contents = prepare(all);
+  EXPECT_EQ(contents.settings.laws, parse_laws("all"));
+  EXPECT_EQ(contents.searches.size(), 14u);
+}
+
+TEST_F(CampaignTest, PrepareKeepsRefusedDevicesWithTheirReason) {
+  auto mixed = lot();
+  mixed.devices.insert(mixed.devices.begin() + 1, device_input("bad", {write("bad.csv", "time,disp [mm],force [kN]\n0,0,x\n")}));
+  mixed.devices.push_back(device_input("absent", {folder / "absent.csv"}));
+  auto const contents = prepare(mixed);
+  ASSERT_EQ(contents.devices.size(), 4u);
+  EXPECT_TRUE(contents.devices[0].usable());
+  EXPECT_FALSE(contents.devices[1].usable());
+  EXPECT_NE(contents.devices[1].refusal.find("bad.csv"), std::string::npos) << contents.devices[1].refusal;
+  EXPECT_TRUE(contents.devices[1].raw.disp_mm.empty());
+  EXPECT_EQ(contents.devices[1].raw.file, "bad.csv");
+  EXPECT_TRUE(contents.devices[2].usable());
+  EXPECT_NE(contents.devices[3].refusal.find("absent.csv"), std::string::npos) << contents.devices[3].refusal;
+  ASSERT_EQ(contents.searches.size(), 6u);
+  EXPECT_EQ(contents.searches.back().device, 2u);  // the index is that among all devices
+}
+
+TEST_F(CampaignTest, PrepareThrowsEveryReasonWhenNoDeviceIsUsable) {
+  auto none = lot();
+  none.devices = {device_input("first", {write("first.csv", "")}), device_input("second", {folder / "second.csv"})};
+  try {
+    prepare(none);
+    FAIL() << "accepted";
+  } catch (Error const& error) {
+    ASSERT_EQ(error.complaints().size(), 3u);
+    std::string const text = error.what();
+    for (auto const* part : {"none of 2", "first: ", "first.csv", "second: ", "second.csv"})
+      EXPECT_NE(text.find(part), std::string::npos) << part << " is missing in: " << text;
+  }
+}
+
+TEST_F(CampaignTest, PrepareRefusesSettingsOutOfRange) {
+  auto wrong = lot();
+  wrong.settings.runs = 0;
+  EXPECT_THROW(prepare(wrong), Error);
+  wrong = lot();
+  wrong.settings.clean.smooth = 2;
+  EXPECT_THROW(prepare(wrong), Error);
+}
+
+TEST_F(CampaignTest, WithoutTimeTheLawsThatNeedVelocityAreRefusedAndTheOthersRun) {
+  auto mixed = lot("all");
+  mixed.settings.runs = 1;
+  mixed.devices[1] = device_input("no time", {write("no-time.csv", record_text(1.3, false))});
+  auto const contents = done(mixed);
+  EXPECT_EQ(contents.expected_runs(), 12u);
+  std::set<std::string> refused;
+  for (auto const& search : contents.searches) {
+    if (search.refusal.empty()) continue;
+    EXPECT_EQ(search.device, 1u);
+    EXPECT_NE(search.refusal.find("time"), std::string::npos) << search.refusal;
+    EXPECT_NE(search.refusal.find("--dt"), std::string::npos) << search.refusal;
+    refused.insert(search.law);
+  }
+  EXPECT_EQ(refused, (std::set<std::string>{"jankowski", "hwang-wu"}));
+  for (auto const& r : contents.runs) EXPECT_FALSE(r.device == 1 && refused.contains(r.law));
+}
+
+TEST_F(CampaignTest, SeveralFilesOfADeviceAreOneHistory) {
+  auto two = lot();
+  two.devices = {device_input("both", {folder / "soft.csv", folder / "stiff.csv"})};
+  auto const contents = prepare(two);
+  auto const& raw = contents.devices[0].raw;
+  ASSERT_EQ(raw.size(), 242u);
+  ASSERT_EQ(raw.time_s.size(), 242u);
+  EXPECT_TRUE(std::ranges::is_sorted(raw.time_s, std::less_equal{}));
+  EXPECT_NEAR(raw.time_s[121], raw.time_s[120] + 0.05, 1e-9);  // a pause of one sampling interval
+  EXPECT_NEAR(raw.time_s.back() - raw.time_s[121], 6.0, 1e-9);
+  EXPECT_NE(raw.sha256, prepare(lot()).devices[0].raw.sha256);
+
+  two.devices = {device_input("mixed", {folder / "soft.csv", write("no-time.csv", record_text(1.0, false))})};
+  try {
+    prepare(two);
+    FAIL() << "accepted";
+  } catch (Error const& error) {
+    EXPECT_NE(std::string(error.what()).find("time"), std::string::npos) << error.what();
+  }
+}
+
+// Running ------------------------------------------------------------------------------------------------------
+
+TEST_F(CampaignTest, EveryRunIsThereOnceAndIsWhatItSays) {
+  auto const contents = done(lot("all"));
+  ASSERT_EQ(contents.runs.size(), 42u);
+  EXPECT_TRUE(sorted(contents.runs));
+  EXPECT_EQ(by_name(contents).size(), 42u);
+  std::set<double> objectives;
+  for (auto const& r : contents.runs) {
+    auto const& search = *std::ranges::find_if(contents.searches, [&](auto const& s) { return s.device == r.device && s.law == r.law; });
+    auto const& law = laws::find_law(r.law);
+    fit::LawOnRecord const model(law, contents.devices[r.device].record, laws::Integration::converged);
+    ASSERT_EQ(r.parameters.size(), law.parameters.size());
+    std::vector<double> work;
+    EXPECT_EQ(r.objective, model.objective(r.parameters, work)) << r.law;
+    EXPECT_EQ(r.integration_shift, model.integration_shift(r.parameters)) << r.law;
+    EXPECT_EQ(r.evaluations, 50);
+    EXPECT_EQ(r.outcome, Outcome::all_generations);
+    ASSERT_EQ(r.history.size(), 5u);
+    EXPECT_TRUE(std::ranges::is_sorted(r.history, std::greater_equal{}));
+    EXPECT_EQ(r.history.back(), r.objective);
+    for (std::size_t i = 0; i < r.parameters.size(); ++i) {
+      auto const& p = search.box.parameters[i];
+      if (p.free) {
+        EXPECT_GE(r.parameters[i], p.lower) << r.law << " " << p.name;
+        EXPECT_LE(r.parameters[i], p.upper) << r.law << " " << p.name;
+      } else {
+        EXPECT_EQ(r.parameters[i], p.value) << r.law << " " << p.name;
+      }
+    }
+    objectives.insert(r.objective);
+  }
+  EXPECT_EQ(objectives.size(), 42u);  // runs of a device and law differ
+}
+
+TEST_F(CampaignTest, ThreadsChangeNothing) {
+  auto const of = lot("all");
+  auto const one = done(of, 1, "1.sqlite");
+  for (int const jobs : {2, 3, 0}) expect_same(done(of, jobs, fmt::format("{}.sqlite", jobs)), one);
+}
+
+TEST_F(CampaignTest, OrderOfDevicesChangesNothing) {
+  auto const expected = by_name(done(lot()));
+  auto other = lot();
+  std::ranges::reverse(other.devices);
+  auto const found = by_name(done(other, 2, "other.sqlite"));
+  ASSERT_EQ(found.size(), expected.size());
+  for (auto const& [key, run] : expected) expect_same(found.at(key), run);
+}
+
+TEST_F(CampaignTest, OtherLawsDevicesAndRunsChangeNothing) {
+  auto const expected = by_name(done(lot()));
+  auto fewer = lot("jankowski,bilinear");  // another order, too
+  fewer.devices.erase(fewer.devices.begin());
+  fewer.settings.runs = 2;
+  auto const found = by_name(done(fewer, 1, "fewer.sqlite"));
+  EXPECT_EQ(found.size(), 4u);
+  for (auto const& [key, run] : found) expect_same(expected.at(key), run);
+}
+
+TEST_F(CampaignTest, TheFilesNameAndTheTitleChangeNothing) {
+  auto const expected = done(lot());
+  auto other = lot();
+  other.title = "another title";
+  other.devices[0] = device_input("soft", {write("copy.csv", bytes_of(folder / "soft.csv"))});
+  expect_same(done(other, 1, "other.sqlite").runs, expected.runs);
+}
+
+TEST_F(CampaignTest, SeedAndNameOfTheDeviceDecide) {
+  auto const expected = done(lot("bilinear"));
+  auto other = lot("bilinear");
+  other.settings.seed = 43;
+  auto const seeded = done(other, 1, "seed.sqlite");
+  other = lot("bilinear");
+  other.devices[0].name = "renamed";
+  auto const renamed = done(other, 1, "name.sqlite");
+  for (std::size_t i = 0; i < expected.runs.size(); ++i) {
+    EXPECT_NE(seeded.runs[i].objective, expected.runs[i].objective);
+    bool const same = renamed.runs[i].objective == expected.runs[i].objective;
+    EXPECT_EQ(same, expected.runs[i].device == 1);
+  }
+}
+
+TEST_F(CampaignTest, ProgressCountsEveryRunAndKnowsTheBest) {
+  auto contents = prepare(lot());
+  Store::create(file(), contents);
+  std::vector<std::size_t> counts;
+  Progress last;
+  EXPECT_TRUE(run(contents, file(), {.jobs = 2, .progress = [&](Progress const& p) { counts.push_back(p.done); last = p; }, .interrupted = {}}));
+  ASSERT_EQ(counts.size(), 18u);
+  for (std::size_t i = 0; i < 18; ++i) EXPECT_EQ(counts[i], i + 1);
+  EXPECT_EQ(last.total, 18u);
+  std::map<std::string, double> best;
+  for (auto const& r : contents.runs) best[r.law] = std::min(best.try_emplace(r.law, r.objective).first->second, r.objective);
+  EXPECT_EQ(last.best, best);
+}
+
+// Interrupting -------------------------------------------------------------------------------------------------
+
+TEST_F(CampaignTest, InterruptedAfterAnyRunAndResumedIsAsIfNeverInterrupted) {
+  auto const expected = done(lot(), 1, "whole.sqlite");
+  for (int const jobs : {1, 2})
+    for (std::size_t const stop_after : {0u, 1u, 7u, 17u}) {
+      auto const store = file(fmt::format("stopped-{}-{}.sqlite", jobs, stop_after));
+      auto contents = prepare(lot());
+      Store::create(store, contents);
+      std::atomic<bool> stop = stop_after == 0;
+      RunOptions const options{.jobs = jobs,
+                               .progress = [&](Progress const& p) { if (p.done >= stop_after) stop = true; },
+                               .interrupted = [&] { return stop.load(); }};
+      EXPECT_FALSE(run(contents, store, options));
+      EXPECT_GE(contents.runs.size(), stop_after);
+      EXPECT_LT(contents.runs.size(), 18u);
+      EXPECT_TRUE(sorted(contents.runs));
+      expect_same(Store::read(store), contents);  // what was finished is kept
+
+      auto resumed = Store::read(store);
+      std::size_t first_done = 0;
+      EXPECT_TRUE(run(resumed, store, {.jobs = jobs, .progress = [&](Progress const& p) {
+                                         if (first_done == 0) first_done = p.done;
+                                         EXPECT_EQ(p.total, 18u);
+                                       }, .interrupted = {}}));
+      EXPECT_EQ(first_done, contents.runs.size() + 1);  // nothing was done twice
+      expect_same(resumed, expected);
+      expect_same(Store::read(store), expected);
+    }
+}
+
+TEST_F(CampaignTest, InterruptedWithinARunKeepsNoPartOfIt) {
+  auto const expected = done(lot("bilinear"), 1, "whole.sqlite");
+  for (int const asked : {2, 4, 9}) {  // questions before the answer is yes; a run asks about six times
+    auto const store = file(fmt::format("stopped-{}.sqlite", asked));
+    auto contents = prepare(lot("bilinear"));
+    Store::create(store, contents);
+    std::atomic<int> questions = 0;
+    EXPECT_FALSE(run(contents, store, {.jobs = 1, .progress = {}, .interrupted = [&] { return ++questions > asked; }}));
+    auto stored = Store::read(store);
+    EXPECT_LE(stored.runs.size(), 1u);
+    for (std::size_t i = 0; i < stored.runs.size(); ++i) EXPECT_EQ(stored.runs[i].history.size(), 5u);
+    EXPECT_TRUE(run(stored, store, {.jobs = 1, .progress = {}, .interrupted = {}}));
+    expect_same(stored, expected);
+  }
+}
+
+TEST_F(CampaignTest, ACompleteCampaignRunsNothingAgain) {
+  auto contents = done(lot("bilinear"));
+  auto const expected = contents;
+  bool called = false;
+  EXPECT_TRUE(run(contents, file(), {.jobs = 2, .progress = [&](Progress const&) { called = true; }, .interrupted = {}}));
+  EXPECT_FALSE(called);
+  expect_same(contents, expected);
+  expect_same(Store::read(file()), expected);
+}
+
+// Nothing to search, nothing to find ---------------------------------------------------------------------------
+
+TEST_F(CampaignTest, AllParametersFixedIsEvaluatedAsTheyAre) {
+  auto fixed = lot("bilinear,abe-y0");
+  std::vector<double> const K{1.5, 0.6, 20.0};
+  fixed.settings.overrides = {fit::parse_override("bilinear.K1=1.5"), fit::parse_override("bilinear.K2=0.6"),
+                              fit::parse_override("bilinear.xy=20")};
+  auto const contents = done(fixed, 2);
+  ASSERT_EQ(contents.runs.size(), 12u);
+  for (auto const& r : contents.runs) {
+    if (r.law != "bilinear") continue;
+    fit::LawOnRecord const model(laws::find_law("bilinear"), contents.devices[r.device].record, laws::Integration::converged);
+    std::vector<double> work;
+    EXPECT_EQ(r.parameters, K);
+    EXPECT_EQ(r.objective, model.objective(K, work));
+    EXPECT_EQ(r.evaluations, 1);
+    EXPECT_EQ(r.history, std::vector<double>{r.objective});
+    EXPECT_EQ(r.outcome, Outcome::all_generations);
+    EXPECT_EQ(r.integration_shift, 0.0);
+  }
+}
+
+// beta + gamma <= 0 has no bounded force: the run fails, the others do not notice.
+TEST_F(CampaignTest, ARunWithoutAnyFiniteForceIsRecordedAsSuch) {
+  auto const expected = by_name(done(lot("bilinear"), 1, "plain.sqlite"));
+  for (auto const& overrides : {std::vector{fit::parse_override("bouc-wen.beta=-2:-1"), fit::parse_override("bouc-wen.gamma=-2:-1")},
+                                std::vector{fit::parse_override("bouc-wen.alpha=0.1"), fit::parse_override("bouc-wen.Ke=3"),
+                                            fit::parse_override("bouc-wen.A=1"), fit::parse_override("bouc-wen.n=1"),
+                                            fit::parse_override("bouc-wen.beta=-1"), fit::parse_override("bouc-wen.gamma=-1")}}) {
+    auto failing = lot("bouc-wen,bilinear");
+    failing.settings.overrides = overrides;
+    auto const contents = done(failing, 2);
+    ASSERT_EQ(contents.runs.size(), 12u);
+    for (auto const& r : contents.runs) {
+      if (r.law == "bilinear") continue;
+      EXPECT_EQ(r.outcome, Outcome::no_finite_value);
+      EXPECT_FALSE(r.usable());
+      EXPECT_TRUE(std::isnan(r.objective));
+      EXPECT_TRUE(std::isnan(r.integration_shift));
+      EXPECT_EQ(r.history, std::vector<double>{std::numeric_limits<double>::infinity()});
+    }
+    auto const found = by_name(contents);
+    for (auto const& [key, run] : expected) expect_same(found.at(key), run);
+  }
+}
+
+TEST_F(CampaignTest, AStoreThatIsNotThereIsRefused) {
+  auto contents = prepare(lot("bilinear"));
+  EXPECT_THROW(run(contents, folder / "absent.sqlite", {.jobs = 1, .progress = {}, .interrupted = {}}), Error);
+}
+
+}  // namespace
+}  // namespace isolaw::campaign

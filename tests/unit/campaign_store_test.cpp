@@ -1,0 +1,343 @@
+// The store: everything written comes back, a run is there wholly or not at all, and foreign files are refused.
+#include "isolaw/campaign/store.hpp"
+
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "campaign_fixture.hpp"
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/hash.hpp"
+
+namespace isolaw::campaign {
+namespace {
+
+using testing::expect_same;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::string const attack = "O'Brien\"; DROP TABLE run; -- <script>alert('1')</script>\nsecond line\t\\ `x` %s {}";
+std::string const unicode = "Prüfling № 試験 🙂 e\u0301";
+
+// Plain SQL, as any other program would use it.
+std::vector<std::vector<std::string>> sql(std::filesystem::path const& file, std::string const& text) {
+  sqlite3* db = nullptr;
+  EXPECT_EQ(sqlite3_open(file.c_str(), &db), SQLITE_OK);
+  std::vector<std::vector<std::string>> rows;
+  auto const take = [](void* into, int count, char** values, char**) {
+    std::vector<std::string> row;
+    for (int i = 0; i < count; ++i) row.emplace_back(values[i] == nullptr ? "NULL" : values[i]);
+    static_cast<std::vector<std::vector<std::string>>*>(into)->push_back(row);
+    return 0;
+  };
+  char* message = nullptr;
+  EXPECT_EQ(sqlite3_exec(db, text.c_str(), take, &rows, &message), SQLITE_OK) << (message == nullptr ? "" : message);
+  sqlite3_free(message);
+  sqlite3_close(db);
+  return rows;
+}
+
+Contents full() {
+  Contents c;
+  c.title = attack;
+  c.settings.laws = {"hwang-wu", "bilinear", "abe"};  // not in alphabetical order
+  c.settings.runs = 3;
+  c.settings.seed = 18446744073709551615u;
+  c.settings.overrides = {fit::parse_override("abe.r=0.1:0.2")};
+
+  Device first;
+  first.name = attack;
+  first.file = "a folder/" + unicode + ".csv, other.csv";
+  first.info = {.serial = attack, .lot = unicode, .test_date = "2023-05-11", .temperature_C = -0.5,
+                .rubber_thickness_mm = 208.0, .rubber_area_mm2 = std::nullopt};
+  first.raw.file = first.file;
+  first.raw.sha256 = sha256("1");
+  first.raw.time_s = {0.0, 0.1, 0.30000000000000004};
+  first.raw.disp_mm = {-0.0, std::numeric_limits<double>::denorm_min(), -1e308};
+  first.raw.force_kN = {1.0 / 3.0, infinity, -2.0};
+  first.raw.load_kN = {1632.0, 1633.0, 1634.0};
+  first.raw.recognised = {attack, "", unicode};
+  first.raw.warnings = {"[\"not\", \"a list\"]"};
+  first.record = {.time_s = {0.0, 1.0}, .disp_mm = {1.0, 2.0}, .vel_mm_s = {3.0, 4.0}, .force_kN = {5.0, 6.0}, .cleaning = {"", attack}};
+
+  Device refused;
+  refused.name = unicode;
+  refused.file = refused.raw.file = "b.csv";
+  refused.refusal = "b.csv:7: found 'x'; allowed: a number\nb.csv: and another line";
+
+  Device no_time;  // no load, no time, no warnings, an empty name of everything else
+  no_time.name = "D\xb0 3";  // bytes of cp1252, as a file's name may hold
+  no_time.raw.disp_mm = {1.0};
+  no_time.raw.force_kN = {2.0};
+  no_time.record.time_s = {0.0};
+  no_time.record.disp_mm = {1.0};
+  no_time.record.force_kN = {2.0};
+  c.devices = {first, refused, no_time};
+
+  fit::SearchBox box;
+  box.parameters = {{.name = attack, .unit = "1/(N cm)", .free = true, .value = 0.0, .lower = -5e-6, .upper = -1e-9,
+                     .scale = laws::Scale::logarithmic},
+                    {.name = "K2", .unit = "", .free = false, .value = 0.1 + 0.2, .lower = 0.30000000000000004,
+                     .upper = 0.30000000000000004, .scale = laws::Scale::linear},
+                    {.name = "K1", .unit = "kN/mm", .free = true, .value = 0.0, .lower = 1.0, .upper = 2.0}};
+  for (auto const& law : c.settings.laws) c.searches.push_back({.device = 0, .law = law, .refusal = "", .box = box});
+  c.searches.push_back({.device = 2, .law = "hwang-wu", .refusal = "law hwang-wu: " + attack, .box = {}});
+  c.searches.push_back({.device = 2, .law = "bilinear", .refusal = "", .box = {}});
+  c.searches.push_back({.device = 2, .law = "abe", .refusal = "", .box = box});
+  return c;
+}
+
+Run good(std::size_t device, std::string law, int number) {
+  return {.device = device, .law = std::move(law), .number = number, .outcome = Outcome::stagnated,
+          .objective = 0.05 + 1e-17 * number, .integration_shift = 1e-9 / 3.0, .evaluations = 4200,
+          .parameters = {1.0 / 3.0, -2.5e-300, 0.0}, .history = {infinity, 0.25, 0.1, 0.05}};
+}
+
+Run failed(std::size_t device, std::string law, int number) {
+  return {.device = device, .law = std::move(law), .number = number, .outcome = Outcome::no_finite_value,
+          .objective = std::nan(""), .integration_shift = std::nan(""), .evaluations = 100, .parameters = {}, .history = {infinity}};
+}
+
+// By device, law (alphabetically) and number, as Contents holds them.
+std::vector<Run> runs() {
+  auto plain = good(2, "bilinear", 1);
+  plain.outcome = Outcome::all_generations;
+  plain.history.clear();
+  plain.integration_shift = std::nan("");
+  return {good(0, "abe", 1), good(0, "abe", 2), failed(0, "abe", 11), failed(0, "hwang-wu", 1), good(0, "hwang-wu", 2), plain};
+}
+
+class StoreTest : public testing::Folder {
+ protected:
+  std::filesystem::path file() const { return folder / "campaign.sqlite"; }
+  // A finished store that holds `full` and `runs`, and what went into it.
+  Contents make() const {
+    auto contents = full();
+    auto store = Store::create(file(), contents);
+    for (auto const& run : runs()) store.add(run);
+    store.finish();
+    contents.runs = runs();
+    return contents;
+  }
+  // What opening and reading say; both must refuse.
+  std::string refusal(std::filesystem::path const& path) const {
+    std::string said;
+    auto const attempt = [&](std::function<void()> const& action, char const* what) {
+      try {
+        action();
+        ADD_FAILURE() << what << " accepted " << path;
+      } catch (Error const& error) {
+        said += std::string(error.what()) + "\n";
+      }
+    };
+    attempt([&] { Store::read(path); }, "read");
+    attempt([&] { Store::open(path); }, "open");
+    return said;
+  }
+};
+
+TEST_F(StoreTest, EverythingComesBack) { expect_same(Store::read((make(), file())), [] { auto c = full(); c.runs = runs(); return c; }()); }
+
+TEST_F(StoreTest, RunsComeBackInOrderHoweverTheyWereAdded) {
+  auto contents = full();
+  auto store = Store::create(file(), contents);
+  auto mixed = runs();
+  std::ranges::reverse(mixed);
+  for (auto const& run : mixed) store.add(run);
+  expect_same(Store::read(file()).runs, runs());  // while it is open for more
+}
+
+TEST_F(StoreTest, AnEmptyCampaignComesBack) {
+  Contents contents;
+  Store::create(file(), contents).finish();
+  auto const read = Store::read(file());
+  EXPECT_TRUE(read.devices.empty() && read.searches.empty() && read.runs.empty() && read.title.empty());
+}
+
+TEST_F(StoreTest, CreatingReplacesAnOldStore) {
+  make();
+  Contents other;
+  other.title = "other";
+  Store::create(file(), other);
+  EXPECT_EQ(Store::read(file()).title, "other");
+  EXPECT_TRUE(Store::read(file()).devices.empty());
+}
+
+TEST_F(StoreTest, ClosedWithoutFinishingIsReadableAndCanBeContinued) {
+  {
+    auto store = Store::create(file(), full());
+    store.add(runs()[0]);
+    store.add(runs()[1]);
+  }
+  ASSERT_EQ(Store::read(file()).runs.size(), 2u);
+  {
+    auto store = Store::open(file());
+    for (std::size_t i = 2; i < runs().size(); ++i) store.add(runs()[i]);
+    store.finish();
+  }
+  auto expected = full();
+  expected.runs = runs();
+  expect_same(Store::read(file()), expected);
+}
+
+// What a killed program leaves is the store's files as they lie while it is open.
+TEST_F(StoreTest, KilledAfterAnyRunKeepsTheRunsBefore) {
+  auto store = Store::create(file(), full());
+  auto const killed = folder / "killed";
+  for (std::size_t i = 0; i < runs().size(); ++i) {
+    store.add(runs()[i]);
+    std::filesystem::remove_all(killed);
+    std::filesystem::create_directory(killed);
+    for (auto const* suffix : {"", "-wal"}) {  // the index file -shm is made again
+      auto const from = file().string() + suffix;
+      if (std::filesystem::exists(from)) std::filesystem::copy(from, killed / ("campaign.sqlite" + std::string(suffix)));
+    }
+    auto expected = runs();
+    expected.resize(i + 1);
+    expect_same(Store::read(killed / "campaign.sqlite").runs, expected);
+    auto resumed = Store::open(killed / "campaign.sqlite");
+    for (std::size_t k = i + 1; k < runs().size(); ++k) resumed.add(runs()[k]);
+    resumed.finish();
+    expect_same(Store::read(killed / "campaign.sqlite").runs, runs());
+  }
+}
+
+// A log cut off anywhere, as after a power failure, loses whole runs and never a part of one.
+TEST_F(StoreTest, ATornLogLosesWholeRunsOnly) {
+  auto store = Store::create(file(), full());
+  for (auto const& run : runs()) store.add(run);
+  auto const log = bytes_of(file().string() + "-wal");
+  ASSERT_GT(log.size(), 1000u);
+  for (std::size_t part = 1; part <= 20; ++part) {
+    auto const copy = write("torn.sqlite", bytes_of(file()));
+    write("torn.sqlite-wal", log.substr(0, log.size() * part / 20));
+    std::filesystem::remove(copy.string() + "-shm");
+    Contents read;
+    try {
+      read = Store::read(copy);
+    } catch (Error const&) {
+      continue;  // cut before the store itself was written
+    }
+    ASSERT_LE(read.runs.size(), runs().size());
+    for (auto const& run : read.runs) {
+      auto const all = runs();
+      auto const expected = std::ranges::find_if(
+          all, [&](auto const& r) { return r.device == run.device && r.law == run.law && r.number == run.number; });
+      ASSERT_NE(expected, all.end());
+      expect_same(run, *expected);
+    }
+    EXPECT_TRUE(part < 20 || read.runs.size() == runs().size());
+  }
+}
+
+TEST_F(StoreTest, ARunAddedTwiceIsRefusedWholly) {
+  auto store = Store::create(file(), full());
+  store.add(runs()[0]);
+  auto changed = runs()[0];
+  changed.parameters.push_back(99.0);
+  EXPECT_THROW(store.add(changed), Error);
+  store.add(runs()[1]);  // the store is still usable
+  auto expected = runs();
+  expected.resize(2);
+  expect_same(Store::read(file()).runs, expected);
+}
+
+TEST_F(StoreTest, FinishingLeavesOnePlainFile) {
+  make();
+  EXPECT_EQ(names(), std::vector<std::string>{"campaign.sqlite"});
+  auto const bytes = bytes_of(file());
+  ASSERT_GT(bytes.size(), 100u);
+  EXPECT_EQ(bytes[18], 1);  // file format versions of the header: 1 is the rollback journal, 2 the write-ahead log
+  EXPECT_EQ(bytes[19], 1);
+}
+
+TEST_F(StoreTest, ReadingChangesNothing) {
+  make();
+  auto const before = bytes_of(file());
+  Store::read(file());
+  EXPECT_EQ(bytes_of(file()), before);
+  EXPECT_EQ(names(), std::vector<std::string>{"campaign.sqlite"});
+}
+
+TEST_F(StoreTest, ReadingAnUnfinishedStoreChangesNothing) {
+  {
+    auto store = Store::create(file(), full());
+    for (auto const& run : runs()) store.add(run);
+  }
+  auto const before = bytes_of(file());
+  auto const listed = names();
+  EXPECT_EQ(Store::read(file()).runs.size(), runs().size());
+  EXPECT_EQ(bytes_of(file()), before);
+  EXPECT_EQ(names(), listed);
+}
+
+TEST_F(StoreTest, PlainSqlReadsIt) {
+  make();
+  EXPECT_EQ(sql(file(), "SELECT count(*) FROM run"), (std::vector<std::vector<std::string>>{{"6"}}));
+  EXPECT_EQ(sql(file(), "SELECT count(*) FROM run WHERE objective IS NULL")[0][0], "2");
+  EXPECT_EQ(sql(file(), "SELECT status, count(*) FROM device GROUP BY status ORDER BY status"),
+            (std::vector<std::vector<std::string>>{{"ok", "2"}, {"refused", "1"}}));
+  EXPECT_EQ(sql(file(), "SELECT name FROM device WHERE id = 0")[0][0], attack);
+  EXPECT_EQ(sql(file(), "SELECT count FROM series WHERE device = 0 AND kind = 'raw' AND channel = 'time_s'")[0][0], "3");
+  EXPECT_EQ(sql(file(), "PRAGMA integrity_check")[0][0], "ok");
+}
+
+TEST_F(StoreTest, RefusesWhatIsNotThere) {
+  auto const said = refusal(folder / "nothing.sqlite");
+  EXPECT_NE(said.find("nothing.sqlite"), std::string::npos) << said;
+  EXPECT_TRUE(names().empty());  // and does not make it
+}
+
+// Each kind of foreign file is refused by name, as not being a store.
+TEST_F(StoreTest, RefusesWhatIsNotAStore) {
+  auto const text = write("text.sqlite", std::string(5000, 'x') + "\nnot a database\n");
+  auto const empty = write("empty.sqlite", "");
+  auto const other = folder / "other.sqlite";
+  sql(other, "CREATE TABLE bookmarks (url TEXT)");
+  auto const other_meta = folder / "other_meta.sqlite";
+  sql(other_meta, "CREATE TABLE meta (key TEXT, value TEXT); INSERT INTO meta VALUES ('version', '1')");
+  auto const stranger = folder / "stranger.sqlite";
+  sql(stranger, "CREATE TABLE meta (something INTEGER)");
+  for (auto const& path : {text, empty, other, other_meta, stranger}) {
+    auto const before = bytes_of(path);
+    auto const said = refusal(path);
+    EXPECT_NE(said.find(path.string()), std::string::npos) << said;
+    EXPECT_NE(said.find("not a campaign store"), std::string::npos) << path << ": " << said;
+    EXPECT_EQ(said.find("free space"), std::string::npos) << path << ": " << said;
+    EXPECT_EQ(bytes_of(path), before) << path << " was changed";
+  }
+  EXPECT_FALSE(refusal(folder).empty());  // a folder
+}
+
+TEST_F(StoreTest, RefusesANewerSchemaAndChangesNothing) {
+  make();
+  sql(file(), "UPDATE meta SET value = '2' WHERE key = 'schema'");
+  auto const before = bytes_of(file());
+  auto const said = refusal(file());
+  for (auto const* part : {"campaign.sqlite", "version 2", "version 1"}) EXPECT_NE(said.find(part), std::string::npos) << said;
+  EXPECT_EQ(bytes_of(file()), before);
+}
+
+TEST_F(StoreTest, RefusesATruncatedStore) {
+  make();
+  auto const bytes = bytes_of(file());
+  auto const cut = write("cut.sqlite", bytes.substr(0, bytes.size() / 2));
+  EXPECT_THROW(Store::read(cut), Error);
+}
+
+TEST_F(StoreTest, SaysWhereItCannotBeMade) {
+  try {
+    Store::create(folder / "no such folder" / "campaign.sqlite", full());
+    FAIL() << "made in a folder that is not there";
+  } catch (Error const& error) {
+    EXPECT_NE(std::string(error.what()).find("no such folder"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace isolaw::campaign
