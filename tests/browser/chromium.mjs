@@ -4,13 +4,26 @@ import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
-const FLAGS = ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
-  '--disable-component-update', '--disable-sync', '--disable-dev-shm-usage', '--hide-scrollbars', '--remote-debugging-pipe'];
+const FLAGS = [
+  '--headless',
+  '--no-sandbox',
+  '--disable-gpu',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+  '--disable-dev-shm-usage',
+  '--hide-scrollbars',
+  '--remote-debugging-pipe',
+];
 
 export class Chromium {
   constructor(program) {
     this.profile = mkdtempSync(join(tmpdir(), 'isolaw-chromium-'));
-    this.process = spawn(program, [...FLAGS, `--user-data-dir=${this.profile}`, 'about:blank'], { stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'] });
+    this.process = spawn(program, [...FLAGS, `--user-data-dir=${this.profile}`, 'about:blank'], {
+      stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'],
+    });
     this.pending = new Map();
     this.listeners = new Set();
     this.count = 0;
@@ -43,10 +56,15 @@ export class Chromium {
     const { targetId } = await this.send('Target.createTarget', { url: 'about:blank' });
     const { sessionId } = await this.send('Target.attachToTarget', { targetId, flatten: true });
     const page = {
-      errors: [], requests: [],
+      errors: [],
+      requests: [],
       send: (method, params) => this.send(method, params, sessionId),
       evaluate: async (expression) => {
-        const { result, exceptionDetails } = await page.send('Runtime.evaluate', { expression, awaitPromise: true, returnByValue: true });
+        const { result, exceptionDetails } = await page.send('Runtime.evaluate', {
+          expression,
+          awaitPromise: true,
+          returnByValue: true,
+        });
         if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
         return result.value;
       },
@@ -55,16 +73,22 @@ export class Chromium {
     const loaded = new Promise((resolve) => {
       this.listeners.add(({ method, params, sessionId: session }) => {
         if (session !== sessionId) return;
-        if (method === 'Runtime.exceptionThrown') page.errors.push(params.exceptionDetails.exception?.description ?? params.exceptionDetails.text);
-        if (method === 'Runtime.consoleAPICalled' && ['error', 'warning', 'assert'].includes(params.type)) page.errors.push(params.args.map((a) => a.value ?? a.description).join(' '));
-        if (method === 'Log.entryAdded' && ['error', 'warning'].includes(params.entry.level)) page.errors.push(params.entry.text);
-        if (method === 'Network.requestWillBeSent' && !/^(file|data|blob):/.test(params.request.url)) page.requests.push(params.request.url);
+        if (method === 'Runtime.exceptionThrown')
+          page.errors.push(params.exceptionDetails.exception?.description ?? params.exceptionDetails.text);
+        if (method === 'Runtime.consoleAPICalled' && ['error', 'warning', 'assert'].includes(params.type))
+          page.errors.push(params.args.map((a) => a.value ?? a.description).join(' '));
+        if (method === 'Log.entryAdded' && ['error', 'warning'].includes(params.entry.level))
+          page.errors.push(params.entry.text);
+        if (method === 'Network.requestWillBeSent' && !/^(file|data|blob):/.test(params.request.url))
+          page.requests.push(params.request.url);
         if (method === 'Page.loadEventFired') resolve();
       });
     });
     for (const domain of ['Runtime', 'Log', 'Network', 'Page']) await page.send(domain + '.enable');
     await page.send('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor: 1, mobile: width < 500 });
-    await page.send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' }] });
+    await page.send('Emulation.setEmulatedMedia', {
+      features: [{ name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' }],
+    });
     await page.send('Page.navigate', { url });
     await loaded;
     return page;

@@ -27,7 +27,9 @@ const FIRST_SCREEN_MS = 2000;
 // Runs in the page. Scrolls through it as a reader does and tries the controls; says what it saw.
 async function look() {
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
-  const until = async (condition) => { for (let i = 0; i < 100 && !condition(); ++i) await wait(30); };
+  const until = async (condition) => {
+    for (let i = 0; i < 100 && !condition(); ++i) await wait(30);
+  };
   const isDrawn = (plot) => plot.querySelector('svg.main-svg .trace') !== null;
   const plots = [...document.querySelectorAll('.plot')];
   const drawnAtFirst = plots.filter(isDrawn).length;
@@ -36,7 +38,12 @@ async function look() {
     await until(() => isDrawn(plot));
   }
   const drawn = plots.filter(isDrawn).length;
-  const titles = () => plots.map((plot) => plot.querySelector('.main-svg')?.textContent ?? '').join('|') + document.querySelector('#figure-loop figcaption')?.textContent;
+  const fitting = plots.filter(
+    (plot) => plot.querySelector('svg.main-svg')?.getBoundingClientRect().width === plot.clientWidth,
+  ).length;
+  const titles = () =>
+    plots.map((plot) => plot.querySelector('.main-svg')?.textContent ?? '').join('|') +
+    document.querySelector('#figure-loop figcaption')?.textContent;
   const before = titles();
   for (const details of document.querySelectorAll('details')) details.open = true;
   for (const select of document.querySelectorAll('select')) {
@@ -49,13 +56,22 @@ async function look() {
   await wait(100);
   // Only tables and the contents may be wider than the page, inside their own scroller.
   const width = document.documentElement.clientWidth;
-  const wide = [...document.querySelectorAll('body *')]
-    .filter((node) => !node.closest('.scroll, nav, .skip, svg') && node.getBoundingClientRect().right > width + 1);
+  const wide = [...document.querySelectorAll('body *')].filter(
+    (node) => !node.closest('.scroll, nav, .skip, svg') && node.getBoundingClientRect().right > width + 1,
+  );
   return {
-    plots: plots.length, drawnAtFirst, drawn, controlsDoSomething: titles() !== before, errors: document.body.dataset.errors,
-    uncaptioned: [...document.querySelectorAll('figcaption')].filter((caption) => caption.textContent.trim() === '').length,
-    tables: document.querySelectorAll('table').length, wide: wide.slice(0, 3).map((node) => node.tagName + ' ' + node.className),
-    scrolls: document.documentElement.scrollWidth > width, images: document.querySelectorAll('img').length,
+    plots: plots.length,
+    drawnAtFirst,
+    drawn,
+    fitting,
+    controlsDoSomething: titles() !== before,
+    errors: document.body.dataset.errors,
+    uncaptioned: [...document.querySelectorAll('figcaption')].filter((caption) => caption.textContent.trim() === '')
+      .length,
+    tables: document.querySelectorAll('table').length,
+    wide: wide.slice(0, 3).map((node) => node.tagName + ' ' + node.className),
+    scrolls: document.documentElement.scrollWidth > width,
+    images: document.querySelectorAll('img').length,
     nastyName: document.body.innerText.includes('<img src=x onerror=alert(1)>'),
     unlabelled: [...document.querySelectorAll('select, input')].filter((control) => control.labels.length === 0).length,
     paper: getComputedStyle(document.body).backgroundColor,
@@ -72,7 +88,10 @@ async function photograph(page, { name, width, height }, directory) {
   const length = Math.min(await page.evaluate('document.documentElement.scrollHeight'), 20000);
   for (let top = 0, part = 1; top < length; top += 2 * height, ++part) {
     await page.evaluate(`scrollTo(0, ${top}); new Promise((done) => setTimeout(done, 300))`);
-    const { data } = await page.send('Page.captureScreenshot', { captureBeyondViewport: true, clip: { x: 0, y: top, width, height: Math.min(2 * height, length - top), scale: 1 } });
+    const { data } = await page.send('Page.captureScreenshot', {
+      captureBeyondViewport: true,
+      clip: { x: 0, y: top, width, height: Math.min(2 * height, length - top), scale: 1 },
+    });
     writeFileSync(join(directory, `${name}-${String(part).padStart(2, '0')}.png`), Buffer.from(data, 'base64'));
   }
 }
@@ -82,7 +101,9 @@ async function check(browser, directory, one) {
   const out = join(directory, name);
   execFileSync(makePage, [out, String(devices), String(laws)], { stdio: ['ignore', 'ignore', 'inherit'] });
   const page = await browser.open(pathToFileURL(join(out, 'report.html')).href, one);
-  await page.send('Browser.setDownloadBehavior', { behavior: 'allow', downloadPath: join(out, 'downloads') }).catch(() => {});
+  await page
+    .send('Browser.setDownloadBehavior', { behavior: 'allow', downloadPath: join(out, 'downloads') })
+    .catch(() => {});
   const firstScreen = await page.evaluate(`new Promise((done) => {
     const look = () => document.querySelector('.plot svg.main-svg .trace') ? done(performance.now()) : setTimeout(look, 20);
     look();
@@ -98,6 +119,7 @@ async function check(browser, directory, one) {
   expect(page.errors.length === 0 && seen.errors === '', name, 'errors: ' + [...page.errors, seen.errors].join('; '));
   expect(page.requests.length === 0, name, 'requested ' + page.requests.join(', '));
   expect(seen.plots === 5 && seen.drawn === 5, name, `${seen.drawn} of ${seen.plots} figures drawn, 5 expected`);
+  expect(seen.fitting === seen.plots, name, `${seen.plots - seen.fitting} figures do not fill their place`);
   expect(seen.controlsDoSomething, name, 'choosing another device and other laws changed nothing');
   expect(seen.uncaptioned === 0, name, 'a caption is empty');
   expect(!seen.scrolls && seen.wide.length === 0, name, 'wider than the window: ' + seen.wide.join(', '));
@@ -106,7 +128,12 @@ async function check(browser, directory, one) {
   expect(seen.paper === (dark ? 'rgb(20, 25, 29)' : 'rgb(255, 255, 255)'), name, 'paper is ' + seen.paper);
 
   // Printed: light whatever the screen, nothing cut off at the right edge of the paper.
-  await page.send('Emulation.setDeviceMetricsOverride', { width: 681, height: 960, deviceScaleFactor: 1, mobile: false });  // 180 mm
+  await page.send('Emulation.setDeviceMetricsOverride', {
+    width: 681,
+    height: 960,
+    deviceScaleFactor: 1,
+    mobile: false,
+  }); // 180 mm
   await page.send('Emulation.setEmulatedMedia', { media: 'print' });
   const cut = await page.evaluate(`(async () => {
     dispatchEvent(new Event('beforeprint'));
@@ -130,7 +157,8 @@ const browser = new Chromium(program);
 try {
   for (const one of CASES) {
     const firstScreen = await check(browser, directory, one);
-    if (firstScreen > FIRST_SCREEN_MS) console.log(`note: ${one.name} took ${Math.round(firstScreen)} ms to its first figure`);  // never a failure: machines differ
+    if (firstScreen > FIRST_SCREEN_MS)
+      console.log(`note: ${one.name} took ${Math.round(firstScreen)} ms to its first figure`); // never a failure: machines differ
   }
 } finally {
   await browser.close();

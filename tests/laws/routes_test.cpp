@@ -1,5 +1,8 @@
 // Every route to a force gives the same force: a double, a lane of a batch, the value of a derivative number, the
 // catalogue. And the derivative is that of the value.
+#include "isolaw/num/batch.hpp"
+#include "isolaw/num/dual.hpp"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -11,8 +14,6 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/laws/catalogue.hpp"
-#include "isolaw/num/batch.hpp"
-#include "isolaw/num/dual.hpp"
 #include "laws/candidates.hpp"
 #include "laws/motion.hpp"
 
@@ -146,8 +147,9 @@ Values<Law> overflowing() {
   return values;
 }
 
+// Sampled finely, so that one Runge-Kutta step per sample is stable for the neighbours.
 TYPED_TEST(Routes, AnOverflowStaysInItsLane) {
-  auto const path = path_of<TypeParam>(some_motion());
+  auto const path = path_of<TypeParam>(irregular(7, 150.0, 2, 1000, 0.0));
   for (auto const integration : both_integrations)
     for (std::size_t sick = 0; sick < width; ++sick) {
       auto group = group_from<TypeParam>(100);
@@ -205,43 +207,53 @@ TYPED_TEST(Routes, TheValueOfADerivativeNumberIsAScalar) {
     }
 }
 
-// Central differences at a step h err by h^2 (truncation) and by the rounding of the force over h. With h = 1e-6 of the
-// box that is 1e-9 and 1e-9 of (force / width of box); the tolerance is ten thousand times the first, relative to the
-// parameter's largest derivative, plus a hundred roundings over h. Differences that straddle a kink (yielding of
-// bilinear, z = 0 for small exponents) are wrong, not the derivative: at most 2 % of the samples may differ.
+// Central differences at a step h = 1e-6 of the box err by 1e-12 (truncation) and by a few roundings of the force over
+// h. The tolerance is 1e-5 of the parameter's largest derivative plus a hundred roundings over h. A difference that
+// straddles a kink (yielding of bilinear, z = 0 for small exponents) is wrong, not the derivative, and a differential law
+// carries it on to later samples: such a difference changes with h, and is left out. Few may be.
 TYPED_TEST(Routes, TheDerivativeIsTheCentralDifference) {
-  constexpr double relative = 1e-5, kink_share = 0.02;
-  auto const motion = irregular(11, 150.0, 3, 120, 0.01);
-  auto const path = path_of<TypeParam>(motion);
+  constexpr double relative = 1e-5, largest_share_left_out = 0.02;
+  auto const path = path_of<TypeParam>(irregular(11, 150.0, 3, 120, 0.01));
   auto const intervals = box<TypeParam>();
-  for (auto const integration : both_integrations)
+  for (auto const integration : both_integrations) {
+    std::size_t compared = 0, left_out = 0;
     for (std::uint32_t index = 0; index < 8; ++index) {
       auto const values = candidate<TypeParam>(index);
       auto const exact = dual_forces<TypeParam>(values, path, integration);
       for (std::size_t k = 0; k < values.size(); ++k) {
+        auto const difference = [&](double h) {
+          auto above = values, below = values;
+          above[k] += h;
+          below[k] -= h;
+          auto slope = forces<TypeParam>(above, path, integration);
+          auto const minus = forces<TypeParam>(below, path, integration);
+          for (std::size_t i = 0; i < slope.size(); ++i) slope[i] = (slope[i] - minus[i]) / (above[k] - below[k]);
+          return slope;
+        };
         double const h = 1e-6 * (intervals[k].upper - intervals[k].lower);
-        auto above = values, below = values;
-        above[k] += h;
-        below[k] -= h;
-        auto const plus = forces<TypeParam>(above, path, integration), minus = forces<TypeParam>(below, path, integration);
-        ASSERT_TRUE(all_finite(plus) && all_finite(minus)) << describe<TypeParam>(values);
-        double largest = 0.0;
-        for (auto const& force : exact) largest = std::max(largest, std::abs(force.slope[k]));
-        double const rounding = std::numeric_limits<double>::epsilon() * largest_magnitude(plus) / h;
-        double const tolerance = relative * largest + 100.0 * rounding;
-        std::size_t different = 0, worst_sample = 0;
-        double worst = 0.0;
-        for (std::size_t i = 0; i < exact.size(); ++i) {
-          double const error = std::abs(exact[i].slope[k] - (plus[i] - minus[i]) / (above[k] - below[k]));
-          if (!(error <= tolerance)) ++different;
-          if (!(error <= worst)) worst = error, worst_sample = i;
+        auto const slope = difference(h), finer = difference(0.4 * h);
+        ASSERT_TRUE(all_finite(slope) && all_finite(finer)) << describe<TypeParam>(values);
+        double largest = 0.0, force = 0.0;
+        for (auto const& value : exact) {
+          largest = std::max(largest, std::abs(value.slope[k]));
+          force = std::max(force, std::abs(value.value));
         }
-        EXPECT_LE(static_cast<double>(different), kink_share * static_cast<double>(exact.size()))
-            << name_of(integration) << ", derivative by " << TypeParam::template rows<double>[k].info.name
-            << ": largest difference " << worst << " at sample " << worst_sample << ", largest derivative " << largest
-            << ", tolerance " << tolerance << "; " << describe<TypeParam>(values);
+        double const tolerance = relative * largest + 100.0 * std::numeric_limits<double>::epsilon() * force / h;
+        for (std::size_t i = 0; i < exact.size(); ++i) {
+          if (std::abs(slope[i] - finer[i]) > 0.2 * tolerance) {
+            ++left_out;
+            continue;
+          }
+          ++compared;
+          ASSERT_NEAR(exact[i].slope[k], slope[i], tolerance)
+              << name_of(integration) << ", derivative by " << TypeParam::template rows<double>[k].info.name
+              << " at sample " << i << "; largest " << largest << "; " << describe<TypeParam>(values);
+        }
       }
     }
+    EXPECT_LE(static_cast<double>(left_out), largest_share_left_out * static_cast<double>(left_out + compared))
+        << name_of(integration);
+  }
 }
 
 TEST(Catalogue, HoldsEveryLawOnceInOrder) {

@@ -107,7 +107,6 @@ Run failed(std::size_t device, std::string law, int number) {
 std::vector<Run> runs() {
   auto plain = good(2, "bilinear", 1);
   plain.outcome = Outcome::all_generations;
-  plain.history.clear();
   plain.integration_shift = std::nan("");
   return {good(0, "abe", 1), good(0, "abe", 2), failed(0, "abe", 11), failed(0, "hwang-wu", 1), good(0, "hwang-wu", 2), plain};
 }
@@ -150,6 +149,14 @@ TEST_F(StoreTest, RunsComeBackInOrderHoweverTheyWereAdded) {
   std::ranges::reverse(mixed);
   for (auto const& run : mixed) store.add(run);
   expect_same(Store::read(file()).runs, runs());  // while it is open for more
+}
+
+TEST_F(StoreTest, ARunWithoutHistoryComesBack) {
+  auto run = good(0, "abe", 1);
+  run.history.clear();
+  auto store = Store::create(file(), full());
+  store.add(run);
+  expect_same(Store::read(file()).runs, {run});
 }
 
 TEST_F(StoreTest, AnEmptyCampaignComesBack) {
@@ -195,7 +202,7 @@ TEST_F(StoreTest, KilledAfterAnyRunKeepsTheRunsBefore) {
     std::filesystem::create_directory(killed);
     for (auto const* suffix : {"", "-wal"}) {  // the index file -shm is made again
       auto const from = file().string() + suffix;
-      if (std::filesystem::exists(from)) std::filesystem::copy(from, killed / ("campaign.sqlite" + std::string(suffix)));
+      if (std::filesystem::exists(from)) std::filesystem::copy(from, killed / fmt::format("campaign.sqlite{}", suffix));
     }
     auto expected = runs();
     expected.resize(i + 1);

@@ -37,27 +37,76 @@ inline ParameterFit parameter(std::string name, std::string unit, double mean, d
 // published table gives.
 inline std::vector<LawSketch> sketches() {
   return {
-      {"bilinear", "Bilinear, kinematic hardening", 0.137, 0.1421, true, 1.04, 0.82,
-       {parameter("K1", "kN/mm", 1.69, 1.0, 1.9), parameter("K2", "kN/mm", 0.416, 0.35, 0.95), parameter("xy", "mm", 42.2, 30.0, 80.0)}},
-      {"vaiana", "Vaiana, rate-independent, asymmetric", 0.088, 0.2164, true, 1.01, 0.95,
-       {parameter("kb+", "N/m", 4.37e5, 1e5, 1e6), parameter("f0+", "N", 43500.0, 1e4, 1e5), parameter("alpha+", "1/m", 49.9, 10.0, 50.0),
-        parameter("beta1-", "N/m", -0.49, -1.0, -0.05), parameter("beta2+", "1/m", 24.5, 10.0, 50.0)}},
-      {"hwang-wu", "Hwang and Wu, rate-dependent", 0.117, 0.3341, false, 0.97, 1.14,
-       {parameter("a1", "N/cm", 4590.0, 1e3, 1e4), parameter("a3", "1/cm^2", 0.01, 0.001, 0.1), parameter("a9", "N/cm^3", -2.5e-6, -1e-5, -1e-7)}},
-      {"jankowski", "Jankowski, non-linear spring and dashpot", 0.079, 0.3030, true, 0.995, 1.02,
-       {parameter("a1", "N/m", 2.88e5, 1e4, 1e6), parameter("a2", "N/m^3", 4.18e6, 1e6, 9e6), parameter("a3", "N/m^5", 5.48e6, 1e6, 9e6),
-        parameter("a7", "-", 4.4, 1.0, 10.0), parameter("a11", "-", 0.44, 0.1, 1.0)}},
-      {"bouc-wen", "Bouc-Wen, smooth hysteresis with post-yield stiffness", 0.089, 0.2171, false, 1.02, 0.93,
-       {parameter("alpha", "-", 0.149, 0.05, 0.5), parameter("Ke", "kN/mm", 3.09, 1.0, 5.0), parameter("n", "-", 1.01, 1.0, 2.0)}},
-      {"abe", "Abe, elastoplastic with displacement-dependent yield", 0.085, 0.2590, true, 1.0, 1.06,
-       {parameter("K1", "kN/mm", 7.1, 3.0, 10.0), parameter("Y0", "kN", 50.3, 30.0, 80.0), parameter("Xh", "mm", 115.0, 80.0, 150.0)}},
-      {"abe-y0", "Abe, yield force Y0 throughout", 0.091, 0.2490, false, 1.01, 1.09,
+      {"bilinear",
+       "Bilinear, kinematic hardening",
+       0.137,
+       0.1421,
+       true,
+       1.04,
+       0.82,
+       {parameter("K1", "kN/mm", 1.69, 1.0, 1.9), parameter("K2", "kN/mm", 0.416, 0.35, 0.95),
+        parameter("xy", "mm", 42.2, 30.0, 80.0)}},
+      {"vaiana",
+       "Vaiana, rate-independent, asymmetric",
+       0.088,
+       0.2164,
+       true,
+       1.01,
+       0.95,
+       {parameter("kb+", "N/m", 4.37e5, 1e5, 1e6), parameter("f0+", "N", 43500.0, 1e4, 1e5),
+        parameter("alpha+", "1/m", 49.9, 10.0, 50.0), parameter("beta1-", "N/m", -0.49, -1.0, -0.05),
+        parameter("beta2+", "1/m", 24.5, 10.0, 50.0)}},
+      {"hwang-wu",
+       "Hwang and Wu, rate-dependent",
+       0.117,
+       0.3341,
+       false,
+       0.97,
+       1.14,
+       {parameter("a1", "N/cm", 4590.0, 1e3, 1e4), parameter("a3", "1/cm^2", 0.01, 0.001, 0.1),
+        parameter("a9", "N/cm^3", -2.5e-6, -1e-5, -1e-7)}},
+      {"jankowski",
+       "Jankowski, non-linear spring and dashpot",
+       0.079,
+       0.3030,
+       true,
+       0.995,
+       1.02,
+       {parameter("a1", "N/m", 2.88e5, 1e4, 1e6), parameter("a2", "N/m^3", 4.18e6, 1e6, 9e6),
+        parameter("a3", "N/m^5", 5.48e6, 1e6, 9e6), parameter("a7", "-", 4.4, 1.0, 10.0),
+        parameter("a11", "-", 0.44, 0.1, 1.0)}},
+      {"bouc-wen",
+       "Bouc-Wen, smooth hysteresis with post-yield stiffness",
+       0.089,
+       0.2171,
+       false,
+       1.02,
+       0.93,
+       {parameter("alpha", "-", 0.149, 0.05, 0.5), parameter("Ke", "kN/mm", 3.09, 1.0, 5.0),
+        parameter("n", "-", 1.01, 1.0, 2.0)}},
+      {"abe",
+       "Abe, elastoplastic with displacement-dependent yield",
+       0.085,
+       0.2590,
+       true,
+       1.0,
+       1.06,
+       {parameter("K1", "kN/mm", 7.1, 3.0, 10.0), parameter("Y0", "kN", 50.3, 30.0, 80.0),
+        parameter("Xh", "mm", 115.0, 80.0, 150.0)}},
+      {"abe-y0",
+       "Abe, yield force Y0 throughout",
+       0.091,
+       0.2490,
+       false,
+       1.01,
+       1.09,
        {parameter("K1", "kN/mm", 7.2, 3.0, 10.0), parameter("Y0", "kN", 49.1, 30.0, 80.0)}},
   };
 }
 
 // Three cycles of ±208 mm at 0.5 Hz; factors 1 give the record itself.
-inline std::vector<double> loop_force(data::FitRecord const& record, double stiffness, double strength, double scragging) {
+inline std::vector<double> loop_force(data::FitRecord const& record, double stiffness, double strength,
+                                      double scragging) {
   std::vector<double> force;
   double hysteresis = 0.0;
   for (std::size_t i = 0; i < record.size(); ++i) {
@@ -98,7 +147,8 @@ inline DeviceResult device(std::string name, double scatter, int samples_per_cyc
     cycle.amplitude_mm = 208.0;
     cycle.K_eff_kN_per_mm = (1.0 + scatter) * (0.66 - 0.02 * number);
     cycle.energy_kN_mm = (1.0 + 0.5 * scatter) * (29500.0 - 250.0 * number);
-    cycle.damping_percent = 100.0 * cycle.energy_kN_mm / (2.0 * std::numbers::pi * cycle.K_eff_kN_per_mm * 208.0 * 208.0);
+    cycle.damping_percent =
+        100.0 * cycle.energy_kN_mm / (2.0 * std::numbers::pi * cycle.K_eff_kN_per_mm * 208.0 * 208.0);
     device.properties.cycles.push_back(cycle);
   }
   device.properties.reported = device.properties.cycles.back();
@@ -112,7 +162,8 @@ inline Summary lot(int device_count = 3, int law_count = 3) {
   summary.version = "0.1.0";
   summary.title = "Test lot";
   summary.seed = 7;
-  summary.settings = {{"runs", "20"}, {"integration", "\"converged\""}, {"laws", R"(["bilinear","vaiana"])"}, {"smooth", "5"}};
+  summary.settings = {
+      {"runs", "20"}, {"integration", "\"converged\""}, {"laws", R"(["bilinear","vaiana"])"}, {"smooth", "5"}};
   std::vector<double> scatters;
   for (int d = 0; d < device_count; ++d) {
     scatters.push_back(device_count == 1 ? 0.0 : 0.12 * (2.0 * ((d * 7) % device_count) / (device_count - 1) - 1.0));
@@ -151,7 +202,8 @@ inline Summary lot(int device_count = 3, int law_count = 3) {
       fit.energy_error_percent = 100.0 * (sketch.strength - 1.0) - 2.0 * scatter;
       fit.damping_error_percent = 80.0 * (sketch.strength - 1.0);
       fit.integration_shift = 2e-5;
-      fit.force_kN = loop_force(summary.devices[place].record, sketch.stiffness * (1.0 + scatter), sketch.strength * (1.0 + 0.5 * scatter), 0.0);
+      fit.force_kN = loop_force(summary.devices[place].record, sketch.stiffness * (1.0 + scatter),
+                                sketch.strength * (1.0 + 0.5 * scatter), 0.0);
       for (std::size_t n = 0; n < sketch.parameters.size(); ++n) {
         auto parameter = sketch.parameters[n];
         double const difference = scatter * (1.0 + 0.4 * static_cast<double>(n));

@@ -56,7 +56,9 @@ TEST(Page, NamesOfTheInputCloseNothing) {
   EXPECT_EQ(page.find(fixture::nasty_name), std::string::npos);
   EXPECT_EQ(page.find("<img"), std::string::npos);
   EXPECT_EQ(page.find("<script>alert"), std::string::npos);
-  EXPECT_NE(page.find("<title>&lt;/script&gt;&lt;img src=x onerror=alert(1)&gt;&quot;&#39;\n=1+1 – isolaw report</title>"), std::string::npos);
+  EXPECT_NE(
+      page.find("<title>&lt;/script&gt;&lt;img src=x onerror=alert(1)&gt;&quot;&#39;\n=1+1 – isolaw report</title>"),
+      std::string::npos);
   EXPECT_EQ(count(page, "<script"), count(page, "</script"));
   EXPECT_EQ(count(page, "</script"), 4u);
 }
@@ -73,7 +75,8 @@ TEST(Page, LoadsNothing) {
   auto page = html(fixture::lot());
   auto const plotly = page.find("plotly.js (basic");
   ASSERT_NE(plotly, std::string::npos);
-  page.erase(plotly, page.find("</script", plotly) - plotly);  // names namespaces and licences; the policy blocks it anyway
+  page.erase(plotly,
+             page.find("</script", plotly) - plotly);  // names namespaces and licences; the policy blocks it anyway
   EXPECT_FALSE(std::regex_search(page, std::regex(R"((src|href)\s*=\s*["']?(https?:)?//)", std::regex::icase)));
   EXPECT_FALSE(std::regex_search(page, std::regex(R"(<link|@import|url\(|fetch\(|XMLHttpRequest)")));
   EXPECT_NE(page.find("content=\"default-src 'none';"), std::string::npos);
@@ -81,10 +84,13 @@ TEST(Page, LoadsNothing) {
 
 TEST(Page, EveryPlaceholderIsFilled) {
   auto const page = html(fixture::lot());
-  EXPECT_EQ(count(page, "{{"), count(std::string(assets::plotly_js()), "{{") + count(std::string(assets::page_js()), "{{"));
+  EXPECT_EQ(count(page, "{{"),
+            count(std::string(assets::plotly_js()), "{{") + count(std::string(assets::page_js()), "{{"));
 }
 
-TEST(Page, SameSummarySamePage) { EXPECT_EQ(html(fixture::lot()), html(fixture::lot())); }
+TEST(Page, SameSummarySamePage) {
+  EXPECT_EQ(html(fixture::lot()), html(fixture::lot()));
+}
 
 TEST(PageData, UndefinedIsNull) {
   auto const data = Json::parse(page_data_json(fixture::lot(1, 2)));
@@ -125,7 +131,9 @@ TEST(PageData, LongRecordsAreThinnedEvenlyWithBothEnds) {
   EXPECT_EQ(drawn.back(), 999u);
 }
 
-TEST(PageData, LargeLotStaysSmall) { EXPECT_LT(html(fixture::lot(160, 7)).size(), 30u * 1024u * 1024u); }
+TEST(PageData, LargeLotStaysSmall) {
+  EXPECT_LT(html(fixture::lot(160, 7)).size(), 30u * 1024u * 1024u);
+}
 
 }  // namespace
 }  // namespace isolaw::report

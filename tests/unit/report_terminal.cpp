@@ -12,14 +12,17 @@
 namespace isolaw::report {
 namespace {
 
-bool contains(std::string const& text, std::string const& part) { return text.find(part) != std::string::npos; }
+bool contains(std::string const& text, std::string const& part) {
+  return text.find(part) != std::string::npos;
+}
 
 std::size_t widest_line(std::string const& text) {
   std::istringstream lines(text);
   std::size_t widest = 0;
   for (std::string line; std::getline(lines, line);)
-    widest = std::max(widest, static_cast<std::size_t>(std::count_if(
-                                  line.begin(), line.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; })));
+    widest = std::max(widest, static_cast<std::size_t>(std::count_if(line.begin(), line.end(), [](char c) {
+                        return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u;
+                      })));
   return widest;
 }
 
@@ -37,10 +40,13 @@ TEST(Findings, PublishedLotHasThePublishedFront) {
   EXPECT_EQ(found.verdicts[4].dominated_by, std::vector<std::string>{"vaiana"});
   EXPECT_EQ(found.verdicts[5].dominated_by, (std::vector<std::string>{"jankowski", "abe", "vaiana"}));
   EXPECT_EQ(found.verdicts[0].sentence,
-            "Misses the measured force by 7.9 % of its standard deviation on average; its parameters stray up to 30 % from the lot's mean.");
-  EXPECT_EQ(found.verdicts[2].sentence, "Scatters less than abe (22 % against 26 %) and errs less than bilinear (8.8 % against 13.7 %).");
-  EXPECT_EQ(found.headline,
-            "4 of 6 laws are worth considering: the choice lies between accuracy (jankowski) and robustness (bilinear).");
+            "Misses the measured force by 7.9 % of its standard deviation on average; its parameters stray up to 30 % "
+            "from the lot's mean.");
+  EXPECT_EQ(found.verdicts[2].sentence,
+            "Scatters less than abe (22 % against 26 %) and errs less than bilinear (8.8 % against 13.7 %).");
+  EXPECT_EQ(
+      found.headline,
+      "4 of 6 laws are worth considering: the choice lies between accuracy (jankowski) and robustness (bilinear).");
 }
 
 TEST(Findings, OneLawOnTheFrontIsBestOfBoth) {
@@ -79,7 +85,8 @@ TEST(Findings, WarningsThatMatter) {
     topics.push_back(warning.topic);
     all += warning.sentence + "\n";
   }
-  EXPECT_EQ(topics, (std::vector<std::string>{"refused", "law not identified", "failed runs", "at bound", "integration"}));
+  EXPECT_EQ(topics,
+            (std::vector<std::string>{"refused", "law not identified", "failed runs", "at bound", "integration"}));
   EXPECT_TRUE(contains(all, "hwang-wu was not identified on D1 and D2: no time channel")) << all;
   EXPECT_TRUE(contains(all, "bilinear: 3 of 60 runs failed, the first on D3: infinite force")) << all;
   EXPECT_TRUE(contains(all, "vaiana: alpha+ at its upper bound on D1 and D3")) << all;
@@ -110,13 +117,16 @@ TEST(Ranking, ByMeanObjectiveWithFrontMarks) {
 }
 
 TEST(Ranking, FitsEightyColumnsAndNarrowTerminals) {
-  for (int const width : {60, 80, 120}) EXPECT_LE(widest_line(ranking(fixture::lot(10, 7), width)), static_cast<std::size_t>(std::max(width, 80)));
+  for (int const width : {60, 80, 120})
+    EXPECT_LE(widest_line(ranking(fixture::lot(10, 7), width)), static_cast<std::size_t>(std::max(width, 80)));
   EXPECT_LE(widest_line(ranking(fixture::lot(1, 7))), 80u);
 }
 
 TEST(Ranking, ControlCharactersDoNotReachTheTerminal) {
   auto summary = fixture::lot();
-  summary.devices[3].name = "bad\x1b[2J\xc2\x9b" "31m\nname";
+  summary.devices[3].name =
+      "bad\x1b[2J\xc2\x9b"
+      "31m\nname";
   auto const text = ranking(summary);
   EXPECT_EQ(text.find('\x1b'), std::string::npos);
   EXPECT_EQ(text.find("\xc2\x9b"), std::string::npos);

@@ -23,9 +23,13 @@ std::string percent(double fraction) {
 }
 
 // Objectives differ in their third digit, so they keep one decimal.
-std::string error_percent(LawResult const& law) { return fmt::format("{:.1f} %", 100.0 * *law.objective.mean); }
+std::string error_percent(LawResult const& law) {
+  return fmt::format("{:.1f} %", 100.0 * *law.objective.mean);
+}
 
-bool ranked(LawResult const& law) { return law.objective.mean && law.beta; }
+bool ranked(LawResult const& law) {
+  return law.objective.mean && law.beta;
+}
 
 bool dominates(LawResult const& a, LawResult const& b) {
   bool const no_worse = *a.objective.mean <= *b.objective.mean && *a.beta <= *b.beta;
@@ -52,15 +56,16 @@ Verdict front_verdict(Summary const& summary, std::vector<std::size_t> const& fr
   Verdict verdict{front[place], Role::between, {}, {}};
   if (front.size() == 1) {
     verdict.role = Role::best_of_both;
-    verdict.sentence = fmt::format("No law is more accurate and none is more robust: it {}, and its {}.", accuracy(law), scatter(law));
+    verdict.sentence =
+        fmt::format("No law is more accurate and none is more robust: it {}, and its {}.", accuracy(law), scatter(law));
   } else if (place == 0) {
     verdict.role = Role::most_accurate;
     verdict.sentence = fmt::format("{}; its {}.", capitalised(accuracy(law)), scatter(law));
   } else if (place + 1 == front.size()) {
     auto const& accurate = laws[front.front()];
     verdict.role = Role::most_robust;
-    verdict.sentence = fmt::format("Its {}, the least of all; the price is an error of {} against {} for {}.", scatter(law),
-                                   error_percent(law), error_percent(accurate), accurate.id);
+    verdict.sentence = fmt::format("Its {}, the least of all; the price is an error of {} against {} for {}.",
+                                   scatter(law), error_percent(law), error_percent(accurate), accurate.id);
   } else {
     auto const& accurate = laws[front[place - 1]];
     auto const& robust = laws[front[place + 1]];
@@ -101,8 +106,9 @@ std::string headline(Summary const& summary, std::vector<std::size_t> const& fro
   auto const& laws = summary.laws;
   if (front.size() == 1) return fmt::format("{} is both the most accurate and the most robust law.", laws[front[0]].id);
   if (front.size() > 1) {
-    return fmt::format("{} of {} laws are worth considering: the choice lies between accuracy ({}) and robustness ({}).",
-                       front.size(), laws.size(), laws[front.front()].id, laws[front.back()].id);
+    return fmt::format(
+        "{} of {} laws are worth considering: the choice lies between accuracy ({}) and robustness ({}).", front.size(),
+        laws.size(), laws[front.front()].id, laws[front.back()].id);
   }
   if (ranking.empty() || !laws[ranking.front()].objective.mean) return "No law could be identified.";
   return fmt::format("{} is the most accurate law; how robust it is cannot be said.", laws[ranking.front()].id);
@@ -110,7 +116,8 @@ std::string headline(Summary const& summary, std::vector<std::size_t> const& fro
 
 void warn_of_devices(Summary const& summary, std::vector<Warning>& warnings) {
   for (auto const& device : summary.devices)
-    if (device.status != "ok") warnings.push_back({"refused", fmt::format("{} was refused: {}", device.name, device.message)});
+    if (device.status != "ok")
+      warnings.push_back({"refused", fmt::format("{} was refused: {}", device.name, device.message)});
 }
 
 void warn_of_refused_laws(LawResult const& law, std::vector<Warning>& warnings) {
@@ -123,7 +130,8 @@ void warn_of_refused_laws(LawResult const& law, std::vector<Warning>& warnings) 
     found->second.push_back(fit.device);
   }
   for (auto const& [reason, devices] : reasons)
-    warnings.push_back({"law not identified", fmt::format("{} was not identified on {}: {}", law.id, enumerate(devices), reason)});
+    warnings.push_back(
+        {"law not identified", fmt::format("{} was not identified on {}: {}", law.id, enumerate(devices), reason)});
 }
 
 void warn_of_failed_runs(LawResult const& law, std::vector<Warning>& warnings) {
@@ -135,7 +143,8 @@ void warn_of_failed_runs(LawResult const& law, std::vector<Warning>& warnings) {
     if (first.empty() && fit.failed_runs > 0) first = fmt::format("{}: {}", fit.device, fit.failure);
   }
   if (failed > 0)
-    warnings.push_back({"failed runs", fmt::format("{}: {} of {} runs failed, the first on {}", law.id, failed, runs, first)});
+    warnings.push_back(
+        {"failed runs", fmt::format("{}: {} of {} runs failed, the first on {}", law.id, failed, runs, first)});
 }
 
 void warn_of_bounds(LawResult const& law, std::vector<Warning>& warnings) {
@@ -146,7 +155,8 @@ void warn_of_bounds(LawResult const& law, std::vector<Warning>& warnings) {
     for (auto const& parameter : fit.parameters) {
       if (parameter.at_bound.empty()) continue;
       std::pair const edge{parameter.name, parameter.at_bound};
-      auto found = std::find_if(at_bound.begin(), at_bound.end(), [&](auto const& entry) { return entry.first == edge; });
+      auto found =
+          std::find_if(at_bound.begin(), at_bound.end(), [&](auto const& entry) { return entry.first == edge; });
       if (found == at_bound.end()) found = at_bound.insert(at_bound.end(), {edge, {}});
       found->second.push_back(fit.device);
     }
@@ -160,7 +170,8 @@ void warn_of_bounds(LawResult const& law, std::vector<Warning>& warnings) {
     parts.push_back(fmt::format("{} at its {} bound on {}", edge.first, edge.second, where));
   }
   auto const shown = std::min<std::size_t>(parts.size(), 6);
-  std::string text = fmt::format("{}: {}", law.id, fmt::join(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(shown), "; "));
+  std::string text =
+      fmt::format("{}: {}", law.id, fmt::join(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(shown), "; "));
   if (shown < parts.size()) text += fmt::format("; and {} more", parts.size() - shown);
   warnings.push_back({"at bound", std::move(text)});
 }
@@ -174,16 +185,19 @@ void warn_of_integration(LawResult const& law, std::vector<Warning>& warnings) {
     largest = std::max(largest, std::abs(*fit.integration_shift));
   }
   if (!devices.empty())
-    warnings.push_back({"integration", fmt::format("{}: a finer integration step would move the objective by up to {:.2g} on {}",
-                                                   law.id, largest, enumerate(devices))});
+    warnings.push_back(
+        {"integration", fmt::format("{}: a finer integration step would move the objective by up to {:.2g} on {}",
+                                    law.id, largest, enumerate(devices))});
 }
 
 void warn_of_records(Summary const& summary, std::vector<Warning>& warnings) {
   for (auto const& device : summary.devices) {
     if (device.status != "ok") continue;
-    for (auto const& warning : device.raw.warnings) warnings.push_back({"record", fmt::format("{}: {}", device.name, warning)});
+    for (auto const& warning : device.raw.warnings)
+      warnings.push_back({"record", fmt::format("{}: {}", device.name, warning)});
     if (!device.properties.reported && !device.properties.refusal.empty())
-      warnings.push_back({"record", fmt::format("{}: no cyclic properties: {}", device.name, device.properties.refusal)});
+      warnings.push_back(
+          {"record", fmt::format("{}: no cyclic properties: {}", device.name, device.properties.refusal)});
   }
 }
 
@@ -197,7 +211,8 @@ std::vector<Warning> all_warnings(Summary const& summary) {
 }
 
 std::string note_on_beta(Summary const& summary) {
-  if (std::any_of(summary.laws.begin(), summary.laws.end(), [](auto const& law) { return law.beta.has_value(); })) return {};
+  if (std::any_of(summary.laws.begin(), summary.laws.end(), [](auto const& law) { return law.beta.has_value(); }))
+    return {};
   for (auto const& law : summary.laws)
     if (!law.beta_note.empty()) return law.beta_note;
   return "no law has a robustness index";
@@ -207,12 +222,18 @@ std::string note_on_beta(Summary const& summary) {
 
 std::string_view name(Role role) {
   switch (role) {
-    case Role::best_of_both: return "most accurate and most robust";
-    case Role::most_accurate: return "most accurate";
-    case Role::most_robust: return "most robust";
-    case Role::between: return "in between";
-    case Role::dominated: return "dominated";
-    case Role::unranked: break;
+    case Role::best_of_both:
+      return "most accurate and most robust";
+    case Role::most_accurate:
+      return "most accurate";
+    case Role::most_robust:
+      return "most robust";
+    case Role::between:
+      return "in between";
+    case Role::dominated:
+      return "dominated";
+    case Role::unranked:
+      break;
   }
   return "not ranked";
 }
@@ -226,7 +247,8 @@ Findings findings(Summary const& summary) {
   }
   Findings all;
   all.headline = headline(summary, front, ranking);
-  for (std::size_t place = 0; place < front.size(); ++place) all.verdicts.push_back(front_verdict(summary, front, place));
+  for (std::size_t place = 0; place < front.size(); ++place)
+    all.verdicts.push_back(front_verdict(summary, front, place));
   for (std::size_t const index : dominated) all.verdicts.push_back(dominated_verdict(summary, front, index));
   for (std::size_t const index : unranked) {
     auto verdict = unranked_verdict(summary.laws[index], index, summary.laws[ranking.front()]);

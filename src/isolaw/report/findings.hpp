@@ -21,7 +21,7 @@ enum class Role {
   most_robust,    // the front's end of smallest beta
   between,        // on the front between them
   dominated,
-  unranked        // without beta, or never identified
+  unranked  // without beta, or never identified
 };
 
 std::string_view name(Role role);  // "most accurate", "dominated", ...

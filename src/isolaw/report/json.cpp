@@ -61,7 +61,9 @@ JsonWriter& JsonWriter::value(double number) {
   return *this;
 }
 
-JsonWriter& JsonWriter::value(std::optional<double> const& number) { return number ? value(*number) : null(); }
+JsonWriter& JsonWriter::value(std::optional<double> const& number) {
+  return number ? value(*number) : null();
+}
 
 JsonWriter& JsonWriter::rounded(std::optional<double> const& number, int digits) {
   if (!number || !std::isfinite(*number)) return null();

@@ -36,9 +36,9 @@ struct DeviceFit {
   Statistic objective;
   std::optional<double> K_eff_error_percent, energy_error_percent, damping_error_percent;
   std::optional<double> integration_shift;
-  std::vector<ParameterFit> parameters;         // in the law's order
-  std::vector<double> force_kN;                 // computed by the best run at the samples of the device's FitRecord
-  std::vector<std::vector<double>> histories;   // per run: best objective after each generation
+  std::vector<ParameterFit> parameters;        // in the law's order
+  std::vector<double> force_kN;                // computed by the best run at the samples of the device's FitRecord
+  std::vector<std::vector<double>> histories;  // per run: best objective after each generation
 };
 
 // "ok", "refused" (the law does not apply to the device) or "failed" (it was tried, and no run was usable).
@@ -63,8 +63,8 @@ struct DeviceResult {
   std::string message;  // reason of a refusal
   std::string serial, lot, test_date;
   std::optional<double> temperature_C, rubber_thickness_mm, rubber_area_mm2;
-  data::TestRecord raw;    // empty when refused
-  data::FitRecord record;  // what the laws were fitted to
+  data::TestRecord raw;         // empty when refused
+  data::FitRecord record;       // what the laws were fitted to
   data::Properties properties;  // from raw values
 };
 

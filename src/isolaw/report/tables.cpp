@@ -79,7 +79,8 @@ void bound_cell(Table& table, LawResult const& law, std::size_t parameter, doubl
 
 std::string csv_cell(std::string_view text) {
   std::string cell;
-  bool const starts_formula = text.size() > 1 && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos;
+  bool const starts_formula =
+      text.size() > 1 && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos;
   if (starts_formula && !is_number(text)) cell += '\'';
   cell += text;
   if (cell.find_first_of(",\"\r\n") == std::string::npos) return cell;
@@ -106,7 +107,8 @@ std::string parameters_csv(Summary const& summary) {
     // The fits in the order of the header; a device the law was not tried on leaves its cells empty.
     std::vector<DeviceFit const*> fits;
     for (auto const& device : devices) {
-      auto const fit = std::find_if(law.devices.begin(), law.devices.end(), [&](auto const& f) { return f.device == device; });
+      auto const fit =
+          std::find_if(law.devices.begin(), law.devices.end(), [&](auto const& f) { return f.device == device; });
       fits.push_back(fit == law.devices.end() ? nullptr : &*fit);
     }
     table.cell(law.id).cell("OF").cell("-").empty(3);
@@ -130,7 +132,13 @@ std::string parameters_csv(Summary const& summary) {
 
 std::string objective_csv(Summary const& summary) {
   Table table;
-  table.cell("law").cell("device").cell("mean OF [-]").cell("std OF [-]").cell("best OF [-]").cell("runs").cell("failed runs");
+  table.cell("law")
+      .cell("device")
+      .cell("mean OF [-]")
+      .cell("std OF [-]")
+      .cell("best OF [-]")
+      .cell("runs")
+      .cell("failed runs");
   table.cell("K_eff error [%]").cell("energy error [%]").cell("damping error [%]").cell("integration shift of OF [-]");
   table.cell("status").cell("message").end_row();
   for (auto const& law : summary.laws) {
@@ -152,7 +160,13 @@ std::string robustness_csv(Summary const& summary) {
       if (std::find(names.begin(), names.end(), parameter.name) == names.end()) names.push_back(parameter.name);
 
   Table table;
-  table.cell("law").cell("mean OF [-]").cell("std OF [-]").cell("best OF [-]").cell("beta [-]").cell("on front").cell("note");
+  table.cell("law")
+      .cell("mean OF [-]")
+      .cell("std OF [-]")
+      .cell("best OF [-]")
+      .cell("beta [-]")
+      .cell("on front")
+      .cell("note");
   for (auto const& parameter : names) table.cell("Delta_n " + parameter + " [-]");
   table.end_row();
   for (auto const& law : summary.laws) {
@@ -160,9 +174,11 @@ std::string robustness_csv(Summary const& summary) {
     table.cell(law.beta).yes_no(law.on_front).cell(law.beta_note);
     auto const& parameters = parameters_of(law);
     for (auto const& wanted : names) {
-      auto const found = std::find_if(parameters.begin(), parameters.end(), [&](auto const& p) { return p.name == wanted; });
-      found == parameters.end() ? table.empty(1)
-                                : table.cell(largest_difference(law, static_cast<std::size_t>(found - parameters.begin())));
+      auto const found =
+          std::find_if(parameters.begin(), parameters.end(), [&](auto const& p) { return p.name == wanted; });
+      found == parameters.end()
+          ? table.empty(1)
+          : table.cell(largest_difference(law, static_cast<std::size_t>(found - parameters.begin())));
     }
     table.end_row();
   }
@@ -171,7 +187,12 @@ std::string robustness_csv(Summary const& summary) {
 
 std::string properties_csv(Summary const& summary) {
   Table table;
-  table.cell("device").cell("cycle").cell("amplitude [mm]").cell("K_eff [kN/mm]").cell("energy [kN mm]").cell("damping [%]");
+  table.cell("device")
+      .cell("cycle")
+      .cell("amplitude [mm]")
+      .cell("K_eff [kN/mm]")
+      .cell("energy [kN mm]")
+      .cell("damping [%]");
   table.cell("reported").cell("refusal").end_row();
   for (auto const& device : summary.devices) {
     auto const& properties = device.properties;

@@ -80,9 +80,13 @@ std::string law_table(Summary const& summary) {
   for (std::size_t const index : order) {
     auto const& law = summary.laws[index];
     bool const ranked = law.objective.mean && law.beta;
-    auto const objective = law.objective.mean ? fixed(law.objective.mean, 4) + " ± " + fixed(law.objective.std, 4) : "–";
+    auto const objective =
+        law.objective.mean ? fixed(law.objective.mean, 4) + " ± " + fixed(law.objective.std, 4) : "–";
     text += row(law.objective.mean ? std::to_string(++place) : "–", printable(law.id),
-                {objective, fixed(law.objective.best, 4), fixed(law.beta, 3), !ranked ? "–" : law.on_front ? "●" : "○",
+                {objective, fixed(law.objective.best, 4), fixed(law.beta, 3),
+                 !ranked        ? "–"
+                 : law.on_front ? "●"
+                                : "○",
                  fixed(mean_magnitude(law, &DeviceFit::K_eff_error_percent), 1),
                  fixed(mean_magnitude(law, &DeviceFit::energy_error_percent), 1)});
   }
@@ -130,9 +134,9 @@ class Canvas {
 // Beside, above or below the point, wherever there is room; a label without room is left out (the table has it).
 void put_label(Canvas& canvas, int column, int row, std::string_view id) {
   int const length = static_cast<int>(id.size());  // identifiers of laws are ASCII
-  std::array const places{std::pair{column + 2, row}, std::pair{column - 1 - length, row},
-                          std::pair{column + 2, row - 1}, std::pair{column + 2, row + 1},
-                          std::pair{column - 1 - length, row - 1}, std::pair{column - 1 - length, row + 1}};
+  std::array const places{
+      std::pair{column + 2, row},     std::pair{column - 1 - length, row},     std::pair{column + 2, row - 1},
+      std::pair{column + 2, row + 1}, std::pair{column - 1 - length, row - 1}, std::pair{column - 1 - length, row + 1}};
   for (auto const& [x, y] : places) {
     int const after = x + length < canvas.width() ? 1 : 0;  // a blank on both sides keeps it apart from its neighbours
     if (!canvas.is_free(x - 1, y, 1 + length + after)) continue;
@@ -177,7 +181,8 @@ std::string front_plot(Summary const& summary, int width) {
   for (int r = 0; r < height; ++r) {
     bool const tick = r % 4 == 0;
     double const value = y.upper - (y.upper - y.lower) * r / (height - 1);
-    text += padded(tick ? fmt::format("{:.3f} ", value) : "", margin, true) + (tick ? "┤" : "│") + canvas.line(r) + '\n';
+    text +=
+        padded(tick ? fmt::format("{:.3f} ", value) : "", margin, true) + (tick ? "┤" : "│") + canvas.line(r) + '\n';
   }
   std::string axis, numbers(static_cast<std::size_t>(margin + 1), ' ');
   for (int c = 0; c < plot_width; ++c) axis += c > 0 && c % 16 == 0 ? "┬" : "─";
@@ -218,10 +223,10 @@ std::string objective_bars(Summary const& summary, int width) {
 std::string heading(Summary const& summary, int width) {
   auto const refused = std::count_if(summary.devices.begin(), summary.devices.end(),
                                      [](auto const& device) { return device.status != "ok"; });
-  auto const text = fmt::format("{}: {} device{}{}, {} law{}, seed {}", summary.title.empty() ? "isolaw" : summary.title,
-                                summary.devices.size(), summary.devices.size() == 1 ? "" : "s",
-                                refused > 0 ? fmt::format(" ({} refused)", refused) : "", summary.laws.size(),
-                                summary.laws.size() == 1 ? "" : "s", summary.seed);
+  auto const text = fmt::format(
+      "{}: {} device{}{}, {} law{}, seed {}", summary.title.empty() ? "isolaw" : summary.title, summary.devices.size(),
+      summary.devices.size() == 1 ? "" : "s", refused > 0 ? fmt::format(" ({} refused)", refused) : "",
+      summary.laws.size(), summary.laws.size() == 1 ? "" : "s", summary.seed);
   return wrapped("", text, 0, width);
 }
 

@@ -18,7 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(fs::path const& path, std::string const& reason) {
-  throw Error(Complaint{path.string(), "cannot be written: " + reason, {}, "another output directory, or free space in this one"});
+  throw Error(Complaint{
+      path.string(), "cannot be written: " + reason, {}, "another output directory, or free space in this one"});
 }
 
 void make_directory(fs::path const& dir) {

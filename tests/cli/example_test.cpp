@@ -1,0 +1,183 @@
+// `isolaw example`, and `inspect` and `init` on its ten dialects of delimited text.
+#include <array>
+#include <cmath>
+
+#include "cli/run.hpp"
+
+namespace isolaw::cli_test {
+namespace {
+
+class Example : public InFreshDirectory {
+ protected:
+  void SetUp() override {
+    InFreshDirectory::SetUp();
+    written_ = isolaw({"example", "ex"});
+    ASSERT_EQ(written_.code, 0) << written_;
+  }
+  Outcome written_;
+};
+
+constexpr std::array records{"device-01.csv", "device-02.csv", "device-03.txt", "device-04.txt", "device-05.csv",
+                             "device-06.csv", "device-07.txt", "device-08.csv", "device-09.csv", "device-10.csv"};
+
+Words all_records() {
+  Words files;
+  for (auto const* name : records) files.push_back("ex/" + std::string(name));
+  return files;
+}
+
+TEST_F(Example, writes_lot_readme_and_ten_records_and_says_what_is_next) {
+  EXPECT_TRUE(contains(written_.out, "isolaw calibrate ex/lot.toml"));
+  EXPECT_EQ(written_.err, "");
+  std::size_t files = 0;
+  for ([[maybe_unused]] auto const& entry : fs::directory_iterator(path("ex"))) ++files;
+  EXPECT_EQ(files, 12u);
+  for (auto const* name : records) EXPECT_GT(fs::file_size(path(fs::path("ex") / name)), 10'000u) << name;
+  EXPECT_TRUE(contains(read("ex/README.md"), "not measurements"));
+  EXPECT_TRUE(contains(read("ex/README.md"), "proves nothing"));
+  EXPECT_EQ(count_of("[[device]]", read("ex/lot.toml")), 10u);
+}
+
+TEST_F(Example, second_call_leaves_everything_as_it_is) {
+  auto const before = read("ex/device-01.csv");
+  auto const again = isolaw({"example", "ex"});
+  EXPECT_EQ(again.code, 0) << again;
+  EXPECT_EQ(read("ex/device-01.csv"), before);
+}
+
+TEST_F(Example, does_not_overwrite_a_changed_file) {
+  write("ex/device-03.txt", "mine");
+  expect_refused(isolaw({"example", "ex"}), {"ex/device-03.txt", "another content", "empty directory"});
+  EXPECT_EQ(read("ex/device-03.txt"), "mine");
+}
+
+TEST_F(Example, into_a_file_is_refused) {
+  write("file", "x");
+  expect_refused(isolaw({"example", "file"}), {"file", "cannot make the directory", "another directory"});
+  EXPECT_EQ(read("file"), "x");
+}
+
+TEST_F(Example, is_the_folder_that_the_repository_carries) {
+  fs::path const committed = fs::path(ISOLAW_SOURCE_DIR) / "examples/published-lot";
+  if (!fs::exists(committed / "lot.toml")) GTEST_SKIP() << committed << " holds no files yet";
+  for (auto const& entry : fs::directory_iterator(path("ex")))
+    EXPECT_EQ(read_file(entry.path()), read_file(committed / entry.path().filename())) << entry.path().filename();
+}
+
+// What a device's file says in its own dialect: column of each channel (1-based) and units.
+struct Dialect {
+  char const* sentence;  // part of what inspect recognises
+  std::array<char const*, 3> units;  // time, displacement, force
+  int first_column = 1;
+  int first_line = 2;
+};
+constexpr std::array<Dialect, 10> dialects{{
+    {"separated by commas, decimals by a point", {"s", "mm", "kN"}},
+    {"separated by semicolons, decimals by a comma", {"s", "mm", "kN"}, 1, 4},
+    {"separated by tabs, decimals by a point", {"s", "mm", "kN"}, 1, 3},
+    {"separated by blanks, decimals by a point", {"s", "mm", "kN"}, 1, 3},
+    {"separated by semicolons, decimals by a point", {"s", "m", "N"}, 1, 4},
+    {"separated by commas, decimals by a point", {"s", "cm", "tonf"}},
+    {"separated by tabs, decimals by a comma", {"s", "mm", "kN"}},
+    {"separated by commas, decimals by a point", {"s", "in", "kip"}, 1, 3},
+    {"separated by semicolons, decimals by a comma", {"ms", "mm", "kgf"}},
+    {"separated by commas, decimals by a point", {"s", "mm", "kN"}, 2},
+}};
+
+TEST_F(Example, inspect_recognises_columns_units_and_cycles_of_every_dialect) {
+  for (std::size_t d = 0; d < records.size(); ++d) {
+    auto const file = "ex/" + std::string(records[d]);
+    SCOPED_TRACE(file);
+    auto const o = isolaw({"inspect", file});
+    EXPECT_EQ(o.code, 0) << o;
+    EXPECT_EQ(o.err, "");
+    EXPECT_TRUE(contains(o.out, dialects[d].sentence));
+    char const* const channels[]{"time", "disp", "force"};
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_TRUE(contains(o.out, fmt::format("{}: column {} ", channels[c], dialects[d].first_column + c)));
+      EXPECT_TRUE(contains(o.out, fmt::format("; unit {} from ", dialects[d].units[static_cast<std::size_t>(c)])));
+    }
+    EXPECT_TRUE(contains(o.out, fmt::format("load: column {} ", dialects[d].first_column + 3)));
+    EXPECT_TRUE(contains(o.out, fmt::format("601 samples, lines {} to {}", dialects[d].first_line, dialects[d].first_line + 600)));
+    EXPECT_TRUE(contains(o.out, "sampling interval 0.01 s"));
+    EXPECT_TRUE(contains(o.out, "reported"));
+  }
+}
+
+TEST_F(Example, inspect_as_json_agrees_between_dialects) {
+  for (std::size_t d = 0; d < records.size(); ++d) {
+    SCOPED_TRACE(records[d]);
+    auto const o = isolaw({"inspect", "ex/" + std::string(records[d]), "--json"});
+    ASSERT_EQ(o.code, 0) << o;
+    auto const found = Json::parse(o.out);
+    EXPECT_EQ(found["samples"], 601);
+    EXPECT_EQ(found["sha256"].get<std::string>().size(), 64u);
+    EXPECT_EQ(found["units"]["time"], dialects[d].units[0]);
+    EXPECT_EQ(found["units"]["disp"], dialects[d].units[1]);
+    EXPECT_EQ(found["units"]["force"], dialects[d].units[2]);
+    for (auto const* channel : {"time", "disp", "force", "load"}) EXPECT_NE(found["columns"][channel], "") << channel;
+    EXPECT_TRUE(found["refusal"].is_null());
+    EXPECT_NEAR(found["samples_per_cycle"].get<double>(), 200.0, 0.5);
+    EXPECT_EQ(found["reported_cycle"], 3);
+    ASSERT_EQ(found["cycles"].size(), 3u);
+    for (auto const& cycle : found["cycles"]) {
+      // +-208 mm with a tremor of 0.1 mm and noise of 0.02 mm; stiffness and damping of the paper's lot.
+      EXPECT_NEAR(cycle["amplitude_mm"].get<double>(), 208.0, 0.3);
+      EXPECT_GT(cycle["K_eff_kN_per_mm"].get<double>(), 0.5);
+      EXPECT_LT(cycle["K_eff_kN_per_mm"].get<double>(), 0.8);
+      EXPECT_GT(cycle["damping_percent"].get<double>(), 15.0);
+      EXPECT_LT(cycle["damping_percent"].get<double>(), 25.0);
+      double const D = cycle["amplitude_mm"], K = cycle["K_eff_kN_per_mm"];
+      EXPECT_NEAR(cycle["damping_percent"].get<double>(),
+                  100.0 * cycle["energy_kN_mm"].get<double>() / (2.0 * M_PI * K * D * D), 1e-9);
+    }
+  }
+}
+
+TEST_F(Example, init_writes_a_lot_file_that_calibrate_takes) {
+  auto const made = isolaw(Words{"init"} + all_records());
+  ASSERT_EQ(made.code, 0) << made;
+  EXPECT_TRUE(contains(made.out, "isolaw calibrate lot.toml"));
+  EXPECT_TRUE(contains(made.out, "unit kip from line 2"));
+  auto const text = read("lot.toml");
+  EXPECT_EQ(count_of("[[device]]", text), 10u);
+  EXPECT_TRUE(contains(text, "ex/device-01.csv"));
+  auto const run = isolaw({"calibrate", "lot.toml", "--laws", "bilinear", "--runs", "1", "--population", "4",
+                           "--generations", "2", "--out", "O"});
+  EXPECT_EQ(run.code, 0) << run;
+  auto const summary = json("O/summary.json");
+  ASSERT_EQ(summary["devices"].size(), 10u);
+  for (auto const& device : summary["devices"]) EXPECT_EQ(device["status"], "ok") << device;
+
+  // Read through the lot file the records are the same as when named directly.
+  auto const direct = isolaw(Words{"calibrate"} + all_records() +
+                             Words{"--laws", "bilinear", "--runs", "1", "--population", "4", "--generations", "2", "--out", "P"});
+  EXPECT_EQ(direct.code, 0) << direct;
+  EXPECT_EQ(json("P/summary.json")["laws"], summary["laws"]);
+}
+
+TEST_F(Example, init_overwrites_only_when_forced) {
+  write("lot.toml", "mine");
+  auto const refused = isolaw({"init", "ex/device-01.csv"});
+  expect_refused(refused, {"lot.toml", "exists already", "--force"});
+  EXPECT_EQ(read("lot.toml"), "mine");
+  EXPECT_EQ(isolaw({"init", "ex/device-01.csv", "--force"}).code, 0);
+  EXPECT_TRUE(contains(read("lot.toml"), "device-01"));
+}
+
+TEST_F(Example, init_writes_elsewhere_with_names_relative_to_the_lot_file) {
+  auto const made = isolaw({"init", "ex/device-01.csv", "--out", "ex/own.toml"});
+  ASSERT_EQ(made.code, 0) << made;
+  EXPECT_TRUE(contains(read("ex/own.toml"), "'device-01.csv'"));
+  EXPECT_EQ(isolaw({"calibrate", "ex/own.toml", "--laws", "bilinear", "--runs", "1", "--population", "4", "--generations",
+                    "1", "--out", "O"}).code, 0);
+}
+
+TEST_F(Example, init_of_a_bad_record_writes_nothing) {
+  write("bad.csv", "");
+  expect_refused({.code = 2, .err = isolaw({"init", "ex/device-01.csv", "bad.csv"}).err}, {"bad.csv", "is empty"});
+  EXPECT_FALSE(exists("lot.toml"));
+}
+
+}  // namespace
+}  // namespace isolaw::cli_test

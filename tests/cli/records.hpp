@@ -1,0 +1,58 @@
+// Test records as text, good and broken, for the tests that need no real device.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace isolaw::cli_test {
+
+struct Sample {
+  double time_s, disp_mm, force_kN;
+};
+
+struct RecordShape {
+  int samples = 601, per_cycle = 200;
+  double amplitude_mm = 100.0, stiffness_kN_per_mm = 0.5, strength_kN = 20.0, yield_mm = 10.0, interval_s = 0.01;
+};
+
+// A device of constant stiffness and friction under a sine: positive stiffness, energy about 4 Qd (D - Dy) per cycle.
+inline std::vector<Sample> record(RecordShape const& shape = {}) {
+  std::vector<Sample> samples;
+  double z = 0.0, before = 0.0;
+  for (int i = 0; i < shape.samples; ++i) {
+    double const x = shape.amplitude_mm * std::sin(2.0 * std::numbers::pi * i / shape.per_cycle);
+    z = std::clamp(z + (x - before) / shape.yield_mm, -1.0, 1.0);
+    before = x;
+    samples.push_back({i * shape.interval_s, x, shape.stiffness_kN_per_mm * x + shape.strength_kN * z});
+  }
+  return samples;
+}
+
+inline std::string row(Sample const& s) { return fmt::format("{:.4f},{:.5f},{:.5f}", s.time_s, s.disp_mm, s.force_kN); }
+
+inline constexpr char const* header = "time [s],displacement [mm],force [kN]";
+
+// Comma separated, header in line 1, so that sample i stands in line i + 2. `change` may rewrite a row (by sample).
+inline std::string csv(std::vector<Sample> const& samples, std::string const& head = header,
+                       std::function<std::string(std::size_t, Sample const&)> const& change = {}) {
+  std::string text = head + "\n";
+  for (std::size_t i = 0; i < samples.size(); ++i) text += (change ? change(i, samples[i]) : row(samples[i])) + "\n";
+  return text;
+}
+
+// The record with one row replaced: line `line` of the file.
+inline std::string csv_with_line(int line, std::string const& text) {
+  return csv(record(), header, [&](std::size_t i, Sample const& s) { return static_cast<int>(i) + 2 == line ? text : row(s); });
+}
+
+inline std::string csv_without_time() {
+  return csv(record(), "displacement [mm],force [kN]",
+             [](std::size_t, Sample const& s) { return fmt::format("{:.5f},{:.5f}", s.disp_mm, s.force_kN); });
+}
+
+}  // namespace isolaw::cli_test

@@ -1,0 +1,185 @@
+// Runs the real binary in a fresh directory and keeps what it printed. Every test of tests/cli goes through here.
+#pragma once
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace isolaw::cli_test {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using Words = std::vector<std::string>;
+using namespace std::chrono_literals;
+
+inline std::string read_file(fs::path const& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw std::runtime_error("cannot read " + path.string());
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+inline void write_file(fs::path const& path, std::string_view bytes) {
+  if (path.has_parent_path()) fs::create_directories(path.parent_path());
+  std::ofstream out(path, std::ios::binary);
+  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (!out.flush()) throw std::runtime_error("cannot write " + path.string());
+}
+
+struct Outcome {
+  int code = -1;  // exit code; 128 + signal when a signal ended it
+  bool timed_out = false;
+  std::string out, err;
+};
+
+inline std::ostream& operator<<(std::ostream& stream, Outcome const& o) {
+  constexpr std::size_t shown = 3000;
+  return stream << "exit code " << o.code << (o.timed_out ? " (time limit)" : "") << "\nstdout: " << o.out.substr(0, shown)
+                << "\nstderr: " << o.err.substr(0, shown);
+}
+
+// A started program; killed when it outlives its owner.
+class Process {
+ public:
+  Process(Words const& command, fs::path const& directory, fs::path output, fs::path errors, Words const& environment = {})
+      : output_(std::move(output)), errors_(std::move(errors)) {
+    std::vector<char*> arguments, variables;
+    for (auto const& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    for (auto const& variable : environment) variables.push_back(const_cast<char*>(variable.c_str()));
+    for (char** variable = environ; *variable != nullptr; ++variable) variables.push_back(*variable);
+    variables.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addchdir_np(&actions, directory.c_str());
+    constexpr int truncate = O_WRONLY | O_CREAT | O_TRUNC;
+    posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, 1, output_.c_str(), truncate, 0644);
+    posix_spawn_file_actions_addopen(&actions, 2, errors_.c_str(), truncate, 0644);
+    int const failure = posix_spawnp(&pid_, arguments.front(), &actions, nullptr, arguments.data(), variables.data());
+    posix_spawn_file_actions_destroy(&actions);
+    if (failure != 0) throw std::runtime_error("cannot start " + command.front());
+  }
+  Process(Process const&) = delete;
+  Process& operator=(Process const&) = delete;
+  ~Process() {
+    if (pid_ <= 0) return;
+    kill(pid_, SIGKILL);
+    waitpid(pid_, nullptr, 0);
+  }
+
+  void send(int signal) const { kill(pid_, signal); }
+
+  // True once it has ended; the outcome is then in `result`.
+  bool ended(Outcome& result) {
+    int status = 0;
+    if (waitpid(pid_, &status, WNOHANG) != pid_) return false;
+    pid_ = 0;
+    result.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    auto const text = [](fs::path const& path) { return fs::is_regular_file(path) ? read_file(path) : std::string(); };
+    result.out = text(output_);
+    result.err = text(errors_);
+    return true;
+  }
+
+  Outcome wait(std::chrono::seconds limit = 120s) {
+    Outcome result;
+    auto const end = std::chrono::steady_clock::now() + limit;
+    while (!ended(result)) {
+      if (std::chrono::steady_clock::now() > end) {
+        result.timed_out = true;
+        send(SIGKILL);
+      }
+      std::this_thread::sleep_for(2ms);
+    }
+    return result;
+  }
+
+ private:
+  pid_t pid_ = 0;
+  fs::path output_, errors_;
+};
+
+// A test in a directory of its own, where commands run and their relative names live.
+class InFreshDirectory : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "isolaw-cli-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    base_ = name;
+    fs::create_directory(base_ / "work");
+  }
+  void TearDown() override {
+    std::error_code ignored;
+    fs::remove_all(base_, ignored);
+  }
+
+  fs::path directory() const { return base_ / "work"; }
+  fs::path path(fs::path const& name) const { return directory() / name; }
+  void write(fs::path const& name, std::string_view bytes) const { write_file(path(name), bytes); }
+  std::string read(fs::path const& name) const { return read_file(path(name)); }
+  Json json(fs::path const& name) const { return Json::parse(read(name)); }
+  bool exists(fs::path const& name) const { return fs::exists(path(name)); }
+
+  // isolaw with `words`; captured output lies beside the working directory, not in it.
+  Process start(Words words, Words const& environment = {}) {
+    words.insert(words.begin(), ISOLAW_BINARY);
+    auto const number = std::to_string(++commands_);
+    return Process(words, directory(), base_ / ("out" + number), base_ / ("err" + number), environment);
+  }
+  Outcome isolaw(Words words) { return start(std::move(words)).wait(); }
+  Outcome isolaw_in(fs::path const& where, Words words) {
+    words.insert(words.begin(), ISOLAW_BINARY);
+    return Process(words, where, base_ / "out", base_ / "err").wait();
+  }
+
+ private:
+  fs::path base_;
+  int commands_ = 0;
+};
+
+inline Words operator+(Words a, Words const& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+inline std::size_t count_of(std::string_view part, std::string_view text) {
+  std::size_t count = 0;
+  for (auto at = text.find(part); at != std::string_view::npos; at = text.find(part, at + part.size())) ++count;
+  return count;
+}
+
+inline testing::AssertionResult contains(std::string_view text, std::string_view part) {
+  if (text.find(part) != std::string_view::npos) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << "no '" << part << "' in:\n" << text.substr(0, 4000);
+}
+
+// A message that says everything of STYLE.md: all parts are there, and it came from isolaw, not from a crash.
+inline void expect_message(Outcome const& o, int code, std::vector<std::string> const& parts) {
+  EXPECT_EQ(o.code, code) << o;
+  for (auto const& part : parts) EXPECT_TRUE(contains(o.err, part)) << "exit code " << o.code;
+  EXPECT_EQ(o.err.find("internal error"), std::string::npos) << o;
+}
+
+// Wrong usage: exit code 2, the message on stderr, nothing on stdout.
+inline void expect_refused(Outcome const& o, std::vector<std::string> const& parts) {
+  expect_message(o, 2, parts);
+  EXPECT_EQ(o.out, "") << o;
+}
+
+}  // namespace isolaw::cli_test

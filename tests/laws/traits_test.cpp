@@ -1,0 +1,177 @@
+// What a law says of itself, and what every hysteretic law owes to mechanics.
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "laws/candidates.hpp"
+#include "laws/motion.hpp"
+
+namespace isolaw::law_tests {
+namespace {
+
+using laws::Integration;
+
+template <class Law>
+class Traits : public ::testing::Test {};
+TYPED_TEST_SUITE(Traits, EveryLaw, LawName);
+
+Motion some_motion() { return irregular(3, 150.0, 4, 60); }
+
+// The table of spec/laws.md; a law that changes its mind changes this line.
+TYPED_TEST(Traits, AreThoseOfTheSpecification) {
+  std::string_view const id = TypeParam::info.id;
+  auto const& traits = TypeParam::info.traits;
+  EXPECT_EQ(traits.rate_independent, id != "jankowski" && id != "hwang-wu");
+  EXPECT_EQ(traits.odd, id != "vaiana");
+  EXPECT_EQ(traits.path_integrated, id == "bouc-wen" || id == "abe" || id == "abe-y0" || id == "hwang-wu");
+}
+
+// The same displacements run through faster: the same bits, or a force that differs visibly (1 % of the peak).
+TYPED_TEST(Traits, RateIndependence) {
+  auto const motion = some_motion();
+  for (auto const integration : both_integrations)
+    for (std::uint32_t index = 0; index < 10; ++index) {
+      auto const values = candidate<TypeParam>(index);
+      auto const slow = forces<TypeParam>(values, motion, 1, integration);
+      for (double const factor : {0.0, 0.1, 5.0}) {
+        auto const fast = forces<TypeParam>(values, scaled(motion, 1.0, factor), 1, integration);
+        if constexpr (TypeParam::info.traits.rate_independent) {
+          EXPECT_EQ(fast, slow) << name_of(integration) << ", velocity times " << factor;
+        } else {
+          EXPECT_GT(largest_difference(fast, slow), 0.01 * largest_magnitude(slow))
+              << name_of(integration) << ", velocity times " << factor << ": " << describe<TypeParam>(values);
+        }
+      }
+    }
+}
+
+// A rate-independent law needs no velocity at all.
+TYPED_TEST(Traits, ARecordWithoutTimeServesARateIndependentLaw) {
+  if constexpr (TypeParam::info.traits.rate_independent) {
+    auto const motion = scaled(some_motion(), 1.0 / TypeParam::info.length.in_record_units, 1.0);
+    auto const values = candidate<TypeParam>(0);
+    EXPECT_EQ(forces<TypeParam>(values, laws::make_path(motion.disp_mm, {})),
+              forces<TypeParam>(values, laws::make_path(motion.disp_mm, motion.velocity_mm_s)));
+  }
+}
+
+// Every operation commutes with the sign, so the mirrored force is exact. A law that is not odd differs visibly.
+TYPED_TEST(Traits, OddSymmetry) {
+  auto const motion = some_motion(), mirrored = scaled(motion, -1.0, -1.0);
+  for (auto const integration : both_integrations)
+    for (std::uint32_t index = 0; index < 10; ++index) {
+      auto const values = candidate<TypeParam>(index);
+      auto const force = forces<TypeParam>(values, motion, 1, integration);
+      auto opposite = forces<TypeParam>(values, mirrored, 1, integration);
+      for (double& f : opposite) f = -f;
+      double const difference = largest_difference(opposite, force);
+      if constexpr (TypeParam::info.traits.odd) {
+        EXPECT_EQ(difference, 0.0) << name_of(integration) << ": " << describe<TypeParam>(values);
+      } else {
+        EXPECT_GT(difference, 0.01 * largest_magnitude(force))
+            << name_of(integration) << ": " << describe<TypeParam>(values);
+      }
+    }
+}
+
+// Vaiana is odd as a pair: mirroring the history and exchanging the roles of loading and unloading changes the sign of
+// the force. In Eqs. (8)-(9), f_e(-x; beta1, beta2, gamma1, gamma2, gamma3) = -f_e(x; -beta1, -beta2, gamma1, gamma2, -gamma3).
+TEST(TraitsOfVaiana, MirroredWithItsBranchesExchanged) {
+  using laws::Vaiana;
+  auto const motion = some_motion(), mirrored = scaled(motion, -1.0, -1.0);
+  for (std::uint32_t index = 0; index < 20; ++index) {
+    auto const values = candidate<Vaiana>(index);
+    auto exchanged = values;
+    for (std::string_view const name : {"Kb", "f0", "alpha", "beta1", "beta2", "gamma1", "gamma2", "gamma3"}) {
+      double const sign = name == "beta1" || name == "beta2" || name == "gamma3" ? -1.0 : 1.0;
+      std::size_t const up = index_of<Vaiana>(std::string(name) + '+'), down = index_of<Vaiana>(std::string(name) + '-');
+      exchanged[up] = sign * values[down];
+      exchanged[down] = sign * values[up];
+    }
+    auto const force = forces<Vaiana>(values, motion);
+    auto opposite = forces<Vaiana>(exchanged, mirrored);
+    for (double& f : opposite) f = -f;
+    // The sigmoid is mirrored by an identity of the exponential, not bit by bit.
+    EXPECT_LT(largest_difference(opposite, force), 1e-12 * largest_magnitude(force)) << describe<Vaiana>(values);
+  }
+}
+
+// A law without a differential equation knows one integration only, at any refinement of the path.
+TYPED_TEST(Traits, IntegrationMattersToPathIntegratedLawsOnly) {
+  auto const motion = some_motion();
+  auto const values = candidate<TypeParam>(1);
+  auto const converged = forces<TypeParam>(values, motion);
+  if constexpr (TypeParam::info.traits.path_integrated) {
+    SUCCEED();
+  } else {
+    EXPECT_FALSE(laws::HasPaperStep<TypeParam>);
+    EXPECT_EQ(forces<TypeParam>(values, motion, 1, Integration::paper), converged);
+    EXPECT_LT(largest_difference(forces<TypeParam>(values, motion, 7), converged), 1e-12 * largest_magnitude(converged));
+  }
+}
+
+// The third cycle of a closed loop dissipates, for every published device and both signs of the motion.
+TYPED_TEST(Traits, AClosedLoopDissipates) {
+  constexpr int samples_per_cycle = 400;
+  for (double const amplitude_mm : {40.0, 208.0})
+    for (double const sign : {1.0, -1.0})
+      for (std::size_t device = 0; device < table_a5::devices; ++device) {
+        auto const motion = scaled(sine(amplitude_mm, 0.5, 3, samples_per_cycle), sign, sign);
+        auto const force = forces<TypeParam>(published_means<TypeParam>(device), motion);
+        double energy = 0.0;
+        for (std::size_t i = 2 * samples_per_cycle; i + 1 < motion.size(); ++i)
+          energy += 0.5 * (force[i] + force[i + 1]) * (motion.disp_mm[i + 1] - motion.disp_mm[i]);
+        EXPECT_GT(energy, 0.0) << "device " << device + 1 << ", amplitude " << sign * amplitude_mm;
+      }
+}
+
+TYPED_TEST(Traits, RestAtTheOriginIsForceFree) {
+  Motion const rest{std::vector<double>(20, 0.0), std::vector<double>(20, 0.0)};
+  for (auto const integration : both_integrations)
+    for (std::uint32_t index = 0; index < 10; ++index)
+      for (double const force : forces<TypeParam>(candidate<TypeParam>(index), rest, 2, integration)) EXPECT_EQ(force, 0.0);
+}
+
+// Held anywhere, in the virgin state or after any history, the force stays: no clock runs in any law.
+TYPED_TEST(Traits, RestElsewhereKeepsTheForce) {
+  for (auto const integration : both_integrations)
+    for (std::uint32_t index = 0; index < 10; ++index) {
+      auto const values = candidate<TypeParam>(index);
+      for (std::size_t moved : {std::size_t{1}, std::size_t{37}, std::size_t{150}}) {
+        auto motion = some_motion();
+        motion.disp_mm.resize(moved);
+        motion.velocity_mm_s.resize(moved);
+        motion.disp_mm.resize(moved + 20, motion.disp_mm.back());
+        motion.velocity_mm_s.resize(moved + 20, 0.0);
+        auto const force = forces<TypeParam>(values, motion, 1, integration);
+        for (std::size_t i = moved; i < force.size(); ++i)
+          EXPECT_EQ(force[i], force[moved]) << name_of(integration) << ", held from sample " << moved;
+        if constexpr (TypeParam::info.traits.rate_independent) {
+          EXPECT_EQ(force[moved], force[moved - 1]);
+        }
+      }
+    }
+}
+
+// A hold in the middle of a motion leaves no trace afterwards.
+TYPED_TEST(Traits, AHoldLeavesNoTrace) {
+  auto const motion = some_motion();
+  for (auto const integration : both_integrations)
+    for (std::size_t hold : {std::size_t{0}, std::size_t{37}, std::size_t{75}}) {
+      auto held = motion;
+      auto const at = static_cast<std::ptrdiff_t>(hold);
+      held.disp_mm.insert(held.disp_mm.begin() + at, 5, motion.disp_mm[hold]);
+      held.velocity_mm_s.insert(held.velocity_mm_s.begin() + at, 5, motion.velocity_mm_s[hold]);
+      auto const values = candidate<TypeParam>(2);
+      auto with = forces<TypeParam>(values, held, 1, integration);
+      with.erase(with.begin() + at, with.begin() + at + 5);
+      EXPECT_EQ(with, forces<TypeParam>(values, motion, 1, integration)) << name_of(integration) << ", sample " << hold;
+    }
+}
+
+}  // namespace
+}  // namespace isolaw::law_tests

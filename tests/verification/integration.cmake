@@ -1,0 +1,1 @@
+isolaw_test(verification_integration integration_test.cpp)
