@@ -121,7 +121,8 @@ void add_lot_statistics(LawResult& law) {
   }
   for (std::size_t i = 0; i < first->parameters.size(); ++i) {
     auto const means = means_of(law, i);
-    auto const differences = lot::percent_differences(means);
+    bool const compared = first->parameters[i].free && means.size() > 1;
+    auto const differences = compared ? lot::percent_differences(means) : std::vector<double>{};
     for (std::size_t d = 0, k = 0; d < law.devices.size(); ++d)
       if (law.devices[d].objective.mean && k < differences.size())
         law.devices[d].parameters[i].percent_of_lot = differences[k++];

@@ -101,7 +101,7 @@ std::string parameters_csv(Summary const& summary) {
     devices.push_back(device.name);
     table.cell(device.name + " mean").cell(device.name + " std");
   }
-  table.cell("best at bound").end_row();
+  table.cell("Delta_n [-]").cell("best at bound").end_row();
 
   for (auto const& law : summary.laws) {
     // The fits in the order of the header; a device the law was not tried on leaves its cells empty.
@@ -113,7 +113,7 @@ std::string parameters_csv(Summary const& summary) {
     }
     table.cell(law.id).cell("OF").cell("-").empty(3);
     for (auto const* fit : fits) fit ? table.cell(fit->objective.mean).cell(fit->objective.std) : table.empty(2);
-    table.empty(1).end_row();
+    table.empty(2).end_row();
     auto const& parameters = parameters_of(law);
     for (std::size_t n = 0; n < parameters.size(); ++n) {
       table.cell(law.id).cell(parameters[n].name).cell(parameters[n].unit);
@@ -124,6 +124,7 @@ std::string parameters_csv(Summary const& summary) {
         bool const there = fit && n < fit->parameters.size();
         there ? table.cell(fit->parameters[n].value.mean).cell(fit->parameters[n].value.std) : table.empty(2);
       }
+      table.cell(parameters[n].free ? largest_difference(law, n) : std::nullopt);
       table.cell(devices_at_bound(law, n)).end_row();
     }
   }
@@ -154,11 +155,6 @@ std::string objective_csv(Summary const& summary) {
 }
 
 std::string robustness_csv(Summary const& summary) {
-  std::vector<std::string> names;  // of all laws' parameters, in order of first appearance
-  for (auto const& law : summary.laws)
-    for (auto const& parameter : parameters_of(law))
-      if (std::find(names.begin(), names.end(), parameter.name) == names.end()) names.push_back(parameter.name);
-
   Table table;
   table.cell("law")
       .cell("mean OF [-]")
@@ -167,20 +163,10 @@ std::string robustness_csv(Summary const& summary) {
       .cell("beta [-]")
       .cell("on front")
       .cell("note");
-  for (auto const& parameter : names) table.cell("Delta_n " + parameter + " [-]");
   table.end_row();
   for (auto const& law : summary.laws) {
     table.cell(law.id).cell(law.objective.mean).cell(law.objective.std).cell(law.objective.best);
-    table.cell(law.beta).yes_no(law.on_front).cell(law.beta_note);
-    auto const& parameters = parameters_of(law);
-    for (auto const& wanted : names) {
-      auto const found =
-          std::find_if(parameters.begin(), parameters.end(), [&](auto const& p) { return p.name == wanted; });
-      found == parameters.end()
-          ? table.empty(1)
-          : table.cell(largest_difference(law, static_cast<std::size_t>(found - parameters.begin())));
-    }
-    table.end_row();
+    table.cell(law.beta).yes_no(law.on_front).cell(law.beta_note).end_row();
   }
   return table.take();
 }
