@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "cli/run.hpp"
+#include "cli/store.hpp"
 
 namespace isolaw::cli_test {
 namespace {
@@ -66,7 +67,7 @@ TEST_F(Example, is_the_folder_that_the_repository_carries) {
 
 // What a device's file says in its own dialect: column of each channel (1-based) and units.
 struct Dialect {
-  char const* sentence;  // part of what inspect recognises
+  char const* sentence;              // part of what inspect recognises
   std::array<char const*, 3> units;  // time, displacement, force
   int first_column = 1;
   int first_line = 2;
@@ -98,7 +99,8 @@ TEST_F(Example, inspect_recognises_columns_units_and_cycles_of_every_dialect) {
       EXPECT_TRUE(contains(o.out, fmt::format("; unit {} from ", dialects[d].units[static_cast<std::size_t>(c)])));
     }
     EXPECT_TRUE(contains(o.out, fmt::format("load: column {} ", dialects[d].first_column + 3)));
-    EXPECT_TRUE(contains(o.out, fmt::format("601 samples, lines {} to {}", dialects[d].first_line, dialects[d].first_line + 600)));
+    EXPECT_TRUE(contains(
+        o.out, fmt::format("601 samples, lines {} to {}", dialects[d].first_line, dialects[d].first_line + 600)));
     EXPECT_TRUE(contains(o.out, "sampling interval 0.01 s"));
     EXPECT_TRUE(contains(o.out, "reported"));
   }
@@ -150,8 +152,9 @@ TEST_F(Example, init_writes_a_lot_file_that_calibrate_takes) {
   for (auto const& device : summary["devices"]) EXPECT_EQ(device["status"], "ok") << device;
 
   // Read through the lot file the records are the same as when named directly.
-  auto const direct = isolaw(Words{"calibrate"} + all_records() +
-                             Words{"--laws", "bilinear", "--runs", "1", "--population", "4", "--generations", "2", "--out", "P"});
+  auto const direct =
+      isolaw(Words{"calibrate"} + all_records() +
+             Words{"--laws", "bilinear", "--runs", "1", "--population", "4", "--generations", "2", "--out", "P"});
   EXPECT_EQ(direct.code, 0) << direct;
   EXPECT_EQ(json("P/summary.json")["laws"], summary["laws"]);
 }
@@ -169,13 +172,27 @@ TEST_F(Example, init_writes_elsewhere_with_names_relative_to_the_lot_file) {
   auto const made = isolaw({"init", "ex/device-01.csv", "--out", "ex/own.toml"});
   ASSERT_EQ(made.code, 0) << made;
   EXPECT_TRUE(contains(read("ex/own.toml"), "'device-01.csv'"));
-  EXPECT_EQ(isolaw({"calibrate", "ex/own.toml", "--laws", "bilinear", "--runs", "1", "--population", "4", "--generations",
-                    "1", "--out", "O"}).code, 0);
+  EXPECT_EQ(isolaw({"calibrate", "ex/own.toml", "--laws", "bilinear", "--runs", "1", "--population", "4",
+                    "--generations", "1", "--out", "O"})
+                .code,
+            0);
+}
+
+TEST_F(Example, init_records_the_options_it_was_given) {
+  auto const made = isolaw({"init", "ex/device-01.csv", "--columns", "time=none,load=none", "--dt", "0.02"});
+  ASSERT_EQ(made.code, 0) << made;
+  auto const o = isolaw({"calibrate", "lot.toml", "--laws", "jankowski", "--runs", "1", "--population", "4",
+                         "--generations", "1", "--out", "O"});
+  EXPECT_EQ(o.code, 0) << o;
+  auto const store = path("O/campaign.sqlite");
+  EXPECT_EQ(query(store, "SELECT channel FROM series WHERE kind = 'raw' ORDER BY channel"),
+            (Words{"disp_mm", "force_kN", "time_s"}));
+  EXPECT_TRUE(contains(query(store, "SELECT recognised FROM device").at(0), "sampling interval 0.02 s"));
 }
 
 TEST_F(Example, init_of_a_bad_record_writes_nothing) {
   write("bad.csv", "");
-  expect_refused({.code = 2, .err = isolaw({"init", "ex/device-01.csv", "bad.csv"}).err}, {"bad.csv", "is empty"});
+  expect_message(isolaw({"init", "ex/device-01.csv", "bad.csv"}), 2, {"bad.csv", "is empty"});
   EXPECT_FALSE(exists("lot.toml"));
 }
 

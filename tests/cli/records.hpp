@@ -33,7 +33,9 @@ inline std::vector<Sample> record(RecordShape const& shape = {}) {
   return samples;
 }
 
-inline std::string row(Sample const& s) { return fmt::format("{:.4f},{:.5f},{:.5f}", s.time_s, s.disp_mm, s.force_kN); }
+inline std::string row(Sample const& s) {
+  return fmt::format("{:.4f},{:.5f},{:.5f}", s.time_s, s.disp_mm, s.force_kN);
+}
 
 inline constexpr char const* header = "time [s],displacement [mm],force [kN]";
 
@@ -47,7 +49,8 @@ inline std::string csv(std::vector<Sample> const& samples, std::string const& he
 
 // The record with one row replaced: line `line` of the file.
 inline std::string csv_with_line(int line, std::string const& text) {
-  return csv(record(), header, [&](std::size_t i, Sample const& s) { return static_cast<int>(i) + 2 == line ? text : row(s); });
+  return csv(record(), header,
+             [&](std::size_t i, Sample const& s) { return static_cast<int>(i) + 2 == line ? text : row(s); });
 }
 
 inline std::string csv_without_time() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <spawn.h>
@@ -12,8 +13,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -31,7 +32,9 @@ using namespace std::chrono_literals;
 inline std::string read_file(fs::path const& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw std::runtime_error("cannot read " + path.string());
-  return {std::istreambuf_iterator<char>(in), {}};
+  std::ostringstream bytes;
+  if (in.peek() != std::ifstream::traits_type::eof()) bytes << in.rdbuf();
+  return std::move(bytes).str();
 }
 
 inline void write_file(fs::path const& path, std::string_view bytes) {
@@ -49,14 +52,15 @@ struct Outcome {
 
 inline std::ostream& operator<<(std::ostream& stream, Outcome const& o) {
   constexpr std::size_t shown = 3000;
-  return stream << "exit code " << o.code << (o.timed_out ? " (time limit)" : "") << "\nstdout: " << o.out.substr(0, shown)
-                << "\nstderr: " << o.err.substr(0, shown);
+  return stream << "exit code " << o.code << (o.timed_out ? " (time limit)" : "")
+                << "\nstdout: " << o.out.substr(0, shown) << "\nstderr: " << o.err.substr(0, shown);
 }
 
 // A started program; killed when it outlives its owner.
 class Process {
  public:
-  Process(Words const& command, fs::path const& directory, fs::path output, fs::path errors, Words const& environment = {})
+  Process(Words const& command, fs::path const& directory, fs::path output, fs::path errors,
+          Words const& environment = {})
       : output_(std::move(output)), errors_(std::move(errors)) {
     std::vector<char*> arguments, variables;
     for (auto const& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
@@ -179,7 +183,7 @@ inline void expect_message(Outcome const& o, int code, std::vector<std::string> 
 // Wrong usage: exit code 2, the message on stderr, nothing on stdout.
 inline void expect_refused(Outcome const& o, std::vector<std::string> const& parts) {
   expect_message(o, 2, parts);
-  EXPECT_EQ(o.out, "") << o;
+  EXPECT_TRUE(o.out.empty()) << o;
 }
 
 }  // namespace isolaw::cli_test

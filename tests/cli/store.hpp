@@ -29,8 +29,8 @@ inline std::vector<std::string> query(std::filesystem::path const& file, std::st
           row += "NULL";
         } else if (type == SQLITE_BLOB || type == SQLITE_FLOAT) {  // doubles bit by bit
           double const value = sqlite3_column_double(statement, i);
-          auto const* bytes = static_cast<unsigned char const*>(
-              type == SQLITE_BLOB ? sqlite3_column_blob(statement, i) : static_cast<void const*>(&value));
+          auto const* bytes = static_cast<unsigned char const*>(type == SQLITE_BLOB ? sqlite3_column_blob(statement, i)
+                                                                                    : static_cast<void const*>(&value));
           auto const size = type == SQLITE_BLOB ? sqlite3_column_bytes(statement, i) : static_cast<int>(sizeof value);
           constexpr char const* digits = "0123456789abcdef";
           for (int b = 0; b < size; ++b) {
@@ -63,10 +63,12 @@ inline std::vector<std::string> all_rows(std::filesystem::path const& file) {
   return rows;
 }
 
-// How many runs are stored; 0 while there is no store to read yet.
-inline int stored_runs(std::filesystem::path const& file) {
+// How many runs of a law are stored; 0 while there is no store to read yet.
+inline int stored_runs(std::filesystem::path const& file, std::string const& law) {
   try {
-    return std::filesystem::exists(file) ? std::stoi(query(file, "SELECT count(*) FROM run").at(0)) : 0;
+    return std::filesystem::exists(file)
+               ? std::stoi(query(file, "SELECT count(*) FROM run WHERE law = '" + law + "'").at(0))
+               : 0;
   } catch (std::exception const&) {
     return 0;
   }

@@ -21,9 +21,9 @@ TEST_F(Usage, help_lists_every_command_on_stdout) {
 TEST_F(Usage, help_of_calibrate_lists_the_options_that_scripts_rely_on) {
   auto const o = isolaw({"calibrate", "--help"});
   EXPECT_EQ(o.code, 0) << o;
-  for (auto const* option :
-       {"--laws", "--method", "--integration", "--runs", "--population", "--generations", "--seed", "--jobs", "--box", "--set",
-        "--columns", "--units", "--dt", "--smooth", "--samples-per-cycle", "--center", "--out", "--json", "--fresh"})
+  for (auto const* option : {"--laws", "--method", "--integration", "--runs", "--population", "--generations", "--seed",
+                             "--jobs", "--box", "--set", "--columns", "--units", "--dt", "--smooth",
+                             "--samples-per-cycle", "--center", "--out", "--json", "--fresh"})
     EXPECT_TRUE(contains(o.out, option));
 }
 
@@ -33,9 +33,13 @@ TEST_F(Usage, version_is_the_projects) {
   EXPECT_EQ(o.out, ISOLAW_VERSION "\n");
 }
 
-TEST_F(Usage, no_command_is_refused) { expect_refused(isolaw({}), {"subcommand", "--help"}); }
+TEST_F(Usage, no_command_is_refused) {
+  expect_refused(isolaw({}), {"subcommand", "--help"});
+}
 
-TEST_F(Usage, unknown_command_is_refused_by_name) { expect_refused(isolaw({"nonsense"}), {"nonsense"}); }
+TEST_F(Usage, unknown_command_is_refused_by_name) {
+  expect_refused(isolaw({"nonsense"}), {"nonsense"});
+}
 
 TEST_F(Usage, unknown_option_is_refused_by_name) {
   expect_refused(isolaw({"calibrate", "lot.toml", "--bogus"}), {"--bogus"});
@@ -58,8 +62,12 @@ TEST_F(Usage, text_where_a_number_belongs_is_refused) {
 
 TEST_F(Usage, output_that_cannot_be_written_is_no_success) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this system";
-  Process listing({ISOLAW_BINARY, "laws", "--json"}, directory(), "/dev/full", path("err"));
-  EXPECT_NE(listing.wait().code, 0);
+  for (Words const& command : {Words{"laws"}, Words{"laws", "--json"}, Words{"--help"}}) {
+    Process listing(Words{ISOLAW_BINARY} + command, directory(), "/dev/full", path("err"));
+    auto const o = listing.wait();
+    EXPECT_NE(o.code, 0) << command.back();
+    EXPECT_EQ(o.err.find("internal error"), std::string::npos) << "a full disk is no mistake of ours\n" << o;
+  }
 }
 
 TEST_F(Catalogue, lists_the_seven_laws_with_their_number_of_parameters) {
@@ -78,7 +86,8 @@ TEST_F(Catalogue, of_one_law_gives_source_units_and_every_parameter) {
     EXPECT_EQ(o.code, 0) << o;
     EXPECT_TRUE(o.out.starts_with(std::string(law.id) + ": ")) << o;
     EXPECT_TRUE(contains(o.out, "Cucuzza et al. 2025, Eq"));
-    for (auto const& [name, unit] : law.parameters) EXPECT_TRUE(contains(o.out, fmt::format("\n  {:<10} {:<10}", name, unit)));
+    for (auto const& [name, unit] : law.parameters)
+      EXPECT_TRUE(contains(o.out, fmt::format("\n  {:<10} {:<10}", name, unit)));
   }
 }
 
@@ -117,7 +126,8 @@ TEST_F(Catalogue, knows_the_published_boxes) {
 }
 
 TEST_F(Catalogue, unknown_law_is_refused_with_the_known_ones) {
-  expect_refused(isolaw({"laws", "nope"}), {"'nope'", "no such law", "bilinear, jankowski, vaiana, bouc-wen, abe, abe-y0, hwang-wu"});
+  expect_refused(isolaw({"laws", "nope"}),
+                 {"'nope'", "no such law", "bilinear, jankowski, vaiana, bouc-wen, abe, abe-y0, hwang-wu"});
 }
 
 }  // namespace

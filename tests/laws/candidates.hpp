@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -81,6 +82,26 @@ Values<Law> candidate(std::uint32_t index) {
   auto const intervals = box<Law>();
   for (std::size_t i = 0; i < values.size(); ++i)
     values[i] = intervals[i].lower + draws.uniform() * (intervals[i].upper - intervals[i].lower);
+  return values;
+}
+
+// Likewise in the box that a device of the published size gets when nothing is known of it, searched as declared:
+// linearly or in the logarithm. Parameters that are fixed by default stay so.
+template <class Law>
+Values<Law> scaled_candidate(std::uint32_t index) {
+  num::Draws draws(num::Stream(20250109), 0, index);
+  Values<Law> values{};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    auto const& info = Law::template rows<double>[i].info;
+    auto const [lower, upper] = info.scaled(published_device<Law>());
+    double const share = draws.uniform();
+    if (info.fixed_by_default)
+      values[i] = *info.fixed_by_default;
+    else if (info.scaled_search == laws::Scale::logarithmic)
+      values[i] = lower * std::pow(upper / lower, share);
+    else
+      values[i] = lower + share * (upper - lower);
+  }
   return values;
 }
 

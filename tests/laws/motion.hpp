@@ -48,8 +48,8 @@ inline Motion polyline(std::span<double const> corners_mm, int steps, double spe
   return motion;
 }
 
-// Cycles of growing, then shrinking amplitude with noise on top: reversals at almost every sample around the peaks, small
-// loops inside large ones, new peaks throughout the first half. 50 samples a second; velocity by differences.
+// Cycles of growing, then shrinking amplitude with noise on top: reversals at almost every sample around the peaks,
+// small loops inside large ones, new peaks throughout the first half. 50 samples a second; velocity by differences.
 inline Motion irregular(std::uint64_t seed, double amplitude_mm, int cycles, int samples_per_cycle,
                         double noise_share = 0.02) {
   num::Draws draws(num::Stream(seed), 0, 0);

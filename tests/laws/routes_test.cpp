@@ -65,7 +65,9 @@ std::array<std::vector<double>, width> batch_forces(Group<Law> const& group, law
   return ::testing::AssertionSuccess();
 }
 
-Motion some_motion() { return irregular(7, 150.0, 4, 40); }
+Motion some_motion() {
+  return irregular(7, 150.0, 4, 40);
+}
 
 TYPED_TEST(Routes, ALaneIsAScalar) {
   for (auto const integration : both_integrations)
@@ -164,8 +166,8 @@ TYPED_TEST(Routes, AnOverflowStaysInItsLane) {
 }
 
 TYPED_TEST(Routes, TheCatalogueIsAScalar) {
-  auto const motion = scaled(some_motion(), 1.0 / TypeParam::info.length.in_record_units,
-                             1.0 / TypeParam::info.length.in_record_units);
+  auto const motion =
+      scaled(some_motion(), 1.0 / TypeParam::info.length.in_record_units, 1.0 / TypeParam::info.length.in_record_units);
   auto const& entry = laws::find_law(TypeParam::info.id);
   EXPECT_EQ(entry.info.id, TypeParam::info.id);
   ASSERT_EQ(entry.parameters.size(), parameter_count<TypeParam>);
@@ -177,8 +179,7 @@ TYPED_TEST(Routes, TheCatalogueIsAScalar) {
       entry.evaluate(values, path, integration, force);
       EXPECT_TRUE(same(force, forces<TypeParam>(values, path, integration))) << name_of(integration);
     }
-  for (std::size_t i = 0; i < entry.parameters.size(); ++i)
-    EXPECT_EQ(entry.index_of(entry.parameters[i].name), i);
+  for (std::size_t i = 0; i < entry.parameters.size(); ++i) EXPECT_EQ(entry.index_of(entry.parameters[i].name), i);
 }
 
 // One derivative number with all parameters as independent variables.
@@ -209,8 +210,8 @@ TYPED_TEST(Routes, TheValueOfADerivativeNumberIsAScalar) {
 
 // Central differences at a step h = 1e-6 of the box err by 1e-12 (truncation) and by a few roundings of the force over
 // h. The tolerance is 1e-5 of the parameter's largest derivative plus a hundred roundings over h. A difference that
-// straddles a kink (yielding of bilinear, z = 0 for small exponents) is wrong, not the derivative, and a differential law
-// carries it on to later samples: such a difference changes with h, and is left out. Few may be.
+// straddles a kink (yielding of bilinear, z = 0 for small exponents) is wrong, not the derivative, and a differential
+// law carries it on to later samples: such a difference changes with h, and is left out. Few may be.
 TYPED_TEST(Routes, TheDerivativeIsTheCentralDifference) {
   constexpr double relative = 1e-5, largest_share_left_out = 0.02;
   auto const path = path_of<TypeParam>(irregular(11, 150.0, 3, 120, 0.01));

@@ -19,7 +19,9 @@ template <class Law>
 class Traits : public ::testing::Test {};
 TYPED_TEST_SUITE(Traits, EveryLaw, LawName);
 
-Motion some_motion() { return irregular(3, 150.0, 4, 60); }
+Motion some_motion() {
+  return irregular(3, 150.0, 4, 60);
+}
 
 // The table of spec/laws.md; a law that changes its mind changes this line.
 TYPED_TEST(Traits, AreThoseOfTheSpecification) {
@@ -79,7 +81,8 @@ TYPED_TEST(Traits, OddSymmetry) {
 }
 
 // Vaiana is odd as a pair: mirroring the history and exchanging the roles of loading and unloading changes the sign of
-// the force. In Eqs. (8)-(9), f_e(-x; beta1, beta2, gamma1, gamma2, gamma3) = -f_e(x; -beta1, -beta2, gamma1, gamma2, -gamma3).
+// the force. In Eqs. (8)-(9), f_e(-x; beta1, beta2, gamma1, gamma2, gamma3) = -f_e(x; -beta1, -beta2, gamma1, gamma2,
+// -gamma3).
 TEST(TraitsOfVaiana, MirroredWithItsBranchesExchanged) {
   using laws::Vaiana;
   auto const motion = some_motion(), mirrored = scaled(motion, -1.0, -1.0);
@@ -88,7 +91,8 @@ TEST(TraitsOfVaiana, MirroredWithItsBranchesExchanged) {
     auto exchanged = values;
     for (std::string_view const name : {"Kb", "f0", "alpha", "beta1", "beta2", "gamma1", "gamma2", "gamma3"}) {
       double const sign = name == "beta1" || name == "beta2" || name == "gamma3" ? -1.0 : 1.0;
-      std::size_t const up = index_of<Vaiana>(std::string(name) + '+'), down = index_of<Vaiana>(std::string(name) + '-');
+      std::size_t const up = index_of<Vaiana>(std::string(name) + '+'),
+                        down = index_of<Vaiana>(std::string(name) + '-');
       exchanged[up] = sign * values[down];
       exchanged[down] = sign * values[up];
     }
@@ -110,14 +114,16 @@ TYPED_TEST(Traits, IntegrationMattersToPathIntegratedLawsOnly) {
   } else {
     EXPECT_FALSE(laws::HasPaperStep<TypeParam>);
     EXPECT_EQ(forces<TypeParam>(values, motion, 1, Integration::paper), converged);
-    EXPECT_LT(largest_difference(forces<TypeParam>(values, motion, 7), converged), 1e-12 * largest_magnitude(converged));
+    EXPECT_LT(largest_difference(forces<TypeParam>(values, motion, 7), converged),
+              1e-12 * largest_magnitude(converged));
   }
 }
 
-// The third cycle of a closed loop dissipates, for every published device and both signs of the motion.
+// The third cycle of a closed loop never returns energy, for every published device and both signs of the motion; at
+// the amplitude of the tests it dissipates. (At 20 mm bilinear is elastic: zero within rounding.)
 TYPED_TEST(Traits, AClosedLoopDissipates) {
   constexpr int samples_per_cycle = 400;
-  for (double const amplitude_mm : {40.0, 208.0})
+  for (double const amplitude_mm : {20.0, 208.0})
     for (double const sign : {1.0, -1.0})
       for (std::size_t device = 0; device < table_a5::devices; ++device) {
         auto const motion = scaled(sine(amplitude_mm, 0.5, 3, samples_per_cycle), sign, sign);
@@ -125,7 +131,8 @@ TYPED_TEST(Traits, AClosedLoopDissipates) {
         double energy = 0.0;
         for (std::size_t i = 2 * samples_per_cycle; i + 1 < motion.size(); ++i)
           energy += 0.5 * (force[i] + force[i + 1]) * (motion.disp_mm[i + 1] - motion.disp_mm[i]);
-        EXPECT_GT(energy, 0.0) << "device " << device + 1 << ", amplitude " << sign * amplitude_mm;
+        double const least = amplitude_mm < 100.0 ? -1e-12 * amplitude_mm * largest_magnitude(force) : 0.0;
+        EXPECT_GT(energy, least) << "device " << device + 1 << ", amplitude " << sign * amplitude_mm;
       }
 }
 
@@ -133,7 +140,8 @@ TYPED_TEST(Traits, RestAtTheOriginIsForceFree) {
   Motion const rest{std::vector<double>(20, 0.0), std::vector<double>(20, 0.0)};
   for (auto const integration : both_integrations)
     for (std::uint32_t index = 0; index < 10; ++index)
-      for (double const force : forces<TypeParam>(candidate<TypeParam>(index), rest, 2, integration)) EXPECT_EQ(force, 0.0);
+      for (double const force : forces<TypeParam>(candidate<TypeParam>(index), rest, 2, integration))
+        EXPECT_EQ(force, 0.0);
 }
 
 // Held anywhere, in the virgin state or after any history, the force stays: no clock runs in any law.

@@ -27,7 +27,8 @@ class Folder : public ::testing::Test {
   void SetUp() override {
     auto const* info = ::testing::UnitTest::GetInstance()->current_test_info();
     auto pattern = (std::filesystem::temp_directory_path() /
-                    fmt::format("isolaw-{}-{}-XXXXXX", info->test_suite_name(), info->name())).string();
+                    fmt::format("isolaw-{}-{}-XXXXXX", info->test_suite_name(), info->name()))
+                       .string();
     ASSERT_NE(mkdtemp(pattern.data()), nullptr);
     folder = pattern;
   }
@@ -48,7 +49,8 @@ class Folder : public ::testing::Test {
   }
   std::vector<std::string> names() const {  // of everything in the folder
     std::vector<std::string> found;
-    for (auto const& entry : std::filesystem::directory_iterator(folder)) found.push_back(entry.path().filename().string());
+    for (auto const& entry : std::filesystem::directory_iterator(folder))
+      found.push_back(entry.path().filename().string());
     std::ranges::sort(found);
     return found;
   }
@@ -62,8 +64,9 @@ inline std::string record_text(double stiffness, bool with_time = true, int samp
   for (int i = 0; i <= 3 * samples_per_cycle; ++i) {
     double const phase = 2.0 * std::numbers::pi * i / samples_per_cycle;
     if (with_time) text += fmt::format("{:.4f},", 2.0 * i / samples_per_cycle);
-    text += fmt::format("{:.4f},{:.4f}\n", 150.0 * std::sin(phase),
-                        stiffness * (100.0 * std::sin(phase) + 30.0 * std::cos(phase) + 10.0 * std::pow(std::sin(phase), 3)));
+    text += fmt::format(
+        "{:.4f},{:.4f}\n", 150.0 * std::sin(phase),
+        stiffness * (100.0 * std::sin(phase) + 30.0 * std::cos(phase) + 10.0 * std::pow(std::sin(phase), 3)));
   }
   return text;
 }
@@ -76,12 +79,15 @@ inline DeviceInput device_input(std::string name, std::vector<std::filesystem::p
   return input;
 }
 
-inline bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+inline bool same(double a, double b) {
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
 
 // Exactly equal, NaN being equal to NaN.
 inline void expect_same(std::vector<double> const& a, std::vector<double> const& b, std::string const& what) {
   ASSERT_EQ(a.size(), b.size()) << what;
-  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_TRUE(same(a[i], b[i])) << what << "[" << i << "]: " << a[i] << ", " << b[i];
+  for (std::size_t i = 0; i < a.size(); ++i)
+    EXPECT_TRUE(same(a[i], b[i])) << what << "[" << i << "]: " << a[i] << ", " << b[i];
 }
 
 inline void expect_same(Run const& a, Run const& b) {
@@ -91,7 +97,8 @@ inline void expect_same(Run const& a, Run const& b) {
   EXPECT_EQ(a.number, b.number) << what;
   EXPECT_EQ(a.outcome, b.outcome) << what;
   EXPECT_TRUE(same(a.objective, b.objective)) << what << ": " << a.objective << ", " << b.objective;
-  EXPECT_TRUE(same(a.integration_shift, b.integration_shift)) << what << ": " << a.integration_shift << ", " << b.integration_shift;
+  EXPECT_TRUE(same(a.integration_shift, b.integration_shift))
+      << what << ": " << a.integration_shift << ", " << b.integration_shift;
   EXPECT_EQ(a.evaluations, b.evaluations) << what;
   expect_same(a.parameters, b.parameters, what + " parameters");
   expect_same(a.history, b.history, what + " history");

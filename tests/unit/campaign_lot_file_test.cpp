@@ -35,7 +35,8 @@ class LotFileTest : public testing::Folder {
   }
   // A file with these lines after [calibrate] (so that the first of them is line 3), and one device.
   std::string calibrate(std::string_view lines) const {
-    return complaints(fmt::format("title = \"lot\"\n[calibrate]\n{}\n[[device]]\nname = \"A\"\nfile = \"a.csv\"\n", lines));
+    return complaints(
+        fmt::format("title = \"lot\"\n[calibrate]\n{}\n[[device]]\nname = \"A\"\nfile = \"a.csv\"\n", lines));
   }
   std::string device(std::string_view lines) const {  // the first of the lines is line 4
     return complaints(fmt::format("[[device]]\nname = \"A\"\nfile = \"a.csv\"\n{}\n", lines));
@@ -43,7 +44,8 @@ class LotFileTest : public testing::Folder {
 };
 
 void expect_parts(std::string const& said, std::vector<std::string> const& parts) {
-  for (auto const& part : parts) EXPECT_NE(said.find(part), std::string::npos) << "'" << part << "' is missing in: " << said;
+  for (auto const& part : parts)
+    EXPECT_NE(said.find(part), std::string::npos) << "'" << part << "' is missing in: " << said;
 }
 
 TEST_F(LotFileTest, SaysEverything) {
@@ -115,7 +117,8 @@ columns = "disp=2,force=3"
   EXPECT_EQ(a.info.rubber_thickness_mm, 208.0);
   EXPECT_EQ(a.info.rubber_area_mm2, 282743.5);
   using enum data::Channel;
-  EXPECT_EQ(a.read.columns, (std::map<data::Channel, std::string>{{time, "1"}, {disp, "Weg, horizontal"}, {force, "Kraft"}}));
+  EXPECT_EQ(a.read.columns,
+            (std::map<data::Channel, std::string>{{time, "1"}, {disp, "Weg, horizontal"}, {force, "Kraft"}}));
   EXPECT_EQ(a.read.units, (std::map<data::Channel, std::string>{{disp, "cm"}, {force, "tonf"}}));  // [read] and its own
   EXPECT_EQ(a.read.dt_s, 0.01);
   EXPECT_TRUE(a.read.flip_force);
@@ -136,10 +139,14 @@ TEST_F(LotFileTest, TheShortestFileHasTheDefaults) {
 }
 
 TEST_F(LotFileTest, ThinningIsANumberOrAll) {
-  EXPECT_EQ(read("[calibrate]\nsamples-per-cycle = \"all\"\n[[device]]\nfile = \"a.csv\"\n").settings.clean.samples_per_cycle, std::nullopt);
-  EXPECT_EQ(read("[calibrate]\nsamples-per-cycle = 50\n[[device]]\nfile = \"a.csv\"\n").settings.clean.samples_per_cycle, 50);
+  EXPECT_EQ(
+      read("[calibrate]\nsamples-per-cycle = \"all\"\n[[device]]\nfile = \"a.csv\"\n").settings.clean.samples_per_cycle,
+      std::nullopt);
+  EXPECT_EQ(
+      read("[calibrate]\nsamples-per-cycle = 50\n[[device]]\nfile = \"a.csv\"\n").settings.clean.samples_per_cycle, 50);
   EXPECT_EQ(read("[calibrate]\nlaws = \"all\"\n[[device]]\nfile = \"a.csv\"\n").settings.laws, parse_laws("all"));
-  EXPECT_EQ(read("[calibrate]\nlaws = \"abe,vaiana\"\n[[device]]\nfile = \"a.csv\"\n").settings.laws, parse_laws("abe,vaiana"));
+  EXPECT_EQ(read("[calibrate]\nlaws = \"abe,vaiana\"\n[[device]]\nfile = \"a.csv\"\n").settings.laws,
+            parse_laws("abe,vaiana"));
 }
 
 // Mistakes -----------------------------------------------------------------------------------------------------
@@ -159,10 +166,13 @@ TEST_F(LotFileTest, AFileThatIsNotThereIsNamed) {
 }
 
 TEST_F(LotFileTest, UnknownKeysHaveTheirLineAndTheKnownOnes) {
-  expect_parts(complaints("titel = \"lot\"\n[[device]]\nfile = \"a.csv\"\n"), {"lot.toml:1", "'titel'", "title", "calibrate", "device"});
+  expect_parts(complaints("titel = \"lot\"\n[[device]]\nfile = \"a.csv\"\n"),
+               {"lot.toml:1", "'titel'", "title", "calibrate", "device"});
   expect_parts(calibrate("runs = 3\npopulaton = 100"), {"lot.toml:4", "'populaton'", "[calibrate]", "population"});
-  expect_parts(device("serial = \"1\"\nrubber-thickness = 208"), {"lot.toml:5", "'rubber-thickness'", "[[device]]", "rubber-thickness-mm"});
-  expect_parts(complaints("[read]\nunit = { disp = \"cm\" }\n[[device]]\nfile = \"a.csv\"\n"), {"lot.toml:2", "'unit'", "[read]", "units"});
+  expect_parts(device("serial = \"1\"\nrubber-thickness = 208"),
+               {"lot.toml:5", "'rubber-thickness'", "[[device]]", "rubber-thickness-mm"});
+  expect_parts(complaints("[read]\nunit = { disp = \"cm\" }\n[[device]]\nfile = \"a.csv\"\n"),
+               {"lot.toml:2", "'unit'", "[read]", "units"});
 }
 
 TEST_F(LotFileTest, WrongTypesHaveTheirLine) {
@@ -208,13 +218,15 @@ TEST_F(LotFileTest, DevicesThatAreNoneHaveTheirLine) {
   expect_parts(complaints("title = \"lot\"\n"), {"lot.toml", "no devices", "[[device]]"});
   expect_parts(complaints("device = 3\n"), {"lot.toml", "[[device]]"});
   expect_parts(complaints("title = \"lot\"\n[[device]]\nname = \"A\"\n"), {"lot.toml:2", "without a file"});
-  expect_parts(complaints("[[device]]\nfile = \"a.csv\"\n[[device]]\nfile = \"sub/a.csv\"\n"), {"lot.toml:3", "'a'", "a name of its own"});
+  expect_parts(complaints("[[device]]\nfile = \"a.csv\"\n[[device]]\nfile = \"sub/a.csv\"\n"),
+               {"lot.toml:3", "'a'", "a name of its own"});
   expect_parts(complaints("[[device]]\nfiles = []\n"), {"lot.toml:1", "without a file"});
 }
 
 TEST_F(LotFileTest, EveryProblemIsSaidAtOnce) {
-  auto const said = complaints("titel = 1\n[calibrate]\nruns = \"x\"\nbox = \"wide\"\nlows = \"all\"\n[[device]]\nname = \"A\"\n"
-                               "[[device]]\nfile = \"b.csv\"\ncolour = 3\n");
+  auto const said = complaints(
+      "titel = 1\n[calibrate]\nruns = \"x\"\nbox = \"wide\"\nlows = \"all\"\n[[device]]\nname = \"A\"\n"
+      "[[device]]\nfile = \"b.csv\"\ncolour = 3\n");
   expect_parts(said, {"lot.toml:1", "'titel'", "lot.toml:3", "'runs'", "lot.toml:4", "'wide'", "lot.toml:5", "'lows'",
                       "lot.toml:6", "without a file", "lot.toml:10", "'colour'"});
   EXPECT_EQ(std::ranges::count(said, '\n'), 5) << said;
@@ -244,7 +256,11 @@ TEST_F(LotFileTest, WrittenDevicesReadBack) {
   first.name = "A \"1\"\\x";
   first.files = {folder / "records" / "a 'b'.csv"};
   first.shown_file = "records/a 'b'.csv";
-  first.info = {.serial = "0001", .lot = "L\t7", .test_date = "2023-05-11", .temperature_C = -3.25, .rubber_thickness_mm = 208.0,
+  first.info = {.serial = "0001",
+                .lot = "L\t7",
+                .test_date = "2023-05-11",
+                .temperature_C = -3.25,
+                .rubber_thickness_mm = 208.0,
                 .rubber_area_mm2 = 0.1 + 0.2};
   using enum data::Channel;
   first.read.columns = {{time, "1"}, {disp, "Weg, horizontal"}, {force, "Kraft \"x\""}};

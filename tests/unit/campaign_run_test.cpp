@@ -1,5 +1,5 @@
-// Preparing and running a campaign: what is refused, and that the result of a run depends on (seed, device, law, number)
-// alone: not on threads, order, company or interruption.
+// Preparing and running a campaign: what is refused, and that the result of a run depends on (seed, device, law,
+// number) alone: not on threads, order, company or interruption.
 #include "isolaw/campaign/campaign.hpp"
 
 #include <gtest/gtest.h>
@@ -50,6 +50,9 @@ class CampaignTest : public testing::Folder {
     Store::create(file(store), contents);
     EXPECT_TRUE(run(contents, file(store), {.jobs = jobs, .progress = {}, .interrupted = {}}));
     EXPECT_TRUE(contents.complete());
+    EXPECT_EQ(bytes_of(file(store)).at(18), 1)
+        << "a finished campaign is one plain file, not one with a write-ahead log";
+    EXPECT_FALSE(std::filesystem::exists(file(store).string() + "-wal"));
     expect_same(Store::read(file(store)), contents);
     return contents;
   }
@@ -103,7 +106,8 @@ TEST_F(CampaignTest, NoLawsMeansAll) {
 
 TEST_F(CampaignTest, PrepareKeepsRefusedDevicesWithTheirReason) {
   auto mixed = lot();
-  mixed.devices.insert(mixed.devices.begin() + 1, device_input("bad", {write("bad.csv", "time,disp [mm],force [kN]\n0,0,x\n")}));
+  mixed.devices.insert(mixed.devices.begin() + 1,
+                       device_input("bad", {write("bad.csv", "time,disp [mm],force [kN]\n0,0,x\n")}));
   mixed.devices.push_back(device_input("absent", {folder / "absent.csv"}));
   auto const contents = prepare(mixed);
   ASSERT_EQ(contents.devices.size(), 4u);
@@ -189,7 +193,8 @@ TEST_F(CampaignTest, EveryRunIsThereOnceAndIsWhatItSays) {
   EXPECT_EQ(by_name(contents).size(), 42u);
   std::set<double> objectives;
   for (auto const& r : contents.runs) {
-    auto const& search = *std::ranges::find_if(contents.searches, [&](auto const& s) { return s.device == r.device && s.law == r.law; });
+    auto const& search =
+        *std::ranges::find_if(contents.searches, [&](auto const& s) { return s.device == r.device && s.law == r.law; });
     auto const& law = laws::find_law(r.law);
     fit::LawOnRecord const model(law, contents.devices[r.device].record, laws::Integration::converged);
     ASSERT_EQ(r.parameters.size(), law.parameters.size());
@@ -263,17 +268,42 @@ TEST_F(CampaignTest, SeedAndNameOfTheDeviceDecide) {
   }
 }
 
+// Two laws brought down to one spring each, the same function of the same unit interval: equal random numbers would
+// give equal objectives.
+TEST_F(CampaignTest, LawsHaveRandomNumbersOfTheirOwn) {
+  auto springs = lot("bilinear,jankowski");
+  for (auto const* text : {"bilinear.K1=0.1", "bilinear.xy=0", "bilinear.K2=0.4:1.2", "jankowski.a1=4e5:12e5",
+                           "jankowski.a2=0", "jankowski.a3=0", "jankowski.a4=0", "jankowski.a5=1", "jankowski.a6=0",
+                           "jankowski.a7=1", "jankowski.a8=1", "jankowski.a9=0", "jankowski.a10=0", "jankowski.a11=1"})
+    springs.settings.overrides.push_back(fit::parse_override(text));
+  springs.settings.genetic.generations = 1;
+  auto const found = by_name(done(springs));
+  for (auto const* device : {"soft", "stiff"})
+    for (int number = 1; number <= 3; ++number)
+      EXPECT_GT(std::abs(found.at({device, "bilinear", number}).objective -
+                         found.at({device, "jankowski", number}).objective),
+                1e-9);
+}
+
 TEST_F(CampaignTest, ProgressCountsEveryRunAndKnowsTheBest) {
   auto contents = prepare(lot());
   Store::create(file(), contents);
   std::vector<std::size_t> counts;
   Progress last;
-  EXPECT_TRUE(run(contents, file(), {.jobs = 2, .progress = [&](Progress const& p) { counts.push_back(p.done); last = p; }, .interrupted = {}}));
+  EXPECT_TRUE(run(contents, file(),
+                  {.jobs = 2,
+                   .progress =
+                       [&](Progress const& p) {
+                         counts.push_back(p.done);
+                         last = p;
+                       },
+                   .interrupted = {}}));
   ASSERT_EQ(counts.size(), 18u);
   for (std::size_t i = 0; i < 18; ++i) EXPECT_EQ(counts[i], i + 1);
   EXPECT_EQ(last.total, 18u);
   std::map<std::string, double> best;
-  for (auto const& r : contents.runs) best[r.law] = std::min(best.try_emplace(r.law, r.objective).first->second, r.objective);
+  for (auto const& r : contents.runs)
+    best[r.law] = std::min(best.try_emplace(r.law, r.objective).first->second, r.objective);
   EXPECT_EQ(last.best, best);
 }
 
@@ -283,12 +313,16 @@ TEST_F(CampaignTest, InterruptedAfterAnyRunAndResumedIsAsIfNeverInterrupted) {
   auto const expected = done(lot(), 1, "whole.sqlite");
   for (int const jobs : {1, 2})
     for (std::size_t const stop_after : {0u, 1u, 7u, 17u}) {
+      if (jobs == 2 && stop_after == 17) continue;  // the last run may be done before its thread asks again
       auto const store = file(fmt::format("stopped-{}-{}.sqlite", jobs, stop_after));
       auto contents = prepare(lot());
       Store::create(store, contents);
       std::atomic<bool> stop = stop_after == 0;
       RunOptions const options{.jobs = jobs,
-                               .progress = [&](Progress const& p) { if (p.done >= stop_after) stop = true; },
+                               .progress =
+                                   [&](Progress const& p) {
+                                     if (p.done >= stop_after) stop = true;
+                                   },
                                .interrupted = [&] { return stop.load(); }};
       EXPECT_FALSE(run(contents, store, options));
       EXPECT_GE(contents.runs.size(), stop_after);
@@ -298,10 +332,14 @@ TEST_F(CampaignTest, InterruptedAfterAnyRunAndResumedIsAsIfNeverInterrupted) {
 
       auto resumed = Store::read(store);
       std::size_t first_done = 0;
-      EXPECT_TRUE(run(resumed, store, {.jobs = jobs, .progress = [&](Progress const& p) {
-                                         if (first_done == 0) first_done = p.done;
-                                         EXPECT_EQ(p.total, 18u);
-                                       }, .interrupted = {}}));
+      EXPECT_TRUE(run(resumed, store,
+                      {.jobs = jobs,
+                       .progress =
+                           [&](Progress const& p) {
+                             if (first_done == 0) first_done = p.done;
+                             EXPECT_EQ(p.total, 18u);
+                           },
+                       .interrupted = {}}));
       EXPECT_EQ(first_done, contents.runs.size() + 1);  // nothing was done twice
       expect_same(resumed, expected);
       expect_same(Store::read(store), expected);
@@ -328,7 +366,8 @@ TEST_F(CampaignTest, ACompleteCampaignRunsNothingAgain) {
   auto contents = done(lot("bilinear"));
   auto const expected = contents;
   bool called = false;
-  EXPECT_TRUE(run(contents, file(), {.jobs = 2, .progress = [&](Progress const&) { called = true; }, .interrupted = {}}));
+  EXPECT_TRUE(
+      run(contents, file(), {.jobs = 2, .progress = [&](Progress const&) { called = true; }, .interrupted = {}}));
   EXPECT_FALSE(called);
   expect_same(contents, expected);
   expect_same(Store::read(file()), expected);
@@ -345,7 +384,8 @@ TEST_F(CampaignTest, AllParametersFixedIsEvaluatedAsTheyAre) {
   ASSERT_EQ(contents.runs.size(), 12u);
   for (auto const& r : contents.runs) {
     if (r.law != "bilinear") continue;
-    fit::LawOnRecord const model(laws::find_law("bilinear"), contents.devices[r.device].record, laws::Integration::converged);
+    fit::LawOnRecord const model(laws::find_law("bilinear"), contents.devices[r.device].record,
+                                 laws::Integration::converged);
     std::vector<double> work;
     EXPECT_EQ(r.parameters, K);
     EXPECT_EQ(r.objective, model.objective(K, work));
@@ -359,10 +399,11 @@ TEST_F(CampaignTest, AllParametersFixedIsEvaluatedAsTheyAre) {
 // beta + gamma <= 0 has no bounded force: the run fails, the others do not notice.
 TEST_F(CampaignTest, ARunWithoutAnyFiniteForceIsRecordedAsSuch) {
   auto const expected = by_name(done(lot("bilinear"), 1, "plain.sqlite"));
-  for (auto const& overrides : {std::vector{fit::parse_override("bouc-wen.beta=-2:-1"), fit::parse_override("bouc-wen.gamma=-2:-1")},
-                                std::vector{fit::parse_override("bouc-wen.alpha=0.1"), fit::parse_override("bouc-wen.Ke=3"),
-                                            fit::parse_override("bouc-wen.A=1"), fit::parse_override("bouc-wen.n=1"),
-                                            fit::parse_override("bouc-wen.beta=-1"), fit::parse_override("bouc-wen.gamma=-1")}}) {
+  for (auto const& overrides :
+       {std::vector{fit::parse_override("bouc-wen.beta=-2:-1"), fit::parse_override("bouc-wen.gamma=-2:-1")},
+        std::vector{fit::parse_override("bouc-wen.alpha=0.1"), fit::parse_override("bouc-wen.Ke=3"),
+                    fit::parse_override("bouc-wen.A=1"), fit::parse_override("bouc-wen.n=1"),
+                    fit::parse_override("bouc-wen.beta=-1"), fit::parse_override("bouc-wen.gamma=-1")}}) {
     auto failing = lot("bouc-wen,bilinear");
     failing.settings.overrides = overrides;
     auto const contents = done(failing, 2);

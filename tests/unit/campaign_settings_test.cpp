@@ -22,7 +22,11 @@ Settings unusual() {
   s.laws = {"hwang-wu", "bilinear", "abe-y0"};
   s.integration = laws::Integration::paper;
   s.runs = 7;
-  s.genetic = {.population = 36, .generations = 11, .mutation_rate = 0.1 + 0.2, .stagnation = 5, .stagnation_tolerance = 1e-7,
+  s.genetic = {.population = 36,
+               .generations = 11,
+               .mutation_rate = 0.1 + 0.2,
+               .stagnation = 5,
+               .stagnation_tolerance = 1e-7,
                .selection_pressure = 3.3};
   s.seed = std::numeric_limits<std::uint64_t>::max() - 1;
   s.box = fit::BoxKind::published;
@@ -79,8 +83,8 @@ TEST(Settings, PairsHaveDistinctKeysInAFixedOrder) {
     EXPECT_EQ(pairs[i].first, others[i].first);
     EXPECT_TRUE(keys.insert(pairs[i].first).second) << pairs[i].first;
   }
-  for (auto const* key : {"laws", "method", "integration", "runs", "population", "generations", "seed", "box", "set", "smooth",
-                          "samples-per-cycle", "center"})
+  for (auto const* key : {"laws", "method", "integration", "runs", "population", "generations", "seed", "box", "set",
+                          "smooth", "samples-per-cycle", "center"})
     EXPECT_TRUE(keys.contains(key)) << key;
 }
 
@@ -109,7 +113,9 @@ std::string refusal(std::function<void()> const& action) {
   return "";
 }
 
-bool holds(std::string const& text, std::string const& part) { return text.find(part) != std::string::npos; }
+bool holds(std::string const& text, std::string const& part) {
+  return text.find(part) != std::string::npos;
+}
 
 TEST(Settings, ValidateRefusesWhatIsOutOfRange) {
   auto const with = [](std::function<void(Settings&)> const& change) {
@@ -130,7 +136,8 @@ TEST(Settings, ValidateRefusesWhatIsOutOfRange) {
 }
 
 TEST(Words, Laws) {
-  EXPECT_EQ(parse_laws("all"), (std::vector<std::string>{"bilinear", "jankowski", "vaiana", "bouc-wen", "abe", "abe-y0", "hwang-wu"}));
+  EXPECT_EQ(parse_laws("all"),
+            (std::vector<std::string>{"bilinear", "jankowski", "vaiana", "bouc-wen", "abe", "abe-y0", "hwang-wu"}));
   EXPECT_EQ(parse_laws("abe,bilinear"), (std::vector<std::string>{"abe", "bilinear"}));
   EXPECT_EQ(parse_laws("abe, bilinear ,abe"), (std::vector<std::string>{"abe", "bilinear"}));
   for (auto const* text : {"", "bilinear,", "bilinear;abe", "Bilinear", "all,abe"}) {
@@ -147,7 +154,8 @@ TEST(Words, BoxIntegrationAndThinning) {
   EXPECT_EQ(parse_samples_per_cycle("all"), std::nullopt);
   EXPECT_EQ(parse_samples_per_cycle("150"), 150);
   for (auto const kind : {fit::BoxKind::published, fit::BoxKind::scaled}) EXPECT_EQ(parse_box(name(kind)), kind);
-  for (auto const how : {laws::Integration::converged, laws::Integration::paper}) EXPECT_EQ(parse_integration(name(how)), how);
+  for (auto const how : {laws::Integration::converged, laws::Integration::paper})
+    EXPECT_EQ(parse_integration(name(how)), how);
   auto const box = refusal([] { parse_box("scaled"); });
   EXPECT_TRUE(holds(box, "--box") && holds(box, "'scaled'") && holds(box, "published, auto")) << box;
   auto const how = refusal([] { parse_integration("rk4"); });

@@ -56,14 +56,27 @@ campaign::Search bilinear_search(std::size_t device_index) {
 }
 
 Run run(std::size_t device_index, std::string law, int number, double objective, std::vector<double> parameters) {
-  return {.device = device_index, .law = std::move(law), .number = number, .outcome = Outcome::all_generations,
-          .objective = objective, .integration_shift = 1e-6 * number, .evaluations = 100, .parameters = std::move(parameters),
+  return {.device = device_index,
+          .law = std::move(law),
+          .number = number,
+          .outcome = Outcome::all_generations,
+          .objective = objective,
+          .integration_shift = 1e-6 * number,
+          .evaluations = 100,
+          .parameters = std::move(parameters),
           .history = {1.0, objective}};
 }
 
 Run failed(std::size_t device_index, std::string law, int number) {
-  return {.device = device_index, .law = std::move(law), .number = number, .outcome = Outcome::no_finite_value,
-          .objective = std::nan(""), .integration_shift = std::nan(""), .evaluations = 100, .parameters = {}, .history = {INFINITY}};
+  return {.device = device_index,
+          .law = std::move(law),
+          .number = number,
+          .outcome = Outcome::no_finite_value,
+          .objective = std::nan(""),
+          .integration_shift = std::nan(""),
+          .evaluations = 100,
+          .parameters = {},
+          .history = {INFINITY}};
 }
 
 // Device A: objectives 0.1, 0.2, 0.3; device B: 0.3, 0.5, 0.7.
@@ -77,7 +90,7 @@ Contents two_devices() {
   c.settings.seed = 5;
   c.devices = {device("A"), device("B")};
   c.searches = {bilinear_search(0), bilinear_search(1)};
-  c.runs = {run(0, "bilinear", 1, 0.2, {1.2, 0.5, 40.0}),    run(0, "bilinear", 2, 0.1, {1.0005, 0.45, 41.0}),
+  c.runs = {run(0, "bilinear", 1, 0.2, {1.2, 0.5, 40.0}),     run(0, "bilinear", 2, 0.1, {1.0005, 0.45, 41.0}),
             run(0, "bilinear", 3, 0.3, {1.3995, 0.55, 39.0}), run(1, "bilinear", 1, 0.3, {1.65, 0.66, 20.0}),
             run(1, "bilinear", 2, 0.5, {1.8, 0.6, 40.0}),     run(1, "bilinear", 3, 0.7, {1.95, 0.54, 60.0})};
   return c;
@@ -85,7 +98,11 @@ Contents two_devices() {
 
 TEST(Summary, HoldsWhatTheCampaignIs) {
   auto contents = two_devices();
-  contents.devices[1].info = {.serial = "s", .lot = "l", .test_date = "d", .temperature_C = 1.0, .rubber_thickness_mm = 2.0,
+  contents.devices[1].info = {.serial = "s",
+                              .lot = "l",
+                              .test_date = "d",
+                              .temperature_C = 1.0,
+                              .rubber_thickness_mm = 2.0,
                               .rubber_area_mm2 = 3.0};
   auto const summary = build_summary(contents);
   EXPECT_EQ(summary.title, "by hand");
@@ -177,14 +194,17 @@ TEST(Summary, ErrorsOfTheBestFitAgainstTheRecord) {
   EXPECT_NEAR(*fit.energy_error_percent, 10.0, 1e-9);
   EXPECT_NEAR(*fit.damping_error_percent, 0.0, 1e-9);
   ASSERT_EQ(fit.force_kN.size(), 601u);
-  for (std::size_t i = 0; i < 601; i += 50) EXPECT_NEAR(fit.force_kN[i], 1.1 * contents.devices[1].record.force_kN[i], 1e-12);
+  for (std::size_t i = 0; i < 601; i += 50)
+    EXPECT_NEAR(fit.force_kN[i], 1.1 * contents.devices[1].record.force_kN[i], 1e-12);
   // Twice the characteristic strength at the same stiffnesses: Qd = 0.9 * 40 = 36 instead of 18 kN.
   contents.runs[3].parameters = {1.5, 0.6, 40.0};
   summary = build_summary(contents);
-  double const K_eff = 100.0 * ((0.6 + 0.36) / (0.6 + 0.18) - 1.0), energy = 100.0 * (36.0 * 60.0 / (18.0 * 80.0) - 1.0);
+  double const K_eff = 100.0 * ((0.6 + 0.36) / (0.6 + 0.18) - 1.0),
+               energy = 100.0 * (36.0 * 60.0 / (18.0 * 80.0) - 1.0);
   EXPECT_NEAR(*summary.laws[0].devices[1].K_eff_error_percent, K_eff, 1e-6);
   EXPECT_NEAR(*summary.laws[0].devices[1].energy_error_percent, energy, 0.1);  // samples miss the yield points a little
-  EXPECT_NEAR(*summary.laws[0].devices[1].damping_error_percent, 100.0 * ((1 + energy / 100) / (1 + K_eff / 100) - 1), 0.1);
+  EXPECT_NEAR(*summary.laws[0].devices[1].damping_error_percent, 100.0 * ((1 + energy / 100) / (1 + K_eff / 100) - 1),
+              0.1);
 }
 
 TEST(Summary, OneDeviceHasNoBeta) {
@@ -232,7 +252,7 @@ TEST(Summary, FixedParametersTakeNoPartInBeta) {
 TEST(Summary, FailedRunsAreCountedAndTakeNoPart) {
   auto contents = two_devices();
   contents.runs[1] = failed(0, "bilinear", 2);
-  auto const& fit = build_summary(contents).laws[0].devices[0];
+  auto const fit = build_summary(contents).laws[0].devices[0];
   EXPECT_EQ(fit.runs, 3);
   EXPECT_EQ(fit.failed_runs, 1);
   EXPECT_NE(fit.failure, "");
@@ -291,8 +311,8 @@ TEST(Summary, RefusedDevicesAndLawsAreThereWithTheirReason) {
   EXPECT_TRUE(summary.laws[0].on_front);
 }
 
-// Four laws with known (beta, mean objective). bilinear (0.1, 0.30), jankowski (0.2, 0.20), bouc-wen (0.3, 0.25, dominated
-// by jankowski), vaiana (0.4, 0.10).
+// Four laws with known (beta, mean objective). bilinear (0.1, 0.30), jankowski (0.2, 0.20), bouc-wen (0.3, 0.25,
+// dominated by jankowski), vaiana (0.4, 0.10).
 TEST(Summary, TheFrontIsThatOfSmallBetaAndSmallObjective) {
   Contents c;
   c.settings.laws = {"vaiana", "bouc-wen", "bilinear", "jankowski"};

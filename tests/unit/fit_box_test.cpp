@@ -45,8 +45,9 @@ TEST(SearchParameter, LogarithmicScaleOfNegativeValues) {
 }
 
 TEST(SearchParameter, RoundTripAndNeverOutsideTheInterval) {
-  for (auto const& p : {parameter(-2.0, 6.0, laws::Scale::linear), parameter(1e-3, 10.0, laws::Scale::logarithmic),
-                        parameter(-5e-6, -1e-9, laws::Scale::logarithmic), parameter(3.3e5, 3.5e6, laws::Scale::logarithmic)})
+  for (auto const& p :
+       {parameter(-2.0, 6.0, laws::Scale::linear), parameter(1e-3, 10.0, laws::Scale::logarithmic),
+        parameter(-5e-6, -1e-9, laws::Scale::logarithmic), parameter(3.3e5, 3.5e6, laws::Scale::logarithmic)})
     for (int i = 0; i <= 1000; ++i) {
       double const u = i / 1000.0, value = p.at(u);
       EXPECT_NEAR(p.coordinate(value), u, 1e-12);
@@ -122,13 +123,14 @@ TEST(ParseOverride, EveryForm) {
   EXPECT_EQ(freed.parameter, "gamma1-");
   EXPECT_FALSE(freed.interval);
 
-  EXPECT_EQ(parse_override("bilinear.xy=0").interval->upper, 0.0);          // the physical limit itself
+  EXPECT_EQ(parse_override("bilinear.xy=0").interval->upper, 0.0);  // the physical limit itself
   EXPECT_EQ(parse_override("jankowski.a1=-3e5:0").interval->lower, -3e5);
 }
 
 TEST(ParseOverride, TextReadsBackExactly) {
-  for (auto const* text : {"bilinear.K1=1.5", "hwang-wu.a9=-5e-06:-1e-09", "vaiana.gamma1+=free", "vaiana.Kb-=0.1:123456.789",
-                           "bouc-wen.n=1.0000000000000002", "abe.p=0.1:0.30000000000000004"}) {
+  for (auto const* text :
+       {"bilinear.K1=1.5", "hwang-wu.a9=-5e-06:-1e-09", "vaiana.gamma1+=free", "vaiana.Kb-=0.1:123456.789",
+        "bouc-wen.n=1.0000000000000002", "abe.p=0.1:0.30000000000000004"}) {
     auto const first = parse_override(text), again = parse_override(first.text());
     EXPECT_EQ(again.law, first.law);
     EXPECT_EQ(again.parameter, first.parameter);
@@ -155,7 +157,8 @@ void expect_parts(std::string_view override_text, std::vector<std::string> const
   auto const message = refusal(override_text);
   EXPECT_FALSE(message.empty()) << override_text << " was accepted";
   for (auto const& part : parts)
-    EXPECT_NE(message.find(part), std::string::npos) << override_text << ": '" << part << "' is missing in: " << message;
+    EXPECT_NE(message.find(part), std::string::npos)
+        << override_text << ": '" << part << "' is missing in: " << message;
 }
 
 TEST(ParseOverride, RefusesWhatHasNotTheForm) {
@@ -166,15 +169,16 @@ TEST(ParseOverride, RefusesWhatHasNotTheForm) {
 }
 
 TEST(ParseOverride, RefusesUnknownLawsAndParametersAndListsTheKnown) {
-  expect_parts("bilinar.K1=1", {"'bilinar'", "bilinear", "jankowski", "vaiana", "bouc-wen", "abe", "abe-y0", "hwang-wu"});
+  expect_parts("bilinar.K1=1",
+               {"'bilinar'", "bilinear", "jankowski", "vaiana", "bouc-wen", "abe", "abe-y0", "hwang-wu"});
   expect_parts("bilinear.K3=1", {"bilinear", "'K3'", "K1", "K2", "xy"});
   expect_parts("abe-y0.p=1", {"abe-y0", "'p'", "Y0", "Uh", "U0", "Us"});
   expect_parts("bilinear.k1=1", {"'k1'", "K1"});
 }
 
 TEST(ParseOverride, RefusesWhatIsNoNumber) {
-  for (auto const* value : {"", "x", "1.5mm", "1,5", "1:", ":2", ":", "1:2:3", "nan", "inf", "-inf", "1e999", "Free", "1 : 2",
-                            "+-5", "++5", "0x10"})
+  for (auto const* value : {"", "x", "1.5mm", "1,5", "1:", ":2", ":", "1:2:3", "nan", "inf", "-inf", "1e999", "Free",
+                            "1 : 2", "+-5", "++5", "0x10"})
     expect_parts(std::string("jankowski.a1=") + value, {"--set jankowski.a1", "law.parameter=value"});
 }
 
@@ -203,28 +207,80 @@ struct Published {
 std::map<std::string, std::vector<Published>> const table_4{
     {"bilinear", {{"K1", 1, 1.9}, {"K2", 0.35, 0.95}, {"xy", 30, 80}}},
     {"jankowski",
-     {{"a1", 1e4, 1e6}, {"a2", 1e6, 9e6}, {"a3", 1e6, 9e6}, {"a4", 1e3, 1e5}, {"a5", 1e3, 1e4}, {"a6", 1e5, 3.5e6},
-      {"a7", 0, 10}, {"a8", 5, 20}, {"a9", 1e4, 1e5}, {"a10", 1e4, 1e5}, {"a11", 0, 10}}},
+     {{"a1", 1e4, 1e6},
+      {"a2", 1e6, 9e6},
+      {"a3", 1e6, 9e6},
+      {"a4", 1e3, 1e5},
+      {"a5", 1e3, 1e4},
+      {"a6", 1e5, 3.5e6},
+      {"a7", 0, 10},
+      {"a8", 5, 20},
+      {"a9", 1e4, 1e5},
+      {"a10", 1e4, 1e5},
+      {"a11", 0, 10}}},
     {"vaiana",
-     {{"Kb+", 1e5, 6e5}, {"Kb-", 1e5, 6e5}, {"f0+", 1e4, 1e5}, {"f0-", 1e4, 1e5}, {"alpha+", 0, 50}, {"alpha-", 0, 50},
-      {"beta1+", 0, 0.9}, {"beta1-", -0.9, 0}, {"beta2+", 15, 50}, {"beta2-", -50, -15}}},
-    {"bouc-wen", {{"alpha", 0.1, 0.3}, {"Ke", 2, 4}, {"A", 1, 2}, {"beta", 0.025, 0.075}, {"n", 1, 1.25}, {"gamma", 0.025, 0.075}}},
+     {{"Kb+", 1e5, 6e5},
+      {"Kb-", 1e5, 6e5},
+      {"f0+", 1e4, 1e5},
+      {"f0-", 1e4, 1e5},
+      {"alpha+", 0, 50},
+      {"alpha-", 0, 50},
+      {"beta1+", 0, 0.9},
+      {"beta1-", -0.9, 0},
+      {"beta2+", 15, 50},
+      {"beta2-", -50, -15}}},
+    {"bouc-wen",
+     {{"alpha", 0.1, 0.3}, {"Ke", 2, 4}, {"A", 1, 2}, {"beta", 0.025, 0.075}, {"n", 1, 1.25}, {"gamma", 0.025, 0.075}}},
     {"abe",
-     {{"K1", 5, 10}, {"alpha", 0, 10}, {"beta", 0.01, 1}, {"a", 0.5, 1}, {"b", 5, 10}, {"n", 0.01, 0.5}, {"Y0", 10, 70},
-      {"Uh", 50, 150}, {"p", 0.01, 2}, {"U0", 2, 6}, {"Us", 5, 50}, {"K2", 0.01, 0.5}, {"r", 0.01, 0.2}}},
+     {{"K1", 5, 10},
+      {"alpha", 0, 10},
+      {"beta", 0.01, 1},
+      {"a", 0.5, 1},
+      {"b", 5, 10},
+      {"n", 0.01, 0.5},
+      {"Y0", 10, 70},
+      {"Uh", 50, 150},
+      {"p", 0.01, 2},
+      {"U0", 2, 6},
+      {"Us", 5, 50},
+      {"K2", 0.01, 0.5},
+      {"r", 0.01, 0.2}}},
     {"abe-y0",
-     {{"K1", 5, 10}, {"alpha", 0, 10}, {"beta", 0.01, 1}, {"a", 0.5, 1}, {"b", 5, 10}, {"n", 0.01, 0.5}, {"Y0", 10, 70},
-      {"Uh", 50, 150}, {"U0", 2, 6}, {"Us", 5, 50}, {"K2", 0.01, 0.5}, {"r", 0.01, 0.2}}},
+     {{"K1", 5, 10},
+      {"alpha", 0, 10},
+      {"beta", 0.01, 1},
+      {"a", 0.5, 1},
+      {"b", 5, 10},
+      {"n", 0.01, 0.5},
+      {"Y0", 10, 70},
+      {"Uh", 50, 150},
+      {"U0", 2, 6},
+      {"Us", 5, 50},
+      {"K2", 0.01, 0.5},
+      {"r", 0.01, 0.2}}},
     {"hwang-wu",
-     {{"a1", 2.8e3, 6e3}, {"a2", -5, -0.04}, {"a3", 1e-4, 0.01}, {"a4", 20.75, 90}, {"a5", 1e-3, 0.9}, {"a6", 1e4, 1.5e5},
-      {"a7", 1, 8}, {"a8", 50, 150}, {"a9", -5e-6, -1e-9}, {"a10", -2.925e-5, 0}}},
+     {{"a1", 2.8e3, 6e3},
+      {"a2", -5, -0.04},
+      {"a3", 1e-4, 0.01},
+      {"a4", 20.75, 90},
+      {"a5", 1e-3, 0.9},
+      {"a6", 1e4, 1.5e5},
+      {"a7", 1, 8},
+      {"a8", 50, 150},
+      {"a9", -5e-6, -1e-9},
+      {"a10", -2.925e-5, 0}}},
 };
 
-// A bearing of about the size of the paper's, in the law's units: ±200 mm, 130 kN, 0.65 kN/mm, Qd 40 kN, 650 mm/s, 80 kN m.
+// A bearing of about the size of the paper's, in the law's units: ±200 mm, 130 kN, 0.65 kN/mm, Qd 40 kN, 650 mm/s, 80
+// kN m.
 laws::RecordScales scales(laws::LawInfo const& law, double size = 1.0, double strength = 1.0, double speed = 1.0) {
   double const L = law.length.in_record_units, F = law.force.in_record_units;
-  return {.disp = 200.0 * size / L, .force = 130.0 * strength / F, .stiffness = 0.65 * strength / size * L / F,
-          .strength = 40.0 * strength / F, .velocity = 650.0 * speed / L, .work = 80e3 * strength * size / (F * L)};
+  return {.disp = 200.0 * size / L,
+          .force = 130.0 * strength / F,
+          .stiffness = 0.65 * strength / size * L / F,
+          .strength = 40.0 * strength / F,
+          .velocity = 650.0 * speed / L,
+          .work = 80e3 * strength * size / (F * L)};
 }
 
 TEST(Box, PublishedIsTable4SearchedLinearly) {
@@ -275,10 +331,11 @@ TEST(Box, EveryIntervalCanBeSearched) {
 // Exponents of force, length and time of a unit.
 std::array<int, 3> dimensions(std::string const& unit) {
   static std::map<std::string, std::array<int, 3>> const known{
-      {"1", {0, 0, 0}},       {"kN", {1, 0, 0}},     {"N", {1, 0, 0}},       {"mm", {0, 1, 0}},     {"m", {0, 1, 0}},
-      {"kN/mm", {1, -1, 0}},  {"N/m", {1, -1, 0}},   {"N/m^2", {1, -2, 0}},  {"N/m^3", {1, -3, 0}}, {"N/m^5", {1, -5, 0}},
-      {"N/cm", {1, -1, 0}},   {"N/cm^2", {1, -2, 0}}, {"N/cm^3", {1, -3, 0}}, {"N/cm^5", {1, -5, 0}}, {"1/m", {0, -1, 0}},
-      {"1/mm", {0, -1, 0}},   {"1/mm^n", {0, -1, 0}}, {"s/m", {0, -1, 1}},   {"s/cm", {0, -1, 1}},  {"m/s", {0, 1, -1}},
+      {"1", {0, 0, 0}},       {"kN", {1, 0, 0}},        {"N", {1, 0, 0}},     {"mm", {0, 1, 0}},
+      {"m", {0, 1, 0}},       {"kN/mm", {1, -1, 0}},    {"N/m", {1, -1, 0}},  {"N/m^2", {1, -2, 0}},
+      {"N/m^3", {1, -3, 0}},  {"N/m^5", {1, -5, 0}},    {"N/cm", {1, -1, 0}}, {"N/cm^2", {1, -2, 0}},
+      {"N/cm^3", {1, -3, 0}}, {"N/cm^5", {1, -5, 0}},   {"1/m", {0, -1, 0}},  {"1/mm", {0, -1, 0}},
+      {"1/mm^n", {0, -1, 0}}, {"s/m", {0, -1, 1}},      {"s/cm", {0, -1, 1}}, {"m/s", {0, 1, -1}},
       {"cm/s", {0, 1, -1}},   {"1/(N cm)", {-1, -1, 0}}};
   return known.at(unit);
 }
@@ -331,7 +388,7 @@ TEST(Box, AnIntervalAcrossZeroIsSearchedLinearly) {
   auto const& law = laws::find_law("vaiana");
   for (auto const* text : {"vaiana.beta1+=-5:5", "vaiana.beta1+=0:5", "vaiana.beta1+=-5:0"}) {
     std::vector const overrides{parse_override(text)};
-    auto const& p = make_box(law, BoxKind::scaled, scales(law.info), overrides).parameters[law.index_of("beta1+")];
+    auto const p = make_box(law, BoxKind::scaled, scales(law.info), overrides).parameters[law.index_of("beta1+")];
     EXPECT_EQ(p.scale, laws::Scale::linear) << text;
     EXPECT_TRUE(std::isfinite(p.at(0.5))) << text;
   }
@@ -455,7 +512,8 @@ void expect_usable(data::FitRecord const& record, std::string const& what) {
 
 TEST(Scales, OfDegenerateRecordsAreStillUsable) {
   auto const record = [](std::vector<double> x, std::vector<double> f) {
-    data::FitRecord made{.time_s = {}, .disp_mm = std::move(x), .vel_mm_s = {}, .force_kN = std::move(f), .cleaning = {}};
+    data::FitRecord made{
+        .time_s = {}, .disp_mm = std::move(x), .vel_mm_s = {}, .force_kN = std::move(f), .cleaning = {}};
     for (std::size_t i = 0; i < made.disp_mm.size(); ++i) made.time_s.push_back(static_cast<double>(i));
     return made;
   };

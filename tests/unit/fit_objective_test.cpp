@@ -119,7 +119,8 @@ TEST(Objective, IsInfiniteWhereAForceIsNotFinite) {
     return objective_of(LawOnRecord(laws::find_law(id), sine(), how), parameters);
   };
   using enum laws::Integration;
-  EXPECT_EQ(objective("vaiana", {4e5, 4e5, 4e4, 4e4, 45, 48, 0.4, -0.5, 1e5, -40.0, 0, 0, 0, 0, 0, 0}, converged), infinity);
+  EXPECT_EQ(objective("vaiana", {4e5, 4e5, 4e4, 4e4, 45, 48, 0.4, -0.5, 1e5, -40.0, 0, 0, 0, 0, 0, 0}, converged),
+            infinity);
   EXPECT_EQ(objective("bouc-wen", {0.15, 3.0, 1.2, -0.05, 1.1, -0.04}, converged), infinity);  // no saturation
   EXPECT_EQ(objective("bouc-wen", {0.15, 3.0, 1.2, 500.0, 1.9, 500.0}, paper), infinity);      // Runge-Kutta blows up
   EXPECT_EQ(objective("bilinear", {1.5, infinity, 30.0}, converged), infinity);
@@ -150,7 +151,8 @@ TEST(Objective, DoesNotDependOnTheScaleOfForceAndTime) {
 
 TEST(Force, IsTheLawsFormulaInKilonewton) {
   // Jankowski at 100 mm and 500 mm/s by hand: 0.1 m, 0.5 m/s.
-  data::FitRecord record{.time_s = {0.0, 0.1}, .disp_mm = {0.0, 100.0}, .vel_mm_s = {0.0, 500.0}, .force_kN = {0.0, 1.0}, .cleaning = {}};
+  data::FitRecord record{
+      .time_s = {0.0, 0.1}, .disp_mm = {0.0, 100.0}, .vel_mm_s = {0.0, 500.0}, .force_kN = {0.0, 1.0}, .cleaning = {}};
   LawOnRecord const model(laws::find_law("jankowski"), record, laws::Integration::converged);
   double const x = 0.1, v = 0.5;
   double const K = 3e5 + 4e6 * x * x + 5e6 * x * x * x * x + 4e4 / std::pow(std::cosh(2.0 * v), 2) +
@@ -161,7 +163,8 @@ TEST(Force, IsTheLawsFormulaInKilonewton) {
   EXPECT_NEAR(force[1], (K * x + C * v) / 1000.0, 1e-10);
   EXPECT_EQ(force[0], 0.0);
 
-  // Hwang-Wu without degradation at 10 cm and 50 cm/s: (a1 + a2 x^2 + a3 x^4 + a4 / cosh^2) x + 2 (a6 + a7 x^2) v / sqrt.
+  // Hwang-Wu without degradation at 10 cm and 50 cm/s: (a1 + a2 x^2 + a3 x^4 + a4 / cosh^2) x + 2 (a6 + a7 x^2) v /
+  // sqrt.
   LawOnRecord const other(laws::find_law("hwang-wu"), record, laws::Integration::converged);
   double const expected = (4000.0 - 1.0 * 100.0 + 0.01 * 1e4 + 60.0 / std::pow(std::cosh(0.02 * 50.0), 2)) * 10.0 +
                           2.0 * (5e4 + 6.0 * 100.0) * 50.0 / std::sqrt(60.0 * 60.0 + 2500.0);
@@ -192,7 +195,8 @@ TEST(RecordWithoutTime, GivesTheRateIndependentLawsTheObjectiveOfUniformSampling
   for (auto const* id : {"bilinear", "vaiana", "bouc-wen", "abe", "abe-y0"}) {
     auto const& law = laws::find_law(id);
     double const expected = objective_of(LawOnRecord(law, with_time, laws::Integration::converged), plausible(law));
-    EXPECT_NEAR(objective_of(LawOnRecord(law, record, laws::Integration::converged), plausible(law)), expected, 1e-12) << id;
+    EXPECT_NEAR(objective_of(LawOnRecord(law, record, laws::Integration::converged), plausible(law)), expected, 1e-12)
+        << id;
   }
 }
 
@@ -204,7 +208,8 @@ TEST(Problem, EvaluatesTheExpandedPoints) {
   IdentificationProblem const problem(model, box);
   ASSERT_EQ(problem.dimension(), 10u);  // six of the sixteen are fixed by default
   opt::Points points(10, 3);
-  for (std::size_t i = 0; i < points.values.size(); ++i) points.values[i] = std::fmod(0.37 + 0.618 * static_cast<double>(i), 1.0);
+  for (std::size_t i = 0; i < points.values.size(); ++i)
+    points.values[i] = std::fmod(0.37 + 0.618 * static_cast<double>(i), 1.0);
   Values values(3, -1.0);
   problem.evaluate(points, values);
   for (std::size_t i = 0; i < 3; ++i) {

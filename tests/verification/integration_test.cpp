@@ -53,8 +53,9 @@ Values divided(Values values, double unit) {
 class Refined {
  public:
   Refined(laws::LawEntry const& law, data::FitRecord const& record, int refinement)
-      : law_(law), path_(laws::make_path(divided(record.disp_mm, law.info.length.in_record_units),
-                                         divided(record.vel_mm_s, law.info.length.in_record_units), refinement)),
+      : law_(law),
+        path_(laws::make_path(divided(record.disp_mm, law.info.length.in_record_units),
+                              divided(record.vel_mm_s, law.info.length.in_record_units), refinement)),
         samples_(record.size()) {}
   Values force_kN(Values const& parameters, laws::Integration how = laws::Integration::converged) const {
     Values force(samples_);
@@ -70,14 +71,15 @@ class Refined {
 };
 
 struct Shift {
-  double random = 0.0, best = 0.0;  // largest over the records
-  double best_objective = 0.0;      // on the record where `best` was found
+  double random = 0.0, best = 0.0;           // largest over the records
+  double best_objective = 0.0;               // on the record where `best` was found
   int sets = 0, not_finite = 0, beyond = 0;  // random sets; of them beyond the tolerance
   std::string worst;                         // the random set of the largest shift
 };
 
 // Adds the shifts of one law on one record to `found`.
-void measure(laws::LawEntry const& law, data::FitRecord const& record, BoxKind kind, std::uint64_t stream_number, Shift& found) {
+void measure(laws::LawEntry const& law, data::FitRecord const& record, BoxKind kind, std::uint64_t stream_number,
+             Shift& found) {
   auto const box = make_box(law, kind, scales_of(record, law.info), {});
   LawOnRecord const model(law, record, laws::Integration::converged);
   Refined const fine(law, record, finer);
@@ -120,7 +122,8 @@ void report(char const* records, laws::LawEntry const& law, Shift const& shift) 
   fmt::print("{}, {}: largest shift {:.1e} at {} random sets ({} not finite), {:.1e} at the best found\n", records,
              law.info.id, shift.random, shift.sets - shift.not_finite, shift.not_finite, shift.best);
   std::fflush(stdout);
-  EXPECT_LE(shift.random, tolerance) << law.info.id << ": " << shift.beyond << " of " << shift.sets << " sets beyond; " << shift.worst;
+  EXPECT_LE(shift.random, tolerance) << law.info.id << ": " << shift.beyond << " of " << shift.sets << " sets beyond; "
+                                     << shift.worst;
   EXPECT_LE(shift.not_finite, rare * shift.sets) << law.info.id;
 }
 
@@ -154,7 +157,8 @@ data::FitRecord third_stage(int samples_per_cycle) {
   auto const cycles = data::cyclic_properties(raw.disp_mm, raw.force_kN).cycles;
   EXPECT_EQ(cycles.size(), 21u);
   auto const first = static_cast<std::ptrdiff_t>(std::lround(cycles.at(cycles.size() - 7).first));
-  for (auto* channel : {&raw.time_s, &raw.disp_mm, &raw.force_kN}) channel->erase(channel->begin(), channel->begin() + first);
+  for (auto* channel : {&raw.time_s, &raw.disp_mm, &raw.force_kN})
+    channel->erase(channel->begin(), channel->begin() + first);
   EXPECT_LT(std::abs(raw.disp_mm.front()), 1.0);
   EXPECT_NEAR(*std::ranges::max_element(raw.disp_mm), 152.3, 1.0);
   data::CleanOptions cleaning;
@@ -175,7 +179,8 @@ TEST(ConvergedIntegration, HoldsOnTheExampleLot) {
 }
 
 TEST(ConvergedIntegration, HoldsOnTheMeasuredThirdStage) {
-  if (!std::filesystem::exists(measured_file())) GTEST_SKIP() << "the measured record is not there: " << measured_file();
+  if (!std::filesystem::exists(measured_file()))
+    GTEST_SKIP() << "the measured record is not there: " << measured_file();
   auto const record = third_stage(100);
   ASSERT_NEAR(static_cast<double>(record.size()), 7 * 103.4, 10.0);
   std::uint64_t stream = 1000;
@@ -209,10 +214,13 @@ double classical_step(double t, double h, double y, Rate&& rate) {
   return y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
 }
 
-double sign(double x) { return x > 0 ? 1.0 : x < 0 ? -1.0 : 0.0; }
+double sign(double x) {
+  return x > 0 ? 1.0 : x < 0 ? -1.0 : 0.0;
+}
 
 // Eqs. (13)-(14), z' = A x' - beta |x'| z |z|^(n-1) - gamma x' |z|^n, x' constant between samples.
-Values bouc_wen_by_hand(data::FitRecord const& record, double alpha, double Ke, double A, double beta, double n, double gamma) {
+Values bouc_wen_by_hand(data::FitRecord const& record, double alpha, double Ke, double A, double beta, double n,
+                        double gamma) {
   Values force;
   double z = 0.0;
   for (std::size_t i = 0; i < record.size(); ++i) {
@@ -248,7 +256,8 @@ Values abe_by_hand(data::FitRecord const& record, AbeParameters const& p, bool g
       });
       peak = std::max(peak, std::abs(x));
     }
-    double const F1 = p.K1 * (p.beta + (1 - p.beta) * std::exp(-peak / p.alpha)) * x + p.a * (1 - std::exp(-p.b * std::abs(x))) * sign(x);
+    double const F1 = p.K1 * (p.beta + (1 - p.beta) * std::exp(-peak / p.alpha)) * x +
+                      p.a * (1 - std::exp(-p.b * std::abs(x))) * sign(x);
     force.push_back(F1 + F2 + p.K2 * std::pow(std::abs(x / p.Uh), p.r) * x);
   }
   return force;
@@ -281,10 +290,12 @@ TEST(PaperIntegration, OfAbeIsOneClassicalStepPerSample) {
   for (auto const& p : {AbeParameters{7.0, 3.0, 0.03, 0.7, 7.0, 0.3, 50.0, 115.0, 2.6, 40.0, 0.2, 0.1},
                         AbeParameters{6.0, 1.0, 0.1, 0.5, 0.05, 0.5, 30.0, 80.0, 6.0, 5.0, 0.4, 0.2},
                         AbeParameters{5.0, 9.0, 0.02, 1.0, 5.0, 1.0, 60.0, 60.0, 5.0, 20.0, 0.1, 1.5}}) {
-    expect_equal_forces(constant.force_kN(Values{p.K1, p.alpha, p.beta, p.a, p.b, p.n, p.Y0, p.Uh, p.U0, p.Us, p.K2, p.r}),
-                        abe_by_hand(record, p), fmt::format("abe-y0, n = {}", p.n));
-    expect_equal_forces(growing.force_kN(Values{p.K1, p.alpha, p.beta, p.a, p.b, p.n, p.Y0, p.Uh, 1.7, p.U0, p.Us, p.K2, p.r}),
-                        abe_by_hand(record, p, true, 1.7), fmt::format("abe, n = {}", p.n));
+    expect_equal_forces(
+        constant.force_kN(Values{p.K1, p.alpha, p.beta, p.a, p.b, p.n, p.Y0, p.Uh, p.U0, p.Us, p.K2, p.r}),
+        abe_by_hand(record, p), fmt::format("abe-y0, n = {}", p.n));
+    expect_equal_forces(
+        growing.force_kN(Values{p.K1, p.alpha, p.beta, p.a, p.b, p.n, p.Y0, p.Uh, 1.7, p.U0, p.Us, p.K2, p.r}),
+        abe_by_hand(record, p, true, 1.7), fmt::format("abe, n = {}", p.n));
   }
 }
 
@@ -316,15 +327,18 @@ TEST(ConvergedIntegration, IsTheLimitOfManyClassicalSteps) {
     }
     EXPECT_LE(difference, 1e-4 * largest) << law;
   };
-  expect_close("bouc-wen", {0.15, 3.0, 1.2, 0.05, 1.1, 0.04}, thinned(bouc_wen_by_hand(fine, 0.15, 3.0, 1.2, 0.05, 1.1, 0.04)));
+  expect_close("bouc-wen", {0.15, 3.0, 1.2, 0.05, 1.1, 0.04},
+               thinned(bouc_wen_by_hand(fine, 0.15, 3.0, 1.2, 0.05, 1.1, 0.04)));
   AbeParameters const p{7.0, 3.0, 0.03, 0.7, 7.0, 0.3, 50.0, 115.0, 2.6, 40.0, 0.2, 0.1};
-  expect_close("abe-y0", {p.K1, p.alpha, p.beta, p.a, p.b, p.n, p.Y0, p.Uh, p.U0, p.Us, p.K2, p.r}, thinned(abe_by_hand(fine, p)));
+  expect_close("abe-y0", {p.K1, p.alpha, p.beta, p.a, p.b, p.n, p.Y0, p.Uh, p.U0, p.Us, p.K2, p.r},
+               thinned(abe_by_hand(fine, p)));
   expect_close("abe", {p.K1, p.alpha, p.beta, p.a, p.b, p.n, p.Y0, p.Uh, 1.7, p.U0, p.Us, p.K2, p.r},
                thinned(abe_by_hand(fine, p, true, 1.7)));
 }
 
-// By Eq. (18) F2 never exceeds the largest yield force it has met, Y0 (1 + |D/Uh|^p), whatever the step: here 400 kN, with
-// steps of up to 38 yield displacements (travel of a record of 100 samples per cycle in a small yield displacement).
+// By Eq. (18) F2 never exceeds the largest yield force it has met, Y0 (1 + |D/Uh|^p), whatever the step: here 400 kN,
+// with steps of up to 38 yield displacements (travel of a record of 100 samples per cycle in a small yield
+// displacement).
 TEST(ConvergedIntegration, OfAbeStaysBelowTheYieldForceForSmallYieldDisplacements) {
   data::FitRecord record;
   for (int i = 0; i <= 300; ++i) {
@@ -335,7 +349,8 @@ TEST(ConvergedIntegration, OfAbeStaysBelowTheYieldForceForSmallYieldDisplacement
   for (double const U0 : {5.0, 1.0, 0.5, 0.25, 0.1})
     for (double const n : {0.05, 0.3, 0.6, 0.85, 1.0}) {
       Values const parameters{0.0, 1.0, 0.0, 0.0, 1.0, n, 100.0, 50.0, 1.0, U0, 300.0, 0.0, 1.0};  // F2 alone
-      auto const force = Refined(law, record, 1).force_kN(parameters), fine = Refined(law, record, finer).force_kN(parameters);
+      auto const force = Refined(law, record, 1).force_kN(parameters),
+                 fine = Refined(law, record, finer).force_kN(parameters);
       double largest = 0.0, difference = 0.0;
       for (std::size_t i = 0; i < force.size(); ++i) {
         largest = std::max(largest, std::abs(force[i]));
@@ -353,15 +368,18 @@ TEST(IntegrationShift, IsTheDifferenceFromAPathOfFinerSteps) {
     char const* law;
     Values parameters;
   };
-  for (auto const& [id, parameters] : {Case{"bouc-wen", {0.15, 3.0, 1.2, 0.05, 1.1, 0.04}},
-                                       Case{"abe", {7.0, 3.0, 0.03, 0.7, 7.0, 0.3, 50.0, 115.0, 1.7, 2.6, 40.0, 0.2, 0.1}},
-                                       Case{"abe-y0", {7.0, 3.0, 0.03, 0.7, 7.0, 0.3, 50.0, 115.0, 2.6, 40.0, 0.2, 0.1}},
-                                       Case{"hwang-wu", {4600, -0.8, 0.01, 55, 0.47, 6e4, 6.0, 55, -2.5e-6, -2e-6}}}) {
+  for (auto const& [id, parameters] :
+       {Case{"bouc-wen", {0.15, 3.0, 1.2, 0.05, 1.1, 0.04}},
+        Case{"abe", {7.0, 3.0, 0.03, 0.7, 7.0, 0.3, 50.0, 115.0, 1.7, 2.6, 40.0, 0.2, 0.1}},
+        Case{"abe-y0", {7.0, 3.0, 0.03, 0.7, 7.0, 0.3, 50.0, 115.0, 2.6, 40.0, 0.2, 0.1}},
+        Case{"hwang-wu", {4600, -0.8, 0.01, 55, 0.47, 6e4, 6.0, 55, -2.5e-6, -2e-6}}}) {
     auto const& law = laws::find_law(id);
     double const fine = objective(record, Refined(law, record, finer).force_kN(parameters));
     Values work;
-    LawOnRecord const converged(law, record, laws::Integration::converged), paper(law, record, laws::Integration::paper);
-    EXPECT_NEAR(converged.integration_shift(parameters), std::abs(converged.objective(parameters, work) - fine), 1e-13) << id;
+    LawOnRecord const converged(law, record, laws::Integration::converged),
+        paper(law, record, laws::Integration::paper);
+    EXPECT_NEAR(converged.integration_shift(parameters), std::abs(converged.objective(parameters, work) - fine), 1e-13)
+        << id;
     EXPECT_NEAR(paper.integration_shift(parameters), std::abs(paper.objective(parameters, work) - fine), 1e-13) << id;
     EXPECT_LE(converged.integration_shift(parameters), tolerance) << id;
   }

@@ -1,0 +1,92 @@
+// The record as the laws see it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "isolaw/laws/law.hpp"
+#include "laws/motion.hpp"
+
+namespace isolaw::law_tests {
+namespace {
+
+using laws::make_path;
+using laws::Path;
+
+TEST(Path, FirstStepStandsStillAtTheFirstSample) {
+  std::vector<double> const x{-3.0, -1.0}, v{5.0, 6.0};
+  auto const first = make_path(x, v, 4).steps.front();
+  EXPECT_EQ(first.x0, -3.0);
+  EXPECT_EQ(first.x1, -3.0);
+  EXPECT_EQ(first.v0, 5.0);
+  EXPECT_EQ(first.v1, 5.0);
+  EXPECT_EQ(first.dx, 0.0);
+  EXPECT_EQ(first.length, 0.0);
+  EXPECT_EQ(first.direction, 0.0);
+  EXPECT_FALSE(first.reversal);
+  EXPECT_EQ(first.peak0, 3.0);
+  EXPECT_EQ(first.peak1, 3.0);
+}
+
+// The first motion counts as a reversal; a hold keeps the direction, so that motion resumed is no reversal.
+TEST(Path, DirectionsAndReversals) {
+  std::vector<double> const x{1.0, 1.0, 2.0, 2.0, 3.0, 2.5, 2.5, 2.0, 4.0};
+  std::vector<double> const direction{0, 0, 1, 1, 1, -1, -1, -1, 1};
+  std::vector<bool> const reversal{false, false, true, false, false, true, false, false, true};
+  auto const path = make_path(x, {});
+  ASSERT_EQ(path.steps.size(), x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    EXPECT_EQ(path.steps[i].direction, direction[i]) << i;
+    EXPECT_EQ(path.steps[i].reversal, reversal[i]) << i;
+    EXPECT_EQ(path.steps[i].v1, 0.0) << i;
+  }
+}
+
+TEST(Path, ThePeakIsTheLargestMagnitudeSoFar) {
+  std::vector<double> const x{0.5, -2.0, 1.0, 3.0, -1.0}, peak{0.5, 2.0, 2.0, 3.0, 3.0};
+  auto const path = make_path(x, {});
+  for (std::size_t i = 0; i < x.size(); ++i) EXPECT_EQ(path.steps[i].peak1, peak[i]) << i;
+}
+
+// Every refinement is one connected path through the samples, with displacement and velocity on straight lines.
+TEST(Path, RefinementGoesThroughTheSamples) {
+  auto const motion = irregular(1, 100.0, 2, 25);
+  for (int const refinement : {1, 2, 3, 7}) {
+    auto const path = make_path(motion.disp_mm, motion.velocity_mm_s, refinement);
+    ASSERT_EQ(path.samples(), motion.size());
+    auto const stride = static_cast<std::size_t>(refinement);
+    double peak = 0.0;
+    for (std::size_t i = 0; i < path.steps.size(); ++i) {
+      auto const& step = path.steps[i];
+      std::size_t const sample = (i + stride - 1) / stride;
+      if (i % stride == 0) {
+        EXPECT_EQ(step.x1, motion.disp_mm[sample]);
+        EXPECT_EQ(step.v1, motion.velocity_mm_s[sample]);
+      } else {
+        double const t = static_cast<double>(i % stride) / refinement;
+        EXPECT_NEAR(step.x1, std::lerp(motion.disp_mm[sample - 1], motion.disp_mm[sample], t), 1e-13 * 100.0);
+        EXPECT_NEAR(step.v1, std::lerp(motion.velocity_mm_s[sample - 1], motion.velocity_mm_s[sample], t),
+                    1e-13 * 1000.0);
+      }
+      if (i > 0) {
+        EXPECT_EQ(step.x0, path.steps[i - 1].x1);
+        EXPECT_EQ(step.v0, path.steps[i - 1].v1);
+        EXPECT_EQ(step.peak0, path.steps[i - 1].peak1);
+        EXPECT_EQ(step.log2_abs_x0, path.steps[i - 1].log2_abs_x1);
+      }
+      EXPECT_EQ(step.dx, step.x1 - step.x0);
+      EXPECT_EQ(step.length, std::abs(step.dx));
+      EXPECT_EQ(step.peak1, peak = std::max(peak, std::abs(step.x1)));
+      EXPECT_EQ(step.log2_abs_x1, std::log2(std::abs(step.x1)));
+    }
+  }
+}
+
+TEST(Path, TheLogarithmOfZeroIsFinite) {
+  std::vector<double> const x{0.0, 1.0, 0.0};
+  for (auto const& step : make_path(x, {}).steps) EXPECT_TRUE(std::isfinite(step.log2_abs_x1));
+}
+
+}  // namespace
+}  // namespace isolaw::law_tests
