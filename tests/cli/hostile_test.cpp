@@ -114,6 +114,12 @@ TEST_F(Hostile, output_that_is_in_the_way_is_named) {
   EXPECT_EQ(read("P/tables"), "mine");
 }
 
+TEST_F(Hostile, store_that_cannot_be_opened_is_named) {
+  write("a.csv", csv(record()));
+  fs::create_directories(path("O/campaign.sqlite"));
+  expect_message(isolaw(Words{"calibrate", "a.csv", "--out", "O"} + small), 2, {"O/campaign.sqlite"});
+}
+
 TEST_F(Hostile, read_only_output_directory_is_refused) {
   if (geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
   write("a.csv", csv(record()));

@@ -30,7 +30,7 @@ void add_calibrate(CLI::App& app, CalibrateArguments& a) {
                "relative improvement that counts as none; 20 generations without improvement end a run (0)");
   c.add_option("--seed", a.seed, "seed of the campaign (1)");
   c.add_option("--box", a.box, "search box: auto, scaled from each record (default), or published, Table 4 of the paper");
-  c.add_option("--set", a.set, "law.parameter=value | lower:upper | free; may be repeated");
+  c.add_option("--set", a.set, "law.parameter=value | lower:upper | free; may be repeated")->allow_extra_args(false);
   c.add_option("--smooth", a.smooth, "window of the centred moving average, odd (1: none)");
   c.add_option("--samples-per-cycle", a.samples_per_cycle, "thin records to this many samples per cycle, or all (200)");
   c.add_flag("--center", a.center, "remove the offset of displacement and force");
@@ -72,6 +72,16 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   auto& example_command = *app.add_subcommand("example", "Write the built-in example lot");
   example_command.add_option("directory", directory, "where to")->required();
 
+  if (argc > 1 && argv[1][0] != '-') {
+    auto const names = app.get_subcommands([&](CLI::App* command) { return command->get_name() == argv[1]; });
+    if (names.empty()) {
+      std::string known;
+      for (auto const* command : app.get_subcommands([](CLI::App*) { return true; }))
+        known += (known.empty() ? "" : ", ") + command->get_name();
+      throw Error({.where = std::string("isolaw ") + argv[1], .found = "no such command", .allowed = known,
+                   .advice = "isolaw --help"});
+    }
+  }
   try {
     app.parse(argc, argv);
   } catch (CLI::ParseError const& error) {
@@ -92,7 +102,12 @@ int run(int argc, char** argv) {
     CLI::App app("isolaw: from the test records of a production lot of seismic isolators to calibrated, ranked laws", "isolaw");
     app.set_version_flag("--version", ISOLAW_VERSION);
     app.require_subcommand(1);
-    return dispatch(app, argc, argv);
+    int const code = dispatch(app, argc, argv);
+    if (std::fflush(stdout) != 0) {
+      std::fputs("isolaw: standard output cannot be written\n", stderr);
+      return exit_internal;
+    }
+    return code;
   } catch (Error const& error) {
     for (auto const& complaint : error.complaints()) std::fprintf(stderr, "isolaw: %s\n", to_string(complaint).c_str());
     return exit_wrong_usage;

@@ -1,8 +1,12 @@
 #include <fmt/format.h>
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -60,6 +64,26 @@ void make_directory(std::filesystem::path const& directory) {
     throw Error({.where = directory.string(), .found = "cannot make the directory: " + error.message(), .advice = "--out DIR"});
 }
 
+// One campaign at a time in a directory. The lock goes with the process, however it ends.
+class DirectoryLock {
+ public:
+  explicit DirectoryLock(std::filesystem::path const& directory) : descriptor_(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    if (descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      ::close(descriptor_);
+      throw Error({.where = directory.string(), .found = "another isolaw works in this directory",
+                   .advice = "wait for it, or another --out DIR"});
+    }
+  }
+  DirectoryLock(DirectoryLock const&) = delete;
+  DirectoryLock& operator=(DirectoryLock const&) = delete;
+  ~DirectoryLock() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+
+ private:
+  int descriptor_;
+};
+
 // What makes the stored campaign another one than the one asked for; empty when it can be continued.
 std::vector<std::string> differences(campaign::Contents const& stored, campaign::Contents const& asked) {
   std::vector<std::string> found;
@@ -72,16 +96,25 @@ std::vector<std::string> differences(campaign::Contents const& stored, campaign:
   for (std::size_t d = 0; d < std::min(stored.devices.size(), asked.devices.size()); ++d) {
     auto const &a = stored.devices[d], &b = asked.devices[d];
     if (a.name != b.name) found.push_back(fmt::format("device {}: '{}' there, '{}' now", d + 1, a.name, b.name));
-    else if (a.raw.sha256 != b.raw.sha256) found.push_back(fmt::format("{}: its file has changed", b.name));
+    else if (a.raw.sha256 != b.raw.sha256 || a.refusal != b.refusal) found.push_back(fmt::format("{}: its file has changed", b.name));
     else if (a.record.disp_mm != b.record.disp_mm || a.record.force_kN != b.record.force_kN || a.record.time_s != b.record.time_s)
       found.push_back(fmt::format("{}: its file is read in another way", b.name));
   }
   return found;
 }
 
+// The reports of another campaign must not stand beside this one's store.
+void remove_outputs(std::filesystem::path const& directory) {
+  std::error_code ignored;
+  for (auto const* name : {"summary.json", "report.html", "run.json", "tables/parameters.csv", "tables/objective.csv",
+                           "tables/robustness.csv", "tables/properties.csv"})
+    std::filesystem::remove(directory / name, ignored);
+}
+
 // Takes over the finished runs of an interrupted or finished campaign of the same settings and inputs, or starts anew.
 void open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh) {
   if (fresh || !std::filesystem::exists(file)) {
+    remove_outputs(file.parent_path());
     campaign::Store::create(file, contents);
     return;
   }
@@ -121,6 +154,12 @@ int exit_code(report::Summary const& summary) {
   return exit_done;
 }
 
+void warn_of_idle_overrides(campaign::Settings const& settings) {
+  for (auto const& change : settings.overrides)
+    if (std::ranges::find(settings.laws, change.law) == settings.laws.end())
+      fmt::print(stderr, "--set {}: has no effect, {} is not among the laws of this campaign\n", change.text(), change.law);
+}
+
 std::string shell_quoted(std::vector<std::string> const& words) {
   std::string line;
   for (auto const& word : words) {
@@ -141,12 +180,15 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
   using Clock = std::chrono::steady_clock;
   auto const start = Clock::now();
   std::time_t const started_at = std::time(nullptr);
-  auto contents = campaign::prepare(lot_of(arguments));
+  auto const lot = lot_of(arguments);
+  warn_of_idle_overrides(lot.settings);
+  auto contents = campaign::prepare(lot);
   for (auto const& device : contents.devices)
     if (!device.usable()) fmt::print(stderr, "{}: refused\n  {}\n", device.name, device.refusal);
 
-  auto const directory = output_directory(arguments);
+  auto const directory = output_directory(arguments, lot);
   make_directory(directory);
+  DirectoryLock const lock(directory);
   auto const file = directory / store_name;
   open_or_create(file, contents, arguments.fresh);
 
@@ -155,10 +197,13 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
     SignalGuard const guard;
     ProgressLine line;
     finished = campaign::run(contents, file,
-                             {.jobs = arguments.jobs, .progress = [&](auto const& p) { line.show(p); },
+                             {.jobs = lot.jobs.value_or(0), .progress = [&](auto const& p) { line.show(p); },
                               .interrupted = [] { return interrupted.load(); }});
   }
-  auto const command = shell_quoted(command_line);
+  // To continue is not to start over.
+  auto words = command_line;
+  std::erase(words, "--fresh");
+  auto const command = shell_quoted(words);
   if (!finished) {
     fmt::print(stderr, "interrupted: {} finished runs are kept in {}\nto continue: {}\n", contents.runs.size(),
                file.string(), command);
@@ -172,8 +217,9 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
                      report::run_json({.command = command, .directory = std::filesystem::absolute(directory).string(),
                                        .started_at = started_at, .search_s = search_s,
                                        .total_s = std::chrono::duration<double>(Clock::now() - start).count(),
-                                       .jobs = arguments.jobs > 0 ? arguments.jobs
-                                                                  : static_cast<int>(std::thread::hardware_concurrency())}));
+                                       .jobs = lot.jobs.value_or(0) > 0
+                                                   ? *lot.jobs
+                                                   : static_cast<int>(std::thread::hardware_concurrency())}));
   print(summary, arguments.json);
   fmt::print(stderr, "results: {} (open {})\n", directory.string(), (directory / "report.html").string());
   return exit_code(summary);
@@ -187,7 +233,7 @@ int report(std::filesystem::path const& directory, bool json) {
   if (!contents.complete())
     fmt::print(stderr, "the campaign is not complete: {} runs are missing; the calibrate command it was started with continues it\n",
                contents.expected_runs() - contents.runs.size());
-  return exit_code(summary);
+  return contents.complete() ? exit_code(summary) : exit_with_refusals;
 }
 
 }  // namespace isolaw::app

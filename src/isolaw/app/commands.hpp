@@ -2,7 +2,6 @@
 // to standard error, and returns the exit code. Wrong input throws isolaw::Error.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -22,14 +21,13 @@ struct ReadArguments {
 struct CalibrateArguments {
   std::vector<std::filesystem::path> inputs;  // one lot file, or records
   ReadArguments read;
-  std::optional<std::string> laws, method, integration, box, samples_per_cycle;
+  std::optional<std::string> laws, method, integration, box, samples_per_cycle, seed;
   std::vector<std::string> set;
   std::optional<int> runs, population, generations, smooth;
   std::optional<double> stagnation_tolerance;
-  std::optional<std::uint64_t> seed;
   bool center = false;
   std::optional<std::filesystem::path> out;
-  int jobs = 0;
+  std::optional<int> jobs;
   bool fresh = false;
   bool json = false;
 };

@@ -47,18 +47,20 @@ campaign::Lot lot_of(CalibrateArguments const& a) {
   override_with(a.population, s.genetic.population);
   override_with(a.generations, s.genetic.generations);
   override_with(a.stagnation_tolerance, s.genetic.stagnation_tolerance);
-  override_with(a.seed, s.seed);
+  if (a.seed) s.seed = campaign::parse_seed(*a.seed);
   override_with(a.smooth, s.clean.smooth);
   if (a.samples_per_cycle) s.clean.samples_per_cycle = campaign::parse_samples_per_cycle(*a.samples_per_cycle);
   if (a.center) s.clean.center = true;
+  if (a.out) lot.out = a.out;
+  if (a.jobs) lot.jobs = a.jobs;
   for (auto& device : lot.devices) apply(a.read, device.read);
   if (s.laws.empty()) s.laws = campaign::parse_laws("all");
   s.validate();
   return lot;
 }
 
-std::filesystem::path output_directory(CalibrateArguments const& a) {
-  if (a.out) return *a.out;
+std::filesystem::path output_directory(CalibrateArguments const& a, campaign::Lot const& lot) {
+  if (lot.out) return *lot.out;
   auto const& first = a.inputs.front();
   auto const name = is_lot_file(first) ? std::filesystem::absolute(first).lexically_normal().parent_path().filename()
                                        : first.stem();

@@ -1,12 +1,15 @@
 #include "isolaw/campaign/campaign.hpp"
 
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <mutex>
 #include <set>
 #include <tuple>
@@ -50,15 +53,42 @@ data::TestRecord read_history(DeviceInput const& input) {
   return record;
 }
 
+// Files as the lot names them: results must not depend on the folder the program was started from.
+std::string with_shown_files(std::string text, DeviceInput const& input) {
+  for (auto const& file : input.files) {
+    auto const typed = file.generic_string();
+    auto const shown = input.files.size() == 1 ? input.shown_file : file.filename().string();
+    if (typed == shown || typed.empty()) continue;
+    for (std::size_t at = 0; (at = text.find(typed, at)) != std::string::npos; at += shown.size())
+      text.replace(at, typed.size(), shown);
+  }
+  return text;
+}
+
+// Of what can be read of a refused device, so that another content is noticed.
+std::string hash_of_files(DeviceInput const& input) {
+  std::string hashes;
+  for (auto const& file : input.files) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) continue;
+    std::ifstream stream(file, std::ios::binary);
+    std::string const bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+    auto const hash = sha256(bytes);
+    hashes = hashes.empty() ? hash : sha256(hashes + hash);
+  }
+  return hashes;
+}
+
 Device prepare_device(DeviceInput const& input, data::CleanOptions const& cleaning) {
   Device device{.name = input.name, .file = input.shown_file, .info = input.info, .refusal = {}, .raw = {}, .record = {}};
   try {
     device.raw = read_history(input);
     device.record = data::clean(device.raw, cleaning);
   } catch (Error const& error) {
-    device.refusal = error.what();
+    device.refusal = with_shown_files(error.what(), input);
     device.raw = {};
     device.record = {};
+    device.raw.sha256 = hash_of_files(input);
   }
   device.raw.file = input.shown_file;
   return device;
@@ -149,6 +179,7 @@ Contents prepare(Lot const& lot) {
 
 bool run(Contents& contents, std::filesystem::path const& file, RunOptions const& options) {
   auto store = Store::open(file);
+  store.describe(contents);
   std::vector<Target> targets;
   num::Stream const campaign(contents.settings.seed);
   for (auto const& search : contents.searches) {
@@ -193,7 +224,8 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
     if (options.progress) options.progress(progress);
   };
 
-  int const jobs = options.jobs > 0 ? options.jobs : tbb::task_arena::automatic;
+  int const jobs = options.jobs > 0 ? options.jobs : tbb::this_task_arena::max_concurrency();
+  tbb::global_control const threads(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(jobs));
   tbb::task_arena arena(jobs);
   arena.execute([&] {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tasks.size(), 1), [&](auto const& range) {
@@ -201,8 +233,9 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
     }, tbb::simple_partitioner());
   });
   std::ranges::sort(contents.runs, {}, [](Run const& r) { return std::tie(r.device, r.law, r.number); });
-  if (!stop) store.finish();
-  return !stop;
+  bool const complete = contents.complete();  // also when the wish to stop came during the last run
+  if (complete) store.finish();
+  return complete;
 }
 
 }  // namespace isolaw::campaign

@@ -24,11 +24,11 @@ struct Progress {
 struct RunOptions {
   int jobs = 0;                                      // threads; 0: one per core
   std::function<void(Progress const&)> progress;     // called from one thread at a time
-  std::function<bool()> interrupted;                 // asked between generations; finished runs are kept
+  std::function<bool()> interrupted;                 // asked between generations, from any thread
 };
 
 // Runs what `store` does not hold yet and adds it. The result of a run depends on (seed, device name, law, number) and
-// the settings alone. Returns false when interrupted.
+// the settings alone. Finished runs are kept whatever happens; returns false when interrupted before the last one.
 bool run(Contents& contents, std::filesystem::path const& store, RunOptions const& options);
 
 }  // namespace isolaw::campaign

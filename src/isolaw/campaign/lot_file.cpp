@@ -34,8 +34,7 @@ class TableReader {
     auto const* node = table_.get(key);
     if (node == nullptr) return;
     auto const found = node->value<T>();
-    bool const same_kind = !std::is_same_v<T, std::string> || node->is_string();
-    if (!found || !same_kind) {
+    if (!found || !is_kind<T>(*node)) {
       complain(*node, fmt::format("'{}' is not {}", key, expected), std::string(expected));
       return;
     }
@@ -78,7 +77,7 @@ class TableReader {
       return complain(*node, fmt::format("'{}' is neither a table nor text", key),
                       "{ time = \"...\", disp = \"...\", force = \"...\" }");
     for (auto const& [channel, item] : *sub) {
-      auto const number = item.value<std::int64_t>();
+      auto const number = item.is_integer() ? item.value<std::int64_t>() : std::nullopt;
       auto const name = item.is_string() ? *item.value<std::string>() : number ? std::to_string(*number) : std::string();
       if (name.empty()) {
         complain(item, fmt::format("'{}.{}' is neither text nor a number", key, channel.str()), "a name or a 1-based number");
@@ -113,13 +112,24 @@ class TableReader {
   }
 
  private:
+  // No conversions: true is no number, and 1 is not true.
+  template <class T>
+  static bool is_kind(toml::node const& node) {
+    if constexpr (std::is_same_v<T, bool>) return node.is_boolean();
+    else if constexpr (std::is_integral_v<T>) return node.is_integer();
+    else if constexpr (std::is_floating_point_v<T>) return node.is_number();
+    else return node.is_string();
+  }
+
   template <class Action>
   void guarded(toml::node const& node, std::string_view key, Action&& action) {
     try {
       action();
     } catch (Error const& error) {
       for (auto complaint : error.complaints()) {
-        complaint.found = fmt::format("{}: {}", key, complaint.found);
+        bool const names_option = complaint.where.empty() || complaint.where.starts_with("--");
+        complaint.found = names_option ? fmt::format("{}: {}", key, complaint.found)
+                                       : fmt::format("{}: {}: {}", key, complaint.where, complaint.found);
         complaint.where = where(node);
         complaints_.push_back(std::move(complaint));
       }
@@ -143,7 +153,7 @@ void read_settings(TableReader& table, Settings& s) {
   table.set<int>("population", "a whole number", s.genetic.population);
   table.set<int>("generations", "a whole number", s.genetic.generations);
   table.set<double>("stagnation-tolerance", "a number", s.genetic.stagnation_tolerance);
-  table.value<std::int64_t>("seed", "a whole number", [&](std::int64_t v) { s.seed = static_cast<std::uint64_t>(v); });
+  table.value<std::int64_t>("seed", "a whole number", [&](std::int64_t v) { s.seed = parse_seed(std::to_string(v)); });
   table.value<std::string>("box", "text", [&](auto const& v) { s.box = parse_box(v); });
   table.strings("set", [&](std::string const& text) { s.overrides.push_back(fit::parse_override(text)); });
   table.set<int>("smooth", "a whole number", s.clean.smooth);
@@ -199,13 +209,20 @@ DeviceInput read_device(TableReader& table, toml::table const& source, std::file
   return device;
 }
 
-void refuse_repeated_names(std::vector<DeviceInput> const& devices, std::string const& where,
-                           std::vector<Complaint>& complaints) {
-  std::set<std::string> names;
-  for (auto const& device : devices)
-    if (!names.insert(device.name).second)
-      complaints.push_back({.where = where, .found = fmt::format("two devices are named '{}'", device.name),
-                            .allowed = "a name of its own for each device"});
+// Values that each read well but are not allowed: at the line of their key, named as in the file.
+void refuse_settings(TableReader const& reader, toml::table const& table, Settings const& settings,
+                     std::vector<Complaint>& complaints) {
+  try {
+    settings.validate();
+  } catch (Error const& error) {
+    for (auto complaint : error.complaints()) {
+      auto const key = complaint.where.substr(complaint.where.starts_with("--") ? 2 : 0);
+      auto const* node = table.get(key);
+      complaint.where = reader.where(node != nullptr ? *node : table);
+      complaint.found = fmt::format("{}: {}", key, complaint.found);
+      complaints.push_back(std::move(complaint));
+    }
+  }
 }
 
 std::string relative_name(std::filesystem::path const& file, std::filesystem::path const& directory) {
@@ -226,6 +243,9 @@ toml::table channel_table(std::map<data::Channel, std::string> const& channels) 
 
 Lot read_lot_file(std::filesystem::path const& path) {
   auto const file = path.string();
+  if (!std::filesystem::exists(path))
+    throw Error({.where = file, .found = "no such file", .allowed = "a lot file in TOML, or test records",
+                 .advice = "isolaw init FILES... writes a lot file"});
   toml::table root;
   try {
     root = toml::parse_file(file);
@@ -243,7 +263,11 @@ Lot read_lot_file(std::filesystem::path const& path) {
     TableReader reader(*table, file, "[calibrate]", complaints);
     read_settings(reader, lot.settings);
     read_thinning(reader, *table, lot.settings.clean);
+    read_reading(reader, defaults);
+    reader.value<std::string>("out", "text", [&](auto const& v) { lot.out = v; });
+    reader.value<int>("jobs", "a whole number", [&](int v) { lot.jobs = v; });
     reader.refuse_unknown();
+    refuse_settings(reader, *table, lot.settings, complaints);
   }
   if (auto const* table = top.table("read")) {
     TableReader reader(*table, file, "[read]", complaints);
@@ -257,9 +281,13 @@ Lot read_lot_file(std::filesystem::path const& path) {
   } else {
     for (auto const& node : *devices->as_array()) {
       TableReader reader(*node.as_table(), file, "[[device]]", complaints);
-      lot.devices.push_back(read_device(reader, *node.as_table(), path.parent_path(), defaults, complaints));
+      auto device = read_device(reader, *node.as_table(), path.parent_path(), defaults, complaints);
+      bool const repeated = std::ranges::find(lot.devices, device.name, &DeviceInput::name) != lot.devices.end();
+      if (repeated)
+        complaints.push_back({.where = reader.where(node), .found = fmt::format("two devices are named '{}'", device.name),
+                              .allowed = "a name of its own for each device"});
+      lot.devices.push_back(std::move(device));
     }
-    refuse_repeated_names(lot.devices, file, complaints);
   }
   top.know("device");
   top.refuse_unknown();
@@ -285,8 +313,16 @@ Lot lot_of_files(std::vector<std::filesystem::path> const& files) {
 
 std::string lot_file_text(Lot const& lot, std::filesystem::path const& directory) {
   auto const& s = lot.settings;
-  toml::table calibrate{{"box", name(s.box)}, {"runs", s.runs}, {"seed", static_cast<std::int64_t>(s.seed)},
-                        {"smooth", s.clean.smooth}};
+  toml::array laws, sets;
+  for (auto const& id : s.laws) laws.push_back(id);
+  for (auto const& change : s.overrides) sets.push_back(change.text());
+  toml::table calibrate{{"method", s.method}, {"integration", name(s.integration)}, {"box", name(s.box)},
+                        {"runs", s.runs}, {"population", s.genetic.population}, {"generations", s.genetic.generations},
+                        {"stagnation-tolerance", s.genetic.stagnation_tolerance},
+                        {"seed", static_cast<std::int64_t>(s.seed)}, {"smooth", s.clean.smooth},
+                        {"center", s.clean.center}};
+  if (!laws.empty()) calibrate.insert("laws", std::move(laws));
+  if (!sets.empty()) calibrate.insert("set", std::move(sets));
   if (s.clean.samples_per_cycle) calibrate.insert("samples-per-cycle", *s.clean.samples_per_cycle);
   else calibrate.insert("samples-per-cycle", "all");
   toml::array devices;

@@ -23,6 +23,8 @@ struct Lot {
   std::string title;
   Settings settings;
   std::vector<DeviceInput> devices;
+  std::optional<std::filesystem::path> out;  // directory of the results, relative to where the program runs
+  std::optional<int> jobs;
 };
 
 // Throws one Error that holds every problem of the file with its line: syntax, unknown keys, wrong types, values that are

@@ -45,6 +45,14 @@ std::vector<std::string> parse_laws(std::string_view text) {
   }
 }
 
+std::uint64_t parse_seed(std::string_view text) {
+  std::int64_t value = -1;
+  auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || value < 0)
+    refuse("seed", text, "a whole number from 0 to 9223372036854775807");
+  return static_cast<std::uint64_t>(value);
+}
+
 fit::BoxKind parse_box(std::string_view text) {
   if (text == "published") return fit::BoxKind::published;
   if (text == "auto") return fit::BoxKind::scaled;

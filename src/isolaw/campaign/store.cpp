@@ -47,6 +47,12 @@ CREATE TABLE run_parameter (
 
 [[noreturn]] void fail(sqlite3* db, std::string_view doing) {
   auto const* file = db == nullptr ? nullptr : sqlite3_db_filename(db, "main");
+  int const code = db == nullptr ? SQLITE_NOMEM : sqlite3_errcode(db) & 0xff;
+  if (code == SQLITE_NOTADB || code == SQLITE_CORRUPT)
+    throw Error({.where = file == nullptr ? "campaign store" : file,
+                 .found = code == SQLITE_NOTADB ? "not a campaign store of isolaw" : "the store is damaged",
+                 .allowed = "campaign.sqlite of a campaign",
+                 .advice = "a copy of it, or --fresh to start over"});
   throw Error({.where = file == nullptr ? "campaign store" : file,
                .found = fmt::format("{}: {}", doing, db == nullptr ? "out of memory" : sqlite3_errmsg(db)),
                .advice = "check free space and permissions of the directory; finished runs in the store are kept"});
@@ -79,7 +85,7 @@ class Statement {
   Statement& bind(std::vector<double> const& values) {
     return check(sqlite3_bind_blob64(statement_, ++bound_, values.data(), values.size() * sizeof(double), SQLITE_TRANSIENT));
   }
-  // Runs an INSERT and makes the statement ready for the next row.
+  // Runs an INSERT or UPDATE and makes the statement ready for the next row.
   void insert() {
     if (sqlite3_step(statement_) != SQLITE_DONE) fail(db_, "cannot write");
     sqlite3_reset(statement_);
@@ -300,9 +306,9 @@ std::string meta(sqlite3* db, std::string_view key) {
 
 // A store of ours, of a schema this version knows.
 void check_schema(sqlite3* db, std::filesystem::path const& file) {
-  Statement known(db, "SELECT count(*) FROM sqlite_master WHERE name = 'meta'");
+  Statement known(db, "SELECT count(*) FROM sqlite_master WHERE name IN ('meta', 'run', 'series', 'search_parameter')");
   known.row();
-  auto const version = known.integer() == 1 ? meta(db, "schema") : std::string();
+  auto const version = known.integer() == 4 ? meta(db, "schema") : std::string();
   if (version.empty())
     throw Error({.where = file.string(), .found = "not a campaign store of isolaw", .allowed = "campaign.sqlite of a campaign"});
   if (version != std::to_string(Store::schema_version))
@@ -335,7 +341,10 @@ Store::Handle Store::open_handle(std::filesystem::path const& file, int flags) {
   sqlite3* raw = nullptr;
   int const status = sqlite3_open_v2(file.c_str(), &raw, flags, nullptr);
   Handle db(raw);
-  if (status != SQLITE_OK) fail(raw, "cannot open");
+  if (status != SQLITE_OK)
+    throw Error({.where = file.string(),
+                 .found = fmt::format("cannot open the store: {}", raw == nullptr ? "out of memory" : sqlite3_errmsg(raw)),
+                 .advice = "check that the directory exists and may be written"});
   sqlite3_busy_timeout(raw, 5000);
   return db;
 }
@@ -402,6 +411,23 @@ void Store::add(Run const& run) {
   transaction.commit();
 }
 
-void Store::finish() { execute(db_.get(), "PRAGMA journal_mode = DELETE"); }
+void Store::describe(Contents const& contents) {
+  auto* db = db_.get();
+  Transaction transaction(db);
+  Statement title(db, "UPDATE meta SET value = ? WHERE key = 'title'");
+  title.bind(contents.title).insert();
+  Statement device(db, "UPDATE device SET serial = ?, lot = ?, test_date = ?, temperature_C = ?, rubber_thickness_mm = ?, "
+                       "rubber_area_mm2 = ? WHERE id = ?");
+  for (std::size_t id = 0; id < contents.devices.size(); ++id) {
+    auto const& info = contents.devices[id].info;
+    device.bind(info.serial).bind(info.lot).bind(info.test_date);
+    device.bind(info.temperature_C).bind(info.rubber_thickness_mm).bind(info.rubber_area_mm2).bind(id).insert();
+  }
+  transaction.commit();
+}
+
+bool Store::finish() {
+  return sqlite3_exec(db_.get(), "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr) == SQLITE_OK;
+}
 
 }  // namespace isolaw::campaign

@@ -24,7 +24,11 @@ class Store {
   static Contents read(std::filesystem::path const& file);
 
   void add(Run const& run);  // one transaction; not thread-safe
-  void finish();             // no more runs: the write-ahead log is folded into the one file
+  // What the lot file says of the devices, which no result depends on, may change between sessions.
+  void describe(Contents const& contents);
+  // No more runs: folds the write-ahead log into the one file. False when another program reads the store just now; the
+  // log then stays beside it, and whoever opens the store to write next folds it in.
+  bool finish();
 
  private:
   struct Close {

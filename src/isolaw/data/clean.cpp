@@ -106,6 +106,15 @@ void drop_samples(FitRecord& record, std::size_t step) {
   record.force_kN = every(record.force_kN, step);
 }
 
+// An average over a quarter of a cycle takes a tenth of its amplitude; nothing identified from that means anything.
+void refuse_wide_window(int window, Properties const& properties) {
+  if (!properties.samples_per_cycle || window < 0.25 * *properties.samples_per_cycle) return;
+  throw Error({fmt::format("--smooth {}", window),
+               fmt::format("the average spans {:.2f} cycles of {:.1f} samples", window / *properties.samples_per_cycle,
+                           *properties.samples_per_cycle),
+               "less than a quarter of a cycle", "--smooth 5"});
+}
+
 std::vector<double> sample_numbers(std::size_t size) {
   std::vector<double> numbers(size);
   for (std::size_t i = 0; i < size; ++i) numbers[i] = static_cast<double>(i);
@@ -117,10 +126,10 @@ std::vector<double> sample_numbers(std::size_t size) {
 void CleanOptions::validate() const {
   std::vector<Complaint> complaints;
   if (smooth < 1 || smooth % 2 == 0)
-    complaints.push_back({"smooth", std::to_string(smooth), "an odd number of samples, 1 for none",
+    complaints.push_back({"--smooth", std::to_string(smooth), "an odd number of samples, 1 for none",
                           std::to_string(std::max(1, smooth + 1))});
   if (samples_per_cycle && *samples_per_cycle < 20)
-    complaints.push_back({"samples_per_cycle", std::to_string(*samples_per_cycle), "20 or more, or all", "200"});
+    complaints.push_back({"--samples-per-cycle", std::to_string(*samples_per_cycle), "20 or more, or all", "200"});
   if (!complaints.empty()) throw Error(std::move(complaints));
 }
 
@@ -166,6 +175,7 @@ FitRecord clean(TestRecord const& raw, CleanOptions const& options) {
   record.time_s = raw.has_time() ? raw.time_s : sample_numbers(raw.size());
   auto const properties = cyclic_properties(raw.disp_mm, raw.force_kN);
   if (options.center) center(record, properties);
+  refuse_wide_window(options.smooth, properties);
   if (options.smooth > 1) {
     average(record, options.smooth);
     record.cleaning.push_back(

@@ -16,10 +16,16 @@ constexpr std::string_view override_form = "law.parameter=value, law.parameter=l
 
 std::optional<double> parse_number(std::string_view text) {
   double value = 0.0;
-  if (text.starts_with('+')) text.remove_prefix(1);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
   return value;
+}
+
+std::string limits_text(laws::Interval const& limits, std::string_view unit) {
+  if (limits.lower > 0.0) return fmt::format("above 0 {}", unit);
+  if (limits.lower == 0.0) return fmt::format("0 {} or more", unit);
+  return fmt::format("0 {} or less", unit);
 }
 
 // Displacement decreasing or increasing through zero after the start; the force there, by linear interpolation.
@@ -76,7 +82,7 @@ Override parse_override(std::string_view text) {
   if (*lower < limits.lower || *upper > limits.upper)
     throw Error({.where = where,
                  .found = fmt::format("[{}, {}] leaves the physical limits of {}", *lower, *upper, parameter.name),
-                 .allowed = fmt::format("{} to {} {}", limits.lower, limits.upper, parameter.unit)});
+                 .allowed = limits_text(limits, parameter.unit)});
   made.interval = laws::Interval{*lower, *upper};
   return made;
 }
@@ -149,15 +155,19 @@ SearchBox make_box(laws::LawEntry const& law, BoxKind kind, laws::RecordScales c
                          .free = !info.fixed_by_default.has_value(), .value = info.fixed_by_default.value_or(0.0),
                          .lower = interval.lower, .upper = interval.upper,
                          .scale = from_paper ? laws::Scale::linear : info.scaled_search};
-    for (auto const& change : overrides) {
-      if (change.law != law.info.id || change.parameter != info.name) continue;
-      made.free = !change.interval || change.interval->lower < change.interval->upper;
-      if (!change.interval) continue;
-      made.lower = change.interval->lower;
-      made.upper = change.interval->upper;
-      made.value = made.lower;
-      // A logarithm needs one sign; an interval that touches or spans zero is searched linearly.
-      if (made.lower * made.upper <= 0.0) made.scale = laws::Scale::linear;
+    // The last word on a parameter counts.
+    Override const* change = nullptr;
+    for (auto const& candidate : overrides)
+      if (candidate.law == law.info.id && candidate.parameter == info.name) change = &candidate;
+    if (change != nullptr) {
+      made.free = !change->interval || change->interval->lower < change->interval->upper;
+      if (change->interval) {
+        made.lower = change->interval->lower;
+        made.upper = change->interval->upper;
+        made.value = made.lower;
+        // A logarithm needs one sign; an interval that touches or spans zero is searched linearly.
+        if (made.lower * made.upper <= 0.0) made.scale = laws::Scale::linear;
+      }
     }
     box.parameters.push_back(made);
   }

@@ -31,8 +31,8 @@ template <class T, class Params>
 void follow_peak(Params const& p, Constants<T>& c, double peak) {
   T const one(1.0), Umax(peak);
   // alpha = 0: the softening part is gone as soon as there is a peak at all.
-  T const left = select(p.alpha > T(0.0), exp(-Umax / max(p.alpha, T(num::smallest_power_base))),
-                        T(peak > 0.0 ? 0.0 : 1.0));
+  T const left = select(p.alpha <= T(0.0), T(peak > 0.0 ? 0.0 : 1.0),
+                        exp(-Umax / max(p.alpha, T(num::smallest_power_base))));
   c.K1_now = p.K1 * (p.beta + (one - p.beta) * left);
   c.inverse_Ut = c.inverse_U0 / (one + Umax / p.Us);
 }
@@ -144,11 +144,11 @@ struct Abe {
       Row<T, Params<T>>{&Params<T>::Uh,
                         {.name = "Uh", .unit = "mm", .meaning = "displacement at which hardening begins", .physical = positive,
                          .published = Interval{50.0, 150.0},
-                         .scaled = [](RecordScales const& s) { return Interval{0.1 * s.disp, 2.0 * s.disp}; }}},
+                         .scaled = [](RecordScales const& s) { return Interval{0.5 * s.disp, 4.0 * s.disp}; }}},
       Row<T, Params<T>>{&Params<T>::p,
                         {.name = "p", .unit = "1", .meaning = "exponent of the growth of the yield force", .physical = not_negative,
                          .published = Interval{0.01, 2.0},
-                         .scaled = [](RecordScales const&) { return Interval{0.01, 4.0}; }}},
+                         .scaled = [](RecordScales const&) { return Interval{0.01, 3.0}; }}},
       Row<T, Params<T>>{&Params<T>::U0,
                         {.name = "U0", .unit = "mm", .meaning = "yield displacement", .physical = positive,
                          .published = Interval{2.0, 6.0},
@@ -193,7 +193,9 @@ struct Abe {
     if (step.length > 0.0) {
       // Shorter pieces where |x|^p is not smooth (about x = 0) and where Ut changes within the step (a new peak).
       double const nearest = step.x0 * step.x1 <= 0.0 ? 0.0 : std::min(std::abs(step.x0), std::abs(step.x1));
-      int const pieces = nearest < 1.5 * step.length ? 8 : step.peak1 > step.peak0 ? 4 : 1;
+      int const pieces = nearest < 1.5 * step.length                               ? 8
+                         : nearest < 4.0 * step.length || step.peak1 > step.peak0 ? 4
+                                                                                  : 1;
       double x = step.x0;
       for (int i = 1; i <= pieces; ++i) {
         double const end = i == pieces ? step.x1 : step.x0 + step.dx * i / pieces;
@@ -231,8 +233,9 @@ struct Abe {
   //     n d t/12 (1 - f1 / f0)
   // and from the curvature of Phi in Y (|u|^n = 1 - f with the sign of u)
   //     n (1 - n) d^2 t/24 (1 - f).
-  // The mean of |x / Uh|^p is exact: its integral is x |x / Uh|^p / (p + 1); for pieces so short that the difference would
-  // lose its digits, the mean of the ends.
+  // Over a long travel F2 ends at the yield force of the end, d/2 above the mean: the first term is carried over into
+  // that limit, the second fades. The mean of |x / Uh|^p is exact: its integral is x |x / Uh|^p / (p + 1); for pieces so
+  // short that the difference would lose its digits, the mean of the ends.
   template <class T>
   static void advance(Params<T> const& p, State<T>& state, abe_parts::Piece const& piece) {
     T const one(1.0), direction(piece.direction), before = state.growth;
@@ -242,9 +245,14 @@ struct Abe {
                         : (T(piece.x1) * after - T(piece.x0) * before) / ((p.p + one) * T(piece.x1 - piece.x0));
     T const Yt = p.Y0 * (one + mean), travel = abe_parts::travel(p, state.constants, piece);
     auto const moved = state.flow.advance(direction * state.F2 / Yt, travel);
-    T const d = (after - before) / (one + mean), mean_rate = T(0.5) * (moved.rate0 + moved.rate1);
-    T const effect = p.n * d * travel * T(1.0 / 24.0) *
-                     (T(2.0) * (one - moved.rate1 / moved.rate0) + (one - p.n) * d * (one - mean_rate));
+    T const d = (after - before) / (one + mean), relaxed = p.n * travel, relaxed2 = relaxed * relaxed;
+    // Rates fall along the flow; close to saturation both are lost to rounding.
+    T const ratio = max(T(0.0), min(moved.rate1 / moved.rate0, one));
+    T const first = d * relaxed / sqrt(one + relaxed2 * T(1.0 / 36.0)) * (one - ratio) * T(1.0 / 12.0);
+    T const second = d * d * relaxed / (one + relaxed2) * (one - p.n) *
+                     (one - T(0.5) * (moved.rate0 + moved.rate1)) * T(1.0 / 24.0);
+    T const limit = T(0.5) * abs(d);
+    T const effect = max(-limit, min(first + second, limit));
     state.F2 = direction * Yt * (moved.u + effect);
     state.growth = after;
     if (piece.peak1 > piece.peak0) abe_parts::follow_peak(p, state.constants, piece.peak1);

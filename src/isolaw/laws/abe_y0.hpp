@@ -58,7 +58,7 @@ struct AbeY0 {
       Row<T, Params<T>>{&Params<T>::Uh,
                         {.name = "Uh", .unit = "mm", .meaning = "displacement at which hardening begins", .physical = positive,
                          .published = Interval{50.0, 150.0},
-                         .scaled = [](RecordScales const& s) { return Interval{0.1 * s.disp, 2.0 * s.disp}; }}},
+                         .scaled = [](RecordScales const& s) { return Interval{0.5 * s.disp, 4.0 * s.disp}; }}},
       Row<T, Params<T>>{&Params<T>::U0,
                         {.name = "U0", .unit = "mm", .meaning = "yield displacement", .physical = positive,
                          .published = Interval{2.0, 6.0},

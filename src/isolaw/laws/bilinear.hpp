@@ -55,7 +55,8 @@ struct Bilinear {
   template <class T>
   static T step(Params<T> const& p, State<T>& state, Step const& step) {
     T const trial = state.z + (p.K1 - p.K2) * T(step.dx);
-    state.z = min(max(trial, -state.strength), state.strength);
+    // In this order a strength that is not a number stays one.
+    state.z = min(state.strength, max(-state.strength, trial));
     return p.K2 * T(step.x1) + state.z;
   }
 };

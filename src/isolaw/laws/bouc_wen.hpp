@@ -22,7 +22,7 @@ struct BoucWen {
       .traits = {.rate_independent = true, .odd = true, .path_integrated = true},
       .note = "A is redundant: (Ke, A, beta, gamma, alpha) can be rescaled without changing the force, so a calibration with A "
               "free has no unique answer. The upper bound of alpha is lost in Table 4; 0.3 is used. Parameters must keep "
-              "beta + gamma > 0; others have no bounded force and are rejected."};
+              "beta > 0 and beta + gamma > 0; others have no bounded force and are rejected."};
 
   template <class T>
   struct Params {
@@ -44,7 +44,7 @@ struct BoucWen {
                          .published = Interval{1.0, 2.0},
                          .scaled = [](RecordScales const&) { return Interval{0.5, 2.0}; }}},
       Row<T, Params<T>>{&Params<T>::beta,
-                        {.name = "beta", .unit = "1/mm^n", .meaning = "shape of the loop", .physical = any_value,
+                        {.name = "beta", .unit = "1/mm^n", .meaning = "shape of the loop", .physical = positive,
                          .published = Interval{0.025, 0.075},
                          .scaled = [](RecordScales const& s) { return Interval{0.05 / s.disp, 60.0 / s.disp}; },
                          .scaled_search = Scale::logarithmic}},
@@ -55,8 +55,7 @@ struct BoucWen {
       Row<T, Params<T>>{&Params<T>::gamma,
                         {.name = "gamma", .unit = "1/mm^n", .meaning = "shape of the loop", .physical = any_value,
                          .published = Interval{0.025, 0.075},
-                         .scaled = [](RecordScales const& s) { return Interval{0.05 / s.disp, 60.0 / s.disp}; },
-                         .scaled_search = Scale::logarithmic}},
+                         .scaled = [](RecordScales const& s) { return Interval{-15.0 / s.disp, 30.0 / s.disp}; }}},
   };
 
   template <class T>
@@ -72,7 +71,8 @@ struct BoucWen {
     State<T> state;
     if (integration == Integration::paper) return state;
     T const both = p.beta + p.gamma;
-    // beta + gamma <= 0 makes log2 of it NaN on purpose: such a candidate has no saturated force.
+    // beta + gamma <= 0 makes log2 of it NaN on purpose: such a candidate has no saturated force. With beta <= 0 kappa
+    // is at most -1, which the flow turns into NaN.
     state.z_max = exp2((log2(p.A) - log2(both)) / p.n);
     state.rate = p.A / state.z_max;
     state.flow = SaturatingFlow<T>(p.n, (p.beta - p.gamma) / both);

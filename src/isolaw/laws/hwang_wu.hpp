@@ -1,8 +1,9 @@
 // Hwang-Wu: non-linear spring and dashpot that degrade with the work done on the device.
 // Source: Cucuzza et al. 2025, Eqs. (22)-(24), after Hwang et al. 2002. Units N, cm, s: Tables 4 and A.5 print none, and only
 // these give the stiffness and force of the other laws.
-// Step: dW = F(x, v, W) dx by one classical Runge-Kutta step, displacement and velocity linear between the samples; the
-// same for both kinds of integration (the error is 4e-6 of the peak force at the sampling of a laboratory).
+// Step: dW = F(x, v, W) dx by classical Runge-Kutta steps, displacement and velocity linear between the samples; the same
+// for both kinds of integration. At 200 samples per cycle the error is 3e-7 of the peak force with the published means;
+// it grows where a9 or a10 times the work of one sample exceeds 1.
 #pragma once
 
 #include "isolaw/laws/law.hpp"

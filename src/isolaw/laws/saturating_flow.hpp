@@ -9,12 +9,14 @@
 //
 // Nodes are graded geometrically towards u = 0, where u^n is not smooth for n < 1, and towards u = 1; times between nodes
 // by four-point Lobatto quadrature, u(t) within a cell by the quintic that takes value, slope and curvature at both ends.
-// Largest error in u over n in [0.01, 3]: below 1e-5 (tests/verification). The table costs about 350 powers.
+// Largest error in u over n in [0.01, 3] and kappa in (-1, 3]: below 1e-5 (tests/verification). The table costs about
+// 500 powers.
 // Rejected: Runge-Kutta with sub-steps (32 per sample still leave 3.8 % in the objective of abe near its optimum), and an
 // exponential step with frozen exponent (first order where n < 1 and u crosses 0).
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "isolaw/laws/law.hpp"
@@ -46,9 +48,10 @@ struct Point {
 };
 
 inline constexpr double inverse_ln2 = 1.44269504088896340736;
-inline constexpr double spacing = 0.5;          // of w, in all gradings
+inline constexpr double spacing = 1.0 / 3.0;     // of w, in all gradings
 inline constexpr double smallest_w = -12.0;     // |u| = 6e-6: between -6e-6 and 6e-6 the curve is a straight line
 inline constexpr double largest_w = 16.0;       // |1 - u| = 1e-7: closer to saturation u stays there
+inline constexpr double unloading_w = 14.0;     // |1 + u| = 8e-7: where unloading starts within saturation
 inline constexpr double reach_w = 4.0;          // |u| = 55: beyond, the rate is frozen at its value there
 inline constexpr double falling_origin = 60.0;  // keys of the falling piece, 4.4 to 59, lie above those of the rising one
 
@@ -58,6 +61,11 @@ inline Point below_zero(double w) {  // |u| = e^w
 inline Point below_one(double w) {  // u = 1 / (1 + e^-w)
   double const e = std::exp(-w), u = 1.0 / (1.0 + e);
   return {u, u * u * e, -std::log1p(e) * inverse_ln2};
+}
+inline Point above_minus_one(double w) {  // u = -1 / (1 + e^-w)
+  Point p = below_one(w);
+  p.u = -p.u;
+  return p;
 }
 inline Point above_one(double w) {  // u = 1 + e^w
   double const e = std::exp(w);
@@ -85,16 +93,20 @@ std::size_t append(Nodes<Count>& nodes, std::size_t at, Grading grading, double 
   return at;
 }
 
+// Keeps what is saturated inside the last cell of its piece, where rounding would take it to the next.
+inline constexpr double just_below_one = 1.0 - 1e-15;
+
 constexpr std::size_t node_count(double first, double last) {
   double const width = last > first ? last - first : first - last;
   return static_cast<std::size_t>(width / spacing + 0.5) + 1;
 }
 
-// The nodes of a reach: from -1 (or -55) through 0 up to saturation, then, beyond saturation, from 55 down to it.
+// The nodes of a reach: from -1 (or -55) through 0 up to saturation, then, beyond saturation, from 55 down to it. Within
+// saturation they are graded towards -1 as well, where the rate 1 + kappa |u|^n nearly vanishes for kappa close to -1.
 template <Reach reach>
 struct Layout {
   static constexpr bool falls = reach == Reach::beyond_saturation;
-  static constexpr double start_w = falls ? reach_w : 0.0;
+  static constexpr double start_w = falls ? reach_w : unloading_w;
   static constexpr std::size_t negative = node_count(start_w, smallest_w);
   static constexpr std::size_t rising = negative + node_count(smallest_w, largest_w);
   static constexpr std::size_t count = rising + (falls ? node_count(reach_w, -largest_w) : 0);
@@ -102,7 +114,8 @@ struct Layout {
   static Nodes<count> const& nodes() {
     static Nodes<count> const made = [] {
       Nodes<count> n;
-      append(n, append(n, 0, below_zero, start_w, smallest_w), below_one, smallest_w, largest_w);
+      auto const unloading = falls ? below_zero : above_minus_one;
+      append(n, append(n, 0, unloading, start_w, smallest_w), below_one, smallest_w, largest_w);
       if constexpr (falls) append(n, rising, above_one, reach_w, -largest_w);
       for (std::size_t i = 0; i + 1 < count; ++i) n.inverse_rise[i] = 1.0 / (n.key[i + 1] - n.key[i]);
       return n;
@@ -121,7 +134,7 @@ class SaturatingFlow {
  public:
   SaturatingFlow() = default;
   // n > 0; kappa > -1. Anything else gives values that are not finite.
-  SaturatingFlow(T const& n, T const& kappa);
+  SaturatingFlow(T const& exponent, T const& unloading);
 
   // The place of u on the curve, as a time, and the value at a time: value_at(time_at(u) + travel) is u a travel later.
   // The two are inverse within rounding, so that repeated conversion does not drift.
@@ -139,7 +152,8 @@ class SaturatingFlow {
     Place const start = place_of(u);
     T time = time_of(start) + travel;
     // Whoever rises stays below saturation, and must not run on into the falling piece of the table.
-    if constexpr (Layout::falls) time = select(u > T(1.0), time, min(time, time_[Layout::rising - 1]));
+    if constexpr (Layout::falls)
+      time = select(u > T(1.0), time, min(time, time_[Layout::rising - 1] * T(flow_parts::just_below_one)));
     Place const end = place_at(time);
     T const sign = select(u > T(1.0), T(-1.0), T(1.0));
     return {value_of_key(value(end.c, end.s) + first_rate_ * min(time, T(0.0))), sign * rate_at(start),
@@ -195,7 +209,9 @@ class SaturatingFlow {
 };
 
 template <class T, Reach reach>
-SaturatingFlow<T, reach>::SaturatingFlow(T const& n, T const& kappa) {
+SaturatingFlow<T, reach>::SaturatingFlow(T const& exponent, T const& unloading) {
+  T const nan(std::numeric_limits<double>::quiet_NaN());
+  T const n = select(exponent > T(0.0), exponent, nan), kappa = select(unloading > T(-1.0), unloading, nan);
   Motion before = motion_at(0, n, kappa);
   first_rate_ = before.rate;
   time_[0] = T(0.0);
@@ -275,7 +291,8 @@ auto SaturatingFlow<T, reach>::place_of(T const& u) const -> Place {
   T key = u;
   // Above the reach the falling piece starts at its first node: there the rate hardly changes over a step.
   if constexpr (Layout::falls)
-    key = select(u > T(1.0), max(T(flow_parts::falling_origin) - u, T(nodes.key[Layout::rising])), u);
+    key = select(u > T(1.0), max(T(flow_parts::falling_origin) - u, T(nodes.key[Layout::rising])),
+                 min(u, T(nodes.key[Layout::rising - 1] * flow_parts::just_below_one)));
   T const last(Layout::falls ? nodes.key.back() : nodes.key[Layout::rising - 1]);
   T const inside = min(max(key, lowest), last);
   auto const cell = cell_of(nodes.key, inside);

@@ -112,14 +112,17 @@ Batch<W> select(bool condition, Batch<W> const& a, Batch<W> const& b) {
 }
 
 template <std::size_t W>
-using Indices = std::array<std::size_t, W>;
+struct Indices {
+  std::array<std::size_t, W> lane{};
+};
 
 template <std::size_t W, std::size_t Count>
 Indices<W> cell_of(std::array<Batch<W>, Count> const& nodes, Batch<W> const& x) {
   Indices<W> first{};
   for (std::size_t length = Count - 1; length > 1;) {
     std::size_t const half = length / 2;
-    for (std::size_t i = 0; i < W; ++i) first[i] += nodes[first[i] + half].lane[i] <= x.lane[i] ? half : 0;
+    for (std::size_t i = 0; i < W; ++i)
+      first.lane[i] += nodes[first.lane[i] + half].lane[i] <= x.lane[i] ? half : 0;
     length -= half;
   }
   return first;
@@ -127,19 +130,19 @@ Indices<W> cell_of(std::array<Batch<W>, Count> const& nodes, Batch<W> const& x) 
 template <std::size_t W, std::size_t Count>
 Indices<W> cell_of(std::array<double, Count> const& nodes, Batch<W> const& x) {
   Indices<W> out{};
-  for (std::size_t i = 0; i < W; ++i) out[i] = num::cell_of(nodes, x.lane[i]);
+  for (std::size_t i = 0; i < W; ++i) out.lane[i] = num::cell_of(nodes, x.lane[i]);
   return out;
 }
 template <std::size_t W, std::size_t Count>
 Batch<W> at(std::array<Batch<W>, Count> const& values, Indices<W> const& index) {
   Batch<W> out;
-  for (std::size_t i = 0; i < W; ++i) out.lane[i] = values[index[i]].lane[i];
+  for (std::size_t i = 0; i < W; ++i) out.lane[i] = values[index.lane[i]].lane[i];
   return out;
 }
 template <std::size_t W, std::size_t Count>
 Batch<W> at(std::array<double, Count> const& values, Indices<W> const& index) {
   Batch<W> out;
-  for (std::size_t i = 0; i < W; ++i) out.lane[i] = values[index[i]];
+  for (std::size_t i = 0; i < W; ++i) out.lane[i] = values[index.lane[i]];
   return out;
 }
 

@@ -85,6 +85,7 @@ DeviceFit device_fit(campaign::Contents const& contents, campaign::Search const&
   }
   made.runs = static_cast<int>(runs.size());
   made.failed_runs = static_cast<int>(runs.size() - usable.size());
+  if (runs.empty()) made.failure = "no run has finished yet";
   if (made.failed_runs > 0) made.failure = "no parameter set of the first generation gave a finite force";
   campaign::Run const* best = nullptr;
   for (auto const* run : usable)

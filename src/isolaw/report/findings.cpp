@@ -129,9 +129,11 @@ void warn_of_refused_laws(LawResult const& law, std::vector<Warning>& warnings) 
     if (found == reasons.end()) found = reasons.insert(reasons.end(), {fit.refusal, {}});
     found->second.push_back(fit.device);
   }
-  for (auto const& [reason, devices] : reasons)
-    warnings.push_back(
-        {"law not identified", fmt::format("{} was not identified on {}: {}", law.id, enumerate(devices), reason)});
+  for (auto const& [reason, devices] : reasons) {
+    auto text = fmt::format("{} was not identified on {}: {}", law.id, enumerate(devices), reason);
+    if (law.objective.mean) text += fmt::format("; its mean and beta cover the other devices only");
+    warnings.push_back({"law not identified", std::move(text)});
+  }
 }
 
 void warn_of_failed_runs(LawResult const& law, std::vector<Warning>& warnings) {
