@@ -135,7 +135,7 @@ TEST_F(LotFile, missing_lot_file_is_said_to_be_missing) {
 
 TEST_F(LotFile, unknown_key_names_line_and_allowed_keys) {
   expect_refused(run("[calibrate]\nrunz = 3\n" + std::string(device)),
-                 {"lot.toml:2: unknown key 'runz' in [calibrate]", "allowed: box, center, generations",
+                 {"lot.toml:2: unknown key 'runz' in [calibrate]", "allowed: box, center, columns",
                   "runs, samples-per-cycle, seed"});
   expect_refused(
       run(std::string(device) + "colour = \"red\"\n"),
@@ -229,9 +229,9 @@ TEST_F(LotFile, device_without_a_file) {
                  {"lot.toml:1: a device without a file", "file = \"...\" or files = [...]"});
 }
 
-TEST_F(LotFile, missing_record_is_refused_by_its_path) {
+TEST_F(LotFile, missing_record_is_refused_by_its_name_in_the_lot_file) {
   write("sub/lot.toml", "[[device]]\nname = \"a\"\nfile = \"gone.csv\"\n");
-  expect_refused(isolaw({"calibrate", "sub/lot.toml", "--out", "O"}), {"sub/gone.csv: no such file"});
+  expect_refused(isolaw({"calibrate", "sub/lot.toml", "--out", "O"}), {"gone.csv: no such file"});
   EXPECT_FALSE(exists("O"));
 }
 

@@ -189,7 +189,7 @@ TEST(ParseOverride, RefusesAnIntervalThatIsNone) {
 }
 
 TEST(ParseOverride, RefusesWhatIsNotPhysical) {
-  expect_parts("bilinear.xy=-1", {"--set bilinear.xy=-1", "xy", "physical", "0 to inf mm"});
+  expect_parts("bilinear.xy=-1", {"--set bilinear.xy=-1", "xy", "physical", "0 mm or more"});
   expect_parts("bilinear.xy=-1:10", {"physical"});
   expect_parts("bouc-wen.n=0", {"physical", "n"});
   expect_parts("hwang-wu.a9=-1e-6:1e-6", {"physical", "a9", "1/(N cm)"});

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <system_error>
 
 #include "isolaw/app/commands.hpp"
 #include "isolaw/base/error.hpp"
@@ -111,6 +112,9 @@ int run(int argc, char** argv) {
   } catch (Error const& error) {
     for (auto const& complaint : error.complaints()) std::fprintf(stderr, "isolaw: %s\n", to_string(complaint).c_str());
     return exit_wrong_usage;
+  } catch (std::system_error const& error) {
+    std::fprintf(stderr, "isolaw: cannot write: %s\n", error.code().message().c_str());
+    return exit_internal;
   } catch (std::exception const& error) {
     std::fprintf(stderr, "isolaw: internal error: %s\n", error.what());
     return exit_internal;

@@ -108,7 +108,7 @@ void remove_outputs(std::filesystem::path const& directory) {
   std::error_code ignored;
   for (auto const* name : {"summary.json", "report.html", "run.json", "tables/parameters.csv", "tables/objective.csv",
                            "tables/robustness.csv", "tables/properties.csv"})
-    std::filesystem::remove(directory / name, ignored);
+    if (std::filesystem::is_regular_file(directory / name, ignored)) std::filesystem::remove(directory / name, ignored);
 }
 
 // Takes over the finished runs of an interrupted or finished campaign of the same settings and inputs, or starts anew.

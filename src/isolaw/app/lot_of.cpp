@@ -24,6 +24,7 @@ void apply(ReadArguments const& arguments, data::ReadOptions& options) {
 }
 
 campaign::Lot lot_of(CalibrateArguments const& a) {
+  std::uint64_t const seed = a.seed ? campaign::parse_seed(*a.seed) : 0;  // wrong usage is said before files are read
   bool const from_file = a.inputs.size() == 1 && is_lot_file(a.inputs.front());
   for (auto const& input : a.inputs)
     if (!from_file && is_lot_file(input))
@@ -47,7 +48,7 @@ campaign::Lot lot_of(CalibrateArguments const& a) {
   override_with(a.population, s.genetic.population);
   override_with(a.generations, s.genetic.generations);
   override_with(a.stagnation_tolerance, s.genetic.stagnation_tolerance);
-  if (a.seed) s.seed = campaign::parse_seed(*a.seed);
+  if (a.seed) s.seed = seed;
   override_with(a.smooth, s.clean.smooth);
   if (a.samples_per_cycle) s.clean.samples_per_cycle = campaign::parse_samples_per_cycle(*a.samples_per_cycle);
   if (a.center) s.clean.center = true;

@@ -53,15 +53,11 @@ data::TestRecord read_history(DeviceInput const& input) {
   return record;
 }
 
-// Files as the lot names them: results must not depend on the folder the program was started from.
-std::string with_shown_files(std::string text, DeviceInput const& input) {
-  for (auto const& file : input.files) {
-    auto const typed = file.generic_string();
-    auto const shown = input.files.size() == 1 ? input.shown_file : file.filename().string();
-    if (typed == shown || typed.empty()) continue;
-    for (std::size_t at = 0; (at = text.find(typed, at)) != std::string::npos; at += shown.size())
-      text.replace(at, typed.size(), shown);
-  }
+// Files as the lot file names them: results must not depend on the folder the program was started from.
+std::string with_shown_files(std::string text, std::filesystem::path const& directory) {
+  auto const prefix = directory.empty() ? std::string() : (directory / "").generic_string();
+  if (prefix.empty()) return text;
+  for (std::size_t at = 0; (at = text.find(prefix, at)) != std::string::npos;) text.erase(at, prefix.size());
   return text;
 }
 
@@ -85,7 +81,7 @@ Device prepare_device(DeviceInput const& input, data::CleanOptions const& cleani
     device.raw = read_history(input);
     device.record = data::clean(device.raw, cleaning);
   } catch (Error const& error) {
-    device.refusal = with_shown_files(error.what(), input);
+    device.refusal = with_shown_files(error.what(), input.directory);
     device.raw = {};
     device.record = {};
     device.raw.sha256 = hash_of_files(input);

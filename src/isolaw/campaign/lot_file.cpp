@@ -181,6 +181,7 @@ DeviceInput read_device(TableReader& table, toml::table const& source, std::file
                         data::ReadOptions const& defaults, std::vector<Complaint>& complaints) {
   DeviceInput device;
   device.read = defaults;
+  device.directory = directory;
   auto const take_file = [&](std::string const& name) {
     device.files.push_back(directory / name);
     device.shown_file += (device.shown_file.empty() ? "" : ", ") + name;

@@ -14,6 +14,7 @@ namespace isolaw::campaign {
 struct DeviceInput {
   std::string name;
   std::vector<std::filesystem::path> files;  // read one after another as one history
+  std::filesystem::path directory;           // of the lot file; empty for files named on the command line
   std::string shown_file;                    // as reports name it
   DeviceInfo info;
   data::ReadOptions read;

@@ -46,11 +46,11 @@ std::vector<std::string> parse_laws(std::string_view text) {
 }
 
 std::uint64_t parse_seed(std::string_view text) {
-  std::int64_t value = -1;
+  std::uint64_t value = 0;
   auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || value < 0)
-    refuse("seed", text, "a whole number from 0 to 9223372036854775807");
-  return static_cast<std::uint64_t>(value);
+  if (error != std::errc() || end != text.data() + text.size())
+    refuse("seed", text, "a whole number from 0 to 18446744073709551615");
+  return value;
 }
 
 fit::BoxKind parse_box(std::string_view text) {

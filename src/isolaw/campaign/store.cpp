@@ -50,7 +50,7 @@ CREATE TABLE run_parameter (
   int const code = db == nullptr ? SQLITE_NOMEM : sqlite3_errcode(db) & 0xff;
   if (code == SQLITE_NOTADB || code == SQLITE_CORRUPT)
     throw Error({.where = file == nullptr ? "campaign store" : file,
-                 .found = code == SQLITE_NOTADB ? "not a campaign store of isolaw" : "the store is damaged",
+                 .found = fmt::format("not a campaign store of isolaw, or a damaged one: {}", sqlite3_errmsg(db)),
                  .allowed = "campaign.sqlite of a campaign",
                  .advice = "a copy of it, or --fresh to start over"});
   throw Error({.where = file == nullptr ? "campaign store" : file,

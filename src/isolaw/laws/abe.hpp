@@ -193,9 +193,10 @@ struct Abe {
     if (step.length > 0.0) {
       // Shorter pieces where |x|^p is not smooth (about x = 0) and where Ut changes within the step (a new peak).
       double const nearest = step.x0 * step.x1 <= 0.0 ? 0.0 : std::min(std::abs(step.x0), std::abs(step.x1));
-      int const pieces = nearest < 1.5 * step.length                               ? 8
-                         : nearest < 4.0 * step.length || step.peak1 > step.peak0 ? 4
-                                                                                  : 1;
+      bool const rough = nearest < 4.0 * step.length || step.peak1 > step.peak0;
+      // Elsewhere no piece is longer than at 180 samples per sine cycle.
+      int const smooth = static_cast<int>(std::ceil(std::min(step.length / (0.035 * step.peak1), 64.0)));
+      int const pieces = std::max(nearest < 1.5 * step.length ? 8 : rough ? 4 : 1, smooth);
       double x = step.x0;
       for (int i = 1; i <= pieces; ++i) {
         double const end = i == pieces ? step.x1 : step.x0 + step.dx * i / pieces;

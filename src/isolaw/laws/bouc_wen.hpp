@@ -44,7 +44,7 @@ struct BoucWen {
                          .published = Interval{1.0, 2.0},
                          .scaled = [](RecordScales const&) { return Interval{0.5, 2.0}; }}},
       Row<T, Params<T>>{&Params<T>::beta,
-                        {.name = "beta", .unit = "1/mm^n", .meaning = "shape of the loop", .physical = positive,
+                        {.name = "beta", .unit = "1/mm^n", .meaning = "shape of the loop", .physical = any_value,
                          .published = Interval{0.025, 0.075},
                          .scaled = [](RecordScales const& s) { return Interval{0.05 / s.disp, 60.0 / s.disp}; },
                          .scaled_search = Scale::logarithmic}},
@@ -55,7 +55,8 @@ struct BoucWen {
       Row<T, Params<T>>{&Params<T>::gamma,
                         {.name = "gamma", .unit = "1/mm^n", .meaning = "shape of the loop", .physical = any_value,
                          .published = Interval{0.025, 0.075},
-                         .scaled = [](RecordScales const& s) { return Interval{-15.0 / s.disp, 30.0 / s.disp}; }}},
+                         .scaled = [](RecordScales const& s) { return Interval{0.05 / s.disp, 60.0 / s.disp}; },
+                         .scaled_search = Scale::logarithmic}},
   };
 
   template <class T>

@@ -195,9 +195,12 @@ void warn_of_integration(LawResult const& law, std::vector<Warning>& warnings) {
 void warn_of_records(Summary const& summary, std::vector<Warning>& warnings) {
   for (auto const& device : summary.devices) {
     if (device.status != "ok") continue;
-    for (auto const& warning : device.raw.warnings)
+    bool told = false;  // reading the record may have said already that it has no cyclic properties
+    for (auto const& warning : device.raw.warnings) {
+      told = told || warning.starts_with("no cyclic properties");
       warnings.push_back({"record", fmt::format("{}: {}", device.name, warning)});
-    if (!device.properties.reported && !device.properties.refusal.empty())
+    }
+    if (!told && !device.properties.reported && !device.properties.refusal.empty())
       warnings.push_back(
           {"record", fmt::format("{}: no cyclic properties: {}", device.name, device.properties.refusal)});
   }
