@@ -86,7 +86,8 @@ TEST(Order, ConvergedStepOfAbeIsFourth) {
     return forces<laws::Abe>(smooth_abe<laws::Abe>(), motion).back();
   };
   double const reference = last_force(512);
-  for (int const steps : {16, 32}) {  // longer ones are cut into pieces
+  // Fewer steps would be cut into pieces, more come down to the error of the tabulated flow.
+  for (int const steps : {15, 16, 18}) {
     double const order =
         std::log2(std::abs(last_force(steps) - reference) / std::abs(last_force(2 * steps) - reference));
     EXPECT_NEAR(order, 4.0, 0.5) << steps << " steps";

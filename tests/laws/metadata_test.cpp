@@ -69,7 +69,7 @@ TYPED_TEST(Metadata, EveryParameterIsNamedOnceAndExplained) {
     EXPECT_TRUE(names.insert(row.info.name).second) << row.info.name;
     EXPECT_FALSE(row.info.unit.empty()) << row.info.name;
     EXPECT_FALSE(row.info.meaning.empty()) << row.info.name;
-    EXPECT_NE(row.info.scaled, nullptr) << row.info.name;
+    EXPECT_NE(row.info.scaled.size, nullptr) << row.info.name;
   }
 }
 

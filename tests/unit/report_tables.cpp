@@ -75,10 +75,9 @@ TEST(Tables, ParametersInTheLayoutOfTableA5) {
     summary.laws[0].devices[d].parameters[0].percent_of_lot = -4.0 * static_cast<double>(d);
   auto const rows = read(parameters_csv(summary));
   expect_rectangular(rows);
-  EXPECT_EQ(rows[0],
-            (std::vector<std::string>{"law", "quantity", "unit", "lower bound", "upper bound", "calibrated", "D1 mean",
-                                      "D1 std", "D2 mean", "D2 std", "D3 mean", "D3 std", "Delta_n [-]",
-                                      "best at bound"}));
+  EXPECT_EQ(rows[0], (std::vector<std::string>{"law", "quantity", "unit", "lower bound", "upper bound", "calibrated",
+                                               "D1 mean", "D1 std", "D2 mean", "D2 std", "D3 mean", "D3 std",
+                                               "Delta_n [-]", "best at bound"}));
   EXPECT_EQ((std::vector<std::string>(rows[1].begin(), rows[1].begin() + 8)),
             (std::vector<std::string>{"bilinear", "OF", "-", "", "", "", "0.11", "0.00524"}));
   EXPECT_EQ((std::vector<std::string>(rows[2].begin(), rows[2].begin() + 8)),

@@ -12,7 +12,8 @@ namespace isolaw::app {
 namespace {
 
 void add_reading(CLI::App& command, ReadArguments& read) {
-  command.add_option("--columns", read.columns, "time=...,disp=...,force=...,load=...: column names or 1-based numbers");
+  command.add_option("--columns", read.columns,
+                     "time=...,disp=...,force=...,load=...: column names or 1-based numbers");
   command.add_option("--units", read.units, "disp=cm,force=tonf,time=s: units the files do not state");
   command.add_option("--dt", read.dt_s, "sampling interval in seconds of files without a time column");
   command.add_flag("--flip-force", read.flip_force, "reverse the sign of the force");
@@ -30,7 +31,8 @@ void add_calibrate(CLI::App& app, CalibrateArguments& a) {
   c.add_option("--stagnation-tolerance", a.stagnation_tolerance,
                "relative improvement that counts as none; 20 generations without improvement end a run (0)");
   c.add_option("--seed", a.seed, "seed of the campaign (1)");
-  c.add_option("--box", a.box, "search box: auto, scaled from each record (default), or published, Table 4 of the paper");
+  c.add_option("--box", a.box,
+               "search box: auto, scaled from each record (default), or published, Table 4 of the paper");
   c.add_option("--set", a.set, "law.parameter=value | lower:upper | free; may be repeated")->allow_extra_args(false);
   c.add_option("--smooth", a.smooth, "window of the centred moving average, odd (1: none)");
   c.add_option("--samples-per-cycle", a.samples_per_cycle, "thin records to this many samples per cycle, or all (200)");
@@ -54,7 +56,8 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   init_command.add_flag("--force", init_arguments.force, "overwrite it");
 
   InspectArguments inspect_arguments;
-  auto& inspect_command = *app.add_subcommand("inspect", "What one record holds, what was recognised and why, its properties");
+  auto& inspect_command =
+      *app.add_subcommand("inspect", "What one record holds, what was recognised and why, its properties");
   inspect_command.add_option("file", inspect_arguments.file, "a test record")->required();
   add_reading(inspect_command, inspect_arguments.read);
   inspect_command.add_flag("--json", inspect_arguments.json, "for machines");
@@ -79,7 +82,9 @@ int dispatch(CLI::App& app, int argc, char** argv) {
       std::string known;
       for (auto const* command : app.get_subcommands([](CLI::App*) { return true; }))
         known += (known.empty() ? "" : ", ") + command->get_name();
-      throw Error({.where = std::string("isolaw ") + argv[1], .found = "no such command", .allowed = known,
+      throw Error({.where = std::string("isolaw ") + argv[1],
+                   .found = "no such command",
+                   .allowed = known,
                    .advice = "isolaw --help"});
     }
   }
@@ -100,7 +105,8 @@ int dispatch(CLI::App& app, int argc, char** argv) {
 
 int run(int argc, char** argv) {
   try {
-    CLI::App app("isolaw: from the test records of a production lot of seismic isolators to calibrated, ranked laws", "isolaw");
+    CLI::App app("isolaw: from the test records of a production lot of seismic isolators to calibrated, ranked laws",
+                 "isolaw");
     app.set_version_flag("--version", ISOLAW_VERSION);
     app.require_subcommand(1);
     int const code = dispatch(app, argc, argv);

@@ -1,5 +1,5 @@
-#include <fmt/format.h>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -61,16 +61,19 @@ void make_directory(std::filesystem::path const& directory) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error)
-    throw Error({.where = directory.string(), .found = "cannot make the directory: " + error.message(), .advice = "--out DIR"});
+    throw Error(
+        {.where = directory.string(), .found = "cannot make the directory: " + error.message(), .advice = "--out DIR"});
 }
 
 // One campaign at a time in a directory. The lock goes with the process, however it ends.
 class DirectoryLock {
  public:
-  explicit DirectoryLock(std::filesystem::path const& directory) : descriptor_(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  explicit DirectoryLock(std::filesystem::path const& directory)
+      : descriptor_(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
     if (descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
       ::close(descriptor_);
-      throw Error({.where = directory.string(), .found = "another isolaw works in this directory",
+      throw Error({.where = directory.string(),
+                   .found = "another isolaw works in this directory",
                    .advice = "wait for it, or another --out DIR"});
     }
   }
@@ -95,9 +98,12 @@ std::vector<std::string> differences(campaign::Contents const& stored, campaign:
     found.push_back(fmt::format("{} devices there, {} now", stored.devices.size(), asked.devices.size()));
   for (std::size_t d = 0; d < std::min(stored.devices.size(), asked.devices.size()); ++d) {
     auto const &a = stored.devices[d], &b = asked.devices[d];
-    if (a.name != b.name) found.push_back(fmt::format("device {}: '{}' there, '{}' now", d + 1, a.name, b.name));
-    else if (a.raw.sha256 != b.raw.sha256 || a.refusal != b.refusal) found.push_back(fmt::format("{}: its file has changed", b.name));
-    else if (a.record.disp_mm != b.record.disp_mm || a.record.force_kN != b.record.force_kN || a.record.time_s != b.record.time_s)
+    if (a.name != b.name)
+      found.push_back(fmt::format("device {}: '{}' there, '{}' now", d + 1, a.name, b.name));
+    else if (a.raw.sha256 != b.raw.sha256 || a.refusal != b.refusal)
+      found.push_back(fmt::format("{}: its file has changed", b.name));
+    else if (a.record.disp_mm != b.record.disp_mm || a.record.force_kN != b.record.force_kN ||
+             a.record.time_s != b.record.time_s)
       found.push_back(fmt::format("{}: its file is read in another way", b.name));
   }
   return found;
@@ -123,7 +129,8 @@ void open_or_create(std::filesystem::path const& file, campaign::Contents& conte
   if (!changed.empty()) {
     std::string list;
     for (auto const& line : changed) list += (list.empty() ? "" : "; ") + line;
-    throw Error({.where = file.string(), .found = "the campaign there differs: " + list,
+    throw Error({.where = file.string(),
+                 .found = "the campaign there differs: " + list,
                  .allowed = "the same settings and records, to continue it",
                  .advice = "--fresh to start over, or another --out DIR"});
   }
@@ -157,16 +164,22 @@ int exit_code(report::Summary const& summary) {
 void warn_of_idle_overrides(campaign::Settings const& settings) {
   for (auto const& change : settings.overrides)
     if (std::ranges::find(settings.laws, change.law) == settings.laws.end())
-      fmt::print(stderr, "--set {}: has no effect, {} is not among the laws of this campaign\n", change.text(), change.law);
+      fmt::print(stderr, "--set {}: has no effect, {} is not among the laws of this campaign\n", change.text(),
+                 change.law);
 }
 
 std::string shell_quoted(std::vector<std::string> const& words) {
   std::string line;
   for (auto const& word : words) {
-    bool const simple = !word.empty() && word.find_first_not_of(
-        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@%") == std::string::npos;
+    bool const simple =
+        !word.empty() &&
+        word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@%") ==
+            std::string::npos;
     line += (line.empty() ? "" : " ");
-    if (simple) { line += word; continue; }
+    if (simple) {
+      line += word;
+      continue;
+    }
     line += '\'';
     for (char const c : word) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
     line += '\'';
@@ -197,7 +210,8 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
     SignalGuard const guard;
     ProgressLine line;
     finished = campaign::run(contents, file,
-                             {.jobs = lot.jobs.value_or(0), .progress = [&](auto const& p) { line.show(p); },
+                             {.jobs = lot.jobs.value_or(0),
+                              .progress = [&](auto const& p) { line.show(p); },
                               .interrupted = [] { return interrupted.load(); }});
   }
   // To continue is not to start over.
@@ -213,13 +227,15 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
   // From the store, not from memory: what is printed is what `isolaw report` would print.
   auto const summary = report::build_summary(campaign::Store::read(file));
   report::write_outputs(summary, directory);
-  report::write_file(directory / "run.json",
-                     report::run_json({.command = command, .directory = std::filesystem::absolute(directory).string(),
-                                       .started_at = started_at, .search_s = search_s,
-                                       .total_s = std::chrono::duration<double>(Clock::now() - start).count(),
-                                       .jobs = lot.jobs.value_or(0) > 0
-                                                   ? *lot.jobs
-                                                   : static_cast<int>(std::thread::hardware_concurrency())}));
+  report::write_file(
+      directory / "run.json",
+      report::run_json(
+          {.command = command,
+           .directory = std::filesystem::absolute(directory).string(),
+           .started_at = started_at,
+           .search_s = search_s,
+           .total_s = std::chrono::duration<double>(Clock::now() - start).count(),
+           .jobs = lot.jobs.value_or(0) > 0 ? *lot.jobs : static_cast<int>(std::thread::hardware_concurrency())}));
   print(summary, arguments.json);
   fmt::print(stderr, "results: {} (open {})\n", directory.string(), (directory / "report.html").string());
   return exit_code(summary);
@@ -231,8 +247,10 @@ int report(std::filesystem::path const& directory, bool json) {
   report::write_outputs(summary, directory);
   print(summary, json);
   if (!contents.complete())
-    fmt::print(stderr, "the campaign is not complete: {} runs are missing; the calibrate command it was started with continues it\n",
-               contents.expected_runs() - contents.runs.size());
+    fmt::print(
+        stderr,
+        "the campaign is not complete: {} runs are missing; the calibrate command it was started with continues it\n",
+        contents.expected_runs() - contents.runs.size());
   return contents.complete() ? exit_code(summary) : exit_with_refusals;
 }
 

@@ -28,7 +28,9 @@ Json law_json(laws::LawEntry const& law) {
   json["note"] = law.info.note;
   json["parameters"] = Json::array();
   for (auto const& p : law.parameters)
-    json["parameters"].push_back({{"name", p.name}, {"unit", p.unit}, {"meaning", p.meaning},
+    json["parameters"].push_back({{"name", p.name},
+                                  {"unit", p.unit},
+                                  {"meaning", p.meaning},
                                   {"physical", interval_json(p.physical)},
                                   {"published", p.published ? interval_json(*p.published) : Json(nullptr)},
                                   {"fixed", p.fixed_by_default ? Json(*p.fixed_by_default) : Json(nullptr)}});
@@ -72,14 +74,18 @@ void print_law(laws::LawEntry const& law) {
 int list_laws(std::string const& id, bool json) {
   if (!id.empty()) {
     auto const& law = laws::find_law(id);
-    if (json) fmt::print("{}\n", law_json(law).dump(2));
-    else print_law(law);
+    if (json)
+      fmt::print("{}\n", law_json(law).dump(2));
+    else
+      print_law(law);
     return exit_done;
   }
   Json all = Json::array();
   for (auto const& law : laws::catalogue()) {
-    if (json) all.push_back(law_json(law));
-    else fmt::print("{:<10} {:>2} parameters  {}\n", law.info.id, law.parameters.size(), law.info.title);
+    if (json)
+      all.push_back(law_json(law));
+    else
+      fmt::print("{:<10} {:>2} parameters  {}\n", law.info.id, law.parameters.size(), law.info.title);
   }
   if (json) fmt::print("{}\n", all.dump(2));
   return exit_done;

@@ -1,6 +1,6 @@
-// For device d of Table A.5: the mean of the forces of jankowski, vaiana, hwang-wu and abe-y0 with the device's published
-// mean parameters, under three cycles of +-208 mm at 0.5 Hz, sampled 100 times per second. The motion carries a tremor of
-// the actuator, which the forces follow; every channel carries sensor noise, which they do not.
+// For device d of Table A.5: the mean of the forces of jankowski, vaiana, hwang-wu and abe-y0 with the device's
+// published mean parameters, under three cycles of +-208 mm at 0.5 Hz, sampled 100 times per second. The motion carries
+// a tremor of the actuator, which the forces follow; every channel carries sensor noise, which they do not.
 #include "isolaw/app/example_lot.hpp"
 
 #include <fmt/format.h>
@@ -62,10 +62,9 @@ std::vector<Sample> record_of(std::size_t device) {
     x.push_back(amplitude_mm * std::sin(w * t) + tremor_mm * sway);
     v.push_back(amplitude_mm * w * std::cos(w * t) + tremor_mm * wt * std::cos(wt * t + tremor_phase));
   }
-  std::array const forces{force_of("jankowski", published_jankowski, device, x, v),
-                          force_of("vaiana", published_vaiana, device, x, v),
-                          force_of("hwang-wu", published_hwang_wu, device, x, v),
-                          force_of("abe-y0", published_abe_y0, device, x, v)};
+  std::array const forces{
+      force_of("jankowski", published_jankowski, device, x, v), force_of("vaiana", published_vaiana, device, x, v),
+      force_of("hwang-wu", published_hwang_wu, device, x, v), force_of("abe-y0", published_abe_y0, device, x, v)};
   std::vector<Sample> samples;
   for (std::size_t i = 0; i < count; ++i) {
     double const force = (forces[0][i] + forces[1][i] + forces[2][i] + forces[3][i]) / 4.0;
@@ -84,11 +83,13 @@ struct Dialect {
   std::function<std::vector<std::string>(Sample const&, std::size_t)> cells;
 };
 
-std::string decimals(double value, int digits) { return fmt::format("{:.{}f}", value, digits); }
+std::string decimals(double value, int digits) {
+  return fmt::format("{:.{}f}", value, digits);
+}
 
 // Cells of time [s], displacement, force and load in units of the given size (record units per unit).
-auto plain(double disp_unit, double force_unit, double load_unit, int disp_digits, int force_digits, double time_unit = 1.0,
-           int time_digits = 2) {
+auto plain(double disp_unit, double force_unit, double load_unit, int disp_digits, int force_digits,
+           double time_unit = 1.0, int time_digits = 2) {
   return [=](Sample const& s, std::size_t) {
     return std::vector{decimals(s.time_s / time_unit, time_digits), decimals(s.disp_mm / disp_unit, disp_digits),
                        decimals(s.force_kN / force_unit, force_digits), decimals(s.load_kN / load_unit, force_digits)};
@@ -99,22 +100,24 @@ std::vector<Dialect> dialects() {
   constexpr double N_ = 1e-3, tonf = 9.80665, kip = 4.4482216152605, kgf = 9.80665e-3, inch = 25.4;
   return {
       {"Time [s],Displacement [mm],Force [kN],Vertical load [kN]\n", ",", false, "\n", plain(1, 1, 1, 3, 3)},
-      {"Prova di taglio ciclico\r\nDispositivo;ISI-S 600/208 n\xb0 02\r\nTempo [s];Spostamento [mm];Forza [kN];Carico verticale [kN]\r\n",
+      {"Prova di taglio ciclico\r\nDispositivo;ISI-S 600/208 n\xb0 02\r\nTempo [s];Spostamento [mm];Forza [kN];Carico "
+       "verticale [kN]\r\n",
        ";", true, "\r\n", plain(1, 1, 1, 3, 3)},
       {"Time\tDisplacement\tForce\tVertical load\ns\tmm\tkN\tkN\n", "\t", false, "\n", plain(1, 1, 1, 3, 3)},
-      {"# Cyclic shear test, device 04\ntime_s displacement_mm force_kN load_kN\n", "  ",
-       false, "\n", plain(1, 1, 1, 3, 3)},
+      {"# Cyclic shear test, device 04\ntime_s displacement_mm force_kN load_kN\n", "  ", false, "\n",
+       plain(1, 1, 1, 3, 3)},
       {"Specimen;05\nDate;2023-05-11\nTime (s);Displacement (m);Force (N);Vertical load (N)\n", ";", false, "\n",
        plain(1000, N_, N_, 6, 0)},
       {"\"Time (s)\",\"Displacement (cm)\",\"Force (tonf)\",\"Vertical load (tonf)\"\n", ",", false, "\n",
        plain(10, tonf, tonf, 4, 4)},
       {"\xef\xbb\xbfZeit [s]\tWeg [mm]\tKraft [kN]\tVertikallast [kN]\r\n", "\t", true, "\r\n", plain(1, 1, 1, 3, 3)},
       {"time,displacement,force,vertical load\nsec,in,kip,kip\n", ",", false, "\n", plain(inch, kip, kip, 5, 4)},
-      {"Tempo (ms);Spostamento (mm);Forza (kgf);Carico verticale (kgf)\n", ";", true, "\n", plain(1, kgf, kgf, 3, 1, 1e-3, 0)},
+      {"Tempo (ms);Spostamento (mm);Forza (kgf);Carico verticale (kgf)\n", ";", true, "\n",
+       plain(1, kgf, kgf, 3, 1, 1e-3, 0)},
       {"sample,time [s],displacement [mm],force [kN],vertical load [kN],\n", ",", false, "\n",
        [](Sample const& s, std::size_t i) {
-         return std::vector{std::to_string(i), decimals(s.time_s, 2), decimals(s.disp_mm, 3), decimals(s.force_kN, 3),
-                            decimals(s.load_kN, 3), std::string()};
+         return std::vector{std::to_string(i),       decimals(s.time_s, 2),  decimals(s.disp_mm, 3),
+                            decimals(s.force_kN, 3), decimals(s.load_kN, 3), std::string()};
        }},
   };
 }
@@ -152,8 +155,10 @@ smooth = 5
 
 )toml";
   for (std::size_t d = 0; d < published_devices; ++d)
-    text += fmt::format("[[device]]\nname = \"D{0:02}\"\nfile = \"{1}\"\nserial = \"{0}\"\nlot = \"published\"\n"
-                        "rubber-thickness-mm = 208.0\nrubber-area-mm2 = 282743.0\n\n", d + 1, file_name(d));
+    text += fmt::format(
+        "[[device]]\nname = \"D{0:02}\"\nfile = \"{1}\"\nserial = \"{0}\"\nlot = \"published\"\n"
+        "rubber-thickness-mm = 208.0\nrubber-area-mm2 = 282743.0\n\n",
+        d + 1, file_name(d));
   return text;
 }
 
@@ -180,10 +185,12 @@ The files are in ten dialects of delimited text on purpose: separators, decimal 
 differ as they do between laboratories. The geometry in `lot.toml` is that of the paper's device, ISI-S 600/208 P40.
 
 Made by `isolaw example DIR` (`src/isolaw/app/example_lot.cpp`); a test compares these files with what it writes.
-)md", fmt::arg("cycles", cycles), fmt::arg("amplitude", amplitude_mm), fmt::arg("frequency", frequency_Hz),
-                     fmt::arg("rate", sampling_Hz), fmt::arg("tremor", tremor_mm), fmt::arg("tremor_f", tremor_Hz),
-                     fmt::arg("disp_noise", disp_noise_mm), fmt::arg("force_noise", force_noise_kN),
-                     fmt::arg("load", load_kN), fmt::arg("load_noise", load_noise_kN));
+)md",
+                     fmt::arg("cycles", cycles), fmt::arg("amplitude", amplitude_mm),
+                     fmt::arg("frequency", frequency_Hz), fmt::arg("rate", sampling_Hz), fmt::arg("tremor", tremor_mm),
+                     fmt::arg("tremor_f", tremor_Hz), fmt::arg("disp_noise", disp_noise_mm),
+                     fmt::arg("force_noise", force_noise_kN), fmt::arg("load", load_kN),
+                     fmt::arg("load_noise", load_noise_kN));
 }
 
 }  // namespace
@@ -200,7 +207,8 @@ void write_example_lot(std::filesystem::path const& directory) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error)
-    throw Error({.where = directory.string(), .found = "cannot make the directory: " + error.message(),
+    throw Error({.where = directory.string(),
+                 .found = "cannot make the directory: " + error.message(),
                  .advice = "another directory"});
   for (auto const& file : example_lot()) {
     auto const path = directory / file.name;
@@ -208,7 +216,8 @@ void write_example_lot(std::filesystem::path const& directory) {
       std::ostringstream content;
       content << present.rdbuf();
       if (content.str() == file.text) continue;
-      throw Error({.where = path.string(), .found = "a file of this name with another content is there",
+      throw Error({.where = path.string(),
+                   .found = "a file of this name with another content is there",
                    .advice = "an empty directory"});
     }
     std::ofstream out(path, std::ios::binary);

@@ -43,9 +43,13 @@ std::string inspection_json(data::TestRecord const& record, data::Properties con
   json["reported_cycle"] = properties.reported ? Json(properties.reported->number) : Json(nullptr);
   Json cycles = Json::array();
   for (auto const& c : properties.cycles)
-    cycles.push_back({{"number", c.number}, {"first_sample", c.first}, {"last_sample", c.last},
-                      {"amplitude_mm", c.amplitude_mm}, {"K_eff_kN_per_mm", c.K_eff_kN_per_mm},
-                      {"energy_kN_mm", c.energy_kN_mm}, {"damping_percent", c.damping_percent}});
+    cycles.push_back({{"number", c.number},
+                      {"first_sample", c.first},
+                      {"last_sample", c.last},
+                      {"amplitude_mm", c.amplitude_mm},
+                      {"K_eff_kN_per_mm", c.K_eff_kN_per_mm},
+                      {"energy_kN_mm", c.energy_kN_mm},
+                      {"damping_percent", c.damping_percent}});
   json["cycles"] = cycles;
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
@@ -67,7 +71,8 @@ void print_inspection(data::TestRecord const& record, data::Properties const& pr
 
   fmt::print("\nCycles, from raw values\n");
   if (!properties.cycles.empty()) {
-    fmt::print("  {:>5} {:>14} {:>16} {:>16} {:>12}\n", "cycle", "amplitude mm", "K_eff kN/mm", "energy kN mm", "damping %");
+    fmt::print("  {:>5} {:>14} {:>16} {:>16} {:>12}\n", "cycle", "amplitude mm", "K_eff kN/mm", "energy kN mm",
+               "damping %");
     for (auto const& c : properties.cycles)
       fmt::print("  {:>5} {:>14.2f} {:>16.4f} {:>16.0f} {:>12.2f}{}\n", c.number, c.amplitude_mm, c.K_eff_kN_per_mm,
                  c.energy_kN_mm, c.damping_percent,
@@ -86,14 +91,18 @@ int inspect(InspectArguments const& arguments) {
   apply(arguments.read, options);
   auto const record = data::read_record(arguments.file, options);
   auto const properties = data::cyclic_properties(record.disp_mm, record.force_kN);
-  if (arguments.json) fmt::print("{}\n", inspection_json(record, properties));
-  else print_inspection(record, properties);
+  if (arguments.json)
+    fmt::print("{}\n", inspection_json(record, properties));
+  else
+    print_inspection(record, properties);
   return exit_done;
 }
 
 int init(InitArguments const& arguments) {
   if (std::filesystem::exists(arguments.out) && !arguments.force)
-    throw Error({.where = arguments.out.string(), .found = "exists already", .advice = "--force to overwrite it, or --out FILE"});
+    throw Error({.where = arguments.out.string(),
+                 .found = "exists already",
+                 .advice = "--force to overwrite it, or --out FILE"});
   auto lot = campaign::lot_of_files(arguments.files);
   lot.title = std::filesystem::absolute(arguments.out).parent_path().filename().string();
   std::vector<Complaint> complaints;
@@ -112,7 +121,8 @@ int init(InitArguments const& arguments) {
     }
   }
   if (!complaints.empty()) throw Error(complaints);
-  report::write_file(arguments.out, campaign::lot_file_text(lot, std::filesystem::absolute(arguments.out).parent_path()));
+  report::write_file(arguments.out,
+                     campaign::lot_file_text(lot, std::filesystem::absolute(arguments.out).parent_path()));
   fmt::print("\nwritten: {}; next: isolaw calibrate {}\n", arguments.out.string(), arguments.out.string());
   return exit_done;
 }

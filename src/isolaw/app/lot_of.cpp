@@ -5,7 +5,9 @@
 namespace isolaw::app {
 namespace {
 
-bool is_lot_file(std::filesystem::path const& path) { return path.extension() == ".toml"; }
+bool is_lot_file(std::filesystem::path const& path) {
+  return path.extension() == ".toml";
+}
 
 template <class T>
 void override_with(std::optional<T> const& given, T& target) {
@@ -28,8 +30,10 @@ campaign::Lot lot_of(CalibrateArguments const& a) {
   bool const from_file = a.inputs.size() == 1 && is_lot_file(a.inputs.front());
   for (auto const& input : a.inputs)
     if (!from_file && is_lot_file(input))
-      throw Error({.where = input.string(), .found = "a lot file together with other inputs",
-                   .allowed = "one lot file alone, or records", .advice = "name the records in the lot file"});
+      throw Error({.where = input.string(),
+                   .found = "a lot file together with other inputs",
+                   .allowed = "one lot file alone, or records",
+                   .advice = "name the records in the lot file"});
   auto lot = from_file ? campaign::read_lot_file(a.inputs.front()) : campaign::lot_of_files(a.inputs);
   if (lot.title.empty())
     lot.title = from_file ? std::filesystem::absolute(a.inputs.front()).parent_path().filename().string()
@@ -63,8 +67,8 @@ campaign::Lot lot_of(CalibrateArguments const& a) {
 std::filesystem::path output_directory(CalibrateArguments const& a, campaign::Lot const& lot) {
   if (lot.out) return *lot.out;
   auto const& first = a.inputs.front();
-  auto const name = is_lot_file(first) ? std::filesystem::absolute(first).lexically_normal().parent_path().filename()
-                                       : first.stem();
+  auto const name =
+      is_lot_file(first) ? std::filesystem::absolute(first).lexically_normal().parent_path().filename() : first.stem();
   return std::filesystem::path("out") / name;
 }
 

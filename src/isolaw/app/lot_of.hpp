@@ -12,7 +12,8 @@ campaign::Lot lot_of(CalibrateArguments const& arguments);
 // Options given on the command line win over those in `options`.
 void apply(ReadArguments const& arguments, data::ReadOptions& options);
 
-// The directory of the results: --out, the lot file's `out`, or out/<name of the lot file's directory or of the first record>.
+// The directory of the results: --out, the lot file's `out`, or out/<name of the lot file's directory or of the first
+// record>.
 std::filesystem::path output_directory(CalibrateArguments const& arguments, campaign::Lot const& lot);
 
 }  // namespace isolaw::app

@@ -34,7 +34,7 @@ void ProgressLine::show(campaign::Progress const& progress) {
   if (!terminal_ || progress.total == 0) return;
   auto const now = Clock::now();
   if (first_) {
-    done_at_start_ = progress.done - 1;  // runs of an earlier, interrupted session do not count for the rate
+    done_at_start_ = progress.done - 1;  // runs finished before an interruption do not count for the rate
     first_ = false;
   }
   bool const last = progress.done == progress.total;
@@ -48,7 +48,8 @@ void ProgressLine::show(campaign::Progress const& progress) {
   auto const filled = cells * progress.done / progress.total;
   std::string bar;
   for (std::size_t i = 0; i < cells; ++i) bar += i < filled ? "#" : "-";
-  auto line = fmt::format("[{}] {}/{} runs  {:.1f}/s  {} left ", bar, progress.done, progress.total, rate, duration(left));
+  auto line =
+      fmt::format("[{}] {}/{} runs  {:.1f}/s  {} left ", bar, progress.done, progress.total, rate, duration(left));
   for (auto const& [law, best] : progress.best) line += fmt::format(" {} {:.4f}", law, best);
   line.resize(std::min(line.size(), terminal_width() - 1));
   fmt::print(stderr, "\r{}\033[K", line);

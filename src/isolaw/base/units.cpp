@@ -30,8 +30,8 @@ struct Alias {
   std::string_view symbol;
 };
 constexpr std::array aliases{
-    Alias{"kips", "kip"}, Alias{"lb", "lbf"},   Alias{"lbs", "lbf"},     Alias{"tf", "tonf"},    Alias{"inch", "in"},
-    Alias{"inches", "in"}, Alias{"\"", "in"},   Alias{"sec", "s"},       Alias{"secs", "s"},     Alias{"second", "s"},
+    Alias{"kips", "kip"},  Alias{"lb", "lbf"},  Alias{"lbs", "lbf"},       Alias{"tf", "tonf"},  Alias{"inch", "in"},
+    Alias{"inches", "in"}, Alias{"\"", "in"},   Alias{"sec", "s"},         Alias{"secs", "s"},   Alias{"second", "s"},
     Alias{"seconds", "s"}, Alias{"msec", "ms"}, Alias{"kilonewton", "kN"}, Alias{"newton", "N"}, Alias{"kg", "kgf"},
 };
 
@@ -71,9 +71,12 @@ std::string known_units(Dimension dimension) {
 
 std::string_view name(Dimension dimension) {
   switch (dimension) {
-    case Dimension::force: return "force";
-    case Dimension::length: return "length";
-    case Dimension::time: return "time";
+    case Dimension::force:
+      return "force";
+    case Dimension::length:
+      return "length";
+    case Dimension::time:
+      return "time";
   }
   return "";
 }

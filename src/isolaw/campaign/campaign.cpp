@@ -31,8 +31,10 @@ data::TestRecord read_history(DeviceInput const& input) {
     auto const next = data::read_record(input.files[i], input.read);
     auto const file = input.files[i].filename().string();
     if (next.has_time() != record.has_time())
-      throw Error({.where = file, .found = "only some of the device's files have a time channel",
-                   .allowed = "all of them or none", .advice = "--dt SECONDS"});
+      throw Error({.where = file,
+                   .found = "only some of the device's files have a time channel",
+                   .allowed = "all of them or none",
+                   .advice = "--dt SECONDS"});
     if (record.has_time()) {
       double const pause = record.time_s.back() - record.time_s[record.time_s.size() - 2];
       double const offset = record.time_s.back() + pause - next.time_s.front();
@@ -76,7 +78,8 @@ std::string hash_of_files(DeviceInput const& input) {
 }
 
 Device prepare_device(DeviceInput const& input, data::CleanOptions const& cleaning) {
-  Device device{.name = input.name, .file = input.shown_file, .info = input.info, .refusal = {}, .raw = {}, .record = {}};
+  Device device{
+      .name = input.name, .file = input.shown_file, .info = input.info, .refusal = {}, .raw = {}, .record = {}};
   try {
     device.raw = read_history(input);
     device.record = data::clean(device.raw, cleaning);
@@ -121,17 +124,24 @@ opt::GeneticResult evaluate_fixed(Target const& target) {
   target.search->box.expand({}, parameters);
   result.best_value = target.model.objective(parameters, work);
   result.evaluations = 1;
-  result.outcome = std::isfinite(result.best_value) ? opt::GeneticOutcome::all_generations
-                                                    : opt::GeneticOutcome::no_finite_value;
+  result.outcome =
+      std::isfinite(result.best_value) ? opt::GeneticOutcome::all_generations : opt::GeneticOutcome::no_finite_value;
   result.history = {result.best_value};
   return result;
 }
 
 Run finished(Target const& target, int number, opt::GeneticResult const& result) {
-  Run run{.device = target.search->device, .law = target.search->law, .number = number, .outcome = {}, .objective = {},
-          .integration_shift = {}, .evaluations = result.evaluations, .parameters = {}, .history = result.history};
+  Run run{.device = target.search->device,
+          .law = target.search->law,
+          .number = number,
+          .outcome = {},
+          .objective = {},
+          .integration_shift = {},
+          .evaluations = result.evaluations,
+          .parameters = {},
+          .history = result.history};
   bool const found = result.outcome != opt::GeneticOutcome::no_finite_value;
-  run.outcome = !found                                                    ? Outcome::no_finite_value
+  run.outcome = !found                                             ? Outcome::no_finite_value
                 : result.outcome == opt::GeneticOutcome::stagnated ? Outcome::stagnated
                                                                    : Outcome::all_generations;
   run.objective = run.integration_shift = std::nan("");
@@ -161,7 +171,8 @@ Contents prepare(Lot const& lot) {
   contents.settings.validate();
   for (auto const& input : lot.devices) contents.devices.push_back(prepare_device(input, contents.settings.clean));
   if (std::ranges::none_of(contents.devices, &Device::usable)) {
-    std::vector<Complaint> complaints{{.where = "lot", .found = fmt::format("none of {} device(s) is usable", lot.devices.size())}};
+    std::vector<Complaint> complaints{
+        {.where = "lot", .found = fmt::format("none of {} device(s) is usable", lot.devices.size())}};
     for (auto const& device : contents.devices) complaints.push_back({.where = device.name, .found = device.refusal});
     throw Error(complaints);
   }
@@ -204,12 +215,11 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
   auto const perform = [&](Task const& task) {
     if (asked_to_stop()) return;
     auto const& target = targets[task.target];
-    auto const result =
-        target.search->box.free_count() == 0
-            ? evaluate_fixed(target)
-            : opt::minimise_genetic(fit::IdentificationProblem(target.model, target.search->box),
-                                    target.stream.split(static_cast<std::uint64_t>(task.number)),
-                                    contents.settings.genetic, asked_to_stop);
+    auto const result = target.search->box.free_count() == 0
+                            ? evaluate_fixed(target)
+                            : opt::minimise_genetic(fit::IdentificationProblem(target.model, target.search->box),
+                                                    target.stream.split(static_cast<std::uint64_t>(task.number)),
+                                                    contents.settings.genetic, asked_to_stop);
     if (result.outcome == opt::GeneticOutcome::interrupted) return;
     auto run = finished(target, task.number, result);
     std::scoped_lock const lock(one_writer);
@@ -224,9 +234,12 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
   tbb::global_control const threads(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(jobs));
   tbb::task_arena arena(jobs);
   arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tasks.size(), 1), [&](auto const& range) {
-      for (std::size_t i = range.begin(); i < range.end(); ++i) perform(tasks[i]);
-    }, tbb::simple_partitioner());
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, tasks.size(), 1),
+        [&](auto const& range) {
+          for (std::size_t i = range.begin(); i < range.end(); ++i) perform(tasks[i]);
+        },
+        tbb::simple_partitioner());
   });
   std::ranges::sort(contents.runs, {}, [](Run const& r) { return std::tie(r.device, r.law, r.number); });
   bool const complete = contents.complete();  // also when the wish to stop came during the last run

@@ -22,9 +22,9 @@ struct Progress {
 };
 
 struct RunOptions {
-  int jobs = 0;                                      // threads; 0: one per core
-  std::function<void(Progress const&)> progress;     // called from one thread at a time
-  std::function<bool()> interrupted;                 // asked between generations, from any thread
+  int jobs = 0;                                   // threads; 0: one per core
+  std::function<void(Progress const&)> progress;  // called from one thread at a time
+  std::function<bool()> interrupted;              // asked between generations, from any thread
 };
 
 // Runs what `store` does not hold yet and adds it. The result of a run depends on (seed, device name, law, number) and

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <toml++/toml.h>
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -9,7 +10,6 @@
 #include <set>
 #include <sstream>
 #include <string_view>
-#include <toml++/toml.h>
 
 #include "isolaw/base/error.hpp"
 
@@ -61,7 +61,8 @@ class TableReader {
     for (auto const& item : *array) guarded(item, key, [&] { take(*item.value<std::string>()); });
   }
   // A sub-table of text by channel, or the command line's text "time=...,disp=...".
-  void channels(std::string_view key, std::function<std::map<data::Channel, std::string>(std::string_view)> const& parse,
+  void channels(std::string_view key,
+                std::function<std::map<data::Channel, std::string>(std::string_view)> const& parse,
                 std::map<data::Channel, std::string>& target) {
     known_.emplace(key);
     auto const* node = table_.get(key);
@@ -78,9 +79,12 @@ class TableReader {
                       "{ time = \"...\", disp = \"...\", force = \"...\" }");
     for (auto const& [channel, item] : *sub) {
       auto const number = item.is_integer() ? item.value<std::int64_t>() : std::nullopt;
-      auto const name = item.is_string() ? *item.value<std::string>() : number ? std::to_string(*number) : std::string();
+      auto const name = item.is_string() ? *item.value<std::string>()
+                        : number         ? std::to_string(*number)
+                                         : std::string();
       if (name.empty()) {
-        complain(item, fmt::format("'{}.{}' is neither text nor a number", key, channel.str()), "a name or a 1-based number");
+        complain(item, fmt::format("'{}.{}' is neither text nor a number", key, channel.str()),
+                 "a name or a 1-based number");
         continue;
       }
       // A column's name may hold a comma, which the command line's form could not carry.
@@ -115,10 +119,14 @@ class TableReader {
   // No conversions: true is no number, and 1 is not true.
   template <class T>
   static bool is_kind(toml::node const& node) {
-    if constexpr (std::is_same_v<T, bool>) return node.is_boolean();
-    else if constexpr (std::is_integral_v<T>) return node.is_integer();
-    else if constexpr (std::is_floating_point_v<T>) return node.is_number();
-    else return node.is_string();
+    if constexpr (std::is_same_v<T, bool>)
+      return node.is_boolean();
+    else if constexpr (std::is_integral_v<T>)
+      return node.is_integer();
+    else if constexpr (std::is_floating_point_v<T>)
+      return node.is_number();
+    else
+      return node.is_string();
   }
 
   template <class Action>
@@ -205,7 +213,9 @@ DeviceInput read_device(TableReader& table, toml::table const& source, std::file
   read_reading(table, device.read);
   table.refuse_unknown();
   if (device.files.empty())
-    complaints.push_back({.where = table.where(source), .found = "a device without a file", .allowed = "file = \"...\" or files = [...]"});
+    complaints.push_back({.where = table.where(source),
+                          .found = "a device without a file",
+                          .allowed = "file = \"...\" or files = [...]"});
   if (device.name.empty() && !device.files.empty()) device.name = device.files.front().stem().string();
   return device;
 }
@@ -245,14 +255,17 @@ toml::table channel_table(std::map<data::Channel, std::string> const& channels) 
 Lot read_lot_file(std::filesystem::path const& path) {
   auto const file = path.string();
   if (!std::filesystem::exists(path))
-    throw Error({.where = file, .found = "no such file", .allowed = "a lot file in TOML, or test records",
+    throw Error({.where = file,
+                 .found = "no such file",
+                 .allowed = "a lot file in TOML, or test records",
                  .advice = "isolaw init FILES... writes a lot file"});
   toml::table root;
   try {
     root = toml::parse_file(file);
   } catch (toml::parse_error const& error) {
     throw Error({.where = fmt::format("{}:{}", file, error.source().begin.line),
-                 .found = std::string(error.description()), .allowed = "a lot file in TOML",
+                 .found = std::string(error.description()),
+                 .allowed = "a lot file in TOML",
                  .advice = "isolaw init FILES... writes one"});
   }
   std::vector<Complaint> complaints;
@@ -277,7 +290,9 @@ Lot read_lot_file(std::filesystem::path const& path) {
   }
   auto const* devices = root.get("device");
   if (devices == nullptr || !devices->is_array_of_tables()) {
-    complaints.push_back({.where = file, .found = "no devices", .allowed = "one [[device]] table for each device",
+    complaints.push_back({.where = file,
+                          .found = "no devices",
+                          .allowed = "one [[device]] table for each device",
                           .advice = "isolaw init FILES... writes a lot file"});
   } else {
     for (auto const& node : *devices->as_array()) {
@@ -285,7 +300,8 @@ Lot read_lot_file(std::filesystem::path const& path) {
       auto device = read_device(reader, *node.as_table(), path.parent_path(), defaults, complaints);
       bool const repeated = std::ranges::find(lot.devices, device.name, &DeviceInput::name) != lot.devices.end();
       if (repeated)
-        complaints.push_back({.where = reader.where(node), .found = fmt::format("two devices are named '{}'", device.name),
+        complaints.push_back({.where = reader.where(node),
+                              .found = fmt::format("two devices are named '{}'", device.name),
                               .allowed = "a name of its own for each device"});
       lot.devices.push_back(std::move(device));
     }
@@ -304,7 +320,8 @@ Lot lot_of_files(std::vector<std::filesystem::path> const& files) {
     device.name = file.stem().string();
     // Files of one name in several folders: the folder tells them apart, a number where that is not enough.
     if (names.contains(device.name)) device.name = file.parent_path().filename().string() + "/" + device.name;
-    for (int i = 2; !names.insert(device.name).second; ++i) device.name = fmt::format("{} ({})", file.stem().string(), i);
+    for (int i = 2; !names.insert(device.name).second; ++i)
+      device.name = fmt::format("{} ({})", file.stem().string(), i);
     device.files = {file};
     device.shown_file = file.filename().string();
     lot.devices.push_back(std::move(device));
@@ -317,15 +334,22 @@ std::string lot_file_text(Lot const& lot, std::filesystem::path const& directory
   toml::array laws, sets;
   for (auto const& id : s.laws) laws.push_back(id);
   for (auto const& change : s.overrides) sets.push_back(change.text());
-  toml::table calibrate{{"method", s.method}, {"integration", name(s.integration)}, {"box", name(s.box)},
-                        {"runs", s.runs}, {"population", s.genetic.population}, {"generations", s.genetic.generations},
+  toml::table calibrate{{"method", s.method},
+                        {"integration", name(s.integration)},
+                        {"box", name(s.box)},
+                        {"runs", s.runs},
+                        {"population", s.genetic.population},
+                        {"generations", s.genetic.generations},
                         {"stagnation-tolerance", s.genetic.stagnation_tolerance},
-                        {"seed", static_cast<std::int64_t>(s.seed)}, {"smooth", s.clean.smooth},
+                        {"seed", static_cast<std::int64_t>(s.seed)},
+                        {"smooth", s.clean.smooth},
                         {"center", s.clean.center}};
   if (!laws.empty()) calibrate.insert("laws", std::move(laws));
   if (!sets.empty()) calibrate.insert("set", std::move(sets));
-  if (s.clean.samples_per_cycle) calibrate.insert("samples-per-cycle", *s.clean.samples_per_cycle);
-  else calibrate.insert("samples-per-cycle", "all");
+  if (s.clean.samples_per_cycle)
+    calibrate.insert("samples-per-cycle", *s.clean.samples_per_cycle);
+  else
+    calibrate.insert("samples-per-cycle", "all");
   toml::array devices;
   for (auto const& input : lot.devices) {
     toml::table device{{"name", input.name}};

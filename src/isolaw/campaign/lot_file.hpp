@@ -28,8 +28,8 @@ struct Lot {
   std::optional<int> jobs;
 };
 
-// Throws one Error that holds every problem of the file with its line: syntax, unknown keys, wrong types, values that are
-// not allowed, devices without name or file, a name twice. Keys of [calibrate] are the command line's options.
+// Throws one Error that holds every problem of the file with its line: syntax, unknown keys, wrong types, values that
+// are not allowed, devices without name or file, a name twice. Keys of [calibrate] are the command line's options.
 Lot read_lot_file(std::filesystem::path const& file);
 
 // A lot of files named on the command line; devices are named after them.

@@ -14,7 +14,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 [[noreturn]] void refuse(std::string_view option, std::string_view found, std::string_view allowed) {
-  throw Error({.where = fmt::format("--{}", option), .found = fmt::format("'{}'", found), .allowed = std::string(allowed)});
+  throw Error(
+      {.where = fmt::format("--{}", option), .found = fmt::format("'{}'", found), .allowed = std::string(allowed)});
 }
 
 }  // namespace
@@ -74,7 +75,9 @@ std::optional<int> parse_samples_per_cycle(std::string_view text) {
   return value;
 }
 
-std::string_view name(fit::BoxKind kind) { return kind == fit::BoxKind::published ? "published" : "auto"; }
+std::string_view name(fit::BoxKind kind) {
+  return kind == fit::BoxKind::published ? "published" : "auto";
+}
 std::string_view name(laws::Integration integration) {
   return integration == laws::Integration::paper ? "paper" : "converged";
 }

@@ -33,9 +33,9 @@ Settings settings_from_pairs(std::vector<std::pair<std::string, std::string>> co
 
 // "all" or "id,id": the ids of known laws without repetition. Throws Error that lists the laws.
 std::vector<std::string> parse_laws(std::string_view text);
-std::uint64_t parse_seed(std::string_view text);                // 0 to 2^64 - 1
-fit::BoxKind parse_box(std::string_view text);                  // "published" or "auto"
-laws::Integration parse_integration(std::string_view text);     // "converged" or "paper"
+std::uint64_t parse_seed(std::string_view text);                    // 0 to 2^64 - 1
+fit::BoxKind parse_box(std::string_view text);                      // "published" or "auto"
+laws::Integration parse_integration(std::string_view text);         // "converged" or "paper"
 std::optional<int> parse_samples_per_cycle(std::string_view text);  // a number or "all"
 std::string_view name(fit::BoxKind kind);
 std::string_view name(laws::Integration integration);

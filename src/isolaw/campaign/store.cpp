@@ -75,7 +75,9 @@ class Statement {
   Statement& bind(std::string_view text) {
     return check(sqlite3_bind_text(statement_, ++bound_, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT));
   }
-  Statement& bind(std::size_t value) { return check(sqlite3_bind_int64(statement_, ++bound_, static_cast<sqlite3_int64>(value))); }
+  Statement& bind(std::size_t value) {
+    return check(sqlite3_bind_int64(statement_, ++bound_, static_cast<sqlite3_int64>(value)));
+  }
   Statement& bind(int value) { return check(sqlite3_bind_int64(statement_, ++bound_, value)); }
   Statement& bind(double value) {  // not a number is stored as NULL
     return check(std::isnan(value) ? sqlite3_bind_null(statement_, ++bound_)
@@ -83,7 +85,8 @@ class Statement {
   }
   Statement& bind(std::optional<double> value) { return bind(value.value_or(std::nan(""))); }
   Statement& bind(std::vector<double> const& values) {
-    return check(sqlite3_bind_blob64(statement_, ++bound_, values.data(), values.size() * sizeof(double), SQLITE_TRANSIENT));
+    return check(
+        sqlite3_bind_blob64(statement_, ++bound_, values.data(), values.size() * sizeof(double), SQLITE_TRANSIENT));
   }
   // Runs an INSERT or UPDATE and makes the statement ready for the next row.
   void insert() {
@@ -101,7 +104,8 @@ class Statement {
   std::string text() {
     auto const* bytes = sqlite3_column_text(statement_, next_);
     auto const size = static_cast<std::size_t>(sqlite3_column_bytes(statement_, next_++));
-    return bytes == nullptr ? std::string() : std::string(static_cast<char const*>(static_cast<void const*>(bytes)), size);
+    return bytes == nullptr ? std::string()
+                            : std::string(static_cast<char const*>(static_cast<void const*>(bytes)), size);
   }
   sqlite3_int64 integer() { return sqlite3_column_int64(statement_, next_++); }
   std::size_t index() { return static_cast<std::size_t>(integer()); }
@@ -201,8 +205,9 @@ void write_searches(sqlite3* db, Contents const& contents) {
 }
 
 void read_devices(sqlite3* db, Contents& contents) {
-  Statement device(db, "SELECT name, file, sha256, status, message, serial, lot, test_date, temperature_C, "
-                       "rubber_thickness_mm, rubber_area_mm2, recognised, warnings, cleaning FROM device ORDER BY id");
+  Statement device(db,
+                   "SELECT name, file, sha256, status, message, serial, lot, test_date, temperature_C, "
+                   "rubber_thickness_mm, rubber_area_mm2, recognised, warnings, cleaning FROM device ORDER BY id");
   while (device.row()) {
     Device d;
     d.name = device.text();
@@ -245,8 +250,9 @@ void read_searches(sqlite3* db, Contents& contents) {
     s.refusal = search.text();
     found[{s.device, s.law}] = s;
   }
-  Statement parameter(db, "SELECT device, law, name, unit, free, value, lower, upper, scale FROM search_parameter "
-                          "ORDER BY device, law, position");
+  Statement parameter(db,
+                      "SELECT device, law, name, unit, free, value, lower, upper, scale FROM search_parameter "
+                      "ORDER BY device, law, position");
   while (parameter.row()) {
     auto const device = parameter.index();
     auto& box = found.at({device, parameter.text()}).box;
@@ -273,15 +279,17 @@ Outcome outcome_from(std::string_view text) {
 
 void read_runs(sqlite3* db, Contents& contents) {
   std::map<std::tuple<std::size_t, std::string, int>, std::vector<double>> values;
-  Statement parameter(db, "SELECT device, law, number, value FROM run_parameter ORDER BY device, law, number, position");
+  Statement parameter(db,
+                      "SELECT device, law, number, value FROM run_parameter ORDER BY device, law, number, position");
   while (parameter.row()) {
     auto const device = parameter.index();
     auto law = parameter.text();
     auto const number = static_cast<int>(parameter.integer());
     values[{device, std::move(law), number}].push_back(parameter.real());
   }
-  Statement run(db, "SELECT device, law, number, outcome, objective, integration_shift, evaluations, history FROM run "
-                    "ORDER BY device, law, number");
+  Statement run(db,
+                "SELECT device, law, number, outcome, objective, integration_shift, evaluations, history FROM run "
+                "ORDER BY device, law, number");
   while (run.row()) {
     Run r;
     r.device = run.index();
@@ -310,7 +318,9 @@ void check_schema(sqlite3* db, std::filesystem::path const& file) {
   known.row();
   auto const version = known.integer() == 4 ? meta(db, "schema") : std::string();
   if (version.empty())
-    throw Error({.where = file.string(), .found = "not a campaign store of isolaw", .allowed = "campaign.sqlite of a campaign"});
+    throw Error({.where = file.string(),
+                 .found = "not a campaign store of isolaw",
+                 .allowed = "campaign.sqlite of a campaign"});
   if (version != std::to_string(Store::schema_version))
     throw Error({.where = file.string(),
                  .found = fmt::format("schema version {}", version),
@@ -322,9 +332,12 @@ void check_schema(sqlite3* db, std::filesystem::path const& file) {
 
 std::string_view name(Outcome outcome) {
   switch (outcome) {
-    case Outcome::all_generations: return "all_generations";
-    case Outcome::stagnated: return "stagnated";
-    case Outcome::no_finite_value: return "no_finite_value";
+    case Outcome::all_generations:
+      return "all_generations";
+    case Outcome::stagnated:
+      return "stagnated";
+    case Outcome::no_finite_value:
+      return "no_finite_value";
   }
   return "";
 }
@@ -335,16 +348,19 @@ std::size_t Contents::expected_runs() const {
   return expected;
 }
 
-void Store::Close::operator()(sqlite3* db) const { sqlite3_close_v2(db); }
+void Store::Close::operator()(sqlite3* db) const {
+  sqlite3_close_v2(db);
+}
 
 Store::Handle Store::open_handle(std::filesystem::path const& file, int flags) {
   sqlite3* raw = nullptr;
   int const status = sqlite3_open_v2(file.c_str(), &raw, flags, nullptr);
   Handle db(raw);
   if (status != SQLITE_OK)
-    throw Error({.where = file.string(),
-                 .found = fmt::format("cannot open the store: {}", raw == nullptr ? "out of memory" : sqlite3_errmsg(raw)),
-                 .advice = "check that the directory exists and may be written"});
+    throw Error(
+        {.where = file.string(),
+         .found = fmt::format("cannot open the store: {}", raw == nullptr ? "out of memory" : sqlite3_errmsg(raw)),
+         .advice = "check that the directory exists and may be written"});
   sqlite3_busy_timeout(raw, 5000);
   return db;
 }
@@ -379,7 +395,9 @@ Store Store::open(std::filesystem::path const& file) {
 
 Contents Store::read(std::filesystem::path const& file) {
   if (!std::filesystem::exists(file))
-    throw Error({.where = file.string(), .found = "no such file", .allowed = "campaign.sqlite of a campaign",
+    throw Error({.where = file.string(),
+                 .found = "no such file",
+                 .allowed = "campaign.sqlite of a campaign",
                  .advice = "isolaw calibrate ... --out DIR makes one"});
   auto handle = open_handle(file, SQLITE_OPEN_READONLY);
   auto* db = handle.get();
@@ -416,8 +434,9 @@ void Store::describe(Contents const& contents) {
   Transaction transaction(db);
   Statement title(db, "UPDATE meta SET value = ? WHERE key = 'title'");
   title.bind(contents.title).insert();
-  Statement device(db, "UPDATE device SET serial = ?, lot = ?, test_date = ?, temperature_C = ?, rubber_thickness_mm = ?, "
-                       "rubber_area_mm2 = ? WHERE id = ?");
+  Statement device(db,
+                   "UPDATE device SET serial = ?, lot = ?, test_date = ?, temperature_C = ?, rubber_thickness_mm = ?, "
+                   "rubber_area_mm2 = ? WHERE id = ?");
   for (std::size_t id = 0; id < contents.devices.size(); ++id) {
     auto const& info = contents.devices[id].info;
     device.bind(info.serial).bind(info.lot).bind(info.test_date);

@@ -24,7 +24,7 @@ class Store {
   static Contents read(std::filesystem::path const& file);
 
   void add(Run const& run);  // one transaction; not thread-safe
-  // What the lot file says of the devices, which no result depends on, may change between sessions.
+  // What the lot file says of the devices, which no result depends on, may be changed before a campaign is continued.
   void describe(Contents const& contents);
   // No more runs: folds the write-ahead log into the one file. False when another program reads the store just now; the
   // log then stays beside it, and whoever opens the store to write next folds it in.

@@ -70,7 +70,8 @@ Override parse_override(std::string_view text) {
   auto const lower = parse_number(value.substr(0, colon));
   auto const upper = fixed ? lower : parse_number(value.substr(colon + 1));
   if (!lower || !upper)
-    throw Error({.where = where, .found = fmt::format("'{}' is not a number, an interval or 'free'", value),
+    throw Error({.where = where,
+                 .found = fmt::format("'{}' is not a number, an interval or 'free'", value),
                  .allowed = std::string(override_form)});
   if (!fixed && *lower >= *upper)
     throw Error({.where = where,
@@ -141,8 +142,12 @@ laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const&
   if (!(work > 0.1 * force * disp)) work = force * disp;
 
   double const F = law.force.in_record_units, L = law.length.in_record_units;
-  return {.disp = disp / L, .force = force / F, .stiffness = stiffness * L / F, .strength = strength / F,
-          .velocity = largest_abs(record.vel_mm_s) / L, .work = work / (F * L)};
+  return {.disp = disp / L,
+          .force = force / F,
+          .stiffness = stiffness * L / F,
+          .strength = strength / F,
+          .velocity = largest_abs(record.vel_mm_s) / L,
+          .work = work / (F * L)};
 }
 
 SearchBox make_box(laws::LawEntry const& law, BoxKind kind, laws::RecordScales const& scales,
@@ -151,9 +156,12 @@ SearchBox make_box(laws::LawEntry const& law, BoxKind kind, laws::RecordScales c
   for (auto const& info : law.parameters) {
     bool const from_paper = kind == BoxKind::published && info.published.has_value();
     auto const interval = from_paper ? *info.published : info.scaled(scales);
-    SearchParameter made{.name = std::string(info.name), .unit = std::string(info.unit),
-                         .free = !info.fixed_by_default.has_value(), .value = info.fixed_by_default.value_or(0.0),
-                         .lower = interval.lower, .upper = interval.upper,
+    SearchParameter made{.name = std::string(info.name),
+                         .unit = std::string(info.unit),
+                         .free = !info.fixed_by_default.has_value(),
+                         .value = info.fixed_by_default.value_or(0.0),
+                         .lower = interval.lower,
+                         .upper = interval.upper,
                          .scale = from_paper ? laws::Scale::linear : info.scaled_search};
     // The last word on a parameter counts.
     Override const* change = nullptr;

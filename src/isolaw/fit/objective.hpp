@@ -36,10 +36,10 @@ class LawOnRecord {
 
   laws::LawEntry const* law_;
   laws::Integration integration_;
-  std::vector<double> x_, v_;        // law's units
+  std::vector<double> x_, v_;  // law's units
   laws::Path path_;
-  std::vector<double> measured_;     // law's force unit
-  std::vector<double> weight_;       // trapezoid in time / (duration * standard deviation)
+  std::vector<double> measured_;  // law's force unit
+  std::vector<double> weight_;    // trapezoid in time / (duration * standard deviation)
 };
 
 // The search of a law's free parameters on a record, in the unit box.

@@ -1,9 +1,9 @@
 // Abe: elastic part that softens with the peak displacement, hysteretic part whose yield force grows with displacement,
 // hardening part.
-// Source: Cucuzza et al. 2025, Eqs. (15)-(21), after Abe, Yoshida and Fujino 2004; X_h, X_0, X_s of Table 4 are U_h, U_0, U_s.
-// Units kN, mm.  Step: with the yield force held at its mean over the step the hysteretic force follows the exact flow of
-// dF2/dx (saturating_flow.hpp), then the effect of its change is added; the growth of the yield displacement with the peak is integrated exactly.
-// `paper`: one classical Runge-Kutta step per sample.
+// Source: Cucuzza et al. 2025, Eqs. (15)-(21), after Abe, Yoshida and Fujino 2004; X_h, X_0, X_s of Table 4 are U_h,
+// U_0, U_s. Units kN, mm.  Step: with the yield force held at its mean over the step the hysteretic force follows the
+// exact flow of dF2/dx (saturating_flow.hpp), then the effect of its change is added; the growth of the yield
+// displacement with the peak is integrated exactly. `paper`: one classical Runge-Kutta step per sample.
 #pragma once
 
 #include <algorithm>
@@ -16,14 +16,92 @@
 
 namespace isolaw::laws {
 
-// What `abe` and `abe-y0` share: F1, F3, and the travel in yield displacements.
+// What `abe` and `abe-y0` share: their parameters, F1, F3, and the travel in yield displacements.
 namespace abe_parts {
+
+// What the two laws' parameters have in common, by the parameter's name.
+inline constexpr ParameterInfo K1_info{.name = "K1",
+                                       .unit = "kN/mm",
+                                       .meaning = "initial elastic stiffness",
+                                       .physical = any_value,
+                                       .published = Interval{5.0, 10.0},
+                                       .scaled = {0.5, 20.0, stiffness}};
+inline constexpr ParameterInfo alpha_info{.name = "alpha",
+                                          .unit = "mm",
+                                          .meaning = "peak displacement over which it decays",
+                                          .physical = not_negative,
+                                          .published = Interval{0.0, 10.0},
+                                          .scaled = {0.001, 1.0, disp},
+                                          .scaled_search = Scale::logarithmic};
+inline constexpr ParameterInfo beta_info{.name = "beta",
+                                         .unit = "1",
+                                         .meaning = "share of it that remains",
+                                         .physical = any_value,
+                                         .published = Interval{0.01, 1.0},
+                                         .scaled = {0.01, 1.0, one}};
+inline constexpr ParameterInfo a_info{.name = "a",
+                                      .unit = "kN",
+                                      .meaning = "force of the rounded step at zero displacement",
+                                      .physical = any_value,
+                                      .published = Interval{0.5, 1.0},
+                                      .scaled = {0.0, 0.2, force}};
+inline constexpr ParameterInfo b_info{.name = "b",
+                                      .unit = "1/mm",
+                                      .meaning = "rate of that step",
+                                      .physical = not_negative,
+                                      .published = Interval{5.0, 10.0},
+                                      .scaled = {2.0, 2000.0, per_disp},
+                                      .scaled_search = Scale::logarithmic};
+inline constexpr ParameterInfo n_info{.name = "n",
+                                      .unit = "1",
+                                      .meaning = "sharpness of yielding",
+                                      .physical = positive,
+                                      .published = Interval{0.01, 0.5},
+                                      .scaled = {0.01, 1.0, one}};
+inline constexpr ParameterInfo Y0_info{.name = "Y0",
+                                       .unit = "kN",
+                                       .meaning = "yield force",
+                                       .physical = positive,
+                                       .published = Interval{10.0, 70.0},
+                                       .scaled = {0.02, 0.8, force}};
+inline constexpr ParameterInfo Uh_info{.name = "Uh",
+                                       .unit = "mm",
+                                       .meaning = "displacement at which hardening begins",
+                                       .physical = positive,
+                                       .published = Interval{50.0, 150.0},
+                                       .scaled = {0.5, 4.0, disp}};
+inline constexpr ParameterInfo U0_info{.name = "U0",
+                                       .unit = "mm",
+                                       .meaning = "yield displacement",
+                                       .physical = positive,
+                                       .published = Interval{2.0, 6.0},
+                                       .scaled = {0.001, 0.3, disp},
+                                       .scaled_search = Scale::logarithmic};
+inline constexpr ParameterInfo Us_info{.name = "Us",
+                                       .unit = "mm",
+                                       .meaning = "peak displacement over which it grows",
+                                       .physical = positive,
+                                       .published = Interval{5.0, 50.0},
+                                       .scaled = {0.01, 3.0, disp},
+                                       .scaled_search = Scale::logarithmic};
+inline constexpr ParameterInfo K2_info{.name = "K2",
+                                       .unit = "kN/mm",
+                                       .meaning = "hardening stiffness",
+                                       .physical = any_value,
+                                       .published = Interval{0.01, 0.5},
+                                       .scaled = {0.0, 1.2, stiffness}};
+inline constexpr ParameterInfo r_info{.name = "r",
+                                      .unit = "1",
+                                      .meaning = "exponent of the hardening force",
+                                      .physical = not_negative,
+                                      .published = Interval{0.01, 0.2},
+                                      .scaled = {0.01, 2.0, one}};
 
 template <class T>
 struct Constants {
   T log2_Uh = T(0.0);
   T inverse_U0 = T(0.0), Us_over_U0 = T(0.0);
-  T K1_now = T(0.0);    // K1 [beta + (1 - beta) exp(-Umax / alpha)], changes with the peak only
+  T K1_now = T(0.0);      // K1 [beta + (1 - beta) exp(-Umax / alpha)], changes with the peak only
   T inverse_Ut = T(0.0);  // 1 / Ut, likewise
 };
 
@@ -31,8 +109,8 @@ template <class T, class Params>
 void follow_peak(Params const& p, Constants<T>& c, double peak) {
   T const one(1.0), Umax(peak);
   // alpha = 0: the softening part is gone as soon as there is a peak at all.
-  T const left = select(p.alpha <= T(0.0), T(peak > 0.0 ? 0.0 : 1.0),
-                        exp(-Umax / max(p.alpha, T(num::smallest_power_base))));
+  T const left =
+      select(p.alpha <= T(0.0), T(peak > 0.0 ? 0.0 : 1.0), exp(-Umax / max(p.alpha, T(num::smallest_power_base))));
   c.K1_now = p.K1 * (p.beta + (one - p.beta) * left);
   c.inverse_Ut = c.inverse_U0 / (one + Umax / p.Us);
 }
@@ -52,11 +130,16 @@ struct Piece {
   double x0, x1, length, direction, peak0, peak1;
   template <class Whole>
   Piece(Whole const& whole, double from, double to)
-      : x0(from), x1(to), length(std::abs(to - from)), direction(whole.direction),
-        peak0(std::max(whole.peak0, std::abs(from))), peak1(std::max(peak0, std::abs(to))) {}
+      : x0(from),
+        x1(to),
+        length(std::abs(to - from)),
+        direction(whole.direction),
+        peak0(std::max(whole.peak0, std::abs(from))),
+        peak1(std::max(peak0, std::abs(to))) {}
 };
 
-// Integral of |dx| / Ut over the piece, the constants being those at its start. It first runs inside the earlier peak, at constant Ut, then may extend it.
+// Integral of |dx| / Ut over the piece, the constants being those at its start. It first runs inside the earlier peak,
+// at constant Ut, then may extend it.
 template <class T, class Params>
 T travel(Params const& p, Constants<T> const& c, Piece const& piece) {
   double const growth = piece.peak1 - piece.peak0;
@@ -101,8 +184,9 @@ struct Abe {
       .force = kN,
       .length = mm,
       .traits = {.rate_independent = true, .odd = true, .path_integrated = true},
-      .note = "Eq. (19) as printed. The means of Table A.5 then give loops 49 to 76 % too stiff; without the growth of the "
-              "yield force (law abe-y0) they agree with the other laws. What was run for the table is not known."};
+      .note =
+          "Eq. (19) as printed. The means of Table A.5 then give loops 49 to 76 % too stiff; without the growth of the "
+          "yield force (law abe-y0) they agree with the other laws. What was run for the table is not known."};
 
   template <class T>
   struct Params {
@@ -111,62 +195,25 @@ struct Abe {
 
   template <class T>
   static constexpr std::array rows{
-      Row<T, Params<T>>{&Params<T>::K1,
-                        {.name = "K1", .unit = "kN/mm", .meaning = "initial elastic stiffness", .physical = any_value,
-                         .published = Interval{5.0, 10.0},
-                         .scaled = [](RecordScales const& s) { return Interval{0.5 * s.stiffness, 20.0 * s.stiffness}; }}},
-      Row<T, Params<T>>{&Params<T>::alpha,
-                        {.name = "alpha", .unit = "mm", .meaning = "peak displacement over which it decays", .physical = not_negative,
-                         .published = Interval{0.0, 10.0},
-                         .scaled = [](RecordScales const& s) { return Interval{0.001 * s.disp, 1.0 * s.disp}; },
-                         .scaled_search = Scale::logarithmic}},
-      Row<T, Params<T>>{&Params<T>::beta,
-                        {.name = "beta", .unit = "1", .meaning = "share of it that remains", .physical = any_value,
-                         .published = Interval{0.01, 1.0},
-                         .scaled = [](RecordScales const&) { return Interval{0.01, 1.0}; }}},
-      Row<T, Params<T>>{&Params<T>::a,
-                        {.name = "a", .unit = "kN", .meaning = "force of the rounded step at zero displacement", .physical = any_value,
-                         .published = Interval{0.5, 1.0},
-                         .scaled = [](RecordScales const& s) { return Interval{0.0 * s.force, 0.2 * s.force}; }}},
-      Row<T, Params<T>>{&Params<T>::b,
-                        {.name = "b", .unit = "1/mm", .meaning = "rate of that step", .physical = not_negative,
-                         .published = Interval{5.0, 10.0},
-                         .scaled = [](RecordScales const& s) { return Interval{2.0 / s.disp, 2000.0 / s.disp}; },
-                         .scaled_search = Scale::logarithmic}},
-      Row<T, Params<T>>{&Params<T>::n,
-                        {.name = "n", .unit = "1", .meaning = "sharpness of yielding", .physical = positive,
-                         .published = Interval{0.01, 0.5},
-                         .scaled = [](RecordScales const&) { return Interval{0.01, 1.0}; }}},
-      Row<T, Params<T>>{&Params<T>::Y0,
-                        {.name = "Y0", .unit = "kN", .meaning = "yield force", .physical = positive,
-                         .published = Interval{10.0, 70.0},
-                         .scaled = [](RecordScales const& s) { return Interval{0.02 * s.force, 0.8 * s.force}; }}},
-      Row<T, Params<T>>{&Params<T>::Uh,
-                        {.name = "Uh", .unit = "mm", .meaning = "displacement at which hardening begins", .physical = positive,
-                         .published = Interval{50.0, 150.0},
-                         .scaled = [](RecordScales const& s) { return Interval{0.5 * s.disp, 4.0 * s.disp}; }}},
+      Row<T, Params<T>>{&Params<T>::K1, abe_parts::K1_info},
+      Row<T, Params<T>>{&Params<T>::alpha, abe_parts::alpha_info},
+      Row<T, Params<T>>{&Params<T>::beta, abe_parts::beta_info},
+      Row<T, Params<T>>{&Params<T>::a, abe_parts::a_info},
+      Row<T, Params<T>>{&Params<T>::b, abe_parts::b_info},
+      Row<T, Params<T>>{&Params<T>::n, abe_parts::n_info},
+      Row<T, Params<T>>{&Params<T>::Y0, abe_parts::Y0_info},
+      Row<T, Params<T>>{&Params<T>::Uh, abe_parts::Uh_info},
       Row<T, Params<T>>{&Params<T>::p,
-                        {.name = "p", .unit = "1", .meaning = "exponent of the growth of the yield force", .physical = not_negative,
+                        {.name = "p",
+                         .unit = "1",
+                         .meaning = "exponent of the growth of the yield force",
+                         .physical = not_negative,
                          .published = Interval{0.01, 2.0},
-                         .scaled = [](RecordScales const&) { return Interval{0.01, 3.0}; }}},
-      Row<T, Params<T>>{&Params<T>::U0,
-                        {.name = "U0", .unit = "mm", .meaning = "yield displacement", .physical = positive,
-                         .published = Interval{2.0, 6.0},
-                         .scaled = [](RecordScales const& s) { return Interval{0.001 * s.disp, 0.3 * s.disp}; },
-                         .scaled_search = Scale::logarithmic}},
-      Row<T, Params<T>>{&Params<T>::Us,
-                        {.name = "Us", .unit = "mm", .meaning = "peak displacement over which it grows", .physical = positive,
-                         .published = Interval{5.0, 50.0},
-                         .scaled = [](RecordScales const& s) { return Interval{0.01 * s.disp, 3.0 * s.disp}; },
-                         .scaled_search = Scale::logarithmic}},
-      Row<T, Params<T>>{&Params<T>::K2,
-                        {.name = "K2", .unit = "kN/mm", .meaning = "hardening stiffness", .physical = any_value,
-                         .published = Interval{0.01, 0.5},
-                         .scaled = [](RecordScales const& s) { return Interval{0.0 * s.stiffness, 1.2 * s.stiffness}; }}},
-      Row<T, Params<T>>{&Params<T>::r,
-                        {.name = "r", .unit = "1", .meaning = "exponent of the hardening force", .physical = not_negative,
-                         .published = Interval{0.01, 0.2},
-                         .scaled = [](RecordScales const&) { return Interval{0.01, 2.0}; }}},
+                         .scaled = {0.01, 3.0, one}}},
+      Row<T, Params<T>>{&Params<T>::U0, abe_parts::U0_info},
+      Row<T, Params<T>>{&Params<T>::Us, abe_parts::Us_info},
+      Row<T, Params<T>>{&Params<T>::K2, abe_parts::K2_info},
+      Row<T, Params<T>>{&Params<T>::r, abe_parts::r_info},
   };
 
   template <class T>
@@ -182,8 +229,7 @@ struct Abe {
     State<T> state;
     state.constants = abe_parts::constants<T>(p, first);
     state.growth = growth_at(p, state.constants, first.x1);
-    if (integration == Integration::converged)
-      state.flow = SaturatingFlow<T, Reach::beyond_saturation>(p.n, T(1.0));
+    if (integration == Integration::converged) state.flow = SaturatingFlow<T, Reach::beyond_saturation>(p.n, T(1.0));
     return state;
   }
 
@@ -228,15 +274,16 @@ struct Abe {
     return exp2(p.p * (T(std::log2(std::abs(x))) - c.log2_Uh));
   }
 
-  // F2 over a piece: the exact flow with the yield force held at its mean, then the effect of its relative change d over
-  // the piece, which makes the whole fourth order where all is smooth. For travel t and rates f0, f1 = du/dt at the ends,
-  // with Phi(F2, Y) = Y f(F2 / Y) the perturbation of the flow is, from the change itself (f - u f' = n + (1 - n) f),
+  // F2 over a piece: the exact flow with the yield force held at its mean, then the effect of its relative change d
+  // over the piece, which makes the whole fourth order where all is smooth. For travel t and rates f0, f1 = du/dt at
+  // the ends, with Phi(F2, Y) = Y f(F2 / Y) the perturbation of the flow is, from the change itself (f - u f' = n + (1
+  // - n) f),
   //     n d t/12 (1 - f1 / f0)
   // and from the curvature of Phi in Y (|u|^n = 1 - f with the sign of u)
   //     n (1 - n) d^2 t/24 (1 - f).
   // Over a long travel F2 ends at the yield force of the end, d/2 above the mean: the first term is carried over into
-  // that limit, the second fades. The mean of |x / Uh|^p is exact: its integral is x |x / Uh|^p / (p + 1); for pieces so
-  // short that the difference would lose its digits, the mean of the ends.
+  // that limit, the second fades. The mean of |x / Uh|^p is exact: its integral is x |x / Uh|^p / (p + 1); for pieces
+  // so short that the difference would lose its digits, the mean of the ends.
   template <class T>
   static void advance(Params<T> const& p, State<T>& state, abe_parts::Piece const& piece) {
     T const one(1.0), direction(piece.direction), before = state.growth;
@@ -250,8 +297,8 @@ struct Abe {
     // Rates fall along the flow; close to saturation both are lost to rounding.
     T const ratio = max(T(0.0), min(moved.rate1 / moved.rate0, one));
     T const first = d * relaxed / sqrt(one + relaxed2 * T(1.0 / 36.0)) * (one - ratio) * T(1.0 / 12.0);
-    T const second = d * d * relaxed / (one + relaxed2) * (one - p.n) *
-                     (one - T(0.5) * (moved.rate0 + moved.rate1)) * T(1.0 / 24.0);
+    T const second =
+        d * d * relaxed / (one + relaxed2) * (one - p.n) * (one - T(0.5) * (moved.rate0 + moved.rate1)) * T(1.0 / 24.0);
     T const limit = T(0.5) * abs(d);
     T const effect = max(-limit, min(first + second, limit));
     state.F2 = direction * Yt * (moved.u + effect);

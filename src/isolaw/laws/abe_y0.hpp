@@ -1,7 +1,7 @@
 // Abe with a constant yield force: Abe without the factor (1 + |x/Uh|^p) of Eq. (19).
-// Source: Cucuzza et al. 2025, Eqs. (15)-(21) with Yt = Y0. The closest reading of Table A.5's law 5, kept for comparison
-// with that table; what the authors ran is not known.
-// Units kN, mm.  Step: exact between samples (saturating_flow.hpp); `paper`: one classical Runge-Kutta step per sample.
+// Source: Cucuzza et al. 2025, Eqs. (15)-(21) with Yt = Y0. The closest reading of Table A.5's law 5, kept for
+// comparison with that table; what the authors ran is not known. Units kN, mm.  Step: exact between samples
+// (saturating_flow.hpp); `paper`: one classical Runge-Kutta step per sample.
 #pragma once
 
 #include "isolaw/laws/abe.hpp"
@@ -25,58 +25,18 @@ struct AbeY0 {
 
   template <class T>
   static constexpr std::array rows{
-      Row<T, Params<T>>{&Params<T>::K1,
-                        {.name = "K1", .unit = "kN/mm", .meaning = "initial elastic stiffness", .physical = any_value,
-                         .published = Interval{5.0, 10.0},
-                         .scaled = [](RecordScales const& s) { return Interval{0.5 * s.stiffness, 20.0 * s.stiffness}; }}},
-      Row<T, Params<T>>{&Params<T>::alpha,
-                        {.name = "alpha", .unit = "mm", .meaning = "peak displacement over which it decays", .physical = not_negative,
-                         .published = Interval{0.0, 10.0},
-                         .scaled = [](RecordScales const& s) { return Interval{0.001 * s.disp, 1.0 * s.disp}; },
-                         .scaled_search = Scale::logarithmic}},
-      Row<T, Params<T>>{&Params<T>::beta,
-                        {.name = "beta", .unit = "1", .meaning = "share of it that remains", .physical = any_value,
-                         .published = Interval{0.01, 1.0},
-                         .scaled = [](RecordScales const&) { return Interval{0.01, 1.0}; }}},
-      Row<T, Params<T>>{&Params<T>::a,
-                        {.name = "a", .unit = "kN", .meaning = "force of the rounded step at zero displacement", .physical = any_value,
-                         .published = Interval{0.5, 1.0},
-                         .scaled = [](RecordScales const& s) { return Interval{0.0 * s.force, 0.2 * s.force}; }}},
-      Row<T, Params<T>>{&Params<T>::b,
-                        {.name = "b", .unit = "1/mm", .meaning = "rate of that step", .physical = not_negative,
-                         .published = Interval{5.0, 10.0},
-                         .scaled = [](RecordScales const& s) { return Interval{2.0 / s.disp, 2000.0 / s.disp}; },
-                         .scaled_search = Scale::logarithmic}},
-      Row<T, Params<T>>{&Params<T>::n,
-                        {.name = "n", .unit = "1", .meaning = "sharpness of yielding", .physical = positive,
-                         .published = Interval{0.01, 0.5},
-                         .scaled = [](RecordScales const&) { return Interval{0.01, 1.0}; }}},
-      Row<T, Params<T>>{&Params<T>::Y0,
-                        {.name = "Y0", .unit = "kN", .meaning = "yield force", .physical = positive,
-                         .published = Interval{10.0, 70.0},
-                         .scaled = [](RecordScales const& s) { return Interval{0.02 * s.force, 0.8 * s.force}; }}},
-      Row<T, Params<T>>{&Params<T>::Uh,
-                        {.name = "Uh", .unit = "mm", .meaning = "displacement at which hardening begins", .physical = positive,
-                         .published = Interval{50.0, 150.0},
-                         .scaled = [](RecordScales const& s) { return Interval{0.5 * s.disp, 4.0 * s.disp}; }}},
-      Row<T, Params<T>>{&Params<T>::U0,
-                        {.name = "U0", .unit = "mm", .meaning = "yield displacement", .physical = positive,
-                         .published = Interval{2.0, 6.0},
-                         .scaled = [](RecordScales const& s) { return Interval{0.001 * s.disp, 0.3 * s.disp}; },
-                         .scaled_search = Scale::logarithmic}},
-      Row<T, Params<T>>{&Params<T>::Us,
-                        {.name = "Us", .unit = "mm", .meaning = "peak displacement over which it grows", .physical = positive,
-                         .published = Interval{5.0, 50.0},
-                         .scaled = [](RecordScales const& s) { return Interval{0.01 * s.disp, 3.0 * s.disp}; },
-                         .scaled_search = Scale::logarithmic}},
-      Row<T, Params<T>>{&Params<T>::K2,
-                        {.name = "K2", .unit = "kN/mm", .meaning = "hardening stiffness", .physical = any_value,
-                         .published = Interval{0.01, 0.5},
-                         .scaled = [](RecordScales const& s) { return Interval{0.0 * s.stiffness, 1.2 * s.stiffness}; }}},
-      Row<T, Params<T>>{&Params<T>::r,
-                        {.name = "r", .unit = "1", .meaning = "exponent of the hardening force", .physical = not_negative,
-                         .published = Interval{0.01, 0.2},
-                         .scaled = [](RecordScales const&) { return Interval{0.01, 2.0}; }}},
+      Row<T, Params<T>>{&Params<T>::K1, abe_parts::K1_info},
+      Row<T, Params<T>>{&Params<T>::alpha, abe_parts::alpha_info},
+      Row<T, Params<T>>{&Params<T>::beta, abe_parts::beta_info},
+      Row<T, Params<T>>{&Params<T>::a, abe_parts::a_info},
+      Row<T, Params<T>>{&Params<T>::b, abe_parts::b_info},
+      Row<T, Params<T>>{&Params<T>::n, abe_parts::n_info},
+      Row<T, Params<T>>{&Params<T>::Y0, abe_parts::Y0_info},
+      Row<T, Params<T>>{&Params<T>::Uh, abe_parts::Uh_info},
+      Row<T, Params<T>>{&Params<T>::U0, abe_parts::U0_info},
+      Row<T, Params<T>>{&Params<T>::Us, abe_parts::Us_info},
+      Row<T, Params<T>>{&Params<T>::K2, abe_parts::K2_info},
+      Row<T, Params<T>>{&Params<T>::r, abe_parts::r_info},
   };
 
   template <class T>

@@ -16,9 +16,10 @@ struct Bilinear {
       .force = kN,
       .length = mm,
       .traits = {.rate_independent = true, .odd = true},
-      .note = "The third parameter of Table 4 is printed F_y [mm]; it is read as the yield displacement xy of Eq. (1). "
-              "Derived: characteristic strength Qd = (K1 - K2) xy, yield force K1 xy. As a yield force or a "
-              "characteristic strength in kN the printed numbers would give other loops."};
+      .note =
+          "The third parameter of Table 4 is printed F_y [mm]; it is read as the yield displacement xy of Eq. (1). "
+          "Derived: characteristic strength Qd = (K1 - K2) xy, yield force K1 xy. As a yield force or a "
+          "characteristic strength in kN the printed numbers would give other loops."};
 
   template <class T>
   struct Params {
@@ -28,17 +29,26 @@ struct Bilinear {
   template <class T>
   static constexpr std::array rows{
       Row<T, Params<T>>{&Params<T>::K1,
-                        {.name = "K1", .unit = "kN/mm", .meaning = "elastic stiffness", .physical = positive,
+                        {.name = "K1",
+                         .unit = "kN/mm",
+                         .meaning = "elastic stiffness",
+                         .physical = positive,
                          .published = Interval{1.0, 1.9},
-                         .scaled = [](RecordScales const& s) { return Interval{1.0 * s.stiffness, 10.0 * s.stiffness}; }}},
+                         .scaled = {1.0, 10.0, stiffness}}},
       Row<T, Params<T>>{&Params<T>::K2,
-                        {.name = "K2", .unit = "kN/mm", .meaning = "post-elastic stiffness", .physical = any_value,
+                        {.name = "K2",
+                         .unit = "kN/mm",
+                         .meaning = "post-elastic stiffness",
+                         .physical = any_value,
                          .published = Interval{0.35, 0.95},
-                         .scaled = [](RecordScales const& s) { return Interval{0.05 * s.stiffness, 1.0 * s.stiffness}; }}},
+                         .scaled = {0.05, 1.0, stiffness}}},
       Row<T, Params<T>>{&Params<T>::xy,
-                        {.name = "xy", .unit = "mm", .meaning = "yield displacement", .physical = not_negative,
+                        {.name = "xy",
+                         .unit = "mm",
+                         .meaning = "yield displacement",
+                         .physical = not_negative,
                          .published = Interval{30.0, 80.0},
-                         .scaled = [](RecordScales const& s) { return Interval{0.01 * s.disp, 0.6 * s.disp}; }}},
+                         .scaled = {0.01, 0.6, disp}}},
   };
 
   template <class T>

@@ -1,8 +1,8 @@
 // Bouc-Wen: smooth hysteresis with post-yield stiffness.
-// Source: Cucuzza et al. 2025, Eqs. (13)-(14), after Wen 1976; K_i and K_j of Eq. (13) are the one elastic stiffness Ke.
-// Units kN, mm.  Step: between reversals dz/dx depends on z alone, and its exact flow is read from a table made once per
-// candidate (saturating_flow.hpp); `paper`: one classical Runge-Kutta step per sample, which blows up beyond dx of about
-// two yield displacements.
+// Source: Cucuzza et al. 2025, Eqs. (13)-(14), after Wen 1976; K_i and K_j of Eq. (13) are the one elastic stiffness
+// Ke. Units kN, mm.  Step: between reversals dz/dx depends on z alone, and its exact flow is read from a table made
+// once per candidate (saturating_flow.hpp); `paper`: one classical Runge-Kutta step per sample, which blows up beyond
+// dx of about two yield displacements.
 #pragma once
 
 #include "isolaw/laws/law.hpp"
@@ -20,9 +20,11 @@ struct BoucWen {
       .force = kN,
       .length = mm,
       .traits = {.rate_independent = true, .odd = true, .path_integrated = true},
-      .note = "A is redundant: (Ke, A, beta, gamma, alpha) can be rescaled without changing the force, so a calibration with A "
-              "free has no unique answer. The upper bound of alpha is lost in Table 4; 0.3 is used. Parameters must keep "
-              "beta > 0 and beta + gamma > 0; others have no bounded force and are rejected."};
+      .note =
+          "A is redundant: (Ke, A, beta, gamma, alpha) can be rescaled without changing the force, so a calibration "
+          "with A "
+          "free has no unique answer. The upper bound of alpha is lost in Table 4; 0.3 is used. Parameters must keep "
+          "beta > 0 and beta + gamma > 0; others have no bounded force and are rejected."};
 
   template <class T>
   struct Params {
@@ -32,30 +34,48 @@ struct BoucWen {
   template <class T>
   static constexpr std::array rows{
       Row<T, Params<T>>{&Params<T>::alpha,
-                        {.name = "alpha", .unit = "1", .meaning = "ratio of post-yield to elastic stiffness", .physical = any_value,
+                        {.name = "alpha",
+                         .unit = "1",
+                         .meaning = "ratio of post-yield to elastic stiffness",
+                         .physical = any_value,
                          .published = Interval{0.1, 0.3},
-                         .scaled = [](RecordScales const&) { return Interval{0.01, 0.6}; }}},
+                         .scaled = {0.01, 0.6, one}}},
       Row<T, Params<T>>{&Params<T>::Ke,
-                        {.name = "Ke", .unit = "kN/mm", .meaning = "elastic stiffness", .physical = positive,
+                        {.name = "Ke",
+                         .unit = "kN/mm",
+                         .meaning = "elastic stiffness",
+                         .physical = positive,
                          .published = Interval{2.0, 4.0},
-                         .scaled = [](RecordScales const& s) { return Interval{1.0 * s.stiffness, 12.0 * s.stiffness}; }}},
+                         .scaled = {1.0, 12.0, stiffness}}},
       Row<T, Params<T>>{&Params<T>::A,
-                        {.name = "A", .unit = "1", .meaning = "amplitude of the hysteretic variable (redundant with Ke, beta, gamma, alpha)", .physical = positive,
+                        {.name = "A",
+                         .unit = "1",
+                         .meaning = "amplitude of the hysteretic variable (redundant with Ke, beta, gamma, alpha)",
+                         .physical = positive,
                          .published = Interval{1.0, 2.0},
-                         .scaled = [](RecordScales const&) { return Interval{0.5, 2.0}; }}},
+                         .scaled = {0.5, 2.0, one}}},
       Row<T, Params<T>>{&Params<T>::beta,
-                        {.name = "beta", .unit = "1/mm^n", .meaning = "shape of the loop", .physical = any_value,
+                        {.name = "beta",
+                         .unit = "1/mm^n",
+                         .meaning = "shape of the loop",
+                         .physical = any_value,
                          .published = Interval{0.025, 0.075},
-                         .scaled = [](RecordScales const& s) { return Interval{0.05 / s.disp, 60.0 / s.disp}; },
+                         .scaled = {0.05, 60.0, per_disp},
                          .scaled_search = Scale::logarithmic}},
       Row<T, Params<T>>{&Params<T>::n,
-                        {.name = "n", .unit = "1", .meaning = "sharpness of yielding", .physical = positive,
+                        {.name = "n",
+                         .unit = "1",
+                         .meaning = "sharpness of yielding",
+                         .physical = positive,
                          .published = Interval{1.0, 1.25},
-                         .scaled = [](RecordScales const&) { return Interval{0.5, 2.0}; }}},
+                         .scaled = {0.5, 2.0, one}}},
       Row<T, Params<T>>{&Params<T>::gamma,
-                        {.name = "gamma", .unit = "1/mm^n", .meaning = "shape of the loop", .physical = any_value,
+                        {.name = "gamma",
+                         .unit = "1/mm^n",
+                         .meaning = "shape of the loop",
+                         .physical = any_value,
                          .published = Interval{0.025, 0.075},
-                         .scaled = [](RecordScales const& s) { return Interval{0.05 / s.disp, 60.0 / s.disp}; },
+                         .scaled = {0.05, 60.0, per_disp},
                          .scaled_search = Scale::logarithmic}},
   };
 

@@ -47,8 +47,8 @@ LawEntry const& find_law(std::string_view id) {
     if (law.info.id == id) return law;
     allowed += (allowed.empty() ? "" : ", ") + std::string(law.info.id);
   }
-  throw Error({.where = "law '" + std::string(id) + "'", .found = "no such law", .allowed = allowed,
-               .advice = "isolaw laws"});
+  throw Error(
+      {.where = "law '" + std::string(id) + "'", .found = "no such law", .allowed = allowed, .advice = "isolaw laws"});
 }
 
 }  // namespace isolaw::laws

@@ -1,9 +1,9 @@
 // Hwang-Wu: non-linear spring and dashpot that degrade with the work done on the device.
-// Source: Cucuzza et al. 2025, Eqs. (22)-(24), after Hwang et al. 2002. Units N, cm, s: Tables 4 and A.5 print none, and only
-// these give the stiffness and force of the other laws.
-// Step: dW = F(x, v, W) dx by classical Runge-Kutta steps, displacement and velocity linear between the samples; the same
-// for both kinds of integration. At 200 samples per cycle the error is 3e-7 of the peak force with the published means;
-// it grows where a9 or a10 times the work of one sample exceeds 1.
+// Source: Cucuzza et al. 2025, Eqs. (22)-(24), after Hwang et al. 2002. Units N, cm, s: Tables 4 and A.5 print none,
+// and only these give the stiffness and force of the other laws. Step: dW = F(x, v, W) dx by classical Runge-Kutta
+// steps, displacement and velocity linear between the samples; the same for both kinds of integration. At 200 samples
+// per cycle the error is 3e-7 of the peak force with the published means; it grows where a9 or a10 times the work of
+// one sample exceeds 1.
 #pragma once
 
 #include "isolaw/laws/law.hpp"
@@ -13,15 +13,16 @@
 namespace isolaw::laws {
 
 struct HwangWu {
-  static constexpr LawInfo info{
-      .id = "hwang-wu",
-      .title = "Hwang-Wu, degrading spring and dashpot",
-      .source = "Cucuzza et al. 2025, Eqs. (22)-(24)",
-      .force = N,
-      .length = cm,
-      .traits = {.odd = true, .path_integrated = true},
-      .note = "W is all the work done since the start, elastic part included, in N cm; the authors' unit of W is open. The upper "
-              "bound of a1 is lost in Table 4; 6e3 N/cm is used."};
+  static constexpr LawInfo info{.id = "hwang-wu",
+                                .title = "Hwang-Wu, degrading spring and dashpot",
+                                .source = "Cucuzza et al. 2025, Eqs. (22)-(24)",
+                                .force = N,
+                                .length = cm,
+                                .traits = {.odd = true, .path_integrated = true},
+                                .note =
+                                    "W is all the work done since the start, elastic part included, in N cm; the "
+                                    "authors' unit of W is open. The upper "
+                                    "bound of a1 is lost in Table 4; 6e3 N/cm is used."};
 
   template <class T>
   struct Params {
@@ -31,48 +32,78 @@ struct HwangWu {
   template <class T>
   static constexpr std::array rows{
       Row<T, Params<T>>{&Params<T>::a1,
-                        {.name = "a1", .unit = "N/cm", .meaning = "constant stiffness", .physical = any_value,
+                        {.name = "a1",
+                         .unit = "N/cm",
+                         .meaning = "constant stiffness",
+                         .physical = any_value,
                          .published = Interval{2.8e3, 6e3},
-                         .scaled = [](RecordScales const& s) { return Interval{0.0 * s.stiffness, 1.5 * s.stiffness}; }}},
+                         .scaled = {0.0, 1.5, stiffness}}},
       Row<T, Params<T>>{&Params<T>::a2,
-                        {.name = "a2", .unit = "N/cm^3", .meaning = "stiffness growing with x^2", .physical = any_value,
+                        {.name = "a2",
+                         .unit = "N/cm^3",
+                         .meaning = "stiffness growing with x^2",
+                         .physical = any_value,
                          .published = Interval{-5.0, -0.04},
-                         .scaled = [](RecordScales const& s) { return Interval{-1.5 * s.stiffness / (s.disp * s.disp), 1.5 * s.stiffness / (s.disp * s.disp)}; }}},
+                         .scaled = {-1.5, 1.5, stiffness_per_disp2}}},
       Row<T, Params<T>>{&Params<T>::a3,
-                        {.name = "a3", .unit = "N/cm^5", .meaning = "stiffness growing with x^4", .physical = any_value,
+                        {.name = "a3",
+                         .unit = "N/cm^5",
+                         .meaning = "stiffness growing with x^4",
+                         .physical = any_value,
                          .published = Interval{1e-4, 0.01},
-                         .scaled = [](RecordScales const& s) { return Interval{-1.5 * s.stiffness / (s.disp * s.disp * s.disp * s.disp), 1.5 * s.stiffness / (s.disp * s.disp * s.disp * s.disp)}; }}},
+                         .scaled = {-1.5, 1.5, stiffness_per_disp4}}},
       Row<T, Params<T>>{&Params<T>::a4,
-                        {.name = "a4", .unit = "N/cm", .meaning = "stiffness lost with work and velocity", .physical = any_value,
+                        {.name = "a4",
+                         .unit = "N/cm",
+                         .meaning = "stiffness lost with work and velocity",
+                         .physical = any_value,
                          .published = Interval{20.75, 90.0},
-                         .scaled = [](RecordScales const& s) { return Interval{0.0 * s.stiffness, 2.0 * s.stiffness}; }}},
+                         .scaled = {0.0, 2.0, stiffness}}},
       Row<T, Params<T>>{&Params<T>::a5,
-                        {.name = "a5", .unit = "s/cm", .meaning = "its decay with velocity", .physical = not_negative,
+                        {.name = "a5",
+                         .unit = "s/cm",
+                         .meaning = "its decay with velocity",
+                         .physical = not_negative,
                          .published = Interval{1e-3, 0.9},
-                         .scaled = [](RecordScales const& s) { return Interval{0.05 / s.velocity, 100.0 / s.velocity}; },
+                         .scaled = {0.05, 100.0, per_velocity},
                          .scaled_search = Scale::logarithmic}},
       Row<T, Params<T>>{&Params<T>::a6,
-                        {.name = "a6", .unit = "N", .meaning = "damping force", .physical = any_value,
+                        {.name = "a6",
+                         .unit = "N",
+                         .meaning = "damping force",
+                         .physical = any_value,
                          .published = Interval{1e4, 1.5e5},
-                         .scaled = [](RecordScales const& s) { return Interval{0.0 * s.strength, 4.0 * s.strength}; }}},
+                         .scaled = {0.0, 4.0, strength}}},
       Row<T, Params<T>>{&Params<T>::a7,
-                        {.name = "a7", .unit = "N/cm^2", .meaning = "damping growing with x^2", .physical = any_value,
+                        {.name = "a7",
+                         .unit = "N/cm^2",
+                         .meaning = "damping growing with x^2",
+                         .physical = any_value,
                          .published = Interval{1.0, 8.0},
-                         .scaled = [](RecordScales const& s) { return Interval{-2.0 * s.strength / (s.disp * s.disp), 4.0 * s.strength / (s.disp * s.disp)}; }}},
+                         .scaled = {-2.0, 4.0, strength_per_disp2}}},
       Row<T, Params<T>>{&Params<T>::a8,
-                        {.name = "a8", .unit = "cm/s", .meaning = "velocity at which damping saturates", .physical = not_negative,
+                        {.name = "a8",
+                         .unit = "cm/s",
+                         .meaning = "velocity at which damping saturates",
+                         .physical = not_negative,
                          .published = Interval{50.0, 150.0},
-                         .scaled = [](RecordScales const& s) { return Interval{0.001 * s.velocity, 5.0 * s.velocity}; },
+                         .scaled = {0.001, 5.0, velocity},
                          .scaled_search = Scale::logarithmic}},
       Row<T, Params<T>>{&Params<T>::a9,
-                        {.name = "a9", .unit = "1/(N cm)", .meaning = "decay of a4 with work", .physical = not_positive,
+                        {.name = "a9",
+                         .unit = "1/(N cm)",
+                         .meaning = "decay of a4 with work",
+                         .physical = not_positive,
                          .published = Interval{-5e-6, -1e-9},
-                         .scaled = [](RecordScales const& s) { return Interval{-300.0 / s.work, -1e-3 / s.work}; },
+                         .scaled = {-300.0, -1e-3, per_work},
                          .scaled_search = Scale::logarithmic}},
       Row<T, Params<T>>{&Params<T>::a10,
-                        {.name = "a10", .unit = "1/(N cm)", .meaning = "decay of damping with work", .physical = not_positive,
+                        {.name = "a10",
+                         .unit = "1/(N cm)",
+                         .meaning = "decay of damping with work",
+                         .physical = not_positive,
                          .published = Interval{-2.925e-5, 0.0},
-                         .scaled = [](RecordScales const& s) { return Interval{-300.0 / s.work, -1e-3 / s.work}; },
+                         .scaled = {-300.0, -1e-3, per_work},
                          .scaled_search = Scale::logarithmic}},
   };
 

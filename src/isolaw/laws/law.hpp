@@ -3,11 +3,11 @@
 // A law is a struct with
 //   info                      LawInfo: id, title, source, units, traits, notes on how the source was read
 //   Params<T>                 its parameters, in the paper's symbols
-//   rows<T>                   one Row per parameter, in the order of reports: member, name, unit, limits, boxes, meaning
-//   State<T>                  what it remembers from sample to sample, with constants derived from the parameters
-//   start(params, first, how) the virgin state at the first sample
-//   step(params, state, step) advances the state over one step of the path, returns the force at its end
-//   step_paper(...)           optional: the same by one classical Runge-Kutta step, where that differs
+//   rows<T>                   one Row per parameter, in the order of reports: member, name, unit, limits, boxes,
+//   meaning State<T>                  what it remembers from sample to sample, with constants derived from the
+//   parameters start(params, first, how) the virgin state at the first sample step(params, state, step) advances the
+//   state over one step of the path, returns the force at its end step_paper(...)           optional: the same by one
+//   classical Runge-Kutta step, where that differs
 // T is double, a derivative number or a batch of candidates. No allocation, exception or container in a step;
 // branching on what the record determines (Step) is free, on a candidate's values it is a select.
 #pragma once
@@ -56,15 +56,23 @@ struct RecordScales {
   double work = 0.0;       // energy dissipated by the whole record
 };
 
+// A search interval in multiples of a size of the record (limits.hpp names the sizes).
+struct ScaledInterval {
+  double lower, upper;
+  double (*size)(RecordScales const&);
+
+  Interval operator()(RecordScales const& scales) const { return {lower * size(scales), upper * size(scales)}; }
+};
+
 struct ParameterInfo {
   std::string_view name;
   std::string_view unit;
   std::string_view meaning;
-  Interval physical;                             // outside: refused
-  std::optional<Interval> published;             // the paper's search box (Table 4), always searched linearly
-  Interval (*scaled)(RecordScales const&);       // the search box of a device of any size
-  Scale scaled_search = Scale::linear;           // how the scaled box is searched
-  std::optional<double> fixed_by_default = {};   // the value of a parameter that is not calibrated unless freed
+  Interval physical;                            // outside: refused
+  std::optional<Interval> published;            // the paper's search box (Table 4), always searched linearly
+  ScaledInterval scaled;                        // the search box of a device of any size
+  Scale scaled_search = Scale::linear;          // how the scaled box is searched
+  std::optional<double> fixed_by_default = {};  // the value of a parameter that is not calibrated unless freed
 };
 
 template <class T, class Params>
@@ -92,13 +100,13 @@ enum class Integration { converged, paper };
 
 // One step of the path, from the sample before to this one, in the law's units. Depends on the record alone.
 struct Step {
-  double x0, x1;     // displacement before and after
-  double v0, v1;     // velocity before and after; 0 for a record without time
-  double dx;         // x1 - x0
-  double length;     // |dx|
-  double direction;  // +1, -1; the last one where dx = 0; 0 before the first motion
-  bool reversal;     // the direction differs from that of the step before
-  double peak0, peak1;            // largest |x| up to the start and the end of the step
+  double x0, x1;                    // displacement before and after
+  double v0, v1;                    // velocity before and after; 0 for a record without time
+  double dx;                        // x1 - x0
+  double length;                    // |dx|
+  double direction;                 // +1, -1; the last one where dx = 0; 0 before the first motion
+  bool reversal;                    // the direction differs from that of the step before
+  double peak0, peak1;              // largest |x| up to the start and the end of the step
   double log2_abs_x0, log2_abs_x1;  // of |x| clamped to num::smallest_power_base
 };
 
@@ -123,7 +131,8 @@ template <class Law>
 inline constexpr std::size_t parameter_count = Law::template rows<double>.size();
 
 template <class Law>
-concept HasPaperStep = requires(ParamsOf<Law, double> const& p, typename Law::template State<double>& s, Step const& k) {
+concept HasPaperStep = requires(ParamsOf<Law, double> const& p, typename Law::template State<double>& s,
+                                Step const& k) {
   Law::step_paper(p, s, k);
 };
 

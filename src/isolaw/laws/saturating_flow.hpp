@@ -7,12 +7,11 @@
 // Every device history between reversals is a piece of one curve u(t), so it is tabulated once per candidate and each
 // sample costs a lookup, however large the step: no step size, no stability limit, no power per sample.
 //
-// Nodes are graded geometrically towards u = 0, where u^n is not smooth for n < 1, and towards u = 1; times between nodes
-// by four-point Lobatto quadrature, u(t) within a cell by the quintic that takes value, slope and curvature at both ends.
-// Largest error in u over n in [0.01, 3] and kappa in (-1, 3]: below 1e-5 (tests/verification). The table costs about
-// 500 powers.
-// Rejected: Runge-Kutta with sub-steps (32 per sample still leave 3.8 % in the objective of abe near its optimum), and an
-// exponential step with frozen exponent (first order where n < 1 and u crosses 0).
+// Nodes are graded geometrically towards u = 0, where u^n is not smooth for n < 1, and towards u = 1; times between
+// nodes by four-point Lobatto quadrature, u(t) within a cell by the quintic that takes value, slope and curvature at
+// both ends. Largest error in u over n in [0.01, 3] and kappa in (-1, 3]: below 1e-5 (tests/verification). The table
+// costs about 500 powers. Rejected: Runge-Kutta with sub-steps (32 per sample still leave 3.8 % in the objective of abe
+// near its optimum), and an exponential step with frozen exponent (first order where n < 1 and u crosses 0).
 #pragma once
 
 #include <cmath>
@@ -28,8 +27,9 @@ enum class Reach { within_saturation, beyond_saturation };
 
 namespace flow_parts {
 
-// Fixed nodes and what the quadrature of each cell needs. `key` ascends with time along the curve: it is u itself on the
-// rising piece, and falling_origin - u on the piece that falls to saturation from above, so that one search serves both.
+// Fixed nodes and what the quadrature of each cell needs. `key` ascends with time along the curve: it is u itself on
+// the rising piece, and falling_origin - u on the piece that falls to saturation from above, so that one search serves
+// both.
 template <std::size_t Count>
 struct Nodes {
   std::array<double, Count> key{};
@@ -48,12 +48,13 @@ struct Point {
 };
 
 inline constexpr double inverse_ln2 = 1.44269504088896340736;
-inline constexpr double spacing = 1.0 / 3.0;     // of w, in all gradings
-inline constexpr double smallest_w = -12.0;     // |u| = 6e-6: between -6e-6 and 6e-6 the curve is a straight line
-inline constexpr double largest_w = 16.0;       // |1 - u| = 1e-7: closer to saturation u stays there
-inline constexpr double unloading_w = 14.0;     // |1 + u| = 8e-7: where unloading starts within saturation
-inline constexpr double reach_w = 4.0;          // |u| = 55: beyond, the rate is frozen at its value there
-inline constexpr double falling_origin = 60.0;  // keys of the falling piece, 4.4 to 59, lie above those of the rising one
+inline constexpr double spacing = 1.0 / 3.0;  // of w, in all gradings
+inline constexpr double smallest_w = -12.0;   // |u| = 6e-6: between -6e-6 and 6e-6 the curve is a straight line
+inline constexpr double largest_w = 16.0;     // |1 - u| = 1e-7: closer to saturation u stays there
+inline constexpr double unloading_w = 14.0;   // |1 + u| = 8e-7: where unloading starts within saturation
+inline constexpr double reach_w = 4.0;        // |u| = 55: beyond, the rate is frozen at its value there
+inline constexpr double falling_origin =
+    60.0;  // keys of the falling piece, 4.4 to 59, lie above those of the rising one
 
 inline Point below_zero(double w) {  // |u| = e^w
   return {-std::exp(w), std::exp(w), w * inverse_ln2};
@@ -101,8 +102,9 @@ constexpr std::size_t node_count(double first, double last) {
   return static_cast<std::size_t>(width / spacing + 0.5) + 1;
 }
 
-// The nodes of a reach: from -1 (or -55) through 0 up to saturation, then, beyond saturation, from 55 down to it. Within
-// saturation they are graded towards -1 as well, where the rate 1 + kappa |u|^n nearly vanishes for kappa close to -1.
+// The nodes of a reach: from -1 (or -55) through 0 up to saturation, then, beyond saturation, from 55 down to it.
+// Within saturation they are graded towards -1 as well, where the rate 1 + kappa |u|^n nearly vanishes for kappa close
+// to -1.
 template <Reach reach>
 struct Layout {
   static constexpr bool falls = reach == Reach::beyond_saturation;

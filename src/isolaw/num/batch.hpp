@@ -121,8 +121,7 @@ Indices<W> cell_of(std::array<Batch<W>, Count> const& nodes, Batch<W> const& x) 
   Indices<W> first{};
   for (std::size_t length = Count - 1; length > 1;) {
     std::size_t const half = length / 2;
-    for (std::size_t i = 0; i < W; ++i)
-      first.lane[i] += nodes[first.lane[i] + half].lane[i] <= x.lane[i] ? half : 0;
+    for (std::size_t i = 0; i < W; ++i) first.lane[i] += nodes[first.lane[i] + half].lane[i] <= x.lane[i] ? half : 0;
     length -= half;
   }
   return first;

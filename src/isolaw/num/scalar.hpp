@@ -16,15 +16,33 @@
 
 namespace isolaw::num {
 
-inline double abs(double x) { return std::abs(x); }
-inline double exp(double x) { return std::exp(x); }
-inline double exp2(double x) { return std::exp2(x); }
-inline double log2(double x) { return std::log2(x); }
-inline double sqrt(double x) { return std::sqrt(x); }
-inline double min(double a, double b) { return b < a ? b : a; }
-inline double max(double a, double b) { return a < b ? b : a; }
-inline double select(bool condition, double a, double b) { return condition ? a : b; }
-inline double value_of(double x) { return x; }
+inline double abs(double x) {
+  return std::abs(x);
+}
+inline double exp(double x) {
+  return std::exp(x);
+}
+inline double exp2(double x) {
+  return std::exp2(x);
+}
+inline double log2(double x) {
+  return std::log2(x);
+}
+inline double sqrt(double x) {
+  return std::sqrt(x);
+}
+inline double min(double a, double b) {
+  return b < a ? b : a;
+}
+inline double max(double a, double b) {
+  return a < b ? b : a;
+}
+inline double select(bool condition, double a, double b) {
+  return condition ? a : b;
+}
+inline double value_of(double x) {
+  return x;
+}
 
 // Branch-free bisection: the trip count depends on the size of the table alone.
 template <std::size_t Count>

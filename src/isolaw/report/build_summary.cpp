@@ -34,12 +34,19 @@ std::vector<double> collect(Runs const& runs, Get&& get) {
 }
 
 DeviceResult device_result(campaign::Device const& device) {
-  DeviceResult result{.name = device.name, .file = device.file, .sha256 = device.raw.sha256,
-                      .status = device.usable() ? "ok" : "refused", .message = device.refusal,
-                      .serial = device.info.serial, .lot = device.info.lot, .test_date = device.info.test_date,
+  DeviceResult result{.name = device.name,
+                      .file = device.file,
+                      .sha256 = device.raw.sha256,
+                      .status = device.usable() ? "ok" : "refused",
+                      .message = device.refusal,
+                      .serial = device.info.serial,
+                      .lot = device.info.lot,
+                      .test_date = device.info.test_date,
                       .temperature_C = device.info.temperature_C,
                       .rubber_thickness_mm = device.info.rubber_thickness_mm,
-                      .rubber_area_mm2 = device.info.rubber_area_mm2, .raw = device.raw, .record = device.record,
+                      .rubber_area_mm2 = device.info.rubber_area_mm2,
+                      .raw = device.raw,
+                      .record = device.record,
                       .properties = {}};
   if (device.usable()) result.properties = data::cyclic_properties(device.raw.disp_mm, device.raw.force_kN);
   return result;
@@ -47,8 +54,14 @@ DeviceResult device_result(campaign::Device const& device) {
 
 ParameterFit parameter_fit(fit::SearchParameter const& searched, std::size_t index, Runs const& usable,
                            campaign::Run const* best) {
-  ParameterFit made{.name = searched.name, .unit = searched.unit, .free = searched.free, .lower = searched.lower,
-                    .upper = searched.upper, .value = {}, .percent_of_lot = std::nullopt, .at_bound = ""};
+  ParameterFit made{.name = searched.name,
+                    .unit = searched.unit,
+                    .free = searched.free,
+                    .lower = searched.lower,
+                    .upper = searched.upper,
+                    .value = {},
+                    .percent_of_lot = std::nullopt,
+                    .at_bound = ""};
   made.value = statistic(collect(usable, [&](campaign::Run const& run) { return run.parameters[index]; }));
   if (best == nullptr) return made;
   made.value.best = best->parameters[index];
@@ -171,8 +184,14 @@ Summary build_summary(campaign::Contents const& contents) {
 
   for (auto const& id : contents.settings.laws) {
     auto const& entry = laws::find_law(id);
-    LawResult law{.id = id, .title = std::string(entry.info.title), .objective = {}, .beta = std::nullopt, .beta_note = {},
-                  .on_front = false, .notes = {}, .devices = {}};
+    LawResult law{.id = id,
+                  .title = std::string(entry.info.title),
+                  .objective = {},
+                  .beta = std::nullopt,
+                  .beta_note = {},
+                  .on_front = false,
+                  .notes = {},
+                  .devices = {}};
     if (!entry.info.note.empty()) law.notes.emplace_back(entry.info.note);
     std::vector<double> all_objectives;
     for (auto const& search : contents.searches) {

@@ -10,7 +10,8 @@
 namespace isolaw::report {
 
 // Layout of Table A.5 of Cucuzza et al. 2025: per law a row OF and one per parameter, per device mean and standard
-// deviation over the runs; the parameter's spread over the lot, Delta_n of Eqs. (28)-(30). Bounds scaled from each record read "per device" (summary.json has them).
+// deviation over the runs; the parameter's spread over the lot, Delta_n of Eqs. (28)-(30). Bounds scaled from each
+// record read "per device" (summary.json has them).
 std::string parameters_csv(Summary const& summary);
 
 // One row per law and device: objective, runs, errors of the best fit, integration shift, why there is none.
