@@ -83,5 +83,9 @@ case "${1:-help}" in
     for law in $("build/$preset/cli/isolaw" laws | cut -d' ' -f1); do "build/$preset/cli/isolaw" laws "$law"; echo; done >build/docs/laws.txt
     echo "written: build/docs/laws.txt" >&2
     ;;
-  *) sed -n '2,10s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
+  help | -h | --help) sed -n '2,10s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
+  *)
+    echo "isolaw.sh: unknown command '$1'; allowed: setup, build, run, test, bench, lint, docs" >&2
+    exit 2
+    ;;
 esac

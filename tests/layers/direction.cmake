@@ -1,4 +1,4 @@
-# base <- num <- {laws, opt, data} <- fit <- {campaign, lot, rules} <- {report, export} <- app
+# base <- num <- {laws, opt, data} <- fit <- {campaign, lot} <- report <- app
 # Modules of one rank do not know one another. Usage: cmake -DSOURCE=src/isolaw -P direction.cmake
 get_filename_component(SOURCE "${SOURCE}" ABSOLUTE)
 set(rank_base 0)
@@ -7,12 +7,10 @@ foreach(module laws opt data)
   set(rank_${module} 2)
 endforeach()
 set(rank_fit 3)
-foreach(module campaign lot rules)
+foreach(module campaign lot)
   set(rank_${module} 4)
 endforeach()
-foreach(module report export)
-  set(rank_${module} 5)
-endforeach()
+set(rank_report 5)
 set(rank_app 6)
 
 set(breaches "")

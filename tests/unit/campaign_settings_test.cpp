@@ -88,7 +88,7 @@ TEST(Settings, PairsHaveDistinctKeysInAFixedOrder) {
     EXPECT_TRUE(keys.contains(key)) << key;
 }
 
-TEST(Settings, Defaults) {  // of the issue and of the paper
+TEST(Settings, Defaults) {  // of the paper
   Settings const s;
   EXPECT_EQ(s.method, "ga");
   EXPECT_EQ(s.integration, laws::Integration::converged);

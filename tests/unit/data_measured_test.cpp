@@ -18,7 +18,7 @@ struct Row {
   double start, end, amplitude_mm, K_eff_kN_per_mm, energy_kN_mm, damping_percent;
 };
 
-// reference/gallardo-cycles.json, made by an independent program from the same file: cut at interpolated crossings
+// Made by an independent program from the same file: cut at interpolated crossings
 // after displacement has exceeded 5 mm.
 constexpr Row gallardo[] = {
     {0.0, 1180.8, 38.14, 2.8448, 6161, 23.7},         {1180.8, 2111.5, 38.03, 2.7546, 4896, 19.56},

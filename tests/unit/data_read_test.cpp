@@ -246,5 +246,33 @@ TEST_F(Read, WarnsOfOffsetsAndOfAStartAwayFromZero) {
   EXPECT_TRUE(says(record.warnings, "force is off centre by 40"));
 }
 
+TEST_F(Read, WarnsOfAForceThatStandsStillWhileTheDeviceMoves) {
+  std::string clipped = "Disp [mm];Force [kN]\n", honest = clipped;
+  Ellipse const loop;
+  double highest = 0.0;
+  for (int i = 0; i < loop.size(); ++i) highest = std::max(highest, loop.force(i));
+  for (int i = 0; i < loop.size(); ++i) {
+    clipped += fmt::format("{};{}\n", loop.disp(i), std::min(loop.force(i), 0.8 * highest));
+    honest += fmt::format("{};{}\n", loop.disp(i), loop.force(i));
+  }
+  EXPECT_TRUE(says(read(clipped).warnings, "a clipped or dead channel?"));
+  EXPECT_FALSE(says(read(honest).warnings, "a clipped or dead channel?"));
+}
+
+TEST_F(Read, WarnsOfStagesOfSeveralAmplitudes) {
+  std::string text = "Disp [mm];Force [kN]\n";
+  Ellipse const loop;
+  for (double const scale : {0.5, 1.0})
+    for (int i = 0; i < loop.size(); ++i) text += fmt::format("{};{}\n", scale * loop.disp(i), scale * loop.force(i));
+  EXPECT_TRUE(says(read(text).warnings, "cycles of several amplitudes, 50 to 100 mm"));
+}
+
+TEST_F(Read, WarnsOfAUnitThatContradictsTheFile) {
+  ReadOptions options;
+  options.units[Channel::force] = "lbf";
+  auto const record = read("t [s];Disp [mm];Force [kN]\n0;0;2\n1;2;3\n2;3;1\n3;3;2\n", options);
+  EXPECT_TRUE(says(record.warnings, "says kN, and is read in lbf as asked for by --units"));
+}
+
 }  // namespace
 }  // namespace isolaw::data::testing

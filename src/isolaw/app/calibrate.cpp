@@ -102,8 +102,7 @@ std::vector<std::string> differences(campaign::Contents const& stored, campaign:
       found.push_back(fmt::format("device {}: '{}' there, '{}' now", d + 1, a.name, b.name));
     else if (a.raw.sha256 != b.raw.sha256 || a.refusal != b.refusal)
       found.push_back(fmt::format("{}: its file has changed", b.name));
-    else if (a.record.disp_mm != b.record.disp_mm || a.record.force_kN != b.record.force_kN ||
-             a.record.time_s != b.record.time_s)
+    else if (a.raw.disp_mm != b.raw.disp_mm || a.raw.force_kN != b.raw.force_kN || a.raw.time_s != b.raw.time_s)
       found.push_back(fmt::format("{}: its file is read in another way", b.name));
   }
   return found;

@@ -58,7 +58,7 @@ void print_law(laws::LawEntry const& law) {
              law.info.force.symbol, law.info.length.symbol,
              law.info.traits.rate_independent ? "displacement" : "displacement and time");
   if (!law.info.note.empty()) fmt::print("  reading\n{}", wrapped(law.info.note, 4, 96));
-  fmt::print("\n  {:<10} {:<10} {:>12} {:>12}  {}\n", "parameter", "unit", "published", "box", "meaning");
+  fmt::print("\n  {:<10} {:<10} {:>12} {:>12}  {}\n", "parameter", "unit", "paper from", "to", "meaning");
   for (auto const& p : law.parameters) {
     auto const bound = [&](double laws::Interval::*end) {
       return p.published ? fmt::format("{:g}", (*p.published).*end) : std::string("-");

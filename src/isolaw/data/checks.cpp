@@ -147,9 +147,42 @@ void warn_about_offset(TestRecord& record, Cycle const& cycle, std::vector<doubl
   double const offset = (largest + least) / 2.0;
   double const amplitude = (largest - least) / 2.0;
   if (std::abs(offset) > tolerated * amplitude)
+    record.warnings.push_back(
+        fmt::format("{} is off centre by {:.4g} {} in cycle {}, {:.0f} % of its amplitude; nothing is removed unless "
+                    "--center is given",
+                    what, offset, unit, cycle.number, 100.0 * std::abs(offset) / amplitude));
+}
+
+// The longest run of one and the same force while the device moved: a clipped amplifier or a dead channel.
+void warn_of_stuck_force(TestRecord& record, double half_range_mm) {
+  constexpr std::size_t fewest_samples = 8;
+  constexpr double motion = 0.02;  // of the half range: less may be a hold
+  std::size_t first = 0, longest_first = 0, longest = 0;
+  for (std::size_t i = 1; i <= record.size(); ++i) {
+    if (i < record.size() && record.force_kN[i] == record.force_kN[first]) continue;
+    auto const moved = std::abs(record.disp_mm[i - 1] - record.disp_mm[first]);
+    if (i - first > longest && moved > motion * half_range_mm) {
+      longest = i - first;
+      longest_first = first;
+    }
+    first = i;
+  }
+  if (longest >= fewest_samples)
     record.warnings.push_back(fmt::format(
-        "{} is off centre by {:.4g} {} in cycle {}, {:.0f} % of its amplitude; centring removes this before the fit",
-        what, offset, unit, cycle.number, 100.0 * std::abs(offset) / amplitude));
+        "force stays at {:.4g} kN from sample {} to {} while the device moves {:.4g} mm: a clipped or dead channel?",
+        record.force_kN[longest_first], longest_first + 1, longest_first + longest,
+        std::abs(record.disp_mm[longest_first + longest - 1] - record.disp_mm[longest_first])));
+}
+
+// Stages of different amplitude: the reported cycle speaks for its own stage alone.
+void warn_of_stages(TestRecord& record, Properties const& properties) {
+  auto const [least, largest] = std::ranges::minmax(properties.cycles, {}, &Cycle::amplitude_mm);
+  if (largest.amplitude_mm < 1.1 * least.amplitude_mm) return;
+  record.warnings.push_back(fmt::format(
+      "cycles of several amplitudes, {:.4g} to {:.4g} mm: stiffness, energy and damping, and the laws' errors in them, "
+      "are "
+      "those of cycle {} at {:.4g} mm",
+      least.amplitude_mm, largest.amplitude_mm, properties.reported->number, properties.reported->amplitude_mm));
 }
 
 }  // namespace
@@ -207,9 +240,11 @@ void add_warnings(TestRecord& record) {
     record.warnings.push_back(fmt::format(
         "the first sample is at {:.4g} mm, {:.0f} % of the half range of {:.4g} mm: laws start at rest at zero",
         record.disp_mm.front(), 100.0 * std::abs(record.disp_mm.front()) / half_range, half_range));
+  warn_of_stuck_force(record, half_range);
   auto const properties = cyclic_properties(record.disp_mm, record.force_kN);
   if (!properties.refusal.empty()) record.warnings.push_back("no cyclic properties: " + properties.refusal);
   if (!properties.reported) return;
+  warn_of_stages(record, properties);
   double const samples = *properties.samples_per_cycle;
   double const angle = 2.0 * std::numbers::pi / samples;
   if (samples < 100.0)

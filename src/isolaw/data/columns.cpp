@@ -409,6 +409,15 @@ class Resolver {
     return written;
   }
 
+  // --units wins over the file, but not in silence.
+  void warn_of_other_unit(Channel channel, Column const& column, Unit const& used) {
+    if (!options_.units.contains(channel) || !has_names()) return;
+    auto const stated = parse_unit(dissect_name(header_.names[column.index]).unit);
+    if (stated && stated->symbol != used.symbol)
+      result_.warnings.push_back(fmt::format("{} says {}, and is read in {} as asked for by --units",
+                                             column_text(column.index, header_), stated->symbol, used.symbol));
+  }
+
   void resolve_unit(Channel channel, Column& column) {
     auto const text = column_text(column.index, header_);
     auto const allowed = known_units(dimension(channel));
@@ -435,6 +444,7 @@ class Resolver {
         return refuse(written[1].place, fmt::format("{} is in {} by its name and in {} by the row of units", text,
                                                     unit->symbol, second->symbol));
     }
+    warn_of_other_unit(channel, column, *unit);
     column.unit = unit;
     result_.recognised.push_back(
         fmt::format("{}: {}, {}; unit {} {}", name(channel), text, why_.at(channel), unit->symbol, first.source));

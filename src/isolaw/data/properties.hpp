@@ -1,5 +1,5 @@
 // Cyclic properties of a force-displacement history: cycles, effective stiffness, energy, equivalent viscous damping.
-// Formulas of EN 15129 and NTC 2018 (11.9.7): reference/domain.md sections 1.1 to 1.6.
+// Formulas of EN 15129 and NTC 2018 (11.9.7).
 #pragma once
 
 #include <optional>

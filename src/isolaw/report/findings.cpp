@@ -47,7 +47,7 @@ std::string accuracy(LawResult const& law) {
 }
 
 std::string scatter(LawResult const& law) {
-  return fmt::format("parameters stray up to {} from the lot's mean", percent(*law.beta));
+  return fmt::format("parameters lie up to {} from the lot's mean, averaged over the parameters", percent(*law.beta));
 }
 
 Verdict front_verdict(Summary const& summary, std::vector<std::size_t> const& front, std::size_t place) {

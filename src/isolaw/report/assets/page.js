@@ -1322,7 +1322,7 @@ function propertiesTable() {
     { title: 'Amplitude', unit: 'mm', number: true },
     ...(strained ? [{ title: 'Shear strain', unit: '%', number: true }] : []),
     { title: 'Effective stiffness', unit: 'kN/mm', number: true },
-    { title: 'Energy', unit: 'kN·m', number: true },
+    { title: 'Energy', unit: 'kN mm', number: true },
     { title: 'Damping', unit: '%', number: true },
     { title: 'Remark' },
   ];
@@ -1346,7 +1346,7 @@ function propertiesTable() {
           ? [device.rubber_thickness_mm ? fixed((100 * cycle.amplitude_mm) / device.rubber_thickness_mm, 0) : DASH]
           : []),
         significant(cycle.K_eff_kN_per_mm, 4),
-        significant(cycle.energy_kN_mm / 1000, 4),
+        fixed(cycle.energy_kN_mm, 0),
         fixed(cycle.damping_percent, 2),
         note(i === 0 ? remark : ''),
       ],
