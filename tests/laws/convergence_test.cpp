@@ -87,7 +87,7 @@ TEST(Order, ConvergedStepOfAbeIsFourth) {
   };
   double const reference = last_force(512);
   // Fewer steps would be cut into pieces, more come down to the error of the tabulated flow.
-  for (int const steps : {15, 16, 18}) {
+  for (int const steps : {16, 17, 18}) {
     double const order =
         std::log2(std::abs(last_force(steps) - reference) / std::abs(last_force(2 * steps) - reference));
     EXPECT_NEAR(order, 4.0, 0.5) << steps << " steps";

@@ -141,7 +141,7 @@ std::string file_name(std::size_t device) {
 
 std::string lot_text() {
   std::string text = R"toml(# The example lot: reconstructions, not measurements. See README.md.
-title = "Example lot, rebuilt from Table A.5: no measurement, its ranking proves nothing"
+title = "Example lot: rebuilt from Table A.5, not measured"
 
 [calibrate]              # the same keys as the options of `isolaw calibrate`
 laws = "all"

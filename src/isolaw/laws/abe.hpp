@@ -69,13 +69,13 @@ inline constexpr ParameterInfo Uh_info{.name = "Uh",
                                        .meaning = "displacement at which hardening begins",
                                        .physical = positive,
                                        .published = Interval{50.0, 150.0},
-                                       .scaled = {0.5, 4.0, disp}};
+                                       .scaled = {0.2, 4.0, disp}};
 inline constexpr ParameterInfo U0_info{.name = "U0",
                                        .unit = "mm",
                                        .meaning = "yield displacement",
                                        .physical = positive,
                                        .published = Interval{2.0, 6.0},
-                                       .scaled = {0.001, 0.3, disp},
+                                       .scaled = {0.005, 0.3, disp},
                                        .scaled_search = Scale::logarithmic};
 inline constexpr ParameterInfo Us_info{.name = "Us",
                                        .unit = "mm",
@@ -240,9 +240,9 @@ struct Abe {
       // Shorter pieces where |x|^p is not smooth (about x = 0) and where Ut changes within the step (a new peak).
       double const nearest = step.x0 * step.x1 <= 0.0 ? 0.0 : std::min(std::abs(step.x0), std::abs(step.x1));
       bool const rough = nearest < 4.0 * step.length || step.peak1 > step.peak0;
-      // Elsewhere no piece is longer than at 180 samples per sine cycle.
-      int const smooth = static_cast<int>(std::ceil(std::min(step.length / (0.035 * step.peak1), 64.0)));
-      int const pieces = std::max(nearest < 1.5 * step.length ? 8 : rough ? 4 : 1, smooth);
+      // Elsewhere no piece is longer than a sample of 200 per sine cycle.
+      int const smooth = static_cast<int>(std::ceil(std::min(step.length / (0.0317 * step.peak1), 64.0)));
+      int const pieces = std::max(nearest < 1.5 * step.length ? 8 : rough ? 6 : 1, smooth);
       double x = step.x0;
       for (int i = 1; i <= pieces; ++i) {
         double const end = i == pieces ? step.x1 : step.x0 + step.dx * i / pieces;
