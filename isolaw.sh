@@ -1,11 +1,14 @@
 #!/usr/bin/env bash
 # One front to the CMake presets; every step can be run by hand (the commands are printed as they run).
 #   ./isolaw.sh setup        install what is missing: Debian packages, one npm package
-#   ./isolaw.sh build        configure and build (preset `release`, or ISOLAW_PRESET=developer|sanitize)
+#   ./isolaw.sh build        configure and build (preset `release`, or ISOLAW_PRESET=developer|sanitize|sanitize-thread)
 #   ./isolaw.sh run          setup, build, identify the example lot into out/published-lot/
 #   ./isolaw.sh test         setup, build, run all tests
+#   ./isolaw.sh fuzz [SECONDS]  every fuzz target for so long (60), with clang; fails at a finding
 #   ./isolaw.sh bench        setup, build and run the benchmarks
+#   ./isolaw.sh study [--quick]  time the published study, its scaling and other programs; see docs/performance.md
 #   ./isolaw.sh lint         clang-format and clang-tidy, without changing files (lint --fix formats)
+#   ./isolaw.sh compilers    other compilers and processors against this one: the largest differences of any result
 #   ./isolaw.sh docs         the catalogue of laws from the laws' own files, into build/docs/
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
@@ -58,15 +61,38 @@ case "${1:-help}" in
     build
     step ctest --preset "$preset" -j "$(nproc)" "${@:2}"
     ;;
+  fuzz)
+    setup clang libclang-rt-14-dev
+    step cmake --preset fuzz
+    step cmake --build --preset fuzz
+    findings=0
+    for target in text lot_file store; do
+      # New inputs are kept aside; the committed corpus grows by hand, one minimised input per fault.
+      mkdir -p "build/fuzz/found/$target"
+      step "build/fuzz/fuzz/fuzz_$target" -max_total_time="${2:-60}" -timeout=20 -rss_limit_mb=4096 -print_final_stats=1 \
+        -artifact_prefix="build/fuzz/found/$target-" "build/fuzz/found/$target" "fuzz/corpus/$target" || findings=$((findings + 1))
+    done
+    [ "$findings" -eq 0 ] || { echo "isolaw.sh: $findings target(s) found a fault: build/fuzz/found/" >&2; exit 1; }
+    ;;
   bench)
     setup libbenchmark-dev
     step cmake --preset bench
     step cmake --build --preset bench
+    step build/bench/cli/isolaw bench
     step build/bench/bench/laws_bench "${@:2}"
+    step build/bench/bench/elementary_bench "${@:2}"
+    ;;
+  study)
+    # The programs that it compares with are measured where they are: python3-scipy, octave, libpagmo-dev.
+    setup libbenchmark-dev python3
+    step cmake --preset bench
+    step cmake --build --preset bench
+    step bench/study "${@:2}"
     ;;
   lint)
     install_missing clang-format clang-tidy
-    mapfile -t sources < <(git ls-files 'src/*.cpp' 'src/*.hpp' 'cli/*.cpp' 'tests/*.cpp' 'tests/*.hpp' 'bench/*.cpp')
+    mapfile -t sources < <(git ls-files 'src/*.cpp' 'src/*.hpp' 'cli/*.cpp' 'tests/*.cpp' 'tests/*.hpp' 'bench/*.cpp' 'bench/*.hpp'
+      'fuzz/*.cpp' 'fuzz/*.hpp')
     if [ "${2:-}" = --fix ]; then
       step clang-format -i "${sources[@]}"
     else
@@ -76,6 +102,10 @@ case "${1:-help}" in
       step clang-tidy -p build/developer --quiet "${units[@]}"
     fi
     ;;
+  compilers)
+    install_missing "${build_packages[@]}" clang
+    step tools/compilers.sh
+    ;;
   docs)
     setup
     build --target isolaw_cli
@@ -83,9 +113,9 @@ case "${1:-help}" in
     for law in $("build/$preset/cli/isolaw" laws | cut -d' ' -f1); do "build/$preset/cli/isolaw" laws "$law"; echo; done >build/docs/laws.txt
     echo "written: build/docs/laws.txt" >&2
     ;;
-  help | -h | --help) sed -n '2,10s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
+  help | -h | --help) sed -n '2,13s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
   *)
-    echo "isolaw.sh: unknown command '$1'; allowed: setup, build, run, test, bench, lint, docs" >&2
+    echo "isolaw.sh: unknown command '$1'; allowed: setup, build, run, test, fuzz, bench, study, lint, compilers, docs" >&2
     exit 2
     ;;
 esac

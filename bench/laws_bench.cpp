@@ -1,58 +1,91 @@
-// The hot path: one candidate of each law over one record of 600 samples, with both integrations.
+// The hot path, law by law: a block of candidates over one record of 600 samples, for every instruction set of this
+// machine, both widths of a block and both integrations; `scalar` is one candidate at a time.
 // Compare ratios within one run; the counter `per_sample` is the time per sample and candidate.
 #include <benchmark/benchmark.h>
 
-#include <cmath>
-#include <numbers>
+#include <array>
+#include <span>
+#include <string>
 #include <vector>
 
-#include "isolaw/laws/catalogue.hpp"
+#include "bench_record.hpp"
+#include "isolaw/fit/objective.hpp"
 
 namespace {
 
 using namespace isolaw;
 
-constexpr std::size_t samples = 600;
+constexpr std::size_t samples = 600, drawn = 4 * fit::wide_block;
 
-// +-208 mm at 0.5 Hz, 100 samples per second, in the law's units.
-laws::Path record_path(laws::LawInfo const& law) {
-  double const length = law.length.in_record_units, w = std::numbers::pi;
-  std::vector<double> x, v;
-  for (std::size_t i = 0; i < samples; ++i) {
-    double const t = 0.01 * static_cast<double>(i);
-    x.push_back(208.0 / length * std::sin(w * t));
-    v.push_back(208.0 / length * w * std::cos(w * t));
+struct Subject {
+  laws::LawEntry const& law;
+  laws::Integration integration;
+
+  std::vector<double> candidates(data::FitRecord const& record) const {
+    return bench::candidates(fit::make_box(law, fit::BoxKind::published, fit::scales_of(record, law.info), {}), drawn);
   }
-  return laws::make_path(x, v);
+};
+
+void count(benchmark::State& state, std::size_t candidates) {
+  state.counters["per_sample"] =
+      benchmark::Counter(static_cast<double>(samples * candidates),
+                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-// The middle of the published box; the middle of nothing where the paper has none.
-std::vector<double> middle(laws::LawEntry const& law) {
-  std::vector<double> values;
-  for (auto const& p : law.parameters)
-    values.push_back(p.published ? 0.5 * (p.published->lower + p.published->upper) : p.fixed_by_default.value_or(0.0));
-  return values;
-}
-
-void evaluate(benchmark::State& state, laws::LawEntry const& law, laws::Integration integration) {
-  auto const path = record_path(law.info);
-  auto const parameters = middle(law);
-  std::vector<double> force(samples);
+void one_at_a_time(benchmark::State& state, Subject const& subject) {
+  auto const record = bench::record(samples);
+  auto const candidates = subject.candidates(record);
+  fit::LawOnRecord const model(subject.law, record, subject.integration);
+  std::size_t const parameters = subject.law.parameters.size();
+  std::vector<double> force;
+  std::size_t next = 0;
   for (auto _ : state) {
-    law.evaluate(parameters, path, integration, force);
-    benchmark::DoNotOptimize(force.data());
-    benchmark::ClobberMemory();
+    benchmark::DoNotOptimize(model.objective(std::span(candidates).subspan(next * parameters, parameters), force));
+    next = (next + 1) % drawn;
   }
-  state.counters["per_sample"] = benchmark::Counter(
-      static_cast<double>(samples), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  count(state, 1);
+}
+
+void in_blocks(benchmark::State& state, Subject const& subject, fit::Kernel::Objectives kernel, std::size_t width) {
+  auto const record = bench::record(samples);
+  auto const candidates = subject.candidates(record);
+  auto const& info = subject.law.info;
+  auto const path = laws::make_path(bench::divided(record.disp_mm, info.length.in_record_units),
+                                    bench::divided(record.vel_mm_s, info.length.in_record_units));
+  auto const measured = bench::divided(record.force_kN, info.force.in_record_units);
+  std::vector<double> const weight(samples, 1.0 / samples);
+  std::vector<std::vector<double>> blocks;
+  for (std::size_t first = 0; first < drawn; first += width)
+    blocks.push_back(bench::block(candidates, subject.law.parameters.size(), first, width));
+  std::array<double, fit::wide_block> objectives{};
+  std::size_t next = 0;
+  for (auto _ : state) {
+    kernel(blocks[next].data(), {path, measured, weight}, subject.integration, objectives.data());
+    benchmark::DoNotOptimize(objectives.data());
+    benchmark::ClobberMemory();
+    next = (next + 1) % blocks.size();
+  }
+  count(state, width);
 }
 
 int const registered = [] {
   for (auto const& law : laws::catalogue())
     for (auto const integration : {laws::Integration::converged, laws::Integration::paper})
-      benchmark::RegisterBenchmark(
-          (std::string(law.info.id) + (integration == laws::Integration::paper ? "/paper" : "/converged")).c_str(),
-          [&law, integration](benchmark::State& state) { evaluate(state, law, integration); });
+      for (auto const set : fit::available_instruction_sets()) {
+        Subject const subject{law, integration};
+        auto const name = std::string(law.info.id) +
+                          (integration == laws::Integration::paper ? "/paper/" : "/converged/") +
+                          std::string(fit::name(set));
+        if (set == fit::InstructionSet::scalar) {
+          benchmark::RegisterBenchmark(name.c_str(), [=](auto& state) { one_at_a_time(state, subject); });
+          continue;
+        }
+        auto const kernel = fit::kernel(set, law.index);
+        benchmark::RegisterBenchmark((name + "/wide").c_str(),
+                                     [=](auto& state) { in_blocks(state, subject, kernel.wide, fit::wide_block); });
+        benchmark::RegisterBenchmark((name + "/narrow").c_str(),
+                                     [=](auto& state) { in_blocks(state, subject, kernel.narrow, fit::narrow_block); });
+      }
   return 0;
 }();
 

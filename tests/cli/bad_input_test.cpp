@@ -215,6 +215,31 @@ TEST_F(BadInput, sampling_interval_that_is_none) {
                  {"--dt", "0.1"});
 }
 
+TEST_F(BadInput, more_columns_rows_or_characters_than_any_test_has) {
+  std::string wide = "1";
+  for (int i = 0; i < 1000; ++i) wide += ",2";
+  write("wide.csv", wide + "\n" + wide + "\n");
+  expect_refusal("wide.csv", {"wide.csv: 1001 columns", "allowed: 1000 or fewer", "try: export time"});
+  write("line.csv", csv(record()) + std::string(100'000, '7') + "\n");
+  expect_refusal("line.csv", {"line.csv:603: a line of 100000 characters", "allowed: 32768 or fewer", "try: export"});
+  write("rows.csv", std::string(10'000'001, '\n'));
+  expect_refusal("rows.csv", {"rows.csv: 10000001 rows", "allowed: 10000000 or fewer", "try: thin the record"});
+}
+
+TEST_F(BadInput, units_that_make_no_isolator_are_warned_of) {
+  auto const inspected = [&](std::string const& head) {
+    write("units.csv", csv(record(), head));
+    auto const o = isolaw({"inspect", "units.csv"});
+    EXPECT_EQ(o.code, 0) << o;
+    return o.out;
+  };
+  EXPECT_FALSE(contains(inspected(header), "any isolator's"));
+  auto const stiff = inspected("time [s],displacement [mm],force [MN]");
+  EXPECT_TRUE(contains(stiff, "stiffer than any isolator's: are displacements really in mm and forces in MN?"));
+  EXPECT_TRUE(contains(stiff, "--units disp=UNIT,force=UNIT"));
+  EXPECT_TRUE(contains(inspected("time [s],displacement [m],force [N]"), "softer than any isolator's"));
+}
+
 // --- refused properties, but a fit ---------------------------------------------------------------------------------
 
 TEST_F(BadInput, fewer_than_20_samples_per_cycle_refuses_the_cyclic_properties_only) {
@@ -299,6 +324,23 @@ TEST_F(BadInput, with_a_sampling_interval_all_laws_run_as_with_a_time_column) {
 
 // --- numerics that do not succeed ----------------------------------------------------------------------------------
 
+// Candidates that fail on the way to a good run are counted and said, in every output.
+TEST_F(BadInput, parameter_sets_without_a_finite_force_are_counted_and_said) {
+  write("a.csv", csv(record()));
+  auto const o = isolaw({"calibrate", "a.csv", "--laws", "bouc-wen", "--set", "bouc-wen.beta=-0.05:0.05", "--runs", "2",
+                         "--population", "20", "--generations", "3", "--out", "O"});
+  EXPECT_EQ(o.code, 0) << o;
+  auto const fit = json("O/summary.json")["laws"][0]["devices"][0];
+  auto const failed = fit["failed_evaluations"].get<int>();
+  EXPECT_GT(failed, 0);
+  EXPECT_LT(failed, 120);
+  EXPECT_EQ(fit["evaluations"], 120);
+  EXPECT_EQ(query(path("O/campaign.sqlite"), "SELECT sum(failed_evaluations) FROM run"), Words{std::to_string(failed)});
+  EXPECT_TRUE(contains(o.out, fmt::format("{} of 120 parameter sets tried", failed)));
+  EXPECT_TRUE(contains(read("O/tables/objective.csv"), fmt::format(",120,{},", failed)));
+  EXPECT_TRUE(contains(read("O/report.html"), fmt::format("\"failed_evaluations\":{}", failed)));
+}
+
 TEST_F(BadInput, a_law_without_any_finite_force_is_a_failed_law_not_a_failed_campaign) {
   // Bouc-Wen has no bounded force where beta + gamma < 0.
   write("a.csv", csv(record()));
@@ -317,6 +359,12 @@ TEST_F(BadInput, a_law_without_any_finite_force_is_a_failed_law_not_a_failed_cam
   EXPECT_EQ(laws[1]["devices"][0]["status"], "ok");
   EXPECT_EQ(query(path("O/campaign.sqlite"), "SELECT DISTINCT law, outcome, objective FROM run WHERE law = 'bouc-wen'"),
             Words{"bouc-wen|no_finite_value|NULL"});
+  EXPECT_EQ(failed["evaluations"], 16);
+  EXPECT_EQ(failed["failed_evaluations"], 16);
+  EXPECT_EQ(query(path("O/campaign.sqlite"),
+                  "SELECT message, evaluations, failed_evaluations FROM run WHERE law = "
+                  "'bouc-wen' AND number = 1"),
+            Words{"none of the first 8 parameter sets gave a finite force|8|8"});
   EXPECT_EQ(isolaw({"report", "O"}).code, 1);
 }
 

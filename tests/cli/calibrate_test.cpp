@@ -106,9 +106,9 @@ TEST_F(Calibrate, summary_has_the_documented_schema) {
     ASSERT_EQ(law["devices"].size(), 10u);
     for (std::size_t d = 0; d < 10; ++d) {
       auto const& fit = law["devices"][d];
-      EXPECT_EQ(keys(fit),
-                (Words{"name", "objective", "K_eff_error_percent", "energy_error_percent", "damping_error_percent",
-                       "integration_shift", "parameters", "status", "message", "runs", "failed_runs"}));
+      EXPECT_EQ(keys(fit), (Words{"name", "objective", "K_eff_error_percent", "energy_error_percent",
+                                  "damping_error_percent", "integration_shift", "parameters", "status", "message",
+                                  "runs", "failed_runs", "evaluations", "failed_evaluations"}));
       EXPECT_EQ(fit["name"], s["devices"][d]["name"]);
       expect_statistic(fit["objective"]);
       for (auto const* key : {"K_eff_error_percent", "energy_error_percent", "damping_error_percent"})
@@ -116,6 +116,8 @@ TEST_F(Calibrate, summary_has_the_documented_schema) {
       EXPECT_GE(fit["integration_shift"].get<double>(), 0.0);
       EXPECT_EQ(fit["runs"], 2);
       EXPECT_EQ(fit["failed_runs"], 0);
+      EXPECT_GT(fit["evaluations"], 0);
+      EXPECT_EQ(fit["failed_evaluations"], 0);
       EXPECT_EQ(fit["status"], "ok");
       ASSERT_EQ(fit["parameters"].size(), expected.parameters.size());
       for (auto const& [name, unit] : expected.parameters) {
@@ -285,7 +287,8 @@ TEST_F(Calibrate, tables_have_units_in_their_headers_and_every_device_and_law) {
   ASSERT_EQ(calibrate("O").code, 0);
   auto const objective = read("O/tables/objective.csv");
   EXPECT_TRUE(
-      objective.starts_with("law,device,mean OF [-],std OF [-],best OF [-],runs,failed runs,K_eff error [%],"
+      objective.starts_with("law,device,mean OF [-],std OF [-],best OF [-],runs,failed runs,evaluations,"
+                            "failed evaluations,K_eff error [%],"
                             "energy error [%],damping error [%]"));
   EXPECT_EQ(count_of("\n", objective), 71u);
   auto const properties = read("O/tables/properties.csv");
@@ -312,7 +315,7 @@ TEST_F(Calibrate, store_holds_raw_and_cleaned_records_and_the_objectives_history
             (Words{"fit|disp_mm|601", "fit|force_kN|601", "fit|time_s|601", "fit|vel_mm_s|601", "raw|disp_mm|601",
                    "raw|force_kN|601", "raw|load_kN|601", "raw|time_s|601"}));
   EXPECT_EQ(query(store, "SELECT DISTINCT length(history) / 8, evaluations FROM run"), Words{"5|100"});
-  EXPECT_EQ(query(store, "SELECT value FROM meta WHERE key = 'schema'"), Words{"1"});
+  EXPECT_EQ(query(store, "SELECT value FROM meta WHERE key = 'schema'"), Words{"2"});
   EXPECT_EQ(query(store, "PRAGMA journal_mode"), Words{"delete"});
 }
 
@@ -329,7 +332,8 @@ TEST_F(Calibrate, one_device_has_no_robustness_and_says_so) {
   auto const o = isolaw(Words{"calibrate", "one.csv", "--out", "O", "--laws", "bilinear,bouc-wen"} + reduced);
   EXPECT_EQ(o.code, 0) << o;
   EXPECT_TRUE(contains(o.out, "one device"));
-  for (auto const& law : json("O/summary.json")["laws"]) {
+  auto const summary = json("O/summary.json");
+  for (auto const& law : summary["laws"]) {
     EXPECT_TRUE(law["beta"].is_null());
     EXPECT_TRUE(contains(law["beta_note"].get<std::string>(), "one device"));
     EXPECT_EQ(law["on_front"], false);

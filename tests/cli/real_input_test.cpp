@@ -61,7 +61,8 @@ TEST_F(Bearing, without_a_sampling_interval_the_two_laws_that_need_velocity_are_
   if (!fs::exists(file)) GTEST_SKIP() << "measured data are not here: " << file;
   auto const o = isolaw(Words{"calibrate", file} + reduced);
   EXPECT_EQ(o.code, 1) << o;
-  for (auto const& law : json("O/summary.json")["laws"]) {
+  auto const summary = json("O/summary.json");
+  for (auto const& law : summary["laws"]) {
     auto const& fit = law["devices"].at(0);
     bool const needs_time = law["id"] == "jankowski" || law["id"] == "hwang-wu";
     EXPECT_EQ(fit["status"], needs_time ? "refused" : "ok") << law["id"];

@@ -233,7 +233,7 @@ TEST_F(Changed, a_store_of_a_newer_schema_is_refused) {
             SQLITE_OK);
   sqlite3_close(db);
   for (auto const& o : {run(), isolaw({"report", "O"})})
-    expect_refused(o, {"O/campaign.sqlite", "schema version 99", "version 1", "the version of isolaw that wrote it"});
+    expect_refused(o, {"O/campaign.sqlite", "schema version 99", "version 2", "the version of isolaw that wrote it"});
 }
 
 TEST_F(Changed, a_damaged_store_is_refused_without_a_crash) {

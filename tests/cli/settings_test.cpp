@@ -169,6 +169,19 @@ TEST_F(Settings, paper_and_converged_integration_give_other_objectives) {
   EXPECT_LT(converged["laws"][0]["devices"][0]["integration_shift"].get<double>(), 1e-4);
 }
 
+TEST_F(Settings, turning_points_between_the_samples_are_an_option_that_is_stored_and_reported) {
+  write("one.csv", csv(record({.per_cycle = 199})));  // peaks between samples
+  ASSERT_EQ(run({"--turning-points", "interpolated"}, "bouc-wen").code, 0);
+  auto const interpolated = json("O/summary.json");
+  EXPECT_EQ(isolaw({"check", "O"}).code, 0);
+  ASSERT_EQ(run({}, "bouc-wen").code, 0);
+  auto const sampled = json("O/summary.json");
+  EXPECT_EQ(interpolated["settings"]["turning-points"], "interpolated");
+  EXPECT_EQ(sampled["settings"]["turning-points"], "sampled");
+  EXPECT_NE(interpolated["laws"][0]["objective"], sampled["laws"][0]["objective"]);
+  expect_refused(run({"--turning-points", "rounded"}), {"turning-points", "'rounded'", "sampled, interpolated"});
+}
+
 TEST_F(Settings, unknown_words_are_refused_with_the_known_ones) {
   expect_refused(run({"--box", "wide"}), {"--box", "'wide'", "published, auto"});
   expect_refused(run({"--integration", "rk"}), {"--integration", "'rk'", "converged, paper"});

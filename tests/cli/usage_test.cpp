@@ -60,6 +60,29 @@ TEST_F(Usage, text_where_a_number_belongs_is_refused) {
   expect_refused(isolaw({"calibrate", "lot.toml", "--runs", "99999999999"}), {"--runs", "99999999999"});
 }
 
+TEST_F(Usage, every_refusal_says_who_speaks_what_is_allowed_and_what_to_try) {
+  auto const said = [&](Words const& words) {
+    auto const o = isolaw(words);
+    EXPECT_EQ(o.code, 2) << o;
+    EXPECT_TRUE(o.err.starts_with("isolaw: ")) << o;
+    EXPECT_EQ(o.out, "");
+    EXPECT_TRUE(contains(o.err, "; try: "));
+    return o.err;
+  };
+  EXPECT_TRUE(contains(said({}), "allowed: calibrate, init, inspect, report"));
+  EXPECT_TRUE(contains(said({"calibrat"}), "try: isolaw calibrate, or isolaw --help"));
+  EXPECT_TRUE(contains(said({"calibrate", "x", "--rums", "3"}), "isolaw: --rums: no such option; allowed: "));
+  EXPECT_TRUE(contains(said({"calibrate", "x", "--rums=3"}), "try: --runs, or isolaw calibrate --help"));
+  EXPECT_TRUE(contains(said({"--bogus"}), "isolaw: --bogus: no such option"));
+  EXPECT_TRUE(contains(said({"laws", "abe", "vaiana"}), "isolaw: vaiana: nothing more is expected here"));
+  EXPECT_TRUE(contains(said({"calibrate"}), "isolaw calibrate: inputs is required; try: isolaw calibrate --help"));
+  EXPECT_TRUE(contains(said({"calibrate", "x", "--runs", "many"}),
+                       "isolaw: --runs: 'many' is no whole number of ordinary size; allowed: independent runs"));
+  EXPECT_TRUE(contains(said({"calibrate", "x", "--jobs", "5000"}), "isolaw: --jobs: '5000' is not allowed; allowed: "));
+  EXPECT_TRUE(contains(said({"inspect", "x", "--dt", "fast"}), "isolaw: --dt: 'fast' is no number"));
+  EXPECT_TRUE(contains(said({"calibrate", "x", "--out"}), "isolaw: --out: needs a value"));
+}
+
 TEST_F(Usage, output_that_cannot_be_written_is_no_success) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this system";
   for (Words const& command : {Words{"laws"}, Words{"laws", "--json"}, Words{"--help"}}) {
@@ -118,7 +141,8 @@ TEST_F(Catalogue, knows_the_published_boxes) {
   EXPECT_EQ(bilinear[1]["published"], Json({0.35, 0.95}));
   EXPECT_EQ(bilinear[2]["published"], Json({30.0, 80.0}));
   // Vaiana's sigmoid is not calibrated there: fixed at zero.
-  for (auto const& parameter : Json::parse(isolaw({"laws", "vaiana", "--json"}).out)["parameters"]) {
+  auto const vaiana = Json::parse(isolaw({"laws", "vaiana", "--json"}).out);
+  for (auto const& parameter : vaiana["parameters"]) {
     bool const sigmoid = parameter["name"].get<std::string>().starts_with("gamma");
     EXPECT_EQ(parameter["fixed"], sigmoid ? Json(0.0) : Json(nullptr)) << parameter;
     EXPECT_EQ(parameter["published"].is_null(), sigmoid) << parameter;

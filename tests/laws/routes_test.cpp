@@ -1,10 +1,12 @@
-// Every route to a force gives the same force: a double, a lane of a batch, the value of a derivative number, the
-// catalogue. And the derivative is that of the value.
+// Every route to a force gives the same force: a double, the value of a derivative number, the catalogue to the last bit,
+// a lane of a batch within rounding. And the derivative is that of the value. The batches here are those of the compiler's
+// baseline; tests/unit/fit_kernels_test.cpp does the same for every instruction set.
 #include "isolaw/num/batch.hpp"
 #include "isolaw/num/dual.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -23,8 +25,12 @@ namespace {
 using laws::Integration;
 using laws::parameter_count;
 
-constexpr std::size_t width = 4;
+// Two vectors, so that lanes of the same and of different ones are neighbours.
+constexpr std::size_t width = 2 * num::vector_lanes;
 using Lanes = num::Batch<width>;
+// Of the peak force. Batches have their own exp, exp2 and log2, one or two units in the last place from those of the
+// library, and write a power as one operation; the largest difference seen is TOL_SEEN.
+constexpr double lane_tolerance = 1e-11;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 template <class Law>
@@ -41,17 +47,21 @@ Group<Law> group_from(std::uint32_t first) {
   return group;
 }
 
-// Forces of each lane when the four candidates go through the law as one batch.
+// Forces of each lane when the candidates go through the law as one batch.
 template <class Law>
 std::array<std::vector<double>, width> batch_forces(Group<Law> const& group, laws::Path const& path,
                                                     Integration integration) {
   std::array<Lanes, parameter_count<Law>> packed{};
-  for (std::size_t i = 0; i < packed.size(); ++i)
-    for (std::size_t lane = 0; lane < width; ++lane) packed[i].lane[lane] = group[lane][i];
+  std::array<double, width> lanes{};
+  for (std::size_t i = 0; i < packed.size(); ++i) {
+    for (std::size_t lane = 0; lane < width; ++lane) lanes[lane] = group[lane][i];
+    packed[i] = Lanes::load(lanes.data());
+  }
   std::array<std::vector<double>, width> out;
   for (auto& force : out) force.resize(path.samples());
   laws::run<Law, Lanes>(laws::unpack<Law, Lanes>(packed), path, integration, [&](std::size_t i, Lanes const& force) {
-    for (std::size_t lane = 0; lane < width; ++lane) out[lane][i] = force.lane[lane];
+    force.store(lanes.data());
+    for (std::size_t lane = 0; lane < width; ++lane) out[lane][i] = lanes[lane];
   });
   return out;
 }
@@ -65,47 +75,66 @@ std::array<std::vector<double>, width> batch_forces(Group<Law> const& group, law
   return ::testing::AssertionSuccess();
 }
 
+double worst=0;// Not finite where the scalar is not; elsewhere within lane_tolerance of the peak force so far.
+::testing::AssertionResult agrees(std::vector<double> const& lane, std::vector<double> const& scalar) {
+  double peak = 0.0;
+  for (std::size_t i = 0; i < scalar.size(); ++i) {
+    if (!std::isfinite(lane[i]) && !std::isfinite(scalar[i])) continue;
+    peak = std::max(peak, std::abs(scalar[i]));
+    worst=std::max(worst,std::abs(lane[i] - scalar[i])/(peak+1e-300));
+    if (!(std::abs(lane[i] - scalar[i]) <= lane_tolerance * peak))
+      return ::testing::AssertionFailure() << "sample " << i << ": " << lane[i] << " against " << scalar[i]
+                                           << ", the peak force so far is " << peak;
+  }
+  return ::testing::AssertionSuccess();
+}
+
 Motion some_motion() {
   return irregular(7, 150.0, 4, 40);
 }
 
-TYPED_TEST(Routes, ALaneIsAScalar) {
+// Where a Runge-Kutta step is too long to be stable, as those of bouc-wen are between the samples of some_motion, rounding
+// grows with every step: `paper` gets steps that are shorter by this factor.
+constexpr int stable = 4;
+
+TYPED_TEST(Routes, ALaneIsAScalar) {worst=0;struct P{~P(){printf("WORST %s %.2e\n",TypeParam::info.id.data(),worst);}}pp;
   for (auto const integration : both_integrations)
     for (int const refinement : {1, 3}) {
-      auto const path = path_of<TypeParam>(some_motion(), refinement);
-      for (std::uint32_t first = 0; first < 20; first += width) {
+      auto const path =
+          path_of<TypeParam>(some_motion(), integration == Integration::paper ? stable * refinement : refinement);
+      for (std::uint32_t first = 0; first < 2000; first += width) {
         auto const group = group_from<TypeParam>(first);
         auto const lanes = batch_forces<TypeParam>(group, path, integration);
         for (std::size_t lane = 0; lane < width; ++lane)
-          EXPECT_TRUE(same(lanes[lane], forces<TypeParam>(group[lane], path, integration)))
+          EXPECT_TRUE(agrees(lanes[lane], forces<TypeParam>(group[lane], path, integration)))
               << name_of(integration) << ", lane " << lane << ": " << describe<TypeParam>(group[lane]);
       }
     }
 }
 
-// A population that is no multiple of the width: whatever fills the last batch, its real lanes do not notice.
-TYPED_TEST(Routes, APaddedTailIsAScalar) {
+// Whatever fills the other lanes, in front of it or behind, a candidate has the same force to the last bit.
+TYPED_TEST(Routes, ALaneDoesNotNoticeItsNeighbours) {
   auto const path = path_of<TypeParam>(some_motion());
-  for (auto const integration : both_integrations)
-    for (std::size_t real = 1; real < width; ++real) {
-      auto copies = group_from<TypeParam>(40), zeros = copies;
-      for (std::size_t lane = real; lane < width; ++lane) {
-        copies[lane] = copies[real - 1];
-        zeros[lane].fill(0.0);
-      }
-      for (auto const& group : {copies, zeros}) {
-        auto const lanes = batch_forces<TypeParam>(group, path, integration);
-        for (std::size_t lane = 0; lane < real; ++lane)
-          EXPECT_TRUE(same(lanes[lane], forces<TypeParam>(group[lane], path, integration)))
-              << name_of(integration) << ", lane " << lane << " of " << real;
-      }
+  for (auto const integration : both_integrations) {
+    auto const group = group_from<TypeParam>(40);
+    auto const lanes = batch_forces<TypeParam>(group, path, integration);
+    for (std::size_t real = 0; real < width; ++real) {
+      Group<TypeParam> copies, zeros{}, turned;
+      copies.fill(group[real]);
+      zeros[real] = group[real];
+      std::ranges::rotate_copy(group, group.begin() + static_cast<std::ptrdiff_t>(real), turned.begin());
+      EXPECT_TRUE(same(batch_forces<TypeParam>(copies, path, integration)[real], lanes[real])) << name_of(integration);
+      EXPECT_TRUE(same(batch_forces<TypeParam>(zeros, path, integration)[real], lanes[real])) << name_of(integration);
+      EXPECT_TRUE(same(batch_forces<TypeParam>(turned, path, integration)[0], lanes[real])) << name_of(integration);
     }
+  }
 }
 
 TYPED_TEST(Routes, ANaNStaysInItsLane) {
   auto const path = path_of<TypeParam>(some_motion());
   auto const clean = group_from<TypeParam>(60);
-  for (auto const integration : both_integrations)
+  for (auto const integration : both_integrations) {
+    auto const expected = batch_forces<TypeParam>(clean, path, integration);
     for (std::size_t sick = 0; sick < width; ++sick)
       for (std::size_t parameter = 0; parameter <= parameter_count<TypeParam>; ++parameter) {
         auto group = clean;
@@ -114,12 +143,14 @@ TYPED_TEST(Routes, ANaNStaysInItsLane) {
         else
           group[sick][parameter] = nan;
         auto const lanes = batch_forces<TypeParam>(group, path, integration);
-        for (std::size_t lane = 0; lane < width; ++lane) {
-          if (lane == sick) continue;
-          EXPECT_TRUE(same(lanes[lane], forces<TypeParam>(group[lane], path, integration)))
-              << name_of(integration) << ", NaN in parameter " << parameter << " of lane " << sick;
-        }
+        for (std::size_t lane = 0; lane < width; ++lane)
+          if (lane == sick)
+            EXPECT_FALSE(all_finite(lanes[lane])) << name_of(integration) << ", NaN in parameter " << parameter;
+          else
+            EXPECT_TRUE(same(lanes[lane], expected[lane]))
+                << name_of(integration) << ", NaN in parameter " << parameter << " of lane " << sick;
       }
+  }
 }
 
 // A parameter that is not a number must not vanish in a comparison and leave a plausible force.
@@ -152,17 +183,21 @@ Values<Law> overflowing() {
 // Sampled finely, so that one Runge-Kutta step per sample is stable for the neighbours.
 TYPED_TEST(Routes, AnOverflowStaysInItsLane) {
   auto const path = path_of<TypeParam>(irregular(7, 150.0, 2, 1000, 0.0));
-  for (auto const integration : both_integrations)
+  for (auto const integration : both_integrations) {
+    auto const clean = group_from<TypeParam>(100);
+    auto const expected = batch_forces<TypeParam>(clean, path, integration);
     for (std::size_t sick = 0; sick < width; ++sick) {
-      auto group = group_from<TypeParam>(100);
+      auto group = clean;
       group[sick] = overflowing<TypeParam>();
       auto const lanes = batch_forces<TypeParam>(group, path, integration);
-      for (std::size_t lane = 0; lane < width; ++lane) {
-        EXPECT_TRUE(same(lanes[lane], forces<TypeParam>(group[lane], path, integration)))
-            << name_of(integration) << ", lane " << lane;
-        EXPECT_EQ(all_finite(lanes[lane]), lane != sick) << name_of(integration) << ", lane " << lane;
-      }
+      for (std::size_t lane = 0; lane < width; ++lane)
+        if (lane == sick)
+          EXPECT_FALSE(all_finite(lanes[lane])) << name_of(integration) << ", lane " << lane;
+        else
+          EXPECT_TRUE(all_finite(lanes[lane]) && same(lanes[lane], expected[lane]))
+              << name_of(integration) << ", lane " << lane;
     }
+  }
 }
 
 TYPED_TEST(Routes, TheCatalogueIsAScalar) {

@@ -73,7 +73,8 @@ TEST(Regression, Objectives) {
   auto const before = expected();
   ASSERT_EQ(before.size(), now.size());
   // Other compilers and mathematical libraries move the last digits; the model moves the first ones.
-  for (auto const& [key, value] : now) EXPECT_NEAR(value, before.at(key), 1e-9 * (1.0 + value)) << key;
+  for (auto const& [key, value] : now)
+    EXPECT_NEAR(value, before.at(key), fit::evaluation_tolerance * before.at(key)) << key;
 }
 
 }  // namespace

@@ -100,6 +100,8 @@ inline void expect_same(Run const& a, Run const& b) {
   EXPECT_TRUE(same(a.integration_shift, b.integration_shift))
       << what << ": " << a.integration_shift << ", " << b.integration_shift;
   EXPECT_EQ(a.evaluations, b.evaluations) << what;
+  EXPECT_EQ(a.failed_evaluations, b.failed_evaluations) << what;
+  EXPECT_EQ(a.failure, b.failure) << what;
   expect_same(a.parameters, b.parameters, what + " parameters");
   expect_same(a.history, b.history, what + " history");
 }

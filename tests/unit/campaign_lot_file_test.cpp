@@ -19,7 +19,9 @@ using testing::expect_same;
 
 class LotFileTest : public testing::Folder {
  protected:
-  Lot read(std::string_view text) const { return read_lot_file(write("lot.toml", text)); }
+  Lot read(std::string_view text, LotFileOptions const& options = {}) const {
+    return read_lot_file(write("lot.toml", text), options);
+  }
 
   // The complaints, one a line, without the folder's name; "" when the file was read.
   std::string complaints(std::string_view text) const {
@@ -223,6 +225,115 @@ TEST_F(LotFileTest, DevicesThatAreNoneHaveTheirLine) {
   expect_parts(complaints("[[device]]\nfiles = []\n"), {"lot.toml:1", "without a file"});
 }
 
+// Files of others -----------------------------------------------------------------------------------------------
+
+TEST_F(LotFileTest, FilesOutsideTheFolderHaveTheirLine) {
+  std::string const rest = "files in the folder of the lot file or below it";
+  std::filesystem::create_directory_symlink("/", folder / "link");
+  for (std::string const file : {"../b.csv", "sub/../../b.csv", "/etc/passwd", "link/etc/passwd"})
+    expect_parts(complaints("[[device]]\nname = \"A\"\nfile = \"" + file + "\"\n"),
+                 {"lot.toml:1: file '" + file + "' leads outside, to /", rest, "--allow-outside"});
+  std::filesystem::create_symlink("nowhere/yet.csv", folder / "dangling.csv");
+  expect_parts(complaints("[[device]]\nfile = \"dangling.csv\"\n"), {"leads outside, to nowhere/yet.csv"});
+  std::filesystem::create_symlink("circle.csv", folder / "circle.csv");
+  expect_parts(complaints("[[device]]\nfile = \"circle.csv\"\n"), {"leads outside"});
+  EXPECT_EQ(read("[[device]]\nfile = \"../b.csv\"\n", {.allow_outside = true}).devices.size(), 1u);
+}
+
+TEST_F(LotFileTest, FilesInTheFolderMayTakeAnyWayThere) {
+  write("sub/a.csv", "x");
+  std::filesystem::create_symlink("sub/a.csv", folder / "within.csv");
+  for (std::string const file : {"sub/../a.csv", "sub/a.csv", "./a.csv", "within.csv", "..a.csv"})
+    EXPECT_EQ(complaints("[[device]]\nfile = \"" + file + "\"\n"), "");
+  EXPECT_EQ(complaints("[[device]]\nfile = \"" + (folder / "sub/a.csv").string() + "\"\n"), "");
+}
+
+TEST_F(LotFileTest, ResultsStayBelowTheCurrentDirectory) {
+  for (std::string const out : {"/tmp/x", "../x", "a/../../x", ".", ""})
+    expect_parts(
+        calibrate("out = \"" + out + "\""),
+        {"lot.toml:3: out: '" + out + "' is not below the current directory", "--out DIR on the command line"});
+  EXPECT_EQ(calibrate("out = \"out/x\""), "");
+  EXPECT_EQ(read("[calibrate]\nout = \"/tmp/x\"\n[[device]]\nfile = \"a.csv\"\n", {.other_out = true}).devices.size(),
+            1u);
+}
+
+TEST_F(LotFileTest, ControlCharactersAreRefused) {
+  expect_parts(complaints("title = \"a\\nb\"\n[[device]]\nfile = \"a.csv\"\n"),
+               {"lot.toml:1: title: 'a\\nb' holds control characters", "printable text"});
+  for (std::string const key : {"serial", "lot", "test-date"})
+    expect_parts(device(key + " = \"\\u001b[31mred\""), {"lot.toml:4: " + key + ": '\\x1b[31mred' holds control"});
+  expect_parts(complaints("[[device]]\nname = \"x\\u202ey\"\nfile = \"a.csv\"\n"), {"lot.toml:2: name: 'x\\u202ey'"});
+  expect_parts(complaints("[[device]]\nfile = [\"a.csv\", \"b\\u0007\"]\n"), {"lot.toml:2: file: 'b\\x07'"});
+  auto const said = complaints("\"k\\u001b\" = 1\n[[device]]\nfile = \"a.csv\"\n");
+  expect_parts(said, {"unknown key 'k\\x1b'"});
+  EXPECT_EQ(said.find('\x1b'), std::string::npos);
+}
+
+TEST_F(LotFileTest, NamesHaveALongestLength) {
+  EXPECT_EQ(device("serial = \"" + std::string(longest_name, 'x') + "\""), "");
+  expect_parts(device("serial = \"" + std::string(longest_name + 1, 'x') + "\""),
+               {"lot.toml:4: serial: ", "is 513 bytes long", "512 or fewer"});
+}
+
+// toml++ takes tables apart by recursion: a hundred thousand of them end its stack.
+TEST_F(LotFileTest, DeepNestingIsRefused) {
+  std::string const found = "nested deeper than any lot file needs";
+  auto const repeated = [](std::string_view part, std::size_t times) {
+    std::string text;
+    for (std::size_t i = 0; i < times; ++i) text += part;
+    return text;
+  };
+  expect_parts(complaints("\n" + repeated("a.", 1'000'000) + "a = 1\n"), {"lot.toml:2: ", found});
+  expect_parts(complaints("[" + repeated("a.", 1'000'000) + "a]\n"), {"lot.toml:1: ", found});
+  expect_parts(complaints("a = " + repeated("[", 1'000'000)), {found});
+  expect_parts(complaints("a = " + repeated("{a.a.a=[\n", 200'000)), {"lot.toml:", found});
+  expect_parts(complaints("a = \"\"\"\"\\\"\"\"\"\nb = 'x' # '\n" + repeated("a.", 1'000'000) + "a = 1\n"),
+               {"lot.toml:3: ", found});
+  // Text, comments and many short tables are no nesting.
+  EXPECT_EQ(complaints("title = \"" + repeated("[{.", 150) + "\" # " + repeated("[{.", 200) +
+                       "\n[[device]]\nfile = \"a.csv\"\n"),
+            "");
+}
+
+TEST_F(LotFileTest, DevicesHaveALargestNumber) {
+  std::string text;
+  for (std::size_t i = 0; i < most_devices; ++i) text += fmt::format("[[device]]\nfile = \"{}.csv\"\n", i);
+  EXPECT_EQ(read_lot_text(text, folder / "lot.toml").devices.size(), most_devices);
+  expect_parts(complaints(text + "[[device]]\nfile = \"x.csv\"\n"), {"10001 devices", "10000 or fewer"});
+}
+
+TEST_F(LotFileTest, ADeviceHasALargestNumberOfFiles) {
+  std::string files;
+  for (int i = 0; i < 1001; ++i) files += "\"a.csv\",";
+  expect_parts(complaints("[[device]]\nfiles = [" + files + "]\n"),
+               {"lot.toml:2: 'files' lists 1001 texts", "1000 or fewer"});
+}
+
+TEST_F(LotFileTest, ALargeOrSpecialFileIsNotRead) {
+  auto const file = write("large.toml", "x");
+  std::filesystem::resize_file(file, std::uintmax_t{1} << 40);  // a hole: takes no space
+  auto const said = [](std::filesystem::path const& path) -> std::string {
+    try {
+      read_lot_file(path);
+    } catch (Error const& error) {
+      return error.what();
+    }
+    return "";
+  };
+  expect_parts(said(file), {"large.toml: is 1048576.00 MiB large, above 16 MiB", "a lot file in TOML"});
+  expect_parts(said("/dev/zero"), {"/dev/zero: is a device"});
+  expect_parts(said(folder), {"is a directory"});
+}
+
+TEST_F(LotFileTest, ManyMistakesAreSaidInPart) {
+  std::string text;
+  for (int i = 0; i < 1000; ++i) text += fmt::format("k{} = 1\n", i);
+  auto const said = complaints(text + "[[device]]\nfile = \"a.csv\"\n");
+  EXPECT_EQ(std::ranges::count(said, '\n'), 50);
+  expect_parts(said, {"and more of the kind"});
+}
+
 TEST_F(LotFileTest, EveryProblemIsSaidAtOnce) {
   auto const said = complaints(
       "titel = 1\n[calibrate]\nruns = \"x\"\nbox = \"wide\"\nlows = \"all\"\n[[device]]\nname = \"A\"\n"
@@ -251,13 +362,13 @@ void expect_same(DeviceInput const& a, DeviceInput const& b) {
 
 TEST_F(LotFileTest, WrittenDevicesReadBack) {
   Lot lot;
-  lot.title = "O'Brien's \"lot\" <1>\nsecond line – ½";
+  lot.title = "O'Brien's \"lot\" <1>, second line – ½";
   DeviceInput first;
   first.name = "A \"1\"\\x";
   first.files = {folder / "records" / "a 'b'.csv"};
   first.shown_file = "records/a 'b'.csv";
   first.info = {.serial = "0001",
-                .lot = "L\t7",
+                .lot = "L\\\"7",
                 .test_date = "2023-05-11",
                 .temperature_C = -3.25,
                 .rubber_thickness_mm = 208.0,
@@ -277,7 +388,7 @@ TEST_F(LotFileTest, WrittenDevicesReadBack) {
   elsewhere.shown_file = "/data/somewhere/else.csv";
   lot.devices = {first, second, elsewhere};
   auto const text = lot_file_text(lot, folder);
-  auto const back = read(text);
+  auto const back = read(text, {.allow_outside = true});
   EXPECT_EQ(back.title, lot.title);
   ASSERT_EQ(back.devices.size(), 3u) << text;
   for (std::size_t i = 0; i < 3; ++i) {

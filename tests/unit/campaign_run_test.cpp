@@ -205,7 +205,8 @@ TEST_F(CampaignTest, EveryRunIsThereOnceAndIsWhatItSays) {
     EXPECT_EQ(r.outcome, Outcome::all_generations);
     ASSERT_EQ(r.history.size(), 5u);
     EXPECT_TRUE(std::ranges::is_sorted(r.history, std::greater{}));  // never rises
-    EXPECT_EQ(r.history.back(), r.objective);
+    // The population was evaluated in blocks, the result on the scalar path.
+    EXPECT_NEAR(r.history.back(), r.objective, fit::block_tolerance * r.objective);
     for (std::size_t i = 0; i < r.parameters.size(); ++i) {
       auto const& p = search.box.parameters[i];
       if (p.free) {

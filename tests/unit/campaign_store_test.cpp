@@ -87,30 +87,39 @@ Contents full() {
   no_time.record.force_kN = {2.0};
   c.devices = {first, refused, no_time};
 
-  fit::SearchBox box;
-  box.parameters = {{.name = attack,
-                     .unit = "1/(N cm)",
-                     .free = true,
-                     .value = 0.0,
-                     .lower = -5e-6,
-                     .upper = -1e-9,
-                     .scale = laws::Scale::logarithmic},
-                    {.name = "K2",
-                     .unit = "",
-                     .free = false,
-                     .value = 0.1 + 0.2,
-                     .lower = 0.30000000000000004,
-                     .upper = 0.30000000000000004,
-                     .scale = laws::Scale::linear},
-                    {.name = "K1", .unit = "kN/mm", .free = true, .value = 0.0, .lower = 1.0, .upper = 2.0}};
-  for (auto const& law : c.settings.laws) c.searches.push_back({.device = 0, .law = law, .refusal = "", .box = box});
+  // Each law's own parameters, the first three of them with values that are hard to keep.
+  auto const box_of = [](std::string const& law) {
+    fit::SearchBox box;
+    for (auto const& info : laws::find_law(law).parameters)
+      box.parameters.push_back(
+          {.name = std::string(info.name), .unit = "kN/mm", .free = true, .lower = 1.0, .upper = 2.0});
+    box.parameters[0] = {.name = box.parameters[0].name,
+                         .unit = attack,
+                         .free = true,
+                         .value = 0.0,
+                         .lower = -5e-6,
+                         .upper = -1e-9,
+                         .scale = laws::Scale::logarithmic};
+    box.parameters[1] = {.name = box.parameters[1].name,
+                         .unit = "",
+                         .free = false,
+                         .value = 0.1 + 0.2,
+                         .lower = 0.30000000000000004,
+                         .upper = 0.30000000000000004,
+                         .scale = laws::Scale::linear};
+    return box;
+  };
+  for (auto const& law : c.settings.laws)
+    c.searches.push_back({.device = 0, .law = law, .refusal = "", .box = box_of(law)});
   c.searches.push_back({.device = 2, .law = "hwang-wu", .refusal = "law hwang-wu: " + attack, .box = {}});
-  c.searches.push_back({.device = 2, .law = "bilinear", .refusal = "", .box = {}});
-  c.searches.push_back({.device = 2, .law = "abe", .refusal = "", .box = box});
+  c.searches.push_back({.device = 2, .law = "bilinear", .refusal = "", .box = box_of("bilinear")});
+  c.searches.push_back({.device = 2, .law = "abe", .refusal = "", .box = box_of("abe")});
   return c;
 }
 
 Run good(std::size_t device, std::string law, int number) {
+  std::vector<double> parameters{1.0 / 3.0, -2.5e-300};
+  parameters.resize(laws::find_law(law).parameters.size(), 0.1);
   return {.device = device,
           .law = std::move(law),
           .number = number,
@@ -118,7 +127,9 @@ Run good(std::size_t device, std::string law, int number) {
           .objective = 0.05 + 1e-17 * number,
           .integration_shift = 1e-9 / 3.0,
           .evaluations = 4200,
-          .parameters = {1.0 / 3.0, -2.5e-300, 0.0},
+          .failed_evaluations = 17,
+          .failure = {},
+          .parameters = std::move(parameters),
           .history = {infinity, 0.25, 0.1, 0.05}};
 }
 
@@ -130,6 +141,8 @@ Run failed(std::size_t device, std::string law, int number) {
           .objective = std::nan(""),
           .integration_shift = std::nan(""),
           .evaluations = 100,
+          .failed_evaluations = 100,
+          .failure = attack,
           .parameters = {},
           .history = {infinity}};
 }
@@ -139,7 +152,7 @@ std::vector<Run> runs() {
   auto plain = good(2, "bilinear", 1);
   plain.outcome = Outcome::all_generations;
   plain.integration_shift = std::nan("");
-  return {good(0, "abe", 1),        good(0, "abe", 2),      failed(0, "abe", 11),
+  return {good(0, "abe", 1),        good(0, "abe", 2),      failed(0, "abe", 3),
           failed(0, "hwang-wu", 1), good(0, "hwang-wu", 2), plain};
 }
 
@@ -360,10 +373,10 @@ TEST_F(StoreTest, RefusesWhatIsNotAStore) {
 
 TEST_F(StoreTest, RefusesANewerSchemaAndChangesNothing) {
   make();
-  sql(file(), "UPDATE meta SET value = '2' WHERE key = 'schema'");
+  sql(file(), "UPDATE meta SET value = '3' WHERE key = 'schema'");
   auto const before = bytes_of(file());
   auto const said = refusal(file());
-  for (auto const* part : {"campaign.sqlite", "version 2", "version 1"})
+  for (auto const* part : {"campaign.sqlite", "version 3", "version 2"})
     EXPECT_NE(said.find(part), std::string::npos) << said;
   EXPECT_EQ(bytes_of(file()), before);
 }

@@ -63,6 +63,8 @@ Run run(std::size_t device_index, std::string law, int number, double objective,
           .objective = objective,
           .integration_shift = 1e-6 * number,
           .evaluations = 100,
+          .failed_evaluations = 0,
+          .failure = {},
           .parameters = std::move(parameters),
           .history = {1.0, objective}};
 }
@@ -75,6 +77,8 @@ Run failed(std::size_t device_index, std::string law, int number) {
           .objective = std::nan(""),
           .integration_shift = std::nan(""),
           .evaluations = 100,
+          .failed_evaluations = 100,
+          .failure = "none of the first 100 parameter sets gave a finite force",
           .parameters = {},
           .history = {INFINITY}};
 }
@@ -336,6 +340,7 @@ TEST(Summary, TheFrontIsThatOfSmallBetaAndSmallObjective) {
   add("jankowski", 0.2, 0.20);
   add("bouc-wen", 0.3, 0.25);
   add("vaiana", 0.4, 0.10);
+  std::ranges::sort(c.runs, {}, [](campaign::Run const& r) { return std::tie(r.device, r.law, r.number); });
   auto const summary = build_summary(c);
   ASSERT_EQ(summary.laws.size(), 4u);
   EXPECT_EQ(summary.laws[0].id, "vaiana");  // in the order asked for

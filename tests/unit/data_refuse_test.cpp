@@ -1,7 +1,10 @@
 // Files that are refused, and the message each gives.
+#include <sys/stat.h>
+
 #include <algorithm>
 
 #include "data_fixture.hpp"
+#include "isolaw/data/text.hpp"
 
 namespace isolaw::data::testing {
 namespace {
@@ -56,6 +59,41 @@ TEST_F(Refuse, AFileAboveOneGiB) {
             file.generic_string() +
                 ": is 1.50 GiB large, above 1 GiB; allowed: delimited text (UTF-8, ASCII or Windows-1252); "
                 "try: export one test per file, or fewer samples per second");
+}
+
+TEST_F(Refuse, WhatIsNoPlainFile) {
+  std::string const rest = "; allowed: delimited text (UTF-8, ASCII or Windows-1252)";
+  EXPECT_EQ(thrown_for("/dev/zero"), "/dev/zero: is a device" + rest);
+  auto const pipe = write("x").parent_path() / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(thrown_for(pipe), pipe.generic_string() + ": is a pipe" + rest);
+  EXPECT_EQ(thrown_for(std::string(5000, 'x')).substr(4990), "xxxxxxxxxx: cannot be read: File name too long" + rest);
+}
+
+TEST_F(Refuse, MoreRowsThanAnyTestHas) {
+  EXPECT_EQ(refusal(std::string(most_lines + 1, '\n')),
+            "FILE: 10000001 rows; allowed: 10000000 or fewer; try: thin the record, every tenth row for example, or "
+            "export one test per file");
+}
+
+TEST_F(Refuse, ALineWithoutEnd) {
+  EXPECT_EQ(refusal("1,2\n" + std::string(longest_line + 1, '1') + "\r\n3,4"),
+            "FILE:2: a line of 32769 characters; allowed: 32768 or fewer; try: export the channels as CSV, one sample "
+            "a line");
+}
+
+TEST_F(Refuse, MoreColumnsThanAnyTestHas) {
+  std::string row = "1";
+  for (int i = 1; i < 1001; ++i) row += ";" + std::to_string(i % 10);
+  EXPECT_EQ(refusal(row + "\n" + row + "\n" + row + "\n"),
+            "FILE: 1001 columns separated by semicolons; allowed: 1000 or fewer; try: export time, displacement and "
+            "force alone, one sample a line");
+}
+
+TEST_F(Refuse, ControlCharactersAreSpelledOut) {
+  auto const text = refusal("Disp\x1b[31m [mm];For\x07 \xe2\x80\xae[kN];\x9b\n1;2;3\n2;3;4\n3;x\x1b;1\n");
+  EXPECT_NE(text.find("1 'Disp\\x1b[31m [mm]'"), std::string::npos) << text;
+  for (char const c : {'\x1b', '\x07', '\x9b'}) EXPECT_EQ(text.find(c), std::string::npos) << text;
 }
 
 TEST_F(Refuse, NoNumbers) {
@@ -171,7 +209,8 @@ TEST_F(Refuse, IntervalBesideATimeColumn) {
   options.columns[Channel::time] = "none";
   EXPECT_EQ(refusal(names + "0;1;2\n1;2;3\n2;3;1\n", options), "");
   options.dt_s = -1.0;
-  EXPECT_EQ(refusal(names + "0;1;2\n1;2;3\n2;3;1\n", options), "--dt: -1; allowed: a positive number of seconds");
+  EXPECT_EQ(refusal(names + "0;1;2\n1;2;3\n2;3;1\n", options),
+            "--dt: -1; allowed: a positive number of seconds, 1e-9 to 1e6");
 }
 
 TEST_F(Refuse, ChannelsThatDoNotMove) {

@@ -111,7 +111,9 @@ TEST(SummaryJson, ExactText) {
           "status": "ok",
           "message": "",
           "runs": 1,
-          "failed_runs": 0
+          "failed_runs": 0,
+          "evaluations": 0,
+          "failed_evaluations": 0
         }
       ],
       "beta_note": "one device",

@@ -111,16 +111,18 @@ TEST(Tables, Objective) {
   fit.K_eff_error_percent = -1.25;
   fit.integration_shift = 2e-5;
   fit.failed_runs = 1;
+  fit.evaluations = 100000;
+  fit.failed_evaluations = 250;
   fit.failure = "=infinite, force";
   auto const rows = read(objective_csv(summary));
   expect_rectangular(rows);
   EXPECT_EQ(rows[0][2], "mean OF [-]");
-  EXPECT_EQ(rows[0][7], "K_eff error [%]");
-  EXPECT_EQ((std::vector<std::string>(rows[4].begin(), rows[4].begin() + 8)),
-            (std::vector<std::string>{"vaiana", "D1", "0.09", "", "0.08", "20", "1", "-1.25"}));
-  EXPECT_EQ(rows[4][10], "2e-05");
-  EXPECT_EQ(rows[4][11], "ok");
-  EXPECT_EQ(rows[4][12], "'=infinite, force");
+  EXPECT_EQ(rows[0][9], "K_eff error [%]");
+  EXPECT_EQ((std::vector<std::string>(rows[4].begin(), rows[4].begin() + 10)),
+            (std::vector<std::string>{"vaiana", "D1", "0.09", "", "0.08", "20", "1", "100000", "250", "-1.25"}));
+  EXPECT_EQ(rows[4][12], "2e-05");
+  EXPECT_EQ(rows[4][13], "ok");
+  EXPECT_EQ(rows[4][14], "'=infinite, force");
 }
 
 TEST(Tables, Robustness) {

@@ -18,8 +18,12 @@
 namespace isolaw::laws {
 namespace {
 
-using Within = SaturatingFlow<double>;
-using Beyond = SaturatingFlow<double, Reach::beyond_saturation>;
+template <Reach reach>
+struct Tabulated : SaturatingFlow<double, reach> {
+  Tabulated(double n, double kappa) { this->tabulate(n, kappa); }
+};
+using Within = Tabulated<Reach::within_saturation>;
+using Beyond = Tabulated<Reach::beyond_saturation>;
 
 constexpr double exponents[] = {0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.1, 1.25, 1.5, 2.0, 2.5, 3.0};
 

@@ -1,12 +1,22 @@
 #include "isolaw/app/app.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <new>
+#include <string>
+#include <string_view>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "isolaw/app/commands.hpp"
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/printable.hpp"
 
 namespace isolaw::app {
 namespace {
@@ -25,9 +35,11 @@ void add_calibrate(CLI::App& app, CalibrateArguments& a) {
   c.add_option("--laws", a.laws, "all, or ids separated by commas (isolaw laws lists them)");
   c.add_option("--method", a.method, "ga: the genetic algorithm of the paper");
   c.add_option("--integration", a.integration, "converged (default), or paper: one Runge-Kutta step per sample");
-  c.add_option("--runs", a.runs, "independent runs per law and device (20)");
-  c.add_option("--population", a.population, "individuals (100)");
-  c.add_option("--generations", a.generations, "generations, the initial one included (50)");
+  c.add_option("--turning-points", a.turning_points,
+               "sampled (default), or interpolated: the path turns between samples, for smooth records");
+  c.add_option("--runs", a.runs, "independent runs per law and device, 1 to 100000 (20)");
+  c.add_option("--population", a.population, "individuals, an even number from 4 to 100000 (100)");
+  c.add_option("--generations", a.generations, "generations, the initial one included, 1 to 20000 (50)");
   c.add_option("--stagnation-tolerance", a.stagnation_tolerance,
                "relative improvement that counts as none; 20 generations without improvement end a run (0)");
   c.add_option("--seed", a.seed, "seed of the campaign (1)");
@@ -38,10 +50,108 @@ void add_calibrate(CLI::App& app, CalibrateArguments& a) {
   c.add_option("--samples-per-cycle", a.samples_per_cycle, "thin records to this many samples per cycle, or all (200)");
   c.add_flag("--center", a.center, "remove the offset of displacement and force");
   add_reading(c, a.read);
-  c.add_option("--jobs", a.jobs, "threads (one per core); the results do not depend on it")->check(CLI::Range(0, 4096));
+  c.add_option("--jobs", a.jobs, "threads, 0 to 4096 (one per core); the results do not depend on it")
+      ->check(CLI::Range(0, 4096));
   c.add_option("--out", a.out, "directory of the results (out/<name of the lot>)");
   c.add_flag("--fresh", a.fresh, "start over where the directory holds another campaign");
+  c.add_flag("--allow-outside", a.allow_outside, "the lot file may name records outside its own folder");
   c.add_flag("--json", a.json, "print summary.json instead of the ranking");
+}
+
+// --- wrong usage in our own words ------------------------------------------------------------------------------------
+
+// Insertions, deletions and exchanges that make one word of the other.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    auto diagonal = std::exchange(row[0], i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      auto const exchanged = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, exchanged}));
+    }
+  }
+  return row.back();
+}
+
+// Empty when none is within `furthest` changes.
+std::string nearest(std::string_view word, std::vector<std::string> const& known, std::size_t furthest) {
+  std::string near;
+  for (auto const& other : known)
+    if (auto const distance = edit_distance(word, other); distance <= furthest) {
+      near = other;
+      if (distance == 0) break;
+      furthest = distance - 1;
+    }
+  return near;
+}
+
+std::string joined(std::vector<std::string> const& words) {
+  std::string text;
+  for (auto const& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::vector<std::string> names_of_options(CLI::App const& command) {
+  std::vector<std::string> names;
+  for (auto const* option : command.get_options())
+    for (auto const& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+std::vector<std::string> names_of_commands(CLI::App& app) {
+  std::vector<std::string> names;
+  for (auto const* command : app.get_subcommands([](CLI::App*) { return true; })) names.push_back(command->get_name());
+  return names;
+}
+
+std::vector<Complaint> about_extra_words(CLI::App const& command, std::string const& advice) {
+  std::vector<Complaint> complaints;
+  constexpr std::size_t longest = 100;
+  for (auto const& word : command.remaining(true)) {
+    if (!word.starts_with('-')) {
+      complaints.push_back({word, "nothing more is expected here", {}, advice});
+      continue;
+    }
+    auto const name = word.substr(0, std::min(word.find('='), longest));
+    auto const known = names_of_options(command);
+    auto const near = nearest(name, known, 3);
+    complaints.push_back({name, "no such option", joined(known), near.empty() ? advice : near + ", or " + advice});
+  }
+  return complaints;
+}
+
+// The option the library's message speaks of: "Could not convert: --runs = many", "--out: 1 required TEXT missing".
+CLI::Option const* option_of(CLI::App const& command, std::string_view message) {
+  for (auto const* option : command.get_options()) {
+    auto const name = option->get_name();
+    auto const at = message.find(name);
+    if (at == std::string_view::npos) continue;
+    auto const after = message.substr(at + name.size());
+    if (after.empty() || after.front() == ':' || after.front() == ' ') return option;
+  }
+  return nullptr;
+}
+
+std::vector<Complaint> usage_complaints(CLI::App& app, CLI::ParseError const& error) {
+  auto const chosen = app.get_subcommands();
+  auto const& command = chosen.empty() ? app : *chosen.front();
+  auto const advice = chosen.empty() ? std::string("isolaw --help") : "isolaw " + command.get_name() + " --help";
+  bool const required = dynamic_cast<CLI::RequiredError const*>(&error) != nullptr;
+  if (required || dynamic_cast<CLI::ExtrasError const*>(&error) != nullptr)
+    if (auto complaints = about_extra_words(command, advice); !complaints.empty()) return complaints;
+  if (chosen.empty()) return {{"isolaw", "a subcommand is required", joined(names_of_commands(app)), advice}};
+  std::string const message = error.what();
+  if (required) return {{"isolaw " + command.get_name(), message, {}, advice}};
+  auto const* option = option_of(command, message);
+  if (option == nullptr) return {{"isolaw " + command.get_name(), message, {}, advice}};
+  bool const number = dynamic_cast<CLI::ConversionError const*>(&error) != nullptr;
+  bool const whole = number && option->get_type_name() == "INT";
+  auto const value = option->results().empty() ? std::string() : option->results().back();
+  auto const found = number ? fmt::format("'{}' is no {}", value, whole ? "whole number of ordinary size" : "number")
+                     : value.empty() ? std::string("needs a value")
+                                     : fmt::format("'{}' is not allowed", value);
+  return {{option->get_name(), found, option->get_description(), advice}};
 }
 
 int dispatch(CLI::App& app, int argc, char** argv) {
@@ -68,6 +178,14 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   report_command.add_option("directory", directory, "the campaign's directory")->required();
   report_command.add_flag("--json", json, "print summary.json instead of the ranking");
 
+  auto& bench_command =
+      *app.add_subcommand("bench", "A signature of what is computed, and the speed of every law here");
+  bench_command.add_flag("--json", json, "for machines");
+
+  auto& check_command =
+      *app.add_subcommand("check", "Whether a campaign's store is sound: its file, and every number computed again");
+  check_command.add_option("directory", directory, "the campaign's directory")->required();
+
   std::string law;
   auto& laws_command = *app.add_subcommand("laws", "The catalogue of laws, or one law with its parameters");
   laws_command.add_option("id", law, "a law");
@@ -79,24 +197,27 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   if (argc > 1 && argv[1][0] != '-') {
     auto const names = app.get_subcommands([&](CLI::App* command) { return command->get_name() == argv[1]; });
     if (names.empty()) {
-      std::string known;
-      for (auto const* command : app.get_subcommands([](CLI::App*) { return true; }))
-        known += (known.empty() ? "" : ", ") + command->get_name();
-      throw Error({.where = std::string("isolaw ") + argv[1],
+      auto const known = names_of_commands(app);
+      auto const word = std::string(argv[1]).substr(0, 100);
+      auto const near = nearest(word, known, 2);
+      throw Error({.where = "isolaw " + word,
                    .found = "no such command",
-                   .allowed = known,
-                   .advice = "isolaw --help"});
+                   .allowed = joined(known),
+                   .advice = (near.empty() ? "" : "isolaw " + near + ", or ") + "isolaw --help"});
     }
   }
   try {
     app.parse(argc, argv);
   } catch (CLI::ParseError const& error) {
-    return app.exit(error) == 0 ? exit_done : exit_wrong_usage;
+    if (error.get_exit_code() == 0) return app.exit(error);  // help, version
+    throw Error(usage_complaints(app, error));
   }
   if (app.got_subcommand("calibrate")) return calibrate(calibrate_arguments, {argv, argv + argc});
   if (app.got_subcommand("init")) return init(init_arguments);
   if (app.got_subcommand("inspect")) return inspect(inspect_arguments);
   if (app.got_subcommand("report")) return report(directory, json);
+  if (app.got_subcommand("bench")) return bench(json);
+  if (app.got_subcommand("check")) return check(directory);
   if (app.got_subcommand("laws")) return list_laws(law, json);
   return example(directory);
 }
@@ -118,11 +239,20 @@ int run(int argc, char** argv) {
   } catch (Error const& error) {
     for (auto const& complaint : error.complaints()) std::fprintf(stderr, "isolaw: %s\n", to_string(complaint).c_str());
     return exit_wrong_usage;
+  } catch (std::bad_alloc const&) {
+    std::fputs(
+        "isolaw: out of memory; try: fewer devices or shorter records at once, --samples-per-cycle 200, a smaller "
+        "--population, or a machine with more memory\n",
+        stderr);
+    return exit_internal;
+  } catch (std::filesystem::filesystem_error const& error) {
+    std::fprintf(stderr, "isolaw: %s: %s\n", printable(error.path1().string()).c_str(), error.code().message().c_str());
+    return exit_internal;
   } catch (std::system_error const& error) {
     std::fprintf(stderr, "isolaw: cannot write: %s\n", error.code().message().c_str());
     return exit_internal;
   } catch (std::exception const& error) {
-    std::fprintf(stderr, "isolaw: internal error: %s\n", error.what());
+    std::fprintf(stderr, "isolaw: internal error: %s\n", printable(error.what()).c_str());
     return exit_internal;
   }
 }

@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstdio>
 #include <ctime>
+#include <fstream>
 #include <thread>
 
 #include "isolaw/app/commands.hpp"
@@ -18,6 +19,7 @@
 #include "isolaw/app/progress.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/campaign/campaign.hpp"
+#include "isolaw/campaign/check.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/report/build_summary.hpp"
 #include "isolaw/report/run_json.hpp"
@@ -123,6 +125,8 @@ void open_or_create(std::filesystem::path const& file, campaign::Contents& conte
     campaign::Store::create(file, contents);
     return;
   }
+  // Of a process that was killed: what it had not finished writing is undone, what it had is kept.
+  if (!campaign::Store::is_plain(file)) campaign::Store::open(file).finish();
   auto stored = campaign::Store::read(file);
   auto const changed = differences(stored, contents);
   if (!changed.empty()) {
@@ -133,6 +137,10 @@ void open_or_create(std::filesystem::path const& file, campaign::Contents& conte
                  .allowed = "the same settings and records, to continue it",
                  .advice = "--fresh to start over, or another --out DIR"});
   }
+  bool described = stored.title == contents.title;
+  for (std::size_t d = 0; described && d < contents.devices.size(); ++d)
+    described = stored.devices[d].info == contents.devices[d].info;
+  if (!described) campaign::Store::open(file).describe(contents);
   contents.runs = std::move(stored.runs);
   if (!contents.complete() && !contents.runs.empty())
     fmt::print(stderr, "continuing: {} runs are there already\n", contents.runs.size());
@@ -202,21 +210,26 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
   make_directory(directory);
   DirectoryLock const lock(directory);
   auto const file = directory / store_name;
+  report::remove_leftovers(directory);
   open_or_create(file, contents, arguments.fresh);
 
+  // To continue is not to start over.
+  auto words = command_line;
+  std::erase(words, "--fresh");
+  auto const command = shell_quoted(words);
   bool finished = false;
-  {
+  try {
     SignalGuard const guard;
     ProgressLine line;
     finished = campaign::run(contents, file,
                              {.jobs = lot.jobs.value_or(0),
                               .progress = [&](auto const& p) { line.show(p); },
                               .interrupted = [] { return interrupted.load(); }});
+  } catch (Error const&) {
+    fmt::print(stderr, "stopped: {} finished runs are kept in {}\nonce the fault is mended, continue with: {}\n",
+               contents.runs.size(), file.string(), command);
+    throw;
   }
-  // To continue is not to start over.
-  auto words = command_line;
-  std::erase(words, "--fresh");
-  auto const command = shell_quoted(words);
   if (!finished) {
     fmt::print(stderr, "interrupted: {} finished runs are kept in {}\nto continue: {}\n", contents.runs.size(),
                file.string(), command);
@@ -251,6 +264,43 @@ int report(std::filesystem::path const& directory, bool json) {
         "the campaign is not complete: {} runs are missing; the calibrate command it was started with continues it\n",
         contents.expected_runs() - contents.runs.size());
   return contents.complete() ? exit_code(summary) : exit_with_refusals;
+}
+
+namespace {
+
+bool holds(std::filesystem::path const& file, std::string_view text) {
+  std::error_code unknown;
+  if (std::filesystem::file_size(file, unknown) != text.size() || unknown) return false;
+  std::string there(text.size(), '\0');
+  std::ifstream(file, std::ios::binary).read(there.data(), static_cast<std::streamsize>(there.size()));
+  return there == text;
+}
+
+}  // namespace
+
+int check(std::filesystem::path const& directory) {
+  auto const file = directory / store_name;
+  auto result = campaign::check(file);
+  auto const contents = campaign::Store::read(file);
+  int outputs = 0;
+  if (contents.complete())
+    for (auto const& [name, text] : report::output_texts(report::build_summary(contents))) {
+      std::error_code unknown;
+      if (!std::filesystem::is_regular_file(directory / name, unknown)) continue;
+      ++outputs;
+      if (!holds(directory / name, text))
+        result.faults.push_back(
+            fmt::format("{} is not what the store gives; isolaw report {} makes it again", name, directory.string()));
+    }
+  fmt::print("{}: {}\n", file.string(),
+             result.faults.empty() ? "sound" : fmt::format("{} fault(s)", result.faults.size()));
+  fmt::print("  {} devices, {} laws on them, {} of {} runs\n", result.devices, result.searches, result.runs,
+             result.expected_runs);
+  fmt::print("  records cleaned and objectives computed again: largest relative difference {:.2g}\n",
+             result.largest_difference);
+  if (outputs > 0) fmt::print("  {} files beside it compared with what the store gives\n", outputs);
+  for (auto const& fault : result.faults) fmt::print("  fault: {}\n", fault);
+  return result.faults.empty() ? exit_done : exit_with_refusals;
 }
 
 }  // namespace isolaw::app

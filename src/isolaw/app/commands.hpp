@@ -21,7 +21,7 @@ struct ReadArguments {
 struct CalibrateArguments {
   std::vector<std::filesystem::path> inputs;  // one lot file, or records
   ReadArguments read;
-  std::optional<std::string> laws, method, integration, box, samples_per_cycle, seed;
+  std::optional<std::string> laws, method, integration, turning_points, box, samples_per_cycle, seed;
   std::vector<std::string> set;
   std::optional<int> runs, population, generations, smooth;
   std::optional<double> stagnation_tolerance;
@@ -29,6 +29,7 @@ struct CalibrateArguments {
   std::optional<std::filesystem::path> out;
   std::optional<int> jobs;
   bool fresh = false;
+  bool allow_outside = false;  // a lot file may name files outside its folder
   bool json = false;
 };
 int calibrate(CalibrateArguments const& arguments, std::vector<std::string> const& command_line);
@@ -49,6 +50,8 @@ struct InitArguments {
 int init(InitArguments const& arguments);
 
 int report(std::filesystem::path const& directory, bool json);
+int check(std::filesystem::path const& directory);
+int bench(bool json);
 int list_laws(std::string const& id, bool json);
 int example(std::filesystem::path const& directory);
 

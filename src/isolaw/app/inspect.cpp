@@ -8,6 +8,8 @@
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/lot_of.hpp"
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/file.hpp"
+#include "isolaw/base/printable.hpp"
 #include "isolaw/data/properties.hpp"
 #include "isolaw/data/read.hpp"
 #include "isolaw/report/write.hpp"
@@ -61,7 +63,8 @@ void print_channel(char const* name, std::vector<double> const& values, char con
 }
 
 void print_inspection(data::TestRecord const& record, data::Properties const& properties) {
-  fmt::print("{}: {} samples, sha256 {}\n\nRecognised\n", record.file, record.size(), record.sha256.substr(0, 16));
+  fmt::print("{}: {} samples, sha256 {}\n\nRecognised\n", printable(record.file), record.size(),
+             record.sha256.substr(0, 16));
   for (auto const& line : record.recognised) fmt::print("  {}\n", line);
   fmt::print("\nChannels\n");
   print_channel("time", record.time_s, "s");
@@ -104,9 +107,16 @@ int init(InitArguments const& arguments) {
                  .found = "exists already",
                  .advice = "--force to overwrite it, or --out FILE"});
   auto lot = campaign::lot_of_files(arguments.files);
-  lot.title = std::filesystem::absolute(arguments.out).parent_path().filename().string();
+  lot.title = printable(std::filesystem::absolute(arguments.out).parent_path().filename().string());
   std::vector<Complaint> complaints;
   for (auto& device : lot.devices) {
+    if (!is_printable(device.files.front().string())) {
+      complaints.push_back({.where = device.files.front().string(),
+                            .found = "a file name that no lot file can hold",
+                            .allowed = "printable text in UTF-8",
+                            .advice = "rename the file"});
+      continue;
+    }
     apply(arguments.read, device.read);
     try {
       auto const record = data::read_record(device.files.front(), device.read);
@@ -121,8 +131,12 @@ int init(InitArguments const& arguments) {
     }
   }
   if (!complaints.empty()) throw Error(complaints);
-  report::write_file(arguments.out,
-                     campaign::lot_file_text(lot, std::filesystem::absolute(arguments.out).parent_path()));
+  auto const folder = std::filesystem::absolute(arguments.out).parent_path();
+  report::write_file(arguments.out, campaign::lot_file_text(lot, folder));
+  for (auto const& device : lot.devices)
+    if (leads_outside(device.files.front(), folder))
+      fmt::print(stderr, "{}: not in the folder of {} or below it: isolaw calibrate will need --allow-outside\n",
+                 printable(device.files.front().string()), printable(arguments.out.string()));
   fmt::print("\nwritten: {}; next: isolaw calibrate {}\n", arguments.out.string(), arguments.out.string());
   return exit_done;
 }

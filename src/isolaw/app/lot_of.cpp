@@ -1,12 +1,32 @@
 #include "isolaw/app/lot_of.hpp"
 
+#include <fmt/format.h>
+
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/printable.hpp"
 
 namespace isolaw::app {
 namespace {
 
 bool is_lot_file(std::filesystem::path const& path) {
   return path.extension() == ".toml";
+}
+
+// Each number may be large, but not all of them together: the runs are listed before the first one starts.
+void refuse_endless(campaign::Lot const& lot) {
+  constexpr std::size_t most_runs = 10'000'000;
+  auto const runs = static_cast<std::size_t>(lot.settings.runs) * lot.settings.laws.size() * lot.devices.size();
+  if (lot.devices.size() > campaign::most_devices)
+    throw Error({.where = "lot",
+                 .found = fmt::format("{} devices", lot.devices.size()),
+                 .allowed = fmt::format("{} or fewer", campaign::most_devices),
+                 .advice = "a campaign of its own for each production lot"});
+  if (runs > most_runs)
+    throw Error({.where = "--runs",
+                 .found = fmt::format("{} runs of {} laws on {} devices are {} runs in all", lot.settings.runs,
+                                      lot.settings.laws.size(), lot.devices.size(), runs),
+                 .allowed = fmt::format("{} in all", most_runs),
+                 .advice = "fewer runs, 20 are usual"});
 }
 
 template <class T>
@@ -34,14 +54,17 @@ campaign::Lot lot_of(CalibrateArguments const& a) {
                    .found = "a lot file together with other inputs",
                    .allowed = "one lot file alone, or records",
                    .advice = "name the records in the lot file"});
-  auto lot = from_file ? campaign::read_lot_file(a.inputs.front()) : campaign::lot_of_files(a.inputs);
+  auto lot = from_file ? campaign::read_lot_file(a.inputs.front(),
+                                                 {.allow_outside = a.allow_outside, .other_out = a.out.has_value()})
+                       : campaign::lot_of_files(a.inputs);
   if (lot.title.empty())
-    lot.title = from_file ? std::filesystem::absolute(a.inputs.front()).parent_path().filename().string()
-                          : a.inputs.front().stem().string();
+    lot.title = printable(from_file ? std::filesystem::absolute(a.inputs.front()).parent_path().filename().string()
+                                    : a.inputs.front().stem().string());
   auto& s = lot.settings;
   if (a.laws) s.laws = campaign::parse_laws(*a.laws);
   override_with(a.method, s.method);
   if (a.integration) s.integration = campaign::parse_integration(*a.integration);
+  if (a.turning_points) s.turning_points = campaign::parse_turning_points(*a.turning_points);
   if (a.box) s.box = campaign::parse_box(*a.box);
   for (auto const& text : a.set) {
     auto const change = fit::parse_override(text);
@@ -61,6 +84,7 @@ campaign::Lot lot_of(CalibrateArguments const& a) {
   for (auto& device : lot.devices) apply(a.read, device.read);
   if (s.laws.empty()) s.laws = campaign::parse_laws("all");
   s.validate();
+  refuse_endless(lot);
   return lot;
 }
 

@@ -1,5 +1,7 @@
 #include "isolaw/base/error.hpp"
 
+#include "isolaw/base/printable.hpp"
+
 namespace isolaw {
 
 std::string Error::join(std::vector<Complaint> const& complaints) {
@@ -12,11 +14,13 @@ std::string Error::join(std::vector<Complaint> const& complaints) {
 }
 
 std::string to_string(Complaint const& complaint) {
-  std::string text = complaint.where;
+  // A complaint may hold the lines of others, and quotes files that others wrote.
+  auto const clean = [](std::string const& part) { return printable(part, true); };
+  std::string text = printable(complaint.where);
   if (!text.empty() && !complaint.found.empty()) text += ": ";
-  text += complaint.found;
-  if (!complaint.allowed.empty()) text += "; allowed: " + complaint.allowed;
-  if (!complaint.advice.empty()) text += "; try: " + complaint.advice;
+  text += clean(complaint.found);
+  if (!complaint.allowed.empty()) text += "; allowed: " + clean(complaint.allowed);
+  if (!complaint.advice.empty()) text += "; try: " + clean(complaint.advice);
   return text;
 }
 

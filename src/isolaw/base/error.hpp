@@ -17,7 +17,7 @@ struct Complaint {
   std::string advice = {};   // what to try
 };
 
-// "where: found; allowed: ...; try: ..."
+// "where: found; allowed: ...; try: ...", control characters spelled out
 std::string to_string(Complaint const& complaint);
 
 class Error : public std::runtime_error {

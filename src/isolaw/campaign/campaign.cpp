@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <mutex>
 #include <set>
 #include <tuple>
@@ -18,6 +16,7 @@
 #include "isolaw/base/hash.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/data/clean.hpp"
+#include "isolaw/data/text.hpp"
 #include "isolaw/fit/objective.hpp"
 #include "isolaw/num/random.hpp"
 
@@ -67,10 +66,12 @@ std::string with_shown_files(std::string text, std::filesystem::path const& dire
 std::string hash_of_files(DeviceInput const& input) {
   std::string hashes;
   for (auto const& file : input.files) {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error)) continue;
-    std::ifstream stream(file, std::ios::binary);
-    std::string const bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+    std::string bytes;
+    try {
+      bytes = data::load_text(file);
+    } catch (Error const&) {
+      continue;  // not to be read at all
+    }
     auto const hash = sha256(bytes);
     hashes = hashes.empty() ? hash : sha256(hashes + hash);
   }
@@ -97,7 +98,7 @@ Search prepare_search(std::size_t index, Device const& device, std::string const
   Search search{.device = index, .law = law_id, .refusal = {}, .box = {}};
   auto const& law = laws::find_law(law_id);
   try {
-    fit::LawOnRecord const check(law, device.record, settings.integration);
+    fit::LawOnRecord const check(law, device.record, settings.integration, settings.turning_points);
     search.box = fit::make_box(law, settings.box, fit::scales_of(device.record, law.info), settings.overrides);
   } catch (Error const& error) {
     search.refusal = error.what();
@@ -126,6 +127,7 @@ opt::GeneticResult evaluate_fixed(Target const& target) {
   result.evaluations = 1;
   result.outcome =
       std::isfinite(result.best_value) ? opt::GeneticOutcome::all_generations : opt::GeneticOutcome::no_finite_value;
+  result.failed_evaluations = result.outcome == opt::GeneticOutcome::no_finite_value ? 1 : 0;
   result.history = {result.best_value};
   return result;
 }
@@ -138,6 +140,8 @@ Run finished(Target const& target, int number, opt::GeneticResult const& result)
           .objective = {},
           .integration_shift = {},
           .evaluations = result.evaluations,
+          .failed_evaluations = result.failed_evaluations,
+          .failure = {},
           .parameters = {},
           .history = result.history};
   bool const found = result.outcome != opt::GeneticOutcome::no_finite_value;
@@ -145,10 +149,17 @@ Run finished(Target const& target, int number, opt::GeneticResult const& result)
                 : result.outcome == opt::GeneticOutcome::stagnated ? Outcome::stagnated
                                                                    : Outcome::all_generations;
   run.objective = run.integration_shift = std::nan("");
-  if (!found) return run;
+  if (!found) {
+    run.failure = result.evaluations == 1
+                      ? std::string("the one parameter set, all of it fixed, gives no finite force")
+                      : fmt::format("none of the first {} parameter sets gave a finite force", result.evaluations);
+    return run;
+  }
   run.parameters.resize(target.search->box.parameters.size());
   target.search->box.expand(result.best, run.parameters);
-  run.objective = result.best_value;
+  // What is reported comes from the scalar path, whatever evaluated the population.
+  std::vector<double> work;
+  run.objective = target.model.objective(run.parameters, work);
   run.integration_shift = target.model.integration_shift(run.parameters);
   return run;
 }
@@ -161,6 +172,15 @@ std::vector<Task> missing_runs(Contents const& contents, std::vector<Target> con
     for (std::size_t t = 0; t < targets.size(); ++t)
       if (!present.contains({targets[t].search->device, targets[t].search->law, number})) tasks.push_back({t, number});
   return tasks;
+}
+
+// For a thread sanitizer, which cannot see into TBB: a turn at one mutex before a task, after it, and on both sides of
+// all of them orders what the threads share for it too. Static, so that even the way to it is not shared.
+void take_turn() {
+#if defined(__SANITIZE_THREAD__)
+  static constinit std::mutex handover;
+  std::scoped_lock const turn(handover);
+#endif
 }
 
 }  // namespace
@@ -185,18 +205,19 @@ Contents prepare(Lot const& lot) {
 }
 
 bool run(Contents& contents, std::filesystem::path const& file, RunOptions const& options) {
-  auto store = Store::open(file);
-  store.describe(contents);
   std::vector<Target> targets;
   num::Stream const campaign(contents.settings.seed);
   for (auto const& search : contents.searches) {
     if (!search.refusal.empty()) continue;
     auto const& device = contents.devices[search.device];
     targets.push_back({&search,
-                       fit::LawOnRecord(laws::find_law(search.law), device.record, contents.settings.integration),
+                       fit::LawOnRecord(laws::find_law(search.law), device.record, contents.settings.integration,
+                                        contents.settings.turning_points),
                        campaign.split(stable_hash(device.name)).split(stable_hash(search.law))});
   }
   auto const tasks = missing_runs(contents, targets);
+  if (tasks.empty() && Store::is_plain(file)) return contents.complete();
+  auto store = Store::open(file);
 
   Progress progress{.done = contents.runs.size(), .total = contents.runs.size() + tasks.size(), .best = {}};
   auto const note = [&](Run const& run) {
@@ -233,17 +254,21 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
   int const jobs = options.jobs > 0 ? options.jobs : tbb::this_task_arena::max_concurrency();
   tbb::global_control const threads(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(jobs));
   tbb::task_arena arena(jobs);
+  take_turn();
   arena.execute([&] {
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, tasks.size(), 1),
         [&](auto const& range) {
+          take_turn();
           for (std::size_t i = range.begin(); i < range.end(); ++i) perform(tasks[i]);
+          take_turn();
         },
         tbb::simple_partitioner());
   });
+  take_turn();
   std::ranges::sort(contents.runs, {}, [](Run const& r) { return std::tie(r.device, r.law, r.number); });
   bool const complete = contents.complete();  // also when the wish to stop came during the last run
-  if (complete) store.finish();
+  store.finish();                             // also when interrupted: whoever reads it next finds one plain file
   return complete;
 }
 

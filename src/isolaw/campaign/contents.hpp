@@ -15,6 +15,8 @@ namespace isolaw::campaign {
 struct DeviceInfo {
   std::string serial, lot, test_date;
   std::optional<double> temperature_C, rubber_thickness_mm, rubber_area_mm2;
+
+  bool operator==(DeviceInfo const&) const = default;
 };
 
 struct Device {
@@ -47,6 +49,8 @@ struct Run {
   double objective = 0.0;          // NaN when no parameter set gave a finite force
   double integration_shift = 0.0;  // of the objective, against a much finer path
   int evaluations = 0;
+  int failed_evaluations = 0;      // parameter sets tried that gave no finite force
+  std::string failure;             // why the run is not usable; empty for a usable one
   std::vector<double> parameters;  // all of the law's; empty when not usable
   std::vector<double> history;     // best objective after each generation
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "isolaw/campaign/contents.hpp"
@@ -28,9 +29,23 @@ struct Lot {
   std::optional<int> jobs;
 };
 
+// A lot file comes from others: what it names must lie in its own folder or below, links followed, and what it has
+// written below the current directory, unless the user says otherwise. Never a key of the file itself.
+struct LotFileOptions {
+  bool allow_outside = false;  // --allow-outside
+  bool other_out = false;      // --out is given: the file's `out` does not count
+};
+
+inline constexpr std::size_t most_devices = 10'000;
+inline constexpr std::size_t longest_name = 512;           // bytes of a name, a serial, a title
+inline constexpr std::size_t largest_lot_file = 16 << 20;  // bytes
+
 // Throws one Error that holds every problem of the file with its line: syntax, unknown keys, wrong types, values that
-// are not allowed, devices without name or file, a name twice. Keys of [calibrate] are the command line's options.
-Lot read_lot_file(std::filesystem::path const& file);
+// are not allowed, text that is not printable, devices without name or file, a name twice, files outside the folder.
+// Keys of [calibrate] are the command line's options.
+Lot read_lot_file(std::filesystem::path const& file, LotFileOptions const& options = {});
+// The same of a file's text; `file` is its name, for messages and for its folder.
+Lot read_lot_text(std::string_view text, std::filesystem::path const& file, LotFileOptions const& options = {});
 
 // A lot of files named on the command line; devices are named after them.
 Lot lot_of_files(std::vector<std::filesystem::path> const& files);

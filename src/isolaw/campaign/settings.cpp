@@ -18,6 +18,18 @@ using Json = nlohmann::ordered_json;
       {.where = fmt::format("--{}", option), .found = fmt::format("'{}'", found), .allowed = std::string(allowed)});
 }
 
+// A stored setting: the library would cut a number that is too large for an int, or not whole, without a word.
+int whole_number(Json const& json) {
+  auto const fits = [](auto value) { return std::in_range<int>(value); };
+  bool const whole = json.is_number_unsigned() ? fits(json.get<std::uint64_t>())
+                                               : json.is_number_integer() && fits(json.get<std::int64_t>());
+  if (!whole)
+    throw Error({.where = "stored setting",
+                 .found = json.dump(-1, ' ', true, Json::error_handler_t::replace).substr(0, 40),
+                 .allowed = "a whole number"});
+  return json.get<int>();
+}
+
 }  // namespace
 
 void Settings::validate() const {
@@ -66,6 +78,12 @@ laws::Integration parse_integration(std::string_view text) {
   refuse("integration", text, "converged, paper");
 }
 
+laws::TurningPoints parse_turning_points(std::string_view text) {
+  if (text == "sampled") return laws::TurningPoints::as_sampled;
+  if (text == "interpolated") return laws::TurningPoints::interpolated;
+  refuse("turning-points", text, "sampled, interpolated");
+}
+
 std::optional<int> parse_samples_per_cycle(std::string_view text) {
   if (text == "all") return std::nullopt;
   int value = 0;
@@ -81,6 +99,9 @@ std::string_view name(fit::BoxKind kind) {
 std::string_view name(laws::Integration integration) {
   return integration == laws::Integration::paper ? "paper" : "converged";
 }
+std::string_view name(laws::TurningPoints turning_points) {
+  return turning_points == laws::TurningPoints::interpolated ? "interpolated" : "sampled";
+}
 
 std::vector<std::pair<std::string, std::string>> to_pairs(Settings const& s) {
   Json sets = Json::array();
@@ -89,6 +110,7 @@ std::vector<std::pair<std::string, std::string>> to_pairs(Settings const& s) {
   json["laws"] = s.laws;
   json["method"] = s.method;
   json["integration"] = name(s.integration);
+  json["turning-points"] = name(s.turning_points);
   json["runs"] = s.runs;
   json["population"] = s.genetic.population;
   json["generations"] = s.genetic.generations;
@@ -114,19 +136,20 @@ Settings settings_from_pairs(std::vector<std::pair<std::string, std::string>> co
   s.laws = json.at("laws").get<std::vector<std::string>>();
   s.method = json.at("method").get<std::string>();
   s.integration = parse_integration(json.at("integration").get<std::string>());
-  s.runs = json.at("runs").get<int>();
-  s.genetic.population = json.at("population").get<int>();
-  s.genetic.generations = json.at("generations").get<int>();
+  s.turning_points = parse_turning_points(json.at("turning-points").get<std::string>());
+  s.runs = whole_number(json.at("runs"));
+  s.genetic.population = whole_number(json.at("population"));
+  s.genetic.generations = whole_number(json.at("generations"));
   s.genetic.mutation_rate = json.at("mutation_rate").get<double>();
-  s.genetic.stagnation = json.at("stagnation").get<int>();
+  s.genetic.stagnation = whole_number(json.at("stagnation"));
   s.genetic.stagnation_tolerance = json.at("stagnation_tolerance").get<double>();
   s.genetic.selection_pressure = json.at("selection_pressure").get<double>();
   s.seed = json.at("seed").get<std::uint64_t>();
   s.box = parse_box(json.at("box").get<std::string>());
   for (auto const& text : json.at("set")) s.overrides.push_back(fit::parse_override(text.get<std::string>()));
-  s.clean.smooth = json.at("smooth").get<int>();
+  s.clean.smooth = whole_number(json.at("smooth"));
   auto const& thinning = json.at("samples-per-cycle");
-  s.clean.samples_per_cycle = thinning.is_number() ? std::optional(thinning.get<int>()) : std::nullopt;
+  s.clean.samples_per_cycle = thinning.is_number() ? std::optional(whole_number(thinning)) : std::nullopt;
   s.clean.center = json.at("center").get<bool>();
   return s;
 }

@@ -17,6 +17,7 @@ struct Settings {
   std::vector<std::string> laws;  // ids, in the order of reports; empty: all
   std::string method = "ga";
   laws::Integration integration = laws::Integration::converged;
+  laws::TurningPoints turning_points = laws::TurningPoints::as_sampled;
   int runs = 20;
   opt::GeneticOptions genetic;
   std::uint64_t seed = 1;
@@ -38,6 +39,8 @@ fit::BoxKind parse_box(std::string_view text);                      // "publishe
 laws::Integration parse_integration(std::string_view text);         // "converged" or "paper"
 std::optional<int> parse_samples_per_cycle(std::string_view text);  // a number or "all"
 std::string_view name(fit::BoxKind kind);
+laws::TurningPoints parse_turning_points(std::string_view text);    // "sampled" or "interpolated"
 std::string_view name(laws::Integration integration);
+std::string_view name(laws::TurningPoints turning_points);
 
 }  // namespace isolaw::campaign

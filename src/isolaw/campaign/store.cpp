@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "isolaw/base/error.hpp"
 
@@ -38,21 +42,31 @@ CREATE TABLE search_parameter (
   PRIMARY KEY (device, law, position)) WITHOUT ROWID;
 CREATE TABLE run (
   device INTEGER NOT NULL, law TEXT NOT NULL, number INTEGER NOT NULL, outcome TEXT NOT NULL,
-  objective REAL, integration_shift REAL, evaluations INTEGER NOT NULL, history BLOB NOT NULL,
+  objective REAL, integration_shift REAL, evaluations INTEGER NOT NULL, failed_evaluations INTEGER NOT NULL,
+  message TEXT NOT NULL, history BLOB NOT NULL,
   PRIMARY KEY (device, law, number)) WITHOUT ROWID;
 CREATE TABLE run_parameter (
   device INTEGER NOT NULL, law TEXT NOT NULL, number INTEGER NOT NULL, position INTEGER NOT NULL, value REAL NOT NULL,
   PRIMARY KEY (device, law, number, position)) WITHOUT ROWID;
 )sql";
 
+[[noreturn]] void refuse_damaged(std::string file, std::string_view what) {
+  throw Error({.where = std::move(file),
+               .found = fmt::format("not a campaign store of isolaw, or a damaged one: {}", what),
+               .allowed = "campaign.sqlite of a campaign",
+               .advice = "a copy of it, or --fresh to start over"});
+}
+
 [[noreturn]] void fail(sqlite3* db, std::string_view doing) {
   auto const* file = db == nullptr ? nullptr : sqlite3_db_filename(db, "main");
   int const code = db == nullptr ? SQLITE_NOMEM : sqlite3_errcode(db) & 0xff;
   if (code == SQLITE_NOTADB || code == SQLITE_CORRUPT)
-    throw Error({.where = file == nullptr ? "campaign store" : file,
-                 .found = fmt::format("not a campaign store of isolaw, or a damaged one: {}", sqlite3_errmsg(db)),
-                 .allowed = "campaign.sqlite of a campaign",
-                 .advice = "a copy of it, or --fresh to start over"});
+    refuse_damaged(file == nullptr ? "campaign store" : file, sqlite3_errmsg(db));
+  if (code == SQLITE_READONLY)
+    throw Error(
+        {.where = file == nullptr ? "campaign store" : file,
+         .found = "the program was stopped in the middle of a write, which must be undone before it can be read",
+         .advice = "the calibrate command it was started with: it does so, and continues"});
   throw Error({.where = file == nullptr ? "campaign store" : file,
                .found = fmt::format("{}: {}", doing, db == nullptr ? "out of memory" : sqlite3_errmsg(db)),
                .advice = "check free space and permissions of the directory; finished runs in the store are kept"});
@@ -114,6 +128,12 @@ class Statement {
     double const value = sqlite3_column_double(statement_, next_++);
     return null ? std::nan("") : value;
   }
+  // Of a column that holds a count or a number of a run.
+  int whole() {
+    auto const value = integer();
+    if (!std::in_range<int>(value)) throw Error({.found = fmt::format("the number {}, which is too large", value)});
+    return static_cast<int>(value);
+  }
   std::optional<double> optional_real() {
     double const value = real();
     return std::isnan(value) ? std::nullopt : std::optional(value);
@@ -121,6 +141,7 @@ class Statement {
   std::vector<double> reals() {
     auto const* bytes = sqlite3_column_blob(statement_, next_);
     auto const size = static_cast<std::size_t>(sqlite3_column_bytes(statement_, next_++));
+    if (size % sizeof(double) != 0) throw Error({.found = fmt::format("a series of {} bytes", size)});
     std::vector<double> values(size / sizeof(double));
     if (!values.empty()) std::memcpy(values.data(), bytes, values.size() * sizeof(double));
     return values;
@@ -204,6 +225,17 @@ void write_searches(sqlite3* db, Contents const& contents) {
   }
 }
 
+void read_settings(sqlite3* db, Contents& contents) {
+  std::vector<std::pair<std::string, std::string>> pairs;
+  Statement setting(db, "SELECT key, json FROM setting ORDER BY position");
+  while (setting.row()) {
+    auto key = setting.text();
+    pairs.emplace_back(std::move(key), setting.text());
+  }
+  contents.settings = settings_from_pairs(pairs);
+  contents.settings.validate();
+}
+
 void read_devices(sqlite3* db, Contents& contents) {
   Statement device(db,
                    "SELECT name, file, sha256, status, message, serial, lot, test_date, temperature_C, "
@@ -215,7 +247,7 @@ void read_devices(sqlite3* db, Contents& contents) {
     d.raw.sha256 = device.text();
     bool const refused = device.text() == "refused";
     auto const message = device.text();
-    if (refused) d.refusal = message;
+    if (refused) d.refusal = message.empty() ? "refused" : message;
     d.info.serial = device.text();
     d.info.lot = device.text();
     d.info.test_date = device.text();
@@ -255,7 +287,9 @@ void read_searches(sqlite3* db, Contents& contents) {
                       "ORDER BY device, law, position");
   while (parameter.row()) {
     auto const device = parameter.index();
-    auto& box = found.at({device, parameter.text()}).box;
+    auto const owner = found.find({device, parameter.text()});
+    if (owner == found.end()) continue;
+    auto& box = owner->second.box;
     fit::SearchParameter p;
     p.name = parameter.text();
     p.unit = parameter.text();
@@ -269,6 +303,8 @@ void read_searches(sqlite3* db, Contents& contents) {
   for (std::size_t d = 0; d < contents.devices.size(); ++d)
     for (auto const& law : contents.settings.laws)
       if (auto const s = found.find({d, law}); s != found.end()) contents.searches.push_back(s->second);
+  if (contents.searches.size() != found.size())
+    throw Error({.found = "a law was searched that was not asked for, or on a device that is not there"});
 }
 
 Outcome outcome_from(std::string_view text) {
@@ -284,21 +320,23 @@ void read_runs(sqlite3* db, Contents& contents) {
   while (parameter.row()) {
     auto const device = parameter.index();
     auto law = parameter.text();
-    auto const number = static_cast<int>(parameter.integer());
+    auto const number = parameter.whole();
     values[{device, std::move(law), number}].push_back(parameter.real());
   }
   Statement run(db,
-                "SELECT device, law, number, outcome, objective, integration_shift, evaluations, history FROM run "
-                "ORDER BY device, law, number");
+                "SELECT device, law, number, outcome, objective, integration_shift, evaluations, failed_evaluations, "
+                "message, history FROM run ORDER BY device, law, number");
   while (run.row()) {
     Run r;
     r.device = run.index();
     r.law = run.text();
-    r.number = static_cast<int>(run.integer());
+    r.number = run.whole();
     r.outcome = outcome_from(run.text());
     r.objective = run.real();
     r.integration_shift = run.real();
-    r.evaluations = static_cast<int>(run.integer());
+    r.evaluations = run.whole();
+    r.failed_evaluations = run.whole();
+    r.failure = run.text();
     r.history = run.reals();
     if (auto const found = values.find({r.device, r.law, r.number}); found != values.end())
       r.parameters = std::move(found->second);
@@ -312,11 +350,101 @@ std::string meta(sqlite3* db, std::string_view key) {
   return select.row() ? select.text() : std::string();
 }
 
-// A store of ours, of a schema this version knows.
+// What readers of Contents rely on: indices and lengths that fit together. A store this program wrote has them; a damaged
+// or foreign one need not.
+class Consistency {
+ public:
+  Consistency(Contents const& contents, std::string file) : contents_(contents), file_(std::move(file)) {
+    for (auto const& search : contents.searches) search_of_[{search.device, search.law}] = &search;
+  }
+
+  void require() const {
+    for (auto const& device : contents_.devices) device_fits(device);
+    for (auto const& search : contents_.searches) search_fits(search);
+    for (auto const& run : contents_.runs) run_fits(run);
+  }
+
+ private:
+  void device_fits(Device const& d) const {
+    auto const same = [&](auto const& channel, std::size_t size) { return channel.empty() || channel.size() == size; };
+    auto const& raw = d.raw;
+    auto const& fit = d.record;
+    bool const fits = same(raw.time_s, raw.size()) && raw.force_kN.size() == raw.size() &&
+                      same(raw.load_kN, raw.size()) && fit.time_s.size() == fit.size() &&
+                      same(fit.vel_mm_s, fit.size()) && fit.force_kN.size() == fit.size();
+    if (!fits) fail(fmt::format("the channels of device '{}' differ in length", d.name));
+    if (d.usable() && fit.size() == 0) fail(fmt::format("device '{}' has no record", d.name));
+  }
+  void search_fits(Search const& s) const {
+    auto const law =
+        std::ranges::find(laws::catalogue(), std::string_view(s.law), [](auto const& l) { return l.info.id; });
+    if (law == laws::catalogue().end()) fail(fmt::format("law '{}' is not known", s.law));
+    if (!s.refusal.empty()) return;
+    if (!contents_.devices[s.device].usable())
+      fail(fmt::format("{} was searched on '{}', which was refused", s.law, contents_.devices[s.device].name));
+    if (s.box.parameters.size() != law->parameters.size())
+      fail(fmt::format("the box of {} has {} parameters instead of {}", s.law, s.box.parameters.size(),
+                       law->parameters.size()));
+    for (std::size_t i = 0; i < law->parameters.size(); ++i) {
+      auto const& p = s.box.parameters[i];
+      if (p.name != law->parameters[i].name)
+        fail(fmt::format("parameter {} of {} is called '{}'", i + 1, s.law, p.name));
+      if (!std::isfinite(p.free ? p.lower + p.upper : p.value))
+        fail(fmt::format("the box of {} of {} is not finite", p.name, s.law));
+    }
+  }
+  void run_fits(Run const& r) const {
+    auto const found = search_of_.find({r.device, r.law});
+    if (found == search_of_.end() || !found->second->refusal.empty())
+      fail(fmt::format("a run of {} on device {}, which was not searched", r.law, r.device));
+    if (r.number < 1 || r.number > contents_.settings.runs)
+      fail(fmt::format("run {} of {}, of {} asked for", r.number, r.law, contents_.settings.runs));
+    if (r.usable() && r.parameters.size() != found->second->box.parameters.size())
+      fail(fmt::format("run {} of {} has {} parameters", r.number, r.law, r.parameters.size()));
+    if (!std::ranges::all_of(r.parameters, [](double value) { return std::isfinite(value); }))
+      fail(fmt::format("run {} of {} has a parameter that is not finite", r.number, r.law));
+    if (r.usable() != r.failure.empty() || r.usable() != std::isfinite(r.objective))
+      fail(fmt::format("run {} of {} is neither a result nor a failure", r.number, r.law));
+  }
+  [[noreturn]] void fail(std::string found) const { refuse_damaged(file_, found); }
+
+  Contents const& contents_;
+  std::string file_;
+  std::map<std::pair<std::size_t, std::string_view>, Search const*> search_of_;
+};
+
+// What the file's tables are declared as, by name.
+std::map<std::string, std::string> declared_tables(sqlite3* db) {
+  std::map<std::string, std::string> found;
+  Statement tables(db, "SELECT name, sql FROM sqlite_master WHERE type = 'table'");
+  while (tables.row()) {
+    auto name = tables.text();
+    found[std::move(name)] = tables.text();
+  }
+  return found;
+}
+
+std::map<std::string, std::string> const& our_tables() {
+  static auto const ours = [] {
+    sqlite3* raw = nullptr;
+    int const status = sqlite3_open(":memory:", &raw);
+    std::unique_ptr<sqlite3, decltype(&sqlite3_close_v2)> const memory(raw, sqlite3_close_v2);
+    if (status != SQLITE_OK) fail(raw, "cannot read");
+    execute(raw, schema);
+    return declared_tables(raw);
+  }();
+  return ours;
+}
+
+// A store of ours, of a schema this version knows. Its tables must be declared word by word as ours: a view or a computed
+// column in place of one could run without end, or fill the memory.
 void check_schema(sqlite3* db, std::filesystem::path const& file) {
-  Statement known(db, "SELECT count(*) FROM sqlite_master WHERE name IN ('meta', 'run', 'series', 'search_parameter')");
-  known.row();
-  auto const version = known.integer() == 4 ? meta(db, "schema") : std::string();
+  auto const theirs = declared_tables(db);
+  auto const is_ours = [&](std::string const& name) {
+    auto const found = theirs.find(name);
+    return found != theirs.end() && found->second == our_tables().at(name);
+  };
+  auto const version = is_ours("meta") ? meta(db, "schema") : std::string();
   if (version.empty())
     throw Error({.where = file.string(),
                  .found = "not a campaign store of isolaw",
@@ -326,6 +454,9 @@ void check_schema(sqlite3* db, std::filesystem::path const& file) {
                  .found = fmt::format("schema version {}", version),
                  .allowed = fmt::format("version {}", Store::schema_version),
                  .advice = "the version of isolaw that wrote it"});
+  for (auto const& [name, declaration] : our_tables())
+    if (!is_ours(name))
+      refuse_damaged(file.string(), fmt::format("table '{}' is missing or not as isolaw makes it", name));
 }
 
 }  // namespace
@@ -352,9 +483,9 @@ void Store::Close::operator()(sqlite3* db) const {
   sqlite3_close_v2(db);
 }
 
-Store::Handle Store::open_handle(std::filesystem::path const& file, int flags) {
+Store::Handle Store::open_handle(std::filesystem::path const& file, int flags, std::string const& uri) {
   sqlite3* raw = nullptr;
-  int const status = sqlite3_open_v2(file.c_str(), &raw, flags, nullptr);
+  int const status = sqlite3_open_v2(uri.empty() ? file.c_str() : uri.c_str(), &raw, flags, nullptr);
   Handle db(raw);
   if (status != SQLITE_OK)
     throw Error(
@@ -362,15 +493,40 @@ Store::Handle Store::open_handle(std::filesystem::path const& file, int flags) {
          .found = fmt::format("cannot open the store: {}", raw == nullptr ? "out of memory" : sqlite3_errmsg(raw)),
          .advice = "check that the directory exists and may be written"});
   sqlite3_busy_timeout(raw, 5000);
+  // Stores come from others, too: no value larger than the longest series, no functions run by the schema.
+  constexpr int largest_value_bytes = 256 << 20;
+  sqlite3_limit(raw, SQLITE_LIMIT_LENGTH, largest_value_bytes);
+  sqlite3_db_config(raw, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  sqlite3_db_config(raw, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   return db;
 }
 
 Store Store::create(std::filesystem::path const& file, Contents const& contents) {
-  std::error_code ignored;
-  for (auto const* suffix : {"", "-wal", "-shm", "-journal"}) std::filesystem::remove(file.string() + suffix, ignored);
-  auto handle = open_handle(file, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
-  auto* db = handle.get();
-  execute(db, "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
+  // Written aside and moved into place when whole: whatever stops the program, there is a store or there is none, and
+  // the one it replaces is not lost to a full disk.
+  auto aside = file;
+  aside += ".part";
+  auto const remove = [](std::string const& name) {
+    std::error_code ignored;
+    std::filesystem::remove(name, ignored);
+  };
+  for (auto const* suffix : {"-journal", ""}) remove(aside.string() + suffix);
+  {
+    auto const handle = open_handle(aside, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+    fill(handle.get(), contents);
+  }
+  // Without its log first: a log of the former store beside the new one would be taken for the new one's.
+  for (auto const* suffix : {"", "-wal", "-shm", "-journal"}) remove(file.string() + suffix);
+  std::error_code error;
+  std::filesystem::rename(aside, file, error);
+  if (error)
+    throw Error({.where = file.string(),
+                 .found = "cannot make the store: " + error.message(),
+                 .advice = "check free space and permissions of the directory"});
+  return open(file);
+}
+
+void Store::fill(sqlite3* db, Contents const& contents) {
   Transaction transaction(db);
   execute(db, schema);
   Statement meta(db, "INSERT INTO meta VALUES (?, ?)");
@@ -383,7 +539,30 @@ Store Store::create(std::filesystem::path const& file, Contents const& contents)
   write_devices(db, contents);
   write_searches(db, contents);
   transaction.commit();
-  return Store(std::move(handle), file);
+}
+
+namespace {
+bool has_log(std::filesystem::path const& file) {
+  std::error_code unknown;
+  return std::filesystem::exists(file.string() + "-wal", unknown) ||
+         std::filesystem::exists(file.string() + "-journal", unknown);
+}
+}  // namespace
+
+bool Store::is_plain(std::filesystem::path const& file) {
+  // Bytes 18 and 19 of an SQLite file: 1 for a rollback journal, 2 for a write-ahead log.
+  std::array<char, 20> header{};
+  std::ifstream(file, std::ios::binary).read(header.data(), header.size());
+  return !has_log(file) && header[18] == 1 && header[19] == 1;
+}
+
+Store::Handle Store::open_to_read(std::filesystem::path const& file) {
+  if (has_log(file)) return open_handle(file, SQLITE_OPEN_READONLY);
+  // Nobody writes: read without locks and without files beside it, which read-only media and some network shares lack.
+  std::string uri = "file:";
+  for (char const c : std::filesystem::absolute(file).generic_string())
+    uri += c == '%' || c == '?' || c == '#' ? fmt::format("%{:02x}", static_cast<unsigned char>(c)) : std::string(1, c);
+  return open_handle(file, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, uri + "?immutable=1");
 }
 
 Store Store::open(std::filesystem::path const& file) {
@@ -399,30 +578,33 @@ Contents Store::read(std::filesystem::path const& file) {
                  .found = "no such file",
                  .allowed = "campaign.sqlite of a campaign",
                  .advice = "isolaw calibrate ... --out DIR makes one"});
-  auto handle = open_handle(file, SQLITE_OPEN_READONLY);
+  auto const handle = open_to_read(file);
   auto* db = handle.get();
   check_schema(db, file);
   Contents contents;
   contents.title = meta(db, "title");
-  std::vector<std::pair<std::string, std::string>> pairs;
-  Statement setting(db, "SELECT key, json FROM setting ORDER BY position");
-  while (setting.row()) {
-    auto key = setting.text();
-    pairs.emplace_back(std::move(key), setting.text());
+  try {
+    read_settings(db, contents);
+    read_devices(db, contents);
+    read_searches(db, contents);
+    read_runs(db, contents);
+  } catch (nlohmann::json::exception const& error) {
+    refuse_damaged(file.string(), error.what());
+  } catch (Error const& error) {
+    if (error.complaints().front().where == file.string()) throw;
+    refuse_damaged(file.string(), error.what());
   }
-  contents.settings = settings_from_pairs(pairs);
-  read_devices(db, contents);
-  read_searches(db, contents);
-  read_runs(db, contents);
+  Consistency(contents, file.string()).require();
   return contents;
 }
 
 void Store::add(Run const& run) {
   auto* db = db_.get();
   Transaction transaction(db);
-  Statement row(db, "INSERT INTO run VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+  Statement row(db, "INSERT INTO run VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   row.bind(run.device).bind(run.law).bind(run.number).bind(name(run.outcome)).bind(run.objective);
-  row.bind(run.integration_shift).bind(run.evaluations).bind(run.history).insert();
+  row.bind(run.integration_shift).bind(run.evaluations).bind(run.failed_evaluations).bind(run.failure);
+  row.bind(run.history).insert();
   Statement parameter(db, "INSERT INTO run_parameter VALUES (?, ?, ?, ?, ?)");
   for (std::size_t i = 0; i < run.parameters.size(); ++i)
     parameter.bind(run.device).bind(run.law).bind(run.number).bind(i).bind(run.parameters[i]).insert();
@@ -443,6 +625,17 @@ void Store::describe(Contents const& contents) {
     device.bind(info.temperature_C).bind(info.rubber_thickness_mm).bind(info.rubber_area_mm2).bind(id).insert();
   }
   transaction.commit();
+}
+
+std::vector<std::string> Store::integrity(std::filesystem::path const& file) {
+  auto const handle = open_to_read(file);
+  std::vector<std::string> faults;
+  for (auto const* pragma : {"PRAGMA integrity_check", "PRAGMA foreign_key_check"}) {
+    Statement rows(handle.get(), pragma);
+    while (rows.row())
+      if (auto row = rows.text(); row != "ok") faults.push_back(std::move(row));
+  }
+  return faults;
 }
 
 bool Store::finish() {

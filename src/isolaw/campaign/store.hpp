@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "isolaw/campaign/contents.hpp"
 
@@ -14,14 +15,19 @@ namespace isolaw::campaign {
 
 class Store {
  public:
-  static constexpr int schema_version = 1;
+  static constexpr int schema_version = 2;
 
-  // A new store that holds the devices and searches of `contents` and no runs; replaces a file of that name.
+  // A new store that holds the devices and searches of `contents` and no runs; replaces a file of that name. When it
+  // fails, the former one is still there.
   static Store create(std::filesystem::path const& file, Contents const& contents);
   // An existing one, to add runs to. Throws Error: no such file, not a store, newer schema.
   static Store open(std::filesystem::path const& file);
+  // Whether the file stands alone, without a write-ahead log, and can be read wherever it is copied to.
+  static bool is_plain(std::filesystem::path const& file);
   // Everything in it; the file is not changed. Throws Error as above.
   static Contents read(std::filesystem::path const& file);
+  // What SQLite finds wrong with the file itself; empty when it is sound. Throws Error when it cannot be read at all.
+  static std::vector<std::string> integrity(std::filesystem::path const& file);
 
   void add(Run const& run);  // one transaction; not thread-safe
   // What the lot file says of the devices, which no result depends on, may be changed before a campaign is continued.
@@ -35,7 +41,9 @@ class Store {
     void operator()(sqlite3* db) const;
   };
   using Handle = std::unique_ptr<sqlite3, Close>;
-  static Handle open_handle(std::filesystem::path const& file, int flags);
+  static Handle open_handle(std::filesystem::path const& file, int flags, std::string const& uri = {});
+  static Handle open_to_read(std::filesystem::path const& file);
+  static void fill(sqlite3* db, Contents const& contents);
   Store(Handle db, std::filesystem::path file) : db_(std::move(db)), file_(std::move(file)) {}
 
   Handle db_;

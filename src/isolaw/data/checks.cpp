@@ -174,6 +174,25 @@ void warn_of_stuck_force(TestRecord& record, double half_range_mm) {
         std::abs(record.disp_mm[longest_first + longest - 1] - record.disp_mm[longest_first])));
 }
 
+// No isolator is as stiff as a steel bar or as soft as a rubber band: a unit is wrong, rather.
+void warn_about_magnitude(TestRecord& record) {
+  constexpr double stiffest_kN_per_mm = 100.0;
+  constexpr double softest_kN_per_mm = 0.001;
+  auto const [least_x, largest_x] = std::ranges::minmax(record.disp_mm);
+  auto const [least_F, largest_F] = std::ranges::minmax(record.force_kN);
+  double const stiffness = (largest_F - least_F) / (largest_x - least_x);
+  if (stiffness >= softest_kN_per_mm && stiffness <= stiffest_kN_per_mm) return;
+  auto const unit = [&](Channel channel) {
+    auto const found = record.layout.units.find(channel);
+    return found == record.layout.units.end() ? std::string("?") : found->second;
+  };
+  record.warnings.push_back(
+      fmt::format("{:.4g} kN over {:.4g} mm is a stiffness of {:.4g} kN/mm, {} than any isolator's: are displacements "
+                  "really in {} and forces in {}? (--units disp=UNIT,force=UNIT)",
+                  largest_F - least_F, largest_x - least_x, stiffness,
+                  stiffness > stiffest_kN_per_mm ? "stiffer" : "softer", unit(Channel::disp), unit(Channel::force)));
+}
+
 // Stages of different amplitude: the reported cycle speaks for its own stage alone.
 void warn_of_stages(TestRecord& record, Properties const& properties) {
   auto const [least, largest] = std::ranges::minmax(properties.cycles, {}, &Cycle::amplitude_mm);
@@ -234,6 +253,7 @@ void check_physics(TestRecord const& record, std::string const& exchange_advice,
 
 void add_warnings(TestRecord& record) {
   warn_about_sampling(record);
+  warn_about_magnitude(record);
   auto const [least, largest] = std::ranges::minmax(record.disp_mm);
   double const half_range = (largest - least) / 2.0;
   if (std::abs(record.disp_mm.front()) > 0.05 * half_range)

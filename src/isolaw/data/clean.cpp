@@ -169,6 +169,8 @@ std::vector<double> central_difference(std::vector<double> const& time_s, std::v
 
 FitRecord clean(TestRecord const& raw, CleanOptions const& options) {
   options.validate();
+  if (raw.size() == 0)
+    throw Error({.where = raw.file, .found = "a record of 0 samples", .allowed = "a record with samples"});
   FitRecord record;
   record.disp_mm = raw.disp_mm;
   record.force_kN = raw.force_kN;

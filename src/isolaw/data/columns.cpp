@@ -235,8 +235,11 @@ class Resolver {
 
   std::string columns_found() const {
     if (!has_names()) return fmt::format("{} columns without names", count());
+    constexpr std::size_t shown = 30;
     std::vector<std::string> texts;
-    for (std::size_t i = 0; i < count(); ++i) texts.push_back(fmt::format("{} {}", i + 1, in_quotes(header_.names[i])));
+    for (std::size_t i = 0; i < std::min(count(), shown); ++i)
+      texts.push_back(fmt::format("{} {}", i + 1, in_quotes(header_.names[i])));
+    if (count() > shown) texts.push_back(fmt::format("and {} more", count() - shown));
     return fmt::format("columns {}", fmt::join(texts, ", "));
   }
 
@@ -307,7 +310,9 @@ class Resolver {
 
   static std::string options_for(Channel channel, std::vector<std::size_t> const& candidates) {
     std::vector<std::string> texts;
-    for (auto const index : candidates) texts.push_back(fmt::format("--columns {}={}", name(channel), index + 1));
+    constexpr std::size_t shown = 10;
+    for (auto const index : candidates)
+      if (texts.size() < shown) texts.push_back(fmt::format("--columns {}={}", name(channel), index + 1));
     return fmt::format("{}", fmt::join(texts, " or "));
   }
 
@@ -341,8 +346,11 @@ class Resolver {
   }
 
   void report_ambiguity(Channel channel, std::vector<std::size_t> const& found) {
+    constexpr std::size_t shown = 10;
     std::vector<std::string> texts;
-    for (auto const index : found) texts.push_back(column_text(index, header_));
+    for (auto const index : found)
+      if (texts.size() < shown) texts.push_back(column_text(index, header_));
+    if (found.size() > shown) texts.push_back(fmt::format("and {} more", found.size() - shown));
     auto const text = fmt::format("{} may each be the {}", fmt::join(texts, ", "), meaning_text(channel));
     if (channel == Channel::load) {
       result_.warnings.push_back(fmt::format("{}: none is read ({} says which)", text, options_for(channel, found)));

@@ -56,7 +56,8 @@ Crossings find_crossings(std::span<double const> x) {
     double const after = direction * x[i];
     if (after < -crossings.band) armed = true;
     if (!armed || before >= 0.0 || after < 0.0) continue;
-    crossings.at.push_back(static_cast<double>(i - 1) + before / (before - after));
+    double const part = before / (before - after);  // not finite where a damaged store's values are not
+    crossings.at.push_back(static_cast<double>(i - 1) + (std::isfinite(part) ? part : 0.0));
     armed = false;
   }
   if (armed && std::abs(x.back()) <= crossings.band)

@@ -11,6 +11,7 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/hash.hpp"
+#include "isolaw/base/printable.hpp"
 #include "isolaw/data/checks.hpp"
 #include "isolaw/data/columns.hpp"
 #include "isolaw/data/dialect.hpp"
@@ -169,8 +170,8 @@ void describe_rows(Rows const& rows, TestRecord const& record, std::vector<std::
 void check_interval(std::string const& file, ReadOptions const& options, Header const& header, Columns const& columns,
                     std::vector<Complaint>& complaints) {
   if (!options.dt_s) return;
-  if (!std::isfinite(*options.dt_s) || *options.dt_s <= 0.0)
-    complaints.push_back({"--dt", fmt::format("{}", *options.dt_s), "a positive number of seconds", {}});
+  if (!(*options.dt_s >= 1e-9 && *options.dt_s <= 1e6))
+    complaints.push_back({"--dt", fmt::format("{}", *options.dt_s), "a positive number of seconds, 1e-9 to 1e6", {}});
   if (auto const time = columns.channels.find(Channel::time); time != columns.channels.end())
     complaints.push_back(
         {file,
@@ -183,7 +184,7 @@ std::string column_key(std::size_t index, Header const& header) {
   auto const number = std::to_string(index + 1);
   if (header.names.empty()) return number;
   auto const& text = header.names[index];
-  bool const plain = !text.empty() && text.find_first_of(",=\"") == std::string::npos &&
+  bool const plain = is_printable(text) && !text.empty() && text.find_first_of(",=\"") == std::string::npos &&
                      text.find_first_not_of("0123456789") != std::string::npos && lower(text) != "none";
   return plain && std::ranges::count(header.names, text) == 1 ? text : number;
 }
@@ -251,6 +252,16 @@ Dialect require_dialect(std::string const& file, std::span<std::string_view cons
   return *std::move(dialect);
 }
 
+void refuse_width(std::string const& file, Dialect const& dialect) {
+  constexpr std::size_t most_columns = 1000;
+  if (dialect.columns > most_columns)
+    throw Error(Complaint{
+        .where = file,
+        .found = fmt::format("{} columns separated by {}", dialect.columns, delimiter_name(dialect.delimiter)),
+        .allowed = fmt::format("{} or fewer", most_columns),
+        .advice = "export time, displacement and force alone, one sample a line"});
+}
+
 // Whole numbers separated by commas without names may be decimals with a comma: "1,5,2,0".
 void check_commas(std::string const& file, Dialect const& dialect, Header const& header,
                   std::vector<Complaint>& complaints) {
@@ -267,12 +278,17 @@ void check_commas(std::string const& file, Dialect const& dialect, Header const&
 }  // namespace
 
 TestRecord read_record(std::filesystem::path const& file, ReadOptions const& options) {
+  return read_record_text(load_text(file), file.generic_string(), options);
+}
+
+TestRecord read_record_text(std::string_view bytes, std::string const& name, ReadOptions const& options) {
   TestRecord record;
-  record.file = file.generic_string();
-  auto const bytes = load_text(file);
+  record.file = name;
+  check_text(name, bytes);
   record.sha256 = sha256(bytes);
   auto const text = split_lines(bytes);
   auto const dialect = require_dialect(record.file, text.lines);
+  refuse_width(record.file, dialect);
   auto const header = recognise_header(text.lines, dialect);
   auto const columns = recognise_columns(record.file, header, dialect, options);
 

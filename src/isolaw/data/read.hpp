@@ -30,5 +30,7 @@ std::map<Channel, std::string> parse_units(std::string_view text);
 // column, unknown unit, values that are no numbers or lie beyond the sensor's range, time that does not increase,
 // constant force or displacement, force and displacement swapped, flipped sign.
 TestRecord read_record(std::filesystem::path const& file, ReadOptions const& options = {});
+// The same of a file's bytes; `name` is the file in messages.
+TestRecord read_record_text(std::string_view bytes, std::string const& name, ReadOptions const& options = {});
 
 }  // namespace isolaw::data

@@ -4,15 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstdint>
-#include <cstdio>
-#include <cstring>
-#include <memory>
-#include <optional>
-#include <system_error>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/file.hpp"
+#include "isolaw/base/printable.hpp"
 
 namespace isolaw::data {
 namespace {
@@ -67,20 +63,6 @@ void refuse_binary(std::string const& where, std::string_view bytes) {
     refuse(where, fmt::format("is a binary file (byte {} is 0)", null + 1), export_text);
 }
 
-// Length of the UTF-8 sequence at the start of `bytes`; 0 when it is none.
-std::size_t utf8_length(std::string_view bytes) {
-  auto const lead = static_cast<unsigned char>(bytes.front());
-  std::size_t const length = lead < 0x80                   ? 1
-                             : lead >= 0xC2 && lead < 0xE0 ? 2
-                             : lead >= 0xE0 && lead < 0xF0 ? 3
-                             : lead >= 0xF0 && lead < 0xF5 ? 4
-                                                           : 0;
-  if (length == 0 || length > bytes.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((static_cast<unsigned char>(bytes[i]) & 0xC0) != 0x80) return 0;
-  return length;
-}
-
 bool is_utf8(std::string_view bytes) {
   while (!bytes.empty()) {
     auto const length = utf8_length(bytes);
@@ -120,29 +102,36 @@ static_assert(latin_letters.size() == 64);
 }  // namespace
 
 std::string load_text(std::filesystem::path const& file) {
-  auto const where = file.generic_string();
-  std::error_code failure;
-  auto const status = std::filesystem::status(file, failure);
-  if (!std::filesystem::exists(status)) refuse(where, "no such file");
-  if (std::filesystem::is_directory(status)) refuse(where, "is a directory");
-  auto const closed = [](std::FILE* handle) { std::fclose(handle); };
-  std::unique_ptr<std::FILE, decltype(closed)> handle(std::fopen(file.string().c_str(), "rb"), closed);
-  if (!handle) refuse(where, std::string("cannot be read: ") + std::strerror(errno));
-  auto const size = std::filesystem::is_regular_file(status) ? std::filesystem::file_size(file, failure) : 0;
-  if (!failure && size > largest_file_bytes)
-    refuse(where, fmt::format("is {:.2f} GiB large, above 1 GiB", static_cast<double>(size) / (1 << 30)),
-           "export one test per file, or fewer samples per second");
-  std::string bytes;
-  bytes.reserve(failure ? 0 : static_cast<std::size_t>(size) + 1);
-  std::array<char, 1 << 16> buffer;
-  while (auto const count = std::fread(buffer.data(), 1, buffer.size(), handle.get())) {
-    bytes.append(buffer.data(), count);
-    if (bytes.size() > largest_file_bytes) refuse(where, "is above 1 GiB");
-  }
-  if (std::ferror(handle.get()) != 0) refuse(where, "cannot be read to its end");
+  return read_file(file, {.largest_bytes = largest_file_bytes,
+                          .allowed = accepted,
+                          .when_too_large = "export one test per file, or fewer samples per second"});
+}
+
+void check_text(std::string const& where, std::string_view bytes) {
   if (bytes.empty()) refuse(where, "is empty");
   refuse_binary(where, bytes);
-  return bytes;
+  auto const ends_line = [](char c) { return c == '\n' || c == '\r'; };
+  std::size_t lines = 0;
+  std::size_t line_of_longest = 0;
+  std::size_t longest = 0;
+  for (std::size_t begin = 0; begin < bytes.size();) {
+    auto const rest = bytes.substr(begin);
+    auto const end = begin + static_cast<std::size_t>(std::ranges::find_if(rest, ends_line) - rest.begin());
+    ++lines;
+    if (end - begin > longest) {
+      longest = end - begin;
+      line_of_longest = lines;
+    }
+    begin = end + (bytes.substr(end).starts_with("\r\n") ? 2 : 1);
+  }
+  std::vector<Complaint> complaints;
+  if (lines > most_lines)
+    complaints.push_back({where, fmt::format("{} rows", lines), fmt::format("{} or fewer", most_lines),
+                          "thin the record, every tenth row for example, or export one test per file"});
+  if (longest > longest_line)
+    complaints.push_back({fmt::format("{}:{}", where, line_of_longest), fmt::format("a line of {} characters", longest),
+                          fmt::format("{} or fewer", longest_line), "export the channels as CSV, one sample a line"});
+  if (!complaints.empty()) throw Error(std::move(complaints));
 }
 
 Lines split_lines(std::string_view bytes) {
@@ -199,7 +188,7 @@ std::string_view trimmed(std::string_view text) {
 
 std::string in_quotes(std::string_view bytes) {
   constexpr std::size_t readable = 40;
-  auto text = to_utf8(bytes);
+  auto text = printable(to_utf8(bytes));
   if (text.size() > readable) {
     auto end = readable;
     while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;

@@ -2,6 +2,7 @@
 // are no UTF-8 are taken as that. Workbooks and other binary files are refused by their first bytes.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -12,8 +13,14 @@ namespace isolaw::data {
 
 inline constexpr std::uintmax_t largest_file_bytes = std::uintmax_t{1} << 30;
 
-// The whole file. Throws Error: no such file, a directory, unreadable, empty, above largest_file_bytes, binary, UTF-16.
+inline constexpr std::size_t most_lines = 10'000'000;
+inline constexpr std::size_t longest_line = 32'768;  // bytes
+
+// The whole file. Throws Error: no such file, no plain file, unreadable, above largest_file_bytes.
 std::string load_text(std::filesystem::path const& file);
+
+// Throws Error when the bytes are no text to read: empty, binary, UTF-16, above most_lines or longest_line.
+void check_text(std::string const& where, std::string_view bytes);
 
 struct Lines {
   std::vector<std::string_view> lines;  // without line ends; line number = index + 1; views into the bytes
@@ -32,7 +39,7 @@ std::string without_accents(std::string_view utf8);
 std::string lower(std::string_view text);
 std::string_view trimmed(std::string_view text);
 
-// 'text' for a message, cut to a readable length.
+// 'text' for a message, cut to a readable length, control characters spelled out.
 std::string in_quotes(std::string_view bytes);
 
 }  // namespace isolaw::data

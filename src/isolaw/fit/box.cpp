@@ -126,6 +126,7 @@ AtBound at_bound(SearchParameter const& parameter, double value) {
 laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const& law) {
   auto const& x = record.disp_mm;
   auto const& f = record.force_kN;
+  if (x.empty()) throw Error({.where = "law " + std::string(law.id), .found = "a record of 0 samples"});
   double const disp = largest_abs(x), force = largest_abs(f);
   auto const [low, high] = std::ranges::minmax_element(x);
   auto const index = [&](auto it) { return static_cast<std::size_t>(it - x.begin()); };

@@ -54,7 +54,7 @@ inline constexpr double bound_tolerance = 1e-3;
 enum class AtBound { no, lower, upper };
 AtBound at_bound(SearchParameter const& parameter, double value);
 
-// The size of a record in the units of a law.
+// The size of a record in the units of a law. Throws Error for a record without samples.
 laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const& law);
 
 // `published` falls back to the scaled interval for parameters the paper does not calibrate.

@@ -1,13 +1,20 @@
 #include "isolaw/fit/objective.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/num/statistics.hpp"
 
 namespace isolaw::fit {
 namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 std::vector<double> in_unit(std::vector<double> values, double unit) {
   for (double& v : values) v /= unit;
@@ -25,35 +32,97 @@ std::vector<double> time_weights(std::vector<double> const& t) {
   return w;
 }
 
+// Eq. (27) divides by the duration and by the standard deviation of the force: where either says nothing, a candidate
+// could get any value, also a good one.
+void require_something_to_fit(laws::LawInfo const& law, data::FitRecord const& record) {
+  auto const refuse = [&](std::string found, std::string allowed) {
+    throw Error({.where = "law " + std::string(law.id), .found = std::move(found), .allowed = std::move(allowed)});
+  };
+  if (record.size() < 2)
+    refuse(fmt::format("a record of {} samples", record.size()), "a record of two samples or more");
+  double const duration = record.time_s.back() - record.time_s.front();
+  if (!(duration > 0.0 && std::isfinite(duration)))
+    refuse(fmt::format("a record that lasts {} s", duration), "times that increase");
+  double largest = 0.0;
+  for (double const force : record.force_kN) largest = std::max(largest, std::abs(force));
+  double const spread = num::population_std(record.force_kN);
+  // Below 1e-12 of the largest force the spread is the rounding of one number.
+  if (!(spread > 1e-12 * largest && std::isfinite(spread)))
+    refuse(fmt::format("the measured force has a standard deviation of {} kN about its mean, its largest size is {} kN",
+                       spread, largest),
+           "a force that changes during the test");
+}
+
 }  // namespace
 
-LawOnRecord::LawOnRecord(laws::LawEntry const& law, data::FitRecord const& record, laws::Integration integration)
-    : law_(&law), integration_(integration) {
+LawOnRecord::LawOnRecord(laws::LawEntry const& law, data::FitRecord const& record, laws::Integration integration,
+                         laws::TurningPoints turning_points)
+    : law_(&law), integration_(integration), turning_points_(turning_points), time_s_(record.time_s) {
   if (!law.info.traits.rate_independent && !record.has_time())
     throw Error({.where = "law " + std::string(law.info.id),
                  .found = "the record has no time channel, and this law depends on velocity",
                  .allowed = "rate-independent laws (bilinear, vaiana, bouc-wen, abe, abe-y0) without time",
                  .advice = "--dt SECONDS, the sampling interval of the test"});
+  require_something_to_fit(law.info, record);
   auto const& info = law.info;
   x_ = in_unit(record.disp_mm, info.length.in_record_units);
   v_ = in_unit(record.vel_mm_s, info.length.in_record_units);
-  path_ = laws::make_path(x_, v_);
+  path_ = path(1);
   measured_ = in_unit(record.force_kN, info.force.in_record_units);
   weight_ = time_weights(record.time_s);
   double const spread = num::population_std(measured_);
   for (double& w : weight_) w /= spread;
 }
 
+laws::Path LawOnRecord::path(int refinement) const {
+  return turning_points_ == laws::TurningPoints::interpolated
+             ? laws::make_path_with_turning_points(x_, v_, time_s_, refinement)
+             : laws::make_path(x_, v_, refinement);
+}
+
 double LawOnRecord::misfit(std::vector<double> const& force) const {
   double sum = 0.0;
   for (std::size_t i = 0; i < measured_.size(); ++i) sum += weight_[i] * std::abs(measured_[i] - force[i]);
-  return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
+  return std::isfinite(sum) ? sum : infinite;
 }
 
 double LawOnRecord::objective(std::span<double const> parameters, std::vector<double>& work) const {
   work.resize(measured_.size());
   law_->evaluate(parameters, path_, integration_, work);
   return misfit(work);
+}
+
+void LawOnRecord::objectives(std::size_t count, std::function<void(std::size_t, std::span<double>)> const& candidate,
+                             std::span<double> values, InstructionSet set) const {
+  std::size_t const dimension = law_->parameters.size();
+  std::vector<double> one(dimension);
+  if (set == InstructionSet::scalar) {
+    std::vector<double> force;
+    for (std::size_t i = 0; i < count; ++i) {
+      candidate(i, one);
+      values[i] = objective(one, force);
+    }
+    return;
+  }
+  auto const code = kernel(set, law_->index);
+  KernelRecord const record{path_, measured_, weight_};
+  std::vector<double> block(dimension * wide_block);
+  std::array<double, wide_block> sums{};
+  for (std::size_t first = 0; first < count;) {
+    std::size_t const left = count - first, width = left > 2 * narrow_block ? wide_block : narrow_block;
+    std::size_t const used = std::min(left, width);
+    std::array<bool, wide_block> usable{};
+    for (std::size_t lane = 0; lane < width; ++lane) {
+      // A last block that is not full repeats its first candidate.
+      candidate(lane < used ? first + lane : first, one);
+      usable[lane] = std::ranges::all_of(one, [](double value) { return std::isfinite(value); });
+      for (std::size_t p = 0; p < dimension; ++p) block[p * width + lane] = one[p];
+    }
+    (width == wide_block ? code.wide : code.narrow)(block.data(), record, integration_, sums.data());
+    for (std::size_t lane = 0; lane < used; ++lane)
+      values[first + lane] = usable[lane] && std::isfinite(sums[lane]) ? sums[lane] : infinite;
+    first += used;
+  }
 }
 
 std::vector<double> LawOnRecord::force_kN(std::span<double const> parameters) const {
@@ -67,17 +136,14 @@ double LawOnRecord::integration_shift(std::span<double const> parameters) const 
   if (!law_->info.traits.path_integrated) return 0.0;
   std::vector<double> force;
   double const here = objective(parameters, force);
-  auto const fine = laws::make_path(x_, v_, shift_refinement);
+  auto const fine = path(shift_refinement);
   law_->evaluate(parameters, fine, laws::Integration::converged, force);
   return std::abs(misfit(force) - here);
 }
 
 void IdentificationProblem::evaluate(opt::Points const& points, std::span<double> values) const {
-  std::vector<double> parameters(box_.parameters.size()), force;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    box_.expand(points[i], parameters);
-    values[i] = model_.objective(parameters, force);
-  }
+  model_.objectives(
+      points.size(), [&](std::size_t i, std::span<double> parameters) { box_.expand(points[i], parameters); }, values);
 }
 
 }  // namespace isolaw::fit

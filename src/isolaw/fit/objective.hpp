@@ -1,11 +1,13 @@
 // A law on one device's record: computed forces and the objective of Eq. (27).
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "isolaw/data/record.hpp"
 #include "isolaw/fit/box.hpp"
+#include "isolaw/fit/kernels.hpp"
 #include "isolaw/laws/catalogue.hpp"
 #include "isolaw/opt/problem.hpp"
 
@@ -14,16 +16,32 @@ namespace isolaw::fit {
 // A finer path that tells how far a result still moves when integrated more finely.
 inline constexpr int shift_refinement = 20;
 
+// How far an objective, computed elsewhere from the same record and parameters, may differ, relative; and a force, of
+// the peak force. Compilers and processors round differently, and bring their own elementary functions: 6e-14 and
+// 1.2e-12 are the largest that `./isolaw.sh compilers` has shown (bouc-wen in x87 arithmetic; 9e-14 without it). The
+// rest is room for mathematical libraries and processors that were not at hand.
+inline constexpr double evaluation_tolerance = 1e-9;
+
+// Blocks use their own elementary functions and fused multiply-adds: largest seen 2e-13 (vaiana), tests pin it.
+inline constexpr double block_tolerance = 1e-11;
+
 class LawOnRecord {
  public:
-  // Throws Error when the law needs velocities and the record has no time. The record may be discarded afterwards.
-  LawOnRecord(laws::LawEntry const& law, data::FitRecord const& record, laws::Integration integration);
+  // Throws Error when the law needs velocities and the record has no time, and for a record that Eq. (27) cannot judge
+  // by: fewer than two samples, no duration, a constant force. The record may be discarded afterwards.
+  LawOnRecord(laws::LawEntry const& law, data::FitRecord const& record, laws::Integration integration,
+              laws::TurningPoints turning_points = laws::TurningPoints::as_sampled);
 
   laws::LawEntry const& law() const { return *law_; }
 
   // OF = mean over time of |measured - computed| / standard deviation of the measured force; +infinity when a computed
   // force is not finite. `parameters` in the law's order and units. Thread-safe; `work` is scratch, resized as needed.
   double objective(std::span<double const> parameters, std::vector<double>& work) const;
+
+  // The same for many candidates, in blocks: `candidate(i, values)` writes the parameters of number i. Agrees with the
+  // scalar objective within block_tolerance (relative, where that is above 1e-3), whatever the place in a block.
+  void objectives(std::size_t count, std::function<void(std::size_t, std::span<double>)> const& candidate,
+                  std::span<double> values, InstructionSet set = instruction_set()) const;
 
   // Computed force [kN] at every sample.
   std::vector<double> force_kN(std::span<double const> parameters) const;
@@ -33,10 +51,12 @@ class LawOnRecord {
 
  private:
   double misfit(std::vector<double> const& force) const;
+  laws::Path path(int refinement) const;
 
   laws::LawEntry const* law_;
   laws::Integration integration_;
-  std::vector<double> x_, v_;  // law's units
+  laws::TurningPoints turning_points_;
+  std::vector<double> time_s_, x_, v_;  // law's units of length
   laws::Path path_;
   std::vector<double> measured_;  // law's force unit
   std::vector<double> weight_;    // trapezoid in time / (duration * standard deviation)

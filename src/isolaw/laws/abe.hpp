@@ -161,17 +161,21 @@ T elastic_force(Params const& p, Constants<T> const& c, Step const& step) {
   return F1 + F3;
 }
 
-// dF2/dx of Eq. (18), for given Yt and 1/Ut.
+// What dF2/dx of Eq. (18) needs of a point of the path: Yt, its inverse, and 1 / Ut.
 template <class T>
-T hysteretic_slope(T const& F2, T const& Yt, T const& inverse_Ut, T const& n, T const& direction) {
-  T const ratio = power(abs(F2 / Yt), n);
-  return Yt * inverse_Ut * (T(1.0) - select(direction * F2 < T(0.0), -ratio, ratio));
+struct Point {
+  T Yt, per_Yt, inverse_Ut;
+};
+template <class T>
+T hysteretic_slope(T const& F2, Point<T> const& at, T const& n, T const& direction) {
+  T const ratio = power(abs(F2 * at.per_Yt), n);
+  return at.Yt * at.inverse_Ut * (T(1.0) - select(direction * F2 < T(0.0), -ratio, ratio));
 }
 
-// 1 / Ut where the path is at x, peak0 being the peak before the step.
+// 1 / Ut where the path is at x, the constants being those of peak0, the peak before the step.
 template <class T, class Params>
 T inverse_Ut_at(Params const& p, Constants<T> const& c, double x, double peak0) {
-  return c.inverse_U0 / (T(1.0) + T(std::max(peak0, std::abs(x))) / p.Us);
+  return std::abs(x) <= peak0 ? c.inverse_Ut : c.inverse_U0 / (T(1.0) + T(std::abs(x)) / p.Us);
 }
 
 }  // namespace abe_parts
@@ -220,6 +224,7 @@ struct Abe {
   struct State {
     T F2 = T(0.0);
     T growth = T(0.0);  // |x / Uh|^p at the last sample
+    T per_p_plus_1 = T(0.0), per_Y0 = T(0.0);
     abe_parts::Constants<T> constants;
     SaturatingFlow<T, Reach::beyond_saturation> flow;
   };
@@ -229,7 +234,9 @@ struct Abe {
     State<T> state;
     state.constants = abe_parts::constants<T>(p, first);
     state.growth = growth_at(p, state.constants, first.x1);
-    if (integration == Integration::converged) state.flow = SaturatingFlow<T, Reach::beyond_saturation>(p.n, T(1.0));
+    state.per_p_plus_1 = T(1.0) / (p.p + T(1.0));
+    state.per_Y0 = T(1.0) / p.Y0;
+    if (integration == Integration::converged) state.flow.tabulate(p.n, T(1.0));
     return state;
   }
 
@@ -240,8 +247,8 @@ struct Abe {
       // Shorter pieces where |x|^p is not smooth (about x = 0) and where Ut changes within the step (a new peak).
       double const nearest = step.x0 * step.x1 <= 0.0 ? 0.0 : std::min(std::abs(step.x0), std::abs(step.x1));
       bool const rough = nearest < 4.0 * step.length || step.peak1 > step.peak0;
-      // Elsewhere no piece is longer than a sample of 200 per sine cycle.
-      int const smooth = static_cast<int>(std::ceil(std::min(step.length / (0.0317 * step.peak1), 64.0)));
+      // Elsewhere no piece is longer than a sample of 200 per sine cycle. In this order infinite displacements give 64.
+      int const smooth = static_cast<int>(std::ceil(std::min(64.0, step.length / (0.0317 * step.peak1))));
       int const pieces = std::max(nearest < 1.5 * step.length ? 8 : rough ? 6 : 1, smooth);
       double x = step.x0;
       for (int i = 1; i <= pieces; ++i) {
@@ -257,11 +264,18 @@ struct Abe {
   static T step_paper(Params<T> const& p, State<T>& state, Step const& step) {
     auto& c = state.constants;
     T const direction(step.direction);
+    auto const point = [&](T const& growth, double x) -> abe_parts::Point<T> {
+      T const Yt = p.Y0 * (T(1.0) + growth);
+      return {Yt, T(1.0) / Yt, abe_parts::inverse_Ut_at(p, c, x, step.peak0)};
+    };
+    T const growth = growth_at(p, c, step.x1);
+    auto const before = point(state.growth, step.x0), after = point(growth, step.x1);
+    double const x = step.x0 + 0.5 * step.dx;
+    auto const middle = point(growth_at(p, c, x), x);
     state.F2 = runge_kutta(state.F2, step.dx, [&](double t, T const& F2) {
-      double const x = step.x0 + t * step.dx;
-      T const Yt = p.Y0 * (T(1.0) + growth_at(p, c, x));
-      return abe_parts::hysteretic_slope(F2, Yt, abe_parts::inverse_Ut_at(p, c, x, step.peak0), p.n, direction);
+      return abe_parts::hysteretic_slope(F2, t == 0.0 ? before : t == 1.0 ? after : middle, p.n, direction);
     });
+    state.growth = growth;
     if (step.peak1 > step.peak0) abe_parts::follow_peak(p, c, step.peak1);
     return abe_parts::elastic_force(p, c, step) + state.F2;
   }
@@ -288,12 +302,15 @@ struct Abe {
   static void advance(Params<T> const& p, State<T>& state, abe_parts::Piece const& piece) {
     T const one(1.0), direction(piece.direction), before = state.growth;
     T const after = growth_at(p, state.constants, piece.x1);
-    bool const tiny = piece.length < 1e-6 * std::max(std::abs(piece.x0), std::abs(piece.x1));
-    T const mean = tiny ? T(0.5) * (before + after)
-                        : (T(piece.x1) * after - T(piece.x0) * before) / ((p.p + one) * T(piece.x1 - piece.x0));
-    T const Yt = p.Y0 * (one + mean), travel = abe_parts::travel(p, state.constants, piece);
-    auto const moved = state.flow.advance(direction * state.F2 / Yt, travel);
-    T const d = (after - before) / (one + mean), relaxed = p.n * travel, relaxed2 = relaxed * relaxed;
+    double const size = std::max(std::abs(piece.x0), std::abs(piece.x1));
+    bool const tiny = piece.length <= std::max(1e-6 * size, num::smallest_power_base);
+    T const mean =
+        tiny ? T(0.5) * (before + after)
+             : (T(piece.x1) * after - T(piece.x0) * before) * state.per_p_plus_1 * T(1.0 / (piece.x1 - piece.x0));
+    T const Yt = p.Y0 * (one + mean), per_mean = one / (one + mean);
+    T const travel = abe_parts::travel(p, state.constants, piece);
+    auto const moved = state.flow.advance(direction * state.F2 * state.per_Y0 * per_mean, travel);
+    T const d = (after - before) * per_mean, relaxed = p.n * travel, relaxed2 = relaxed * relaxed;
     // Rates fall along the flow; close to saturation both are lost to rounding.
     T const ratio = max(T(0.0), min(moved.rate1 / moved.rate0, one));
     T const first = d * relaxed / sqrt(one + relaxed2 * T(1.0 / 36.0)) * (one - ratio) * T(1.0 / 12.0);

@@ -51,7 +51,7 @@ struct AbeY0 {
   static State<T> start(Params<T> const& p, Step const& first, Integration integration) {
     State<T> state;
     state.constants = abe_parts::constants<T>(p, first);
-    if (integration == Integration::converged) state.flow = SaturatingFlow<T>(p.n, T(1.0));
+    if (integration == Integration::converged) state.flow.tabulate(p.n, T(1.0));
     return state;
   }
 
@@ -74,7 +74,8 @@ struct AbeY0 {
     T const direction(step.direction);
     state.u = runge_kutta(state.u, step.dx, [&](double t, T const& u) {
       double const x = step.x0 + t * step.dx;
-      return abe_parts::hysteretic_slope(u, T(1.0), abe_parts::inverse_Ut_at(p, c, x, step.peak0), p.n, direction);
+      abe_parts::Point<T> const at{T(1.0), T(1.0), abe_parts::inverse_Ut_at(p, c, x, step.peak0)};
+      return abe_parts::hysteretic_slope(u, at, p.n, direction);
     });
     if (step.peak1 > step.peak0) abe_parts::follow_peak(p, c, step.peak1);
     return abe_parts::elastic_force(p, c, step) + p.Y0 * state.u;

@@ -5,6 +5,8 @@
 // dx of about two yield displacements.
 #pragma once
 
+#include <limits>
+
 #include "isolaw/laws/law.hpp"
 #include "isolaw/laws/limits.hpp"
 #include "isolaw/laws/runge_kutta.hpp"
@@ -90,13 +92,13 @@ struct BoucWen {
   template <class T>
   static State<T> start(Params<T> const& p, Step const&, Integration integration) {
     State<T> state;
-    if (integration == Integration::paper) return state;
     T const both = p.beta + p.gamma;
-    // beta + gamma <= 0 makes log2 of it NaN on purpose: such a candidate has no saturated force. With beta <= 0 kappa
-    // is at most -1, which the flow turns into NaN.
+    // Without a bounded force there is none, whatever the integration makes of it before z runs away.
+    state.z = select(min(p.beta, both) > T(0.0), T(0.0), T(std::numeric_limits<double>::quiet_NaN()));
+    if (integration == Integration::paper) return state;
     state.z_max = exp2((log2(p.A) - log2(both)) / p.n);
     state.rate = p.A / state.z_max;
-    state.flow = SaturatingFlow<T>(p.n, (p.beta - p.gamma) / both);
+    state.flow.tabulate(p.n, (p.beta - p.gamma) / both);
     return state;
   }
 

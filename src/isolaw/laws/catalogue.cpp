@@ -1,5 +1,9 @@
 #include "isolaw/laws/catalogue.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "isolaw/base/error.hpp"
 #include "isolaw/laws/all_laws.hpp"
 
@@ -8,10 +12,16 @@ namespace {
 
 template <class Law>
 LawEntry entry() {
-  LawEntry made{.info = Law::info, .parameters = {}, .evaluate = nullptr};
+  LawEntry made{.info = Law::info, .index = 0, .parameters = {}, .evaluate = nullptr};
   for (auto const& row : Law::template rows<double>) made.parameters.push_back(row.info);
   made.evaluate = [](std::span<double const> parameters, Path const& path, Integration integration,
                      std::span<double> force) {
+    // A law may have a limit there (no yielding for an infinite yield displacement) or not meet the parameter on this
+    // path: either way a force would come out that nobody asked for.
+    if (!std::ranges::all_of(parameters, [](double value) { return std::isfinite(value); })) {
+      std::ranges::fill(force, std::numeric_limits<double>::quiet_NaN());
+      return;
+    }
     run<Law, double>(unpack<Law, double>(parameters), path, integration,
                      [&](std::size_t i, double value) { force[i] = value; });
   };
@@ -35,7 +45,10 @@ std::size_t LawEntry::index_of(std::string_view parameter) const {
 std::span<LawEntry const> catalogue() {
   static std::vector<LawEntry> const all = [] {
     std::vector<LawEntry> made;
-    for_each_law([&]<class Law>() { made.push_back(entry<Law>()); });
+    for_each_law([&]<class Law>() {
+      made.push_back(entry<Law>());
+      made.back().index = made.size() - 1;
+    });
     return made;
   }();
   return all;

@@ -12,9 +12,10 @@ namespace isolaw::laws {
 
 struct LawEntry {
   LawInfo info;
+  std::size_t index = 0;  // in the catalogue
   std::vector<ParameterInfo> parameters;
   // Force [law's unit] at every sample of the path into `force` (path.samples() values). `parameters` in order.
-  // Values that overflow come out infinite or NaN; nothing is thrown.
+  // Values that overflow come out infinite or NaN, and so do all for a parameter that is not finite; nothing is thrown.
   void (*evaluate)(std::span<double const> parameters, Path const& path, Integration integration,
                    std::span<double> force);
 

@@ -3,7 +3,9 @@
 // and only these give the stiffness and force of the other laws. Step: dW = F(x, v, W) dx by classical Runge-Kutta
 // steps, displacement and velocity linear between the samples; the same for both kinds of integration. At 200 samples
 // per cycle the error is 3e-7 of the peak force with the published means; it grows where a9 or a10 times the work of
-// one sample exceeds 1.
+// one sample exceeds 1. Where damping or stiffness is negative somewhere up to the peak (the automatic box allows it),
+// the device may give out more work than it took in, and the exponentials of a negative W run away: no bounded force,
+// rejected.
 #pragma once
 
 #include "isolaw/laws/law.hpp"
@@ -118,12 +120,16 @@ struct HwangWu {
   template <class T>
   struct State {
     T W = T(0.0);
+    T decay9 = T(0.0), decay10 = T(0.0);  // a9 and a10 in powers of two
     Coefficients<T> now;
   };
 
   template <class T>
   static State<T> start(Params<T> const& p, Step const& first, Integration) {
-    return {.W = T(0.0), .now = coefficients(p, first.x1, first.v1)};
+    return {.W = T(0.0),
+            .decay9 = T(num::log2_e) * p.a9,
+            .decay10 = T(num::log2_e) * p.a10,
+            .now = coefficients(p, first.x1, first.v1)};
   }
 
   template <class T>
@@ -133,10 +139,10 @@ struct HwangWu {
     if (step.length > 0.0) {
       auto const middle = coefficients(p, 0.5 * (step.x0 + step.x1), 0.5 * (step.v0 + step.v1));
       state.W = runge_kutta(state.W, step.dx, [&](double t, T const& W) {
-        return force(p, t == 0.0 ? before : t == 1.0 ? state.now : middle, W);
+        return force(state, t == 0.0 ? before : t == 1.0 ? state.now : middle, W);
       });
     }
-    return force(p, state.now, state.W);
+    return force(state, state.now, state.W);
   }
 
  private:
@@ -144,16 +150,16 @@ struct HwangWu {
   static Coefficients<T> coefficients(Params<T> const& p, double at_x, double at_v) {
     T const x(at_x), v(at_v), x2(at_x * at_x);
     Coefficients<T> c;
-    c.elastic = (p.a1 + x2 * (p.a2 + x2 * p.a3)) * x;
+    c.elastic = rounded((p.a1 + x2 * (p.a2 + x2 * p.a3)) * x);
     c.softening = p.a4 * x * sech_squared(p.a5 * v);
-    // At rest nothing is damped, also for a8 = 0.
-    c.damping = at_v == 0.0 ? T(0.0) : (p.a6 + p.a7 * x2) * v / sqrt(p.a8 * p.a8 + v * v);
+    // At rest nothing is damped, also for a8 = 0; likewise where the square of the velocity is lost.
+    c.damping = at_v * at_v < smallest_square ? T(0.0) : (p.a6 + p.a7 * x2) * v / sqrt(p.a8 * p.a8 + v * v);
     return c;
   }
 
   template <class T>
-  static T force(Params<T> const& p, Coefficients<T> const& c, T const& W) {
-    return c.elastic + c.softening * exp(p.a9 * W) + c.damping * (T(1.0) + exp(p.a10 * W));
+  static T force(State<T> const& state, Coefficients<T> const& c, T const& W) {
+    return c.elastic + c.softening * exp2(state.decay9 * W) + c.damping * (T(1.0) + exp2(state.decay10 * W));
   }
 };
 

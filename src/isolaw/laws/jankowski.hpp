@@ -119,9 +119,18 @@ struct Jankowski {
   template <class T>
   static T step(Params<T> const& p, State<T>&, Step const& step) {
     T const x(step.x1), v(step.v1), x2(step.x1 * step.x1);
-    T const K = p.a1 + x2 * (p.a2 + x2 * p.a3) + p.a4 * sech_squared(p.a5 * v) + p.a6 * sech(p.a7 * v) * sech(p.a8 * x);
-    if (step.v1 == 0.0) return K * x;
-    return K * x + (p.a9 + p.a10 * x2) * v / sqrt(p.a11 * p.a11 + v * v);
+    // 1/cosh^2 u = 4 E / (1 + E)^2 and 1/cosh u = 2 e / (1 + e^2) with e = exp(-|u|), E = e^2: nothing overflows. Over one
+    // denominator, since a division costs as much as an exponential.
+    T const one(1.0), two(2.0);
+    T const log2_e_v(num::log2_e * step.v1), log2_e_x(num::log2_e * step.x1);
+    T const E5 = exp2(-two * abs(p.a5 * log2_e_v)), e7 = exp2(-abs(p.a7 * log2_e_v)), e8 = exp2(-abs(p.a8 * log2_e_x));
+    T const square5 = (one + E5) * (one + E5), product78 = (one + e7 * e7) * (one + e8 * e8);
+    T const peaks = T(4.0) * (p.a4 * E5 * product78 + p.a6 * e7 * e8 * square5), below = square5 * product78;
+    T const polynomial = p.a1 + x2 * (p.a2 + x2 * p.a3);
+    // Also where the square of the velocity is lost, which for a11 = 0 would leave v / 0.
+    if (step.v1 * step.v1 < smallest_square) return (polynomial + peaks / below) * x;
+    T const speed = sqrt(p.a11 * p.a11 + v * v);
+    return polynomial * x + (peaks * x * speed + (p.a9 + p.a10 * x2) * v * below) / (below * speed);
   }
 };
 

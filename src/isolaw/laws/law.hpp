@@ -33,6 +33,7 @@ using num::log2;
 using num::max;
 using num::min;
 using num::power;
+using num::rounded;
 using num::sech;
 using num::sech_squared;
 using num::select;
@@ -97,6 +98,7 @@ struct LawInfo {
 };
 
 enum class Integration { converged, paper };
+enum class TurningPoints { as_sampled, interpolated };  // whether the path turns at samples only, or between them too
 
 // One step of the path, from the sample before to this one, in the law's units. Depends on the record alone.
 struct Step {
@@ -106,29 +108,43 @@ struct Step {
   double length;                    // |dx|
   double direction;                 // +1, -1; the last one where dx = 0; 0 before the first motion
   bool reversal;                    // the direction differs from that of the step before
+  bool sample;                      // the end is a sample of the record, where a force is wanted
   double peak0, peak1;              // largest |x| up to the start and the end of the step
   double log2_abs_x0, log2_abs_x1;  // of |x| clamped to num::smallest_power_base
 };
 
 // The record as a piecewise linear path. The first step has no length: its force is that of the first sample.
-// With `refinement` > 1 every interval is cut into that many equal steps, displacement and velocity interpolated.
 struct Path {
   std::vector<Step> steps;
-  int refinement = 1;
+  std::size_t sample_count = 0;
 
-  std::size_t samples() const {
-    return steps.empty() ? 0 : (steps.size() - 1) / static_cast<std::size_t>(refinement) + 1;
-  }
+  std::size_t samples() const { return sample_count; }
 };
 
 // x and v in the law's units; v empty for a record without time. Needs at least one sample and refinement >= 1.
+// With `refinement` > 1 every interval is cut into that many equal steps, displacement and velocity interpolated.
 Path make_path(std::span<double const> x, std::span<double const> v, int refinement = 1);
+
+// The same through the turning points as well, which lie between the samples: at each reversal the vertex of the
+// parabola through its three samples is inserted, at rest. For smooth records; on a noisy one it follows the noise.
+// `time` of the samples, increasing.
+Path make_path_with_turning_points(std::span<double const> x, std::span<double const> v, std::span<double const> time,
+                                   int refinement = 1);
 
 template <class Law, class T>
 using ParamsOf = typename Law::template Params<T>;
 
 template <class Law>
 inline constexpr std::size_t parameter_count = Law::template rows<double>.size();
+
+// The members of rows<T> alone: code for batches that held on to the rest would bring along a copy of the functions
+// named there, compiled for its instruction set.
+template <class Law, class T>
+inline constexpr auto members = [] {
+  std::array<T ParamsOf<Law, T>::*, parameter_count<Law>> made{};
+  for (std::size_t i = 0; i < made.size(); ++i) made[i] = Law::template rows<T>[i].member;
+  return made;
+}();
 
 template <class Law>
 concept HasPaperStep = requires(ParamsOf<Law, double> const& p, typename Law::template State<double>& s,
@@ -141,12 +157,11 @@ template <class Law, class T, class Sink>
 void run(ParamsOf<Law, T> const& params, Path const& path, Integration integration, Sink&& sink) {
   if (path.steps.empty()) return;
   auto state = Law::template start<T>(params, path.steps.front(), integration);
-  auto const stride = static_cast<std::size_t>(path.refinement);
   auto const walk = [&](auto&& advance) {
-    sink(std::size_t{0}, advance(path.steps.front()));
-    for (std::size_t i = 1, sample = 1; i < path.steps.size(); ++sample) {
-      for (std::size_t k = 1; k < stride; ++k) advance(path.steps[i++]);
-      sink(sample, advance(path.steps[i++]));
+    std::size_t sample = 0;
+    for (Step const& step : path.steps) {
+      T const force = advance(step);
+      if (step.sample) sink(sample++, force);
     }
   };
   if constexpr (HasPaperStep<Law>) {
@@ -161,7 +176,7 @@ void run(ParamsOf<Law, T> const& params, Path const& path, Integration integrati
 template <class Law, class T>
 ParamsOf<Law, T> unpack(std::span<T const> values) {
   ParamsOf<Law, T> params{};
-  for (std::size_t i = 0; i < parameter_count<Law>; ++i) params.*(Law::template rows<T>[i].member) = values[i];
+  for (std::size_t i = 0; i < parameter_count<Law>; ++i) params.*members<Law, T>[i] = values[i];
   return params;
 }
 

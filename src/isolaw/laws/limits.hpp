@@ -13,6 +13,9 @@ inline constexpr Interval not_negative{0.0, infinity};
 inline constexpr Interval not_positive{-infinity, 0.0};
 inline constexpr Interval positive{std::numeric_limits<double>::min(), infinity};
 
+// A speed whose square is smaller, 1e-146 in any unit, is rest: the square loses digits, then all of itself.
+inline constexpr double smallest_square = 1e-292;
+
 constexpr double one(RecordScales const&) {
   return 1.0;
 }

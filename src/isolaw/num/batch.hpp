@@ -1,148 +1,367 @@
-// W doubles that behave like one: the population is the vector, a lane is a candidate. Plain loops that a compiler
-// can turn into vector instructions; lanes never mix.
+// W doubles that behave like one: the population is the vector, a lane is a candidate. Lanes never mix.
+//
+// A batch is a few native vectors of the compiler (GCC and Clang, vector_size), so that a law's body compiled for an
+// instruction set runs in its registers, with several independent vectors in flight to hide the latency of each. The
+// types carry the instruction set in their name: objects compiled for different ones may be linked into one program
+// (fit/kernels.cpp), as long as all that they share are functions of these types.
+// Lanes agree with the double path within rounding: exp, exp2, log2 and power are those of elementary.hpp.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
 
+#include <bit>
+
+#include "isolaw/num/elementary.hpp"
 #include "isolaw/num/scalar.hpp"
+
+// Every function here must disappear into its caller: a copy of its own could be linked into code for another processor.
+#define ISOLAW_INLINE inline __attribute__((always_inline))
+#define ISOLAW_LAMBDA __attribute__((always_inline))
 
 namespace isolaw::num {
 
-template <std::size_t W>
-struct Mask {
-  std::array<bool, W> lane{};
+#if defined(__AVX512F__)
+#define ISOLAW_INSTRUCTION_SET avx512
+#elif defined(__AVX__)
+#define ISOLAW_INSTRUCTION_SET avx2
+#else
+#define ISOLAW_INSTRUCTION_SET portable
+#endif
+
+inline namespace ISOLAW_INSTRUCTION_SET {
+
+inline constexpr std::size_t vector_lanes =
+#if defined(__AVX512F__)
+    8;
+#elif defined(__AVX__)
+    4;
+#else
+    2;
+#endif
+typedef double Vector __attribute__((vector_size(vector_lanes * 8)));
+typedef std::int64_t VectorMask __attribute__((vector_size(vector_lanes * 8)));
+typedef std::uint64_t VectorBits __attribute__((vector_size(vector_lanes * 8)));
+
+// K values, made and visited by a constant index: unrolled by the front end, so that they live in registers.
+template <class V, std::size_t K>
+struct Pack {
+  V part[K];
+
+  template <class F>
+  ISOLAW_INLINE static void each(F&& f) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) ISOLAW_LAMBDA {
+      (f(I), ...);
+    }
+    (std::make_index_sequence<K>());
+  }
+  template <class F>
+  ISOLAW_INLINE static Pack make(F&& f) {
+    Pack made;
+    each([&](std::size_t i) ISOLAW_LAMBDA { made.part[i] = f(i); });
+    return made;
+  }
 };
 
 template <std::size_t W>
-struct Batch {
-  std::array<double, W> lane{};
+struct Mask : Pack<VectorMask, W / vector_lanes> {};
+template <std::size_t W>
+struct Bits : Pack<VectorBits, W / vector_lanes> {};
+// Of the cells of a table, one for each lane.
+template <std::size_t W>
+struct Indices : Pack<VectorMask, W / vector_lanes> {};
+
+template <std::size_t W>
+struct Batch : Pack<Vector, W / vector_lanes> {
+  static_assert(W % vector_lanes == 0);
+  using Base = Pack<Vector, W / vector_lanes>;
 
   Batch() = default;
-  explicit Batch(double v) { lane.fill(v); }
+  ISOLAW_INLINE Batch(Base const& base) : Base(base) {}
+  ISOLAW_INLINE explicit Batch(double v) : Base(Base::make([&](std::size_t) ISOLAW_LAMBDA { return Vector{} + v; })) {}
 
-  template <class F>
-  static Batch map(Batch const& a, F f) {
-    Batch out;
-    for (std::size_t i = 0; i < W; ++i) out.lane[i] = f(a.lane[i]);
-    return out;
+  ISOLAW_INLINE static Batch load(double const* values) {
+    return Base::make([&](std::size_t i) ISOLAW_LAMBDA {
+      Vector v;
+      std::memcpy(&v, values + i * vector_lanes, sizeof v);
+      return v;
+    });
   }
-  template <class F>
-  static Batch map(Batch const& a, Batch const& b, F f) {
-    Batch out;
-    for (std::size_t i = 0; i < W; ++i) out.lane[i] = f(a.lane[i], b.lane[i]);
-    return out;
+  ISOLAW_INLINE void store(double* values) const { std::memcpy(values, this->part, sizeof this->part); }
+
+  friend ISOLAW_INLINE Batch operator-(Batch const& a) {
+    return Base::make([&](std::size_t i) ISOLAW_LAMBDA { return -a.part[i]; });
   }
-  template <class F>
-  static Mask<W> compare(Batch const& a, Batch const& b, F f) {
-    Mask<W> out;
-    for (std::size_t i = 0; i < W; ++i) out.lane[i] = f(a.lane[i], b.lane[i]);
-    return out;
+#define ISOLAW_OPERATOR(op)                                                                 \
+  friend ISOLAW_INLINE Batch operator op(Batch const& a, Batch const& b) {                  \
+    return Base::make([&](std::size_t i) ISOLAW_LAMBDA { return a.part[i] op b.part[i]; }); \
+  }
+  ISOLAW_OPERATOR(+)
+  ISOLAW_OPERATOR(-)
+  ISOLAW_OPERATOR(*)
+  ISOLAW_OPERATOR(/)
+#undef ISOLAW_OPERATOR
+  ISOLAW_INLINE Batch& operator+=(Batch const& b) {
+    return *this = *this + b;
   }
 
-  friend Batch operator-(Batch const& a) {
-    return map(a, [](double x) { return -x; });
+#define ISOLAW_OPERATOR(op)                                                                                    \
+  friend ISOLAW_INLINE Mask<W> operator op(Batch const& a, Batch const& b) {                                   \
+    return {Mask<W>::make([&](std::size_t i) ISOLAW_LAMBDA -> VectorMask { return a.part[i] op b.part[i]; })}; \
   }
-  friend Batch operator+(Batch const& a, Batch const& b) {
-    return map(a, b, [](double x, double y) { return x + y; });
-  }
-  friend Batch operator-(Batch const& a, Batch const& b) {
-    return map(a, b, [](double x, double y) { return x - y; });
-  }
-  friend Batch operator*(Batch const& a, Batch const& b) {
-    return map(a, b, [](double x, double y) { return x * y; });
-  }
-  friend Batch operator/(Batch const& a, Batch const& b) {
-    return map(a, b, [](double x, double y) { return x / y; });
-  }
-  Batch& operator+=(Batch const& b) { return *this = *this + b; }
+  ISOLAW_OPERATOR(<)
+  ISOLAW_OPERATOR(<=)
+  ISOLAW_OPERATOR(>)
+  ISOLAW_OPERATOR(>=)
+#undef ISOLAW_OPERATOR
+};
 
-  friend Mask<W> operator<(Batch const& a, Batch const& b) {
-    return compare(a, b, [](double x, double y) { return x < y; });
+#define ISOLAW_OPERATOR(op, Right)                                                                     \
+  template <std::size_t W>                                                                             \
+  ISOLAW_INLINE Bits<W> operator op(Bits<W> const& a, Right b) {                                       \
+    return {Bits<W>::make([&](std::size_t i) ISOLAW_LAMBDA -> VectorBits { return a.part[i] op b; })}; \
   }
-  friend Mask<W> operator<=(Batch const& a, Batch const& b) {
-    return compare(a, b, [](double x, double y) { return x <= y; });
+ISOLAW_OPERATOR(+, std::uint64_t)
+ISOLAW_OPERATOR(&, std::uint64_t)
+ISOLAW_OPERATOR(|, std::uint64_t)
+ISOLAW_OPERATOR(<<, int)
+ISOLAW_OPERATOR(>>, int)
+#undef ISOLAW_OPERATOR
+
+}  // namespace ISOLAW_INSTRUCTION_SET
+
+// What elementary.hpp asks of a type of lanes.
+template <std::size_t W>
+struct Lanes<Batch<W>> {
+  using L = Lanes<Vector>;
+  using T = Batch<W>;
+  using B = Bits<W>;
+
+  ISOLAW_INLINE static T all(double x) { return T(x); }
+  ISOLAW_INLINE static B bits(T const& x) {
+    return {B::make([&](std::size_t i) ISOLAW_LAMBDA { return L::bits(x.part[i]); })};
   }
-  friend Mask<W> operator>(Batch const& a, Batch const& b) {
-    return compare(a, b, [](double x, double y) { return x > y; });
+  ISOLAW_INLINE static T from_bits(B const& x) {
+    return T::make([&](std::size_t i) ISOLAW_LAMBDA { return L::from_bits(x.part[i]); });
   }
-  friend Mask<W> operator>=(Batch const& a, Batch const& b) {
-    return compare(a, b, [](double x, double y) { return x >= y; });
+  ISOLAW_INLINE static T abs(T const& x) {
+    return T::make([&](std::size_t i) ISOLAW_LAMBDA { return L::abs(x.part[i]); });
+  }
+  ISOLAW_INLINE static T multiply_add(T const& a, T const& b, T const& c) {
+    return T::make([&](std::size_t i) ISOLAW_LAMBDA { return L::multiply_add(a.part[i], b.part[i], c.part[i]); });
+  }
+  ISOLAW_INLINE static T select(Mask<W> const& mask, T const& a, T const& b) {
+    return T::make([&](std::size_t i) ISOLAW_LAMBDA { return L::select(mask.part[i], a.part[i], b.part[i]); });
   }
 };
 
+inline namespace ISOLAW_INSTRUCTION_SET {
+
 template <std::size_t W>
-Batch<W> abs(Batch<W> const& a) {
-  return Batch<W>::map(a, [](double x) { return num::abs(x); });
+ISOLAW_INLINE Batch<W> abs(Batch<W> const& a) {
+  return Lanes<Batch<W>>::abs(a);
 }
 template <std::size_t W>
-Batch<W> exp(Batch<W> const& a) {
-  return Batch<W>::map(a, [](double x) { return num::exp(x); });
+ISOLAW_INLINE Batch<W> exp(Batch<W> const& a) {
+  return fast_exp(a);
 }
 template <std::size_t W>
-Batch<W> exp2(Batch<W> const& a) {
-  return Batch<W>::map(a, [](double x) { return num::exp2(x); });
+ISOLAW_INLINE Batch<W> exp2(Batch<W> const& a) {
+  return fast_exp2(a);
 }
 template <std::size_t W>
-Batch<W> log2(Batch<W> const& a) {
-  return Batch<W>::map(a, [](double x) { return num::log2(x); });
+ISOLAW_INLINE Batch<W> log2(Batch<W> const& a) {
+  return fast_log2(a);
 }
 template <std::size_t W>
-Batch<W> sqrt(Batch<W> const& a) {
-  return Batch<W>::map(a, [](double x) { return num::sqrt(x); });
+ISOLAW_INLINE Batch<W> power(Batch<W> const& x, Batch<W> const& p) {
+  return fast_power(x, p);
+}
+ISOLAW_INLINE Vector sqrt_of(Vector const& a) {
+#if defined(__AVX512F__)
+  return _mm512_maskz_sqrt_pd(0xff, a);  // the forms without a mask start from a value that GCC 12 warns of
+#elif defined(__AVX__)
+  return _mm256_sqrt_pd(a);
+#elif defined(__SSE2__)
+  return _mm_sqrt_pd(a);
+#else
+  Vector root;
+  for (std::size_t i = 0; i < vector_lanes; ++i) root[i] = __builtin_sqrt(a[i]);
+  return root;
+#endif
 }
 template <std::size_t W>
-Batch<W> min(Batch<W> const& a, Batch<W> const& b) {
-  return Batch<W>::map(a, b, [](double x, double y) { return num::min(x, y); });
+ISOLAW_INLINE Batch<W> sqrt(Batch<W> const& a) {
+  return Batch<W>::make([&](std::size_t i) ISOLAW_LAMBDA { return sqrt_of(a.part[i]); });
 }
 template <std::size_t W>
-Batch<W> max(Batch<W> const& a, Batch<W> const& b) {
-  return Batch<W>::map(a, b, [](double x, double y) { return num::max(x, y); });
-}
-template <std::size_t W>
-Batch<W> select(Mask<W> const& condition, Batch<W> const& a, Batch<W> const& b) {
-  Batch<W> out;
-  for (std::size_t i = 0; i < W; ++i) out.lane[i] = condition.lane[i] ? a.lane[i] : b.lane[i];
-  return out;
+ISOLAW_INLINE Batch<W> select(Mask<W> const& condition, Batch<W> const& a, Batch<W> const& b) {
+  return Lanes<Batch<W>>::select(condition, a, b);
 }
 // Branching on what the record determines is the same for all lanes.
 template <std::size_t W>
-Batch<W> select(bool condition, Batch<W> const& a, Batch<W> const& b) {
+ISOLAW_INLINE Batch<W> select(bool condition, Batch<W> const& a, Batch<W> const& b) {
   return condition ? a : b;
+}
+template <std::size_t W>
+ISOLAW_INLINE Batch<W> min(Batch<W> const& a, Batch<W> const& b) {
+  return select(b < a, b, a);
+}
+template <std::size_t W>
+ISOLAW_INLINE Batch<W> max(Batch<W> const& a, Batch<W> const& b) {
+  return select(a < b, b, a);
+}
+
+// Where a compiler fuses, what it fuses in a sum of two products may depend on what it inlined: a lane would have other
+// bits in a block of another width. Costs no instruction.
+template <std::size_t W>
+ISOLAW_INLINE Batch<W> rounded(Batch<W> a) {
+  a.each([&](std::size_t i) ISOLAW_LAMBDA {
+#if defined(__x86_64__)
+    asm("" : "+v"(a.part[i]));
+#elif defined(__aarch64__)
+    asm("" : "+w"(a.part[i]));
+#endif
+  });
+  return a;
+}
+
+// The doubles at base[index] of each lane.
+ISOLAW_INLINE Vector gather(double const* base, VectorMask const& index) {
+#if defined(__AVX512F__)
+  return _mm512_mask_i64gather_pd(_mm512_setzero_pd(), 0xff, std::bit_cast<__m512i>(index), base, 8);
+#elif defined(__AVX2__)
+  return _mm256_i64gather_pd(base, std::bit_cast<__m256i>(index), 8);
+#else
+  Vector out;
+  for (std::size_t i = 0; i < vector_lanes; ++i) out[i] = base[index[i]];
+  return out;
+#endif
+}
+// 0, 1, 2 ... for the lanes of vector number `part`.
+ISOLAW_INLINE VectorMask lane_numbers(std::size_t part) {
+  VectorMask numbers;
+  for (std::size_t i = 0; i < vector_lanes; ++i) numbers[i] = static_cast<std::int64_t>(part * vector_lanes + i);
+  return numbers;
+}
+ISOLAW_INLINE double const* doubles(void const* values) {
+  return static_cast<double const*>(values);
+}
+
+template <std::size_t W, std::size_t Count>
+ISOLAW_INLINE Batch<W> at(std::array<Batch<W>, Count> const& values, Indices<W> const& index) {
+  return Batch<W>::make([&](std::size_t i) ISOLAW_LAMBDA {
+    return gather(doubles(values.data()), index.part[i] * static_cast<std::int64_t>(W) + lane_numbers(i));
+  });
+}
+template <std::size_t W, std::size_t Count>
+ISOLAW_INLINE Batch<W> at(std::array<double, Count> const& values, Indices<W> const& index) {
+  return Batch<W>::make([&](std::size_t i) ISOLAW_LAMBDA { return gather(values.data(), index.part[i]); });
 }
 
 template <std::size_t W>
-struct Indices {
-  std::array<std::size_t, W> lane{};
-};
+ISOLAW_INLINE Batch<W> as_batch(Batch<W> const& node) {
+  return node;
+}
+template <std::size_t W>
+ISOLAW_INLINE Batch<W> as_batch(double node) {
+  return Batch<W>(node);
+}
 
-template <std::size_t W, std::size_t Count>
-Indices<W> cell_of(std::array<Batch<W>, Count> const& nodes, Batch<W> const& x) {
-  Indices<W> first{};
-  for (std::size_t length = Count - 1; length > 1;) {
+// `cells` + 1 nodes. The first three halvings compare with seven nodes that are the same for all lanes: a gather costs
+// more than several comparisons.
+template <class Values, std::size_t W>
+ISOLAW_INLINE Indices<W> bisect(Values const& nodes, std::size_t cells, Batch<W> const& x) {
+  Indices<W> first{Indices<W>::make([](std::size_t) ISOLAW_LAMBDA { return VectorMask{}; })};
+  std::size_t const block = cells / 8;
+  if (block > 0)
+    for (std::size_t k = 1; k < 8; ++k) {
+      Batch<W> const node = as_batch<W>(nodes[k * block]);
+      auto const skip = static_cast<std::int64_t>(block);
+      first = {Indices<W>::make([&](std::size_t i) ISOLAW_LAMBDA -> VectorMask {
+        return first.part[i] + ((node.part[i] <= x.part[i]) & skip);
+      })};
+    }
+  // The last block holds the rest; the others may look beyond their end, where all nodes are greater.
+  for (std::size_t length = cells - 7 * block; length > 1;) {
     std::size_t const half = length / 2;
-    for (std::size_t i = 0; i < W; ++i) first.lane[i] += nodes[first.lane[i] + half].lane[i] <= x.lane[i] ? half : 0;
+    auto const step = static_cast<std::int64_t>(half);
+    Indices<W> const middle{
+        Indices<W>::make([&](std::size_t i) ISOLAW_LAMBDA -> VectorMask { return first.part[i] + step; })};
+    Batch<W> const node = at(nodes, middle);
+    first = {Indices<W>::make([&](std::size_t i) ISOLAW_LAMBDA -> VectorMask {
+      return node.part[i] <= x.part[i] ? middle.part[i] : first.part[i];
+    })};
     length -= half;
   }
   return first;
 }
 template <std::size_t W, std::size_t Count>
-Indices<W> cell_of(std::array<double, Count> const& nodes, Batch<W> const& x) {
-  Indices<W> out{};
-  for (std::size_t i = 0; i < W; ++i) out.lane[i] = num::cell_of(nodes, x.lane[i]);
-  return out;
+ISOLAW_INLINE Indices<W> cell_of(std::array<Batch<W>, Count> const& nodes, Batch<W> const& x) {
+  return bisect(nodes, Count - 1, x);
 }
 template <std::size_t W, std::size_t Count>
-Batch<W> at(std::array<Batch<W>, Count> const& values, Indices<W> const& index) {
-  Batch<W> out;
-  for (std::size_t i = 0; i < W; ++i) out.lane[i] = values[index.lane[i]].lane[i];
-  return out;
+ISOLAW_INLINE Indices<W> cell_of(std::array<double, Count> const& nodes, Batch<W> const& x) {
+  return bisect(nodes, Count - 1, x);
 }
+
+// Rounds of exchanging one bit of the row's index with the same bit of the lane's: each is one instruction a vector.
+template <std::size_t Bit, std::size_t... Lane>
+ISOLAW_INLINE void exchange(std::array<Vector, vector_lanes>& rows, std::index_sequence<Lane...>) {
+  for (std::size_t i = 0; i < vector_lanes; ++i) {
+    if ((i & Bit) != 0) continue;
+    Vector const a = rows[i], b = rows[i + Bit];
+    rows[i] = __builtin_shufflevector(a, b, static_cast<int>(Lane & Bit ? vector_lanes + Lane - Bit : Lane)...);
+    rows[i + Bit] = __builtin_shufflevector(a, b, static_cast<int>(Lane & Bit ? vector_lanes + Lane : Lane + Bit)...);
+  }
+}
+// A square of vector_lanes vectors, turned over its diagonal.
+ISOLAW_INLINE void transpose(std::array<Vector, vector_lanes>& rows) {
+  constexpr std::make_index_sequence<vector_lanes> lanes;
+  exchange<1>(rows, lanes);
+  if constexpr (vector_lanes >= 4) exchange<2>(rows, lanes);
+  if constexpr (vector_lanes >= 8) exchange<4>(rows, lanes);
+}
+
+}  // namespace ISOLAW_INSTRUCTION_SET
+
 template <std::size_t W, std::size_t Count>
-Batch<W> at(std::array<double, Count> const& values, Indices<W> const& index) {
-  Batch<W> out;
-  for (std::size_t i = 0; i < W; ++i) out.lane[i] = values[index.lane[i]];
-  return out;
-}
+class Rows8<Batch<W>, Count> {
+  static constexpr std::size_t n = vector_lanes;
+
+ public:
+  ISOLAW_INLINE void set(std::size_t row, std::array<Batch<W>, 8> const& values) {
+    for (std::size_t part = 0; part < W / n; ++part)
+      for (std::size_t first = 0; first < 8; first += n) {
+        std::array<Vector, n> square;
+        for (std::size_t k = 0; k < n; ++k) square[k] = values[first + k].part[part];
+        transpose(square);
+        for (std::size_t lane = 0; lane < n; ++lane)
+          std::memcpy(rows_[row][part * n + lane] + first, &square[lane], sizeof(Vector));
+      }
+  }
+  ISOLAW_INLINE std::array<Batch<W>, 8> get(Indices<W> const& index) const {
+    std::array<Batch<W>, 8> values;
+    for (std::size_t part = 0; part < W / n; ++part)
+      for (std::size_t first = 0; first < 8; first += n) {
+        std::array<Vector, n> square;
+        for (std::size_t lane = 0; lane < n; ++lane)
+          std::memcpy(&square[lane], rows_[static_cast<std::size_t>(index.part[part][lane])][part * n + lane] + first,
+                      sizeof(Vector));
+        transpose(square);
+        for (std::size_t k = 0; k < n; ++k) values[first + k].part[part] = square[k];
+      }
+    return values;
+  }
+
+ private:
+  alignas(64) double rows_[Count][W][8];
+};
 
 }  // namespace isolaw::num

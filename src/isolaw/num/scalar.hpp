@@ -3,9 +3,12 @@
 //
 //   abs exp exp2 log2 sqrt min max        as in <cmath>
 //   select(condition, a, b)               a where true, b elsewhere, lane by lane; both are evaluated
+//   rounded(x)                            x, but a product is rounded before it goes into a sum: in a sum of two products
+//                                         it says which of them is not fused
 //   value_of(x)                           the value without derivatives (double), for tests and messages
 //   cell_of(nodes, x)                     index i of the cell nodes[i] <= x < nodes[i+1], clamped to 0 .. count-2
 //   at(values, index)                     values[index], lane by lane
+//   Rows8                                 a table of rows of eight values, read by an index as cell_of gives it
 #pragma once
 
 #include <algorithm>
@@ -43,6 +46,10 @@ inline double select(bool condition, double a, double b) {
 inline double value_of(double x) {
   return x;
 }
+template <class T>
+T const& rounded(T const& x) {
+  return x;
+}
 
 // Branch-free bisection: the trip count depends on the size of the table alone.
 template <std::size_t Count>
@@ -62,8 +69,20 @@ T const& at(std::array<T, Count> const& values, std::size_t index) {
   return values[index];
 }
 
+// A table of rows of eight values that are always read together: a row of one lane is one cache line.
+template <class T, std::size_t Count>
+class Rows8 {
+ public:
+  void set(std::size_t row, std::array<T, 8> const& values) { rows_[row] = values; }
+  std::array<T, 8> const& get(std::size_t row) const { return rows_[row]; }
+
+ private:
+  std::array<std::array<T, 8>, Count> rows_;
+};
+
 // |x|^p for x >= 0, as 2^(p log2 x): 0 for x = 0 (p > 0), never the special cases of pow.
 inline constexpr double smallest_power_base = 1e-290;
+inline constexpr double log2_e = 1.44269504088896340736;
 template <class T>
 T power(T const& x, T const& p) {
   return exp2(p * log2(max(x, T(smallest_power_base))));

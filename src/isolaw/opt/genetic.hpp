@@ -38,6 +38,7 @@ struct GeneticResult {
   std::vector<double> best;  // in the unit box; empty when no point was finite
   double best_value = std::numeric_limits<double>::infinity();
   int evaluations = 0;          // population x generations done
+  int failed_evaluations = 0;   // of them, points whose value was not finite
   std::vector<double> history;  // best value after each generation; never rises
 
   bool usable() const { return !best.empty(); }

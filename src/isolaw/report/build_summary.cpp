@@ -99,7 +99,11 @@ DeviceFit device_fit(campaign::Contents const& contents, campaign::Search const&
   made.runs = static_cast<int>(runs.size());
   made.failed_runs = static_cast<int>(runs.size() - usable.size());
   if (runs.empty()) made.failure = "no run has finished yet";
-  if (made.failed_runs > 0) made.failure = "no parameter set of the first generation gave a finite force";
+  for (auto const* run : runs) {
+    made.evaluations += static_cast<std::uint64_t>(run->evaluations);
+    made.failed_evaluations += static_cast<std::uint64_t>(run->failed_evaluations);
+    if (made.failure.empty()) made.failure = run->failure;
+  }
   campaign::Run const* best = nullptr;
   for (auto const* run : usable)
     if (best == nullptr || run->objective < best->objective) best = run;
@@ -111,7 +115,8 @@ DeviceFit device_fit(campaign::Contents const& contents, campaign::Search const&
 
   made.objective.best = best->objective;
   made.integration_shift = best->integration_shift;
-  fit::LawOnRecord const model(laws::find_law(search.law), device.record, contents.settings.integration);
+  fit::LawOnRecord const model(laws::find_law(search.law), device.record, contents.settings.integration,
+                               contents.settings.turning_points);
   made.force_kN = model.force_kN(best->parameters);
   compare_properties(made, device.record);
   return made;
@@ -197,10 +202,12 @@ Summary build_summary(campaign::Contents const& contents) {
     for (auto const& search : contents.searches) {
       if (search.law != id) continue;
       Runs runs;
-      for (auto const& run : contents.runs) {
-        if (run.device != search.device || run.law != id) continue;
-        runs.push_back(&run);
-        if (run.usable()) all_objectives.push_back(run.objective);
+      auto const key = [](campaign::Run const& run) { return std::pair(run.device, std::string_view(run.law)); };
+      std::pair const wanted(search.device, std::string_view(id));
+      for (auto run = std::ranges::lower_bound(contents.runs, wanted, {}, key);
+           run != contents.runs.end() && key(*run) == wanted; ++run) {
+        runs.push_back(&*run);
+        if (run->usable()) all_objectives.push_back(run->objective);
       }
       law.devices.push_back(device_fit(contents, search, runs));
     }

@@ -149,6 +149,20 @@ void warn_of_failed_runs(LawResult const& law, std::vector<Warning>& warnings) {
         {"failed runs", fmt::format("{}: {} of {} runs failed, the first on {}", law.id, failed, runs, first)});
 }
 
+// What an optimiser tried in vain is no fault of the result, but it belongs to how the result was found.
+void warn_of_failed_evaluations(LawResult const& law, std::vector<Warning>& warnings) {
+  std::uint64_t failed = 0, evaluations = 0;
+  for (auto const& fit : law.devices) {
+    evaluations += fit.evaluations;
+    failed += fit.failed_evaluations;
+  }
+  if (failed > 0)
+    warnings.push_back(
+        {"failed evaluations",
+         fmt::format("{}: {} of {} parameter sets tried ({}) gave no finite force and were passed over", law.id, failed,
+                     evaluations, percent(static_cast<double>(failed) / static_cast<double>(evaluations)))});
+}
+
 void warn_of_bounds(LawResult const& law, std::vector<Warning>& warnings) {
   std::size_t fitted = 0;
   std::vector<std::pair<std::pair<std::string, std::string>, Names>> at_bound;  // (parameter, side) and its devices
@@ -209,7 +223,8 @@ void warn_of_records(Summary const& summary, std::vector<Warning>& warnings) {
 std::vector<Warning> all_warnings(Summary const& summary) {
   std::vector<Warning> warnings;
   warn_of_devices(summary, warnings);
-  for (auto const warn : {warn_of_refused_laws, warn_of_failed_runs, warn_of_bounds, warn_of_integration})
+  for (auto const warn :
+       {warn_of_refused_laws, warn_of_failed_runs, warn_of_failed_evaluations, warn_of_bounds, warn_of_integration})
     for (auto const& law : summary.laws) warn(law, warnings);
   warn_of_records(summary, warnings);
   return warnings;

@@ -106,6 +106,7 @@ void write_fit(JsonWriter& out, DeviceFit const& fit, int device, std::vector<st
   out.member("device", device).member("status", fit_status(fit));
   out.member("message", fit.refusal.empty() ? fit.failure : fit.refusal);
   out.member("runs", fit.runs).member("failed_runs", fit.failed_runs);
+  out.member("evaluations", fit.evaluations).member("failed_evaluations", fit.failed_evaluations);
   out.key("objective");
   write(out, fit.objective);
   out.key("K_eff_error_percent").rounded(fit.K_eff_error_percent, digits);

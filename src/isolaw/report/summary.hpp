@@ -32,7 +32,8 @@ struct DeviceFit {
   std::string device;
   std::string refusal;  // why the law was not identified here ("" when it was)
   int runs = 0, failed_runs = 0;
-  std::string failure;  // reason of the first failed run
+  std::string failure;                                    // reason of the first failed run
+  std::uint64_t evaluations = 0, failed_evaluations = 0;  // parameter sets tried; of them, without a finite force
   Statistic objective;
   std::optional<double> K_eff_error_percent, energy_error_percent, damping_error_percent;
   std::optional<double> integration_shift;

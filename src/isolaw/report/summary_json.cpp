@@ -37,6 +37,7 @@ void write(JsonWriter& out, DeviceFit const& fit) {
   out.end_object();
   out.member("status", fit_status(fit)).member("message", fit.refusal.empty() ? fit.failure : fit.refusal);
   out.member("runs", fit.runs).member("failed_runs", fit.failed_runs);
+  out.member("evaluations", fit.evaluations).member("failed_evaluations", fit.failed_evaluations);
   out.end_object();
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <concepts>
 #include <optional>
 #include <vector>
 
@@ -18,7 +19,7 @@ class Table {
   Table& cell(std::string_view text) { return put(csv_cell(text)); }
   Table& cell(std::optional<double> const& number) { return put(to_text(number, digits)); }
   Table& cell(double number) { return cell(std::optional(number)); }
-  Table& cell(int number) { return put(std::to_string(number)); }
+  Table& cell(std::integral auto number) { return put(std::to_string(number)); }
   Table& yes_no(bool flag) { return put(flag ? "yes" : "no"); }
   Table& empty(int count) {
     for (int i = 0; i < count; ++i) put("");
@@ -139,13 +140,15 @@ std::string objective_csv(Summary const& summary) {
       .cell("std OF [-]")
       .cell("best OF [-]")
       .cell("runs")
-      .cell("failed runs");
+      .cell("failed runs")
+      .cell("evaluations")
+      .cell("failed evaluations");
   table.cell("K_eff error [%]").cell("energy error [%]").cell("damping error [%]").cell("integration shift of OF [-]");
   table.cell("status").cell("message").end_row();
   for (auto const& law : summary.laws) {
     for (auto const& fit : law.devices) {
       table.cell(law.id).cell(fit.device).cell(fit.objective.mean).cell(fit.objective.std).cell(fit.objective.best);
-      table.cell(fit.runs).cell(fit.failed_runs);
+      table.cell(fit.runs).cell(fit.failed_runs).cell(fit.evaluations).cell(fit.failed_evaluations);
       table.cell(fit.K_eff_error_percent).cell(fit.energy_error_percent).cell(fit.damping_error_percent);
       table.cell(fit.integration_shift).cell(fit_status(fit)).cell(fit.refusal.empty() ? fit.failure : fit.refusal);
       table.end_row();

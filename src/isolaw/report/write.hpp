@@ -2,7 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "isolaw/report/summary.hpp"
 
@@ -11,6 +14,12 @@ namespace isolaw::report {
 // summary.json, tables/{parameters,objective,robustness,properties}.csv and report.html in `dir`, which is made if
 // needed. Each file is written aside and renamed: a reader sees the old or the new one, never a part. Throws Error.
 void write_outputs(Summary const& summary, std::filesystem::path const& dir);
+
+// Their names relative to `dir` and their texts.
+std::vector<std::pair<std::string, std::string>> output_texts(Summary const& summary);
+
+// Parts that a killed process left in `dir`.
+void remove_leftovers(std::filesystem::path const& dir);
 
 // The same for one file.
 void write_file(std::filesystem::path const& path, std::string_view text);

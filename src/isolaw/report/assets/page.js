@@ -526,7 +526,17 @@ const FIGURES = [
       return text;
     },
     csv: () => ({
-      columns: ['law', 'device', 'mean OF [-]', 'std OF [-]', 'best OF [-]', 'runs', 'failed runs'],
+      columns: [
+        'law',
+        'device',
+        'mean OF [-]',
+        'std OF [-]',
+        'best OF [-]',
+        'runs',
+        'failed runs',
+        'evaluations',
+        'failed evaluations',
+      ],
       rows: laws.flatMap((law) =>
         law.devices.map((fit) => [
           law.id,
@@ -536,6 +546,8 @@ const FIGURES = [
           fit.objective.best,
           fit.runs,
           fit.failed_runs,
+          fit.evaluations,
+          fit.failed_evaluations,
         ]),
       ),
     }),

@@ -1,0 +1,61 @@
+// What the fuzz targets share. Each ends in isolaw::Error or in a result; anything else thrown ends the program, which
+// libFuzzer and the replay report.
+#pragma once
+
+#include <unistd.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/printable.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size);
+
+namespace isolaw::fuzz {
+
+inline std::string_view as_text(std::uint8_t const* data, std::size_t size) {
+  return {static_cast<char const*>(static_cast<void const*>(data)), size};
+}
+
+// What holds for every input, whatever the build type.
+inline void require(bool holds, char const* what) {
+  if (holds) return;
+  std::fprintf(stderr, "does not hold: %s\n", what);
+  std::abort();
+}
+
+inline void require_plain_message(Error const& error) {
+  require(!error.complaints().empty(), "an Error has a complaint");
+  for (auto const& complaint : error.complaints())
+    require(printable(to_string(complaint), true) == to_string(complaint), "a message holds no control characters");
+}
+
+// A folder in memory that goes with the process.
+class Folder {
+ public:
+  Folder() {
+    auto const memory = std::filesystem::path("/dev/shm");
+    auto const base = std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path();
+    std::string name = (base / "isolaw-fuzz-XXXXXX").string();
+    require(mkdtemp(name.data()) != nullptr, "a temporary folder can be made");
+    path_ = name;
+  }
+  Folder(Folder const&) = delete;
+  Folder& operator=(Folder const&) = delete;
+  ~Folder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  std::filesystem::path const& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace isolaw::fuzz

@@ -1,0 +1,28 @@
+// Feeds every file of the folders named to the target it is linked with: the corpus as an ordinary test, without
+// libFuzzer. Fails when there is no file.
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+#include "harness.hpp"
+
+int main(int argc, char** argv) {
+  std::size_t count = 0;
+  for (int i = 1; i < argc; ++i) {
+    std::vector<std::filesystem::path> files;
+    for (auto const& entry : std::filesystem::recursive_directory_iterator(argv[i]))
+      if (entry.is_regular_file()) files.push_back(entry.path());
+    std::ranges::sort(files);
+    for (auto const& file : files) {
+      std::ifstream stream(file, std::ios::binary);
+      std::vector<char> const bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+      std::vector<std::uint8_t> const data(bytes.begin(), bytes.end());
+      std::fprintf(stderr, "%s\n", file.filename().c_str());  // the last name printed is the culprit
+      LLVMFuzzerTestOneInput(data.data(), data.size());
+      ++count;
+    }
+  }
+  std::printf("%zu inputs\n", count);
+  return count > 0 ? 0 : 1;
+}

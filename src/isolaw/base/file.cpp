@@ -1,0 +1,108 @@
+#include "isolaw/base/file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <system_error>
+
+#include "isolaw/base/error.hpp"
+
+namespace isolaw {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(Descriptor const&) = delete;
+  Descriptor& operator=(Descriptor const&) = delete;
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  int get() const { return number_; }
+
+ private:
+  int number_;
+};
+
+std::string_view kind(mode_t mode) {
+  if (S_ISDIR(mode)) return "a directory";
+  if (S_ISFIFO(mode)) return "a pipe";
+  if (S_ISSOCK(mode)) return "a socket";
+  return "a device";
+}
+
+std::string size_text(std::uintmax_t bytes, std::uintmax_t limit) {
+  constexpr std::uintmax_t gib = std::uintmax_t{1} << 30;
+  constexpr std::uintmax_t mib = std::uintmax_t{1} << 20;
+  bool const large = limit >= gib;
+  auto const unit = static_cast<double>(large ? gib : mib);
+  return fmt::format("{:.2f} {} large, above {:g} {}", static_cast<double>(bytes) / unit, large ? "GiB" : "MiB",
+                     static_cast<double>(limit) / unit, large ? "GiB" : "MiB");
+}
+
+}  // namespace
+
+std::string read_file(fs::path const& file, ReadLimits const& limits) {
+  auto const refuse = [&](std::string found, std::string_view advice = {}) {
+    throw Error(Complaint{.where = file.generic_string(),
+                          .found = std::move(found),
+                          .allowed = std::string(limits.allowed),
+                          .advice = std::string(advice)});
+  };
+  auto const reason = [] { return std::generic_category().message(errno); };
+  auto const check = [&](struct stat const& status) {
+    if (!S_ISREG(status.st_mode)) refuse(fmt::format("is {}", kind(status.st_mode)));
+    auto const size = static_cast<std::uintmax_t>(std::max<off_t>(0, status.st_size));
+    if (size > limits.largest_bytes) refuse("is " + size_text(size, limits.largest_bytes), limits.when_too_large);
+  };
+
+  // Looked at before it is opened, since opening a device may set it going, and after, since it may have been exchanged.
+  struct stat status {};
+  if (::stat(file.c_str(), &status) != 0) {
+    bool const missing = errno == ENOENT || errno == ENOTDIR;
+    refuse(missing ? "no such file" : "cannot be read: " + reason(), missing ? limits.when_missing : "");
+  }
+  check(status);
+  Descriptor const handle(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
+  if (handle.get() < 0 || ::fstat(handle.get(), &status) != 0) refuse("cannot be read: " + reason());
+  check(status);
+
+  std::string bytes;
+  bytes.reserve(static_cast<std::size_t>(status.st_size) + 1);
+  std::array<char, 1 << 16> buffer;
+  while (true) {
+    auto const count = ::read(handle.get(), buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) refuse("cannot be read to its end: " + reason());
+    if (count == 0) return bytes;
+    bytes.append(buffer.data(), static_cast<std::size_t>(count));
+    if (bytes.size() > limits.largest_bytes)  // it grows, or says nothing of its size
+      refuse("is " + size_text(bytes.size(), limits.largest_bytes), limits.when_too_large);
+  }
+}
+
+std::optional<fs::path> leads_outside(fs::path const& file, fs::path const& folder) {
+  std::error_code failure;
+  auto const root = fs::weakly_canonical(fs::absolute(folder.empty() ? "." : folder, failure), failure);
+  if (failure) return file;
+  auto const target = fs::weakly_canonical(fs::absolute(file, failure), failure).lexically_normal();
+  if (failure) return file;
+  // A link to nothing is not followed by weakly_canonical, but may lead anywhere once its target is made.
+  fs::path part;
+  for (auto const& name : target) {
+    part /= name;
+    if (fs::is_symlink(fs::symlink_status(part, failure))) return fs::read_symlink(part, failure);
+  }
+  auto const inside = target.lexically_relative(root);
+  if (inside.empty() || *inside.begin() == "..") return target;
+  return std::nullopt;
+}
+
+}  // namespace isolaw

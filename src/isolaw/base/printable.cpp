@@ -1,0 +1,77 @@
+#include "isolaw/base/printable.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <iterator>
+
+namespace isolaw {
+namespace {
+
+std::uint32_t code_point(std::string_view sequence) {
+  auto const byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(sequence[i])); };
+  switch (sequence.size()) {
+    case 1:
+      return byte(0);
+    case 2:
+      return (byte(0) & 0x1Fu) << 6 | (byte(1) & 0x3Fu);
+    case 3:
+      return (byte(0) & 0x0Fu) << 12 | (byte(1) & 0x3Fu) << 6 | (byte(2) & 0x3Fu);
+    default:
+      return (byte(0) & 0x07u) << 18 | (byte(1) & 0x3Fu) << 12 | (byte(2) & 0x3Fu) << 6 | (byte(3) & 0x3Fu);
+  }
+}
+
+bool is_printable_code(std::uint32_t code) {
+  bool const control = code < 0x20 || (code >= 0x7F && code < 0xA0);
+  bool const separator = code == 0x2028 || code == 0x2029;
+  bool const turns_direction = (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
+  return !control && !separator && !turns_direction;
+}
+
+}  // namespace
+
+std::size_t utf8_length(std::string_view bytes) {
+  auto const lead = static_cast<unsigned char>(bytes.front());
+  std::size_t const length = lead < 0x80                   ? 1
+                             : lead >= 0xC2 && lead < 0xE0 ? 2
+                             : lead >= 0xE0 && lead < 0xF0 ? 3
+                             : lead >= 0xF0 && lead < 0xF5 ? 4
+                                                           : 0;
+  if (length == 0 || length > bytes.size()) return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((static_cast<unsigned char>(bytes[i]) & 0xC0) != 0x80) return 0;
+  return length;
+}
+
+bool is_printable(std::string_view text) {
+  while (!text.empty()) {
+    auto const length = utf8_length(text);
+    if (length == 0 || !is_printable_code(code_point(text.substr(0, length)))) return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
+std::string printable(std::string_view text, bool keep_lines) {
+  std::string clean;
+  clean.reserve(text.size());
+  auto const out = std::back_inserter(clean);
+  while (!text.empty()) {
+    auto const length = utf8_length(text);
+    auto const sequence = text.substr(0, length == 0 ? 1 : length);
+    auto const code = length == 0 ? static_cast<unsigned char>(text.front()) : code_point(sequence);
+    if (length != 0 && (is_printable_code(code) || (keep_lines && code == '\n')))
+      clean += sequence;
+    else if (code == '\n' || code == '\r' || code == '\t')
+      clean += code == '\n' ? "\\n" : code == '\r' ? "\\r" : "\\t";
+    else if (code < 0x100)
+      fmt::format_to(out, "\\x{:02x}", code);
+    else
+      fmt::format_to(out, "\\u{:04x}", code);
+    text.remove_prefix(sequence.size());
+  }
+  return clean;
+}
+
+}  // namespace isolaw

@@ -1,0 +1,124 @@
+#include "isolaw/campaign/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/campaign/store.hpp"
+#include "isolaw/data/clean.hpp"
+#include "isolaw/fit/objective.hpp"
+
+namespace isolaw::campaign {
+namespace {
+
+bool close(double a, double b) {
+  return a == b || (std::isnan(a) && std::isnan(b)) ||
+         std::abs(a - b) <= fit::evaluation_tolerance * std::max(std::abs(a), std::abs(b));
+}
+
+// Differences are measured against the size of the channel, not of the sample, which may be near zero.
+bool close(std::vector<double> const& a, std::vector<double> const& b) {
+  double size = 0.0;
+  for (double const value : a) size = std::max(size, std::abs(value));
+  return std::ranges::equal(
+      a, b, [size](double x, double y) { return x == y || std::abs(x - y) <= fit::evaluation_tolerance * size; });
+}
+
+void check_record(Device const& device, Settings const& settings, std::vector<std::string>& faults) {
+  try {
+    auto const again = data::clean(device.raw, settings.clean);
+    auto const& stored = device.record;
+    if (!close(again.time_s, stored.time_s) || !close(again.disp_mm, stored.disp_mm) ||
+        !close(again.vel_mm_s, stored.vel_mm_s) || !close(again.force_kN, stored.force_kN))
+      faults.push_back(fmt::format("{}: the record the laws saw is not the one its raw record gives", device.name));
+  } catch (Error const& error) {
+    faults.push_back(fmt::format("{}: its raw record cannot be cleaned again: {}", device.name, error.what()));
+  }
+}
+
+void check_box(Device const& device, Search const& search, Settings const& settings, std::vector<std::string>& faults) {
+  auto const& law = laws::find_law(search.law);
+  auto const box =
+      fit::make_box(law, settings.box, fit::scales_of(device.record, law.info), settings.overrides).parameters;
+  bool const same = std::ranges::equal(box, search.box.parameters, [](auto const& a, auto const& b) {
+    return a.free == b.free && a.scale == b.scale && close(a.value, b.value) && close(a.lower, b.lower) &&
+           close(a.upper, b.upper);
+  });
+  if (!same)
+    faults.push_back(fmt::format("{} on {}: the search box is not that of its record", search.law, device.name));
+}
+
+class RunChecker {
+ public:
+  RunChecker(Contents const& contents, Check& result) : contents_(contents), result_(result) {}
+
+  void operator()(Search const& search, Run const& run) {
+    if (run.evaluations < 1 || run.failed_evaluations < 0 || run.failed_evaluations > run.evaluations)
+      complain(run, "its count of evaluations is impossible");
+    if (!std::ranges::is_sorted(run.history, std::ranges::greater())) complain(run, "its history rises");
+    if (!run.usable()) return;
+    if (run.history.empty() || !close(run.history.back(), run.objective)) complain(run, "its history ends elsewhere");
+    for (std::size_t i = 0; i < run.parameters.size(); ++i) {
+      auto const& p = search.box.parameters[i];
+      double const slack = fit::evaluation_tolerance * std::max(std::abs(p.lower), std::abs(p.upper));
+      bool const inside = p.free ? run.parameters[i] >= p.lower - slack && run.parameters[i] <= p.upper + slack
+                                 : close(run.parameters[i], p.value);
+      if (!inside) complain(run, fmt::format("{} = {} lies outside its box", p.name, run.parameters[i]));
+    }
+    double const again = model(search).objective(run.parameters, work_);
+    // An objective near zero, of a record a law made itself, is rounding.
+    constexpr double smallest = 1e-3;
+    double const difference =
+        again == run.objective ? 0.0 : std::abs(again - run.objective) / std::max(run.objective, smallest);
+    result_.largest_difference = std::max(result_.largest_difference, difference);
+    if (!(difference <= fit::evaluation_tolerance))
+      complain(run, fmt::format("its parameters give the objective {}, stored is {}", again, run.objective));
+  }
+
+ private:
+  // Runs come sorted, so that one model at a time is enough.
+  fit::LawOnRecord const& model(Search const& search) {
+    if (!model_ || of_ != &search)
+      model_.emplace(laws::find_law(search.law), contents_.devices[search.device].record,
+                     contents_.settings.integration, contents_.settings.turning_points);
+    of_ = &search;
+    return *model_;
+  }
+  void complain(Run const& run, std::string_view what) {
+    result_.faults.push_back(
+        fmt::format("{} on {}, run {}: {}", run.law, contents_.devices[run.device].name, run.number, what));
+  }
+
+  Contents const& contents_;
+  Check& result_;
+  std::optional<fit::LawOnRecord> model_;
+  Search const* of_ = nullptr;
+  std::vector<double> work_;
+};
+
+}  // namespace
+
+Check check(std::filesystem::path const& file) {
+  Check result;
+  auto const contents = Store::read(file);
+  result.faults = Store::integrity(file);
+  result.devices = contents.devices.size();
+  result.searches = contents.searches.size();
+  result.runs = contents.runs.size();
+  result.expected_runs = contents.expected_runs();
+  for (auto const& device : contents.devices)
+    if (device.usable()) check_record(device, contents.settings, result.faults);
+  std::map<std::pair<std::size_t, std::string_view>, Search const*> searches;
+  for (auto const& search : contents.searches) {
+    searches[{search.device, search.law}] = &search;
+    if (search.refusal.empty()) check_box(contents.devices[search.device], search, contents.settings, result.faults);
+  }
+  RunChecker check_run(contents, result);
+  for (auto const& run : contents.runs) check_run(*searches.at({run.device, run.law}), run);
+  return result;
+}
+
+}  // namespace isolaw::campaign

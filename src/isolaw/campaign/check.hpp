@@ -1,0 +1,23 @@
+// Whether a finished store can be trusted: the file itself, and every number in it that can be computed again.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace isolaw::campaign {
+
+struct Check {
+  std::size_t devices = 0, searches = 0, runs = 0, expected_runs = 0;
+  double largest_difference = 0.0;  // of an objective computed again, relative
+  std::vector<std::string> faults;  // one sentence each; empty: sound
+};
+
+// SQLite's own check of the file; that indices and lengths fit; that each device's raw record cleaned again is the
+// record the laws saw, and the boxes are those made from it; that each run's parameters give its objective and lie in
+// the box. Values are compared within fit::evaluation_tolerance, so that another machine may check.
+// Throws Error when the file is not a store at all.
+Check check(std::filesystem::path const& file);
+
+}  // namespace isolaw::campaign

@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <tuple>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/fit/kernels.hpp"
+#include "isolaw/laws/all_laws.hpp"
+
+namespace isolaw::fit {
+
+inline constexpr std::size_t law_count = std::tuple_size_v<laws::AllLaws>;
+extern std::array<Kernel, law_count> const kernels_portable;
+#if defined(ISOLAW_X86_KERNELS)
+extern std::array<Kernel, law_count> const kernels_avx2, kernels_avx512;
+#endif
+
+namespace {
+
+struct Candidate {
+  InstructionSet set;
+  std::string_view name;
+  std::array<Kernel, law_count> const* kernels;  // none: the catalogue's evaluate
+  bool (*runs_here)();
+};
+
+bool always() {
+  return true;
+}
+
+// Slowest first.
+constexpr std::array candidates {
+  Candidate{InstructionSet::scalar, "scalar", nullptr, always},
+#if defined(ISOLAW_X86_KERNELS)
+      Candidate{InstructionSet::portable, "sse2", &kernels_portable, always},
+      Candidate{InstructionSet::avx2, "avx2", &kernels_avx2,
+                [] { return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0; }},
+      Candidate{InstructionSet::avx512, "avx512", &kernels_avx512, [] {
+                  return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
+                         __builtin_cpu_supports("avx512cd") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
+                         __builtin_cpu_supports("avx512vl") != 0;
+                }},
+#else
+      Candidate{InstructionSet::portable, "portable", &kernels_portable, always},
+#endif
+};
+
+Candidate const& candidate(InstructionSet set) {
+  return *std::ranges::find(candidates, set, &Candidate::set);
+}
+
+}  // namespace
+
+std::string_view name(InstructionSet set) {
+  auto const found = std::ranges::find(candidates, set, &Candidate::set);
+  return found == candidates.end() ? "not built" : found->name;
+}
+
+std::vector<InstructionSet> available_instruction_sets() {
+  std::vector<InstructionSet> sets;
+  for (auto const& c : candidates)
+    if (c.runs_here()) sets.push_back(c.set);
+  return sets;
+}
+
+InstructionSet parse_instruction_set(std::string_view text) {
+  std::string allowed;
+  for (auto const set : available_instruction_sets()) {
+    if (name(set) == text) return set;
+    allowed += (allowed.empty() ? "" : ", ") + std::string(name(set));
+  }
+  bool const known = std::ranges::find(candidates, text, &Candidate::name) != candidates.end();
+  throw Error({.where = "ISOLAW_SIMD",
+               .found = "'" + std::string(text) + "', " +
+                        (known ? "which this processor cannot run" : "which is no instruction set"),
+               .allowed = allowed,
+               .advice = "leave it unset: the fastest is chosen"});
+}
+
+InstructionSet instruction_set() {
+  static InstructionSet const chosen = [] {
+    char const* const asked = std::getenv("ISOLAW_SIMD");
+    return asked == nullptr || *asked == '\0' ? available_instruction_sets().back() : parse_instruction_set(asked);
+  }();
+  return chosen;
+}
+
+Kernel kernel(InstructionSet set, std::size_t law) {
+  return candidate(set).kernels->at(law);
+}
+
+}  // namespace isolaw::fit

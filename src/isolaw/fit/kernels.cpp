@@ -1,0 +1,37 @@
+// Compiled once for every instruction set, with ISOLAW_KERNELS the name of what it defines. Nothing else may leave this
+// file: what is not inlined must carry the instruction set in its name (tests/kernels checks it), as everything does that
+// is made of batches.
+#include "isolaw/fit/kernels.hpp"
+
+#include <array>
+#include <tuple>
+
+#include "isolaw/laws/all_laws.hpp"
+#include "isolaw/num/batch.hpp"
+
+namespace isolaw::fit {
+namespace {
+
+// T is a parameter so that the name says the instruction set.
+template <class Law, std::size_t W, class T = num::Batch<W>>
+void objectives(double const* parameters, KernelRecord const& record, laws::Integration integration, double* out) {
+  laws::ParamsOf<Law, T> params;
+  for (std::size_t i = 0; i < laws::parameter_count<Law>; ++i)
+    params.*laws::members<Law, T>[i] = T::load(parameters + i * W);
+  T sum(0.0);
+  double const *measured = record.measured.data(), *weight = record.weight.data();
+  laws::run<Law, T>(params, record.path, integration, [&](std::size_t i, T const& force) ISOLAW_LAMBDA {
+    sum += T(weight[i]) * abs(T(measured[i]) - force);
+  });
+  sum.store(out);
+}
+
+}  // namespace
+
+using Kernels = std::array<Kernel, std::tuple_size_v<laws::AllLaws>>;
+extern Kernels const ISOLAW_KERNELS;
+constinit Kernels const ISOLAW_KERNELS = []<class... Law>(std::tuple<Law...>*) {
+  return Kernels{Kernel{objectives<Law, wide_block>, objectives<Law, narrow_block>}...};
+}(static_cast<laws::AllLaws*>(nullptr));
+
+}  // namespace isolaw::fit

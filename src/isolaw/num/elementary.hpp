@@ -1,0 +1,198 @@
+// 2^x, e^x, log2 x and |x|^p without branches, tables or library calls, for code that runs many lanes at once: the body
+// of a loop over doubles that a compiler turns into vector instructions, or the same body on vectors themselves.
+//
+//   function           largest error (with / without fused multiply-add; pinned in tests/unit) and where it holds
+//   fast_exp2(x)       0.9 / 1.2 ULP in [-1022, 1023.5); +inf from 1023.5 on; gradual down to -1022.5, 0 below
+//   fast_exp(x)        0.9 / 1.2 ULP in [-708.3, 709.4]; +inf from 709.44 on; 0 below -708.75
+//   fast_log2(x)       1.6 / 1.8 ULP for positive normal x; +inf for +inf; NaN for anything else
+//   fast_power(x, p)   |x|^p: relative error (2 + |p|) 2^-53, and without fused multiply-add |p log2 x| 2^-53 more; not
+//                      finite where x or p is not; range as fast_exp2's
+// NaN gives NaN. +inf thus comes up to a factor of sqrt(2) early, and 0 instead of the smallest subnormal numbers: to
+// end exactly where the format does would cost a second scaling.
+//
+// Source: Cody and Waite 1980 (arguments reduced to half a binade around 1), fdlibm (log through s = (m-1) / (m+1)),
+// own coefficients (tools/elementary_coefficients.py). Departures: integers never become doubles by a conversion, which
+// SSE2 and AVX2 lack for 64 bits, but by adding 1.5 2^52.
+// Horner's scheme throughout: it has the fewest operations, and lanes in flight hide its latency. Rejected: splitting
+// even and odd powers (faster for one or two vectors, slower from four on), log2 without a division (twice the terms).
+//
+// Assumes round to nearest and IEEE NaN and infinity: never -ffast-math or -ffinite-math-only. -fno-trapping-math,
+// -fno-signed-zeros and -fno-math-errno do no harm. Vectors are fused by -ffp-contract=fast alone; every instruction
+// set with fused multiply-add gives the same bits then.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+namespace isolaw::num {
+
+// What the functions need of a type of lanes besides + - * / and comparisons. This one serves the vectors of GCC and
+// Clang, `double __attribute__((vector_size(N)))`; a type made of several of them specialises it.
+template <class T>
+struct Lanes {
+  typedef std::uint64_t Bits __attribute__((vector_size(sizeof(T))));
+
+  [[gnu::always_inline]] static inline T all(double x) { return T{} + x; }
+  [[gnu::always_inline]] static inline Bits bits(T const& x) { return std::bit_cast<Bits>(x); }
+  [[gnu::always_inline]] static inline T from_bits(Bits const& x) { return std::bit_cast<T>(x); }
+  [[gnu::always_inline]] static inline T abs(T const& x) { return from_bits(bits(x) & 0x7fff'ffff'ffff'ffffU); }
+  [[gnu::always_inline]] static inline T multiply_add(T const& a, T const& b, T const& c) { return a * b + c; }
+  template <class Mask>
+  [[gnu::always_inline]] static inline T select(Mask const& mask, T const& a, T const& b) {
+    return mask ? a : b;
+  }
+};
+
+template <>
+struct Lanes<double> {
+  using Bits = std::uint64_t;
+
+  [[gnu::always_inline]] static inline double all(double x) { return x; }
+  [[gnu::always_inline]] static inline Bits bits(double x) { return std::bit_cast<Bits>(x); }
+  [[gnu::always_inline]] static inline double from_bits(Bits x) { return std::bit_cast<double>(x); }
+  [[gnu::always_inline]] static inline double abs(double x) { return __builtin_fabs(x); }
+  [[gnu::always_inline]] static inline double multiply_add(double a, double b, double c) {
+#ifdef __FMA__
+    return __builtin_fma(a, b, c);
+#else
+    return a * b + c;  // std::fma would be a call here
+#endif
+  }
+  [[gnu::always_inline]] static inline double select(bool condition, double a, double b) {
+    return condition ? a : b;
+  }
+};
+
+namespace elementary {
+
+// 2^f for |f| <= 1/2, relative error 5.6e-18.
+inline constexpr double exp2_terms[] = {0x1.0000000000000p+0,  0x1.62e42fefa39efp-1,  0x1.ebfbdff82c5a5p-3,
+                                        0x1.c6b08d704a122p-5,  0x1.3b2ab6fb9ffb3p-7,  0x1.5d87fe78a111cp-10,
+                                        0x1.4309130f139cbp-13, 0x1.ffcbfc595bcf6p-17, 0x1.62bfc71ea7788p-20,
+                                        0x1.b5253f6036401p-24, 0x1.e61c1058a1947p-28, 0x1.e9471c875b804p-32};
+// e^f for |f| <= ln(2) / 2, relative error 4.1e-18.
+inline constexpr double exp_terms[] = {0x1.0000000000000p+0,  0x1.0000000000000p+0,  0x1.000000000000bp-1,
+                                       0x1.555555555550fp-3,  0x1.55555555502a0p-5,  0x1.1111111122b4ap-7,
+                                       0x1.6c16c1852c01cp-10, 0x1.a01a014498ae6p-13, 0x1.a01997c656a0fp-16,
+                                       0x1.71deec62e8918p-19, 0x1.28af42a60c9fap-22, 0x1.add773f1864b3p-26};
+// ln(1 + f) = 2 s + s^3 q(s^2) for 1 + f from sqrt(1/2) to sqrt(2), s = f / (2 + f); relative error of the sum 1.3e-18.
+inline constexpr double ln_terms[] = {0x1.5555555555594p-1, 0x1.999999997f77cp-2, 0x1.2492494235b74p-2,
+                                      0x1.c71c51dbbbd75p-3, 0x1.746646d7fcebcp-3, 0x1.39a108cae2047p-3,
+                                      0x1.2f0b96857276dp-3};
+// log2(1 + f) = s q(s^2), relative error 1.8e-16: enough for a factor of an exponent.
+inline constexpr double power_log2_terms[] = {0x1.71547652b82ffp+1, 0x1.ec709dc39cd37p-1, 0x1.2776c5166ea8bp-1,
+                                              0x1.a61756ae0f569p-2, 0x1.484f9fb17a412p-2, 0x1.0bb91613aa66ap-2,
+                                              0x1.f1683d117925fp-3};
+inline constexpr double log2_e = 0x1.71547652b82fep+0;
+inline constexpr double ln2_high = 0x1.62e42fee00000p-1;  // its product with an exponent is exact
+inline constexpr double ln2_low = 0x1.a39ef35793c76p-33;
+
+// Added to |x| < 2^51 it rounds x to an integer, and the sum's last bits hold that integer plus the bias of exponents.
+inline constexpr double shifter = 0x1.8p52 + 1023.0;
+inline constexpr double lowest_exponent = -1022.5, highest_exponent = 1023.5;
+
+inline constexpr double least_normal = std::numeric_limits<double>::min();
+inline constexpr double largest = std::numeric_limits<double>::max();
+inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr double power_floor = 1e-290;
+inline constexpr std::uint64_t bits_of_one = 0x3ff0'0000'0000'0000U, bits_of_root_half = 0x3fe6'a09e'667f'3bcdU;
+
+template <class T, std::size_t Count, std::size_t... I>
+[[gnu::always_inline]] inline T horner(double const (&terms)[Count], T const& x, std::index_sequence<I...>) {
+  using L = Lanes<T>;
+  T sum = L::all(terms[Count - 1]);
+  ((sum = L::multiply_add(sum, x, L::all(terms[Count - 2 - I]))), ...);
+  return sum;
+}
+template <class T, std::size_t Count>
+[[gnu::always_inline]] inline T polynomial(double const (&terms)[Count], T const& x) {
+  return horner<T>(terms, x, std::make_index_sequence<Count - 1>());
+}
+
+// `mantissa` times 2 to the integer in `shifted`, for the exponent that was rounded to it; +inf and 0 outside the
+// range. Selecting at the end, not clamping at the start: GCC would follow a clamped value into code of its own.
+template <class T>
+[[gnu::always_inline]] inline T scale(T const& mantissa, T const& shifted, T const& exponent) {
+  using L = Lanes<T>;
+  T y = mantissa * L::from_bits(L::bits(shifted) << 52);
+  y = L::select(exponent < L::all(lowest_exponent), L::all(0.0), y);
+  return L::select(exponent >= L::all(highest_exponent), L::all(infinity), y);
+}
+
+// Positive normal x as 2^whole m with m from sqrt(1/2) to sqrt(2): bits that hold both, and each of them. Three
+// functions because GCC 12 copies lanes through memory when a struct returns several.
+template <class T>
+[[gnu::always_inline]] inline auto split(T const& x) {
+  return Lanes<T>::bits(x) + (bits_of_one - bits_of_root_half);
+}
+template <class T, class Bits>
+[[gnu::always_inline]] inline T whole_of(Bits const& split) {
+  using L = Lanes<T>;
+  return L::from_bits((split >> 52) | 0x4330'0000'0000'0000U) - L::all(0x1p52 + 1023.0);
+}
+template <class T, class Bits>
+[[gnu::always_inline]] inline T mantissa_of(Bits const& split) {
+  return Lanes<T>::from_bits((split & 0x000f'ffff'ffff'ffffU) + bits_of_root_half);
+}
+
+}  // namespace elementary
+
+template <class T>
+[[gnu::always_inline]] inline T fast_exp2(T const& x) {
+  using L = Lanes<T>;
+  T const shifted = x + L::all(elementary::shifter);
+  T const rest = x - (shifted - L::all(elementary::shifter));
+  return elementary::scale<T>(elementary::polynomial<T>(elementary::exp2_terms, rest), shifted, x);
+}
+
+template <class T>
+[[gnu::always_inline]] inline T fast_exp(T const& x) {
+  using L = Lanes<T>;
+  T const exponent = x * L::all(elementary::log2_e);
+  T const shifted = exponent + L::all(elementary::shifter);
+  T const whole = shifted - L::all(elementary::shifter);
+  T const rest =
+      L::multiply_add(whole, L::all(-elementary::ln2_low), L::multiply_add(whole, L::all(-elementary::ln2_high), x));
+  return elementary::scale<T>(elementary::polynomial<T>(elementary::exp_terms, rest), shifted, exponent);
+}
+
+template <class T>
+[[gnu::always_inline]] inline T fast_log2(T const& x) {
+  using L = Lanes<T>;
+  auto const split = elementary::split<T>(x);
+  T const whole = elementary::whole_of<T>(split), m = elementary::mantissa_of<T>(split);
+  T const f = m - L::all(1.0), s = f / (m + L::all(1.0));
+  // With 2 s = f - s f the leading term is f itself, which is exact, and not s, which is rounded twice.
+  T const square = s * s;
+  T const correction = L::multiply_add(-square, elementary::polynomial<T>(elementary::ln_terms, square), f);
+  T const y = L::multiply_add(L::multiply_add(-s, correction, f), L::all(elementary::log2_e), whole);
+  T const finite = L::select(x <= L::all(elementary::largest), y, x);
+  return L::select(x < L::all(elementary::least_normal), L::all(elementary::not_a_number), finite);
+}
+
+// |x|^p as 2^(p log2 |x|), with log2 |x| kept in two parts so that nothing of it is lost in a large exponent. The floor
+// is added to |x| rather than compared with it, which is cheaper and the same from 1e-274 on and at 0: 0^p is 1e-290^p.
+// For |p| up to 1e20.
+template <class T>
+[[gnu::always_inline]] inline T fast_power(T const& x, T const& p) {
+  using L = Lanes<T>;
+  T const base = L::abs(x) + L::all(elementary::power_floor);
+  auto const split = elementary::split<T>(base);
+  T const whole = elementary::whole_of<T>(split), m = elementary::mantissa_of<T>(split);
+  T const s = (m - L::all(1.0)) / (m + L::all(1.0));
+  // base - base is NaN where base is not finite, and 0 elsewhere. Not base * 0: with -fno-signed-zeros GCC 12 takes that
+  // for 0 in vectors, NaN or not.
+  T const fraction = s * elementary::polynomial<T>(elementary::power_log2_terms, s * s) + (base - base);
+  // Only rounded: what it lost comes back in the rest. Written so that there is one way to fuse it.
+  T const exponent = p * (whole + fraction);
+  T const shifted = exponent + L::all(elementary::shifter);
+  T const nearest = shifted - L::all(elementary::shifter);
+  T const rest = L::multiply_add(p, fraction, L::multiply_add(p, whole, -nearest));
+  return elementary::scale<T>(elementary::polynomial<T>(elementary::exp2_terms, rest), shifted, exponent);
+}
+
+}  // namespace isolaw::num

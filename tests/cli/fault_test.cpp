@@ -1,0 +1,183 @@
+// Whatever goes wrong while files are written: afterwards the same command ends as if nothing had happened.
+// ISOLAW_FAULTS=all tries every operation of every kind of fault, ISOLAW_KILLS=n that many kills at random moments.
+#include <cstdlib>
+#include <random>
+
+#include "cli/records.hpp"
+#include "cli/run.hpp"
+#include "cli/store.hpp"
+
+namespace isolaw::cli_test {
+namespace {
+
+int from_environment(char const* name, int otherwise) {
+  char const* value = std::getenv(name);
+  return value == nullptr ? otherwise : std::atoi(value);
+}
+
+class Fault : public InFreshDirectory {
+ protected:
+  void SetUp() override {
+    InFreshDirectory::SetUp();
+    write("a.csv", csv(record()));
+    write("b.csv", csv(record({.amplitude_mm = 90.0})));
+  }
+  // One thread: the same operations in the same order each time.
+  Words campaign(Words const& more = {}) const {
+    return Words{"calibrate",    "a.csv", "b.csv", "--laws", "bilinear",      "--runs", "3",
+                 "--population", "4",     "--out", "O",      "--generations", "3"} +
+           more;
+  }
+  Outcome with_fault(std::string const& mode, long at, Words const& command) {
+    return start(command, {"LD_PRELOAD=" ISOLAW_FAULT_LIBRARY, "ISOLAW_FAULT_DIR=" + path("O").string(),
+                           "ISOLAW_FAULT_MODE=" + mode, "ISOLAW_FAULT_AT=" + std::to_string(at),
+                           "ISOLAW_FAULT_COUNT=" + path("count").string(), "ASAN_OPTIONS=verify_asan_link_order=0"})
+        .wait();
+  }
+  long operations(Words const& command) {
+    fs::remove_all(path("O"));
+    auto const o = with_fault("count", 0, command);
+    EXPECT_EQ(o.code, 0) << o;
+    return exists("count") ? std::stol(read("count")) : 0;
+  }
+  struct Results {
+    std::string summary;
+    Words rows;
+    bool operator==(Results const&) const = default;
+  };
+  Results results() const { return {read("O/summary.json"), all_rows(path("O/campaign.sqlite"))}; }
+  // The same command without the fault finishes, and nothing tells the results from those of an undisturbed campaign.
+  void expect_mended(Words const& command, Results const& expected, std::string const& after) {
+    auto const o = isolaw(command);
+    ASSERT_EQ(o.code, 0) << after << '\n' << o;
+    ASSERT_TRUE(results() == expected) << after;
+    for (auto const& entry : fs::recursive_directory_iterator(path("O"))) {
+      auto const name = entry.path().filename().string();
+      EXPECT_FALSE(name.ends_with(".part") || name.ends_with("-wal") || name.ends_with("-journal"))
+          << name << " is left, " << after;
+    }
+  }
+  // Faults of one kind at operations over the whole campaign; how many were tried.
+  int try_all(std::string const& mode, Words const& command) {
+    long const count = operations(command);
+    EXPECT_GT(count, 50) << "the library that makes faults does not see what the program writes";
+    if (count == 0) return 0;
+    auto const expected = results();
+    bool const all = std::getenv("ISOLAW_FAULTS") != nullptr;
+    long const stride = all ? 1 : count / 12;
+    int tried = 0;
+    for (long at = 1; at <= count && !HasFatalFailure(); at += stride, ++tried) {
+      auto const after = fmt::format("after fault '{}' at operation {} of {}", mode, at, count);
+      fs::remove_all(path("O"));
+      auto const o = with_fault(mode, at, command);
+      bool const killed = mode == "kill" || mode == "torn";
+      if (killed) {
+        EXPECT_EQ(o.code, 128 + SIGKILL) << after << '\n' << o;
+      } else if (o.code == 0) {  // where the fault did no harm, the results are whole
+        EXPECT_TRUE(results() == expected) << after;
+      } else {
+        EXPECT_EQ(o.code, 2) << after << '\n' << o;
+        EXPECT_TRUE(contains(o.err, "; try: ")) << after;
+      }
+      expect_mended(command, expected, after);
+    }
+    RecordProperty("faults_tried", tried);
+    fmt::print("{}: {} of {} operations tried\n", mode, tried, count);
+    return tried;
+  }
+};
+
+TEST_F(Fault, a_single_write_that_fails) {
+  EXPECT_GE(try_all("once", campaign({"--jobs", "1"})), 12);
+}
+TEST_F(Fault, a_disk_that_is_full) {
+  EXPECT_GE(try_all("full", campaign({"--jobs", "1"})), 12);
+}
+TEST_F(Fault, a_directory_that_turns_read_only) {
+  EXPECT_GE(try_all("readonly", campaign({"--jobs", "1"})), 12);
+}
+TEST_F(Fault, a_kill_before_a_write) {
+  EXPECT_GE(try_all("kill", campaign({"--jobs", "1"})), 12);
+}
+TEST_F(Fault, a_kill_in_the_middle_of_a_write) {
+  EXPECT_GE(try_all("torn", campaign({"--jobs", "1"})), 12);
+}
+
+// What was there before --fresh is lost only once the new store is whole.
+TEST_F(Fault, a_full_disk_does_not_cost_the_campaign_that_was_to_be_replaced) {
+  ASSERT_EQ(isolaw(campaign()).code, 0);
+  auto const before = all_rows(path("O/campaign.sqlite"));
+  auto const o = with_fault("full", 1, campaign({"--fresh", "--seed", "2"}));
+  EXPECT_EQ(o.code, 2) << o;
+  EXPECT_TRUE(all_rows(path("O/campaign.sqlite")) == before);
+}
+
+TEST_F(Fault, the_message_says_what_is_kept_and_how_to_go_on) {
+  long const count = operations(campaign({"--jobs", "1"}));
+  auto const expected = results();
+  fs::remove_all(path("O"));
+  auto const o = with_fault("full", count / 2, campaign({"--jobs", "1"}));
+  expect_message(o, 2,
+                 {"stopped: ", " finished runs are kept in O/campaign.sqlite",
+                  "continue with: ", "calibrate a.csv b.csv --laws bilinear", "database or disk is full"});
+}
+
+// Killed again and again, at whatever it was doing, until it gets through.
+TEST_F(Fault, a_campaign_killed_again_and_again_ends_like_one_that_was_not) {
+  Words const command{"calibrate", "a.csv", "b.csv", "--laws",       "bilinear,abe", "--runs",        "6", "--jobs",
+                      "2",         "--out", "O",     "--population", "60",           "--generations", "20"};
+  auto const begin = std::chrono::steady_clock::now();
+  ASSERT_EQ(isolaw(command).code, 0);
+  auto const whole_time = std::chrono::steady_clock::now() - begin;
+  auto const expected = results();
+  int const wanted = from_environment("ISOLAW_KILLS", 8);
+  std::mt19937 random(20230511);  // the moments differ from run to run anyway, with the machine's load
+  int kills = 0, campaigns = 0;
+  while (kills < wanted && !HasFatalFailure()) {
+    fs::remove_all(path("O"));
+    ++campaigns;
+    for (int attempt = 0;; ++attempt) {
+      auto process = start(command);
+      std::this_thread::sleep_for(whole_time * std::uniform_real_distribution<>(0.0, 0.7)(random));
+      process.send(SIGKILL);
+      auto const o = process.wait();
+      if (o.code == 0) break;
+      ASSERT_EQ(o.code, 128 + SIGKILL) << o;
+      ++kills;
+      ASSERT_LT(attempt, 1000) << "no attempt gets any further";
+    }
+    expect_mended(command, expected, fmt::format("after {} kills", kills));
+  }
+  RecordProperty("kills_survived", kills);
+  fmt::print("{} kills in {} campaigns survived\n", kills, campaigns);
+}
+
+TEST_F(Fault, a_second_process_in_one_directory_is_refused) {
+  auto first = start({"calibrate", "a.csv", "--laws", "abe", "--runs", "1000", "--out", "O"});
+  auto const end = std::chrono::steady_clock::now() + 60s;
+  while (stored_runs(path("O/campaign.sqlite"), "abe") < 1 && std::chrono::steady_clock::now() < end)
+    std::this_thread::sleep_for(5ms);
+  auto const second = isolaw({"calibrate", "a.csv", "--laws", "abe", "--runs", "1000", "--out", "O"});
+  expect_refused(second, {"O: another isolaw works in this directory", "try: wait for it, or another --out DIR"});
+  first.send(SIGINT);
+  EXPECT_EQ(first.wait().code, 1) << "the second process disturbed the first";
+}
+
+// The report reads the store; on read-only media it still prints, and it changes no byte of the store.
+TEST_F(Fault, reading_leaves_the_store_as_it_is) {
+  ASSERT_EQ(isolaw(campaign()).code, 0);
+  auto const bytes = read("O/campaign.sqlite");
+  EXPECT_EQ(isolaw({"report", "O"}).code, 0);
+  auto const o = isolaw({"check", "O"});
+  EXPECT_EQ(o.code, 0) << o;
+  EXPECT_TRUE(contains(o.out, "O/campaign.sqlite: sound"));
+  EXPECT_EQ(isolaw(campaign()).code, 0);
+  EXPECT_EQ(read("O/campaign.sqlite"), bytes);
+  // Nothing may be made beside it either.
+  auto const readonly = with_fault("readonly", 1, {"check", "O"});
+  EXPECT_EQ(readonly.code, 0) << readonly;
+  EXPECT_EQ(read("count"), "0\n");
+}
+
+}  // namespace
+}  // namespace isolaw::cli_test

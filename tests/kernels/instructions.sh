@@ -1,0 +1,63 @@
+#!/bin/sh
+# Code compiled for one instruction set must run nowhere else: a processor that lacks it would stop there.
+#
+#   instructions.sh symbols NM SET=OBJECT... -- OBJECT...   every symbol that SET=OBJECT offers to the linker carries the
+#                                                           set in its name, and no other object defines the same one
+#   instructions.sh binary OBJDUMP PROGRAM                  instructions beyond the baseline only in functions named after
+#                                                           avx2 or avx512, 512-bit registers only in those of avx512
+#
+# What is linked dynamically is not looked at: it chooses by itself.
+set -eu
+export LC_ALL=C
+command=$1 tool=$2
+shift 2
+
+symbols() {
+  set_name=
+  report=$(
+    for argument; do
+      case $argument in
+        --) set_name=-; continue ;;
+        *=*) set_name=${argument%%=*} ;;
+      esac
+      # "SET name", with SET "-" for the other objects.
+      "$tool" --defined-only --extern-only -P "${argument#*=}" | awk -v s="$set_name" 'NF >= 2 { print s, $1 }'
+    done | awk '
+      { seen[$2] = seen[$2] " " $1; if ($1 != "-") kernel[$2] = 1; total[$1]++ }
+      $1 != "-" && index($2, $1) == 0 { print "compiled for " $1 ", without it in the name: " $2; bad = 1 }
+      END {
+        for (name in kernel)
+          if (split(seen[name], sets, " ") > 1) { print "defined more than once (" seen[name] " ): " name; bad = 1 }
+        for (s in total) { kinds++; all += total[s] }
+        if (kinds < 2 || !("-" in total)) { print "nothing to compare"; bad = 1 }
+        if (!bad) print all " symbols of " kinds " sets, none shared"
+        exit bad
+      }'
+  ) && status=0 || status=$?
+  printf '%s\n' "$report" | c++filt
+  exit $status
+}
+
+binary() {
+  "$tool" -d -C --no-show-raw-insn -M att "$1" | awk '
+    /^[0-9a-f]+ <.*>:$/ { name = substr($0, index($0, "<")); avx512 = name ~ /avx512/; avx2 = name ~ /avx2/; next }
+    !/^ *[0-9a-f]+:\t/ { next }
+    {
+      zmm = /%zmm/; ymm = /%ymm/
+      split($0, part, "\t")
+      mnemonic = part[2]; sub(/ .*/, "", mnemonic)
+      # Encodings of AVX on the short registers too, and those of BMI: what leaks need not be wide.
+      beyond = zmm || ymm || (mnemonic ~ /^v/ && /%xmm/) || /%k[0-7]/ ||
+               mnemonic ~ /^(andn|bextr|bls[ir]|blsmsk|bzhi|mulx|pdep|pext|rorx|sarx|shlx|shrx)[lq]?$/
+      if (zmm) wide512++
+      if (ymm && avx2) wide256++
+      if (beyond && !avx512 && (zmm || !avx2)) { print "in " name " " part[2]; if (++bad == 20) exit 1 }
+    }
+    END {
+      if (bad) exit 1
+      if (!wide512 || !wide256) { print "no wide instructions found at all"; exit 1 }
+      print wide256 " instructions on 256 bits, " wide512 " on 512, all in functions of their own"
+    }'
+}
+
+"$command" "$@"

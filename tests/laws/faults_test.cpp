@@ -1,0 +1,454 @@
+// Records and parameters that a device never has and a program may still be given: every law has a defined answer, a
+// force, an objective of +infinity or an Error. ISOLAW_DRAWS=100000 takes a million samples and more candidates.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/data/clean.hpp"
+#include "laws/records.hpp"
+
+namespace isolaw::law_tests {
+namespace {
+
+using laws::Integration;
+using Values = std::vector<double>;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr std::array both{Integration::converged, Integration::paper};
+
+data::FitRecord published_record() {
+  return record_of(sine(208.0, 0.5, 3, 20), 0.1, 0.67, 45.0);
+}
+
+fit::SearchBox published_box(laws::LawEntry const& law) {
+  return fit::make_box(law, fit::BoxKind::published, fit::scales_of(published_record(), law.info), {});
+}
+
+Motion motion_of(data::FitRecord const& record) {
+  return {record.disp_mm, record.vel_mm_s};
+}
+
+class Faults : public ::testing::TestWithParam<std::string> {
+ protected:
+  laws::LawEntry const& law = laws::find_law(GetParam());
+  fit::SearchBox const box = published_box(law);
+
+  Values middle() const {
+    Values values(box.parameters.size());
+    box.expand(Values(box.free_count(), 0.5), values);
+    return values;
+  }
+  bool rate_independent() const { return law.info.traits.rate_independent; }
+};
+INSTANTIATE_TEST_SUITE_P(Every, Faults, ::testing::ValuesIn(law_ids()), ByLaw());
+
+// A force at every sample, or an objective that says that there is none.
+void expect_defined(laws::LawEntry const& law, data::FitRecord const& record, Values const& parameters,
+                    Integration integration) {
+  fit::LawOnRecord const model(law, record, integration);
+  Values work;
+  double const objective = model.objective(parameters, work);
+  bool const finite = all_finite(model.force_kN(parameters));
+  EXPECT_TRUE(objective == infinity || (finite && std::isfinite(objective)))
+      << "objective " << objective << ": " << describe(law, parameters);
+  if (inadmissible(law, parameters)) {
+    EXPECT_EQ(objective, infinity) << describe(law, parameters);
+  }
+}
+
+// Parameters ------------------------------------------------------------------------------------------------------
+
+// Also where the law has a limit (no yielding for an infinite yield displacement), or does not meet the parameter on the
+// record: at rest, in one direction only.
+TEST_P(Faults, AParameterThatIsNotFiniteLeavesNoForce) {
+  auto const moving = motion_of(published_record());
+  Motion const rest{Values(5, 0.0), Values(5, 0.0)}, push{{0.0, 10.0, 20.0}, {10.0, 10.0, 10.0}};
+  fit::LawOnRecord const model(law, published_record(), Integration::converged);
+  Values work;
+  for (std::size_t i = 0; i < middle().size(); ++i)
+    for (double const value : {nan, infinity, -infinity}) {
+      auto parameters = middle();
+      parameters[i] = value;
+      for (auto const integration : both)
+        for (auto const& motion : {moving, rest, push})
+          for (double const force : forces(law, parameters, motion, integration))
+            ASSERT_FALSE(std::isfinite(force)) << describe(law, parameters);
+      EXPECT_EQ(model.objective(parameters, work), infinity);
+    }
+}
+
+// Any mixture of ordinary values, zeros, the physical limits and sizes that overflow when multiplied.
+TEST_P(Faults, ParametersAtTheEndsOfThePhysicalLimits) {
+  auto const record = record_of(irregular(7, 208.0, 2, 20), 0.02, 0.67, 45.0);
+  for (std::uint32_t index = 0; index < draws(2000); ++index) {
+    num::Draws choice(num::Stream(8), 0, index);
+    auto parameters = candidate_in(box, index);
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      auto const& [lower, upper] = law.parameters[i].physical;
+      constexpr double huge = 1e300, tiny = std::numeric_limits<double>::min();
+      switch (choice.below(8)) {
+        case 0:
+          parameters[i] = std::max(lower, -huge);
+          break;
+        case 1:
+          parameters[i] = std::min(upper, huge);
+          break;
+        case 2:
+          parameters[i] = std::clamp(0.0, lower, upper);
+          break;
+        case 3:
+          parameters[i] = upper > 0.0 ? tiny : -tiny;
+          break;
+        default:
+          break;
+      }
+    }
+    for (auto const integration : both) expect_defined(law, record, parameters, integration);
+    if (HasFailure()) break;
+  }
+}
+
+// Each parameter that may be zero, in turn: a11 = 0 and a8 = 0 (the damping saturates at once), alpha = 0 (the branch
+// never approaches its limit curve; the stiffness softens at once), exponents, rates and stiffnesses of 0.
+TEST_P(Faults, AnyParameterThatMayBeZeroMayBeZero) {
+  Motion const slow = scaled(irregular(3, 208.0, 2, 20), 1.0, 1e-200), still = scaled(slow, 1.0, 0.0);
+  for (std::size_t i = 0; i < law.parameters.size(); ++i) {
+    auto const& physical = law.parameters[i].physical;
+    if (physical.lower > 0.0 || physical.upper < 0.0) continue;
+    for (std::uint32_t index = 0; index < 50; ++index) {
+      auto parameters = candidate_in(box, index);
+      parameters[i] = 0.0;
+      for (auto const& motion : {irregular(index, 208.0, 2, 20), slow, still}) {
+        auto const force = forces(law, parameters, motion, Integration::converged);
+        EXPECT_EQ(all_finite(force), !inadmissible(law, parameters)) << describe(law, parameters);
+      }
+      for (auto const integration : both) expect_defined(law, published_record(), parameters, integration);
+    }
+  }
+}
+
+// bouc-wen is inadmissible then, and abe divides by its zero yield force and displacement; the others have no force.
+TEST_P(Faults, AllParametersZero) {
+  Values const zeros(law.parameters.size(), 0.0);
+  bool const flagged = GetParam() == "bouc-wen" || GetParam() == "abe" || GetParam() == "abe-y0";
+  for (auto const integration : both) {
+    auto const force = forces(law, zeros, motion_of(published_record()), integration);
+    if (flagged)
+      EXPECT_FALSE(all_finite(force));
+    else
+      EXPECT_EQ(largest_magnitude(force), 0.0);
+    expect_defined(law, published_record(), zeros, integration);
+  }
+}
+
+// Displacements ---------------------------------------------------------------------------------------------------
+
+// The device stays where it was found, and so does its force.
+TEST_P(Faults, AConstantDisplacementKeepsTheVirginForce) {
+  for (double const x_mm : {0.0, 35.0, -208.0})
+    for (auto const integration : both)
+      for (std::uint32_t index = 0; index < 20; ++index) {
+        auto const parameters = candidate_in(box, index);
+        auto const force = forces(law, parameters, {Values(50, x_mm), Values(50, 0.0)}, integration);
+        ASSERT_TRUE(std::isfinite(force[0]));
+        for (double const value : force) EXPECT_EQ(value, force[0]) << describe(law, parameters);
+      }
+}
+
+TEST_P(Faults, MovingDisplacementsWithoutAVelocity) {
+  Motion still = irregular(4, 208.0, 3, 20);
+  still.velocity_mm_s.assign(still.size(), 0.0);
+  for (std::uint32_t index = 0; index < 500; ++index) {
+    auto const parameters = candidate_in(box, index);
+    ASSERT_TRUE(all_finite(forces(law, parameters, still, Integration::converged))) << describe(law, parameters);
+  }
+}
+
+TEST_P(Faults, TwoSamplesAreTheFirstTwoOfMore) {
+  auto const whole = motion_of(published_record());
+  Motion const two{{whole.disp_mm[0], whole.disp_mm[1]}, {whole.velocity_mm_s[0], whole.velocity_mm_s[1]}};
+  for (auto const integration : both) {
+    auto const expected = forces(law, middle(), whole, integration), found = forces(law, middle(), two, integration);
+    ASSERT_EQ(found.size(), 2u);
+    EXPECT_EQ(found[0], expected[0]);
+    EXPECT_EQ(found[1], expected[1]);
+    EXPECT_TRUE(all_finite(found));
+  }
+}
+
+// Pushed to 300 mm and never back. 0.1 mm a step is within what an explicit Runge-Kutta step can follow in the published
+// boxes.
+TEST_P(Faults, AMonotonicRecord) {
+  auto const push = polyline(Values{0.0, 300.0}, 3000), pull = scaled(push, -1.0, -1.0);
+  for (std::uint32_t index = 0; index < 50; ++index)
+    for (auto const integration : both)
+      for (auto const& motion : {push, pull}) {
+        auto const parameters = candidate_in(box, index);
+        EXPECT_TRUE(all_finite(forces(law, parameters, motion, integration))) << describe(law, parameters);
+      }
+}
+
+// Where differences of displacements are denormal numbers and squares of velocities vanish. The automatic box of such a
+// record is itself infinite; then nothing is found, and that is what the objective says.
+TEST_P(Faults, DenormalDisplacements) {
+  for (double const size : {1e-150, 1e-300, 1e-310, 5e-324}) {
+    Motion const motion = scaled(irregular(5, 1.0, 3, 20), size, size);
+    auto record = published_record();
+    record.disp_mm = motion.disp_mm;
+    record.vel_mm_s = motion.velocity_mm_s;
+    record.time_s.clear();
+    record.force_kN.resize(motion.size());
+    for (std::size_t i = 0; i < motion.size(); ++i) record.time_s.push_back(0.02 * static_cast<double>(i));
+    auto const scaled_box = fit::make_box(law, fit::BoxKind::scaled, fit::scales_of(record, law.info), {});
+    for (std::uint32_t index = 0; index < 50; ++index)
+      for (auto const integration : both) {
+        auto const parameters = candidate_in(box, index);
+        EXPECT_TRUE(all_finite(forces(law, parameters, motion, integration))) << describe(law, parameters);
+        expect_defined(law, record, candidate_in(scaled_box, index), integration);
+      }
+  }
+}
+
+// A kilometre. The automatic box follows; in the published one exponentials of vaiana (50 per metre) overflow, and the
+// powers of the others need not.
+TEST_P(Faults, HugeDisplacements) {
+  auto const record = record_of(irregular(6, 1e6, 3, 20), 0.02, 0.67, 45e3);
+  auto const scaled_box = fit::make_box(law, fit::BoxKind::scaled, fit::scales_of(record, law.info), {});
+  for (std::uint32_t index = 0; index < 500; ++index) {
+    auto const parameters = candidate_in(scaled_box, index);
+    if (!may_run_away(law, parameters, 1.2e6)) {
+      EXPECT_TRUE(all_finite(forces(law, parameters, motion_of(record), Integration::converged)))
+          << describe(law, parameters);
+    }
+    for (auto const integration : both) {
+      expect_defined(law, record, parameters, integration);
+      expect_defined(law, record, candidate_in(box, index), integration);
+    }
+  }
+}
+
+// No sensor reports these; they must pass through without undefined behaviour.
+TEST_P(Faults, DisplacementsThatAreNotFinite) {
+  for (double const value : {nan, infinity, -infinity, 1.5e308}) {
+    auto record = published_record();
+    record.disp_mm[10] = value;
+    record.disp_mm[11] = -value;
+    for (auto const integration : both)
+      for (std::uint32_t index = 0; index < 20; ++index)
+        expect_defined(law, record, candidate_in(box, index), integration);
+  }
+}
+
+// A sample repeated, as by a slow acquisition: no path in between, no change of any force.
+TEST_P(Faults, RepeatedSamplesChangeNothing) {
+  auto const once = irregular(9, 208.0, 2, 40);
+  Motion thrice;
+  for (std::size_t i = 0; i < once.size(); ++i)
+    for (int k = 0; k < 3; ++k) {
+      thrice.disp_mm.push_back(once.disp_mm[i]);
+      thrice.velocity_mm_s.push_back(once.velocity_mm_s[i]);
+    }
+  for (std::uint32_t index = 0; index < 50; ++index) {
+    auto const parameters = candidate_in(box, index);
+    auto const expected = forces(law, parameters, once, Integration::converged),
+               found = forces(law, parameters, thrice, Integration::converged);
+    for (std::size_t i = 0; i < found.size(); ++i) ASSERT_EQ(found[i], expected[i / 3]) << describe(law, parameters);
+    expect_defined(law, record_of(thrice, 0.01, 0.67, 45.0), parameters, Integration::paper);
+  }
+}
+
+// Sampling --------------------------------------------------------------------------------------------------------
+
+// At 10 Hz the samples of this motion contain its extremes (0.5 Hz, at odd multiples of 0.5 s), so that all samplings
+// are one path. Laws that depend on the path alone then agree to rounding, abe to what its integration leaves; the
+// rate-dependent ones are algebraic (jankowski) or interpolate the velocity between the samples (hwang-wu). About four
+// times the largest error seen.
+double sampling_error(std::string_view law, double rate_Hz) {
+  if (law == "abe") return rate_Hz < 50.0 ? 1e-4 : 1e-5;    // seen: 3e-5, 3e-6
+  if (law == "hwang-wu") return 1.0 / (rate_Hz * rate_Hz);  // seen: 2e-3, 2e-5, 2e-7, the interpolation of velocity
+  return 1e-13;                                             // seen: 1e-14
+}
+
+TEST_P(Faults, TheSamplingRateDoesNotMatterFrom10To10000Hz) {
+  constexpr double slowest_Hz = 10.0;
+  std::vector<double> largest(3, 0.0);
+  for (std::uint32_t index = 0; index < 40; ++index) {
+    auto const parameters = candidate_in(box, index);
+    auto const at_common_instants = [&](int ratio) {
+      auto const all = forces(law, parameters, sine(208.0, 0.5, 3, 20 * ratio), Integration::converged);
+      EXPECT_TRUE(all_finite(all)) << describe(law, parameters);
+      Values kept;
+      for (std::size_t i = 0; i < all.size(); i += static_cast<std::size_t>(ratio)) kept.push_back(all[i]);
+      return kept;
+    };
+    auto const reference = at_common_instants(1000);
+    std::size_t k = 0;
+    for (int const ratio : {1, 10, 100}) {
+      double const error = largest_difference(at_common_instants(ratio), reference) / largest_magnitude(reference);
+      largest[k] = std::max(largest[k], error);
+      ++k;
+      EXPECT_LE(error, sampling_error(GetParam(), slowest_Hz * ratio)) << ratio << ": " << describe(law, parameters);
+    }
+  }
+  fmt::print("{:10} against 10000 Hz, of the peak force: 10 Hz {:.1e}, 100 Hz {:.1e}, 1000 Hz {:.1e}\n", GetParam(),
+             largest[0], largest[1], largest[2]);
+}
+
+// A path made of steps of 1 to 1000 yield displacements, against the same path in a thousand pieces each.
+TEST_P(Faults, StepsOfAThousandYieldDisplacements) {
+  if (!rate_independent()) GTEST_SKIP() << "not a function of the path alone";
+  for (double const yields : {1.0, 10.0, 100.0, 1000.0}) {
+    double largest = 0.0;
+    for (std::uint32_t index = 0; index < 40; ++index) {
+      auto const p = candidate_in(box, index);
+      auto const value = [&](char const* name) { return p[law.index_of(name)]; };
+      double yield_mm = 5.0;  // vaiana: 1 / alpha is 20 mm and more
+      if (GetParam() == "bilinear") yield_mm = value("xy");
+      if (GetParam() == "bouc-wen")
+        yield_mm = std::pow(value("A") / (value("beta") + value("gamma")), 1.0 / value("n")) / value("A");
+      if (GetParam() == "abe" || GetParam() == "abe-y0") yield_mm = value("U0");
+      double const s = yields * yield_mm;
+      auto const motion = polyline(Values{0.0, s, 0.3 * s, s, -s, 0.0, -0.2 * s, s}, 1);
+      auto const one = forces(law, p, motion, Integration::converged),
+                 many = forces(law, p, motion, Integration::converged, 1000);
+      if (!all_finite(many)) continue;  // exponentials of vaiana over metres
+      ASSERT_TRUE(all_finite(one)) << describe(law, p);
+      largest = std::max(largest, largest_difference(one, many) / largest_magnitude(many));
+    }
+    fmt::print("{:10} steps of {:4} yield displacements: {:.1e} of the peak force\n", GetParam(), yields, largest);
+    // abe's yield force changes along the step, a thousandfold over the 2 to 6 m of the last; its integration follows
+    // in at most 64 pieces. Seen: 1e-4, then 0.15.
+    EXPECT_LE(largest, GetParam() != "abe" ? 1e-11 : yields < 1000.0 ? 5e-4 : 0.2) << yields;
+  }
+}
+
+// Length ----------------------------------------------------------------------------------------------------------
+
+// Thousands of equal cycles: the loop of the last one is that of the tenth to rounding. The second still bears the mark
+// of the virgin branch, most in abe: 6e-7 of the peak force were seen.
+TEST_P(Faults, AMillionSamplesDoNotDrift) {
+  constexpr std::size_t per_cycle = 200;
+  std::size_t const cycles = draws(2000) >= 100000 ? 5000 : 500;
+  auto const cycle = sine(208.0, 0.5, 1, static_cast<int>(per_cycle));
+  Motion motion;
+  for (std::size_t i = 0; i <= cycles * per_cycle; ++i) {
+    motion.disp_mm.push_back(cycle.disp_mm[i % per_cycle]);
+    motion.velocity_mm_s.push_back(cycle.velocity_mm_s[i % per_cycle]);
+  }
+  auto const began = std::chrono::steady_clock::now();
+  auto const force = forces(law, middle(), motion, Integration::converged);
+  double const time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  EXPECT_TRUE(all_finite(force));
+  std::size_t const last = force.size() - 1 - per_cycle;
+  double since_second = 0.0, since_tenth = 0.0, peak = 0.0;
+  for (std::size_t i = 0; i <= per_cycle; ++i) {
+    double const now = force[last + i];
+    since_second = std::max(since_second, std::abs(now - force[per_cycle + i]));
+    since_tenth = std::max(since_tenth, std::abs(now - force[9 * per_cycle + i]));
+    peak = std::max(peak, std::abs(now));
+  }
+  fmt::print(
+      "{:10} {} samples: {:.0f} ns each; last cycle less the second {:.1e}, the tenth {:.1e} of the peak force\n",
+      GetParam(), force.size(), 1e9 * time_s / static_cast<double>(force.size()), since_second / peak,
+      since_tenth / peak);
+  // hwang-wu degrades with the work of all cycles.
+  if (GetParam() != "hwang-wu") {
+    EXPECT_LE(since_second, 5e-6 * peak);
+    EXPECT_LE(since_tenth, 1e-12 * peak);
+  }
+}
+
+// Records that cannot be judged by ----------------------------------------------------------------------------------
+
+TEST_P(Faults, AnEmptyRecordIsRefused) {
+  data::FitRecord empty;
+  EXPECT_THROW(fit::LawOnRecord(law, empty, Integration::converged), Error);
+  EXPECT_THROW(fit::scales_of(empty, law.info), Error);
+  laws::Path const path = laws::make_path({}, {});
+  EXPECT_EQ(path.samples(), 0u);
+  law.evaluate(middle(), path, Integration::converged, {});
+}
+
+// Eq. (27) divides by the standard deviation of the force and by the duration.
+TEST_P(Faults, ARecordThatNothingCanBeJudgedByIsRefused) {
+  auto const refused = [&](data::FitRecord const& record) {
+    try {
+      fit::LawOnRecord const model(law, record, Integration::converged);
+    } catch (Error const&) {
+      return true;
+    }
+    return false;
+  };
+  auto const good = published_record();
+  EXPECT_FALSE(refused(good));
+  // One tenth is not a double: its mean over the record is not exactly one tenth.
+  for (double const constant : {0.0, 0.1, -140.0, 1e-300, 1e300, infinity, nan}) {
+    auto record = good;
+    record.force_kN.assign(record.size(), constant);
+    EXPECT_TRUE(refused(record)) << "constant force " << constant;
+  }
+  for (double const size : {1e-200, 1e200}) {  // the square of which is 0 or infinite
+    auto record = good;
+    for (double& force : record.force_kN) force *= size;
+    EXPECT_TRUE(refused(record)) << "force times " << size;
+  }
+  auto record = good;
+  record.time_s.assign(record.size(), 3.0);
+  EXPECT_TRUE(refused(record)) << "no duration";
+  record = good;
+  for (auto* channel : {&record.time_s, &record.disp_mm, &record.vel_mm_s, &record.force_kN}) channel->resize(1);
+  EXPECT_TRUE(refused(record)) << "one sample";
+}
+
+TEST_P(Faults, AConstantDisplacementIsFlaggedOrHasAForce) {
+  for (double const x_mm : {0.0, 35.0}) {
+    auto record = published_record();
+    record.disp_mm.assign(record.size(), x_mm);
+    record.vel_mm_s.assign(record.size(), 0.0);
+    auto const scaled_box = fit::make_box(law, fit::BoxKind::scaled, fit::scales_of(record, law.info), {});
+    for (std::uint32_t index = 0; index < 50; ++index)
+      for (auto const integration : both) {
+        expect_defined(law, record, candidate_in(box, index), integration);
+        expect_defined(law, record, candidate_in(scaled_box, index), integration);
+      }
+  }
+}
+
+TEST(FaultsOfCleaning, AnEmptyRecordIsRefused) {
+  for (bool const center : {false, true})
+    EXPECT_THROW(data::clean({}, {.smooth = 5, .samples_per_cycle = 200, .center = center}), Error);
+}
+
+TEST(FaultsOfCleaning, ShortAndConstantRecordsKeepTheirSamples) {
+  for (std::size_t const size : {1u, 2u, 3u, 50u})
+    for (double const x_mm : {0.0, 12.0, 1e-310}) {
+      data::TestRecord raw;
+      for (std::size_t i = 0; i < size; ++i) {
+        raw.time_s.push_back(0.1 * static_cast<double>(i));
+        raw.disp_mm.push_back(x_mm);
+        raw.force_kN.push_back(1.0);
+      }
+      auto const record = data::clean(raw, {.smooth = 5, .samples_per_cycle = 200, .center = true});
+      ASSERT_EQ(record.size(), size);
+      for (std::size_t i = 0; i < size; ++i) {
+        EXPECT_NEAR(record.disp_mm[i], 0.0, 1e-12);
+        EXPECT_NEAR(record.vel_mm_s[i], 0.0, 1e-10);
+      }
+    }
+}
+
+}  // namespace
+}  // namespace isolaw::law_tests

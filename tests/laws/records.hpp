@@ -1,0 +1,104 @@
+// Records around the motions of motion.hpp, for tests that need an objective or a search box.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "isolaw/fit/objective.hpp"
+#include "isolaw/num/random.hpp"
+#include "laws/motion.hpp"
+
+namespace isolaw::law_tests {
+
+// How many candidates a test draws: ISOLAW_DRAWS, or few enough for everyday use.
+inline std::uint32_t draws(std::uint32_t by_default) {
+  char const* const text = std::getenv("ISOLAW_DRAWS");
+  return text == nullptr ? by_default : static_cast<std::uint32_t>(std::strtoul(text, nullptr, 10));
+}
+
+// The force is an ellipse about a straight line.
+inline data::FitRecord record_of(Motion const& motion, double interval_s, double stiffness_kN_mm, double strength_kN) {
+  data::FitRecord record;
+  double const fastest = largest_magnitude(motion.velocity_mm_s);
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    double const x = motion.disp_mm[i], v = motion.velocity_mm_s[i];
+    record.time_s.push_back(interval_s * static_cast<double>(i));
+    record.disp_mm.push_back(x);
+    record.vel_mm_s.push_back(v);
+    record.force_kN.push_back(stiffness_kN_mm * x + strength_kN * v / fastest);
+  }
+  return record;
+}
+
+// Candidate number `index` of a fixed sequence, uniform in the unit box of the free parameters.
+inline std::vector<double> candidate_in(fit::SearchBox const& box, std::uint32_t index) {
+  num::Draws draws(num::Stream(20250110), 0, index);
+  std::vector<double> point(box.free_count()), values(box.parameters.size());
+  for (double& u : point) u = draws.uniform();
+  box.expand(point, values);
+  return values;
+}
+
+// A law's force [its unit] on a motion.
+inline std::vector<double> forces(laws::LawEntry const& law, std::span<double const> parameters, Motion const& motion,
+                                  laws::Integration integration, int refinement = 1) {
+  double const unit = 1.0 / law.info.length.in_record_units;
+  auto const x = scaled(motion, unit, unit);
+  std::vector<double> force(motion.size());
+  law.evaluate(parameters, laws::make_path(x.disp_mm, x.velocity_mm_s, refinement), integration, force);
+  return force;
+}
+
+inline std::string describe(laws::LawEntry const& law, std::span<double const> values) {
+  std::string text(law.info.id);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    text += fmt::format("{} {} = {}", i == 0 ? ":" : ",", law.parameters[i].name, values[i]);
+  return text;
+}
+
+// Candidates without a bounded force, by law; all of them must be flagged with both integrations. Those of bouc-wen:
+// beta <= 0 or beta + gamma <= 0. The other laws have none.
+inline bool inadmissible(laws::LawEntry const& law, std::span<double const> p) {
+  if (law.info.id != "bouc-wen") return false;
+  double const beta = p[law.index_of("beta")], gamma = p[law.index_of("gamma")];
+  return beta <= 0.0 || beta + gamma <= 0.0;
+}
+
+// Candidates whose force may run away, depending on the record: hwang-wu where the damping a6 + a7 x^2 or the stiffness
+// a1 + a2 x^2 + a3 x^4 + (a4 or nothing) is negative somewhere up to the peak. The device then gives out more work than
+// it took in, and exp(a10 W) or exp(a9 W) feeds on it. The other laws have none.
+inline bool may_run_away(laws::LawEntry const& law, std::span<double const> p, double peak_mm) {
+  if (law.info.id != "hwang-wu") return false;
+  auto const value = [&](char const* name) { return p[law.index_of(name)]; };
+  for (int i = 0; i <= 20; ++i) {
+    double const x = peak_mm / law.info.length.in_record_units * i / 20, x2 = x * x;
+    double const stiffness = value("a1") + x2 * (value("a2") + x2 * value("a3"));
+    if (value("a6") + value("a7") * x2 < 0.0 || stiffness + std::min(0.0, value("a4")) < 0.0) return true;
+  }
+  return false;
+}
+
+// The laws by name, for parameterised tests.
+inline std::vector<std::string> law_ids() {
+  std::vector<std::string> ids;
+  for (auto const& law : laws::catalogue()) ids.emplace_back(law.info.id);
+  return ids;
+}
+
+struct ByLaw {
+  template <class Info>
+  std::string operator()(Info const& info) const {
+    std::string name = info.param;
+    std::ranges::replace(name, '-', '_');
+    return name;
+  }
+};
+
+}  // namespace isolaw::law_tests

@@ -1,0 +1,140 @@
+// Many evaluations of every law, kept by one build and repeated by another: how far compilers, optimisation levels and
+// processors move a result (tools/compilers.sh).
+//   sweep write FILE     evaluates and writes record, candidates, forces and objectives
+//   sweep compare FILE   evaluates the same candidates on the same record; a line per law; exit code 1 beyond the bound
+// ISOLAW_DRAWS is the number of candidates of each box, the same for both.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "isolaw/fit/objective.hpp"
+#include "isolaw/num/random.hpp"
+#include "laws/motion.hpp"
+#include "laws/records.hpp"
+
+namespace {
+
+using namespace isolaw;
+using Values = std::vector<double>;
+
+constexpr std::array boxes{fit::BoxKind::published, fit::BoxKind::scaled};
+constexpr std::array integrations{laws::Integration::converged, laws::Integration::paper};
+
+// Doubles in the order they were written, so that both sides see the same bits.
+class File {
+ public:
+  File(char const* path, bool writing) : writing_(writing), file_(std::fopen(path, writing ? "wb" : "rb")) {
+    if (!file_) throw std::runtime_error(fmt::format("cannot open {}", path));
+  }
+  // Writes the values, or replaces them by what was written.
+  void pass(Values& values) {
+    auto const done = writing_ ? std::fwrite(values.data(), sizeof(double), values.size(), file_.get())
+                               : std::fread(values.data(), sizeof(double), values.size(), file_.get());
+    if (done != values.size()) throw std::runtime_error("the file has another length than expected");
+  }
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  bool writing_;
+  std::unique_ptr<std::FILE, Close> file_;
+};
+
+struct Difference {
+  double objective = 0.0;  // relative
+  double force = 0.0;      // of the peak force
+  int compared = 0, flagged = 0;
+  int flagged_once = 0;  // by one of the two builds only
+
+  void add(double here, double there, Values const& force_here, Values const& force_there) {
+    ++compared;
+    if (!std::isfinite(here) || !std::isfinite(there)) {
+      ++flagged;
+      flagged_once += std::isfinite(here) != std::isfinite(there) ? 1 : 0;
+      return;
+    }
+    objective = std::max(objective, std::abs(here - there) / there);
+    force = std::max(
+        force, law_tests::largest_difference(force_here, force_there) / law_tests::largest_magnitude(force_there));
+  }
+  bool within(double bound) const { return objective <= bound && force <= bound && flagged_once == 0; }
+};
+
+// Cycles with reversals at many samples, small loops in large ones, uneven peaks: 100 samples a cycle.
+data::FitRecord record(File& file) {
+  auto made = law_tests::record_of(law_tests::irregular(1, 208.0, 3, 100), 0.02, 0.67, 45.0);
+  for (auto* channel : {&made.time_s, &made.disp_mm, &made.vel_mm_s, &made.force_kN}) file.pass(*channel);
+  return made;
+}
+
+Difference sweep(laws::LawEntry const& law, laws::Integration integration, data::FitRecord const& record, File& file) {
+  Difference difference;
+  fit::LawOnRecord const model(law, record, integration);
+  Values work;
+  for (auto const kind : boxes) {
+    auto const box = fit::make_box(law, kind, fit::scales_of(record, law.info), {});
+    for (std::uint32_t index = 0; index < law_tests::draws(250); ++index) {
+      auto parameters = law_tests::candidate_in(box, index);
+      file.pass(parameters);
+      Values const here{model.objective(parameters, work)};
+      auto const force_here = model.force_kN(parameters);
+      auto there = here, force_there = force_here;
+      file.pass(there);
+      file.pass(force_there);
+      difference.add(here[0], there[0], force_here, force_there);
+    }
+  }
+  return difference;
+}
+
+int run(bool writing, char const* path) {
+  File file(path, writing);
+  auto const common = record(file);
+  bool within = true;
+  if (!writing)
+    fmt::print("  {:10} {:>10} {:>8}  {:>10} {:>8}  {:>7}  {}\n  {:10} {:>20} {:>19}\n", "law", "objective", "force",
+               "objective", "force", "flagged", "by one build only", "", "converged", "paper");
+  for (auto const& law : laws::catalogue()) {
+    std::array<Difference, integrations.size()> found;
+    for (std::size_t i = 0; i < found.size(); ++i) found[i] = sweep(law, integrations[i], common, file);
+    if (writing) continue;
+    auto const& [converged, paper] = found;
+    bool const holds = converged.within(fit::evaluation_tolerance) && paper.within(fit::evaluation_tolerance);
+    within = within && holds;
+    fmt::print("  {:10} {:10.1e} {:8.1e}  {:10.1e} {:8.1e}  {:7}  {} of {}{}\n", law.info.id, converged.objective,
+               converged.force, paper.objective, paper.force, converged.flagged + paper.flagged,
+               converged.flagged_once + paper.flagged_once, converged.compared + paper.compared,
+               holds ? "" : "  BEYOND THE BOUND");
+  }
+  if (!writing) fmt::print("  bound {:.0e}: {}\n", fit::evaluation_tolerance, within ? "holds" : "BROKEN");
+  return within ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  std::string_view const command = count == 3 ? arguments[1] : "";
+  if (command != "write" && command != "compare") {
+    std::fputs("usage: sweep write|compare FILE\n", stderr);
+    return 2;
+  }
+  try {
+    return run(command == "write", arguments[2]);
+  } catch (std::exception const& error) {
+    std::fprintf(stderr, "sweep: %s\n", error.what());
+    return 2;
+  }
+}

@@ -1,0 +1,289 @@
+// The laws compiled for blocks of candidates, by law, integration and instruction set: they agree with the scalar path,
+// no candidate notices another, and avx2 and avx512 give the same bits.
+#include "isolaw/fit/kernels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "isolaw/fit/objective.hpp"
+#include "laws/motion.hpp"
+#include "laws/records.hpp"
+
+namespace isolaw::fit {
+namespace {
+
+using laws::Integration;
+using Values = std::vector<double>;
+
+constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+constexpr std::array integrations{Integration::converged, Integration::paper};
+constexpr std::array block_sets{InstructionSet::portable, InstructionSet::avx2, InstructionSet::avx512};
+// Up to here every way to fill the last block occurs: narrow ones alone, a wide one, several, and both kinds.
+constexpr std::size_t most = 2 * wide_block + 9;
+
+struct Case {
+  std::string law;
+  Integration integration;
+  InstructionSet set;
+};
+
+std::string_view name_of(InstructionSet set) {
+  return set == InstructionSet::avx512 ? "avx512" : set == InstructionSet::avx2 ? "avx2" : "portable";
+}
+
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  for (auto const& id : law_tests::law_ids())
+    for (auto const integration : integrations)
+      for (auto const set : block_sets) all.push_back({id, integration, set});
+  return all;
+}
+
+struct ByCase {
+  template <class Info>
+  std::string operator()(Info const& info) const {
+    auto const& [law, integration, set] = info.param;
+    auto name = fmt::format("{}_{}_{}", law, integration == Integration::paper ? "paper" : "converged", name_of(set));
+    std::ranges::replace(name, '-', '_');
+    return name;
+  }
+};
+
+bool runs_here(InstructionSet set) {
+  return std::ranges::count(available_instruction_sets(), set) > 0;
+}
+
+class Kernels : public ::testing::TestWithParam<Case> {
+ protected:
+  void SetUp() override {
+    if (!runs_here(set())) GTEST_SKIP() << "this processor, or this build, lacks " << name_of(set());
+  }
+
+  laws::LawEntry const& law() const { return laws::find_law(GetParam().law); }
+  Integration how() const { return GetParam().integration; }
+  InstructionSet set() const { return GetParam().set; }
+
+  // `paper` takes one Runge-Kutta step per sample: with fewer samples many candidates are unstable.
+  int per_cycle() const { return how() == Integration::paper ? 400 : 100; }
+
+  // Cycles of the example lot's size, and cycles of uneven size with reversals at many samples and small loops inside
+  // large ones.
+  data::FitRecord regular() const {
+    return law_tests::record_of(law_tests::sine(208.0, 0.5, 3, per_cycle()), 2.0 / per_cycle(), 0.67, 45.0);
+  }
+  data::FitRecord irregular() const {
+    double const noise = how() == Integration::paper ? 0.005 : 0.02;
+    return law_tests::record_of(law_tests::irregular(1, 208.0, 3, per_cycle(), noise), 0.02, 0.67, 45.0);
+  }
+  data::FitRecord small() const { return law_tests::record_of(law_tests::irregular(2, 208.0, 2, 60), 0.02, 0.67, 45.0); }
+
+  // Uniform in the published box and in that of a device of this size, in turn.
+  std::vector<Values> candidates(data::FitRecord const& record, std::size_t count) const {
+    std::vector<Values> all;
+    std::array const boxes{make_box(law(), BoxKind::published, scales_of(record, law().info), {}),
+                           make_box(law(), BoxKind::scaled, scales_of(record, law().info), {})};
+    for (std::uint32_t i = 0; i < count; ++i) all.push_back(law_tests::candidate_in(boxes[i % 2], i / 2));
+    return all;
+  }
+
+  static Values objectives(LawOnRecord const& model, std::span<Values const> candidates, InstructionSet set) {
+    Values values(candidates.size(), -1.0);
+    model.objectives(
+        candidates.size(), [&](std::size_t i, std::span<double> out) { std::ranges::copy(candidates[i], out.begin()); },
+        values, set);
+    return values;
+  }
+  Values objectives(LawOnRecord const& model, std::span<Values const> candidates) const {
+    return objectives(model, candidates, set());
+  }
+
+  // Whether rounding may grow from step to step: Runge-Kutta's fourth order is stable for a decay of less than 2.78 per
+  // step. The hysteretic force of bouc-wen approaches saturation at the rate n A / z_max, that of the abe laws at n / U0
+  // or slower.
+  bool may_be_unstable(Values const& p, double longest_step) const {
+    if (how() != Integration::paper) return false;
+    auto const value = [&](char const* name) { return p[law().index_of(name)]; };
+    double rate = 0.0;
+    if (law().info.id == "bouc-wen")
+      rate = value("n") * value("A") / std::pow(value("A") / (value("beta") + value("gamma")), 1.0 / value("n"));
+    if (law().info.id == "abe" || law().info.id == "abe-y0") rate = value("n") / value("U0");
+    return rate * longest_step / law().info.length.in_record_units > 2.5;
+  }
+};
+
+double longest_step(std::span<double const> x) {
+  double longest = 0.0;
+  for (std::size_t i = 1; i < x.size(); ++i) longest = std::max(longest, std::abs(x[i] - x[i - 1]));
+  return longest;
+}
+
+// To the last bit.
+::testing::AssertionResult same(std::span<double const> a, std::span<double const> b) {
+  if (a.size() != b.size()) return ::testing::AssertionFailure() << a.size() << " values against " << b.size();
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (a[i] != b[i])
+      return ::testing::AssertionFailure() << fmt::format("number {} of {}: {} against {}", i, a.size(), a[i], b[i]);
+  return ::testing::AssertionSuccess();
+}
+
+// The largest differences seen, of 20000 candidates each: TODO
+TEST_P(Kernels, AgreeWithTheScalarObjective) {
+  std::size_t compared = 0, left_out = 0;
+  double worst = 0;
+  for (auto const& record : {regular(), irregular()}) {
+    LawOnRecord const model(law(), record, how());
+    auto const all = candidates(record, 2 * law_tests::draws(500));
+    auto const values = objectives(model, all), expected = objectives(model, all, InstructionSet::scalar);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (may_be_unstable(all[i], longest_step(record.disp_mm))) {
+        ++left_out;
+        continue;
+      }
+      ++compared;
+      if (std::isfinite(expected[i]) && std::isfinite(values[i])) worst = std::max(worst, std::abs(values[i] - expected[i])/ std::max(expected[i], 1e-3));
+      if (std::isfinite(expected[i]))
+        EXPECT_NEAR(values[i], expected[i], block_tolerance * std::max(expected[i], 1e-3))
+            << law_tests::describe(law(), all[i]);
+      else
+        EXPECT_EQ(values[i], infinity) << law_tests::describe(law(), all[i]);
+    }
+  }
+  printf("WORST %.2e left %zu of %zu\n", worst, left_out, compared+left_out);
+  // Only in the box of a device of any size, which is wider.
+  EXPECT_LT(left_out, compared);
+}
+
+// The sum over all samples, so that none can be off by more: a force that is wrong at one sample would hardly show in an
+// objective. The measured force is that of the candidate on the scalar path, so that the kernel gives the difference.
+TEST_P(Kernels, GiveTheScalarForceAtEverySample) {
+  auto const record = regular();
+  LawOnRecord const model(law(), record, how());
+  auto const code = kernel(set(), law().index);
+  double const length = law().info.length.in_record_units, force_unit = law().info.force.in_record_units;
+  Values x = record.disp_mm, v = record.vel_mm_s;
+  for (double& value : x) value /= length;
+  for (double& value : v) value /= length;
+  auto const path = laws::make_path(x, v);
+  double worst = 0;
+  for (std::size_t const width : {wide_block, narrow_block}) {
+    auto const all = candidates(record, width);
+    Values block(width * law().parameters.size()), sums(width);
+    for (std::size_t lane = 0; lane < width; ++lane)
+      for (std::size_t p = 0; p < all[lane].size(); ++p) block[p * width + lane] = all[lane][p];
+    for (std::size_t lane = 0; lane < width; ++lane) {
+      if (may_be_unstable(all[lane], longest_step(record.disp_mm))) continue;
+      auto scalar = model.force_kN(all[lane]);
+      for (double& value : scalar) value /= force_unit;
+      Values const ones(scalar.size(), 1.0), zeros(scalar.size(), 0.0);
+      double const peak = law_tests::largest_magnitude(scalar);
+      auto const sum = [&](Values const& measured, Values const& weight) {
+        (width == wide_block ? code.wide : code.narrow)(block.data(), {path, measured, weight}, how(), sums.data());
+        return sums[lane];
+      };
+      auto const off = sum(scalar, ones);
+      worst = std::max(worst, off / peak);
+      EXPECT_LE(off, 1e-10 * peak) << "lane " << lane << ", " << law_tests::describe(law(), all[lane]);
+      // One sample at a time, against a measured force of zero.
+      for (std::size_t i = lane; i < scalar.size(); i += width + 1) {
+        auto weight = zeros;
+        weight[i] = 1.0;
+        EXPECT_NEAR(sum(zeros, weight), std::abs(scalar[i]), 1e-11 * peak) << "lane " << lane << ", sample " << i;
+      }
+    }
+  }
+  printf("FORCE %.2e\n", worst);
+}
+
+// Alone, among others, at every place of a block, in a wide one or a narrow one: the same bits.
+TEST_P(Kernels, GiveACandidateTheSameBitsWhateverItsPlaceAndNeighbours) {
+  auto const record = small();
+  LawOnRecord const model(law(), record, how());
+  auto const all = candidates(record, most);
+  Values alone;
+  for (auto const& candidate : all) alone.push_back(objectives(model, std::span(&candidate, 1)).front());
+  for (std::size_t count = 1; count <= most; ++count) {
+    auto const begin = std::span(all).first(count), end = std::span(all).last(count);
+    ASSERT_TRUE(same(objectives(model, begin), std::span(alone).first(count)));
+    ASSERT_TRUE(same(objectives(model, end), std::span(alone).last(count)));
+  }
+}
+
+// Parameters, one set for each law, whose force exceeds the largest double on any record of this size.
+Values overflowing(laws::LawEntry const& law, Values values) {
+  auto const set = [&](char const* name, double value) { values[law.index_of(name)] = value; };
+  std::string_view const id = law.info.id;
+  if (id == "bilinear") set("K2", 1e307);
+  if (id == "jankowski") set("a1", 1.7e308), set("a6", 1.7e308);
+  if (id == "vaiana") set("beta2+", 1e5);
+  if (id == "bouc-wen") set("Ke", 1e308);
+  if (id == "abe" || id == "abe-y0") set("K2", 1e308);
+  if (id == "hwang-wu") set("a1", 1e308);
+  return values;
+}
+
+// Candidates without an objective: each parameter in turn no number or infinite, an overflow, no bounded force.
+std::vector<Values> sick_ones(laws::LawEntry const& law, Values const& sound) {
+  std::vector<Values> sick{overflowing(law, sound)};
+  for (std::size_t p = 0; p < sound.size(); ++p)
+    for (double const value : {nan, infinity, -infinity}) {
+      sick.push_back(sound);
+      sick.back()[p] = value;
+    }
+  if (law.info.id == "bouc-wen")
+    for (auto const& [beta, gamma] : {std::pair(-0.05, -0.04), std::pair(0.05, -0.05), std::pair(0.0, 0.05)}) {
+      sick.push_back(sound);
+      sick.back()[law.index_of("beta")] = beta;
+      sick.back()[law.index_of("gamma")] = gamma;
+    }
+  return sick;
+}
+
+TEST_P(Kernels, KeepWhatIsNotFiniteInItsLane) {
+  auto const record = small();
+  LawOnRecord const model(law(), record, how());
+  auto const sound = candidates(record, most);
+  auto const expected = objectives(model, sound);
+  // First and last of narrow and wide blocks; the first of the last block also fills its empty lanes.
+  constexpr std::array<std::size_t, 9> places{0, 7, 8, 31, 32, 63, 64, 71, 72};
+  for (std::size_t const place : places)
+    for (auto const& sick : sick_ones(law(), sound[place])) {
+      auto all = sound;
+      all[place] = sick;
+      auto values = objectives(model, all);
+      EXPECT_EQ(values[place], infinity) << "place " << place << ", " << law_tests::describe(law(), sick);
+      values[place] = expected[place];
+      EXPECT_TRUE(same(values, expected)) << "place " << place << ", " << law_tests::describe(law(), sick);
+    }
+}
+
+// Both fuse every product with the sum it stands in, and there is one way to do that.
+TEST_P(Kernels, GiveTheSameBitsOnAvx2AndAvx512) {
+  if (set() != InstructionSet::avx512) GTEST_SKIP() << "compared where avx512 is tested";
+  ASSERT_TRUE(runs_here(InstructionSet::avx2));
+  for (auto const& record : {regular(), irregular()}) {
+    LawOnRecord const model(law(), record, how());
+    auto const all = candidates(record, 2 * law_tests::draws(500));
+    for (std::size_t const count : {all.size(), all.size() - 1, most, most - 20, narrow_block + 1, std::size_t{1}}) {
+      auto const some = std::span(all).last(std::min(count, all.size()));
+      EXPECT_TRUE(same(objectives(model, some, InstructionSet::avx2), objectives(model, some, InstructionSet::avx512)));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryLaw, Kernels, ::testing::ValuesIn(cases()), ByCase());
+
+}  // namespace
+}  // namespace isolaw::fit

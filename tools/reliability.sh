@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# Makes the figures of docs/reliability.md again: everything that is too long for every change. About two hours on two
+# cores; each part may be run alone by name. Ends with an error at the first promise that does not hold.
+#   tools/reliability.sh [faults] [draws] [compilers] [sanitize] [sanitize-thread] [fuzz]
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+parts=("$@")
+[ ${#parts[@]} -gt 0 ] || parts=(faults draws compilers sanitize sanitize-thread fuzz)
+: "${ISOLAW_KILLS:=200}" "${ISOLAW_DRAWS:=100000}" "${ISOLAW_FUZZ_SECONDS:=240}"
+export ISOLAW_KILLS ISOLAW_DRAWS
+
+# The counts stand on lines of their own in what the tests print.
+run() {
+  echo "== $*"
+  local log status=0
+  log=$(mktemp)
+  "$@" >"$log" 2>&1 || status=$?
+  grep -E "tried|survived|draws|tests passed|FAILED|Failure" "$log" || true
+  [ "$status" -eq 0 ] || { tail -50 "$log"; rm -f "$log"; return "$status"; }
+  rm -f "$log"
+}
+
+for part in "${parts[@]}"; do
+  case "$part" in
+    faults)
+      ./isolaw.sh build
+      ISOLAW_FAULTS=all run build/release/tests/cli/cli_fault
+      run build/release/tests/cli/cli_check
+      ;;
+    draws)
+      ./isolaw.sh build
+      for program in build/release/tests/laws/laws_*; do
+        [ -x "$program" ] && [ -f "$program" ] && run "$program"
+      done
+      ;;
+    compilers) run ./isolaw.sh compilers ;;
+    sanitize | sanitize-thread)
+      cmake --preset "$part"
+      cmake --build --preset "$part"
+      ISOLAW_KILLS=4 ISOLAW_DRAWS=200 run ctest --preset "$part" -j "$(nproc)"
+      ;;
+    fuzz) ./isolaw.sh fuzz "$ISOLAW_FUZZ_SECONDS" ;;
+    *)
+      echo "reliability.sh: unknown part '$part'; allowed: faults, draws, compilers, sanitize, sanitize-thread, fuzz" >&2
+      exit 2
+      ;;
+  esac
+done
