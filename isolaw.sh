@@ -84,7 +84,7 @@ case "${1:-help}" in
     ;;
   study)
     # The programs that it compares with are measured where they are: python3-scipy, octave, libpagmo-dev.
-    setup libbenchmark-dev python3
+    setup libbenchmark-dev python3 time
     step cmake --preset bench
     step cmake --build --preset bench
     step bench/study "${@:2}"

@@ -2,6 +2,7 @@
 // Usage: peer_pagmo RECORD LAW paper|converged [EVALUATIONS]; prints one JSON object.
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <exception>
 #include <pagmo/algorithm.hpp>
 #include <pagmo/algorithms/sga.hpp>
@@ -45,16 +46,21 @@ void search(std::string const& file, std::string const& id, std::string const& i
   auto const box = fit::make_box(law, fit::BoxKind::published, fit::scales_of(record, law.info), {});
   fit::LawOnRecord const model(law, record,
                                integration == "paper" ? laws::Integration::paper : laws::Integration::converged);
-  pagmo::problem const problem{Identification{&model, &box}};
-  double const middle = problem.fitness(std::vector<double>(box.free_count(), 0.5)).front();
+  Identification const identification{&model, &box};
+  double const middle = identification.fitness(std::vector<double>(box.free_count(), 0.5)).front();
+  pagmo::problem const problem(identification);
 
   auto const start = std::chrono::steady_clock::now();
+  auto const start_cpu = std::clock();
   pagmo::population const initial(problem, population, 1u);
   pagmo::algorithm const algorithm(pagmo::sga(evaluations / population - 1));
   auto const last = algorithm.evolve(initial);
   double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  std::printf("{\"seconds\": %.6f, \"evaluations\": %llu, \"samples\": %zu, \"best\": %.17g, \"objective\": %.17g}\n",
-              seconds, last.get_problem().get_fevals(), record.size(), last.champion_f().front(), middle);
+  double const cpu = static_cast<double>(std::clock() - start_cpu) / CLOCKS_PER_SEC;
+  std::printf(
+      "{\"seconds\": %.6f, \"cpu\": %.6f, \"evaluations\": %llu, \"samples\": %zu, \"best\": %.17g, \"objective\": "
+      "%.17g}\n",
+      seconds, cpu, last.get_problem().get_fevals(), record.size(), last.champion_f().front(), middle);
 }
 
 }  // namespace

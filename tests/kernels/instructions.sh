@@ -41,17 +41,15 @@ symbols() {
 binary() {
   "$tool" -d -C --no-show-raw-insn -M att "$1" | awk '
     /^[0-9a-f]+ <.*>:$/ { name = substr($0, index($0, "<")); avx512 = name ~ /avx512/; avx2 = name ~ /avx2/; next }
-    !/^ *[0-9a-f]+:\t/ { next }
+    $1 !~ /^[0-9a-f]+:$/ { next }
     {
-      zmm = /%zmm/; ymm = /%ymm/
-      split($0, part, "\t")
-      mnemonic = part[2]; sub(/ .*/, "", mnemonic)
+      zmm = /%zmm/; ymm = /%ymm/; mnemonic = $2
       # Encodings of AVX on the short registers too, and those of BMI: what leaks need not be wide.
       beyond = zmm || ymm || (mnemonic ~ /^v/ && /%xmm/) || /%k[0-7]/ ||
                mnemonic ~ /^(andn|bextr|bls[ir]|blsmsk|bzhi|mulx|pdep|pext|rorx|sarx|shlx|shrx)[lq]?$/
       if (zmm) wide512++
       if (ymm && avx2) wide256++
-      if (beyond && !avx512 && (zmm || !avx2)) { print "in " name " " part[2]; if (++bad == 20) exit 1 }
+      if (beyond && !avx512 && (zmm || !avx2)) { sub(/^[^:]*:[ \t]*/, ""); print "in " name " " $0; if (++bad == 20) exit 1 }
     }
     END {
       if (bad) exit 1

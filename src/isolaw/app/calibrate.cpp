@@ -21,6 +21,7 @@
 #include "isolaw/campaign/campaign.hpp"
 #include "isolaw/campaign/check.hpp"
 #include "isolaw/campaign/store.hpp"
+#include "isolaw/fit/kernels.hpp"
 #include "isolaw/report/build_summary.hpp"
 #include "isolaw/report/run_json.hpp"
 #include "isolaw/report/summary_json.hpp"
@@ -200,6 +201,7 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
   using Clock = std::chrono::steady_clock;
   auto const start = Clock::now();
   std::time_t const started_at = std::time(nullptr);
+  fit::instruction_set();  // throws before anything is written, also where no run is left to do
   auto const lot = lot_of(arguments);
   warn_of_idle_overrides(lot.settings);
   auto contents = campaign::prepare(lot);

@@ -31,19 +31,25 @@ ProgressLine::~ProgressLine() {
 }
 
 void ProgressLine::show(campaign::Progress const& progress) {
-  if (!terminal_ || progress.total == 0) return;
+  if (progress.total == 0) return;
   auto const now = Clock::now();
   if (first_) {
     done_at_start_ = progress.done - 1;  // runs finished before an interruption do not count for the rate
     first_ = false;
   }
   bool const last = progress.done == progress.total;
-  if (!last && now - last_ < std::chrono::milliseconds(100)) return;
+  // In a log file a line now and then, so that a long search is seen to be alive.
+  auto const pause = terminal_ ? std::chrono::milliseconds(100) : std::chrono::seconds(30);
+  if (terminal_ ? !last && now - last_ < pause : now - last_ < pause) return;
   last_ = now;
-  drawn_ = true;
   double const elapsed = std::chrono::duration<double>(now - start_).count();
   double const rate = static_cast<double>(progress.done - done_at_start_) / std::max(elapsed, 1e-3);
   double const left = static_cast<double>(progress.total - progress.done) / rate;
+  if (!terminal_) {
+    fmt::print(stderr, "{}/{} runs, {:.1f}/s, {} left\n", progress.done, progress.total, rate, duration(left));
+    return;
+  }
+  drawn_ = true;
   constexpr std::size_t cells = 20;
   auto const filled = cells * progress.done / progress.total;
   std::string bar;

@@ -9,7 +9,7 @@ namespace isolaw::app {
 
 class ProgressLine {
  public:
-  ProgressLine();  // silent when stderr is not a terminal
+  ProgressLine();  // a line every half minute when stderr is not a terminal
   ~ProgressLine();
   ProgressLine(ProgressLine const&) = delete;
   ProgressLine& operator=(ProgressLine const&) = delete;
@@ -21,7 +21,7 @@ class ProgressLine {
   bool terminal_;
   bool drawn_ = false;
   Clock::time_point start_ = Clock::now();
-  Clock::time_point last_{};
+  Clock::time_point last_ = start_;
   std::size_t done_at_start_ = 0;
   bool first_ = true;
 };

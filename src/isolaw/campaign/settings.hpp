@@ -39,7 +39,7 @@ fit::BoxKind parse_box(std::string_view text);                      // "publishe
 laws::Integration parse_integration(std::string_view text);         // "converged" or "paper"
 std::optional<int> parse_samples_per_cycle(std::string_view text);  // a number or "all"
 std::string_view name(fit::BoxKind kind);
-laws::TurningPoints parse_turning_points(std::string_view text);    // "sampled" or "interpolated"
+laws::TurningPoints parse_turning_points(std::string_view text);  // "sampled" or "interpolated"
 std::string_view name(laws::Integration integration);
 std::string_view name(laws::TurningPoints turning_points);
 

@@ -143,7 +143,7 @@ struct Piece {
 template <class T, class Params>
 T travel(Params const& p, Constants<T> const& c, Piece const& piece) {
   double const growth = piece.peak1 - piece.peak0;
-  T travelled = c.inverse_Ut * T(piece.length - growth);
+  T travelled = rounded(c.inverse_Ut * T(piece.length - growth));
   if (growth > 0.0) {
     constexpr double ln2 = 0.69314718055994530942;
     travelled += c.Us_over_U0 * T(ln2) * log2((p.Us + T(piece.peak1)) / (p.Us + T(piece.peak0)));
@@ -156,7 +156,7 @@ template <class T, class Params>
 T elastic_force(Params const& p, Constants<T> const& c, Step const& step) {
   if (step.x1 == 0.0) return T(0.0);
   T const x(step.x1), sign(step.x1 > 0.0 ? 1.0 : -1.0);
-  T const F1 = c.K1_now * x + p.a * sign * (T(1.0) - exp(-p.b * abs(x)));
+  T const F1 = rounded(c.K1_now * x) + p.a * sign * (T(1.0) - exp(-p.b * abs(x)));
   T const F3 = p.K2 * x * exp2(p.r * (T(step.log2_abs_x1) - c.log2_Uh));
   return F1 + F3;
 }
@@ -304,9 +304,9 @@ struct Abe {
     T const after = growth_at(p, state.constants, piece.x1);
     double const size = std::max(std::abs(piece.x0), std::abs(piece.x1));
     bool const tiny = piece.length <= std::max(1e-6 * size, num::smallest_power_base);
-    T const mean =
-        tiny ? T(0.5) * (before + after)
-             : (T(piece.x1) * after - T(piece.x0) * before) * state.per_p_plus_1 * T(1.0 / (piece.x1 - piece.x0));
+    T const mean = tiny ? T(0.5) * (before + after)
+                        : (rounded(T(piece.x1) * after) - T(piece.x0) * before) * state.per_p_plus_1 *
+                              T(1.0 / (piece.x1 - piece.x0));
     T const Yt = p.Y0 * (one + mean), per_mean = one / (one + mean);
     T const travel = abe_parts::travel(p, state.constants, piece);
     auto const moved = state.flow.advance(direction * state.F2 * state.per_Y0 * per_mean, travel);
@@ -317,8 +317,8 @@ struct Abe {
     T const second =
         d * d * relaxed / (one + relaxed2) * (one - p.n) * (one - T(0.5) * (moved.rate0 + moved.rate1)) * T(1.0 / 24.0);
     T const limit = T(0.5) * abs(d);
-    T const effect = max(-limit, min(first + second, limit));
-    state.F2 = direction * Yt * (moved.u + effect);
+    T const effect = max(-limit, min(rounded(first) + second, limit));
+    state.F2 = rounded(direction * Yt * (moved.u + effect));
     state.growth = after;
     if (piece.peak1 > piece.peak0) abe_parts::follow_peak(p, state.constants, piece.peak1);
   }

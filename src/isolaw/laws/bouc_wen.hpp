@@ -126,7 +126,7 @@ struct BoucWen {
  private:
   template <class T>
   static T force(Params<T> const& p, T const& z, double x) {
-    return p.alpha * p.Ke * T(x) + (T(1.0) - p.alpha) * p.Ke * z;
+    return rounded(p.alpha * p.Ke * T(x)) + (T(1.0) - p.alpha) * p.Ke * z;
   }
 };
 

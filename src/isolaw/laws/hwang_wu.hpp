@@ -153,7 +153,7 @@ struct HwangWu {
     c.elastic = rounded((p.a1 + x2 * (p.a2 + x2 * p.a3)) * x);
     c.softening = p.a4 * x * sech_squared(p.a5 * v);
     // At rest nothing is damped, also for a8 = 0; likewise where the square of the velocity is lost.
-    c.damping = at_v * at_v < smallest_square ? T(0.0) : (p.a6 + p.a7 * x2) * v / sqrt(p.a8 * p.a8 + v * v);
+    c.damping = at_v * at_v < smallest_square ? T(0.0) : (p.a6 + p.a7 * x2) * v / sqrt(rounded(p.a8 * p.a8) + v * v);
     return c;
   }
 

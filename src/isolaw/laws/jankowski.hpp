@@ -125,12 +125,12 @@ struct Jankowski {
     T const log2_e_v(num::log2_e * step.v1), log2_e_x(num::log2_e * step.x1);
     T const E5 = exp2(-two * abs(p.a5 * log2_e_v)), e7 = exp2(-abs(p.a7 * log2_e_v)), e8 = exp2(-abs(p.a8 * log2_e_x));
     T const square5 = (one + E5) * (one + E5), product78 = (one + e7 * e7) * (one + e8 * e8);
-    T const peaks = T(4.0) * (p.a4 * E5 * product78 + p.a6 * e7 * e8 * square5), below = square5 * product78;
+    T const peaks = T(4.0) * (p.a4 * E5 * product78 + rounded(p.a6 * e7 * e8 * square5)), below = square5 * product78;
     T const polynomial = p.a1 + x2 * (p.a2 + x2 * p.a3);
     // Also where the square of the velocity is lost, which for a11 = 0 would leave v / 0.
     if (step.v1 * step.v1 < smallest_square) return (polynomial + peaks / below) * x;
-    T const speed = sqrt(p.a11 * p.a11 + v * v);
-    return polynomial * x + (peaks * x * speed + (p.a9 + p.a10 * x2) * v * below) / (below * speed);
+    T const speed = sqrt(rounded(p.a11 * p.a11) + v * v);
+    return polynomial * x + (rounded(peaks * x * speed) + (p.a9 + p.a10 * x2) * v * below) / (below * speed);
   }
 };
 

@@ -9,10 +9,10 @@ namespace isolaw::laws {
 template <class T, class Slope>
 T runge_kutta(T const& y, double dx, Slope&& slope) {
   T const half(0.5 * dx), whole(dx), two(2.0);
-  T const k1 = slope(0.0, y);
-  T const k2 = slope(0.5, y + half * k1);
-  T const k3 = slope(0.5, y + half * k2);
-  T const k4 = slope(1.0, y + whole * k3);
+  T const k1 = rounded(slope(0.0, y));
+  T const k2 = rounded(slope(0.5, y + half * k1));
+  T const k3 = rounded(slope(0.5, y + half * k2));
+  T const k4 = rounded(slope(1.0, y + whole * k3));
   return y + T(dx / 6.0) * (k1 + two * (k2 + k3) + k4);
 }
 

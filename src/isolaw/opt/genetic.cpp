@@ -131,8 +131,8 @@ GeneticResult minimise_genetic(Problem const& problem, num::Stream const& stream
         std::vector<double>(size, infinity)};
     problem.evaluate(children.points, children.values);
     result.evaluations += options.population;
-    result.failed_evaluations += static_cast<int>(
-        std::ranges::count_if(children.values, [](double value) { return !std::isfinite(value); }));
+    result.failed_evaluations +=
+        static_cast<int>(std::ranges::count_if(children.values, [](double value) { return !std::isfinite(value); }));
 
     parents = select(parents, children, size);
     double const best = rank_key(parents.values.front());

@@ -1,0 +1,122 @@
+// ISOLAW_SIMD, `isolaw bench`, and that the choice of instructions changes no result.
+#include <map>
+
+#include "cli/published_laws.hpp"
+#include "cli/run.hpp"
+#include "cli/store.hpp"
+
+namespace isolaw::cli_test {
+namespace {
+
+// Seven digits of 128 objectives of every law with both integrations. A change of a law's numbers, of its published box
+// or of the draws gives another one, which then belongs here: to restate it is to say that the change is meant.
+constexpr char const* signature = "5a0049e8c95d1a2b";
+
+Words with(std::string const& set) {
+  return {"ISOLAW_SIMD=" + set};
+}
+
+class InstructionSets : public InFreshDirectory {
+ protected:
+  // As a refusal lists them, slowest first.
+  Words available() {
+    auto const o = start({"bench"}, with("nonsense")).wait();
+    std::string const before = "allowed: ";
+    auto const begin = o.err.find(before), end = o.err.find("; try:");
+    EXPECT_NE(begin, std::string::npos) << o;
+    EXPECT_NE(end, std::string::npos) << o;
+    Words names;
+    std::istringstream list(o.err.substr(begin + before.size(), end - begin - before.size()));
+    for (std::string name; std::getline(list, name, ',');) names.push_back(name.substr(name.find_first_not_of(' ')));
+    return names;
+  }
+
+  // Every row of the store and the bytes of summary.json.
+  std::pair<Words, std::string> campaign(std::string const& set, std::string const& jobs) {
+    auto const out = set + "-" + jobs;
+    auto const o = start({"calibrate", "ex/lot.toml", "--runs", "2", "--population", "42", "--generations", "6",
+                          "--jobs", jobs, "--out", out},
+                         with(set))
+                       .wait();
+    EXPECT_EQ(o.code, 0) << o;
+    return {all_rows(path(out) / "campaign.sqlite"), read(fs::path(out) / "summary.json")};
+  }
+};
+
+TEST_F(InstructionSets, bench_gives_positive_times_of_every_law_and_the_same_signature_on_all) {
+  auto const names = available();
+  ASSERT_GE(names.size(), 2u);
+  EXPECT_EQ(names.front(), "scalar");
+  for (auto const& name : names) {
+    auto const o = start({"bench", "--json"}, with(name)).wait();
+    ASSERT_EQ(o.code, 0) << name << o;
+    auto const bench = Json::parse(o.out);
+    Words keys;
+    for (auto const& [key, value] : bench.items()) keys.push_back(key);
+    EXPECT_EQ(keys, (Words{"isa", "threads", "signature", "laws", "laws_paper"}));
+    EXPECT_EQ(bench["isa"], name);
+    EXPECT_EQ(bench["threads"], 1);
+    EXPECT_EQ(bench["signature"], signature) << name;
+    for (auto const* table : {"laws", "laws_paper"}) {
+      EXPECT_EQ(bench[table].size(), expected_laws().size());
+      for (auto const& law : expected_laws()) {
+        ASSERT_TRUE(bench[table].contains(law.id)) << table << ", " << law.id;
+        EXPECT_GT(bench[table][std::string(law.id)].get<double>(), 0.0) << table << ", " << law.id;
+      }
+    }
+  }
+}
+
+TEST_F(InstructionSets, the_fastest_is_chosen_where_none_is_asked_for) {
+  auto const names = available();
+  for (auto const& environment : {Words{"ISOLAW_SIMD="}, Words{}}) {
+    if (environment.empty() && std::getenv("ISOLAW_SIMD") != nullptr) continue;
+    auto const o = start({"bench"}, environment).wait();
+    EXPECT_EQ(o.code, 0) << o;
+    EXPECT_TRUE(contains(o.out, "instruction set " + names.back() + " (of"));
+    EXPECT_TRUE(contains(o.out, signature));
+    for (auto const& law : expected_laws()) EXPECT_TRUE(contains(o.out, fmt::format("\n  {} ", law.id)));
+  }
+}
+
+TEST_F(InstructionSets, unknown_names_are_refused_with_the_allowed_ones_before_anything_is_written) {
+  ASSERT_EQ(isolaw({"example", "ex"}).code, 0);
+  for (auto const* name : {"nonsense", "AVX2", "avx2 ", "avx1024"})
+    for (Words const& command : {Words{"bench"}, Words{"bench", "--json"}, Words{"calibrate", "ex/lot.toml"}}) {
+      auto const o = start(command, with(name)).wait();
+      expect_refused(o, {"isolaw: ISOLAW_SIMD: '" + std::string(name) + "', which is no instruction set",
+                         "allowed: scalar, ", "try: leave it unset"});
+    }
+  EXPECT_FALSE(exists("out"));
+}
+
+TEST_F(InstructionSets, what_the_processor_lacks_is_refused_as_that) {
+  auto const names = available();
+  int lacking = 0;
+  for (auto const* name : {"avx2", "avx512"}) {
+    if (std::ranges::count(names, name) > 0) continue;
+    ++lacking;
+    auto const o = start({"bench"}, with(name)).wait();
+    expect_refused(o, {"ISOLAW_SIMD", name, "allowed: scalar, "});
+  }
+  if (lacking == 0) GTEST_SKIP() << "this processor has them all";
+}
+
+TEST_F(InstructionSets, number_of_threads_changes_no_bit_on_any_of_them) {
+  ASSERT_EQ(isolaw({"example", "ex"}).code, 0);
+  std::map<std::string, std::pair<Words, std::string>> results;
+  for (auto const& name : available()) {
+    results[name] = campaign(name, "1");
+    auto const two = campaign(name, "2");
+    EXPECT_EQ(results[name].first, two.first) << name;
+    EXPECT_EQ(results[name].second, two.second) << name;
+    EXPECT_FALSE(two.first.empty());
+  }
+  if (!results.contains("avx2") || !results.contains("avx512"))
+    GTEST_SKIP() << "this processor lacks avx2 or avx512, which give the same bits";
+  EXPECT_EQ(results["avx2"].first, results["avx512"].first);
+  EXPECT_EQ(results["avx2"].second, results["avx512"].second);
+}
+
+}  // namespace
+}  // namespace isolaw::cli_test
