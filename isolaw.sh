@@ -4,6 +4,8 @@
 #   ./isolaw.sh build        configure and build (preset `release`, or ISOLAW_PRESET=developer|sanitize|sanitize-thread)
 #   ./isolaw.sh run          setup, build, identify the example lot into out/published-lot/
 #   ./isolaw.sh test         setup, build, run all tests
+#   ./isolaw.sh sanitize     the modules' tests, the fuzz corpora and one campaign under address and undefined-behaviour
+#                            sanitizers: what fits beside the tests; tools/reliability.sh runs everything under them
 #   ./isolaw.sh fuzz [SECONDS]  every fuzz target for so long (60), with clang; fails at a finding
 #   ./isolaw.sh bench        setup, build and run the benchmarks
 #   ./isolaw.sh study [--quick]  time the published study, its scaling and other programs; see docs/performance.md
@@ -61,6 +63,12 @@ case "${1:-help}" in
     build
     step ctest --preset "$preset" -j "$(nproc)" "${@:2}"
     ;;
+  sanitize)
+    setup "${test_packages[@]}"
+    step cmake --preset sanitize
+    step cmake --build --preset sanitize --target sanitized_share
+    step ctest --preset sanitize -j "$(nproc)" -L sanitized_share "${@:2}"
+    ;;
   fuzz)
     setup clang libclang-rt-14-dev
     step cmake --preset fuzz
@@ -113,9 +121,9 @@ case "${1:-help}" in
     for law in $("build/$preset/cli/isolaw" laws | cut -d' ' -f1); do "build/$preset/cli/isolaw" laws "$law"; echo; done >build/docs/laws.txt
     echo "written: build/docs/laws.txt" >&2
     ;;
-  help | -h | --help) sed -n '2,13s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
+  help | -h | --help) sed -n '2,15s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
   *)
-    echo "isolaw.sh: unknown command '$1'; allowed: setup, build, run, test, fuzz, bench, study, lint, compilers, docs" >&2
+    echo "isolaw.sh: unknown command '$1'; allowed: setup, build, run, test, sanitize, fuzz, bench, study, lint, compilers, docs" >&2
     exit 2
     ;;
 esac

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "bench_record.hpp"
+#include "candidates.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/data/clean.hpp"
 #include "isolaw/data/read.hpp"

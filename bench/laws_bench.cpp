@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "bench_record.hpp"
+#include "candidates.hpp"
 #include "isolaw/fit/objective.hpp"
+#include "isolaw/fit/workload.hpp"
 
 namespace {
 
@@ -33,7 +34,7 @@ void count(benchmark::State& state, std::size_t candidates) {
 }
 
 void one_at_a_time(benchmark::State& state, Subject const& subject) {
-  auto const record = bench::record(samples);
+  auto const record = fit::workload(samples);
   auto const candidates = subject.candidates(record);
   fit::LawOnRecord const model(subject.law, record, subject.integration);
   std::size_t const parameters = subject.law.parameters.size();
@@ -47,7 +48,7 @@ void one_at_a_time(benchmark::State& state, Subject const& subject) {
 }
 
 void in_blocks(benchmark::State& state, Subject const& subject, fit::Kernel::Objectives kernel, std::size_t width) {
-  auto const record = bench::record(samples);
+  auto const record = fit::workload(samples);
   auto const candidates = subject.candidates(record);
   auto const& info = subject.law.info;
   auto const path = laws::make_path(bench::divided(record.disp_mm, info.length.in_record_units),

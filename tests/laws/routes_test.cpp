@@ -18,6 +18,7 @@
 #include "isolaw/laws/catalogue.hpp"
 #include "laws/candidates.hpp"
 #include "laws/motion.hpp"
+#include "laws/overflow.hpp"
 
 namespace isolaw::law_tests {
 namespace {
@@ -164,18 +165,10 @@ TYPED_TEST(Routes, ANaNParameterShowsInTheForce) {
     }
 }
 
-// Parameters, one for each law, whose force exceeds the largest double.
 template <class Law>
 Values<Law> overflowing() {
   auto values = candidate<Law>(90);
-  auto const set = [&](std::string_view name, double value) { values[index_of<Law>(name)] = value; };
-  std::string_view const id = Law::info.id;
-  if (id == "bilinear") set("K2", 1e307);
-  if (id == "jankowski") set("a1", 1.7e308), set("a6", 1.7e308);
-  if (id == "vaiana") set("beta2+", 1e5);
-  if (id == "bouc-wen") set("Ke", 1e308);
-  if (id == "abe" || id == "abe-y0") set("K2", 1e308);
-  if (id == "hwang-wu") set("a1", 1e308);
+  for (auto const& [name, value] : overflowing_values(Law::info.id)) values[index_of<Law>(name)] = value;
   return values;
 }
 

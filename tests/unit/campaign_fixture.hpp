@@ -11,10 +11,12 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <numbers>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "isolaw/campaign/contents.hpp"
@@ -77,6 +79,21 @@ inline DeviceInput device_input(std::string name, std::vector<std::filesystem::p
   input.shown_file = files.empty() ? "" : files.front().filename().string();
   input.files = std::move(files);
   return input;
+}
+
+// A run in which no parameter set gave a finite force.
+inline Run failed_run(std::size_t device, std::string law, int number, std::string failure) {
+  return {.device = device,
+          .law = std::move(law),
+          .number = number,
+          .outcome = Outcome::no_finite_value,
+          .objective = std::nan(""),
+          .integration_shift = std::nan(""),
+          .evaluations = 100,
+          .failed_evaluations = 100,
+          .failure = std::move(failure),
+          .parameters = {},
+          .history = {std::numeric_limits<double>::infinity()}};
 }
 
 inline bool same(double a, double b) {

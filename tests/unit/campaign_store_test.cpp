@@ -134,17 +134,7 @@ Run good(std::size_t device, std::string law, int number) {
 }
 
 Run failed(std::size_t device, std::string law, int number) {
-  return {.device = device,
-          .law = std::move(law),
-          .number = number,
-          .outcome = Outcome::no_finite_value,
-          .objective = std::nan(""),
-          .integration_shift = std::nan(""),
-          .evaluations = 100,
-          .failed_evaluations = 100,
-          .failure = attack,
-          .parameters = {},
-          .history = {infinity}};
+  return testing::failed_run(device, std::move(law), number, attack);
 }
 
 // By device, law (alphabetically) and number, as Contents holds them.

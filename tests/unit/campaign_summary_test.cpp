@@ -69,18 +69,9 @@ Run run(std::size_t device_index, std::string law, int number, double objective,
           .history = {1.0, objective}};
 }
 
-Run failed(std::size_t device_index, std::string law, int number) {
-  return {.device = device_index,
-          .law = std::move(law),
-          .number = number,
-          .outcome = Outcome::no_finite_value,
-          .objective = std::nan(""),
-          .integration_shift = std::nan(""),
-          .evaluations = 100,
-          .failed_evaluations = 100,
-          .failure = "none of the first 100 parameter sets gave a finite force",
-          .parameters = {},
-          .history = {INFINITY}};
+Run failed(std::size_t device, std::string law, int number) {
+  return campaign::testing::failed_run(device, std::move(law), number,
+                                       "none of the first 100 parameter sets gave a finite force");
 }
 
 // Device A: objectives 0.1, 0.2, 0.3; device B: 0.3, 0.5, 0.7.

@@ -22,6 +22,7 @@
 
 #include "isolaw/fit/objective.hpp"
 #include "laws/motion.hpp"
+#include "laws/overflow.hpp"
 #include "laws/records.hpp"
 
 namespace isolaw::fit {
@@ -229,22 +230,10 @@ TEST_P(Kernels, GiveACandidateTheSameBitsWhateverItsPlaceAndNeighbours) {
   }
 }
 
-// Parameters, one set for each law, whose force exceeds the largest double on any record of this size.
-Values overflowing(laws::LawEntry const& law, Values values) {
-  auto const set = [&](char const* name, double value) { values[law.index_of(name)] = value; };
-  std::string_view const id = law.info.id;
-  if (id == "bilinear") set("K2", 1e307);
-  if (id == "jankowski") set("a1", 1.7e308), set("a6", 1.7e308);
-  if (id == "vaiana") set("beta2+", 1e5);
-  if (id == "bouc-wen") set("Ke", 1e308);
-  if (id == "abe" || id == "abe-y0") set("K2", 1e308);
-  if (id == "hwang-wu") set("a1", 1e308);
-  return values;
-}
-
 // Candidates without an objective: each parameter in turn no number or infinite, an overflow, no bounded force.
 std::vector<Values> sick_ones(laws::LawEntry const& law, Values const& sound) {
-  std::vector<Values> sick{overflowing(law, sound)};
+  std::vector<Values> sick{sound};
+  for (auto const& [name, value] : law_tests::overflowing_values(law.info.id)) sick.front()[law.index_of(name)] = value;
   for (std::size_t p = 0; p < sound.size(); ++p)
     for (double const value : {nan, infinity, -infinity}) {
       sick.push_back(sound);

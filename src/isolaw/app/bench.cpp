@@ -3,38 +3,20 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "isolaw/app/commands.hpp"
 #include "isolaw/base/hash.hpp"
 #include "isolaw/fit/objective.hpp"
+#include "isolaw/fit/workload.hpp"
 #include "isolaw/num/random.hpp"
 
 namespace isolaw::app {
 namespace {
 
 constexpr std::size_t samples = 600, candidates = 4 * fit::wide_block;
-
-// Three cycles of +-208 mm at 0.5 Hz; the force is that of a bilinear loop, so that no law is exact.
-data::FitRecord record() {
-  data::FitRecord r;
-  double hysteretic = 0.0, before = 0.0;
-  for (std::size_t i = 0; i < samples; ++i) {
-    double const t = 0.01 * static_cast<double>(i), w = std::numbers::pi;
-    double const x = 208.0 * std::sin(w * t);
-    hysteretic = std::clamp(hysteretic + 3.0 * (x - before), -45.0, 45.0);
-    before = x;
-    r.time_s.push_back(t);
-    r.disp_mm.push_back(x);
-    r.vel_mm_s.push_back(208.0 * w * std::cos(w * t));
-    r.force_kN.push_back(0.5 * x + hysteretic);
-  }
-  return r;
-}
 
 struct Measured {
   double ns = 0.0;  // per sample and candidate
@@ -67,7 +49,7 @@ Measured measure(fit::LawOnRecord const& model, fit::SearchBox const& box) {
 }  // namespace
 
 int bench(bool json) {
-  auto const measured_record = record();
+  auto const measured_record = fit::workload(samples);
   // Seven digits of every objective: the same for all instruction sets, and another one as soon as a law changes.
   std::string digits;
   nlohmann::ordered_json converged, paper;

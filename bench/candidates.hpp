@@ -1,33 +1,13 @@
-// What the benchmarks evaluate: three cycles of +-208 mm at 0.5 Hz in 600 samples, and candidates of a search box.
+// Candidates of a search box, in the layouts the benchmarks want.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <vector>
 
 #include "isolaw/fit/box.hpp"
 #include "isolaw/num/random.hpp"
 
 namespace isolaw::bench {
-
-// The force is that of a bilinear loop.
-inline data::FitRecord record(std::size_t samples) {
-  data::FitRecord r;
-  double hysteretic = 0.0, before = 0.0;
-  for (std::size_t i = 0; i < samples; ++i) {
-    double const t = 6.0 * static_cast<double>(i) / static_cast<double>(samples), w = std::numbers::pi;
-    double const x = 208.0 * std::sin(w * t);
-    hysteretic = std::clamp(hysteretic + 3.0 * (x - before), -45.0, 45.0);
-    before = x;
-    r.time_s.push_back(t);
-    r.disp_mm.push_back(x);
-    r.vel_mm_s.push_back(208.0 * w * std::cos(w * t));
-    r.force_kN.push_back(0.5 * x + hysteretic);
-  }
-  return r;
-}
 
 // `count` candidates, uniform in the box: one after another, each in the law's order.
 inline std::vector<double> candidates(fit::SearchBox const& box, std::size_t count) {
