@@ -19,8 +19,9 @@ preset=${ISOLAW_PRESET:-release}
 step() { printf '+ %s\n' "$*" >&2; "$@"; }
 as_root() { if [ "$(id -u)" -eq 0 ]; then step "$@"; else step sudo "$@"; fi; }
 
-build_packages=(ca-certificates cmake g++ libboost-dev libcli11-dev libfmt-dev libgtest-dev librandom123-dev libsqlite3-dev
-  libssl-dev libtbb-dev libtomlplusplus-dev ninja-build nlohmann-json3-dev npm)
+build_packages=(ca-certificates cmake g++ libboost-dev libcli11-dev libexpat1-dev libfmt-dev libgtest-dev libhdf5-dev
+  libmatio-dev libminizip-dev librandom123-dev libsqlite3-dev libssl-dev libtomlplusplus-dev libxlsxwriter-dev
+  ninja-build nlohmann-json3-dev npm zlib1g-dev)
 test_packages=(chromium xz-utils)
 
 install_missing() {
@@ -74,7 +75,7 @@ case "${1:-help}" in
     step cmake --preset fuzz
     step cmake --build --preset fuzz
     findings=0
-    for target in text lot_file store; do
+    for target in text workbook mat mat73 json lot_file rule_set store; do
       # New inputs are kept aside; the committed corpus grows by hand, one minimised input per fault.
       mkdir -p "build/fuzz/found/$target"
       step "build/fuzz/fuzz/fuzz_$target" -max_total_time="${2:-60}" -timeout=20 -rss_limit_mb=4096 -print_final_stats=1 \

@@ -30,7 +30,10 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     report::parameters_csv(summary);
     report::objective_csv(summary);
     report::robustness_csv(summary);
-    report::properties_csv(summary);
+    report::cycles_csv(summary);
+    report::tests_csv(summary);
+    report::lot_csv(summary);
+    report::lambda_csv(summary);
     report::ranking(summary, 80);
   } catch (Error const& error) {
     fuzz::require_plain_message(error);

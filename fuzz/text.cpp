@@ -1,52 +1,17 @@
-// The bytes of a record file, read as `isolaw inspect` and `isolaw calibrate` read it.
-#include <cmath>
-
-#include "harness.hpp"
-#include "isolaw/data/clean.hpp"
-#include "isolaw/data/properties.hpp"
-#include "isolaw/data/read.hpp"
-
-namespace isolaw::fuzz {
-namespace {
-
-void read(std::string_view bytes, data::ReadOptions const& options) {
-  try {
-    auto const record = data::read_record_text(bytes, "record.csv", options);
-    auto const length = record.size();
-    require(length >= 3 && record.force_kN.size() == length, "channels have one length");
-    require(record.time_s.empty() || record.time_s.size() == length, "time has the length of the others");
-    require(record.load_kN.empty() || record.load_kN.size() == length, "load has the length of the others");
-    for (auto const* sentences : {&record.recognised, &record.warnings})
-      for (auto const& sentence : *sentences) require(is_printable(sentence), "a sentence is printable");
-    for (std::size_t i = 0; i < length; ++i)
-      require(std::isfinite(record.disp_mm[i]) && std::isfinite(record.force_kN[i]), "values are finite");
-    auto const properties = data::cyclic_properties(record.disp_mm, record.force_kN);
-    for (auto const& cycle : properties.cycles)
-      require(cycle.first >= 0.0 && cycle.last <= static_cast<double>(length), "a cycle lies in the record");
-    for (bool const plain : {true, false}) try {
-        auto cleaning = data::CleanOptions{};
-        if (plain) cleaning = {.smooth = 5, .samples_per_cycle = std::nullopt, .center = true};
-        auto const clean = data::clean(record, cleaning);
-        require(clean.force_kN.size() == clean.size() && clean.time_s.size() == clean.size(), "clean channels fit");
-      } catch (Error const& error) {
-        require_plain_message(error);
-      }
-  } catch (Error const& error) {
-    require_plain_message(error);
-  }
-}
-
-}  // namespace
-}  // namespace isolaw::fuzz
+// The bytes of a record in delimited text.
+#include "record.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
   using namespace isolaw;
-  auto const bytes = fuzz::as_text(data, size);
-  fuzz::read(bytes, {});
   using enum data::Channel;
-  fuzz::read(bytes, {.columns = {{time, "none"}, {disp, "1"}, {force, "2"}},
-                     .units = {{disp, "cm"}, {force, "tonf"}},
-                     .dt_s = 0.01,
-                     .flip_force = true});
+  auto const bytes = fuzz::as_text(data, size);
+  fuzz::read_record(bytes, "record.csv", {});
+  data::ReadOptions told;
+  told.columns = {{time, "none"}, {disp, "1"}, {force, "2"}};
+  told.units = {{disp, "cm"}, {force, "tonf"}};
+  told.dt_s = 0.01;
+  told.flip_force = true;
+  told.test = "all";
+  fuzz::read_record(bytes, "record.csv", told);
   return 0;
 }

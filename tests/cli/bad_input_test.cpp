@@ -31,7 +31,11 @@ TEST_F(BadInput, no_such_file) {
 
 TEST_F(BadInput, directory) {
   fs::create_directory(path("folder.csv"));
-  expect_refusal("folder.csv", {"folder.csv: is a directory", "allowed: delimited text"});
+  auto const o = calibrate({"folder.csv"});
+  EXPECT_EQ(o.code, 2);
+  EXPECT_TRUE(contains(o.err, "folder.csv")) << o;
+  EXPECT_TRUE(contains(o.err, "without test records")) << o;
+  EXPECT_FALSE(exists("O"));
 }
 
 TEST_F(BadInput, file_without_permission) {
@@ -195,7 +199,7 @@ TEST_F(BadInput, workbook) {
   write("book.xlsx",
         "PK\x03\x04" + std::string(26, '\0') + "[Content_Types].xml xl/workbook.xml" + std::string(500, '\x01'));
   expect_refusal("book.xlsx",
-                 {"book.xlsx: is an .xlsx workbook", "allowed: delimited text", "try: save the sheet as CSV"});
+                 {"book.xlsx: the archive is damaged", "allowed: a workbook as Excel writes it", "try: save it again"});
 }
 
 TEST_F(BadInput, other_binary_file) {
@@ -246,14 +250,14 @@ TEST_F(BadInput, fewer_than_20_samples_per_cycle_refuses_the_cyclic_properties_o
   write("few.csv", csv(record({.samples = 46, .per_cycle = 15})));
   auto const inspected = isolaw({"inspect", "few.csv"});
   EXPECT_EQ(inspected.code, 0) << inspected;
-  EXPECT_TRUE(contains(inspected.out, "not reported: 15.0 samples per cycle, fewer than the 20"));
+  EXPECT_TRUE(contains(inspected.out, "No cyclic properties: 15.0 samples per cycle, fewer than the 20"));
   auto const o = calibrate({"few.csv"});
   EXPECT_EQ(o.code, 0) << o;
   EXPECT_EQ(count_of("no cyclic properties: 15.0 samples per cycle", o.out), 1u) << "said once\n" << o;
   auto const fit = json("O/summary.json")["laws"][0]["devices"][0];
   EXPECT_TRUE(fit["objective"]["best"].is_number());
   EXPECT_TRUE(fit["K_eff_error_percent"].is_null());
-  EXPECT_TRUE(contains(read("O/tables/properties.csv"), "fewer than the 20"));
+  EXPECT_TRUE(contains(read("O/tables/cycles.csv"), "fewer than the 20"));
 }
 
 TEST_F(BadInput, twenty_samples_per_cycle_are_enough) {
@@ -268,9 +272,14 @@ TEST_F(BadInput, less_than_one_cycle_refuses_the_cyclic_properties_only) {
   auto const inspected = isolaw({"inspect", "part.csv", "--json"});
   ASSERT_EQ(inspected.code, 0) << inspected;
   auto const found = Json::parse(inspected.out);
-  EXPECT_TRUE(contains(found["refusal"].get<std::string>(), "less than one complete cycle"));
-  EXPECT_TRUE(found["cycles"].empty());
-  EXPECT_TRUE(found["reported_cycle"].is_null());
+  EXPECT_TRUE(contains(found["properties_refusal"].get<std::string>(), "less than one complete cycle"));
+  ASSERT_EQ(found["blocks"].size(), 1u);
+  ASSERT_FALSE(found["blocks"][0]["cycles"].empty());
+  for (auto const& cycle : found["blocks"][0]["cycles"]) {
+    EXPECT_EQ(cycle["counts"], false);
+    EXPECT_TRUE(contains(cycle["reason"].get<std::string>(), "partial")) << cycle;
+  }
+  EXPECT_TRUE(found["reported"].is_null());
   auto const o = calibrate({"part.csv"});
   EXPECT_EQ(o.code, 0) << o;
   EXPECT_TRUE(contains(o.out, "less than one complete cycle"));
@@ -387,7 +396,7 @@ TEST_F(BadInput, one_bad_device_of_three_does_not_stop_the_others_and_is_named_e
   ASSERT_EQ(summary["laws"][0]["devices"].size(), 2u);
   EXPECT_EQ(summary["laws"][0]["devices"][1]["name"], "c");
   EXPECT_TRUE(contains(read("O/report.html"), reason));
-  EXPECT_TRUE(contains(read("O/tables/properties.csv"), reason));
+  EXPECT_TRUE(contains(read("O/tables/cycles.csv"), reason));
   EXPECT_TRUE(contains(query(path("O/campaign.sqlite"), "SELECT status, message FROM device WHERE name = 'bad'").at(0),
                        "refused|" + reason));
   EXPECT_EQ(isolaw({"report", "O"}).code, 1);

@@ -44,9 +44,10 @@ TEST_F(Calibrate, leaves_every_file_of_a_campaign) {
   std::set<std::string> files;
   for (auto const& entry : fs::recursive_directory_iterator(path("O")))
     if (entry.is_regular_file()) files.insert(fs::relative(entry.path(), path("O")).generic_string());
-  EXPECT_EQ(files, (std::set<std::string>{"campaign.sqlite", "run.json", "summary.json", "report.html",
-                                          "tables/parameters.csv", "tables/objective.csv", "tables/robustness.csv",
-                                          "tables/properties.csv"}));
+  EXPECT_EQ(files,
+            (std::set<std::string>{"campaign.sqlite", "run.json", "summary.json", "report.html",
+                                   "tables/parameters.csv", "tables/objective.csv", "tables/robustness.csv",
+                                   "tables/cycles.csv", "tables/tests.csv", "tables/lot.csv", "tables/lambda.csv"}));
   EXPECT_TRUE(contains(o.err, "O/report.html"));
   auto const run = json("O/run.json");
   for (auto const* key : {"isolaw", "command", "directory", "started", "total_seconds", "threads", "host"})
@@ -81,7 +82,8 @@ TEST_F(Calibrate, ranks_every_law_on_the_terminal_best_first) {
 TEST_F(Calibrate, summary_has_the_documented_schema) {
   ASSERT_EQ(calibrate("O").code, 0);
   auto const s = json("O/summary.json");
-  EXPECT_EQ(keys(s), (Words{"schema", "isolaw", "seed", "settings", "devices", "laws", "title"}));
+  EXPECT_EQ(keys(s),
+            (Words{"schema", "isolaw", "seed", "settings", "devices", "laws", "title", "complete", "missing_runs"}));
   EXPECT_EQ(s["schema"], 1);
   EXPECT_EQ(s["isolaw"], ISOLAW_VERSION);
   EXPECT_EQ(s["seed"], 1);
@@ -169,7 +171,7 @@ TEST_F(Calibrate, report_makes_the_same_outputs_from_the_store_alone_and_does_no
   ASSERT_EQ(calibrate("O").code, 0);
   std::map<std::string, std::string> before;
   for (auto const* name : {"summary.json", "report.html", "tables/parameters.csv", "tables/objective.csv",
-                           "tables/robustness.csv", "tables/properties.csv"}) {
+                           "tables/robustness.csv", "tables/cycles.csv"}) {
     before[name] = read(fs::path("O") / name);
     fs::remove(path(fs::path("O") / name));
   }
@@ -291,8 +293,8 @@ TEST_F(Calibrate, tables_have_units_in_their_headers_and_every_device_and_law) {
                             "failed evaluations,K_eff error [%],"
                             "energy error [%],damping error [%]"));
   EXPECT_EQ(count_of("\n", objective), 71u);
-  auto const properties = read("O/tables/properties.csv");
-  EXPECT_TRUE(properties.starts_with("device,cycle,amplitude [mm],K_eff [kN/mm],energy [kN mm],damping [%]"));
+  auto const properties = read("O/tables/cycles.csv");
+  EXPECT_TRUE(properties.starts_with("device,block,cycle,counts,why not,reported,strain [%],frequency [Hz]"));
   EXPECT_EQ(count_of("\n", properties), 31u);
   auto const robustness = read("O/tables/robustness.csv");
   EXPECT_EQ(count_of("\n", robustness), 8u);
@@ -315,7 +317,7 @@ TEST_F(Calibrate, store_holds_raw_and_cleaned_records_and_the_objectives_history
             (Words{"fit|disp_mm|601", "fit|force_kN|601", "fit|time_s|601", "fit|vel_mm_s|601", "raw|disp_mm|601",
                    "raw|force_kN|601", "raw|load_kN|601", "raw|time_s|601"}));
   EXPECT_EQ(query(store, "SELECT DISTINCT length(history) / 8, evaluations FROM run"), Words{"5|100"});
-  EXPECT_EQ(query(store, "SELECT value FROM meta WHERE key = 'schema'"), Words{"2"});
+  EXPECT_EQ(query(store, "SELECT value FROM meta WHERE key = 'schema'"), Words{"3"});
   EXPECT_EQ(query(store, "PRAGMA journal_mode"), Words{"delete"});
 }
 

@@ -1,4 +1,6 @@
 // `isolaw check`: a store that was changed after the program wrote it is found out.
+#include <sys/stat.h>
+
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 #include "cli/store.hpp"
@@ -41,7 +43,7 @@ TEST_F(Check, a_campaign_as_it_was_made_is_sound) {
   auto const o = isolaw({"check", "O"});
   EXPECT_EQ(o.code, 0) << o;
   for (auto const* part : {"sound", "2 devices, 4 laws on them, 8 of 8 runs", "largest relative difference 0",
-                           "6 files beside it compared"})
+                           "9 files beside it compared"})
     EXPECT_TRUE(contains(o.out, part));
 }
 
@@ -82,6 +84,138 @@ TEST_F(Check, a_changed_history) {
   expect_fault("bilinear on a, run 1: its history ends elsewhere");
 }
 
+TEST_F(Check, a_changed_integration_shift) {
+  change(
+      "UPDATE run SET integration_shift = integration_shift + 1e-6 WHERE device = 0 AND law = 'bouc-wen' AND number = "
+      "2");
+  expect_fault("bouc-wen on a, run 2: its parameters give the integration shift ");
+}
+
+TEST_F(Check, how_a_search_went) {
+  auto const sound = read("O/campaign.sqlite");
+  for (auto const* sql :
+       {"UPDATE run SET evaluations = evaluations + 6", "UPDATE run SET evaluations = 1",
+        "UPDATE run SET failed_evaluations = evaluations", "UPDATE run SET failed_evaluations = -1"}) {
+    write("O/campaign.sqlite", sound);
+    change(std::string(sql) + " WHERE device = 0 AND law = 'bilinear' AND number = 1");
+    SCOPED_TRACE(sql);
+    expect_fault("bilinear on a, run 1: its count of evaluations is impossible");
+  }
+  for (auto const* sql :
+       {"UPDATE run SET history = substr(history, 9), evaluations = 12", "UPDATE run SET outcome = 'stagnated'",
+        "UPDATE run SET outcome = 'no_finite_value'",
+        "UPDATE run SET history = CAST(substr(history, 1, 8) || history AS BLOB), evaluations = 24"}) {
+    write("O/campaign.sqlite", sound);
+    change(std::string(sql) + " WHERE device = 0 AND law = 'bilinear' AND number = 1");
+    SCOPED_TRACE(sql);
+    expect_fault("bilinear on a, run 1: its history does not end as the settings and its outcome say");
+  }
+}
+
+// What is read over, or read as something else, is found out by writing again what was read.
+TEST_F(Check, rows_that_belong_to_nothing) {
+  auto const sound = read("O/campaign.sqlite");
+  struct Addition {
+    char const *sql, *table;
+  };
+  for (auto const& [sql, table] : std::vector<Addition>{
+           {"INSERT INTO meta VALUES ('note', 'x')", "meta"},
+           {"INSERT INTO setting VALUES (99, 'x', '1')", "setting"},
+           {"INSERT INTO series VALUES (0, 'raw', 'other', 0, x'')", "series"},
+           {"INSERT INTO run_parameter VALUES (0, 'bilinear', 77, 0, 1.0)", "run_parameter"},
+           {"INSERT INTO search_parameter VALUES (5, 'bilinear', 0, 'K1', 'x', 1, 0, 0, 0, 'linear')",
+            "search_parameter"},
+           {"UPDATE search_parameter SET scale = 'other' WHERE position = 0 AND device = 0", "search_parameter"},
+           {"UPDATE run_parameter SET position = position + 10 WHERE device = 0", "run_parameter"},
+           {"UPDATE run SET outcome = 'excellent' WHERE device = 0 AND law = 'bilinear' AND number = 1", "run"}}) {
+    write("O/campaign.sqlite", sound);
+    change(sql);
+    SCOPED_TRACE(sql);
+    expect_fault(fmt::format("table '{}' holds rows that are not as isolaw writes them", table));
+  }
+}
+
+TEST_F(Check, what_isolaw_does_not_make_is_refused) {
+  auto const sound = read("O/campaign.sqlite");
+  for (auto const* sql :
+       {"CREATE TABLE extra (x)", "CREATE VIEW extra AS SELECT 1", "CREATE INDEX extra ON run (objective)",
+        "CREATE TRIGGER extra AFTER INSERT ON run BEGIN DELETE FROM run_parameter; END"}) {
+    write("O/campaign.sqlite", sound);
+    // So that there is a change to count.
+    change(std::string(sql) + "; UPDATE meta SET value = value WHERE key = 'title'");
+    SCOPED_TRACE(sql);
+    expect_damaged("it holds 'extra', which isolaw does not make");
+  }
+}
+
+TEST_F(Check, removed_runs_are_missing_and_the_reports_tell_of_them) {
+  change(
+      "DELETE FROM run_parameter WHERE device = 1 AND law = 'bilinear' AND number = 2;"
+      "DELETE FROM run WHERE device = 1 AND law = 'bilinear' AND number = 2");
+  auto const o = isolaw({"check", "O"});
+  EXPECT_EQ(o.code, 1) << o;
+  for (auto const* part : {"7 of 8 runs", "not complete: 1 runs are missing", "9 files beside it compared",
+                           "fault: summary.json is not what the store gives", "fault: report.html is not"})
+    EXPECT_TRUE(contains(o.out, part));
+  // The report of what is there tells of it, and is then what the store gives.
+  auto const report = isolaw({"report", "O"});
+  EXPECT_EQ(report.code, 1) << report;
+  EXPECT_TRUE(contains(report.out, "not complete: 7 of 8 runs are there"));
+  EXPECT_TRUE(contains(report.out, "2 laws, 7 of 8 runs, seed 1"));
+  EXPECT_EQ(json("O/summary.json")["complete"], false);
+  EXPECT_EQ(json("O/summary.json")["missing_runs"], 1);
+  EXPECT_TRUE(contains(read("O/report.html"), "not complete: 7 of 8 runs are there"));
+  EXPECT_TRUE(contains(read("O/tables/objective.csv"), ",ok,,1\r\n"));
+  EXPECT_EQ(isolaw({"check", "O"}).code, 0);
+}
+
+TEST_F(Check, reports_made_before_the_last_runs_are_out_of_date_and_no_fault) {
+  auto const whole = read("O/campaign.sqlite");
+  EXPECT_EQ(json("O/summary.json")["complete"], true);
+  EXPECT_EQ(json("O/summary.json")["missing_runs"], 0);
+  change("DELETE FROM run_parameter WHERE number = 2; DELETE FROM run WHERE number = 2");
+  EXPECT_EQ(isolaw({"report", "O"}).code, 1);
+  write("O/campaign.sqlite", whole);
+  auto const o = isolaw({"check", "O"});
+  EXPECT_EQ(o.code, 1) << o;
+  EXPECT_TRUE(contains(o.out, "O/campaign.sqlite: sound"));
+  EXPECT_TRUE(contains(o.out, "made before the last 4 runs; isolaw report O makes them again"));
+  EXPECT_EQ(isolaw({"report", "O"}).code, 0);
+  EXPECT_EQ(isolaw({"check", "O"}).code, 0);
+}
+
+TEST_F(Check, a_report_can_go_elsewhere_and_is_printed_where_it_cannot_be_written) {
+  auto const o = isolaw({"report", "O", "--out", "elsewhere"});
+  EXPECT_EQ(o.code, 0) << o;
+  EXPECT_EQ(read("elsewhere/summary.json"), read("O/summary.json"));
+  EXPECT_EQ(read("elsewhere/report.html"), read("O/report.html"));
+  write("taken", "x");
+  for (auto const* place : {"taken", "taken/below"}) {
+    auto const refused = isolaw({"report", "O", "--json", "--out", place});
+    expect_message(refused, 2, {"taken", "; try: another"});
+    EXPECT_EQ(refused.out, read("O/summary.json"));
+  }
+}
+
+// A pipe would be waited for, for ever.
+TEST_F(Check, a_pipe_in_place_of_the_store_is_refused_at_once) {
+  write("taken.csv", csv(record()));
+  for (auto const* suffix : {"", "-wal", "-journal"}) {
+    fs::remove_all(path("P"));
+    fs::copy(path("O"), path("P"), fs::copy_options::recursive);
+    auto const name = "P/campaign.sqlite" + std::string(suffix);
+    fs::remove(path(name));
+    ASSERT_EQ(mkfifo(path(name).c_str(), 0600), 0);
+    for (Words const& command :
+         {Words{"check", "P"}, Words{"report", "P"}, Words{"calibrate", "taken.csv", "--out", "P"},
+          Words{"calibrate", "taken.csv", "--out", "P", "--fresh"}}) {
+      auto const o = start(command).wait(20s);
+      EXPECT_FALSE(o.timed_out) << command.front();
+      expect_refused(o, {name + ": is a pipe", "a plain file"});
+    }
+  }
+}
+
 TEST_F(Check, an_edited_output) {
   write("O/summary.json", read("O/summary.json") + "\n");
   expect_fault("summary.json is not what the store gives; isolaw report O makes it again");
@@ -102,7 +236,8 @@ TEST_F(Check, what_readers_rely_on_is_refused_by_all_commands) {
            {"UPDATE search SET law = 'none' WHERE law = 'bilinear'", "not asked for"},
            {"UPDATE search SET device = 9 WHERE device = 1", "not there"},
            {"UPDATE device SET status = 'refused' WHERE id = 1", "which was refused"},
-           {"UPDATE series SET \"values\" = zeroblob(8) WHERE kind = 'fit' AND channel = 'force_kN'",
+           {"UPDATE series SET count = count + 1 WHERE kind = 'raw' AND channel = 'disp_mm'", "602 are counted"},
+           {"UPDATE series SET count = 1, \"values\" = zeroblob(8) WHERE kind = 'fit' AND channel = 'force_kN'",
             "differ in length"},
            {"DELETE FROM series WHERE kind = 'fit' AND device = 0", "has no record"},
            {"UPDATE run SET objective = NULL", "neither a result nor a failure"},

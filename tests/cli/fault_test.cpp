@@ -57,6 +57,51 @@ class Fault : public InFreshDirectory {
           << name << " is left, " << after;
     }
   }
+  // A campaign killed while runs were in its log and not yet in the store.
+  bool killed_with_log() {
+    for (long at = operations(campaign({"--jobs", "1"})) - 20; at > 0; at -= 5) {
+      fs::remove_all(path("O"));
+      (void)with_fault("kill", at, campaign({"--jobs", "1"}));
+      auto const log = path("O/campaign.sqlite-wal");
+      if (fs::exists(log) && fs::file_size(log) > 0 && stored_runs(path("O/campaign.sqlite"), "bilinear") > 0)
+        return true;
+    }
+    return false;
+  }
+  // Starting over from the campaign in `former`, seed 1, killed before operation `at`: what is there then, and that it
+  // goes on. Nothing when there are fewer operations.
+  enum class Left { former, replaced, nothing };
+  Left left_of(std::string const& former, long at) {
+    SCOPED_TRACE(fmt::format("killed before operation {}", at));
+    fs::remove_all(path("O"));
+    fs::copy(path(former), path("O"), fs::copy_options::recursive);
+    if (with_fault("kill", at, campaign({"--fresh", "--seed", "2", "--jobs", "1"})).code == 0) return Left::nothing;
+    EXPECT_TRUE(exists("O/campaign.sqlite")) << "neither the former store nor the new one";
+    auto const reports = exists("O/summary.json") ? json("O/summary.json") : Json();
+    auto const o = isolaw(campaign({"--seed", "2"}));
+    bool const replaced = o.code == 0;
+    if (replaced && !reports.is_null()) {
+      EXPECT_EQ(reports["seed"], 2) << "a report of the former campaign beside the new store";
+    }
+    if (!replaced) {
+      expect_refused(o, {"the campaign there differs: seed: 1 there, 2 now"});
+      EXPECT_EQ(isolaw(campaign()).code, 0) << "the former campaign cannot be continued";
+    }
+    auto const check = isolaw({"check", "O"});
+    EXPECT_EQ(check.code, 0) << check;
+    return replaced ? Left::replaced : Left::former;
+  }
+  // At moments over all of it, and at every one around the exchange.
+  void expect_one_of_both(std::string const& former) {
+    constexpr long stride = 10, around = 20;
+    long at = 1;
+    while (left_of(former, at) == Left::former && !HasFailure()) at += stride;
+    EXPECT_GT(at, stride) << "the operations are not those of starting over";
+    for (long near = std::max(1L, at - around); near < at && !HasFailure(); ++near)
+      if (left_of(former, near) == Left::replaced) at = near;
+    while (!HasFailure() && left_of(former, at) == Left::replaced) at += stride;
+    EXPECT_EQ(left_of(former, at), Left::nothing);
+  }
   // Faults of one kind at operations over the whole campaign; how many were tried.
   int try_all(std::string const& mode, Words const& command) {
     long const count = operations(command);
@@ -110,6 +155,33 @@ TEST_F(Fault, a_full_disk_does_not_cost_the_campaign_that_was_to_be_replaced) {
   auto const o = with_fault("full", 1, campaign({"--fresh", "--seed", "2"}));
   EXPECT_EQ(o.code, 2) << o;
   EXPECT_TRUE(all_rows(path("O/campaign.sqlite")) == before);
+}
+
+// Killed at any operation of starting over: the former store or the new one, never neither, and never reports of the
+// former one beside the new one.
+TEST_F(Fault, a_kill_while_starting_over_leaves_one_of_both) {
+  ASSERT_EQ(isolaw(campaign()).code, 0);
+  fs::copy(path("O"), path("former"), fs::copy_options::recursive);
+  expect_one_of_both("former");
+}
+
+// A log of a killed store must neither be applied to the one that replaces it nor be left beside it.
+TEST_F(Fault, starting_over_does_not_take_the_former_log_for_its_own) {
+  ASSERT_TRUE(killed_with_log()) << "no kill left a log";
+  fs::copy(path("O"), path("former"), fs::copy_options::recursive);
+  ASSERT_EQ(isolaw(campaign({"--fresh", "--seed", "2"})).code, 0);
+  auto const o = isolaw({"check", "O"});
+  EXPECT_EQ(o.code, 0) << o;
+  EXPECT_FALSE(exists("O/campaign.sqlite-wal"));
+  expect_one_of_both("former");
+}
+
+// By someone who cannot write there, where SQLite cannot make what it needs to read a log.
+TEST_F(Fault, a_killed_store_read_by_another_says_what_to_do) {
+  ASSERT_TRUE(killed_with_log()) << "no kill left a log";
+  fs::remove(path("O/campaign.sqlite-shm"));
+  auto const o = with_fault("readonly", 1, {"check", "O"});
+  expect_refused(o, {"the program was killed", "a copy of the whole directory where you may write"});
 }
 
 TEST_F(Fault, the_message_says_what_is_kept_and_how_to_go_on) {

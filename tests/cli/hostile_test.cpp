@@ -214,7 +214,7 @@ TEST_F(Hostile, lot_file_cannot_read_outside_its_folder) {
   for (auto const& file : Words{"../secret.csv", "link.csv", "up/secret.csv", path("secret.csv").string()}) {
     write("lot/lot.toml", "[[device]]\nname = \"a\"\nfile = \"" + file + "\"\n");
     expect_refused(isolaw(Words{"calibrate", "lot/lot.toml", "--out", "O"} + small),
-                   {"lot/lot.toml:1: file '", "leads outside, to " + fs::canonical(path("secret.csv")).string(),
+                   {"lot/lot.toml:3: file: '", "leads outside, to " + fs::canonical(path("secret.csv")).string(),
                     "allowed: files in the folder of the lot file or below it", "--allow-outside"});
     EXPECT_FALSE(exists("O"));
   }

@@ -85,7 +85,7 @@ TEST_F(LotFile, several_files_of_a_device_are_one_history) {
   auto const store = path("O/campaign.sqlite");
   EXPECT_EQ(query(store, "SELECT count FROM series WHERE kind = 'raw' AND channel = 'disp_mm'"), Words{"1202"});
   EXPECT_EQ(json("O/summary.json")["devices"][0]["file"], "a.csv, b.csv");
-  EXPECT_EQ(count_of("long,", read("O/tables/properties.csv")), 6u);  // three cycles of each
+  EXPECT_EQ(count_of("long,", read("O/tables/cycles.csv")), 6u);  // three cycles of each
   EXPECT_TRUE(
       contains(query(store, "SELECT recognised FROM device").at(0), "b.csv continues the history with 601 samples"));
 }
@@ -112,9 +112,10 @@ TEST_F(LotFile, reading_is_set_for_all_devices_and_for_one) {
       "[[device]]\nfile = \"c.csv\"\n[[device]]\nfile = \"d.csv\"\nunits = { force = \"tonf\" }\n"
       "columns = { force = 'y' }\n");
   EXPECT_EQ(o.code, 0) << o;
-  auto const properties = read("O/tables/properties.csv");
-  EXPECT_TRUE(contains(properties, "c,3,100,0.7,"));
-  EXPECT_TRUE(contains(properties, "d,3,100,6.86"));  // 0.7 tonf/mm = 6.865 kN/mm
+  auto const properties = read("O/tables/cycles.csv");
+  EXPECT_TRUE(contains(properties, "c,1,3,yes,,yes,,0.5,2,100,100,-100,70,-70,0.7,"));
+  EXPECT_TRUE(
+      contains(properties, "d,1,3,yes,,yes,,0.5,2,100,100,-100,686.465,-686.465,6.86"));  // 0.7 tonf/mm = 6.865 kN/mm
 }
 
 TEST_F(LotFile, devices_are_named_after_their_files_when_they_have_no_name) {
@@ -137,20 +138,22 @@ TEST_F(LotFile, unknown_key_names_line_and_allowed_keys) {
   expect_refused(run("[calibrate]\nrunz = 3\n" + std::string(device)),
                  {"lot.toml:2: unknown key 'runz' in [calibrate]", "allowed: box, center, columns",
                   "runs, samples-per-cycle, seed"});
-  expect_refused(
-      run(std::string(device) + "colour = \"red\"\n"),
-      {"lot.toml:4: unknown key 'colour' in [[device]]", "allowed: columns, dt, file", "temperature-C, test-date"});
+  expect_refused(run(std::string(device) + "colour = \"red\"\n"),
+                 {"lot.toml:4: unknown key 'colour' in [[device]]", "allowed: columns, dt, file",
+                  "temperature-C, test, test-date"});
   expect_refused(run("foo = 1\n" + std::string(device)),
-                 {"lot.toml:1: unknown key 'foo'", "allowed: calibrate, device, read, title"});
+                 {"lot.toml:1: unknown key 'foo'", "allowed: acceptance, calibrate, device, read, title"});
   expect_refused(run("[read]\nskip = 1\n" + std::string(device)),
-                 {"lot.toml:2: unknown key 'skip' in [read]", "columns, dt, flip-force, units"});
+                 {"lot.toml:2: unknown key 'skip' in [read]",
+                  "columns, dt, flip-force, force-factor, moving-mass, rig-friction, rig-friction-coefficient, sheet, "
+                  "skew-ms, test, units"});
 }
 
 TEST_F(LotFile, wrong_type_names_the_line) {
   expect_refused(run("[calibrate]\npopulation = \"many\"\n" + std::string(device)),
-                 {"lot.toml:2: 'population' is not a whole number"});
+                 {"lot.toml:2: 'population' is not an even number from 4 to 100000"});
   expect_refused(run("[calibrate]\npopulation = 20.5\n" + std::string(device)),
-                 {"lot.toml:2: 'population' is not a whole number"});
+                 {"lot.toml:2: 'population' is not an even number from 4 to 100000"});
   expect_refused(run("[calibrate]\nbox = 3\n" + std::string(device)), {"lot.toml:2: 'box' is not text"});
   expect_refused(run("[calibrate]\ncenter = \"yes\"\n" + std::string(device)),
                  {"lot.toml:2: 'center' is not true or false"});
@@ -166,7 +169,7 @@ TEST_F(LotFile, wrong_type_names_the_line) {
 
 TEST_F(LotFile, true_is_no_number_and_1_is_not_true) {
   expect_refused(run_limited("[calibrate]\nruns = true\n" + std::string(device)),
-                 {"lot.toml:2: 'runs' is not a whole number"});
+                 {"lot.toml:2: 'runs' is not a whole number from 1 to 100000"});
   expect_refused(run_limited("[calibrate]\ncenter = 1\n" + std::string(device)),
                  {"lot.toml:2: 'center' is not true or false"});
   expect_refused(run_limited(std::string(device) + "columns = { disp = true }\n"),

@@ -71,6 +71,50 @@ TEST_F(Resume, polite_kill_stops_like_ctrl_c) {
   expect_message(o, 1, {"interrupted", "to continue: "});
 }
 
+// An ssh session that ends: nobody is there to read the message, the store is left as after Ctrl-C.
+TEST_F(Resume, a_closed_terminal_stops_like_ctrl_c) {
+  auto const o = stopped(campaign("O"), "O", SIGHUP);
+  expect_message(o, 1, {"interrupted", "to continue: "});
+  EXPECT_FALSE(exists("O/campaign.sqlite-wal"));
+  if (!fs::exists("/dev/full")) return;
+  Process deaf(Words{ISOLAW_BINARY} + campaign("P"), directory(), path("out"), "/dev/full");
+  Outcome result;
+  while (stored_runs(path("P/campaign.sqlite"), "abe") < 1 && !deaf.ended(result)) std::this_thread::sleep_for(5ms);
+  deaf.send(SIGHUP);
+  EXPECT_EQ(deaf.wait().code, 1) << "messages that nobody can read must not disturb the end";
+  EXPECT_FALSE(exists("P/campaign.sqlite-wal"));
+}
+
+// nohup.
+TEST_F(Resume, a_closed_terminal_is_ignored_where_it_is_to_be) {
+  Process process(Words{"sh", "-c", "trap '' HUP; exec \"$0\" \"$@\"", ISOLAW_BINARY} +
+                      Words{"calibrate", "ex/lot.toml", "--laws", "abe", "--runs", "2", "--out", "O"},
+                  directory(), path("out"), path("err"));
+  Outcome result;
+  while (stored_runs(path("O/campaign.sqlite"), "abe") < 1 && !process.ended(result)) std::this_thread::sleep_for(5ms);
+  process.send(SIGHUP);
+  EXPECT_EQ(process.wait().code, 0);
+}
+
+// Threads that the system does not give, here for want of memory: those it gives do the work.
+TEST_F(Resume, threads_that_cannot_be_made_are_done_without) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers need more memory than a limit leaves";
+#endif
+  ASSERT_EQ(isolaw(campaign("P", {"--jobs", "1"})).code, 0);
+  Process process(
+      Words{"sh", "-c", "ulimit -v 300000; exec \"$0\" \"$@\"", ISOLAW_BINARY} + campaign("O", {"--jobs", "64"}),
+      directory(), path("out"), path("err"));
+  auto const o = process.wait();
+  if (o.code == 0) {
+    EXPECT_EQ(read("O/summary.json"), read("P/summary.json"));
+    EXPECT_TRUE(contains(o.err, "the system gave no more threads or memory: "));
+    EXPECT_TRUE(contains(o.err, " worked; try: --jobs "));
+  } else {
+    expect_message(o, 3, {"out of memory", "fewer --jobs", "finished runs are kept in O/campaign.sqlite"});
+  }
+}
+
 TEST_F(Resume, the_command_to_continue_with_does_not_start_over) {
   auto const o = stopped(campaign("O", {"--fresh"}), "O", SIGINT);
   expect_message(o, 1, {"to continue: "});
@@ -193,6 +237,20 @@ TEST_F(Changed, reading_and_cleaning_are_refused) {
   expect_refused(run({"--columns", "time=none"}), {"a: its file is read in another way"});
 }
 
+TEST_F(Changed, a_load_that_is_not_read_is_refused) {
+  auto const with_load = csv(record(), "time [s],displacement [mm],force [kN],vertical load [kN]",
+                             [](std::size_t, Sample const& s) { return row(s) + ",500"; });
+  write("a.csv", with_load);
+  ASSERT_EQ(run({"--fresh"}).code, 0);
+  ASSERT_EQ(query(path("O/campaign.sqlite"), "SELECT count(*) FROM series WHERE channel = 'load_kN'"), Words{"1"});
+  expect_refused(run({"--columns", "load=none"}), {"a: its file is read in another way"});
+}
+
+TEST_F(Changed, a_record_that_is_gone_is_said_to_be) {
+  fs::remove(path("b.csv"));
+  expect_message(run(), 2, {"the campaign there differs", "b: refused now: b.csv: no such file"});
+}
+
 TEST_F(Changed, devices_are_refused) {
   write("lot.toml", "[[device]]\nname = \"a\"\nfile = \"a.csv\"\n");
   expect_refused(run(), {"2 devices there, 1 now"});
@@ -233,7 +291,7 @@ TEST_F(Changed, a_store_of_a_newer_schema_is_refused) {
             SQLITE_OK);
   sqlite3_close(db);
   for (auto const& o : {run(), isolaw({"report", "O"})})
-    expect_refused(o, {"O/campaign.sqlite", "schema version 99", "version 2", "the version of isolaw that wrote it"});
+    expect_refused(o, {"O/campaign.sqlite", "schema version 99", "version 3", "the version of isolaw that wrote it"});
 }
 
 TEST_F(Changed, a_damaged_store_is_refused_without_a_crash) {

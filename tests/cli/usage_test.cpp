@@ -1,5 +1,6 @@
 // Help, version, wrong usage, and the catalogue of laws.
 #include "cli/published_laws.hpp"
+#include "cli/records.hpp"
 #include "cli/run.hpp"
 
 namespace isolaw::cli_test {
@@ -48,7 +49,7 @@ TEST_F(Usage, unknown_option_is_refused_by_name) {
 
 TEST_F(Usage, missing_argument_is_refused_by_name) {
   expect_refused(isolaw({"calibrate"}), {"inputs is required"});
-  expect_refused(isolaw({"inspect"}), {"file is required"});
+  expect_refused(isolaw({"inspect"}), {"inputs is required"});
   expect_refused(isolaw({"init"}), {"files is required"});
   expect_refused(isolaw({"report"}), {"directory is required"});
   expect_refused(isolaw({"example"}), {"directory is required"});
@@ -85,12 +86,41 @@ TEST_F(Usage, every_refusal_says_who_speaks_what_is_allowed_and_what_to_try) {
 
 TEST_F(Usage, output_that_cannot_be_written_is_no_success) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this system";
-  for (Words const& command : {Words{"laws"}, Words{"laws", "--json"}, Words{"--help"}}) {
-    Process listing(Words{ISOLAW_BINARY} + command, directory(), "/dev/full", path("err"));
-    auto const o = listing.wait();
-    EXPECT_NE(o.code, 0) << command.back();
-    EXPECT_EQ(o.err.find("internal error"), std::string::npos) << "a full disk is no mistake of ours\n" << o;
+  write("a.csv", csv(record()));
+  Words const campaign{"calibrate",    "a.csv", "--laws",        "bilinear", "--runs", "1",
+                       "--population", "4",     "--generations", "1",        "--out",  "O"};
+  ASSERT_EQ(isolaw(campaign).code, 0);
+  for (Words const& command :
+       {Words{"--version"}, Words{"--help"}, Words{"laws"}, Words{"laws", "--json"}, Words{"rules"},
+        Words{"rules", "template"}, Words{"example", "E"}, Words{"inspect", "a.csv"},
+        Words{"inspect", "a.csv", "--json"}, Words{"init", "a.csv"}, campaign, campaign + Words{"--json"},
+        Words{"report", "O"}, Words{"report", "O", "--json"}, Words{"check", "O"}}) {
+    Process process(Words{ISOLAW_BINARY} + command, directory(), "/dev/full", path("err"));
+    auto const o = process.wait();
+    SCOPED_TRACE(command.front() + " " + command.back());
+    expect_message(o, 3, {"isolaw: standard output cannot be written\n"});
   }
+}
+
+// Cut by the limit of a file's size: the system would end the program without a word.
+TEST_F(Usage, output_that_is_cut_is_no_success) {
+  write("a.csv", csv(record()));
+  ASSERT_EQ(isolaw({"calibrate", "a.csv", "--laws", "bilinear", "--runs", "1", "--population", "4", "--generations",
+                    "1", "--out", "O"})
+                .code,
+            0);
+  Process process({"sh", "-c", "ulimit -f 1; exec \"$0\" laws --json > cut.json", ISOLAW_BINARY}, directory(),
+                  path("out"), path("err"));
+  expect_message(process.wait(), 3, {"standard output cannot be written"});
+  Process report({"sh", "-c", "ulimit -f 1; exec \"$0\" report O", ISOLAW_BINARY}, directory(), path("out"),
+                 path("err"));
+  expect_message(report.wait(), 2, {"cannot be written: File too large", "; try: "});
+}
+
+TEST_F(Usage, an_option_given_twice_is_said_to_be) {
+  expect_refused(isolaw({"calibrate", "x", "--generations", "31", "--generations", "30"}),
+                 {"--generations: is given 2 times: 31, 30; allowed: once"});
+  expect_refused(isolaw({"calibrate", "x", "--out", "A", "--out", "B"}), {"--out: is given 2 times"});
 }
 
 TEST_F(Catalogue, lists_the_seven_laws_with_their_number_of_parameters) {

@@ -1,4 +1,4 @@
-# base <- num <- {laws, opt, data} <- fit <- {campaign, lot} <- report <- app
+# base <- num <- {laws, opt, data} <- fit <- {campaign, lot, rules} <- report <- app
 # Modules of one rank do not know one another. Usage: cmake -DSOURCE=src/isolaw -P direction.cmake
 get_filename_component(SOURCE "${SOURCE}" ABSOLUTE)
 set(rank_base 0)
@@ -7,7 +7,7 @@ foreach(module laws opt data)
   set(rank_${module} 2)
 endforeach()
 set(rank_fit 3)
-foreach(module campaign lot)
+foreach(module campaign lot rules)
   set(rank_${module} 4)
 endforeach()
 set(rank_report 5)

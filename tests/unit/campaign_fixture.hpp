@@ -156,6 +156,7 @@ inline void expect_same(Device const& a, Device const& b) {
   EXPECT_EQ(a.raw.file, b.raw.file);
   EXPECT_EQ(a.raw.sha256, b.raw.sha256);
   EXPECT_EQ(a.raw.recognised, b.raw.recognised);
+  EXPECT_EQ(a.raw.corrections, b.raw.corrections);
   EXPECT_EQ(a.raw.warnings, b.raw.warnings);
   expect_same(a.raw.time_s, b.raw.time_s, a.name + " raw time");
   expect_same(a.raw.disp_mm, b.raw.disp_mm, a.name + " raw disp");
@@ -166,6 +167,7 @@ inline void expect_same(Device const& a, Device const& b) {
   expect_same(a.record.disp_mm, b.record.disp_mm, a.name + " disp");
   expect_same(a.record.vel_mm_s, b.record.vel_mm_s, a.name + " velocity");
   expect_same(a.record.force_kN, b.record.force_kN, a.name + " force");
+  expect_same(a.record.scored, b.record.scored, a.name + " scored");
 }
 
 inline void expect_same(Settings const& a, Settings const& b) {
@@ -186,10 +188,13 @@ inline void expect_same(Settings const& a, Settings const& b) {
   EXPECT_EQ(a.clean.smooth, b.clean.smooth);
   EXPECT_EQ(a.clean.samples_per_cycle, b.clean.samples_per_cycle);
   EXPECT_EQ(a.clean.center, b.clean.center);
+  EXPECT_EQ(a.clean.scored.blocks, b.clean.scored.blocks);
+  EXPECT_EQ(a.clean.scored.cycles, b.clean.scored.cycles);
 }
 
 inline void expect_same(Contents const& a, Contents const& b) {
   EXPECT_EQ(a.title, b.title);
+  EXPECT_EQ(a.acceptance, b.acceptance);
   expect_same(a.settings, b.settings);
   ASSERT_EQ(a.devices.size(), b.devices.size());
   for (std::size_t i = 0; i < a.devices.size(); ++i) expect_same(a.devices[i], b.devices[i]);

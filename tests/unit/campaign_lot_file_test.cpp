@@ -71,6 +71,8 @@ center = true
 [read]
 units = { disp = "cm" }
 dt = 0.01
+sheet = 3
+test = 2
 
 [[device]]
 name = "A"
@@ -84,6 +86,8 @@ rubber-area-mm2 = 282743.5
 columns = { time = 1, disp = "Weg, horizontal", force = "Kraft" }
 units = { force = "tonf" }
 flip-force = true
+sheet = "Prüfung 2"
+test = "all"
 
 [[device]]
 name = "B"
@@ -124,6 +128,8 @@ columns = "disp=2,force=3"
   EXPECT_EQ(a.read.units, (std::map<data::Channel, std::string>{{disp, "cm"}, {force, "tonf"}}));  // [read] and its own
   EXPECT_EQ(a.read.dt_s, 0.01);
   EXPECT_TRUE(a.read.flip_force);
+  EXPECT_EQ(a.read.sheet, "Prüfung 2");
+  EXPECT_EQ(a.read.test, "all");
   auto const& b = lot.devices[1];
   EXPECT_EQ(b.files, (std::vector<std::filesystem::path>{folder / "b1.csv", folder / "b2.csv"}));
   EXPECT_EQ(b.info.test_date, "May 2023");
@@ -131,6 +137,8 @@ columns = "disp=2,force=3"
   EXPECT_EQ(b.read.dt_s, 0.002);
   EXPECT_EQ(b.read.columns, (std::map<data::Channel, std::string>{{disp, "2"}, {force, "3"}}));
   EXPECT_FALSE(b.read.flip_force);
+  EXPECT_EQ(b.read.sheet, "3");
+  EXPECT_EQ(b.read.test, "2");
 }
 
 TEST_F(LotFileTest, TheShortestFileHasTheDefaults) {
@@ -232,12 +240,39 @@ TEST_F(LotFileTest, FilesOutsideTheFolderHaveTheirLine) {
   std::filesystem::create_directory_symlink("/", folder / "link");
   for (std::string const file : {"../b.csv", "sub/../../b.csv", "/etc/passwd", "link/etc/passwd"})
     expect_parts(complaints("[[device]]\nname = \"A\"\nfile = \"" + file + "\"\n"),
-                 {"lot.toml:1: file '" + file + "' leads outside, to /", rest, "--allow-outside"});
+                 {"lot.toml:3: file: '" + file + "' leads outside, to /", rest, "--allow-outside"});
   std::filesystem::create_symlink("nowhere/yet.csv", folder / "dangling.csv");
   expect_parts(complaints("[[device]]\nfile = \"dangling.csv\"\n"), {"leads outside, to nowhere/yet.csv"});
   std::filesystem::create_symlink("circle.csv", folder / "circle.csv");
   expect_parts(complaints("[[device]]\nfile = \"circle.csv\"\n"), {"leads outside"});
+  expect_parts(complaints("[[device]]\nname = \"A\"\nfiles = [\n  \"a.csv\",\n  \"../b.csv\"\n]\n"),
+               {"lot.toml:5: files: '../b.csv' leads outside"});
   EXPECT_EQ(read("[[device]]\nfile = \"../b.csv\"\n", {.allow_outside = true}).devices.size(), 1u);
+}
+
+TEST_F(LotFileTest, ValuesOfADeviceThatCannotBeAreRefused) {
+  expect_parts(device("rubber-thickness-mm = -1"), {"lot.toml:4: rubber-thickness-mm: -1; allowed: ", "above 0"});
+  expect_parts(device("rubber-thickness-mm = 0"), {"rubber-thickness-mm: 0"});
+  expect_parts(device("rubber-area-mm2 = inf"), {"lot.toml:4: rubber-area-mm2: inf; allowed: ", "above 0"});
+  expect_parts(device("temperature-C = nan"), {"lot.toml:4: temperature-C: nan; allowed: degrees Celsius"});
+  expect_parts(device("temperature-C = -300"), {"temperature-C: -300"});
+  EXPECT_EQ(device("temperature-C = -20.5\nrubber-thickness-mm = 160\nrubber-area-mm2 = 1e6"), "");
+  for (auto const* name : {"", "  "})
+    expect_parts(complaints(fmt::format("[[device]]\nname = \"{}\"\nfile = \"a.csv\"\n", name)),
+                 {"lot.toml:2: name: empty; allowed: a name"});
+}
+
+TEST_F(LotFileTest, AParameterSetTwiceIsRefused) {
+  expect_parts(calibrate("set = [\"bilinear.K1=1\", \"bilinear.K1=2\"]"),
+               {"lot.toml:3: set: bilinear.K1 is set twice: bilinear.K1=1 and bilinear.K1=2"});
+  EXPECT_EQ(calibrate("set = [\"bilinear.K1=1\", \"bilinear.K2=2\"]"), "");
+}
+
+TEST_F(LotFileTest, WholeNumbersBeyondAnyRangeSayTheRange) {
+  expect_parts(calibrate("smooth = 1000000000001"),
+               {"lot.toml:3: 'smooth' is 1000000000001, out of range; allowed: an odd number"});
+  expect_parts(calibrate("generations = 9000000000"), {"'generations' is 9000000000, out of range", "1 to 20000"});
+  expect_parts(calibrate("jobs = -9000000000"), {"'jobs' is -9000000000, out of range", "0 to 4096"});
 }
 
 TEST_F(LotFileTest, FilesInTheFolderMayTakeAnyWayThere) {
@@ -358,6 +393,8 @@ void expect_same(DeviceInput const& a, DeviceInput const& b) {
   EXPECT_EQ(a.read.units, b.read.units);
   EXPECT_EQ(a.read.dt_s, b.read.dt_s);
   EXPECT_EQ(a.read.flip_force, b.read.flip_force);
+  EXPECT_EQ(a.read.sheet, b.read.sheet);
+  EXPECT_EQ(a.read.test, b.read.test);
 }
 
 TEST_F(LotFileTest, WrittenDevicesReadBack) {
@@ -378,7 +415,11 @@ TEST_F(LotFileTest, WrittenDevicesReadBack) {
   first.read.units = {{disp, "cm"}, {force, "tonf"}};
   first.read.dt_s = 0.00214823;
   first.read.flip_force = true;
+  first.read.sheet = "2, \"x\"";
+  first.read.test = "all";
   DeviceInput second;
+  second.read.sheet = "2";
+  second.read.test = "12";
   second.name = "ß";
   second.files = {folder / "b1.csv", folder / "b2.csv"};
   second.shown_file = "b1.csv, b2.csv";

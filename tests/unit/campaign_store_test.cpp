@@ -45,10 +45,12 @@ std::vector<std::vector<std::string>> sql(std::filesystem::path const& file, std
 Contents full() {
   Contents c;
   c.title = attack;
+  c.acceptance = {.rules = attack + unicode, .rules_file = "a/" + attack, .design = "K_eff=1.2", .lot_size = 28};
   c.settings.laws = {"hwang-wu", "bilinear", "abe"};  // not in alphabetical order
   c.settings.runs = 3;
   c.settings.seed = 18446744073709551615u;
   c.settings.overrides = {fit::parse_override("abe.r=0.1:0.2")};
+  c.settings.clean.scored = {data::parse_numbers("--fit-blocks", "1"), data::parse_numbers("--fit-cycles", "2-4,6-")};
 
   Device first;
   first.name = attack;
@@ -66,11 +68,13 @@ Contents full() {
   first.raw.force_kN = {1.0 / 3.0, infinity, -2.0};
   first.raw.load_kN = {1632.0, 1633.0, 1634.0};
   first.raw.recognised = {attack, "", unicode};
+  first.raw.corrections = {attack};
   first.raw.warnings = {"[\"not\", \"a list\"]"};
   first.record = {.time_s = {0.0, 1.0},
                   .disp_mm = {1.0, 2.0},
                   .vel_mm_s = {3.0, 4.0},
                   .force_kN = {5.0, 6.0},
+                  .scored = {0.0, 1.0},
                   .cleaning = {"", attack}};
 
   Device refused;
@@ -363,10 +367,10 @@ TEST_F(StoreTest, RefusesWhatIsNotAStore) {
 
 TEST_F(StoreTest, RefusesANewerSchemaAndChangesNothing) {
   make();
-  sql(file(), "UPDATE meta SET value = '3' WHERE key = 'schema'");
+  sql(file(), "UPDATE meta SET value = '4' WHERE key = 'schema'");
   auto const before = bytes_of(file());
   auto const said = refusal(file());
-  for (auto const* part : {"campaign.sqlite", "version 3", "version 2"})
+  for (auto const* part : {"campaign.sqlite", "version 4", "version 3"})
     EXPECT_NE(said.find(part), std::string::npos) << said;
   EXPECT_EQ(bytes_of(file()), before);
 }

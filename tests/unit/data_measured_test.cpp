@@ -1,5 +1,7 @@
 // Measured records, which are not part of the project: the workshop's copies, skipped where they are absent.
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 
 #include "data_fixture.hpp"
 #include "isolaw/data/clean.hpp"
@@ -47,11 +49,15 @@ TEST(Measured, FullScaleBearingIsRecognisedAndCutIntoItsCycles) {
   EXPECT_DOUBLE_EQ(record.disp_mm[1], -0.26163459111111117);
   EXPECT_DOUBLE_EQ(record.force_kN[1], -0.25866338999999999 * 9.80665);
 
-  auto const properties = cyclic_properties(record.disp_mm, record.force_kN);
-  ASSERT_EQ(properties.cycles.size(), std::size(gallardo));
+  auto const properties = cyclic_properties(record);
+  ASSERT_EQ(properties.blocks.size(), 3u);
+  ASSERT_EQ(properties.counted().size(), std::size(gallardo));
+  // All rows agree, also the first: it holds the forced sample (0, 0) and a slow start in the reference as here.
   for (std::size_t i = 0; i < std::size(gallardo); ++i) {
-    auto const& cycle = properties.cycles[i];
+    auto const& cycle = *properties.counted()[i];
     auto const& row = gallardo[i];
+    EXPECT_EQ(cycle.block, static_cast<int>(i / 7) + 1);
+    EXPECT_EQ(cycle.number, static_cast<int>(i % 7) + 1);
     SCOPED_TRACE(fmt::format("cycle {}", i + 1));
     EXPECT_NEAR(cycle.first, row.start, 0.051);  // printed with one decimal
     EXPECT_NEAR(cycle.last, row.end, 0.051);
@@ -61,6 +67,8 @@ TEST(Measured, FullScaleBearingIsRecognisedAndCutIntoItsCycles) {
     EXPECT_NEAR(cycle.damping_percent, row.damping_percent, 0.1);
   }
   EXPECT_EQ(properties.reported->number, 3);
+  EXPECT_EQ(properties.reported->block, 3);
+  for (auto const& block : properties.blocks) EXPECT_EQ(block.cycles.size(), 7u);  // no partial ends
   EXPECT_NEAR(*properties.samples_per_cycle, 930.9, 0.1);
   EXPECT_EQ(clean(record, {}).size(), 4942u);  // every 4th
 }
@@ -69,6 +77,55 @@ TEST(Measured, BiaxialOrbitsWithoutNamesAreNotGuessed) {
   auto const file = folder / "hdrb-gallardo-device/biaxial_input_Fig10.txt";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not here";
   EXPECT_THROW(read_record(file), Error);
+}
+
+class Quakes : public Files {
+ protected:
+  // The numbers of a text that `command` writes, blank separated; empty when it does not work.
+  std::vector<double> numbers(std::string const& command) {
+    auto const file = write("");
+    if (std::system(fmt::format("{} > '{}' 2>/dev/null", command, file.string()).c_str()) != 0) return {};
+    std::ifstream stream(file);
+    return {std::istream_iterator<double>(stream), {}};
+  }
+};
+
+TEST_F(Quakes, OfABuildingOnIsolatorsAreNotCyclic) {
+  for (std::string_view const run : {"CNP100", "ICA50", "ICA100", "SP100"}) {
+    auto const packed = folder / fmt::format("hdrb-bncs-building/BI-BNCS_{}.tar.xz", run);
+    if (!std::filesystem::exists(packed)) GTEST_SKIP() << packed << " is not here";
+    auto disp = numbers(fmt::format("tar -xJOf '{}' BI-BNCS_{}/d1.txt", packed.string(), run));
+    if (disp.empty()) GTEST_SKIP() << "no tar to unpack " << packed;
+    for (double& x : disp) x *= 1000.0;
+    auto const cut = segment(disp);
+    EXPECT_FALSE(cut.cyclic) << run;
+    EXPECT_LT(cut.regular_share, 0.5) << run;
+    EXPECT_TRUE(cut.refusal.starts_with("not cyclic: ")) << cut.refusal;
+    EXPECT_GT(cut.complete(), 8u) << "the swings are shown nevertheless";
+  }
+}
+
+TEST_F(Quakes, ElCentroThroughAnyIsolationIsNotCyclic) {
+  auto const file = folder / "ground-motion-elcentro1940/IELC180.AT2";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not here";
+  auto const ground_g = numbers(fmt::format("tail -n +5 '{}'", file.string()));
+  ASSERT_EQ(ground_g.size(), 4000u);
+  for (double const period : {0.5, 1.0, 1.5, 2.0, 2.5, 3.0})
+    for (double const damping : {0.05, 0.10, 0.20}) {
+      double const omega = 2.0 * std::numbers::pi / period;
+      std::vector<double> disp{0.0};
+      double x = 0.0, v = 0.0;
+      for (double const a : ground_g) {
+        for (int step = 0; step < 10; ++step) {
+          v += 0.001 * (-9810.0 * a - 2.0 * damping * omega * v - omega * omega * x);
+          x += 0.001 * v;
+        }
+        disp.push_back(x);
+      }
+      auto const cut = segment(disp);
+      EXPECT_FALSE(cut.cyclic) << period << " s, " << damping;
+      EXPECT_LT(cut.regular_share, 0.7) << period << " s, " << damping;
+    }
 }
 
 class FrictionDamper : public Files {};
@@ -109,13 +166,18 @@ TEST_F(FrictionDamper, InInchesAndKips) {
   EXPECT_DOUBLE_EQ(record.time_s[1], 0.0009765625);
   EXPECT_DOUBLE_EQ(record.disp_mm[0], -0.00011792778968811035 * 25.4);
   EXPECT_DOUBLE_EQ(record.force_kN[0], -0.04164576064795256 * 4.4482216152605);
-  auto const properties = cyclic_properties(record.disp_mm, record.force_kN);
-  ASSERT_EQ(properties.cycles.size(), 7u);  // 7 cycles of 1 in at 1 Hz, 1024 samples per second, the ends ramped
-  EXPECT_NEAR(*properties.samples_per_cycle, 1024.0, 0.5);
-  for (std::size_t i = 2; i < 5; ++i) {
-    EXPECT_NEAR(properties.cycles[i].amplitude_mm, 25.4, 0.3);
-    EXPECT_GT(properties.cycles[i].damping_percent, 50.0);  // friction; a rectangle has 64 %
-    EXPECT_LT(properties.cycles[i].damping_percent, 64.0);
+  auto const properties = cyclic_properties(record);
+  ASSERT_EQ(properties.complete().size(), 7u);  // 7 cycles of 1 in at 1 Hz, 1024 samples per second
+  ASSERT_EQ(properties.counted().size(), 3u);   // two at each end are ramped
+  ASSERT_EQ(properties.blocks.size(), 1u);
+  EXPECT_NEAR(*properties.blocks[0].frequency_Hz, 1.0, 0.01);
+  EXPECT_EQ(properties.blocks[0].waveform, "sine");
+  EXPECT_NE(properties.complete()[1]->not_counted.find("below the block's 25.6"), std::string::npos);
+  EXPECT_NEAR(*properties.samples_per_cycle, 1024.0, 1.5);
+  for (auto const* cycle : properties.counted()) {
+    EXPECT_NEAR(cycle->amplitude_mm, 25.4, 0.3);
+    EXPECT_GT(cycle->damping_percent, 50.0);  // friction; a rectangle has 64 %
+    EXPECT_LT(cycle->damping_percent, 64.0);
   }
   EXPECT_TRUE(says(record.warnings, "force is off centre"));  // -5.1 / +3.8 kip
 }

@@ -29,6 +29,7 @@ data::FitRecord uneven() {
           .disp_mm = {0.0, 1.0, -1.0, 2.0},
           .vel_mm_s = {1.0, -0.5, 2.0, 6.0},
           .force_kN = {0.0, 2.0, -1.0, 3.0},
+          .scored = {},
           .cleaning = {}};
 }
 
@@ -72,6 +73,85 @@ TEST(Objective, WeighsByTheTrueTimeStamps) {
   LawOnRecord const model(laws::find_law("bilinear"), record, laws::Integration::converged);
   double const integral = 0.5 * (0.1 + 3.3 + 0.1);
   EXPECT_NEAR(objective_of(model, {1.0, 1.0, 5.0}), integral / 3.5 / std::sqrt(2.5), 1e-15);
+}
+
+// --- a part of the record alone ---------------------------------------------------------------------------------------
+
+TEST(Objective, OfThePartThatIsScoredWorkedOutByHand) {
+  // One interval of 2 s, at whose ends F = x is off by 1 and 0 kN: 1 kN s over 2 s. Forces 2, -1: standard deviation 1.5.
+  auto record = uneven();
+  record.scored = {0.0, 1.0, 1.0, 0.0};
+  LawOnRecord const model(laws::find_law("bilinear"), record, laws::Integration::converged);
+  EXPECT_NEAR(objective_of(model, {1.0, 1.0, 5.0}), 0.5 / 1.5, 1e-15);
+  // Two parts: the interval between them counts for nothing. 0.5 kN s + 0.25 kN s over 1.5 s.
+  record.scored = {1.0, 1.0, 0.0, 0.0};
+  record.time_s.insert(record.time_s.end(), {4.0, 4.5});
+  record.disp_mm.insert(record.disp_mm.end(), {1.0, 0.0});
+  record.vel_mm_s.insert(record.vel_mm_s.end(), {-1.0, -1.0});
+  record.force_kN.insert(record.force_kN.end(), {2.0, 0.0});
+  record.scored.insert(record.scored.end(), {1.0, 1.0});
+  LawOnRecord const two(laws::find_law("bilinear"), record, laws::Integration::converged);
+  EXPECT_NEAR(objective_of(two, {1.0, 1.0, 5.0}), 0.75 / 1.5, 1e-15);  // forces 0, 2, 2, 0: standard deviation 1
+}
+
+TEST(Objective, AllScoredIsAsGoodAsNoneSaid) {
+  auto record = sine();
+  for (auto const& law : laws::catalogue()) {
+    record.scored.clear();
+    double const plain = objective_of(LawOnRecord(law, record, laws::Integration::converged), plausible(law));
+    record.scored.assign(record.size(), 1.0);
+    double const all = objective_of(LawOnRecord(law, record, laws::Integration::converged), plausible(law));
+    EXPECT_NEAR(all, plain, 1e-12 * plain) << law.info.id;
+  }
+}
+
+// The last cycle is scored. Force measured before it says nothing; displacement before it made the law's state.
+TEST(Objective, TheHistoryBeforeActsButIsNotScored) {
+  for (auto const& law : laws::catalogue()) {
+    auto record = sine();
+    record.scored.assign(record.size(), 0.0);
+    for (std::size_t i = 120; i < record.size(); ++i) record.scored[i] = 1.0;
+    auto const of = [&] {
+      return objective_of(LawOnRecord(law, record, laws::Integration::converged), plausible(law));
+    };
+    double const before = of();
+    for (std::size_t i = 0; i < 120; ++i) record.force_kN[i] += 1000.0;
+    EXPECT_EQ(of(), before) << law.info.id;
+    record.force_kN[150] += 10.0;
+    EXPECT_NE(of(), before) << law.info.id;
+  }
+  // abe remembers the largest displacement there was.
+  auto record = sine();
+  record.scored.assign(record.size(), 0.0);
+  for (std::size_t i = 120; i < record.size(); ++i) record.scored[i] = 1.0;
+  auto const& abe = laws::find_law("abe");
+  double const before = objective_of(LawOnRecord(abe, record, laws::Integration::converged), plausible(abe));
+  record.disp_mm[15] = 140.0;
+  EXPECT_NE(objective_of(LawOnRecord(abe, record, laws::Integration::converged), plausible(abe)), before);
+}
+
+TEST(Objective, BlocksOfCandidatesScoreTheSamePart) {
+  auto record = sine();
+  record.scored.assign(record.size(), 0.0);
+  for (std::size_t i = 60; i < 130; ++i) record.scored[i] = 1.0;
+  for (auto const& law : laws::catalogue()) {
+    LawOnRecord const model(law, record, laws::Integration::converged);
+    double const scalar = objective_of(model, plausible(law));
+    for (auto const set : available_instruction_sets()) {
+      Values blocks(40);
+      model.objectives(
+          blocks.size(), [&](std::size_t, std::span<double> p) { std::ranges::copy(plausible(law), p.begin()); },
+          blocks, set);
+      for (double const value : blocks) EXPECT_NEAR(value, scalar, block_tolerance * scalar) << law.info.id;
+    }
+  }
+}
+
+TEST(Objective, APartThatSaysNothingIsRefused) {
+  auto record = sine();
+  record.scored.assign(record.size(), 0.0);
+  for (std::size_t i = 0; i < record.size(); i += 2) record.scored[i] = 1.0;  // no interval has both ends
+  EXPECT_THROW(LawOnRecord(laws::find_law("bilinear"), record, laws::Integration::converged), Error);
 }
 
 TEST(Objective, TimeMayStartAnywhere) {

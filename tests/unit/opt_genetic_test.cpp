@@ -349,5 +349,25 @@ TEST(Genetic, BeatsUniformSamplingInSixDimensions) {
   }
 }
 
+// The history alone tells how a search ended, also of one that was cut short or goes on too long.
+TEST(Outcome, FollowsFromTheHistory) {
+  for (int const stagnation : {1, 3, 20}) {
+    for (int const generations : {1, 4, 60}) {
+      GeneticOptions const options{.population = 4, .generations = generations, .stagnation = stagnation};
+      for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        auto const result = minimise_genetic(FunctionProblem(2, sphere), num::Stream(seed), options);
+        EXPECT_EQ(outcome_of(result.history, options), result.outcome);
+        auto shorter = result.history, longer = result.history;
+        shorter.pop_back();
+        longer.push_back(longer.back());
+        EXPECT_EQ(outcome_of(shorter, options), GeneticOutcome::interrupted);
+        EXPECT_EQ(outcome_of(longer, options), GeneticOutcome::interrupted);
+      }
+    }
+  }
+  EXPECT_EQ(outcome_of(std::vector{infinity}, {}), GeneticOutcome::no_finite_value);
+  EXPECT_EQ(outcome_of(std::vector{infinity, 1.0}, {}), GeneticOutcome::interrupted);
+}
+
 }  // namespace
 }  // namespace isolaw::opt

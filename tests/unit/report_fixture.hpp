@@ -141,17 +141,21 @@ inline DeviceResult device(std::string name, double scatter, int samples_per_cyc
   device.raw.force_kN = device.record.force_kN;
   device.raw.recognised = {"comma separated, decimal point: one number per column in every row",
                            "force in kN, displacement in mm, time in s: units stand in row 2"};
+  auto& block = device.properties.blocks.emplace_back();
+  block.number = 1;
+  block.amplitude_mm = 208.0;
   for (int number = 1; number <= 3; ++number) {
     data::Cycle cycle;
+    cycle.block = 1;
     cycle.number = number;
     cycle.amplitude_mm = 208.0;
     cycle.K_eff_kN_per_mm = (1.0 + scatter) * (0.66 - 0.02 * number);
     cycle.energy_kN_mm = (1.0 + 0.5 * scatter) * (29500.0 - 250.0 * number);
     cycle.damping_percent =
         100.0 * cycle.energy_kN_mm / (2.0 * std::numbers::pi * cycle.K_eff_kN_per_mm * 208.0 * 208.0);
-    device.properties.cycles.push_back(cycle);
+    block.cycles.push_back(cycle);
   }
-  device.properties.reported = device.properties.cycles.back();
+  device.properties.reported = block.cycles.back();
   device.properties.samples_per_cycle = samples_per_cycle;
   return device;
 }
@@ -175,6 +179,14 @@ inline Summary lot(int device_count = 3, int law_count = 3) {
   refused.status = "refused";
   refused.message = "line 7: not a number: \"<script>alert(2)</script>\"";
   summary.devices.push_back(refused);
+
+  refused.properties.refusal = refused.message;
+  summary.devices.back() = refused;
+  rules::Design design;
+  design.K_eff_kN_per_mm = 0.6;
+  design.damping_percent = 18.0;
+  design.disp_mm = 208.0;
+  add_acceptance(summary, rules::find_rule_set("ntc-2018"), design, 160);
 
   auto const all = sketches();
   for (int j = 0; j < law_count && j < static_cast<int>(all.size()); ++j) {

@@ -25,6 +25,8 @@ TEST(SummaryJson, ExactText) {
   Summary summary;
   summary.version = "1.2.3";
   summary.title = "Lot";
+  summary.runs = 1;
+  summary.expected_runs = 4;
   summary.seed = 18446744073709551615u;
   summary.settings = {{"runs", "2"}, {"laws", "[\"a\"]"}};
   summary.devices.push_back({});
@@ -121,14 +123,27 @@ TEST(SummaryJson, ExactText) {
       "notes": []
     }
   ],
-  "title": "Lot"
+  "title": "Lot",
+  "complete": false,
+  "missing_runs": 3
 }
 )");
 }
 
+TEST(SummaryJson, TellsHowManyRunsWereMissing) {
+  auto summary = fixture::lot();
+  EXPECT_EQ(missing_runs_in(summary_json(summary)), 0u);
+  summary.runs = 25;
+  summary.expected_runs = 7000;
+  EXPECT_EQ(missing_runs_in(summary_json(summary)), 6975u);
+  for (auto const* text : {"", "{", "[]", "{}", "{\"missing_runs\": -1}", "{\"missing_runs\": \"3\"}"})
+    EXPECT_FALSE(missing_runs_in(text)) << text;
+}
+
 TEST(SummaryJson, KeysInTheAgreedOrder) {
   auto const json = Json::parse(summary_json(fixture::lot()));
-  EXPECT_EQ(keys(json), (std::vector<std::string>{"schema", "isolaw", "seed", "settings", "devices", "laws", "title"}));
+  EXPECT_EQ(keys(json), (std::vector<std::string>{"schema", "isolaw", "seed", "settings", "devices", "laws", "title",
+                                                  "complete", "missing_runs"}));
   EXPECT_EQ(keys(json["laws"][1]["devices"][2]["parameters"]),
             (std::vector<std::string>{"kb+", "f0+", "alpha+", "beta1-", "beta2+"}));
 }

@@ -41,8 +41,9 @@ TEST_F(Write, AllOutputsAndNothingElse) {
   std::set<std::string> files;
   for (auto const& entry : fs::recursive_directory_iterator(dir_ / "deep" / "out"))
     if (entry.is_regular_file()) files.insert(fs::relative(entry.path(), dir_ / "deep" / "out").string());
-  EXPECT_EQ(files, (std::set<std::string>{"report.html", "summary.json", "tables/objective.csv",
-                                          "tables/parameters.csv", "tables/properties.csv", "tables/robustness.csv"}));
+  EXPECT_EQ(files, (std::set<std::string>{"report.html", "summary.json", "tables/cycles.csv", "tables/lambda.csv",
+                                          "tables/lot.csv", "tables/objective.csv", "tables/parameters.csv",
+                                          "tables/robustness.csv", "tables/tests.csv"}));
   EXPECT_EQ(content(dir_ / "deep" / "out" / "summary.json"), summary_json(summary));
   EXPECT_EQ(content(dir_ / "deep" / "out" / "report.html"), html(summary));
 }

@@ -154,9 +154,11 @@ data::FitRecord third_stage(int samples_per_cycle) {
   data::ReadOptions reading;
   reading.dt_s = 0.00214823;
   auto raw = data::read_record(measured_file(), reading);
-  auto const cycles = data::cyclic_properties(raw.disp_mm, raw.force_kN).cycles;
-  EXPECT_EQ(cycles.size(), 21u);
-  auto const first = static_cast<std::ptrdiff_t>(std::lround(cycles.at(cycles.size() - 7).first));
+  auto const properties = data::cyclic_properties(raw);
+  EXPECT_EQ(properties.counted().size(), 21u);
+  auto const* third = properties.find(3, 1);
+  EXPECT_NE(third, nullptr);
+  auto const first = static_cast<std::ptrdiff_t>(std::lround(third->first));
   for (auto* channel : {&raw.time_s, &raw.disp_mm, &raw.force_kN})
     channel->erase(channel->begin(), channel->begin() + first);
   EXPECT_LT(std::abs(raw.disp_mm.front()), 1.0);

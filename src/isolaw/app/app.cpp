@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -27,11 +28,25 @@ void add_reading(CLI::App& command, ReadArguments& read) {
   command.add_option("--units", read.units, "disp=cm,force=tonf,time=s: units the files do not state");
   command.add_option("--dt", read.dt_s, "sampling interval in seconds of files without a time column");
   command.add_flag("--flip-force", read.flip_force, "reverse the sign of the force");
+  command.add_option("--skew-ms", read.skew_ms, "correct: the force comes later than displacement by this");
+  command.add_option("--rig-friction", read.rig_friction_kN, "correct: friction of the rig in the force, kN");
+  command.add_option("--rig-friction-coefficient", read.rig_friction_coefficient,
+                     "correct: the same as a share of the vertical load");
+  command.add_option("--moving-mass", read.moving_mass_kg, "correct: mass between device and load cell, kg");
+  command.add_option("--force-factor", read.force_factor, "correct: 0.5 where the rig shears two devices");
+  command.add_option("--sheet", read.sheet, "sheet of a workbook, struct of a .mat file, key of JSON: name or number");
+  command.add_option("--test", read.test, "of files that hold several tests: a number, or all, one after the other");
+}
+
+void add_acceptance(CLI::App& command, AcceptanceArguments& acceptance) {
+  command.add_option("--rules", acceptance.rules, "rule set the tests are held to: a name (isolaw rules) or a file");
+  command.add_option("--design", acceptance.design, "design values: K_eff=1.2,damping=15,disp=150,frequency=0.5,...");
+  command.add_option("--lot-size", acceptance.lot_size, "devices of the production lot, tested or not");
 }
 
 void add_calibrate(CLI::App& app, CalibrateArguments& a) {
   auto& c = *app.add_subcommand("calibrate", "Identify every law on every device; statistics, ranking, report");
-  c.add_option("inputs", a.inputs, "a lot file (.toml), or test records")->required();
+  c.add_option("inputs", a.inputs, "a lot file (.toml), test records, or a directory of them")->required();
   c.add_option("--laws", a.laws, "all, or ids separated by commas (isolaw laws lists them)");
   c.add_option("--method", a.method, "ga: the genetic algorithm of the paper");
   c.add_option("--integration", a.integration, "converged (default), or paper: one Runge-Kutta step per sample");
@@ -49,7 +64,10 @@ void add_calibrate(CLI::App& app, CalibrateArguments& a) {
   c.add_option("--smooth", a.smooth, "window of the centred moving average, odd (1: none)");
   c.add_option("--samples-per-cycle", a.samples_per_cycle, "thin records to this many samples per cycle, or all (200)");
   c.add_flag("--center", a.center, "remove the offset of displacement and force");
+  c.add_option("--fit-blocks", a.fit_blocks, "judge laws by these blocks of the test alone: 2, 1-3, 2- (all)");
+  c.add_option("--fit-cycles", a.fit_cycles, "and by these cycles of each: 2- leaves out scragging (all)");
   add_reading(c, a.read);
+  add_acceptance(c, a.acceptance);
   c.add_option("--jobs", a.jobs, "threads, 0 to 4096 (one per core); the results do not depend on it")
       ->check(CLI::Range(0, 4096));
   c.add_option("--out", a.out, "directory of the results (out/<name of the lot>)");
@@ -145,6 +163,9 @@ std::vector<Complaint> usage_complaints(CLI::App& app, CLI::ParseError const& er
   if (required) return {{"isolaw " + command.get_name(), message, {}, advice}};
   auto const* option = option_of(command, message);
   if (option == nullptr) return {{"isolaw " + command.get_name(), message, {}, advice}};
+  if (auto const times = option->results().size(); times > 1 && option->get_items_expected_max() == 1)
+    return {
+        {option->get_name(), fmt::format("is given {} times: {}", times, joined(option->results())), "once", advice}};
   bool const number = dynamic_cast<CLI::ConversionError const*>(&error) != nullptr;
   bool const whole = number && option->get_type_name() == "INT";
   auto const value = option->results().empty() ? std::string() : option->results().back();
@@ -160,23 +181,37 @@ int dispatch(CLI::App& app, int argc, char** argv) {
 
   InitArguments init_arguments;
   auto& init_command = *app.add_subcommand("init", "Recognise records and write them down as a lot file");
-  init_command.add_option("files", init_arguments.files, "test records")->required();
+  init_command.add_option("files", init_arguments.files, "test records, or a directory of them")->required();
   add_reading(init_command, init_arguments.read);
+  init_command.add_option("--like", init_arguments.like, "a lot file whose way of reading these records share");
   init_command.add_option("--out", init_arguments.out, "lot file to write (lot.toml)");
   init_command.add_flag("--force", init_arguments.force, "overwrite it");
 
   InspectArguments inspect_arguments;
-  auto& inspect_command =
-      *app.add_subcommand("inspect", "What one record holds, what was recognised and why, its properties");
-  inspect_command.add_option("file", inspect_arguments.file, "a test record")->required();
+  auto& inspect_command = *app.add_subcommand(
+      "inspect", "What records hold, what was recognised and why; cycles, properties, verdicts, the lot");
+  inspect_command.add_option("inputs", inspect_arguments.inputs, "test records, a directory, or a lot file")
+      ->required();
   add_reading(inspect_command, inspect_arguments.read);
+  add_acceptance(inspect_command, inspect_arguments.acceptance);
+  inspect_command.add_option("--out", inspect_arguments.out,
+                             "also write a page with drawn loops, tables and JSON there");
+  inspect_command.add_flag("--allow-outside", inspect_arguments.allow_outside,
+                           "the lot file may name records outside its own folder");
   inspect_command.add_flag("--json", inspect_arguments.json, "for machines");
 
+  ReportArguments report_arguments;
   std::filesystem::path directory;
   bool json = false;
   auto& report_command = *app.add_subcommand("report", "Make summary, tables and page again from a campaign's store");
-  report_command.add_option("directory", directory, "the campaign's directory")->required();
-  report_command.add_flag("--json", json, "print summary.json instead of the ranking");
+  report_command.add_option("directory", report_arguments.directory, "the campaign's directory")->required();
+  add_acceptance(report_command, report_arguments.acceptance);
+  report_command.add_option("--out", report_arguments.out, "directory of the results (the campaign's)");
+  report_command.add_flag("--json", report_arguments.json, "print summary.json instead of the ranking");
+
+  std::string rule_set;
+  auto& rules_command = *app.add_subcommand("rules", "The rule sets, or the file of one; template to write your own");
+  rules_command.add_option("name", rule_set, "a rule set, or template");
 
   auto& bench_command =
       *app.add_subcommand("bench", "A signature of what is computed, and the speed of every law here");
@@ -215,40 +250,46 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   if (app.got_subcommand("calibrate")) return calibrate(calibrate_arguments, {argv, argv + argc});
   if (app.got_subcommand("init")) return init(init_arguments);
   if (app.got_subcommand("inspect")) return inspect(inspect_arguments);
-  if (app.got_subcommand("report")) return report(directory, json);
+  if (app.got_subcommand("report")) return report(report_arguments);
+  if (app.got_subcommand("rules")) return list_rules(rule_set);
   if (app.got_subcommand("bench")) return bench(json);
   if (app.got_subcommand("check")) return check(directory);
   if (app.got_subcommand("laws")) return list_laws(law, json);
   return example(directory);
 }
 
+int without_output() {
+  std::fputs("isolaw: standard output cannot be written\n", stderr);
+  return exit_internal;
+}
+
 }  // namespace
 
 int run(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file above the limit of its size is then a write that fails, with a message
   try {
     CLI::App app("isolaw: from the test records of a production lot of seismic isolators to calibrated, ranked laws",
                  "isolaw");
     app.set_version_flag("--version", ISOLAW_VERSION);
     app.require_subcommand(1);
     int const code = dispatch(app, argc, argv);
-    if (std::fflush(stdout) != 0) {
-      std::fputs("isolaw: standard output cannot be written\n", stderr);
-      return exit_internal;
-    }
-    return code;
+    // Both: what failed while it was printed is no longer there to be flushed.
+    return std::fflush(stdout) != 0 || std::ferror(stdout) != 0 ? without_output() : code;
   } catch (Error const& error) {
     for (auto const& complaint : error.complaints()) std::fprintf(stderr, "isolaw: %s\n", to_string(complaint).c_str());
     return exit_wrong_usage;
   } catch (std::bad_alloc const&) {
     std::fputs(
-        "isolaw: out of memory; try: fewer devices or shorter records at once, --samples-per-cycle 200, a smaller "
-        "--population, or a machine with more memory\n",
+        "isolaw: out of memory; try: fewer devices or shorter records at once, fewer --jobs, --samples-per-cycle 200, "
+        "a "
+        "smaller --population, or a machine with more memory\n",
         stderr);
     return exit_internal;
   } catch (std::filesystem::filesystem_error const& error) {
     std::fprintf(stderr, "isolaw: %s: %s\n", printable(error.path1().string()).c_str(), error.code().message().c_str());
     return exit_internal;
   } catch (std::system_error const& error) {
+    if (std::ferror(stdout) != 0) return without_output();
     std::fprintf(stderr, "isolaw: cannot write: %s\n", error.code().message().c_str());
     return exit_internal;
   } catch (std::exception const& error) {

@@ -11,13 +11,17 @@
 #include <csignal>
 #include <cstdio>
 #include <ctime>
+#include <exception>
 #include <fstream>
+#include <optional>
 #include <thread>
 
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/lot_of.hpp"
 #include "isolaw/app/progress.hpp"
+#include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/file.hpp"
 #include "isolaw/campaign/campaign.hpp"
 #include "isolaw/campaign/check.hpp"
 #include "isolaw/campaign/store.hpp"
@@ -36,19 +40,23 @@ constexpr char const* store_name = "campaign.sqlite";
 std::atomic<bool> interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-// Ctrl-C and a polite kill stop the search after the current generation; a second Ctrl-C ends the program at once.
+// Ctrl-C, a polite kill and a terminal that is closed stop the search after the current generation; a second signal
+// ends the program at once. Where a closed terminal is to be ignored (nohup), it is.
 class SignalGuard {
  public:
   SignalGuard() {
     interrupted = false;
     previous_int_ = std::signal(SIGINT, on_signal);
     previous_term_ = std::signal(SIGTERM, on_signal);
+    previous_hup_ = std::signal(SIGHUP, on_signal);
+    if (previous_hup_ == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
   }
   SignalGuard(SignalGuard const&) = delete;
   SignalGuard& operator=(SignalGuard const&) = delete;
   ~SignalGuard() {
     std::signal(SIGINT, previous_int_);
     std::signal(SIGTERM, previous_term_);
+    std::signal(SIGHUP, previous_hup_);
   }
 
  private:
@@ -58,6 +66,7 @@ class SignalGuard {
   }
   void (*previous_int_)(int) = nullptr;
   void (*previous_term_)(int) = nullptr;
+  void (*previous_hup_)(int) = nullptr;
 };
 
 void make_directory(std::filesystem::path const& directory) {
@@ -103,9 +112,12 @@ std::vector<std::string> differences(campaign::Contents const& stored, campaign:
     auto const &a = stored.devices[d], &b = asked.devices[d];
     if (a.name != b.name)
       found.push_back(fmt::format("device {}: '{}' there, '{}' now", d + 1, a.name, b.name));
+    else if (a.usable() && !b.usable())
+      found.push_back(fmt::format("{}: refused now: {}", b.name, b.refusal));
     else if (a.raw.sha256 != b.raw.sha256 || a.refusal != b.refusal)
       found.push_back(fmt::format("{}: its file has changed", b.name));
-    else if (a.raw.disp_mm != b.raw.disp_mm || a.raw.force_kN != b.raw.force_kN || a.raw.time_s != b.raw.time_s)
+    else if (a.raw.disp_mm != b.raw.disp_mm || a.raw.force_kN != b.raw.force_kN || a.raw.time_s != b.raw.time_s ||
+             a.raw.load_kN != b.raw.load_kN)
       found.push_back(fmt::format("{}: its file is read in another way", b.name));
   }
   return found;
@@ -114,18 +126,21 @@ std::vector<std::string> differences(campaign::Contents const& stored, campaign:
 // The reports of another campaign must not stand beside this one's store.
 void remove_outputs(std::filesystem::path const& directory) {
   std::error_code ignored;
-  for (auto const* name : {"summary.json", "report.html", "run.json", "tables/parameters.csv", "tables/objective.csv",
-                           "tables/robustness.csv", "tables/properties.csv"})
+  for (auto const* name :
+       {"summary.json", "report.html", "run.json", "tables/parameters.csv", "tables/objective.csv",
+        "tables/robustness.csv", "tables/cycles.csv", "tables/tests.csv", "tables/lot.csv", "tables/lambda.csv"})
     if (std::filesystem::is_regular_file(directory / name, ignored)) std::filesystem::remove(directory / name, ignored);
 }
 
 // Takes over the finished runs of an interrupted or finished campaign of the same settings and inputs, or starts anew.
 void open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh) {
   if (fresh || !std::filesystem::exists(file)) {
-    remove_outputs(file.parent_path());
-    campaign::Store::create(file, contents);
+    // A kill between the two leaves the former store without its reports, which can be made again: never reports of one
+    // campaign beside the store of another.
+    campaign::Store::create(file, contents, [&] { remove_outputs(file.parent_path()); });
     return;
   }
+  campaign::Store::remove_unfinished(file);
   // Of a process that was killed: what it had not finished writing is undone, what it had is kept.
   if (!campaign::Store::is_plain(file)) campaign::Store::open(file).finish();
   auto stored = campaign::Store::read(file);
@@ -138,13 +153,13 @@ void open_or_create(std::filesystem::path const& file, campaign::Contents& conte
                  .allowed = "the same settings and records, to continue it",
                  .advice = "--fresh to start over, or another --out DIR"});
   }
-  bool described = stored.title == contents.title;
+  bool described = stored.title == contents.title && stored.acceptance == contents.acceptance;
   for (std::size_t d = 0; described && d < contents.devices.size(); ++d)
     described = stored.devices[d].info == contents.devices[d].info;
   if (!described) campaign::Store::open(file).describe(contents);
   contents.runs = std::move(stored.runs);
   if (!contents.complete() && !contents.runs.empty())
-    fmt::print(stderr, "continuing: {} runs are there already\n", contents.runs.size());
+    say("continuing: {} runs are there already\n", contents.runs.size());
 }
 
 int terminal_width() {
@@ -159,21 +174,22 @@ void print(report::Summary const& summary, bool json) {
   if (!text.ends_with('\n')) std::fputc('\n', stdout);
 }
 
-// Exit code 1 whenever a device was refused, a law could not be searched on a device, or a run failed.
+// Exit code 1 whenever a device was refused, a law could not be searched on a device, a run failed, or a limit of the
+// rule set is not kept.
 int exit_code(report::Summary const& summary) {
   for (auto const& device : summary.devices)
     if (device.status != "ok") return exit_with_refusals;
   for (auto const& law : summary.laws)
     for (auto const& fit : law.devices)
       if (!fit.refusal.empty() || fit.failed_runs > 0) return exit_with_refusals;
+  if (report::acceptance_failed(summary)) return exit_with_refusals;
   return exit_done;
 }
 
 void warn_of_idle_overrides(campaign::Settings const& settings) {
   for (auto const& change : settings.overrides)
     if (std::ranges::find(settings.laws, change.law) == settings.laws.end())
-      fmt::print(stderr, "--set {}: has no effect, {} is not among the laws of this campaign\n", change.text(),
-                 change.law);
+      say("--set {}: has no effect, {} is not among the laws of this campaign\n", change.text(), change.law);
 }
 
 std::string shell_quoted(std::vector<std::string> const& words) {
@@ -206,7 +222,7 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
   warn_of_idle_overrides(lot.settings);
   auto contents = campaign::prepare(lot);
   for (auto const& device : contents.devices)
-    if (!device.usable()) fmt::print(stderr, "{}: refused\n  {}\n", device.name, device.refusal);
+    if (!device.usable()) say("{}: refused\n  {}\n", device.name, device.refusal);
 
   auto const directory = output_directory(arguments, lot);
   make_directory(directory);
@@ -226,15 +242,19 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
     finished = campaign::run(contents, file,
                              {.jobs = lot.jobs.value_or(0),
                               .progress = [&](auto const& p) { line.show(p); },
-                              .interrupted = [] { return interrupted.load(); }});
-  } catch (Error const&) {
-    fmt::print(stderr, "stopped: {} finished runs are kept in {}\nonce the fault is mended, continue with: {}\n",
-               contents.runs.size(), file.string(), command);
+                              .interrupted = [] { return interrupted.load(); },
+                              .short_of_threads =
+                                  [](int threads) {
+                                    say("the system gave no more threads or memory: {} worked; try: --jobs {}\n",
+                                        threads, threads);
+                                  }});
+  } catch (std::exception const&) {
+    say("stopped: {} finished runs are kept in {}\nonce the fault is mended, continue with: {}\n", contents.runs.size(),
+        shown(file), command);
     throw;
   }
   if (!finished) {
-    fmt::print(stderr, "interrupted: {} finished runs are kept in {}\nto continue: {}\n", contents.runs.size(),
-               file.string(), command);
+    say("interrupted: {} finished runs are kept in {}\nto continue: {}\n", contents.runs.size(), shown(file), command);
     return exit_with_refusals;
   }
   double const search_s = std::chrono::duration<double>(Clock::now() - start).count();
@@ -251,20 +271,27 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
            .total_s = std::chrono::duration<double>(Clock::now() - start).count(),
            .jobs = lot.jobs.value_or(0) > 0 ? *lot.jobs : static_cast<int>(std::thread::hardware_concurrency())}));
   print(summary, arguments.json);
-  fmt::print(stderr, "results: {} (open {})\n", directory.string(), (directory / "report.html").string());
+  say("results: {} (open {})\n", shown(directory), shown(directory / "report.html"));
   return exit_code(summary);
 }
 
-int report(std::filesystem::path const& directory, bool json) {
-  auto const contents = campaign::Store::read(directory / store_name);
+int report(ReportArguments const& arguments) {
+  auto const& directory = arguments.directory;
+  auto contents = campaign::Store::read(directory / store_name);
+  apply(arguments.acceptance, contents.acceptance);
   auto const summary = report::build_summary(contents);
-  report::write_outputs(summary, directory);
-  print(summary, json);
+  // What is printed does not depend on the files: a store on read-only media can be looked at as it is.
+  std::optional<Error> not_written;
+  try {
+    report::write_outputs(summary, arguments.out.value_or(directory));
+  } catch (Error const& error) {
+    not_written = error;
+  }
+  print(summary, arguments.json);
   if (!contents.complete())
-    fmt::print(
-        stderr,
-        "the campaign is not complete: {} runs are missing; the calibrate command it was started with continues it\n",
-        contents.expected_runs() - contents.runs.size());
+    say("the campaign is not complete: {} runs are missing; the calibrate command it was started with continues it\n",
+        summary.missing_runs());
+  if (not_written) throw *not_written;
   return contents.complete() ? exit_code(summary) : exit_with_refusals;
 }
 
@@ -278,31 +305,62 @@ bool holds(std::filesystem::path const& file, std::string_view text) {
   return there == text;
 }
 
+// How many runs fewer than the store the reports beside it were made from; 0 when their summary.json does not say so.
+std::size_t runs_since(std::filesystem::path const& directory, std::size_t missing_runs) {
+  try {
+    auto const text =
+        read_file(directory / "summary.json",
+                  {.largest_bytes = std::uintmax_t{1} << 30, .allowed = "a summary of isolaw", .when_too_large = {}});
+    auto const told = report::missing_runs_in(text).value_or(0);
+    return told > missing_runs ? told - missing_runs : 0;
+  } catch (Error const&) {
+    return 0;
+  }
+}
+
+struct Outputs {
+  int compared = 0;
+  std::vector<std::string> other;  // names of those that are not what the store gives
+};
+
+Outputs compare_outputs(std::filesystem::path const& directory, report::Summary const& summary) {
+  Outputs found;
+  for (auto const& [name, text] : report::output_texts(summary)) {
+    std::error_code unknown;
+    if (!std::filesystem::is_regular_file(directory / name, unknown)) continue;
+    ++found.compared;
+    if (!holds(directory / name, text)) found.other.push_back(name);
+  }
+  return found;
+}
+
 }  // namespace
 
 int check(std::filesystem::path const& directory) {
   auto const file = directory / store_name;
   auto result = campaign::check(file);
-  auto const contents = campaign::Store::read(file);
-  int outputs = 0;
-  if (contents.complete())
-    for (auto const& [name, text] : report::output_texts(report::build_summary(contents))) {
-      std::error_code unknown;
-      if (!std::filesystem::is_regular_file(directory / name, unknown)) continue;
-      ++outputs;
-      if (!holds(directory / name, text))
-        result.faults.push_back(
-            fmt::format("{} is not what the store gives; isolaw report {} makes it again", name, directory.string()));
-    }
-  fmt::print("{}: {}\n", file.string(),
+  auto const summary = report::build_summary(campaign::Store::read(file));
+  auto const outputs = compare_outputs(directory, summary);
+  auto const since = outputs.other.empty() ? 0 : runs_since(directory, summary.missing_runs());
+  if (since == 0)
+    for (auto const& name : outputs.other)
+      result.faults.push_back(
+          fmt::format("{} is not what the store gives; isolaw report {} makes it again", name, shown(directory)));
+  fmt::print("{}: {}\n", shown(file),
              result.faults.empty() ? "sound" : fmt::format("{} fault(s)", result.faults.size()));
   fmt::print("  {} devices, {} laws on them, {} of {} runs\n", result.devices, result.searches, result.runs,
              result.expected_runs);
+  if (summary.missing_runs() > 0)
+    fmt::print("  not complete: {} runs are missing; the calibrate command it was started with continues it\n",
+               summary.missing_runs());
   fmt::print("  records cleaned and objectives computed again: largest relative difference {:.2g}\n",
              result.largest_difference);
-  if (outputs > 0) fmt::print("  {} files beside it compared with what the store gives\n", outputs);
+  if (outputs.compared > 0) fmt::print("  {} files beside it compared with what the store gives\n", outputs.compared);
+  if (since > 0)
+    fmt::print("  out of date: {} of them, made before the last {} runs; isolaw report {} makes them again\n",
+               outputs.other.size(), since, shown(directory));
   for (auto const& fault : result.faults) fmt::print("  fault: {}\n", fault);
-  return result.faults.empty() ? exit_done : exit_with_refusals;
+  return result.faults.empty() && since == 0 ? exit_done : exit_with_refusals;
 }
 
 }  // namespace isolaw::app

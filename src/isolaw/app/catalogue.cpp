@@ -6,7 +6,9 @@
 
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/example_lot.hpp"
+#include "isolaw/app/say.hpp"
 #include "isolaw/laws/catalogue.hpp"
+#include "isolaw/rules/rule_set.hpp"
 
 namespace isolaw::app {
 namespace {
@@ -93,7 +95,20 @@ int list_laws(std::string const& id, bool json) {
 
 int example(std::filesystem::path const& directory) {
   write_example_lot(directory);
-  fmt::print("written: {0}\nnext: isolaw calibrate {1}\n", directory.string(), (directory / "lot.toml").string());
+  fmt::print("written: {0}\nnext: isolaw calibrate {1}\n", shown(directory), shown(directory / "lot.toml"));
+  return exit_done;
+}
+
+int list_rules(std::string const& name) {
+  if (!name.empty()) {
+    auto const text = rules::rule_set_text(name);
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return exit_done;
+  }
+  for (auto const* set : rules::built_in_rule_sets())
+    fmt::print("{:<14} {}{}\n", set->id, set->title,
+               set->verified() ? "" : "; limits not verified: information, no verdict");
+  fmt::print("{:<14} {}\n", "template", "a commented file to write the contract's own from: isolaw rules template");
   return exit_done;
 }
 

@@ -16,12 +16,22 @@ struct ReadArguments {
   std::optional<std::string> columns, units;
   std::optional<double> dt_s;
   bool flip_force = false;
+  std::optional<std::string> sheet, test;
+  std::optional<double> skew_ms, rig_friction_kN, rig_friction_coefficient, moving_mass_kg, force_factor;
+};
+
+// What the tests are held to; what is given overrides the lot file, or what a campaign's store says.
+struct AcceptanceArguments {
+  std::optional<std::string> rules, design;
+  std::optional<int> lot_size;
 };
 
 struct CalibrateArguments {
   std::vector<std::filesystem::path> inputs;  // one lot file, or records
   ReadArguments read;
-  std::optional<std::string> laws, method, integration, turning_points, box, samples_per_cycle, seed;
+  AcceptanceArguments acceptance;
+  std::optional<std::string> laws, method, integration, turning_points, box, samples_per_cycle, seed, fit_blocks,
+      fit_cycles;
   std::vector<std::string> set;
   std::optional<int> runs, population, generations, smooth;
   std::optional<double> stagnation_tolerance;
@@ -35,8 +45,11 @@ struct CalibrateArguments {
 int calibrate(CalibrateArguments const& arguments, std::vector<std::string> const& command_line);
 
 struct InspectArguments {
-  std::filesystem::path file;
+  std::vector<std::filesystem::path> inputs;  // one lot file, or records
   ReadArguments read;
+  AcceptanceArguments acceptance;
+  std::optional<std::filesystem::path> out;  // writes page, tables and JSON there
+  bool allow_outside = false;
   bool json = false;
 };
 int inspect(InspectArguments const& arguments);
@@ -44,12 +57,20 @@ int inspect(InspectArguments const& arguments);
 struct InitArguments {
   std::vector<std::filesystem::path> files;
   ReadArguments read;
+  std::optional<std::filesystem::path> like;  // a lot file whose way of reading is taken over
   std::filesystem::path out = "lot.toml";
   bool force = false;
 };
 int init(InitArguments const& arguments);
 
-int report(std::filesystem::path const& directory, bool json);
+struct ReportArguments {
+  std::filesystem::path directory;
+  std::optional<std::filesystem::path> out;  // of the results; empty: the campaign's directory
+  AcceptanceArguments acceptance;
+  bool json = false;
+};
+int report(ReportArguments const& arguments);
+int list_rules(std::string const& name);
 int check(std::filesystem::path const& directory);
 int bench(bool json);
 int list_laws(std::string const& id, bool json);

@@ -1,112 +1,101 @@
 // `isolaw inspect` and `isolaw init`: what a file holds, before anything is identified.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
-#include <fstream>
-#include <nlohmann/json.hpp>
+#include <string>
 
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/lot_of.hpp"
+#include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/file.hpp"
 #include "isolaw/base/printable.hpp"
-#include "isolaw/data/properties.hpp"
+#include "isolaw/campaign/campaign.hpp"
 #include "isolaw/data/read.hpp"
+#include "isolaw/report/build_summary.hpp"
+#include "isolaw/report/inspection.hpp"
 #include "isolaw/report/write.hpp"
 
 namespace isolaw::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-struct Extremes {
-  double lowest, highest;
-};
-Extremes extremes(std::vector<double> const& values) {
-  auto const [low, high] = std::minmax_element(values.begin(), values.end());
-  return {*low, *high};
+void print(std::string const& text) {
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  if (!text.ends_with('\n')) std::fputc('\n', stdout);
 }
 
-std::string inspection_json(data::TestRecord const& record, data::Properties const& properties) {
-  Json json;
-  json["file"] = record.file;
-  json["sha256"] = record.sha256;
-  json["samples"] = record.size();
-  Json columns = Json::object(), units = Json::object();
-  for (auto const& [channel, column] : record.layout.columns) columns[std::string(data::name(channel))] = column;
-  for (auto const& [channel, unit] : record.layout.units) units[std::string(data::name(channel))] = unit;
-  json["columns"] = columns;
-  json["units"] = units;
-  json["recognised"] = record.recognised;
-  json["warnings"] = record.warnings;
-  auto const optional = [](auto const& value) { return value ? Json(*value) : Json(nullptr); };
-  json["samples_per_cycle"] = optional(properties.samples_per_cycle);
-  json["refusal"] = properties.refusal.empty() ? Json(nullptr) : Json(properties.refusal);
-  json["reported_cycle"] = properties.reported ? Json(properties.reported->number) : Json(nullptr);
-  Json cycles = Json::array();
-  for (auto const& c : properties.cycles)
-    cycles.push_back({{"number", c.number},
-                      {"first_sample", c.first},
-                      {"last_sample", c.last},
-                      {"amplitude_mm", c.amplitude_mm},
-                      {"K_eff_kN_per_mm", c.K_eff_kN_per_mm},
-                      {"energy_kN_mm", c.energy_kN_mm},
-                      {"damping_percent", c.damping_percent}});
-  json["cycles"] = cycles;
-  return json.dump(2, ' ', false, Json::error_handler_t::replace);
-}
-
-void print_channel(char const* name, std::vector<double> const& values, char const* unit) {
-  if (values.empty()) return;
-  auto const e = extremes(values);
-  fmt::print("  {:<14}{:>12.4g} to {:>10.4g} {}\n", name, e.lowest, e.highest, unit);
-}
-
-void print_inspection(data::TestRecord const& record, data::Properties const& properties) {
-  fmt::print("{}: {} samples, sha256 {}\n\nRecognised\n", printable(record.file), record.size(),
-             record.sha256.substr(0, 16));
-  for (auto const& line : record.recognised) fmt::print("  {}\n", line);
-  fmt::print("\nChannels\n");
-  print_channel("time", record.time_s, "s");
-  print_channel("displacement", record.disp_mm, "mm");
-  print_channel("force", record.force_kN, "kN");
-  print_channel("vertical load", record.load_kN, "kN");
-
-  fmt::print("\nCycles, from raw values\n");
-  if (!properties.cycles.empty()) {
-    fmt::print("  {:>5} {:>14} {:>16} {:>16} {:>12}\n", "cycle", "amplitude mm", "K_eff kN/mm", "energy kN mm",
-               "damping %");
-    for (auto const& c : properties.cycles)
-      fmt::print("  {:>5} {:>14.2f} {:>16.4f} {:>16.0f} {:>12.2f}{}\n", c.number, c.amplitude_mm, c.K_eff_kN_per_mm,
-                 c.energy_kN_mm, c.damping_percent,
-                 properties.reported && properties.reported->number == c.number ? "  reported" : "");
-  }
-  if (!properties.refusal.empty()) fmt::print("  not reported: {}\n", properties.refusal);
-  if (record.warnings.empty()) return;
-  fmt::print("\nWarnings\n");
-  for (auto const& line : record.warnings) fmt::print("  {}\n", line);
+bool refused(report::Summary const& summary) {
+  return std::ranges::any_of(summary.devices, [](auto const& device) { return device.status != "ok"; });
 }
 
 }  // namespace
 
 int inspect(InspectArguments const& arguments) {
-  data::ReadOptions options;
-  apply(arguments.read, options);
-  auto const record = data::read_record(arguments.file, options);
-  auto const properties = data::cyclic_properties(record.disp_mm, record.force_kN);
-  if (arguments.json)
-    fmt::print("{}\n", inspection_json(record, properties));
-  else
-    print_inspection(record, properties);
-  return exit_done;
+  auto lot = lot_of_inputs(arguments.inputs, {.allow_outside = arguments.allow_outside, .other_out = true});
+  for (auto& device : lot.devices) apply(arguments.read, device.read);
+  apply(arguments.acceptance, lot.acceptance);
+  auto const contents = campaign::prepare_devices(lot);
+  // One record that cannot be read: its own error, with every complaint.
+  if (contents.devices.size() == 1 && !contents.devices.front().usable()) {
+    for (auto const& file : lot.devices.front().files) data::read_record(file, lot.devices.front().read);
+    throw Error({.where = printable(contents.devices.front().name), .found = contents.devices.front().refusal});
+  }
+  auto const summary = report::build_summary(contents);
+  print(arguments.json ? report::inspection_json(summary) : report::inspection_text(summary));
+  if (arguments.out) {
+    report::write_inspection(summary, *arguments.out);
+    say("written: {}\n", shown(*arguments.out / "inspection.html"));
+  }
+  return refused(summary) || report::acceptance_failed(summary) ? exit_with_refusals : exit_done;
 }
+
+namespace {
+
+// The settings of another lot file, and how it reads what its devices share (its first device's way where they differ).
+void take_over(std::filesystem::path const& file, campaign::Lot& lot) {
+  auto const other = campaign::read_lot_file(file, {.allow_outside = true, .other_out = true});
+  lot.settings = other.settings;
+  auto const& read = other.read == data::ReadOptions{} ? other.devices.front().read : other.read;
+  for (auto& device : lot.devices) device.read = read;
+}
+
+// One device for each test of each file, named by the file and, where it holds several, by sheet and number.
+campaign::Lot lot_of_tests(InitArguments const& arguments) {
+  auto lot = campaign::lot_of_files(records_of(arguments.files));
+  if (arguments.like) take_over(*arguments.like, lot);
+  std::vector<campaign::DeviceInput> devices;
+  for (auto& device : lot.devices) {
+    apply(arguments.read, device.read);
+    std::vector<data::TestChoice> tests;
+    try {
+      tests = data::list_tests(device.files.front(), device.read);
+    } catch (Error const&) {
+      tests.resize(1, {.sheet = device.read.sheet, .test = device.read.test, .place = {}});  // said when it is read
+    }
+    bool const several = tests.size() > 1;
+    bool const sheets = several && tests.front().sheet != tests.back().sheet;
+    for (auto const& test : tests) {
+      auto one = device;
+      if (sheets && test.sheet) one.name += " " + printable(*test.sheet);
+      if (several && test.test) one.name += " test " + *test.test;
+      one.read.sheet = test.sheet ? test.sheet : device.read.sheet;
+      one.read.test = test.test ? test.test : device.read.test;
+      devices.push_back(std::move(one));
+    }
+  }
+  lot.devices = std::move(devices);
+  return lot;
+}
+
+}  // namespace
 
 int init(InitArguments const& arguments) {
   if (std::filesystem::exists(arguments.out) && !arguments.force)
     throw Error({.where = arguments.out.string(),
                  .found = "exists already",
                  .advice = "--force to overwrite it, or --out FILE"});
-  auto lot = campaign::lot_of_files(arguments.files);
+  auto lot = lot_of_tests(arguments);
   lot.title = printable(std::filesystem::absolute(arguments.out).parent_path().filename().string());
   std::vector<Complaint> complaints;
   for (auto& device : lot.devices) {
@@ -117,14 +106,17 @@ int init(InitArguments const& arguments) {
                             .advice = "rename the file"});
       continue;
     }
-    apply(arguments.read, device.read);
     try {
       auto const record = data::read_record(device.files.front(), device.read);
       device.read.columns = record.layout.columns;
       device.read.units = record.layout.units;
       device.read.dt_s = record.layout.dt_s;
       device.read.flip_force = record.layout.flip_force;
-      fmt::print("{}: {} samples\n", device.shown_file, record.size());
+      device.read.sheet = record.layout.sheet;
+      device.read.test = record.layout.test;
+      device.read.corrections = record.layout.corrections;
+      fmt::print("{}: {} samples\n", device.name == device.files.front().stem() ? device.shown_file : device.name,
+                 record.size());
       for (auto const& line : record.recognised) fmt::print("  {}\n", line);
     } catch (Error const& error) {
       complaints.insert(complaints.end(), error.complaints().begin(), error.complaints().end());
@@ -135,9 +127,9 @@ int init(InitArguments const& arguments) {
   report::write_file(arguments.out, campaign::lot_file_text(lot, folder));
   for (auto const& device : lot.devices)
     if (leads_outside(device.files.front(), folder))
-      fmt::print(stderr, "{}: not in the folder of {} or below it: isolaw calibrate will need --allow-outside\n",
-                 printable(device.files.front().string()), printable(arguments.out.string()));
-  fmt::print("\nwritten: {}; next: isolaw calibrate {}\n", arguments.out.string(), arguments.out.string());
+      say("{}: not in the folder of {} or below it: isolaw calibrate will need --allow-outside\n",
+          shown(device.files.front()), shown(arguments.out));
+  fmt::print("\nwritten: {}; next: isolaw calibrate {}\n", shown(arguments.out), shown(arguments.out));
   return exit_done;
 }
 

@@ -2,8 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <utility>
+
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/rules/measured.hpp"
+#include "isolaw/rules/rule_set.hpp"
 
 namespace isolaw::app {
 namespace {
@@ -29,6 +35,45 @@ void refuse_endless(campaign::Lot const& lot) {
                  .advice = "fewer runs, 20 are usual"});
 }
 
+// The last part of a directory's name, also of "." and "records/".
+std::string folder_name(std::filesystem::path const& directory) {
+  auto const path = std::filesystem::weakly_canonical(directory);
+  return path.filename().string();
+}
+
+bool is_record_name(std::filesystem::path const& file) {
+  static constexpr std::array extensions{".csv", ".tsv", ".txt", ".dat", ".asc", ".lvm", ".mat", ".xlsx", ".json"};
+  auto extension = file.extension().string();
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+  return std::ranges::find(extensions, std::string_view(extension)) != extensions.end();
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path> const& inputs) {
+  std::vector<std::filesystem::path> files;
+  for (auto const& input : inputs) {
+    if (!std::filesystem::is_directory(input)) {
+      files.push_back(input);
+      continue;
+    }
+    std::vector<std::filesystem::path> inside;
+    for (auto const& entry : std::filesystem::directory_iterator(input))
+      if (entry.is_regular_file() && is_record_name(entry.path())) inside.push_back(entry.path());
+    if (inside.empty())
+      throw Error({.where = input.string(),
+                   .found = "a directory without test records",
+                   .allowed = "files ending in .csv, .tsv, .txt, .dat, .asc, .lvm, .mat, .xlsx or .json",
+                   .advice = "naming the files themselves"});
+    std::ranges::sort(inside);
+    files.insert(files.end(), inside.begin(), inside.end());
+  }
+  return files;
+}
+
+namespace {
+
 template <class T>
 void override_with(std::optional<T> const& given, T& target) {
   if (given) target = *given;
@@ -43,23 +88,50 @@ void apply(ReadArguments const& arguments, data::ReadOptions& options) {
     for (auto const& [channel, unit] : data::parse_units(*arguments.units)) options.units[channel] = unit;
   if (arguments.dt_s) options.dt_s = arguments.dt_s;
   if (arguments.flip_force) options.flip_force = true;
+  auto& corrections = options.corrections;
+  if (arguments.skew_ms) corrections.skew_s = *arguments.skew_ms / 1000.0;
+  if (arguments.rig_friction_kN) corrections.friction_kN = arguments.rig_friction_kN;
+  if (arguments.rig_friction_coefficient) corrections.friction_coefficient = arguments.rig_friction_coefficient;
+  if (arguments.moving_mass_kg) corrections.moving_mass_kg = arguments.moving_mass_kg;
+  if (arguments.force_factor) corrections.force_factor = arguments.force_factor;
+  corrections.validate();
+  if (arguments.sheet) options.sheet = arguments.sheet;
+  if (arguments.test) options.test = data::parse_test(*arguments.test);
 }
 
-campaign::Lot lot_of(CalibrateArguments const& a) {
-  std::uint64_t const seed = a.seed ? campaign::parse_seed(*a.seed) : 0;  // wrong usage is said before files are read
-  bool const from_file = a.inputs.size() == 1 && is_lot_file(a.inputs.front());
-  for (auto const& input : a.inputs)
+void apply(AcceptanceArguments const& arguments, campaign::Acceptance& acceptance) {
+  if (arguments.rules) acceptance.rules_file = *arguments.rules;
+  if (arguments.rules || (!acceptance.rules_file.empty() && acceptance.rules.empty())) {
+    auto text = rules::load_rule_text(acceptance.rules_file);
+    acceptance.rules = std::move(text.toml);
+  }
+  if (!acceptance.rules.empty()) rules::read_rule_text(acceptance.rules, acceptance.rules_file);
+  if (arguments.design) acceptance.design = *arguments.design;
+  if (!acceptance.design.empty()) rules::parse_design(acceptance.design);
+  if (arguments.lot_size) acceptance.lot_size = campaign::parse_lot_size(std::to_string(*arguments.lot_size));
+}
+
+campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, campaign::LotFileOptions const& options) {
+  bool const from_file = inputs.size() == 1 && is_lot_file(inputs.front());
+  for (auto const& input : inputs)
     if (!from_file && is_lot_file(input))
       throw Error({.where = input.string(),
                    .found = "a lot file together with other inputs",
                    .allowed = "one lot file alone, or records",
                    .advice = "name the records in the lot file"});
-  auto lot = from_file ? campaign::read_lot_file(a.inputs.front(),
-                                                 {.allow_outside = a.allow_outside, .other_out = a.out.has_value()})
-                       : campaign::lot_of_files(a.inputs);
+  auto lot = from_file ? campaign::read_lot_file(inputs.front(), options) : campaign::lot_of_files(records_of(inputs));
+  auto const& first = inputs.front();
+  bool const named_by_folder = from_file || std::filesystem::is_directory(first);
   if (lot.title.empty())
-    lot.title = printable(from_file ? std::filesystem::absolute(a.inputs.front()).parent_path().filename().string()
-                                    : a.inputs.front().stem().string());
+    lot.title = printable(!named_by_folder ? first.stem().string()
+                          : from_file      ? std::filesystem::absolute(first).parent_path().filename().string()
+                                           : folder_name(first));
+  return lot;
+}
+
+campaign::Lot lot_of(CalibrateArguments const& a) {
+  std::uint64_t const seed = a.seed ? campaign::parse_seed(*a.seed) : 0;  // wrong usage is said before files are read
+  auto lot = lot_of_inputs(a.inputs, {.allow_outside = a.allow_outside, .other_out = a.out.has_value()});
   auto& s = lot.settings;
   if (a.laws) s.laws = campaign::parse_laws(*a.laws);
   override_with(a.method, s.method);
@@ -79,9 +151,12 @@ campaign::Lot lot_of(CalibrateArguments const& a) {
   override_with(a.smooth, s.clean.smooth);
   if (a.samples_per_cycle) s.clean.samples_per_cycle = campaign::parse_samples_per_cycle(*a.samples_per_cycle);
   if (a.center) s.clean.center = true;
+  if (a.fit_blocks) s.clean.scored.blocks = data::parse_numbers("--fit-blocks", *a.fit_blocks);
+  if (a.fit_cycles) s.clean.scored.cycles = data::parse_numbers("--fit-cycles", *a.fit_cycles);
   if (a.out) lot.out = a.out;
   if (a.jobs) lot.jobs = a.jobs;
   for (auto& device : lot.devices) apply(a.read, device.read);
+  apply(a.acceptance, lot.acceptance);
   if (s.laws.empty()) s.laws = campaign::parse_laws("all");
   s.validate();
   refuse_endless(lot);
@@ -91,8 +166,9 @@ campaign::Lot lot_of(CalibrateArguments const& a) {
 std::filesystem::path output_directory(CalibrateArguments const& a, campaign::Lot const& lot) {
   if (lot.out) return *lot.out;
   auto const& first = a.inputs.front();
-  auto const name =
-      is_lot_file(first) ? std::filesystem::absolute(first).lexically_normal().parent_path().filename() : first.stem();
+  auto const name = is_lot_file(first) ? std::filesystem::absolute(first).lexically_normal().parent_path().filename()
+                    : std::filesystem::is_directory(first) ? std::filesystem::path(folder_name(first))
+                                                           : first.stem();
   return std::filesystem::path("out") / name;
 }
 

@@ -9,6 +9,16 @@ namespace isolaw::app {
 // The lot file or the lot of the files named, with the options of the command line laid over it.
 campaign::Lot lot_of(CalibrateArguments const& arguments);
 
+// The files named; in place of a directory the records in it by name, directories below it left out. Throws Error for one
+// without records.
+std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path> const& inputs);
+
+// One lot file or the records named; a directory stands for the records in it.
+campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, campaign::LotFileOptions const& options);
+
+// Lays what is given over `acceptance`, whose rule set is then loaded and everything checked. Throws Error.
+void apply(AcceptanceArguments const& arguments, campaign::Acceptance& acceptance);
+
 // Options given on the command line win over those in `options`.
 void apply(ReadArguments const& arguments, data::ReadOptions& options);
 

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <string>
 
+#include "isolaw/app/say.hpp"
+
 namespace isolaw::app {
 namespace {
 
@@ -46,7 +48,7 @@ void ProgressLine::show(campaign::Progress const& progress) {
   double const rate = static_cast<double>(progress.done - done_at_start_) / std::max(elapsed, 1e-3);
   double const left = static_cast<double>(progress.total - progress.done) / rate;
   if (!terminal_) {
-    fmt::print(stderr, "{}/{} runs, {:.1f}/s, {} left\n", progress.done, progress.total, rate, duration(left));
+    say("{}/{} runs, {:.1f}/s, {} left\n", progress.done, progress.total, rate, duration(left));
     return;
   }
   drawn_ = true;
@@ -58,7 +60,7 @@ void ProgressLine::show(campaign::Progress const& progress) {
       fmt::format("[{}] {}/{} runs  {:.1f}/s  {} left ", bar, progress.done, progress.total, rate, duration(left));
   for (auto const& [law, best] : progress.best) line += fmt::format(" {} {:.4f}", law, best);
   line.resize(std::min(line.size(), terminal_width() - 1));
-  fmt::print(stderr, "\r{}\033[K", line);
+  say("\r{}\033[K", line);
   std::fflush(stderr);
 }
 

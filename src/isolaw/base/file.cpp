@@ -88,6 +88,12 @@ std::string read_file(fs::path const& file, ReadLimits const& limits) {
   }
 }
 
+std::optional<std::string> other_than_plain(fs::path const& file) {
+  struct stat status {};
+  if (::stat(file.c_str(), &status) != 0 || S_ISREG(status.st_mode)) return std::nullopt;
+  return std::string(kind(status.st_mode));
+}
+
 std::optional<fs::path> leads_outside(fs::path const& file, fs::path const& folder) {
   std::error_code failure;
   auto const root = fs::weakly_canonical(fs::absolute(folder.empty() ? "." : folder, failure), failure);

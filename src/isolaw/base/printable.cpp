@@ -74,4 +74,15 @@ std::string printable(std::string_view text, bool keep_lines) {
   return clean;
 }
 
+std::string in_quotes(std::string_view text) {
+  constexpr std::size_t readable = 40;
+  auto clean = printable(text);
+  if (clean.size() > readable) {
+    auto end = readable;
+    while (end > 0 && (static_cast<unsigned char>(clean[end]) & 0xC0) == 0x80) --end;
+    clean = clean.substr(0, end) + "...";
+  }
+  return "'" + clean + "'";
+}
+
 }  // namespace isolaw

@@ -17,4 +17,7 @@ bool is_printable(std::string_view text);
 // What is not printable is spelled out: \n, \x1b, \u202e. Printable text comes back as it is; `keep_lines` keeps \n too.
 std::string printable(std::string_view text, bool keep_lines = false);
 
+// 'text' for a message, cut to a readable length, control characters spelled out.
+std::string in_quotes(std::string_view text);
+
 }  // namespace isolaw

@@ -1,15 +1,17 @@
 #include "isolaw/campaign/campaign.hpp"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <exception>
+#include <latch>
 #include <mutex>
+#include <new>
 #include <set>
+#include <system_error>
+#include <thread>
 #include <tuple>
 
 #include "isolaw/base/error.hpp"
@@ -26,31 +28,8 @@ namespace {
 // Several files of one device as one history: time continues after a pause of one sampling interval.
 data::TestRecord read_history(DeviceInput const& input) {
   auto record = data::read_record(input.files.front(), input.read);
-  for (std::size_t i = 1; i < input.files.size(); ++i) {
-    auto const next = data::read_record(input.files[i], input.read);
-    auto const file = input.files[i].filename().string();
-    if (next.has_time() != record.has_time())
-      throw Error({.where = file,
-                   .found = "only some of the device's files have a time channel",
-                   .allowed = "all of them or none",
-                   .advice = "--dt SECONDS"});
-    if (record.has_time()) {
-      double const pause = record.time_s.back() - record.time_s[record.time_s.size() - 2];
-      double const offset = record.time_s.back() + pause - next.time_s.front();
-      for (double const t : next.time_s) record.time_s.push_back(t + offset);
-    }
-    bool const loads = !record.load_kN.empty() && !next.load_kN.empty();
-    if (!loads) record.load_kN.clear();
-    auto const append = [](std::vector<double>& to, std::vector<double> const& from) {
-      to.insert(to.end(), from.begin(), from.end());
-    };
-    append(record.disp_mm, next.disp_mm);
-    append(record.force_kN, next.force_kN);
-    if (loads) append(record.load_kN, next.load_kN);
-    record.recognised.push_back(fmt::format("{} continues the history with {} samples", file, next.size()));
-    for (auto const& line : next.warnings) record.warnings.push_back(file + ": " + line);
-    record.sha256 = sha256(record.sha256 + next.sha256);
-  }
+  for (std::size_t i = 1; i < input.files.size(); ++i)
+    data::continue_with(record, data::read_record(input.files[i], input.read), input.files[i].filename().string());
   return record;
 }
 
@@ -174,22 +153,78 @@ std::vector<Task> missing_runs(Contents const& contents, std::vector<Target> con
   return tasks;
 }
 
-// For a thread sanitizer, which cannot see into TBB: a turn at one mutex before a task, after it, and on both sides of
-// all of them orders what the threads share for it too. Static, so that even the way to it is not shared.
-void take_turn() {
-#if defined(__SANITIZE_THREAD__)
-  static constinit std::mutex handover;
-  std::scoped_lock const turn(handover);
-#endif
+// Calls work(i) for every i below `count`, from up to `threads` threads, this one among them. Where the system refuses
+// a thread, half of those it gave do the work, since what the others took is needed for the work itself; one that runs
+// out of memory leaves, and its turn is taken when the others have ended. Returns how many worked to the end. Any other
+// exception, or too little memory for a single thread, ends all of it and is thrown here.
+std::size_t for_each_in_parallel(std::size_t count, std::size_t threads, std::function<void(std::size_t)> const& work) {
+  threads = std::clamp<std::size_t>(threads, 1, std::max<std::size_t>(count, 1));
+  std::atomic<std::size_t> next = 0;
+  std::mutex one_at_a_time;
+  std::exception_ptr failure;
+  std::vector<std::size_t> left;
+  left.reserve(threads);
+  auto const work_along = [&] {
+    for (auto i = next++; i < count; i = next++) {
+      try {
+        work(i);
+      } catch (std::bad_alloc const&) {
+        std::scoped_lock const lock(one_at_a_time);
+        left.push_back(i);
+        return;
+      } catch (...) {
+        next = count;
+        std::scoped_lock const lock(one_at_a_time);
+        if (!failure) failure = std::current_exception();
+      }
+    }
+  };
+  std::size_t helpers = 0;
+  {
+    std::latch counted(1);
+    std::vector<std::jthread> crew;
+    crew.reserve(threads - 1);
+    try {
+      for (std::size_t id = 0; id + 1 < threads; ++id)
+        crew.emplace_back([&, id] {
+          counted.wait();
+          if (id < helpers) work_along();
+        });
+      helpers = crew.size();
+    } catch (std::system_error const&) {
+      helpers = crew.size() / 2;
+    } catch (std::bad_alloc const&) {
+      helpers = crew.size() / 2;
+    }
+    counted.count_down();
+    while (crew.size() > helpers) crew.pop_back();
+    work_along();
+  }
+  if (failure) std::rethrow_exception(failure);
+  for (auto const i : left) work(i);
+  for (auto i = next++; i < count; i = next++) work(i);
+  return helpers + 1 - std::min(helpers, left.size());
 }
 
 }  // namespace
 
-Contents prepare(Lot const& lot) {
-  Contents contents{.title = lot.title, .settings = lot.settings, .devices = {}, .searches = {}, .runs = {}};
-  if (contents.settings.laws.empty()) contents.settings.laws = parse_laws("all");
+Contents prepare_devices(Lot const& lot) {
+  Contents contents{.title = lot.title,
+                    .acceptance = lot.acceptance,
+                    .settings = lot.settings,
+                    .devices = {},
+                    .searches = {},
+                    .runs = {}};
+  contents.settings.laws.clear();
   contents.settings.validate();
   for (auto const& input : lot.devices) contents.devices.push_back(prepare_device(input, contents.settings.clean));
+  return contents;
+}
+
+Contents prepare(Lot const& lot) {
+  auto contents = prepare_devices(lot);
+  contents.settings.laws = lot.settings.laws.empty() ? parse_laws("all") : lot.settings.laws;
+  contents.settings.validate();
   if (std::ranges::none_of(contents.devices, &Device::usable)) {
     std::vector<Complaint> complaints{
         {.where = "lot", .found = fmt::format("none of {} device(s) is usable", lot.devices.size())}};
@@ -226,6 +261,7 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
     entry->second = std::min(entry->second, run.objective);
   };
   for (auto const& run : contents.runs) note(run);
+  contents.runs.reserve(progress.total);
 
   std::atomic<bool> stop = false;
   auto const asked_to_stop = [&] {
@@ -244,28 +280,18 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
     if (result.outcome == opt::GeneticOutcome::interrupted) return;
     auto run = finished(target, task.number, result);
     std::scoped_lock const lock(one_writer);
-    store.add(run);
     note(run);
+    store.add(run);  // after it nothing may fail: a run that ran out of memory is tried again
     ++progress.done;
     contents.runs.push_back(std::move(run));
     if (options.progress) options.progress(progress);
   };
 
-  int const jobs = options.jobs > 0 ? options.jobs : tbb::this_task_arena::max_concurrency();
-  tbb::global_control const threads(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(jobs));
-  tbb::task_arena arena(jobs);
-  take_turn();
-  arena.execute([&] {
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, tasks.size(), 1),
-        [&](auto const& range) {
-          take_turn();
-          for (std::size_t i = range.begin(); i < range.end(); ++i) perform(tasks[i]);
-          take_turn();
-        },
-        tbb::simple_partitioner());
-  });
-  take_turn();
+  std::size_t const jobs =
+      options.jobs > 0 ? static_cast<std::size_t>(options.jobs) : std::max(1U, std::thread::hardware_concurrency());
+  auto const worked = for_each_in_parallel(tasks.size(), jobs, [&](std::size_t i) { perform(tasks[i]); });
+  if (worked < std::min(jobs, tasks.size()) && options.short_of_threads)
+    options.short_of_threads(static_cast<int>(worked));
   std::ranges::sort(contents.runs, {}, [](Run const& r) { return std::tie(r.device, r.law, r.number); });
   bool const complete = contents.complete();  // also when the wish to stop came during the last run
   store.finish();                             // also when interrupted: whoever reads it next finds one plain file

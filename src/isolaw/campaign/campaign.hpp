@@ -16,15 +16,19 @@ namespace isolaw::campaign {
 // only when none is usable.
 Contents prepare(Lot const& lot);
 
+// Only that: devices as they are read and cleaned, no boxes, none of the laws. Never throws for a device.
+Contents prepare_devices(Lot const& lot);
+
 struct Progress {
   std::size_t done = 0, total = 0;
   std::map<std::string, double> best;  // best objective so far per law
 };
 
 struct RunOptions {
-  int jobs = 0;                                   // threads; 0: one per core
-  std::function<void(Progress const&)> progress;  // called from one thread at a time
-  std::function<bool()> interrupted;              // asked between generations, from any thread
+  int jobs = 0;                                    // threads; 0: one per core
+  std::function<void(Progress const&)> progress;   // called from one thread at a time; must not throw
+  std::function<bool()> interrupted;               // asked between generations, from any thread
+  std::function<void(int)> short_of_threads = {};  // told at the end how many there were where the system gave fewer
 };
 
 // Runs what `store` does not hold yet and adds it. The result of a run depends on (seed, device name, law, number) and

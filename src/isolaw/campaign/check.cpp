@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <utility>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/campaign/store.hpp"
@@ -32,7 +34,8 @@ void check_record(Device const& device, Settings const& settings, std::vector<st
     auto const again = data::clean(device.raw, settings.clean);
     auto const& stored = device.record;
     if (!close(again.time_s, stored.time_s) || !close(again.disp_mm, stored.disp_mm) ||
-        !close(again.vel_mm_s, stored.vel_mm_s) || !close(again.force_kN, stored.force_kN))
+        !close(again.vel_mm_s, stored.vel_mm_s) || !close(again.force_kN, stored.force_kN) ||
+        again.scored != stored.scored)
       faults.push_back(fmt::format("{}: the record the laws saw is not the one its raw record gives", device.name));
   } catch (Error const& error) {
     faults.push_back(fmt::format("{}: its raw record cannot be cleaned again: {}", device.name, error.what()));
@@ -56,8 +59,7 @@ class RunChecker {
   RunChecker(Contents const& contents, Check& result) : contents_(contents), result_(result) {}
 
   void operator()(Search const& search, Run const& run) {
-    if (run.evaluations < 1 || run.failed_evaluations < 0 || run.failed_evaluations > run.evaluations)
-      complain(run, "its count of evaluations is impossible");
+    check_course(search, run);
     if (!std::ranges::is_sorted(run.history, std::ranges::greater())) complain(run, "its history rises");
     if (!run.usable()) return;
     if (run.history.empty() || !close(run.history.back(), run.objective)) complain(run, "its history ends elsewhere");
@@ -68,6 +70,31 @@ class RunChecker {
                                  : close(run.parameters[i], p.value);
       if (!inside) complain(run, fmt::format("{} = {} lies outside its box", p.name, run.parameters[i]));
     }
+    check_objective(search, run);
+  }
+
+ private:
+  // How the search went: what the settings and the history leave no choice in.
+  void check_course(Search const& search, Run const& run) {
+    auto const& genetic = contents_.settings.genetic;
+    auto const generations = run.history.size();
+    bool const searched = search.box.free_count() > 0;
+    auto const evaluations = searched ? static_cast<std::size_t>(genetic.population) * generations : std::size_t{1};
+    if (!std::cmp_equal(run.evaluations, evaluations) || run.failed_evaluations < 0 ||
+        run.failed_evaluations > run.evaluations || (run.usable() && run.failed_evaluations == run.evaluations) ||
+        (!run.usable() && run.failed_evaluations != run.evaluations))
+      complain(run, "its count of evaluations is impossible");
+    bool const ended = searched ? opt::outcome_of(run.history, genetic) == as_searched(run.outcome)
+                                : generations == 1 && run.outcome != Outcome::stagnated;
+    if (!ended || run.usable() != (run.outcome != Outcome::no_finite_value))
+      complain(run, "its history does not end as the settings and its outcome say");
+  }
+  static opt::GeneticOutcome as_searched(Outcome outcome) {
+    return outcome == Outcome::stagnated         ? opt::GeneticOutcome::stagnated
+           : outcome == Outcome::no_finite_value ? opt::GeneticOutcome::no_finite_value
+                                                 : opt::GeneticOutcome::all_generations;
+  }
+  void check_objective(Search const& search, Run const& run) {
     double const again = model(search).objective(run.parameters, work_);
     // An objective near zero, of a record a law made itself, is rounding.
     constexpr double smallest = 1e-3;
@@ -76,9 +103,15 @@ class RunChecker {
     result_.largest_difference = std::max(result_.largest_difference, difference);
     if (!(difference <= fit::evaluation_tolerance))
       complain(run, fmt::format("its parameters give the objective {}, stored is {}", again, run.objective));
+    // The difference of two objectives, each as exact as an objective is.
+    double const shift = model(search).integration_shift(run.parameters);
+    bool const same = shift == run.integration_shift ||
+                      std::abs(shift - run.integration_shift) <=
+                          2.0 * fit::evaluation_tolerance * std::max({run.objective, shift, smallest});
+    if (!same)
+      complain(run,
+               fmt::format("its parameters give the integration shift {}, stored is {}", shift, run.integration_shift));
   }
-
- private:
   // Runs come sorted, so that one model at a time is enough.
   fit::LawOnRecord const& model(Search const& search) {
     if (!model_ || of_ != &search)
@@ -105,6 +138,7 @@ Check check(std::filesystem::path const& file) {
   Check result;
   auto const contents = Store::read(file);
   result.faults = Store::integrity(file);
+  std::ranges::move(Store::foreign_rows(file, contents), std::back_inserter(result.faults));
   result.devices = contents.devices.size();
   result.searches = contents.searches.size();
   result.runs = contents.runs.size();

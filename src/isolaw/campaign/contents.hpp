@@ -57,8 +57,19 @@ struct Run {
   bool usable() const { return !parameters.empty(); }
 };
 
+// What the tests are held to. No law depends on it, so it may change before a campaign is continued or reported.
+struct Acceptance {
+  std::string rules;            // text of a rule set; empty: none
+  std::string rules_file;       // its name
+  std::string design;           // "K_eff=1.2,damping=15"; empty: no design values
+  std::optional<int> lot_size;  // devices of the production lot, tested or not
+
+  bool operator==(Acceptance const&) const = default;
+};
+
 struct Contents {
   std::string title;
+  Acceptance acceptance;
   Settings settings;
   std::vector<Device> devices;
   std::vector<Search> searches;  // by device, then in the order of the settings' laws

@@ -5,6 +5,7 @@
 #include <toml++/toml.h>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <set>
@@ -14,154 +15,24 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/file.hpp"
 #include "isolaw/base/printable.hpp"
-#include "isolaw/data/text.hpp"
+#include "isolaw/base/toml_reader.hpp"
 
 namespace isolaw::campaign {
 namespace {
 
-using data::in_quotes;
-
 constexpr std::size_t longest_path = 4096;
-constexpr std::size_t most_complaints = 50;
-constexpr std::size_t most_items = 1000;  // files of a device, laws
 constexpr int most_jobs = 4096;
 
-// How deep a statement nests, tables by their dots included: toml++ takes tables apart by recursion, and a name of a
-// hundred thousand parts ends its stack. Quoted text and comments do not count; what is no TOML is left to the parser.
-class NestingCheck {
+// The lot file's own kind of value beside those of every TOML file of others.
+class TableReader : public TomlTable {
  public:
-  explicit NestingCheck(std::string_view text) : text_(text) {}
+  using TomlTable::TomlTable;
 
-  // The first line that nests deeper than any lot file does; 0 when there is none.
-  std::size_t deep_line() {
-    constexpr int deepest = 64;
-    int depth = 0;
-    std::vector<int> dots{0};  // of the name being read, in every table and list that is open
-    auto const end_name = [&] {
-      depth -= dots.back();
-      dots.back() = 0;
-    };
-    for (; at_ < text_.size(); ++at_) {
-      char const c = text_[at_];
-      if (c == '"' || c == '\'') {
-        skip_quoted(c);
-      } else if (c == '#') {
-        at_ = std::min(text_.find('\n', at_), text_.size()) - 1;
-      } else if (c == ',' || c == '\n') {
-        end_name();
-        line_ += c == '\n' ? 1 : 0;
-      } else if (c == '.') {
-        ++dots.back();
-        ++depth;
-      } else if (c == '[' || c == '{') {
-        dots.push_back(0);
-        ++depth;
-      } else if ((c == ']' || c == '}') && dots.size() > 1) {
-        end_name();
-        dots.pop_back();
-        --depth;
-      }
-      if (depth > deepest) return line_;
-    }
-    return 0;
-  }
-
- private:
-  // Leaves at_ on the last character of the quoted text.
-  void skip_quoted(char quote) {
-    auto const run = [&](std::size_t at) {
-      std::size_t length = 0;
-      while (at + length < text_.size() && text_[at + length] == quote && length < 5) ++length;
-      return length;
-    };
-    auto const opening = run(at_);
-    if (opening == 2) {  // empty
-      ++at_;
-      return;
-    }
-    std::size_t const marks = opening >= 3 ? 3 : 1;
-    for (at_ += marks; at_ < text_.size(); ++at_) {
-      char const c = text_[at_];
-      if (c == '\n') {
-        if (marks == 1) {  // not closed, which the parser complains about
-          --at_;
-          return;
-        }
-        ++line_;
-      } else if (c == '\\' && quote == '"') {
-        ++at_;
-        if (at_ < text_.size() && text_[at_] == '\n') ++line_;
-      } else if (c == quote && (marks == 1 || run(at_) >= 3)) {
-        at_ += marks == 1 ? 0 : run(at_) - 1;  // up to two more quotes belong to the text
-        return;
-      }
-    }
-  }
-
-  std::string_view text_;
-  std::size_t at_ = 0;
-  std::size_t line_ = 1;
-};
-
-// Reads keys of one table, collects what is wrong with them, and remembers which keys are known.
-class TableReader {
- public:
-  TableReader(toml::table const& table, std::string file, std::string name, std::vector<Complaint>& complaints)
-      : table_(table), file_(std::move(file)), name_(std::move(name)), complaints_(complaints) {}
-
-  std::string where(toml::node const& node) const { return fmt::format("{}:{}", file_, node.source().begin.line); }
-
-  // A key that is read elsewhere.
-  void know(std::string_view key) { known_.emplace(key); }
-
-  // Calls take(value) when the key is there and of type T.
-  template <class T, class Take>
-  void value(std::string_view key, std::string_view expected, Take&& take, std::size_t longest = longest_name) {
-    known_.emplace(key);
-    auto const* node = table_.get(key);
-    if (node == nullptr) return;
-    auto const found = node->value<T>();
-    if (!found || !is_kind<T>(*node)) {
-      complain(*node, fmt::format("'{}' is not {}", key, expected), std::string(expected));
-      return;
-    }
-    if constexpr (std::is_same_v<T, std::string>)
-      if (!accept_text(*node, key, *found, longest)) return;
-    guarded(*node, key, [&] { take(*found); });
-  }
-  template <class T>
-  void set(std::string_view key, std::string_view expected, T& target) {
-    value<T>(key, expected, [&](T const& v) { target = v; });
-  }
-  void set(std::string_view key, std::optional<double>& target) {
-    value<double>(key, "a number", [&](double v) { target = v; });
-  }
-  void strings(std::string_view key, std::function<void(std::string const&)> const& take,
-               std::size_t longest = longest_name) {
-    known_.emplace(key);
-    auto const* node = table_.get(key);
-    if (node == nullptr) return;
-    if (auto const one = node->value<std::string>(); one && node->is_string()) {
-      if (accept_text(*node, key, *one, longest)) guarded(*node, key, [&] { take(*one); });
-      return;
-    }
-    auto const* array = node->as_array();
-    if (array == nullptr || !array->is_homogeneous(toml::node_type::string))
-      return complain(*node, fmt::format("'{}' is not text or a list of texts", key), "\"...\" or [\"...\", \"...\"]");
-    if (array->size() > most_items)
-      return complain(*node, fmt::format("'{}' lists {} texts", key, array->size()),
-                      fmt::format("{} or fewer", most_items));
-    for (auto const& item : *array) {
-      auto const text = *item.value<std::string>();
-      if (accept_text(item, key, text, longest)) guarded(item, key, [&] { take(text); });
-    }
-  }
   // A sub-table of text by channel, or the command line's text "time=...,disp=...".
   void channels(std::string_view key,
                 std::function<std::map<data::Channel, std::string>(std::string_view)> const& parse,
                 std::map<data::Channel, std::string>& target) {
-    known_.emplace(key);
-    auto const* node = table_.get(key);
+    auto const* node = find(key);
     if (node == nullptr) return;
     if (node->is_string()) {
       if (!accept_text(*node, key, *node->value<std::string>(), longest_name)) return;
@@ -193,75 +64,6 @@ class TableReader {
       });
     }
   }
-  toml::table const* table(std::string_view key) {
-    known_.emplace(key);
-    auto const* node = table_.get(key);
-    if (node == nullptr) return nullptr;
-    if (!node->is_table()) complain(*node, fmt::format("'{}' is not a table", key), fmt::format("[{}]", key));
-    return node->as_table();
-  }
-  // Every key that nobody asked for is a mistake.
-  void refuse_unknown() {
-    for (auto const& [key, node] : table_) {
-      if (known_.contains(std::string(key.str()))) continue;
-      if (complaints_.size() > most_complaints) return;
-      std::string allowed;
-      for (auto const& k : known_) allowed += (allowed.empty() ? "" : ", ") + k;
-      complain(node, fmt::format("unknown key {}{}", in_quotes(key.str()), name_.empty() ? "" : " in " + name_),
-               allowed);
-    }
-  }
-  void complain(toml::node const& node, std::string found, std::string allowed, std::string advice = {}) {
-    if (complaints_.size() > most_complaints) return;  // one more than is shown, so that the rest is mentioned
-    complaints_.push_back(
-        {.where = where(node), .found = std::move(found), .allowed = std::move(allowed), .advice = std::move(advice)});
-  }
-
- private:
-  // Names go to terminals, tables and pages.
-  bool accept_text(toml::node const& node, std::string_view key, std::string const& text, std::size_t longest) {
-    bool const fits = text.size() <= longest;
-    if (fits && is_printable(text)) return true;
-    complain(node,
-             fits ? fmt::format("{}: {} holds control characters", key, in_quotes(text))
-                  : fmt::format("{}: {} is {} bytes long", key, in_quotes(text), text.size()),
-             fits ? "printable text, of one line" : fmt::format("{} or fewer", longest));
-    return false;
-  }
-
-  // No conversions: true is no number, and 1 is not true.
-  template <class T>
-  static bool is_kind(toml::node const& node) {
-    if constexpr (std::is_same_v<T, bool>)
-      return node.is_boolean();
-    else if constexpr (std::is_integral_v<T>)
-      return node.is_integer();
-    else if constexpr (std::is_floating_point_v<T>)
-      return node.is_number();
-    else
-      return node.is_string();
-  }
-
-  template <class Action>
-  void guarded(toml::node const& node, std::string_view key, Action&& action) {
-    try {
-      action();
-    } catch (Error const& error) {
-      for (auto complaint : error.complaints()) {
-        if (complaints_.size() > most_complaints) return;
-        bool const names_option = complaint.where.empty() || complaint.where.starts_with("--");
-        complaint.found = names_option ? fmt::format("{}: {}", key, complaint.found)
-                                       : fmt::format("{}: {}: {}", key, complaint.where, complaint.found);
-        complaint.where = where(node);
-        complaints_.push_back(std::move(complaint));
-      }
-    }
-  }
-
-  toml::table const& table_;
-  std::string file_, name_;
-  std::vector<Complaint>& complaints_;
-  std::set<std::string> known_;
 };
 
 void read_settings(TableReader& table, Settings& s) {
@@ -273,15 +75,28 @@ void read_settings(TableReader& table, Settings& s) {
   table.value<std::string>("integration", "text", [&](auto const& v) { s.integration = parse_integration(v); });
   table.value<std::string>("turning-points", "text",
                            [&](auto const& v) { s.turning_points = parse_turning_points(v); });
-  table.set<int>("runs", "a whole number", s.runs);
-  table.set<int>("population", "a whole number", s.genetic.population);
-  table.set<int>("generations", "a whole number", s.genetic.generations);
+  table.set<int>("runs", "a whole number from 1 to 100000", s.runs);
+  table.set<int>("population", "an even number from 4 to 100000", s.genetic.population);
+  table.set<int>("generations", "a whole number from 1 to 20000", s.genetic.generations);
   table.set<double>("stagnation-tolerance", "a number", s.genetic.stagnation_tolerance);
   table.value<std::int64_t>("seed", "a whole number", [&](std::int64_t v) { s.seed = parse_seed(std::to_string(v)); });
   table.value<std::string>("box", "text", [&](auto const& v) { s.box = parse_box(v); });
-  table.strings("set", [&](std::string const& text) { s.overrides.push_back(fit::parse_override(text)); });
-  table.set<int>("smooth", "a whole number", s.clean.smooth);
+  table.strings("set", [&](std::string const& text) {
+    auto const change = fit::parse_override(text);
+    for (auto const& other : s.overrides)
+      if (other.law == change.law && other.parameter == change.parameter)
+        throw Error({.where = {},
+                     .found = fmt::format("{}.{} is set twice: {} and {}", change.law, change.parameter, other.text(),
+                                          change.text()),
+                     .allowed = "each parameter once"});
+    s.overrides.push_back(change);
+  });
+  table.set<int>("smooth", "an odd number of samples, 1 for none, below 2147483648", s.clean.smooth);
   table.set<bool>("center", "true or false", s.clean.center);
+  table.value<std::string>("fit-blocks", "text",
+                           [&](auto const& v) { s.clean.scored.blocks = data::parse_numbers("--fit-blocks", v); });
+  table.value<std::string>("fit-cycles", "text",
+                           [&](auto const& v) { s.clean.scored.cycles = data::parse_numbers("--fit-cycles", v); });
 }
 
 // samples-per-cycle is a number or the word "all".
@@ -291,14 +106,77 @@ void read_thinning(TableReader& table, toml::table const& source, data::CleanOpt
     table.value<std::string>("samples-per-cycle", "a whole number or \"all\"",
                              [&](auto const& v) { clean.samples_per_cycle = parse_samples_per_cycle(v); });
   else
-    table.value<int>("samples-per-cycle", "a whole number or \"all\"", [&](int v) { clean.samples_per_cycle = v; });
+    table.value<int>("samples-per-cycle", "a whole number from 20 to 2147483647, or \"all\"",
+                     [&](int v) { clean.samples_per_cycle = v; });
 }
 
-void read_reading(TableReader& table, data::ReadOptions& options) {
+// A name, or a number without quotes.
+void read_choice(TableReader& table, toml::table const& source, std::string_view key, std::string_view expected,
+                 std::function<void(std::string const&)> const& take) {
+  auto const* node = source.get(key);
+  if (node != nullptr && node->is_integer())
+    table.value<std::int64_t>(key, expected, [&](std::int64_t v) { take(std::to_string(v)); });
+  else
+    table.value<std::string>(key, expected, take);
+}
+
+void read_reading(TableReader& table, toml::table const& source, data::ReadOptions& options) {
   table.channels("columns", data::parse_columns, options.columns);
   table.channels("units", data::parse_units, options.units);
   table.set("dt", options.dt_s);
   table.set<bool>("flip-force", "true or false", options.flip_force);
+  auto& corrections = options.corrections;
+  std::optional<double> skew_ms;
+  table.set("skew-ms", skew_ms);
+  if (skew_ms) corrections.skew_s = *skew_ms / 1000.0;
+  table.set("rig-friction", corrections.friction_kN);
+  table.set("rig-friction-coefficient", corrections.friction_coefficient);
+  table.set("moving-mass", corrections.moving_mass_kg);
+  table.set("force-factor", corrections.force_factor);
+  try {
+    corrections.validate();
+  } catch (Error const& error) {
+    for (auto const& complaint : error.complaints())
+      table.complain(fmt::format("{}: {}", complaint.where.substr(2), complaint.found), complaint.allowed);
+  }
+  read_choice(table, source, "sheet", "a name or a whole number", [&](auto const& v) { options.sheet = v; });
+  read_choice(table, source, "test", "a whole number or \"all\"",
+              [&](auto const& v) { options.test = data::parse_test(v); });
+}
+
+// What the tests are held to: a built-in rule set by its name or a file beside the lot file, design values, lot size.
+void read_acceptance(TableReader& table, toml::table const& source, std::filesystem::path const& directory,
+                     LotFileOptions const& options, Acceptance& acceptance) {
+  table.value<std::string>(
+      "rules", "text",
+      [&](std::string const& name) {
+        std::error_code unknown;
+        bool const is_file = std::filesystem::exists(directory / name, unknown);
+        acceptance.rules_file = is_file ? (directory / name).string() : name;
+        if (!is_file || options.allow_outside) return;
+        if (auto const outside = leads_outside(directory / name, directory))
+          throw Error({.where = {},
+                       .found = fmt::format("{} leads outside, to {}", in_quotes(name), outside->generic_string()),
+                       .allowed = "a built-in rule set, or a file in the folder of the lot file or below it",
+                       .advice = "copying the file there, or --allow-outside on the command line"});
+      },
+      longest_path);
+  table.value<std::int64_t>("lot-size", "a whole number",
+                            [&](std::int64_t v) { acceptance.lot_size = parse_lot_size(std::to_string(v)); });
+  auto const* design = source.get("design");
+  if (design == nullptr || !design->is_table()) {
+    table.set<std::string>("design", "a table of numbers, or text", acceptance.design);
+    return;
+  }
+  table.know("design");
+  for (auto const& [key, node] : *design->as_table()) {
+    auto const value = node.is_number() ? node.value<double>() : std::nullopt;
+    if (!value) {
+      table.complain(node, fmt::format("design.{} is no number", printable(key.str())), "K_eff = 1.2, damping = 15.0");
+      continue;
+    }
+    acceptance.design += fmt::format("{}{}={}", acceptance.design.empty() ? "" : ",", printable(key.str()), *value);
+  }
 }
 
 DeviceInput read_device(TableReader& table, toml::table const& source, std::filesystem::path const& directory,
@@ -307,14 +185,19 @@ DeviceInput read_device(TableReader& table, toml::table const& source, std::file
   device.read = defaults;
   device.directory = directory;
   auto const take_file = [&](std::string const& name) {
-    if (auto const outside = options.allow_outside ? std::nullopt : leads_outside(directory / name, directory))
-      table.complain(source, fmt::format("file {} leads outside, to {}", in_quotes(name), outside->generic_string()),
-                     "files in the folder of the lot file or below it",
-                     "copying the record there, or --allow-outside on the command line");
     device.files.push_back(directory / name);
     device.shown_file += (device.shown_file.empty() ? "" : ", ") + name;
+    if (auto const outside = options.allow_outside ? std::nullopt : leads_outside(directory / name, directory))
+      throw Error({.where = {},
+                   .found = fmt::format("{} leads outside, to {}", in_quotes(name), outside->generic_string()),
+                   .allowed = "files in the folder of the lot file or below it",
+                   .advice = "copying the record there, or --allow-outside on the command line"});
   };
-  table.set<std::string>("name", "text", device.name);
+  table.value<std::string>("name", "text", [&](std::string const& name) {
+    if (name.find_first_not_of(' ') == std::string::npos)
+      throw Error({.where = {}, .found = "empty", .allowed = "a name, or no such line: then the file's"});
+    device.name = name;
+  });
   table.strings("file", take_file, longest_path);
   table.strings("files", take_file, longest_path);
   table.set<std::string>("serial", "text", device.info.serial);
@@ -327,10 +210,18 @@ DeviceInput read_device(TableReader& table, toml::table const& source, std::file
   } else {
     table.set<std::string>("test-date", "a date or text", device.info.test_date);
   }
-  table.set("temperature-C", device.info.temperature_C);
-  table.set("rubber-thickness-mm", device.info.rubber_thickness_mm);
-  table.set("rubber-area-mm2", device.info.rubber_area_mm2);
-  read_reading(table, device.read);
+  auto const above = [&](std::string_view key, double limit, std::string_view allowed, std::optional<double>& target) {
+    table.value<double>(key, "a number", [&](double v) {
+      if (!std::isfinite(v) || v <= limit)
+        throw Error({.where = {}, .found = fmt::format("{}", v), .allowed = std::string(allowed)});
+      target = v;
+    });
+  };
+  constexpr double absolute_zero_C = -273.15;
+  above("temperature-C", absolute_zero_C, "degrees Celsius, above -273.15", device.info.temperature_C);
+  above("rubber-thickness-mm", 0.0, "total thickness of the rubber in mm, above 0", device.info.rubber_thickness_mm);
+  above("rubber-area-mm2", 0.0, "area of the rubber in mm2, above 0", device.info.rubber_area_mm2);
+  read_reading(table, source, device.read);
   table.refuse_unknown();
   if (device.files.empty()) table.complain(source, "a device without a file", "file = \"...\" or files = [...]");
   if (device.name.empty() && !device.files.empty()) device.name = device.files.front().stem().string();
@@ -384,6 +275,38 @@ toml::table channel_table(std::map<data::Channel, std::string> const& channels) 
   return table;
 }
 
+// What all devices are read by; empty where they differ in anything, since a device could not take a key back.
+data::ReadOptions shared_reading(Lot const& lot) {
+  auto const same = [&](DeviceInput const& device) { return device.read == lot.devices.front().read; };
+  return !lot.devices.empty() && std::ranges::all_of(lot.devices, same) ? lot.devices.front().read
+                                                                        : data::ReadOptions{};
+}
+
+// The keys in which `read` differs from what [read] says already.
+void insert_reading(toml::table& table, data::ReadOptions const& read, data::ReadOptions const& said) {
+  auto const number = [&](char const* key, std::optional<double> value, std::optional<double> there,
+                          double unit = 1.0) {
+    if (value && value != there) table.insert(key, *value / unit);
+  };
+  number("dt", read.dt_s, said.dt_s);
+  if (read.flip_force && !said.flip_force) table.insert("flip-force", true);
+  if (read.sheet && read.sheet != said.sheet) table.insert("sheet", *read.sheet);
+  if (read.test && read.test != said.test) {
+    if (*read.test == "all")
+      table.insert("test", "all");
+    else
+      table.insert("test", static_cast<std::int64_t>(std::stol(*read.test)));
+  }
+  auto const &made = read.corrections, &before = said.corrections;
+  number("skew-ms", made.skew_s, before.skew_s, 1e-3);
+  number("rig-friction", made.friction_kN, before.friction_kN);
+  number("rig-friction-coefficient", made.friction_coefficient, before.friction_coefficient);
+  number("moving-mass", made.moving_mass_kg, before.moving_mass_kg);
+  number("force-factor", made.force_factor, before.force_factor);
+  if (read.columns != said.columns) table.insert("columns", channel_table(read.columns));
+  if (read.units != said.units) table.insert("units", channel_table(read.units));
+}
+
 }  // namespace
 
 Lot read_lot_file(std::filesystem::path const& path, LotFileOptions const& options) {
@@ -396,20 +319,7 @@ Lot read_lot_file(std::filesystem::path const& path, LotFileOptions const& optio
 
 Lot read_lot_text(std::string_view text, std::filesystem::path const& path, LotFileOptions const& options) {
   auto const file = path.string();
-  if (auto const line = NestingCheck(text).deep_line())
-    throw Error({.where = fmt::format("{}:{}", file, line),
-                 .found = "tables or lists nested deeper than any lot file needs",
-                 .allowed = "a lot file in TOML",
-                 .advice = "isolaw init FILES... writes one"});
-  toml::table root;
-  try {
-    root = toml::parse(text, file);
-  } catch (toml::parse_error const& error) {
-    throw Error({.where = fmt::format("{}:{}", file, error.source().begin.line),
-                 .found = std::string(error.description()),
-                 .allowed = "a lot file in TOML",
-                 .advice = "isolaw init FILES... writes one"});
-  }
+  auto const root = parse_toml(text, file, {.kind = "lot file", .advice = "isolaw init FILES... writes one"});
   std::vector<Complaint> complaints;
   Lot lot;
   data::ReadOptions defaults;
@@ -419,10 +329,10 @@ Lot read_lot_text(std::string_view text, std::filesystem::path const& path, LotF
     TableReader reader(*table, file, "[calibrate]", complaints);
     read_settings(reader, lot.settings);
     read_thinning(reader, *table, lot.settings.clean);
-    read_reading(reader, defaults);
+    read_reading(reader, *table, defaults);
     reader.value<std::string>(
         "out", "text", [&](auto const& v) { take_out(lot, v, options); }, longest_path);
-    reader.value<int>("jobs", "a whole number", [&](int v) {
+    reader.value<int>("jobs", fmt::format("a whole number from 0 to {}", most_jobs), [&](int v) {
       if (v < 0 || v > most_jobs)
         throw Error({.where = "--jobs", .found = fmt::format("'{}'", v), .allowed = fmt::format("0 to {}", most_jobs)});
       lot.jobs = v;
@@ -430,11 +340,17 @@ Lot read_lot_text(std::string_view text, std::filesystem::path const& path, LotF
     reader.refuse_unknown();
     refuse_settings(reader, *table, lot.settings, complaints);
   }
-  if (auto const* table = top.table("read")) {
-    TableReader reader(*table, file, "[read]", complaints);
-    read_reading(reader, defaults);
+  if (auto const* table = top.table("acceptance")) {
+    TableReader reader(*table, file, "[acceptance]", complaints);
+    read_acceptance(reader, *table, path.parent_path(), options, lot.acceptance);
     reader.refuse_unknown();
   }
+  if (auto const* table = top.table("read")) {
+    TableReader reader(*table, file, "[read]", complaints);
+    read_reading(reader, *table, defaults);
+    reader.refuse_unknown();
+  }
+  lot.read = defaults;
   auto const* devices = root.get("device");
   if (devices == nullptr || !devices->is_array_of_tables()) {
     complaints.push_back({.where = file,
@@ -460,11 +376,7 @@ Lot read_lot_text(std::string_view text, std::filesystem::path const& path, LotF
   }
   top.know("device");
   top.refuse_unknown();
-  if (complaints.size() > most_complaints) {
-    complaints.resize(most_complaints);
-    complaints.push_back({.where = file, .found = "and more of the kind"});
-  }
-  if (!complaints.empty()) throw Error(complaints);
+  throw_complaints(std::move(complaints), file);
   return lot;
 }
 
@@ -500,13 +412,16 @@ std::string lot_file_text(Lot const& lot, std::filesystem::path const& directory
                         {"stagnation-tolerance", s.genetic.stagnation_tolerance},
                         {"seed", static_cast<std::int64_t>(s.seed)},
                         {"smooth", s.clean.smooth},
-                        {"center", s.clean.center}};
+                        {"center", s.clean.center},
+                        {"fit-blocks", s.clean.scored.blocks.text()},
+                        {"fit-cycles", s.clean.scored.cycles.text()}};
   if (!laws.empty()) calibrate.insert("laws", std::move(laws));
   if (!sets.empty()) calibrate.insert("set", std::move(sets));
   if (s.clean.samples_per_cycle)
     calibrate.insert("samples-per-cycle", *s.clean.samples_per_cycle);
   else
     calibrate.insert("samples-per-cycle", "all");
+  auto const shared = shared_reading(lot);
   toml::array devices;
   for (auto const& input : lot.devices) {
     toml::table device{{"name", input.name}};
@@ -529,13 +444,14 @@ std::string lot_file_text(Lot const& lot, std::filesystem::path const& directory
     number("temperature-C", input.info.temperature_C);
     number("rubber-thickness-mm", input.info.rubber_thickness_mm);
     number("rubber-area-mm2", input.info.rubber_area_mm2);
-    number("dt", input.read.dt_s);
-    if (input.read.flip_force) device.insert("flip-force", true);
-    if (!input.read.columns.empty()) device.insert("columns", channel_table(input.read.columns));
-    if (!input.read.units.empty()) device.insert("units", channel_table(input.read.units));
+    insert_reading(device, input.read, shared);
     devices.push_back(std::move(device));
   }
-  toml::table root{{"title", lot.title}, {"calibrate", std::move(calibrate)}, {"device", std::move(devices)}};
+  toml::table read;
+  insert_reading(read, shared, {});
+  toml::table root{{"title", lot.title}, {"calibrate", std::move(calibrate)}};
+  if (!read.empty()) root.insert("read", std::move(read));
+  root.insert("device", std::move(devices));
   std::ostringstream out;
   out << root << '\n';
   return out.str();

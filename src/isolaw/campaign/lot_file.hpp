@@ -23,7 +23,9 @@ struct DeviceInput {
 
 struct Lot {
   std::string title;
+  Acceptance acceptance;
   Settings settings;
+  data::ReadOptions read;  // how records are read where a device does not say otherwise
   std::vector<DeviceInput> devices;
   std::optional<std::filesystem::path> out;  // directory of the results, relative to where the program runs
   std::optional<int> jobs;
@@ -50,7 +52,7 @@ Lot read_lot_text(std::string_view text, std::filesystem::path const& file, LotF
 // A lot of files named on the command line; devices are named after them.
 Lot lot_of_files(std::vector<std::filesystem::path> const& files);
 
-// The text of a lot file that reads back as `lot`; file names relative to `directory` where they lie below it.
+// The text of a lot file that reads back as `lot`, what all devices share of reading in [read]; file names relative to `directory` where they lie below it.
 std::string lot_file_text(Lot const& lot, std::filesystem::path const& directory);
 
 }  // namespace isolaw::campaign

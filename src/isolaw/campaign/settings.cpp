@@ -58,6 +58,15 @@ std::vector<std::string> parse_laws(std::string_view text) {
   }
 }
 
+int parse_lot_size(std::string_view text) {
+  constexpr int most = 10'000'000;
+  int value = 0;
+  auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || value < 1 || value > most)
+    refuse("lot-size", text, fmt::format("a whole number of devices, 1 to {}", most));
+  return value;
+}
+
 std::uint64_t parse_seed(std::string_view text) {
   std::uint64_t value = 0;
   auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -124,6 +133,8 @@ std::vector<std::pair<std::string, std::string>> to_pairs(Settings const& s) {
   json["smooth"] = s.clean.smooth;
   json["samples-per-cycle"] = s.clean.samples_per_cycle ? Json(*s.clean.samples_per_cycle) : Json("all");
   json["center"] = s.clean.center;
+  json["fit-blocks"] = s.clean.scored.blocks.text();
+  json["fit-cycles"] = s.clean.scored.cycles.text();
   std::vector<std::pair<std::string, std::string>> pairs;
   for (auto const& [key, value] : json.items()) pairs.emplace_back(key, value.dump());
   return pairs;
@@ -151,6 +162,8 @@ Settings settings_from_pairs(std::vector<std::pair<std::string, std::string>> co
   auto const& thinning = json.at("samples-per-cycle");
   s.clean.samples_per_cycle = thinning.is_number() ? std::optional(whole_number(thinning)) : std::nullopt;
   s.clean.center = json.at("center").get<bool>();
+  s.clean.scored.blocks = data::parse_numbers("--fit-blocks", json.at("fit-blocks").get<std::string>());
+  s.clean.scored.cycles = data::parse_numbers("--fit-cycles", json.at("fit-cycles").get<std::string>());
   return s;
 }
 

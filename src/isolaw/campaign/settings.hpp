@@ -34,6 +34,7 @@ Settings settings_from_pairs(std::vector<std::pair<std::string, std::string>> co
 
 // "all" or "id,id": the ids of known laws without repetition. Throws Error that lists the laws.
 std::vector<std::string> parse_laws(std::string_view text);
+int parse_lot_size(std::string_view text);                          // 1 to 10,000,000
 std::uint64_t parse_seed(std::string_view text);                    // 0 to 2^64 - 1
 fit::BoxKind parse_box(std::string_view text);                      // "published" or "auto"
 laws::Integration parse_integration(std::string_view text);         // "converged" or "paper"

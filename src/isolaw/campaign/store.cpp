@@ -7,13 +7,18 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <map>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/file.hpp"
+#include "isolaw/base/printable.hpp"
 
 namespace isolaw::campaign {
 namespace {
@@ -28,7 +33,7 @@ CREATE TABLE device (
   status TEXT NOT NULL CHECK (status IN ('ok', 'refused')), message TEXT NOT NULL,
   serial TEXT NOT NULL, lot TEXT NOT NULL, test_date TEXT NOT NULL,
   temperature_C REAL, rubber_thickness_mm REAL, rubber_area_mm2 REAL,
-  recognised TEXT NOT NULL, warnings TEXT NOT NULL, cleaning TEXT NOT NULL);
+  recognised TEXT NOT NULL, corrections TEXT NOT NULL, warnings TEXT NOT NULL, cleaning TEXT NOT NULL);
 CREATE TABLE series (  -- values: little-endian 8-byte floats; kind: as read, or as the laws saw it
   device INTEGER NOT NULL REFERENCES device(id), kind TEXT NOT NULL CHECK (kind IN ('raw', 'fit')),
   channel TEXT NOT NULL, count INTEGER NOT NULL, "values" BLOB NOT NULL,
@@ -57,9 +62,28 @@ CREATE TABLE run_parameter (
                .advice = "a copy of it, or --fresh to start over"});
 }
 
+bool has_log(std::filesystem::path const& file) {
+  std::error_code unknown;
+  return std::filesystem::exists(file.string() + "-wal", unknown) ||
+         std::filesystem::exists(file.string() + "-journal", unknown);
+}
+
+constexpr std::array beside{"-wal", "-shm", "-journal"};  // SQLite's own files beside a store
+
+// A pipe or a device would be waited for, or set going.
+void require_plain(std::filesystem::path const& file) {
+  for (auto const* suffix : {"", beside[0], beside[1], beside[2]})
+    if (auto const kind = other_than_plain(file.string() + suffix))
+      throw Error({.where = file.string() + suffix,
+                   .found = "is " + *kind,
+                   .allowed = "campaign.sqlite of a campaign, a plain file",
+                   .advice = "another directory"});
+}
+
 [[noreturn]] void fail(sqlite3* db, std::string_view doing) {
   auto const* file = db == nullptr ? nullptr : sqlite3_db_filename(db, "main");
   int const code = db == nullptr ? SQLITE_NOMEM : sqlite3_errcode(db) & 0xff;
+  if (code == SQLITE_NOMEM) throw std::bad_alloc();
   if (code == SQLITE_NOTADB || code == SQLITE_CORRUPT)
     refuse_damaged(file == nullptr ? "campaign store" : file, sqlite3_errmsg(db));
   if (code == SQLITE_READONLY)
@@ -67,8 +91,16 @@ CREATE TABLE run_parameter (
         {.where = file == nullptr ? "campaign store" : file,
          .found = "the program was stopped in the middle of a write, which must be undone before it can be read",
          .advice = "the calibrate command it was started with: it does so, and continues"});
+  if (code == SQLITE_CANTOPEN && file != nullptr && has_log(file))
+    throw Error({.where = file,
+                 .found =
+                     "the program was killed, and the last finished runs are in the log beside the store, which is "
+                     "read only where files can be made beside it",
+                 .allowed = "a store in a directory that may be written, or one whose campaign ended",
+                 .advice = "a copy of the whole directory where you may write; or let its owner run the calibrate "
+                           "command it was started with, which folds the log in"});
   throw Error({.where = file == nullptr ? "campaign store" : file,
-               .found = fmt::format("{}: {}", doing, db == nullptr ? "out of memory" : sqlite3_errmsg(db)),
+               .found = fmt::format("{}: {}", doing, sqlite3_errmsg(db)),
                .advice = "check free space and permissions of the directory; finished runs in the store are kept"});
 }
 
@@ -138,6 +170,23 @@ class Statement {
     double const value = real();
     return std::isnan(value) ? std::nullopt : std::optional(value);
   }
+  // All values of the row, with their kinds.
+  std::string whole_row() {
+    std::string row;
+    for (int i = 0; i < sqlite3_column_count(statement_); ++i) {
+      auto const kind = sqlite3_column_type(statement_, i);
+      double const real = sqlite3_column_double(statement_, i);
+      row += fmt::format("{}:", kind);
+      if (kind == SQLITE_FLOAT) {
+        row += fmt::format("{:x}|", std::bit_cast<std::uint64_t>(real));
+        continue;
+      }
+      auto const* bytes = static_cast<char const*>(sqlite3_column_blob(statement_, i));
+      auto const size = static_cast<std::size_t>(sqlite3_column_bytes(statement_, i));
+      row += fmt::format("{}:{}|", size, size == 0 ? std::string_view() : std::string_view(bytes, size));
+    }
+    return row;
+  }
   std::vector<double> reals() {
     auto const* bytes = sqlite3_column_blob(statement_, next_);
     auto const size = static_cast<std::size_t>(sqlite3_column_bytes(statement_, next_++));
@@ -194,17 +243,19 @@ void for_each_series(auto& device, Visit&& visit) {
   visit("fit", "disp_mm", device.record.disp_mm);
   visit("fit", "vel_mm_s", device.record.vel_mm_s);
   visit("fit", "force_kN", device.record.force_kN);
+  visit("fit", "scored", device.record.scored);
 }
 
 void write_devices(sqlite3* db, Contents const& contents) {
-  Statement device(db, "INSERT INTO device VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  Statement device(db, "INSERT INTO device VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   Statement series(db, "INSERT INTO series VALUES (?, ?, ?, ?, ?)");
   for (std::size_t id = 0; id < contents.devices.size(); ++id) {
     auto const& d = contents.devices[id];
     device.bind(id).bind(d.name).bind(d.file).bind(d.raw.sha256).bind(d.usable() ? "ok" : "refused").bind(d.refusal);
     device.bind(d.info.serial).bind(d.info.lot).bind(d.info.test_date);
     device.bind(d.info.temperature_C).bind(d.info.rubber_thickness_mm).bind(d.info.rubber_area_mm2);
-    device.bind(to_json(d.raw.recognised)).bind(to_json(d.raw.warnings)).bind(to_json(d.record.cleaning)).insert();
+    device.bind(to_json(d.raw.recognised)).bind(to_json(d.raw.corrections)).bind(to_json(d.raw.warnings));
+    device.bind(to_json(d.record.cleaning)).insert();
     for_each_series(d, [&](char const* kind, char const* channel, std::vector<double> const& values) {
       if (!values.empty()) series.bind(id).bind(kind).bind(channel).bind(values.size()).bind(values).insert();
     });
@@ -237,9 +288,10 @@ void read_settings(sqlite3* db, Contents& contents) {
 }
 
 void read_devices(sqlite3* db, Contents& contents) {
-  Statement device(db,
-                   "SELECT name, file, sha256, status, message, serial, lot, test_date, temperature_C, "
-                   "rubber_thickness_mm, rubber_area_mm2, recognised, warnings, cleaning FROM device ORDER BY id");
+  Statement device(
+      db,
+      "SELECT name, file, sha256, status, message, serial, lot, test_date, temperature_C, "
+      "rubber_thickness_mm, rubber_area_mm2, recognised, corrections, warnings, cleaning FROM device ORDER BY id");
   while (device.row()) {
     Device d;
     d.name = device.text();
@@ -255,16 +307,21 @@ void read_devices(sqlite3* db, Contents& contents) {
     d.info.rubber_thickness_mm = device.optional_real();
     d.info.rubber_area_mm2 = device.optional_real();
     d.raw.recognised = lines_of(device.text());
+    d.raw.corrections = lines_of(device.text());
     d.raw.warnings = lines_of(device.text());
     d.record.cleaning = lines_of(device.text());
     contents.devices.push_back(std::move(d));
   }
   std::map<std::tuple<std::size_t, std::string, std::string>, std::vector<double>> stored;
-  Statement series(db, "SELECT device, kind, channel, \"values\" FROM series");
+  Statement series(db, "SELECT device, kind, channel, count, \"values\" FROM series");
   while (series.row()) {
     auto const id = series.index();
     auto kind = series.text(), channel = series.text();
-    stored[{id, std::move(kind), std::move(channel)}] = series.reals();
+    auto const count = series.integer();
+    auto values = series.reals();
+    if (!std::cmp_equal(count, values.size()))
+      throw Error({.found = fmt::format("a series of {} values where {} are counted", values.size(), count)});
+    stored[{id, std::move(kind), std::move(channel)}] = std::move(values);
   }
   for (std::size_t id = 0; id < contents.devices.size(); ++id)
     for_each_series(contents.devices[id], [&](char const* kind, char const* channel, std::vector<double>& values) {
@@ -350,6 +407,25 @@ std::string meta(sqlite3* db, std::string_view key) {
   return select.row() ? select.text() : std::string();
 }
 
+// What describe() may change.
+std::array<std::pair<char const*, std::string>, 5> descriptions(Contents const& contents) {
+  auto const& a = contents.acceptance;
+  return {{{"title", contents.title},
+           {"rules", a.rules},
+           {"rules-file", a.rules_file},
+           {"design", a.design},
+           {"lot-size", a.lot_size ? std::to_string(*a.lot_size) : std::string()}}};
+}
+
+void read_descriptions(sqlite3* db, Contents& contents) {
+  contents.title = meta(db, "title");
+  auto& a = contents.acceptance;
+  a.rules = meta(db, "rules");
+  a.rules_file = meta(db, "rules-file");
+  a.design = meta(db, "design");
+  if (auto const size = meta(db, "lot-size"); !size.empty()) a.lot_size = parse_lot_size(size);
+}
+
 // What readers of Contents rely on: indices and lengths that fit together. A store this program wrote has them; a damaged
 // or foreign one need not.
 class Consistency {
@@ -371,8 +447,11 @@ class Consistency {
     auto const& fit = d.record;
     bool const fits = same(raw.time_s, raw.size()) && raw.force_kN.size() == raw.size() &&
                       same(raw.load_kN, raw.size()) && fit.time_s.size() == fit.size() &&
-                      same(fit.vel_mm_s, fit.size()) && fit.force_kN.size() == fit.size();
+                      same(fit.vel_mm_s, fit.size()) && fit.force_kN.size() == fit.size() &&
+                      same(fit.scored, fit.size());
     if (!fits) fail(fmt::format("the channels of device '{}' differ in length", d.name));
+    if (!std::ranges::all_of(fit.scored, [](double value) { return value == 0.0 || value == 1.0; }))
+      fail(fmt::format("what is scored of device '{}' is neither 0 nor 1", d.name));
     if (d.usable() && fit.size() == 0) fail(fmt::format("device '{}' has no record", d.name));
   }
   void search_fits(Search const& s) const {
@@ -413,10 +492,22 @@ class Consistency {
   std::map<std::pair<std::size_t, std::string_view>, Search const*> search_of_;
 };
 
-// What the file's tables are declared as, by name.
-std::map<std::string, std::string> declared_tables(sqlite3* db) {
+struct CloseQuietly {
+  void operator()(sqlite3* db) const { sqlite3_close_v2(db); }
+};
+
+std::unique_ptr<sqlite3, CloseQuietly> in_memory() {
+  sqlite3* raw = nullptr;
+  int const status = sqlite3_open(":memory:", &raw);
+  std::unique_ptr<sqlite3, CloseQuietly> memory(raw);
+  if (status != SQLITE_OK) fail(raw, "cannot read");
+  return memory;
+}
+
+// What the file declares, by name: tables, and what another program may have added.
+std::map<std::string, std::string> declarations(sqlite3* db) {
   std::map<std::string, std::string> found;
-  Statement tables(db, "SELECT name, sql FROM sqlite_master WHERE type = 'table'");
+  Statement tables(db, "SELECT name, sql FROM sqlite_master");
   while (tables.row()) {
     auto name = tables.text();
     found[std::move(name)] = tables.text();
@@ -424,25 +515,22 @@ std::map<std::string, std::string> declared_tables(sqlite3* db) {
   return found;
 }
 
-std::map<std::string, std::string> const& our_tables() {
+std::map<std::string, std::string> const& our_declarations() {
   static auto const ours = [] {
-    sqlite3* raw = nullptr;
-    int const status = sqlite3_open(":memory:", &raw);
-    std::unique_ptr<sqlite3, decltype(&sqlite3_close_v2)> const memory(raw, sqlite3_close_v2);
-    if (status != SQLITE_OK) fail(raw, "cannot read");
-    execute(raw, schema);
-    return declared_tables(raw);
+    auto const memory = in_memory();
+    execute(memory.get(), schema);
+    return declarations(memory.get());
   }();
   return ours;
 }
 
 // A store of ours, of a schema this version knows. Its tables must be declared word by word as ours: a view or a computed
-// column in place of one could run without end, or fill the memory.
+// column in place of one could run without end, or fill the memory; a trigger could change what is written.
 void check_schema(sqlite3* db, std::filesystem::path const& file) {
-  auto const theirs = declared_tables(db);
+  auto const theirs = declarations(db);
   auto const is_ours = [&](std::string const& name) {
     auto const found = theirs.find(name);
-    return found != theirs.end() && found->second == our_tables().at(name);
+    return found != theirs.end() && found->second == our_declarations().at(name);
   };
   auto const version = is_ours("meta") ? meta(db, "schema") : std::string();
   if (version.empty())
@@ -454,9 +542,12 @@ void check_schema(sqlite3* db, std::filesystem::path const& file) {
                  .found = fmt::format("schema version {}", version),
                  .allowed = fmt::format("version {}", Store::schema_version),
                  .advice = "the version of isolaw that wrote it"});
-  for (auto const& [name, declaration] : our_tables())
+  for (auto const& [name, declaration] : our_declarations())
     if (!is_ours(name))
       refuse_damaged(file.string(), fmt::format("table '{}' is missing or not as isolaw makes it", name));
+  for (auto const& [name, declaration] : theirs)
+    if (!our_declarations().contains(name))
+      refuse_damaged(file.string(), fmt::format("it holds {}, which isolaw does not make", in_quotes(name)));
 }
 
 }  // namespace
@@ -501,23 +592,45 @@ Store::Handle Store::open_handle(std::filesystem::path const& file, int flags, s
   return db;
 }
 
-Store Store::create(std::filesystem::path const& file, Contents const& contents) {
+namespace {
+std::filesystem::path unfinished(std::filesystem::path const& file) {
+  return file.string() + ".part";
+}
+}  // namespace
+
+void Store::remove_unfinished(std::filesystem::path const& file) {
+  std::error_code ignored;
+  for (auto const* suffix : {"-journal", ""}) std::filesystem::remove(unfinished(file).string() + suffix, ignored);
+}
+
+// Whatever the file is: a store of another schema, a damaged one. What cannot be folded in is not to be had.
+void Store::fold_log(std::filesystem::path const& file) {
+  if (!std::filesystem::exists(file) || is_plain(file)) return;
+  try {
+    auto const handle = open_handle(file, SQLITE_OPEN_READWRITE);
+    sqlite3_exec(handle.get(), "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
+  } catch (Error const&) {
+    return;
+  }
+}
+
+Store Store::create(std::filesystem::path const& file, Contents const& contents,
+                    std::function<void()> const& before_replacing) {
   // Written aside and moved into place when whole: whatever stops the program, there is a store or there is none, and
-  // the one it replaces is not lost to a full disk.
-  auto aside = file;
-  aside += ".part";
-  auto const remove = [](std::string const& name) {
-    std::error_code ignored;
-    std::filesystem::remove(name, ignored);
-  };
-  for (auto const* suffix : {"-journal", ""}) remove(aside.string() + suffix);
+  // the one it replaces is not lost to a full disk or a kill.
+  require_plain(file);
+  remove_unfinished(file);
+  auto const aside = unfinished(file);
   {
     auto const handle = open_handle(aside, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
     fill(handle.get(), contents);
   }
-  // Without its log first: a log of the former store beside the new one would be taken for the new one's.
-  for (auto const* suffix : {"", "-wal", "-shm", "-journal"}) remove(file.string() + suffix);
+  if (before_replacing) before_replacing();
+  // A log of the former store beside the new one would be taken for the new one's. Folded in before it is removed, so
+  // that the former store is whole without it should the program be killed just now.
+  fold_log(file);
   std::error_code error;
+  for (auto const* suffix : beside) std::filesystem::remove(file.string() + suffix, error);
   std::filesystem::rename(aside, file, error);
   if (error)
     throw Error({.where = file.string(),
@@ -532,7 +645,7 @@ void Store::fill(sqlite3* db, Contents const& contents) {
   Statement meta(db, "INSERT INTO meta VALUES (?, ?)");
   meta.bind("schema").bind(std::to_string(schema_version)).insert();
   meta.bind("isolaw").bind(ISOLAW_VERSION).insert();
-  meta.bind("title").bind(contents.title).insert();
+  for (auto const& [key, value] : descriptions(contents)) meta.bind(key).bind(value).insert();
   Statement setting(db, "INSERT INTO setting VALUES (?, ?, ?)");
   std::size_t position = 0;
   for (auto const& [key, json] : to_pairs(contents.settings)) setting.bind(position++).bind(key).bind(json).insert();
@@ -541,15 +654,8 @@ void Store::fill(sqlite3* db, Contents const& contents) {
   transaction.commit();
 }
 
-namespace {
-bool has_log(std::filesystem::path const& file) {
-  std::error_code unknown;
-  return std::filesystem::exists(file.string() + "-wal", unknown) ||
-         std::filesystem::exists(file.string() + "-journal", unknown);
-}
-}  // namespace
-
 bool Store::is_plain(std::filesystem::path const& file) {
+  require_plain(file);
   // Bytes 18 and 19 of an SQLite file: 1 for a rollback journal, 2 for a write-ahead log.
   std::array<char, 20> header{};
   std::ifstream(file, std::ios::binary).read(header.data(), header.size());
@@ -557,6 +663,7 @@ bool Store::is_plain(std::filesystem::path const& file) {
 }
 
 Store::Handle Store::open_to_read(std::filesystem::path const& file) {
+  require_plain(file);
   if (has_log(file)) return open_handle(file, SQLITE_OPEN_READONLY);
   // Nobody writes: read without locks and without files beside it, which read-only media and some network shares lack.
   std::string uri = "file:";
@@ -566,6 +673,7 @@ Store::Handle Store::open_to_read(std::filesystem::path const& file) {
 }
 
 Store Store::open(std::filesystem::path const& file) {
+  require_plain(file);
   auto handle = open_handle(file, SQLITE_OPEN_READWRITE);
   check_schema(handle.get(), file);
   execute(handle.get(), "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
@@ -582,8 +690,8 @@ Contents Store::read(std::filesystem::path const& file) {
   auto* db = handle.get();
   check_schema(db, file);
   Contents contents;
-  contents.title = meta(db, "title");
   try {
+    read_descriptions(db, contents);
     read_settings(db, contents);
     read_devices(db, contents);
     read_searches(db, contents);
@@ -598,9 +706,9 @@ Contents Store::read(std::filesystem::path const& file) {
   return contents;
 }
 
-void Store::add(Run const& run) {
-  auto* db = db_.get();
-  Transaction transaction(db);
+namespace {
+
+void write_run(sqlite3* db, Run const& run) {
   Statement row(db, "INSERT INTO run VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   row.bind(run.device).bind(run.law).bind(run.number).bind(name(run.outcome)).bind(run.objective);
   row.bind(run.integration_shift).bind(run.evaluations).bind(run.failed_evaluations).bind(run.failure);
@@ -608,14 +716,52 @@ void Store::add(Run const& run) {
   Statement parameter(db, "INSERT INTO run_parameter VALUES (?, ?, ?, ?, ?)");
   for (std::size_t i = 0; i < run.parameters.size(); ++i)
     parameter.bind(run.device).bind(run.law).bind(run.number).bind(i).bind(run.parameters[i]).insert();
+}
+
+// The rows of a table, each as one text that tells values and their kinds apart.
+std::vector<std::string> rows_of(sqlite3* db, std::string const& columns_and_table) {
+  std::vector<std::string> found;
+  Statement rows(db, ("SELECT " + columns_and_table).c_str());
+  while (rows.row()) found.push_back(rows.whole_row());
+  std::ranges::sort(found);
+  return found;
+}
+
+}  // namespace
+
+void Store::add(Run const& run) {
+  Transaction transaction(db_.get());
+  write_run(db_.get(), run);
   transaction.commit();
+}
+
+std::vector<std::string> Store::foreign_rows(std::filesystem::path const& file, Contents const& contents) {
+  auto const theirs = open_to_read(file);
+  auto const ours = in_memory();
+  fill(ours.get(), contents);
+  execute(ours.get(), "BEGIN");
+  for (auto const& run : contents.runs) write_run(ours.get(), run);
+  execute(ours.get(), "COMMIT");
+  std::vector<std::string> faults;
+  for (auto const* table : {"key, value FROM meta WHERE key <> 'isolaw'", "* FROM setting", "* FROM device",
+                            "device, kind, channel, count FROM series", "* FROM search", "* FROM search_parameter",
+                            "* FROM run", "* FROM run_parameter"}) {
+    std::vector<std::string> differing;
+    std::ranges::set_symmetric_difference(rows_of(theirs.get(), table), rows_of(ours.get(), table),
+                                          std::back_inserter(differing));
+    auto const name = std::string_view(table).substr(std::string_view(table).find("FROM ") + 5);
+    if (!differing.empty())
+      faults.push_back(
+          fmt::format("table '{}' holds rows that are not as isolaw writes them", name.substr(0, name.find(' '))));
+  }
+  return faults;
 }
 
 void Store::describe(Contents const& contents) {
   auto* db = db_.get();
   Transaction transaction(db);
-  Statement title(db, "UPDATE meta SET value = ? WHERE key = 'title'");
-  title.bind(contents.title).insert();
+  Statement meta(db, "UPDATE meta SET value = ? WHERE key = ?");
+  for (auto const& [key, value] : descriptions(contents)) meta.bind(value).bind(key).insert();
   Statement device(db,
                    "UPDATE device SET serial = ?, lot = ?, test_date = ?, temperature_C = ?, rubber_thickness_mm = ?, "
                    "rubber_area_mm2 = ? WHERE id = ?");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -15,12 +16,17 @@ namespace isolaw::campaign {
 
 class Store {
  public:
-  static constexpr int schema_version = 2;
+  static constexpr int schema_version = 3;
 
   // A new store that holds the devices and searches of `contents` and no runs; replaces a file of that name. When it
-  // fails, the former one is still there.
-  static Store create(std::filesystem::path const& file, Contents const& contents);
-  // An existing one, to add runs to. Throws Error: no such file, not a store, newer schema.
+  // fails, or the program is killed, the former or the new one is there, whole. `before_replacing` is called when the
+  // new one is complete and not yet in place. Throws Error: no plain file, cannot be written.
+  static Store create(std::filesystem::path const& file, Contents const& contents,
+                      std::function<void()> const& before_replacing = {});
+  // What a create() that was killed left beside it.
+  static void remove_unfinished(std::filesystem::path const& file);
+  // An existing one, to add runs to. Throws Error: no such file, no plain file (a pipe is never waited for), not a
+  // store, another schema, anything in it that isolaw does not make.
   static Store open(std::filesystem::path const& file);
   // Whether the file stands alone, without a write-ahead log, and can be read wherever it is copied to.
   static bool is_plain(std::filesystem::path const& file);
@@ -28,9 +34,13 @@ class Store {
   static Contents read(std::filesystem::path const& file);
   // What SQLite finds wrong with the file itself; empty when it is sound. Throws Error when it cannot be read at all.
   static std::vector<std::string> integrity(std::filesystem::path const& file);
+  // Rows that are not as this program writes them, given what read() made of them; empty when there is none. Values of
+  // series are left out, which read() holds as they are.
+  static std::vector<std::string> foreign_rows(std::filesystem::path const& file, Contents const& contents);
 
   void add(Run const& run);  // one transaction; not thread-safe
-  // What the lot file says of the devices, which no result depends on, may be changed before a campaign is continued.
+  // What the lot file says of the devices and what they are held to, on which no law depends, may be changed before a
+  // campaign is continued.
   void describe(Contents const& contents);
   // No more runs: folds the write-ahead log into the one file. False when another program reads the store just now; the
   // log then stays beside it, and whoever opens the store to write next folds it in.
@@ -44,6 +54,7 @@ class Store {
   static Handle open_handle(std::filesystem::path const& file, int flags, std::string const& uri = {});
   static Handle open_to_read(std::filesystem::path const& file);
   static void fill(sqlite3* db, Contents const& contents);
+  static void fold_log(std::filesystem::path const& file);
   Store(Handle db, std::filesystem::path file) : db_(std::move(db)), file_(std::move(file)) {}
 
   Handle db_;

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <optional>
 
+#include "isolaw/data/error_budget.hpp"
 #include "isolaw/data/properties.hpp"
 
 namespace isolaw::data {
@@ -92,11 +94,11 @@ struct Loop {
   double equivalent_damping = 0.0;  // energy against that of a viscous loop of this slope and spread
 };
 
-Loop measure_loop(TestRecord const& record, std::vector<Cycle> const& cycles) {
+Loop measure_loop(TestRecord const& record, std::vector<Cycle const*> const& cycles) {
   Loop loop;
-  for (auto const& cycle : cycles) loop.energy_kN_mm += cycle.energy_kN_mm;
-  auto const first = static_cast<std::size_t>(cycles.front().first);
-  auto const end = std::min(record.size(), static_cast<std::size_t>(cycles.back().last) + 1);
+  for (auto const* cycle : cycles) loop.energy_kN_mm += cycle->energy_kN_mm;
+  auto const first = static_cast<std::size_t>(cycles.front()->first);
+  auto const end = std::min(record.size(), static_cast<std::size_t>(cycles.back()->last) + 1);
   auto const count = static_cast<double>(end - first);
   double mean_x = 0.0;
   double mean_F = 0.0;
@@ -120,37 +122,6 @@ Loop measure_loop(TestRecord const& record, std::vector<Cycle> const& cycles) {
   double const fullest = 2.0 * std::numbers::pi * std::sqrt(xx * FF) / count * static_cast<double>(cycles.size());
   loop.equivalent_damping = loop.energy_kN_mm / fullest;
   return loop;
-}
-
-void warn_about_sampling(TestRecord& record) {
-  if (record.time_s.size() < 3) return;
-  double const mean = (record.time_s.back() - record.time_s.front()) / static_cast<double>(record.time_s.size() - 1);
-  double least = mean;
-  double largest = mean;
-  for (std::size_t i = 1; i < record.time_s.size(); ++i) {
-    double const interval = record.time_s[i] - record.time_s[i - 1];
-    least = std::min(least, interval);
-    largest = std::max(largest, interval);
-  }
-  double const jitter = std::max(largest - mean, mean - least) / mean;
-  if (jitter > 0.01)
-    record.warnings.push_back(fmt::format(
-        "sampling is not uniform: intervals from {:.6g} to {:.6g} s, {:.6g} s on average", least, largest, mean));
-}
-
-// Middle of the extremes over one cycle, and its amplitude.
-void warn_about_offset(TestRecord& record, Cycle const& cycle, std::vector<double> const& values, std::string_view what,
-                       std::string_view unit, double tolerated) {
-  auto const first = static_cast<std::size_t>(cycle.first);
-  auto const end = std::min(values.size(), static_cast<std::size_t>(cycle.last) + 1);
-  auto const [least, largest] = std::ranges::minmax(std::span(values).subspan(first, end - first));
-  double const offset = (largest + least) / 2.0;
-  double const amplitude = (largest - least) / 2.0;
-  if (std::abs(offset) > tolerated * amplitude)
-    record.warnings.push_back(
-        fmt::format("{} is off centre by {:.4g} {} in cycle {}, {:.0f} % of its amplitude; nothing is removed unless "
-                    "--center is given",
-                    what, offset, unit, cycle.number, 100.0 * std::abs(offset) / amplitude));
 }
 
 // The longest run of one and the same force while the device moved: a clipped amplifier or a dead channel.
@@ -193,17 +164,6 @@ void warn_about_magnitude(TestRecord& record) {
                   stiffness > stiffest_kN_per_mm ? "stiffer" : "softer", unit(Channel::disp), unit(Channel::force)));
 }
 
-// Stages of different amplitude: the reported cycle speaks for its own stage alone.
-void warn_of_stages(TestRecord& record, Properties const& properties) {
-  auto const [least, largest] = std::ranges::minmax(properties.cycles, {}, &Cycle::amplitude_mm);
-  if (largest.amplitude_mm < 1.1 * least.amplitude_mm) return;
-  record.warnings.push_back(fmt::format(
-      "cycles of several amplitudes, {:.4g} to {:.4g} mm: stiffness, energy and damping, and the laws' errors in them, "
-      "are "
-      "those of cycle {} at {:.4g} mm",
-      least.amplitude_mm, largest.amplitude_mm, properties.reported->number, properties.reported->amplitude_mm));
-}
-
 }  // namespace
 
 void Findings::add(std::size_t line, std::string found, std::string allowed, std::string advice) {
@@ -230,16 +190,16 @@ void check_channel(std::string const& file, RawChannel const& raw, std::span<std
 }
 
 void check_physics(TestRecord const& record, std::string const& exchange_advice, std::vector<Complaint>& complaints) {
-  auto const properties = cyclic_properties(record.disp_mm, record.force_kN);
-  if (properties.cycles.empty()) return;
-  auto const loop = measure_loop(record, properties.cycles);
+  auto const properties = cyclic_properties(record);
+  auto const cycles = properties.complete();
+  if (cycles.empty()) return;
+  auto const loop = measure_loop(record, cycles);
   // Nothing follows from the sign of an energy within the skew of two channels of a nearly elastic device.
   constexpr double significant_energy = 0.02;
   constexpr double significant_correlation = 0.2;
   if (loop.equivalent_damping > -significant_energy) return;
-  auto const values =
-      fmt::format("energy per cycle {:.4g} kN mm, stiffness {:.4g} kN/mm",
-                  loop.energy_kN_mm / static_cast<double>(properties.cycles.size()), loop.slope_kN_per_mm);
+  auto const values = fmt::format("energy per cycle {:.4g} kN mm, stiffness {:.4g} kN/mm",
+                                  loop.energy_kN_mm / static_cast<double>(cycles.size()), loop.slope_kN_per_mm);
   std::string const flip = record.layout.flip_force ? "leave --flip-force out" : "--flip-force";
   std::string const allowed = "a device that dissipates energy and resists displacement: both positive";
   if (loop.correlation > significant_correlation)
@@ -252,7 +212,6 @@ void check_physics(TestRecord const& record, std::string const& exchange_advice,
 }
 
 void add_warnings(TestRecord& record) {
-  warn_about_sampling(record);
   warn_about_magnitude(record);
   auto const [least, largest] = std::ranges::minmax(record.disp_mm);
   double const half_range = (largest - least) / 2.0;
@@ -261,18 +220,10 @@ void add_warnings(TestRecord& record) {
         "the first sample is at {:.4g} mm, {:.0f} % of the half range of {:.4g} mm: laws start at rest at zero",
         record.disp_mm.front(), 100.0 * std::abs(record.disp_mm.front()) / half_range, half_range));
   warn_of_stuck_force(record, half_range);
-  auto const properties = cyclic_properties(record.disp_mm, record.force_kN);
+  auto const properties = cyclic_properties(record);
+  auto budget = error_budget(record, properties);
+  std::ranges::move(budget.warnings, std::back_inserter(record.warnings));
   if (!properties.refusal.empty()) record.warnings.push_back("no cyclic properties: " + properties.refusal);
-  if (!properties.reported) return;
-  warn_of_stages(record, properties);
-  double const samples = *properties.samples_per_cycle;
-  double const angle = 2.0 * std::numbers::pi / samples;
-  if (samples < 100.0)
-    record.warnings.push_back(
-        fmt::format("{:.1f} samples per cycle: the energy comes out {:.2g} % too small; 100 or more are wanted",
-                    samples, 100.0 * (1.0 - std::sin(angle) / angle)));
-  warn_about_offset(record, *properties.reported, record.disp_mm, "displacement", "mm", 0.05);
-  warn_about_offset(record, *properties.reported, record.force_kN, "force", "kN", 0.10);
 }
 
 }  // namespace isolaw::data

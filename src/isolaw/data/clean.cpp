@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/data/error_budget.hpp"
 #include "isolaw/data/properties.hpp"
 
 namespace isolaw::data {
@@ -41,7 +42,7 @@ class PrefixSums {
 struct Range {
   std::size_t first = 0;
   std::size_t end = 0;
-  std::string text = "the whole record, which has no complete cycle";
+  std::string text = "the whole record, which has no cycle to report";
 };
 
 Range centring_range(Properties const& properties, std::size_t size) {
@@ -49,7 +50,7 @@ Range centring_range(Properties const& properties, std::size_t size) {
   auto const& cycle = *properties.reported;
   return {.first = static_cast<std::size_t>(std::floor(cycle.first)),
           .end = std::min(size, static_cast<std::size_t>(std::ceil(cycle.last)) + 1),
-          .text = fmt::format("cycle {}", cycle.number)};
+          .text = fmt::format("cycle {} of block {}", cycle.number, cycle.block)};
 }
 
 double remove_middle(std::vector<double>& values, Range const& range) {
@@ -80,7 +81,9 @@ std::size_t thinning_step(FitRecord& record, Properties const& properties, std::
     return 1;
   }
   if (!properties.samples_per_cycle) {
-    record.cleaning.push_back("all samples kept: thinning needs cycles, and there is " + properties.refusal);
+    record.cleaning.push_back(fmt::format("all samples kept: thinning needs cycles, and {}{}",
+                                          properties.refusal.starts_with("not cyclic") ? "the record is " : "there is ",
+                                          properties.refusal));
     return 1;
   }
   double const found = *properties.samples_per_cycle;
@@ -104,6 +107,15 @@ void drop_samples(FitRecord& record, std::size_t step) {
   record.disp_mm = every(record.disp_mm, step);
   record.vel_mm_s = every(record.vel_mm_s, step);
   record.force_kN = every(record.force_kN, step);
+  record.scored = every(record.scored, step);
+}
+
+void choose_scored(FitRecord& record, TestRecord const& raw, Selection const& selection) {
+  if (selection.all()) return;
+  record.scored = scored_samples(selection, segment(raw.disp_mm, raw.time_s), raw.size());
+  record.cleaning.push_back(fmt::format(
+      "laws are judged by {} of {} samples (blocks {}, cycles {}); the rest of the history only acts on their state",
+      std::ranges::count(record.scored, 1.0), raw.size(), selection.blocks.text(), selection.cycles.text()));
 }
 
 // An average over a quarter of a cycle takes a tenth of its amplitude; nothing identified from that means anything.
@@ -113,6 +125,14 @@ void refuse_wide_window(int window, Properties const& properties) {
                fmt::format("the average spans {:.2f} cycles of {:.1f} samples", window / *properties.samples_per_cycle,
                            *properties.samples_per_cycle),
                "less than a quarter of a cycle", "--smooth 5"});
+}
+
+// What the average takes from the motion, ready to be appended.
+std::string attenuation(int window, Properties const& properties) {
+  if (!properties.samples_per_cycle) return {};
+  double const samples = *properties.samples_per_cycle;
+  return fmt::format(": takes {:.2g} % from a sine of the test's frequency, {:.2g} % from its third harmonic",
+                     average_loss_percent(window, samples), average_loss_percent(window, samples / 3.0));
 }
 
 std::vector<double> sample_numbers(std::size_t size) {
@@ -175,16 +195,17 @@ FitRecord clean(TestRecord const& raw, CleanOptions const& options) {
   record.disp_mm = raw.disp_mm;
   record.force_kN = raw.force_kN;
   record.time_s = raw.has_time() ? raw.time_s : sample_numbers(raw.size());
-  auto const properties = cyclic_properties(raw.disp_mm, raw.force_kN);
+  auto const properties = cyclic_properties(raw);
   if (options.center) center(record, properties);
   refuse_wide_window(options.smooth, properties);
   if (options.smooth > 1) {
     average(record, options.smooth);
-    record.cleaning.push_back(
-        fmt::format("displacement and force averaged over {} samples, fewer at the ends", options.smooth));
+    record.cleaning.push_back(fmt::format("displacement and force averaged over {} samples, fewer at the ends{}",
+                                          options.smooth, attenuation(options.smooth, properties)));
   } else {
     record.cleaning.push_back("no smoothing");
   }
+  choose_scored(record, raw, options.scored);
   auto const step = thinning_step(record, properties, options.samples_per_cycle);
   int const window = static_cast<int>(step % 2 == 0 ? step + 1 : step);
   if (step >= 2) average(record, window);

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "isolaw/data/record.hpp"
+#include "isolaw/data/selection.hpp"
 
 namespace isolaw::data {
 
@@ -11,6 +12,7 @@ struct CleanOptions {
   int smooth = 1;                              // window of the centred moving average, odd; 1 = none
   std::optional<int> samples_per_cycle = 200;  // thinning to at least this many, 20 or more; nullopt = all samples
   bool center = false;                         // remove the mean of the extremes of displacement and force
+  Selection scored = {};                       // blocks and cycles that laws are judged by
 
   void validate() const;  // throws Error
 };
@@ -26,7 +28,7 @@ std::vector<double> central_difference(std::vector<double> const& time_s, std::v
 // In this order: centring, by (max + min) / 2 of the raw reported cycle; moving average of `smooth`; where a cycle has
 // at least twice the samples asked for, k = floor(ratio) >= 2, a moving average of the odd window k or k + 1; velocity;
 // every k-th sample, from the first. Velocity is taken before samples are dropped, so that thinning costs it nothing.
-// Thinning needs cycles: a record without a complete one keeps all samples. Throws Error for a record without samples.
+// Thinning needs cycles: a record that is not cyclic, or has no complete one, keeps all samples. Throws Error for a record without samples.
 FitRecord clean(TestRecord const& raw, CleanOptions const& options);
 
 }  // namespace isolaw::data

@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "isolaw/base/printable.hpp"
 #include "isolaw/data/text.hpp"
 
 namespace isolaw::data {
@@ -210,8 +211,8 @@ std::string_view meaning_text(Channel channel) {
 
 class Resolver {
  public:
-  Resolver(std::string where, Header const& header, Dialect const& dialect, ReadOptions const& options)
-      : file_(std::move(where)), header_(header), dialect_(dialect), options_(options) {}
+  Resolver(std::string where, Header const& header, std::size_t count, ReadOptions const& options)
+      : file_(std::move(where)), header_(header), count_(count), options_(options) {}
 
   Columns run() {
     if (header_.mismatch) complain_about_mismatch();
@@ -227,18 +228,24 @@ class Resolver {
   }
 
  private:
-  std::size_t count() const { return dialect_.columns; }
+  std::size_t count() const { return count_; }
   bool has_names() const { return !header_.names.empty(); }
   bool asked_for(Channel channel) const { return options_.columns.contains(channel); }
 
-  std::string header_place() const { return has_names() ? fmt::format("{}:{}", file_, *header_.name_line + 1) : file_; }
+  std::string header_place() const {
+    return header_.name_line ? fmt::format("{}:{}", file_, *header_.name_line + 1) : file_;
+  }
+  std::string label(std::size_t index) const {
+    return header_.lettered ? column_letters(index) : std::to_string(index + 1);
+  }
 
   std::string columns_found() const {
+    if (!header_.listing.empty()) return header_.listing;
     if (!has_names()) return fmt::format("{} columns without names", count());
     constexpr std::size_t shown = 30;
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < std::min(count(), shown); ++i)
-      texts.push_back(fmt::format("{} {}", i + 1, in_quotes(header_.names[i])));
+      texts.push_back(fmt::format("{} {}", label(i), in_quotes(header_.names[i])));
     if (count() > shown) texts.push_back(fmt::format("and {} more", count() - shown));
     return fmt::format("columns {}", fmt::join(texts, ", "));
   }
@@ -248,8 +255,7 @@ class Resolver {
   }
 
   void complain_about_mismatch() {
-    auto const& [line, names] = *header_.mismatch;
-    bool const commas = dialect_.delimiter == ',' && count() == 2 * names;
+    auto const& [line, names, commas] = *header_.mismatch;
     complain(fmt::format("{}:{}", file_, line + 1),
              fmt::format("{} names, but the rows have {} columns{}", names, count(),
                          commas ? ": commas seem to be both delimiter and decimal separator" : ""),
@@ -302,17 +308,22 @@ class Resolver {
     auto const [end, failure] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
     bool const is_number = failure == std::errc{} && end == wanted.data() + wanted.size();
     if (is_number && number >= 1 && number <= count()) return number - 1;
+    auto const lettered = header_.lettered ? letters_column(wanted) : std::nullopt;
+    if (lettered && *lettered < count()) return lettered;
     complain(header_place(), fmt::format("no column {} for {}", is_number ? wanted : in_quotes(wanted), name(channel)),
              is_number ? fmt::format("1 to {}; {}", count(), columns_found()) : columns_found(),
-             fmt::format("--columns {}=NUMBER", name(channel)));
+             fmt::format("--columns {}={}", name(channel), any_column()));
     return std::nullopt;
   }
 
-  static std::string options_for(Channel channel, std::vector<std::size_t> const& candidates) {
+  std::string_view any_column() const { return header_.by_name ? "NAME" : header_.lettered ? "LETTER" : "NUMBER"; }
+
+  std::string options_for(Channel channel, std::vector<std::size_t> const& candidates) const {
     std::vector<std::string> texts;
     constexpr std::size_t shown = 10;
     for (auto const index : candidates)
-      if (texts.size() < shown) texts.push_back(fmt::format("--columns {}={}", name(channel), index + 1));
+      if (texts.size() < shown)
+        texts.push_back(fmt::format("--columns {}={}", name(channel), option_key(index, header_)));
     return fmt::format("{}", fmt::join(texts, " or "));
   }
 
@@ -333,8 +344,7 @@ class Resolver {
 
   // Words before symbols: beside a column "Force", a column "F" is more likely something else.
   void recognise(Channel channel) {
-    auto found = candidates(channel, Certainty::word);
-    if (found.empty()) found = candidates(channel, Certainty::symbol);
+    auto const found = candidates_of_any(channel);
     if (found.size() == 1) {
       result_.channels[channel].index = found.front();
       why_[channel] = "by its name";
@@ -364,14 +374,37 @@ class Resolver {
       report_nameless(channel);
       return;
     }
+    if (header_.by_name && !asked_for(Channel::disp) && !asked_for(Channel::force)) {
+      report_variables(channel);
+      return;
+    }
     std::string found = fmt::format("no column is recognised as the {}", meaning_text(channel));
     auto const loads = columns_where([](auto const& text) { return meaning_of(text).plain_load; });
     if (channel == Channel::force && !loads.empty())
       found +=
           fmt::format(" ({} may be the horizontal force or the vertical load)", column_text(loads.front(), header_));
-    complain(
-        header_place(), std::move(found), columns_found(),
-        fmt::format("--columns {}={}", name(channel), loads.empty() ? "NUMBER" : std::to_string(loads.front() + 1)));
+    complain(header_place(), std::move(found), columns_found(),
+             fmt::format("--columns {}={}", name(channel),
+                         loads.empty() ? any_column() : option_key(loads.front(), header_)));
+  }
+
+  // Programs name variables as they like: what there is, once.
+  void report_variables(Channel channel) {
+    bool const no_disp = !result_.channels.contains(Channel::disp) && candidates_of_any(Channel::disp).empty();
+    bool const both = no_disp && candidates_of_any(Channel::force).empty();
+    if (both && channel == Channel::force) return;  // said with the displacement
+    complain(header_place(),
+             fmt::format("no variable is recognised as the {}{}", meaning_text(channel),
+                         both ? fmt::format(", none as the {}", meaning_text(Channel::force)) : ""),
+             columns_found(),
+             both
+                 ? "--columns time=NAME,disp=NAME,force=NAME --units time=s,disp=mm,force=kN, with your names and units"
+                 : fmt::format("--columns {}=NAME", name(channel)));
+  }
+
+  std::vector<std::size_t> candidates_of_any(Channel channel) const {
+    auto found = candidates(channel, Certainty::word);
+    return found.empty() ? candidates(channel, Certainty::symbol) : found;
   }
 
   // Without names nothing tells displacement from force, nor time from a counter: asked for at once.
@@ -379,12 +412,13 @@ class Resolver {
     bool const both = !asked_for(Channel::disp) && !asked_for(Channel::force);
     if (both && channel == Channel::force) return;  // said with the displacement
     auto const what = both ? std::string("displacement and which the force") : std::string(meaning_text(channel));
-    complain(file_, fmt::format("no line names the {} columns, so which is the {} cannot be told", count(), what),
-             fmt::format("column numbers 1 to {}", count()),
-             !both ? fmt::format("--columns {}=NUMBER", name(channel))
-             : count() >= 3
-                 ? "--columns time=1,disp=2,force=3 --units time=s,disp=mm,force=kN, with your numbers and units"
-                 : "--columns disp=1,force=2 --units disp=mm,force=kN, with your numbers and units");
+    complain(
+        file_, fmt::format("no {} names the {} columns, so which is the {} cannot be told", header_.row, count(), what),
+        header_.lettered ? fmt::format("columns A to {}", label(count() - 1))
+                         : fmt::format("column numbers 1 to {}", count()),
+        !both          ? fmt::format("--columns {}={}", name(channel), any_column())
+        : count() >= 3 ? "--columns time=1,disp=2,force=3 --units time=s,disp=mm,force=kN, with your numbers and units"
+                       : "--columns disp=1,force=2 --units disp=mm,force=kN, with your numbers and units");
   }
 
   void refuse_shared_columns() {
@@ -394,7 +428,8 @@ class Resolver {
           complain(header_place(),
                    fmt::format("{} is asked for as {} and as {}", column_text(column.index, header_), name(channel),
                                name(other)),
-                   "one column per channel", fmt::format("--columns {}=NUMBER,{}=NUMBER", name(channel), name(other)));
+                   "one column per channel",
+                   fmt::format("--columns {}={},{}={}", name(channel), any_column(), name(other), any_column()));
   }
 
   struct WrittenUnit {
@@ -411,9 +446,12 @@ class Resolver {
       auto const unit = dissect_name(header_.names[index]).unit;
       if (!unit.empty()) written.push_back({unit, "from its name", header_place()});
     }
-    if (header_.unit_line && !trimmed(header_.units[index]).empty())
-      written.push_back({header_.units[index], fmt::format("from line {}", *header_.unit_line + 1),
+    if (header_.units.empty() || trimmed(header_.units[index]).empty()) return written;
+    if (header_.unit_line)
+      written.push_back({header_.units[index], fmt::format("from {} {}", header_.row, *header_.unit_line + 1),
                          fmt::format("{}:{}", file_, *header_.unit_line + 1)});
+    else
+      written.push_back({header_.units[index], "as the file states beside it", file_});
     return written;
   }
 
@@ -460,7 +498,7 @@ class Resolver {
 
   std::string file_;
   Header const& header_;
-  Dialect const& dialect_;
+  std::size_t count_;
   ReadOptions const& options_;
   std::map<Channel, std::string> why_;
   Columns result_;
@@ -508,13 +546,48 @@ bool names_a_channel(std::string_view cell) {
 }
 
 std::string column_text(std::size_t index, Header const& header) {
-  if (header.names.empty() || header.names[index].empty()) return fmt::format("column {}", index + 1);
-  return fmt::format("column {} {}", index + 1, in_quotes(header.names[index]));
+  if (header.by_name) return "variable " + in_quotes(header.names[index]);
+  auto const label = header.lettered ? column_letters(index) : std::to_string(index + 1);
+  if (header.names.empty() || header.names[index].empty()) return "column " + label;
+  return fmt::format("column {} {}", label, in_quotes(header.names[index]));
 }
 
-Columns recognise_columns(std::string const& where, Header const& header, Dialect const& dialect,
+std::string column_key(std::size_t index, Header const& header) {
+  auto const number = std::to_string(index + 1);
+  if (header.names.empty()) return number;
+  auto const& text = header.names[index];
+  bool const plain = is_printable(text) && !text.empty() && text.find_first_of(",=\"") == std::string::npos &&
+                     text.find_first_not_of("0123456789") != std::string::npos && lower(text) != "none";
+  return plain && std::ranges::count(header.names, text) == 1 ? text : number;
+}
+
+std::string option_key(std::size_t index, Header const& header) {
+  if (header.by_name) return column_key(index, header);
+  return header.lettered ? column_letters(index) : std::to_string(index + 1);
+}
+
+std::string column_letters(std::size_t index) {
+  std::string letters;
+  for (++index; index > 0; index = (index - 1) / 26)
+    letters.insert(letters.begin(), static_cast<char>('A' + (index - 1) % 26));
+  return letters;
+}
+
+std::optional<std::size_t> letters_column(std::string_view letters) {
+  constexpr std::size_t longest = 3;
+  if (letters.empty() || letters.size() > longest) return std::nullopt;
+  std::size_t number = 0;
+  for (char const c : letters) {
+    char const capital = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    if (!is_capital(capital)) return std::nullopt;
+    number = 26 * number + static_cast<std::size_t>(capital - 'A' + 1);
+  }
+  return number - 1;
+}
+
+Columns recognise_columns(std::string const& where, Header const& header, std::size_t count,
                           ReadOptions const& options) {
-  auto columns = Resolver(where, header, dialect, options).run();
+  auto columns = Resolver(where, header, count, options).run();
   if (!columns.channels.contains(Channel::time))
     for (std::size_t i = 0; i < header.names.size(); ++i)
       if (is_counter(header.names[i]))

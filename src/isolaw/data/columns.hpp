@@ -42,11 +42,22 @@ struct Columns {
   std::vector<std::string> warnings;
 };
 
-// `where` is the file as given. Never throws: problems are collected.
-Columns recognise_columns(std::string const& where, Header const& header, Dialect const& dialect,
+// `where` is the file as given, or the part of it that holds the `count` columns. Never throws: problems are collected.
+Columns recognise_columns(std::string const& where, Header const& header, std::size_t count,
                           ReadOptions const& options);
 
-// "column 2 'Force [kN]'"
+// The name where it says which column it is and an option can hold it, else the number.
+std::string column_key(std::size_t index, Header const& header);
+
+// What --columns takes for a column, as advice names it: its number, its letter, or the name of a variable.
+std::string option_key(std::size_t index, Header const& header);
+
+// "A" to "Z", "AA", ...: the columns of a workbook, from 0.
+std::string column_letters(std::size_t index);
+// From 0; nullopt when these are no letters of a column.
+std::optional<std::size_t> letters_column(std::string_view letters);
+
+// "column 2 'Force [kN]'", "column B 'Force [kN]'", "variable 'Force'"
 std::string column_text(std::size_t index, Header const& header);
 
 }  // namespace isolaw::data

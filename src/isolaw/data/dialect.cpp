@@ -146,7 +146,7 @@ void study_columns(Dialect& dialect, std::span<std::string_view const> sample) {
   std::size_t rows = 0;
   std::vector<std::string_view> cells;
   for (auto const line : sample) {
-    split_cells(line, dialect.delimiter, cells);
+    split_row(line, dialect, cells);
     if (cells.size() != dialect.columns) continue;
     std::size_t count = 0;
     for (auto const cell : cells) count += number_like(parse_cell(cell, dialect.decimal).kind) ? 1u : 0u;
@@ -206,6 +206,11 @@ void split_cells(std::string_view line, char delimiter, std::vector<std::string_
   if (cells.size() > 1 && cells.back().empty()) cells.pop_back();
 }
 
+void split_row(std::string_view line, Dialect const& dialect, std::vector<std::string_view>& cells) {
+  split_cells(line, dialect.delimiter, cells);
+  if (dialect.sheet) cells.resize(dialect.columns);
+}
+
 bool is_comment(std::string_view line) {
   auto const text = trimmed(line);
   return !text.empty() && (text.front() == '#' || text.front() == '%');
@@ -230,6 +235,19 @@ std::string_view delimiter_name(char delimiter) {
 
 std::string_view decimal_name(char decimal) {
   return decimal == ',' ? "comma" : "point";
+}
+
+std::optional<Dialect> sheet_dialect(std::span<std::string_view const> rows) {
+  auto const sample = sample_lines(rows);
+  auto const score = score_pair(sample, {'\t', '.'});
+  if (score.columns < 2) return std::nullopt;
+  Dialect dialect;
+  dialect.delimiter = '\t';
+  dialect.columns = score.columns;
+  dialect.sheet = true;
+  study_columns(dialect, sample);
+  dialect.decimal_seen = true;
+  return dialect;
 }
 
 std::optional<Dialect> recognise_dialect(std::span<std::string_view const> lines) {

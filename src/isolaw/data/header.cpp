@@ -50,6 +50,11 @@ Names split_bracketed(std::string_view line) {
 
 // The cells of a header line; where blanks separate, the reading that gives the right number of them, if any does.
 Names header_cells(std::string_view line, Dialect const& dialect) {
+  if (dialect.sheet) {
+    std::vector<std::string_view> cells;
+    split_row(line, dialect, cells);
+    return to_names(cells);
+  }
   auto names = split_names(line, dialect.delimiter);
   while (names.size() > dialect.columns && names.back().empty()) names.pop_back();
   if (names.size() + 1 == dialect.columns && line.ends_with(dialect.delimiter))
@@ -62,7 +67,7 @@ Names header_cells(std::string_view line, Dialect const& dialect) {
 
 bool is_data_row(std::string_view line, Dialect const& dialect) {
   std::vector<std::string_view> cells;
-  split_cells(line, dialect.delimiter, cells);
+  split_row(line, dialect, cells);
   if (cells.size() != dialect.columns) return false;
   std::size_t numbers = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -95,6 +100,11 @@ UnitShare count_units(Names const& cells) {
   return share;
 }
 
+std::size_t count_filled(Names const& cells) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(cells, [](auto const& cell) { return !trimmed(cell).empty(); }));
+}
+
 std::size_t count_channels(Names const& cells) {
   return static_cast<std::size_t>(std::ranges::count_if(cells, [](auto const& cell) { return names_a_channel(cell); }));
 }
@@ -120,9 +130,12 @@ std::optional<Candidate> find_names(std::span<std::string_view const> above, Dia
     auto cells = header_cells(commented ? without_mark(above[i]) : above[i], dialect);
     auto const channels = count_channels(cells);
     if (cells.size() != dialect.columns) {
-      if (channels >= 2 && cells.size() >= 2 && !commented) header.mismatch = Header::Mismatch{i, cells.size()};
+      if (channels >= 2 && cells.size() >= 2 && !commented)
+        header.mismatch =
+            Header::Mismatch{i, cells.size(), dialect.delimiter == ',' && dialect.columns == 2 * cells.size()};
       continue;
     }
+    if (dialect.sheet && count_filled(cells) < 2) continue;  // a title
     if (has_number(cells, dialect.decimal) || (best && count_units(cells).most()) || count_units(cells).all()) continue;
     auto& slot = commented ? comment : best;
     if (!slot || channels >= slot->channels) slot = Candidate{i, std::move(cells), channels};
@@ -131,7 +144,39 @@ std::optional<Candidate> find_names(std::span<std::string_view const> above, Dia
   return best;
 }
 
+// Most rows of numbers hold no letter but that of an exponent: told without taking the line apart.
+bool may_hold_names(std::string_view line) {
+  return std::ranges::any_of(line, [](char c) {
+    bool const letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
+    return letter && c != 'e' && c != 'E';
+  });
+}
+
+// The first row of names again, or a row that names two channels.
+bool begins_test(std::string_view line, Dialect const& dialect, std::string_view first_names) {
+  if (!may_hold_names(line)) return false;
+  if (!first_names.empty() && trimmed(line) == first_names) return true;
+  if (is_comment(line)) return false;
+  auto const cells = header_cells(line, dialect);
+  return cells.size() == dialect.columns && !has_number(cells, dialect.decimal) && count_channels(cells) >= 2;
+}
+
 }  // namespace
+
+std::vector<std::size_t> later_tests(std::span<std::string_view const> lines, Dialect const& dialect,
+                                     Header const& first) {
+  std::vector<std::size_t> starts;
+  auto const names = first.name_line ? trimmed(lines[*first.name_line]) : std::string_view{};
+  auto last_seen = first.first_data;  // the lines before it are known to hold no row above these names
+  for (auto i = first.first_data; i < lines.size(); ++i) {
+    if (!begins_test(lines[i], dialect, names)) continue;
+    auto row = i;
+    while (row > last_seen && !is_data_row(lines[row - 1], dialect)) --row;
+    if (row > last_seen) starts.push_back(row);  // what stands between the rows and the names belongs to the new test
+    last_seen = i + 1;
+  }
+  return starts;
+}
 
 Header recognise_header(std::span<std::string_view const> lines, Dialect const& dialect) {
   Header header;

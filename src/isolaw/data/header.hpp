@@ -18,17 +18,27 @@ struct Header {
   std::optional<std::size_t> name_line;
   std::optional<std::size_t> unit_line;
   std::vector<std::string> names;        // per column, UTF-8, with units as written; empty without a name row
-  std::vector<std::string> units;        // per column; empty without a unit row
+  std::vector<std::string> units;        // per column; empty where neither a row nor a key gives them
   std::vector<std::size_t> passed_over;  // lines above the data that are neither, blank lines and comments left out
 
   // A row that names channels, but not as many as there are columns.
   struct Mismatch {
     std::size_t line;
     std::size_t names;
+    bool commas = false;  // as if the comma were both delimiter and decimal separator
   };
   std::optional<Mismatch> mismatch;
+
+  std::string_view row = "line";  // what a row is called: "line", "row", "element"
+  bool lettered = false;          // columns have letters, as in a workbook
+  bool by_name = false;           // columns are variables: named, not numbered, in what is advised
+  std::string listing;            // what the file holds besides, where that is more than its columns
 };
 
 Header recognise_header(std::span<std::string_view const> lines, Dialect const& dialect);
+
+// The lines at which another test begins: a row of names below rows of numbers. From 0; the first test is not among them.
+std::vector<std::size_t> later_tests(std::span<std::string_view const> lines, Dialect const& dialect,
+                                     Header const& first);
 
 }  // namespace isolaw::data

@@ -1,5 +1,7 @@
-// Cyclic properties of a force-displacement history: cycles, effective stiffness, energy, equivalent viscous damping.
-// Formulas of EN 15129 and NTC 2018 (11.9.7).
+// Cyclic properties of a force-displacement history, per cycle and per block: effective stiffness, energy, equivalent
+// viscous damping, characteristic strength, bilinear idealisation, velocities, vertical load; their stability.
+// Formulas of EN 15129, ISO 22762-1 and NTC 2018 (11.9.7), all from raw values. The vertical stiffness K_v is not
+// assessed: a shear test under constant vertical load does not hold it.
 #pragma once
 
 #include <optional>
@@ -7,32 +9,110 @@
 #include <string>
 #include <vector>
 
+#include "isolaw/data/cycles.hpp"
+#include "isolaw/data/record.hpp"
+
 namespace isolaw::data {
 
-// One closed cycle, cut at zero crossings of displacement in the direction of the first motion, interpolated. A
-// crossing counts once displacement has been beyond a band of 2 % of its half range on the other side, so that noise
-// and tremor about zero cut nothing. A record that starts, or comes to rest, inside the band is cut there.
+// One closed cycle, cut as segment() cuts. A partial one holds what its samples give, and never counts.
 struct Cycle {
-  int number = 0;      // from 1
-  double first = 0.0;  // start and end as fractional sample indices
+  int block = 0;            // number of its block, from 1
+  int number = 0;           // among the cycles of its block that count, from 1; 0 for one that does not
+  std::string not_counted;  // why it does not count
+  bool partial = false;     // the record starts or ends within it
+  double first = 0.0;       // start and end as fractional sample indices
   double last = 0.0;
-  double amplitude_mm = 0.0;     // (largest - smallest displacement) / 2
-  double K_eff_kN_per_mm = 0.0;  // (force at largest x - force at smallest x) / (largest x - smallest x)
-  double energy_kN_mm = 0.0;     // trapezoid of F dx over the cycle, closed by a straight line
-  double damping_percent = 0.0;  // energy / (2 pi K_eff amplitude^2)
+  double amplitude_mm = 0.0;  // D = (largest - smallest displacement) / 2, of samples
+  double d_plus_mm = 0.0;     // largest and smallest displacement, and the forces there
+  double d_minus_mm = 0.0;
+  double F_plus_kN = 0.0;
+  double F_minus_kN = 0.0;
+  double K_eff_kN_per_mm = 0.0;   // peak to peak: (F+ - F-) / (d+ - d-)
+  double K_plus_kN_per_mm = 0.0;  // per side, F / d (NTC 2018); 0 where d is 0
+  double K_minus_kN_per_mm = 0.0;
+  double energy_kN_mm = 0.0;            // trapezoid of F dd over the cycle, closed by a straight line
+  double damping_percent = 0.0;         // energy / (2 pi K_eff D^2)
+  double Q_d_kN = 0.0;                  // half the loop's height at the level of the cuts: (F rising - F falling) / 2
+  double K_d_kN_per_mm = 0.0;           // K_eff - Q_d / D
+  std::optional<double> D_y_mm;         // bilinear loop of the same energy: D - energy / (4 Q_d), where 0 < D_y < D
+  std::optional<double> K_1_kN_per_mm;  // K_d + Q_d / D_y
+  std::optional<double> period_s;       // from cut to cut, holds included; needs time
+  std::optional<double> v_max_mm_s;     // largest |slope| over a 25th of the swing to and fro; needs time
+  std::optional<double> N_mean_kN;      // vertical load; needs its channel
+  std::optional<double> N_min_kN;
+  std::optional<double> N_max_kN;
+  double closure_mm = 0.0;  // end minus start, before the loop is closed
+  double closure_kN = 0.0;
+
+  bool counts() const { return number > 0; }
+};
+
+// Consecutive cycles of one amplitude and frequency.
+struct Block {
+  int number = 0;                      // from 1
+  double amplitude_mm = 0.0;           // medians over the cycles that count
+  std::optional<double> frequency_Hz;  // from extreme to extreme, so that holds between cycles count nothing
+  std::optional<double> v_max_mm_s;
+  std::string waveform;       // "sine", "triangle" or "other"; empty without time
+  std::vector<Cycle> cycles;  // in order, those that do not count included
+
+  std::vector<Cycle const*> counted() const;
 };
 
 struct Properties {
-  std::vector<Cycle> cycles;                // complete cycles, in order
-  std::optional<Cycle> reported;            // the third, or the last where there are fewer; empty when refused
-  std::string refusal;                      // why there is none: less than one cycle, fewer than 20 samples per cycle
-  std::optional<double> samples_per_cycle;  // median over complete cycles, so that a hold before the test counts little
+  std::vector<Block> blocks;
+  // The third cycle that counts (the last where there are fewer) of the block of largest amplitude, the first of these;
+  // empty when refused.
+  std::optional<Cycle> reported;
+  std::string refusal;  // why there is none: not cyclic, less than one cycle, fewer than 20 samples per cycle
+  std::optional<double> samples_per_cycle;  // median over the cycles that count
+  double centre_mm = 0.0;                   // level of the cuts
+
+  Cycle const* find(int block, int number) const;  // nullptr where there is none
+  std::vector<Cycle const*> counted() const;       // of all blocks, in order
+  std::vector<Cycle const*> complete() const;      // not partial; counted or not, also where not cyclic
+  bool is_reported(Cycle const& cycle) const;
 };
 
-// disp_mm and force_kN of equal length; the axis is the sample index, so no time is needed.
+// The channels of a record; time_s and load_kN may be empty, else all are of one length.
+struct CycleView {
+  std::span<double const> disp_mm;
+  std::span<double const> force_kN;
+  std::span<double const> time_s;
+  std::span<double const> load_kN;
+};
+
+Properties cyclic_properties(CycleView const& view);
+Properties cyclic_properties(TestRecord const& record);
+// Without time and load: periods are compared in samples.
 Properties cyclic_properties(std::span<double const> disp_mm, std::span<double const> force_kN);
 
-// The properties of another force on the same cycle (a law's computed force at the same samples).
+// The properties of another force on the same cycle (a law's computed force at the same samples); what does not depend
+// on the force is taken from `cycle`.
 Cycle properties_on(Cycle const& cycle, std::span<double const> disp_mm, std::span<double const> force_kN);
+
+// How a property keeps through the cycles that count of one block (EN 15129 8.2.1.2.6; scragging). Ratios to cycle 3
+// are empty where there is none. The extremes are those of the ratios over cycles 2 to 10 and 1 to 10, or as many as
+// there are; least_to_largest is the smallest value of these cycles over the largest.
+struct Stability {
+  int cycles = 0;  // that count
+  std::vector<double> ratio_to_third;
+  std::optional<double> min_2_10, max_2_10, min_1_10, max_1_10;
+  std::optional<double> least_to_largest_2_10, least_to_largest_1_10;
+  std::optional<double> first_to_third;     // scragging ratio
+  std::optional<double> first_to_mean_1_3;  // largest test factor of ASCE 7, where the property falls
+  std::optional<double> last_to_mean_1_3;   // smallest
+};
+
+// stability(block, &Cycle::K_eff_kN_per_mm), or energy_kN_mm, or damping_percent.
+Stability stability(Block const& block, double Cycle::*property);
+
+struct Strains {
+  double shear_strain_percent = 0.0;  // 100 D / T_r
+  double G_MPa = 0.0;                 // K_eff T_r / A_r
+};
+
+// Of a device of rubber thickness T_r in mm and area A_r in mm2, both positive.
+Strains strains(Cycle const& cycle, double rubber_thickness_mm, double rubber_area_mm2);
 
 }  // namespace isolaw::data

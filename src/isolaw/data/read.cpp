@@ -1,10 +1,12 @@
-// Joins the parts of reading: text, dialect, header, columns, then the rows, then what the values tell. Problems are
+// Joins the parts of reading: the format and its tables, columns, rows, then what the values tell. Problems are
 // collected as far as reading can go on; the first problem that hides the rest is thrown at once.
 #include "isolaw/data/read.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -14,146 +16,25 @@
 #include "isolaw/base/printable.hpp"
 #include "isolaw/data/checks.hpp"
 #include "isolaw/data/columns.hpp"
-#include "isolaw/data/dialect.hpp"
-#include "isolaw/data/header.hpp"
+#include "isolaw/data/json_table.hpp"
+#include "isolaw/data/mat_table.hpp"
+#include "isolaw/data/sheet_choice.hpp"
+#include "isolaw/data/table.hpp"
 #include "isolaw/data/text.hpp"
+#include "isolaw/data/text_table.hpp"
+#include "isolaw/data/workbook.hpp"
 
 namespace isolaw::data {
 namespace {
 
 constexpr std::size_t least_samples = 3;
 
-// The rows of numbers, in the units of the file.
-struct Rows {
-  std::vector<RawChannel> channels;
-  std::vector<std::size_t> lines;  // line number of each sample
-  std::size_t comments = 0;        // comment lines among the rows
-};
-
-class RowReader {
- public:
-  RowReader(std::string const& file, std::span<std::string_view const> lines, Dialect const& dialect,
-            Header const& header, Columns const& columns)
-      : lines_(lines),
-        dialect_(dialect),
-        header_(header),
-        widths_(file, "rows with another number of columns"),
-        numbers_(file, "cells that are no number") {
-    for (auto const& [channel, column] : columns.channels) {
-      rows_.channels.push_back({.channel = channel,
-                                .column = column_text(column.index, header),
-                                .unit = column.unit ? std::string(column.unit->symbol) : std::string(),
-                                .values = {}});
-      rows_.channels.back().values.reserve(lines.size() - header.first_data);
-      indices_.push_back(column.index);
-    }
-    rows_.lines.reserve(lines.size() - header.first_data);
-    row_.resize(indices_.size());
-  }
-
-  Rows read(std::vector<Complaint>& complaints) {
-    for (auto i = header_.first_data; i < lines_.size(); ++i) {
-      if (is_comment(lines_[i]))
-        ++rows_.comments;
-      else
-        read_line(i);
-    }
-    widths_.append_to(complaints);
-    numbers_.append_to(complaints);
-    return std::move(rows_);
-  }
-
- private:
-  void read_line(std::size_t i) {
-    split_cells(lines_[i], dialect_.delimiter, cells_);
-    if (cells_.size() != dialect_.columns) {
-      if (!is_blank(lines_[i], dialect_.delimiter)) report_width(i);
-      return;
-    }
-    bool good = true;
-    for (std::size_t k = 0; k < indices_.size(); ++k) {
-      auto const cell = cells_[indices_[k]];
-      auto const parsed = parse_cell(cell, dialect_.decimal);
-      row_[k] = parsed.value;
-      if (parsed.kind == CellKind::number) continue;
-      if (good) report_cell(i, k, cell, parsed.kind);  // one complaint per row
-      good = false;
-    }
-    if (!good) return;
-    for (std::size_t k = 0; k < row_.size(); ++k) rows_.channels[k].values.push_back(row_[k]);
-    rows_.lines.push_back(i + 1);
-  }
-
-  bool repeats_header(std::size_t i) const { return header_.name_line && lines_[i] == lines_[*header_.name_line]; }
-
-  void report_width(std::size_t i) {
-    widths_.add(i + 1, fmt::format("{} columns: {}", cells_.size(), in_quotes(lines_[i])),
-                fmt::format("{} columns, as in most rows", dialect_.columns), "remove the line, or put '#' before it");
-  }
-
-  void report_cell(std::size_t i, std::size_t k, std::string_view cell, CellKind kind) {
-    auto const& column = rows_.channels[k].column;
-    if (repeats_header(i))
-      numbers_.add(i + 1, "the header is repeated: several tests in one file", "one test per file",
-                   "split the file here");
-    else if (kind == CellKind::grouped)
-      numbers_.add(i + 1, fmt::format("{} in {} has thousands separators", in_quotes(cell), column),
-                   fmt::format("a number with a decimal {} and no other separator", decimal_name(dialect_.decimal)),
-                   "export without digit grouping");
-    else if (kind == CellKind::not_finite)
-      numbers_.add(i + 1, fmt::format("{} in {} is not a finite number", in_quotes(cell), column), "a finite number",
-                   "cut the record before this line, or test again");
-    else if (kind == CellKind::empty)
-      numbers_.add(i + 1, column + " is empty", "a number", "remove the line, or put '#' before it");
-    else
-      numbers_.add(i + 1, fmt::format("{} in {} is not a number", in_quotes(cell), column),
-                   fmt::format("a number with a decimal {}", decimal_name(dialect_.decimal)),
-                   "correct the cell, or put '#' before the line");
-  }
-
-  std::span<std::string_view const> lines_;
-  Dialect const& dialect_;
-  Header const& header_;
-  std::vector<std::size_t> indices_;  // columns wanted
-  std::vector<std::string_view> cells_;
-  std::vector<double> row_;
-  Rows rows_;
-  Findings widths_;
-  Findings numbers_;
-};
-
 // --- sentences ------------------------------------------------------------------------------------------------------
 
-std::string line_list(std::vector<std::size_t> const& lines) {
-  constexpr std::size_t shown = 6;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(shown, lines.size()); ++i)
-    text += fmt::format("{}{}", i == 0 ? "" : ", ", lines[i] + 1);
-  return lines.size() > shown ? text + fmt::format(" and {} more", lines.size() - shown) : text;
-}
-
-void describe_text(Lines const& text, std::vector<std::string>& recognised) {
-  if (text.byte_order_mark) recognised.push_back("a UTF-8 byte order mark is left out");
-  if (text.windows_1252) recognised.push_back("bytes that are no UTF-8 are read as Windows-1252");
-}
-
-void describe_header(Header const& header, std::vector<std::string>& recognised) {
-  if (header.name_line)
-    recognised.push_back(
-        fmt::format("line {} is the header{}", *header.name_line + 1,
-                    header.unit_line ? fmt::format(", line {} gives the units", *header.unit_line + 1) : ""));
-  else
-    recognised.push_back(header.unit_line
-                             ? fmt::format("line {} gives the units; no line names the columns", *header.unit_line + 1)
-                             : "no line names the columns");
-  if (!header.passed_over.empty())
-    recognised.push_back(fmt::format("above the data, line {} {} passed over", line_list(header.passed_over),
-                                     header.passed_over.size() == 1 ? "is" : "are"));
-}
-
-void describe_rows(Rows const& rows, TestRecord const& record, std::vector<std::string>& recognised) {
+void describe_rows(Rows const& rows, std::string_view row, TestRecord const& record,
+                   std::vector<std::string>& recognised) {
   recognised.push_back(
-      fmt::format("{} samples, lines {} to {}", rows.lines.size(), rows.lines.front(), rows.lines.back()));
+      fmt::format("{} samples, {}s {} to {}", rows.numbers.size(), row, rows.numbers.front(), rows.numbers.back()));
   if (rows.comments > 0)
     recognised.push_back(fmt::format("{} comment lines among the rows are passed over", rows.comments));
   if (!record.has_time()) {
@@ -179,18 +60,10 @@ void check_interval(std::string const& file, ReadOptions const& options, Header 
          "--dt for a file without a time column", "leave --dt out, or leave the column out with --columns time=none"});
 }
 
-// The name where it says which column it is and an option can hold it, else the number.
-std::string column_key(std::size_t index, Header const& header) {
-  auto const number = std::to_string(index + 1);
-  if (header.names.empty()) return number;
-  auto const& text = header.names[index];
-  bool const plain = is_printable(text) && !text.empty() && text.find_first_of(",=\"") == std::string::npos &&
-                     text.find_first_not_of("0123456789") != std::string::npos && lower(text) != "none";
-  return plain && std::ranges::count(header.names, text) == 1 ? text : number;
-}
-
 Layout resolved_layout(Columns const& columns, Header const& header, ReadOptions const& options) {
-  Layout layout{.columns = {}, .units = {}, .dt_s = options.dt_s, .flip_force = options.flip_force};
+  Layout layout;
+  layout.dt_s = options.dt_s;
+  layout.flip_force = options.flip_force;
   for (auto const& [channel, column] : columns.channels) {
     layout.columns[channel] = column_key(column.index, header);
     if (column.unit) layout.units[channel] = column.unit->symbol;
@@ -200,11 +73,12 @@ Layout resolved_layout(Columns const& columns, Header const& header, ReadOptions
   return layout;
 }
 
-std::string exchange_advice(Columns const& columns) {
+std::string exchange_advice(Columns const& columns, Header const& header) {
   auto const& disp = columns.channels.at(Channel::disp);
   auto const& force = columns.channels.at(Channel::force);
   return fmt::format("--columns disp={},force={} --units disp={},force={}, with the units these columns have",
-                     force.index + 1, disp.index + 1, disp.unit->symbol, force.unit->symbol);
+                     option_key(force.index, header), option_key(disp.index, header), disp.unit->symbol,
+                     force.unit->symbol);
 }
 
 std::vector<double> in_record_units(std::vector<double> values, double factor) {
@@ -242,78 +116,193 @@ void append(std::vector<std::string>& sentences, std::vector<std::string> const&
   sentences.insert(sentences.end(), more.begin(), more.end());
 }
 
-Dialect require_dialect(std::string const& file, std::span<std::string_view const> lines) {
-  auto dialect = recognise_dialect(lines);
-  if (!dialect)
-    throw Error(Complaint{.where = file,
-                          .found = fmt::format("no rows of numbers in {} lines", lines.size()),
-                          .allowed = "two or more columns of numbers, separated by commas, semicolons, tabs or blanks",
-                          .advice = "export displacement and force as CSV"});
-  return *std::move(dialect);
+// --- formats ----------------------------------------------------------------------------------------------------------
+
+// Told by the first bytes: names of files change more easily.
+Tests open_tests(std::string_view bytes, std::string const& file, std::optional<std::string> const& sheet) {
+  if (is_zip(bytes)) return workbook_tests(bytes, file, sheet);
+  if (is_mat(bytes)) return mat_tests(bytes, file, sheet);
+  if (is_json(bytes)) return json_tests(bytes, file, sheet);
+  auto tests = text_tests(bytes, file);
+  if (sheet)
+    throw Error(Complaint{.where = "--sheet",
+                          .found = fmt::format("{}, but {} is delimited text", in_quotes(*sheet), file),
+                          .allowed = "a sheet of a workbook, a struct of a .mat file, a key of JSON",
+                          .advice = "leave --sheet out"});
+  return tests;
 }
 
-void refuse_width(std::string const& file, Dialect const& dialect) {
-  constexpr std::size_t most_columns = 1000;
-  if (dialect.columns > most_columns)
-    throw Error(Complaint{
-        .where = file,
-        .found = fmt::format("{} columns separated by {}", dialect.columns, delimiter_name(dialect.delimiter)),
-        .allowed = fmt::format("{} or fewer", most_columns),
-        .advice = "export time, displacement and force alone, one sample a line"});
+// A name for the command line, quoted where a shell would take it apart.
+std::string typed(std::string const& name) {
+  auto const plain = name.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_.-");
+  return plain == std::string::npos ? name : "\"" + printable(name) + "\"";
 }
 
-// Whole numbers separated by commas without names may be decimals with a comma: "1,5,2,0".
-void check_commas(std::string const& file, Dialect const& dialect, Header const& header,
-                  std::vector<Complaint>& complaints) {
-  if (dialect.delimiter != ',' || dialect.decimal_seen || !header.names.empty() || header.mismatch ||
-      dialect.columns % 2 != 0 || dialect.columns < 4)
-    return;
-  complaints.push_back({fmt::format("{}:{}", file, header.first_data + 1),
-                        fmt::format("{} columns of whole numbers, or {} of numbers with a decimal comma: nothing tells",
-                                    dialect.columns, dialect.columns / 2),
-                        "a delimiter that is not the decimal separator, or a line of names",
-                        "export with semicolons or tabs between the columns"});
+void require_one_sheet(Tests const& tests, std::string const& file, ReadOptions const& options) {
+  bool const columns_told = options.columns.contains(Channel::disp) && options.columns.contains(Channel::force);
+  bool const by_name = tests.tables.front()->header().by_name;
+  if (options.sheet || tests.sheets.size() < 2 || (by_name && columns_told)) return;
+  throw Error(Complaint{.where = file,
+                        .found = fmt::format("{} may each be the test", sheet_list(tests.sheets, "tables")),
+                        .allowed = "one of them",
+                        .advice = fmt::format("--sheet {}", typed(tests.sheets.front()))});
+}
+
+std::string starts_of(Tests const& tests) {
+  constexpr std::size_t shown = 10;
+  std::vector<std::string> texts;
+  for (auto const& table : tests.tables)
+    if (texts.size() < shown) texts.push_back(std::to_string(table->start()));
+  auto const row = tests.tables.front()->header().row;
+  return fmt::format("{}s {}{}", row, fmt::join(texts, ", "),
+                     tests.tables.size() > shown ? fmt::format(" and {} more", tests.tables.size() - shown) : "");
+}
+
+// The tests to read, as positions; throws Error where nothing says which of several.
+std::vector<std::size_t> chosen_tests(Tests const& tests, ReadOptions const& options) {
+  auto const count = tests.tables.size();
+  auto const& place = tests.tables.front()->place();
+  if (!options.test && count > 1)
+    throw Error(Complaint{.where = place,
+                          .found = fmt::format("{} tests in one file: they start at {}", count, starts_of(tests)),
+                          .allowed = "one of them, or all as one history",
+                          .advice = "--test all, or --test 2"});
+  std::vector<std::size_t> chosen;
+  if (!options.test || parse_test(*options.test) == "all") {
+    for (std::size_t i = 0; i < count; ++i) chosen.push_back(i);
+    return chosen;
+  }
+  auto const number = std::stoul(*options.test);
+  if (number > count)
+    throw Error(
+        Complaint{.where = place,
+                  .found = fmt::format("no test {}", number),
+                  .allowed = count == 1 ? "1, the only one" : fmt::format("1 to {}, at {}", count, starts_of(tests)),
+                  .advice = "--test 1"});
+  return {number - 1};
+}
+
+TestRecord read_table(Tests const& tests, Table const& table, TestRecord record, ReadOptions const& options) {
+  auto const& place = table.place();
+  auto const columns = recognise_columns(place, table.header(), table.columns(), options);
+  auto complaints = columns.complaints;
+  table.check(complaints);
+  check_interval(place, options, table.header(), columns, complaints);
+  auto rows = table.read(columns, complaints);
+  if (rows.numbers.size() < least_samples && complaints.empty())
+    complaints.push_back(
+        {place, fmt::format("{} samples", rows.numbers.size()), fmt::format("{} or more", least_samples), {}});
+  for (auto const& raw : rows.channels)
+    check_channel(table.place_of(columns.channels.at(raw.channel).index), raw, rows.numbers, complaints);
+  if (!complaints.empty()) throw Error(std::move(complaints));
+
+  record.layout = resolved_layout(columns, table.header(), options);
+  record.layout.sheet = tests.sheet;
+  append(record.recognised, tests.recognised);
+  append(record.recognised, table.recognised());
+  append(record.recognised, columns.recognised);
+  append(record.warnings, columns.warnings);
+  store_channels(rows, columns, record);
+  describe_rows(rows, table.header().row, record, record.recognised);
+  correct(record, options.corrections);
+  record.layout.corrections = options.corrections;
+  check_physics(record, exchange_advice(columns, table.header()), complaints);
+  if (!complaints.empty()) throw Error(std::move(complaints));
+  add_warnings(record);
+  return record;
 }
 
 }  // namespace
+
+std::string parse_test(std::string_view text) {
+  auto const word = lower(trimmed(text));
+  std::size_t number = 0;
+  auto const [end, failure] = std::from_chars(word.data(), word.data() + word.size(), number);
+  bool const is_number = failure == std::errc{} && end == word.data() + word.size() && number >= 1 && number <= 1000;
+  if (word == "all") return word;
+  if (is_number) return std::to_string(number);
+  throw Error(Complaint{
+      .where = "--test", .found = in_quotes(text), .allowed = "all, or the number of a test, from 1 to 1000"});
+}
 
 TestRecord read_record(std::filesystem::path const& file, ReadOptions const& options) {
   return read_record_text(load_text(file), file.generic_string(), options);
 }
 
 TestRecord read_record_text(std::string_view bytes, std::string const& name, ReadOptions const& options) {
-  TestRecord record;
-  record.file = name;
-  check_text(name, bytes);
-  record.sha256 = sha256(bytes);
-  auto const text = split_lines(bytes);
-  auto const dialect = require_dialect(record.file, text.lines);
-  refuse_width(record.file, dialect);
-  auto const header = recognise_header(text.lines, dialect);
-  auto const columns = recognise_columns(record.file, header, dialect, options);
+  TestRecord start;
+  start.file = name;
+  start.sha256 = sha256(bytes);
+  auto const tests = open_tests(bytes, name, options.sheet);
+  require_one_sheet(tests, name, options);
+  std::optional<TestRecord> history;
+  auto const chosen = chosen_tests(tests, options);
+  for (auto const i : chosen) {
+    auto record = read_table(tests, *tests.tables[i], start, options);
+    if (!history)
+      history = std::move(record);
+    else
+      continue_with(*history, record, fmt::format("test {}", i + 1));
+  }
+  history->sha256 = start.sha256;
+  if (tests.tables.size() > 1) {
+    history->layout.test = parse_test(*options.test);
+    history->recognised.push_back(
+        fmt::format("{} tests in the file, {} is read", tests.tables.size(),
+                    chosen.size() > 1 ? "one history of all" : fmt::format("test {}", chosen.front() + 1)));
+  }
+  return *std::move(history);
+}
 
-  auto complaints = columns.complaints;
-  check_commas(record.file, dialect, header, complaints);
-  check_interval(record.file, options, header, columns, complaints);
-  auto rows = RowReader(record.file, text.lines, dialect, header, columns).read(complaints);
-  if (rows.lines.size() < least_samples && complaints.empty())
-    complaints.push_back(
-        {record.file, fmt::format("{} samples", rows.lines.size()), fmt::format("{} or more", least_samples), {}});
-  for (auto const& raw : rows.channels) check_channel(record.file, raw, rows.lines, complaints);
-  if (!complaints.empty()) throw Error(std::move(complaints));
+std::vector<TestChoice> list_tests(std::filesystem::path const& file, ReadOptions const& options) {
+  auto const bytes = load_text(file);
+  auto const name = file.generic_string();
+  std::vector<TestChoice> choices;
+  auto const add = [&](Tests const& tests) {
+    for (std::size_t i = 0; i < tests.tables.size(); ++i) {
+      auto const& table = *tests.tables[i];
+      auto const number = std::to_string(i + 1);
+      bool const wanted = !options.test || parse_test(*options.test) == number;
+      if (wanted || (i == 0 && parse_test(*options.test) == "all"))
+        choices.push_back({.sheet = tests.sheet,
+                           .test = tests.tables.size() == 1 ? std::nullopt
+                                   : options.test           ? std::optional(parse_test(*options.test))
+                                                            : std::optional(number),
+                           .place = fmt::format("{}:{}", table.place(), table.start())});
+    }
+  };
+  auto const tests = open_tests(bytes, name, options.sheet);
+  bool const columns_told = options.columns.contains(Channel::disp) && options.columns.contains(Channel::force);
+  if (options.sheet || tests.sheets.size() < 2 || (columns_told && tests.tables.front()->header().by_name)) {
+    add(tests);
+    return choices;
+  }
+  for (auto const& sheet : tests.sheets) add(open_tests(bytes, name, sheet));
+  return choices;
+}
 
-  record.layout = resolved_layout(columns, header, options);
-  describe_text(text, record.recognised);
-  record.recognised.push_back(dialect.why);
-  describe_header(header, record.recognised);
-  append(record.recognised, columns.recognised);
-  append(record.warnings, columns.warnings);
-  store_channels(rows, columns, record);
-  describe_rows(rows, record, record.recognised);
-  check_physics(record, exchange_advice(columns), complaints);
-  if (!complaints.empty()) throw Error(std::move(complaints));
-  add_warnings(record);
-  return record;
+void continue_with(TestRecord& history, TestRecord const& next, std::string const& label) {
+  if (next.has_time() != history.has_time())
+    throw Error(Complaint{.where = label,
+                          .found = "only some of the device's files have a time channel",
+                          .allowed = "all of them or none",
+                          .advice = "--dt SECONDS"});
+  if (history.has_time()) {
+    double const pause = history.time_s.back() - history.time_s[history.time_s.size() - 2];
+    double const offset = history.time_s.back() + pause - next.time_s.front();
+    for (double const t : next.time_s) history.time_s.push_back(t + offset);
+  }
+  bool const loads = !history.load_kN.empty() && !next.load_kN.empty();
+  if (!loads) history.load_kN.clear();
+  auto const add = [](std::vector<double>& to, std::vector<double> const& from) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  add(history.disp_mm, next.disp_mm);
+  add(history.force_kN, next.force_kN);
+  if (loads) add(history.load_kN, next.load_kN);
+  history.recognised.push_back(fmt::format("{} continues the history with {} samples", label, next.size()));
+  for (auto const& line : next.warnings) history.warnings.push_back(label + ": " + line);
+  history.sha256 = sha256(history.sha256 + next.sha256);
 }
 
 }  // namespace isolaw::data

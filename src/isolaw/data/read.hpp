@@ -1,4 +1,5 @@
-// Delimited text as laboratories write it: recognised dialect, columns and units, or refused with the reason.
+// Test records as laboratories write them: delimited text, Excel workbooks, MATLAB files, JSON, told apart by their first
+// bytes; recognised dialect, columns and units, or refused with the reason.
 #pragma once
 
 #include <filesystem>
@@ -6,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "isolaw/data/record.hpp"
 
@@ -18,6 +20,11 @@ struct ReadOptions {
   std::map<Channel, std::string> units;    // "cm", "tonf", ...; what is missing is read from the header
   std::optional<double> dt_s;              // sampling interval of a file without a time column
   bool flip_force = false;                 // multiply the force by -1 (option --flip-force)
+  std::optional<std::string> sheet;        // sheet of a workbook, struct of a .mat file, key of JSON: name or number
+  std::optional<std::string> test;  // of a file that holds several: 1-based number, or "all", one after the other
+  Corrections corrections;          // of what the rig did to the record (options --skew-ms and so on)
+
+  bool operator==(ReadOptions const&) const = default;
 };
 
 // Parses "time=1,disp=Displacement,force=3" (option --columns); throws Error on an unknown channel.
@@ -26,11 +33,29 @@ std::map<Channel, std::string> parse_columns(std::string_view text);
 // Parses "disp=cm,force=tonf,time=s" (option --units); throws Error on an unknown unit.
 std::map<Channel, std::string> parse_units(std::string_view text);
 
+// Parses "all" or "2" (option --test); throws Error on anything else.
+std::string parse_test(std::string_view text);
+
 // Reads one file. Throws one Error that holds every problem found: unreadable or empty file, missing or ambiguous
 // column, unknown unit, values that are no numbers or lie beyond the sensor's range, time that does not increase,
-// constant force or displacement, force and displacement swapped, flipped sign.
+// constant force or displacement, force and displacement swapped, flipped sign; several tests or sheets where nothing
+// says which.
 TestRecord read_record(std::filesystem::path const& file, ReadOptions const& options = {});
 // The same of a file's bytes; `name` is the file in messages.
 TestRecord read_record_text(std::string_view bytes, std::string const& name, ReadOptions const& options = {});
+
+// One of the tests of a file, and the options that read it.
+struct TestChoice {
+  std::optional<std::string> sheet;  // as Layout has it
+  std::optional<std::string> test;
+  std::string place;  // "d01.csv:204", "d01.xlsx:Sheet 2:1"
+};
+// All tests of a file, in order; of one sheet alone where `options` names one, one test where they name that. Throws
+// Error where the file cannot be read at all.
+std::vector<TestChoice> list_tests(std::filesystem::path const& file, ReadOptions const& options = {});
+
+// Adds the next part of a device's history: its time continues one sampling interval after the end. `label` names the
+// part in sentences. Throws Error when only one of the two has a time channel.
+void continue_with(TestRecord& history, TestRecord const& next, std::string const& label);
 
 }  // namespace isolaw::data

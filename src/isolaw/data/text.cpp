@@ -9,27 +9,24 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/file.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/data/sheet_choice.hpp"
 
 namespace isolaw::data {
 namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::string_view accepted = "delimited text (UTF-8, ASCII or Windows-1252)";
-
 struct Magic {
   std::string_view bytes;
   std::string_view what;
   std::string_view advice;
 };
-constexpr std::string_view save_as_csv = "save the sheet as CSV";
+constexpr std::string_view save_as_xlsx = "save it as .xlsx without a password, or the sheet as CSV";
 constexpr std::string_view export_text = "export the channels as CSV";
 constexpr std::string_view unpack = "unpack it first";
 constexpr std::array known_formats{
-    Magic{"\xD0\xCF\x11\xE0"sv, "an .xls workbook", save_as_csv},
+    Magic{"\xD0\xCF\x11\xE0"sv, "an .xls workbook, or one with a password", save_as_xlsx},
     Magic{"%PDF"sv, "a PDF document", export_text},
-    Magic{"MATLAB 5.0"sv, "a .mat file", export_text},
-    Magic{"MATLAB 7.3"sv, "a .mat file", export_text},
     Magic{"\x89HDF"sv, "an HDF5 file", export_text},
     Magic{"TDSm"sv, "a .tdms file", export_text},
     Magic{"\x1F\x8B"sv, "a gzip archive", unpack},
@@ -46,16 +43,11 @@ constexpr std::array known_formats{
 [[noreturn]] void refuse(std::string where, std::string found, std::string_view advice = {}) {
   throw Error(Complaint{.where = std::move(where),
                         .found = std::move(found),
-                        .allowed = std::string(accepted),
+                        .allowed = std::string(accepted_formats),
                         .advice = std::string(advice)});
 }
 
 void refuse_binary(std::string const& where, std::string_view bytes) {
-  if (bytes.starts_with("PK\x03\x04")) {
-    bool const workbook = bytes.find("xl/") != std::string_view::npos || where.ends_with(".xlsx");
-    if (workbook) refuse(where, "is an .xlsx workbook", save_as_csv);
-    refuse(where, "is a zip archive", unpack);
-  }
   for (auto const& format : known_formats)
     if (bytes.starts_with(format.bytes)) refuse(where, "is " + std::string(format.what), format.advice);
   auto const null = bytes.find('\0');
@@ -103,7 +95,7 @@ static_assert(latin_letters.size() == 64);
 
 std::string load_text(std::filesystem::path const& file) {
   return read_file(file, {.largest_bytes = largest_file_bytes,
-                          .allowed = accepted,
+                          .allowed = accepted_formats,
                           .when_too_large = "export one test per file, or fewer samples per second"});
 }
 
@@ -187,14 +179,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 std::string in_quotes(std::string_view bytes) {
-  constexpr std::size_t readable = 40;
-  auto text = printable(to_utf8(bytes));
-  if (text.size() > readable) {
-    auto end = readable;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
-    text = text.substr(0, end) + "...";
-  }
-  return "'" + text + "'";
+  return isolaw::in_quotes(to_utf8(bytes));
 }
 
 }  // namespace isolaw::data

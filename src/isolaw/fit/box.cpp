@@ -29,20 +29,34 @@ std::string limits_text(laws::Interval const& limits, std::string_view unit) {
 }
 
 // Displacement decreasing or increasing through zero after the start; the force there, by linear interpolation.
-std::vector<double> forces_at_zero(std::vector<double> const& x, std::vector<double> const& f) {
+std::vector<double> forces_at_zero(data::FitRecord const& record) {
+  auto const &x = record.disp_mm, &f = record.force_kN;
   std::vector<double> forces;
   for (std::size_t i = 1; i < x.size(); ++i) {
-    if (x[i - 1] == 0.0 || x[i - 1] * x[i] > 0.0) continue;
+    if (!record.is_scored(i - 1) || !record.is_scored(i) || x[i - 1] == 0.0 || x[i - 1] * x[i] > 0.0) continue;
     double const t = x[i - 1] / (x[i - 1] - x[i]);
     forces.push_back(f[i - 1] + t * (f[i] - f[i - 1]));
   }
   return forces;
 }
 
-double largest_abs(std::vector<double> const& values) {
+double largest_scored(data::FitRecord const& record, std::vector<double> const& values) {
   double largest = 0.0;
-  for (double const v : values) largest = std::max(largest, std::abs(v));
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (record.is_scored(i)) largest = std::max(largest, std::abs(values[i]));
   return largest;
+}
+
+// The slope from the smallest to the largest displacement.
+double peak_to_peak_stiffness(data::FitRecord const& record) {
+  auto const &x = record.disp_mm, &f = record.force_kN;
+  std::size_t low = x.size(), high = x.size();
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (!record.is_scored(i)) continue;
+    if (low == x.size() || x[i] < x[low]) low = i;
+    if (high == x.size() || x[i] > x[high]) high = i;
+  }
+  return high < x.size() && x[high] > x[low] ? (f[high] - f[low]) / (x[high] - x[low]) : 0.0;
 }
 
 }  // namespace
@@ -127,18 +141,16 @@ laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const&
   auto const& x = record.disp_mm;
   auto const& f = record.force_kN;
   if (x.empty()) throw Error({.where = "law " + std::string(law.id), .found = "a record of 0 samples"});
-  double const disp = largest_abs(x), force = largest_abs(f);
-  auto const [low, high] = std::ranges::minmax_element(x);
-  auto const index = [&](auto it) { return static_cast<std::size_t>(it - x.begin()); };
-  double stiffness = *high > *low ? (f[index(high)] - f[index(low)]) / (*high - *low) : 0.0;
+  double const disp = largest_scored(record, x), force = largest_scored(record, f);
+  double stiffness = peak_to_peak_stiffness(record);
   if (!(stiffness > 0.05 * force / disp)) stiffness = force / disp;  // a record without a clear slope
 
-  auto const at_zero = forces_at_zero(x, f);
+  auto const at_zero = forces_at_zero(record);
   double strength = 0.0;
   for (double const value : at_zero) strength += std::abs(value) / static_cast<double>(at_zero.size());
   if (!(strength > 0.02 * force)) strength = 0.25 * force;  // no crossing, or no dissipation to speak of
 
-  double work = 0.0;
+  double work = 0.0;  // of the whole history, which a law's state carries along
   for (std::size_t i = 1; i < x.size(); ++i) work += 0.5 * (f[i] + f[i - 1]) * (x[i] - x[i - 1]);
   if (!(work > 0.1 * force * disp)) work = force * disp;
 
@@ -147,7 +159,7 @@ laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const&
           .force = force / F,
           .stiffness = stiffness * L / F,
           .strength = strength / F,
-          .velocity = largest_abs(record.vel_mm_s) / L,
+          .velocity = largest_scored(record, record.vel_mm_s) / L,
           .work = work / (F * L)};
 }
 

@@ -21,15 +21,33 @@ std::vector<double> in_unit(std::vector<double> values, double unit) {
   return values;
 }
 
-// Weights of the trapezoidal rule over the true time stamps, divided by the duration.
-std::vector<double> time_weights(std::vector<double> const& t) {
-  std::vector<double> w(t.size(), 0.0);
+// Weights of the trapezoidal rule over the true time stamps, divided by the duration; only intervals between two scored
+// samples count.
+struct TimeWeights {
+  std::vector<double> weight;
+  double duration = 0.0;
+};
+TimeWeights time_weights(data::FitRecord const& record) {
+  auto const& t = record.time_s;
+  TimeWeights made{.weight = std::vector<double>(t.size(), 0.0)};
   for (std::size_t i = 1; i < t.size(); ++i) {
-    w[i - 1] += 0.5 * (t[i] - t[i - 1]);
-    w[i] += 0.5 * (t[i] - t[i - 1]);
+    if (!record.is_scored(i - 1) || !record.is_scored(i)) continue;
+    made.weight[i - 1] += 0.5 * (t[i] - t[i - 1]);
+    made.weight[i] += 0.5 * (t[i] - t[i - 1]);
+    made.duration += t[i] - t[i - 1];
   }
-  for (double& v : w) v /= t.back() - t.front();
-  return w;
+  // The ends' difference is exact where a sum of many small intervals is not.
+  if (record.scored.empty() && t.size() > 1) made.duration = t.back() - t.front();
+  for (double& w : made.weight) w /= made.duration;
+  return made;
+}
+
+std::vector<double> scored_values(data::FitRecord const& record, std::vector<double> const& values) {
+  if (record.scored.empty()) return values;
+  std::vector<double> kept;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (record.is_scored(i)) kept.push_back(values[i]);
+  return kept;
 }
 
 // Eq. (27) divides by the duration and by the standard deviation of the force: where either says nothing, a candidate
@@ -40,12 +58,13 @@ void require_something_to_fit(laws::LawInfo const& law, data::FitRecord const& r
   };
   if (record.size() < 2)
     refuse(fmt::format("a record of {} samples", record.size()), "a record of two samples or more");
-  double const duration = record.time_s.back() - record.time_s.front();
+  double const duration = time_weights(record).duration;
   if (!(duration > 0.0 && std::isfinite(duration)))
     refuse(fmt::format("a record that lasts {} s", duration), "times that increase");
   double largest = 0.0;
-  for (double const force : record.force_kN) largest = std::max(largest, std::abs(force));
-  double const spread = num::population_std(record.force_kN);
+  auto const scored = scored_values(record, record.force_kN);
+  for (double const force : scored) largest = std::max(largest, std::abs(force));
+  double const spread = num::population_std(scored);
   // Below 1e-12 of the largest force the spread is the rounding of one number.
   if (!(spread > 1e-12 * largest && std::isfinite(spread)))
     refuse(fmt::format("the measured force has a standard deviation of {} kN about its mean, its largest size is {} kN",
@@ -69,8 +88,8 @@ LawOnRecord::LawOnRecord(laws::LawEntry const& law, data::FitRecord const& recor
   v_ = in_unit(record.vel_mm_s, info.length.in_record_units);
   path_ = path(1);
   measured_ = in_unit(record.force_kN, info.force.in_record_units);
-  weight_ = time_weights(record.time_s);
-  double const spread = num::population_std(measured_);
+  weight_ = time_weights(record).weight;
+  double const spread = num::population_std(scored_values(record, measured_));
   for (double& w : weight_) w /= spread;
 }
 

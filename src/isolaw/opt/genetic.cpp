@@ -69,7 +69,41 @@ Population select(Population const& parents, Population const& children, std::si
   return next;
 }
 
+// Counts the generations without improvement. Measured from the last improvement, not from the generation before: slow
+// steady progress is progress.
+class Progress {
+ public:
+  explicit Progress(GeneticOptions const& options) : options_(options) {}
+
+  // True when the search stagnates with this generation.
+  bool stagnates(double best) {
+    bool const first = generation_++ == 0;
+    if (first || best < at_improvement_ - options_.stagnation_tolerance * std::abs(at_improvement_)) {
+      at_improvement_ = best;
+      without_ = 0;
+      return false;
+    }
+    return ++without_ == options_.stagnation && generation_ < options_.generations;
+  }
+
+ private:
+  GeneticOptions const& options_;
+  double at_improvement_ = infinity;
+  int generation_ = 0, without_ = 0;
+};
+
 }  // namespace
+
+GeneticOutcome outcome_of(std::span<double const> history, GeneticOptions const& options) {
+  Progress progress(options);
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    bool const last = i + 1 == history.size();
+    if (rank_key(history[i]) == infinity) return last ? GeneticOutcome::no_finite_value : GeneticOutcome::interrupted;
+    if (progress.stagnates(history[i])) return last ? GeneticOutcome::stagnated : GeneticOutcome::interrupted;
+  }
+  return std::cmp_equal(history.size(), options.generations) ? GeneticOutcome::all_generations
+                                                             : GeneticOutcome::interrupted;
+}
 
 void GeneticOptions::validate() const {
   std::vector<Complaint> complaints;
@@ -119,8 +153,7 @@ GeneticResult minimise_genetic(Problem const& problem, num::Stream const& stream
   auto const size = static_cast<std::size_t>(options.population);
   GeneticResult result;
   Population parents;  // empty at first: all of the initial population survives generation 1
-  double best_at_improvement = infinity;
-  int generations_without = 0;
+  Progress progress(options);
   for (int generation = 1; generation <= options.generations; ++generation) {
     if (interrupted && interrupted()) {
       result.outcome = GeneticOutcome::interrupted;
@@ -147,11 +180,7 @@ GeneticResult minimise_genetic(Problem const& problem, num::Stream const& stream
       result.best_value = best;
     }
 
-    // Measured from the last improvement, not from the generation before: slow steady progress is progress.
-    if (generation == 1 || best < best_at_improvement - options.stagnation_tolerance * std::abs(best_at_improvement)) {
-      best_at_improvement = best;
-      generations_without = 0;
-    } else if (++generations_without == options.stagnation && generation < options.generations) {
+    if (progress.stagnates(best)) {
       result.outcome = GeneticOutcome::stagnated;
       return result;
     }

@@ -55,6 +55,9 @@ struct GeneticResult {
 GeneticResult minimise_genetic(Problem const& problem, num::Stream const& stream, GeneticOptions const& options = {},
                                std::function<bool()> const& interrupted = {});
 
+// How a search whose best values after each generation are `history` ended under these options; interrupted: not yet.
+GeneticOutcome outcome_of(std::span<double const> history, GeneticOptions const& options);
+
 // The operators, each usable and tested alone -------------------------------------------------------------------
 
 // Roulette weights of `values`: exp(-pressure v / worst finite v); 0 for values that are not finite. When the worst is

@@ -7,11 +7,13 @@
 #include <limits>
 #include <span>
 
+#include "isolaw/data/error_budget.hpp"
 #include "isolaw/data/properties.hpp"
 #include "isolaw/fit/objective.hpp"
 #include "isolaw/lot/robustness.hpp"
 #include "isolaw/num/statistics.hpp"
 #include "isolaw/opt/pareto.hpp"
+#include "isolaw/report/acceptance.hpp"
 
 namespace isolaw::report {
 namespace {
@@ -33,7 +35,7 @@ std::vector<double> collect(Runs const& runs, Get&& get) {
   return values;
 }
 
-DeviceResult device_result(campaign::Device const& device) {
+DeviceResult device_result(campaign::Device const& device, int smooth) {
   DeviceResult result{.name = device.name,
                       .file = device.file,
                       .sha256 = device.raw.sha256,
@@ -47,8 +49,15 @@ DeviceResult device_result(campaign::Device const& device) {
                       .rubber_area_mm2 = device.info.rubber_area_mm2,
                       .raw = device.raw,
                       .record = device.record,
-                      .properties = {}};
-  if (device.usable()) result.properties = data::cyclic_properties(device.raw.disp_mm, device.raw.force_kN);
+                      .properties = {},
+                      .notes = {},
+                      .acceptance = {}};
+  if (!device.usable()) {
+    result.properties.refusal = device.refusal;
+    return result;
+  }
+  result.properties = data::cyclic_properties(device.raw);
+  result.notes = data::error_budget(device.raw, result.properties, smooth).notes;
   return result;
 }
 
@@ -70,11 +79,33 @@ ParameterFit parameter_fit(fit::SearchParameter const& searched, std::size_t ind
   return made;
 }
 
-// Errors of the best fit against the record the law saw, on the cycle whose properties are reported.
+// The cycle on which a fit is compared: the reported one; where laws are judged by a part of the record, the third of
+// the cycles in it (the last where there are fewer), of the block of largest amplitude.
+std::optional<data::Cycle> compared_cycle(data::Properties const& measured, data::FitRecord const& record) {
+  if (record.scored.empty() || !measured.reported) return measured.reported;
+  auto const is_scored = [&](data::Cycle const& cycle) {
+    return record.is_scored(std::min(record.size() - 1, static_cast<std::size_t>((cycle.first + cycle.last) / 2.0)));
+  };
+  std::optional<data::Cycle> chosen;
+  double largest = 0.0;
+  for (auto const& block : measured.blocks) {
+    std::vector<data::Cycle const*> scored;
+    for (auto const* cycle : block.counted())
+      if (is_scored(*cycle)) scored.push_back(cycle);
+    if (scored.empty() || block.amplitude_mm <= largest) continue;
+    largest = block.amplitude_mm;
+    chosen = *scored[std::min<std::size_t>(scored.size(), 3) - 1];
+  }
+  return chosen;
+}
+
+// Errors of the best fit against the record the law saw.
 void compare_properties(DeviceFit& made, data::FitRecord const& record) {
-  auto const measured = data::cyclic_properties(record.disp_mm, record.force_kN);
-  if (!measured.reported) return;
-  auto const& reference = *measured.reported;
+  auto const time = record.has_time() ? std::span<double const>(record.time_s) : std::span<double const>();
+  auto const cycle =
+      compared_cycle(data::cyclic_properties(data::CycleView{record.disp_mm, record.force_kN, time, {}}), record);
+  if (!cycle) return;
+  auto const& reference = *cycle;
   auto const computed = data::properties_on(reference, record.disp_mm, made.force_kN);
   auto const error = [](double value, double truth) {
     return truth != 0.0 ? std::optional(100.0 * (value - truth) / truth) : std::nullopt;
@@ -97,6 +128,7 @@ DeviceFit device_fit(campaign::Contents const& contents, campaign::Search const&
     made.histories.push_back(run->history);
   }
   made.runs = static_cast<int>(runs.size());
+  made.missing_runs = contents.settings.runs - made.runs;
   made.failed_runs = static_cast<int>(runs.size() - usable.size());
   if (runs.empty()) made.failure = "no run has finished yet";
   for (auto const* run : runs) {
@@ -178,14 +210,33 @@ void mark_front(std::vector<LawResult>& laws) {
 
 }  // namespace
 
+bool acceptance_failed(Summary const& summary) {
+  return lot_failed(summary.acceptance) || std::ranges::any_of(summary.devices, [](auto const& device) {
+           return any_failed(device.acceptance.assessments);
+         });
+}
+
+void add_acceptance(Summary& summary, rules::RuleSet const& rules, rules::Design const& design,
+                    std::optional<int> lot_size) {
+  std::vector<AssessedTest> tests;
+  for (auto const& device : summary.devices)
+    tests.push_back({device.name, &device.properties, device.rubber_thickness_mm, device.rubber_area_mm2});
+  std::vector<DeviceAcceptance> devices;
+  summary.acceptance = assess_lot(rules, design, lot_size, tests, devices);
+  for (std::size_t d = 0; d < devices.size(); ++d) summary.devices[d].acceptance = std::move(devices[d]);
+}
+
 Summary build_summary(campaign::Contents const& contents) {
   Summary summary;
   summary.version = ISOLAW_VERSION;
   summary.title = contents.title;
   summary.seed = contents.settings.seed;
+  summary.runs = contents.runs.size();
+  summary.expected_runs = contents.expected_runs();
   for (auto const& [key, json] : campaign::to_pairs(contents.settings))
     if (key != "seed") summary.settings.push_back({key, json});
-  for (auto const& device : contents.devices) summary.devices.push_back(device_result(device));
+  for (auto const& device : contents.devices)
+    summary.devices.push_back(device_result(device, contents.settings.clean.smooth));
 
   for (auto const& id : contents.settings.laws) {
     auto const& entry = laws::find_law(id);
@@ -216,6 +267,9 @@ Summary build_summary(campaign::Contents const& contents) {
     summary.laws.push_back(std::move(law));
   }
   mark_front(summary.laws);
+  auto const& asked = contents.acceptance;
+  add_acceptance(summary, asked.rules.empty() ? rules::RuleSet{} : rules::read_rule_text(asked.rules, asked.rules_file),
+                 asked.design.empty() ? rules::Design{} : rules::parse_design(asked.design), asked.lot_size);
   return summary;
 }
 

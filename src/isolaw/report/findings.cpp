@@ -16,15 +16,21 @@ double objective_or_infinity(LawResult const& law) {
   return law.objective.mean.value_or(std::numeric_limits<double>::infinity());
 }
 
+// Nobody reads three hundred digits.
+std::string with_decimals(double value, int decimals) {
+  constexpr double largest = 1e6;
+  return std::abs(value) < largest ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.3g}", value);
+}
+
 // A fraction as a percentage a person says aloud: two significant digits below ten, none behind the point above.
 std::string percent(double fraction) {
   double const value = 100.0 * fraction;
-  return fmt::format("{:.{}f} %", value, std::abs(value) < 9.95 ? 1 : 0);
+  return with_decimals(value, std::abs(value) < 9.95 ? 1 : 0) + " %";
 }
 
 // Objectives differ in their third digit, so they keep one decimal.
 std::string error_percent(LawResult const& law) {
-  return fmt::format("{:.1f} %", 100.0 * *law.objective.mean);
+  return with_decimals(100.0 * *law.objective.mean, 1) + " %";
 }
 
 bool ranked(LawResult const& law) {
@@ -95,8 +101,8 @@ Verdict unranked_verdict(LawResult const& law, std::size_t index, LawResult cons
   } else if (&law == &best) {
     verdict.sentence = fmt::format("{}, the least of all.", accuracy(law));
   } else {
-    verdict.sentence = fmt::format("has a mean error of {}, {:.2f} times that of {}.", error_percent(law),
-                                   *law.objective.mean / *best.objective.mean, best.id);
+    verdict.sentence = fmt::format("has a mean error of {}, {} times that of {}.", error_percent(law),
+                                   with_decimals(*law.objective.mean / *best.objective.mean, 2), best.id);
   }
   return verdict;
 }
@@ -112,6 +118,37 @@ std::string headline(Summary const& summary, std::vector<std::size_t> const& fro
   }
   if (ranking.empty() || !laws[ranking.front()].objective.mean) return "No law could be identified.";
   return fmt::format("{} is the most accurate law; how robust it is cannot be said.", laws[ranking.front()].id);
+}
+
+void warn_of_missing_runs(Summary const& summary, std::vector<Warning>& warnings) {
+  if (summary.missing_runs() > 0)
+    warnings.push_back(
+        {"not complete", fmt::format("not complete: {} of {} runs are there; every number and the choice "
+                                     "of a law may still change",
+                                     summary.runs, summary.expected_runs)});
+}
+
+// A record under two names counts twice, and makes parameters look less scattered than they are.
+void warn_of_copies(Summary const& summary, std::vector<Warning>& warnings) {
+  std::vector<std::vector<DeviceResult const*>> groups;  // devices of one record each
+  for (auto const& device : summary.devices) {
+    if (device.status != "ok" || device.raw.size() == 0) continue;
+    auto const same = [&](auto const& group) {
+      auto const& other = group.front()->raw;
+      return other.disp_mm == device.raw.disp_mm && other.force_kN == device.raw.force_kN;
+    };
+    auto found = std::find_if(groups.begin(), groups.end(), same);
+    if (found == groups.end()) found = groups.insert(groups.end(), {{}});
+    found->push_back(&device);
+  }
+  for (auto const& group : groups) {
+    if (group.size() < 2) continue;
+    Names names;
+    for (auto const* device : group) names.push_back(device->name);
+    warnings.push_back({"copies", fmt::format("{} hold the same record, which counts {} times in every mean and spread "
+                                              "over the devices",
+                                              enumerate(names), group.size())});
+  }
 }
 
 void warn_of_devices(Summary const& summary, std::vector<Warning>& warnings) {
@@ -222,7 +259,9 @@ void warn_of_records(Summary const& summary, std::vector<Warning>& warnings) {
 
 std::vector<Warning> all_warnings(Summary const& summary) {
   std::vector<Warning> warnings;
+  warn_of_missing_runs(summary, warnings);
   warn_of_devices(summary, warnings);
+  warn_of_copies(summary, warnings);
   for (auto const warn :
        {warn_of_refused_laws, warn_of_failed_runs, warn_of_failed_evaluations, warn_of_bounds, warn_of_integration})
     for (auto const& law : summary.laws) warn(law, warnings);

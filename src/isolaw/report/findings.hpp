@@ -34,7 +34,8 @@ struct Verdict {
 };
 
 struct Warning {
-  std::string topic;  // "refused", "law not identified", "failed runs", "at bound", "integration", "record"
+  std::string
+      topic;  // "not complete", "refused", "copies", "law not identified", "failed runs", "at bound", "integration", "record"
   std::string sentence;
 };
 

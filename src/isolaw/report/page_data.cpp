@@ -5,6 +5,7 @@
 
 #include "isolaw/report/findings.hpp"
 #include "isolaw/report/json.hpp"
+#include "isolaw/report/properties_json.hpp"
 
 namespace isolaw::report {
 namespace {
@@ -45,39 +46,63 @@ void write_curve(JsonWriter& out, std::vector<double> const& values, std::vector
 
 // The page shares about two million drawn points among all curves, so that 160 devices stay small.
 std::size_t points_per_curve(Summary const& summary) {
-  std::size_t const curves = std::max<std::size_t>(1, summary.devices.size() * (summary.laws.size() + 3));
+  std::size_t const curves = std::max<std::size_t>(1, summary.devices.size() * (summary.laws.size() + 5));
   return std::clamp<std::size_t>(2'000'000 / curves, 300, 2400);
 }
 
-void write_properties(JsonWriter& out, data::Properties const& properties) {
-  out.key("cycles").begin_array();
-  for (auto const& cycle : properties.cycles) {
-    out.begin_object();
-    out.member("number", cycle.number);
-    out.key("amplitude_mm").rounded(cycle.amplitude_mm, digits);
-    out.key("K_eff_kN_per_mm").rounded(cycle.K_eff_kN_per_mm, digits);
-    out.key("energy_kN_mm").rounded(cycle.energy_kN_mm, digits);
-    out.key("damping_percent").rounded(cycle.damping_percent, digits);
-    out.end_object();
+// The raw loop, thinned: sample k of the curves is raw sample min(k stride, samples - 1).
+void write_raw(JsonWriter& out, data::TestRecord const& raw, std::size_t most) {
+  auto const drawn = drawn_samples(raw.size(), most);
+  out.key("raw").begin_object();
+  out.member("samples", std::uint64_t{raw.size()});
+  out.member("stride", std::uint64_t{drawn.size() > 1 ? drawn[1] - drawn[0] : 1});
+  if (!drawn.empty()) {
+    if (raw.has_time()) {
+      out.key("time_s");
+      write_curve(out, raw.time_s, drawn);
+    }
+    out.key("disp_mm");
+    write_curve(out, raw.disp_mm, drawn);
+    out.key("force_kN");
+    write_curve(out, raw.force_kN, drawn);
   }
-  out.end_array();
-  out.key("reported");
-  properties.reported ? out.value(properties.reported->number) : out.null();
-  out.member("properties_refusal", properties.refusal);
-  out.key("samples_per_cycle").rounded(properties.samples_per_cycle, 4);
+  out.end_object();
 }
 
-void write_device(JsonWriter& out, DeviceResult const& device, std::vector<std::size_t> const& drawn) {
+// Ranges of time that laws are judged by; null: all of it.
+void write_scored(JsonWriter& out, data::FitRecord const& record) {
+  out.key("scored");
+  if (record.scored.empty()) {
+    out.null();
+    return;
+  }
+  out.begin_array();
+  for (std::size_t i = 0; i < record.size();) {
+    auto const first = i;
+    while (i < record.size() && record.is_scored(i)) ++i;
+    if (i > first) {
+      out.begin_array().rounded(record.time_s[first], digits).rounded(record.time_s[i - 1], digits).end_array();
+    } else {
+      ++i;
+    }
+  }
+  out.end_array();
+}
+
+void write_device(JsonWriter& out, DeviceResult const& device, std::vector<std::size_t> const& drawn,
+                  std::size_t most) {
   out.begin_object();
   out.member("name", device.name).member("file", device.file).member("sha256", device.sha256);
   out.member("status", device.status).member("message", device.message);
   out.member("serial", device.serial).member("lot", device.lot).member("test_date", device.test_date);
   out.member("temperature_C", device.temperature_C).member("rubber_thickness_mm", device.rubber_thickness_mm);
   out.member("rubber_area_mm2", device.rubber_area_mm2);
-  write_properties(out, device.properties);
+  write_properties(out, device);
+  write_raw(out, device.raw, most);
   out.member("recognised", device.raw.recognised).member("warnings", device.raw.warnings);
   out.member("cleaning", device.record.cleaning);
   auto const& record = device.record;
+  write_scored(out, record);
   out.key("record").begin_object();
   out.member("samples", std::uint64_t{record.size()}).member("drawn", std::uint64_t{drawn.size()});
   out.member("has_time", record.has_time());
@@ -185,20 +210,23 @@ std::vector<std::size_t> drawn_samples(std::size_t samples, std::size_t most) {
 }
 
 std::string page_data_json(Summary const& summary) {
+  auto const most = points_per_curve(summary);
   std::vector<std::vector<std::size_t>> drawn;
-  for (auto const& device : summary.devices)
-    drawn.push_back(drawn_samples(device.record.size(), points_per_curve(summary)));
+  for (auto const& device : summary.devices) drawn.push_back(drawn_samples(device.record.size(), most));
 
   JsonWriter out;
   out.begin_object();
   out.member("isolaw", summary.version).member("title", summary.title);
   out.member("seed", std::to_string(summary.seed));  // as text: 64 bits do not fit a JavaScript number
+  out.member("runs", std::uint64_t{summary.runs}).member("missing_runs", std::uint64_t{summary.missing_runs()});
   out.key("settings").begin_object();
   for (auto const& setting : summary.settings) out.key(setting.key).json(setting.json);
   out.end_object();
   write_findings(out, summary);
+  out.key("assessment");
+  write_acceptance(out, summary.acceptance);
   out.key("devices").begin_array();
-  for (std::size_t i = 0; i < summary.devices.size(); ++i) write_device(out, summary.devices[i], drawn[i]);
+  for (std::size_t i = 0; i < summary.devices.size(); ++i) write_device(out, summary.devices[i], drawn[i], most);
   out.end_array();
   out.key("laws").begin_array();
   for (auto const& law : summary.laws) write_law(out, summary, law, drawn);

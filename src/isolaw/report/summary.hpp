@@ -2,6 +2,7 @@
 // who prints it decides nothing.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "isolaw/data/properties.hpp"
 #include "isolaw/data/record.hpp"
+#include "isolaw/report/acceptance.hpp"
 
 namespace isolaw::report {
 
@@ -31,7 +33,7 @@ struct ParameterFit {
 struct DeviceFit {
   std::string device;
   std::string refusal;  // why the law was not identified here ("" when it was)
-  int runs = 0, failed_runs = 0;
+  int runs = 0, failed_runs = 0, missing_runs = 0;
   std::string failure;                                    // reason of the first failed run
   std::uint64_t evaluations = 0, failed_evaluations = 0;  // parameter sets tried; of them, without a finite force
   Statistic objective;
@@ -64,9 +66,11 @@ struct DeviceResult {
   std::string message;  // reason of a refusal
   std::string serial, lot, test_date;
   std::optional<double> temperature_C, rubber_thickness_mm, rubber_area_mm2;
-  data::TestRecord raw;         // empty when refused
-  data::FitRecord record;       // what the laws were fitted to
-  data::Properties properties;  // from raw values
+  data::TestRecord raw;            // empty when refused
+  data::FitRecord record;          // what the laws were fitted to
+  data::Properties properties;     // from raw values
+  std::vector<std::string> notes;  // numbers of the error budget that are worth knowing, beside the record's warnings
+  DeviceAcceptance acceptance;
 };
 
 struct Setting {
@@ -80,7 +84,18 @@ struct Summary {
   std::uint64_t seed = 0;
   std::vector<Setting> settings;
   std::vector<DeviceResult> devices;
-  std::vector<LawResult> laws;  // in the order asked for
+  std::vector<LawResult> laws;  // in the order asked for; none for an inspection
+  LotAcceptance acceptance;
+  std::size_t runs = 0, expected_runs = 0;  // stored, and of a campaign that is complete
+
+  std::size_t missing_runs() const { return expected_runs > runs ? expected_runs - runs : 0; }
 };
+
+// Some limit of a verified rule set is not kept, by a device or by the lot.
+bool acceptance_failed(Summary const& summary);
+
+// Fills in what rules and statistics say of the devices. Throws Error: the lot is smaller than the number of devices.
+void add_acceptance(Summary& summary, rules::RuleSet const& rules, rules::Design const& design,
+                    std::optional<int> lot_size);
 
 }  // namespace isolaw::report

@@ -1,5 +1,7 @@
 #include "isolaw/report/summary_json.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "isolaw/report/json.hpp"
 
 namespace isolaw::report {
@@ -77,8 +79,16 @@ std::string summary_json(Summary const& summary) {
   for (auto const& law : summary.laws) write(out, law);
   out.end_array();
   out.member("title", summary.title);
+  out.member("complete", summary.missing_runs() == 0).member("missing_runs", std::uint64_t{summary.missing_runs()});
   out.end_object();
   return out.take() + "\n";
+}
+
+std::optional<std::size_t> missing_runs_in(std::string_view summary_json) {
+  auto const json = nlohmann::json::parse(summary_json, nullptr, false);
+  if (!json.is_object()) return std::nullopt;
+  auto const found = json.find("missing_runs");
+  return found != json.end() && found->is_number_unsigned() ? std::optional(found->get<std::size_t>()) : std::nullopt;
 }
 
 }  // namespace isolaw::report

@@ -6,42 +6,12 @@
 #include <optional>
 #include <vector>
 
+#include "isolaw/report/csv.hpp"
 #include "isolaw/report/findings.hpp"
 #include "isolaw/report/json.hpp"
 
 namespace isolaw::report {
 namespace {
-
-constexpr int digits = 6;
-
-class Table {
- public:
-  Table& cell(std::string_view text) { return put(csv_cell(text)); }
-  Table& cell(std::optional<double> const& number) { return put(to_text(number, digits)); }
-  Table& cell(double number) { return cell(std::optional(number)); }
-  Table& cell(std::integral auto number) { return put(std::to_string(number)); }
-  Table& yes_no(bool flag) { return put(flag ? "yes" : "no"); }
-  Table& empty(int count) {
-    for (int i = 0; i < count; ++i) put("");
-    return *this;
-  }
-  void end_row() {
-    text_ += "\r\n";
-    at_start_ = true;
-  }
-  std::string take() { return std::move(text_); }
-
- private:
-  Table& put(std::string_view cell) {
-    if (!at_start_) text_ += ',';
-    at_start_ = false;
-    text_ += cell;
-    return *this;
-  }
-
-  std::string text_;
-  bool at_start_ = true;
-};
 
 bool is_number(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
@@ -62,7 +32,7 @@ std::string devices_at_bound(LawResult const& law, std::size_t parameter) {
 }
 
 // A bound of the search box; boxes scaled from the record differ between devices.
-void bound_cell(Table& table, LawResult const& law, std::size_t parameter, double ParameterFit::*bound) {
+void bound_cell(CsvTable& table, LawResult const& law, std::size_t parameter, double ParameterFit::*bound) {
   std::optional<double> common;
   for (auto const& fit : law.devices) {
     if (parameter >= fit.parameters.size()) continue;
@@ -94,7 +64,7 @@ std::string csv_cell(std::string_view text) {
 }
 
 std::string parameters_csv(Summary const& summary) {
-  Table table;
+  CsvTable table;
   table.cell("law").cell("quantity").cell("unit").cell("lower bound").cell("upper bound").cell("calibrated");
   std::vector<std::string> devices;
   for (auto const& device : summary.devices) {
@@ -133,7 +103,7 @@ std::string parameters_csv(Summary const& summary) {
 }
 
 std::string objective_csv(Summary const& summary) {
-  Table table;
+  CsvTable table;
   table.cell("law")
       .cell("device")
       .cell("mean OF [-]")
@@ -144,21 +114,24 @@ std::string objective_csv(Summary const& summary) {
       .cell("evaluations")
       .cell("failed evaluations");
   table.cell("K_eff error [%]").cell("energy error [%]").cell("damping error [%]").cell("integration shift of OF [-]");
-  table.cell("status").cell("message").end_row();
+  table.cell("status").cell("message").cell("missing runs").end_row();
   for (auto const& law : summary.laws) {
+    for (auto const& device : summary.devices)
+      if (device.status != "ok")
+        table.cell(law.id).cell(device.name).empty(11).cell("refused").cell(device.message).cell(0).end_row();
     for (auto const& fit : law.devices) {
       table.cell(law.id).cell(fit.device).cell(fit.objective.mean).cell(fit.objective.std).cell(fit.objective.best);
       table.cell(fit.runs).cell(fit.failed_runs).cell(fit.evaluations).cell(fit.failed_evaluations);
       table.cell(fit.K_eff_error_percent).cell(fit.energy_error_percent).cell(fit.damping_error_percent);
       table.cell(fit.integration_shift).cell(fit_status(fit)).cell(fit.refusal.empty() ? fit.failure : fit.refusal);
-      table.end_row();
+      table.cell(fit.missing_runs).end_row();
     }
   }
   return table.take();
 }
 
 std::string robustness_csv(Summary const& summary) {
-  Table table;
+  CsvTable table;
   table.cell("law")
       .cell("mean OF [-]")
       .cell("std OF [-]")
@@ -170,28 +143,6 @@ std::string robustness_csv(Summary const& summary) {
   for (auto const& law : summary.laws) {
     table.cell(law.id).cell(law.objective.mean).cell(law.objective.std).cell(law.objective.best);
     table.cell(law.beta).yes_no(law.on_front).cell(law.beta_note).end_row();
-  }
-  return table.take();
-}
-
-std::string properties_csv(Summary const& summary) {
-  Table table;
-  table.cell("device")
-      .cell("cycle")
-      .cell("amplitude [mm]")
-      .cell("K_eff [kN/mm]")
-      .cell("energy [kN mm]")
-      .cell("damping [%]");
-  table.cell("reported").cell("refusal").end_row();
-  for (auto const& device : summary.devices) {
-    auto const& properties = device.properties;
-    auto const& refusal = device.status == "ok" ? properties.refusal : device.message;
-    for (auto const& cycle : properties.cycles) {
-      table.cell(device.name).cell(cycle.number).cell(cycle.amplitude_mm).cell(cycle.K_eff_kN_per_mm);
-      table.cell(cycle.energy_kN_mm).cell(cycle.damping_percent);
-      table.yes_no(properties.reported && properties.reported->number == cycle.number).cell(refusal).end_row();
-    }
-    if (properties.cycles.empty()) table.cell(device.name).empty(5).yes_no(false).cell(refusal).end_row();
   }
   return table.take();
 }

@@ -14,14 +14,22 @@ namespace isolaw::report {
 // record read "per device" (summary.json has them).
 std::string parameters_csv(Summary const& summary);
 
-// One row per law and device: objective, runs, errors of the best fit, integration shift, why there is none.
+// One row per law and device, the refused ones first: objective, runs, errors of the best fit, integration shift, why
+// there is none, how many runs are missing.
 std::string objective_csv(Summary const& summary);
 
 // One row per law: mean objective, beta, front.
 std::string robustness_csv(Summary const& summary);
 
-// One row per device and cycle; a device without cycles has one row with the reason.
-std::string properties_csv(Summary const& summary);
+// One row per device, block and cycle, those that do not count included with the reason; a device without cycles has
+// one row with the reason.
+std::string cycles_csv(Summary const& summary);
+// One row per device and limit of the rule set: value, design value, deviation, limit, verdict, reason.
+std::string tests_csv(Summary const& summary);
+// One row per quantity of the lot: spread, sample, outliers, limits on the mean.
+std::string lot_csv(Summary const& summary);
+// One row per quantity and source of lambda_spec: factors, upper and lower bound values.
+std::string lambda_csv(Summary const& summary);
 
 // One cell of untrusted text, quoted where needed and never a formula.
 std::string csv_cell(std::string_view text);

@@ -60,36 +60,53 @@ std::string wrapped(std::string_view bullet, std::string_view text, int indent, 
   return out + line + '\n';
 }
 
+// In at most ten characters, whatever the value.
+std::string bounded(double value, int decimals, double largest = 1e5) {
+  return std::abs(value) < largest ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.2e}", value);
+}
+
 std::string fixed(std::optional<double> const& value, int decimals) {
-  return value && std::isfinite(*value) ? fmt::format("{:.{}f}", *value, decimals) : "–";
+  return value && std::isfinite(*value) ? bounded(*value, decimals) : "–";
 }
 
 std::string law_table(Summary const& summary) {
   auto const order = by_objective(summary);
   int id_width = 3;
   for (auto const& law : summary.laws) id_width = std::max(id_width, columns(printable(law.id)));
-  auto const row = [&](std::string_view number, std::string_view id, std::array<std::string, 6> const& cells) {
-    static constexpr std::array widths{18, 8, 7, 7, 9, 9};
+  using Cells = std::array<std::string, 6>;
+  struct Row {
+    std::string number, id;
+    Cells cells;
+  };
+  std::vector<Row> rows{{"", "law", {"mean OF ± std", "best", "beta", "front", "|dK| %", "|dE| %"}}};
+  std::array widths{18, 8, 7, 7, 9, 9};
+  auto const add = [&](std::string number, std::string id, Cells cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) widths[i] = std::max(widths[i], columns(cells[i]) + 2);
+    rows.push_back({std::move(number), std::move(id), std::move(cells)});
+  };
+  auto const line_of = [&](Row const& row) {
+    auto const& [number, id, cells] = row;
     std::string line = padded(number, 3, true) + "  " + padded(id, id_width);
     for (std::size_t i = 0; i < cells.size(); ++i) line += padded(cells[i], widths[i], true);
     while (line.ends_with(' ')) line.pop_back();
     return line + '\n';
   };
-  std::string text = row("", "law", {"mean OF ± std", "best", "beta", "front", "|dK| %", "|dE| %"});
   int place = 0;
   for (std::size_t const index : order) {
     auto const& law = summary.laws[index];
     bool const ranked = law.objective.mean && law.beta;
     auto const objective =
         law.objective.mean ? fixed(law.objective.mean, 4) + " ± " + fixed(law.objective.std, 4) : "–";
-    text += row(law.objective.mean ? std::to_string(++place) : "–", printable(law.id),
-                {objective, fixed(law.objective.best, 4), fixed(law.beta, 3),
-                 !ranked        ? "–"
-                 : law.on_front ? "●"
-                                : "○",
-                 fixed(mean_magnitude(law, &DeviceFit::K_eff_error_percent), 1),
-                 fixed(mean_magnitude(law, &DeviceFit::energy_error_percent), 1)});
+    add(law.objective.mean ? std::to_string(++place) : "–", printable(law.id),
+        {objective, fixed(law.objective.best, 4), fixed(law.beta, 3),
+         !ranked        ? "–"
+         : law.on_front ? "●"
+                        : "○",
+         fixed(mean_magnitude(law, &DeviceFit::K_eff_error_percent), 1),
+         fixed(mean_magnitude(law, &DeviceFit::energy_error_percent), 1)});
   }
+  std::string text;
+  for (auto const& row : rows) text += line_of(row);
   return text;
 }
 
@@ -150,14 +167,22 @@ struct Axis {
 
   // The data's range with a margin, never degenerate.
   static Axis around(std::vector<double> const& values) {
-    auto const [low, high] = std::minmax_element(values.begin(), values.end());
-    double const margin = *high > *low ? 0.08 * (*high - *low) : 0.1 * std::max(std::abs(*low), 1e-12);
-    return {*low - margin, *high + margin};
+    constexpr double largest = 1e300;  // what lies beyond is drawn at the edge
+    auto const [least, most] = std::minmax_element(values.begin(), values.end());
+    double const low = std::clamp(*least, -largest, largest), high = std::clamp(*most, -largest, largest);
+    double const margin = high > low ? 0.08 * (high - low) : 0.1 * std::max(std::abs(low), 1e-12);
+    return {low - margin, high + margin};
   }
   int cell(double value, int cells) const {
-    return std::clamp(static_cast<int>(std::lround((value - lower) / (upper - lower) * (cells - 1))), 0, cells - 1);
+    double const share = std::clamp((value - lower) / (upper - lower), 0.0, 1.0);
+    return static_cast<int>(std::lround(share * (cells - 1)));
   }
 };
+
+// In at most eight characters.
+std::string tick_text(double value) {
+  return std::abs(value) < 1e3 ? fmt::format("{:.3f}", value) : fmt::format("{:.1e}", value);
+}
 
 std::string front_plot(Summary const& summary, int width) {
   std::vector<LawResult const*> laws;
@@ -181,14 +206,13 @@ std::string front_plot(Summary const& summary, int width) {
   for (int r = 0; r < height; ++r) {
     bool const tick = r % 4 == 0;
     double const value = y.upper - (y.upper - y.lower) * r / (height - 1);
-    text +=
-        padded(tick ? fmt::format("{:.3f} ", value) : "", margin, true) + (tick ? "┤" : "│") + canvas.line(r) + '\n';
+    text += padded(tick ? tick_text(value) + ' ' : "", margin, true) + (tick ? "┤" : "│") + canvas.line(r) + '\n';
   }
   std::string axis, numbers(static_cast<std::size_t>(margin + 1), ' ');
   for (int c = 0; c < plot_width; ++c) axis += c > 0 && c % 16 == 0 ? "┬" : "─";
   for (int c = 16; c + 3 < plot_width; c += 16) {
     double const value = x.lower + (x.upper - x.lower) * c / (plot_width - 1);
-    numbers = padded(numbers, margin + 1 + c - 2) + fmt::format("{:.3f}", value);
+    numbers = padded(numbers, margin + 1 + c - 2) + tick_text(value);
   }
   text += padded("", margin) + "└" + axis + '\n' + numbers + '\n';
   text += padded("beta, lower is more robust", width, true) + '\n';
@@ -212,7 +236,7 @@ std::string objective_bars(Summary const& summary, int width) {
       text += "not identified\n";
       continue;
     }
-    int const eighths = largest > 0.0 ? static_cast<int>(std::lround(8.0 * room * *law.objective.mean / largest)) : 0;
+    int const eighths = largest > 0.0 ? static_cast<int>(std::lround(8.0 * room * (*law.objective.mean / largest))) : 0;
     for (int i = 0; i < eighths / 8; ++i) text += "█";
     if (eighths % 8 > 0) Canvas::append(text, U'█' + static_cast<char32_t>(8 - eighths % 8));
     text += ' ' + fixed(law.objective.mean, 4) + '\n';
@@ -223,10 +247,13 @@ std::string objective_bars(Summary const& summary, int width) {
 std::string heading(Summary const& summary, int width) {
   auto const refused = std::count_if(summary.devices.begin(), summary.devices.end(),
                                      [](auto const& device) { return device.status != "ok"; });
-  auto const text = fmt::format(
-      "{}: {} device{}{}, {} law{}, seed {}", summary.title.empty() ? "isolaw" : summary.title, summary.devices.size(),
-      summary.devices.size() == 1 ? "" : "s", refused > 0 ? fmt::format(" ({} refused)", refused) : "",
-      summary.laws.size(), summary.laws.size() == 1 ? "" : "s", summary.seed);
+  auto const runs =
+      summary.missing_runs() > 0 ? fmt::format(", {} of {} runs", summary.runs, summary.expected_runs) : std::string();
+  auto const text =
+      fmt::format("{}: {} device{}{}, {} law{}{}, seed {}", summary.title.empty() ? "isolaw" : summary.title,
+                  summary.devices.size(), summary.devices.size() == 1 ? "" : "s",
+                  refused > 0 ? fmt::format(" ({} refused)", refused) : "", summary.laws.size(),
+                  summary.laws.size() == 1 ? "" : "s", runs, summary.seed);
   return wrapped("", text, 0, width);
 }
 

@@ -11,6 +11,7 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/report/html.hpp"
+#include "isolaw/report/inspection.hpp"
 #include "isolaw/report/summary_json.hpp"
 #include "isolaw/report/tables.hpp"
 
@@ -62,13 +63,25 @@ std::vector<std::pair<std::string, std::string>> output_texts(Summary const& sum
           {"tables/parameters.csv", parameters_csv(summary)},
           {"tables/objective.csv", objective_csv(summary)},
           {"tables/robustness.csv", robustness_csv(summary)},
-          {"tables/properties.csv", properties_csv(summary)},
+          {"tables/cycles.csv", cycles_csv(summary)},
+          {"tables/tests.csv", tests_csv(summary)},
+          {"tables/lot.csv", lot_csv(summary)},
+          {"tables/lambda.csv", lambda_csv(summary)},
           {"report.html", html(summary)}};
 }
 
 void write_outputs(Summary const& summary, fs::path const& dir) {
   make_directory(dir / "tables");
   for (auto const& [name, text] : output_texts(summary)) write_file(dir / name, text);
+}
+
+void write_inspection(Summary const& summary, fs::path const& dir) {
+  make_directory(dir / "tables");
+  std::vector<std::pair<std::string, std::string>> const texts{
+      {"inspection.json", inspection_json(summary)}, {"tables/cycles.csv", cycles_csv(summary)},
+      {"tables/tests.csv", tests_csv(summary)},      {"tables/lot.csv", lot_csv(summary)},
+      {"tables/lambda.csv", lambda_csv(summary)},    {"inspection.html", html(summary)}};
+  for (auto const& [name, text] : texts) write_file(dir / name, text);
 }
 
 void remove_leftovers(fs::path const& dir) {

@@ -11,11 +11,14 @@
 
 namespace isolaw::report {
 
-// summary.json, tables/{parameters,objective,robustness,properties}.csv and report.html in `dir`, which is made if
+// summary.json, tables/*.csv and report.html in `dir`, which is made if
 // needed. Each file is written aside and renamed: a reader sees the old or the new one, never a part. Throws Error.
 void write_outputs(Summary const& summary, std::filesystem::path const& dir);
 
-// Their names relative to `dir` and their texts.
+// inspection.html, inspection.json and the tables of cycles, verdicts and the lot, in the same way.
+void write_inspection(Summary const& summary, std::filesystem::path const& dir);
+
+// Names of write_outputs() relative to `dir`, and their texts.
 std::vector<std::pair<std::string, std::string>> output_texts(Summary const& summary);
 
 // Parts that a killed process left in `dir`.

@@ -10,6 +10,9 @@ const laws = report.laws.map((law, index) => ({
   fitOn: new Map(law.devices.map((fit) => [fit.device, fit])),
 }));
 const usable = devices.filter((device) => device.status === 'ok');
+const drawable = usable.filter((device) => device.record.drawn > 0); // beside the laws' loops
+const tested = devices.filter((device) => device.raw?.samples > 0); // whose raw record can be shown
+const inspection = laws.length === 0; // records alone, no identification
 const ranking = report.findings.verdicts.map((verdict) => laws[verdict.law]);
 const lawsByObjective = laws
   .filter((law) => law.objective.mean !== null)
@@ -18,7 +21,9 @@ const hasFront = laws.some((law) => law.beta !== null && law.objective.mean !== 
 
 // What the reader has chosen; a figure names the keys that change it.
 const chosen = {
-  device: usable.find((device) => device.record.drawn > 0)?.index ?? null,
+  device: drawable[0]?.index ?? null,
+  tested: tested.find((device) => device.blocks.length > 0)?.index ?? tested[0]?.index ?? null,
+  block: 'all',
   laws: new Set(ranking.slice(0, 2).map((law) => law.index)),
   grouping: 'law',
 };
@@ -148,6 +153,8 @@ function theme() {
 const symbolOf = (law) => SYMBOLS[law.index % SYMBOLS.length];
 const dashOf = (place) => DASHES[place % DASHES.length]; // by the order of the chosen laws: the first one is solid
 
+const LEGEND = { orientation: 'h', x: 0, y: 1.02, xanchor: 'left', yanchor: 'bottom', font: { size: 12 } };
+
 // A layout in the page's typography; axes are merged over the common axis style.
 function styled(layout, look) {
   const axis = {
@@ -172,7 +179,7 @@ function styled(layout, look) {
       font: { family: look.font, size: 12.5, color: look.colour('ink') },
       align: 'left',
     },
-    legend: { orientation: 'h', x: 0, y: 1.02, xanchor: 'left', yanchor: 'bottom', font: { size: 12 } },
+    legend: LEGEND,
     modebar: { bgcolor: 'rgba(0,0,0,0)', color: look.colour('muted'), activecolor: look.colour('ink') },
     showlegend: false,
     hovermode: 'closest',
@@ -308,12 +315,14 @@ function marker(role) {
 const FRONT_HEIGHT = 390,
   LOOP_HEIGHT = 400;
 
+// An entry with laws: true is left out where there are none.
 const SECTIONS = [
-  { id: 'decision', title: 'The decision' },
-  { id: 'objective', title: 'Accuracy' },
-  { id: 'loops', title: 'Loops', controls: loopControls },
-  { id: 'parameters', title: 'Parameters' },
-  { id: 'devices', title: 'Devices' },
+  { id: 'decision', title: 'The decision', laws: true },
+  { id: 'objective', title: 'Accuracy', laws: true },
+  { id: 'loops', title: 'Loops', controls: loopControls, laws: true },
+  { id: 'properties', title: 'Properties', controls: propertyControls },
+  { id: 'devices', title: 'Lot and devices' },
+  { id: 'parameters', title: 'Parameters', laws: true },
   { id: 'provenance', title: 'How it was made' },
 ];
 
@@ -327,7 +336,7 @@ const SECTIONS = [
 //   csv()                {columns, rows}: its data
 //   height(width)        of a plot, in pixels, and
 //   draw(look, width)    the plot: {traces, layout};  or
-//   build()              anything else: a node
+//   build()              anything else: a node; built again when what it depends on changes
 const FIGURES = [
   {
     id: 'front',
@@ -605,12 +614,147 @@ const FIGURES = [
     build: parameterTables,
   },
   {
+    id: 'cycles',
+    section: 'properties',
+    width: 'wide',
+    title: 'Loops, cycle by cycle',
+    depends: ['tested', 'block'],
+    wanted: () => chosen.tested !== null,
+    caption: cyclesCaption,
+    csv: rawData,
+    height: () => CYCLES_HEIGHT,
+    draw: drawCycles,
+  },
+  {
+    id: 'stability',
+    section: 'properties',
+    width: 'narrow',
+    title: 'Stability from cycle to cycle',
+    depends: ['tested', 'block'],
+    wanted: () => chosen.tested !== null,
+    caption: stabilityCaption,
+    csv: stabilityData,
+    height: () => CYCLES_HEIGHT,
+    draw: drawStability,
+  },
+  {
+    id: 'cycle-history',
+    section: 'properties',
+    title: 'Displacement history with blocks and cycles',
+    depends: ['tested'],
+    wanted: () => chosen.tested !== null,
+    caption: cycleHistoryCaption,
+    csv: rawData,
+    height: () => 320,
+    draw: drawCycleHistory,
+  },
+  {
+    id: 'cycle-table',
+    section: 'properties',
+    title: 'Properties of every cycle',
+    long: true,
+    depends: ['tested'],
+    wanted: () => chosen.tested !== null,
+    caption: cycleTableCaption,
+    csv: () => cycleData([devices[chosen.tested]]),
+    build: cycleTable,
+  },
+  {
+    id: 'assessments',
+    section: 'properties',
+    title: 'Against the rule set',
+    long: true,
+    depends: ['tested'],
+    wanted: () => chosen.tested !== null && devices.some((device) => device.assessments.length > 0),
+    caption: () =>
+      devices[chosen.tested].name +
+      ' alone; the lot follows below.' +
+      (isVerified() ? '' : ' Deviations are information, no verdict.'),
+    csv: () => assessmentData([devices[chosen.tested]]),
+    build: assessmentTable,
+  },
+  {
+    id: 'rule-set',
+    section: 'devices',
+    title: 'What the lot was held to',
+    wanted: () => report.assessment !== null,
+    build: ruleSetStatement,
+  },
+  {
+    id: 'lot',
+    section: 'devices',
+    title: 'The lot, property by property',
+    long: true,
+    wanted: () => lotQuantities.length > 0,
+    caption: lotCaption,
+    csv: lotData,
+    build: lotTable,
+  },
+  {
+    id: 'lot-strips',
+    section: 'devices',
+    title: 'Every device of the lot',
+    depends: ['tested'],
+    wanted: () => stripRows().length > 0,
+    caption: () =>
+      'One mark a device; ringed: ' +
+      (chosen.tested === null ? 'none' : devices[chosen.tested].name) +
+      '. Solid line: mean of the lot; dashed: design value; band: limits of one device. Outliers are named.',
+    csv: stripData,
+    height: () => stripLayout().height,
+    draw: drawStrips,
+  },
+  {
+    id: 'outliers',
+    section: 'devices',
+    title: 'Outliers',
+    wanted: () => lotQuantities.length > 0 && report.assessment.lot.outliers.length > 0,
+    csv: () => ({
+      columns: ['device', 'quantity', 'value', 'unit', 'why'],
+      rows: report.assessment.lot.outliers.map((o) => [o.device, o.quantity, o.value, o.unit, o.why]),
+    }),
+    build: outlierTable,
+  },
+  {
+    id: 'verdict-table',
+    section: 'devices',
+    title: 'Verdicts, device by device',
+    long: true,
+    wanted: () => devices.some((device) => device.assessments.length > 0),
+    caption: () =>
+      'Devices outside a limit come first. Under the verdict the deviation from the design value, or the value. Choose a device above for clauses, formulas and reasons.',
+    csv: () => assessmentData(devices),
+    build: verdictTable,
+  },
+  {
+    id: 'lot-stability',
+    section: 'devices',
+    title: 'Stability of all devices',
+    depends: ['tested', 'block'],
+    wanted: () => devices.some((device) => countedCycles(device).length > 0),
+    caption: lotStabilityCaption,
+    csv: () => cycleData(devices),
+    height: (width) => (width < NARROW ? 3 * 190 : 270),
+    draw: drawLotStability,
+  },
+  {
+    id: 'factors',
+    section: 'devices',
+    title: 'Property modification factors',
+    long: true,
+    wanted: () => (report.assessment?.lot?.factors.length ?? 0) > 0,
+    caption: () =>
+      'Factors on the design value (on the mean of the lot where there is none) and the bounds they give. The spread of single devices bounds a device; only the spread of the system may bound the whole isolation system.',
+    csv: factorData,
+    build: factorTable,
+  },
+  {
     id: 'properties',
     section: 'devices',
-    title: 'Test properties per cycle',
+    title: 'Test properties per device and block',
     long: true,
     caption: propertiesCaption,
-    csv: propertiesData,
+    csv: () => cycleData(devices),
     build: propertiesTable,
   },
   {
@@ -618,7 +762,10 @@ const FIGURES = [
     section: 'provenance',
     width: 'narrow',
     title: 'Settings',
-    caption: () => 'The same files, settings and seed give the same results, whatever the number of threads.',
+    caption: () =>
+      inspection
+        ? 'The same files and settings give the same results.'
+        : 'The same files, settings and seed give the same results, whatever the number of threads.',
     build: settingsList,
     csv: () => ({ columns: ['setting', 'value'], rows: settingRows() }),
   },
@@ -729,7 +876,7 @@ function rankingTable() {
 function groupingControl() {
   const option = (value, text) => element('option', { value, selected: chosen.grouping === value }, text);
   const select = element('select', { id: 'grouping' }, option('law', 'law'), option('device', 'device'));
-  select.addEventListener('change', () => choose('grouping', select.value));
+  select.addEventListener('change', () => choose({ grouping: select.value }));
   return [element('label', {}, 'Group by', select)];
 }
 
@@ -798,26 +945,47 @@ function drawObjectives(look) {
 
 // --- loops
 
-function loopControls() {
-  const drawable = usable.filter((device) => device.record.drawn > 0);
-  if (drawable.length === 0) return [element('p', { class: 'empty' }, 'No record could be used.')];
+// What follows a choice made elsewhere: controls that show the same choice.
+const followers = [];
+
+// One device for the whole page; what cannot be shown of it stays with the device before.
+function chooseDevice(index) {
+  const changes = {};
+  if (drawable.some((device) => device.index === index)) changes.device = index;
+  if (tested.some((device) => device.index === index)) {
+    changes.tested = index;
+    if (!devices[index].blocks.some((block) => block.number === chosen.block)) changes.block = 'all';
+  }
+  choose(changes);
+}
+
+function deviceChooser(id, among, key) {
   const select = element(
     'select',
-    { id: 'device' },
-    ...drawable.map((device) =>
-      element('option', { value: device.index, selected: device.index === chosen.device }, device.name),
+    { id },
+    ...among.map((device) =>
+      element('option', { value: device.index, selected: device.index === chosen[key] }, device.name),
     ),
   );
-  select.addEventListener('change', () => choose('device', Number(select.value)));
+  select.addEventListener('change', () => chooseDevice(Number(select.value)));
+  followers.push(() => (select.value = chosen[key]));
+  return element('label', {}, 'Device', select);
+}
+
+function loopControls() {
+  if (drawable.length === 0) return [element('p', { class: 'empty' }, 'No record could be used.')];
   const boxes = ranking.map((law) => {
     const box = element('input', { type: 'checkbox', value: law.index, checked: chosen.laws.has(law.index) });
     box.addEventListener('change', () => {
       box.checked ? chosen.laws.add(law.index) : chosen.laws.delete(law.index);
-      choose('laws', chosen.laws);
+      choose({ laws: chosen.laws });
     });
     return element('label', {}, box, lawKey(law), law.id);
   });
-  return [element('label', {}, 'Device', select), element('fieldset', {}, element('legend', {}, 'Laws'), ...boxes)];
+  return [
+    deviceChooser('device', drawable, 'device'),
+    element('fieldset', {}, element('legend', {}, 'Laws'), ...boxes),
+  ];
 }
 
 // The chosen laws that have a curve on the chosen device, with it.
@@ -832,6 +1000,19 @@ const record = (device) => ({
   x: curve(device.record.disp_mm),
   F: curve(device.record.force_kN),
 });
+
+// Whether a time of the record lies in a part the laws were judged by.
+const isScored = (device, time) =>
+  !device.scored || device.scored.some(([first, last]) => time >= first && time <= last);
+
+// A line cut in two: where `inside` holds, and the rest; both reach the sample at which it changes.
+function parted(values, inside) {
+  const near = (i, wanted) => inside[i] === wanted || inside[i - 1] === wanted || inside[i + 1] === wanted;
+  return {
+    inside: values.map((value, i) => (near(i, true) ? value : null)),
+    outside: values.map((value, i) => (inside[i] ? null : value)),
+  };
+}
 
 function loopData(among = chosenLaws()) {
   const device = devices[chosen.device],
@@ -867,6 +1048,9 @@ function loopCaption() {
       THIN +
       '%',
   );
+  const partly = device.scored
+    ? ' The laws were judged by the part of the record drawn solid; dotted, it acts on their state alone.'
+    : '';
   const thinned =
     device.record.drawn < device.record.samples
       ? ' Drawn: ' + device.record.drawn + ' of ' + device.record.samples + ' samples.'
@@ -886,6 +1070,7 @@ function loopCaption() {
           '.',
       )
       .join('') +
+    partly +
     thinned
   );
 }
@@ -894,28 +1079,50 @@ function historyCaption() {
   const device = devices[chosen.device],
     measured = record(device);
   const peak = Math.max(...measured.F.map(Math.abs));
+  const scored = measured.t.map((t) => isScored(device, t));
   const worst = fitsOn(device, chosenLaws()).map(
     ({ law, force }) =>
-      law.id + ' ' + significant(Math.max(...force.map((f, i) => Math.abs(measured.F[i] - f))), 3) + THIN + 'kN',
+      law.id +
+      ' ' +
+      significant(Math.max(...force.map((f, i) => (scored[i] ? Math.abs(measured.F[i] - f) : 0))), 3) +
+      THIN +
+      'kN',
   );
   return (
     'Residual: measured minus computed force. What repeats from cycle to cycle is the law\u2019s own error, what fades is scragging the law does not know.' +
     (worst.length > 0
       ? ' Largest residual: ' + worst.join(', ') + '; peak force ' + significant(peak, 3) + THIN + 'kN.'
-      : '')
+      : '') +
+    (device.scored ? ' Shaded: the part the laws were judged by, the residuals named here among it.' : '')
   );
 }
 
 function drawLoop(look) {
   const device = devices[chosen.device],
     measured = record(device);
+  const halves = parted(
+    measured.F,
+    measured.t.map((t) => isScored(device, t)),
+  );
   return {
     traces: [
+      ...(device.scored
+        ? [
+            {
+              name: 'measured, not judged',
+              mode: 'lines',
+              x: measured.x,
+              y: halves.outside,
+              line: { color: look.colour('measured'), width: 1.6, dash: 'dot' },
+              hovertemplate: '%{x:.1f} mm, %{y:.1f} kN<extra>measured, not judged</extra>',
+            },
+          ]
+        : []),
       {
         name: 'measured',
         mode: 'lines',
         x: measured.x,
-        y: measured.F,
+        y: halves.inside,
         line: { color: look.colour('measured'), width: 3.5 },
         opacity: 0.75,
         hovertemplate: '%{x:.1f} mm, %{y:.1f} kN<extra>measured</extra>',
@@ -932,6 +1139,19 @@ function drawLoop(look) {
     layout: { showlegend: true, xaxis: { title: 'displacement [mm]' }, yaxis: { title: 'force [kN]' } },
   };
 }
+
+// The part the laws were judged by, over the whole height of a plot.
+const scoredShape = (look, x0, x1) => ({
+  type: 'rect',
+  layer: 'below',
+  yref: 'paper',
+  x0,
+  x1,
+  y0: 0,
+  y1: 1,
+  line: { width: 0 },
+  fillcolor: look.colour('scored'),
+});
 
 function drawHistory(look) {
   const device = devices[chosen.device],
@@ -969,6 +1189,7 @@ function drawHistory(look) {
     layout: {
       showlegend: true,
       hovermode: 'x unified',
+      shapes: (device.scored ?? []).map(([x0, x1]) => scoredShape(look, x0, x1)),
       xaxis: { title: device.record.has_time ? 'time [s]' : 'sample', anchor: 'y2' },
       yaxis: { title: 'force [kN]', domain: [0.38, 1] },
       yaxis2: { title: 'residual [kN]', domain: [0, 0.3] },
@@ -1269,23 +1490,1411 @@ function parameterData() {
   };
 }
 
+// --- properties: the cycles of one device
+
+const CYCLES_HEIGHT = 470,
+  NARROW = 620;
+
+// Every number of a cycle: its key in the data, its heading, and how it reads.
+const CYCLE_COLUMNS = [
+  { key: 'amplitude_mm', title: 'Amplitude', unit: 'mm', text: (v) => fixed(v, 1) },
+  { key: 'd_plus_mm', title: 'd+', unit: 'mm', text: (v) => fixed(v, 1), csvOnly: true },
+  { key: 'd_minus_mm', title: 'd\u2212', unit: 'mm', text: (v) => fixed(v, 1), csvOnly: true },
+  { key: 'F_plus_kN', title: 'F+', unit: 'kN', text: (v) => fixed(v, 1), screen: true },
+  { key: 'F_minus_kN', title: 'F\u2212', unit: 'kN', text: (v) => fixed(v, 1), screen: true },
+  { key: 'K_eff_kN_per_mm', title: 'K_eff', unit: 'kN/mm', text: (v) => significant(v, 4) },
+  { key: 'K_plus_kN_per_mm', title: 'K+', unit: 'kN/mm', text: (v) => significant(v, 4), screen: true },
+  { key: 'K_minus_kN_per_mm', title: 'K\u2212', unit: 'kN/mm', text: (v) => significant(v, 4), screen: true },
+  { key: 'energy_kN_mm', title: 'Energy', unit: 'kN mm', text: (v) => fixed(v, 0) },
+  { key: 'damping_percent', title: 'Damping', unit: '%', text: (v) => fixed(v, 2) },
+  { key: 'Q_d_kN', title: 'Q_d', unit: 'kN', text: (v) => fixed(v, 1) },
+  { key: 'K_d_kN_per_mm', title: 'K_d', unit: 'kN/mm', text: (v) => significant(v, 3) },
+  { key: 'D_y_mm', title: 'D_y', unit: 'mm', text: (v) => fixed(v, 2), csvOnly: true },
+  { key: 'K_1_kN_per_mm', title: 'K_1', unit: 'kN/mm', text: (v) => significant(v, 3), csvOnly: true },
+  { key: 'period_s', title: 'Period', unit: 's', text: (v) => significant(v, 3), csvOnly: true },
+  { key: 'v_max_mm_s', title: 'v_max', unit: 'mm/s', text: (v) => significant(v, 3), screen: true },
+  { key: 'N_mean_kN', title: 'N mean', unit: 'kN', text: (v) => fixed(v, 0), screen: true },
+  { key: 'N_min_kN', title: 'N min', unit: 'kN', text: (v) => fixed(v, 0), csvOnly: true },
+  { key: 'N_max_kN', title: 'N max', unit: 'kN', text: (v) => fixed(v, 0), csvOnly: true },
+  { key: 'strain_percent', title: 'Strain', unit: '%', text: (v) => fixed(v, 0) },
+  { key: 'G_MPa', title: 'G', unit: 'MPa', text: (v) => significant(v, 3) },
+  { key: 'closure_mm', title: 'Closure d', unit: 'mm', text: (v) => significant(v, 2), csvOnly: true },
+  { key: 'closure_kN', title: 'Closure F', unit: 'kN', text: (v) => significant(v, 2), csvOnly: true },
+];
+
+// The three properties that are followed from cycle to cycle: their key in a cycle, in `stability` and in rule sets.
+const FOLLOWED = [
+  { key: 'K_eff_kN_per_mm', name: 'K_eff', title: 'K_eff [kN/mm]', text: (v) => significant(v, 4) + THIN + 'kN/mm' },
+  { key: 'damping_percent', name: 'damping', title: 'damping [%]', text: (v) => fixed(v, 2) + THIN + '%' },
+  { key: 'energy_kN_mm', name: 'energy', title: 'energy [kN mm]', text: (v) => fixed(v, 0) + THIN + 'kN mm' },
+];
+
+const counted = (block) => block.cycles.filter((cycle) => cycle.counts);
+const countedCycles = (device) => device.blocks.flatMap(counted);
+const largestNumber = (device) => Math.max(1, ...countedCycles(device).map((cycle) => cycle.number));
+const chosenBlocks = (device) =>
+  device.blocks.filter((block) => chosen.block === 'all' || block.number === chosen.block);
+
+function blockText(block) {
+  return (
+    'block ' +
+    block.number +
+    ', ±' +
+    significant(block.amplitude_mm, 3) +
+    THIN +
+    'mm' +
+    (isNumber(block.frequency_Hz) ? ', ' + significant(block.frequency_Hz, 2) + THIN + 'Hz' : '') +
+    (block.waveform ? ', ' + block.waveform : '')
+  );
+}
+const cycleText = (block, cycle) =>
+  'block ' + block.number + ', ' + (cycle.counts ? 'cycle ' + cycle.number : 'not counted: ' + cycle.reason);
+
+function propertyControls() {
+  const select = element('select', { id: 'block' });
+  const fill = () => {
+    const blocks = devices[chosen.tested]?.blocks ?? [];
+    select.replaceChildren(
+      element('option', { value: 'all' }, 'all'),
+      ...blocks.map((block) => element('option', { value: block.number }, blockText(block))),
+    );
+    select.value = chosen.block;
+    select.disabled = blocks.length < 2;
+  };
+  fill();
+  let shown = chosen.tested;
+  followers.push(() => {
+    if (shown !== chosen.tested) fill();
+    shown = chosen.tested;
+    select.value = chosen.block;
+  });
+  select.addEventListener('change', () => choose({ block: select.value === 'all' ? 'all' : Number(select.value) }));
+  return tested.length === 0
+    ? [element('p', { class: 'empty' }, 'No record could be read.')]
+    : [deviceChooser('tested', tested, 'tested'), element('label', {}, 'Block', select)];
+}
+
+// The colour of a cycle on its way from the first one, 0, to the last, 1.
+function cycleScale(look) {
+  const stops = ['first', 'middle', 'last'].map((name) =>
+    [1, 3, 5].map((i) => parseInt(look.colour('cycle-' + name).slice(i, i + 2), 16)),
+  );
+  return (share) => {
+    const [from, to] = share < 0.5 ? [stops[0], stops[1]] : [stops[1], stops[2]];
+    const way = share < 0.5 ? 2 * share : 2 * share - 1;
+    return 'rgb(' + from.map((c, i) => Math.round(c + way * (to[i] - c))).join(',') + ')';
+  };
+}
+const shareOf = (cycle, largest) => (largest > 1 ? (cycle.number - 1) / (largest - 1) : 1);
+
+const rawIndex = (raw, k) => Math.min(k * raw.stride, raw.samples - 1);
+
+// The samples of a curve of the raw record from one fractional sample index to another, the ends interpolated.
+function slice(raw, values, first, last) {
+  const at = (index) => {
+    const k = Math.min(Math.max(0, Math.floor(index / raw.stride)), values.length - 2);
+    const from = rawIndex(raw, k),
+      to = rawIndex(raw, k + 1);
+    return values[k] + ((index - from) / (to - from || 1)) * (values[k + 1] - values[k]);
+  };
+  if (values.length < 2) return [...values];
+  const inside = values.filter((_, k) => rawIndex(raw, k) > first && rawIndex(raw, k) < last);
+  return [at(first), ...inside, at(last)];
+}
+
+// From raw sample indices to what the record's time_s holds and back. Evenly sampled, as recording machines do.
+// Where a raw sample lies on the time axis; without time the axis counts samples, as the record the laws saw does.
+function rawTime(device) {
+  const { raw } = device;
+  const t = raw?.time_s ? curve(raw.time_s) : null;
+  const timed = t !== null && t.length > 1;
+  const between = (index) => {
+    const k = Math.min(Math.floor(index / raw.stride), t.length - 2);
+    const from = rawIndex(raw, k),
+      to = rawIndex(raw, k + 1);
+    return t[k] + ((index - from) / (to - from)) * (t[k + 1] - t[k]);
+  };
+  return {
+    timed,
+    title: timed ? 'time [s]' : 'sample',
+    of: (index) => (timed ? between(index) : index),
+    fromRecord: (time) => time,
+  };
+}
+
+function rawData() {
+  const device = devices[chosen.tested],
+    raw = device.raw,
+    axis = rawTime(device);
+  const x = curve(raw.disp_mm),
+    F = curve(raw.force_kN);
+  let position = 0;
+  const spans = device.blocks.flatMap((block) => block.cycles.map((cycle) => ({ block, cycle })));
+  return {
+    columns: ['sample', ...(axis.timed ? ['time [s]'] : []), 'displacement [mm]', 'force [kN]', 'block', 'cycle'],
+    rows: x.map((value, k) => {
+      const index = rawIndex(raw, k);
+      while (position < spans.length && spans[position].cycle.last < index) ++position;
+      const span = spans[position];
+      const inside = span !== undefined && index >= span.cycle.first;
+      return [
+        index,
+        ...(axis.timed ? [axis.of(index)] : []),
+        value,
+        F[k],
+        inside ? span.block.number : null,
+        inside && span.cycle.counts ? span.cycle.number : null,
+      ];
+    }),
+  };
+}
+
+function cyclesCaption() {
+  const device = devices[chosen.tested],
+    blocks = chosenBlocks(device);
+  const uncounted = blocks.flatMap((block) => block.cycles).filter((cycle) => !cycle.counts).length;
+  if (device.blocks.length === 0) return device.name + ', as recorded. No cycles: ' + noCycles(device);
+  return (
+    device.name +
+    ', raw values' +
+    (device.corrections.length > 0 ? ' after ' + count(device.corrections.length, 'correction') : '') +
+    '. The number stands at the positive peak of each loop' +
+    (blocks.length > 1 ? ', block and cycle' : '') +
+    '; the colour runs from the first cycle (orange) to the last (blue).' +
+    (uncounted > 0
+      ? ' Dashed: ' + count(uncounted, 'cycle') + ' that ' + (uncounted === 1 ? 'does' : 'do') + ' not count.'
+      : '') +
+    (device.raw.stride > 1 ? ' Drawn: one sample in ' + device.raw.stride + '.' : '')
+  );
+}
+const noCycles = (device) => device.properties_refusal || device.message || 'none was found';
+
+// Places of least movement for labels that are `gap` apart at least, between `low` and `high`; `wanted` ascends.
+function spread(wanted, gap, low, high) {
+  const most = high - (wanted.length - 1) * gap;
+  const groups = [];
+  wanted.forEach((value, i) => {
+    groups.push({ sum: Math.max(low, Math.min(most, value - i * gap)), size: 1 });
+    while (groups.length > 1) {
+      const [before, last] = groups.slice(-2);
+      if (before.sum / before.size <= last.sum / last.size) break;
+      groups.splice(-2, 2, { sum: before.sum + last.sum, size: before.size + last.size });
+    }
+  });
+  return groups.flatMap((group) => Array(group.size).fill(group.sum / group.size)).map((value, i) => value + i * gap);
+}
+
+// Numbers of the loops, joined to their positive peaks: those of the outermost peaks in the margin at the right, the
+// others up and left of their peaks, where a hysteresis loop leaves room. `pixel` gives the place of a peak.
+function peakLabels(labels, pixel, room, height) {
+  const gap = 15,
+    columns = [];
+  for (const label of labels.map((l) => ({ ...l, at: pixel(l.x, l.y) })).sort((a, b) => a.at[0] - b.at[0])) {
+    const column = columns[columns.length - 1];
+    if (column && label.at[0] - column[column.length - 1].at[0] < 40) column.push(label);
+    else columns.push([label]);
+  }
+  return columns.flatMap((column, place) => {
+    const outermost = place === columns.length - 1;
+    column.sort((a, b) => a.at[1] - b.at[1]);
+    const needed = 8 + (column.length - 1) * gap;
+    const bottom = outermost
+      ? height - 8
+      : Math.max(column[0].at[1] - 12, Math.min(needed, column[column.length - 1].at[1] + 12));
+    const most = Math.max(2, Math.floor((bottom - 8) / gap) + 1);
+    const every = Math.ceil(column.length / most);
+    const named = column.filter((label) => every === 1 || label.number % every === 1 % every);
+    const wanted = outermost ? named.map((l) => l.at[1]) : named.map((_, i) => bottom - (named.length - 1 - i) * gap);
+    const places = spread(wanted, gap, 8, bottom);
+    const edge = outermost
+      ? Math.max(...column.map((l) => l.at[0])) + room
+      : Math.min(...column.map((l) => l.at[0])) - 26;
+    return named.map((label, i) => ({
+      x: label.x,
+      y: label.y,
+      ax: edge - label.at[0],
+      ay: places[i] - label.at[1],
+      text: label.text,
+      xanchor: outermost ? 'left' : 'right',
+      color: label.color,
+    }));
+  });
+}
+
+function drawCycles(look, width) {
+  const device = devices[chosen.tested],
+    raw = device.raw,
+    colour = cycleScale(look),
+    largest = largestNumber(device);
+  const x = curve(raw.disp_mm),
+    F = curve(raw.force_kN);
+  const blocks = chosenBlocks(device);
+  const hover = (name) => '%{x:.1f} mm, %{y:.1f} kN<extra>' + plain(name) + '</extra>';
+  const traces = [],
+    labels = [];
+  if (device.blocks.length === 0)
+    traces.push({
+      mode: 'lines',
+      x,
+      y: F,
+      line: { color: look.colour('measured'), width: 1.4 },
+      hovertemplate: hover('no cycle'),
+    });
+  for (const block of blocks) {
+    for (const cycle of [...block.cycles].sort((a, b) => a.number - b.number)) {
+      const share = shareOf(cycle, largest);
+      traces.push({
+        mode: 'lines',
+        x: slice(raw, x, cycle.first, cycle.last),
+        y: slice(raw, F, cycle.first, cycle.last),
+        line: cycle.counts
+          ? { color: colour(share), width: 1.6 }
+          : { color: look.colour('muted'), width: 1.2, dash: 'dash' },
+        hovertemplate: hover(cycleText(block, cycle)),
+      });
+      if (cycle.counts && isNumber(cycle.d_plus_mm) && isNumber(cycle.F_plus_kN))
+        labels.push({
+          x: cycle.d_plus_mm,
+          y: cycle.F_plus_kN,
+          number: cycle.number,
+          text: (blocks.length > 1 ? block.number + '\u00b7' : '') + cycle.number,
+          color: colour(share),
+        });
+    }
+  }
+  const xs = traces.flatMap((trace) => trace.x),
+    ys = traces.flatMap((trace) => trace.y);
+  const margin = { l: 58, r: 10, t: 26, b: 44 };
+  const plotWidth = width - margin.l - margin.r,
+    plotHeight = CYCLES_HEIGHT - margin.t - margin.b;
+  const extent = (values) => values.reduce(([a, b], v) => [Math.min(a, v), Math.max(b, v)], [Infinity, -Infinity]);
+  const [left, right] = extent(xs),
+    [low, high] = extent(ys);
+  const tail = labels.length > 0 ? 52 : 0; // for the numbers at the right
+  const wide = right - left || 1,
+    tall = high - low || 1;
+  const xRange = [left - 0.04 * wide, right + 0.04 * wide + (tail / (plotWidth - tail)) * 1.08 * wide],
+    yRange = [low - 0.05 * tall, high + 0.05 * tall];
+  const pixel = (px, py) => [
+    ((px - xRange[0]) / (xRange[1] - xRange[0])) * plotWidth,
+    (1 - (py - yRange[0]) / (yRange[1] - yRange[0])) * plotHeight,
+  ];
+  return {
+    traces,
+    layout: {
+      margin,
+      xaxis: { title: 'displacement [mm]', range: xRange, automargin: false },
+      yaxis: { title: 'force [kN]', range: yRange, automargin: false },
+      annotations: peakLabels(labels, pixel, 26, plotHeight).map((label) => ({
+        ...label,
+        color: undefined,
+        text: '<b>' + label.text + '</b>',
+        arrowhead: 0,
+        arrowwidth: 0.8,
+        arrowcolor: look.colour('muted'),
+        font: { size: 11.5, color: label.color },
+        bgcolor: look.colour('paper'),
+        borderpad: 0.5,
+      })),
+    },
+  };
+}
+
+function cycleHistoryCaption() {
+  const device = devices[chosen.tested];
+  const reasons = new Map();
+  for (const cycle of device.blocks.flatMap((block) => block.cycles))
+    if (!cycle.counts) reasons.set(cycle.reason, (reasons.get(cycle.reason) ?? 0) + 1);
+  const said = [...reasons].map(([reason, times]) => reason + (times > 1 ? ' (' + times + ' times)' : ''));
+  return (
+    (device.blocks.length === 0
+      ? 'No cycles: ' + noCycles(device)
+      : count(device.blocks.length, 'block') + ', ' + count(countedCycles(device).length, 'cycle') + ' counted.') +
+    (said.length > 0 ? ' Pale and marked \u2013, not counted: ' + enumerate(said, 4) + '.' : '') +
+    (!inspection && device.scored ? ' The bar along the bottom: the part the laws were judged by.' : '')
+  );
+}
+
+function drawCycleHistory(look, width) {
+  const device = devices[chosen.tested],
+    raw = device.raw,
+    axis = rawTime(device),
+    colour = cycleScale(look),
+    largest = largestNumber(device);
+  const x = curve(raw.disp_mm);
+  const margin = { l: 58, r: 12, t: 26, b: 44 };
+  const perSample = (width - margin.l - margin.r) / raw.samples;
+  const [STRIP, BOTTOM] = [0.84, 0];
+  const shapes = [],
+    annotations = [],
+    marks = { x: [], text: [] };
+  const strip = (x0, x1, y0, y1, look) =>
+    shapes.push({ type: 'rect', yref: 'y2', x0: axis.of(x0), x1: axis.of(x1), y0, y1, line: { width: 0 }, ...look });
+  const write = (index, y, text, size, color, xanchor = 'center') =>
+    annotations.push({
+      x: axis.of(index),
+      y,
+      yref: 'y2',
+      text,
+      showarrow: false,
+      xanchor,
+      yanchor: 'bottom',
+      font: { size, color },
+      borderpad: 0,
+    });
+  for (const block of device.blocks) {
+    const first = block.cycles[0].first,
+      last = block.cycles[block.cycles.length - 1].last;
+    const amplitude = '±' + significant(block.amplitude_mm, 3) + THIN + 'mm';
+    const frequency = isNumber(block.frequency_Hz) ? ', ' + significant(block.frequency_Hz, 2) + THIN + 'Hz' : '';
+    const name = 'Block ' + block.number;
+    const fitting = [name + ': ' + amplitude + frequency, name + ': ' + amplitude, name, String(block.number)].find(
+      (text) => 6.8 * text.length < perSample * (last - first),
+    );
+    strip(first, last, 0.58, 0.6, { fillcolor: look.colour('muted') });
+    if (fitting) write(first, 0.62, plain(fitting), 11.5, look.colour('ink'), 'left');
+    const narrowest = Math.min(...counted(block).map((cycle) => cycle.last - cycle.first)) * perSample;
+    const every = Math.max(1, Math.ceil((6 + 7 * String(counted(block).length).length) / narrowest));
+    for (const cycle of block.cycles) {
+      const middle = (cycle.first + cycle.last) / 2,
+        gap = Math.min(1 / perSample, 0.1 * (cycle.last - cycle.first));
+      marks.x.push(axis.of(middle));
+      marks.text.push(plain(cycleText(block, cycle)));
+      if (cycle.counts) {
+        strip(cycle.first + gap, cycle.last - gap, 0.02, 0.14, { fillcolor: colour(shareOf(cycle, largest)) });
+        if (cycle.number % every === 1 % every)
+          write(middle, 0.17, String(cycle.number), 11, colour(shareOf(cycle, largest)));
+      } else {
+        write(middle, 0.17, '\u2013', 11, look.colour('muted'));
+        shapes.push({
+          type: 'rect',
+          layer: 'below',
+          yref: 'y domain',
+          x0: axis.of(cycle.first),
+          x1: axis.of(cycle.last),
+          y0: 0,
+          y1: 1,
+          fillcolor: look.colour('uncounted'),
+          line: { width: 0.8, dash: 'dot', color: look.colour('muted') },
+        });
+      }
+    }
+  }
+  for (const [from, to] of (!inspection && device.scored) || [])
+    shapes.push({
+      type: 'rect',
+      yref: 'y domain',
+      x0: axis.fromRecord(from),
+      x1: axis.fromRecord(to),
+      y0: BOTTOM,
+      y1: 0.03,
+      fillcolor: look.colour('accent'),
+      line: { width: 0 },
+    });
+  return {
+    traces: [
+      {
+        mode: 'lines',
+        x: x.map((_, k) => axis.of(rawIndex(raw, k))),
+        y: x,
+        line: { color: look.colour('measured'), width: 1.3 },
+        hovertemplate: axis.timed
+          ? '%{x:.2f} s, %{y:.1f} mm<extra></extra>'
+          : 'sample %{x}, %{y:.1f} mm<extra></extra>',
+      },
+      {
+        mode: 'markers',
+        x: marks.x,
+        y: marks.x.map(() => 0.2),
+        yaxis: 'y2',
+        text: marks.text,
+        marker: { size: 16, opacity: 0, color: look.colour('muted') },
+        hovertemplate: '%{text}<extra></extra>',
+      },
+    ],
+    layout: {
+      margin,
+      shapes,
+      annotations,
+      xaxis: { title: axis.title, zeroline: false, range: [axis.of(0), axis.of(raw.samples - 1)] },
+      yaxis: { title: 'displacement [mm]', domain: [0, STRIP - 0.03], automargin: false },
+      yaxis2: { domain: [STRIP, 1], range: [0, 1], visible: false, fixedrange: true },
+    },
+  };
+}
+
+// --- stability
+
+// Three panels beside one another, below one another where there is no room, with cycle numbers along their abscissa.
+function followedPanels(stacked, largest) {
+  const layout = { annotations: [] };
+  FOLLOWED.forEach((property, i) => {
+    const suffix = i === 0 ? '' : String(i + 1),
+      gap = stacked ? 0.09 : 0.08,
+      size = (1 - 2 * gap) / 3;
+    const along = [i * (size + gap), i * (size + gap) + size];
+    const down = [1 - along[1], 1 - along[0]];
+    layout['xaxis' + suffix] = {
+      domain: stacked ? [0, 1] : along,
+      anchor: 'y' + suffix,
+      range: [0.6, largest + 0.4],
+      tickformat: 'd',
+      dtick: Math.max(1, Math.ceil(largest / 10)),
+      tick0: 1,
+      zeroline: false,
+      title: stacked && i < 2 ? '' : 'cycle',
+      showticklabels: !stacked || i === 2,
+    };
+    layout['yaxis' + suffix] = {
+      domain: stacked ? down : [0, 1],
+      anchor: 'x' + suffix,
+      title: property.title,
+      zeroline: false,
+      nticks: 5,
+    };
+  });
+  return layout;
+}
+
+// Limits of a device in percent of the design value, as rule sets print them: "-20 % to +20 %", "-25 % or more".
+function limitBand(limit, nominal) {
+  if (!isNumber(nominal) || !limit) return null;
+  const numbers =
+    String(limit)
+      .replace(/\u2212/g, '-')
+      .match(/[-+]?\d+(?:\.\d+)?(?= ?%)/g)
+      ?.map(Number) ?? [];
+  const at = (percent) => nominal * (1 + percent / 100);
+  if (/^[^%]*% to [^%]*%$/.test(limit) && numbers.length === 2) return numbers.map(at);
+  if (/% or more$/.test(limit) && numbers.length === 1) return [at(numbers[0]), null];
+  if (/% or less$/.test(limit) && numbers.length === 1) return [null, at(numbers[0])];
+  return null;
+}
+
+// Design value and limits of a followed property: of one device's assessments, else of the lot.
+function designOf(name, assessments) {
+  const own = assessments.find(
+    (a) => (a.quantity === name || a.quantity.startsWith(name + ',')) && isNumber(a.nominal),
+  );
+  const lot = lotQuantities.find((quantity) => quantity.quantity === name);
+  const nominal = own?.nominal ?? lot?.nominal ?? null;
+  return { nominal, band: limitBand(own?.limit || lot?.limit_individual, nominal) };
+}
+
+// A tenth of the values' size at least: what hardly changes from cycle to cycle shall look so.
+function steadyRange(values) {
+  const [low, high] = paddedRange(values, 0.08);
+  const missing = Math.max(0, 0.1 * Math.max(...values.map(Math.abs)) - (high - low));
+  return [low - missing / 2, high + missing / 2];
+}
+
+// The range of panel i, with the design value and the limits where there are any.
+function framePanel(layout, look, i, { nominal, band }, values) {
+  const some = values.filter(isNumber);
+  if (some.length === 0) return;
+  const suffix = i === 0 ? '' : String(i + 1);
+  const [low, high] = steadyRange([...some, nominal, ...(band ?? [])].filter(isNumber));
+  layout['yaxis' + suffix].range = [low, high];
+  layout.shapes ??= [];
+  const whole = { xref: 'x' + suffix + ' domain', yref: 'y' + suffix, x0: 0, x1: 1, layer: 'below' };
+  if (band)
+    layout.shapes.push({
+      ...whole,
+      type: 'rect',
+      y0: band[0] ?? low,
+      y1: band[1] ?? high,
+      fillcolor: look.colour('band'),
+      line: { width: 0 },
+    });
+  if (isNumber(nominal))
+    layout.shapes.push({
+      ...whole,
+      type: 'line',
+      y0: nominal,
+      y1: nominal,
+      line: { color: look.colour('good'), width: 1.2, dash: 'dash' },
+    });
+}
+
+// The value of a cycle with its ratio to cycle 3, for reading off a plot.
+function followedText(property, block, cycle, place) {
+  const ratio = block.stability?.[property.name]?.ratio_to_third?.[place];
+  return property.text(cycle[property.key]) + (isNumber(ratio) ? ', ' + fixed(ratio, 3) + ' of cycle 3' : '');
+}
+
+function emptyPlot(look, text) {
+  return {
+    traces: [],
+    layout: {
+      xaxis: { visible: false },
+      yaxis: { visible: false },
+      annotations: [
+        {
+          xref: 'paper',
+          yref: 'paper',
+          x: 0.5,
+          y: 0.5,
+          showarrow: false,
+          text: plain(text),
+          font: { size: 13, color: look.colour('muted') },
+        },
+      ],
+    },
+  };
+}
+
+function drawStability(look) {
+  const device = devices[chosen.tested],
+    blocks = chosenBlocks(device).filter((block) => counted(block).length > 0);
+  if (blocks.length === 0) return emptyPlot(look, 'no cycle that counts');
+  const layout = followedPanels(true, Math.max(...blocks.flatMap(counted).map((cycle) => cycle.number)));
+  const traces = FOLLOWED.flatMap((property, i) =>
+    blocks.map((block) => {
+      const cycles = counted(block),
+        suffix = i === 0 ? '' : String(i + 1),
+        place = device.blocks.indexOf(block);
+      return {
+        name: 'block ' + block.number,
+        legendgroup: String(block.number),
+        showlegend: i === 0,
+        mode: 'lines+markers',
+        xaxis: 'x' + suffix,
+        yaxis: 'y' + suffix,
+        x: cycles.map((cycle) => cycle.number),
+        y: cycles.map((cycle) => cycle[property.key]),
+        text: cycles.map((cycle, k) => followedText(property, block, cycle, k)),
+        line: { color: look.law({ index: place }), width: 1.4 },
+        marker: { color: look.law({ index: place }), symbol: SYMBOLS[place % SYMBOLS.length], size: 6 },
+        hovertemplate: 'cycle %{x}: %{text}<extra>block ' + block.number + '</extra>',
+      };
+    }),
+  );
+  const held = device.assessments.filter((a) => blocks.some((block) => a.block === block.number));
+  FOLLOWED.forEach((property, i) =>
+    framePanel(
+      layout,
+      look,
+      i,
+      held.length > 0 ? designOf(property.name, held) : { nominal: null, band: null },
+      blocks.flatMap(counted).map((cycle) => cycle[property.key]),
+    ),
+  );
+  return {
+    traces,
+    layout: { ...layout, showlegend: blocks.length > 1 && blocks.length <= 6, margin: { l: 58, r: 8, t: 6, b: 40 } },
+  };
+}
+
+function stabilityCaption() {
+  const device = devices[chosen.tested];
+  // In a caption there is room for few: of many blocks the one that is reported.
+  const blocks = chosenBlocks(device);
+  const said = (blocks.length > 3 ? blocks.filter((block) => block.number === device.reported?.block) : blocks)
+    .map((block) => {
+      const [K, E] = [block.stability?.K_eff, block.stability?.energy];
+      if (!isNumber(K?.first_to_third)) return null;
+      const late =
+        isNumber(K.min_2_10) && isNumber(K.max_2_10)
+          ? '; cycles 2\u201310: K_eff ' + fixed(K.min_2_10, 2) + ' to ' + fixed(K.max_2_10, 2)
+          : '';
+      return (
+        'Block ' +
+        block.number +
+        ': first cycle ' +
+        fixed(K.first_to_third, 2) +
+        ' in K_eff' +
+        (isNumber(E?.first_to_third) ? ', ' + fixed(E.first_to_third, 2) + ' in energy' : '') +
+        late +
+        '.'
+      );
+    })
+    .filter(Boolean);
+  const held = device.assessments.some(
+    (a) => FOLLOWED.some(({ name }) => a.quantity.startsWith(name)) && isNumber(a.nominal),
+  );
+  return (
+    (said.length > 0
+      ? 'Against cycle 3. ' + said.join(' ') + (blocks.length > 3 ? ' Choose a block above for the others.' : '')
+      : 'No block has a third cycle to compare with.') + (held ? ' Dashed: design value; band: its limits.' : '')
+  );
+}
+
+function stabilityData() {
+  const columns = ['first_to_third', 'first_to_mean_1_3', 'min_2_10', 'max_2_10', 'min_1_10', 'max_1_10'];
+  return {
+    columns: [
+      'device',
+      'block',
+      'property',
+      'cycle',
+      'value',
+      'ratio to cycle 3',
+      ...columns.map((c) => c + ' of the block'),
+    ],
+    rows: devices[chosen.tested].blocks.flatMap((block) =>
+      FOLLOWED.flatMap((property) =>
+        counted(block).map((cycle, k) => {
+          const stability = block.stability?.[property.name];
+          return [
+            devices[chosen.tested].name,
+            block.number,
+            property.title,
+            cycle.number,
+            cycle[property.key],
+            stability?.ratio_to_third?.[k],
+            ...columns.map((c) => stability?.[c]),
+          ];
+        }),
+      ),
+    ),
+  };
+}
+
+// The block of a device that the lot is compared by: the chosen one, else the one that is reported.
+function comparedBlock(device) {
+  const number = chosen.block === 'all' ? device.reported?.block : chosen.block;
+  return device.blocks.find((block) => block.number === number) ?? null;
+}
+
+function lotStabilityCaption() {
+  const shown = devices.filter((device) => comparedBlock(device));
+  return (
+    'One line a device, ' +
+    (chosen.block === 'all' ? 'its reported block (the largest amplitude)' : 'block ' + chosen.block + ' of each') +
+    '; bold: ' +
+    (chosen.tested === null ? 'none' : devices[chosen.tested].name) +
+    '. ' +
+    count(shown.length, 'device') +
+    (lotQuantities.some((quantity) => isNumber(quantity.nominal))
+      ? ' Dashed: design value; band: limits of one device.'
+      : '')
+  ).replace(/(devices?) Dashed/, '$1. Dashed');
+}
+
+function drawLotStability(look, width) {
+  const entries = devices
+    .map((device) => ({ device, block: comparedBlock(device) }))
+    .filter(({ block }) => block && counted(block).length > 0);
+  if (entries.length === 0) return emptyPlot(look, 'no device has this block');
+  const layout = followedPanels(
+    width < NARROW,
+    Math.max(...entries.flatMap(({ block }) => counted(block).map((cycle) => cycle.number))),
+  );
+  const traces = FOLLOWED.flatMap((property, i) => {
+    const suffix = i === 0 ? '' : String(i + 1);
+    // All thin lines are one trace, broken between devices: 160 of them stay quick.
+    const line = (among, bold) => {
+      const x = [],
+        y = [],
+        text = [];
+      for (const { device, block } of among) {
+        counted(block).forEach((cycle, k) => {
+          x.push(cycle.number);
+          y.push(cycle[property.key]);
+          text.push('<b>' + plain(device.name) + '</b><br>' + followedText(property, block, cycle, k));
+        });
+        x.push(null);
+        y.push(null);
+        text.push('');
+      }
+      return {
+        mode: bold ? 'lines+markers' : 'lines',
+        showlegend: false,
+        xaxis: 'x' + suffix,
+        yaxis: 'y' + suffix,
+        x,
+        y,
+        text,
+        opacity: bold ? 1 : entries.length > 40 ? 0.5 : 0.75,
+        line: { color: look.colour(bold ? 'accent' : 'measured'), width: bold ? 2.6 : 0.9 },
+        marker: { color: look.colour('accent'), size: 6 },
+        hovertemplate: '%{text}<extra>cycle %{x}</extra>',
+      };
+    };
+    return [
+      line(
+        entries.filter(({ device }) => device.index !== chosen.tested),
+        false,
+      ),
+      line(
+        entries.filter(({ device }) => device.index === chosen.tested),
+        true,
+      ),
+    ];
+  });
+  FOLLOWED.forEach((property, i) =>
+    framePanel(
+      layout,
+      look,
+      i,
+      designOf(property.name, []),
+      entries.flatMap(({ block }) => counted(block).map((c) => c[property.key])),
+    ),
+  );
+  return { traces, layout: { ...layout, margin: { l: 54, r: 8, t: 8, b: 44 } } };
+}
+
+// --- tables of cycles
+
+const isReported = (device, block, cycle) =>
+  device.reported !== null &&
+  block.number === device.reported.block &&
+  cycle.counts &&
+  cycle.number === device.reported.number;
+
+function cycleTableCaption() {
+  const device = devices[chosen.tested];
+  if (device.blocks.length === 0) return 'No cycles: ' + noCycles(device);
+  return (
+    device.name +
+    ', from raw values. In bold the reported cycle: the third of the block of largest amplitude, or its last; grey: not counted. ' +
+    'K+ and K\u2212: force over displacement per side. The CSV holds more columns.'
+  );
+}
+
+function cycleTable() {
+  const device = devices[chosen.tested];
+  const all = device.blocks.flatMap((block) => block.cycles.map((cycle) => ({ block, cycle })));
+  if (all.length === 0) return element('p', { class: 'empty' }, 'No cycles: ' + noCycles(device));
+  const shown = CYCLE_COLUMNS.filter(
+    (column) => !column.csvOnly && all.some(({ cycle }) => isNumber(cycle[column.key])),
+  );
+  const columns = [
+    { title: 'Block', pinned: true, name: true },
+    { title: 'Cycle', number: true },
+    ...shown.map((column) => ({ title: column.title, unit: column.unit, number: true, screen: column.screen })),
+  ];
+  const rows = all.map(({ block, cycle }, i) => {
+    const first = i === 0 || all[i - 1].block !== block;
+    return {
+      className:
+        [first ? 'group' : '', isReported(device, block, cycle) ? 'strong' : '', cycle.counts ? '' : 'uncounted']
+          .filter(Boolean)
+          .join(' ') || null,
+      cells: [
+        element(
+          'span',
+          {},
+          first ? blockText(block).replace(/^block /, '') : '',
+          cycle.counts ? null : element('small', {}, 'not counted: ' + cycle.reason),
+        ),
+        cycle.counts ? String(cycle.number) : DASH,
+        ...shown.map((column) => column.text(cycle[column.key])),
+      ],
+    };
+  });
+  return table(columns, rows, 'Properties of every cycle of the chosen device');
+}
+
+function cycleData(among) {
+  return {
+    columns: [
+      'device',
+      'block',
+      'waveform',
+      'frequency [Hz]',
+      'cycle',
+      'counts',
+      'reason',
+      'reported',
+      'first sample',
+      'last sample',
+      ...CYCLE_COLUMNS.map(
+        (column) => column.key.replace(/_(mm|kN|s|percent|kN_per_mm|kN_mm|mm_s|MPa)$/, '') + ' [' + column.unit + ']',
+      ),
+      ...FOLLOWED.map((property) => property.name + ' / cycle 3'),
+    ],
+    rows: among.flatMap((device) =>
+      device.blocks.flatMap((block) =>
+        block.cycles.map((cycle) => [
+          device.name,
+          block.number,
+          block.waveform,
+          block.frequency_Hz,
+          cycle.counts ? cycle.number : null,
+          cycle.counts ? 'yes' : 'no',
+          cycle.reason,
+          isReported(device, block, cycle) ? 'yes' : 'no',
+          cycle.first,
+          cycle.last,
+          ...CYCLE_COLUMNS.map((column) => cycle[column.key]),
+          ...FOLLOWED.map((property) =>
+            cycle.counts ? block.stability?.[property.name]?.ratio_to_third?.[counted(block).indexOf(cycle)] : null,
+          ),
+        ]),
+      ),
+    ),
+  };
+}
+
+// --- verdicts
+
+const isVerified = () => Boolean(report.assessment?.rule_set?.verified_by);
+const lotQuantities = report.assessment?.lot?.quantities ?? [];
+
+// Word and shape say the same, so that neither colour nor sight of the shape is needed.
+const VERDICTS = {
+  pass: {
+    tone: 'good',
+    filled: true,
+    path: 'M6 .8 A5.2 5.2 0 1 1 5.99 .8 Z',
+    mark: 'M3.4 6.2 L5.3 8 L8.6 4',
+    symbol: 'circle',
+  },
+  fail: {
+    tone: 'poor',
+    filled: true,
+    path: 'M1 1 H11 V11 H1 Z',
+    mark: 'M3.6 3.6 L8.4 8.4 M8.4 3.6 L3.6 8.4',
+    symbol: 'square',
+  },
+  information: {
+    tone: 'muted',
+    filled: false,
+    path: 'M6 .9 L11.1 6 L6 11.1 L.9 6 Z',
+    mark: 'M6 5.4 V8.2 M6 3.4 V4.2',
+    symbol: 'diamond-open',
+  },
+  'not assessed': { tone: 'muted', filled: false, path: 'M1.5 6 H10.5', mark: '', symbol: 'line-ew-open' },
+};
+
+function verdictBadge(verdict) {
+  const known = VERDICTS[verdict] ?? VERDICTS['not assessed'];
+  const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+  svg.setAttribute('viewBox', '0 0 12 12');
+  svg.setAttribute('aria-hidden', 'true');
+  const shape = (d, fill, stroke) => {
+    const path = document.createElementNS('http://www.w3.org/2000/svg', 'path');
+    path.setAttribute('d', d);
+    path.style.fill = fill;
+    path.style.stroke = stroke;
+    svg.append(path);
+  };
+  const colour = 'var(--' + known.tone + ')';
+  shape(known.path, known.filled ? colour : 'none', colour);
+  if (known.mark) shape(known.mark, 'none', known.filled ? 'var(--paper)' : colour);
+  return element('span', { class: 'verdict ' + known.tone }, svg, verdict);
+}
+
+const withUnit = (value, unit, digits = 4) =>
+  significant(value, digits) + (isNumber(value) && unit && unit !== '-' ? THIN + unit : '');
+const limitText = (limit) => (limit ? sentence(limit).replace(/-(?=\d)/g, MINUS) : DASH);
+const deviation = (percent, decimals = 1) => (isNumber(percent) ? signed(percent, decimals) + THIN + '%' : DASH);
+
+function assessmentTable() {
+  const device = devices[chosen.tested];
+  if (device.assessments.length === 0)
+    return element(
+      'p',
+      { class: 'empty' },
+      device.name + ' was not assessed' + (device.properties_refusal ? ': ' + device.properties_refusal : '.'),
+    );
+  const columns = [
+    { title: 'Quantity', pinned: true },
+    { title: 'Verdict' },
+    { title: 'Block', number: true, screen: true },
+    { title: 'Value', number: true },
+    { title: 'Design value', number: true },
+    { title: 'Deviation', number: true },
+    { title: 'Limits' },
+    { title: 'Formula', screen: true },
+    { title: 'Clause' },
+  ];
+  const rows = device.assessments.map((a) => ({
+    cells: [
+      element('b', { class: 'strong' }, a.quantity),
+      element('td', { class: 'reasoned' }, verdictBadge(a.verdict), a.reason ? element('small', {}, a.reason) : null),
+      isNumber(a.block) && a.block > 0 ? String(a.block) : DASH,
+      withUnit(a.value, a.unit),
+      withUnit(a.nominal, a.unit),
+      deviation(a.deviation_percent),
+      element('td', { class: 'tight' }, limitText(a.limit)),
+      a.formula,
+      element('td', { class: 'note clause' }, a.clause),
+    ],
+  }));
+  return table(columns, rows, 'Assessment of the chosen device');
+}
+
+const ASSESSMENT_COLUMNS = [
+  'device',
+  'quantity',
+  'block',
+  'clause',
+  'formula',
+  'value',
+  'unit',
+  'design value',
+  'deviation [%]',
+  'limits',
+  'verdict',
+  'reason',
+];
+
+function assessmentData(among) {
+  return {
+    columns: ASSESSMENT_COLUMNS,
+    rows: among.flatMap((device) =>
+      device.assessments.map((a) => [
+        device.name,
+        a.quantity,
+        a.block,
+        a.clause,
+        a.formula,
+        a.value,
+        a.unit,
+        a.nominal,
+        a.deviation_percent,
+        a.limit,
+        a.verdict,
+        a.reason,
+      ]),
+    ),
+  };
+}
+
+function verdictTable() {
+  const key = (a) => a.quantity + '\n' + (a.limit || '');
+  const quantities = [...new Map(devices.flatMap((d) => d.assessments).map((a) => [key(a), a])).entries()];
+  const columns = [
+    { title: 'Device', pinned: true },
+    ...quantities.map(([, a]) => ({
+      title: a.quantity,
+      unit: a.limit ? limitText(a.limit) : 'no limit',
+      full: a.clause || null,
+    })),
+  ];
+  const failing = (device) => device.assessments.some((a) => a.verdict === 'fail');
+  const rows = [...devices.filter(failing), ...devices.filter((device) => !failing(device))].map((device) => {
+    const own = new Map(device.assessments.map((a) => [key(a), a]));
+    const name = element('b', { class: 'strong' }, device.name);
+    if (own.size === 0)
+      return {
+        cells: [
+          name,
+          element(
+            'td',
+            { class: 'note text', colspan: quantities.length },
+            device.status !== 'ok' ? 'refused: ' + device.message : noCycles(device),
+          ),
+        ],
+      };
+    return {
+      cells: [
+        name,
+        ...quantities.map(([id]) => {
+          const a = own.get(id);
+          if (!a) return element('td', { class: 'note' }, DASH);
+          const number = isNumber(a.deviation_percent)
+            ? deviation(a.deviation_percent)
+            : isNumber(a.value)
+              ? withUnit(a.value, a.unit, 3)
+              : null;
+          return element(
+            'td',
+            { class: 'judged', title: a.reason || null },
+            verdictBadge(a.verdict),
+            number === null ? null : element('small', {}, number),
+          );
+        }),
+      ],
+    };
+  });
+  return table(columns, rows, 'Verdicts, device by device');
+}
+
+// --- the lot
+
+function ruleSetStatement() {
+  const { rule_set: rules, design, lot } = report.assessment;
+  const facts = [
+    [
+      'Rule set',
+      rules ? rules.title + (rules.edition ? ', ' + rules.edition : '') : 'none chosen: values only, no limits',
+    ],
+    ...(rules?.source ? [['Source', rules.source]] : []),
+    ...(rules ? [['Verified by', rules.verified_by || 'nobody']] : []),
+    [
+      'Design values',
+      design.length > 0
+        ? design.map(({ name, value, unit }) => name + ' ' + withUnit(value, unit)).join(', ')
+        : 'none given: no deviation can be stated',
+    ],
+    ...(lot?.sample_sentence ? [['Sample', lot.sample_sentence]] : []),
+    ...(lot?.mean_analysis?.sentence ? [['Mean properties', lot.mean_analysis.sentence]] : []),
+  ];
+  const unverified = rules !== null && !rules.verified_by;
+  return element(
+    'div',
+    {},
+    unverified
+      ? element(
+          'p',
+          { class: 'warnings' },
+          element('b', {}, 'The limits of this set are not verified: deviations are information, no verdict.'),
+        )
+      : null,
+    element(
+      'dl',
+      { class: 'facts-list' },
+      ...facts.flatMap(([term, text]) => [element('dt', {}, term), element('dd', {}, sentence(text))]),
+    ),
+  );
+}
+
+function lotCaption() {
+  const { lot } = report.assessment;
+  const failing = devices.filter((device) => device.assessments.some((a) => a.verdict === 'fail')).map((d) => d.name);
+  return (
+    (isNumber(lot.tested) ? count(lot.tested, 'device') + ' with values' : 'Devices with values') +
+    (isNumber(lot.size) ? ' of ' + lot.size : '') +
+    (isNumber(lot.required) ? ', ' + lot.required + ' required' : '') +
+    '. CoV: standard deviation over the mean. Tolerance: interval that holds 95\u202f% of all devices with 95\u202f% confidence, if normally distributed.' +
+    (failing.length > 0 ? ' Outside a limit: ' + enumerate(failing) + '.' : '')
+  );
+}
+
+function lotTable() {
+  const columns = [
+    { title: 'Property', pinned: true },
+    { title: 'Verdict' },
+    { title: 'n', number: true },
+    { title: 'Mean', number: true },
+    { title: 'CoV', unit: '%', number: true },
+    { title: 'Smallest', unit: 'device', number: true },
+    { title: 'Largest', unit: 'device', number: true },
+    { title: 'Design value', number: true },
+    { title: 'Deviation', unit: 'mean; worst', number: true },
+    { title: 'Limits', unit: 'each device; mean' },
+    { title: '5 to 95 %', unit: 'fractiles', number: true, screen: true },
+    { title: 'Tolerance', unit: '95/95, k', number: true, screen: true },
+  ];
+  const extreme = (value, device) =>
+    element(
+      'td',
+      { class: 'number' },
+      significant(value, 4),
+      element('small', { title: device }, short(device ?? '', 16)),
+    );
+  const range = (low, high) =>
+    isNumber(low) && isNumber(high) ? significant(low, 3) + ' \u2013 ' + significant(high, 3) : DASH;
+  const rows = lotQuantities.map((q) => ({
+    cells: [
+      element('span', {}, element('b', { class: 'strong' }, q.quantity), q.unit ? ' ' + unitText(q.unit) : ''),
+      element('td', { class: 'reasoned' }, verdictBadge(q.verdict), q.reason ? element('small', {}, q.reason) : null),
+      isNumber(q.n) ? String(q.n) : DASH,
+      significant(q.mean, 4),
+      fixed(q.cov_percent, 1),
+      extreme(q.min, q.min_device),
+      extreme(q.max, q.max_device),
+      significant(q.nominal, 4),
+      element(
+        'td',
+        { class: 'number' },
+        deviation(q.deviation_of_mean_percent),
+        isNumber(q.worst_deviation_percent)
+          ? element('small', {}, 'worst ' + deviation(q.worst_deviation_percent))
+          : null,
+      ),
+      element(
+        'td',
+        { class: 'tight' },
+        limitText(q.limit_individual),
+        q.limit_mean ? element('small', {}, 'mean: ' + limitText(q.limit_mean)) : null,
+      ),
+      range(q.fractile_5, q.fractile_95),
+      element(
+        'td',
+        { class: 'number screen' },
+        range(q.tolerance_lower, q.tolerance_upper),
+        isNumber(q.tolerance_k) ? element('small', {}, 'k ' + fixed(q.tolerance_k, 3)) : null,
+      ),
+    ],
+  }));
+  return table(columns, rows, 'The lot, one row a property');
+}
+
+function lotData() {
+  const keys = Object.keys(lotQuantities[0]);
+  return { columns: keys, rows: lotQuantities.map((quantity) => keys.map((key) => quantity[key])) };
+}
+
+// The value of a device for a property of the lot: its assessed ones (the mean over both sides), else the reported cycle.
+function deviceValue(device, quantity) {
+  const own = device.assessments.filter(
+    (a) => (a.quantity === quantity || a.quantity.startsWith(quantity + ',')) && isNumber(a.value),
+  );
+  if (own.length > 0) {
+    const order = ['fail', 'pass', 'information', 'not assessed'];
+    return {
+      value: own.reduce((sum, a) => sum + a.value, 0) / own.length,
+      verdict: order.find((verdict) => own.some((a) => a.verdict === verdict)) ?? 'not assessed',
+    };
+  }
+  const key = CYCLE_COLUMNS.find((column) => column.key.startsWith(quantity + '_'))?.key;
+  const block = device.blocks.find((b) => b.number === device.reported?.block);
+  const value = block?.cycles.find((cycle) => isReported(device, block, cycle))?.[key];
+  return isNumber(value) ? { value, verdict: 'not assessed' } : null;
+}
+
+const stripRows = () =>
+  lotQuantities
+    .map((quantity) => ({
+      quantity,
+      points: devices
+        .map((device) => ({ device, ...deviceValue(device, quantity.quantity) }))
+        .filter((point) => isNumber(point.value)),
+    }))
+    .filter(({ points }) => points.length > 0);
+
+const STRIP_HEIGHT = 62,
+  STRIP_BETWEEN = 52;
+function stripLayout() {
+  const rows = stripRows();
+  const margin = { l: 14, r: 14, t: 52, b: 30 };
+  const inner = rows.length * STRIP_HEIGHT + (rows.length - 1) * STRIP_BETWEEN;
+  return { rows, margin, inner, height: margin.t + inner + margin.b };
+}
+
+function stripData() {
+  return {
+    columns: ['device', 'quantity', 'unit', 'value', 'verdict', 'outlier'],
+    rows: stripRows().flatMap(({ quantity, points }) =>
+      points.map(({ device, value, verdict }) => [
+        device.name,
+        quantity.quantity,
+        quantity.unit,
+        value,
+        verdict,
+        outlierOf(device, quantity) ? 'yes' : 'no',
+      ]),
+    ),
+  };
+}
+const outlierOf = (device, quantity) =>
+  report.assessment.lot.outliers.find((o) => o.device === device.name && o.quantity === quantity.quantity);
+
+function drawStrips(look, width) {
+  const { rows, margin, inner } = stripLayout();
+  const traces = [],
+    layout = { margin, shapes: [], annotations: [], showlegend: true, legend: { ...LEGEND, y: 1 + 24 / inner } };
+  const present = Object.keys(VERDICTS).filter((verdict) =>
+    rows.some(({ points }) => points.some((p) => p.verdict === verdict)),
+  );
+  rows.forEach(({ quantity, points }, i) => {
+    const suffix = i === 0 ? '' : String(i + 1);
+    const top = 1 - (i * (STRIP_HEIGHT + STRIP_BETWEEN)) / inner,
+      bottom = top - STRIP_HEIGHT / inner;
+    const band = limitBand(quantity.limit_individual, quantity.nominal);
+    const values = points.map((point) => point.value);
+    const range = paddedRange([...values, quantity.nominal, ...(band ?? [])].filter(isNumber), 0.06);
+    layout['xaxis' + suffix] = {
+      domain: [0, 1],
+      anchor: 'y' + suffix,
+      range,
+      zeroline: false,
+      nticks: width > NARROW ? 9 : 5,
+      automargin: false,
+    };
+    layout['yaxis' + suffix] = {
+      domain: [bottom, top],
+      anchor: 'x' + suffix,
+      range: [-1, 1],
+      showticklabels: false,
+      showgrid: false,
+      zeroline: false,
+      fixedrange: true,
+      automargin: false,
+    };
+    layout.annotations.push({
+      xref: 'paper',
+      yref: 'paper',
+      x: 0,
+      y: top,
+      xanchor: 'left',
+      yanchor: 'bottom',
+      showarrow: false,
+      text:
+        '<b>' + plain(quantity.quantity) + '</b>' + (quantity.unit ? ' [' + plain(unitText(quantity.unit)) + ']' : ''),
+      font: { size: 12.5, color: look.colour('ink') },
+    });
+    const whole = { xref: 'x' + suffix, yref: 'y' + suffix + ' domain', y0: 0, y1: 1, layer: 'below' };
+    if (band)
+      layout.shapes.push({
+        ...whole,
+        type: 'rect',
+        x0: band[0] ?? range[0],
+        x1: band[1] ?? range[1],
+        fillcolor: look.colour('band'),
+        line: { width: 0 },
+      });
+    for (const [at, dash, colour] of [
+      [quantity.nominal, 'dash', 'good'],
+      [quantity.mean, 'solid', 'muted'],
+    ])
+      if (isNumber(at))
+        layout.shapes.push({
+          ...whole,
+          type: 'line',
+          x0: at,
+          x1: at,
+          line: { color: look.colour(colour), width: 1.4, dash },
+        });
+    // Spread over the strip's height by the golden ratio: neighbours in the list never meet.
+    const height = new Map(points.map(({ device }, k) => [device, 1.3 * ((k * 0.618034) % 1) - 0.65]));
+    for (const verdict of present) {
+      const some = points.filter((point) => point.verdict === verdict);
+      if (some.length === 0) continue;
+      const known = VERDICTS[verdict];
+      traces.push({
+        name: verdict,
+        legendgroup: verdict,
+        showlegend: !traces.some((trace) => trace.name === verdict),
+        mode: 'markers',
+        xaxis: 'x' + suffix,
+        yaxis: 'y' + suffix,
+        x: some.map((point) => point.value),
+        y: some.map((point) => height.get(point.device)),
+        text: some.map((point) => plain(point.device.name)),
+        customdata: some.map((point) => plain(withUnit(point.value, quantity.unit))),
+        marker: {
+          symbol: known.symbol,
+          size: points.length > 60 ? 6 : 8,
+          color: look.colour(known.tone === 'muted' ? 'accent' : known.tone),
+          line: { width: known.filled ? 0 : 1.5, color: look.colour(known.tone === 'muted' ? 'accent' : known.tone) },
+        },
+        hovertemplate: '<b>%{text}</b>: %{customdata}<extra>' + verdict + '</extra>',
+      });
+    }
+    const own = points.find(({ device }) => device.index === chosen.tested);
+    if (own)
+      traces.push({
+        mode: 'markers',
+        showlegend: false,
+        hoverinfo: 'skip',
+        xaxis: 'x' + suffix,
+        yaxis: 'y' + suffix,
+        x: [own.value],
+        y: [height.get(own.device)],
+        marker: { symbol: 'circle-open', size: 15, line: { width: 2 }, color: look.colour('ink') },
+      });
+    layout.annotations.push(
+      ...outlierLabels(points, quantity, range, width - margin.l - margin.r).map((label) => ({
+        ...label,
+        xref: 'x' + suffix,
+        yref: 'paper',
+        y: top,
+        yanchor: 'bottom',
+        showarrow: false,
+        font: { size: 11.5, color: look.colour('care') },
+      })),
+    );
+  });
+  return { traces, layout };
+}
+
+// Names of outliers above the strip, moved apart; right of the strip's own heading.
+function outlierLabels(points, quantity, range, width) {
+  const found = points.filter(({ device }) => outlierOf(device, quantity)).sort((a, b) => a.value - b.value);
+  const pixel = (value) => ((value - range[0]) / (range[1] - range[0])) * width;
+  const names = found.map(({ device }) => '\u25be ' + short(device.name, 12));
+  const widest = Math.max(0, ...names.map((name) => 7 * name.length)) + 6;
+  const free = 110, // pixels of the heading
+    most = Math.max(1, Math.floor((width - free) / widest));
+  const some = found.slice(-most);
+  const places =
+    some.length > 0
+      ? spread(
+          some.map((point) => pixel(point.value)),
+          widest,
+          free + widest / 2,
+          width - widest / 2,
+        )
+      : [];
+  return some.map((_, i) => ({
+    x: range[0] + (places[i] / width) * (range[1] - range[0]),
+    text: plain(names[found.length - some.length + i]),
+  }));
+}
+
+function outlierTable() {
+  const columns = [
+    { title: 'Device', pinned: true },
+    { title: 'Property' },
+    { title: 'Value', number: true },
+    { title: 'Why' },
+  ];
+  const rows = report.assessment.lot.outliers.map((outlier) => ({
+    cells: [
+      element('b', { class: 'strong' }, outlier.device),
+      outlier.quantity,
+      withUnit(outlier.value, outlier.unit),
+      element('td', { class: 'note text' }, outlier.why),
+    ],
+  }));
+  return table(columns, rows, 'Outliers');
+}
+
+function factorTable() {
+  const columns = [
+    { title: 'Property', pinned: true },
+    { title: 'Source', tight: true },
+    { title: 'Spread of', tight: true },
+    { title: '\u03bb min', number: true },
+    { title: '\u03bb max', number: true },
+    { title: 'Lower bound', number: true },
+    { title: 'Upper bound', number: true },
+    { title: 'Unit', tight: true },
+    { title: 'Note' },
+  ];
+  const { factors } = report.assessment.lot;
+  const spreadOf = { individual: 'one device', system: 'the system' };
+  const rows = factors.map((factor, i) => {
+    const first = i === 0 || factors[i - 1].property !== factor.property;
+    return {
+      className: first ? 'group' : null,
+      cells: [
+        element('b', { class: 'strong' }, first ? factor.property : ''),
+        factor.source,
+        spreadOf[factor.scope] ?? (factor.scope || DASH),
+        fixed(factor.lambda_min, 3),
+        fixed(factor.lambda_max, 3),
+        significant(factor.lower, 4),
+        significant(factor.upper, 4),
+        unitText(factor.unit),
+        element('td', { class: 'note text' }, factor.note),
+      ],
+    };
+  });
+  return table(columns, rows, 'Property modification factors');
+}
+
+function factorData() {
+  const keys = ['property', 'source', 'scope', 'lambda_min', 'lambda_max', 'lower', 'upper', 'unit', 'note'];
+  return { columns: keys, rows: report.assessment.lot.factors.map((factor) => keys.map((key) => factor[key])) };
+}
+
 // --- devices
 
-const reportedCycle = (device) => device.cycles.find((cycle) => cycle.number === device.reported) ?? null;
+const reportedCycle = (device) =>
+  device.blocks.flatMap((block) => block.cycles.filter((cycle) => isReported(device, block, cycle)))[0] ?? null;
 
 function propertiesCaption() {
   const cycles = devices.map(reportedCycle).filter(Boolean);
   if (cycles.length === 0) return 'No record has a complete cycle with enough samples.';
   const span = (key, digits) => {
-    const values = cycles.map((cycle) => cycle[key]),
-      low = Math.min(...values),
+    const values = cycles.map((cycle) => cycle[key]).filter(isNumber);
+    if (values.length === 0) return DASH;
+    const low = Math.min(...values),
       high = Math.max(...values);
     return significant(low, digits) === significant(high, digits)
       ? significant(low, digits)
       : significant(low, digits) + ' to ' + significant(high, digits);
   };
   return (
-    'From raw values. In bold the cycle that is reported, the third or the last. Over ' +
+    'Third counted cycle of each block, or its last' +
+    (devices.some((device) => device.blocks.length > 1) ? '; in bold the reported one' : '') +
+    '. Every cycle is in the CSV. Over ' +
     count(cycles.length, 'device') +
     ': effective stiffness ' +
     span('K_eff_kN_per_mm', 3) +
@@ -1297,28 +2906,11 @@ function propertiesCaption() {
   );
 }
 
-function propertiesData() {
-  return {
-    columns: ['device', 'cycle', 'amplitude [mm]', 'K_eff [kN/mm]', 'energy [kN mm]', 'damping [%]', 'reported'],
-    rows: devices.flatMap((device) =>
-      device.cycles.map((c) => [
-        device.name,
-        c.number,
-        c.amplitude_mm,
-        c.K_eff_kN_per_mm,
-        c.energy_kN_mm,
-        c.damping_percent,
-        c.number === device.reported ? 'yes' : 'no',
-      ]),
-    ),
-  };
-}
-
 function propertiesTable() {
   const some = (key) => devices.some((device) => device[key] !== null && device[key] !== '');
   const facts = [
-    { key: 'serial', column: { title: 'Serial' }, text: (d) => d.serial },
-    { key: 'lot', column: { title: 'Lot' }, text: (d) => d.lot },
+    { key: 'serial', column: { title: 'Serial', screen: true }, text: (d) => d.serial },
+    { key: 'lot', column: { title: 'Lot', screen: true }, text: (d) => d.lot },
     { key: 'test_date', column: { title: 'Tested' }, text: (d) => d.test_date },
     {
       key: 'temperature_C',
@@ -1326,45 +2918,72 @@ function propertiesTable() {
       text: (d) => fixed(d.temperature_C, 1),
     },
   ].filter((fact) => some(fact.key));
-  const strained = some('rubber_thickness_mm');
-  const columns = [
-    { title: 'Device', pinned: true },
-    ...facts.map((fact) => fact.column),
+  const strained = devices.some((device) => countedCycles(device).some((cycle) => isNumber(cycle.strain_percent)));
+  const several = devices.some((device) => device.blocks.length > 1);
+  const numbers = [
+    { title: 'Block', number: true },
     { title: 'Cycle', number: true },
     { title: 'Amplitude', unit: 'mm', number: true },
     ...(strained ? [{ title: 'Shear strain', unit: '%', number: true }] : []),
+    { title: 'Frequency', unit: 'Hz', number: true, screen: true },
     { title: 'Effective stiffness', unit: 'kN/mm', number: true },
     { title: 'Energy', unit: 'kN mm', number: true },
     { title: 'Damping', unit: '%', number: true },
+    { title: 'Scragging', unit: 'K_eff 1st/3rd', number: true, screen: true },
+  ];
+  const columns = [
+    { title: 'Device', pinned: true },
+    ...facts.map((fact) => fact.column),
+    ...numbers,
     { title: 'Remark' },
   ];
   const rows = devices.flatMap((device) => {
-    const remark =
-      device.status !== 'ok' ? 'refused: ' + device.message : device.reported === null ? device.properties_refusal : '';
+    const remark = [
+      device.status !== 'ok' ? 'refused: ' + device.message : device.reported === null ? device.properties_refusal : '',
+      device.warnings.length > 0 ? count(device.warnings.length, 'warning') : '',
+      device.corrections.length > 0 ? count(device.corrections.length, 'correction') : '',
+    ]
+      .filter(Boolean)
+      .join('; ');
     const lead = (first) => [
       element('b', { class: 'strong' }, first ? device.name : ''),
       ...facts.map((fact) => (first ? fact.text(device) : '')),
     ];
     const note = (text) => element('td', { class: 'note text' }, text);
-    if (device.cycles.length === 0)
-      return [{ className: 'group', cells: [...lead(true), ...Array(strained ? 6 : 5).fill(DASH), note(remark)] }];
-    return device.cycles.map((cycle, i) => ({
-      className: [i === 0 ? 'group' : '', cycle.number === device.reported ? 'strong' : ''].join(' ').trim() || null,
-      cells: [
-        ...lead(i === 0),
-        String(cycle.number),
-        fixed(cycle.amplitude_mm, 1),
-        ...(strained
-          ? [device.rubber_thickness_mm ? fixed((100 * cycle.amplitude_mm) / device.rubber_thickness_mm, 0) : DASH]
-          : []),
-        significant(cycle.K_eff_kN_per_mm, 4),
-        fixed(cycle.energy_kN_mm, 0),
-        fixed(cycle.damping_percent, 2),
-        note(i === 0 ? remark : ''),
-      ],
-    }));
+    const blocks = device.blocks.filter((block) => counted(block).length > 0);
+    if (blocks.length === 0)
+      return [
+        {
+          className: 'group',
+          cells: [
+            ...lead(true),
+            element('td', { class: 'note', colspan: numbers.length + 1 }, remark || noCycles(device)),
+          ],
+        },
+      ];
+    return blocks.map((block, i) => {
+      const cycle = counted(block)[Math.min(2, counted(block).length - 1)];
+      return {
+        className:
+          [i === 0 ? 'group' : '', several && isReported(device, block, cycle) ? 'strong' : ''].join(' ').trim() ||
+          null,
+        cells: [
+          ...lead(i === 0),
+          String(block.number),
+          String(cycle.number),
+          fixed(cycle.amplitude_mm, 1),
+          ...(strained ? [fixed(cycle.strain_percent, 0)] : []),
+          significant(block.frequency_Hz, 2),
+          significant(cycle.K_eff_kN_per_mm, 4),
+          fixed(cycle.energy_kN_mm, 0),
+          fixed(cycle.damping_percent, 2),
+          fixed(block.stability?.K_eff?.first_to_third, 2),
+          note(i === 0 ? remark : ''),
+        ],
+      };
+    });
   });
-  return table(columns, rows, 'Test properties per device and cycle');
+  return table(columns, rows, 'Test properties per device and block');
 }
 
 // --- how it was made
@@ -1373,7 +2992,7 @@ function settingRows() {
   const text = (value) => (typeof value === 'string' ? value : JSON.stringify(value));
   return [
     ['isolaw', report.isolaw],
-    ['seed', report.seed],
+    ...(inspection ? [] : [['seed', report.seed]]),
     ...Object.entries(report.settings).map(([key, value]) => [key, text(value)]),
   ];
 }
@@ -1408,6 +3027,8 @@ function stepsList() {
     const sentences = [
       ...device.recognised,
       ...device.warnings.map((text) => 'Take care: ' + text),
+      ...device.notes.map((text) => 'Note: ' + text),
+      ...device.corrections.map((text) => 'Corrected: ' + text),
       ...device.cleaning,
     ];
     if (device.status !== 'ok') sentences.push('Refused: ' + device.message);
@@ -1457,6 +3078,7 @@ function reserve(figure) {
 
 function render(figure) {
   const place = drawn.get(figure);
+  if (place.stale && figure.build) place.body.replaceChildren(figure.build());
   place.stale = false;
   if (figure.caption) place.caption.textContent = figure.caption();
   if (!figure.draw) return;
@@ -1471,11 +3093,12 @@ function render(figure) {
   });
 }
 
-// Everything that depends on `key` is drawn again; what is out of sight waits until it is seen.
-function choose(key, value) {
-  chosen[key] = value;
+// Everything that depends on what changes is drawn again; what is out of sight waits until it is seen.
+function choose(changes) {
+  Object.assign(chosen, changes);
+  for (const follow of followers) follow();
   for (const [figure, place] of drawn) {
-    if (!figure.depends?.includes(key)) continue;
+    if (!figure.depends?.some((key) => key in changes)) continue;
     place.stale = true;
     if (place.seen) render(figure);
   }
@@ -1514,16 +3137,17 @@ function buildFigure(figure, observer) {
 function buildPage() {
   const refused = devices.length - usable.length;
   document.getElementById('title').textContent = report.title || 'Isolation devices';
+  if (inspection) document.getElementById('kind').textContent = 'Test records';
   document.getElementById('facts').textContent = [
     count(devices.length, 'device') + (refused > 0 ? ' (' + refused + ' refused)' : ''),
-    count(laws.length, 'law'),
-    'seed ' + report.seed,
+    ...(inspection ? [] : [count(laws.length, 'law'), 'seed ' + report.seed]),
     'isolaw ' + report.isolaw,
   ].join(' \u00b7 ');
   document.getElementById('colophon').textContent =
     'Made by isolaw ' +
     report.isolaw +
-    ' from the campaign\u2019s store. This file needs no network; the data of every figure can be saved as CSV.';
+    (inspection ? ' from the test records' : ' from the campaign\u2019s store') +
+    '. This file needs no network; the data of every figure can be saved as CSV.';
 
   const observer = new IntersectionObserver(
     (entries) => {
@@ -1540,7 +3164,7 @@ function buildPage() {
     contents = document.getElementById('contents');
   for (const section of SECTIONS) {
     const figures = FIGURES.filter((figure) => figure.section === section.id && (figure.wanted?.() ?? true));
-    if (figures.length === 0) continue;
+    if (figures.length === 0 || (section.laws && inspection)) continue;
     const node = element(
       'section',
       { id: section.id, 'aria-labelledby': section.id + '-title' },

@@ -1,0 +1,16 @@
+// The bytes of a MATLAB file of version 7.3, whatever they are: read in a process of its own, whose end is an Error.
+#include "record.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
+  using namespace isolaw;
+  using enum data::Channel;
+  std::string bytes(fuzz::as_text(data, size));
+  std::string_view const mark = "MATLAB 7.3 MAT-file";
+  if (bytes.size() < mark.size()) return 0;
+  bytes.replace(0, mark.size(), mark);
+  data::ReadOptions told;
+  told.columns = {{time, "none"}, {disp, "1"}, {force, "2"}};
+  told.units = {{disp, "cm"}, {force, "tonf"}};
+  fuzz::read_record(bytes, "record.mat", told);
+  return 0;
+}

@@ -1,0 +1,212 @@
+#include "isolaw/base/toml_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "isolaw/base/printable.hpp"
+
+namespace isolaw {
+namespace {
+
+// How deep a statement nests, tables by their dots included: toml++ takes tables apart by recursion, and a name of a
+// hundred thousand parts ends its stack. Quoted text and comments do not count; what is no TOML is left to the parser.
+class NestingCheck {
+ public:
+  explicit NestingCheck(std::string_view text) : text_(text) {}
+
+  // The first line that nests deeper than any lot file does; 0 when there is none.
+  std::size_t deep_line() {
+    constexpr int deepest = 64;
+    int depth = 0;
+    std::vector<int> dots{0};  // of the name being read, in every table and list that is open
+    auto const end_name = [&] {
+      depth -= dots.back();
+      dots.back() = 0;
+    };
+    for (; at_ < text_.size(); ++at_) {
+      char const c = text_[at_];
+      if (c == '"' || c == '\'') {
+        skip_quoted(c);
+      } else if (c == '#') {
+        at_ = std::min(text_.find('\n', at_), text_.size()) - 1;
+      } else if (c == ',' || c == '\n') {
+        end_name();
+        line_ += c == '\n' ? 1 : 0;
+      } else if (c == '.') {
+        ++dots.back();
+        ++depth;
+      } else if (c == '[' || c == '{') {
+        dots.push_back(0);
+        ++depth;
+      } else if ((c == ']' || c == '}') && dots.size() > 1) {
+        end_name();
+        dots.pop_back();
+        --depth;
+      }
+      if (depth > deepest) return line_;
+    }
+    return 0;
+  }
+
+ private:
+  // Leaves at_ on the last character of the quoted text.
+  void skip_quoted(char quote) {
+    auto const run = [&](std::size_t at) {
+      std::size_t length = 0;
+      while (at + length < text_.size() && text_[at + length] == quote && length < 5) ++length;
+      return length;
+    };
+    auto const opening = run(at_);
+    if (opening == 2) {  // empty
+      ++at_;
+      return;
+    }
+    std::size_t const marks = opening >= 3 ? 3 : 1;
+    for (at_ += marks; at_ < text_.size(); ++at_) {
+      char const c = text_[at_];
+      if (c == '\n') {
+        if (marks == 1) {  // not closed, which the parser complains about
+          --at_;
+          return;
+        }
+        ++line_;
+      } else if (c == '\\' && quote == '"') {
+        ++at_;
+        if (at_ < text_.size() && text_[at_] == '\n') ++line_;
+      } else if (c == quote && (marks == 1 || run(at_) >= 3)) {
+        at_ += marks == 1 ? 0 : run(at_) - 1;  // up to two more quotes belong to the text
+        return;
+      }
+    }
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  std::size_t line_ = 1;
+};
+
+}  // namespace
+
+toml::table parse_toml(std::string_view text, std::string const& file, TomlMessages const& messages) {
+  auto const refuse = [&](std::size_t line, std::string found) {
+    throw Error({.where = fmt::format("{}:{}", file, line),
+                 .found = std::move(found),
+                 .allowed = fmt::format("a {} in TOML", messages.kind),
+                 .advice = messages.advice});
+  };
+  if (auto const line = NestingCheck(text).deep_line())
+    refuse(line, fmt::format("tables or lists nested deeper than any {} needs", messages.kind));
+  try {
+    return toml::parse(text, file);
+  } catch (toml::parse_error const& error) {
+    refuse(error.source().begin.line, std::string(error.description()));
+  }
+  return {};
+}
+
+void throw_complaints(std::vector<Complaint> complaints, std::string const& file) {
+  if (complaints.empty()) return;
+  if (complaints.size() > TomlTable::most_complaints) {
+    complaints.resize(TomlTable::most_complaints);
+    complaints.push_back({.where = file, .found = "and more of the kind"});
+  }
+  throw Error(std::move(complaints));
+}
+
+TomlTable::TomlTable(toml::table const& table, std::string file, std::string name, std::vector<Complaint>& complaints)
+    : table_(table), file_(std::move(file)), name_(std::move(name)), complaints_(complaints) {}
+
+std::string TomlTable::where(toml::node const& node) const {
+  return fmt::format("{}:{}", file_, node.source().begin.line);
+}
+
+void TomlTable::set(std::string_view key, std::optional<double>& target) {
+  value<double>(key, "a number", [&](double v) { target = v; });
+}
+
+void TomlTable::strings(std::string_view key, std::function<void(std::string const&)> const& take,
+                        std::size_t longest) {
+  known_.emplace(key);
+  auto const* node = table_.get(key);
+  if (node == nullptr) return;
+  if (auto const one = node->value<std::string>(); one && node->is_string()) {
+    if (accept_text(*node, key, *one, longest)) guarded(*node, key, [&] { take(*one); });
+    return;
+  }
+  auto const* array = node->as_array();
+  if (array == nullptr || !array->is_homogeneous(toml::node_type::string))
+    return complain(*node, fmt::format("'{}' is not text or a list of texts", key), "\"...\" or [\"...\", \"...\"]");
+  if (array->size() > most_items)
+    return complain(*node, fmt::format("'{}' lists {} texts", key, array->size()),
+                    fmt::format("{} or fewer", most_items));
+  for (auto const& item : *array) {
+    auto const text = *item.value<std::string>();
+    if (accept_text(item, key, text, longest)) guarded(item, key, [&] { take(text); });
+  }
+}
+
+toml::table const* TomlTable::table(std::string_view key) {
+  auto const* found = find(key);
+  if (found == nullptr) return nullptr;
+  if (!found->is_table()) complain(*found, fmt::format("'{}' is not a table", key), fmt::format("[{}]", key));
+  return found->as_table();
+}
+
+toml::node const* TomlTable::find(std::string_view key) {
+  known_.emplace(key);
+  return table_.get(key);
+}
+
+void TomlTable::refuse_unknown() {
+  for (auto const& [key, item] : table_) {
+    if (known_.contains(std::string(key.str()))) continue;
+    if (complaints_.size() > most_complaints) return;
+    std::string allowed;
+    for (auto const& k : known_) allowed += (allowed.empty() ? "" : ", ") + k;
+    complain(item, fmt::format("unknown key {}{}", in_quotes(key.str()), name_.empty() ? "" : " in " + name_), allowed);
+  }
+}
+
+void TomlTable::complain(toml::node const& node, std::string found, std::string allowed, std::string advice) {
+  if (complaints_.size() > most_complaints) return;  // one more than is shown, so that the rest is mentioned
+  complaints_.push_back(
+      {.where = where(node), .found = std::move(found), .allowed = std::move(allowed), .advice = std::move(advice)});
+}
+
+void TomlTable::complain_kind(toml::node const& node, std::string_view key, std::string_view expected) {
+  complain(node, fmt::format("'{}' is not {}", key, expected), std::string(expected));
+}
+
+void TomlTable::complain_range(toml::node const& node, std::string_view key, std::string_view expected) {
+  complain(node, fmt::format("'{}' is {}, out of range", key, node.value<std::int64_t>().value_or(0)),
+           std::string(expected));
+}
+
+bool TomlTable::accept_text(toml::node const& node, std::string_view key, std::string const& text,
+                            std::size_t longest) {
+  bool const fits = text.size() <= longest;
+  if (fits && is_printable(text)) return true;
+  complain(node,
+           fits ? fmt::format("{}: {} holds control characters", key, in_quotes(text))
+                : fmt::format("{}: {} is {} bytes long", key, in_quotes(text), text.size()),
+           fits ? "printable text, of one line" : fmt::format("{} or fewer", longest));
+  return false;
+}
+
+void TomlTable::guarded(toml::node const& node, std::string_view key, std::function<void()> const& action) {
+  try {
+    action();
+  } catch (Error const& error) {
+    for (auto complaint : error.complaints()) {
+      if (complaints_.size() > most_complaints) return;
+      bool const names_option = complaint.where.empty() || complaint.where.starts_with("--");
+      complaint.found = names_option ? fmt::format("{}: {}", key, complaint.found)
+                                     : fmt::format("{}: {}: {}", key, complaint.where, complaint.found);
+      complaint.where = where(node);
+      complaints_.push_back(std::move(complaint));
+    }
+  }
+}
+
+}  // namespace isolaw

@@ -1,0 +1,188 @@
+#include "isolaw/data/corrections.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/data/record.hpp"
+#include "isolaw/data/clean.hpp"
+#include "isolaw/data/cycles.hpp"
+
+namespace isolaw::data {
+namespace {
+
+constexpr double largest_skew_s = 1.0;
+constexpr double largest_friction_kN = 1e5;
+constexpr double largest_coefficient = 0.2;
+constexpr double largest_mass_kg = 1e6;
+constexpr double largest_factor = 10.0;
+constexpr double least_factor = 0.01;
+constexpr double samples_to_average = 40.0;  // the part of a cycle that acceleration is averaged over
+
+void check(std::vector<Complaint>& complaints, std::string const& option, std::optional<double> value, double scale,
+           double least, double largest, std::string const& unit, std::string const& advice) {
+  if (!value || (std::isfinite(*value) && *value >= least && *value <= largest)) return;
+  complaints.push_back({.where = option,
+                        .found = fmt::format("{:.6g}{}", *value * scale, unit),
+                        .allowed = fmt::format("{:.6g} to {:.6g}{}", least * scale, largest * scale, unit),
+                        .advice = advice});
+}
+
+void note(TestRecord& record, std::string sentence) {
+  record.recognised.push_back("corrected: " + sentence);
+  record.corrections.push_back(std::move(sentence));
+}
+
+void keep(std::vector<double>& values, std::size_t begin, std::size_t end) {
+  if (values.empty()) return;
+  values.erase(values.begin() + static_cast<std::ptrdiff_t>(end), values.end());
+  values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(begin));
+}
+
+void remove_skew(TestRecord& record, double skew_s) {
+  auto const& time = record.time_s;
+  auto const known = [&](double t) { return t >= time.front() && t <= time.back(); };
+  std::vector<double> moved(record.size());
+  std::size_t begin = record.size(), end = 0, after = 1;
+  for (std::size_t i = 0; i < record.size(); ++i) {
+    double const then = time[i] + skew_s;
+    if (!known(then)) continue;
+    begin = std::min(begin, i);
+    end = i + 1;
+    while (after + 1 < record.size() && time[after] < then) ++after;
+    double const part = (then - time[after - 1]) / (time[after] - time[after - 1]);
+    moved[i] = record.force_kN[after - 1] + part * (record.force_kN[after] - record.force_kN[after - 1]);
+  }
+  if (begin >= end || end - begin < 3)
+    throw Error({"--skew-ms",
+                 fmt::format("{:.6g} ms in a record of {:.6g} s", 1000.0 * skew_s, time.back() - time.front()),
+                 "a skew much shorter than the record", "leave it out"});
+  auto const dropped = record.size() - (end - begin);
+  record.force_kN = std::move(moved);
+  for (auto* channel : {&record.time_s, &record.disp_mm, &record.force_kN, &record.load_kN}) keep(*channel, begin, end);
+  note(record, fmt::format("force moved {} by {:.6g} ms, between samples by interpolation; {} samples without a force "
+                           "dropped at the {}",
+                           skew_s > 0.0 ? "back" : "forward", 1000.0 * std::abs(skew_s), dropped,
+                           skew_s > 0.0 ? "end" : "start"));
+}
+
+// +1, -1 or 0: the motion at each sample, from reversal to reversal. At the reversal itself the neighbours tell whether
+// the true peak comes before or after the sample.
+std::vector<double> directions(std::vector<double> const& x) {
+  auto const sign = [](double value) { return value > 0.0 ? 1.0 : value < 0.0 ? -1.0 : 0.0; };
+  std::vector<double> found(x.size(), 0.0);
+  auto const motion = reversals(x);
+  if (motion.at.size() < 2) return found;
+  for (std::size_t k = 1; k < motion.at.size(); ++k) {
+    double const direction = sign(x[motion.at[k]] - x[motion.at[k - 1]]);
+    for (auto i = motion.at[k - 1] + 1; i < motion.at[k]; ++i) found[i] = direction;
+    if (auto const peak = motion.at[k]; peak + 1 < x.size()) found[peak] = sign(x[peak + 1] - x[peak - 1]);
+  }
+  // After the last extreme the record moves less than the band, or turns once more and ends.
+  double const tail = sign(x.back() - x[motion.at.back()]);
+  for (auto i = motion.at.back() + 1; i < x.size(); ++i) found[i] = tail;
+  // At rest.
+  for (std::size_t i = 0; i < x.size() && std::abs(x[i] - x.front()) <= motion.band_mm; ++i) found[i] = 0.0;
+  for (auto i = x.size(); i-- > 0 && std::abs(x[i] - x.back()) <= motion.band_mm;) found[i] = 0.0;
+  return found;
+}
+
+void remove_friction(TestRecord& record, Corrections const& corrections) {
+  auto const direction = directions(record.disp_mm);
+  bool const constant = corrections.friction_kN.has_value();
+  double const factor = constant ? *corrections.friction_kN : *corrections.friction_coefficient;
+  for (std::size_t i = 0; i < record.size(); ++i)
+    record.force_kN[i] -= direction[i] * factor * (constant ? 1.0 : std::abs(record.load_kN[i]));
+  note(record,
+       constant
+           ? fmt::format("friction of the rig of {:.6g} kN taken off along the motion", factor)
+           : fmt::format("friction of the rig of {:.6g} times the vertical load taken off along the motion", factor));
+}
+
+// Second difference over `reach` intervals to each side, at true times.
+double second_difference(std::vector<double> const& x, std::vector<double> const& t, std::size_t i, std::size_t reach) {
+  auto const at = std::clamp(i, reach, x.size() - 1 - reach);
+  double const before = t[at] - t[at - reach];
+  double const after = t[at + reach] - t[at];
+  return 2.0 * ((x[at + reach] - x[at]) / after - (x[at] - x[at - reach]) / before) / (before + after);
+}
+
+void remove_inertia(TestRecord& record, double mass_kg) {
+  auto const motion = reversals(record.disp_mm);
+  double const swings = std::max<double>(1.0, static_cast<double>(motion.at.size()) - 2.0);
+  double const per_cycle = motion.at.size() < 3
+                               ? static_cast<double>(record.size())
+                               : 2.0 * static_cast<double>(motion.at[motion.at.size() - 2] - motion.at[0]) / swings;
+  auto const most = (record.size() - 1) / 2;
+  auto const reach = std::clamp<std::size_t>(static_cast<std::size_t>(std::lround(per_cycle / samples_to_average)), 1,
+                                             std::max<std::size_t>(1, most));
+  int const window = 2 * static_cast<int>(reach / 2) + 1;
+  auto smooth = record.disp_mm;
+  for (int pass = 0; pass < 3; ++pass) smooth = moving_average(smooth, window);
+  constexpr double kN_per_kg_mm_s2 = 1e-6;
+  std::vector<double> inertia(record.size());
+  for (std::size_t i = 0; i < record.size(); ++i)
+    inertia[i] = kN_per_kg_mm_s2 * mass_kg * second_difference(smooth, record.time_s, i, reach);
+  for (std::size_t i = 0; i < record.size(); ++i) record.force_kN[i] -= inertia[i];
+  auto const [least, largest] = std::ranges::minmax(inertia);
+  note(record, fmt::format("inertia of a moving mass of {:.6g} kg taken off: {:.3g} to {:.3g} kN, from displacement "
+                           "averaged three times over {} samples",
+                           mass_kg, least, largest, window));
+}
+
+void require_channels(TestRecord const& record, Corrections const& corrections) {
+  std::vector<Complaint> complaints;
+  auto const needs_time = [&](std::optional<double> const& value, std::string const& option) {
+    if (value && !record.has_time())
+      complaints.push_back({record.file, option + " for a record without time", "a record with time", "--dt SECONDS"});
+  };
+  needs_time(corrections.skew_s, "--skew-ms");
+  needs_time(corrections.moving_mass_kg, "--moving-mass");
+  if (corrections.friction_coefficient && record.load_kN.empty())
+    complaints.push_back({record.file, "--rig-friction-coefficient for a record without a vertical load",
+                          "a record with a vertical load",
+                          "--columns load=NAME, or --rig-friction with the force in kN"});
+  if (record.size() < 3) complaints.push_back({record.file, fmt::format("{} samples", record.size()), "3 or more", {}});
+  if (!complaints.empty()) throw Error(std::move(complaints));
+}
+
+}  // namespace
+
+bool Corrections::any() const {
+  return skew_s || friction_kN || friction_coefficient || moving_mass_kg || force_factor;
+}
+
+void Corrections::validate() const {
+  std::vector<Complaint> complaints;
+  check(complaints, "--skew-ms", skew_s, 1000.0, -largest_skew_s, largest_skew_s, " ms",
+        "positive where the force is later than displacement");
+  check(complaints, "--rig-friction", friction_kN, 1.0, 0.0, largest_friction_kN, " kN", "half the jump at a reversal");
+  check(complaints, "--rig-friction-coefficient", friction_coefficient, 1.0, 0.0, largest_coefficient, "",
+        "0.005 for well kept guides");
+  check(complaints, "--moving-mass", moving_mass_kg, 1.0, 0.0, largest_mass_kg, " kg", "kilograms");
+  check(complaints, "--force-factor", force_factor, 1.0, least_factor, largest_factor, "",
+        "0.5 for two devices in double shear; --flip-force turns the sign");
+  if (friction_kN && friction_coefficient)
+    complaints.push_back({"--rig-friction", "given with --rig-friction-coefficient", "one of the two", {}});
+  if (!complaints.empty()) throw Error(std::move(complaints));
+}
+
+void correct(TestRecord& record, Corrections const& corrections) {
+  corrections.validate();
+  if (!corrections.any()) return;
+  require_channels(record, corrections);
+  if (corrections.skew_s && *corrections.skew_s != 0.0) remove_skew(record, *corrections.skew_s);
+  if (corrections.friction_kN || corrections.friction_coefficient) remove_friction(record, corrections);
+  if (corrections.moving_mass_kg) remove_inertia(record, *corrections.moving_mass_kg);
+  if (!corrections.force_factor) return;
+  for (double& force : record.force_kN) force *= *corrections.force_factor;
+  note(record, fmt::format("force multiplied by {:.6g}", *corrections.force_factor));
+}
+
+}  // namespace isolaw::data

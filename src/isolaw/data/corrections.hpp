@@ -1,0 +1,30 @@
+// Corrections of a record for what the rig did to it, only on request; each leaves a sentence in the record.
+#pragma once
+
+#include <optional>
+
+namespace isolaw::data {
+
+struct TestRecord;
+
+struct Corrections {
+  std::optional<double> skew_s = {};                // the force is later than displacement by this, and is moved back
+  std::optional<double> friction_kN = {};           // of the rig, in the force's path: taken off along the motion
+  std::optional<double> friction_coefficient = {};  // the same as a share of the measured vertical load
+  std::optional<double> moving_mass_kg = {};        // between the device and the load cell: m a is taken off
+  std::optional<double> force_factor = {};          // of the force last of all: 0.5 for two devices in double shear
+
+  bool any() const;
+  bool operator==(Corrections const&) const = default;
+  void validate() const;  // throws Error that names the options
+};
+
+// In the order of the members, friction and mass as the load cell feels them. The force between samples is
+// interpolated, and samples at the end of the record (at its start for a negative skew) whose force is not known are
+// dropped from all channels. Friction acts against the motion between reversals (noise apart), not while the record
+// rests at its start or end. Acceleration is the second difference over a 40th of a cycle of displacement averaged three
+// times over as much, which leaves 0.5 % too little of a sine. Throws Error for corrections that are not valid, and for
+// ones that need a channel the record lacks.
+void correct(TestRecord& record, Corrections const& corrections);
+
+}  // namespace isolaw::data

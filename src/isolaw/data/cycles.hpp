@@ -1,0 +1,61 @@
+// Cycles of a cyclic test, from the displacement history alone: reversals, cuts, blocks, and histories that are none.
+//
+// Reversals: a swing smaller than twice a floor is no motion; the floor is 1 % of the half range, or five standard
+// deviations of the noise where that is more (at most 5 % of the half range). A small interruption of a large swing is
+// none either. Cuts: where displacement crosses its centre in the direction of the first motion, interpolated; a record
+// that starts or comes to rest near the centre is cut there. The centre is zero, unless the record is clearly off it.
+// Blocks: cycles of one amplitude (5 %) and one frequency (20 %).
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace isolaw::data {
+
+struct CycleCut {
+  int block = 0;            // number of its block, from 1
+  int number = 0;           // nominal cycles of the block, from 1; 0 for one that does not count
+  std::string not_counted;  // why it does not count; empty when it does
+  bool partial = false;     // the record starts or ends within it
+  double first = 0.0;       // start and end as fractional sample indices
+  double last = 0.0;
+};
+
+struct Segmentation {
+  bool cyclic = false;
+  std::string refusal;           // "not cyclic: ...", "less than one complete cycle: ..."; empty when cyclic
+  double band_mm = 0.0;          // swings of less than twice this are no motion
+  double centre_mm = 0.0;        // level of the cuts: 0 unless the record is clearly off zero
+  double regular_share = 0.0;    // of the travel: in cycles that repeat an amplitude or are symmetric
+  std::vector<CycleCut> cycles;  // in order, partial start and end ones included; complete ones even when not cyclic
+
+  std::size_t complete() const;  // cycles from cut to cut, counted or not
+};
+
+// disp_mm and time_s in mm and s; time_s of equal length, or empty: periods are then compared in samples. Never throws;
+// O(n) in time and memory.
+Segmentation segment(std::span<double const> disp_mm, std::span<double const> time_s = {});
+
+// The samples where the motion reverses, between the first sample and the last extreme, both included: from one to the
+// next displacement rises or falls, but for noise. Fewer than two for a history that does not move.
+struct Reversals {
+  std::vector<std::size_t> at;
+  double band_mm = 0.0;  // as in Segmentation
+};
+Reversals reversals(std::span<double const> disp_mm);
+
+// Where the largest and the smallest displacement of a cycle stand: the middle of the time spent beyond nine tenths of
+// the way from the centre, which noise moves less than it moves the largest sample. Fractional sample indices.
+struct PeakPositions {
+  double largest = 0.0;
+  double smallest = 0.0;
+};
+PeakPositions peak_positions(std::span<double const> disp_mm, double first, double last);
+
+// `values` at a fractional sample index inside them, interpolated.
+double value_at(std::span<double const> values, double index);
+
+}  // namespace isolaw::data

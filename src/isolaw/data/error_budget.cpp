@@ -1,0 +1,336 @@
+#include "isolaw/data/error_budget.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+
+#include "isolaw/data/skew.hpp"
+
+namespace isolaw::data {
+namespace {
+
+constexpr double wanted_samples = 100.0;
+constexpr double most_jitter = 1.0;         // percent of the mean interval
+constexpr double most_disp_offset = 5.0;    // percent of the amplitude
+constexpr double most_force_offset = 10.0;  // percent of the amplitude; loops of elastomers are a little uneven
+constexpr double most_closure = 1.0;        // percent of the whole travel, 2 D
+constexpr double most_drift = 1.0;          // percent of the whole travel
+constexpr double most_v_max_error = 5.0;    // percent
+constexpr double assumed_friction = 0.005;  // of the vertical load, of well kept sliding or rolling guides
+constexpr double least_jump = 0.04;         // of the force's amplitude: less is the shape of a loop
+constexpr double most_friction_points = 1.0;
+constexpr double most_average_loss = 1.0;  // percent, at the test's frequency
+
+double percent(double part, double whole) {
+  return 100.0 * part / whole;
+}
+
+// One record's assessment. Each member looks at one effect and adds what it finds.
+class Assessment {
+ public:
+  Assessment(CycleView const& view, Properties const& properties) : view_(view), properties_(properties) {
+    if (properties.reported)
+      for (auto const& block : properties.blocks)
+        if (block.number == properties.reported->block) block_ = &block;
+  }
+
+  Budget of_all(int smooth) {
+    uneven_time();
+    if (block_ != nullptr) {
+      stages();
+      sampling();
+      skew();
+      rig_friction();
+      jump_at_reversals();
+      moving_mass();
+      drift();
+      closure();
+      offsets();
+      velocity();
+      smoothing(smooth);
+    }
+    return std::move(budget_);
+  }
+
+ private:
+  Cycle const& cycle() const { return *properties_.reported; }
+  std::string where() const { return fmt::format("cycle {} of block {}", cycle().number, cycle().block); }
+
+  bool add(std::string effect, double value, std::string unit, std::optional<double> limit = {}) {
+    bool const exceeds = limit && std::abs(value) > *limit;
+    budget_.effects.push_back({std::move(effect), value, std::move(unit), limit, exceeds});
+    return exceeds;
+  }
+  void say(bool exceeds, std::string sentence) {
+    (exceeds ? budget_.warnings : budget_.notes).push_back(std::move(sentence));
+  }
+
+  void uneven_time() {
+    auto const& time = view_.time_s;
+    if (time.size() < 3) return;
+    double const mean = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+    double least = mean;
+    double largest = mean;
+    for (std::size_t i = 1; i < time.size(); ++i) {
+      least = std::min(least, time[i] - time[i - 1]);
+      largest = std::max(largest, time[i] - time[i - 1]);
+    }
+    if (add("uneven time", percent(std::max(largest - mean, mean - least), mean), "%", most_jitter))
+      say(true, fmt::format("sampling is not uniform: intervals from {:.6g} to {:.6g} s, {:.6g} s on average", least,
+                            largest, mean));
+  }
+
+  // Stages of different amplitude: the reported cycle speaks for its own stage alone.
+  void stages() {
+    auto const counted = properties_.counted();
+    auto const by_amplitude = [](Cycle const* c) { return c->amplitude_mm; };
+    auto const [least, largest] = std::ranges::minmax(counted, {}, by_amplitude);
+    if (largest->amplitude_mm < 1.1 * least->amplitude_mm) return;
+    say(true, fmt::format("cycles of several amplitudes, {:.4g} to {:.4g} mm: the reported stiffness, energy and "
+                          "damping, and the laws' errors in them, are those of {} at {:.4g} mm",
+                          least->amplitude_mm, largest->amplitude_mm, where(), cycle().amplitude_mm));
+  }
+
+  void sampling() {
+    double const samples = *properties_.samples_per_cycle;
+    bool const few = samples < wanted_samples;
+    budget_.effects.push_back({"samples per cycle", samples, "", wanted_samples, few});
+    double const energy = energy_loss_percent(samples);
+    double const peak = peak_loss_percent(samples);
+    add("energy lost between samples", energy, "%");
+    add("peak missed between samples", peak, "%");
+    say(few, fmt::format("{:.1f} samples per cycle: the energy comes out {:.2g} % too small, a peak up to {:.2g} %{}",
+                         samples, energy, peak, few ? "; 100 or more are wanted" : ""));
+  }
+
+  void skew() {
+    auto const found = estimate_skew(view_, properties_);
+    if (!found) return;
+    bool const timed = !view_.time_s.empty();
+    double const scale = timed ? 1000.0 : 1.0;
+    std::string const unit = timed ? "ms" : "samples";
+    double const late = scale * found->force_late;
+    double const points = 50.0 * std::abs(found->phase);
+    bool const is_late = found->significant() && late > 0.0;
+    budget_.effects.push_back({"skew", late, unit, scale * found->uncertainty, is_late});
+    budget_.effects.push_back({"damping by skew", found->significant() ? -std::copysign(points, late) : 0.0, "points",
+                               std::nullopt, is_late});
+    auto const times = fmt::format("{:.3g} {} (+- {:.2g}, {} reversals)", std::abs(late), unit,
+                                   scale * found->uncertainty, found->reversals);
+    if (is_late)
+      say(true, fmt::format("force turns {} after displacement: no device does so, a channel is late; damping comes "
+                            "out about {:.2g} points too small (pi f dt){}",
+                            times, points,
+                            timed ? fmt::format("; --skew-ms {:.3g} moves the force back", late) : std::string()));
+    else if (found->significant())
+      say(false, fmt::format("force turns {} before displacement: viscosity of the device, or an early channel; if it "
+                             "is the channel, damping comes out about {:.2g} points too large (pi f dt)",
+                             times, points));
+  }
+
+  void rig_friction() {
+    if (!cycle().N_mean_kN) return;
+    double const friction = assumed_friction * std::abs(*cycle().N_mean_kN);
+    double const points = friction_damping_points(friction, cycle().K_eff_kN_per_mm, cycle().amplitude_mm);
+    add("damping by rig friction of 0.5 % of the vertical load", points, "points");
+    say(false, fmt::format("rig friction of 0.5 % of the vertical load of {:.4g} kN would be {:.3g} kN and add {:.2g} "
+                           "points of damping (2 F_f / (pi K D))",
+                           *cycle().N_mean_kN, friction, points));
+  }
+
+  // Force lost within 0.2 % of the amplitude of a reversal, beyond what the slope after it explains.
+  std::optional<double> jump(Cycle const& at, bool upper) const {
+    auto const peaks = peak_positions(view_.disp_mm, at.first, at.last);
+    double const sign = upper ? 1.0 : -1.0;
+    double const tip = upper ? at.d_plus_mm : at.d_minus_mm;
+    auto const middle = static_cast<std::ptrdiff_t>(std::lround(upper ? peaks.largest : peaks.smallest));
+    auto const size = static_cast<std::ptrdiff_t>(view_.disp_mm.size());
+    auto const below = [&](std::ptrdiff_t i) { return sign * (tip - view_.disp_mm[static_cast<std::size_t>(i)]); };
+    // Force where displacement is first `depth` mm from the tip, going in steps of `step` samples from it.
+    auto const force_at = [&](double depth, std::ptrdiff_t step) -> std::optional<double> {
+      auto i = middle;
+      while (i + step >= 0 && i + step < size && below(i) < depth) i += step;
+      if (below(i) < depth || i == middle) return std::nullopt;
+      auto const beyond = static_cast<std::size_t>(i);
+      auto const inner = static_cast<std::size_t>(i - step);
+      double const part = (depth - below(i - step)) / (below(i) - below(i - step));
+      return view_.force_kN[inner] + part * (view_.force_kN[beyond] - view_.force_kN[inner]);
+    };
+    double const depth = 0.002 * at.amplitude_mm;
+    auto const before = force_at(depth, -1);
+    auto const after = force_at(depth, 1);
+    auto const later = force_at(3.0 * depth, 1);
+    if (!before || !after || !later) return std::nullopt;
+    return sign * ((*before - *after) - (*after - *later) / 2.0);
+  }
+
+  void jump_at_reversals() {
+    std::vector<double> jumps;
+    for (auto const* counted : block_->counted())
+      for (bool const upper : {true, false})
+        if (auto const found = jump(*counted, upper)) jumps.push_back(*found);
+    if (jumps.size() < 4) return;
+    std::ranges::sort(jumps);
+    double const typical = jumps[jumps.size() / 2];
+    double const force = (cycle().F_plus_kN - cycle().F_minus_kN) / 2.0;
+    add("jump of force at reversals", typical, "kN");
+    // A quarter of the reversals must show most of it: noise does not.
+    if (!(typical > least_jump * std::abs(force)) || jumps[jumps.size() / 4] < 0.5 * typical) return;
+    double const points = friction_damping_points(typical / 2.0, cycle().K_eff_kN_per_mm, cycle().amplitude_mm);
+    bool const exceeds = add("damping by the jump", points, "points", most_friction_points);
+    say(exceeds,
+        fmt::format("force drops by {:.3g} kN at once where motion reverses, as friction of {:.3g} kN does: if "
+                    "that is the rig's, it adds {:.2g} points of damping (--rig-friction {:.3g} takes it off)",
+                    typical, typical / 2.0, points, typical / 2.0));
+  }
+
+  void moving_mass() {
+    if (!block_->frequency_Hz) return;
+    double const stiffness = mass_stiffness_kN_per_mm(1000.0, *block_->frequency_Hz);
+    add("stiffness taken by a tonne of moving mass", stiffness, "kN/mm");
+    say(false, fmt::format("each tonne that moves between the device and the load cell takes {:.2g} kN/mm from the "
+                           "stiffness at {:.3g} Hz, {:.2g} % of it (m w^2)",
+                           stiffness, *block_->frequency_Hz, std::abs(percent(stiffness, cycle().K_eff_kN_per_mm))));
+  }
+
+  // How far the middle of the extremes moves through a block. The first cycle is left out: the force of a device that
+  // softens is uneven in it.
+  void drift_of(std::string const& what, std::string const& unit, double amplitude, auto middle) {
+    auto const counted = block_->counted();
+    if (counted.size() < 3) return;
+    double least = middle(*counted[1]);
+    double largest = least;
+    for (std::size_t k = 2; k < counted.size(); ++k) {
+      least = std::min(least, middle(*counted[k]));
+      largest = std::max(largest, middle(*counted[k]));
+    }
+    if (add("drift of " + what, percent(largest - least, 2.0 * amplitude), "%", most_drift))
+      say(true, fmt::format("{} drifts: the middle of its cycles moves by {:.3g} {} through block {}, {:.2g} % of the "
+                            "whole travel (limit {:.0f} %)",
+                            what, largest - least, unit, block_->number, percent(largest - least, 2.0 * amplitude),
+                            most_drift));
+  }
+
+  void drift() {
+    drift_of("displacement", "mm", cycle().amplitude_mm,
+             [](Cycle const& c) { return (c.d_plus_mm + c.d_minus_mm) / 2.0; });
+    auto const [least, largest] = force_range(cycle());
+    drift_of("force", "kN", (largest - least) / 2.0, [this](Cycle const& c) {
+      auto const [low, high] = force_range(c);
+      return (low + high) / 2.0;
+    });
+  }
+
+  void closure() {
+    double const open = percent(cycle().closure_mm, 2.0 * cycle().amplitude_mm);
+    if (add("closure of the loop", open, "%", most_closure))
+      say(true, fmt::format("{} ends {:.3g} mm from where it starts, {:.2g} % of the whole travel (limit {:.0f} %): "
+                            "energy may be wrong by force times that, {:.3g} kN mm",
+                            where(), cycle().closure_mm, std::abs(open), most_closure,
+                            std::abs(cycle().closure_mm * value_at(view_.force_kN, cycle().first))));
+  }
+
+  std::pair<double, double> range(std::span<double const> values, Cycle const& of) const {
+    auto const first = static_cast<std::size_t>(of.first);
+    auto const end = std::min(values.size(), static_cast<std::size_t>(of.last) + 1);
+    auto const [least, largest] = std::ranges::minmax(values.subspan(first, end - first));
+    return {least, largest};
+  }
+  std::pair<double, double> force_range(Cycle const& of) const { return range(view_.force_kN, of); }
+
+  void offset_of(std::span<double const> values, std::string const& what, std::string const& unit, double limit) {
+    auto const [least, largest] = range(values, cycle());
+    double const offset = (largest + least) / 2.0;
+    double const share = percent(offset, (largest - least) / 2.0);
+    if (add("offset of " + what, share, "%", limit))
+      say(true,
+          fmt::format("{} is off centre by {:.4g} {} in {}, {:.0f} % of its amplitude: peak to peak stiffness and "
+                      "energy do not feel it, F/d of one side and the laws do; nothing is removed unless "
+                      "--center is given",
+                      what, offset, unit, where(), std::abs(share)));
+  }
+
+  void offsets() {
+    offset_of(view_.disp_mm, "displacement", "mm", most_disp_offset);
+    offset_of(view_.force_kN, "force", "kN", most_force_offset);
+    if (properties_.centre_mm != 0.0)
+      say(false, fmt::format("cycles are cut where displacement passes {:.4g} mm, the centre of the motion",
+                             properties_.centre_mm));
+  }
+
+  void velocity() {
+    if (!block_->v_max_mm_s || !block_->frequency_Hz) return;
+    bool const triangle = block_->waveform == "triangle";
+    double const expected = (triangle ? 4.0 : 2.0 * std::numbers::pi) * *block_->frequency_Hz * block_->amplitude_mm;
+    double const deviation = percent(*block_->v_max_mm_s - expected, expected);
+    bool const known = block_->waveform != "other";
+    bool const exceeds =
+        add("v_max beside its closed form", deviation, "%", known ? std::optional(most_v_max_error) : std::nullopt);
+    say(exceeds, fmt::format("v_max {:.4g} mm/s in block {}, {:+.1f} % from the {:.4g} mm/s of {} ({} f D); {}",
+                             *block_->v_max_mm_s, block_->number, deviation, expected,
+                             triangle ? "a triangle" : "a sine", triangle ? "4" : "2 pi",
+                             known ? "the motion is one" : "the motion is neither a sine nor a triangle"));
+  }
+
+  void smoothing(int window) {
+    if (window <= 1) return;
+    double const samples = *properties_.samples_per_cycle;
+    double const first = average_loss_percent(window, samples);
+    double const third = average_loss_percent(window, samples / 3.0);
+    bool const exceeds = add("taken by the moving average", first, "%", most_average_loss);
+    add("taken by the moving average from the third harmonic", third, "%");
+    say(exceeds,
+        fmt::format("the moving average over {} of {:.1f} samples takes {:.2g} % from the motion at the test's "
+                    "frequency and {:.2g} % from its third harmonic; the properties above are of raw values",
+                    window, samples, first, third));
+  }
+
+  CycleView const& view_;
+  Properties const& properties_;
+  Block const* block_ = nullptr;  // of the reported cycle
+  Budget budget_;
+};
+
+}  // namespace
+
+double energy_loss_percent(double samples_per_cycle) {
+  double const angle = 2.0 * std::numbers::pi / samples_per_cycle;
+  return 100.0 * (1.0 - std::sin(angle) / angle);
+}
+
+double peak_loss_percent(double samples_per_cycle) {
+  return 100.0 * (1.0 - std::cos(std::numbers::pi / samples_per_cycle));
+}
+
+double average_loss_percent(int window, double samples_per_cycle) {
+  double const half_angle = std::numbers::pi / samples_per_cycle;
+  return 100.0 * (1.0 - std::sin(window * half_angle) / (window * std::sin(half_angle)));
+}
+
+double skew_damping_points(double frequency_Hz, double skew_s) {
+  return 100.0 * std::numbers::pi * frequency_Hz * skew_s;
+}
+
+double friction_damping_points(double friction_kN, double K_eff_kN_per_mm, double amplitude_mm) {
+  return 200.0 * friction_kN / (std::numbers::pi * K_eff_kN_per_mm * amplitude_mm);
+}
+
+double mass_stiffness_kN_per_mm(double mass_kg, double frequency_Hz) {
+  constexpr double kN_per_mm_of_N_per_m = 1e-6;
+  double const omega = 2.0 * std::numbers::pi * frequency_Hz;
+  return mass_kg * omega * omega * kN_per_mm_of_N_per_m;
+}
+
+Budget error_budget(CycleView const& view, Properties const& properties, int smooth) {
+  return Assessment(view, properties).of_all(smooth);
+}
+
+Budget error_budget(TestRecord const& record, Properties const& properties, int smooth) {
+  return error_budget(CycleView{record.disp_mm, record.force_kN, record.time_s, record.load_kN}, properties, smooth);
+}
+
+}  // namespace isolaw::data

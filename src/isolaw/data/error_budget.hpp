@@ -1,0 +1,42 @@
+// What the measurement itself does to the cyclic properties, in numbers: sampling, skew between the channels, friction
+// and moving mass of the rig, drift, offsets, uneven time, filters. Closed forms for a sine and its loops.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "isolaw/data/properties.hpp"
+
+namespace isolaw::data {
+
+struct Effect {
+  std::string effect;  // "samples per cycle", "skew", ...
+  double value = 0.0;
+  std::string unit;             // empty for a pure number
+  std::optional<double> limit;  // where there is one
+  bool exceeds = false;
+};
+
+struct Budget {
+  std::vector<std::string> warnings;  // something exceeds its limit
+  std::vector<std::string> notes;     // numbers worth knowing
+  std::vector<Effect> effects;        // all that was assessed
+};
+
+// `smooth` is the window in samples of the moving average the laws will see, 1 for none.
+Budget error_budget(CycleView const& view, Properties const& properties, int smooth = 1);
+Budget error_budget(TestRecord const& record, Properties const& properties, int smooth = 1);
+
+// Shares in percent that a loop of so many samples loses, and what a moving average of an odd window takes from a sine.
+double energy_loss_percent(double samples_per_cycle);  // of the energy: 1 - N / (2 pi) sin(2 pi / N)
+double peak_loss_percent(double samples_per_cycle);    // of a peak halfway between samples: 1 - cos(pi / N)
+double average_loss_percent(int window, double samples_per_cycle);
+
+// Points of equivalent damping. Of a skew, to first order: the loop of a sine turns by 2 pi f dt, half of it counts.
+double skew_damping_points(double frequency_Hz, double skew_s);                                   // 100 pi f dt
+double friction_damping_points(double friction_kN, double K_eff_kN_per_mm, double amplitude_mm);  // 200 F_f / (pi K D)
+// Stiffness that a mass moved by a sine takes off, in kN/mm: m (2 pi f)^2
+double mass_stiffness_kN_per_mm(double mass_kg, double frequency_Hz);
+
+}  // namespace isolaw::data

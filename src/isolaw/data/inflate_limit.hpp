@@ -1,0 +1,20 @@
+// How much a file may grow when it is unpacked: what a laboratory writes shrinks to a tenth at most, a bomb to less than
+// a thousandth. Small files are let grow, so that a constant channel does not look like a bomb.
+#pragma once
+
+#include <cstdint>
+
+namespace isolaw::data {
+
+inline constexpr std::uint64_t free_unpacked_bytes = std::uint64_t{64} << 20;
+inline constexpr std::uint64_t most_unpacked_bytes = std::uint64_t{1} << 30;
+inline constexpr std::uint64_t most_growth = 30;
+
+// What a file of `file_bytes` may come to, all that is unpacked of it together.
+constexpr std::uint64_t unpacked_limit(std::uint64_t file_bytes) {
+  auto const grown = most_growth * file_bytes;  // a file has 1 GiB at most
+  if (grown <= free_unpacked_bytes) return free_unpacked_bytes;
+  return grown < most_unpacked_bytes ? grown : most_unpacked_bytes;
+}
+
+}  // namespace isolaw::data

@@ -1,0 +1,453 @@
+#include "isolaw/data/json_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "isolaw/base/printable.hpp"
+#include "isolaw/base/units.hpp"
+#include "isolaw/data/number_table.hpp"
+#include "isolaw/data/sheet_choice.hpp"
+#include "isolaw/data/text.hpp"
+
+namespace isolaw::data {
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t most_columns = 1000;
+constexpr std::size_t most_odd_cells = 64;  // kept with their text, per column
+constexpr std::size_t most_words = 1000;    // single texts that may be units
+constexpr std::size_t longest_text = 200;
+
+// A value of an array: a number, or what stands in its place.
+struct Value {
+  double number = missing;
+  std::string text;  // of what is no number
+  bool is_text = false;
+};
+
+// Columns gathered so far. A table is either an object whose arrays are columns, or an array whose elements are rows.
+struct Part {
+  std::vector<NumberColumn> columns;
+  std::map<std::string, std::size_t, std::less<>> index;  // of columns, by name
+  std::size_t rows = 0;                                   // elements, where elements are rows
+  bool of_rows = false;
+  bool named = false;        // columns have names
+  std::string flaw;          // why it is no table
+  std::size_t flaw_row = 0;  // from 1; 0: none in particular
+};
+
+class Budget {
+ public:
+  explicit Budget(std::size_t file_bytes) : left_(file_bytes + (std::size_t{1} << 20)) {}
+  bool take(std::size_t cells) {
+    if (cells > left_) return false;
+    left_ -= cells;
+    return true;
+  }
+
+ private:
+  std::size_t left_;  // a cell takes two bytes of the file at least
+};
+
+void put(NumberColumn& column, Value const& value) {
+  if (std::isnan(value.number) && column.odd_cells.size() < most_odd_cells && !value.text.empty())
+    column.odd_cells.emplace(column.values.size(), value.text.substr(0, longest_text));
+  column.values.push_back(value.number);
+}
+
+// Takes the document as nlohmann's parser meets it; nothing of it is kept but numbers and a few texts.
+class Handler {
+ public:
+  explicit Handler(std::size_t file_bytes) : budget_(file_bytes) {}
+
+  std::map<std::string, Part> parts;                                 // by path
+  std::map<std::pair<std::string, std::string>, std::string> words;  // single texts, by path and key
+  std::string refusal;
+  std::size_t failed_at = 0;  // byte, from 1
+
+  bool null() { return scalar({.number = missing, .text = "null", .is_text = false}); }
+  bool boolean(bool value) { return scalar({.number = missing, .text = value ? "true" : "false", .is_text = false}); }
+  bool number_integer(std::int64_t value) { return scalar({.number = static_cast<double>(value), .text = {}}); }
+  bool number_unsigned(std::uint64_t value) { return scalar({.number = static_cast<double>(value), .text = {}}); }
+  bool number_float(double value, std::string const&) { return scalar({.number = value, .text = {}}); }
+  bool string(std::string& value) {
+    return scalar({.number = missing, .text = value.empty() ? " " : value, .is_text = true});
+  }
+  bool binary(std::vector<std::uint8_t>&) { return false; }
+
+  bool start_object(std::size_t) {
+    if (!stack_.empty() && stack_.back().kind == Kind::array) begin_element(Shape::records);
+    return push(Kind::object);
+  }
+  bool key(std::string& name) {
+    stack_.back().key = name.substr(0, longest_text);
+    return true;
+  }
+  bool end_object() {
+    bool const row = stack_.size() > 1 && stack_[stack_.size() - 2].shape == Shape::records;
+    stack_.pop_back();
+    if (row) end_row();
+    return refusal.empty();
+  }
+  bool start_array(std::size_t) {
+    if (!stack_.empty() && stack_.back().kind == Kind::array) begin_element(Shape::rows);
+    return push(Kind::array);
+  }
+  bool end_array() {
+    auto const shape = stack_.back().shape;
+    stack_.pop_back();
+    if (stack_.empty()) return refusal.empty();
+    if (stack_.back().shape == Shape::rows)
+      end_row();
+    else if (shape == Shape::values && stack_.back().kind == Kind::object)
+      finish_column();
+    return refusal.empty();
+  }
+  bool parse_error(std::size_t at, std::string const&, nlohmann::detail::exception const& error) {
+    std::string_view text = error.what();
+    for (auto const mark : {"]"sv, ": "sv})  // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
+      if (auto const found = text.find(mark); found != std::string_view::npos) text.remove_prefix(found + mark.size());
+    failed_at = at;
+    refusal = "is no JSON: " + std::string(trimmed(text));
+    return false;
+  }
+
+ private:
+  enum class Kind { object, array };
+  enum class Shape { none, values, rows, records, mixed };  // of an array's elements
+  struct Frame {
+    Kind kind;
+    Shape shape = Shape::none;
+    std::string path = {};  // keys above, joined by points
+    std::string key = {};   // the one being read
+    bool in_reach = true;   // tables are looked for here
+  };
+
+  bool push(Kind kind) {
+    constexpr std::size_t deepest = 64;
+    if (stack_.size() >= deepest) {
+      refusal = fmt::format("lists or objects nested more than {} deep", deepest);
+      return false;
+    }
+    Frame frame{.kind = kind};
+    if (!stack_.empty()) {
+      auto const& above = stack_.back();
+      frame.path = above.kind == Kind::object ? joined(above.path, above.key) : above.path;
+      frame.in_reach = above.in_reach && (above.kind == Kind::object ? depth_of(frame.path) <= 2 : stack_.size() <= 3);
+    }
+    stack_.push_back(std::move(frame));
+    return refusal.empty();
+  }
+
+  static std::string joined(std::string const& path, std::string const& key) {
+    return path.empty() ? key : path + '.' + key;
+  }
+  std::size_t depth_of(std::string const&) const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(stack_, [](auto const& frame) { return frame.kind == Kind::object; }));
+  }
+
+  // An array or object as an element of an array: a row of its table.
+  void begin_element(Shape shape) {
+    auto& above = stack_.back();
+    row_.clear();
+    row_names_.clear();
+    if (!above.in_reach) return;
+    auto& part = parts[above.path];
+    part.of_rows = true;
+    if (above.shape == Shape::none) above.shape = shape;
+    if (above.shape != shape) flawed(part, "rows of several kinds");
+  }
+
+  bool scalar(Value value) {
+    if (stack_.empty()) return true;
+    auto& frame = stack_.back();
+    if (!frame.in_reach) return true;
+    if (stack_.size() > 1) {
+      auto const& above = stack_[stack_.size() - 2];
+      if (above.shape == Shape::rows && frame.kind == Kind::array) return cell({}, std::move(value));
+      if (above.shape == Shape::records && frame.kind == Kind::object) return cell(frame.key, std::move(value));
+    }
+    if (frame.kind == Kind::object) {
+      if (value.is_text && words.size() < most_words)
+        words.emplace(std::pair(frame.path, frame.key), value.text.substr(0, longest_text));
+      return true;
+    }
+    if (frame.shape == Shape::none) frame.shape = Shape::values;
+    if (frame.shape != Shape::values) {
+      flawed(parts[frame.path], "single values among the rows");
+      return true;
+    }
+    if (!budget_.take(1)) return over_budget();
+    put(values_, value);
+    return true;
+  }
+
+  bool cell(std::string const& name, Value value) {
+    if (row_.size() >= most_columns) {
+      refusal = fmt::format("a row of more than {} values", most_columns);
+      return false;
+    }
+    row_names_.push_back(name);
+    row_.push_back(std::move(value));
+    return true;
+  }
+
+  void end_row() {
+    auto const& above = stack_.back();
+    if (!above.in_reach) return;
+    auto& part = parts[above.path];
+    if (above.shape == Shape::records)
+      add_record(part);
+    else
+      add_row(part);
+  }
+
+  void add_row(Part& part) {
+    bool const first = part.columns.empty();
+    if (first) part.columns.resize(row_.size());
+    bool const words_alone = !row_.empty() && std::ranges::all_of(row_, &Value::is_text);
+    if (first && words_alone) {
+      for (std::size_t i = 0; i < row_.size(); ++i) part.columns[i].name = row_[i].text;
+      part.named = true;
+      return;
+    }
+    ++part.rows;
+    if (row_.size() != part.columns.size())
+      return flawed(part, fmt::format("{} values, not {} as in the first row", row_.size(), part.columns.size()));
+    if (words_alone && part.named && part.rows == 1 && part.columns.front().unit.empty()) {
+      for (std::size_t i = 0; i < row_.size(); ++i) part.columns[i].unit = trimmed(row_[i].text);
+      part.rows = 0;
+      return;
+    }
+    if (!budget_.take(row_.size())) {
+      over_budget();
+      return;
+    }
+    for (std::size_t i = 0; i < row_.size(); ++i) put(part.columns[i], row_[i]);
+  }
+
+  void add_record(Part& part) {
+    part.named = true;
+    for (std::size_t i = 0; i < row_.size(); ++i) {
+      auto const [found, fresh] = part.index.emplace(row_names_[i], part.columns.size());
+      if (fresh) part.columns.push_back({.name = row_names_[i]});
+      if (part.columns.size() > most_columns) {
+        refusal = fmt::format("rows with more than {} different keys", most_columns);
+        return;
+      }
+      auto& column = part.columns[found->second];
+      if (column.values.size() > part.rows) continue;  // a key twice: the first counts
+      if (!budget_.take(part.rows + 1 - column.values.size())) {
+        over_budget();
+        return;
+      }
+      while (column.values.size() < part.rows) put(column, {.number = missing, .text = "a key that is not there"});
+      put(column, row_[i]);
+    }
+    ++part.rows;
+  }
+
+  void finish_column() {
+    auto& frame = stack_.back();
+    auto& part = parts[frame.path];
+    if (part.columns.size() >= most_columns) {
+      refusal = fmt::format("more than {} arrays", most_columns);
+    } else if (part.index.emplace(frame.key, part.columns.size()).second) {
+      part.named = true;
+      values_.name = frame.key;
+      values_.values.shrink_to_fit();
+      part.columns.push_back(std::move(values_));
+    }
+    values_ = {};
+  }
+
+  static void flawed(Part& part, std::string what) {
+    if (!part.flaw.empty()) return;
+    part.flaw = std::move(what);
+    part.flaw_row = part.rows;
+  }
+  bool over_budget() {
+    refusal = "keys that most rows lack: the table would be far larger than the file";
+    return false;
+  }
+
+  Budget budget_;
+  std::vector<Frame> stack_;
+  NumberColumn values_;  // the array of single values being read
+  std::vector<Value> row_;
+  std::vector<std::string> row_names_;
+};
+
+std::string plain(std::string_view name) {
+  std::string text;
+  for (char const c : lower(name))
+    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80) text += c;
+  return text;
+}
+
+// Texts of an array that holds texts alone.
+std::vector<std::string> texts_of(NumberColumn const& column) {
+  std::vector<std::string> texts;
+  if (column.odd_cells.size() != column.values.size()) return texts;
+  for (auto const& [row, text] : column.odd_cells) texts.push_back(text);
+  return texts;
+}
+
+class Document {
+ public:
+  Document(Handler handler) : handler_(std::move(handler)) {
+    for (auto& [path, part] : handler_.parts) settle(path, part);
+  }
+
+  std::vector<std::string> tables() const {
+    std::vector<std::string> names;
+    for (auto const& [path, part] : handler_.parts)
+      if (is_table(part)) names.push_back(path.empty() ? top : path);
+    return names;
+  }
+
+  std::unique_ptr<Table> table(std::string const& name, std::string const& file) {
+    auto const& path = name == top ? std::string() : name;
+    auto& part = handler_.parts.at(path);
+    auto const place = path.empty() ? file : fmt::format("{}:{}", file, printable(path));
+    if (!part.flaw.empty())
+      throw Error(Complaint{.where = part.flaw_row == 0 ? place : fmt::format("{}:{}", place, part.flaw_row),
+                            .found = part.flaw,
+                            .allowed = "one number for each column in every row",
+                            .advice = "correct the row, or export the test again"});
+    class JsonTable : public NumberTable {
+     public:
+      JsonTable(std::string at, Part& source, std::string layout)
+          : NumberTable(std::move(at), std::move(source.columns), source.of_rows ? "row" : "element"),
+            layout_(std::move(layout)) {}
+      std::vector<std::string> recognised() const override { return {layout_}; }
+
+     private:
+      std::string layout_;
+    };
+    auto layout =
+        fmt::format("JSON: {}{}", part.of_rows ? "an array whose elements are rows" : "arrays that are columns",
+                    path.empty() ? "" : fmt::format(", under {}", in_quotes(path)));
+    return std::make_unique<JsonTable>(place, part, std::move(layout));
+  }
+
+ private:
+  static inline std::string const top = "(top)";
+
+  static bool is_table(Part const& part) {
+    constexpr std::size_t fewest = 3;
+    if (!part.flaw.empty()) return part.columns.size() >= 2 && part.rows >= fewest;  // refused where it is chosen
+    auto const filled = std::ranges::count_if(
+        part.columns, [](auto const& column) { return column.length >= fewest && texts_of(column).empty(); });
+    return filled >= 2;
+  }
+
+  // Names and units from beside the columns.
+  void settle(std::string const& path, Part& part) {
+    for (auto& column : part.columns) {
+      if (part.of_rows)
+        while (column.values.size() < part.rows && part.flaw.empty()) {
+          if (column.odd_cells.size() < most_odd_cells)
+            column.odd_cells.emplace(column.values.size(), "a key that is not there");
+          column.values.push_back(missing);
+        }
+      column.length = column.values.size();
+    }
+    if (part.of_rows && !part.named) name_columns(path, part);
+    for (auto& column : part.columns)
+      if (column.unit.empty() && !column.name.empty()) column.unit = unit_of(path, column.name);
+  }
+
+  static std::string above(std::string const& path) {
+    auto const point = path.rfind('.');
+    return point == std::string::npos ? std::string() : path.substr(0, point);
+  }
+
+  std::vector<std::string> list_beside(std::string const& path, std::initializer_list<char const*> keys) const {
+    auto const part = handler_.parts.find(above(path));
+    if (part == handler_.parts.end()) return {};
+    for (auto const& column : part->second.columns)
+      if (std::ranges::find(keys, lower(column.name)) != keys.end()) return texts_of(column);
+    return {};
+  }
+
+  void name_columns(std::string const& path, Part& part) {
+    auto const names = list_beside(path, {"columns", "names", "header", "headers", "channels", "fields"});
+    auto const units = list_beside(path, {"units", "unit"});
+    for (std::size_t i = 0; i < part.columns.size(); ++i) {
+      if (names.size() == part.columns.size()) part.columns[i].name = names[i];
+      if (units.size() == part.columns.size()) part.columns[i].unit = trimmed(units[i]);
+    }
+  }
+
+  std::string unit_of(std::string const& path, std::string const& name) const {
+    auto const wanted = plain(name);
+    for (auto const& [where, text] : handler_.words) {
+      auto const& [words_path, key] = where;
+      bool const near = words_path == path || words_path == above(path);
+      if (near && (plain(key) == wanted + "unit" || plain(key) == wanted + "units")) return text;
+      auto const last = words_path.substr(words_path.rfind('.') + 1);  // npos + 1 is 0
+      if ((lower(last) == "units" || lower(last) == "unit") && key == name) return text;
+    }
+    return {};
+  }
+
+  Handler handler_;
+};
+
+}  // namespace
+
+bool is_json(std::string_view bytes) {
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+  auto const skip = [&] {
+    auto const first = bytes.find_first_not_of(" \t\r\n");
+    bytes.remove_prefix(std::min(first, bytes.size()));
+  };
+  skip();
+  if (bytes.empty()) return false;
+  char const open = bytes.front();
+  bytes.remove_prefix(1);
+  skip();
+  if (bytes.empty()) return false;
+  if (open == '{') return bytes.front() == '"' || bytes.front() == '}';
+  return open == '[' && "[{\"-0123456789"sv.find(bytes.front()) != std::string_view::npos;
+}
+
+Tests json_tests(std::string_view bytes, std::string const& file, std::optional<std::string> const& key) {
+  Handler handler(bytes.size());
+  bool const read = nlohmann::json::sax_parse(bytes.begin(), bytes.end(), &handler);
+  if (!read) {
+    auto const lines =
+        1 + std::ranges::count(bytes.substr(0, handler.failed_at == 0 ? 0 : handler.failed_at - 1), '\n');
+    throw Error(Complaint{.where = handler.failed_at == 0 ? file : fmt::format("{}:{}", file, lines),
+                          .found = handler.refusal,
+                          .allowed = "an object of arrays, an array of objects or an array of rows",
+                          .advice = "export the channels as CSV"});
+  }
+  Document document(std::move(handler));
+  auto const names = document.tables();
+  if (names.empty())
+    throw Error(Complaint{.where = file,
+                          .found = "JSON without a table of numbers",
+                          .allowed =
+                              "an object of arrays, an array of objects or an array of rows, at the top or under "
+                              "one key",
+                          .advice = "{\"time\": [...], \"disp\": [...], \"force\": [...]}"});
+  auto const index = key ? choose_sheet(*key, names, file, "table") : 0;
+  Tests tests;
+  if (names.size() > 1) tests.sheet = sheet_key(names, index);
+  for (std::size_t i = 0; i < names.size() && !key; ++i) tests.sheets.push_back(sheet_key(names, i));
+  tests.tables.push_back(document.table(names[index], file));
+  return tests;
+}
+
+}  // namespace isolaw::data

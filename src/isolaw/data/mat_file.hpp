@@ -1,0 +1,53 @@
+// What a MATLAB file holds, whatever its version: arrays of numbers, at the top or in structs one level deep.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace isolaw::data {
+
+struct MatVariable {
+  std::string name;                 // "dist", "test.disp", "test(2).disp"
+  std::string kind;                 // "double", "char", "struct", ...
+  std::vector<std::uint64_t> size;  // as MATLAB's size() has it
+  bool numeric = false;             // real numbers, which can be read
+  std::string unit = {};            // of an attribute beside it; may be empty
+};
+
+// Every `stride`-th value from `first`, in MATLAB's order (the first index runs fastest).
+struct MatSlice {
+  std::uint64_t first = 0;
+  std::uint64_t stride = 1;
+  std::uint64_t count = 0;
+};
+
+class MatFile {
+ public:
+  static constexpr std::size_t most_variables = 10'000;
+  static constexpr std::size_t longest_name = 200;
+
+  MatFile() = default;
+  virtual ~MatFile() = default;
+  MatFile(MatFile const&) = delete;
+  MatFile& operator=(MatFile const&) = delete;
+
+  std::vector<MatVariable> const& variables() const { return variables_; }
+  // Throws Error: damaged, or grows beyond the limit when it is unpacked.
+  virtual std::vector<double> values(MatVariable const& variable, MatSlice const& slice) const = 0;
+  // "MATLAB file of version 5"
+  virtual std::string_view version() const = 0;
+
+ protected:
+  std::vector<MatVariable> variables_;
+};
+
+// The versions that are read. `bytes` must outlive the file, `file` is its name in messages. Throws Error: damaged,
+// more variables than any test has.
+std::unique_ptr<MatFile> open_mat5(std::string_view bytes, std::string const& file);
+std::unique_ptr<MatFile> open_mat73(std::string_view bytes, std::string const& file);
+
+}  // namespace isolaw::data

@@ -1,0 +1,81 @@
+#include "isolaw/data/number_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "isolaw/data/text.hpp"
+
+namespace isolaw::data {
+
+NumberTable::NumberTable(std::string place, std::vector<NumberColumn> columns, std::string_view row)
+    : Table(std::move(place)), list_(std::move(columns)) {
+  columns_ = list_.size();
+  header_.row = row;
+  bool const named = std::ranges::any_of(list_, [](auto const& column) { return !column.name.empty(); });
+  bool const units = std::ranges::any_of(list_, [](auto const& column) { return !column.unit.empty(); });
+  for (auto const& column : list_) {
+    if (named) header_.names.push_back(column.name);
+    if (units) header_.units.push_back(column.unit);
+  }
+}
+
+void NumberTable::check_lengths(Columns const& columns, std::vector<Complaint>& complaints) const {
+  std::vector<std::string> texts;
+  bool equal = true;
+  for (auto const& [channel, column] : columns.channels) {
+    equal = equal && list_[column.index].length == list_[columns.channels.begin()->second.index].length;
+    texts.push_back(fmt::format("{} has {} values", column_text(column.index, header_), list_[column.index].length));
+  }
+  if (!equal)
+    complaints.push_back({place_, fmt::format("the channels differ in length: {}", fmt::join(texts, ", ")),
+                          "columns of equal length",
+                          "--columns time=...,disp=...,force=... with columns that belong together"});
+}
+
+void NumberTable::report_odd(std::size_t column, RawChannel const& raw, std::vector<Complaint>& complaints) const {
+  Findings findings(place_of(column), "values that are no number");
+  for (std::size_t i = 0; i < raw.values.size(); ++i) {
+    if (std::isfinite(raw.values[i])) continue;
+    auto const odd = list_[column].odd_cells.find(i);
+    if (odd != list_[column].odd_cells.end())
+      findings.add(i + 1, fmt::format("{} in {} is not a number", in_quotes(odd->second), raw.column), "a number",
+                   "correct the value, or leave it out in every channel");
+    else
+      findings.add(i + 1, fmt::format("'{}' in {} is not a finite number", raw.values[i], raw.column),
+                   "a finite number", fmt::format("cut the record before this {}, or test again", header_.row));
+  }
+  findings.append_to(complaints);
+}
+
+Rows NumberTable::read(Columns const& columns, std::vector<Complaint>& complaints) const {
+  Rows rows;
+  auto const before = complaints.size();
+  check_lengths(columns, complaints);
+  for (auto const& [channel, column] : columns.channels)
+    if (list_[column.index].length > most_lines) {
+      complaints.push_back({place_, fmt::format("{} values", list_[column.index].length),
+                            fmt::format("{} or fewer", most_lines), "thin the record, every tenth value for example"});
+      break;
+    }
+  if (complaints.size() > before) return rows;
+  for (auto const& [channel, column] : columns.channels) {
+    rows.channels.push_back({.channel = channel,
+                             .column = column_text(column.index, header_),
+                             .unit = column.unit ? std::string(column.unit->symbol) : std::string(),
+                             .values = values(column.index)});
+    report_odd(column.index, rows.channels.back(), complaints);
+  }
+  auto const length = rows.channels.empty() ? 0 : rows.channels.front().values.size();
+  for (std::size_t i = 0; i < length; ++i) {
+    if (!std::ranges::all_of(rows.channels, [&](auto const& raw) { return std::isfinite(raw.values[i]); })) continue;
+    for (auto& raw : rows.channels) raw.values[rows.numbers.size()] = raw.values[i];
+    rows.numbers.push_back(i + 1);
+  }
+  for (auto& raw : rows.channels) raw.values.resize(rows.numbers.size());
+  return rows;
+}
+
+}  // namespace isolaw::data

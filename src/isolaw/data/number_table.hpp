@@ -1,0 +1,39 @@
+// A table whose columns are arrays of numbers: MATLAB variables, arrays of JSON.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "isolaw/data/table.hpp"
+
+namespace isolaw::data {
+
+struct NumberColumn {
+  std::string name = {};  // UTF-8
+  std::string unit = {};  // as written beside the column; may be empty
+  std::size_t length = 0;
+  std::vector<double> values = {};                    // may be read only when the column is asked for
+  std::map<std::size_t, std::string> odd_cells = {};  // the first few that are no number, by position from 0
+};
+
+class NumberTable : public Table {
+ public:
+  // `row` is what a row is called in messages: "row", "element".
+  NumberTable(std::string place, std::vector<NumberColumn> columns, std::string_view row);
+
+  Rows read(Columns const& columns, std::vector<Complaint>& complaints) const override;
+
+ protected:
+  // Throws Error when the column cannot be read.
+  virtual std::vector<double> values(std::size_t column) const { return list_[column].values; }
+
+  std::vector<NumberColumn> list_;
+
+ private:
+  void report_odd(std::size_t column, RawChannel const& raw, std::vector<Complaint>& complaints) const;
+  void check_lengths(Columns const& columns, std::vector<Complaint>& complaints) const;
+};
+
+}  // namespace isolaw::data

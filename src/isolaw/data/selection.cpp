@@ -1,0 +1,121 @@
+#include "isolaw/data/selection.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/printable.hpp"
+
+namespace isolaw::data {
+namespace {
+
+std::string_view trim(std::string_view text) {
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  return text;
+}
+
+std::optional<int> whole_number(std::string_view text) {
+  int value = 0;
+  text = trim(text);
+  auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || value < 1 || value > Numbers::largest)
+    return std::nullopt;
+  return value;
+}
+
+std::optional<Numbers::Range> parse_range(std::string_view text) {
+  auto const dash = text.find('-');
+  auto const first = whole_number(text.substr(0, dash));
+  if (!first) return std::nullopt;
+  if (dash == std::string_view::npos) return Numbers::Range{*first, *first};
+  auto const rest = trim(text.substr(dash + 1));
+  auto const last = rest.empty() ? std::optional(Numbers::largest) : whole_number(rest);
+  if (!last || *last < *first) return std::nullopt;
+  return Numbers::Range{*first, *last};
+}
+
+// "block 1: cycles 1 to 7; block 2: ..."
+std::string what_there_is(Segmentation const& segmentation) {
+  if (!segmentation.refusal.empty()) return "all: " + segmentation.refusal;
+  std::map<int, int> counted;
+  for (auto const& cycle : segmentation.cycles) {
+    auto& last = counted[cycle.block];
+    last = std::max(last, cycle.number);
+  }
+  std::string text;
+  for (auto const& [block, last] : counted)
+    text += fmt::format("{}block {}: {}", text.empty() ? "" : "; ", block,
+                        last == 0   ? std::string("no complete cycle")
+                        : last == 1 ? std::string("cycle 1")
+                                    : fmt::format("cycles 1 to {}", last));
+  return text;
+}
+
+void mark(std::vector<double>& scored, double first, double last) {
+  auto const begin = static_cast<std::size_t>(std::max(0.0, std::ceil(first)));
+  auto const end = std::min(scored.size(), static_cast<std::size_t>(std::max(0.0, std::floor(last))) + 1);
+  for (auto i = begin; i < end; ++i) scored[i] = 1.0;
+}
+
+}  // namespace
+
+bool Numbers::contains(int number) const {
+  return all() || std::ranges::any_of(ranges, [&](Range const& r) { return r.first <= number && number <= r.last; });
+}
+
+std::string Numbers::text() const {
+  if (all()) return "all";
+  std::string text;
+  for (auto const& r : ranges) {
+    text += fmt::format("{}{}", text.empty() ? "" : ",", r.first);
+    if (r.last == largest)
+      text += "-";
+    else if (r.last != r.first)
+      text += fmt::format("-{}", r.last);
+  }
+  return text;
+}
+
+Numbers parse_numbers(std::string_view option, std::string_view text) {
+  Numbers numbers;
+  if (trim(text) == "all") return numbers;
+  constexpr std::size_t most_ranges = 1000;
+  auto rest = text;
+  while (true) {
+    auto const comma = rest.find(',');
+    auto const range = parse_range(rest.substr(0, comma));
+    if (!range || numbers.ranges.size() == most_ranges)
+      throw Error({.where = std::string(option),
+                   .found = fmt::format("'{}'", printable(text.substr(0, 200))),
+                   .allowed = "all, or numbers from 1 and ranges of them, separated by commas: 3, 2-5, 4-",
+                   .advice = fmt::format("{} 2-", option)});
+    numbers.ranges.push_back(*range);
+    if (comma == std::string_view::npos) return numbers;
+    rest.remove_prefix(comma + 1);
+  }
+}
+
+std::vector<double> scored_samples(Selection const& selection, Segmentation const& segmentation, std::size_t samples) {
+  if (selection.all()) return {};
+  std::vector<double> scored(samples, 0.0);
+  for (auto const& cycle : segmentation.cycles) {
+    bool const chosen = selection.blocks.contains(cycle.block) &&
+                        (selection.cycles.all() || (cycle.number > 0 && selection.cycles.contains(cycle.number)));
+    if (chosen) mark(scored, cycle.first, cycle.last);
+  }
+  if (std::ranges::count(scored, 1.0) < 2)
+    throw Error(
+        {.where = fmt::format("--fit-blocks {} --fit-cycles {}", selection.blocks.text(), selection.cycles.text()),
+         .found = "no cycle of the record is among them",
+         .allowed = what_there_is(segmentation),
+         .advice = "isolaw inspect FILE, which numbers blocks and cycles"});
+  return scored;
+}
+
+}  // namespace isolaw::data

@@ -1,0 +1,67 @@
+// What every format of file comes down to before its values are looked at: named columns of numbers whose rows have a
+// place. Formats differ in how they get there; recognition of columns and units, checks and sentences are shared.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/data/checks.hpp"
+#include "isolaw/data/columns.hpp"
+#include "isolaw/data/header.hpp"
+
+namespace isolaw::data {
+
+// The columns asked for, in the units of the file.
+struct Rows {
+  std::vector<RawChannel> channels;
+  std::vector<std::size_t> numbers;  // place of each sample, counted from 1: line, row of the sheet, element
+  std::size_t comments = 0;          // comment lines among the rows
+};
+
+// One test of one file.
+class Table {
+ public:
+  explicit Table(std::string place) : place_(std::move(place)) {}
+  virtual ~Table() = default;
+  Table(Table const&) = delete;
+  Table& operator=(Table const&) = delete;
+
+  // The file, and what part of it: "d01.csv", "d01.xlsx:Sheet1", "d01.json:data". Messages put a row's number behind it.
+  std::string const& place() const { return place_; }
+  Header const& header() const { return header_; }
+  std::size_t columns() const { return columns_; }
+  // Where the test starts: number of its first row, the header included.
+  std::size_t start() const { return start_; }
+
+  // The place of one column, where columns have places of their own: "d01.mat:dist".
+  virtual std::string place_of(std::size_t /*column*/) const { return place_; }
+  // One sentence per decision that led to the table.
+  virtual std::vector<std::string> recognised() const = 0;
+  // What the table is like may already be wrong.
+  virtual void check(std::vector<Complaint>& /*complaints*/) const {}
+  // The values of the columns that were chosen; what is no number is among the complaints. Throws Error where nothing
+  // can be read at all.
+  virtual Rows read(Columns const& columns, std::vector<Complaint>& complaints) const = 0;
+
+ protected:
+  std::string place_;
+  Header header_;
+  std::size_t columns_ = 0;
+  std::size_t start_ = 1;
+};
+
+// The tests of one file, or of one part of it.
+struct Tests {
+  std::vector<std::unique_ptr<Table>> tables;  // at least one where a file was read
+  std::vector<std::string> sheets;             // the parts of the file that hold tables, where it has parts
+  std::optional<std::string> sheet;            // the one these tables come from, where there are several
+  std::vector<std::string> recognised;         // about the file as a whole
+};
+
+}  // namespace isolaw::data

@@ -1,0 +1,19 @@
+// Tables written as lines of cells: delimited text, and the rows of a worksheet brought into the same form.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "isolaw/data/table.hpp"
+#include "isolaw/data/text.hpp"
+
+namespace isolaw::data {
+
+// The tests of delimited text. Throws Error when it holds no rows of numbers. `bytes` must outlive the tests.
+Tests text_tests(std::string_view bytes, std::string const& file);
+
+// The rows of a worksheet, one a line, cells separated by tabs, numbers with a decimal point. Empty `tables` when the
+// sheet holds no rows of numbers.
+Tests sheet_tests(std::string rows, std::string const& place);
+
+}  // namespace isolaw::data

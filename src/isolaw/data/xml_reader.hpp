@@ -1,0 +1,48 @@
+// XML element by element, read with expat: nothing is kept but what the handlers keep. A document type, through which
+// entities are declared, is refused, as are tags and nesting beyond what any workbook has.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace isolaw::data {
+
+// Attributes of an element, by name without a prefix.
+class Attributes {
+ public:
+  explicit Attributes(char const** list) : list_(list) {}
+  // Empty when it is not there.
+  std::string_view operator[](std::string_view name) const;
+
+ private:
+  char const** list_;
+};
+
+// Element names come without their prefix.
+struct XmlHandlers {
+  std::function<void(std::string_view name, Attributes const& attributes)> start;
+  std::function<void(std::string_view name)> end;
+  std::function<void(std::string_view text)> text;
+};
+
+class XmlReader {
+ public:
+  // `place` is the document in messages.
+  XmlReader(std::string place, XmlHandlers handlers);
+  ~XmlReader();
+  XmlReader(XmlReader const&) = delete;
+  XmlReader& operator=(XmlReader const&) = delete;
+
+  // The next piece of the document. Throws Error when it is no XML, or what a handler throws.
+  void take(std::string_view piece);
+  void finish();
+
+ private:
+  struct State;
+  void parse(std::string_view piece, bool last);
+  State* state_;
+};
+
+}  // namespace isolaw::data

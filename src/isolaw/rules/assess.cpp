@@ -1,0 +1,243 @@
+#include "isolaw/rules/assess.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace isolaw::rules {
+namespace {
+
+constexpr double slack = 1e-12;  // of the bound: a thousand times the rounding of a product
+
+bool is_at_least(double value, double bound) {
+  return value >= bound - slack * std::abs(bound);
+}
+bool is_at_most(double value, double bound) {
+  return value <= bound + slack * std::abs(bound);
+}
+
+// What may be said of values that cannot be compared: nothing.
+void leave_out(Assessment& assessment, std::string reason) {
+  assessment.verdict = Verdict::not_assessed;
+  assessment.reason = std::move(reason);
+}
+
+std::string missing_design(Quantity quantity) {
+  return fmt::format("no design value: give {}=... among the design values", name(quantity));
+}
+
+Assessment compared(DerivedValue const& derived, Quantity quantity, Design const& design) {
+  Assessment made;
+  made.quantity = derived.label;
+  made.formula = derived.formula;
+  made.value = derived.value;
+  made.unit = unit(quantity);
+  made.nominal = design.of(quantity);
+  if (made.value && made.nominal) made.deviation_percent = 100.0 * (*made.value - *made.nominal) / *made.nominal;
+  return made;
+}
+
+void assess_limit(RuleSet const& rules, Limit const& limit, BlockValues const& block, Design const& design,
+                  std::vector<std::string> const& unmet, std::vector<Assessment>& out) {
+  for (auto const& derived : derive(rules, limit.quantity, block)) {
+    auto made = compared(derived, limit.quantity, design);
+    made.clause = limit.clause;
+    made.limit = limit_text(limit.lower_percent, limit.upper_percent);
+    if (made.deviation_percent)
+      made.deviation = deviation_text(*made.deviation_percent, limit.lower_percent, limit.upper_percent);
+    if (!made.value)
+      leave_out(made, derived.reason);
+    else if (!made.nominal)
+      leave_out(made, missing_design(limit.quantity));
+    else
+      give_verdict(made, rules, is_within(*made.value, *made.nominal, limit.lower_percent, limit.upper_percent), unmet);
+    out.push_back(std::move(made));
+  }
+}
+
+std::string_view measure_text(Measure measure) {
+  switch (measure) {
+    case Measure::min_over_max:
+      return "lowest over highest";
+    case Measure::change_from_first:
+      return "largest change from the first";
+    case Measure::loss_from_first:
+      break;
+  }
+  return "largest loss from the first";
+}
+
+// nullopt where a cycle is missing or no positive number.
+std::optional<double> measured(StabilityLimit const& limit, BlockValues const& block) {
+  double first = 0.0, lowest = 0.0, highest = 0.0;
+  for (int number = limit.first; number <= limit.last; ++number) {
+    auto const* cycle = block.find(number);
+    double const value = cycle == nullptr ? 0.0 : cycle->of(limit.quantity);
+    if (!std::isfinite(value) || value <= 0.0) return std::nullopt;
+    if (number == limit.first) first = lowest = highest = value;
+    lowest = std::min(lowest, value);
+    highest = std::max(highest, value);
+  }
+  if (limit.measure == Measure::min_over_max) return lowest / highest;
+  double const loss = 100.0 * (1.0 - lowest / first), gain = 100.0 * (highest / first - 1.0);
+  return limit.measure == Measure::loss_from_first ? loss : std::max(loss, gain);
+}
+
+Assessment assess_stability(RuleSet const& rules, StabilityLimit const& limit, BlockValues const& block,
+                            std::vector<std::string> const& unmet) {
+  bool const is_ratio = limit.measure == Measure::min_over_max;
+  Assessment made;
+  made.quantity = fmt::format("{} over cycles", name(limit.quantity));
+  made.clause = limit.clause;
+  made.formula = fmt::format("{} of cycles {} to {}", measure_text(limit.measure), limit.first, limit.last);
+  made.unit = is_ratio ? "" : "%";
+  made.limit = is_ratio ? fmt::format("{:g} or more", limit.bound) : fmt::format("{:g} % or less", limit.bound);
+  made.value = measured(limit, block);
+  if (made.value)
+    give_verdict(made, rules, is_ratio ? is_at_least(*made.value, limit.bound) : is_at_most(*made.value, limit.bound),
+                 unmet);
+  else
+    leave_out(made, fmt::format("cycles {} to {} needed; block {} holds {} counted", limit.first, limit.last,
+                                block.number, block.cycles.size()));
+  return made;
+}
+
+void assess_load(RuleSet const& rules, LoadVariation const& limit, Design const& design,
+                 std::optional<LoadPair> const& loads, std::vector<std::string> const& unmet,
+                 std::vector<Assessment>& out) {
+  for (auto const quantity : {Quantity::K_eff, Quantity::damping}) {
+    Assessment made;
+    made.quantity = fmt::format("{} over vertical load", name(quantity));
+    made.clause = limit.clause;
+    made.formula = "(value at the largest load - value at the smallest)/design value";
+    made.unit = "%";
+    made.limit = fmt::format("{:g} % or less", limit.largest_percent);
+    auto const nominal = design.of(quantity);
+    auto const at_largest = loads ? device_value(rules, quantity, loads->largest) : std::nullopt;
+    auto const at_smallest = loads ? device_value(rules, quantity, loads->smallest) : std::nullopt;
+    if (!loads) {
+      leave_out(made, "needs the same test at the largest and at the smallest vertical load");
+    } else if (!at_largest || !at_smallest) {
+      leave_out(made, "the cycles that count are missing at one of the loads");
+    } else if (!nominal) {
+      leave_out(made, missing_design(quantity));
+    } else {
+      made.value = 100.0 * std::abs(*at_largest - *at_smallest) / *nominal;
+      give_verdict(made, rules, is_at_most(*made.value, limit.largest_percent), unmet);
+    }
+    out.push_back(std::move(made));
+  }
+}
+
+// Ratios of cycles need no design value, so neither the displacement that it holds at.
+std::vector<std::string> unmet_of_ratios(RuleSet rules, BlockValues const& block, Design const& design) {
+  rules.test.displacement_tolerance_percent.reset();
+  return unmet_conditions(rules, block, design);
+}
+
+// The mean vertical load differs from the design load by intent in those tests.
+std::vector<std::string> unmet_of_pair(RuleSet rules, LoadPair const& loads, Design const& design) {
+  rules.test.load_tolerance_percent.reset();
+  auto unmet = unmet_conditions(rules, loads.largest, design);
+  for (auto& text : unmet_conditions(rules, loads.smallest, design)) unmet.push_back(std::move(text));
+  return unmet;
+}
+
+bool has_limit(RuleSet const& rules, Quantity quantity) {
+  return std::ranges::any_of(
+      rules.limits, [&](Limit const& limit) { return limit.quantity == quantity && limit.scope == Scope::each; });
+}
+
+}  // namespace
+
+std::string_view name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::pass:
+      return "pass";
+    case Verdict::fail:
+      return "fail";
+    case Verdict::information:
+      return "information";
+    case Verdict::not_assessed:
+      break;
+  }
+  return "not assessed";
+}
+
+bool is_within(double value, double nominal, std::optional<double> lower_percent, std::optional<double> upper_percent) {
+  // (100 + 20)/100 is nearer to 1.2 than 1 + 20/100 in binary; either way the slack covers the difference.
+  auto const bound = [&](double percent) { return nominal * (100.0 + percent) / 100.0; };
+  if (!std::isfinite(value)) return false;
+  if (lower_percent && !is_at_least(value, bound(*lower_percent))) return false;
+  return !upper_percent || is_at_most(value, bound(*upper_percent));
+}
+
+std::string limit_text(std::optional<double> lower_percent, std::optional<double> upper_percent) {
+  if (lower_percent && upper_percent) return fmt::format("{:+g} % to {:+g} %", *lower_percent, *upper_percent);
+  if (lower_percent) return fmt::format("{:+g} % or more", *lower_percent);
+  return upper_percent ? fmt::format("{:+g} % or less", *upper_percent) : "";
+}
+
+std::string deviation_text(double deviation_percent, std::optional<double> lower_percent,
+                           std::optional<double> upper_percent) {
+  // Decimal by decimal, the text is compared as it reads; what passes by the slack alone is on the limit itself.
+  auto const on_this_side = [&](double shown, std::optional<double> bound, double sign) {
+    if (!bound) return true;
+    double const over = sign * (deviation_percent - *bound);
+    bool const is_over = over > slack * (100.0 + std::abs(*bound));
+    return is_over == (sign * (shown - *bound) > 0.0);
+  };
+  for (int decimals = 1;; ++decimals) {
+    auto text = fmt::format("{:+.{}f}", deviation_percent, decimals);
+    double shown = 0.0;
+    std::from_chars(text.data() + (text.front() == '+' ? 1 : 0), text.data() + text.size(), shown);
+    if (decimals == 12 || (on_this_side(shown, lower_percent, -1.0) && on_this_side(shown, upper_percent, 1.0)))
+      return text + " %";
+  }
+}
+
+void give_verdict(Assessment& assessment, RuleSet const& rules, bool holds, std::vector<std::string> const& unmet) {
+  if (!rules.verified()) {
+    assessment.verdict = Verdict::information;
+    assessment.reason = fmt::format("the limits of {} are not verified", rules.id);
+    if (!unmet.empty()) assessment.reason += fmt::format("; {}", fmt::join(unmet, "; "));
+  } else if (!unmet.empty()) {
+    leave_out(assessment, fmt::format("{}", fmt::join(unmet, "; ")));
+  } else {
+    assessment.verdict = holds ? Verdict::pass : Verdict::fail;
+  }
+}
+
+std::vector<Assessment> assess(RuleSet const& rules, BlockValues const& block, Design const& design,
+                               std::optional<LoadPair> const& loads) {
+  auto const unmet = unmet_conditions(rules, block, design);
+  std::vector<Assessment> out;
+  for (auto const& limit : rules.limits)
+    if (limit.scope == Scope::each) assess_limit(rules, limit, block, design, unmet, out);
+  auto const unmet_of_cycles = unmet_of_ratios(rules, block, design);
+  for (auto const& limit : rules.stability) out.push_back(assess_stability(rules, limit, block, unmet_of_cycles));
+  if (rules.load_variation)
+    assess_load(rules, *rules.load_variation, design, loads,
+                loads ? unmet_of_pair(rules, *loads, design) : std::vector<std::string>(), out);
+  for (auto const quantity : measured_quantities()) {
+    if (has_limit(rules, quantity) || !design.of(quantity)) continue;
+    for (auto const& derived : derive(rules, quantity, block)) {
+      auto made = compared(derived, quantity, design);
+      if (made.deviation_percent) made.deviation = deviation_text(*made.deviation_percent, {}, {});
+      made.verdict = derived.value ? Verdict::information : Verdict::not_assessed;
+      made.reason = derived.value ? fmt::format("{} has no limit for a device", rules.id) : derived.reason;
+      out.push_back(std::move(made));
+    }
+  }
+  if (!has_limit(rules, Quantity::K_v))
+    assess_limit(
+        rules,
+        {.quantity = Quantity::K_v, .scope = Scope::each, .lower_percent = {}, .upper_percent = {}, .clause = {}},
+        block, design, unmet, out);
+  return out;
+}
+
+}  // namespace isolaw::rules

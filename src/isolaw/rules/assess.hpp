@@ -1,0 +1,60 @@
+// One device against a rule set: every limit that concerns one device, with the measured value, its deviation from the
+// design value and a verdict.
+//
+// A verdict is given only by a set that somebody verified, under conditions the set asks for; everything else is
+// information, or not assessed with the reason. Limits belong to what passes: values are compared as measured, never
+// rounded, and 1e-12 of the bound is granted, since 1.2 times a design value is rarely 20 % in binary to the last bit.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/rules/measured.hpp"
+#include "isolaw/rules/rule_set.hpp"
+
+namespace isolaw::rules {
+
+enum class Verdict { pass, fail, information, not_assessed };
+std::string_view name(Verdict verdict);  // "pass", "fail", "information", "not assessed"
+
+struct Assessment {
+  std::string quantity;  // "K_eff, positive side", "K_eff over cycles", "sample size"
+  std::string clause, formula;
+  std::optional<double> value;
+  std::string unit;
+  std::optional<double> nominal;
+  std::optional<double> deviation_percent;  // 100 (value - nominal)/nominal
+  std::string deviation;                    // the same as text, see deviation_text()
+  std::string limit;                        // "-20 % to +20 %"; empty where the set has none
+  Verdict verdict = Verdict::not_assessed;
+  std::string reason;  // why there is no verdict
+};
+
+// Properties of one device at the largest and smallest vertical load, for the limit on that variation.
+struct LoadPair {
+  BlockValues largest, smallest;
+};
+
+// In the order of the set: limits of each device, stability, vertical load; quantities with a design value but without a
+// limit as information; K_v always.
+std::vector<Assessment> assess(RuleSet const& rules, BlockValues const& block, Design const& design,
+                               std::optional<LoadPair> const& loads = std::nullopt);
+
+// Whether nominal x (1 + lower/100) <= value <= nominal x (1 + upper/100), with the relative slack said above.
+bool is_within(double value, double nominal, std::optional<double> lower_percent, std::optional<double> upper_percent);
+
+// "-20 % to +20 %", "-25 % or more", "+10 % or less"
+std::string limit_text(std::optional<double> lower_percent, std::optional<double> upper_percent);
+
+// "+19.9 %": one decimal, or as many as it takes for the text to lie on the same side of the limit as the value. Printed
+// as +20.0 % a value 20.04 % above would seem to be within 20 %.
+std::string deviation_text(double deviation_percent, std::optional<double> lower_percent,
+                           std::optional<double> upper_percent);
+
+// Verdict and reason of a comparison that was made: pass or fail of a verified set whose conditions are met, else
+// information or not assessed with the reason.
+void give_verdict(Assessment& assessment, RuleSet const& rules, bool holds, std::vector<std::string> const& unmet);
+
+}  // namespace isolaw::rules

@@ -1,0 +1,65 @@
+#include "isolaw/rules/factors.hpp"
+
+#include <algorithm>
+#include <boost/math/special_functions/beta.hpp>
+#include <cmath>
+#include <limits>
+
+namespace isolaw::rules {
+namespace {
+
+constexpr double normal_97_5 = 1.959963984540054;  // two-sided 95 %
+
+// Quantile 0.975 of Student's t by the incomplete beta function: P(|t| > q) = I(freedom/(freedom + q^2); freedom/2, 1/2).
+double student_97_5(double freedom) {
+  double const x = boost::math::ibeta_inv(0.5 * freedom, 0.5, 0.05);
+  return std::sqrt(freedom * (1.0 - x) / x);
+}
+
+}  // namespace
+
+std::optional<FactorPair> test_factors(Quantity quantity, BlockValues const& block) {
+  double mean = 0.0;
+  for (int number = 1; number <= 3; ++number) {
+    auto const* cycle = block.find(number);
+    if (cycle == nullptr || !(cycle->of(quantity) > 0.0)) return std::nullopt;
+    mean += cycle->of(quantity) / 3.0;
+  }
+  double const last = block.cycles.back().of(quantity);
+  if (!(last > 0.0) || !std::isfinite(mean + last)) return std::nullopt;
+  return FactorPair{.min = last / mean, .max = block.find(1)->of(quantity) / mean};
+}
+
+CombinedFactors combine(FactorRule const& rule, FactorPair const& environment, FactorPair const& test,
+                        FactorPair const& spec) {
+  CombinedFactors made{.min = (1.0 - rule.system_factor * (1.0 - environment.min)) * test.min * spec.min,
+                       .max = (1.0 + rule.system_factor * (environment.max - 1.0)) * test.max * spec.max};
+  if (rule.max_not_below && made.max < *rule.max_not_below) {
+    made.max = *rule.max_not_below;
+    made.max_is_default = true;
+  }
+  if (rule.min_not_above && made.min > *rule.min_not_above) {
+    made.min = *rule.min_not_above;
+    made.min_is_default = true;
+  }
+  return made;
+}
+
+double device_half_width_percent(double cov_percent) {
+  return normal_97_5 * cov_percent;
+}
+
+double system_half_width_percent(double cov_percent, int installed, int tested) {
+  auto const N = static_cast<double>(installed), n = static_cast<double>(std::min(tested, installed));
+  // With none tested the devices are drawn from the production at large, which has no end.
+  double const finite = installed > 1 ? std::min(1.0, std::sqrt((N - n) / (N - 1.0))) : (tested > 0 ? 0.0 : 1.0);
+  return normal_97_5 * cov_percent / std::sqrt(N) * finite;
+}
+
+double prediction_half_width_percent(double cov_percent, int installed, int tested) {
+  if (tested < 2) return std::numeric_limits<double>::quiet_NaN();
+  auto const N = static_cast<double>(installed), n = static_cast<double>(std::min(tested, installed));
+  return student_97_5(n - 1.0) * cov_percent * std::sqrt(1.0 / n - 1.0 / N);
+}
+
+}  // namespace isolaw::rules

@@ -1,0 +1,258 @@
+#include "isolaw/rules/lot_view.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/num/statistics.hpp"
+#include "isolaw/num/tolerance_factor.hpp"
+
+namespace isolaw::rules {
+namespace {
+
+constexpr double normal_95 = 1.6448536269514722;  // one-sided
+constexpr double outlying = 3.5;
+constexpr double mad_to_std = 1.4826;     // of a normal distribution
+constexpr double property_error = 0.005;  // relative, of a property from one record
+
+struct Values {
+  std::vector<std::string> names;
+  std::vector<double> values;
+  std::vector<std::string> without;
+};
+
+Values collect(RuleSet const& rules, Quantity quantity, std::span<DeviceValues const> devices) {
+  Values made;
+  for (auto const& device : devices) {
+    if (auto const value = device_value(rules, quantity, device.block)) {
+      made.names.push_back(device.name);
+      made.values.push_back(*value);
+    } else {
+      made.without.push_back(device.name);
+    }
+  }
+  return made;
+}
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  auto const half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+void describe_spread(Values const& found, LotQuantity& view) {
+  auto const moments = num::moments(found.values);
+  auto const [low, high] = std::ranges::minmax_element(found.values);
+  auto const device = [&](auto it) { return found.names[static_cast<std::size_t>(it - found.values.begin())]; };
+  view.mean = moments.mean;
+  view.min = *low;
+  view.max = *high;
+  view.min_device = device(low);
+  view.max_device = device(high);
+  view.largest_from_mean_percent = 100.0 * std::max(*high / moments.mean - 1.0, 1.0 - *low / moments.mean);
+  if (found.values.size() < 2) return;
+  view.std = moments.std;
+  view.cov_percent = 100.0 * moments.std / moments.mean;
+  view.fractile_5 = moments.mean - normal_95 * moments.std;
+  view.fractile_95 = moments.mean + normal_95 * moments.std;
+  view.tolerance_factor = num::tolerance_factor(found.values.size());
+  view.tolerance_low = moments.mean - *view.tolerance_factor * moments.std;
+  view.tolerance_high = moments.mean + *view.tolerance_factor * moments.std;
+}
+
+void compare_with_design(Design const& design, LotQuantity& view) {
+  view.nominal = design.of(view.quantity);
+  if (!view.nominal || !view.mean) return;
+  auto const deviation = [&](double value) { return 100.0 * (value - *view.nominal) / *view.nominal; };
+  view.mean_deviation_percent = deviation(*view.mean);
+  view.observed_mean_factor = *view.mean / *view.nominal;
+  double const low = deviation(*view.min), high = deviation(*view.max);
+  bool const below = std::abs(low) > std::abs(high);
+  view.worst_deviation_percent = below ? low : high;
+  view.worst_device = below ? view.min_device : view.max_device;
+}
+
+// What stands in the way of a verdict on the lot: a sample too small, devices without the value, other conditions.
+std::vector<std::string> unmet_of_lot(RuleSet const& rules, LotView const& lot, LotQuantity const& view,
+                                      std::span<DeviceValues const> devices, Design const& design) {
+  std::vector<std::string> unmet;
+  if (rules.sample && !lot.required)
+    unmet.push_back("size of the lot not known: give it, so that the sample can be judged");
+  else if (lot.required && view.count < static_cast<std::size_t>(*lot.required))
+    unmet.push_back(fmt::format("{} devices with this property, {} required", view.count, *lot.required));
+  if (!view.without.empty()) unmet.push_back(fmt::format("no value of {}", fmt::join(view.without, ", ")));
+  for (auto const& device : devices)
+    for (auto const& text : unmet_conditions(rules, device.block, design)) {
+      unmet.push_back(fmt::format("{}: {}", device.name, text));
+      return unmet;  // one device says it; a lot of hundreds would say it hundreds of times
+    }
+  return unmet;
+}
+
+void assess_mean(RuleSet const& rules, LotView const& lot, std::span<DeviceValues const> devices, Design const& design,
+                 LotQuantity& view) {
+  for (auto const& limit : rules.limits) {
+    if (limit.quantity != view.quantity || limit.scope != Scope::mean) continue;
+    Assessment made;
+    made.quantity = fmt::format("{}, mean of {} devices", name(view.quantity), view.count);
+    made.clause = limit.clause;
+    made.formula = "mean over the devices";
+    made.value = view.mean;
+    made.unit = view.unit;
+    made.nominal = view.nominal;
+    made.deviation_percent = view.mean_deviation_percent;
+    made.limit = limit_text(limit.lower_percent, limit.upper_percent);
+    if (made.deviation_percent)
+      made.deviation = deviation_text(*made.deviation_percent, limit.lower_percent, limit.upper_percent);
+    if (!view.mean)
+      made.reason = "no device has a value";
+    else if (!view.nominal)
+      made.reason = fmt::format("no design value: give {}=... among the design values", name(view.quantity));
+    else
+      give_verdict(made, rules, is_within(*view.mean, *view.nominal, limit.lower_percent, limit.upper_percent),
+                   unmet_of_lot(rules, lot, view, devices, design));
+    view.mean_limits.push_back(std::move(made));
+  }
+}
+
+std::optional<FactorPair> extreme_test_factors(Quantity quantity, std::span<DeviceValues const> devices) {
+  std::optional<FactorPair> extremes;
+  for (auto const& device : devices)
+    if (auto const factors = test_factors(quantity, device.block)) {
+      if (!extremes) extremes = factors;
+      extremes->min = std::min(extremes->min, factors->min);
+      extremes->max = std::max(extremes->max, factors->max);
+    }
+  return extremes;
+}
+
+// The labelled sources of lambda_spec. All but the contract's are about the devices' mean, relative to the base value.
+void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& view) {
+  if (!view.mean) return;
+  double const base = view.nominal.value_or(*view.mean);
+  auto const* given = rules.factors_of(view.quantity);
+  FactorPair const environment =
+      given == nullptr ? FactorPair{} : FactorPair{.min = given->environment_min, .max = given->environment_max};
+  // Defaults that stand for all effects together are about the properties the set names, not about the others.
+  auto const rule = given == nullptr ? FactorRule{} : rules.factors;
+  auto const add = [&](std::string source, FactorPair const& spec, std::string note) {
+    auto const combined = combine(rule, environment, view.test_factors.value_or(FactorPair{}), spec);
+    view.bounds.push_back({.source = std::move(source),
+                           .spec = spec,
+                           .combined = combined,
+                           .supply_lower = base * spec.min,
+                           .supply_upper = base * spec.max,
+                           .lower = base * combined.min,
+                           .upper = base * combined.max,
+                           .note = std::move(note)});
+  };
+  auto const about_mean = [&](double half_width_percent) {
+    double const centre = *view.mean / base;
+    return FactorPair{.min = centre * (1.0 - half_width_percent / 100.0),
+                      .max = centre * (1.0 + half_width_percent / 100.0)};
+  };
+  if (given != nullptr && given->spec_min)
+    add("contract band", {.min = *given->spec_min, .max = *given->spec_max}, "as agreed in the rule set");
+  add("observed", {.min = *view.min / base, .max = *view.max / base}, "lowest and highest device tested");
+  if (!view.cov_percent) return;
+  add("statistical, each device", about_mean(*view.tolerance_factor * *view.cov_percent),
+      "holds 95 % of the devices with confidence 95 %; not for the system");
+  if (!lot_size) return;
+  auto const tested = static_cast<int>(view.count);
+  add("statistical, system", about_mean(system_half_width_percent(*view.cov_percent, *lot_size, tested)),
+      fmt::format("mean of {} devices, {} of them tested, 95 %; the lot's mean and CoV taken as known", *lot_size,
+                  tested));
+  add("statistical, system predicted", about_mean(prediction_half_width_percent(*view.cov_percent, *lot_size, tested)),
+      fmt::format("mean of {} devices predicted from {} tested, 95 %; mean and CoV estimated", *lot_size, tested));
+}
+
+LotQuantity quantity_view(RuleSet const& rules, LotView const& lot, Quantity quantity,
+                          std::span<DeviceValues const> devices, Design const& design) {
+  auto const found = collect(rules, quantity, devices);
+  LotQuantity view;
+  view.quantity = quantity;
+  view.unit = unit(quantity);
+  view.count = found.values.size();
+  view.without = found.without;
+  if (!found.values.empty()) describe_spread(found, view);
+  compare_with_design(design, view);
+  view.outliers = find_outliers(name(quantity), view.unit, found.names, found.values);
+  if (found.values.size() < fewest_for_outliers)
+    view.outlier_note = fmt::format("too few devices to name outliers: {}, at least {} needed", found.values.size(),
+                                    fewest_for_outliers);
+  assess_mean(rules, lot, devices, design, view);
+  view.test_factors = extreme_test_factors(quantity, devices);
+  add_bounds(rules, lot.lot_size, view);
+  if (rules.verified() && rules.mean_analysis && view.count >= 2)
+    view.mean_analysis_permitted =
+        is_within(*view.min, *view.mean, -rules.mean_analysis->within_percent, std::nullopt) &&
+        is_within(*view.max, *view.mean, std::nullopt, rules.mean_analysis->within_percent);
+  return view;
+}
+
+Assessment assess_sample(RuleSet const& rules, LotView const& lot) {
+  Assessment made;
+  made.quantity = "sample size";
+  made.formula = "devices tested";
+  made.value = static_cast<double>(lot.devices);
+  made.unit = "devices";
+  if (!rules.sample) {
+    made.reason = fmt::format("{} has no rule for the sample", rules.id);
+    return made;
+  }
+  made.clause = rules.sample->clause;
+  if (!lot.required) {
+    made.reason = "size of the lot not known: give it, so that the sample can be judged";
+    return made;
+  }
+  made.limit = fmt::format("{} or more of {}", *lot.required, *lot.lot_size);
+  give_verdict(made, rules, lot.devices >= static_cast<std::size_t>(*lot.required), {});
+  return made;
+}
+
+}  // namespace
+
+std::vector<Outlier> find_outliers(std::string_view quantity, std::string_view unit_text,
+                                   std::span<std::string const> names, std::span<double const> values) {
+  assert(names.size() == values.size());
+  if (values.size() < fewest_for_outliers) return {};
+  double const centre = median({values.begin(), values.end()});
+  std::vector<double> distances;
+  for (double const value : values) distances.push_back(std::abs(value - centre));
+  double const scale = std::max(mad_to_std * median(distances), property_error * std::abs(centre));
+  std::vector<Outlier> outliers;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    double const score = scale > 0.0 ? distances[i] / scale : 0.0;
+    if (score <= outlying) continue;
+    outliers.push_back(
+        {.device = names[i],
+         .value = values[i],
+         .score = score,
+         .reason = fmt::format("{} {:.4g} {} is {:.3g} % {} the median {:.4g}: modified z {:.1f}, above {}", quantity,
+                               values[i], unit_text, 100.0 * distances[i] / std::abs(centre),
+                               values[i] > centre ? "above" : "below", centre, score, outlying)});
+  }
+  return outliers;
+}
+
+LotView lot_view(RuleSet const& rules, std::span<DeviceValues const> devices, Design const& design,
+                 std::optional<int> lot_size) {
+  if (lot_size && (*lot_size < 1 || static_cast<std::size_t>(*lot_size) < devices.size()))
+    throw Error({.where = "lot size",
+                 .found = fmt::format("{} with {} devices tested", *lot_size, devices.size()),
+                 .allowed = "all devices of the lot, tested ones included"});
+  LotView lot;
+  lot.devices = devices.size();
+  lot.lot_size = lot_size;
+  if (rules.sample && lot_size) lot.required = required_sample(*rules.sample, *lot_size);
+  lot.sample = assess_sample(rules, lot);
+  for (auto const quantity : measured_quantities())
+    lot.quantities.push_back(quantity_view(rules, lot, quantity, devices, design));
+  return lot;
+}
+
+}  // namespace isolaw::rules

@@ -1,0 +1,85 @@
+// A production lot against a rule set: spread of each property over the devices, sample size, outliers, limits on the
+// lot's mean, and property modification factors with the bounds they give.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "isolaw/rules/assess.hpp"
+#include "isolaw/rules/factors.hpp"
+
+namespace isolaw::rules {
+
+struct DeviceValues {
+  std::string name;
+  BlockValues block;  // the block that counts, the same for every device
+};
+
+struct Outlier {
+  std::string device;
+  double value = 0.0;
+  double score = 0.0;  // modified z
+  std::string reason;  // "K_eff 1.9 kN/mm is 58 % above the median 1.2: modified z 12.1, above 3.5"
+};
+
+// By the modified z score |x - median| / max(1.4826 MAD, 0.5 % of |median|), above 3.5 (Iglewicz, Hoaglin 1993); median
+// and median absolute deviation are not moved by the outliers themselves. The floor of 0.5 %, the error of a property
+// from one record, keeps nearly identical devices from naming one another. From five values up.
+std::vector<Outlier> find_outliers(std::string_view quantity, std::string_view unit_text,
+                                   std::span<std::string const> names, std::span<double const> values);
+inline constexpr std::size_t fewest_for_outliers = 5;
+
+// Factors on the design value (on the lot's mean where there is none), and the property they give.
+struct Bound {
+  std::string source;        // "contract band", "observed", "statistical, each device", "statistical, system", ...
+  FactorPair spec;           // lambda_spec of this source
+  CombinedFactors combined;  // with the defaults of the set where it has a [[factor]] of the property
+  double supply_lower = 0.0, supply_upper = 0.0;  // base value x spec: the supply alone, in the quantity's unit
+  double lower = 0.0, upper = 0.0;                // base value x combined, in the quantity's unit
+  std::string note;                               // what the source means
+};
+
+struct LotQuantity {
+  Quantity quantity = Quantity::K_eff;
+  std::string unit;
+  std::size_t count = 0;             // devices with a value
+  std::vector<std::string> without;  // devices without one
+  std::optional<double> mean, min, max;
+  std::string min_device, max_device;
+  std::optional<double> std, cov_percent;         // sample form; from two values up
+  std::optional<double> nominal;                  // design value
+  std::optional<double> mean_deviation_percent;   // from the design value
+  std::optional<double> worst_deviation_percent;  // of the device that deviates most
+  std::string worst_device;
+  std::optional<double> fractile_5, fractile_95;        // mean +- 1.645 std
+  std::optional<double> tolerance_factor;               // exact, two-sided 95 % with confidence 95 %
+  std::optional<double> tolerance_low, tolerance_high;  // mean +- factor x std
+  std::vector<Outlier> outliers;
+  std::string outlier_note;                    // why none could be named: too few devices
+  std::vector<Assessment> mean_limits;         // limits on the lot's mean, of the rule set
+  std::optional<double> observed_mean_factor;  // mean/design value
+  std::optional<FactorPair> test_factors;      // extremes of lambda_test over the devices
+  std::vector<Bound> bounds;
+  // Largest deviation of a device from the lot's mean, in percent, and whether a verified set lets an analysis use mean
+  // properties as far as the variability within the supply goes; what the other effects add is not in the records.
+  std::optional<double> largest_from_mean_percent;
+  std::optional<bool> mean_analysis_permitted;
+};
+
+struct LotView {
+  std::size_t devices = 0;
+  std::optional<int> lot_size;
+  std::optional<int> required;  // by the set's sample rule, when the lot's size is known
+  Assessment sample;            // devices tested against those required
+  std::vector<LotQuantity> quantities;
+};
+
+// `lot_size` is the number of devices installed or produced, tested ones included. Throws Error when it is smaller than
+// the number of devices.
+LotView lot_view(RuleSet const& rules, std::span<DeviceValues const> devices, Design const& design,
+                 std::optional<int> lot_size = std::nullopt);
+
+}  // namespace isolaw::rules

@@ -1,0 +1,64 @@
+// What rules need of a test: plain values of the counted cycles of one block, and the design values they are held to.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/rules/rule_set.hpp"
+
+namespace isolaw::rules {
+
+struct CycleValues {
+  int number = 0;                            // nominal cycle of its block, from 1
+  double d_plus_mm = 0.0, d_minus_mm = 0.0;  // largest and smallest displacement
+  double F_plus_kN = 0.0, F_minus_kN = 0.0;  // force at these
+  double K_eff_kN_per_mm = 0.0;              // peak to peak
+  double damping_percent = 0.0;              // with that stiffness
+  double energy_kN_mm = 0.0;
+  double Q_d_kN = 0.0, K_d_kN_per_mm = 0.0;
+
+  double of(Quantity quantity) const;  // peak to peak; NaN for K_v
+};
+
+struct BlockValues {
+  int number = 0;  // block of its record, from 1; for messages
+  double amplitude_mm = 0.0;
+  std::optional<double> frequency_Hz, shear_strain_percent, load_mean_kN;
+  std::vector<CycleValues> cycles;  // counted ones, in order
+
+  CycleValues const* find(int cycle) const;
+};
+
+// The values the devices were designed with. All are positive.
+struct Design {
+  std::optional<double> K_eff_kN_per_mm, damping_percent, energy_kN_mm, Q_d_kN, K_d_kN_per_mm;
+  std::optional<double> disp_mm;       // displacement they hold at
+  std::optional<double> frequency_Hz;  // frequency they hold at
+  std::optional<double> load_kN;       // vertical load they hold under
+
+  std::optional<double> of(Quantity quantity) const;  // nullopt for K_v too
+};
+
+// "K_eff=1.2,damping=15,disp=150": K_eff and K_d in kN/mm, damping in percent, energy in kN mm, Q_d and load in kN, disp
+// in mm, frequency in Hz. Throws Error: unknown or repeated names, what is no positive number.
+Design parse_design(std::string_view text);
+
+// One value that a rule set derives from the counting cycles; both sides, or both extremes, are values of their own.
+struct DerivedValue {
+  std::string label;            // "K_eff, positive side"
+  std::string formula;          // "F+/d+, cycle 3"
+  std::optional<double> value;  // none where the reason says why
+  std::string reason;
+};
+std::vector<DerivedValue> derive(RuleSet const& rules, Quantity quantity, BlockValues const& block);
+
+// The one value of a device for statistics over a lot: the mean over the counting cycles and, per side, over both sides.
+// Not there where a counting cycle is missing.
+std::optional<double> device_value(RuleSet const& rules, Quantity quantity, BlockValues const& block);
+
+// Conditions of the test that differ from those the limits hold under, or are not known, one sentence each.
+std::vector<std::string> unmet_conditions(RuleSet const& rules, BlockValues const& block, Design const& design);
+
+}  // namespace isolaw::rules

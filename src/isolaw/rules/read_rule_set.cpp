@@ -1,0 +1,342 @@
+// From the text of a rule file to a RuleSet.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/printable.hpp"
+#include "isolaw/base/toml_reader.hpp"
+#include "isolaw/rules/rule_set.hpp"
+
+namespace isolaw::rules {
+namespace {
+
+constexpr std::size_t longest_note = 2048;  // bytes of a source or a clause
+constexpr std::size_t most_tables = 100;    // limits of one kind
+constexpr int last_cycle = 1000;
+
+struct Range {
+  double lower, upper;
+  bool holds(double value) const { return value >= lower && value <= upper; }  // false for NaN
+};
+constexpr Range percent{1e-6, 1000.0};
+constexpr Range deviation{-100.0, 1000.0};
+constexpr Range share{1e-6, 100.0};
+constexpr Range frequency_Hz{1e-6, 1000.0};
+constexpr Range ratio{1e-6, 1.0};
+constexpr Range factor{1e-3, 100.0};
+
+template <class Value>
+using Choices = std::vector<std::pair<std::string_view, Value>>;
+
+Choices<Quantity> quantities() {
+  Choices<Quantity> all;
+  for (auto const quantity : measured_quantities()) all.emplace_back(name(quantity), quantity);
+  all.emplace_back(name(Quantity::K_v), Quantity::K_v);
+  return all;
+}
+
+class RuleTable : public TomlTable {
+ public:
+  using TomlTable::TomlTable;
+
+  bool has(std::string_view key) { return find(key) != nullptr; }
+
+  void require(std::string_view key, std::string_view what) {
+    if (!has(key)) complain(fmt::format("'{}' is missing", key), std::string(what));
+  }
+  void text(std::string_view key, std::string& target, std::size_t longest = longest_text) {
+    value<std::string>(
+        key, "text", [&](std::string const& found) { target = found; }, longest);
+  }
+  template <class Target>  // double or an optional one
+  void number(std::string_view key, Range const& range, Target& target) {
+    value<double>(key, "a number", [&](double found) {
+      refuse_outside(found, range);
+      target = found;
+    });
+  }
+  void count(std::string_view key, int lowest, int highest, int& target) {
+    value<std::int64_t>(key, "a whole number", [&](std::int64_t found) {
+      refuse_outside(static_cast<double>(found), {static_cast<double>(lowest), static_cast<double>(highest)});
+      target = static_cast<int>(found);
+    });
+  }
+  void numbers(std::string_view key, Range const& range, std::vector<double>& target) {
+    auto const* node = find(key);
+    if (node == nullptr) return;
+    auto const* list = node->as_array();
+    bool const right = list != nullptr && !list->empty() && list->size() <= most_items &&
+                       std::ranges::all_of(*list, [](auto const& item) { return item.is_number(); });
+    if (!right) return complain(*node, fmt::format("'{}' is not a list of numbers", key), "[0.1, 0.5]");
+    for (auto const& item : *list)
+      guarded(item, key, [&] {
+        double const found = *item.template value<double>();
+        refuse_outside(found, range);
+        target.push_back(found);
+      });
+  }
+  // Two whole numbers, first and last cycle.
+  bool cycles(std::string_view key, int& first, int& last) {
+    auto const* node = find(key);
+    if (node == nullptr) return false;
+    std::vector<std::int64_t> ends;
+    if (auto const* list = node->as_array(); list != nullptr && list->size() == 2)
+      for (auto const& item : *list)
+        if (item.is_integer()) ends.push_back(*item.value<std::int64_t>());
+    auto const from = ends.size() == 2 ? ends[0] : 0, to = ends.size() == 2 ? ends[1] : 0;
+    if (from < 1 || to <= from || to > last_cycle) {
+      complain(*node, fmt::format("'{}' is not a range of cycles", key),
+               fmt::format("[first, last], from 1 to {}, the last above the first", last_cycle));
+      return false;
+    }
+    first = static_cast<int>(from);
+    last = static_cast<int>(to);
+    return true;
+  }
+  template <class Value>
+  void choice(std::string_view key, Choices<Value> const& choices, Value& target) {
+    value<std::string>(key, "text", [&](std::string const& found) {
+      auto const chosen = std::ranges::find(choices, found, &std::pair<std::string_view, Value>::first);
+      if (chosen != choices.end()) {
+        target = chosen->second;
+        return;
+      }
+      std::string allowed;
+      for (auto const& [word, meaning] : choices) allowed += fmt::format("{}\"{}\"", allowed.empty() ? "" : ", ", word);
+      throw Error({.where = "", .found = in_quotes(found), .allowed = allowed});
+    });
+  }
+  // Each table of [[key]].
+  template <class Take>
+  void tables(std::string_view key, Take&& take) {
+    auto const* node = find(key);
+    if (node == nullptr) return;
+    if (!node->is_array_of_tables() || node->as_array()->size() > most_tables)
+      return complain(*node, fmt::format("'{}' is not a list of at most {} tables", key, most_tables),
+                      fmt::format("[[{}]]", key));
+    for (auto const& item : *node->as_array()) take(*item.as_table());
+  }
+
+ private:
+  static void refuse_outside(double found, Range const& range) {
+    if (!range.holds(found))
+      throw Error({.where = "",
+                   .found = fmt::format("{} is out of range", found),
+                   .allowed = fmt::format("{:g} to {:g}", range.lower, range.upper)});
+  }
+};
+
+class Reader {
+ public:
+  explicit Reader(std::string const& file) : file_(file) {}
+
+  RuleSet read(toml::table const& root) {
+    RuleTable top(root, file_, "", complaints_);
+    set_.origin = file_;
+    identity(top);
+    section(top, "formulas", [&](RuleTable& table) { formulas(table); });
+    section(top, "cycles", [&](RuleTable& table) { cycles(table); });
+    section(top, "test", [&](RuleTable& table) { conditions(table); });
+    section(top, "sample", [&](RuleTable& table) { sample(table); });
+    section(top, "load_variation", [&](RuleTable& table) { load_variation(table); });
+    section(top, "mean_analysis", [&](RuleTable& table) { mean_analysis(table); });
+    section(top, "factors", [&](RuleTable& table) { factors(table); });
+    top.tables("limit", [&](toml::table const& table) { limit(table); });
+    top.tables("stability", [&](toml::table const& table) { stability(table); });
+    top.tables("factor", [&](toml::table const& table) { property_factors(table); });
+    for (auto const key : {"formulas", "cycles"}) top.require(key, fmt::format("[{}]", key));
+    if (!top.has("limit")) top.complain("no limits", "one [[limit]] table for each limit");
+    top.refuse_unknown();
+    throw_complaints(std::move(complaints_), file_);
+    return std::move(set_);
+  }
+
+ private:
+  template <class Read>
+  void section(RuleTable& top, std::string_view key, Read&& read) {
+    auto const* found = top.table(key);
+    if (found == nullptr) return;
+    RuleTable table(*found, file_, fmt::format("[{}]", key), complaints_);
+    read(table);
+    table.refuse_unknown();
+  }
+
+  void identity(RuleTable& top) {
+    top.value<std::string>("id", "text", [&](std::string const& id) {
+      bool const plain = !id.empty() && id.size() <= 64 && std::ranges::all_of(id, [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '.';
+      });
+      if (!plain)
+        throw Error({.where = "", .found = in_quotes(id), .allowed = "1 to 64 of a to z, 0 to 9, '-' and '.'"});
+      set_.id = id;
+    });
+    top.text("title", set_.title);
+    top.text("edition", set_.edition);
+    top.text("source", set_.source, longest_note);
+    top.value<std::string>("verified_by", "text", [&](std::string const& who) {
+      if (!who.empty() && who.find_first_not_of(' ') == std::string::npos)
+        throw Error(
+            {.where = "", .found = "blanks alone", .allowed = "\"\" while nobody has compared it with its text"});
+      set_.verified_by = who;
+    });
+    for (auto const key : {"id", "title", "edition", "source", "verified_by"})
+      top.require(key, "id, title, edition, source and verified_by, which may be \"\"");
+  }
+
+  void formulas(RuleTable& table) {
+    Choices<Formula> const choices{{"peak_to_peak", Formula::peak_to_peak}, {"per_side", Formula::per_side}};
+    table.choice("stiffness", choices, set_.stiffness_formula);
+    table.choice("damping", choices, set_.damping_formula);
+    for (auto const key : {"stiffness", "damping"}) table.require(key, "stiffness and damping");
+  }
+
+  void cycles(RuleTable& table) {
+    auto& cycles = set_.cycles;
+    table.count("one", 1, last_cycle, cycles.first);
+    cycles.last = cycles.first;
+    if (table.cycles("mean_of", cycles.first, cycles.last)) cycles.counting = Counting::mean;
+    if (table.cycles("each_of", cycles.first, cycles.last)) cycles.counting = Counting::each;
+    if (table.has("one") + table.has("mean_of") + table.has("each_of") != 1)
+      table.complain("not exactly one way of counting cycles", "one = 3, or mean_of = [1, 3], or each_of = [2, 10]");
+  }
+
+  void conditions(RuleTable& table) {
+    auto& test = set_.test;
+    table.numbers("strains_percent", percent, test.strains_percent);
+    table.number("strain_tolerance_percent", percent, test.strain_tolerance_percent);
+    table.numbers("frequencies_Hz", frequency_Hz, test.frequencies_Hz);
+    table.number("frequency_tolerance_percent", percent, test.frequency_tolerance_percent);
+    table.number("displacement_tolerance_percent", percent, test.displacement_tolerance_percent);
+    table.number("load_tolerance_percent", percent, test.load_tolerance_percent);
+    if (table.has("strains_percent") != table.has("strain_tolerance_percent"))
+      table.complain("strains without their tolerance, or the reverse", "strains_percent and strain_tolerance_percent");
+    // The tolerance alone also holds between the test's frequency and the design's.
+    if (table.has("frequencies_Hz") && !table.has("frequency_tolerance_percent"))
+      table.complain("frequencies without their tolerance", "frequencies_Hz and frequency_tolerance_percent");
+  }
+
+  void sample(RuleTable& table) {
+    SampleRule rule;
+    table.number("share_percent", share, rule.share_percent);
+    table.count("least", 1, 100'000, rule.least);
+    table.text("clause", rule.clause, longest_note);
+    table.require("share_percent", "share_percent, 100 for every device");
+    set_.sample = rule;
+  }
+
+  void load_variation(RuleTable& table) {
+    LoadVariation rule;
+    table.number("largest_percent", percent, rule.largest_percent);
+    table.text("clause", rule.clause, longest_note);
+    table.require("largest_percent", "largest_percent");
+    set_.load_variation = rule;
+  }
+
+  void mean_analysis(RuleTable& table) {
+    MeanAnalysisRule rule;
+    table.number("within_percent", percent, rule.within_percent);
+    table.text("clause", rule.clause, longest_note);
+    table.require("within_percent", "within_percent");
+    set_.mean_analysis = rule;
+  }
+
+  void factors(RuleTable& table) {
+    auto& rule = set_.factors;
+    table.number("system_factor", ratio, rule.system_factor);
+    table.number("max_not_below", {1.0, factor.upper}, rule.max_not_below);
+    table.number("min_not_above", {factor.lower, 1.0}, rule.min_not_above);
+    table.text("clause", rule.clause, longest_note);
+  }
+
+  void limit(toml::table const& source) {
+    RuleTable table(source, file_, "[[limit]]", complaints_);
+    Limit made;
+    std::optional<double> within;
+    table.choice("quantity", quantities(), made.quantity);
+    table.choice("applies_to", {{"each", Scope::each}, {"mean", Scope::mean}}, made.scope);
+    table.number("within_percent", percent, within);
+    table.number("lower_percent", deviation, made.lower_percent);
+    table.number("upper_percent", deviation, made.upper_percent);
+    table.text("clause", made.clause, longest_note);
+    table.require("quantity", "quantity");
+    table.require("applies_to", "\"each\" device or the \"mean\" of the lot");
+    bool const both_ways = table.has("lower_percent") || table.has("upper_percent");
+    if (table.has("within_percent") == both_ways)
+      table.complain(both_ways ? "within_percent beside lower_percent or upper_percent" : "a limit without a bound",
+                     "within_percent = 20, or lower_percent = -25, upper_percent = 10, or one of them");
+    if (within) {
+      made.lower_percent = -*within;
+      made.upper_percent = *within;
+    }
+    if (made.lower_percent.value_or(0.0) > 0.0 || made.upper_percent.value_or(0.0) < 0.0)
+      table.complain("the design value itself is outside the limit", "lower_percent <= 0 <= upper_percent");
+    for (auto const& other : set_.limits)
+      if (other.quantity == made.quantity && other.scope == made.scope)
+        table.complain(fmt::format("a second limit of {} for {}", name(made.quantity),
+                                   made.scope == Scope::each ? "each device" : "the mean"),
+                       "one limit, with both ends where it has two");
+    table.refuse_unknown();
+    set_.limits.push_back(std::move(made));
+  }
+
+  void stability(toml::table const& source) {
+    RuleTable table(source, file_, "[[stability]]", complaints_);
+    StabilityLimit made;
+    table.choice("quantity", quantities(), made.quantity);
+    table.choice("measure",
+                 {{"min_over_max", Measure::min_over_max},
+                  {"change_from_first", Measure::change_from_first},
+                  {"loss_from_first", Measure::loss_from_first}},
+                 made.measure);
+    table.cycles("cycles", made.first, made.last);
+    bool const is_ratio = made.measure == Measure::min_over_max;
+    std::string_view const key = is_ratio ? "at_least" : "at_most_percent";
+    table.number(key, is_ratio ? ratio : percent, made.bound);
+    table.text("clause", made.clause, longest_note);
+    for (auto const needed : {"quantity", "measure", "cycles"}) table.require(needed, "quantity, measure and cycles");
+    table.require(key, "at_least for min_over_max, at_most_percent for the others");
+    if (made.quantity == Quantity::K_v) table.complain("K_v is not measured in cycles", "another quantity");
+    table.refuse_unknown();
+    set_.stability.push_back(std::move(made));
+  }
+
+  void property_factors(toml::table const& source) {
+    RuleTable table(source, file_, "[[factor]]", complaints_);
+    PropertyFactors made;
+    Range const below{factor.lower, 1.0}, above{1.0, factor.upper};
+    table.choice("quantity", quantities(), made.quantity);
+    table.number("environment_min", below, made.environment_min);
+    table.number("environment_max", above, made.environment_max);
+    table.number("spec_min", below, made.spec_min);
+    table.number("spec_max", above, made.spec_max);
+    table.require("quantity", "quantity");
+    if (table.has("spec_min") != table.has("spec_max"))
+      table.complain("half a contract band", "spec_min and spec_max, or neither");
+    if (set_.factors_of(made.quantity) != nullptr)
+      table.complain(fmt::format("a second [[factor]] of {}", name(made.quantity)), "one for each quantity");
+    table.refuse_unknown();
+    set_.factors.properties.push_back(made);
+  }
+
+  std::string file_;
+  std::vector<Complaint> complaints_;
+  RuleSet set_;
+};
+
+}  // namespace
+
+RuleSet read_rule_text(std::string_view text, std::string const& file) {
+  TomlMessages const messages{.kind = "rule file", .advice = "isolaw rules template prints a commented one"};
+  if (text.size() > largest_rule_file)
+    throw Error({.where = file,
+                 .found = fmt::format("{} bytes", text.size()),
+                 .allowed = fmt::format("a rule file of at most {}", largest_rule_file),
+                 .advice = messages.advice});
+  return Reader(file).read(parse_toml(text, file, messages));
+}
+
+}  // namespace isolaw::rules

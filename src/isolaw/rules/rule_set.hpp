@@ -1,0 +1,151 @@
+// A rule set: what a standard or a contract asks of cyclic shear tests, as data read from TOML. It says how the
+// properties are computed, at which cycles, under which conditions, within which limits, on how many devices, and with
+// which property modification factors; nothing of a standard is written into the program itself.
+//
+// Whoever compared a set with the text it speaks for signs in `verified_by`. A set that nobody signed never leads to a
+// pass or a fail (assess.hpp). docs/rules.md explains the file, rules/template.toml is a commented one.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace isolaw::rules {
+
+// Properties a limit can be about. K_v is known so that a set can name it; no record holds it.
+enum class Quantity { K_eff, damping, energy, Q_d, K_d, K_v };
+std::string_view name(Quantity quantity);  // as in rule files: "K_eff"
+std::string_view unit(Quantity quantity);  // "kN/mm", "%", "kN mm", "kN"
+// Those measured in every cycle, in order of reports: all but K_v.
+std::vector<Quantity> const& measured_quantities();
+
+// Which force and displacement stiffness and damping are computed from.
+enum class Formula {
+  peak_to_peak,  // (F+ - F-)/(d+ - d-); E/(2 pi K D^2) with that K and D = (d+ - d-)/2
+  per_side,      // F/d of each side by itself; E/(2 pi F d)
+};
+
+enum class Counting { one, mean, each };  // one cycle; the mean of a range; every cycle of a range within the limits
+struct CountingCycles {
+  Counting counting = Counting::one;
+  int first = 3;
+  int last = 3;
+};
+
+// Conditions under which the limits hold. What is not given is not compared. Tolerances are relative, in percent.
+struct TestConditions {
+  std::vector<double> strains_percent;  // any of them
+  std::optional<double> strain_tolerance_percent;
+  std::vector<double> frequencies_Hz;  // any of them
+  std::optional<double> frequency_tolerance_percent;
+  std::optional<double> displacement_tolerance_percent;  // of the amplitude, from the design displacement
+  std::optional<double> load_tolerance_percent;          // of the mean vertical load, from the design load
+};
+
+enum class Scope { each, mean };  // every device by itself; the mean over the devices of the lot
+
+// Deviation from the design value, both ends included; without one end the limit is one-sided.
+struct Limit {
+  Quantity quantity = Quantity::K_eff;
+  Scope scope = Scope::each;
+  std::optional<double> lower_percent, upper_percent;
+  std::string clause;
+};
+
+enum class Measure {
+  min_over_max,       // lowest over highest value of the cycles
+  change_from_first,  // largest |value/first - 1|
+  loss_from_first,    // largest 1 - value/first
+};
+
+// Stability of a property over a range of cycles of one block. Stiffness and damping are peak to peak here, whatever
+// the formula of the limits: they are compared with themselves.
+struct StabilityLimit {
+  Quantity quantity = Quantity::K_eff;
+  Measure measure = Measure::min_over_max;
+  int first = 1, last = 3;
+  double bound = 0.0;  // min_over_max: at least this ratio; otherwise at most so many percent
+  std::string clause;
+};
+
+// Devices to be tested: the share of the lot, rounded up, no fewer than `least` and no more than there are.
+struct SampleRule {
+  double share_percent = 100.0;
+  int least = 1;
+  std::string clause;
+};
+
+// A property at the largest less that at the smallest vertical load, in percent of its design value.
+struct LoadVariation {
+  double largest_percent = 0.0;
+  std::string clause;
+};
+
+// Factors of one property on its design value, from a table or the contract; 1 where the set gives none.
+struct PropertyFactors {
+  Quantity quantity = Quantity::K_d;
+  double environment_min = 1.0, environment_max = 1.0;  // lambda_ae: ageing, temperature, contamination
+  std::optional<double> spec_min, spec_max;             // lambda_spec as agreed: the contract band
+};
+
+// How the factors of a property combine (combine() in factors.hpp).
+struct FactorRule {
+  double system_factor = 1.0;  // share of (lambda_ae - 1) that is taken; f_a, psi
+  std::optional<double> max_not_below, min_not_above;
+  std::string clause;
+  std::vector<PropertyFactors> properties;
+};
+
+// Extreme properties within this much of the mean permit an analysis with mean properties.
+struct MeanAnalysisRule {
+  double within_percent = 0.0;
+  std::string clause;
+};
+
+struct RuleSet {
+  std::string id, title, edition, source;
+  std::string verified_by;  // who compared the limits with the text; empty: nobody
+  std::string origin;       // "built in", or the file it was read from
+  Formula stiffness_formula = Formula::peak_to_peak;
+  Formula damping_formula = Formula::peak_to_peak;
+  CountingCycles cycles;
+  TestConditions test;
+  std::vector<Limit> limits;
+  std::vector<StabilityLimit> stability;
+  std::optional<SampleRule> sample;
+  std::optional<LoadVariation> load_variation;
+  std::optional<MeanAnalysisRule> mean_analysis;
+  FactorRule factors;
+
+  bool verified() const { return !verified_by.empty(); }
+  PropertyFactors const* factors_of(Quantity quantity) const;
+};
+
+inline constexpr std::size_t largest_rule_file = 256 << 10;  // bytes
+
+// The text of a rule file; `file` is its name, for messages and as origin. Throws one Error with every problem and its
+// line: syntax, unknown keys, wrong types, values out of range, what is missing, limits that contradict one another.
+RuleSet read_rule_text(std::string_view text, std::string const& file);
+
+// The sets that come with the program, in alphabetical order. The template is not one of them.
+std::vector<RuleSet const*> built_in_rule_sets();
+
+// The TOML of a built-in set by its name, else of the file of that name, unread.
+struct RuleText {
+  std::string name;  // as given
+  std::string toml;
+};
+RuleText load_rule_text(std::string_view name_or_file);
+
+// A built-in set by its name, else the file of that name. Throws Error as read_rule_text, and for a file that is not
+// there, with the names of the built-in sets.
+RuleSet find_rule_set(std::string_view name_or_file);
+
+// The TOML of a built-in set or of "template", comments included. Throws Error with the allowed names.
+std::string_view rule_set_text(std::string_view name);
+
+// Devices that must be tested of a lot of `lot_size`: min(N, max(least, ceil(share N))). 0 for an empty lot.
+int required_sample(SampleRule const& rule, int lot_size);
+
+}  // namespace isolaw::rules

@@ -1,0 +1,167 @@
+// Corrections undo what a rig did, leave their sentence, and refuse what makes no sense.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/data/corrections.hpp"
+#include "motions.hpp"
+
+namespace isolaw::data::testing {
+namespace {
+
+// Five cycles of 208 mm at 0.5 Hz of a bearing that softens exponentially; the force `late_s` late.
+TestRecord bearing(double late_s = 0.0) {
+  Motion fine;
+  fine.dt_s = 0.0005;
+  fine.hold(0.0, 0.5).sine(208.0, 0.5, 5).hold(0.0, 1.0).loop();
+  auto const shift = std::lround(late_s / fine.dt_s);
+  TestRecord record;
+  record.file = "bearing.csv";
+  auto const size = static_cast<long>(fine.disp_mm.size());
+  for (long i = 0; i < size; i += 10) {
+    record.time_s.push_back(fine.time_s[static_cast<std::size_t>(i)]);
+    record.disp_mm.push_back(fine.disp_mm[static_cast<std::size_t>(i)]);
+    record.force_kN.push_back(fine.force_kN[static_cast<std::size_t>(std::clamp(i - shift, 0L, size - 1))]);
+    record.load_kN.push_back(3000.0);
+  }
+  return record;
+}
+
+Cycle reported(TestRecord const& record) {
+  auto const properties = cyclic_properties(record);
+  EXPECT_TRUE(properties.reported) << properties.refusal;
+  return properties.reported.value_or(Cycle{});
+}
+
+void expect_same(Cycle const& a, Cycle const& b, double share) {
+  EXPECT_NEAR(a.damping_percent, b.damping_percent, share * b.damping_percent);
+  EXPECT_NEAR(a.energy_kN_mm, b.energy_kN_mm, share * b.energy_kN_mm);
+  EXPECT_NEAR(a.K_eff_kN_per_mm, b.K_eff_kN_per_mm, share * b.K_eff_kN_per_mm);
+}
+
+std::string refusal(Corrections const& corrections, TestRecord record = bearing()) {
+  try {
+    correct(record, corrections);
+  } catch (Error const& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(Corrections, NoneLeaveTheRecordAlone) {
+  auto record = bearing();
+  auto const before = record.force_kN;
+  correct(record, {});
+  EXPECT_FALSE(Corrections{}.any());
+  EXPECT_EQ(record.force_kN, before);
+  EXPECT_TRUE(record.corrections.empty() && record.recognised.empty());
+}
+
+TEST(Corrections, ASkewedForceIsMovedBack) {
+  auto const truth = reported(bearing());
+  for (double const late : {0.0200, 0.0125, -0.0100}) {  // 0.0125 s is no multiple of the interval of 0.005 s
+    auto record = bearing(late);
+    EXPECT_GT(std::abs(reported(record).damping_percent - truth.damping_percent), 1.0);
+    auto const size = record.size();
+    correct(record, {.skew_s = late});
+    expect_same(reported(record), truth, 0.003);
+    EXPECT_LT(record.size(), size);
+    EXPECT_EQ(record.size(), record.time_s.size());
+    EXPECT_EQ(record.size(), record.force_kN.size());
+    EXPECT_EQ(record.size(), record.load_kN.size());
+    ASSERT_EQ(record.corrections.size(), 1u);
+    EXPECT_EQ(record.recognised, std::vector<std::string>{"corrected: " + record.corrections[0]});
+  }
+}
+
+TEST(Corrections, FrictionOfTheRigIsTakenOff) {
+  auto const truth = reported(bearing());
+  auto record = bearing();
+  for (std::size_t i = 1; i + 1 < record.size(); ++i) {
+    double const motion = record.disp_mm[i + 1] - record.disp_mm[i - 1];
+    record.force_kN[i] += motion > 0.0 ? 15.0 : motion < 0.0 ? -15.0 : 0.0;
+  }
+  EXPECT_GT(reported(record).damping_percent, truth.damping_percent + 4.0);
+  auto by_load = record;
+  correct(record, {.friction_kN = 15.0});
+  expect_same(reported(record), truth, 1e-3);
+  EXPECT_EQ(record.force_kN.front(), 0.0) << "at rest before the test";
+  EXPECT_EQ(record.corrections.at(0), "friction of the rig of 15 kN taken off along the motion");
+  correct(by_load, {.friction_coefficient = 0.005});
+  EXPECT_EQ(by_load.force_kN, record.force_kN);
+}
+
+TEST(Corrections, InertiaOfAMovingMassIsTakenOff) {
+  auto const truth = reported(bearing());
+  auto record = bearing();
+  double const omega = pi, mass = 5000.0;
+  for (std::size_t i = 0; i < record.size(); ++i) record.force_kN[i] -= mass * omega * omega * record.disp_mm[i] * 1e-6;
+  EXPECT_NEAR(truth.K_eff_kN_per_mm - reported(record).K_eff_kN_per_mm, 0.049, 0.001);
+  correct(record, {.moving_mass_kg = mass});
+  // What is left is 0.5 % of the 0.049 kN/mm.
+  EXPECT_NEAR(reported(record).K_eff_kN_per_mm, truth.K_eff_kN_per_mm, 0.0005);
+  EXPECT_NE(record.corrections.at(0).find("moving mass of 5000 kg"), std::string::npos);
+}
+
+TEST(Corrections, TheInertiaOfANoisyMotionIsNoNoise) {
+  auto record = bearing();
+  std::mt19937 generator(3);
+  std::normal_distribution<double> noise(0.0, 0.02);
+  for (double& x : record.disp_mm) x += noise(generator);
+  auto const before = record.force_kN;
+  correct(record, {.moving_mass_kg = 5000.0});
+  double largest = 0.0;  // while the device moves: at the jerks of the start and the end inertia is larger in truth
+  for (std::size_t i = 0; i < record.size(); ++i)
+    if (record.time_s[i] > 1.0 && record.time_s[i] < 10.0)
+      largest = std::max(largest, std::abs(record.force_kN[i] - before[i]));
+  EXPECT_GT(largest, 0.99 * 0.0493 * 208.0);
+  EXPECT_LT(largest, 1.02 * 0.0493 * 208.0);  // differences of neighbours would add 0.02 mm sqrt(6) / dt^2: 10 kN
+}
+
+TEST(Corrections, DoubleShearHalvesTheForceLastOfAll) {
+  auto record = bearing();
+  for (double& F : record.force_kN) F *= 2.0;
+  auto const truth = reported(bearing());
+  for (std::size_t i = 1; i + 1 < record.size(); ++i) {
+    double const motion = record.disp_mm[i + 1] - record.disp_mm[i - 1];
+    record.force_kN[i] += motion > 0.0 ? 15.0 : motion < 0.0 ? -15.0 : 0.0;
+  }
+  correct(record, {.friction_kN = 15.0, .force_factor = 0.5});  // 15 kN as the load cell feels them
+  expect_same(reported(record), truth, 1e-3);
+  EXPECT_EQ(record.corrections.size(), 2u);
+}
+
+TEST(Corrections, AreValidated) {
+  EXPECT_EQ(refusal({.skew_s = 0.01}), "");
+  EXPECT_EQ(refusal({.skew_s = 1.5}),
+            "--skew-ms: 1500 ms; allowed: -1000 to 1000 ms; try: positive where the force is later than displacement");
+  EXPECT_NE(refusal({.friction_kN = -1.0}).find("--rig-friction: -1 kN"), std::string::npos);
+  EXPECT_NE(refusal({.friction_coefficient = 0.5}).find("--rig-friction-coefficient: 0.5"), std::string::npos);
+  EXPECT_NE(refusal({.moving_mass_kg = -2.0}).find("--moving-mass: -2 kg"), std::string::npos);
+  EXPECT_NE(refusal({.force_factor = -1.0}).find("--flip-force"), std::string::npos);
+  EXPECT_NE(refusal({.force_factor = std::numeric_limits<double>::quiet_NaN()}), "");
+  EXPECT_NE(refusal({.friction_kN = 1.0, .friction_coefficient = 0.01}).find("one of the two"), std::string::npos);
+  auto const both = refusal({.skew_s = 2.0, .moving_mass_kg = -1.0});
+  EXPECT_NE(both.find("--skew-ms"), std::string::npos);
+  EXPECT_NE(both.find("--moving-mass"), std::string::npos) << "all that is wrong at once";
+}
+
+TEST(Corrections, NeedTheirChannels) {
+  auto record = bearing();
+  record.time_s.clear();
+  record.load_kN.clear();
+  EXPECT_NE(refusal({.skew_s = 0.01}, record).find("--skew-ms for a record without time"), std::string::npos);
+  EXPECT_NE(refusal({.moving_mass_kg = 1.0}, record).find("--dt SECONDS"), std::string::npos);
+  EXPECT_NE(refusal({.friction_coefficient = 0.01}, record).find("without a vertical load"), std::string::npos);
+  EXPECT_EQ(refusal({.friction_kN = 1.0}, record), "");
+  TestRecord tiny = bearing();
+  for (auto* channel : {&tiny.time_s, &tiny.disp_mm, &tiny.force_kN, &tiny.load_kN}) channel->resize(4);
+  EXPECT_NE(refusal({.skew_s = 0.5}, tiny).find("--skew-ms"), std::string::npos);
+  EXPECT_EQ(refusal({.friction_kN = 1.0, .moving_mass_kg = 1.0}, tiny), "");
+}
+
+}  // namespace
+}  // namespace isolaw::data::testing

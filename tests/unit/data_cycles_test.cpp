@@ -1,0 +1,370 @@
+// Segmentation: what is cut, numbered, grouped, and what is not cyclic.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "motions.hpp"
+
+namespace isolaw::data::testing {
+namespace {
+
+using Counts = std::vector<int>;
+using Values = std::vector<double>;
+
+TEST(Segment, StagesFromFiveToTwoHundredPercent) {
+  Motion motion;
+  for (double const amplitude : {10.0, 20.0, 40.0, 100.0, 200.0, 300.0, 400.0}) motion.sine(amplitude, 0.5, 3);
+  motion.end();
+  for (double const noise : {0.0, 0.4}) {
+    auto const cut = motion.noise(noise).cut();
+    EXPECT_TRUE(cut.cyclic) << cut.refusal;
+    EXPECT_EQ(counted_per_block(cut), Counts(7, 3)) << noise;
+    EXPECT_EQ(cut.cycles.size(), 21u);
+  }
+}
+
+TEST(Segment, ASmallStageBetweenLargeOnes) {
+  Motion motion;
+  motion.sine(200.0, 0.5, 3).sine(5.0, 0.5, 3).sine(200.0, 0.5, 2).end();
+  EXPECT_EQ(counted_per_block(motion.cut()), (Counts{3, 3, 2}));
+}
+
+TEST(Segment, OneCyclePerStageIsCyclic) {
+  for (double const sign : {1.0, -1.0}) {
+    Motion motion;
+    for (double const amplitude : {20.0, 50.0, 100.0, 150.0, 200.0}) motion.sine(sign * amplitude, 0.5, 1);
+    auto const cut = motion.end().cut();
+    EXPECT_TRUE(cut.cyclic) << cut.refusal;
+    EXPECT_EQ(counted_per_block(cut), Counts(5, 1));
+  }
+}
+
+TEST(Segment, OneCycleIsCyclic) {
+  auto const cut = Motion().sine(100.0, 0.5, 1).end().cut();
+  EXPECT_TRUE(cut.cyclic) << cut.refusal;
+  EXPECT_EQ(counted_per_block(cut), Counts{1});
+}
+
+TEST(Segment, AChangeOfFrequencyAtOneAmplitudeIsABlock) {
+  auto const cut = Motion().sine(100.0, 0.1, 3).sine(100.0, 0.5, 5).end().cut();
+  EXPECT_EQ(counted_per_block(cut), (Counts{3, 5}));
+  // Without time the samples tell.
+  Motion const motion = Motion().sine(100.0, 0.1, 3).sine(100.0, 0.5, 5).end();
+  EXPECT_EQ(counted_per_block(segment(motion.disp_mm)), (Counts{3, 5}));
+}
+
+TEST(Segment, AChangeOfAmplitudeAtOneFrequencyIsABlock) {
+  EXPECT_EQ(counted_per_block(Motion().sine(100.0, 0.5, 4).sine(112.0, 0.5, 4).end().cut()), (Counts{4, 4}));
+  EXPECT_EQ(counted_per_block(Motion().sine(100.0, 0.5, 4).sine(103.0, 0.5, 4).end().cut()), Counts{8});
+}
+
+TEST(Segment, HoldsAndSlowStartsAreNoChangeOfFrequency) {
+  auto const held = Motion().hold(0.0, 30.0).sine(100.0, 0.5, 2).hold(0.0, 20.0).sine(100.0, 0.5, 3).hold(0.0, 9.0);
+  EXPECT_EQ(counted_per_block(held.cut()), Counts{5});
+  auto const at_peak = Motion().sine(100.0, 0.5, 2.25).hold(100.0, 5.0).end(100.0);
+  EXPECT_EQ(counted_per_block(at_peak.cut()), Counts{2});
+  Motion slow;
+  slow.ramp(0.0, 100.0, 6.0);  // then on from the peak
+  for (int i = 0; i <= 750; ++i) slow.add(100.0 * std::cos(pi * 0.01 * i));
+  EXPECT_EQ(counted_per_block(slow.cut()), Counts{4}) << "the slow first quarter belongs to the first cycle";
+}
+
+TEST(Segment, HoldsBetweenBlocksOfDifferentAmplitude) {
+  auto const cut = Motion().sine(50.0, 0.5, 3).hold(0.0, 15.0).sine(100.0, 0.5, 3).end().noise(0.2).cut();
+  EXPECT_EQ(counted_per_block(cut), (Counts{3, 3}));
+}
+
+TEST(Segment, PlateausAtThePeaksCutNothing) {
+  Motion motion;  // trapezoids with tremor on the plateaus
+  for (int cycle = 0; cycle < 4; ++cycle)
+    motion.ramp(0, 80, 1.0).hold(80, 2.0).ramp(80, -80, 2.0).hold(-80, 2.0).ramp(-80, 0, 1.0);
+  EXPECT_EQ(counted_per_block(motion.end().noise(0.5).cut()), Counts{4});
+}
+
+TEST(Segment, NoiseAndTremorCutNothing) {
+  for (double const noise : {0.1, 0.5, 1.0, 2.0}) {
+    Motion motion = Motion().sine(-100.0, 0.5, 5).hold(0.0, 10.0).noise(noise);
+    auto const cut = motion.cut();
+    EXPECT_EQ(counted_per_block(cut), Counts{5}) << noise;
+  }
+  Motion tremor = Motion().sine(100.0, 0.5, 5).end();
+  for (std::size_t i = 0; i < tremor.disp_mm.size(); ++i)
+    tremor.disp_mm[i] += 0.5 * std::sin(2.0 * pi * 7.3 * tremor.time_s[i]);
+  EXPECT_EQ(counted_per_block(tremor.cut()), Counts{5});
+}
+
+TEST(Segment, AStumbleOnTheWayIsNoReversal) {
+  Motion motion;  // backlash: about zero the motion falls back by 4 mm before it goes on
+  motion.ramp(0, 100, 0.5);
+  for (int cycle = 0; cycle < 4; ++cycle) {
+    motion.ramp(100, -2, 0.5).ramp(-2, 2, 0.1).ramp(2, -100, 0.5);
+    if (cycle < 3) motion.ramp(-100, 2, 0.5).ramp(2, -2, 0.1).ramp(-2, 100, 0.5);
+  }
+  auto const cut = motion.ramp(-100, 0, 0.5).end().cut();
+  EXPECT_EQ(counted_per_block(cut), Counts{4});
+  EXPECT_EQ(cut.cycles.size(), 4u);
+}
+
+TEST(Segment, APreLoadRampIsNoFirstMotion) {
+  // A small set the other way before the test proper, which starts downwards.
+  Motion motion;
+  motion.ramp(0.0, 4.0, 3.0).ramp(4.0, 0.0, 3.0).sine(-100.0, 0.5, 3).end();
+  auto const cut = motion.cut();
+  EXPECT_EQ(counted_per_block(cut), Counts{3});
+  // Cuts are downward: half a cycle after one the displacement is positive again.
+  auto const& last = cut.cycles.back();
+  EXPECT_EQ(last.number, 3);
+  EXPECT_GT(value_at(motion.disp_mm, last.first + 0.75 * (last.last - last.first)), 50.0);
+}
+
+TEST(Segment, PartialEndsAreShownWithTheirReason) {
+  Motion motion;
+  motion.ramp(40.0, 0.0, 0.5).sine(-100.0, 0.5, 3.3).end(-100.0 * std::sin(2.0 * pi * 0.3));
+  auto const cut = motion.cut();
+  ASSERT_EQ(cut.cycles.size(), 5u);
+  EXPECT_TRUE(cut.cycles.front().partial);
+  EXPECT_EQ(cut.cycles.front().number, 0);
+  EXPECT_NE(cut.cycles.front().not_counted.find("the record starts at 40 mm"), std::string::npos);
+  EXPECT_TRUE(cut.cycles.back().partial);
+  EXPECT_NE(cut.cycles.back().not_counted.find("before the cycle is closed"), std::string::npos);
+  EXPECT_EQ(counted_per_block(cut), Counts{3});
+  for (std::size_t k = 1; k < cut.cycles.size(); ++k) EXPECT_EQ(cut.cycles[k].first, cut.cycles[k - 1].last);
+}
+
+TEST(Segment, AnOddCycleWithinABlockDoesNotCount) {
+  auto const cut = Motion().sine(100.0, 0.5, 3).sine(80.0, 0.5, 1).sine(100.0, 0.5, 3).end().cut();
+  ASSERT_EQ(counted_per_block(cut), Counts{6});
+  EXPECT_EQ(cut.cycles[3].number, 0);
+  EXPECT_EQ(cut.cycles[3].not_counted, "its amplitude of 80 mm is 20.0 % below the block's 100 mm, more than 5 %");
+  EXPECT_EQ(cut.cycles[4].number, 4);
+}
+
+TEST(Segment, RampedEndsBelongToTheirBlock) {
+  Motion motion;  // amplitude grows over two cycles and fades over two
+  for (int i = 0; i <= 1400; ++i) {
+    double const t = 0.01 * i;
+    motion.add(25.0 * std::min({1.0, t / 4.0, (14.0 - t) / 4.0}) * std::sin(pi * t));
+  }
+  auto const cut = motion.cut();
+  EXPECT_TRUE(cut.cyclic) << cut.refusal;
+  EXPECT_EQ(cut.complete(), 7u);
+  EXPECT_EQ(counted_per_block(cut), Counts{3});
+}
+
+TEST(Segment, AnOffsetIsCutAtTheCentre) {
+  for (double const by : {0.0, 3.0, 15.0, 60.0, 250.0, -1000.0}) {
+    auto const cut = Motion().sine(100.0, 0.5, 4).sine(20.0, 0.5, 3).end().offset(by).cut();
+    EXPECT_EQ(counted_per_block(cut), (Counts{4, 3})) << by;
+    EXPECT_NEAR(cut.centre_mm, std::abs(by) <= 5.0 ? 0.0 : by, 0.6) << by;
+  }
+  // Three percent of the largest stage is off every cycle of the smallest: the centre is used there as well.
+  auto const cut = Motion().sine(100.0, 0.5, 4).sine(2.5, 0.5, 3).end().offset(3.0).cut();
+  EXPECT_EQ(counted_per_block(cut), (Counts{4, 3}));
+}
+
+TEST(Segment, ADriftingMiddleStaysCyclic) {
+  Motion motion = Motion().sine(100.0, 0.5, 10).end();
+  for (std::size_t i = 0; i < motion.disp_mm.size(); ++i) motion.disp_mm[i] += 3.0 * motion.time_s[i] - 30.0;
+  auto const cut = motion.cut();
+  EXPECT_TRUE(cut.cyclic) << cut.refusal;
+  EXPECT_GE(counted_per_block(cut).at(0), 8);
+}
+
+// Oscillators of 0.5 to 3 s under noise that swells and fades: no earthquake, but as irregular.
+TEST(Segment, ResponsesToIrregularMotionAreNotCyclic) {
+  int cyclic = 0;
+  for (unsigned seed = 1; seed <= 60; ++seed) {
+    std::mt19937 generator(seed);
+    std::normal_distribution<double> normal;
+    double const period = 0.5 + 2.5 * (seed % 10) / 9.0;
+    double const damping = seed % 2 == 0 ? 0.05 : 0.15;
+    double const omega = 2.0 * pi / period;
+    double x = 0.0, v = 0.0;
+    Motion motion;
+    for (int i = 0; i < 4000; ++i) {
+      double const t = 0.01 * i;
+      v += 0.01 *
+           (3000.0 * t * std::exp(-t / 8.0) * normal(generator) / 10.0 - 2.0 * damping * omega * v - omega * omega * x);
+      x += 0.01 * v;
+      motion.add(x);
+    }
+    auto const cut = motion.cut();
+    cyclic += cut.cyclic ? 1 : 0;
+    if (cut.cyclic) continue;
+    EXPECT_TRUE(cut.refusal.starts_with("not cyclic: ")) << cut.refusal;
+    EXPECT_NE(cut.refusal.find("80 % or more"), std::string::npos) << cut.refusal;
+    for (auto const& cycle : cut.cycles) EXPECT_EQ(cycle.number, 0);
+  }
+  EXPECT_EQ(cyclic, 0);
+}
+
+TEST(Segment, HistoriesThatDoNotMoveAreRefused) {
+  EXPECT_EQ(segment({}).refusal, "no samples");
+  for (auto const& x : {Values{1.0}, Values{1.0, 2.0}, Values(100, 7.0)}) {
+    auto const cut = segment(x);
+    EXPECT_FALSE(cut.cyclic);
+    EXPECT_TRUE(cut.refusal.starts_with("less than one complete cycle")) << cut.refusal;
+  }
+  auto const monotone = Motion().ramp(0.0, 100.0, 10.0).cut();
+  EXPECT_TRUE(monotone.refusal.starts_with("less than one complete cycle: displacement runs from 0 to 99.9 mm"));
+}
+
+// --- what leaves the cut as it is --------------------------------------------------------------------------------
+
+class Draw : public ::testing::TestWithParam<unsigned> {
+ protected:
+  // A test of random stages, holds, noise and offset.
+  Motion random() {
+    std::mt19937 generator(GetParam());
+    auto const uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(generator); };
+    Motion motion;
+    motion.dt_s = uniform(0.004, 0.015);
+    double const sign = uniform(0.0, 1.0) < 0.5 ? 1.0 : -1.0;
+    if (uniform(0.0, 1.0) < 0.3) motion.hold(0.0, uniform(1.0, 10.0));
+    double amplitude = uniform(20.0, 40.0);
+    int const stages = std::uniform_int_distribution(1, 4)(generator);
+    for (int stage = 0; stage < stages; ++stage) {
+      int const cycles = std::uniform_int_distribution(2, 6)(generator);
+      motion.sine(sign * amplitude, uniform(0.2, 1.0), cycles);
+      expected_.push_back(cycles);
+      amplitude *= uniform(1.3, 2.0);
+      if (uniform(0.0, 1.0) < 0.3) motion.hold(0.0, uniform(1.0, 10.0));
+    }
+    motion.end();
+    motion.noise(uniform(0.0, 0.05), GetParam());
+    return motion;
+  }
+  Counts expected_;
+};
+
+TEST_P(Draw, IsCutIntoItsStages) {
+  auto const motion = random();
+  auto const cut = motion.cut();
+  EXPECT_TRUE(cut.cyclic) << cut.refusal;
+  EXPECT_EQ(counted_per_block(cut), expected_);
+}
+
+void expect_same(Segmentation const& a, Segmentation const& b, double scale = 1.0) {
+  ASSERT_EQ(a.cycles.size(), b.cycles.size());
+  EXPECT_EQ(a.cyclic, b.cyclic);
+  for (std::size_t k = 0; k < a.cycles.size(); ++k) {
+    EXPECT_EQ(a.cycles[k].block, b.cycles[k].block);
+    EXPECT_EQ(a.cycles[k].number, b.cycles[k].number);
+    EXPECT_NEAR(scale * a.cycles[k].first, b.cycles[k].first, 1e-6 + (scale == 1.0 ? 0.0 : 8.0 * scale));
+    EXPECT_NEAR(scale * a.cycles[k].last, b.cycles[k].last, 1e-6 + (scale == 1.0 ? 0.0 : 8.0 * scale));
+  }
+}
+
+TEST_P(Draw, UnitsSignAndTimeOriginDoNotMatter) {
+  auto const motion = random();
+  auto const cut = motion.cut();
+  for (double const factor : {0.001, 0.0393701, 10.0, -1.0}) {
+    auto scaled = motion;
+    for (double& x : scaled.disp_mm) x *= factor;
+    expect_same(cut, scaled.cut());
+  }
+  auto later = motion;
+  for (double& t : later.time_s) t = 60.0 * t + 12345.0;
+  expect_same(cut, later.cut());
+}
+
+TEST_P(Draw, ThePhysicsSurviveRescalingShiftResamplingAndReversal) {
+  auto motion = random();
+  if (motion.disp_mm.size() % 2 == 0) motion.end();  // the last sample stays when every second is left out
+  motion.loop();
+  auto const reference = motion.properties();
+  ASSERT_TRUE(reference.reported) << reference.refusal;
+  auto const& cycle = *reference.reported;
+  auto reversed = motion;
+  for (double& x : reversed.disp_mm) x = -x;
+  for (double& F : reversed.force_kN) F = -F;
+  auto const other = *reversed.properties().reported;
+  EXPECT_NEAR(other.K_eff_kN_per_mm, cycle.K_eff_kN_per_mm, 1e-9);
+  EXPECT_NEAR(other.energy_kN_mm, cycle.energy_kN_mm, 1e-6);
+  EXPECT_NEAR(other.Q_d_kN, cycle.Q_d_kN, 1e-6);
+  EXPECT_NEAR(other.d_plus_mm, -cycle.d_minus_mm, 1e-9);
+  EXPECT_NEAR(other.K_plus_kN_per_mm, cycle.K_minus_kN_per_mm, 1e-9);
+
+  auto scaled = motion;  // cm, tonf, ms, and an hour later
+  for (double& x : scaled.disp_mm) x *= 0.1;
+  for (double& F : scaled.force_kN) F /= 9.80665;
+  for (double& t : scaled.time_s) t = 1000.0 * t + 3.6e6;
+  auto const in_cm = *scaled.properties().reported;
+  EXPECT_NEAR(in_cm.K_eff_kN_per_mm, cycle.K_eff_kN_per_mm * 10.0 / 9.80665, 1e-9);
+  EXPECT_NEAR(in_cm.energy_kN_mm, cycle.energy_kN_mm * 0.1 / 9.80665, 1e-7);
+  EXPECT_NEAR(in_cm.damping_percent, cycle.damping_percent, 1e-9);
+  EXPECT_NEAR(in_cm.v_max_mm_s.value(), cycle.v_max_mm_s.value() * 1e-4, 1e-9);
+
+  Motion half;  // every second sample
+  for (std::size_t i = 0; i < motion.disp_mm.size(); i += 2) {
+    half.time_s.push_back(motion.time_s[i]);
+    half.disp_mm.push_back(motion.disp_mm[i]);
+    half.force_kN.push_back(motion.force_kN[i]);
+  }
+  auto const thinned = half.properties();
+  ASSERT_TRUE(thinned.reported) << thinned.refusal;
+  ASSERT_EQ(thinned.counted().size(), reference.counted().size());
+  EXPECT_NEAR(thinned.reported->K_eff_kN_per_mm, cycle.K_eff_kN_per_mm, 0.02 * cycle.K_eff_kN_per_mm);
+  EXPECT_NEAR(thinned.reported->energy_kN_mm, cycle.energy_kN_mm, 0.02 * cycle.energy_kN_mm);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, Draw, ::testing::Range(1u, 61u));
+
+// --- garbage -----------------------------------------------------------------------------------------------------
+
+TEST(Segment, GarbageOfAnyShapeIsCutWithinTheRecord) {
+  std::mt19937_64 generator(5);
+  auto const check = [](Values const& x) {
+    auto const properties = cyclic_properties(x, x);
+    double before = 0.0;
+    for (auto const& block : properties.blocks)
+      for (auto const& cycle : block.cycles) {
+        ASSERT_GE(cycle.first, before);
+        ASSERT_LE(cycle.first, cycle.last);
+        ASSERT_LE(cycle.last, static_cast<double>(x.size() - 1));
+        before = cycle.last;
+      }
+  };
+  for (int draw = 0; draw < 3000; ++draw) {
+    auto const kind = draw % 6;
+    Values x(1 + generator() % 60);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      auto const bits = generator();
+      double const unit = static_cast<double>(bits >> 11) / 9007199254740992.0;
+      if (kind == 0) x[i] = unit - 0.5;
+      if (kind == 1) x[i] = static_cast<double>(bits % 3) - 1.0;
+      if (kind == 2) x[i] = std::ldexp(unit - 0.5, static_cast<int>(bits % 2000) - 1000);
+      if (kind == 3) x[i] = (i % 2 == 0 ? 1.0 : -1.0) * std::numeric_limits<double>::max() * unit;
+      if (kind == 4) x[i] = i == 0 ? 0.0 : x[i - 1] + unit - 0.5;
+      if (kind == 5) x[i] = std::numeric_limits<double>::denorm_min() * static_cast<double>(bits % 5);
+    }
+    check(x);
+  }
+}
+
+TEST(Segment, AMillionSamplesOfAnyShape) {
+  std::size_t const size = 1'000'000;
+  std::mt19937 generator(9);
+  std::normal_distribution<double> normal;
+  Values white(size), walk(size), alternating(size), spike(size, 0.0), growing(size), stairs(size);
+  for (std::size_t i = 0; i < size; ++i) {
+    white[i] = normal(generator);
+    walk[i] = i == 0 ? 0.0 : walk[i - 1] + normal(generator);
+    alternating[i] = i % 2 == 0 ? 1.0 : -1.0;
+    growing[i] = (i % 2 == 0 ? 1.0 : -1.0) * static_cast<double>(i);
+    stairs[i] = static_cast<double>((i / 1000) % 2) * static_cast<double>(i);
+  }
+  spike[size / 2] = 1.0;
+  for (auto const* x : {&white, &walk, &alternating, &spike, &growing, &stairs}) {
+    auto const properties = cyclic_properties(*x, *x);
+    for (auto const* cycle : properties.complete()) ASSERT_LT(cycle->first, cycle->last);
+  }
+}
+
+}  // namespace
+}  // namespace isolaw::data::testing

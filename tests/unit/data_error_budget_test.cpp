@@ -1,0 +1,176 @@
+// Warnings and notes of the error budget: that they come, with their numbers, and only then.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/data/error_budget.hpp"
+#include "isolaw/data/skew.hpp"
+#include "motions.hpp"
+
+namespace isolaw::data::testing {
+namespace {
+
+bool says(std::vector<std::string> const& sentences, std::string_view part) {
+  return std::ranges::any_of(sentences, [&](auto const& s) { return s.find(part) != std::string::npos; });
+}
+
+Effect const* find(Budget const& budget, std::string_view effect) {
+  auto const found = std::ranges::find(budget.effects, effect, &Effect::effect);
+  return found == budget.effects.end() ? nullptr : &*found;
+}
+
+Budget budget_of(Motion const& motion, int smooth = 1) {
+  return error_budget(motion.view(), motion.properties(), smooth);
+}
+
+Motion plain() {
+  return Motion().sine(208.0, 0.5, 5).end().loop();
+}
+
+// The force of the same loop `late_s` later, from a motion that is sampled finely.
+Motion skewed(double late_s, double K = 0.5, double Q = 30.0, double alpha = 0.08) {
+  Motion fine;
+  fine.dt_s = 0.0005;
+  fine.sine(208.0, 0.5, 5.5).loop(K, Q, alpha);
+  auto const shift = std::lround(late_s / fine.dt_s);
+  Motion made;
+  for (long i = 0; i <= 20000; i += 20) {
+    made.add(fine.disp_mm[static_cast<std::size_t>(i)]);
+    made.force_kN.push_back(fine.force_kN[static_cast<std::size_t>(std::max(0L, i - shift))]);
+  }
+  return made;
+}
+
+TEST(ErrorBudget, ACleanRecordHasNotesAndNoWarnings) {
+  auto const budget = budget_of(plain());
+  EXPECT_EQ(budget.warnings, std::vector<std::string>{});
+  EXPECT_TRUE(
+      says(budget.notes, "200.0 samples per cycle: the energy comes out 0.016 % too small, a peak up to 0.012 %"));
+  EXPECT_TRUE(says(budget.notes, "each tonne that moves"));
+  EXPECT_TRUE(says(budget.notes, "v_max"));
+  for (auto const& effect : budget.effects) EXPECT_FALSE(effect.exceeds) << effect.effect;
+}
+
+TEST(ErrorBudget, FewSamples) {
+  Motion motion;
+  motion.dt_s = 0.04;
+  auto const budget = budget_of(motion.sine(208.0, 0.5, 5).end().loop());
+  EXPECT_TRUE(
+      says(budget.warnings, "50.0 samples per cycle: the energy comes out 0.26 % too small, a peak up to 0.2 %"));
+  EXPECT_TRUE(find(budget, "samples per cycle")->exceeds);
+}
+
+TEST(ErrorBudget, ALateForceIsWarnedOfInMilliseconds) {
+  for (double const late : {0.010, 0.015, 0.020}) {
+    auto const budget = budget_of(skewed(late));
+    auto const* effect = find(budget, "skew");
+    ASSERT_NE(effect, nullptr);
+    EXPECT_NEAR(effect->value, 1000.0 * late, 2.0);  // 0.2 of a sampling interval
+    EXPECT_TRUE(effect->exceeds);
+    EXPECT_NEAR(find(budget, "damping by skew")->value, -100.0 * pi * 0.5 * late, 0.35);
+    EXPECT_TRUE(says(budget.warnings, "--skew-ms")) << late;
+  }
+}
+
+TEST(ErrorBudget, AnEarlyForceIsNotedOnly) {
+  auto const budget = budget_of(skewed(-0.020));
+  EXPECT_FALSE(find(budget, "skew")->exceeds);
+  EXPECT_TRUE(says(budget.notes, "viscosity of the device, or an early channel"));
+  EXPECT_FALSE(says(budget.warnings, "displacement: no device"));
+  EXPECT_NEAR(find(budget, "damping by skew")->value, 100.0 * pi * 0.5 * 0.020, 0.5);
+}
+
+TEST(ErrorBudget, NoSkewIsSeenInLoopsThatHaveNone) {
+  for (double const alpha : {0.03, 0.08, 0.15, 0.3, 1.0, 5.0}) {
+    auto const motion = skewed(0.0, 0.5, 30.0, alpha);
+    auto const found = estimate_skew(motion.view(), motion.properties());
+    EXPECT_FALSE(found && found->significant()) << alpha << ": " << (found ? found->phase : 0.0);
+  }
+}
+
+TEST(ErrorBudget, SkewWithoutTimeIsInSamples) {
+  auto motion = skewed(0.020);
+  motion.time_s.clear();
+  auto const budget = budget_of(motion);
+  ASSERT_NE(find(budget, "skew"), nullptr);
+  EXPECT_EQ(find(budget, "skew")->unit, "samples");
+  EXPECT_NEAR(find(budget, "skew")->value, 2.0, 0.2);
+  EXPECT_FALSE(says(budget.warnings, "--skew-ms"));
+}
+
+TEST(ErrorBudget, FrictionOfTheRig) {
+  auto motion = plain();
+  std::vector<double> const load(motion.disp_mm.size(), 3000.0);
+  CycleView const view{motion.disp_mm, motion.force_kN, motion.time_s, load};
+  auto const properties = cyclic_properties(view);
+  auto const quiet = error_budget(view, properties);
+  double const points = friction_damping_points(15.0, properties.reported->K_eff_kN_per_mm, 208.0);
+  EXPECT_NEAR(find(quiet, "damping by rig friction of 0.5 % of the vertical load")->value, points, 1e-9);
+  EXPECT_EQ(find(quiet, "damping by the jump"), nullptr);
+  // 8 kN of it in the force.
+  for (std::size_t i = 1; i + 1 < motion.disp_mm.size(); ++i)
+    motion.force_kN[i] += std::copysign(8.0, motion.disp_mm[i + 1] - motion.disp_mm[i - 1]);
+  auto const budget = budget_of(motion);
+  ASSERT_NE(find(budget, "damping by the jump"), nullptr);
+  EXPECT_NEAR(find(budget, "jump of force at reversals")->value, 16.0, 2.0);
+  EXPECT_TRUE(says(budget.warnings, "(--rig-friction "));
+}
+
+TEST(ErrorBudget, OffsetsDriftAndClosure) {
+  auto moved = plain();
+  moved.offset(20.0);
+  for (double& F : moved.force_kN) F += 40.0;
+  auto const off = budget_of(moved);
+  EXPECT_TRUE(says(off.warnings, "displacement is off centre by 20 mm"));
+  EXPECT_TRUE(says(off.warnings, "force is off centre by 40"));
+  EXPECT_TRUE(says(off.notes, "cycles are cut where displacement passes 20 mm"));
+
+  auto drifting = plain();
+  for (std::size_t i = 0; i < drifting.disp_mm.size(); ++i) drifting.force_kN[i] += 1.5 * drifting.time_s[i];
+  EXPECT_TRUE(says(budget_of(drifting).warnings, "force drifts"));
+  EXPECT_FALSE(says(budget_of(plain()).warnings, "drifts"));
+
+  auto open = Motion().sine(100.0, 0.5, 0.99);  // comes to rest at -6.3 mm, not far enough to be partial
+  open.end(-4.0).loop();
+  EXPECT_TRUE(says(budget_of(open).warnings, "ends -4 mm from where it starts, 2 % of the whole travel"));
+}
+
+TEST(ErrorBudget, UnevenTime) {
+  auto motion = plain();
+  EXPECT_FALSE(says(budget_of(motion).warnings, "not uniform"));
+  for (std::size_t i = 500; i < motion.time_s.size(); ++i) motion.time_s[i] += 0.05;
+  EXPECT_TRUE(says(budget_of(motion).warnings, "sampling is not uniform: intervals from 0.01 to 0.06 s"));
+}
+
+TEST(ErrorBudget, VelocityTellsAWrongClock) {
+  auto motion = plain();
+  auto const honest = budget_of(motion);
+  EXPECT_LT(std::abs(find(honest, "v_max beside its closed form")->value), 0.5);
+  // A rig that rushes through the middle: neither a sine nor a triangle.
+  for (double& x : motion.disp_mm) x = 208.0 * std::tanh(3.0 * x / 208.0) / std::tanh(3.0);
+  auto const rushed = budget_of(motion);
+  EXPECT_GT(find(rushed, "v_max beside its closed form")->value, 50.0);
+  EXPECT_TRUE(says(rushed.notes, "neither a sine nor a triangle"));
+}
+
+TEST(ErrorBudget, TheMovingAverage) {
+  auto const eleven = budget_of(plain(), 11);
+  EXPECT_NEAR(find(eleven, "taken by the moving average")->value, 0.5, 0.02);
+  EXPECT_NEAR(find(eleven, "taken by the moving average from the third harmonic")->value, 4.4, 0.05);
+  EXPECT_TRUE(says(eleven.notes, "the moving average over 11 of 200.0 samples takes 0.49 %"));
+  EXPECT_TRUE(says(budget_of(plain(), 21).warnings, "the moving average over 21"));
+  EXPECT_EQ(find(budget_of(plain()), "taken by the moving average"), nullptr);
+}
+
+TEST(ErrorBudget, ARecordWithoutCyclesHasItsTimeAssessedOnly) {
+  auto const budget = budget_of(Motion().ramp(0.0, 100.0, 3.0).loop());
+  ASSERT_EQ(budget.effects.size(), 1u);
+  EXPECT_EQ(budget.effects[0].effect, "uneven time");
+}
+
+}  // namespace
+}  // namespace isolaw::data::testing

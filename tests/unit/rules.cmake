@@ -1,0 +1,1 @@
+isolaw_test(unit_rules rules_read_test.cpp rules_assess_test.cpp rules_lot_view_test.cpp)

@@ -1,0 +1,82 @@
+// Values of tests that can be worked out by hand, and rule sets written as text.
+#pragma once
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/rules/lot_view.hpp"
+
+namespace isolaw::rules::testing {
+
+// A cycle of amplitude 100 mm, peak forces +-120 kN (K_eff 1.2 kN/mm), and the energy of 15 % damping.
+inline CycleValues cycle(int number, double force_factor = 1.0) {
+  double const energy = 0.15 * 2.0 * 3.14159265358979323846 * 1.2 * 1e4;  // xi 2 pi K D^2
+  return {.number = number,
+          .d_plus_mm = 100.0,
+          .d_minus_mm = -100.0,
+          .F_plus_kN = 120.0 * force_factor,
+          .F_minus_kN = -120.0 * force_factor,
+          .K_eff_kN_per_mm = 1.2 * force_factor,
+          .damping_percent = 15.0,
+          .energy_kN_mm = energy * force_factor,
+          .Q_d_kN = 30.0 * force_factor,
+          .K_d_kN_per_mm = 0.9 * force_factor};
+}
+
+// Cycles 1 to `count`, the third multiplied by `third`, at 0.5 Hz.
+inline BlockValues block(double third = 1.0, int count = 3) {
+  BlockValues made{.number = 1,
+                   .amplitude_mm = 100.0,
+                   .frequency_Hz = 0.5,
+                   .shear_strain_percent = 100.0,
+                   .load_mean_kN = {},
+                   .cycles = {}};
+  for (int n = 1; n <= count; ++n) made.cycles.push_back(cycle(n, n == 3 ? third : 1.0));
+  return made;
+}
+
+inline std::string const head = R"(id = "contract"
+title = "Contract"
+edition = "1"
+source = "hand-written"
+verified_by = "the test"
+[formulas]
+stiffness = "peak_to_peak"
+damping = "peak_to_peak"
+[cycles]
+one = 3
+)";
+
+inline RuleSet rules_of(std::string_view tail) {
+  return read_rule_text(head + std::string(tail), "rules.toml");
+}
+
+inline Assessment const& find(std::vector<Assessment> const& all, std::string_view quantity) {
+  for (auto const& one : all)
+    if (one.quantity == quantity) return one;
+  ADD_FAILURE() << "no line of " << quantity;
+  static Assessment const none;
+  return none;
+}
+
+template <class Action>
+std::string complaints(Action&& action) {
+  try {
+    action();
+  } catch (Error const& error) {
+    return error.what();
+  }
+  return "";
+}
+
+inline void expect_parts(std::string const& said, std::vector<std::string> const& parts) {
+  for (auto const& part : parts)
+    EXPECT_NE(said.find(part), std::string::npos) << "'" << part << "' is missing in: " << said;
+}
+
+}  // namespace isolaw::rules::testing

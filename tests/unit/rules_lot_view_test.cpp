@@ -1,0 +1,307 @@
+// The lot: spread, sample, outliers, limits on the mean, modification factors, worked out by hand.
+#include <cmath>
+#include <random>
+
+#include "rules_fixture.hpp"
+
+namespace isolaw::rules {
+namespace {
+
+using testing::block;
+using testing::complaints;
+using testing::cycle;
+using testing::expect_parts;
+using testing::rules_of;
+
+constexpr std::string_view limits =
+    "[[limit]]\nquantity = \"K_eff\"\napplies_to = \"each\"\nwithin_percent = 20\n"
+    "[[limit]]\nquantity = \"K_eff\"\napplies_to = \"mean\"\nwithin_percent = 10\nclause = \"mean\"\n";
+
+std::vector<DeviceValues> lot_of(std::vector<double> const& factors) {
+  std::vector<DeviceValues> devices;
+  for (double const factor : factors) devices.push_back({fmt::format("D{}", devices.size() + 1), block(factor)});
+  return devices;
+}
+
+LotQuantity const& of(LotView const& lot, Quantity quantity) {
+  for (auto const& view : lot.quantities)
+    if (view.quantity == quantity) return view;
+  throw std::logic_error("every quantity has a view");
+}
+
+Bound const& bound(LotQuantity const& view, std::string_view source) {
+  for (auto const& one : view.bounds)
+    if (one.source == source) return one;
+  throw std::logic_error("no bound " + std::string(source));
+}
+
+TEST(LotView, DescribesTheSpread) {
+  // K_eff 1.08, 1.2, 1.32, 1.2: mean 1.2, s = sqrt(2 x 0.12^2/3) = 0.0979796, CoV 8.16497 %; design 1.0.
+  // mean +- 1.644854 s = 1.038838, 1.361162. Exact k(4) = 6.3411: 1.2 -+ 0.621298.
+  auto const lot = lot_view(rules_of(limits), lot_of({0.9, 1.0, 1.1, 1.0}), parse_design("K_eff=1"), 28);
+  auto const& view = of(lot, Quantity::K_eff);
+  EXPECT_EQ(view.count, 4u);
+  EXPECT_EQ(view.unit, "kN/mm");
+  EXPECT_NEAR(*view.mean, 1.2, 1e-12);
+  EXPECT_NEAR(*view.std, 0.0979796, 1e-7);
+  EXPECT_NEAR(*view.cov_percent, 8.16497, 1e-5);
+  EXPECT_NEAR(*view.min, 1.08, 1e-12);
+  EXPECT_EQ(view.min_device, "D1");
+  EXPECT_EQ(view.max_device, "D3");
+  EXPECT_NEAR(*view.mean_deviation_percent, 20.0, 1e-10);
+  EXPECT_NEAR(*view.worst_deviation_percent, 32.0, 1e-10);
+  EXPECT_EQ(view.worst_device, "D3");
+  EXPECT_NEAR(*view.fractile_5, 1.038838, 1e-6);
+  EXPECT_NEAR(*view.fractile_95, 1.361162, 1e-6);
+  EXPECT_NEAR(*view.tolerance_factor, 6.3411, 1e-4);
+  EXPECT_NEAR(*view.tolerance_low, 1.2 - 0.621298, 2e-5);
+  EXPECT_NEAR(*view.tolerance_high, 1.2 + 0.621298, 2e-5);
+  EXPECT_NEAR(*view.observed_mean_factor, 1.2, 1e-12);
+  EXPECT_NEAR(*view.largest_from_mean_percent, 10.0, 1e-10);
+  EXPECT_TRUE(view.outliers.empty());
+  expect_parts(view.outlier_note, {"too few devices to name outliers: 4, at least 5"});
+}
+
+TEST(LotView, TakesTheMeanOfBothSides) {
+  auto devices = lot_of({1.0, 1.0});
+  devices[0].block.cycles[2].F_plus_kN = 130;  // 1.3 and 1.2: 1.25
+  auto const lot = lot_view(find_rule_set("ntc-2018"), devices, {}, 2);
+  EXPECT_NEAR(*of(lot, Quantity::K_eff).max, 1.25, 1e-12);
+  EXPECT_EQ(of(lot, Quantity::K_eff).max_device, "D1");
+}
+
+TEST(LotView, SaysWhichDevicesHaveNoValue) {
+  auto devices = lot_of({1.0, 1.0, 1.0});
+  devices[1].block.cycles.pop_back();
+  auto const lot = lot_view(rules_of(limits), devices, parse_design("K_eff=1.2"), 3);
+  EXPECT_EQ(of(lot, Quantity::K_eff).count, 2u);
+  EXPECT_EQ(of(lot, Quantity::K_eff).without, std::vector<std::string>{"D2"});
+  auto const& line = of(lot, Quantity::K_eff).mean_limits.at(0);
+  EXPECT_EQ(line.verdict, Verdict::not_assessed);
+  expect_parts(line.reason, {"no value of D2"});
+}
+
+TEST(LotView, OfOneDeviceOrNoneHasNoSpread) {
+  auto const one = lot_view(rules_of(limits), lot_of({1.0}), {}, 1);
+  EXPECT_NEAR(*of(one, Quantity::K_eff).mean, 1.2, 1e-12);
+  EXPECT_FALSE(of(one, Quantity::K_eff).std);
+  auto const none = lot_view(rules_of(limits), std::vector<DeviceValues>(), {});
+  EXPECT_FALSE(of(none, Quantity::K_eff).mean);
+  EXPECT_TRUE(of(none, Quantity::K_eff).bounds.empty());
+}
+
+TEST(LotView, LimitsTheMean) {
+  auto const line = [](std::vector<double> const& factors) {
+    auto const lot = lot_view(rules_of(limits), lot_of(factors), parse_design("K_eff=1.2"), 10);
+    return of(lot, Quantity::K_eff).mean_limits.at(0);
+  };
+  EXPECT_EQ(line({1.05, 1.15}).verdict, Verdict::pass);  // mean 10 % above, the limit itself
+  EXPECT_EQ(line({1.05, 1.151}).verdict, Verdict::fail);
+  EXPECT_EQ(line({0.9}).verdict, Verdict::pass);
+  EXPECT_NEAR(*line({1.05, 1.15}).deviation_percent, 10.0, 1e-9);
+  EXPECT_EQ(line({1.0, 1.0}).quantity, "K_eff, mean of 2 devices");
+  EXPECT_EQ(line({1.0, 1.0}).clause, "mean");
+}
+
+TEST(LotView, JudgesTheSample) {
+  auto const ntc = find_rule_set("ntc-2018");
+  auto const sample = [&](std::size_t tested, std::optional<int> size) {
+    return lot_view(ntc, lot_of(std::vector(tested, 1.0)), {}, size).sample;
+  };
+  EXPECT_EQ(sample(6, 28).verdict, Verdict::pass);
+  EXPECT_EQ(sample(6, 28).limit, "6 or more of 28");
+  EXPECT_EQ(sample(5, 28).verdict, Verdict::fail);
+  EXPECT_EQ(sample(6, {}).verdict, Verdict::not_assessed);
+  EXPECT_EQ(lot_view(rules_of(limits), lot_of({1.0}), {}, 28).sample.verdict, Verdict::not_assessed);
+  expect_parts(complaints([&] { sample(6, 5); }), {"5 with 6 devices tested"});
+}
+
+TEST(LotView, ASampleTooSmallLeavesTheMeanOpen) {
+  auto const rules = rules_of(fmt::format("[sample]\nshare_percent = 20\nleast = 4\n{}", limits));
+  auto const line = [&](std::size_t tested, std::optional<int> size) {
+    auto const lot = lot_view(rules, lot_of(std::vector(tested, 1.0)), parse_design("K_eff=1.2"), size);
+    return of(lot, Quantity::K_eff).mean_limits.at(0);
+  };
+  EXPECT_EQ(line(6, 28).verdict, Verdict::pass);
+  EXPECT_EQ(line(5, 28).reason, "5 devices with this property, 6 required");
+  expect_parts(line(6, {}).reason, {"size of the lot not known"});
+}
+
+TEST(Outliers, AreNamedWithTheProperty) {
+  // Median 1.2; distances 0.012, 0, 0.012, 0.024, 0.6: MAD 0.012, z = 0.6/(1.4826 x 0.012) = 33.7.
+  auto const lot = lot_view(rules_of(limits), lot_of({0.99, 1.0, 1.01, 0.98, 1.5}), {});
+  auto const& view = of(lot, Quantity::K_eff);
+  ASSERT_EQ(view.outliers.size(), 1u);
+  EXPECT_EQ(view.outliers[0].device, "D5");
+  EXPECT_NEAR(view.outliers[0].score, 0.6 / (1.4826 * 0.012), 1e-9);
+  EXPECT_EQ(view.outliers[0].reason, "K_eff 1.8 kN/mm is 50 % above the median 1.2: modified z 33.7, above 3.5");
+  EXPECT_EQ(view.outlier_note, "");
+  EXPECT_TRUE(of(lot, Quantity::damping).outliers.empty());
+}
+
+TEST(Outliers, AreNotNamedAmongNearlyIdenticalDevices) {
+  std::vector<std::string> const names{"A", "B", "C", "D", "E"};
+  auto const count = [&](std::vector<double> const& values) { return find_outliers("K", "", names, values).size(); };
+  EXPECT_EQ(count({1, 1, 1, 1, 1}), 0u);
+  EXPECT_EQ(count({1, 1, 1, 1, 1.0174}), 0u);  // 3.5 x 0.5 % = 1.75 %
+  EXPECT_EQ(count({1, 1, 1, 1, 1.0176}), 1u);
+  EXPECT_EQ(count({1, 1, 1, 1, 0.9}), 1u);
+  EXPECT_EQ(count({0, 0, 0, 0, 0}), 0u);
+  EXPECT_TRUE(find_outliers("K", "", std::span(names).first(4), std::vector<double>{1, 1, 1, 9}).empty());
+}
+
+TEST(TestFactors, CompareTheFirstAndTheLastWithTheFirstThree) {
+  // 1.5, 1.2, 1.2 (mean 1.3), last 1.0: 1.5/1.3 and 1.0/1.3.
+  auto tested = block(1.0, 5);
+  tested.cycles[0] = cycle(1, 1.25);
+  tested.cycles[4].K_eff_kN_per_mm = 1.0;
+  auto const factors = test_factors(Quantity::K_eff, tested);
+  EXPECT_NEAR(factors->max, 1.5 / 1.3, 1e-12);
+  EXPECT_NEAR(factors->min, 1.0 / 1.3, 1e-12);
+  tested.cycles.erase(tested.cycles.begin());
+  EXPECT_FALSE(test_factors(Quantity::K_eff, tested));
+  EXPECT_FALSE(test_factors(Quantity::K_v, block()));
+}
+
+TEST(Combine, IsTheFormulaOfTheRules) {
+  // (1 + 0.75 x 0.3) 1.1 x 1.15 = 1.549625; (1 - 0.75 x 0.1) 0.9 x 0.85 = 0.707625.
+  FactorPair const environment{.min = 0.9, .max = 1.3}, test{.min = 0.9, .max = 1.1}, spec{.min = 0.85, .max = 1.15};
+  FactorRule rule;
+  rule.system_factor = 0.75;
+  auto const free = combine(rule, environment, test, spec);
+  EXPECT_NEAR(free.max, 1.549625, 1e-12);
+  EXPECT_NEAR(free.min, 0.707625, 1e-12);
+  EXPECT_FALSE(free.max_is_default || free.min_is_default);
+  rule.max_not_below = 1.8;
+  rule.min_not_above = 0.6;
+  auto const bounded = combine(rule, environment, test, spec);
+  EXPECT_EQ(bounded.max, 1.8);
+  EXPECT_EQ(bounded.min, 0.6);
+  EXPECT_TRUE(bounded.max_is_default && bounded.min_is_default);
+  EXPECT_GT(combine(rule, {.min = 1, .max = 2}, test, spec).max, 1.8);
+}
+
+TEST(Spread, KeepsTheDeviceAndTheSystemApart) {
+  // 1.95996 x 7 = 13.7197; / sqrt(28) = 2.5928; x sqrt(22/27) = 2.3404; t(0.975, 5) = 2.570582: x 7 sqrt(1/6 - 1/28) =
+  // 6.5116.
+  EXPECT_NEAR(device_half_width_percent(7), 13.7197, 1e-4);
+  EXPECT_NEAR(system_half_width_percent(7, 28, 0), 2.5928, 1e-4);
+  EXPECT_NEAR(system_half_width_percent(7, 28, 1), 2.5928, 1e-4);
+  EXPECT_NEAR(system_half_width_percent(7, 28, 6), 2.3404, 1e-4);
+  EXPECT_EQ(system_half_width_percent(7, 28, 28), 0.0);
+  EXPECT_EQ(system_half_width_percent(7, 1, 1), 0.0);
+  EXPECT_NEAR(system_half_width_percent(7, 1, 0), 13.7197, 1e-4);
+  EXPECT_NEAR(prediction_half_width_percent(7, 28, 6), 6.5116, 1e-4);
+  EXPECT_EQ(prediction_half_width_percent(7, 28, 28), 0.0);
+  EXPECT_TRUE(std::isnan(prediction_half_width_percent(7, 28, 1)));
+}
+
+// The prediction holds what it promises: 95 % of lots drawn from a normal production.
+TEST(Spread, ThePredictionOfTheSystemHolds95PercentOfLots) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> device(1.0, 0.07);
+  int held = 0, lots = 20'000;
+  for (int i = 0; i < lots; ++i) {
+    double sum = 0.0, tested_sum = 0.0, squares = 0.0;
+    for (int d = 0; d < 28; ++d) {
+      double const value = device(random);
+      sum += value;
+      if (d >= 6) continue;
+      tested_sum += value;
+      squares += value * value;
+    }
+    double const mean = tested_sum / 6, s = std::sqrt((squares - 6 * mean * mean) / 5);
+    held += std::abs(sum / 28 - mean) <= mean * prediction_half_width_percent(100 * s / mean, 28, 6) / 100;
+  }
+  EXPECT_NEAR(held / static_cast<double>(lots), 0.95, 0.005);  // three standard errors
+}
+
+TEST(Bounds, AreLabelledBySource) {
+  auto const rules = rules_of(fmt::format(
+      "{}[factors]\nsystem_factor = 0.75\n[[factor]]\nquantity = \"K_eff\"\nenvironment_min = 0.9\nenvironment_max = "
+      "1.3\nspec_min = 0.85\nspec_max = 1.15\n",
+      limits));
+  // Design 1.2, the same mean; CoV 8.16497 %, cycles all alike except the third: test factors of 0.9: 1/(2.9/3) =
+  // 1.034483 and 0.931034 x ... per device; extremes below.
+  auto const lot = lot_view(rules, lot_of({0.9, 1.0, 1.1, 1.0}), parse_design("K_eff=1.2"), 28);
+  auto const& view = of(lot, Quantity::K_eff);
+  // Device 0.9: 1, 1, 0.9: max 3/2.9, min 2.7/2.9. Device 1.1: 3/3.1, 3.3/3.1.
+  EXPECT_NEAR(view.test_factors->max, 3 / 2.9, 1e-12);
+  EXPECT_NEAR(view.test_factors->min, 2.7 / 2.9, 1e-12);
+  auto const& contract = bound(view, "contract band");
+  EXPECT_NEAR(contract.combined.max, 1.225 * 3 / 2.9 * 1.15, 1e-12);
+  EXPECT_NEAR(contract.upper, 1.2 * 1.225 * 3 / 2.9 * 1.15, 1e-12);
+  EXPECT_NEAR(contract.lower, 1.2 * 0.925 * 2.7 / 2.9 * 0.85, 1e-12);
+  EXPECT_NEAR(contract.supply_upper, 1.2 * 1.15, 1e-12);
+  EXPECT_NEAR(contract.supply_lower, 1.2 * 0.85, 1e-12);
+  EXPECT_NEAR(bound(view, "observed").spec.min, 0.9, 1e-12);
+  EXPECT_NEAR(bound(view, "observed").spec.max, 1.1, 1e-12);
+  // k CoV = 6.3411 x 8.16497 = 51.7749 %
+  EXPECT_NEAR(bound(view, "statistical, each device").spec.max, 1.517749, 1e-5);
+  EXPECT_NEAR(bound(view, "statistical, each device").spec.min, 1 - 0.517749, 1e-5);
+  // 1.95996 x 8.16497/sqrt(28) x sqrt(24/27) = 2.85130 %; t(0.975, 3) = 3.182446 x 8.16497 x sqrt(1/4 - 1/28) = 12.0286 %
+  EXPECT_NEAR(bound(view, "statistical, system").spec.max, 1.0285130, 1e-6);
+  EXPECT_NEAR(bound(view, "statistical, system predicted").spec.min, 1 - 0.120286, 1e-6);
+  EXPECT_EQ(view.bounds.size(), 5u);
+}
+
+TEST(Bounds, TakeTheDefaultsOnlyOfPropertiesTheSetNames) {
+  // Cycles all alike: test factors of 1. ASCE 7: K_d 1.15 and 0.85 give way to 1.8 and 0.6; K_eff has no [[factor]].
+  auto const lot = lot_view(find_rule_set("asce-7-22"), lot_of({1.0, 1.0}), parse_design("K_eff=1.2,K_d=0.9"));
+  auto const& named = bound(of(lot, Quantity::K_d), "contract band");
+  EXPECT_NEAR(named.upper, 0.9 * 1.8, 1e-12);
+  EXPECT_NEAR(named.lower, 0.9 * 0.6, 1e-12);
+  EXPECT_TRUE(named.combined.max_is_default && named.combined.min_is_default);
+  EXPECT_NEAR(named.supply_upper, 0.9 * 1.15, 1e-12);
+  EXPECT_NEAR(bound(of(lot, Quantity::K_eff), "observed").upper, 1.2, 1e-12);
+}
+
+TEST(Bounds, AreRelativeToTheMeanWithoutADesignValue) {
+  auto const lot = lot_view(rules_of(limits), lot_of({0.9, 1.0, 1.1, 1.0}), {});
+  auto const& view = of(lot, Quantity::K_eff);
+  EXPECT_FALSE(view.observed_mean_factor);
+  EXPECT_NEAR(bound(view, "observed").spec.max, 1.1, 1e-12);
+  EXPECT_EQ(view.bounds.size(), 2u);  // no contract band, no lot size
+}
+
+TEST(MeanAnalysis, IsPermittedUpTo20Percent) {
+  auto const ntc = find_rule_set("ntc-2018");
+  auto const permitted = [&](std::vector<double> const& factors) {
+    return of(lot_view(ntc, lot_of(factors), {}), Quantity::K_eff).mean_analysis_permitted;
+  };
+  EXPECT_EQ(permitted({0.8, 1.0, 1.2}), true);
+  EXPECT_EQ(permitted({0.79, 1.0, 1.21}), false);
+  EXPECT_EQ(permitted({0.79, 1.1, 1.11}), false);
+  EXPECT_EQ(permitted({1.0}), std::nullopt);
+  EXPECT_EQ(of(lot_view(rules_of(limits), lot_of({1, 1}), {}), Quantity::K_eff).mean_analysis_permitted, std::nullopt);
+}
+
+TEST(LotView, DoesNotDependOnTheUnits) {
+  auto const rules = find_rule_set("asce-7-22");
+  auto devices = lot_of({0.93, 1.02, 1.1, 0.97, 1.01, 1.6});
+  auto const lot = lot_view(rules, devices, parse_design("K_eff=1.2,K_d=0.9"), 28);
+  for (auto& device : devices)
+    for (auto& one : device.block.cycles) {
+      one.K_eff_kN_per_mm *= 57.1;
+      one.K_d_kN_per_mm *= 57.1;
+    }
+  Design design;
+  design.K_eff_kN_per_mm = 1.2 * 57.1;
+  design.K_d_kN_per_mm = 0.9 * 57.1;
+  auto const scaled = lot_view(rules, devices, design, 28);
+  for (auto const quantity : {Quantity::K_eff, Quantity::K_d}) {
+    auto const &a = of(lot, quantity), &b = of(scaled, quantity);
+    EXPECT_NEAR(*a.cov_percent, *b.cov_percent, 1e-10);
+    EXPECT_NEAR(*a.worst_deviation_percent, *b.worst_deviation_percent, 1e-10);
+    EXPECT_EQ(a.worst_device, b.worst_device);
+    ASSERT_EQ(a.outliers.size(), b.outliers.size());
+    ASSERT_EQ(a.bounds.size(), b.bounds.size());
+    for (std::size_t i = 0; i < a.bounds.size(); ++i) {
+      EXPECT_NEAR(a.bounds[i].combined.max, b.bounds[i].combined.max, 1e-10);
+      EXPECT_NEAR(a.bounds[i].upper * 57.1, b.bounds[i].upper, 1e-9);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace isolaw::rules

@@ -1,0 +1,227 @@
+// The error budget's formulas against loops whose properties are known exactly: what sampling, skew, friction and mass
+// do to an ellipse, a bilinear loop and an exponential one (Vaiana's without hardening) under a sine of 208 mm, 0.5 Hz.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+#include "isolaw/data/error_budget.hpp"
+
+namespace isolaw::data {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double D = 208.0;  // mm
+constexpr double f = 0.5;    // Hz
+
+// A steady loop as a function of the phase of x = D sin(phase).
+using Loop = std::function<double(double)>;
+
+Loop ellipse(double K, double damping) {  // F = K (x + tan(phi) D cos), damping = tan(phi) / 2
+  return [=](double phase) { return K * D * (std::sin(phase) + 2.0 * damping * std::cos(phase)); };
+}
+
+// The path since the last reversal, and the branch: +1 rising.
+struct Branch {
+  double sign, travelled;
+};
+Branch branch_at(double phase) {
+  double const sign = std::cos(phase) >= 0.0 ? 1.0 : -1.0;
+  return {sign, sign * D * std::sin(phase) + D};
+}
+
+constexpr double K2 = 0.5, Qd = 30.0, Dy = 10.0;
+Loop bilinear() {
+  return [](double phase) {
+    auto const [sign, travelled] = branch_at(phase);
+    return K2 * D * std::sin(phase) + sign * std::min(Qd, -Qd + Qd / Dy * travelled);
+  };
+}
+
+constexpr double kb = 0.5, f0 = 35.0, alpha = 0.08;
+Loop exponential() {
+  return [](double phase) {
+    auto const [sign, travelled] = branch_at(phase);
+    return kb * D * std::sin(phase) + sign * f0 * (1.0 - (1.0 + std::tanh(alpha * D)) * std::exp(-alpha * travelled));
+  };
+}
+
+// Four cycles at `samples` a cycle from `start` on (in samples), the force `late_s` late.
+Cycle measured(Loop const& loop, int samples, double late_s = 0.0, double start = 0.0) {
+  std::vector<double> time, disp, force;
+  for (int i = 0; i <= 4 * samples + 1; ++i) {
+    double const phase = 2.0 * pi * (i + start) / samples;
+    time.push_back(i / (f * samples));
+    disp.push_back(D * std::sin(phase));
+    force.push_back(loop(phase - 2.0 * pi * f * late_s));
+  }
+  return *cyclic_properties(CycleView{disp, force, time, {}}).reported;
+}
+
+class Sampling : public ::testing::TestWithParam<int> {};
+
+TEST_P(Sampling, OfAnEllipse) {
+  int const N = GetParam();
+  auto const cycle = measured(ellipse(0.6, 0.15), N);
+  double const exact = 2.0 * pi * 0.15 * 0.6 * D * D;
+  EXPECT_NEAR(100.0 * (1.0 - cycle.energy_kN_mm / exact), energy_loss_percent(N), 1e-9);
+  EXPECT_NEAR(cycle.K_eff_kN_per_mm, 0.6, 1e-12);  // the peaks are sampled: N is a multiple of 4
+  EXPECT_NEAR(energy_loss_percent(N), 100.0 * (1.0 - N / (2.0 * pi) * std::sin(2.0 * pi / N)), 1e-12);
+}
+
+TEST_P(Sampling, MissesThePeakBetweenSamples) {
+  int const N = GetParam();
+  auto const cycle = measured(ellipse(0.6, 0.15), N, 0.0, 0.5);  // the peak halfway between two samples
+  EXPECT_NEAR(100.0 * (1.0 - cycle.amplitude_mm / D), peak_loss_percent(N), 1e-9);
+}
+
+// The corners of a bilinear loop fall between samples, and cost energy of the same order as the curvature of an
+// ellipse; the exponential loop bends over two lengths 1 / alpha = 12.5 mm just after a reversal, where samples are
+// dense. Both stay within twice the ellipse's figure, but for the corner's own at 20 samples.
+TEST_P(Sampling, OfABilinearLoop) {
+  int const N = GetParam();
+  auto const cycle = measured(bilinear(), N);
+  double const exact = 4.0 * Qd * (D - Dy);
+  EXPECT_NEAR(cycle.K_eff_kN_per_mm, K2 + Qd / D, 1e-12);
+  EXPECT_LT(std::abs(100.0 * (1.0 - cycle.energy_kN_mm / exact)), 2.0 * energy_loss_percent(N));
+}
+
+TEST_P(Sampling, OfAnExponentialLoop) {
+  int const N = GetParam();
+  auto const cycle = measured(exponential(), N);
+  double const exact = 4.0 * f0 * (D - std::tanh(alpha * D) / alpha);
+  EXPECT_NEAR(cycle.K_eff_kN_per_mm, kb + f0 * std::tanh(alpha * D) / D, 1e-12);
+  EXPECT_LT(std::abs(100.0 * (1.0 - cycle.energy_kN_mm / exact)), 2.0 * energy_loss_percent(N));
+}
+
+INSTANTIATE_TEST_SUITE_P(PerCycle, Sampling, ::testing::Values(20, 48, 100, 200));
+
+// --- skew of 10 ms at 0.5 Hz, epsilon = 2 pi f dt = 0.0314 rad ------------------------------------------------------
+// F early by epsilon adds to the energy pi D a1 sin(epsilon), a1 the part of the force's first harmonic in phase with x:
+// damping grows by (a1 / (K D)) epsilon / 2 = 1.571 points times a1 / (K D), K the effective stiffness. At the peak the
+// force has begun to fall, with the stiffness K_u of unloading, over D epsilon^2 / 2: K becomes smaller and damping
+// larger by the share (epsilon^2 / 2) (K_u / K - 1), the cosine that the energy loses taken into account.
+
+constexpr double skew_s = 0.010;
+
+double shift_in_points(Loop const& loop) {
+  return measured(loop, 4000, -skew_s).damping_percent - measured(loop, 4000).damping_percent;
+}
+
+TEST(Skew, InTheLimitOfLowDampingIsPiFDt) {
+  EXPECT_NEAR(skew_damping_points(f, skew_s), 1.5708, 1e-4);
+  EXPECT_NEAR(shift_in_points(ellipse(0.6, 0.005)), 1.5708, 0.002);
+  EXPECT_NEAR(measured(ellipse(0.6, 0.005), 4000, skew_s).damping_percent - 0.5, -1.5708, 0.002);
+}
+
+// Damping is tan(phi) / 2 and phi moves by epsilon: (1 + 4 xi^2) epsilon / 2 to first order, here without it.
+TEST(Skew, OfAnEllipse) {
+  for (double const damping : {0.15, 0.165, 0.18}) {
+    double const phi = std::atan(2.0 * damping);
+    double const exact = 50.0 * (std::tan(phi + 2.0 * pi * f * skew_s) - std::tan(phi));
+    double const shift = shift_in_points(ellipse(0.6, damping));
+    EXPECT_NEAR(shift, exact, 1e-3);
+    EXPECT_GT(shift, 1.70);
+    EXPECT_LT(shift, 1.80);
+  }
+}
+
+// Points by which damping `xi` grows, from in-phase amplitude and unloading stiffness as above.
+double predicted(double in_phase_kN, double K, double xi, double K_unloading) {
+  double const epsilon = 2.0 * pi * f * skew_s;
+  double const first_order = in_phase_kN / (K * D) * epsilon / 2.0;
+  return 100.0 * ((xi + first_order) * (1.0 + epsilon * epsilon / 2.0 * (K_unloading / K - 1.0)) - xi);
+}
+
+// The elastoplastic part of height Qd turns after cos(beta) = 1 - 2 Dy / D; its first harmonic in phase is
+// (Qd / Dy) (D / pi) (beta - sin(2 beta) / 2) = 0.366 Qd (Caughey 1960). With Qd / (K D) = 0.224:
+// a1 / (K D) = 1 - 0.224 (1 - 0.366) = 0.858, 1.348 points; K_u = K2 + Qd / Dy = 3.5 kN/mm adds 0.031.
+TEST(Skew, OfABilinearLoop) {
+  double const K = K2 + Qd / D;
+  double const beta = std::acos(1.0 - 2.0 * Dy / D);
+  double const in_phase = K2 * D + Qd / Dy * D / pi * (beta - std::sin(2.0 * beta) / 2.0);
+  EXPECT_NEAR(100.0 * pi * f * skew_s * in_phase / (K * D), 1.348, 0.001);
+  double const shift = shift_in_points(bilinear());
+  EXPECT_NEAR(shift, predicted(in_phase, K, 4.0 * Qd * (D - Dy) / (2.0 * pi * K * D * D), K2 + Qd / Dy), 0.005);
+  EXPECT_GT(shift, 1.30);
+  EXPECT_LT(shift, 1.40);
+}
+
+// The exponential part falls from its peak as f0 (1 + tanh(alpha D)) exp(-alpha D (1 - cos)): its first harmonic in
+// phase is 2 f0 (1 + tanh(alpha D)) exp(-alpha D) I1(alpha D) = 0.382 f0. With f0 / (K D) = 0.252: a1 / (K D) = 0.844,
+// 1.326 points; K_u = kb + alpha f0 (1 + tanh(alpha D)) = 6.1 kN/mm adds 0.06.
+TEST(Skew, OfAnExponentialLoop) {
+  double const a = alpha * D;
+  double const K = kb + f0 * std::tanh(a) / D;
+  double const in_phase = kb * D + 2.0 * f0 * (1.0 + std::tanh(a)) * std::exp(-a) * std::cyl_bessel_i(1.0, a);
+  EXPECT_NEAR(100.0 * pi * f * skew_s * in_phase / (K * D), 1.326, 0.001);
+  double const xi = 4.0 * f0 * (D - std::tanh(a) / alpha) / (2.0 * pi * K * D * D);
+  double const shift = shift_in_points(exponential());
+  EXPECT_NEAR(shift, predicted(in_phase, K, xi, kb + alpha * f0 * (1.0 + std::tanh(a))), 0.005);
+  EXPECT_GT(shift, 1.30);
+  EXPECT_LT(shift, 1.40);
+}
+
+// --- offsets, friction, mass, filters -------------------------------------------------------------------------------
+
+TEST(Offset, OfEitherChannelLeavesPeakToPeakStiffnessAndEnergy) {
+  for (auto const& loop : {ellipse(0.6, 0.15), bilinear(), exponential()}) {
+    std::vector<double> disp, force;
+    for (int i = 0; i <= 800; ++i) {
+      disp.push_back(D * std::sin(2.0 * pi * i / 200));
+      force.push_back(loop(2.0 * pi * i / 200));
+    }
+    auto const plain = *cyclic_properties(disp, force).reported;
+    for (double& x : disp) x += 31.0;
+    for (double& F : force) F -= 17.0;
+    auto const moved = *cyclic_properties(disp, force).reported;
+    EXPECT_NEAR(moved.K_eff_kN_per_mm, plain.K_eff_kN_per_mm, 1e-12);
+    EXPECT_NEAR(moved.energy_kN_mm, plain.energy_kN_mm, 1e-9 * plain.energy_kN_mm);
+    EXPECT_NEAR(moved.damping_percent, plain.damping_percent, 1e-9);
+    EXPECT_GT(std::abs(moved.K_plus_kN_per_mm - plain.K_plus_kN_per_mm), 0.05);  // one side does feel it
+  }
+}
+
+// Friction F_f along the motion adds 4 F_f D to the energy; at the peak it is zero as the velocity is.
+TEST(Friction, AddsTwoFOverPiKD) {
+  double const friction = 15.0;
+  auto const plain = measured(exponential(), 2000);
+  auto const rubbed = measured(
+      [&](double phase) {
+        double const v = std::cos(phase);
+        return exponential()(phase) + (std::abs(v) < 1e-9 ? 0.0 : std::copysign(friction, v));
+      },
+      2000);
+  EXPECT_NEAR(rubbed.energy_kN_mm - plain.energy_kN_mm, 4.0 * friction * D, 1e-3 * 4.0 * friction * D);
+  EXPECT_NEAR(rubbed.damping_percent - plain.damping_percent,
+              friction_damping_points(friction, plain.K_eff_kN_per_mm, D), 0.01);
+  EXPECT_NEAR(friction_damping_points(15.0, 1.0, 150.0), 6.4, 0.05);  // the worked example: K D = 150 kN
+}
+
+TEST(MovingMass, TakesMOmegaSquared) {
+  auto const plain = measured(exponential(), 400);
+  auto const loaded = measured(
+      [](double phase) {
+        return exponential()(phase) - 5000.0 * std::pow(2.0 * pi * f, 2.0) * D * std::sin(phase) * 1e-6;
+      },
+      400);
+  EXPECT_NEAR(plain.K_eff_kN_per_mm - loaded.K_eff_kN_per_mm, mass_stiffness_kN_per_mm(5000.0, f), 1e-12);
+  EXPECT_NEAR(mass_stiffness_kN_per_mm(5000.0, f), 0.049, 0.001);  // the worked example
+}
+
+TEST(MovingAverage, TakesWhatTheSincSays) {
+  // 11 points at 100 Hz: sinc(f w) with w = 0.11 s.
+  auto const sinc = [](double x) { return std::sin(pi * x) / (pi * x); };
+  EXPECT_NEAR(average_loss_percent(11, 200.0), 100.0 * (1.0 - sinc(0.5 * 0.11)), 0.01);
+  EXPECT_NEAR(average_loss_percent(11, 200.0 / 3.0), 100.0 * (1.0 - sinc(1.5 * 0.11)), 0.05);
+  EXPECT_NEAR(average_loss_percent(1, 200.0), 0.0, 1e-12);
+  double sum = 0.0;  // of the 11 samples about the peak of a sine
+  for (int i = -5; i <= 5; ++i) sum += std::cos(2.0 * pi * i / 200.0);
+  EXPECT_NEAR(average_loss_percent(11, 200.0), 100.0 * (1.0 - sum / 11.0), 1e-9);
+}
+
+}  // namespace
+}  // namespace isolaw::data

@@ -1,0 +1,1 @@
+isolaw_test(verification_tolerance_factor tolerance_factor_test.cpp)
