@@ -764,7 +764,7 @@ const FIGURES = [
     title: 'Settings',
     caption: () =>
       inspection
-        ? 'The same files and settings give the same results.'
+        ? 'Properties are of raw values and depend on the files alone.'
         : 'The same files, settings and seed give the same results, whatever the number of threads.',
     build: settingsList,
     csv: () => ({ columns: ['setting', 'value'], rows: settingRows() }),
@@ -2165,10 +2165,11 @@ function lotStabilityCaption() {
     (chosen.tested === null ? 'none' : devices[chosen.tested].name) +
     '. ' +
     count(shown.length, 'device') +
+    '.' +
     (lotQuantities.some((quantity) => isNumber(quantity.nominal))
       ? ' Dashed: design value; band: limits of one device.'
       : '')
-  ).replace(/(devices?) Dashed/, '$1. Dashed');
+  );
 }
 
 function drawLotStability(look, width) {
@@ -2990,9 +2991,10 @@ function propertiesTable() {
 
 function settingRows() {
   const text = (value) => (typeof value === 'string' ? value : JSON.stringify(value));
+  if (inspection) return [['isolaw', report.isolaw]]; // nothing was searched, and properties are of raw values
   return [
     ['isolaw', report.isolaw],
-    ...(inspection ? [] : [['seed', report.seed]]),
+    ['seed', report.seed],
     ...Object.entries(report.settings).map(([key, value]) => [key, text(value)]),
   ];
 }
@@ -3032,10 +3034,16 @@ function stepsList() {
       ...device.cleaning,
     ];
     if (device.status !== 'ok') sentences.push('Refused: ' + device.message);
+    const warned = device.warnings.length > 0;
     return element(
       'details',
-      { class: 'steps' },
-      element('summary', {}, element('b', {}, device.name), ' \u2013 ' + device.file),
+      { class: warned ? 'steps warned' : 'steps', open: devices.length === 1 },
+      element(
+        'summary',
+        {},
+        element('b', {}, device.name),
+        ' \u2013 ' + device.file + (warned ? ', ' + count(device.warnings.length, 'warning') : ''),
+      ),
       element(
         'ul',
         {},
@@ -3214,7 +3222,7 @@ window.addEventListener('beforeprint', () => {
   document.documentElement.dataset.printing = '';
   redraw({ everything: true });
   for (const details of document.querySelectorAll('details.law')) details.print();
-  for (const details of document.querySelectorAll('.warnings details')) details.open = true;
+  for (const details of document.querySelectorAll('.warnings details, .steps.warned')) details.open = true;
 });
 window.addEventListener('afterprint', () => {
   delete document.documentElement.dataset.printing;
