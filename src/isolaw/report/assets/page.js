@@ -764,7 +764,7 @@ const FIGURES = [
     title: 'Settings',
     caption: () =>
       inspection
-        ? 'Properties are of raw values and depend on the files alone.'
+        ? 'Properties are of raw values; they depend on the files and on how these were read.'
         : 'The same files, settings and seed give the same results, whatever the number of threads.',
     build: settingsList,
     csv: () => ({ columns: ['setting', 'value'], rows: settingRows() }),
@@ -2849,7 +2849,8 @@ function factorTable() {
     { title: 'Note' },
   ];
   const { factors } = report.assessment.lot;
-  const spreadOf = { individual: 'one device', system: 'the system' };
+  const spreadOf = (source) =>
+    source.startsWith('statistical, system') ? 'the system' : source === 'contract band' ? DASH : 'one device';
   const rows = factors.map((factor, i) => {
     const first = i === 0 || factors[i - 1].property !== factor.property;
     return {
@@ -2857,7 +2858,7 @@ function factorTable() {
       cells: [
         element('b', { class: 'strong' }, first ? factor.property : ''),
         factor.source,
-        spreadOf[factor.scope] ?? (factor.scope || DASH),
+        spreadOf(factor.source),
         fixed(factor.lambda_min, 3),
         fixed(factor.lambda_max, 3),
         significant(factor.lower, 4),
@@ -2871,7 +2872,7 @@ function factorTable() {
 }
 
 function factorData() {
-  const keys = ['property', 'source', 'scope', 'lambda_min', 'lambda_max', 'lower', 'upper', 'unit', 'note'];
+  const keys = ['property', 'source', 'spec_min', 'spec_max', 'lambda_min', 'lambda_max', 'lower', 'upper', 'unit', 'note'];
   return { columns: keys, rows: report.assessment.lot.factors.map((factor) => keys.map((key) => factor[key])) };
 }
 
