@@ -201,7 +201,8 @@ Assessment assess_sample(RuleSet const& rules, LotView const& lot) {
   made.value = static_cast<double>(lot.devices);
   made.unit = "devices";
   if (!rules.sample) {
-    made.reason = fmt::format("{} has no rule for the sample", rules.id);
+    made.reason =
+        rules.id.empty() ? std::string("no rule set was asked for") : rules.id + " has no rule for the sample";
     return made;
   }
   made.clause = rules.sample->clause;
