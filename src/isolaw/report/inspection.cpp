@@ -195,15 +195,19 @@ void print_factors(std::string& text, rules::LotView const& lot) {
           b.combined.min, b.combined.max, b.lower, b.upper, q.unit);
 }
 
+// What the rule set says of the lot as a whole.
+void print_lot_verdicts(std::string& text, LotAcceptance const& acceptance) {
+  if (!acceptance.has_rules()) return;
+  text += "\nLot\n";
+  print_assessment(text, acceptance.lot.sample);
+  for (auto const& q : acceptance.lot.quantities)
+    for (auto const& limit : q.mean_limits) print_assessment(text, limit);
+}
+
 void print_lot(std::string& text, Summary const& summary) {
   auto const& lot = summary.acceptance.lot;
   print_quantities(text, lot);
-  if (summary.acceptance.has_rules()) {
-    text += "\nLot\n";
-    print_assessment(text, lot.sample);
-    for (auto const& q : lot.quantities)
-      for (auto const& limit : q.mean_limits) print_assessment(text, limit);
-  }
+  print_lot_verdicts(text, summary.acceptance);
   print_factors(text, lot);
   if (auto const mean = mean_analysis(lot); !mean.sentence.empty()) add(text, "\n{}\n", mean.sentence);
 }
@@ -250,6 +254,7 @@ std::string inspection_text(Summary const& summary) {
   if (summary.devices.size() == 1) {
     print_device_in_full(text, summary.devices.front());
     print_rule_set(text, summary.acceptance);
+    print_lot_verdicts(text, summary.acceptance);
     return text;
   }
   add(text, "{}: {} devices\n", printable(summary.title), summary.devices.size());
