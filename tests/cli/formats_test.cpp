@@ -1,6 +1,7 @@
 // Workbooks, MATLAB files, JSON and files of several tests, from the command line to a lot file and back.
 #include <xlsxwriter.h>
 
+#include "cli/loops.hpp"
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 #include "cli/store.hpp"
@@ -89,6 +90,88 @@ TEST_F(Formats, json_is_read) {
   auto const o = isolaw({"inspect", "record.dat", "--dt", "0.01"});
   EXPECT_EQ(o.code, 0) << o;
   EXPECT_TRUE(contains(o.out, "JSON: arrays that are columns")) << o;
+}
+
+Words const search{"--laws", "bilinear", "--runs", "1", "--population", "4", "--generations", "1"};
+
+// What init writes reads the very series that the file itself gives, device by device.
+TEST_F(Formats, init_of_a_directory_calibrates_as_the_directory_does) {
+  for (int d = 1; d <= 3; ++d) {
+    auto const samples = record({.stiffness_kN_per_mm = 0.4 + 0.05 * d});
+    write(fmt::format("lot/D{}.csv", d), d == 2 ? csv(samples, "t;x;F",
+                                                      [](std::size_t, Sample const& s) {
+                                                        return fmt::format("{:.4f};{:.6f};{:.2f}", s.time_s,
+                                                                           s.disp_mm / 1000.0, 1000.0 * s.force_kN);
+                                                      })
+                                                : csv(samples));
+  }
+  auto const units = isolaw({"init", "lot", "--out", "lot/lot.toml"});
+  EXPECT_EQ(units.code, 2) << units;
+  EXPECT_TRUE(contains(units.err, "D2.csv")) << units;
+  EXPECT_FALSE(exists("lot/lot.toml")) << "nothing is guessed, nothing half written";
+  write("lot/D2.csv", csv(record({.stiffness_kN_per_mm = 0.5}), "t [s];x [m];F [N]", [](std::size_t, Sample const& s) {
+          return fmt::format("{:.4f};{:.8f};{:.2f}", s.time_s, s.disp_mm / 1000.0, 1000.0 * s.force_kN);
+        }));
+  auto const o = isolaw({"init", "lot", "--out", "lot/lot.toml"});
+  ASSERT_EQ(o.code, 0) << o;
+  ASSERT_EQ(isolaw(Words{"calibrate", "lot/lot.toml", "--out", "L"} + search).code, 0);
+  ASSERT_EQ(isolaw(Words{"calibrate", "lot", "--out", "D"} + search).code, 0);
+  for (auto const* rows : {"SELECT * FROM series", "SELECT id, name, file, sha256 FROM device", "SELECT * FROM run",
+                           "SELECT * FROM setting"})
+    EXPECT_EQ(query(path("L/campaign.sqlite"), rows), query(path("D/campaign.sqlite"), rows)) << rows;
+  auto const second = Json::parse(isolaw({"inspect", "lot/lot.toml", "--json"}).out)["devices"][1];
+  EXPECT_EQ(second["units"]["disp"], "m");
+  auto const expected = loop_of(record({.stiffness_kN_per_mm = 0.5}), 400, 600);
+  EXPECT_NEAR(cycle_of(second, 1, 3)["K_eff_kN_per_mm"].get<double>(), expected.K_eff, 1e-6);
+  EXPECT_NEAR(cycle_of(second, 1, 3)["energy_kN_mm"].get<double>(), expected.energy, 1e-3 * expected.energy);
+}
+
+// Files whose names say nothing: what was said once for the first is reused for a folder of others.
+TEST_F(Formats, init_like_reads_a_folder_as_another_lot_file_does) {
+  auto const bare = [](double stiffness) {
+    return csv(record({.stiffness_kN_per_mm = stiffness}), "A,B,C", [](std::size_t, Sample const& s) {
+      return fmt::format("{:.5f},{:.5f},{:.4f}", -2.0 * s.force_kN, s.disp_mm / 10.0, s.time_s);
+    });
+  };
+  write("old/one.csv", bare(0.5));
+  auto const first = isolaw({"init", "old/one.csv", "--out", "old/lot.toml", "--columns", "force=A,disp=B,time=C",
+                             "--units", "force=kN,disp=cm,time=s", "--flip-force", "--force-factor", "0.5"});
+  ASSERT_EQ(first.code, 0) << first;
+  auto text = read("old/lot.toml");
+  text.replace(text.find("runs = 20"), 9, "runs = 3");
+  write("old/lot.toml", text);
+  write("new/two.csv", bare(0.55));
+  write("new/three.csv", bare(0.6));
+  EXPECT_EQ(isolaw({"init", "new", "--out", "new/lot.toml"}).code, 2) << "not without being told";
+  auto const o = isolaw({"init", "new", "--like", "old/lot.toml", "--out", "new/lot.toml"});
+  ASSERT_EQ(o.code, 0) << o;
+  EXPECT_TRUE(contains(read("new/lot.toml"), "runs = 3"));
+  EXPECT_EQ(read("new/lot.toml").find("one.csv"), std::string::npos);
+  auto const run = isolaw(
+      {"calibrate", "new/lot.toml", "--out", "N", "--laws", "bilinear", "--population", "4", "--generations", "1"});
+  EXPECT_EQ(run.code, 0) << run;
+  auto const devices = page_data(read("N/report.html"))["devices"];
+  ASSERT_EQ(devices.size(), 2u);
+  for (std::size_t d = 0; d < 2; ++d) {
+    EXPECT_EQ(devices[d]["name"], d == 0 ? "three" : "two");
+    EXPECT_NEAR(cycle_of(devices[d], 1, 3)["K_eff_kN_per_mm"].get<double>(), d == 0 ? 0.8 : 0.75, 1e-6);
+    EXPECT_TRUE(contains(devices[d]["corrections"].dump(), "force multiplied by 0.5"));
+  }
+  EXPECT_EQ(json("N/summary.json")["laws"][0]["devices"][0]["runs"], 3);
+}
+
+TEST_F(Formats, every_test_of_several_files_comes_back_as_its_own_device) {
+  write_book("book.xlsx");
+  ASSERT_EQ(isolaw({"init", "several.csv", "book.xlsx"}).code, 0);
+  ASSERT_EQ(isolaw(Words{"calibrate", "lot.toml", "--out", "O"} + search).code, 0);
+  auto const devices = page_data(read("O/report.html"))["devices"];
+  ASSERT_EQ(devices.size(), 4u);
+  for (std::size_t d = 0; d < 4; ++d) {
+    auto const samples = record({.amplitude_mm = d % 2 == 0 ? 100.0 : 90.0});
+    SCOPED_TRACE(devices[d]["name"].get<std::string>());
+    expect_loop(cycle_of(devices[d], 1, 3), loop_of(samples, 400, 600), d < 2 ? 1e-5 : 1e-8);
+  }
+  EXPECT_EQ(isolaw(Words{"calibrate", "lot.toml", "--out", "O"} + search).code, 0) << "the same campaign again";
 }
 
 }  // namespace

@@ -117,5 +117,55 @@ TEST_F(FrictionDamper, inspects_and_calibrates_after_a_plain_conversion) {
   expect_finite_objectives("damper", 2.0);
 }
 
+// Seven cycles each, of which those of the nominal amplitude count: two of 1/4 and 3/4 of it at either end lead to it.
+TEST_F(FrictionDamper, every_record_is_read_as_it_is_and_has_its_three_cycles) {
+  if (!fs::exists(packed)) GTEST_SKIP() << "measured data are not here: " << packed;
+  if (!have_xz()) GTEST_SKIP() << "xz is not installed";
+  struct Expected {
+    char const* name;
+    double frequency_Hz, amplitude_in;
+  };
+  for (auto const& test : {Expected{"ds2_0.25Hz_36lb_1in", 0.25, 1.0}, Expected{"ds2_0.5Hz_30lb_0.5in", 0.5, 0.5},
+                           Expected{"ds2_0.5Hz_30lb_1in", 0.5, 1.0}, Expected{"ds2_0.5Hz_30lb_1.5in", 0.5, 1.5},
+                           Expected{"ds2_1Hz_36lb_1in", 1.0, 1.0}}) {
+    SCOPED_TRACE(test.name);
+    auto const file = packed.parent_path() / (test.name + std::string(".json.xz"));
+    Process unpack({"xz", "--decompress", "--stdout", file}, directory(), path("damper.json"), path("xz.err"));
+    ASSERT_EQ(unpack.wait().code, 0);
+    auto const o = isolaw({"inspect", "damper.json", "--columns", "time=1,disp=2,force=3", "--units",
+                           "time=s,disp=in,force=kip", "--json"});
+    ASSERT_EQ(o.code, 0) << o;
+    auto const found = Json::parse(o.out);
+    auto const rows = json("damper.json")["data"];
+    EXPECT_EQ(found["samples"], rows.size());
+    ASSERT_EQ(found["blocks"].size(), 1u);
+    auto const& block = found["blocks"][0];
+    EXPECT_NEAR(block["frequency_Hz"].get<double>(), test.frequency_Hz, 0.01 * test.frequency_Hz);
+    int counted = 0;
+    for (auto const& cycle : block["cycles"]) {
+      if (cycle["counts"] == false) continue;
+      ++counted;
+      // Extremes and energy of the rows between the cuts, whose ends are a sample's width apart at most.
+      double largest = -1e9, least = 1e9, energy = 0.0;
+      auto const first = static_cast<std::size_t>(std::lround(cycle["first"].get<double>()));
+      auto const last = static_cast<std::size_t>(std::lround(cycle["last"].get<double>()));
+      for (auto i = first; i <= last; ++i) {
+        double const x = 25.4 * rows[i][1].get<double>(), F = 4.4482216152605 * rows[i][2].get<double>();
+        largest = std::max(largest, x);
+        least = std::min(least, x);
+        if (i > first)
+          energy +=
+              (F + 4.4482216152605 * rows[i - 1][2].get<double>()) / 2.0 * (x - 25.4 * rows[i - 1][1].get<double>());
+      }
+      EXPECT_NEAR(cycle["d_plus_mm"].get<double>(), largest, 1e-6);
+      EXPECT_NEAR(cycle["d_minus_mm"].get<double>(), least, 1e-6);
+      EXPECT_NEAR(cycle["energy_kN_mm"].get<double>(), energy, 0.005 * energy);
+      EXPECT_NEAR(cycle["amplitude_mm"].get<double>(), 25.4 * test.amplitude_in, 0.02 * 25.4 * test.amplitude_in);
+    }
+    EXPECT_EQ(counted, 3);
+    EXPECT_EQ(block["cycles"].size(), 7u);
+  }
+}
+
 }  // namespace
 }  // namespace isolaw::cli_test

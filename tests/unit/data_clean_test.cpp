@@ -194,6 +194,33 @@ TEST(Clean, CentresOnTheReportedCycleOnlyWhenAsked) {
   EXPECT_TRUE(record.cleaning.front().ends_with("(max + min) / 2 over cycle 3 of block 1")) << record.cleaning.front();
 }
 
+// Two blocks of two cycles, 1000 samples each: 50 mm, then 100 mm.
+TEST(Clean, KeepsTheChosenPartThroughSmoothingAndThinning) {
+  TestRecord raw;
+  for (int i = 0; i <= 4000; ++i) {
+    double const phase = 2.0 * std::numbers::pi * i / 1000.0;
+    raw.time_s.push_back(0.002 * i);
+    raw.disp_mm.push_back((i < 2000 ? 50.0 : 100.0) * std::sin(phase));
+    raw.force_kN.push_back(raw.disp_mm.back() + 20.0 * std::cos(phase));
+  }
+  Selection const second{parse_numbers("--fit-blocks", "2"), parse_numbers("--fit-cycles", "2")};
+  for (auto const& [options, step] : std::vector<std::pair<CleanOptions, std::size_t>>{
+           {{.samples_per_cycle = std::nullopt, .scored = second}, 1},
+           {{.smooth = 51, .samples_per_cycle = std::nullopt, .scored = second}, 1},
+           {{.samples_per_cycle = 200, .scored = second}, 5},
+           {{.smooth = 51, .samples_per_cycle = 100, .scored = second}, 10},
+           {{.samples_per_cycle = 140, .scored = second}, 7}}) {
+    auto const record = clean(raw, options);
+    ASSERT_EQ(record.size(), 4000 / step + 1);
+    ASSERT_EQ(record.scored.size(), record.size()) << "smooth " << options.smooth << ", step " << step;
+    for (std::size_t i = 0; i < record.size(); ++i) {
+      if (i * step == 3000) continue;  // the cut itself lies at the sample, to rounding
+      EXPECT_EQ(record.is_scored(i), i * step > 3000) << "smooth " << options.smooth << ", sample " << i * step;
+    }
+  }
+  EXPECT_TRUE(clean(raw, {}).scored.empty());
+}
+
 TEST(Clean, OptionsAreChecked) {
   EXPECT_EQ(refusal({}), "");
   EXPECT_EQ(refusal({.smooth = 1, .samples_per_cycle = 20}), "");

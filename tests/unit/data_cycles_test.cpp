@@ -136,6 +136,20 @@ TEST(Segment, PartialEndsAreShownWithTheirReason) {
   for (std::size_t k = 1; k < cut.cycles.size(); ++k) EXPECT_EQ(cut.cycles[k].first, cut.cycles[k - 1].last);
 }
 
+TEST(Segment, ARecordThatStartsAndEndsAnywhereInItsCyclesIsCyclic) {
+  Motion whole;
+  whole.sine(100.0, 0.5, 12.0);  // 200 samples per cycle
+  for (int const start : {0, 1, 3, 10, 40, 49, 51, 90, 100, 110, 149, 150, 151, 190, 199})
+    for (int const samples : {450, 520, 600, 650, 700, 730, 799, 801, 900, 1101}) {
+      auto const from = whole.disp_mm.begin() + start;
+      auto const cut = segment(std::vector<double>(from, from + samples));
+      EXPECT_TRUE(cut.cyclic) << "from sample " << start << ", " << samples << ": " << cut.refusal;
+      auto const counted = std::ranges::count_if(cut.cycles, [](CycleCut const& c) { return c.number > 0; });
+      EXPECT_GE(counted, (samples - 1) / 200 - 1) << "from sample " << start << ", " << samples;
+      EXPECT_EQ(static_cast<std::size_t>(counted), cut.complete());
+    }
+}
+
 TEST(Segment, AnOddCycleWithinABlockDoesNotCount) {
   auto const cut = Motion().sine(100.0, 0.5, 3).sine(80.0, 0.5, 1).sine(100.0, 0.5, 3).end().cut();
   ASSERT_EQ(counted_per_block(cut), Counts{6});

@@ -73,6 +73,64 @@ TEST(Measured, FullScaleBearingIsRecognisedAndCutIntoItsCycles) {
   EXPECT_EQ(clean(record, {}).size(), 4942u);  // every 4th
 }
 
+// How often displacement rises by more than 3 mm, from turning point to turning point.
+int rises(std::vector<double> const& disp_mm) {
+  int count = 0, direction = 0;
+  double low = disp_mm.front(), high = disp_mm.front();
+  for (double const x : disp_mm) {
+    low = std::min(low, x);
+    high = std::max(high, x);
+    if (direction <= 0 && x > low + 3.0) {
+      ++count;
+      direction = 1;
+      high = x;
+    } else if (direction >= 0 && x < high - 3.0) {
+      direction = -1;
+      low = x;
+    }
+  }
+  return count;
+}
+
+// Sines of 0.84 to 0.97 Hz for 15 s whose middle drifts by up to half the amplitude.
+TEST(Measured, MrDampersAreReadAndCutIntoTheirCycles) {
+  struct Damper {
+    int number;
+    double frequency_Hz, amplitude_mm;  // of the spectrum's peak; half of the third rise
+    std::size_t complete, counted;      // of the first test one cycle is 5.1 % above the others
+  };
+  // Counted on the turning points of the files as Octave reads them.
+  constexpr Damper tests[] = {{1, 0.84, 8.65, 10, 9},
+                              {2, 0.87, 8.14, 12, 12},
+                              {3, 0.90, 7.45, 13, 13},
+                              {4, 0.935, 6.74, 12, 12},
+                              {5, 0.97, 6.26, 13, 13}};
+  for (auto const& test : tests) {
+    auto const file = folder / fmt::format("mr-damper/ensaio.A.{}.mat", test.number);
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not here";
+    SCOPED_TRACE(file.filename().string());
+    ReadOptions options;
+    options.columns = {{Channel::time, "Tout"}, {Channel::disp, "dist"}, {Channel::force, "forc"}};
+    options.units = {{Channel::time, "s"}, {Channel::disp, "mm"}, {Channel::force, "N"}};
+    auto const record = read_record(file, options);
+    EXPECT_EQ(record.size(), 1501u);
+    EXPECT_DOUBLE_EQ(record.time_s.back(), 15.0);
+    auto const cut = segment(record.disp_mm, record.time_s);
+    EXPECT_TRUE(cut.cyclic) << cut.refusal;
+    EXPECT_EQ(cut.complete(), test.complete);
+    EXPECT_EQ(static_cast<int>(cut.complete()), rises(record.disp_mm) - 1);  // from the middle of one to the next
+    auto const properties = cyclic_properties(record);
+    ASSERT_EQ(properties.blocks.size(), 1u);
+    auto const& block = properties.blocks.front();
+    EXPECT_EQ(block.counted().size(), test.counted);
+    EXPECT_NEAR(*block.frequency_Hz, test.frequency_Hz, 0.01);
+    EXPECT_NEAR(block.amplitude_mm, test.amplitude_mm, 0.1);
+    // The force of the third column of x_F is the same.
+    options.columns[Channel::force] = "x_F:3";
+    EXPECT_EQ(read_record(file, options).force_kN, record.force_kN);
+  }
+}
+
 TEST(Measured, BiaxialOrbitsWithoutNamesAreNotGuessed) {
   auto const file = folder / "hdrb-gallardo-device/biaxial_input_Fig10.txt";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not here";

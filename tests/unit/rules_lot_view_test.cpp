@@ -113,7 +113,10 @@ TEST(LotView, JudgesTheSample) {
   EXPECT_EQ(sample(5, 28).verdict, Verdict::fail);
   EXPECT_EQ(sample(6, {}).verdict, Verdict::not_assessed);
   EXPECT_EQ(lot_view(rules_of(limits), lot_of({1.0}), {}, 28).sample.verdict, Verdict::not_assessed);
-  expect_parts(complaints([&] { sample(6, 5); }), {"5 with 6 devices tested"});
+  expect_parts(complaints([&] { sample(6, 5); }), {"--lot-size: 5 with 6 devices tested"});
+  EXPECT_EQ(lot_view(RuleSet{}, lot_of({1.0}), {}, 28).sample.reason, "no rule set was asked for");
+  EXPECT_EQ(lot_view(rules_of(limits), lot_of({1.0}), {}, 28).sample.reason,
+            rules_of(limits).id + " has no rule for the sample");
 }
 
 TEST(LotView, ASampleTooSmallLeavesTheMeanOpen) {
@@ -158,6 +161,11 @@ TEST(TestFactors, CompareTheFirstAndTheLastWithTheFirstThree) {
   auto const factors = test_factors(Quantity::K_eff, tested);
   EXPECT_NEAR(factors->max, 1.5 / 1.3, 1e-12);
   EXPECT_NEAR(factors->min, 1.0 / 1.3, 1e-12);
+  // A property that grows: 0.7, 0.9, 0.9 (mean 2.5/3), last 1.0.
+  for (auto& c : tested.cycles) c.K_eff_kN_per_mm = c.number == 1 ? 0.7 : c.number == 5 ? 1.0 : 0.9;
+  auto const growing = test_factors(Quantity::K_eff, tested);
+  EXPECT_NEAR(growing->max, 1.2, 1e-12);
+  EXPECT_NEAR(growing->min, 0.84, 1e-12);
   tested.cycles.erase(tested.cycles.begin());
   EXPECT_FALSE(test_factors(Quantity::K_eff, tested));
   EXPECT_FALSE(test_factors(Quantity::K_v, block()));
@@ -221,16 +229,15 @@ TEST(Bounds, AreLabelledBySource) {
       "{}[factors]\nsystem_factor = 0.75\n[[factor]]\nquantity = \"K_eff\"\nenvironment_min = 0.9\nenvironment_max = "
       "1.3\nspec_min = 0.85\nspec_max = 1.15\n",
       limits));
-  // Design 1.2, the same mean; CoV 8.16497 %, cycles all alike except the third: test factors of 0.9: 1/(2.9/3) =
-  // 1.034483 and 0.931034 x ... per device; extremes below.
+  // Design 1.2, the same mean; CoV 8.16497 %, cycles all alike except the third: test factors per device below.
   auto const lot = lot_view(rules, lot_of({0.9, 1.0, 1.1, 1.0}), parse_design("K_eff=1.2"), 28);
   auto const& view = of(lot, Quantity::K_eff);
-  // Device 0.9: 1, 1, 0.9: max 3/2.9, min 2.7/2.9. Device 1.1: 3/3.1, 3.3/3.1.
-  EXPECT_NEAR(view.test_factors->max, 3 / 2.9, 1e-12);
+  // Device 0.9: 1, 1, 0.9: max 3/2.9, min 2.7/2.9. Device 1.1, which grows: min 3/3.1, max 3.3/3.1.
+  EXPECT_NEAR(view.test_factors->max, 3.3 / 3.1, 1e-12);
   EXPECT_NEAR(view.test_factors->min, 2.7 / 2.9, 1e-12);
   auto const& contract = bound(view, "contract band");
-  EXPECT_NEAR(contract.combined.max, 1.225 * 3 / 2.9 * 1.15, 1e-12);
-  EXPECT_NEAR(contract.upper, 1.2 * 1.225 * 3 / 2.9 * 1.15, 1e-12);
+  EXPECT_NEAR(contract.combined.max, 1.225 * 3.3 / 3.1 * 1.15, 1e-12);
+  EXPECT_NEAR(contract.upper, 1.2 * 1.225 * 3.3 / 3.1 * 1.15, 1e-12);
   EXPECT_NEAR(contract.lower, 1.2 * 0.925 * 2.7 / 2.9 * 0.85, 1e-12);
   EXPECT_NEAR(contract.supply_upper, 1.2 * 1.15, 1e-12);
   EXPECT_NEAR(contract.supply_lower, 1.2 * 0.85, 1e-12);

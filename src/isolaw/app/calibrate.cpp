@@ -223,6 +223,8 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
   auto contents = campaign::prepare(lot);
   for (auto const& device : contents.devices)
     if (!device.usable()) say("{}: refused\n  {}\n", device.name, device.refusal);
+  // What the lot cannot be held to is said before the search, not after it.
+  if (lot.acceptance != campaign::Acceptance{}) report::build_summary(contents);
 
   auto const directory = output_directory(arguments, lot);
   make_directory(directory);

@@ -21,6 +21,7 @@ constexpr double first_motion = 0.2;      // of the next swing: less is a pre-lo
 constexpr double off_centre = 0.05;       // of the amplitude: a record this close to zero is cut at zero
 constexpr double lopsided = 0.25;         // of the amplitude: a lone cycle this uneven still starts from its centre
 constexpr double rest = 0.05;             // of the amplitude: a record that starts or ends this close is at rest
+constexpr double as_large = 0.05;         // of the amplitude: a piece of a cycle that repeats its neighbour
 // Of the travel. Of 1000 responses of linear oscillators to irregular motion 10 reach 0.64 and one 0.80; cyclic tests
 // reach 0.9 and more.
 constexpr double least_regular_share = 0.8;
@@ -257,8 +258,24 @@ std::string too_short(std::span<double const> x, std::size_t cuts, Segmentation 
       2.0 * made.band_mm);
 }
 
-// Travel in regular cycles over all travel, apart from tapers and the record's first and last swing.
-double regular_share(std::vector<Shape> const& shapes, Swings const& swings) {
+// Travel of the swings before the first cut and after the last that are as large as the regular cycle beside them: where
+// a record starts or ends within a cycle, its piece is no irregular motion.
+double regular_ends(std::vector<Shape> const& shapes, Swings const& swings, std::vector<std::size_t> const& at) {
+  double travel = 0.0;
+  for (auto k = swings.begin; k < swings.end; ++k) {
+    auto const from = static_cast<double>(at[k]), to = static_cast<double>(at[k + 1]);
+    bool const before = from < shapes.front().first;
+    if (!before && to <= shapes.back().last) continue;
+    auto const& beside = before ? shapes.front() : shapes.back();
+    if (!beside.regular || std::abs(swings.half[k] - beside.amplitude()) > as_large * beside.amplitude()) continue;
+    bool const crosses = before ? to > beside.first : from < beside.last;  // half of it belongs to the cycle
+    travel += (crosses ? 1.0 : 2.0) * swings.half[k];
+  }
+  return travel;
+}
+
+// Travel in regular cycles over all travel, apart from tapers, the record's first and last swing and regular ends.
+double regular_share(std::vector<Shape> const& shapes, Swings const& swings, std::vector<std::size_t> const& at) {
   double regular = 0.0, in_cycles = 0.0, in_tapers = 0.0, travel = 0.0;
   for (auto const& shape : shapes) {
     double const travelled = 2.0 * (shape.largest - shape.least);
@@ -269,7 +286,7 @@ double regular_share(std::vector<Shape> const& shapes, Swings const& swings) {
       in_tapers += travelled;
   }
   for (auto k = swings.begin; k < swings.end; ++k) travel += 2.0 * swings.half[k];
-  double const all = std::max(in_cycles, travel) - in_tapers;
+  double const all = std::max(in_cycles, travel - regular_ends(shapes, swings, at)) - in_tapers;
   return all > 0.0 ? regular / all : 0.0;
 }
 
@@ -358,7 +375,7 @@ Segmentation segment(std::span<double const> disp_mm, std::span<double const> ti
   for (std::size_t k = 1; k < cuts.size(); ++k)
     shapes.push_back(shape_of(disp_mm, time_s, cuts[k - 1], cuts[k], made.centre_mm));
   made.cycles = number_cycles(shapes);
-  made.regular_share = regular_share(shapes, swings);
+  made.regular_share = regular_share(shapes, swings, motion.at);
   made.cyclic = made.regular_share >= least_regular_share;
   if (!made.cyclic) {
     made.refusal = not_cyclic(shapes, made.regular_share);

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 
-#include "isolaw/data/error_budget.hpp"
 #include "isolaw/data/properties.hpp"
 #include "isolaw/fit/objective.hpp"
 #include "isolaw/lot/robustness.hpp"
@@ -51,13 +51,16 @@ DeviceResult device_result(campaign::Device const& device, int smooth) {
                       .record = device.record,
                       .properties = {},
                       .notes = {},
+                      .effects = {},
                       .acceptance = {}};
   if (!device.usable()) {
     result.properties.refusal = device.refusal;
     return result;
   }
   result.properties = data::cyclic_properties(device.raw);
-  result.notes = data::error_budget(device.raw, result.properties, smooth).notes;
+  auto budget = data::error_budget(device.raw, result.properties, smooth);
+  result.notes = std::move(budget.notes);
+  result.effects = std::move(budget.effects);
   return result;
 }
 

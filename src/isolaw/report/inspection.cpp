@@ -56,12 +56,15 @@ void print_ratios(std::string& text, char const* name, data::Stability const& s)
 
 void print_block(std::string& text, DeviceResult const& device, data::Block const& block) {
   auto const counted = block.counted();
-  add(text, "\nBlock {}: {} cycle{} of {:.4g} mm", block.number, counted.size(), counted.size() == 1 ? "" : "s",
-      block.amplitude_mm);
+  add(text, "\nBlock {}: ", block.number);
+  if (counted.empty())
+    text += "no complete cycle";
+  else
+    add(text, "{} cycle{} of {:.4g} mm", counted.size(), counted.size() == 1 ? "" : "s", block.amplitude_mm);
   if (block.frequency_Hz) add(text, " at {:.4g} Hz", *block.frequency_Hz);
   if (!block.waveform.empty()) add(text, ", {}", block.waveform);
   if (block.v_max_mm_s) add(text, ", v max {:.4g} mm/s", *block.v_max_mm_s);
-  if (device.rubber_thickness_mm)
+  if (device.rubber_thickness_mm && !counted.empty())
     add(text, ", shear strain {:.3g} %", 100.0 * block.amplitude_mm / *device.rubber_thickness_mm);
   text += ", from raw values\n";
   bool const loads = std::ranges::any_of(block.cycles, [](auto const& c) { return c.N_mean_kN.has_value(); });
@@ -126,7 +129,9 @@ void print_device_in_full(std::string& text, DeviceResult const& device) {
   } else {
     add(text, "\n{}\n", no_vertical_stiffness);
   }
-  print_list(text, "Warnings", device.raw.warnings);
+  auto warnings = device.raw.warnings;
+  std::erase(warnings, "no cyclic properties: " + device.properties.refusal);  // said above
+  print_list(text, "Warnings", warnings);
   print_list(text, "Notes", device.notes);
 }
 
@@ -190,17 +195,40 @@ void print_factors(std::string& text, rules::LotView const& lot) {
           b.combined.min, b.combined.max, b.lower, b.upper, q.unit);
 }
 
+// What the rule set says of the lot as a whole.
+void print_lot_verdicts(std::string& text, LotAcceptance const& acceptance) {
+  if (!acceptance.has_rules()) return;
+  text += "\nLot\n";
+  print_assessment(text, acceptance.lot.sample);
+  for (auto const& q : acceptance.lot.quantities)
+    for (auto const& limit : q.mean_limits) print_assessment(text, limit);
+}
+
 void print_lot(std::string& text, Summary const& summary) {
   auto const& lot = summary.acceptance.lot;
   print_quantities(text, lot);
-  if (summary.acceptance.has_rules()) {
-    text += "\nLot\n";
-    print_assessment(text, lot.sample);
-    for (auto const& q : lot.quantities)
-      for (auto const& limit : q.mean_limits) print_assessment(text, limit);
-  }
+  print_lot_verdicts(text, summary.acceptance);
   print_factors(text, lot);
   if (auto const mean = mean_analysis(lot); !mean.sentence.empty()) add(text, "\n{}\n", mean.sentence);
+}
+
+// Which part of a file of several was read; null where it has but one.
+void write_choice(JsonWriter& out, std::string_view key, std::optional<std::string> const& choice) {
+  out.key(key);
+  choice ? out.value(*choice) : out.null();
+}
+
+void write_effects(JsonWriter& out, std::vector<data::Effect> const& effects) {
+  constexpr int digits = 9;
+  out.key("effects").begin_array();
+  for (auto const& effect : effects) {
+    out.begin_object().member("effect", effect.effect);
+    out.key("value").rounded(effect.value, digits);
+    out.member("unit", effect.unit);
+    out.key("limit").rounded(effect.limit, digits);
+    out.member("exceeds", effect.exceeds).end_object();
+  }
+  out.end_array();
 }
 
 void write_device(JsonWriter& out, DeviceResult const& device) {
@@ -212,8 +240,11 @@ void write_device(JsonWriter& out, DeviceResult const& device) {
   out.end_object().key("units").begin_object();
   for (auto const& [channel, unit] : device.raw.layout.units) out.member(data::name(channel), unit);
   out.end_object();
+  write_choice(out, "sheet", device.raw.layout.sheet);
+  write_choice(out, "test", device.raw.layout.test);
   out.member("recognised", device.raw.recognised).member("warnings", device.raw.warnings);
   write_properties(out, device);
+  write_effects(out, device.effects);
 }
 
 }  // namespace
@@ -223,6 +254,7 @@ std::string inspection_text(Summary const& summary) {
   if (summary.devices.size() == 1) {
     print_device_in_full(text, summary.devices.front());
     print_rule_set(text, summary.acceptance);
+    print_lot_verdicts(text, summary.acceptance);
     return text;
   }
   add(text, "{}: {} devices\n", printable(summary.title), summary.devices.size());

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "isolaw/data/error_budget.hpp"
 #include "isolaw/data/properties.hpp"
 #include "isolaw/data/record.hpp"
 #include "isolaw/report/acceptance.hpp"
@@ -70,6 +71,7 @@ struct DeviceResult {
   data::FitRecord record;          // what the laws were fitted to
   data::Properties properties;     // from raw values
   std::vector<std::string> notes;  // numbers of the error budget that are worth knowing, beside the record's warnings
+  std::vector<data::Effect> effects;  // all of the error budget, for machines
   DeviceAcceptance acceptance;
 };
 

@@ -25,9 +25,9 @@ std::optional<FactorPair> test_factors(Quantity quantity, BlockValues const& blo
     if (cycle == nullptr || !(cycle->of(quantity) > 0.0)) return std::nullopt;
     mean += cycle->of(quantity) / 3.0;
   }
-  double const last = block.cycles.back().of(quantity);
+  double const first = block.find(1)->of(quantity), last = block.cycles.back().of(quantity);
   if (!(last > 0.0) || !std::isfinite(mean + last)) return std::nullopt;
-  return FactorPair{.min = last / mean, .max = block.find(1)->of(quantity) / mean};
+  return FactorPair{.min = std::min(first, last) / mean, .max = std::max(first, last) / mean};
 }
 
 CombinedFactors combine(FactorRule const& rule, FactorPair const& environment, FactorPair const& test,

@@ -17,8 +17,8 @@ struct FactorPair {
   double min = 1.0, max = 1.0;
 };
 
-// lambda_test of one device over its counted cycles: max P_1/mean(P_1..P_3), min P_n/mean(P_1..P_3), n the last of the
-// cycles. nullopt without the first three cycles or where a value is no positive number.
+// lambda_test of one device over its counted cycles: P_1/mean(P_1..P_3) and P_n/mean(P_1..P_3), n the last of the
+// cycles; max is the larger, the first of a property that falls and the last of one that grows. nullopt without the first three cycles or where a value is no positive number.
 std::optional<FactorPair> test_factors(Quantity quantity, BlockValues const& block);
 
 struct CombinedFactors {

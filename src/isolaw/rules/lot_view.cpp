@@ -201,7 +201,8 @@ Assessment assess_sample(RuleSet const& rules, LotView const& lot) {
   made.value = static_cast<double>(lot.devices);
   made.unit = "devices";
   if (!rules.sample) {
-    made.reason = fmt::format("{} has no rule for the sample", rules.id);
+    made.reason =
+        rules.id.empty() ? std::string("no rule set was asked for") : rules.id + " has no rule for the sample";
     return made;
   }
   made.clause = rules.sample->clause;
@@ -242,7 +243,7 @@ std::vector<Outlier> find_outliers(std::string_view quantity, std::string_view u
 LotView lot_view(RuleSet const& rules, std::span<DeviceValues const> devices, Design const& design,
                  std::optional<int> lot_size) {
   if (lot_size && (*lot_size < 1 || static_cast<std::size_t>(*lot_size) < devices.size()))
-    throw Error({.where = "lot size",
+    throw Error({.where = "--lot-size",
                  .found = fmt::format("{} with {} devices tested", *lot_size, devices.size()),
                  .allowed = "all devices of the lot, tested ones included"});
   LotView lot;

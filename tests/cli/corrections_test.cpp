@@ -1,0 +1,193 @@
+// Corrections of what a rig does to the force: a record disturbed by a known amount gives back the properties of the
+// undisturbed one, through every command, and says that it was corrected.
+#include "cli/loops.hpp"
+#include "cli/records.hpp"
+#include "cli/run.hpp"
+#include "cli/store.hpp"
+
+namespace isolaw::cli_test {
+namespace {
+
+constexpr double amplitude_mm = 100.0, frequency_Hz = 0.5, interval_s = 0.005, load_kN = 2000.0;
+constexpr double omega = 2.0 * std::numbers::pi * frequency_Hz;
+
+// How the rig disturbs the force.
+struct Rig {
+  double late_s = 0.0, friction_kN = 0.0, mass_kg = 0.0, factor = 1.0;
+};
+
+// A viscous device, F = 0.8 x + 0.02 v, whose force is known at any time: four and a half cycles, a load of 2000 kN.
+std::string rig_record(Rig const& rig) {
+  std::string text = "time [s],displacement [mm],force [kN],vertical load [kN]\n";
+  for (int i = 0; i <= 1800; ++i) {
+    double const t = interval_s * i, then = t - rig.late_s;
+    double const v = omega * amplitude_mm * std::cos(omega * t);
+    double const device =
+        0.8 * amplitude_mm * std::sin(omega * then) + 0.02 * omega * amplitude_mm * std::cos(omega * then);
+    double const inertia = -1e-6 * rig.mass_kg * omega * omega * amplitude_mm * std::sin(omega * t);
+    double const friction = std::abs(v) < 1e-6 ? 0.0 : std::copysign(rig.friction_kN, v);
+    text += fmt::format("{:.4f},{:.6f},{:.6f},{:g}\n", t, amplitude_mm * std::sin(omega * t),
+                        (device + inertia + friction) * rig.factor, load_kN);
+  }
+  return text;
+}
+
+struct Case {
+  std::string option, key, value;
+  Rig rig;
+  std::string sentence;
+};
+
+std::vector<Case> cases() {
+  return {
+      {"--skew-ms", "skew-ms", "12.5", {.late_s = 0.0125}, "force moved back by 12.5 ms"},
+      {"--skew-ms", "skew-ms", "-20", {.late_s = -0.020}, "force moved forward by 20 ms"},
+      {"--rig-friction", "rig-friction", "8", {.friction_kN = 8.0}, "friction of the rig of 8 kN taken off"},
+      {"--rig-friction-coefficient",
+       "rig-friction-coefficient",
+       "0.004",
+       {.friction_kN = 8.0},
+       "friction of the rig of 0.004 times the vertical load"},
+      {"--moving-mass", "moving-mass", "5000", {.mass_kg = 5000.0}, "inertia of a moving mass of 5000 kg taken off"},
+      {"--force-factor", "force-factor", "0.5", {.factor = 2.0}, "force multiplied by 0.5"}};
+}
+
+class Corrections : public InFreshDirectory {
+ protected:
+  Json inspected(Words const& words) {
+    auto const o = isolaw(Words{"inspect", "--json"} + words);
+    EXPECT_EQ(o.code, 0) << o;
+    return Json::parse(o.out);
+  }
+  // K_eff = 0.8 kN/mm, energy = pi c omega D^2: within a fortieth of the least disturbance.
+  static void expect_device(Json const& device) {
+    auto const& cycle = cycle_of(device, 1, 2);
+    double const energy = std::numbers::pi * 0.02 * omega * amplitude_mm * amplitude_mm;
+    EXPECT_NEAR(cycle["K_eff_kN_per_mm"].get<double>(), 0.8, 0.001);
+    EXPECT_NEAR(cycle["energy_kN_mm"].get<double>(), energy, 0.001 * energy);
+  }
+  // By 4 % or more, one of the two.
+  static void expect_disturbed(Json const& device) {
+    auto const& cycle = cycle_of(device, 1, 2);
+    double const energy = std::numbers::pi * 0.02 * omega * amplitude_mm * amplitude_mm;
+    double const stiffer = cycle["K_eff_kN_per_mm"].get<double>() / 0.8 - 1.0;
+    double const more = cycle["energy_kN_mm"].get<double>() / energy - 1.0;
+    EXPECT_GT(std::max(std::abs(stiffer), std::abs(more)), 0.04);
+  }
+};
+
+Words const search{"--laws", "bilinear", "--runs", "1", "--population", "4", "--generations", "1"};
+
+TEST_F(Corrections, an_undisturbed_record_needs_none) {
+  write("true.csv", rig_record({}));
+  auto const device = inspected({"true.csv"});
+  expect_device(device);
+  EXPECT_TRUE(device["corrections"].empty());
+}
+
+TEST_F(Corrections, inspect_gives_back_the_device_and_says_what_was_done) {
+  for (auto const& c : cases()) {
+    SCOPED_TRACE(c.option + " " + c.value);
+    write("rig.csv", rig_record(c.rig));
+    expect_disturbed(inspected({"rig.csv"}));
+    auto const device = inspected({"rig.csv", c.option, c.value});
+    expect_device(device);
+    ASSERT_EQ(device["corrections"].size(), 1u);
+    EXPECT_TRUE(contains(device["corrections"][0].get<std::string>(), c.sentence));
+    auto const text = isolaw({"inspect", "rig.csv", c.option, c.value});
+    EXPECT_TRUE(contains(text.out, "\nCorrected, as asked for\n  " + c.sentence)) << text;
+  }
+}
+
+TEST_F(Corrections, calibrate_keeps_them_in_store_and_report) {
+  for (auto const& c : cases()) {
+    SCOPED_TRACE(c.option + " " + c.value);
+    write("rig.csv", rig_record(c.rig));
+    auto const o = isolaw(Words{"calibrate", "rig.csv", "--out", "O", "--fresh", c.option, c.value} + search);
+    EXPECT_EQ(o.code, 0) << o;
+    auto const stored = query(path("O/campaign.sqlite"), "SELECT corrections FROM device").at(0);
+    EXPECT_TRUE(contains(stored, c.sentence));
+    EXPECT_EQ(isolaw({"report", "O", "--out", "P"}).code, 0);
+    auto const device = page_data(read("P/report.html"))["devices"][0];
+    expect_device(device);
+    EXPECT_TRUE(contains(device["corrections"].dump(), c.sentence));
+    auto const other = isolaw(Words{"calibrate", "rig.csv", "--out", "O"} + search);
+    expect_refused(other, {"rig: its file is read in another way", "--fresh"});
+  }
+}
+
+TEST_F(Corrections, init_writes_them_and_calibrate_reads_them_back) {
+  for (auto const& c : cases()) {
+    SCOPED_TRACE(c.option + " " + c.value);
+    write("rig.csv", rig_record(c.rig));
+    auto const made = isolaw({"init", "rig.csv", "--force", c.option, c.value});
+    EXPECT_EQ(made.code, 0) << made;
+    EXPECT_TRUE(contains(read("lot.toml"), c.key + " = " + c.value)) << read("lot.toml");
+    expect_device(inspected({"lot.toml"}));
+    EXPECT_EQ(isolaw(Words{"calibrate", "lot.toml", "--out", "L", "--fresh"} + search).code, 0);
+    EXPECT_EQ(isolaw(Words{"calibrate", "rig.csv", "--out", "C", "--fresh", c.option, c.value} + search).code, 0);
+    for (auto const* rows : {"SELECT * FROM series", "SELECT name, file, sha256, corrections, cleaning FROM device"})
+      EXPECT_EQ(query(path("L/campaign.sqlite"), rows), query(path("C/campaign.sqlite"), rows)) << rows;
+    auto const again = isolaw(Words{"calibrate", "lot.toml", "--out", "C"} + search);
+    EXPECT_EQ(again.code, 0) << "the same campaign, continued: " << again;
+  }
+}
+
+TEST_F(Corrections, the_lot_file_has_the_same_keys_for_all_devices_and_for_one) {
+  for (auto const& c : cases()) {
+    SCOPED_TRACE(c.option + " " + c.value);
+    write("rig.csv", rig_record(c.rig));
+    auto const key = c.key + " = " + c.value + "\n";
+    write("lot.toml", "[read]\n" + key + "[[device]]\nfile = \"rig.csv\"\n");
+    expect_device(inspected({"lot.toml"}));
+    write("lot.toml",
+          "[[device]]\nfile = \"rig.csv\"\n" + key + "[[device]]\nname = \"as it is\"\nfile = \"rig.csv\"\n");
+    auto const found = inspected({"lot.toml"});
+    expect_device(found["devices"][0]);
+    expect_disturbed(found["devices"][1]);
+    EXPECT_TRUE(found["devices"][1]["corrections"].empty());
+  }
+  // A device's own key wins over [read], the command line over both.
+  write("double.csv", rig_record({.factor = 2.0}));
+  write("fourfold.csv", rig_record({.factor = 4.0}));
+  write("lot.toml",
+        "[read]\nforce-factor = 0.5\n[[device]]\nfile = \"double.csv\"\n[[device]]\nfile = \"fourfold.csv\"\n"
+        "force-factor = 0.25\n");
+  auto const found = inspected({"lot.toml"});
+  for (auto const& device : found["devices"]) expect_device(device);
+  auto const third = inspected({"lot.toml", "--force-factor", "1"});
+  EXPECT_NEAR(cycle_of(third["devices"][0], 1, 2)["K_eff_kN_per_mm"].get<double>(), 1.6, 0.002);
+  EXPECT_NEAR(cycle_of(third["devices"][1], 1, 2)["K_eff_kN_per_mm"].get<double>(), 3.2, 0.004);
+}
+
+TEST_F(Corrections, several_are_made_together) {
+  write("rig.csv", rig_record({.late_s = 0.01, .mass_kg = 3000.0, .factor = 2.0}));
+  auto const device =
+      inspected({"rig.csv", "--skew-ms", "10", "--moving-mass", "6000", "--force-factor", "0.5"});  // as the cell feels
+  EXPECT_EQ(device["corrections"].size(), 3u);
+  // The inertia is not late, and is moved forward with the rest: 10 ms of 0.03 kN/mm, omega dt of it in phase.
+  auto const& cycle = cycle_of(device, 1, 2);
+  EXPECT_NEAR(cycle["K_eff_kN_per_mm"].get<double>(), 0.8, 0.002);
+}
+
+TEST_F(Corrections, wrong_values_are_refused_with_what_is_allowed) {
+  write("rig.csv", rig_record({}));
+  expect_refused(isolaw({"inspect", "rig.csv", "--skew-ms", "1500"}), {"--skew-ms: 1500 ms", "-1000 to 1000 ms"});
+  expect_refused(isolaw({"inspect", "rig.csv", "--rig-friction", "-1"}), {"--rig-friction: -1 kN", "0 to 100000 kN"});
+  expect_refused(isolaw({"inspect", "rig.csv", "--rig-friction-coefficient", "0.5"}), {"0.5", "0 to 0.2"});
+  expect_refused(isolaw({"inspect", "rig.csv", "--moving-mass", "x"}), {"--moving-mass: 'x' is no number"});
+  expect_refused(isolaw({"inspect", "rig.csv", "--force-factor", "-1"}), {"--force-factor: -1", "--flip-force"});
+  expect_refused(isolaw({"init", "rig.csv", "--rig-friction", "1", "--rig-friction-coefficient", "0.01"}),
+                 {"--rig-friction: given with --rig-friction-coefficient", "one of the two"});
+  EXPECT_FALSE(exists("lot.toml"));
+  write("bare.csv", csv_without_time());
+  expect_refused(isolaw({"inspect", "bare.csv", "--skew-ms", "5"}),
+                 {"--skew-ms for a record without time", "--dt SECONDS"});
+  expect_refused(isolaw({"inspect", "bare.csv", "--rig-friction-coefficient", "0.01"}), {"without a vertical load"});
+  write("lot.toml", "[read]\nskew-ms = 1500\n[[device]]\nfile = \"rig.csv\"\nforce-factor = \"x\"\n");
+  expect_refused(isolaw({"inspect", "lot.toml"}),
+                 {"skew-ms: 1500 ms", "-1000 to 1000 ms", "lot.toml:5", "force-factor"});
+}
+
+}  // namespace
+}  // namespace isolaw::cli_test

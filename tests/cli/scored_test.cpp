@@ -1,0 +1,155 @@
+// --fit-blocks and --fit-cycles: laws are judged by the chosen part of a test, and run through all of it.
+#include "cli/loops.hpp"
+#include "cli/records.hpp"
+#include "cli/run.hpp"
+#include "cli/store.hpp"
+
+namespace isolaw::cli_test {
+namespace {
+
+constexpr int per_cycle = 200, cycles = 3;
+constexpr std::size_t block_samples = per_cycle * cycles;
+
+// Bilinear, K1 = 2.5, K2 = 0.5 kN/mm, xy = 10 mm, through three cycles of 60 mm and three of 100 mm. In the block
+// `disturbed` the force is a third larger than the law's; 0 for none, 3 for the second half of the second block.
+std::vector<Sample> two_blocks(int disturbed) {
+  std::vector<Sample> samples;
+  double z = 0.0, before = 0.0;
+  for (std::size_t i = 0; i <= 2 * block_samples; ++i) {
+    double const amplitude = i < block_samples ? 60.0 : 100.0;
+    double const x =
+        std::round(1e5 * amplitude * std::sin(2.0 * std::numbers::pi * static_cast<double>(i) / per_cycle)) / 1e5;
+    z = std::clamp(z + x - before, -10.0, 10.0);
+    before = x;
+    bool const in_block = disturbed == 1 ? i < block_samples : disturbed == 2 && i > block_samples;
+    samples.push_back({0.01 * static_cast<double>(i), x, (0.5 * x + 2.0 * z) * (in_block ? 4.0 / 3.0 : 1.0)});
+  }
+  return samples;
+}
+
+// Eq. (27) for a law whose force is `law`, over the samples from `first` to `last`: mean absolute difference over time
+// by the standard deviation of the measured force.
+double objective_of(std::vector<Sample> const& measured, std::vector<Sample> const& law, std::size_t first,
+                    std::size_t last) {
+  double sum = 0.0, mean = 0.0, square = 0.0;
+  auto const n = static_cast<double>(last - first + 1);
+  for (auto i = first; i <= last; ++i) {
+    double const weight = i == first || i == last ? 0.5 : 1.0;
+    sum += weight * std::abs(measured[i].force_kN - law[i].force_kN) / (n - 1.0);
+    mean += measured[i].force_kN / n;
+  }
+  for (auto i = first; i <= last; ++i) square += std::pow(measured[i].force_kN - mean, 2) / n;
+  return sum / std::sqrt(square);
+}
+
+class Scored : public InFreshDirectory {
+ protected:
+  // Every parameter is given: what comes out is the objective of the law itself.
+  Json calibrated(Words const& more, std::string const& file = "one.csv") {
+    auto const o =
+        isolaw(Words{"calibrate", file, "--out", "O", "--fresh", "--laws", "bilinear", "--runs", "1"} +
+               Words{"--set", "bilinear.K1=2.5", "--set", "bilinear.K2=0.5", "--set", "bilinear.xy=10"} + more);
+    EXPECT_EQ(o.code, 0) << o;
+    return json("O/summary.json");
+  }
+  static double objective(Json const& summary) { return summary["laws"][0]["devices"][0]["objective"]["best"]; }
+};
+
+constexpr double exact = 1e-6;  // forces are written with five decimals
+
+TEST_F(Scored, only_the_chosen_block_is_judged_and_the_state_comes_from_the_one_before) {
+  auto const measured = two_blocks(1), law = two_blocks(0);
+  write("one.csv", csv(measured));
+  EXPECT_LT(objective(calibrated({"--fit-blocks", "2"})), exact);
+  // At the start of the second block the law has yielded; from rest its first rise alone would differ.
+  EXPECT_LT(objective(calibrated({"--fit-blocks", "2", "--fit-cycles", "1"})), exact);
+  double const other = objective_of(measured, law, 0, block_samples);
+  EXPECT_GT(other, 0.2);
+  EXPECT_NEAR(objective(calibrated({"--fit-blocks", "1"})), other, 1e-4);
+  double const all = objective_of(measured, law, 0, 2 * block_samples);
+  EXPECT_NEAR(objective(calibrated({})), all, 1e-4);
+  EXPECT_NEAR(objective(calibrated({"--fit-blocks", "all", "--fit-cycles", "all"})), all, 1e-4);
+  EXPECT_NEAR(objective(calibrated({"--fit-cycles", "3", "--fit-blocks", "1"})),
+              objective_of(measured, law, 2 * per_cycle, block_samples), 1e-4);
+}
+
+TEST_F(Scored, the_other_way_round) {
+  auto const measured = two_blocks(2), law = two_blocks(0);
+  write("one.csv", csv(measured));
+  EXPECT_LT(objective(calibrated({"--fit-blocks", "1"})), exact);
+  EXPECT_NEAR(objective(calibrated({"--fit-blocks", "2-"})),
+              objective_of(measured, law, block_samples, 2 * block_samples), 1e-4);
+}
+
+TEST_F(Scored, the_search_finds_the_law_of_the_chosen_block) {
+  write("one.csv", csv(two_blocks(1)));
+  auto const found = [&](std::string const& block) {
+    auto const o = isolaw(Words{"calibrate", "one.csv", "--out", "O", "--fresh", "--laws", "bilinear", "--runs", "2"} +
+                          Words{"--population", "60", "--generations", "80", "--fit-blocks", block});
+    EXPECT_EQ(o.code, 0) << o;
+    return json("O/summary.json")["laws"][0]["devices"][0]["parameters"]["K2"]["best"].get<double>();
+  };
+  EXPECT_NEAR(found("2"), 0.5, 0.02);
+  EXPECT_NEAR(found("1"), 2.0 / 3.0, 0.03);
+}
+
+TEST_F(Scored, what_was_chosen_is_recorded_and_shown) {
+  write("one.csv", csv(two_blocks(1)));
+  auto const settings = calibrated({"--fit-blocks", " 2", "--fit-cycles", "2 - 3"})["settings"];
+  EXPECT_EQ(settings["fit-blocks"], "2");
+  EXPECT_EQ(settings["fit-cycles"], "2-3");
+  EXPECT_EQ(query(path("O/campaign.sqlite"), "SELECT json FROM setting WHERE key = 'fit-cycles'").at(0), "\"2-3\"");
+  auto const device = page_data(read("O/report.html"))["devices"][0];
+  // Cycles 2 and 3 of the second block: from 8 s to 12 s.
+  ASSERT_EQ(device["scored"].size(), 1u);
+  EXPECT_NEAR(device["scored"][0][0].get<double>(), 8.0, 0.011);
+  EXPECT_NEAR(device["scored"][0][1].get<double>(), 12.0, 0.011);
+  EXPECT_TRUE(contains(device["cleaning"].dump(), "of 1201 samples (blocks 2, cycles 2-3)"));
+  EXPECT_TRUE(page_data((calibrated({}), read("O/report.html")))["devices"][0]["scored"].is_null());
+  auto const resumed =
+      isolaw({"calibrate", "one.csv", "--out", "O", "--laws", "bilinear", "--runs", "1", "--set", "bilinear.K1=2.5",
+              "--set", "bilinear.K2=0.5", "--set", "bilinear.xy=10", "--fit-blocks", "2"});
+  expect_refused(resumed, {"fit-blocks: \"all\" there, \"2\" now"});
+}
+
+TEST_F(Scored, errors_in_properties_are_of_a_cycle_that_was_judged) {
+  write("one.csv", csv(two_blocks(1)));
+  for (auto const& [block, error] : {std::pair{"2", 0.0}, {"1", -25.0}}) {
+    auto const fit = calibrated({"--fit-blocks", block})["laws"][0]["devices"][0];
+    EXPECT_NEAR(fit["K_eff_error_percent"].get<double>(), error, 1e-3) << block;
+    // The sample at the cut belongs to the second block, undisturbed.
+    EXPECT_NEAR(fit["energy_error_percent"].get<double>(), error, 0.2) << block;
+  }
+}
+
+TEST_F(Scored, refused_values_say_what_is_allowed) {
+  write("one.csv", csv(two_blocks(1)));
+  auto const run = [&](Words const& more) { return isolaw(Words{"calibrate", "one.csv", "--out", "O"} + more); };
+  for (std::string const text : {"0", "x", "3-1", "1,,2"})
+    expect_refused(run({"--fit-cycles", text}),
+                   {"--fit-cycles: '" + text + "'", "all, or numbers from 1 and ranges of them", "3, 2-5, 4-"});
+  expect_refused(run({"--fit-blocks", "first"}), {"--fit-blocks: 'first'"});
+  expect_refused(run({"--fit-blocks", "3"}), {"--fit-blocks 3 --fit-cycles all", "no cycle of the record",
+                                              "block 1: cycles 1 to 3; block 2: cycles 1 to 3", "isolaw inspect"});
+  expect_refused(run({"--fit-blocks", "2", "--fit-cycles", "4-"}), {"--fit-blocks 2 --fit-cycles 4-"});
+  EXPECT_FALSE(exists("O"));
+}
+
+TEST_F(Scored, the_lot_file_has_the_same_keys) {
+  write("one.csv", csv(two_blocks(1)));
+  auto const lot = [](std::string const& keys) {
+    return "[calibrate]\n" + keys + "\n[[device]]\nfile = \"one.csv\"\n";
+  };
+  write("lot.toml", lot("fit-blocks = \"2\"\nfit-cycles = \"2-\""));
+  auto const summary = calibrated({}, "lot.toml");
+  EXPECT_EQ(summary["settings"]["fit-blocks"], "2");
+  EXPECT_EQ(summary["settings"]["fit-cycles"], "2-");
+  EXPECT_LT(objective(summary), exact);
+  EXPECT_GT(objective(calibrated({"--fit-blocks", "1"}, "lot.toml")), 0.2) << "the command line wins";
+  write("lot.toml", lot("fit-blocks = \"0\"\nfit-cycles = 2"));
+  expect_refused(isolaw({"calibrate", "lot.toml", "--out", "P"}),
+                 {"lot.toml:2", "'0'", "numbers from 1", "lot.toml:3", "fit-cycles"});
+}
+
+}  // namespace
+}  // namespace isolaw::cli_test
