@@ -57,7 +57,14 @@ DeviceResult device_result(campaign::Device const& device, int smooth) {
     return result;
   }
   result.properties = data::cyclic_properties(device.raw);
-  result.notes = data::error_budget(device.raw, result.properties, smooth).notes;
+  auto const budget = data::error_budget(device.raw, result.properties, smooth);
+  result.notes = budget.notes;
+  // What reading the record has warned of knew of no moving average: it belongs to what the laws are fitted to.
+  if (smooth > 1) {
+    auto const read = data::error_budget(device.raw, result.properties).warnings;
+    for (auto const& warning : budget.warnings)
+      if (std::ranges::find(read, warning) == read.end()) result.raw.warnings.push_back(warning);
+  }
   return result;
 }
 
