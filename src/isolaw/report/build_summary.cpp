@@ -274,7 +274,7 @@ Summary build_summary(campaign::Contents const& contents) {
     summary.laws.push_back(std::move(law));
   }
   mark_front(summary.laws);
-  auto const& asked = contents.acceptance;
+  auto const& asked = summary.asked = contents.acceptance;
   add_acceptance(summary, asked.rules.empty() ? rules::RuleSet{} : rules::read_rule_text(asked.rules, asked.rules_file),
                  asked.design.empty() ? rules::Design{} : rules::parse_design(asked.design), asked.lot_size);
   return summary;
