@@ -66,9 +66,10 @@ void remove_skew(TestRecord& record, double skew_s) {
   auto const dropped = record.size() - (end - begin);
   record.force_kN = std::move(moved);
   for (auto* channel : {&record.time_s, &record.disp_mm, &record.force_kN, &record.load_kN}) keep(*channel, begin, end);
-  note(record, fmt::format("force moved {} by {:.6g} ms, between samples by interpolation; {} samples without a force "
+  note(record, fmt::format("force moved {} by {:.6g} ms, between samples by interpolation; {} sample{} without a force "
                            "dropped at the {}",
                            skew_s > 0.0 ? "back" : "forward", 1000.0 * std::abs(skew_s), dropped,
+                           dropped == 1 ? "" : "s",
                            skew_s > 0.0 ? "end" : "start"));
 }
 
