@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "isolaw/base/error.hpp"
-#include "isolaw/data/record.hpp"
 #include "isolaw/data/clean.hpp"
 #include "isolaw/data/cycles.hpp"
+#include "isolaw/data/record.hpp"
 
 namespace isolaw::data {
 namespace {
@@ -69,8 +69,7 @@ void remove_skew(TestRecord& record, double skew_s) {
   note(record, fmt::format("force moved {} by {:.6g} ms, between samples by interpolation; {} sample{} without a force "
                            "dropped at the {}",
                            skew_s > 0.0 ? "back" : "forward", 1000.0 * std::abs(skew_s), dropped,
-                           dropped == 1 ? "" : "s",
-                           skew_s > 0.0 ? "end" : "start"));
+                           dropped == 1 ? "" : "s", skew_s > 0.0 ? "end" : "start"));
 }
 
 // +1, -1 or 0: the motion at each sample, from reversal to reversal. At the reversal itself the neighbours tell whether
