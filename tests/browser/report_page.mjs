@@ -37,6 +37,36 @@ const CASES = [
   { name: 'as-written', devices: 3, laws: 3, width: 1366, height: 768, records: false },
 ];
 const FIRST_SCREEN_MS = 2000;
+const SOURCES = [
+  'contract band',
+  'observed',
+  'statistical, each device',
+  'statistical, system',
+  'statistical, system predicted',
+];
+
+// Keys of the page's data where made-up records replace what the program wrote, by what they are of.
+function shape(report) {
+  const lot = report.assessment?.lot;
+  const device = report.devices[0];
+  const keys = (object) => (object ? Object.keys(object).sort().join(' ') : '');
+  const cycle = device.blocks[0]?.cycles[0];
+  return {
+    device: keys(device),
+    block: keys(device.blocks[0]),
+    cycle: keys(cycle),
+    stability: keys(device.blocks[0]?.stability.K_eff),
+    assessment: keys(device.assessments[0]),
+    'rule set': keys(report.assessment?.rule_set),
+    lot: keys(lot),
+    sample: keys(lot?.sample),
+    quantity: keys(lot?.quantities[0]),
+    'mean limit': keys(lot?.quantities.find((quantity) => quantity.mean_limits.length > 0)?.mean_limits[0]),
+    lambda_test: keys(lot?.quantities.find((quantity) => quantity.lambda_test)?.lambda_test),
+    factor: keys(lot?.factors[0]),
+    mean_analysis: keys(lot?.mean_analysis),
+  };
+}
 
 // What a page of made-up records must show of its second device: its blocks, cycles and verdicts are read from the data,
 // what the page drew from its document. Runs in the page.
@@ -133,7 +163,12 @@ async function look_at_records() {
     verdicts:
       device.assessments.length +
       report.devices.reduce((sum, one) => sum + one.assessments.length, 0) +
-      (report.assessment?.lot.quantities.length ?? 0),
+      (report.assessment?.lot.quantities.filter((quantity) => quantity.mean_limits.length > 0).length ?? 0),
+    ruleSet: said('rule-set'),
+    held: report.assessment,
+    factorText: said('factors'),
+    care: said('warnings'),
+    warnings: report.findings.warnings.map((warning) => warning.sentence),
     notVerified: document.body.innerText.includes('The limits of this set are not verified'),
     kind: document.getElementById('kind').textContent,
     sections: [...document.querySelectorAll('main > section')].map((section) => section.id),
@@ -207,6 +242,28 @@ function check_records(name, seen, { laws = true, verified = true, assessed = tr
     seen.lotRows === seen.lotQuantities && seen.factorRows === seen.factors,
     name,
     'rows of the lot or its factors',
+  );
+  if (assessed) {
+    const { lot, design } = seen.held;
+    expect(seen.ruleSet.includes(lot.sample.limit), name, 'the sample is not said');
+    expect(seen.ruleSet.includes(lot.note), name, 'what the lot is not, is not said');
+    expect(
+      design.every(({ value }) => seen.ruleSet.includes(' ' + value + '\u202f')),
+      name,
+      'design values are not as given: ' + seen.ruleSet,
+    );
+    expect(
+      lot.factors.every(
+        (factor) => seen.factorText.includes(factor.source) && seen.factorText.includes(factor.no_lower_bound),
+      ),
+      name,
+      'a source of factors, or why there is no lower bound, is not said',
+    );
+  }
+  expect(
+    laws ? seen.care === '' : seen.warnings.length > 0 && seen.warnings.every((text) => seen.care.includes(text)),
+    name,
+    'warnings at the top of the properties: ' + seen.care,
   );
   expect(seen.verdictRows === (assessed ? seen.names : 0), name, `${seen.verdictRows} devices with verdicts`);
 
@@ -298,7 +355,19 @@ async function check(browser, directory, one) {
   if (records)
     writeFileSync(
       file,
-      with_data(readFileSync(file, 'utf8'), (report) => extend(report, records)),
+      with_data(readFileSync(file, 'utf8'), (report) => {
+        const written = shape(report);
+        const made_up = extend(report, records);
+        for (const [what, keys] of Object.entries(shape(made_up)))
+          expect(
+            !keys || !written[what] || keys === written[what],
+            name,
+            `made-up ${what}: ${keys}, the program writes ${written[what]}`,
+          );
+        for (const { source } of made_up.assessment?.lot.factors ?? [])
+          expect(SOURCES.includes(source), name, 'the program writes no factor of ' + source);
+        return made_up;
+      }),
     );
   const page = await browser.open(pathToFileURL(file).href, one);
   await page
@@ -318,8 +387,8 @@ async function check(browser, directory, one) {
 
   expect(page.errors.length === 0 && seen.errors === '', name, 'errors: ' + [...page.errors, seen.errors].join('; '));
   expect(page.requests.length === 0, name, 'requested ' + page.requests.join(', '));
-  const { laws: identified = true, assessed = true } = records || {}; // as written: with the rules of make_page.cpp
-  const expected = (identified ? 5 : 0) + (assessed ? 5 : 4);
+  const { laws: identified = true } = records || {}; // as written: with the rules of make_page.cpp
+  const expected = (identified ? 5 : 0) + 5;
   expect(
     seen.plots === expected && seen.drawn === expected,
     name,
@@ -350,12 +419,19 @@ async function check(browser, directory, one) {
       && node.getBoundingClientRect().right > 684).slice(0, 3).map((node) => node.tagName + ' ' + node.className + ' ' + node.textContent.slice(0, 30));
   })()`);
   expect(cut.length === 0, name, 'cut off on paper: ' + cut.join(', '));
+  const captions = () =>
+    page.evaluate("[...document.querySelectorAll('figcaption, #colophon')].map((node) => node.innerText).join(' ')");
+  const onPaper = await captions();
+  for (const absent of ['CSV', 'K+ and K', 'Choose a', 'Tolerance:'])
+    expect(!onPaper.includes(absent), name, 'paper speaks of what it has not: ' + absent);
   if (pictures) {
     await photograph(page, { name: name + '-print', width: 681, height: 960 }, pictures);
     const { data } = await page.send('Page.printToPDF', { preferCSSPageSize: true, printBackground: true });
     writeFileSync(join(pictures, name + '.pdf'), Buffer.from(data, 'base64'));
   }
   await page.evaluate("dispatchEvent(new Event('afterprint'))");
+  await page.send('Emulation.setEmulatedMedia', { media: 'screen' });
+  expect((await captions()).includes('CSV'), name, 'after printing the captions are those of paper');
   await page.close();
   return firstScreen;
 }

@@ -250,6 +250,25 @@ TEST_F(LotFileTest, FilesOutsideTheFolderHaveTheirLine) {
   EXPECT_EQ(read("[[device]]\nfile = \"../b.csv\"\n", {.allow_outside = true}).devices.size(), 1u);
 }
 
+// Whether it is there or not, and whatever lies in the current directory.
+TEST_F(LotFileTest, RulesOutsideTheFolderHaveTheirLine) {
+  auto const built_in = [](std::string_view name) { return name == "known"; };
+  auto const lot = [](std::string const& name) {
+    return "[acceptance]\nrules = \"" + name + "\"\n[[device]]\nfile = \"a.csv\"\n";
+  };
+  for (std::string const name : {"../secret.toml", "sub/../../secret.toml", "/etc/passwd"})
+    expect_parts(complaints(lot(name)), {"lot.toml:2: rules: '" + name + "' leads outside, to /",
+                                         "a built-in rule set, or a file in the folder of the lot file or below it"});
+  auto const beside = read(lot("own.toml"), {.is_built_in_rules = built_in});
+  EXPECT_TRUE(beside.rules_are_file);
+  EXPECT_EQ(beside.acceptance.rules_file, (folder / "own.toml").string());
+  auto const known = read(lot("known"), {.is_built_in_rules = built_in});
+  EXPECT_FALSE(known.rules_are_file);
+  EXPECT_EQ(known.acceptance.rules_file, "known");
+  EXPECT_EQ(read(lot("../x.toml"), {.allow_outside = true}).acceptance.rules_file, (folder / "../x.toml").string());
+  expect_parts(complaints(lot("")), {"lot.toml:2: rules: empty"});
+}
+
 TEST_F(LotFileTest, ValuesOfADeviceThatCannotBeAreRefused) {
   expect_parts(device("rubber-thickness-mm = -1"), {"lot.toml:4: rubber-thickness-mm: -1; allowed: ", "above 0"});
   expect_parts(device("rubber-thickness-mm = 0"), {"rubber-thickness-mm: 0"});
@@ -438,6 +457,46 @@ TEST_F(LotFileTest, WrittenDevicesReadBack) {
   }
   EXPECT_EQ(text.find(folder.string()), std::string::npos) << "names below the folder are relative: " << text;
   EXPECT_EQ(lot_file_text(back, folder), text);
+}
+
+TEST_F(LotFileTest, WhatAllDevicesShareIsSaidOnceKeyByKey) {
+  Lot lot;
+  lot.title = "lot";
+  for (std::string const name : {"a", "b"}) {
+    DeviceInput device;
+    device.name = name;
+    device.files = {folder / (name + ".csv")};
+    device.shown_file = name + ".csv";
+    device.read.columns = {{data::Channel::force, name == "a" ? "2" : "3"}};
+    device.read.units = {{data::Channel::force, "kN"}};
+    device.read.flip_force = name == "a";
+    device.read.corrections.skew_s = 0.004;
+    lot.devices.push_back(device);
+  }
+  auto const text = lot_file_text(lot, folder);
+  auto const back = read(text);
+  EXPECT_EQ(back.read.corrections, lot.devices[0].read.corrections) << text;
+  EXPECT_EQ(back.read.units, lot.devices[0].read.units) << text;
+  EXPECT_TRUE(back.read.columns.empty()) << text;
+  EXPECT_FALSE(back.read.flip_force) << text;
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(back.devices[i].read, lot.devices[i].read) << text;
+}
+
+TEST_F(LotFileTest, WrittenAcceptanceReadsBack) {
+  Lot lot;
+  lot.title = "lot";
+  lot.devices.resize(1);
+  lot.devices[0].name = "a";
+  lot.devices[0].files = {folder / "a.csv"};
+  lot.rules_are_file = true;
+  lot.acceptance = {.rules = {}, .rules_file = (folder / "own.toml").string(), .design = "K_eff=1.2", .lot_size = 28};
+  auto const text = lot_file_text(lot, folder);
+  EXPECT_EQ(text.find(folder.string()), std::string::npos) << text;
+  EXPECT_EQ(read(text).acceptance, lot.acceptance) << text;
+  lot.rules_are_file = false;
+  lot.acceptance.rules_file = "known";
+  auto const known = [](std::string_view name) { return name == "known"; };
+  EXPECT_EQ(read(lot_file_text(lot, folder), {.is_built_in_rules = known}).acceptance, lot.acceptance);
 }
 
 // "The text of a lot file that reads back as `lot`".

@@ -355,5 +355,23 @@ TEST(Summary, ACampaignWithoutRunsHasNoNumbers) {
   EXPECT_EQ(summary.laws[0].devices[0].runs, 0);
 }
 
+// 31 of 200 samples take 1 - sin(31 pi/200)/(31 sin(pi/200)) = 3.9 % off; reading the record knew of no average.
+TEST(Summary, WarnsOfWhatTheMovingAverageTakes) {
+  auto const warnings = [](int smooth) {
+    Contents contents;
+    contents.devices = {device("A")};
+    contents.settings.clean.smooth = smooth;
+    auto const summary = build_summary(contents);
+    std::string all;
+    for (auto const& warning : summary.devices[0].raw.warnings) all += warning + "\n";
+    return all;
+  };
+  EXPECT_EQ(warnings(1).find("moving average"), std::string::npos);
+  EXPECT_EQ(warnings(3).find("moving average"), std::string::npos);  // 0.033 %: a note
+  for (auto const* part : {"moving average over 31 of 200.0 samples takes 3.9 %", "what the laws are fitted to",
+                           "properties are of raw values"})
+    EXPECT_NE(warnings(31).find(part), std::string::npos) << warnings(31);
+}
+
 }  // namespace
 }  // namespace isolaw::report

@@ -149,6 +149,21 @@ TEST(Corrections, AreValidated) {
   EXPECT_NE(both.find("--moving-mass"), std::string::npos) << "all that is wrong at once";
 }
 
+TEST(Corrections, CountTheSamplesLostToASkew) {
+  auto const said = [](double skew_s) {
+    auto record = bearing();  // 0.005 s apart
+    auto const before = record.size();
+    correct(record, {.skew_s = skew_s});
+    return std::pair(before - record.size(), record.corrections.at(0));
+  };
+  auto const [one, of_one] = said(0.004);
+  EXPECT_EQ(one, 1u);
+  EXPECT_NE(of_one.find("; 1 sample without a force dropped"), std::string::npos) << of_one;
+  auto const [two, of_two] = said(0.009);
+  EXPECT_EQ(two, 2u);
+  EXPECT_NE(of_two.find("; 2 samples without a force dropped"), std::string::npos) << of_two;
+}
+
 TEST(Corrections, NeedTheirChannels) {
   auto record = bearing();
   record.time_s.clear();

@@ -60,7 +60,18 @@ TEST(Page, NamesOfTheInputCloseNothing) {
       page.find("<title>&lt;/script&gt;&lt;img src=x onerror=alert(1)&gt;&quot;&#39;\n=1+1 – isolaw report</title>"),
       std::string::npos);
   EXPECT_EQ(count(page, "<script"), count(page, "</script"));
-  EXPECT_EQ(count(page, "</script"), 4u);
+  EXPECT_EQ(count(page, "</script"), 5u);
+}
+
+TEST(Page, StatesWhatTheTestsWereHeldTo) {
+  auto summary = fixture::lot();
+  summary.asked = {
+      .rules = "id = \"</script> <!-- é\"\n", .rules_file = "a/b.toml", .design = "K_eff=1.2", .lot_size = 28};
+  EXPECT_EQ(asked_in(html(summary)), summary.asked);
+  summary.asked = {};
+  EXPECT_EQ(asked_in(html(summary)), campaign::Acceptance{});
+  EXPECT_EQ(asked_in("<html></html>"), std::nullopt);
+  EXPECT_EQ(asked_in("<script type=\"application/json\" id=\"isolaw-asked\">{\"rules\":3}</script>"), std::nullopt);
 }
 
 TEST(Page, PlaceholdersOfTheInputStayText) {

@@ -85,9 +85,50 @@ TEST(LotView, OfOneDeviceOrNoneHasNoSpread) {
   auto const one = lot_view(rules_of(limits), lot_of({1.0}), {}, 1);
   EXPECT_NEAR(*of(one, Quantity::K_eff).mean, 1.2, 1e-12);
   EXPECT_FALSE(of(one, Quantity::K_eff).std);
+  EXPECT_FALSE(of(one, Quantity::K_eff).largest_from_mean_percent);
+  EXPECT_TRUE(of(one, Quantity::K_eff).bounds.empty());
   auto const none = lot_view(rules_of(limits), std::vector<DeviceValues>(), {});
   EXPECT_FALSE(of(none, Quantity::K_eff).mean);
   EXPECT_TRUE(of(none, Quantity::K_eff).bounds.empty());
+}
+
+TEST(LotView, OneDeviceIsNoLot) {
+  auto const design = parse_design("K_eff=1.2");
+  auto const one = lot_view(rules_of(limits), lot_of({1.0}), design, 10);
+  expect_parts(one.note, {"one device is no lot"});
+  auto const& line = of(one, Quantity::K_eff).mean_limits.at(0);
+  EXPECT_EQ(line.verdict, Verdict::not_assessed);
+  expect_parts(line.reason, {"one device is no lot"});
+  EXPECT_EQ(lot_view(rules_of(limits), lot_of({1.0, 1.0}), design, 10).note, "");
+  // The whole production lot is that one device.
+  auto const whole = lot_view(rules_of(limits), lot_of({1.0}), design, 1);
+  EXPECT_EQ(whole.note, "");
+  EXPECT_EQ(of(whole, Quantity::K_eff).mean_limits.at(0).verdict, Verdict::pass);
+}
+
+TEST(LotView, WithoutRulesTheSampleSaysSo) {
+  EXPECT_EQ(lot_view({}, lot_of({1.0, 1.0}), {}).sample.reason, "no rule set was asked for");
+}
+
+TEST(LotView, ANegativeBoundIsNone) {
+  // K_eff 0.96, 1.44: mean 1.2, s = 0.339411; exact k(2) = 36.519: 1.2 - 12.4 is below zero.
+  auto const lot = lot_view({}, lot_of({0.8, 1.2}), {}, 28);
+  auto const& view = of(lot, Quantity::K_eff);
+  EXPECT_FALSE(view.tolerance_low);
+  EXPECT_NEAR(*view.tolerance_factor, 36.519, 1e-3);
+  EXPECT_NEAR(*view.tolerance_high, 1.2 + 36.519 * 0.339411, 1e-3);
+  EXPECT_NEAR(*view.fractile_5, 1.2 - 1.644854 * 0.339411, 1e-5);
+  expect_parts(view.no_lower, {"too few devices for a lower bound"});
+  auto const& each = bound(view, "statistical, each device");
+  for (double const none : {each.spec.min, each.combined.min, each.lower, each.supply_lower})
+    EXPECT_TRUE(std::isnan(none));
+  EXPECT_GT(each.upper, 1.2);
+  expect_parts(each.no_lower, {"too few devices for a lower bound"});
+  expect_parts(each.note, {"k = 36.52"});
+  // t(0.975, 1) = 12.7062 times 28.2843 % times sqrt(1/2 - 1/28): 244.9 % of the mean.
+  expect_parts(bound(view, "statistical, system predicted").no_lower, {"245 % of the mean"});
+  EXPECT_EQ(bound(view, "observed").no_lower, "");
+  EXPECT_GT(bound(view, "observed").lower, 0.0);
 }
 
 TEST(LotView, LimitsTheMean) {
@@ -97,7 +138,7 @@ TEST(LotView, LimitsTheMean) {
   };
   EXPECT_EQ(line({1.05, 1.15}).verdict, Verdict::pass);  // mean 10 % above, the limit itself
   EXPECT_EQ(line({1.05, 1.151}).verdict, Verdict::fail);
-  EXPECT_EQ(line({0.9}).verdict, Verdict::pass);
+  EXPECT_EQ(line({0.9, 0.9}).verdict, Verdict::pass);
   EXPECT_NEAR(*line({1.05, 1.15}).deviation_percent, 10.0, 1e-9);
   EXPECT_EQ(line({1.0, 1.0}).quantity, "K_eff, mean of 2 devices");
   EXPECT_EQ(line({1.0, 1.0}).clause, "mean");
@@ -153,6 +194,27 @@ TEST(Outliers, AreNotNamedAmongNearlyIdenticalDevices) {
   EXPECT_TRUE(find_outliers("K", "", std::span(names).first(4), std::vector<double>{1, 1, 1, 9}).empty());
 }
 
+// The measured Q_d of a bearing, in kN: it rises from the first cycle to the second.
+TEST(TestFactors, EncloseEveryCountedCycle) {
+  auto tested = block(1.0, 7);
+  std::vector<double> const Q_d{56.93, 58.96, 57.98, 57.1, 56.5, 56.07, 55.21};
+  for (std::size_t i = 0; i < Q_d.size(); ++i) tested.cycles[i].Q_d_kN = Q_d[i];
+  auto const factors = test_factors(Quantity::Q_d, tested);
+  double const mean = (56.93 + 58.96 + 57.98) / 3.0;
+  EXPECT_NEAR(factors->max, 58.96 / mean, 1e-12);
+  EXPECT_NEAR(factors->min, 55.21 / mean, 1e-12);
+  EXPECT_EQ(factors->max_cycle, 2);
+  EXPECT_EQ(factors->min_cycle, 7);
+  auto const lot = lot_view({}, std::vector<DeviceValues>{{"A", tested}, {"B", block(1.0, 7)}}, {});
+  auto const& view = of(lot, Quantity::Q_d);
+  EXPECT_EQ(view.test_max_device, "A");
+  EXPECT_GT(bound(view, "observed").upper, 57.98);  // the third cycle of A, as reported
+  EXPECT_FALSE(test_factors(Quantity::Q_d, [&] {
+    tested.cycles[4].Q_d_kN = 0.0;
+    return tested;
+  }()));
+}
+
 TEST(TestFactors, CompareTheFirstAndTheLastWithTheFirstThree) {
   // 1.5, 1.2, 1.2 (mean 1.3), last 1.0: 1.5/1.3 and 1.0/1.3.
   auto tested = block(1.0, 5);
@@ -161,6 +223,8 @@ TEST(TestFactors, CompareTheFirstAndTheLastWithTheFirstThree) {
   auto const factors = test_factors(Quantity::K_eff, tested);
   EXPECT_NEAR(factors->max, 1.5 / 1.3, 1e-12);
   EXPECT_NEAR(factors->min, 1.0 / 1.3, 1e-12);
+  EXPECT_EQ(factors->max_cycle, 1);
+  EXPECT_EQ(factors->min_cycle, 5);
   // A property that grows: 0.7, 0.9, 0.9 (mean 2.5/3), last 1.0.
   for (auto& c : tested.cycles) c.K_eff_kN_per_mm = c.number == 1 ? 0.7 : c.number == 5 ? 1.0 : 0.9;
   auto const growing = test_factors(Quantity::K_eff, tested);
@@ -229,10 +293,10 @@ TEST(Bounds, AreLabelledBySource) {
       "{}[factors]\nsystem_factor = 0.75\n[[factor]]\nquantity = \"K_eff\"\nenvironment_min = 0.9\nenvironment_max = "
       "1.3\nspec_min = 0.85\nspec_max = 1.15\n",
       limits));
-  // Design 1.2, the same mean; CoV 8.16497 %, cycles all alike except the third: test factors per device below.
+  // Design 1.2, the same mean; CoV 8.16497 %, cycles all alike except the third.
   auto const lot = lot_view(rules, lot_of({0.9, 1.0, 1.1, 1.0}), parse_design("K_eff=1.2"), 28);
   auto const& view = of(lot, Quantity::K_eff);
-  // Device 0.9: 1, 1, 0.9: max 3/2.9, min 2.7/2.9. Device 1.1, which grows: min 3/3.1, max 3.3/3.1.
+  // Device 0.9: 1, 1, 0.9: max 3/2.9, min 2.7/2.9. Device 1.1: max 3.3/3.1, min 3/3.1.
   EXPECT_NEAR(view.test_factors->max, 3.3 / 3.1, 1e-12);
   EXPECT_NEAR(view.test_factors->min, 2.7 / 2.9, 1e-12);
   auto const& contract = bound(view, "contract band");
@@ -274,13 +338,26 @@ TEST(Bounds, AreRelativeToTheMeanWithoutADesignValue) {
 TEST(MeanAnalysis, IsPermittedUpTo20Percent) {
   auto const ntc = find_rule_set("ntc-2018");
   auto const permitted = [&](std::vector<double> const& factors) {
-    return of(lot_view(ntc, lot_of(factors), {}), Quantity::K_eff).mean_analysis_permitted;
+    return of(lot_view(ntc, lot_of(factors), {}, 3), Quantity::K_eff).mean_analysis_permitted;
   };
   EXPECT_EQ(permitted({0.8, 1.0, 1.2}), true);
   EXPECT_EQ(permitted({0.79, 1.0, 1.21}), false);
   EXPECT_EQ(permitted({0.79, 1.1, 1.11}), false);
   EXPECT_EQ(permitted({1.0}), std::nullopt);
   EXPECT_EQ(of(lot_view(rules_of(limits), lot_of({1, 1}), {}), Quantity::K_eff).mean_analysis_permitted, std::nullopt);
+}
+
+TEST(MeanAnalysis, IsPermittedOnlyByASampleTheSetAsksFor) {
+  auto const ntc = find_rule_set("ntc-2018");
+  auto const view = [&](std::vector<double> const& factors, std::optional<int> size) {
+    return of(lot_view(ntc, lot_of(factors), {}, size), Quantity::K_eff);
+  };
+  EXPECT_EQ(view({1.0, 1.0, 1.0, 1.0}, 20).mean_analysis_permitted, true);
+  EXPECT_EQ(view({1.0, 1.0, 1.0}, 20).mean_analysis_permitted, std::nullopt);
+  EXPECT_EQ(view({1.0, 1.0, 1.0}, 20).mean_analysis_open, "3 devices with this property, 4 required");
+  expect_parts(view({1.0, 1.0, 1.0}, {}).mean_analysis_open, {"size of the lot not known"});
+  EXPECT_EQ(view({0.7, 1.0, 1.3}, 20).mean_analysis_permitted, false);
+  EXPECT_EQ(view({0.7, 1.0, 1.3}, 20).mean_analysis_open, "");
 }
 
 TEST(LotView, DoesNotDependOnTheUnits) {

@@ -27,6 +27,7 @@
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/fit/kernels.hpp"
 #include "isolaw/report/build_summary.hpp"
+#include "isolaw/report/html.hpp"
 #include "isolaw/report/run_json.hpp"
 #include "isolaw/report/summary_json.hpp"
 #include "isolaw/report/terminal.hpp"
@@ -320,6 +321,25 @@ std::size_t runs_since(std::filesystem::path const& directory, std::size_t missi
   }
 }
 
+// `isolaw report --rules ...` holds the tests to something else than the store says; the page states to what. Whether it
+// does; `contents` and `summary` are then those of the page. What cannot be read counts as not stated.
+bool hold_to_what_the_page_states(std::filesystem::path const& directory, campaign::Contents& contents,
+                                  report::Summary& summary) {
+  auto const stored = contents.acceptance;
+  try {
+    auto const stated = report::asked_in(
+        read_file(directory / "report.html",
+                  {.largest_bytes = std::uintmax_t{1} << 30, .allowed = "a page of isolaw", .when_too_large = {}}));
+    if (!stated || *stated == stored) return false;
+    contents.acceptance = *stated;
+    summary = report::build_summary(contents);
+    return true;
+  } catch (Error const&) {
+    contents.acceptance = stored;
+    return false;
+  }
+}
+
 struct Outputs {
   int compared = 0;
   std::vector<std::string> other;  // names of those that are not what the store gives
@@ -341,7 +361,9 @@ Outputs compare_outputs(std::filesystem::path const& directory, report::Summary 
 int check(std::filesystem::path const& directory) {
   auto const file = directory / store_name;
   auto result = campaign::check(file);
-  auto const summary = report::build_summary(campaign::Store::read(file));
+  auto contents = campaign::Store::read(file);
+  auto summary = report::build_summary(contents);
+  bool const other_rules = hold_to_what_the_page_states(directory, contents, summary);
   auto const outputs = compare_outputs(directory, summary);
   auto const since = outputs.other.empty() ? 0 : runs_since(directory, summary.missing_runs());
   if (since == 0)
@@ -358,6 +380,10 @@ int check(std::filesystem::path const& directory) {
   fmt::print("  records cleaned and objectives computed again: largest relative difference {:.2g}\n",
              result.largest_difference);
   if (outputs.compared > 0) fmt::print("  {} files beside it compared with what the store gives\n", outputs.compared);
+  if (other_rules && outputs.compared > 0)
+    fmt::print(
+        "  they were made with other rules, design values or lot size than the store holds, and compared with "
+        "these\n");
   if (since > 0)
     fmt::print("  out of date: {} of them, made before the last {} runs; isolaw report {} makes them again\n",
                outputs.other.size(), since, shown(directory));

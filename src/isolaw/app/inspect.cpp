@@ -52,10 +52,13 @@ int inspect(InspectArguments const& arguments) {
 
 namespace {
 
-// The settings of another lot file, and how it reads what its devices share (its first device's way where they differ).
+// The settings of another lot file, what it holds tests to, and how it reads what its devices share (its first device's
+// way where they share nothing).
 void take_over(std::filesystem::path const& file, campaign::Lot& lot) {
-  auto const other = campaign::read_lot_file(file, {.allow_outside = true, .other_out = true});
+  auto const other = lot_of_file(file, {.allow_outside = true, .other_out = true});
   lot.settings = other.settings;
+  lot.acceptance = other.acceptance;
+  lot.rules_are_file = other.rules_are_file;
   auto const& read = other.read == data::ReadOptions{} ? other.devices.front().read : other.read;
   for (auto& device : lot.devices) device.read = read;
 }
@@ -124,7 +127,18 @@ int init(InitArguments const& arguments) {
   }
   if (!complaints.empty()) throw Error(complaints);
   auto const folder = std::filesystem::absolute(arguments.out).parent_path();
+  // The size is one of the other production lot: said, and left out where it cannot be that of this one.
+  auto& size = lot.acceptance.lot_size;
+  if (size && static_cast<std::size_t>(*size) < lot.devices.size()) {
+    say("lot-size = {} of {} left out: there are {} devices here\n", *size, shown(*arguments.like), lot.devices.size());
+    size.reset();
+  } else if (size) {
+    say("lot-size = {} taken over from {}: change it where this lot has another size\n", *size, shown(*arguments.like));
+  }
   report::write_file(arguments.out, campaign::lot_file_text(lot, folder));
+  if (lot.rules_are_file && leads_outside(lot.acceptance.rules_file, folder))
+    say("{}: not in the folder of {} or below it: isolaw calibrate will need --allow-outside\n",
+        shown(lot.acceptance.rules_file), shown(arguments.out));
   for (auto const& device : lot.devices)
     if (leads_outside(device.files.front(), folder))
       say("{}: not in the folder of {} or below it: isolaw calibrate will need --allow-outside\n",

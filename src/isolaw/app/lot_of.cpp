@@ -111,6 +111,11 @@ void apply(AcceptanceArguments const& arguments, campaign::Acceptance& acceptanc
   if (arguments.lot_size) acceptance.lot_size = campaign::parse_lot_size(std::to_string(*arguments.lot_size));
 }
 
+campaign::Lot lot_of_file(std::filesystem::path const& file, campaign::LotFileOptions options) {
+  options.is_built_in_rules = rules::is_built_in;
+  return campaign::read_lot_file(file, options);
+}
+
 campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, campaign::LotFileOptions const& options) {
   bool const from_file = inputs.size() == 1 && is_lot_file(inputs.front());
   for (auto const& input : inputs)
@@ -119,7 +124,7 @@ campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, ca
                    .found = "a lot file together with other inputs",
                    .allowed = "one lot file alone, or records",
                    .advice = "name the records in the lot file"});
-  auto lot = from_file ? campaign::read_lot_file(inputs.front(), options) : campaign::lot_of_files(records_of(inputs));
+  auto lot = from_file ? lot_of_file(inputs.front(), options) : campaign::lot_of_files(records_of(inputs));
   auto const& first = inputs.front();
   bool const named_by_folder = from_file || std::filesystem::is_directory(first);
   if (lot.title.empty())

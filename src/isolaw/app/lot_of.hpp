@@ -13,6 +13,9 @@ campaign::Lot lot_of(CalibrateArguments const& arguments);
 // without records.
 std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path> const& inputs);
 
+// A lot file with the built-in rule sets known by their names.
+campaign::Lot lot_of_file(std::filesystem::path const& file, campaign::LotFileOptions options);
+
 // One lot file or the records named; a directory stands for the records in it.
 campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, campaign::LotFileOptions const& options);
 

@@ -146,18 +146,21 @@ void read_reading(TableReader& table, toml::table const& source, data::ReadOptio
 
 // What the tests are held to: a built-in rule set by its name or a file beside the lot file, design values, lot size.
 void read_acceptance(TableReader& table, toml::table const& source, std::filesystem::path const& directory,
-                     LotFileOptions const& options, Acceptance& acceptance) {
+                     LotFileOptions const& options, Lot& lot) {
+  auto& acceptance = lot.acceptance;
   table.value<std::string>(
       "rules", "text",
       [&](std::string const& name) {
-        std::error_code unknown;
-        bool const is_file = std::filesystem::exists(directory / name, unknown);
-        acceptance.rules_file = is_file ? (directory / name).string() : name;
-        if (!is_file || options.allow_outside) return;
+        constexpr char const* allowed = "a built-in rule set, or a file in the folder of the lot file or below it";
+        if (name.empty()) throw Error({.where = {}, .found = "empty", .allowed = allowed});
+        lot.rules_are_file = !options.is_built_in_rules || !options.is_built_in_rules(name);
+        acceptance.rules_file = lot.rules_are_file ? (directory / name).string() : name;
+        if (!lot.rules_are_file || options.allow_outside) return;
+        // Also of a file that is not there: what the name would lead to must not be told apart from what is there.
         if (auto const outside = leads_outside(directory / name, directory))
           throw Error({.where = {},
                        .found = fmt::format("{} leads outside, to {}", in_quotes(name), outside->generic_string()),
-                       .allowed = "a built-in rule set, or a file in the folder of the lot file or below it",
+                       .allowed = allowed,
                        .advice = "copying the file there, or --allow-outside on the command line"});
       },
       longest_path);
@@ -275,11 +278,28 @@ toml::table channel_table(std::map<data::Channel, std::string> const& channels) 
   return table;
 }
 
-// What all devices are read by; empty where they differ in anything, since a device could not take a key back.
+// What all devices are read by, key by key: one that a single device lacks stays out, since the device could not take
+// it back.
 data::ReadOptions shared_reading(Lot const& lot) {
-  auto const same = [&](DeviceInput const& device) { return device.read == lot.devices.front().read; };
-  return !lot.devices.empty() && std::ranges::all_of(lot.devices, same) ? lot.devices.front().read
-                                                                        : data::ReadOptions{};
+  data::ReadOptions shared;
+  if (lot.devices.empty()) return shared;
+  auto const share = [&](auto const& key_of) {
+    auto const& value = key_of(lot.devices.front().read);
+    auto const same = [&](DeviceInput const& device) { return key_of(device.read) == value; };
+    if (std::ranges::all_of(lot.devices, same)) key_of(shared) = value;
+  };
+  share([](auto& read) -> auto& { return read.columns; });
+  share([](auto& read) -> auto& { return read.units; });
+  share([](auto& read) -> auto& { return read.dt_s; });
+  share([](auto& read) -> auto& { return read.flip_force; });
+  share([](auto& read) -> auto& { return read.sheet; });
+  share([](auto& read) -> auto& { return read.test; });
+  share([](auto& read) -> auto& { return read.corrections.skew_s; });
+  share([](auto& read) -> auto& { return read.corrections.friction_kN; });
+  share([](auto& read) -> auto& { return read.corrections.friction_coefficient; });
+  share([](auto& read) -> auto& { return read.corrections.moving_mass_kg; });
+  share([](auto& read) -> auto& { return read.corrections.force_factor; });
+  return shared;
 }
 
 // The keys in which `read` differs from what [read] says already.
@@ -305,6 +325,16 @@ void insert_reading(toml::table& table, data::ReadOptions const& read, data::Rea
   number("force-factor", made.force_factor, before.force_factor);
   if (read.columns != said.columns) table.insert("columns", channel_table(read.columns));
   if (read.units != said.units) table.insert("units", channel_table(read.units));
+}
+
+toml::table acceptance_table(Lot const& lot, std::filesystem::path const& directory) {
+  auto const& asked = lot.acceptance;
+  toml::table table;
+  if (!asked.rules_file.empty())
+    table.insert("rules", lot.rules_are_file ? relative_name(asked.rules_file, directory) : asked.rules_file);
+  if (!asked.design.empty()) table.insert("design", asked.design);
+  if (asked.lot_size) table.insert("lot-size", *asked.lot_size);
+  return table;
 }
 
 }  // namespace
@@ -342,7 +372,7 @@ Lot read_lot_text(std::string_view text, std::filesystem::path const& path, LotF
   }
   if (auto const* table = top.table("acceptance")) {
     TableReader reader(*table, file, "[acceptance]", complaints);
-    read_acceptance(reader, *table, path.parent_path(), options, lot.acceptance);
+    read_acceptance(reader, *table, path.parent_path(), options, lot);
     reader.refuse_unknown();
   }
   if (auto const* table = top.table("read")) {
@@ -450,6 +480,8 @@ std::string lot_file_text(Lot const& lot, std::filesystem::path const& directory
   toml::table read;
   insert_reading(read, shared, {});
   toml::table root{{"title", lot.title}, {"calibrate", std::move(calibrate)}};
+  if (auto acceptance = acceptance_table(lot, directory); !acceptance.empty())
+    root.insert("acceptance", std::move(acceptance));
   if (!read.empty()) root.insert("read", std::move(read));
   root.insert("device", std::move(devices));
   std::ostringstream out;

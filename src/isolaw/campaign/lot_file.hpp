@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,7 @@ struct DeviceInput {
 struct Lot {
   std::string title;
   Acceptance acceptance;
+  bool rules_are_file = false;  // acceptance.rules_file is the path of a file, no built-in set
   Settings settings;
   data::ReadOptions read;  // how records are read where a device does not say otherwise
   std::vector<DeviceInput> devices;
@@ -36,6 +38,8 @@ struct Lot {
 struct LotFileOptions {
   bool allow_outside = false;  // --allow-outside
   bool other_out = false;      // --out is given: the file's `out` does not count
+  // Names of rule sets that need no file, which this module does not know; empty: every name is a file's.
+  std::function<bool(std::string_view)> is_built_in_rules = {};
 };
 
 inline constexpr std::size_t most_devices = 10'000;
@@ -52,7 +56,8 @@ Lot read_lot_text(std::string_view text, std::filesystem::path const& file, LotF
 // A lot of files named on the command line; devices are named after them.
 Lot lot_of_files(std::vector<std::filesystem::path> const& files);
 
-// The text of a lot file that reads back as `lot`, what all devices share of reading in [read]; file names relative to `directory` where they lie below it.
+// The text of a lot file that reads back as `lot`: each key of reading that all devices share in [read]; file names
+// relative to `directory` where they lie below it.
 std::string lot_file_text(Lot const& lot, std::filesystem::path const& directory);
 
 }  // namespace isolaw::campaign

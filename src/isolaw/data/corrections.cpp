@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "isolaw/base/error.hpp"
-#include "isolaw/data/record.hpp"
 #include "isolaw/data/clean.hpp"
 #include "isolaw/data/cycles.hpp"
+#include "isolaw/data/record.hpp"
 
 namespace isolaw::data {
 namespace {
@@ -66,10 +66,10 @@ void remove_skew(TestRecord& record, double skew_s) {
   auto const dropped = record.size() - (end - begin);
   record.force_kN = std::move(moved);
   for (auto* channel : {&record.time_s, &record.disp_mm, &record.force_kN, &record.load_kN}) keep(*channel, begin, end);
-  note(record, fmt::format("force moved {} by {:.6g} ms, between samples by interpolation; {} samples without a force "
+  note(record, fmt::format("force moved {} by {:.6g} ms, between samples by interpolation; {} sample{} without a force "
                            "dropped at the {}",
                            skew_s > 0.0 ? "back" : "forward", 1000.0 * std::abs(skew_s), dropped,
-                           skew_s > 0.0 ? "end" : "start"));
+                           dropped == 1 ? "" : "s", skew_s > 0.0 ? "end" : "start"));
 }
 
 // +1, -1 or 0: the motion at each sample, from reversal to reversal. At the reversal itself the neighbours tell whether

@@ -285,8 +285,9 @@ class Assessment {
     add("taken by the moving average from the third harmonic", third, "%");
     say(exceeds,
         fmt::format("the moving average over {} of {:.1f} samples takes {:.2g} % from the motion at the test's "
-                    "frequency and {:.2g} % from its third harmonic; the properties above are of raw values",
-                    window, samples, first, third));
+                    "frequency and {:.2g} % from its third harmonic: from what the laws are fitted to, the properties "
+                    "are of raw values{}",
+                    window, samples, first, third, exceeds ? "; a smaller --smooth takes less" : ""));
   }
 
   CycleView const& view_;

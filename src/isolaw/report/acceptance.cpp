@@ -124,15 +124,17 @@ std::vector<DesignValue> design_values(rules::Design const& design) {
 
 MeanAnalysis mean_analysis(rules::LotView const& lot) {
   MeanAnalysis result;
-  std::string parts;
+  std::string parts, open;
   for (auto const& quantity : lot.quantities) {
     if (!quantity.largest_from_mean_percent) continue;
     parts += fmt::format("{}{} {:.1f} %", parts.empty() ? "" : ", ", rules::name(quantity.quantity),
                          *quantity.largest_from_mean_percent);
     if (quantity.mean_analysis_permitted)
       result.permitted = result.permitted.value_or(true) && *quantity.mean_analysis_permitted;
+    if (open.empty()) open = quantity.mean_analysis_open;
   }
   if (parts.empty()) return result;
+  if (!open.empty() && result.permitted.value_or(true)) result.permitted.reset();
   result.sentence = "Largest deviation of a device from the lot's mean: " + parts + ".";
   if (result.permitted)
     result.sentence += *result.permitted
@@ -140,6 +142,8 @@ MeanAnalysis mean_analysis(rules::LotView const& lot) {
                              "permitted; ageing, temperature and the other effects add to it."
                            : " An analysis with mean properties alone is not permitted: upper and lower bounds are "
                              "needed.";
+  else if (!open.empty())
+    result.sentence += " Whether an analysis with mean properties is permitted cannot be said: " + open + ".";
   return result;
 }
 

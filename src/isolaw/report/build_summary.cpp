@@ -61,6 +61,12 @@ DeviceResult device_result(campaign::Device const& device, int smooth) {
   auto budget = data::error_budget(device.raw, result.properties, smooth);
   result.notes = std::move(budget.notes);
   result.effects = std::move(budget.effects);
+  // What reading the record has warned of knew of no moving average: it belongs to what the laws are fitted to.
+  if (smooth > 1) {
+    auto const read = data::error_budget(device.raw, result.properties).warnings;
+    for (auto const& warning : budget.warnings)
+      if (std::ranges::find(read, warning) == read.end()) result.raw.warnings.push_back(warning);
+  }
   return result;
 }
 
@@ -270,7 +276,7 @@ Summary build_summary(campaign::Contents const& contents) {
     summary.laws.push_back(std::move(law));
   }
   mark_front(summary.laws);
-  auto const& asked = contents.acceptance;
+  auto const& asked = summary.asked = contents.acceptance;
   add_acceptance(summary, asked.rules.empty() ? rules::RuleSet{} : rules::read_rule_text(asked.rules, asked.rules_file),
                  asked.design.empty() ? rules::Design{} : rules::parse_design(asked.design), asked.lot_size);
   return summary;

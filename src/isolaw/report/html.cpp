@@ -1,6 +1,7 @@
 #include "isolaw/report/html.hpp"
 
 #include <array>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "isolaw/report/assets.hpp"
@@ -23,6 +24,15 @@ std::string inline_script(std::string_view script) {
       safe += '\\';
   }
   return safe;
+}
+
+std::string asked_json(campaign::Acceptance const& asked) {
+  JsonWriter out;
+  out.begin_object().member("rules_file", asked.rules_file).member("rules", asked.rules).member("design", asked.design);
+  out.key("lot_size");
+  asked.lot_size ? out.value(*asked.lot_size) : out.null();
+  out.end_object();
+  return out.take();
 }
 
 }  // namespace
@@ -55,10 +65,11 @@ std::string html_escaped(std::string_view text) {
 
 std::string html(Summary const& summary) {
   std::string const title = summary.title.empty() ? "isolaw report" : summary.title + " – isolaw report";
-  std::array<std::pair<std::string_view, std::string>, 5> const contents{{
+  std::array<std::pair<std::string_view, std::string>, 6> const contents{{
       {"{{title}}", html_escaped(title)},
       {"{{style}}", std::string(assets::page_css())},
       {"{{plotly}}", inline_script(assets::plotly_js())},
+      {"{{asked}}", script_safe(asked_json(summary.asked))},
       {"{{data}}", script_safe(page_data_json(summary))},
       {"{{script}}", inline_script(assets::page_js())},
   }};
@@ -84,6 +95,26 @@ std::string html(Summary const& summary) {
     }
   }
   return page;
+}
+
+std::optional<campaign::Acceptance> asked_in(std::string_view page) {
+  constexpr std::string_view opening = R"(<script type="application/json" id="isolaw-asked">)";
+  auto const start = page.find(opening);
+  if (start == std::string_view::npos) return std::nullopt;
+  page.remove_prefix(start + opening.size());
+  auto const json = nlohmann::json::parse(page.substr(0, page.find("</script>")), nullptr, false);
+  if (!json.is_object()) return std::nullopt;
+  campaign::Acceptance asked;
+  auto const text = [&](char const* key, std::string& target) {
+    auto const found = json.find(key);
+    bool const is_text = found != json.end() && found->is_string();
+    if (is_text) target = found->get<std::string>();
+    return is_text;
+  };
+  bool const whole = text("rules_file", asked.rules_file) && text("rules", asked.rules) && text("design", asked.design);
+  if (auto const size = json.find("lot_size"); size != json.end() && size->is_number_integer())
+    asked.lot_size = size->get<int>();
+  return whole ? std::optional(asked) : std::nullopt;
 }
 
 }  // namespace isolaw::report

@@ -13,6 +13,8 @@
 namespace isolaw::report {
 namespace {
 
+constexpr int schema = 1;  // of inspection.json
+
 constexpr char const* no_vertical_stiffness =
     "vertical stiffness K_v: not assessed, a shear test under constant vertical load does not measure it";
 
@@ -190,9 +192,18 @@ void print_factors(std::string& text, rules::LotView const& lot) {
   add(text, "\nProperty modification factors\n  {:<9} {:<28} {:>7} {:>7} {:>10} {:>10}\n", "property", "source", "min",
       "max", "lower", "upper");
   for (auto const& q : lot.quantities)
-    for (auto const& b : q.bounds)
-      add(text, "  {:<9} {:<28} {:>7.3f} {:>7.3f} {:>10.4g} {:>10.4g} {}\n", rules::name(q.quantity), b.source,
-          b.combined.min, b.combined.max, b.lower, b.upper, q.unit);
+    for (auto const& b : q.bounds) {
+      add(text, "  {:<9} {:<28} {:>7} {:>7.3f} {:>10} {:>10.4g} {}", rules::name(q.quantity), b.source,
+          b.no_lower.empty() ? fmt::format("{:.3f}", b.combined.min) : "-", b.combined.max,
+          b.no_lower.empty() ? fmt::format("{:.4g}", b.lower) : "-", b.upper, q.unit);
+      if (!b.no_lower.empty()) add(text, "  {} (k = {:.4g})", b.no_lower, *q.tolerance_factor);
+      text += '\n';
+    }
+  add(text, "  lambda_test, of these the part of the test's cycles, over the mean of the first three:\n");
+  for (auto const& q : lot.quantities)
+    if (auto const& t = q.test_factors)
+      add(text, "  {:<9} {:.3f} (cycle {} of {}) to {:.3f} (cycle {} of {})\n", rules::name(q.quantity), t->min,
+          t->min_cycle, printable(q.test_min_device), t->max, t->max_cycle, printable(q.test_max_device));
 }
 
 // What the rule set says of the lot as a whole.
@@ -209,6 +220,7 @@ void print_lot(std::string& text, Summary const& summary) {
   print_quantities(text, lot);
   print_lot_verdicts(text, summary.acceptance);
   print_factors(text, lot);
+  if (!lot.note.empty()) add(text, "\n{}\n", lot.note);
   if (auto const mean = mean_analysis(lot); !mean.sentence.empty()) add(text, "\n{}\n", mean.sentence);
 }
 
@@ -255,6 +267,8 @@ std::string inspection_text(Summary const& summary) {
     print_device_in_full(text, summary.devices.front());
     print_rule_set(text, summary.acceptance);
     print_lot_verdicts(text, summary.acceptance);
+    if (summary.acceptance.has_rules() && !summary.acceptance.lot.note.empty())
+      add(text, "\n{}\n", summary.acceptance.lot.note);
     return text;
   }
   add(text, "{}: {} devices\n", printable(summary.title), summary.devices.size());
@@ -268,7 +282,7 @@ std::string inspection_text(Summary const& summary) {
 std::string inspection_json(Summary const& summary) {
   JsonWriter out(JsonWriter::Layout::indented);
   out.begin_object();
-  out.member("isolaw", summary.version);
+  out.member("schema", schema).member("isolaw", summary.version);
   if (summary.devices.size() == 1) {
     write_device(out, summary.devices.front());
   } else {

@@ -121,6 +121,19 @@ std::string limits_of_each(rules::RuleSet const& rules, rules::Quantity quantity
   return text;
 }
 
+void write_test_factors(JsonWriter& out, rules::LotQuantity const& q) {
+  out.key("lambda_test");
+  if (!q.test_factors) {
+    out.null();
+    return;
+  }
+  out.begin_object();
+  number(out, "min", q.test_factors->min);
+  out.member("min_cycle", q.test_factors->min_cycle).member("min_device", q.test_min_device);
+  number(out, "max", q.test_factors->max);
+  out.member("max_cycle", q.test_factors->max_cycle).member("max_device", q.test_max_device).end_object();
+}
+
 void write_quantity(JsonWriter& out, rules::RuleSet const& rules, rules::LotQuantity const& q) {
   out.begin_object();
   out.member("quantity", rules::name(q.quantity)).member("unit", q.unit).member("n", std::uint64_t{q.count});
@@ -136,6 +149,8 @@ void write_quantity(JsonWriter& out, rules::RuleSet const& rules, rules::LotQuan
   number(out, "fractile_5", q.fractile_5), number(out, "fractile_95", q.fractile_95);
   number(out, "tolerance_k", q.tolerance_factor);
   number(out, "tolerance_lower", q.tolerance_low), number(out, "tolerance_upper", q.tolerance_high);
+  out.member("no_lower_bound", q.no_lower);
+  write_test_factors(out, q);
   out.member("limit_individual", limits_of_each(rules, q.quantity));
   write_assessments(out, "mean_limits", q.mean_limits, std::nullopt);
   out.member("outlier_note", q.outlier_note);
@@ -161,7 +176,8 @@ void write_factors(JsonWriter& out, rules::LotView const& lot) {
       number(out, "spec_min", bound.spec.min), number(out, "spec_max", bound.spec.max);
       number(out, "lambda_min", bound.combined.min), number(out, "lambda_max", bound.combined.max);
       number(out, "lower", bound.lower), number(out, "upper", bound.upper);
-      out.member("unit", quantity.unit).member("note", bound.note).end_object();
+      out.member("unit", quantity.unit).member("note", bound.note).member("no_lower_bound", bound.no_lower);
+      out.end_object();
     }
   out.end_array();
 }
@@ -185,6 +201,7 @@ void write_lot(JsonWriter& out, LotAcceptance const& acceptance) {
   out.key("mean_analysis").begin_object().key("permitted");
   mean.permitted ? out.value(*mean.permitted) : out.null();
   out.member("sentence", mean.sentence).end_object();
+  out.member("note", lot.note);
   out.end_object();
 }
 

@@ -100,6 +100,7 @@ std::string lot_csv(Summary const& summary) {
                  "tolerance factor k 95/95",
                  "tolerance low",
                  "tolerance high",
+                 "no lower bound",
                  "limit on the mean",
                  "verdict",
                  "reason",
@@ -114,7 +115,7 @@ std::string lot_csv(Summary const& summary) {
     table.cell(q.count).cell(q.mean).cell(q.std).cell(q.cov_percent).cell(q.min).cell(q.min_device).cell(q.max);
     table.cell(q.max_device).cell(q.nominal).cell(q.mean_deviation_percent).cell(q.worst_deviation_percent);
     table.cell(q.worst_device).cell(q.fractile_5).cell(q.fractile_95).cell(q.tolerance_factor).cell(q.tolerance_low);
-    table.cell(q.tolerance_high);
+    table.cell(q.tolerance_high).cell(q.no_lower);
     std::vector<std::string> limits, verdicts, reasons, outliers;
     for (auto const& limit : q.mean_limits) {
       limits.push_back(limit.limit);
@@ -130,12 +131,18 @@ std::string lot_csv(Summary const& summary) {
 
 std::string lambda_csv(Summary const& summary) {
   CsvTable table;
-  header(table, {"property", "unit", "source", "lambda_spec min", "lambda_spec max", "lambda min", "lambda max",
-                 "lower bound", "upper bound", "note"});
+  header(table, {"property", "unit", "source", "lambda_spec min", "lambda_spec max", "lambda_test min",
+                 "lambda_test max", "min cycle", "max cycle", "lambda min", "lambda max", "lower bound", "upper bound",
+                 "note", "no lower bound"});
   for (auto const& q : summary.acceptance.lot.quantities)
     for (auto const& b : q.bounds) {
       table.cell(rules::name(q.quantity)).cell(q.unit).cell(b.source).cell(b.spec.min).cell(b.spec.max);
-      table.cell(b.combined.min).cell(b.combined.max).cell(b.lower).cell(b.upper).cell(b.note).end_row();
+      if (auto const& test = q.test_factors)
+        table.cell(test->min).cell(test->max).cell(test->min_cycle).cell(test->max_cycle);
+      else
+        table.empty(4);
+      table.cell(b.combined.min).cell(b.combined.max).cell(b.lower).cell(b.upper).cell(b.note).cell(b.no_lower);
+      table.end_row();
     }
   return table.take();
 }

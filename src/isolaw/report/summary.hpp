@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "isolaw/campaign/contents.hpp"
 #include "isolaw/data/error_budget.hpp"
 #include "isolaw/data/properties.hpp"
 #include "isolaw/data/record.hpp"
@@ -87,6 +88,7 @@ struct Summary {
   std::vector<Setting> settings;
   std::vector<DeviceResult> devices;
   std::vector<LawResult> laws;  // in the order asked for; none for an inspection
+  campaign::Acceptance asked;   // what `acceptance` was made from
   LotAcceptance acceptance;
   std::size_t runs = 0, expected_runs = 0;  // stored, and of a campaign that is complete
 

@@ -79,10 +79,12 @@ std::vector<RuleSet const*> built_in_rule_sets() {
   return sets;
 }
 
+bool is_built_in(std::string_view name) {
+  return name != template_name && std::ranges::find(texts(), name, &Text::name) != texts().end();
+}
+
 RuleText load_rule_text(std::string_view name_or_file) {
-  auto const built_in = std::ranges::find(texts(), name_or_file, &Text::name);
-  if (built_in != texts().end() && name_or_file != template_name)
-    return {std::string(name_or_file), std::string(built_in->toml)};
+  if (is_built_in(name_or_file)) return {std::string(name_or_file), std::string(rule_set_text(name_or_file))};
   auto const allowed = fmt::format("{}, or a rule file", names(false));
   return {
       std::string(name_or_file),

@@ -18,16 +18,21 @@ double student_97_5(double freedom) {
 
 }  // namespace
 
-std::optional<FactorPair> test_factors(Quantity quantity, BlockValues const& block) {
+std::optional<TestFactors> test_factors(Quantity quantity, BlockValues const& block) {
   double mean = 0.0;
   for (int number = 1; number <= 3; ++number) {
     auto const* cycle = block.find(number);
-    if (cycle == nullptr || !(cycle->of(quantity) > 0.0)) return std::nullopt;
+    if (cycle == nullptr) return std::nullopt;
     mean += cycle->of(quantity) / 3.0;
   }
-  double const first = block.find(1)->of(quantity), last = block.cycles.back().of(quantity);
-  if (!(last > 0.0) || !std::isfinite(mean + last)) return std::nullopt;
-  return FactorPair{.min = std::min(first, last) / mean, .max = std::max(first, last) / mean};
+  TestFactors made{.min = std::numeric_limits<double>::infinity(), .max = 0.0};
+  for (auto const& cycle : block.cycles) {
+    double const factor = cycle.of(quantity) / mean;
+    if (!(cycle.of(quantity) > 0.0) || !std::isfinite(factor)) return std::nullopt;
+    if (factor > made.max) made.max = factor, made.max_cycle = cycle.number;
+    if (factor <= made.min) made.min = factor, made.min_cycle = cycle.number;
+  }
+  return made;
 }
 
 CombinedFactors combine(FactorRule const& rule, FactorPair const& environment, FactorPair const& test,

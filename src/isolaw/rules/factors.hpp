@@ -17,9 +17,17 @@ struct FactorPair {
   double min = 1.0, max = 1.0;
 };
 
-// lambda_test of one device over its counted cycles: P_1/mean(P_1..P_3) and P_n/mean(P_1..P_3), n the last of the
-// cycles; max is the larger, the first of a property that falls and the last of one that grows. nullopt without the first three cycles or where a value is no positive number.
-std::optional<FactorPair> test_factors(Quantity quantity, BlockValues const& block);
+// lambda_test of one device: the largest and the smallest of its counted cycles over mean(P_1..P_3). Where a property
+// falls from cycle to cycle these are P_1 and P_n, as ASCE/SEI 7 has it; where it does not, the first or the last alone
+// would leave out what was measured. Of equal cycles the first is the largest and the last the smallest. nullopt without
+// the first three cycles or where a value is no positive number.
+struct TestFactors {
+  double min = 1.0, max = 1.0;
+  int min_cycle = 0, max_cycle = 0;
+
+  FactorPair pair() const { return {.min = min, .max = max}; }
+};
+std::optional<TestFactors> test_factors(Quantity quantity, BlockValues const& block);
 
 struct CombinedFactors {
   double min = 1.0, max = 1.0;

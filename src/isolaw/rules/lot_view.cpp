@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/num/statistics.hpp"
@@ -44,6 +45,11 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
+std::string no_lower_bound(double half_width_percent) {
+  return fmt::format("too few devices for a lower bound: {:.0f} % of the mean below it is no positive value",
+                     half_width_percent);
+}
+
 void describe_spread(Values const& found, LotQuantity& view) {
   auto const moments = num::moments(found.values);
   auto const [low, high] = std::ranges::minmax_element(found.values);
@@ -53,14 +59,21 @@ void describe_spread(Values const& found, LotQuantity& view) {
   view.max = *high;
   view.min_device = device(low);
   view.max_device = device(high);
-  view.largest_from_mean_percent = 100.0 * std::max(*high / moments.mean - 1.0, 1.0 - *low / moments.mean);
   if (found.values.size() < 2) return;
+  view.largest_from_mean_percent = 100.0 * std::max(*high / moments.mean - 1.0, 1.0 - *low / moments.mean);
   view.std = moments.std;
   view.cov_percent = 100.0 * moments.std / moments.mean;
-  view.fractile_5 = moments.mean - normal_95 * moments.std;
+  // Below zero there is no bound of a quantity that is positive.
+  auto const below_mean = [&](double factor) -> std::optional<double> {
+    double const value = moments.mean - factor * moments.std;
+    if (value > 0.0) return value;
+    if (view.no_lower.empty()) view.no_lower = no_lower_bound(factor * *view.cov_percent);
+    return std::nullopt;
+  };
+  view.fractile_5 = below_mean(normal_95);
   view.fractile_95 = moments.mean + normal_95 * moments.std;
   view.tolerance_factor = num::tolerance_factor(found.values.size());
-  view.tolerance_low = moments.mean - *view.tolerance_factor * moments.std;
+  view.tolerance_low = below_mean(*view.tolerance_factor);
   view.tolerance_high = moments.mean + *view.tolerance_factor * moments.std;
 }
 
@@ -76,14 +89,20 @@ void compare_with_design(Design const& design, LotQuantity& view) {
   view.worst_device = below ? view.min_device : view.max_device;
 }
 
+// What the sample rule lacks; empty where it is kept, or the set has none.
+std::string unmet_sample(RuleSet const& rules, LotView const& lot, LotQuantity const& view) {
+  if (rules.sample && !lot.required) return "size of the lot not known: give it, so that the sample can be judged";
+  if (lot.required && view.count < static_cast<std::size_t>(*lot.required))
+    return fmt::format("{} devices with this property, {} required", view.count, *lot.required);
+  return {};
+}
+
 // What stands in the way of a verdict on the lot: a sample too small, devices without the value, other conditions.
 std::vector<std::string> unmet_of_lot(RuleSet const& rules, LotView const& lot, LotQuantity const& view,
                                       std::span<DeviceValues const> devices, Design const& design) {
   std::vector<std::string> unmet;
-  if (rules.sample && !lot.required)
-    unmet.push_back("size of the lot not known: give it, so that the sample can be judged");
-  else if (lot.required && view.count < static_cast<std::size_t>(*lot.required))
-    unmet.push_back(fmt::format("{} devices with this property, {} required", view.count, *lot.required));
+  if (!lot.note.empty()) unmet.push_back(lot.note);
+  if (auto sample = unmet_sample(rules, lot, view); !sample.empty()) unmet.push_back(std::move(sample));
   if (!view.without.empty()) unmet.push_back(fmt::format("no value of {}", fmt::join(view.without, ", ")));
   for (auto const& device : devices)
     for (auto const& text : unmet_conditions(rules, device.block, design)) {
@@ -119,15 +138,21 @@ void assess_mean(RuleSet const& rules, LotView const& lot, std::span<DeviceValue
   }
 }
 
-std::optional<FactorPair> extreme_test_factors(Quantity quantity, std::span<DeviceValues const> devices) {
-  std::optional<FactorPair> extremes;
+void add_test_factors(std::span<DeviceValues const> devices, LotQuantity& view) {
+  auto& extremes = view.test_factors;
   for (auto const& device : devices)
-    if (auto const factors = test_factors(quantity, device.block)) {
-      if (!extremes) extremes = factors;
-      extremes->min = std::min(extremes->min, factors->min);
-      extremes->max = std::max(extremes->max, factors->max);
+    if (auto const factors = test_factors(view.quantity, device.block)) {
+      bool const first = !extremes;
+      if (first) extremes = factors;
+      if (first || factors->min < extremes->min) {
+        extremes->min = factors->min, extremes->min_cycle = factors->min_cycle;
+        view.test_min_device = device.name;
+      }
+      if (first || factors->max > extremes->max) {
+        extremes->max = factors->max, extremes->max_cycle = factors->max_cycle;
+        view.test_max_device = device.name;
+      }
     }
-  return extremes;
 }
 
 // The labelled sources of lambda_spec. All but the contract's are about the devices' mean, relative to the base value.
@@ -139,8 +164,14 @@ void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& 
       given == nullptr ? FactorPair{} : FactorPair{.min = given->environment_min, .max = given->environment_max};
   // Defaults that stand for all effects together are about the properties the set names, not about the others.
   auto const rule = given == nullptr ? FactorRule{} : rules.factors;
-  auto const add = [&](std::string source, FactorPair const& spec, std::string note) {
-    auto const combined = combine(rule, environment, view.test_factors.value_or(FactorPair{}), spec);
+  auto const test = view.test_factors.value_or(TestFactors{}).pair();
+  auto const add = [&](std::string source, FactorPair spec, std::string note) {
+    std::string no_lower;
+    if (spec.min <= 0.0) {
+      no_lower = no_lower_bound(100.0 * (1.0 - spec.min * base / *view.mean));
+      spec.min = std::numeric_limits<double>::quiet_NaN();
+    }
+    auto const combined = combine(rule, environment, test, spec);
     view.bounds.push_back({.source = std::move(source),
                            .spec = spec,
                            .combined = combined,
@@ -148,7 +179,8 @@ void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& 
                            .supply_upper = base * spec.max,
                            .lower = base * combined.min,
                            .upper = base * combined.max,
-                           .note = std::move(note)});
+                           .note = std::move(note),
+                           .no_lower = std::move(no_lower)});
   };
   auto const about_mean = [&](double half_width_percent) {
     double const centre = *view.mean / base;
@@ -157,10 +189,11 @@ void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& 
   };
   if (given != nullptr && given->spec_min)
     add("contract band", {.min = *given->spec_min, .max = *given->spec_max}, "as agreed in the rule set");
+  if (!view.cov_percent) return;  // one device is no lot
   add("observed", {.min = *view.min / base, .max = *view.max / base}, "lowest and highest device tested");
-  if (!view.cov_percent) return;
   add("statistical, each device", about_mean(*view.tolerance_factor * *view.cov_percent),
-      "holds 95 % of the devices with confidence 95 %; not for the system");
+      fmt::format("holds 95 % of the devices with confidence 95 %, k = {:.4g}; not for the system",
+                  *view.tolerance_factor));
   if (!lot_size) return;
   auto const tested = static_cast<int>(view.count);
   add("statistical, system", about_mean(system_half_width_percent(*view.cov_percent, *lot_size, tested)),
@@ -168,6 +201,16 @@ void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& 
                   tested));
   add("statistical, system predicted", about_mean(prediction_half_width_percent(*view.cov_percent, *lot_size, tested)),
       fmt::format("mean of {} devices predicted from {} tested, 95 %; mean and CoV estimated", *lot_size, tested));
+}
+
+// Devices too far from the mean forbid it, however few they are; to permit it takes the sample that the set asks for.
+void judge_mean_analysis(RuleSet const& rules, LotView const& lot, LotQuantity& view) {
+  if (!rules.verified() || !rules.mean_analysis || view.count < 2) return;
+  double const within = rules.mean_analysis->within_percent;
+  bool const close =
+      is_within(*view.min, *view.mean, -within, std::nullopt) && is_within(*view.max, *view.mean, std::nullopt, within);
+  if (close) view.mean_analysis_open = unmet_sample(rules, lot, view);
+  if (view.mean_analysis_open.empty()) view.mean_analysis_permitted = close;
 }
 
 LotQuantity quantity_view(RuleSet const& rules, LotView const& lot, Quantity quantity,
@@ -185,12 +228,9 @@ LotQuantity quantity_view(RuleSet const& rules, LotView const& lot, Quantity qua
     view.outlier_note = fmt::format("too few devices to name outliers: {}, at least {} needed", found.values.size(),
                                     fewest_for_outliers);
   assess_mean(rules, lot, devices, design, view);
-  view.test_factors = extreme_test_factors(quantity, devices);
+  add_test_factors(devices, view);
   add_bounds(rules, lot.lot_size, view);
-  if (rules.verified() && rules.mean_analysis && view.count >= 2)
-    view.mean_analysis_permitted =
-        is_within(*view.min, *view.mean, -rules.mean_analysis->within_percent, std::nullopt) &&
-        is_within(*view.max, *view.mean, std::nullopt, rules.mean_analysis->within_percent);
+  judge_mean_analysis(rules, lot, view);
   return view;
 }
 
@@ -202,7 +242,7 @@ Assessment assess_sample(RuleSet const& rules, LotView const& lot) {
   made.unit = "devices";
   if (!rules.sample) {
     made.reason =
-        rules.id.empty() ? std::string("no rule set was asked for") : rules.id + " has no rule for the sample";
+        rules.id.empty() ? "no rule set was asked for" : fmt::format("{} has no rule for the sample", rules.id);
     return made;
   }
   made.clause = rules.sample->clause;
@@ -251,6 +291,8 @@ LotView lot_view(RuleSet const& rules, std::span<DeviceValues const> devices, De
   lot.lot_size = lot_size;
   if (rules.sample && lot_size) lot.required = required_sample(*rules.sample, *lot_size);
   lot.sample = assess_sample(rules, lot);
+  if (devices.size() == 1 && lot_size != 1)
+    lot.note = "one device is no lot: no spread over devices, no verdict on their mean, no factors from them";
   for (auto const quantity : measured_quantities())
     lot.quantities.push_back(quantity_view(rules, lot, quantity, devices, design));
   return lot;

@@ -35,11 +35,12 @@ inline constexpr std::size_t fewest_for_outliers = 5;
 // Factors on the design value (on the lot's mean where there is none), and the property they give.
 struct Bound {
   std::string source;        // "contract band", "observed", "statistical, each device", "statistical, system", ...
-  FactorPair spec;           // lambda_spec of this source
+  FactorPair spec;           // lambda_spec of this source; min NaN where it gives no lower bound, and so all lower ones
   CombinedFactors combined;  // with the defaults of the set where it has a [[factor]] of the property
   double supply_lower = 0.0, supply_upper = 0.0;  // base value x spec: the supply alone, in the quantity's unit
   double lower = 0.0, upper = 0.0;                // base value x combined, in the quantity's unit
   std::string note;                               // what the source means
+  std::string no_lower;                           // why there is no lower bound
 };
 
 struct LotQuantity {
@@ -57,16 +58,19 @@ struct LotQuantity {
   std::optional<double> fractile_5, fractile_95;        // mean +- 1.645 std
   std::optional<double> tolerance_factor;               // exact, two-sided 95 % with confidence 95 %
   std::optional<double> tolerance_low, tolerance_high;  // mean +- factor x std
+  std::string no_lower;                                 // why fractile_5 or tolerance_low is not there
   std::vector<Outlier> outliers;
   std::string outlier_note;                    // why none could be named: too few devices
   std::vector<Assessment> mean_limits;         // limits on the lot's mean, of the rule set
   std::optional<double> observed_mean_factor;  // mean/design value
-  std::optional<FactorPair> test_factors;      // extremes of lambda_test over the devices
+  std::optional<TestFactors> test_factors;     // extremes of lambda_test over the devices
+  std::string test_min_device, test_max_device;
   std::vector<Bound> bounds;
   // Largest deviation of a device from the lot's mean, in percent, and whether a verified set lets an analysis use mean
   // properties as far as the variability within the supply goes; what the other effects add is not in the records.
-  std::optional<double> largest_from_mean_percent;
+  std::optional<double> largest_from_mean_percent;  // from two values up
   std::optional<bool> mean_analysis_permitted;
+  std::string mean_analysis_open;  // why it cannot be said, though the deviations are small enough
 };
 
 struct LotView {
@@ -74,6 +78,7 @@ struct LotView {
   std::optional<int> lot_size;
   std::optional<int> required;  // by the set's sample rule, when the lot's size is known
   Assessment sample;            // devices tested against those required
+  std::string note;             // that one device is no lot
   std::vector<LotQuantity> quantities;
 };
 

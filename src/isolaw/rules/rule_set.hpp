@@ -131,6 +131,8 @@ RuleSet read_rule_text(std::string_view text, std::string const& file);
 // The sets that come with the program, in alphabetical order. The template is not one of them.
 std::vector<RuleSet const*> built_in_rule_sets();
 
+bool is_built_in(std::string_view name);
+
 // The TOML of a built-in set by its name, else of the file of that name, unread.
 struct RuleText {
   std::string name;  // as given

@@ -72,6 +72,9 @@ function superscript(exponent) {
   );
 }
 
+// What a caption says of controls, columns and downloads that paper does not have.
+const onScreen = (text) => ('printing' in document.documentElement.dataset ? '' : text);
+
 // Significant digits; very large and small values as a power of ten.
 function significant(value, digits = 3) {
   if (!isNumber(value)) return DASH;
@@ -614,6 +617,13 @@ const FIGURES = [
     build: parameterTables,
   },
   {
+    id: 'warnings',
+    section: 'properties',
+    title: '', // with laws they stand under the decision
+    wanted: () => inspection && report.findings.warnings.length > 0,
+    build: takeCare,
+  },
+  {
     id: 'cycles',
     section: 'properties',
     width: 'wide',
@@ -722,7 +732,8 @@ const FIGURES = [
     long: true,
     wanted: () => devices.some((device) => device.assessments.length > 0),
     caption: () =>
-      'Devices outside a limit come first. Under the verdict the deviation from the design value, or the value. Choose a device above for clauses, formulas and reasons.',
+      'Devices outside a limit come first. Under the verdict the deviation from the design value, or the value.' +
+      onScreen(' Choose a device above for clauses, formulas and reasons.'),
     csv: () => assessmentData(devices),
     build: verdictTable,
   },
@@ -743,8 +754,7 @@ const FIGURES = [
     title: 'Property modification factors',
     long: true,
     wanted: () => (report.assessment?.lot?.factors.length ?? 0) > 0,
-    caption: () =>
-      'Factors on the design value (on the mean of the lot where there is none) and the bounds they give. The spread of single devices bounds a device; only the spread of the system may bound the whole isolation system.',
+    caption: factorCaption,
     csv: factorData,
     build: factorTable,
   },
@@ -812,30 +822,34 @@ function verdictList() {
       element('div', {}, element('b', {}, law.id), role, inOneLine ? null : element('br'), sentence(verdict.sentence)),
     );
   });
-  const warnings = report.findings.warnings.map((warning) => element('li', {}, warning.sentence));
-  const few = warnings.length <= 5 ? warnings.length : 4;
   const care =
-    warnings.length === 0
+    report.findings.warnings.length === 0
       ? element(
           'p',
           { class: 'calm' },
           'Nothing stands out: no device was refused, no run failed, no parameter lies at its bound.',
         )
-      : element(
-          'div',
-          { class: 'warnings' },
-          element('h3', {}, 'Take care'),
-          element('ul', {}, ...warnings.slice(0, few)),
-          few === warnings.length
-            ? null
-            : element(
-                'details',
-                {},
-                element('summary', {}, warnings.length - few + ' more'),
-                element('ul', {}, ...warnings.slice(few)),
-              ),
-        );
+      : takeCare();
   return element('div', {}, element('ul', { class: 'verdicts' }, ...items), care);
+}
+
+function takeCare() {
+  const warnings = report.findings.warnings.map((warning) => element('li', {}, warning.sentence));
+  const few = warnings.length <= 5 ? warnings.length : 4;
+  return element(
+    'div',
+    { class: 'warnings' },
+    element('h3', {}, 'Take care'),
+    element('ul', {}, ...warnings.slice(0, few)),
+    few === warnings.length
+      ? null
+      : element(
+          'details',
+          {},
+          element('summary', {}, warnings.length - few + ' more'),
+          element('ul', {}, ...warnings.slice(few)),
+        ),
+  );
 }
 
 function rankingTable() {
@@ -1059,7 +1073,7 @@ function loopCaption() {
     device.name +
     ', measured (grey) and best fits. ' +
     said.join('; ') +
-    (said.length > 0 ? '.' : 'Choose a law above.') +
+    (said.length > 0 ? '.' : onScreen('Choose a law above.')) +
     missing
       .map(
         (law) =>
@@ -2114,7 +2128,7 @@ function stabilityCaption() {
   );
   return (
     (said.length > 0
-      ? 'Against cycle 3. ' + said.join(' ') + (blocks.length > 3 ? ' Choose a block above for the others.' : '')
+      ? 'Against cycle 3. ' + said.join(' ') + (blocks.length > 3 ? onScreen(' Choose a block above for the others.') : '')
       : 'No block has a third cycle to compare with.') + (held ? ' Dashed: design value; band: its limits.' : '')
   );
 }
@@ -2248,8 +2262,8 @@ function cycleTableCaption() {
   if (device.blocks.length === 0) return 'No cycles: ' + noCycles(device);
   return (
     device.name +
-    ', from raw values. In bold the reported cycle: the third of the block of largest amplitude, or its last; grey: not counted. ' +
-    'K+ and K\u2212: force over displacement per side. The CSV holds more columns.'
+    ', from raw values. In bold the reported cycle: the third of the block of largest amplitude, or its last; grey: not counted.' +
+    onScreen(' K+ and K\u2212: force over displacement per side. The CSV holds more columns.')
   );
 }
 
@@ -2331,7 +2345,22 @@ function cycleData(among) {
 // --- verdicts
 
 const isVerified = () => Boolean(report.assessment?.rule_set?.verified_by);
-const lotQuantities = report.assessment?.lot?.quantities ?? [];
+const worstVerdict = (verdicts) =>
+  ['fail', 'pass', 'information', 'not assessed'].find((verdict) => verdicts.includes(verdict)) ?? null;
+// With one verdict of the limits on the mean, none where the set has no such limit.
+const lotQuantities = (report.assessment?.lot?.quantities ?? []).map(
+  ({ mean_limits: limits, lambda_test: test, without, ...quantity }) => ({
+    ...quantity,
+    without: without.join('; '),
+    lambda_test_min: test?.min ?? null,
+    lambda_test_min_cycle: test?.min_cycle ?? null,
+    lambda_test_max: test?.max ?? null,
+    lambda_test_max_cycle: test?.max_cycle ?? null,
+    limit_mean: limits.map(({ limit }) => limit).join('; '),
+    verdict: worstVerdict(limits.map(({ verdict }) => verdict)),
+    reason: [...new Set(limits.map(({ reason }) => reason).filter(Boolean))].join('; '),
+  }),
+);
 
 // Word and shape say the same, so that neither colour nor sight of the shape is needed.
 const VERDICTS = {
@@ -2506,6 +2535,9 @@ function verdictTable() {
 
 // --- the lot
 
+const sampleText = ({ value, limit, verdict, reason }) =>
+  [count(value, 'device') + ' tested', limit, verdict].filter(Boolean).join(', ') + (reason ? ': ' + reason : '');
+
 function ruleSetStatement() {
   const { rule_set: rules, design, lot } = report.assessment;
   const facts = [
@@ -2518,10 +2550,11 @@ function ruleSetStatement() {
     [
       'Design values',
       design.length > 0
-        ? design.map(({ name, value, unit }) => name + ' ' + withUnit(value, unit)).join(', ')
+        ? design.map(({ name, value, unit }) => name + ' ' + value + THIN + unit).join(', ')
         : 'none given: no deviation can be stated',
     ],
-    ...(lot?.sample_sentence ? [['Sample', lot.sample_sentence]] : []),
+    ...(rules && lot?.sample ? [['Sample', sampleText(lot.sample)]] : []),
+    ...(lot?.note ? [['The lot', lot.note]] : []),
     ...(lot?.mean_analysis?.sentence ? [['Mean properties', lot.mean_analysis.sentence]] : []),
   ];
   const unverified = rules !== null && !rules.verified_by;
@@ -2550,7 +2583,10 @@ function lotCaption() {
     (isNumber(lot.tested) ? count(lot.tested, 'device') + ' with values' : 'Devices with values') +
     (isNumber(lot.size) ? ' of ' + lot.size : '') +
     (isNumber(lot.required) ? ', ' + lot.required + ' required' : '') +
-    '. CoV: standard deviation over the mean. Tolerance: interval that holds 95\u202f% of all devices with 95\u202f% confidence, if normally distributed.' +
+    '. CoV: standard deviation over the mean.' +
+    onScreen(
+      ' Tolerance: interval that holds 95\u202f% of all devices with 95\u202f% confidence, if normally distributed.',
+    ) +
     (failing.length > 0 ? ' Outside a limit: ' + enumerate(failing) + '.' : '')
   );
 }
@@ -2578,11 +2614,16 @@ function lotTable() {
       element('small', { title: device }, short(device ?? '', 16)),
     );
   const range = (low, high) =>
-    isNumber(low) && isNumber(high) ? significant(low, 3) + ' \u2013 ' + significant(high, 3) : DASH;
+    isNumber(high) ? (isNumber(low) ? significant(low, 3) + ' \u2013 ' : 'to ') + significant(high, 3) : DASH;
   const rows = lotQuantities.map((q) => ({
     cells: [
       element('span', {}, element('b', { class: 'strong' }, q.quantity), q.unit ? ' ' + unitText(q.unit) : ''),
-      element('td', { class: 'reasoned' }, verdictBadge(q.verdict), q.reason ? element('small', {}, q.reason) : null),
+      element(
+        'td',
+        { class: 'reasoned' },
+        q.verdict ? verdictBadge(q.verdict) : DASH,
+        q.reason ? element('small', {}, q.reason) : null,
+      ),
       isNumber(q.n) ? String(q.n) : DASH,
       significant(q.mean, 4),
       fixed(q.cov_percent, 1),
@@ -2609,6 +2650,7 @@ function lotTable() {
         { class: 'number screen' },
         range(q.tolerance_lower, q.tolerance_upper),
         isNumber(q.tolerance_k) ? element('small', {}, 'k ' + fixed(q.tolerance_k, 3)) : null,
+        q.no_lower_bound ? element('small', {}, q.no_lower_bound.split(':')[0]) : null,
       ),
     ],
   }));
@@ -2626,10 +2668,9 @@ function deviceValue(device, quantity) {
     (a) => (a.quantity === quantity || a.quantity.startsWith(quantity + ',')) && isNumber(a.value),
   );
   if (own.length > 0) {
-    const order = ['fail', 'pass', 'information', 'not assessed'];
     return {
       value: own.reduce((sum, a) => sum + a.value, 0) / own.length,
-      verdict: order.find((verdict) => own.some((a) => a.verdict === verdict)) ?? 'not assessed',
+      verdict: worstVerdict(own.map((a) => a.verdict)) ?? 'not assessed',
     };
   }
   const key = CYCLE_COLUMNS.find((column) => column.key.startsWith(quantity + '_'))?.key;
@@ -2836,6 +2877,32 @@ function outlierTable() {
   return table(columns, rows, 'Outliers');
 }
 
+function factorCaption() {
+  const history = lotQuantities
+    .filter((q) => isNumber(q.lambda_test_min))
+    .map(
+      (q) =>
+        q.quantity +
+        ' ' +
+        fixed(q.lambda_test_min, 3) +
+        ' (cycle ' +
+        q.lambda_test_min_cycle +
+        ') to ' +
+        fixed(q.lambda_test_max, 3) +
+        ' (cycle ' +
+        q.lambda_test_max_cycle +
+        ')',
+    );
+  return (
+    'Factors on the design value (on the mean of the lot where there is none) and the bounds they give. The spread of single devices bounds a device; only the spread of the system may bound the whole isolation system.' +
+    (history.length > 0
+      ? ' Each holds that of the test, smallest and largest counted cycle over the mean of the first three: ' +
+        history.join(', ') +
+        '.'
+      : '')
+  );
+}
+
 function factorTable() {
   const columns = [
     { title: 'Property', pinned: true },
@@ -2864,7 +2931,7 @@ function factorTable() {
         significant(factor.lower, 4),
         significant(factor.upper, 4),
         unitText(factor.unit),
-        element('td', { class: 'note text' }, factor.note),
+        element('td', { class: 'note text' }, [factor.note, factor.no_lower_bound].filter(Boolean).join('; ')),
       ],
     };
   });
@@ -2872,7 +2939,19 @@ function factorTable() {
 }
 
 function factorData() {
-  const keys = ['property', 'source', 'spec_min', 'spec_max', 'lambda_min', 'lambda_max', 'lower', 'upper', 'unit', 'note'];
+  const keys = [
+    'property',
+    'source',
+    'spec_min',
+    'spec_max',
+    'lambda_min',
+    'lambda_max',
+    'lower',
+    'upper',
+    'unit',
+    'note',
+    'no_lower_bound',
+  ];
   return { columns: keys, rows: report.assessment.lot.factors.map((factor) => keys.map((key) => factor[key])) };
 }
 
@@ -2896,7 +2975,9 @@ function propertiesCaption() {
   return (
     'Third counted cycle of each block, or its last' +
     (devices.some((device) => device.blocks.length > 1) ? '; in bold the reported one' : '') +
-    '. Every cycle is in the CSV. Over ' +
+    '.' +
+    onScreen(' Every cycle is in the CSV.') +
+    ' Over ' +
     count(cycles.length, 'device') +
     ': effective stiffness ' +
     span('K_eff_kN_per_mm', 3) +
@@ -3156,7 +3237,10 @@ function buildPage() {
     'Made by isolaw ' +
     report.isolaw +
     (inspection ? ' from the test records' : ' from the campaign\u2019s store') +
-    '. This file needs no network; the data of every figure can be saved as CSV.';
+    '. This file needs no network';
+  document
+    .getElementById('colophon')
+    .append(element('span', { class: 'screen' }, '; the data of every figure can be saved as CSV'), '.');
 
   const observer = new IntersectionObserver(
     (entries) => {
@@ -3229,6 +3313,7 @@ window.addEventListener('afterprint', () => {
   delete document.documentElement.dataset.printing;
   for (const details of document.querySelectorAll('details.law')) details.restore();
   redraw();
+  for (const [figure, place] of drawn) if (figure.caption) place.caption.textContent = figure.caption();
 });
 
 window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => redraw());
