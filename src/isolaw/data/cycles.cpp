@@ -182,7 +182,9 @@ struct Motion {
 };
 
 Shape Motion::shape(Group const& group) const {
-  Shape shape{.first = first(group), .last = last(group)};
+  Shape shape;
+  shape.first = first(group);
+  shape.last = last(group);
   double const start = value_at(x, shape.first), end = value_at(x, shape.last);
   shape.least = std::min(start, end);
   shape.largest = std::max(start, end);
@@ -244,13 +246,16 @@ std::vector<CycleCut> with_parts(std::vector<CycleCut> cycles, Motion const& mot
 
 std::string too_short(std::span<double const> x, Motion const& motion, Segmentation const& made) {
   auto const [least, largest] = std::ranges::minmax(x);
-  auto const sides =
-      std::ranges::count_if(motion.lobes, [](Lobe const& lobe) { return !lobe.ends_open && !lobe.starts_open; });
+  // Lobes of the first motion's side start at such a crossing.
+  auto const first = std::ranges::find(motion.lobes, false, &Lobe::starts_open);
+  auto const crossings =
+      std::count_if(first, motion.lobes.end(), [&](Lobe const& lobe) { return lobe.positive == first->positive; });
   return fmt::format(
-      "less than one complete cycle: displacement runs from {:.4g} to {:.4g} mm and comes back to {} {} times, to both "
-      "sides in turn is needed (swings of less than {:.3g} mm are taken for noise)",
-      least, largest, made.centre_mm == 0.0 ? "zero" : fmt::format("its centre at {:.4g} mm", made.centre_mm), sides,
-      2.0 * made.band_mm);
+      "less than one complete cycle: displacement runs from {:.4g} to {:.4g} mm and {} crossings of {} in the "
+      "direction of the first motion were found, 2 with a swing to each side between them are needed (swings of less "
+      "than {:.3g} mm are taken for noise)",
+      least, largest, crossings,
+      made.centre_mm == 0.0 ? "zero" : fmt::format("its centre at {:.4g} mm", made.centre_mm), 2.0 * made.band_mm);
 }
 
 // Travel in regular cycles over all travel, apart from pre-loads, tapers and the record's first and last swing.
@@ -332,7 +337,9 @@ Segmentation segment(std::span<double const> disp_mm, std::span<double const> ti
     return made;
   }
   auto const found = reversals(disp_mm);
-  Motion motion{.x = disp_mm, .time = time_s};
+  Motion motion;
+  motion.x = disp_mm;
+  motion.time = time_s;
   made.band_mm = found.band_mm;
   if (found.at.size() < 2) {
     made.refusal = too_short(disp_mm, motion, made);
