@@ -32,20 +32,6 @@ double half_range(std::span<double const> x) {
   return largest / 2.0 - least / 2.0;
 }
 
-// Standard deviation of white noise, from the median of |fourth differences|: a sine of 20 samples in a cycle leaves
-// only a thousandth of its amplitude in them, a hundred samples next to nothing. White noise gains sqrt(70).
-double noise_of(std::span<double const> x) {
-  if (x.size() < 16) return 0.0;
-  std::vector<double> sizes(x.size() - 4);
-  for (std::size_t i = 0; i < sizes.size(); ++i)
-    sizes[i] = std::abs((x[i] + x[i + 4]) - 4.0 * (x[i + 1] + x[i + 3]) + 6.0 * x[i + 2]);
-  for (double& size : sizes)
-    if (std::isnan(size)) size = std::numeric_limits<double>::infinity();
-  auto const middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::ranges::nth_element(sizes, middle);
-  return *middle / (0.6745 * std::sqrt(70.0));
-}
-
 // Alternating extremes whose swings are of at least `least` mm, the first sample in front.
 std::vector<std::size_t> extremes(std::span<double const> x, double least) {
   std::vector<std::size_t> found;
@@ -289,6 +275,20 @@ std::string not_cyclic(std::vector<Shape> const& shapes, double share) {
 
 }  // namespace
 
+// From the median of |fourth differences|: a sine of 20 samples in a cycle leaves
+// only a thousandth of its amplitude in them, a hundred samples next to nothing. White noise gains sqrt(70).
+double noise_deviation(std::span<double const> x) {
+  if (x.size() < 16) return 0.0;
+  std::vector<double> sizes(x.size() - 4);
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+    sizes[i] = std::abs((x[i] + x[i + 4]) - 4.0 * (x[i + 1] + x[i + 3]) + 6.0 * x[i + 2]);
+  for (double& size : sizes)
+    if (std::isnan(size)) size = std::numeric_limits<double>::infinity();
+  auto const middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::ranges::nth_element(sizes, middle);
+  return *middle / (0.6745 * std::sqrt(70.0));
+}
+
 double value_at(std::span<double const> values, double index) {
   auto const i = std::min(static_cast<std::size_t>(index), values.size() - 1);
   double const part = index - static_cast<double>(i);
@@ -325,7 +325,7 @@ Reversals reversals(std::span<double const> disp_mm) {
   Reversals found;
   double const half = half_range(disp_mm);
   if (disp_mm.size() < 3 || !(half > 0.0) || !std::isfinite(2.0 * half)) return found;
-  found.band_mm = std::clamp(noise_deviations * noise_of(disp_mm), least_floor * half, largest_floor * half);
+  found.band_mm = std::clamp(noise_deviations * noise_deviation(disp_mm), least_floor * half, largest_floor * half);
   found.at = without_interruptions(disp_mm, extremes(disp_mm, 2.0 * found.band_mm));
   return found;
 }
@@ -348,7 +348,7 @@ Segmentation segment(std::span<double const> disp_mm, std::span<double const> ti
   auto const swings = swings_of(disp_mm, found.at);
   made.centre_mm = centre_of(disp_mm, swings, found.band_mm);
   motion.centre = made.centre_mm;
-  motion.noise = noise_of(disp_mm);
+  motion.noise = noise_deviation(disp_mm);
   motion.lobes = lobes(disp_mm, time_s, found, made.centre_mm);
   motion.groups = group_lobes(motion.lobes);
   if (motion.count(Part::cycle) == 0) {

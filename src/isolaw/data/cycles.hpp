@@ -60,6 +60,9 @@ struct PeakPositions {
 };
 PeakPositions peak_positions(std::span<double const> disp_mm, double first, double last);
 
+// Standard deviation of white noise in a sampled history of 20 samples in a cycle or more; 0 for fewer than 16 samples.
+double noise_deviation(std::span<double const> values);
+
 // `values` at a fractional sample index inside them, interpolated.
 double value_at(std::span<double const> values, double index);
 
