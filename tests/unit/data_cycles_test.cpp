@@ -158,7 +158,10 @@ TEST(Segment, APreLoadEitherWayCostsNoCycle) {
           EXPECT_NEAR(*cycle->period_s, 2.0, 0.01);
           EXPECT_NEAR(cycle->amplitude_mm, 150.0, 0.1);
         }
-        if (cycles >= 2) EXPECT_NEAR(properties.find(1, 2)->energy_kN_mm, 13750.0, 10.0);  // 4 f0 (D - tanh(a D) / a)
+        if (cycles >= 2) {
+          // 4 f0 (D - tanh(a D) / a)
+          EXPECT_NEAR(properties.find(1, 2)->energy_kN_mm, 13750.0, 10.0);
+        }
       }
 }
 
@@ -235,16 +238,16 @@ TEST(Segment, RestsAndHoldsAreNoPartOfPeriods) {
       auto const properties = noisy.noise(noise).loop().properties();
       ASSERT_EQ(properties.blocks.size(), 1u);
       EXPECT_EQ(properties.counted().size(), properties.complete().size());
-      EXPECT_NEAR(*properties.blocks[0].frequency_Hz, 0.5, 0.008) << noise;
-      EXPECT_NEAR(*properties.samples_per_cycle, 200.0, 3.0) << noise;
+      // Noise at rest crosses the centre a few samples after the motion has come to it.
+      EXPECT_NEAR(*properties.blocks[0].frequency_Hz, 0.5, 0.0125) << noise;
+      EXPECT_NEAR(*properties.samples_per_cycle, 200.0, 5.0) << noise;
       EXPECT_EQ(properties.blocks[0].waveform, "sine");
       double still = 0.0;
       for (auto const* cycle : properties.counted()) {
         EXPECT_NEAR(*cycle->period_s, 2.0, 0.08) << noise;
         still += *cycle->still_s;
       }
-      EXPECT_NEAR(still, &motion == &rested ? 6.0 : 3.0, 3.1);
-      EXPECT_GT(still, 2.9);
+      EXPECT_NEAR(still, properties.counted().size() == 3 ? 6.0 : 3.0, 0.12);
     }
 }
 

@@ -134,8 +134,8 @@ class Assessment {
     if (biased || scattered)
       say(true, fmt::format(
                     "noise of {:.2g} mm in displacement ({:.2g} % of the amplitude) and {:.2g} kN in force ({:.2g} "
-                    "%): the extremes of {} lie about {:.2g} % too far out, K_eff and damping come out about as much "
-                    "too small, and K_eff of one cycle is uncertain by {:.2g} % more (one standard deviation)",
+                    "%): the extremes of {} lie about {:.2g} % too far out and K_eff comes out at least as much too "
+                    "small; K_eff of one cycle is uncertain by {:.2g} % besides (one standard deviation)",
                     disp, percent(disp, amplitude), force, percent(force, force_amplitude), where(), beyond, scatter));
   }
 
