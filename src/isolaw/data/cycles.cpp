@@ -25,6 +25,7 @@ constexpr double rest = 0.05;             // of the amplitude: a record that sta
 // Of the travel. Of 1000 responses of linear oscillators to irregular motion 10 reach 0.64 and one 0.80; cyclic tests
 // reach 0.9 and more.
 constexpr double least_regular_share = 0.8;
+constexpr auto not_cyclic_cycle = "the record is not cyclic";
 
 double half_range(std::span<double const> x) {
   if (x.empty()) return 0.0;
@@ -197,7 +198,7 @@ Shape Motion::shape(Group const& group) const {
 }
 
 // All groups in order: the numbered cycles, and what is less than a cycle with its reason.
-std::vector<CycleCut> with_parts(std::vector<CycleCut> cycles, Motion const& motion) {
+std::vector<CycleCut> with_parts(std::vector<CycleCut> cycles, Motion const& motion, bool cyclic = true) {
   std::vector<CycleCut> all;
   std::size_t next = 0;
   for (auto const& group : motion.groups) {
@@ -225,6 +226,8 @@ std::vector<CycleCut> with_parts(std::vector<CycleCut> cycles, Motion const& mot
       default:
         part.not_counted = open_end(motion.x);
     }
+    bool const one_side = group.part == Part::pre_load || group.part == Part::half;
+    if (!cyclic && one_side) part.not_counted = not_cyclic_cycle;
     all.push_back(std::move(part));
   }
   return all;
@@ -367,10 +370,10 @@ Segmentation segment(std::span<double const> disp_mm, std::span<double const> ti
     for (auto& cut : made.cycles) {
       cut.block = 1;
       cut.number = 0;
-      cut.not_counted = "the record is not cyclic";
+      cut.not_counted = not_cyclic_cycle;
     }
   }
-  made.cycles = with_parts(std::move(made.cycles), motion);
+  made.cycles = with_parts(std::move(made.cycles), motion, made.cyclic);
   return made;
 }
 

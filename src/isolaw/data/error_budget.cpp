@@ -124,6 +124,7 @@ class Assessment {
     double const force = noise_deviation(view_.force_kN);
     double const amplitude = cycle().amplitude_mm;
     double const force_amplitude = std::abs(cycle().F_plus_kN - cycle().F_minus_kN) / 2.0;
+    if (!(amplitude > 0.0 && force_amplitude > 0.0)) return;
     double const beyond = percent(peak_gain_mm(disp, amplitude, *properties_.samples_per_cycle), amplitude);
     // Force and displacement of two samples each, independent.
     double const scatter = std::hypot(percent(force, force_amplitude), percent(disp, amplitude)) / std::numbers::sqrt2;
