@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,10 +33,12 @@ Motion plain() {
 }
 
 // The force of the same loop `late_s` later, from a motion that is sampled finely.
-Motion skewed(double late_s, double K = 0.5, double Q = 30.0, double alpha = 0.08) {
+Motion skewed(double late_s, double K = 0.5, double Q = 30.0, double alpha = 0.08, double friction_kN = 0.0) {
   Motion fine;
   fine.dt_s = 0.0005;
   fine.sine(208.0, 0.5, 5.5).loop(K, Q, alpha);
+  for (std::size_t i = 1; i < fine.disp_mm.size(); ++i)
+    fine.force_kN[i] += std::copysign(friction_kN, fine.disp_mm[i] - fine.disp_mm[i - 1]);
   auto const shift = std::lround(late_s / fine.dt_s);
   Motion made;
   for (long i = 0; i <= 20000; i += 20) {
@@ -118,6 +121,89 @@ TEST(ErrorBudget, FrictionOfTheRig) {
   ASSERT_NE(find(budget, "damping by the jump"), nullptr);
   EXPECT_NEAR(find(budget, "jump of force at reversals")->value, 16.0, 2.0);
   EXPECT_TRUE(says(budget.warnings, "(--rig-friction "));
+}
+
+TEST(ErrorBudget, FrictionIsNotNamedAgainAsSkew) {
+  auto motion = Motion().sine(150.0, 0.5, 5).end().loop(0.6, 25.0);
+  for (std::size_t i = 1; i + 1 < motion.disp_mm.size(); ++i) {
+    double const way = motion.disp_mm[i + 1] - motion.disp_mm[i - 1];
+    if (std::abs(way) > 1e-6) motion.force_kN[i] += std::copysign(3.0, way);
+  }
+  auto const budget = budget_of(motion);
+  EXPECT_TRUE(says(budget.warnings, "as friction of 2.9"));
+  EXPECT_FALSE(says(budget.notes, "force turns"));
+  EXPECT_FALSE(says(budget.warnings, "force turns"));
+}
+
+TEST(ErrorBudget, ASkewBesideFrictionIsWhatIsLeftOfIt) {
+  auto const budget = budget_of(skewed(-0.015, 0.5, 30.0, 0.08, 4.0));
+  ASSERT_NE(find(budget, "damping by the jump"), nullptr);
+  EXPECT_NEAR(find(budget, "skew")->value, -15.0, 5.0);  // half a sampling interval
+  EXPECT_TRUE(says(budget.notes, "before displacement, its jump there taken off: viscosity"));
+}
+
+TEST(ErrorBudget, NoiseIsNoSkew) {
+  // Noise of displacement, on the steep branch after a reversal, used to read as an early force.
+  for (double const noise : {0.5, 0.75, 1.5})
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+      auto motion = Motion().sine(150.0, 0.5, 5).end().loop(0.6, 25.0).noise(noise, seed);
+      std::mt19937 generator(1000 + seed);
+      std::normal_distribution<double> normal(0.0, 0.7);
+      for (double& F : motion.force_kN) F += normal(generator);
+      auto const budget = budget_of(motion);
+      EXPECT_FALSE(says(budget.notes, "force turns")) << noise << ", seed " << seed;
+      EXPECT_FALSE(says(budget.warnings, "force turns")) << noise << ", seed " << seed;
+    }
+}
+
+TEST(ErrorBudget, SkewIsFoundInNoise) {
+  int found = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    auto const budget = budget_of(skewed(0.020).noise(0.5, seed));
+    auto const* effect = find(budget, "skew");
+    ASSERT_NE(effect, nullptr);
+    EXPECT_NEAR(effect->value, 20.0, 6.0) << seed;
+    found += effect->exceeds ? 1 : 0;
+  }
+  EXPECT_GE(found, 18);
+}
+
+TEST(ErrorBudget, NoiseMovesTheExtremes) {
+  auto const quiet = budget_of(plain());
+  EXPECT_FALSE(says(quiet.warnings, "noise"));
+  double beyond = 0.0, softer = 0.0;
+  constexpr int draws = 200;
+  for (unsigned seed = 1; seed <= draws; ++seed) {
+    auto motion = Motion().sine(150.0, 0.5, 5).end().loop(0.6, 25.0).noise(3.0, seed);
+    auto const cycle = *motion.properties().reported;
+    beyond += (cycle.amplitude_mm - 150.0) / draws;
+    softer += (1.0 - cycle.K_eff_kN_per_mm / 0.766667) / draws;
+    if (seed > 1) continue;
+    auto const budget = budget_of(motion);
+    EXPECT_TRUE(says(budget.warnings, "the extremes of cycle 3 of block 1 lie about "));
+    EXPECT_NEAR(find(budget, "noise of displacement")->value, 2.0, 0.2);
+    EXPECT_NEAR(find(budget, "extremes moved by noise")->value, 2.82, 0.4);
+    EXPECT_TRUE(find(budget, "extremes moved by noise")->exceeds);
+  }
+  // 200 cycles of two extremes each scatter by 0.6 of the noise: their mean by 0.09 mm.
+  EXPECT_NEAR(beyond, peak_gain_mm(3.0, 150.0, 200.0), 0.3);
+  // The force at such a sample is off its own peak: the stiffness loses more than the amplitude gains.
+  EXPECT_GT(softer, peak_gain_mm(3.0, 150.0, 200.0) / 150.0);
+  EXPECT_LT(softer, 2.0 * peak_gain_mm(3.0, 150.0, 200.0) / 150.0);
+  EXPECT_DOUBLE_EQ(peak_gain_mm(0.0, 150.0, 200.0), 0.0);
+  // So few samples that one alone stands at the peak: its mean is that of the noise.
+  EXPECT_NEAR(peak_gain_mm(0.01, 150.0, 20.0), 0.0, 1e-5);
+}
+
+TEST(ErrorBudget, ALongRestIsNoted) {
+  auto const rested =
+      Motion().sine(150.0, 0.5, 1).hold(0.0, 3.0).sine(150.0, 0.5, 1).hold(0.0, 4.0).sine(150.0, 0.5, 1);
+  auto const budget = budget_of(Motion(rested).end().loop());
+  EXPECT_TRUE(says(budget.notes,
+                   "the device stands still for 4 s in cycle 3 of block 1, longer than its period, and for "
+                   "longer than a period in 1 more"));
+  EXPECT_NEAR(find(budget, "longest rest or hold")->value, 4.0, 0.03);
+  EXPECT_FALSE(says(budget_of(plain()).notes, "stands still"));
 }
 
 TEST(ErrorBudget, OffsetsDriftAndClosure) {

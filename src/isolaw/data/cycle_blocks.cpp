@@ -5,22 +5,29 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 namespace isolaw::data {
 namespace {
 
 constexpr double nominal = 0.05;          // of the block's amplitude
-constexpr double same_period = 0.20;      // of the block's period
+constexpr double least_change = 0.05;     // of the period, that splits a block
+constexpr double clear_change = 0.20;     // of the period, where but one cycle before it can be compared
+constexpr double agreement = 0.25;        // of the change: what periods before and after it may scatter by
+constexpr std::size_t compared = 3;       // cycles before a change
+constexpr double far_period = 1.4;        // ratio to the block's: such a cycle does not count
+constexpr double build_up = 0.15;         // of the amplitude of the run that a lone cycle belongs to
 constexpr double symmetric = 0.05;        // unevenness of a lone cycle that is a stage of its own
 constexpr double lopsided = 0.25;         // of the amplitude, that the middle of a regular cycle may move by
-constexpr std::size_t tapered_run = 3;    // cycles: shorter runs may come about by chance
+constexpr std::size_t sure_run = 3;       // cycles: shorter runs may come about by chance
 constexpr std::size_t longest_taper = 2;  // cycles
 
 // Cycles [begin, end) of one amplitude and frequency.
 struct Run {
   std::size_t begin = 0;
   std::size_t end = 0;
-  double amplitude = 0.0;  // median
+  double amplitude = 0.0;  // medians
+  double period = 0.0;
   std::size_t size() const { return end - begin; }
 };
 
@@ -67,27 +74,58 @@ std::vector<Run> runs_of_amplitude(std::vector<Shape> const& shapes) {
     mean.add(shapes[i].amplitude());
     runs.back().end = i + 1;
   }
-  for (auto& run : runs) run.amplitude = median_over(shapes, run, [](Shape const& s) { return s.amplitude(); });
   return runs;
 }
 
-// A new frequency starts at cycle i when it and the next differ from what was, and agree with one another.
+bool same_pace(double period, double other, double factor) {
+  return period <= factor * other && other <= factor * period;
+}
+
+// Whether the swing from tip to tip goes at the pace of the whole cycle: not where one starts or ends slowly.
+bool is_even(Shape const& shape) {
+  return same_pace(shape.rise_and_fall, shape.period + shape.still.time, far_period);
+}
+
+// Whether the periods of [begin, at) and the two from `after` on are two frequencies. A lone one before stands only for
+// a clear change.
+bool changes(std::vector<Shape> const& shapes, std::size_t begin, std::size_t at, std::size_t after) {
+  if (begin >= at) return false;
+  auto const period = [](Shape const& shape) { return shape.period; };
+  auto const before = std::span(shapes).subspan(begin, at - begin);
+  auto const [least, largest] = std::ranges::minmax(before, {}, period);
+  auto const [least_new, largest_new] = std::ranges::minmax(std::span(shapes).subspan(after, 2), {}, period);
+  double const old_period = least.period / 2.0 + largest.period / 2.0;
+  double const new_period = least_new.period / 2.0 + largest_new.period / 2.0;
+  double const change = std::abs(new_period - old_period);
+  double const limit = before.size() > 1 ? least_change : clear_change;
+  return change > limit * std::min(old_period, new_period) && largest.period - least.period <= agreement * change &&
+         largest_new.period - least_new.period <= agreement * change;
+}
+
+// A new frequency starts at cycle i when it and the next agree, as those before do, and differ from them; the frequency
+// may change within the cycle before. A run's first cycle may start slowly and is left out where others stand for it.
 std::vector<Run> split_by_frequency(std::vector<Shape> const& shapes, Run const& run) {
   std::vector<Run> parts{{.begin = run.begin, .end = run.end}};
-  RunningMean mean;  // of the periods after the part's first cycle, which may start slowly
-  for (auto i = run.begin + 1; i < run.end; ++i) {
-    bool const changes = mean.count() > 0 && i + 1 < run.end && !close(shapes[i].period, mean.value(), same_period) &&
-                         !close(shapes[i + 1].period, mean.value(), same_period) &&
-                         close(shapes[i].period, shapes[i + 1].period, same_period);
-    if (changes) {
-      parts.back().end = i;
-      parts.push_back({.begin = i, .end = run.end});
-      mean = {};
-    } else if (mean.count() == 0 || close(shapes[i].period, mean.value(), same_period)) {
-      mean.add(shapes[i].period);
-    }
+  auto const split_at = [&](std::size_t i) {
+    parts.back().end = i;
+    parts.push_back({.begin = i, .end = run.end});
+  };
+  bool const pair_of_stages = run.size() == 2 && is_even(shapes[run.begin]) && is_even(shapes[run.begin + 1]) &&
+                              !same_pace(shapes[run.begin].period, shapes[run.begin + 1].period, far_period);
+  if (pair_of_stages) split_at(run.begin + 1);
+  for (auto i = run.begin + 2; i + 1 < run.end; ++i) {
+    auto const begin = parts.back().begin;
+    auto const count = i - begin;
+    if (count < 2) continue;
+    auto const recent = std::max(i - std::min(count, compared), begin + (count > 2 ? 1 : 0));
+    bool const clear = changes(shapes, recent, i, i) || (count > 2 && changes(shapes, recent, i - 1, i)) ||
+                       (count == 2 && changes(shapes, i - 1, i, i));
+    if (clear) split_at(i);
   }
-  for (auto& part : parts) part.amplitude = median_over(shapes, part, [](Shape const& s) { return s.amplitude(); });
+  for (auto& part : parts) {
+    part.amplitude = median_over(shapes, part, [](Shape const& s) { return s.amplitude(); });
+    part.period = median_over(shapes, part, [](Shape const& s) { return s.period; });
+  }
   return parts;
 }
 
@@ -103,7 +141,7 @@ bool stays(std::vector<Shape> const& shapes, Run const& run, std::size_t i) {
 
 // Cycles that grow into a run, or fade out of it: the ramps of a shaking table's signal.
 void mark_tapers(std::vector<Shape>& shapes, Run const& run) {
-  if (run.size() < tapered_run) return;
+  if (run.size() < sure_run) return;
   for (std::size_t k = 0; k < longest_taper && run.begin > k; ++k) {
     auto& shape = shapes[run.begin - k - 1];
     if (shape.amplitude() >= shapes[run.begin - k].amplitude()) break;
@@ -131,7 +169,14 @@ struct Draft {
   Run core;
 };
 
-// Lone uneven cycles join a neighbour; an odd one out between two runs of one amplitude joins them.
+// A lone cycle of nearly the amplitude of a run, and at its pace.
+bool is_build_up(Run const& lone, Run const& run) {
+  return run.size() >= sure_run && close(lone.amplitude, run.amplitude, build_up) &&
+         same_pace(lone.period, run.period, far_period);
+}
+
+// Lone cycles that are uneven, or that build up to a run or fade from it, join a neighbour; an odd one out between two
+// runs of one amplitude and frequency joins them.
 std::vector<Draft> drafts_of(std::vector<Shape> const& shapes, std::vector<Run> const& runs) {
   std::vector<Draft> drafts;
   std::size_t pending = 0;  // begin of lone cycles that wait for the block they lead to
@@ -140,7 +185,9 @@ std::vector<Draft> drafts_of(std::vector<Shape> const& shapes, std::vector<Run> 
     auto const& run = runs[r];
     bool const lone = run.size() == 1;
     bool const between = lone && !drafts.empty() && !waiting && r + 1 < runs.size() && drafts.back().core.size() > 1 &&
-                         runs[r + 1].size() > 1 && close(runs[r + 1].amplitude, drafts.back().core.amplitude, nominal);
+                         runs[r + 1].size() > 1 &&
+                         close(runs[r + 1].amplitude, drafts.back().core.amplitude, nominal) &&
+                         close(runs[r + 1].period, drafts.back().core.period, least_change);
     if (between) {
       auto& draft = drafts.back();
       draft.end = runs[r + 1].end;
@@ -148,7 +195,9 @@ std::vector<Draft> drafts_of(std::vector<Shape> const& shapes, std::vector<Run> 
       ++r;
       continue;
     }
-    if (lone && shapes[run.begin].unevenness > symmetric) {
+    bool const leads = lone && r + 1 < runs.size() && is_build_up(run, runs[r + 1]);
+    bool const fades = lone && !drafts.empty() && !waiting && is_build_up(run, drafts.back().core);
+    if (lone && (leads || fades || shapes[run.begin].unevenness > symmetric)) {
       double const before = drafts.empty() || waiting ? 0.0 : drafts.back().core.amplitude;
       double const after = r + 1 < runs.size() ? runs[r + 1].amplitude : 0.0;
       bool const joins_before =
@@ -173,16 +222,37 @@ std::vector<Draft> drafts_of(std::vector<Shape> const& shapes, std::vector<Run> 
   return drafts;
 }
 
-std::string reason(Shape const& shape, double amplitude) {
+std::string of_amplitude(Shape const& shape, double amplitude) {
   double const deviation = 100.0 * (shape.amplitude() / amplitude - 1.0);
   return fmt::format("its amplitude of {:.4g} mm is {:.1f} % {} the block's {:.4g} mm, more than {:.0f} %",
                      shape.amplitude(), std::abs(deviation), deviation > 0.0 ? "above" : "below", amplitude,
                      100.0 * nominal);
 }
 
+std::string of_period(Shape const& shape, double period, std::string_view unit) {
+  bool const slow = shape.period > period;
+  return fmt::format("its period of {:.4g} {} is {:.2f} times {} the block's {:.4g} {}, more than {}", shape.period,
+                     unit, slow ? shape.period / period : period / shape.period, slow ? "as long as" : "shorter than",
+                     period, unit, far_period);
+}
+
+// The period that the nominal cycles of a block are held to: of those that go at one pace, where there are any. 0 where
+// none would be left.
+double period_of(std::vector<Shape> const& shapes, std::vector<std::size_t> const& nominal_cycles) {
+  std::vector<double> even, all;
+  for (auto const i : nominal_cycles) {
+    all.push_back(shapes[i].period);
+    if (is_even(shapes[i])) even.push_back(shapes[i].period);
+  }
+  if (all.empty()) return 0.0;
+  double const period = median_of(even.empty() ? all : even);
+  bool const any = std::ranges::any_of(all, [&](double other) { return same_pace(other, period, far_period); });
+  return any ? period : 0.0;
+}
+
 }  // namespace
 
-std::vector<CycleCut> number_cycles(std::vector<Shape>& shapes) {
+std::vector<CycleCut> number_cycles(std::vector<Shape>& shapes, std::string_view unit) {
   std::vector<Run> runs;
   for (auto const& run : runs_of_amplitude(shapes))
     for (auto const& part : split_by_frequency(shapes, run)) runs.push_back(part);
@@ -192,16 +262,27 @@ std::vector<CycleCut> number_cycles(std::vector<Shape>& shapes) {
   for (auto const& draft : drafts_of(shapes, runs)) {
     ++block;
     int number = 0;
+    std::vector<std::size_t> nominal_cycles;
+    for (auto i = draft.begin; i < draft.end; ++i)
+      if (close(shapes[i].amplitude(), draft.core.amplitude, nominal)) nominal_cycles.push_back(i);
+    double const period = period_of(shapes, nominal_cycles);
     for (auto i = draft.begin; i < draft.end; ++i) {
       auto const& shape = shapes[i];
       CycleCut cut;
       cut.block = block;
       cut.first = shape.first;
       cut.last = shape.last;
-      if (close(shape.amplitude(), draft.core.amplitude, nominal))
-        cut.number = ++number;
+      cut.turns_at_start = shape.turns_at_start;
+      cut.turns_at_end = shape.turns_at_end;
+      cut.still_samples = shape.still.samples;
+      cut.still_time = shape.still.time;
+      bool const builds_up = i < draft.core.begin && shape.amplitude() < draft.core.amplitude;
+      if (!close(shape.amplitude(), draft.core.amplitude, nominal))
+        cut.not_counted = (builds_up ? "build-up: " : "") + of_amplitude(shape, draft.core.amplitude);
+      else if (period > 0.0 && !same_pace(shape.period, period, far_period))
+        cut.not_counted = of_period(shape, period, unit);
       else
-        cut.not_counted = reason(shape, draft.core.amplitude);
+        cut.number = ++number;
       cuts.push_back(std::move(cut));
     }
   }

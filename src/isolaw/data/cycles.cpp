@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "isolaw/data/cycle_blocks.hpp"
+#include "isolaw/data/holds.hpp"
+#include "isolaw/data/lobes.hpp"
 
 namespace isolaw::data {
 namespace {
@@ -17,7 +19,6 @@ constexpr double least_floor = 0.01;      // of the half range
 constexpr double largest_floor = 0.05;    // of the half range: more is no noise of a rig
 constexpr double noise_deviations = 5.0;  // beyond these among a million samples there is hardly one
 constexpr double interruption = 0.04;     // of the smaller neighbouring swing; one of 5 to 200 % strain is a stage
-constexpr double first_motion = 0.2;      // of the next swing: less is a pre-load, not a first quarter of a cycle
 constexpr double off_centre = 0.05;       // of the amplitude: a record this close to zero is cut at zero
 constexpr double lopsided = 0.25;         // of the amplitude: a lone cycle this uneven still starts from its centre
 constexpr double rest = 0.05;             // of the amplitude: a record that starts or ends this close is at rest
@@ -25,25 +26,12 @@ constexpr double as_large = 0.05;         // of the amplitude: a piece of a cycl
 // Of the travel. Of 1000 responses of linear oscillators to irregular motion 10 reach 0.64 and one 0.80; cyclic tests
 // reach 0.9 and more.
 constexpr double least_regular_share = 0.8;
+constexpr auto not_cyclic_cycle = "the record is not cyclic";
 
 double half_range(std::span<double const> x) {
   if (x.empty()) return 0.0;
   auto const [least, largest] = std::ranges::minmax(x);
   return largest / 2.0 - least / 2.0;
-}
-
-// Standard deviation of white noise, from the median of |fourth differences|: a sine of 20 samples in a cycle leaves
-// only a thousandth of its amplitude in them, a hundred samples next to nothing. White noise gains sqrt(70).
-double noise_of(std::span<double const> x) {
-  if (x.size() < 16) return 0.0;
-  std::vector<double> sizes(x.size() - 4);
-  for (std::size_t i = 0; i < sizes.size(); ++i)
-    sizes[i] = std::abs((x[i] + x[i + 4]) - 4.0 * (x[i + 1] + x[i + 3]) + 6.0 * x[i + 2]);
-  for (double& size : sizes)
-    if (std::isnan(size)) size = std::numeric_limits<double>::infinity();
-  auto const middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::ranges::nth_element(sizes, middle);
-  return *middle / (0.6745 * std::sqrt(70.0));
 }
 
 // Alternating extremes whose swings are of at least `least` mm, the first sample in front.
@@ -147,115 +135,117 @@ double centre_of(std::span<double const> x, Swings const& swings, double band) {
   return middle;
 }
 
-// +1 or -1: the first swing that is no mere pre-load.
-double first_direction(std::span<double const> x, std::vector<std::size_t> const& at, Swings const& swings) {
-  std::size_t k = 0;
-  while (k + 1 < swings.half.size() && swings.half[k] < first_motion * swings.half[k + 1]) ++k;
-  return x[at[k + 1]] > x[at[k]] ? 1.0 : -1.0;
+std::string pre_load(std::span<double const> x, Lobe const& lobe) {
+  return fmt::format("pre-load: to {:.4g} mm and back, no part of the cycles after it", x[lobe.tip]);
 }
 
-struct Cutter {
-  std::span<double const> x;
-  std::vector<std::size_t> const& at;
+std::string half_cycle(std::span<double const> x, Lobe const& lobe) {
+  return fmt::format("half a cycle: to {:.4g} mm and back, then the motion starts anew", x[lobe.tip]);
+}
+
+std::string open_start(std::span<double const> x) {
+  return fmt::format("partial: the record starts at {:.4g} mm, within a cycle", x.front());
+}
+
+std::string open_end(std::span<double const> x) {
+  return fmt::format("partial: the record ends at {:.4g} mm, before the cycle is closed", x.back());
+}
+
+// The lobes of a history, in groups, and what the cycles among them are.
+struct Motion {
+  std::span<double const> x, time;
   double centre = 0.0;
-  double direction = 1.0;
-  double band = 0.0;
-  double rest_band = 0.0;  // for the start and the end of the record
+  double noise = 0.0;
+  std::vector<Lobe> lobes;
+  std::vector<Group> groups;
 
-  double y(std::size_t i) const { return direction * (x[i] - centre); }
-
-  std::optional<double> crossing(std::size_t from, std::size_t to) const {
-    for (auto i = from + 1; i <= to; ++i) {
-      double const before = y(i - 1);
-      double const after = y(i);
-      if (!(before < 0.0 && after >= 0.0)) continue;
-      double const part = before / (before - after);  // not finite where a damaged store's values are not
-      return static_cast<double>(i - 1) + (std::isfinite(part) ? part : 0.0);
-    }
-    return std::nullopt;
+  double first(Group const& group) const { return lobes[group.begin].first; }
+  double last(Group const& group) const { return lobes[group.end - 1].last; }
+  std::size_t count(Part part) const {
+    return static_cast<std::size_t>(std::ranges::count(groups, part, &Group::part));
   }
-
-  // The sample nearest to the centre after the last one beyond the band about it: three exact cycles of a sine end at
-  // the centre without crossing it.
-  std::size_t rest_index() const {
-    std::size_t first = x.size();
-    while (first > 0 && std::abs(y(first - 1)) <= rest_band) --first;
-    std::size_t nearest = first;
-    for (auto i = first; i < x.size(); ++i)
-      if (std::abs(y(i)) < std::abs(y(nearest))) nearest = i;
-    return nearest;
-  }
-
-  std::vector<double> cuts() const {
-    std::vector<double> found;
-    bool const starts_at_rest = std::abs(y(0)) <= rest_band;
-    if (starts_at_rest) found.push_back(0.0);
-    for (std::size_t k = 1; k < at.size(); ++k) {
-      bool const last = k + 1 == at.size();
-      if (k == 1 && starts_at_rest && y(at[1]) > 0.0) continue;
-      if (!(y(at[k - 1]) < -band || (k == 1 && y(at[0]) < 0.0)) || y(at[k]) < y(at[k - 1])) continue;
-      if (auto const here = crossing(at[k - 1], last ? x.size() - 1 : at[k]))
-        found.push_back(*here);
-      else if (last && std::abs(y(x.size() - 1)) <= rest_band)
-        found.push_back(static_cast<double>(rest_index()));
-    }
-    return found;
-  }
+  // Whether the motion turns at the centre, or stops there, where the group ends.
+  bool turns_after(Group const& group) const { return group.end == lobes.size() || lobes[group.end].turns; }
+  Shape shape(Group const& group) const;
 };
 
-Shape shape_of(std::span<double const> x, std::span<double const> time, double first, double last, double centre) {
-  Shape shape{.first = first, .last = last};
-  double const start = value_at(x, first), end = value_at(x, last);
+Shape Motion::shape(Group const& group) const {
+  Shape shape;
+  shape.first = first(group);
+  shape.last = last(group);
+  double const start = value_at(x, shape.first), end = value_at(x, shape.last);
   shape.least = std::min(start, end);
   shape.largest = std::max(start, end);
-  auto const stop = std::min(static_cast<std::size_t>(std::ceil(last)), x.size());
-  for (auto i = static_cast<std::size_t>(first) + 1; i < stop; ++i) {
+  auto const stop = std::min(static_cast<std::size_t>(std::ceil(shape.last)), x.size());
+  for (auto i = static_cast<std::size_t>(shape.first) + 1; i < stop; ++i) {
     shape.least = std::min(shape.least, x[i]);
     shape.largest = std::max(shape.largest, x[i]);
   }
   shape.unevenness = std::abs((shape.largest - centre) + (shape.least - centre)) / (shape.largest - shape.least);
-  auto const peaks = peak_positions(x, first, last);
-  shape.period = 2.0 * (time.empty() ? std::abs(peaks.largest - peaks.smallest)
-                                     : std::abs(value_at(time, peaks.largest) - value_at(time, peaks.smallest)));
+  shape.still = still_time(x, time,
+                           {.first = shape.first,
+                            .last = shape.last,
+                            .amplitude = shape.amplitude(),
+                            .middle = shape.largest / 2.0 + shape.least / 2.0},
+                           noise);
+  auto const at = [&](double index) { return time.empty() ? index : value_at(time, index); };
+  shape.period = at(shape.last) - at(shape.first) - shape.still.time;
+  auto const& one = lobes[group.begin];
+  auto const& other = lobes[group.begin + 1];
+  shape.rise_and_fall = 2.0 * (at(static_cast<double>(other.tip)) - at(static_cast<double>(one.tip)));
+  shape.turns_at_start = one.turns;
+  shape.turns_at_end = turns_after(group);
   return shape;
 }
 
-CycleCut partial(int block, double first, double last, std::string reason) {
-  CycleCut cut;
-  cut.block = block;
-  cut.partial = true;
-  cut.first = first;
-  cut.last = last;
-  cut.not_counted = std::move(reason);
-  return cut;
-}
-
-// With the pieces before the first cut and after the last, which are no cycles.
-std::vector<CycleCut> with_partial_ends(std::vector<CycleCut> cycles, Cutter const& cutter,
-                                        std::vector<double> const& cuts) {
-  auto const& x = cutter.x;
+// All groups in order: the numbered cycles, and what is less than a cycle with its reason.
+std::vector<CycleCut> with_parts(std::vector<CycleCut> cycles, Motion const& motion, bool cyclic = true) {
   std::vector<CycleCut> all;
-  if (cuts.front() > 0.0)
-    all.push_back(partial(cycles.empty() ? 1 : cycles.front().block, 0.0, cuts.front(),
-                          fmt::format("partial: the record starts at {:.4g} mm, within a cycle", x.front())));
-  int const last_block = cycles.empty() ? 1 : cycles.back().block;
-  std::ranges::move(cycles, std::back_inserter(all));
-  double farthest = 0.0;
-  for (auto i = static_cast<std::size_t>(std::ceil(cuts.back())); i < x.size(); ++i)
-    farthest = std::max(farthest, std::abs(cutter.y(i)));
-  if (farthest > cutter.rest_band)
-    all.push_back(partial(last_block, cuts.back(), static_cast<double>(x.size() - 1),
-                          fmt::format("partial: the record ends at {:.4g} mm, before the cycle is closed", x.back())));
+  std::size_t next = 0;
+  for (auto const& group : motion.groups) {
+    if (group.part == Part::cycle) {
+      all.push_back(std::move(cycles[next++]));
+      continue;
+    }
+    auto const& lobe = motion.lobes[group.begin];
+    bool const leads = group.part == Part::pre_load || group.part == Part::open_start || all.empty();
+    CycleCut part;
+    part.block = leads && next < cycles.size() ? cycles[next].block : all.empty() ? 1 : all.back().block;
+    part.partial = true;
+    part.first = motion.first(group);
+    part.last = motion.last(group);
+    switch (group.part) {
+      case Part::pre_load:
+        part.not_counted = pre_load(motion.x, lobe);
+        break;
+      case Part::half:
+        part.not_counted = half_cycle(motion.x, lobe);
+        break;
+      case Part::open_start:
+        part.not_counted = open_start(motion.x);
+        break;
+      default:
+        part.not_counted = open_end(motion.x);
+    }
+    bool const one_side = group.part == Part::pre_load || group.part == Part::half;
+    if (!cyclic && one_side) part.not_counted = not_cyclic_cycle;
+    all.push_back(std::move(part));
+  }
   return all;
 }
 
-std::string too_short(std::span<double const> x, std::size_t cuts, Segmentation const& made) {
+std::string too_short(std::span<double const> x, Motion const& motion, Segmentation const& made) {
   auto const [least, largest] = std::ranges::minmax(x);
+  // Lobes of the first motion's side start at such a crossing.
+  auto const first = std::ranges::find(motion.lobes, false, &Lobe::starts_open);
+  auto const crossings =
+      std::count_if(first, motion.lobes.end(), [&](Lobe const& lobe) { return lobe.positive == first->positive; });
   return fmt::format(
       "less than one complete cycle: displacement runs from {:.4g} to {:.4g} mm and {} crossings of {} in the "
-      "direction of the first motion were found, 2 are needed (swings of less than {:.3g} mm are taken for noise)",
-      least, largest, cuts, made.centre_mm == 0.0 ? "zero" : fmt::format("its centre at {:.4g} mm", made.centre_mm),
-      2.0 * made.band_mm);
+      "direction of the first motion were found, 2 with a swing to each side between them are needed (swings of less "
+      "than {:.3g} mm are taken for noise)",
+      least, largest, crossings,
+      made.centre_mm == 0.0 ? "zero" : fmt::format("its centre at {:.4g} mm", made.centre_mm), 2.0 * made.band_mm);
 }
 
 // Travel of the swings before the first cut and after the last that are as large as the regular cycle beside them: where
@@ -274,8 +264,10 @@ double regular_ends(std::vector<Shape> const& shapes, Swings const& swings, std:
   return travel;
 }
 
-// Travel in regular cycles over all travel, apart from tapers, the record's first and last swing and regular ends.
-double regular_share(std::vector<Shape> const& shapes, Swings const& swings, std::vector<std::size_t> const& at) {
+// Travel in regular cycles over all travel, apart from pre-loads, tapers, the record's first and last swing and
+// regular ends.
+double regular_share(std::vector<Shape> const& shapes, Swings const& swings, Motion const& motion,
+                     std::vector<std::size_t> const& at) {
   double regular = 0.0, in_cycles = 0.0, in_tapers = 0.0, travel = 0.0;
   for (auto const& shape : shapes) {
     double const travelled = 2.0 * (shape.largest - shape.least);
@@ -286,6 +278,8 @@ double regular_share(std::vector<Shape> const& shapes, Swings const& swings, std
       in_tapers += travelled;
   }
   for (auto k = swings.begin; k < swings.end; ++k) travel += 2.0 * swings.half[k];
+  for (auto const& group : motion.groups)
+    if (group.part == Part::pre_load) travel -= 2.0 * motion.lobes[group.begin].reach_mm;
   double const all = std::max(in_cycles, travel - regular_ends(shapes, swings, at)) - in_tapers;
   return all > 0.0 ? regular / all : 0.0;
 }
@@ -302,6 +296,20 @@ std::string not_cyclic(std::vector<Shape> const& shapes, double share) {
 }
 
 }  // namespace
+
+// From the median of |fourth differences|: a sine of 20 samples in a cycle leaves
+// only a thousandth of its amplitude in them, a hundred samples next to nothing. White noise gains sqrt(70).
+double noise_deviation(std::span<double const> x) {
+  if (x.size() < 16) return 0.0;
+  std::vector<double> sizes(x.size() - 4);
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+    sizes[i] = std::abs((x[i] + x[i + 4]) - 4.0 * (x[i + 1] + x[i + 3]) + 6.0 * x[i + 2]);
+  for (double& size : sizes)
+    if (std::isnan(size)) size = std::numeric_limits<double>::infinity();
+  auto const middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::ranges::nth_element(sizes, middle);
+  return *middle / (0.6745 * std::sqrt(70.0));
+}
 
 double value_at(std::span<double const> values, double index) {
   auto const i = std::min(static_cast<std::size_t>(index), values.size() - 1);
@@ -339,7 +347,7 @@ Reversals reversals(std::span<double const> disp_mm) {
   Reversals found;
   double const half = half_range(disp_mm);
   if (disp_mm.size() < 3 || !(half > 0.0) || !std::isfinite(2.0 * half)) return found;
-  found.band_mm = std::clamp(noise_deviations * noise_of(disp_mm), least_floor * half, largest_floor * half);
+  found.band_mm = std::clamp(noise_deviations * noise_deviation(disp_mm), least_floor * half, largest_floor * half);
   found.at = without_interruptions(disp_mm, extremes(disp_mm, 2.0 * found.band_mm));
   return found;
 }
@@ -350,42 +358,41 @@ Segmentation segment(std::span<double const> disp_mm, std::span<double const> ti
     made.refusal = "no samples";
     return made;
   }
-  auto const motion = reversals(disp_mm);
-  made.band_mm = motion.band_mm;
-  if (motion.at.size() < 2) {
-    made.refusal = too_short(disp_mm, 0, made);
+  auto const found = reversals(disp_mm);
+  Motion motion;
+  motion.x = disp_mm;
+  motion.time = time_s;
+  made.band_mm = found.band_mm;
+  if (found.at.size() < 2) {
+    made.refusal = too_short(disp_mm, motion, made);
     return made;
   }
-  auto const swings = swings_of(disp_mm, motion.at);
-  made.centre_mm = centre_of(disp_mm, swings, motion.band_mm);
-  auto const first_swing = std::max(swings.half.front(), swings.half[std::min<std::size_t>(1, swings.half.size() - 1)]);
-  Cutter const cutter{.x = disp_mm,
-                      .at = motion.at,
-                      .centre = made.centre_mm,
-                      .direction = first_direction(disp_mm, motion.at, swings),
-                      .band = motion.band_mm,
-                      .rest_band = std::max(motion.band_mm, rest * first_swing)};
-  auto const cuts = cutter.cuts();
-  if (cuts.size() < 2) {
-    made.refusal = too_short(disp_mm, cuts.size(), made);
-    if (!cuts.empty()) made.cycles = with_partial_ends({}, cutter, cuts);
+  auto const swings = swings_of(disp_mm, found.at);
+  made.centre_mm = centre_of(disp_mm, swings, found.band_mm);
+  motion.centre = made.centre_mm;
+  motion.noise = noise_deviation(disp_mm);
+  motion.lobes = lobes(disp_mm, time_s, found, made.centre_mm);
+  motion.groups = group_lobes(motion.lobes);
+  if (motion.count(Part::cycle) == 0) {
+    made.refusal = too_short(disp_mm, motion, made);
+    made.cycles = with_parts({}, motion);
     return made;
   }
   std::vector<Shape> shapes;
-  for (std::size_t k = 1; k < cuts.size(); ++k)
-    shapes.push_back(shape_of(disp_mm, time_s, cuts[k - 1], cuts[k], made.centre_mm));
-  made.cycles = number_cycles(shapes);
-  made.regular_share = regular_share(shapes, swings, motion.at);
+  for (auto const& group : motion.groups)
+    if (group.part == Part::cycle) shapes.push_back(motion.shape(group));
+  made.cycles = number_cycles(shapes, time_s.empty() ? "samples" : "s");
+  made.regular_share = regular_share(shapes, swings, motion, found.at);
   made.cyclic = made.regular_share >= least_regular_share;
   if (!made.cyclic) {
     made.refusal = not_cyclic(shapes, made.regular_share);
     for (auto& cut : made.cycles) {
       cut.block = 1;
       cut.number = 0;
-      cut.not_counted = "the record is not cyclic";
+      cut.not_counted = not_cyclic_cycle;
     }
   }
-  made.cycles = with_partial_ends(std::move(made.cycles), cutter, cuts);
+  made.cycles = with_parts(std::move(made.cycles), motion, made.cyclic);
   return made;
 }
 

@@ -2,9 +2,10 @@
 //
 // Reversals: a swing smaller than twice a floor is no motion; the floor is 1 % of the half range, or five standard
 // deviations of the noise where that is more (at most 5 % of the half range). A small interruption of a large swing is
-// none either. Cuts: where displacement crosses its centre in the direction of the first motion, interpolated; a record
-// that starts or comes to rest near the centre is cut there. The centre is zero, unless the record is clearly off it.
-// Blocks: cycles of one amplitude (5 %) and one frequency (20 %).
+// none either. Cuts: where displacement crosses its centre in the direction the test, or a part of it after a rest, starts
+// in (data/lobes.hpp), interpolated; a motion that starts, turns or comes to rest near the centre is cut there. The centre
+// is zero, unless the record is clearly off it. Blocks: cycles of one amplitude and one frequency (data/cycle_blocks.hpp);
+// time in which the device stands still is no part of a period (data/holds.hpp).
 #pragma once
 
 #include <cstddef>
@@ -19,9 +20,13 @@ struct CycleCut {
   int block = 0;            // number of its block, from 1
   int number = 0;           // nominal cycles of the block, from 1; 0 for one that does not count
   std::string not_counted;  // why it does not count; empty when it does
-  bool partial = false;     // the record starts or ends within it
+  bool partial = false;     // less than a cycle: the record starts or ends within it, or it goes to one side alone
   double first = 0.0;       // start and end as fractional sample indices
   double last = 0.0;
+  bool turns_at_start = false;  // the motion comes back to the centre and turns there, or starts from rest
+  bool turns_at_end = false;
+  double still_samples = 0.0;  // in which the device stands still
+  double still_time = 0.0;     // the same in s, or in samples without time
 };
 
 struct Segmentation {
@@ -54,6 +59,9 @@ struct PeakPositions {
   double smallest = 0.0;
 };
 PeakPositions peak_positions(std::span<double const> disp_mm, double first, double last);
+
+// Standard deviation of white noise in a sampled history of 20 samples in a cycle or more; 0 for fewer than 16 samples.
+double noise_deviation(std::span<double const> values);
 
 // `values` at a fractional sample index inside them, interpolated.
 double value_at(std::span<double const> values, double index);

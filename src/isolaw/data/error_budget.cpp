@@ -25,6 +25,15 @@ constexpr double least_jump = 0.04;         // of the force's amplitude: less is
 constexpr double most_friction_points = 1.0;
 constexpr double most_average_loss = 1.0;  // percent, at the test's frequency
 
+constexpr double most_noise_bias = 1.0;     // percent of the amplitude
+constexpr double most_noise_scatter = 2.0;  // percent of the stiffness
+
+// What force loses at once where motion reverses.
+struct Jump {
+  double force_kN = 0.0;
+  bool said = false;  // it is large enough to be named as friction
+};
+
 double percent(double part, double whole) {
   return 100.0 * part / whole;
 }
@@ -43,9 +52,11 @@ class Assessment {
     if (block_ != nullptr) {
       stages();
       sampling();
-      skew();
+      noise();
+      rests();
+      auto const jump = jump_at_reversals();
+      skew(jump);
       rig_friction();
-      jump_at_reversals();
       moving_mass();
       drift();
       closure();
@@ -107,8 +118,49 @@ class Assessment {
                          samples, energy, peak, few ? "; 100 or more are wanted" : ""));
   }
 
-  void skew() {
-    auto const found = estimate_skew(view_, properties_);
+  // Extremes of noisy samples lie beyond those of the motion; the formulas are of raw values nevertheless.
+  void noise() {
+    double const disp = noise_deviation(view_.disp_mm);
+    double const force = noise_deviation(view_.force_kN);
+    double const amplitude = cycle().amplitude_mm;
+    double const force_amplitude = std::abs(cycle().F_plus_kN - cycle().F_minus_kN) / 2.0;
+    if (!(amplitude > 0.0 && force_amplitude > 0.0)) return;
+    double const beyond = percent(peak_gain_mm(disp, amplitude, *properties_.samples_per_cycle), amplitude);
+    // Force and displacement of two samples each, independent.
+    double const scatter = std::hypot(percent(force, force_amplitude), percent(disp, amplitude)) / std::numbers::sqrt2;
+    add("noise of displacement", percent(disp, amplitude), "%");
+    add("noise of force", percent(force, force_amplitude), "%");
+    bool const biased = add("extremes moved by noise", beyond, "%", most_noise_bias);
+    bool const scattered = add("scatter of stiffness by noise", scatter, "%", most_noise_scatter);
+    if (biased || scattered)
+      say(true, fmt::format(
+                    "noise of {:.2g} mm in displacement ({:.2g} % of the amplitude) and {:.2g} kN in force ({:.2g} "
+                    "%): the extremes of {} lie about {:.2g} % too far out and K_eff comes out at least as much too "
+                    "small; K_eff of one cycle is uncertain by {:.2g} % besides (one standard deviation)",
+                    disp, percent(disp, amplitude), force, percent(force, force_amplitude), where(), beyond, scatter));
+  }
+
+  // Rests and holds between the cuts of cycles that count, other than before the first motion.
+  void rests() {
+    Cycle const* longest = nullptr;
+    int count = 0;
+    for (auto const* counted : properties_.counted()) {
+      bool const is_long = counted->first > 0.0 && counted->still_s && *counted->still_s > *counted->period_s;
+      if (!is_long) continue;
+      ++count;
+      if (longest == nullptr || *counted->still_s > *longest->still_s) longest = counted;
+    }
+    if (longest == nullptr) return;
+    add("longest rest or hold", *longest->still_s, "s");
+    say(false, fmt::format(
+                   "the device stands still for {:.3g} s in cycle {} of block {}, longer than its period{}: no part of "
+                   "period, frequency and samples per cycle, but rubber recovers and cools meanwhile",
+                   *longest->still_s, longest->number, longest->block,
+                   count > 1 ? fmt::format(", and for longer than a period in {} more", count - 1) : std::string()));
+  }
+
+  void skew(Jump const& jump) {
+    auto const found = estimate_skew(view_, properties_, jump.said ? jump.force_kN / 2.0 : 0.0);
     if (!found) return;
     bool const timed = !view_.time_s.empty();
     double const scale = timed ? 1000.0 : 1.0;
@@ -121,15 +173,17 @@ class Assessment {
                                std::nullopt, is_late});
     auto const times = fmt::format("{:.3g} {} (+- {:.2g}, {} reversals)", std::abs(late), unit,
                                    scale * found->uncertainty, found->reversals);
+    auto const beside = jump.said ? std::string(", its jump there taken off") : std::string();
     if (is_late)
-      say(true, fmt::format("force turns {} after displacement: no device does so, a channel is late; damping comes "
+      say(true, fmt::format("force turns {} after displacement{}: no device does so, a channel is late; damping comes "
                             "out about {:.2g} points too small (pi f dt){}",
-                            times, points,
+                            times, beside, points,
                             timed ? fmt::format("; --skew-ms {:.3g} moves the force back", late) : std::string()));
     else if (found->significant())
-      say(false, fmt::format("force turns {} before displacement: viscosity of the device, or an early channel; if it "
-                             "is the channel, damping comes out about {:.2g} points too large (pi f dt)",
-                             times, points));
+      say(false,
+          fmt::format("force turns {} before displacement{}: viscosity of the device, or an early channel{}; if it is "
+                      "the channel, damping comes out about {:.2g} points too large (pi f dt)",
+                      times, beside, jump.said ? "" : ", or friction too small to be named", points));
   }
 
   void rig_friction() {
@@ -168,24 +222,27 @@ class Assessment {
     return sign * ((*before - *after) - (*after - *later) / 2.0);
   }
 
-  void jump_at_reversals() {
+  Jump jump_at_reversals() {
     std::vector<double> jumps;
     for (auto const* counted : block_->counted())
       for (bool const upper : {true, false})
         if (auto const found = jump(*counted, upper)) jumps.push_back(*found);
-    if (jumps.size() < 4) return;
+    if (jumps.size() < 4) return {};
     std::ranges::sort(jumps);
     double const typical = jumps[jumps.size() / 2];
     double const force = (cycle().F_plus_kN - cycle().F_minus_kN) / 2.0;
     add("jump of force at reversals", typical, "kN");
-    // A quarter of the reversals must show most of it: noise does not.
-    if (!(typical > least_jump * std::abs(force)) || jumps[jumps.size() / 4] < 0.5 * typical) return;
+    // Three quarters of the reversals must show most of it: in noise they do not.
+    Jump const found{.force_kN = typical,
+                     .said = typical > least_jump * std::abs(force) && jumps[jumps.size() / 4] >= 0.5 * typical};
+    if (!found.said) return found;
     double const points = friction_damping_points(typical / 2.0, cycle().K_eff_kN_per_mm, cycle().amplitude_mm);
     bool const exceeds = add("damping by the jump", points, "points", most_friction_points);
     say(exceeds,
         fmt::format("force drops by {:.3g} kN at once where motion reverses, as friction of {:.3g} kN does: if "
                     "that is the rig's, it adds {:.2g} points of damping (--rig-friction {:.3g} takes it off)",
                     typical, typical / 2.0, points, typical / 2.0));
+    return found;
   }
 
   void moving_mass() {
@@ -305,6 +362,28 @@ double energy_loss_percent(double samples_per_cycle) {
 
 double peak_loss_percent(double samples_per_cycle) {
   return 100.0 * (1.0 - std::cos(std::numbers::pi / samples_per_cycle));
+}
+
+// The largest of independent samples x_k + noise exceeds v with probability 1 - product of Phi((v - x_k) / s); the mean
+// follows by integration over v. Of many samples every so many-th stands for its neighbours.
+double peak_gain_mm(double noise_mm, double amplitude_mm, double samples_per_cycle) {
+  if (!(noise_mm > 0.0) || !(amplitude_mm > noise_mm)) return 0.0;
+  double const angle = 2.0 * std::numbers::pi / samples_per_cycle;
+  double const deepest = std::min(12.0 * noise_mm / amplitude_mm, 1.0);
+  double const reach = std::acos(1.0 - deepest) / angle;  // samples to each side that may come out largest
+  double const weight = std::max(1.0, reach / 200.0);
+  constexpr double step = 0.05;
+  double mean = -6.0;
+  for (double v = -6.0 + step / 2.0; v < 8.0; v += step) {
+    double log_below = 0.0;
+    for (double k = -std::floor(reach / weight); k <= reach / weight; ++k) {
+      double const depth = amplitude_mm * (1.0 - std::cos(angle * weight * k)) / noise_mm;
+      log_below += weight * std::log(std::max(0.5 * std::erfc(-(v + depth) / std::numbers::sqrt2), 1e-300));
+      if (log_below < -50.0) break;
+    }
+    mean += step * (1.0 - std::exp(log_below));
+  }
+  return mean * noise_mm;
 }
 
 double average_loss_percent(int window, double samples_per_cycle) {

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
@@ -82,12 +83,12 @@ std::optional<double> force_at_level(std::span<double const> x, std::span<double
   return std::nullopt;
 }
 
-// Half the height of the loop at the level of the cuts. A cycle that starts with the record starts from rest, not on
-// the loop, and one that ends with it comes to rest: the force there is left out where the other end is one in motion.
+// Half the height of the loop at the level of the cuts. A cycle that starts from rest, or where the motion turned, does
+// not start on the loop, and one may end so: the force there is left out where the other end is one in motion.
 double strength(Cycle const& cycle, Peaks const& peaks, std::span<double const> x, std::span<double const> F) {
   bool const rises = peaks.at_largest < peaks.at_least;
-  bool const starts_in_motion = cycle.first > 0.0;
-  bool const ends_in_motion = cycle.last < static_cast<double>(x.size() - 1);
+  bool const starts_in_motion = cycle.first > 0.0 && !cycle.turns_at_start;
+  bool const ends_in_motion = cycle.last < static_cast<double>(x.size() - 1) && !cycle.turns_at_end;
   double const start = value_at(F, cycle.first);
   double const end = value_at(F, cycle.last);
   double const outer = starts_in_motion == ends_in_motion ? (starts_in_motion ? (start + end) / 2.0 : end)
@@ -165,9 +166,13 @@ Cycle measure(CycleCut const& cut, CycleView const& view) {
   plain.partial = cut.partial;
   plain.first = cut.first;
   plain.last = cut.last;
+  plain.turns_at_start = cut.turns_at_start;
+  plain.turns_at_end = cut.turns_at_end;
+  plain.still_samples = cut.still_samples;
   auto cycle = properties_on(plain, view.disp_mm, view.force_kN);
   if (!view.time_s.empty()) {
-    cycle.period_s = value_at(view.time_s, cycle.last) - value_at(view.time_s, cycle.first);
+    cycle.still_s = cut.still_time;
+    cycle.period_s = value_at(view.time_s, cycle.last) - value_at(view.time_s, cycle.first) - cut.still_time;
     cycle.v_max_mm_s = largest_slope(cycle, view);
   }
   if (!view.load_kN.empty()) add_load(cycle, view.load_kN);
@@ -208,13 +213,14 @@ void summarise(Block& block, CycleView const& view) {
   if (counted.empty()) return;
   block.amplitude_mm = median_over(counted, [](Cycle const& c) { return c.amplitude_mm; });
   if (view.time_s.empty()) return;
-  double const period = median_over(counted, [&](Cycle const& c) {
-    auto const peaks = peak_positions(view.disp_mm, c.first, c.last);
-    return 2.0 * std::abs(value_at(view.time_s, peaks.largest) - value_at(view.time_s, peaks.smallest));
-  });
+  double const period = median_over(counted, [](Cycle const& c) { return *c.period_s; });
   if (period > 0.0) block.frequency_Hz = 1.0 / period;
   block.v_max_mm_s = median_over(counted, [](Cycle const& c) { return *c.v_max_mm_s; });
-  block.waveform = waveform(*counted[counted.size() / 2], view);
+  // Of the cycle in the middle, of those without a hold where there are any.
+  std::vector<Cycle const*> unheld;
+  std::ranges::copy_if(counted, std::back_inserter(unheld), [](Cycle const* c) { return c->still_samples == 0.0; });
+  auto const& shown = unheld.empty() ? counted : unheld;
+  block.waveform = waveform(*shown[shown.size() / 2], view);
 }
 
 std::string refusal_of(Segmentation const& cut, Properties const& properties) {
@@ -294,7 +300,7 @@ Properties cyclic_properties(CycleView const& view) {
       properties.blocks.back().number = piece.block;
     }
     properties.blocks.back().cycles.push_back(measure(piece, view));
-    if (piece.number > 0) lengths.push_back(piece.last - piece.first);
+    if (piece.number > 0) lengths.push_back(piece.last - piece.first - piece.still_samples);
   }
   for (auto& block : properties.blocks) summarise(block, view);
   if (!lengths.empty()) properties.samples_per_cycle = median(std::move(lengths));

@@ -19,11 +19,14 @@ struct Cycle {
   int block = 0;            // number of its block, from 1
   int number = 0;           // among the cycles of its block that count, from 1; 0 for one that does not
   std::string not_counted;  // why it does not count
-  bool partial = false;     // the record starts or ends within it
+  bool partial = false;     // less than a cycle: the record starts or ends within it, or it goes to one side alone
   double first = 0.0;       // start and end as fractional sample indices
   double last = 0.0;
-  double amplitude_mm = 0.0;  // D = (largest - smallest displacement) / 2, of samples
-  double d_plus_mm = 0.0;     // largest and smallest displacement, and the forces there
+  bool turns_at_start = false;  // the motion comes back to the centre and turns there, or starts from rest
+  bool turns_at_end = false;
+  double still_samples = 0.0;  // in which the device stands still
+  double amplitude_mm = 0.0;   // D = (largest - smallest displacement) / 2, of samples
+  double d_plus_mm = 0.0;      // largest and smallest displacement, and the forces there
   double d_minus_mm = 0.0;
   double F_plus_kN = 0.0;
   double F_minus_kN = 0.0;
@@ -36,7 +39,8 @@ struct Cycle {
   double K_d_kN_per_mm = 0.0;           // K_eff - Q_d / D
   std::optional<double> D_y_mm;         // bilinear loop of the same energy: D - energy / (4 Q_d), where 0 < D_y < D
   std::optional<double> K_1_kN_per_mm;  // K_d + Q_d / D_y
-  std::optional<double> period_s;       // from cut to cut, holds included; needs time
+  std::optional<double> period_s;       // from cut to cut, but for the time in which the device stands still
+  std::optional<double> still_s;        // that time; both need time
   std::optional<double> v_max_mm_s;     // largest |slope| over a 25th of the swing to and fro; needs time
   std::optional<double> N_mean_kN;      // vertical load; needs its channel
   std::optional<double> N_min_kN;
@@ -51,7 +55,7 @@ struct Cycle {
 struct Block {
   int number = 0;                      // from 1
   double amplitude_mm = 0.0;           // medians over the cycles that count
-  std::optional<double> frequency_Hz;  // from extreme to extreme, so that holds between cycles count nothing
+  std::optional<double> frequency_Hz;  // of the periods, so that rests and holds count nothing
   std::optional<double> v_max_mm_s;
   std::string waveform;       // "sine", "triangle" or "other"; empty without time
   std::vector<Cycle> cycles;  // in order, those that do not count included
@@ -65,7 +69,7 @@ struct Properties {
   // empty when refused.
   std::optional<Cycle> reported;
   std::string refusal;  // why there is none: not cyclic, less than one cycle, fewer than 20 samples per cycle
-  std::optional<double> samples_per_cycle;  // median over the cycles that count
+  std::optional<double> samples_per_cycle;  // median over the cycles that count, rests and holds left out
   double centre_mm = 0.0;                   // level of the cuts
 
   Cycle const* find(int block, int number) const;  // nullptr where there is none

@@ -20,12 +20,19 @@ constexpr int least_reversals = 4;
 constexpr double poor_fit = 0.012;    // rms of the force's amplitude: the force is not smooth there
 constexpr double least_late = 0.015;  // rad
 constexpr double least_early = 0.04;
+constexpr double standard_errors = 4.0;
+constexpr double most_agree = 0.75;         // of the reversals
+constexpr double quiet = 0.0005;            // of the amplitude: noise of displacement that does no harm
+constexpr double too_noisy = 0.01;          // of the amplitude
+constexpr double smoothed_over = 0.06;      // of a cycle, to each side: takes 0.02 % from a sine
+constexpr std::size_t most_smoothed = 100;  // samples to each side: more bring little and cost time
 
 struct Reversal {
   double at = 0.0;      // fractional sample index
   double cycle = 0.0;   // samples of a cycle
   double tip_mm = 0.0;  // displacement
   double reach_mm = 0.0;
+  double friction_kN = 0.0;  // that falls from plus to minus this where the motion reverses
 };
 
 // Columns of the fit: the tip, parabola before and cubic after, in the distance from the tip.
@@ -71,8 +78,9 @@ double left_at(double shift, Reversal const& reversal, CycleView const& view) {
   for (auto i = begin; i <= end; i += stride) {
     double const then = static_cast<double>(i) - shift;
     double const distance = (value_at(view.disp_mm, then) - reversal.tip_mm) / reversal.reach_mm;
-    rows.push_back(row_of(distance, then < reversal.at));
-    values.push_back(view.force_kN[i]);
+    bool const before = then < reversal.at;
+    rows.push_back(row_of(distance, before));
+    values.push_back(view.force_kN[i] - (before ? reversal.friction_kN : -reversal.friction_kN));
   }
   return residual(rows, values) / static_cast<double>(values.size());
 }
@@ -95,30 +103,73 @@ std::optional<double> best_shift(Reversal const& reversal, CycleView const& view
 }
 
 std::vector<Cycle const*> chosen_cycles(Properties const& properties) {
-  auto const all = properties.counted();
+  std::vector<Cycle const*> all;  // a force relaxes while it is held
+  for (auto const* cycle : properties.counted())
+    if (cycle->still_samples == 0.0) all.push_back(cycle);
   std::vector<Cycle const*> chosen;
   auto const step = (all.size() + most_cycles - 1) / most_cycles;
   for (std::size_t k = 0; k < all.size(); k += std::max<std::size_t>(1, step)) chosen.push_back(all[k]);
   return chosen;
 }
 
+double samples_of(Cycle const* cycle) {
+  return cycle->last - cycle->first;
+}
+
+// A parabola through the samples about each, least squares; the ends are left as they are.
+std::vector<double> smoothed(std::span<double const> x, std::size_t half) {
+  std::vector<double> smooth(x.begin(), x.end());
+  auto const h = static_cast<double>(half);
+  double const count = 2.0 * h + 1.0;
+  double const second = h * (h + 1.0) * count / 3.0;                   // sum of k^2
+  double const fourth = second * (3.0 * h * h + 3.0 * h - 1.0) / 5.0;  // sum of k^4
+  double const scale = count * fourth - second * second;
+  for (std::size_t i = half; i + half < x.size(); ++i) {
+    double sum = 0.0, squares = 0.0;
+    for (std::size_t j = 0; j <= 2 * half; ++j) {
+      double const k = static_cast<double>(j) - h;
+      sum += x[i - half + j];
+      squares += k * k * x[i - half + j];
+    }
+    smooth[i] = (fourth * sum - second * squares) / scale;
+  }
+  return smooth;
+}
+
 }  // namespace
 
 bool Skew::significant() const {
-  return std::abs(force_late) > uncertainty && (phase > least_late || phase < -least_early);
+  return std::abs(force_late) > standard_errors / 2.0 * uncertainty && agreement >= most_agree &&
+         (phase > least_late || phase < -least_early);
 }
 
-std::optional<Skew> estimate_skew(CycleView const& view, Properties const& properties) {
+std::optional<Skew> estimate_skew(CycleView const& of, Properties const& properties, double friction_kN) {
+  auto const cycles = chosen_cycles(properties);
+  if (cycles.empty()) return std::nullopt;
+  auto const amplitude = std::ranges::min(cycles, {}, &Cycle::amplitude_mm)->amplitude_mm;
+  double const noise = noise_deviation(of.disp_mm);
+  if (noise > too_noisy * amplitude) return std::nullopt;
+  CycleView view = of;
+  std::vector<double> smooth;
+  if (noise > quiet * amplitude) {
+    auto const* shortest = std::ranges::min(cycles, {}, samples_of);
+    auto const half = static_cast<std::size_t>(smoothed_over * samples_of(shortest));
+    smooth = smoothed(of.disp_mm, std::clamp<std::size_t>(half, 2, most_smoothed));
+    view.disp_mm = smooth;
+  }
   std::vector<double> phases, intervals;
-  for (auto const* cycle : chosen_cycles(properties)) {
+  for (auto const* cycle : cycles) {
     auto const peaks = peak_positions(view.disp_mm, cycle->first, cycle->last);
-    double const length = 2.0 * std::abs(peaks.largest - peaks.smallest);
+    double const length = samples_of(cycle);
     double const force_amplitude = std::abs(cycle->F_plus_kN - cycle->F_minus_kN) / 2.0;
     for (bool const upper : {true, false}) {
-      Reversal const reversal{.at = upper ? peaks.largest : peaks.smallest,
+      double const at = upper ? peaks.largest : peaks.smallest;
+      double const raw_tip = upper ? cycle->d_plus_mm : cycle->d_minus_mm;
+      Reversal const reversal{.at = at,
                               .cycle = length,
-                              .tip_mm = upper ? cycle->d_plus_mm : cycle->d_minus_mm,
-                              .reach_mm = 0.15 * cycle->amplitude_mm};
+                              .tip_mm = smooth.empty() ? raw_tip : value_at(smooth, at),
+                              .reach_mm = 0.15 * cycle->amplitude_mm,
+                              .friction_kN = upper ? friction_kN : -friction_kN};
       auto const shift = best_shift(reversal, view, force_amplitude);
       if (!shift) continue;
       double const interval =
@@ -141,13 +192,17 @@ std::optional<Skew> estimate_skew(CycleView const& view, Properties const& prope
   found.force_late = median(late);
   found.phase = median(phases);
   found.reversals = static_cast<int>(late.size());
+  auto const agrees = [&](double value) { return value / found.force_late >= 0.5; };
+  found.agreement = static_cast<double>(std::ranges::count_if(late, agrees)) / static_cast<double>(late.size());
   double squares = 0.0;
   for (double const value : late) squares += (value - found.force_late) * (value - found.force_late);
   auto const count = static_cast<double>(late.size());
   double const sampling =
       view.time_s.empty() ? 1.0
                           : (view.time_s.back() - view.time_s.front()) / static_cast<double>(view.time_s.size() - 1);
-  found.uncertainty = std::max(2.0 * std::sqrt(squares / (count - 1.0) / count), 0.1 * sampling);
+  // Friction changes sign between two samples.
+  double const least = (friction_kN != 0.0 ? 0.5 : 0.1) * sampling;
+  found.uncertainty = std::max(2.0 * std::sqrt(squares / (count - 1.0) / count), least);
   return found;
 }
 

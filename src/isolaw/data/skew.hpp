@@ -3,7 +3,9 @@
 // At a reversal the force of a device that does not depend on rate turns with the displacement: before and after it is
 // a smooth function of displacement each, and both meet at the tip. The skew is the shift at which the record comes
 // closest to that (least squares, a parabola in displacement before the reversal and a cubic after it). A force that
-// turns late can only be late in its channel; one that turns early may come from a viscous device as well.
+// turns late can only be late in its channel; one that turns early may come from a viscous device as well, or from
+// friction, which is taken off where it is known. Displacement that is noisy is smoothed in time first: noise of it
+// reads as an early force, for after a reversal the loop is steep.
 #pragma once
 
 #include <optional>
@@ -13,17 +15,20 @@
 namespace isolaw::data {
 
 struct Skew {
-  double force_late = 0.0;   // in s, or in samples without time; negative: the force is early
-  double uncertainty = 0.0;  // twice the standard error over the reversals, at least a tenth of a sampling interval
-  double phase = 0.0;        // the same angle of a cycle, rad: 2 pi f force_late
-  int reversals = 0;         // that gave a value
+  double force_late = 0.0;  // in s, or in samples without time; negative: the force is early
+  double uncertainty =
+      0.0;  // twice the standard error over the reversals, at least a tenth of a sampling interval, half of one with friction
+  double phase = 0.0;      // the same angle of a cycle, rad: 2 pi f force_late
+  double agreement = 0.0;  // share of the reversals that show at least half of it
+  int reversals = 0;       // that gave a value
 
-  // Beyond its uncertainty, and beyond what the shape of a loop alone comes to: a sharp loop reads as up to 0.035 rad
+  // Beyond four standard errors, most reversals agreeing, and beyond what the shape of a loop alone comes to: a sharp loop reads as up to 0.035 rad
   // early, none as more than 0.008 rad late.
   bool significant() const;
 };
 
-// nullopt where fewer than 4 reversals of cycles that count give a value: a force that jumps or sticks, few samples.
-std::optional<Skew> estimate_skew(CycleView const& view, Properties const& properties);
+// nullopt where fewer than 4 reversals of cycles that count give a value: a force that jumps or sticks, few samples,
+// too much noise. friction_kN that the force contains is taken off along the motion.
+std::optional<Skew> estimate_skew(CycleView const& view, Properties const& properties, double friction_kN = 0.0);
 
 }  // namespace isolaw::data

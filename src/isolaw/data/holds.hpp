@@ -1,0 +1,28 @@
+// Holds: where a device stands still within a cyclic test, at rest between cycles or held at a displacement.
+//
+// A hold is a stretch within a narrow band, of half a percent of the amplitude or of the noise, that lasts longer than
+// the motion takes to pass the band there: a sine lingers at its peaks without standing still.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+namespace isolaw::data {
+
+struct Piece {
+  double first = 0.0;  // fractional sample indices
+  double last = 0.0;
+  double amplitude = 0.0;  // of the motion, mm
+  double middle = 0.0;     // mm
+};
+
+struct StillTime {
+  double samples = 0.0;
+  double time = 0.0;  // in s, or in samples without time
+};
+
+// How long the device stands still within the piece. `noise` is the standard deviation of disp_mm in mm; where it hides
+// holds none are found. O(n log n) of the piece's samples at worst.
+StillTime still_time(std::span<double const> disp_mm, std::span<double const> time_s, Piece const& piece, double noise);
+
+}  // namespace isolaw::data

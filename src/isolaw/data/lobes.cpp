@@ -1,0 +1,208 @@
+#include "isolaw/data/lobes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isolaw::data {
+namespace {
+
+constexpr double at_rest = 0.05;         // of a lobe's reach: this close to the centre it is at the centre
+constexpr double alike = 0.15;           // difference of reach, of the larger one
+constexpr double same_pace = 1.5;        // ratio of the times to fall
+constexpr double slight = 0.2;           // of the next lobe's reach: a pre-load whatever follows
+constexpr double high = 0.9, low = 0.1;  // of the reach: between them a lobe falls
+
+class Finder {
+ public:
+  Finder(std::span<double const> x, std::span<double const> time, Reversals const& motion, double centre)
+      : x_(x), time_(time), at_(motion.at), band_(motion.band_mm), centre_(centre) {}
+
+  std::vector<Lobe> find() {
+    find_tips();
+    if (lobes_.empty()) return {};
+    for (std::size_t j = 0; j + 1 < lobes_.size(); ++j) {
+      lobes_[j].last = boundary(lobes_[j], lobes_[j + 1].tip, lobes_[j + 1].positive != lobes_[j].positive);
+      lobes_[j + 1].first = lobes_[j].last;
+    }
+    finish(lobes_.back());
+    for (std::size_t j = 0; j < lobes_.size(); ++j) {
+      if (!lobes_[j].ends_open) lobes_[j].fall = fall(lobes_[j]);
+      if (j > 0) lobes_[j].rests = rests_between(lobes_[j - 1], lobes_[j]);
+    }
+    return std::move(lobes_);
+  }
+
+ private:
+  double y(std::size_t i) const { return x_[i] - centre_; }
+  double reach(std::size_t k) const { return std::abs(y(at_[k])); }
+  double time(double index) const { return time_.empty() ? index : value_at(time_, index); }
+
+  // How close to the centre a turn between two lobes is at the centre.
+  double level(double smaller) const { return std::max(std::min(band_, smaller / 2.0), at_rest * smaller); }
+
+  void find_tips() {
+    auto const last = at_.size() - 1;
+    double const first_swing = std::abs(x_[at_[1]] - x_[at_[0]]) / 2.0;
+    double const next_swing = last >= 2 ? std::abs(x_[at_[2]] - x_[at_[1]]) / 2.0 : first_swing;
+    bool const from_rest = reach(0) <= std::max(band_, at_rest * std::max(first_swing, next_swing));
+    bool turned = from_rest;
+    if (!from_rest) add(0, false).starts_open = true;
+    for (std::size_t k = 1; k <= last; ++k) {
+      bool const is_high = x_[at_[k]] > x_[at_[k - 1]];
+      double const out = is_high ? y(at_[k]) : -y(at_[k]);
+      double const near = level(k == last ? reach(k - 1) : std::min(reach(k - 1), reach(k + 1)));
+      if (std::abs(out) <= near)
+        turned = true;
+      else if (out > 0.0) {
+        if (!lobes_.empty() && lobes_.back().positive == is_high && !turned)
+          grow(lobes_.back(), k);
+        else
+          add(k, turned);
+        turned = false;
+      }
+    }
+  }
+
+  Lobe& add(std::size_t k, bool turned) {
+    auto const tip = at_[k];
+    lobes_.push_back({.tip = tip, .positive = y(tip) > 0.0, .reach_mm = reach(k), .turns = turned});
+    return lobes_.back();
+  }
+
+  void grow(Lobe& lobe, std::size_t k) const {
+    if (reach(k) <= lobe.reach_mm) return;
+    lobe.tip = at_[k];
+    lobe.reach_mm = reach(k);
+  }
+
+  // Where displacement first crosses the centre after a lobe's tip and before sample `to`; where it does not, the
+  // sample nearest to the centre: three exact cycles of a sine end at the centre without crossing it.
+  double boundary(Lobe const& lobe, std::size_t to, bool crosses) const {
+    double const side = lobe.positive ? 1.0 : -1.0;
+    std::size_t nearest = lobe.tip;
+    for (auto i = lobe.tip + 1; i <= to; ++i) {
+      double const before = side * y(i - 1);
+      double const after = side * y(i);
+      if (before > 0.0 && after <= 0.0) {
+        double const part = before / (before - after);  // not finite where a damaged store's values are not
+        return static_cast<double>(i - 1) + (std::isfinite(part) ? part : 0.0);
+      }
+      if (!crosses && std::abs(after) < std::abs(y(nearest))) nearest = i;
+    }
+    return static_cast<double>(crosses ? to : nearest);
+  }
+
+  void finish(Lobe& lobe) const {
+    auto const end = x_.size() - 1;
+    double const side = lobe.positive ? 1.0 : -1.0;
+    bool crossed = false;
+    for (auto i = lobe.tip + 1; i <= end && !crossed; ++i) crossed = side * y(i) <= 0.0;
+    bool const comes_to_rest = std::abs(y(end)) <= level(lobe.reach_mm);
+    lobe.ends_open = !crossed && !comes_to_rest;
+    lobe.last = lobe.ends_open ? static_cast<double>(end) : boundary(lobe, end, false);
+  }
+
+  // Samples of a lobe where it is first seen beyond a level, and last.
+  std::size_t first_beyond(Lobe const& lobe, double part) const {
+    double const side = lobe.positive ? 1.0 : -1.0;
+    auto i = static_cast<std::size_t>(std::ceil(lobe.first));
+    while (i < lobe.tip && side * y(i) < part * lobe.reach_mm) ++i;
+    return i;
+  }
+  std::size_t last_beyond(Lobe const& lobe, double part) const {
+    double const side = lobe.positive ? 1.0 : -1.0;
+    auto i = static_cast<std::size_t>(std::floor(lobe.last));
+    while (i > lobe.tip && side * y(i) < part * lobe.reach_mm) --i;
+    return i;
+  }
+
+  double fall(Lobe const& lobe) const {
+    // The first sample below the low level after the last one beyond the high one: a rest that follows counts nothing.
+    double const side = lobe.positive ? 1.0 : -1.0;
+    auto const from = last_beyond(lobe, high);
+    auto to = from;
+    auto const end = static_cast<std::size_t>(std::floor(lobe.last));
+    while (to < end && side * y(to) > low * lobe.reach_mm) ++to;
+    return time(static_cast<double>(to)) - time(static_cast<double>(from));
+  }
+
+  // Between two lobes the motion stays near the centre for longer than it takes to get there.
+  bool rests_between(Lobe const& before, Lobe const& after) const {
+    double const side = before.positive ? 1.0 : -1.0;
+    auto from = last_beyond(before, high);
+    auto const to = first_beyond(after, low);
+    while (from < to && side * y(from) > low * before.reach_mm) ++from;
+    return time(static_cast<double>(to)) - time(static_cast<double>(from)) > before.fall;
+  }
+
+  std::span<double const> x_, time_;
+  std::vector<std::size_t> const& at_;
+  double band_ = 0.0;
+  double centre_ = 0.0;
+  std::vector<Lobe> lobes_;
+};
+
+bool same_reach(Lobe const& a, Lobe const& b) {
+  return std::abs(a.reach_mm - b.reach_mm) <= alike * std::max(a.reach_mm, b.reach_mm);
+}
+
+bool same_fall(Lobe const& a, Lobe const& b) {
+  return b.ends_open || (a.fall <= same_pace * b.fall && b.fall <= same_pace * a.fall);
+}
+
+bool like(Lobe const& a, Lobe const& b) {
+  return same_reach(a, b) && same_fall(a, b);
+}
+
+bool starts(std::vector<Lobe> const& lobes, std::size_t i) {
+  return i == 0 || lobes[i].turns || lobes[i].rests;
+}
+
+// Whether lobe i, which the next could close to a cycle, is no part of one.
+bool stands_apart(std::vector<Lobe> const& lobes, std::size_t i) {
+  auto const& lobe = lobes[i];
+  auto const& next = lobes[i + 1];
+  bool const ends_a_stage = i > 0 && like(lobes[i - 1], lobe);
+  if (!starts(lobes, i) && !ends_a_stage) return false;
+  if (starts(lobes, i) && lobe.reach_mm < slight * next.reach_mm) return true;
+  if (i + 2 >= lobes.size() || like(lobe, next)) return false;
+  auto const& after = lobes[i + 2];
+  return after.positive == lobe.positive && like(next, after) && !like(lobe, after);
+}
+
+}  // namespace
+
+std::vector<Lobe> lobes(std::span<double const> disp_mm, std::span<double const> time_s, Reversals const& motion,
+                        double centre_mm) {
+  return motion.at.size() < 2 ? std::vector<Lobe>() : Finder(disp_mm, time_s, motion, centre_mm).find();
+}
+
+std::vector<Group> group_lobes(std::vector<Lobe> const& lobes) {
+  std::vector<Group> groups;
+  auto const add = [&](Part part, std::size_t begin, std::size_t end) {
+    groups.push_back({.part = part, .begin = begin, .end = end});
+    return end;
+  };
+  for (std::size_t i = 0; i < lobes.size();) {
+    auto const& lobe = lobes[i];
+    bool const opposite = i + 1 < lobes.size() && lobes[i + 1].positive != lobe.positive;
+    if (lobe.ends_open || i + 1 == lobes.size()) {
+      i = add(lobe.starts_open ? Part::open_start : Part::open_end, i, i + 1);
+    } else if (lobe.starts_open) {
+      // A record that starts on its way out from the centre goes on in the direction it started in.
+      bool const outwards = lobe.tip > 0 && opposite && !lobes[i + 1].ends_open && i + 2 < lobes.size();
+      i = add(Part::open_start, i, outwards ? i + 2 : i + 1);
+    } else if (!opposite) {
+      i = add(starts(lobes, i) ? Part::pre_load : Part::half, i, i + 1);
+    } else if (lobes[i + 1].ends_open) {
+      i = add(Part::open_end, i, i + 2);
+    } else if (stands_apart(lobes, i)) {
+      i = add(starts(lobes, i) ? Part::pre_load : Part::half, i, i + 1);
+    } else {
+      i = add(Part::cycle, i, i + 2);
+    }
+  }
+  return groups;
+}
+
+}  // namespace isolaw::data

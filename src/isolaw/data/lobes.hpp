@@ -1,0 +1,49 @@
+// Lobes: the excursions of a motion to one side of its centre, and which two of them make a cycle.
+//
+// A lobe ends where the motion crosses the centre, or where it comes back to the centre and turns there: before a rest,
+// a second test, a pre-load taken off. Two lobes to opposite sides make a cycle. A lobe after the start, a rest or a
+// turn is left out as a pre-load where it is unlike the next in size (15 %) or in the time it takes to fall (a factor of
+// 1.5), while those after it are alike; so is the half cycle that a stage may end with.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "isolaw/data/cycles.hpp"
+
+namespace isolaw::data {
+
+struct Lobe {
+  double first = 0.0;  // fractional sample indices
+  double last = 0.0;
+  std::size_t tip = 0;       // sample farthest from the centre
+  bool positive = false;     // to which side
+  double reach_mm = 0.0;     // of the tip from the centre
+  double fall = 0.0;         // time from 90 to 10 % of the reach, in s or in samples
+  bool turns = false;        // starts where the motion turns at the centre, or from rest with the record
+  bool rests = false;        // starts after a rest
+  bool starts_open = false;  // the record starts within it
+  bool ends_open = false;    // the record ends within it
+};
+
+enum class Part {
+  cycle,       // two lobes
+  pre_load,    // one before a cycle that it is no part of
+  half,        // one left over where the motion starts anew
+  open_start,  // the record starts within it
+  open_end     // the record ends within it, or before the second lobe
+};
+
+struct Group {
+  Part part = Part::cycle;
+  std::size_t begin = 0;  // lobes [begin, end)
+  std::size_t end = 0;
+};
+
+std::vector<Lobe> lobes(std::span<double const> disp_mm, std::span<double const> time_s, Reversals const& motion,
+                        double centre_mm);
+// All lobes, in order.
+std::vector<Group> group_lobes(std::vector<Lobe> const& lobes);
+
+}  // namespace isolaw::data
