@@ -38,6 +38,8 @@ class Table {
   std::size_t columns() const { return columns_; }
   // Where the test starts: number of its first row, the header included.
   std::size_t start() const { return start_; }
+  // What tells it from the other tests of its file, where it is not the row it starts at: "tests(2) 'B'".
+  std::string const& title() const { return title_; }
 
   // The place of one column, where columns have places of their own: "d01.mat:dist".
   virtual std::string place_of(std::size_t /*column*/) const { return place_; }
@@ -54,6 +56,7 @@ class Table {
   Header header_;
   std::size_t columns_ = 0;
   std::size_t start_ = 1;
+  std::string title_;
 };
 
 // The tests of one file, or of one part of it.
