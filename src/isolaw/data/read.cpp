@@ -141,11 +141,14 @@ std::string typed(std::string const& name) {
 void require_one_sheet(Tests const& tests, std::string const& file, ReadOptions const& options) {
   bool const columns_told = options.columns.contains(Channel::disp) && options.columns.contains(Channel::force);
   bool const by_name = tests.tables.front()->header().by_name;
-  if (options.sheet || tests.sheets.size() < 2 || (by_name && columns_told)) return;
+  auto sheets = tests.sheets;
+  if (columns_told)  // which need no names
+    sheets.insert(sheets.end(), tests.sheets_passed_over.begin(), tests.sheets_passed_over.end());
+  if (options.sheet || sheets.size() < 2 || (by_name && columns_told)) return;
   throw Error(Complaint{.where = file,
-                        .found = fmt::format("{} may each be the test", sheet_list(tests.sheets, "tables")),
+                        .found = fmt::format("{} may each be the test", sheet_list(sheets, "tables")),
                         .allowed = "one of them",
-                        .advice = fmt::format("--sheet {}", typed(tests.sheets.front()))});
+                        .advice = fmt::format("--sheet {}", typed(sheets.front()))});
 }
 
 bool have_titles(Tests const& tests) {
@@ -283,9 +286,11 @@ std::vector<TestChoice> list_tests(std::filesystem::path const& file, ReadOption
   bool const columns_told = options.columns.contains(Channel::disp) && options.columns.contains(Channel::force);
   if (options.sheet || tests.sheets.size() < 2 || (columns_told && tests.tables.front()->header().by_name)) {
     add(tests);
+    if (!choices.empty()) choices.front().passed_over = tests.sheets_passed_over;
     return choices;
   }
   for (auto const& sheet : tests.sheets) add(open_tests(bytes, name, sheet));
+  if (!choices.empty()) choices.front().passed_over = tests.sheets_passed_over;
   return choices;
 }
 

@@ -61,10 +61,11 @@ class Table {
 
 // The tests of one file, or of one part of it.
 struct Tests {
-  std::vector<std::unique_ptr<Table>> tables;  // at least one where a file was read
-  std::vector<std::string> sheets;             // the parts of the file that hold tables, where it has parts
-  std::optional<std::string> sheet;            // the one these tables come from, where there are several
-  std::vector<std::string> recognised;         // about the file as a whole
+  std::vector<std::unique_ptr<Table>> tables;   // at least one where a file was read
+  std::vector<std::string> sheets;              // the parts of the file that hold tables, where it has parts
+  std::optional<std::string> sheet;             // the one these tables come from, where there are several
+  std::vector<std::string> recognised;          // about the file as a whole
+  std::vector<std::string> sheets_passed_over;  // with rows of numbers, but without the name of any channel
 };
 
 }  // namespace isolaw::data
