@@ -175,7 +175,7 @@ const QUANTITIES = [
   { quantity: 'Q_d', key: 'Q_d_kN', unit: 'kN' },
   { quantity: 'K_d', key: 'K_d_kN_per_mm', unit: 'kN/mm' },
 ];
-const LIMIT = '-20 % to +20 %';
+const LIMIT = 'from -20 % to +20 %';
 
 function assessments_of(cycle, block, nominal, verified) {
   const judged = (quantity, value, key, unit) => {

@@ -230,6 +230,11 @@ CycleCut partial(int block, double first, double last, std::string reason) {
   return cut;
 }
 
+// What no transducer resolves is zero, and zero has no sign.
+double or_zero(double disp_mm) {
+  return std::abs(disp_mm) < 1e-6 ? 0.0 : disp_mm;
+}
+
 // With the pieces before the first cut and after the last, which are no cycles.
 std::vector<CycleCut> with_partial_ends(std::vector<CycleCut> cycles, Cutter const& cutter,
                                         std::vector<double> const& cuts) {
@@ -237,15 +242,16 @@ std::vector<CycleCut> with_partial_ends(std::vector<CycleCut> cycles, Cutter con
   std::vector<CycleCut> all;
   if (cuts.front() > 0.0)
     all.push_back(partial(cycles.empty() ? 1 : cycles.front().block, 0.0, cuts.front(),
-                          fmt::format("partial: the record starts at {:.4g} mm, within a cycle", x.front())));
+                          fmt::format("partial: the record starts at {:.4g} mm, within a cycle", or_zero(x.front()))));
   int const last_block = cycles.empty() ? 1 : cycles.back().block;
   std::ranges::move(cycles, std::back_inserter(all));
   double farthest = 0.0;
   for (auto i = static_cast<std::size_t>(std::ceil(cuts.back())); i < x.size(); ++i)
     farthest = std::max(farthest, std::abs(cutter.y(i)));
   if (farthest > cutter.rest_band)
-    all.push_back(partial(last_block, cuts.back(), static_cast<double>(x.size() - 1),
-                          fmt::format("partial: the record ends at {:.4g} mm, before the cycle is closed", x.back())));
+    all.push_back(
+        partial(last_block, cuts.back(), static_cast<double>(x.size() - 1),
+                fmt::format("partial: the record ends at {:.4g} mm, before the cycle is closed", or_zero(x.back()))));
   return all;
 }
 
