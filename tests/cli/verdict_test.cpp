@@ -33,7 +33,7 @@ TEST_F(Terminal, a_signed_set_without_comparable_values_assesses_nothing) {
   write("mine.toml",
         "id = \"mine\"\ntitle = \"Contract\"\nedition = \"1\"\nsource = \"none\"\nverified_by = \"me\"\n"
         "[formulas]\nstiffness = \"peak_to_peak\"\ndamping = \"peak_to_peak\"\n"
-        "[cycles]\ncounting = \"one\"\nfirst = 3\n"
+        "[cycles]\none = 3\n"
         "[test]\nfrequencies_Hz = [5.0]\nfrequency_tolerance_percent = 1.0\n"
         "[[limit]]\nquantity = \"K_eff\"\napplies_to = \"each\"\nwithin_percent = 20\nclause = \"1\"\n");
   auto const o =
