@@ -179,7 +179,7 @@ const QUANTITIES = [
   { quantity: 'Q_d', key: 'Q_d_kN', unit: 'kN' },
   { quantity: 'K_d', key: 'K_d_kN_per_mm', unit: 'kN/mm' },
 ];
-const LIMIT = '-20 % to +20 %';
+const LIMIT = 'from -20 % to +20 %';
 const TOLERANCE_K = 2.752;
 const NO_LOWER = 'too few devices for a lower bound: 114 % of the mean below it is no positive value';
 

@@ -48,6 +48,54 @@ TEST_F(Formats, several_tests_need_a_word) {
               {"--test: 'x'; allowed: all, or the number of a test"});
 }
 
+TEST_F(Formats, init_passes_over_what_is_no_test_and_names_the_sheets_it_cannot_read) {
+  auto const sheet = [](lxw_workbook* book, char const* name, std::vector<char const*> const& names, bool test) {
+    auto* made = workbook_add_worksheet(book, name);
+    for (lxw_col_t c = 0; c < names.size(); ++c) {
+      worksheet_write_string(made, 0, c, names[c], nullptr);
+      for (lxw_row_t i = 0; i < 3; ++i) worksheet_write_number(made, i + 1, c, test ? i * (c + 1) % 3 : i, nullptr);
+    }
+  };
+  auto* book = workbook_new(path("one.xlsx").c_str());
+  sheet(book, "Prova", {"Disp [mm]", "Force [kN]"}, true);
+  sheet(book, "Grafici", {"a", "b"}, false);
+  workbook_close(book);
+  auto const o = isolaw({"init", "."});
+  EXPECT_EQ(o.code, 0) << o;
+  EXPECT_TRUE(contains(o.err, "one.xlsx: sheet 'Grafici' names no time, displacement or force, passed over"));
+  EXPECT_TRUE(contains(read("lot.toml"), "sheet = 'Prova'"));
+  auto* other = workbook_new(path("two.xlsx").c_str());
+  sheet(other, "A", {"a", "b"}, false);
+  sheet(other, "B", {"a", "b"}, false);
+  workbook_close(other);
+  expect_said(isolaw({"init", "two.xlsx", "--force"}),
+              {"two.xlsx: tables 'A', 'B' taken for tests", "try: --sheet NAME for the one that is the test"});
+}
+
+TEST_F(Formats, init_makes_a_device_of_each_test_of_a_json_list) {
+  std::string list;
+  for (double const amplitude : {100.0, 90.0}) {
+    std::string time, disp, force;
+    for (auto const& s : record({.amplitude_mm = amplitude})) {
+      auto const comma = time.empty() ? "" : ",";
+      time += fmt::format("{}{:.3f}", comma, s.time_s);
+      disp += fmt::format("{}{:.6f}", comma, s.disp_mm);
+      force += fmt::format("{}{:.6f}", comma, s.force_kN);
+    }
+    list += fmt::format(R"({}{{"name": "{:g}", "time_s": [{}], "disp_mm": [{}], "force_kN": [{}]}})",
+                        list.empty() ? "" : ", ", amplitude, time, disp, force);
+  }
+  write("list.json", "{\"tests\": [" + list + "]}");
+  expect_said(isolaw({"inspect", "list.json"}), {"list.json: 2 tests in one file: tests(1) '100', tests(2) '90'"});
+  auto const o = isolaw({"init", "list.json"});
+  EXPECT_EQ(o.code, 0) << o;
+  for (auto const* part : {"name = 'list test 1'", "test = 1", "name = 'list test 2'", "test = 2"})
+    EXPECT_TRUE(contains(read("lot.toml"), part)) << part;
+  auto const inspected = Json::parse(isolaw({"inspect", "lot.toml", "--json"}).out);
+  ASSERT_EQ(inspected["devices"].size(), 2u);
+  EXPECT_NEAR(inspected["devices"][1]["blocks"][0]["amplitude_mm"].get<double>(), 90.0, 1e-3);
+}
+
 TEST_F(Formats, init_makes_a_device_of_each_test) {
   write_book("book.xlsx");
   auto const o = isolaw({"init", "several.csv", "book.xlsx"});

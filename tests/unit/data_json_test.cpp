@@ -92,6 +92,72 @@ TEST_F(Json, SeveralTablesAreChosenByTheirKey) {
             "FILE: no table 'third'; allowed: tables 'first', 'second'; try: --sheet NAME, or its number");
 }
 
+TEST_F(Json, AListOfTestsHoldsAsManyTests) {
+  auto const one = [](std::string const& name, std::string const& force_of_row_2) {
+    return R"({"name": ")" + name + R"(", "time": [0, 1, 2], "disp": [0.0, 2.5, 5], "force": [1.5, )" + force_of_row_2 +
+           ", 3]}";
+  };
+  auto const list = "[" + one("A", "-2") + ", " + one("B", "-4") + "]";
+  for (auto const& text : {list, R"({"lab": "X", "tests": )" + list + "}", R"({"lot": {"tests": )" + list + "}}"}) {
+    auto told = units;
+    told.test = "1";
+    expect_three_rows(read(text, told));
+    told.test = "2";
+    auto const second = read(text, told);
+    EXPECT_EQ(second.force_kN, (std::vector{1.5, -4.0, 3.0})) << text;
+    EXPECT_TRUE(says(second.recognised, "2 tests in the file, test 2 is read"));
+    EXPECT_EQ(second.layout.test, "2");
+    told.test = "all";
+    EXPECT_EQ(read(text, told).size(), 6u);
+  }
+  auto const text = R"({"tests": )" + list + "}";
+  EXPECT_EQ(refusal(text, units),
+            "FILE: 2 tests in one file: tests(1) 'A', tests(2) 'B'; allowed: one of them, or all as one history; try: "
+            "--test all, or --test 2");
+  auto told = units;
+  told.test = "3";
+  EXPECT_EQ(refusal(text, told), "FILE: no test 3; allowed: 1 to 2: tests(1) 'A', tests(2) 'B'; try: --test 1");
+  told.test = std::nullopt;
+  auto const listed = list_tests(write(text, "list.json"), told);
+  ASSERT_EQ(listed.size(), 2u);
+  EXPECT_EQ(listed[1].test, "2");
+  EXPECT_EQ(listed[1].sheet, std::nullopt);
+  expect_three_rows(read("[" + one("A", "-2") + "]", told));  // the only one needs no word
+}
+
+TEST_F(Json, TestsOfAListSpeakForThemselvesAlone) {
+  auto const one = [](std::string const& disp_unit, std::string const& more) {
+    return R"({"units": {"time": "s", "disp": ")" + disp_unit + R"(", "force": "kN"}, "name": "T", )" + more + "}";
+  };
+  std::string const arrays = R"("time": [0, 1, 2], "disp": [0.0, 2.5, 5], "force": [1.5, -2.0, 3])";
+  ReadOptions second;
+  second.test = "2";
+  EXPECT_EQ(read("[" + one("mm", arrays) + "," + one("cm", arrays) + "]", second).disp_mm,
+            (std::vector{0.0, 25.0, 50.0}));
+  auto const rows = R"("columns": ["time", "disp", "force"], "data": [)" + three_rows + "]";
+  expect_three_rows(read(R"({"tests": [)" + one("cm", rows) + "," + one("mm", rows) + "]}", second));
+  auto const record = read(R"({"tests": [)" + one("mm", arrays) + R"(, {"name": "broken off", "disp": [0, 1, 2]}, )" +
+                               one("mm", arrays) + "]}",
+                           second);
+  expect_three_rows(record);
+  EXPECT_TRUE(says(record.recognised, "element 'tests(2)' of the list holds no table of numbers, is passed over"));
+  EXPECT_EQ(refusal("[" + one("mm", arrays) + R"(, {"a": 1, "b": 2}, {"a": 1, "b": 3}, {"a": 1, "b": 2}])", second),
+            "FILE: a list of rows of numbers and of tests; allowed: elements of one kind; try: a list of the tests "
+            "alone");
+}
+
+// Arrays inside rows make no tests of them.
+TEST_F(Json, RowsMayHoldShortArrays) {
+  std::string rows = "[";
+  for (int i = 0; i < 2000; ++i)
+    rows += fmt::format(R"({}{{"time": {}, "disp": {}, "tags": ["a"], "xy": [1, 2], "force": {}}})", i == 0 ? "" : ",",
+                        i, i % 7, i % 3);
+  EXPECT_EQ(read(rows + "]", units).size(), 2000u);
+  std::string tests = "[";
+  for (int i = 0; i < 1001; ++i) tests += fmt::format(R"({}{{"d": [1, 2, 3], "f": [1, 2, 3]}})", i == 0 ? "" : ",");
+  EXPECT_NE(refusal(tests + "]").find("more than 1000 tests"), std::string::npos);
+}
+
 TEST_F(Json, WhatIsNoNumberIsAtItsRow) {
   EXPECT_EQ(
       refusal(R"({"disp_mm": [0, null, 2, "3"], "force_kN": [1, 2, 3, 4]})"),

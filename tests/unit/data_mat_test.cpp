@@ -281,6 +281,12 @@ TEST_F(Mat5, WhatIsPackedIsBounded) {
 TEST_F(Mat5, ComplexAndDeepVariablesAreNoChannels) {
   auto const text = found(array("disp_mm", disp, 4, 1, 0x806));
   EXPECT_NE(text.find("disp_mm (4 x 1 complex double)"), std::string::npos) << text;
+  auto const file = file_of(array("disp_mm", disp, 4, 1, 0x806) + array("force_kN", disp, 4, 1));
+  auto const said =
+      "FILE: variable 'disp_mm' is complex; allowed: real numbers; variables disp_mm (4 x 1 complex double)";
+  EXPECT_TRUE(refusal(file).starts_with(said)) << refusal(file);
+  EXPECT_TRUE(refusal(file, with("disp=disp_mm")).starts_with(said)) << refusal(file, with("disp=disp_mm"));
+  EXPECT_TRUE(refusal(file).ends_with("try: save real(disp_mm), or the part that was measured")) << refusal(file);
 }
 
 TEST_F(Mat5, BigEndian) {

@@ -91,6 +91,20 @@ TEST(ScoredSamples, NothingLeftSaysWhatThereIs) {
   Segmentation none;
   none.refusal = "not cyclic";
   EXPECT_THROW(scored_samples({parse("1"), {}}, none, 50), Error);
+  // Pieces of a history without cycles are no block to choose.
+  auto not_cyclic = two_blocks();
+  not_cyclic.cyclic = false;
+  not_cyclic.refusal = "not cyclic: an earthquake";
+  for (auto const& selection : {Selection{parse("1"), {}}, Selection{parse("2"), {}}, Selection{{}, parse("1")}}) {
+    try {
+      scored_samples(selection, not_cyclic, 50);
+      ADD_FAILURE();
+    } catch (Error const& error) {
+      std::string const what = error.what();
+      EXPECT_NE(what.find("the record has no cycles to choose among: not cyclic: an earthquake"), std::string::npos)
+          << what;
+    }
+  }
 }
 
 }  // namespace

@@ -1,4 +1,6 @@
 // Several tests in one file: told apart by repeated headers, chosen, joined, listed.
+#include <algorithm>
+
 #include "data_writers.hpp"
 
 namespace isolaw::data::testing {
@@ -113,6 +115,45 @@ TEST_F(SeveralTests, AreListed) {
   auto const one = list_tests(write(names + rows(loop, ";"), "one.csv"));
   ASSERT_EQ(one.size(), 1u);
   EXPECT_EQ(one.front().test, std::nullopt);
+}
+
+// LabVIEW's measurement files: two headers above the names, units in a row of their own, one name for a comment.
+std::string lvm_head(std::string const& x_columns = "One") {
+  return "LabVIEW Measurement\t\nWriter_Version\t2\nSeparator\tTab\nDecimal_Separator\t,\nMulti_Headings\tNo\n"
+         "X_Columns\t" +
+         x_columns + "\nTime_Pref\tAbsolute\nDate\t2024/07/03\nTime\t10:11:12,123\n***End_of_Header***\t\n\t\n";
+}
+std::string lvm_part(Ellipse const& of, bool x = true) {
+  auto text = fmt::format(
+      "Channels\t2\t\nSamples\t{0}\t{0}\nDate\t2024/07/03\t2024/07/03\nY_Unit_Label\tmm\tkN\n"
+      "X_Dimension\tTime\tTime\nX0\t0\t0\nDelta_X\t0,01\t0,01\n***End_of_Header***\n"
+      "X_Value\tDisplacement\tForce\tComment\n",
+      of.size());
+  for (int i = 0; i < of.size(); ++i) {
+    auto line = fmt::format("{}\t{:.9f}\t{:.9f}\n", x ? fmt::format("{:.2f}", 0.01 * i) : "", of.disp(i), of.force(i));
+    std::ranges::replace(line, '.', ',');
+    text += line;
+  }
+  return text;
+}
+
+TEST_F(SeveralTests, LabViewFilesAreReadAfterTheirEndOfHeader) {
+  auto const record = read(lvm_head() + lvm_part(loop));
+  ASSERT_EQ(record.size(), 201u);
+  EXPECT_DOUBLE_EQ(record.time_s[200], 2.0);
+  EXPECT_NEAR(record.disp_mm[25], 100.0, 1e-8);
+  EXPECT_TRUE(says(record.recognised, "line 20 is the header"));
+  EXPECT_TRUE(says(record.recognised, "time: column 1 'X_Value', by its name; unit s as the file states beside it"));
+  EXPECT_TRUE(says(record.recognised, "force: column 3 'Force', by its name; unit kN as the file states beside it"));
+  auto const two = lvm_head() + lvm_part(loop) + "\n" + lvm_part(small);
+  auto const second = read(two, test("2"));
+  ASSERT_EQ(second.size(), 101u);
+  EXPECT_NEAR(second.disp_mm[25], 50.0, 1e-8);
+  auto const without = read(lvm_head("No") + lvm_part(loop, false));
+  EXPECT_FALSE(without.has_time());
+  EXPECT_EQ(without.disp_mm, record.disp_mm);
+  auto const later = read(lvm_head("No") + lvm_part(small, false) + "\n" + lvm_part(loop, false), test("2"));
+  EXPECT_EQ(later.disp_mm, record.disp_mm);
 }
 
 TEST_F(SeveralTests, OfAWorkbookAreListedSheetBySheet) {

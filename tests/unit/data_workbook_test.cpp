@@ -113,6 +113,53 @@ TEST_F(Workbook, SheetsAreChosenByNameOrNumber) {
             "displacement and force");
 }
 
+TEST_F(Workbook, SheetsOfOtherNumbersArePassedOverBesideATest) {
+  Ellipse const loop;
+  Named const chart{{"a", {1.0, 2.0, 3.0}}, {"b", {2.0, 4.0, 6.0}}};
+  for (auto const& sheets : {std::vector<std::pair<std::string, Named>>{{"Test", columns_of(loop)}, {"Grafici", chart}},
+                             {{"Grafici", chart}, {"Test", columns_of(loop)}}}) {
+    auto const file = place();
+    auto const record = read(workbook_of(file, sheets));
+    EXPECT_EQ(record.size(), static_cast<std::size_t>(loop.size()));
+    EXPECT_EQ(record.layout.sheet, "Test");
+    EXPECT_TRUE(says(record.recognised, "an Excel workbook, sheet 'Test', the only test"));
+    EXPECT_TRUE(says(record.recognised, "sheet 'Grafici' names no time, displacement or force, passed over"));
+    auto const listed = list_tests(file);
+    ASSERT_EQ(listed.size(), 1u);
+    EXPECT_EQ(listed.front().sheet, "Test");
+    EXPECT_EQ(listed.front().passed_over, std::vector<std::string>{"Grafici"});
+  }
+  auto const text = book({{"Test", columns_of(loop)}, {"Grafici", chart}});
+  EXPECT_EQ(refusal(text, with("disp=B,force=C")),  // then a sheet without names may be the one
+            "FILE: tables 'Test', 'Grafici' may each be the test; allowed: one of them; try: --sheet Test");
+  EXPECT_EQ(refusal(book({{"One", chart}, {"Two", chart}})),
+            "FILE: tables 'One', 'Two' may each be the test; allowed: one of them; try: --sheet One");
+}
+
+// "F [kN]" in column G is not what the letter F means.
+TEST_F(Workbook, ALetterIsTheColumnUnlessANameReadsJustSo) {
+  Ellipse const loop, small{.amplitude_mm = 50.0};
+  auto const named = [&](Ellipse const& of) { return columns_of(of, "t [s]", "d [mm]", "F [kN]"); };
+  auto side = named(loop);
+  for (auto const& column : named(small)) side.push_back(column);
+  auto const record = read(book({{"Test", side}}), with("time=D,disp=E,force=F"));
+  EXPECT_NEAR(record.disp_mm[50], 50.0, 1e-12);
+  EXPECT_EQ(record.force_kN, read(book({{"Test", named(small)}})).force_kN);
+  EXPECT_EQ(record.layout.columns.at(Channel::force), "6");
+  auto const exact = columns_of(loop, "F", "B", "D [kN]");
+  auto const by_name = read(book({{"Test", exact}}), with("time=F,disp=B,force=D", "time=s,disp=mm"));
+  EXPECT_EQ(by_name.force_kN, read(book({{"Test", named(loop)}})).force_kN);
+  auto twice = columns_of(loop, "t [s]", "F", "C");
+  twice.push_back({"F", twice.back().second});
+  EXPECT_EQ(
+      refusal(book({{"Test", twice}}), with("disp=F,force=3", "disp=mm,force=kN")),
+      "FILE:Test:1: 2 columns are named 'F'; allowed: a unique column; try: --columns disp=B or --columns disp=D");
+  std::swap(twice[2].first, twice[3].first);
+  EXPECT_EQ(
+      refusal(book({{"Test", twice}}), with("disp=F,force=3", "disp=mm,force=kN")),
+      "FILE:Test:1: 2 columns are named 'F'; allowed: a unique column; try: --columns disp=B or --columns disp=3");
+}
+
 TEST_F(Workbook, SeveralTestsInOneSheet) {
   auto const text = book_with(names + three + names + three + row(cell("5") + cell("5")));
   EXPECT_EQ(refusal(text),

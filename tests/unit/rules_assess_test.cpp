@@ -53,7 +53,7 @@ TEST(Limits, ComparePeakToPeakStiffnessOfTheThirdCycle) {
   EXPECT_NEAR(*line.deviation_percent, 10.0, 1e-10);
   EXPECT_EQ(line.unit, "kN/mm");
   EXPECT_EQ(line.formula, "(F+ - F-)/(d+ - d-), cycle 3");
-  EXPECT_EQ(line.limit, "-20 % to +20 %");
+  EXPECT_EQ(line.limit, "from -20 % to +20 %");
   EXPECT_EQ(line.clause, "3.1");
   EXPECT_EQ(line.verdict, Verdict::pass);
   EXPECT_EQ(line.reason, "");
@@ -110,8 +110,8 @@ TEST(Limits, OneSidedOnesHaveOneEnd) {
   EXPECT_EQ(line(5.0).verdict, Verdict::pass);
   EXPECT_EQ(line(0.75).verdict, Verdict::pass);
   EXPECT_EQ(line(0.7499).verdict, Verdict::fail);
-  EXPECT_EQ(line(1.0).limit, "-25 % or more");
-  EXPECT_EQ(limit_text(std::nullopt, 10), "+10 % or less");
+  EXPECT_EQ(line(1.0).limit, "at least -25 %");
+  EXPECT_EQ(limit_text(std::nullopt, 10), "at most +10 %");
 }
 
 TEST(Formulas, PerSideAreForceOverDisplacement) {

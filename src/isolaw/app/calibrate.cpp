@@ -31,6 +31,7 @@
 #include "isolaw/report/run_json.hpp"
 #include "isolaw/report/summary_json.hpp"
 #include "isolaw/report/terminal.hpp"
+#include "isolaw/report/verdict.hpp"
 #include "isolaw/report/write.hpp"
 
 namespace isolaw::app {
@@ -170,7 +171,8 @@ int terminal_width() {
 }
 
 void print(report::Summary const& summary, bool json) {
-  auto const text = json ? report::summary_json(summary) : report::ranking(summary, terminal_width());
+  auto text = json ? report::summary_json(summary) : report::ranking(summary, terminal_width());
+  if (auto const verdicts = report::verdict_summary(summary); !json && !verdicts.empty()) text += "\n" + verdicts;
   std::fwrite(text.data(), 1, text.size(), stdout);
   if (!text.ends_with('\n')) std::fputc('\n', stdout);
 }

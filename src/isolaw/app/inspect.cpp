@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <set>
 #include <string>
 
 #include "isolaw/app/commands.hpp"
@@ -13,6 +14,7 @@
 #include "isolaw/base/printable.hpp"
 #include "isolaw/campaign/campaign.hpp"
 #include "isolaw/data/read.hpp"
+#include "isolaw/data/sheet_choice.hpp"
 #include "isolaw/report/build_summary.hpp"
 #include "isolaw/report/inspection.hpp"
 #include "isolaw/report/write.hpp"
@@ -76,6 +78,9 @@ campaign::Lot lot_of_tests(InitArguments const& arguments) {
     } catch (Error const&) {
       tests.resize(1, {.sheet = device.read.sheet, .test = device.read.test, .place = {}});  // said when it is read
     }
+    if (auto const& other = tests.front().passed_over; !other.empty())
+      say("{}: {} {} no time, displacement or force, passed over\n", device.shown_file,
+          data::sheet_list(other, other.size() == 1 ? "sheet" : "sheets"), other.size() == 1 ? "names" : "name");
     bool const several = tests.size() > 1;
     bool const sheets = several && tests.front().sheet != tests.back().sheet;
     for (auto const& test : tests) {
@@ -91,6 +96,20 @@ campaign::Lot lot_of_tests(InitArguments const& arguments) {
   return lot;
 }
 
+// A file of which some part was taken for a test and cannot be read as one.
+Complaint about_sheets(std::filesystem::path const& file, campaign::Lot const& lot) {
+  std::vector<std::string> sheets;
+  for (auto const& device : lot.devices)
+    if (device.files.front() == file && device.read.sheet &&
+        std::ranges::find(sheets, *device.read.sheet) == sheets.end())
+      sheets.push_back(*device.read.sheet);
+  return {.where = file.generic_string(),
+          .found = fmt::format("{} taken for {}", data::sheet_list(sheets, "tables"),
+                               sheets.size() == 1 ? "a test" : "tests"),
+          .allowed = "displacement and force in each of them",
+          .advice = "--sheet NAME for the one that is the test"};
+}
+
 }  // namespace
 
 int init(InitArguments const& arguments) {
@@ -101,6 +120,7 @@ int init(InitArguments const& arguments) {
   auto lot = lot_of_tests(arguments);
   lot.title = printable(std::filesystem::absolute(arguments.out).parent_path().filename().string());
   std::vector<Complaint> complaints;
+  std::vector<std::filesystem::path> of_sheets;  // files of which one sheet cannot be read
   for (auto& device : lot.devices) {
     if (!is_printable(device.files.front().string())) {
       complaints.push_back({.where = device.files.front().string(),
@@ -123,8 +143,10 @@ int init(InitArguments const& arguments) {
       for (auto const& line : record.recognised) fmt::print("  {}\n", line);
     } catch (Error const& error) {
       complaints.insert(complaints.end(), error.complaints().begin(), error.complaints().end());
+      if (!arguments.read.sheet && device.read.sheet) of_sheets.push_back(device.files.front());
     }
   }
+  for (auto const& file : std::set(of_sheets.begin(), of_sheets.end())) complaints.push_back(about_sheets(file, lot));
   if (!complaints.empty()) throw Error(complaints);
   auto const folder = std::filesystem::absolute(arguments.out).parent_path();
   // The size is one of the other production lot: said, and left out where it cannot be that of this one.

@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/rules/measured.hpp"
@@ -107,7 +108,13 @@ void apply(AcceptanceArguments const& arguments, campaign::Acceptance& acceptanc
   }
   if (!acceptance.rules.empty()) rules::read_rule_text(acceptance.rules, acceptance.rules_file);
   if (arguments.design) acceptance.design = *arguments.design;
-  if (!acceptance.design.empty()) rules::parse_design(acceptance.design);
+  if (!acceptance.design.empty()) {
+    auto const damping = rules::parse_design(acceptance.design).damping_percent;
+    if (damping && *damping < 1.0)
+      say("--design damping={:g}: damping is in percent, and below 1 % is no damping of an isolator; try: "
+          "damping={:g}\n",
+          *damping, 100.0 * *damping);
+  }
   if (arguments.lot_size) acceptance.lot_size = campaign::parse_lot_size(std::to_string(*arguments.lot_size));
 }
 
@@ -124,6 +131,12 @@ campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, ca
                    .found = "a lot file together with other inputs",
                    .allowed = "one lot file alone, or records",
                    .advice = "name the records in the lot file"});
+  for (auto const& input : inputs) {
+    std::error_code unknown;
+    if (std::filesystem::is_regular_file(input / "lot.toml", unknown))
+      say("{} holds a lot file, which is not used: its records are read as they are; try: {}\n", shown(input),
+          shown(input / "lot.toml"));
+  }
   auto lot = from_file ? lot_of_file(inputs.front(), options) : campaign::lot_of_files(records_of(inputs));
   auto const& first = inputs.front();
   bool const named_by_folder = from_file || std::filesystem::is_directory(first);

@@ -129,6 +129,7 @@ Meaning meaning_of_symbol(std::string_view base, std::optional<Unit> unit) {
   if (symbol == "T" && unit) return meant(Channel::time);  // alone it is as often a temperature
   if (symbol == "N") return meant(Channel::load);          // n counts samples
   auto const small = lower(symbol);
+  if (small == "xvalue") return meant(Channel::time);  // of LabVIEW's files
   if (is_in(disp_symbols, small)) return meant(Channel::disp);
   if (is_in(force_symbols, small)) return meant(Channel::force);
   if (is_in(load_symbols, small)) return meant(Channel::load);
@@ -286,10 +287,17 @@ class Resolver {
     return found;
   }
 
+  std::optional<std::size_t> lettered(std::string_view wanted) const {
+    auto const index = header_.lettered ? letters_column(trimmed(wanted)) : std::nullopt;
+    return index && *index < count() ? index : std::nullopt;
+  }
+
   std::optional<std::vector<std::size_t>> find_named(std::string_view wanted) const {
     auto const small = lower(trimmed(wanted));
     auto const base = lower(dissect_name(wanted).base);
     auto found = columns_where([&](auto const& text) { return text == wanted; });
+    // In a workbook F is the column of that letter, unless a name reads just so: "F [kN]" has a letter of its own.
+    if (auto const letter = found.empty() ? lettered(wanted) : std::nullopt) return std::vector{*letter};
     if (found.empty()) found = columns_where([&](auto const& text) { return lower(text) == small; });
     if (found.empty()) found = columns_where([&](auto const& text) { return lower(dissect_name(text).base) == small; });
     if (found.empty()) found = columns_where([&](auto const& text) { return lower(dissect_name(text).base) == base; });
@@ -308,11 +316,17 @@ class Resolver {
     auto const [end, failure] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
     bool const is_number = failure == std::errc{} && end == wanted.data() + wanted.size();
     if (is_number && number >= 1 && number <= count()) return number - 1;
-    auto const lettered = header_.lettered ? letters_column(wanted) : std::nullopt;
-    if (lettered && *lettered < count()) return lettered;
+    if (std::ranges::find(header_.complex, wanted) != header_.complex.end()) return report_complex(wanted);
     complain(header_place(), fmt::format("no column {} for {}", is_number ? wanted : in_quotes(wanted), name(channel)),
              is_number ? fmt::format("1 to {}; {}", count(), columns_found()) : columns_found(),
              fmt::format("--columns {}={}", name(channel), any_column()));
+    return std::nullopt;
+  }
+
+  std::nullopt_t report_complex(std::string_view variable) {
+    complain(header_place(), fmt::format("variable {} is complex", in_quotes(variable)),
+             "real numbers; " + columns_found(),
+             fmt::format("save real({}), or the part that was measured", printable(variable)));
     return std::nullopt;
   }
 
@@ -370,6 +384,11 @@ class Resolver {
   }
 
   void report_missing(Channel channel) {
+    for (auto const& variable : header_.complex)
+      if (meaning_of(variable).channel == channel) {
+        report_complex(variable);
+        return;
+      }
     if (!has_names()) {
       report_nameless(channel);
       return;
@@ -563,7 +582,10 @@ std::string column_key(std::size_t index, Header const& header) {
 
 std::string option_key(std::size_t index, Header const& header) {
   if (header.by_name) return column_key(index, header);
-  return header.lettered ? column_letters(index) : std::to_string(index + 1);
+  auto const number = std::to_string(index + 1);
+  auto const letters = column_letters(index);
+  bool const is_name = std::ranges::find(header.names, letters) != header.names.end();
+  return header.lettered && !is_name ? letters : number;
 }
 
 std::string column_letters(std::size_t index) {

@@ -143,12 +143,17 @@ std::string half_cycle(std::span<double const> x, Lobe const& lobe) {
   return fmt::format("half a cycle: to {:.4g} mm and back, then the motion starts anew", x[lobe.tip]);
 }
 
+// What no transducer resolves is zero, and zero has no sign.
+double or_zero(double disp_mm) {
+  return std::abs(disp_mm) < 1e-6 ? 0.0 : disp_mm;
+}
+
 std::string open_start(std::span<double const> x) {
-  return fmt::format("partial: the record starts at {:.4g} mm, within a cycle", x.front());
+  return fmt::format("partial: the record starts at {:.4g} mm, within a cycle", or_zero(x.front()));
 }
 
 std::string open_end(std::span<double const> x) {
-  return fmt::format("partial: the record ends at {:.4g} mm, before the cycle is closed", x.back());
+  return fmt::format("partial: the record ends at {:.4g} mm, before the cycle is closed", or_zero(x.back()));
 }
 
 // The lobes of a history, in groups, and what the cycles among them are.

@@ -65,10 +65,16 @@ Names header_cells(std::string_view line, Dialect const& dialect) {
   return names;
 }
 
+// Rows of a LabVIEW header that hold numbers alone beside their key.
+bool is_lvm_key(std::string_view cell) {
+  constexpr std::string_view keys[]{"Channels", "Samples", "X0", "Delta_X"};
+  return std::ranges::find(keys, cell) != std::ranges::end(keys);
+}
+
 bool is_data_row(std::string_view line, Dialect const& dialect) {
   std::vector<std::string_view> cells;
   split_row(line, dialect, cells);
-  if (cells.size() != dialect.columns) return false;
+  if (cells.size() != dialect.columns || is_lvm_key(cells.front())) return false;
   std::size_t numbers = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     auto const kind = parse_cell(cells[i], dialect.decimal).kind;
@@ -161,6 +167,38 @@ bool begins_test(std::string_view line, Dialect const& dialect, std::string_view
   return cells.size() == dialect.columns && !has_number(cells, dialect.decimal) && count_channels(cells) >= 2;
 }
 
+// LabVIEW's measurement files (.lvm): after the last end of header the names, one more than there are columns where no
+// row has a comment; units of the channels in a row of their own above it, those of the time are seconds.
+bool read_lvm_header(std::span<std::string_view const> above, Dialect const& dialect, Header& header) {
+  auto const opens = [](std::string_view line, std::string_view key) { return trimmed(line).starts_with(key); };
+  std::optional<std::size_t> end;
+  for (std::size_t i = 0; i < above.size(); ++i)
+    if (opens(above[i], "***End_of_Header***")) end = i;
+  if (!end) return false;
+  auto names = *end + 1;
+  while (names < above.size() && is_blank(above[names], dialect.delimiter)) ++names;
+  if (names >= above.size()) return false;
+  auto cells = split_names(above[names], dialect.delimiter);
+  while (cells.size() > dialect.columns && (cells.back().empty() || lower(cells.back()) == "comment")) cells.pop_back();
+  if (cells.size() != dialect.columns || lower(cells.front()) != "x_value") return false;
+  if (!dialect.numeric.front()) cells.front().clear();  // X_Columns No
+  Names units(dialect.columns);
+  for (std::size_t i = 0; i < *end; ++i) {
+    auto const given = split_names(above[i], dialect.delimiter);
+    bool const of_x = opens(above[i], "X_Unit_Label"), of_time = opens(above[i], "X_Dimension");
+    bool const of_y = opens(above[i], "Y_Unit_Label") && given.size() == dialect.columns;
+    for (std::size_t k = 1; of_y && k < given.size(); ++k) units[k] = given[k];
+    if (given.size() > 1 && of_x) units[0] = given[1];
+    if (given.size() > 1 && of_time && lower(given[1]) == "time" && units[0].empty()) units[0] = "s";
+    if (!of_x && !of_time && !of_y && !is_blank(above[i], dialect.delimiter)) header.passed_over.push_back(i);
+  }
+  if (std::ranges::any_of(units, [](auto const& unit) { return !unit.empty(); })) header.units = std::move(units);
+  header.passed_over.push_back(*end);
+  header.name_line = names;
+  header.names = std::move(cells);
+  return true;
+}
+
 }  // namespace
 
 std::vector<std::size_t> later_tests(std::span<std::string_view const> lines, Dialect const& dialect,
@@ -183,6 +221,7 @@ Header recognise_header(std::span<std::string_view const> lines, Dialect const& 
   while (header.first_data < lines.size() &&
          (is_comment(lines[header.first_data]) || !is_data_row(lines[header.first_data], dialect)))
     ++header.first_data;
+  if (read_lvm_header(lines.first(header.first_data), dialect, header)) return header;
   auto const names = find_names(lines.first(header.first_data), dialect, header);
   if (names) {
     header.name_line = names->line;

@@ -29,10 +29,11 @@ struct Header {
   };
   std::optional<Mismatch> mismatch;
 
-  std::string_view row = "line";  // what a row is called: "line", "row", "element"
-  bool lettered = false;          // columns have letters, as in a workbook
-  bool by_name = false;           // columns are variables: named, not numbered, in what is advised
-  std::string listing;            // what the file holds besides, where that is more than its columns
+  std::string_view row = "line";     // what a row is called: "line", "row", "element"
+  bool lettered = false;             // columns have letters, as in a workbook
+  bool by_name = false;              // columns are variables: named, not numbered, in what is advised
+  std::vector<std::string> complex;  // variables of complex numbers, which no channel is read from
+  std::string listing;               // what the file holds besides, where that is more than its columns
 };
 
 Header recognise_header(std::span<std::string_view const> lines, Dialect const& dialect);

@@ -23,7 +23,8 @@ using namespace std::string_view_literals;
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t most_columns = 1000;
 constexpr std::size_t most_odd_cells = 64;  // kept with their text, per column
-constexpr std::size_t most_words = 1000;    // single texts that may be units
+constexpr std::size_t most_words = 10000;   // single texts that may be units
+constexpr std::size_t most_tests = 1000;
 constexpr std::size_t longest_text = 200;
 
 // A value of an array: a number, or what stands in its place.
@@ -38,11 +39,34 @@ struct Part {
   std::vector<NumberColumn> columns;
   std::map<std::string, std::size_t, std::less<>> index;  // of columns, by name
   std::size_t rows = 0;                                   // elements, where elements are rows
+  std::string element;                                    // path of the element of a list it stands in, if any
   bool of_rows = false;
   bool named = false;        // columns have names
   std::string flaw;          // why it is no table
   std::size_t flaw_row = 0;  // from 1; 0: none in particular
 };
+
+// A single text, and the element of a list it stands in: what one test says of its units is not said of the next.
+struct Word {
+  std::string text;
+  std::string element;
+};
+
+// Texts of an array that holds texts alone.
+std::vector<std::string> texts_of(NumberColumn const& column) {
+  std::vector<std::string> texts;
+  if (column.odd_cells.size() != column.values.size()) return texts;
+  for (auto const& [row, text] : column.odd_cells) texts.push_back(text);
+  return texts;
+}
+
+bool is_table(Part const& part) {
+  constexpr std::size_t fewest = 3;
+  if (!part.flaw.empty()) return part.columns.size() >= 2 && part.rows >= fewest;  // refused where it is chosen
+  auto const filled = std::ranges::count_if(
+      part.columns, [](auto const& column) { return column.values.size() >= fewest && texts_of(column).empty(); });
+  return filled >= 2;
+}
 
 class Budget {
  public:
@@ -68,8 +92,10 @@ class Handler {
  public:
   explicit Handler(std::size_t file_bytes) : budget_(file_bytes) {}
 
-  std::map<std::string, Part> parts;                                 // by path
-  std::map<std::pair<std::string, std::string>, std::string> words;  // single texts, by path and key
+  std::map<std::string, Part> parts;                          // by path
+  std::map<std::pair<std::string, std::string>, Word> words;  // by path and key
+  // Lists of objects, by path: their elements that hold a table, and those that hold arrays but no table.
+  std::map<std::string, std::vector<std::string>> lists, passed_over;
   std::string refusal;
   std::size_t failed_at = 0;  // byte, from 1
 
@@ -84,8 +110,12 @@ class Handler {
   bool binary(std::vector<std::uint8_t>&) { return false; }
 
   bool start_object(std::size_t) {
-    if (!stack_.empty() && stack_.back().kind == Kind::array) begin_element(Shape::records);
-    return push(Kind::object);
+    if (stack_.empty() || stack_.back().kind != Kind::array) return push(Kind::object);
+    begin_element(Shape::records);
+    auto const number = ++stack_.back().elements;
+    if (!push(Kind::object)) return false;
+    stack_.back().number = number;
+    return true;
   }
   bool key(std::string& name) {
     stack_.back().key = name.substr(0, longest_text);
@@ -93,8 +123,12 @@ class Handler {
   }
   bool end_object() {
     bool const row = stack_.size() > 1 && stack_[stack_.size() - 2].shape == Shape::records;
+    auto const ended = std::move(stack_.back());
     stack_.pop_back();
-    if (row) end_row();
+    if (ended.has_path_of_own && is_test(ended))
+      end_test(ended);
+    else if (row)
+      end_row();
     return refusal.empty();
   }
   bool start_array(std::size_t) {
@@ -126,9 +160,12 @@ class Handler {
   struct Frame {
     Kind kind;
     Shape shape = Shape::none;
-    std::string path = {};  // keys above, joined by points
-    std::string key = {};   // the one being read
-    bool in_reach = true;   // tables are looked for here
+    std::string path = {};         // keys above, joined by points
+    std::string key = {};          // the one being read
+    bool in_reach = true;          // tables are looked for here
+    std::size_t elements = 0;      // objects among an array's elements so far
+    std::size_t number = 0;        // of an object that is an element, from 1
+    bool has_path_of_own = false;  // such an object has its number in its path once it holds more than single values
   };
 
   bool push(Kind kind) {
@@ -140,8 +177,10 @@ class Handler {
     Frame frame{.kind = kind};
     if (!stack_.empty()) {
       auto const& above = stack_.back();
+      bool const in_list = stack_.size() == 4 && stack_[2].kind == Kind::object;  // {"tests": [{"data": [[...
+      frame.in_reach = above.in_reach && (above.kind == Kind::object ? depth() <= 2 : stack_.size() <= 3 || in_list);
+      if (frame.in_reach && above.kind == Kind::object) number_path();
       frame.path = above.kind == Kind::object ? joined(above.path, above.key) : above.path;
-      frame.in_reach = above.in_reach && (above.kind == Kind::object ? depth_of(frame.path) <= 2 : stack_.size() <= 3);
     }
     stack_.push_back(std::move(frame));
     return refusal.empty();
@@ -150,9 +189,58 @@ class Handler {
   static std::string joined(std::string const& path, std::string const& key) {
     return path.empty() ? key : path + '.' + key;
   }
-  std::size_t depth_of(std::string const&) const {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(stack_, [](auto const& frame) { return frame.kind == Kind::object; }));
+  // Objects, but those that are elements: a list of tests is no deeper than one test.
+  std::size_t depth() const {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        stack_, [](auto const& frame) { return frame.kind == Kind::object && frame.number == 0; }));
+  }
+
+  // Most objects in arrays are rows, by the million: only those that hold arrays or objects get a path.
+  void number_path() {
+    auto& frame = stack_.back();
+    if (frame.number == 0 || frame.has_path_of_own) return;
+    frame.path += fmt::format("({})", frame.number);
+    frame.has_path_of_own = true;
+    for (std::size_t i = 0; i < row_.size(); ++i)
+      if (row_[i].is_text) keep_word(row_names_[i], row_[i].text);
+  }
+  void keep_word(std::string const& key, std::string const& text) {
+    if (words.size() >= most_words) return;
+    words.emplace(std::pair(stack_.back().path, key), Word{text.substr(0, longest_text), element()});
+  }
+  // Path of the innermost element that the top of the stack stands in.
+  std::string element() const {
+    for (auto frame = stack_.rbegin(); frame != stack_.rend(); ++frame)
+      if (frame->has_path_of_own) return frame->path;
+    return {};
+  }
+  Part& part_at(std::string const& path) {
+    auto const [found, fresh] = parts.try_emplace(path);
+    if (fresh) found->second.element = element();
+    return found->second;
+  }
+
+  // Whether the element holds a table; where it does not, what it holds is dropped.
+  bool is_test(Frame const& ended) {
+    bool channels = false;
+    for (auto it = parts.lower_bound(ended.path); it != parts.end() && it->first.starts_with(ended.path);) {
+      if (it->second.element == ended.path && is_table(it->second)) return true;
+      channels = channels || !it->second.columns.empty();
+      ++it;
+    }
+    for (auto it = parts.lower_bound(ended.path); it != parts.end() && it->first.starts_with(ended.path);)
+      it = it->second.element == ended.path ? parts.erase(it) : std::next(it);
+    for (auto it = words.lower_bound({ended.path, ""}); it != words.end() && it->first.first.starts_with(ended.path);)
+      it = it->second.element == ended.path ? words.erase(it) : std::next(it);
+    auto& list = passed_over[stack_.back().path];
+    if (channels && list.size() <= most_tests) list.push_back(ended.path);
+    return false;
+  }
+
+  void end_test(Frame const& ended) {
+    auto& list = lists[stack_.back().path];
+    if (++tests_ > most_tests) refusal = fmt::format("more than {} tests", most_tests);
+    list.push_back(ended.path);
   }
 
   // An array or object as an element of an array: a row of its table.
@@ -161,7 +249,7 @@ class Handler {
     row_.clear();
     row_names_.clear();
     if (!above.in_reach) return;
-    auto& part = parts[above.path];
+    auto& part = part_at(above.path);
     part.of_rows = true;
     if (above.shape == Shape::none) above.shape = shape;
     if (above.shape != shape) flawed(part, "rows of several kinds");
@@ -174,16 +262,18 @@ class Handler {
     if (stack_.size() > 1) {
       auto const& above = stack_[stack_.size() - 2];
       if (above.shape == Shape::rows && frame.kind == Kind::array) return cell({}, std::move(value));
-      if (above.shape == Shape::records && frame.kind == Kind::object) return cell(frame.key, std::move(value));
+      if (above.shape == Shape::records && frame.kind == Kind::object) {
+        if (frame.has_path_of_own && value.is_text) keep_word(frame.key, value.text);
+        return cell(frame.key, std::move(value));
+      }
     }
     if (frame.kind == Kind::object) {
-      if (value.is_text && words.size() < most_words)
-        words.emplace(std::pair(frame.path, frame.key), value.text.substr(0, longest_text));
+      if (value.is_text) keep_word(frame.key, value.text);
       return true;
     }
     if (frame.shape == Shape::none) frame.shape = Shape::values;
     if (frame.shape != Shape::values) {
-      flawed(parts[frame.path], "single values among the rows");
+      flawed(part_at(frame.path), "single values among the rows");
       return true;
     }
     if (!budget_.take(1)) return over_budget();
@@ -204,7 +294,7 @@ class Handler {
   void end_row() {
     auto const& above = stack_.back();
     if (!above.in_reach) return;
-    auto& part = parts[above.path];
+    auto& part = part_at(above.path);
     if (above.shape == Shape::records)
       add_record(part);
     else
@@ -258,7 +348,7 @@ class Handler {
 
   void finish_column() {
     auto& frame = stack_.back();
-    auto& part = parts[frame.path];
+    auto& part = part_at(frame.path);
     if (part.columns.size() >= most_columns) {
       refusal = fmt::format("more than {} arrays", most_columns);
     } else if (part.index.emplace(frame.key, part.columns.size()).second) {
@@ -281,6 +371,7 @@ class Handler {
   }
 
   Budget budget_;
+  std::size_t tests_ = 0;
   std::vector<Frame> stack_;
   NumberColumn values_;  // the array of single values being read
   std::vector<Value> row_;
@@ -294,14 +385,6 @@ std::string plain(std::string_view name) {
   return text;
 }
 
-// Texts of an array that holds texts alone.
-std::vector<std::string> texts_of(NumberColumn const& column) {
-  std::vector<std::string> texts;
-  if (column.odd_cells.size() != column.values.size()) return texts;
-  for (auto const& [row, text] : column.odd_cells) texts.push_back(text);
-  return texts;
-}
-
 class Document {
  public:
   Document(Handler handler) : handler_(std::move(handler)) {
@@ -311,12 +394,46 @@ class Document {
   std::vector<std::string> tables() const {
     std::vector<std::string> names;
     for (auto const& [path, part] : handler_.parts)
-      if (is_table(part)) names.push_back(path.empty() ? top : path);
+      if (part.element.empty() && is_table(part) && !handler_.lists.contains(path)) names.push_back(shown(path));
+    for (auto const& [path, elements] : handler_.lists) names.push_back(shown(path));
     return names;
   }
 
-  std::unique_ptr<Table> table(std::string const& name, std::string const& file) {
-    auto const& path = name == top ? std::string() : name;
+  // The table of that name, or those of the list of that name.
+  void add_tests(std::string const& name, std::string const& file, Tests& tests) {
+    auto const path = name == top ? std::string() : name;
+    auto const list = handler_.lists.find(path);
+    if (list == handler_.lists.end()) {
+      tests.tables.push_back(table(path, file, {}));
+      return;
+    }
+    if (handler_.parts.contains(path) && is_table(handler_.parts.at(path)))
+      throw Error(Complaint{.where = path.empty() ? file : fmt::format("{}:{}", file, printable(path)),
+                            .found = "a list of rows of numbers and of tests",
+                            .allowed = "elements of one kind",
+                            .advice = "a list of the tests alone"});
+    for (auto const& element : list->second)
+      for (auto const& [at, part] : handler_.parts)
+        if (part.element == element && is_table(part)) tests.tables.push_back(table(at, file, title_of(element)));
+    if (auto const other = handler_.passed_over[path]; !other.empty())
+      tests.recognised.push_back(fmt::format("{} of the list {} no table of numbers, {} passed over",
+                                             sheet_list(other, other.size() == 1 ? "element" : "elements"),
+                                             other.size() == 1 ? "holds" : "hold", other.size() == 1 ? "is" : "are"));
+  }
+
+ private:
+  static inline std::string const top = "(top)";
+  static std::string shown(std::string const& path) { return path.empty() ? top : path; }
+
+  // "tests(2) 'B'", by what the element says of its name.
+  std::string title_of(std::string const& element) const {
+    for (auto const* key : {"name", "title", "id", "label", "test"})
+      if (auto const word = handler_.words.find({element, key}); word != handler_.words.end())
+        return fmt::format("{} {}", printable(element), in_quotes(word->second.text));
+    return printable(element);
+  }
+
+  std::unique_ptr<Table> table(std::string const& path, std::string const& file, std::string title) {
     auto& part = handler_.parts.at(path);
     auto const place = path.empty() ? file : fmt::format("{}:{}", file, printable(path));
     if (!part.flaw.empty())
@@ -326,9 +443,11 @@ class Document {
                             .advice = "correct the row, or export the test again"});
     class JsonTable : public NumberTable {
      public:
-      JsonTable(std::string at, Part& source, std::string layout)
+      JsonTable(std::string at, Part& source, std::string layout, std::string title)
           : NumberTable(std::move(at), std::move(source.columns), source.of_rows ? "row" : "element"),
-            layout_(std::move(layout)) {}
+            layout_(std::move(layout)) {
+        title_ = std::move(title);
+      }
       std::vector<std::string> recognised() const override { return {layout_}; }
 
      private:
@@ -337,18 +456,7 @@ class Document {
     auto layout =
         fmt::format("JSON: {}{}", part.of_rows ? "an array whose elements are rows" : "arrays that are columns",
                     path.empty() ? "" : fmt::format(", under {}", in_quotes(path)));
-    return std::make_unique<JsonTable>(place, part, std::move(layout));
-  }
-
- private:
-  static inline std::string const top = "(top)";
-
-  static bool is_table(Part const& part) {
-    constexpr std::size_t fewest = 3;
-    if (!part.flaw.empty()) return part.columns.size() >= 2 && part.rows >= fewest;  // refused where it is chosen
-    auto const filled = std::ranges::count_if(
-        part.columns, [](auto const& column) { return column.length >= fewest && texts_of(column).empty(); });
-    return filled >= 2;
+    return std::make_unique<JsonTable>(place, part, std::move(layout), std::move(title));
   }
 
   // Names and units from beside the columns.
@@ -364,7 +472,7 @@ class Document {
     }
     if (part.of_rows && !part.named) name_columns(path, part);
     for (auto& column : part.columns)
-      if (column.unit.empty() && !column.name.empty()) column.unit = unit_of(path, column.name);
+      if (column.unit.empty() && !column.name.empty()) column.unit = unit_of(path, part.element, column.name);
   }
 
   static std::string above(std::string const& path) {
@@ -389,10 +497,12 @@ class Document {
     }
   }
 
-  std::string unit_of(std::string const& path, std::string const& name) const {
+  std::string unit_of(std::string const& path, std::string const& element, std::string const& name) const {
     auto const wanted = plain(name);
-    for (auto const& [where, text] : handler_.words) {
+    for (auto const& [where, word] : handler_.words) {
       auto const& [words_path, key] = where;
+      auto const& text = word.text;
+      if (!word.element.empty() && word.element != element) continue;
       bool const near = words_path == path || words_path == above(path);
       if (near && (plain(key) == wanted + "unit" || plain(key) == wanted + "units")) return text;
       auto const last = words_path.substr(words_path.rfind('.') + 1);  // npos + 1 is 0
@@ -446,7 +556,7 @@ Tests json_tests(std::string_view bytes, std::string const& file, std::optional<
   Tests tests;
   if (names.size() > 1) tests.sheet = sheet_key(names, index);
   for (std::size_t i = 0; i < names.size() && !key; ++i) tests.sheets.push_back(sheet_key(names, i));
-  tests.tables.push_back(document.table(names[index], file));
+  document.add_tests(names[index], file, tests);
   return tests;
 }
 

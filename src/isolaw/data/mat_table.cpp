@@ -112,6 +112,17 @@ std::vector<std::string> owners(MatColumns const& found, bool of_tests) {
   return tests;
 }
 
+// Variables of complex numbers, of one struct where it is named, by the names they have in it.
+std::vector<std::string> complex_of(std::vector<MatVariable> const& variables, std::string const& owner) {
+  std::vector<std::string> names;
+  for (auto const& v : variables) {
+    if (!v.kind.starts_with("complex ")) continue;
+    if (owner.empty()) names.push_back(v.name);
+    if (!owner.empty() && owner_of(v.name) == owner) names.push_back(v.name.substr(owner.size() + 1));
+  }
+  return names;
+}
+
 class MatTable : public NumberTable {
  public:
   MatTable(std::string const& file, std::shared_ptr<MatFile const> mat, MatColumns found, std::string all,
@@ -124,6 +135,7 @@ class MatTable : public NumberTable {
         longest_(longest) {
     header_.by_name = true;
     header_.listing = std::move(all);
+    header_.complex = complex_of(file_->variables(), owner_);
   }
 
   std::string place_of(std::size_t column) const override { return fmt::format("{}:{}", name_, origins_[column].name); }

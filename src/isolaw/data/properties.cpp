@@ -98,12 +98,17 @@ double strength(Cycle const& cycle, Peaks const& peaks, std::span<double const> 
   auto const inner = force_at_level(x, F, std::min(peaks.at_largest, peaks.at_least),
                                     std::max(peaks.at_largest, peaks.at_least), level);
   if (!inner) return 0.0;
-  return (rises ? outer - *inner : *inner - outer) / 2.0;
+  double const height = rises ? outer - *inner : *inner - outer;
+  constexpr double rounding = 1e-12;  // of the forces, that the difference of equal ones leaves
+  return std::abs(height) <= rounding * (std::abs(outer) + std::abs(*inner)) ? 0.0 : height / 2.0;
 }
 
 double ratio_or_zero(double force, double displacement) {
   return displacement != 0.0 ? force / displacement : 0.0;
 }
+
+// Of a cycle that hardly leaves zero on one side, force over displacement is no stiffness of that side.
+constexpr double least_excursion = 0.01;  // of the amplitude
 
 void derive(Cycle& cycle, Peaks const& peaks) {
   cycle.d_plus_mm = peaks.largest;
@@ -112,8 +117,9 @@ void derive(Cycle& cycle, Peaks const& peaks) {
   cycle.F_minus_kN = peaks.F_at_least;
   cycle.amplitude_mm = (peaks.largest - peaks.least) / 2.0;
   cycle.K_eff_kN_per_mm = (peaks.F_at_largest - peaks.F_at_least) / (peaks.largest - peaks.least);
-  cycle.K_plus_kN_per_mm = ratio_or_zero(cycle.F_plus_kN, cycle.d_plus_mm);
-  cycle.K_minus_kN_per_mm = ratio_or_zero(cycle.F_minus_kN, cycle.d_minus_mm);
+  double const least = least_excursion * cycle.amplitude_mm;
+  cycle.K_plus_kN_per_mm = cycle.d_plus_mm > least ? cycle.F_plus_kN / cycle.d_plus_mm : 0.0;
+  cycle.K_minus_kN_per_mm = cycle.d_minus_mm < -least ? cycle.F_minus_kN / cycle.d_minus_mm : 0.0;
   cycle.damping_percent = 100.0 * cycle.energy_kN_mm /
                           (2.0 * std::numbers::pi * cycle.K_eff_kN_per_mm * cycle.amplitude_mm * cycle.amplitude_mm);
 }

@@ -31,7 +31,7 @@ struct Cycle {
   double F_plus_kN = 0.0;
   double F_minus_kN = 0.0;
   double K_eff_kN_per_mm = 0.0;   // peak to peak: (F+ - F-) / (d+ - d-)
-  double K_plus_kN_per_mm = 0.0;  // per side, F / d (NTC 2018); 0 where d is 0
+  double K_plus_kN_per_mm = 0.0;  // per side, F / d (NTC 2018); 0 where the cycle hardly goes to that side
   double K_minus_kN_per_mm = 0.0;
   double energy_kN_mm = 0.0;            // trapezoid of F dd over the cycle, closed by a straight line
   double damping_percent = 0.0;         // energy / (2 pi K_eff D^2)
@@ -49,6 +49,12 @@ struct Cycle {
   double closure_kN = 0.0;
 
   bool counts() const { return number > 0; }
+  std::optional<double> K_plus() const {
+    return K_plus_kN_per_mm == 0.0 ? std::nullopt : std::optional(K_plus_kN_per_mm);
+  }
+  std::optional<double> K_minus() const {
+    return K_minus_kN_per_mm == 0.0 ? std::nullopt : std::optional(K_minus_kN_per_mm);
+  }
 };
 
 // Consecutive cycles of one amplitude and frequency.

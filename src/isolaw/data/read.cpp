@@ -141,30 +141,40 @@ std::string typed(std::string const& name) {
 void require_one_sheet(Tests const& tests, std::string const& file, ReadOptions const& options) {
   bool const columns_told = options.columns.contains(Channel::disp) && options.columns.contains(Channel::force);
   bool const by_name = tests.tables.front()->header().by_name;
-  if (options.sheet || tests.sheets.size() < 2 || (by_name && columns_told)) return;
+  auto sheets = tests.sheets;
+  if (columns_told)  // which need no names
+    sheets.insert(sheets.end(), tests.sheets_passed_over.begin(), tests.sheets_passed_over.end());
+  if (options.sheet || sheets.size() < 2 || (by_name && columns_told)) return;
   throw Error(Complaint{.where = file,
-                        .found = fmt::format("{} may each be the test", sheet_list(tests.sheets, "tables")),
+                        .found = fmt::format("{} may each be the test", sheet_list(sheets, "tables")),
                         .allowed = "one of them",
-                        .advice = fmt::format("--sheet {}", typed(tests.sheets.front()))});
+                        .advice = fmt::format("--sheet {}", typed(sheets.front()))});
 }
 
+bool have_titles(Tests const& tests) {
+  return !tests.tables.front()->title().empty();
+}
+
+// "lines 2, 206", or the titles that tests of a list have.
 std::string starts_of(Tests const& tests) {
   constexpr std::size_t shown = 10;
   std::vector<std::string> texts;
   for (auto const& table : tests.tables)
-    if (texts.size() < shown) texts.push_back(std::to_string(table->start()));
-  auto const row = tests.tables.front()->header().row;
-  return fmt::format("{}s {}{}", row, fmt::join(texts, ", "),
+    if (texts.size() < shown) texts.push_back(have_titles(tests) ? table->title() : std::to_string(table->start()));
+  return fmt::format("{}{}{}",
+                     have_titles(tests) ? std::string() : fmt::format("{}s ", tests.tables.front()->header().row),
+                     fmt::join(texts, ", "),
                      tests.tables.size() > shown ? fmt::format(" and {} more", tests.tables.size() - shown) : "");
 }
 
 // The tests to read, as positions; throws Error where nothing says which of several.
-std::vector<std::size_t> chosen_tests(Tests const& tests, ReadOptions const& options) {
+std::vector<std::size_t> chosen_tests(Tests const& tests, std::string const& file, ReadOptions const& options) {
   auto const count = tests.tables.size();
-  auto const& place = tests.tables.front()->place();
+  auto const& place = have_titles(tests) ? file : tests.tables.front()->place();
   if (!options.test && count > 1)
     throw Error(Complaint{.where = place,
-                          .found = fmt::format("{} tests in one file: they start at {}", count, starts_of(tests)),
+                          .found = fmt::format("{} tests in one file: {}{}", count,
+                                               have_titles(tests) ? "" : "they start at ", starts_of(tests)),
                           .allowed = "one of them, or all as one history",
                           .advice = "--test all, or --test 2"});
   std::vector<std::size_t> chosen;
@@ -174,11 +184,12 @@ std::vector<std::size_t> chosen_tests(Tests const& tests, ReadOptions const& opt
   }
   auto const number = std::stoul(*options.test);
   if (number > count)
-    throw Error(
-        Complaint{.where = place,
-                  .found = fmt::format("no test {}", number),
-                  .allowed = count == 1 ? "1, the only one" : fmt::format("1 to {}, at {}", count, starts_of(tests)),
-                  .advice = "--test 1"});
+    throw Error(Complaint{
+        .where = place,
+        .found = fmt::format("no test {}", number),
+        .allowed = count == 1 ? "1, the only one"
+                              : fmt::format("1 to {}{} {}", count, have_titles(tests) ? ":" : ", at", starts_of(tests)),
+        .advice = "--test 1"});
   return {number - 1};
 }
 
@@ -236,7 +247,7 @@ TestRecord read_record_text(std::string_view bytes, std::string const& name, Rea
   auto const tests = open_tests(bytes, name, options.sheet);
   require_one_sheet(tests, name, options);
   std::optional<TestRecord> history;
-  auto const chosen = chosen_tests(tests, options);
+  auto const chosen = chosen_tests(tests, name, options);
   for (auto const i : chosen) {
     auto record = read_table(tests, *tests.tables[i], start, options);
     if (!history)
@@ -275,9 +286,11 @@ std::vector<TestChoice> list_tests(std::filesystem::path const& file, ReadOption
   bool const columns_told = options.columns.contains(Channel::disp) && options.columns.contains(Channel::force);
   if (options.sheet || tests.sheets.size() < 2 || (columns_told && tests.tables.front()->header().by_name)) {
     add(tests);
+    if (!choices.empty()) choices.front().passed_over = tests.sheets_passed_over;
     return choices;
   }
   for (auto const& sheet : tests.sheets) add(open_tests(bytes, name, sheet));
+  if (!choices.empty()) choices.front().passed_over = tests.sheets_passed_over;
   return choices;
 }
 

@@ -48,7 +48,8 @@ TestRecord read_record_text(std::string_view bytes, std::string const& name, Rea
 struct TestChoice {
   std::optional<std::string> sheet;  // as Layout has it
   std::optional<std::string> test;
-  std::string place;  // "d01.csv:204", "d01.xlsx:Sheet 2:1"
+  std::string place;                          // "d01.csv:204", "d01.xlsx:Sheet 2:1"
+  std::vector<std::string> passed_over = {};  // sheets of the file that are no test; with its first test alone
 };
 // All tests of a file, in order; of one sheet alone where `options` names one, one test where they name that. Throws
 // Error where the file cannot be read at all.

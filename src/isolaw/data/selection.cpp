@@ -42,7 +42,6 @@ std::optional<Numbers::Range> parse_range(std::string_view text) {
 
 // "block 1: cycles 1 to 7; block 2: ..."
 std::string what_there_is(Segmentation const& segmentation) {
-  if (!segmentation.refusal.empty()) return "all: " + segmentation.refusal;
   std::map<int, int> counted;
   for (auto const& cycle : segmentation.cycles) {
     auto& last = counted[cycle.block];
@@ -103,6 +102,12 @@ Numbers parse_numbers(std::string_view option, std::string_view text) {
 
 std::vector<double> scored_samples(Selection const& selection, Segmentation const& segmentation, std::size_t samples) {
   if (selection.all()) return {};
+  auto const where = fmt::format("--fit-blocks {} --fit-cycles {}", selection.blocks.text(), selection.cycles.text());
+  if (!segmentation.cyclic)
+    throw Error({.where = where,
+                 .found = "the record has no cycles to choose among: " + segmentation.refusal,
+                 .allowed = "all",
+                 .advice = "leave out --fit-blocks and --fit-cycles for this record"});
   std::vector<double> scored(samples, 0.0);
   for (auto const& cycle : segmentation.cycles) {
     bool const chosen = selection.blocks.contains(cycle.block) &&
@@ -110,11 +115,10 @@ std::vector<double> scored_samples(Selection const& selection, Segmentation cons
     if (chosen) mark(scored, cycle.first, cycle.last);
   }
   if (std::ranges::count(scored, 1.0) < 2)
-    throw Error(
-        {.where = fmt::format("--fit-blocks {} --fit-cycles {}", selection.blocks.text(), selection.cycles.text()),
-         .found = "no cycle of the record is among them",
-         .allowed = what_there_is(segmentation),
-         .advice = "isolaw inspect FILE, which numbers blocks and cycles"});
+    throw Error({.where = where,
+                 .found = "no cycle of the record is among them",
+                 .allowed = what_there_is(segmentation),
+                 .advice = "isolaw inspect FILE, which numbers blocks and cycles"});
   return scored;
 }
 

@@ -38,6 +38,8 @@ class Table {
   std::size_t columns() const { return columns_; }
   // Where the test starts: number of its first row, the header included.
   std::size_t start() const { return start_; }
+  // What tells it from the other tests of its file, where it is not the row it starts at: "tests(2) 'B'".
+  std::string const& title() const { return title_; }
 
   // The place of one column, where columns have places of their own: "d01.mat:dist".
   virtual std::string place_of(std::size_t /*column*/) const { return place_; }
@@ -54,14 +56,16 @@ class Table {
   Header header_;
   std::size_t columns_ = 0;
   std::size_t start_ = 1;
+  std::string title_;
 };
 
 // The tests of one file, or of one part of it.
 struct Tests {
-  std::vector<std::unique_ptr<Table>> tables;  // at least one where a file was read
-  std::vector<std::string> sheets;             // the parts of the file that hold tables, where it has parts
-  std::optional<std::string> sheet;            // the one these tables come from, where there are several
-  std::vector<std::string> recognised;         // about the file as a whole
+  std::vector<std::unique_ptr<Table>> tables;   // at least one where a file was read
+  std::vector<std::string> sheets;              // the parts of the file that hold tables, where it has parts
+  std::optional<std::string> sheet;             // the one these tables come from, where there are several
+  std::vector<std::string> recognised;          // about the file as a whole
+  std::vector<std::string> sheets_passed_over;  // with rows of numbers, but without the name of any channel
 };
 
 }  // namespace isolaw::data

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "isolaw/base/printable.hpp"
+#include "isolaw/data/columns.hpp"
 #include "isolaw/data/inflate_limit.hpp"
 #include "isolaw/data/sheet_choice.hpp"
 #include "isolaw/data/text_table.hpp"
@@ -391,6 +392,17 @@ class Workbook {
   std::vector<bool> dates_;
 };
 
+// Columns of the sheet's tests that are named as a channel is: none on a sheet of charts or notes.
+std::size_t channels_named(Tests const& tests) {
+  std::size_t most = 0;
+  for (auto const& table : tests.tables) {
+    auto const named =
+        std::ranges::count_if(table->header().names, [](auto const& name) { return names_a_channel(name); });
+    most = std::max(most, static_cast<std::size_t>(named));
+  }
+  return most;
+}
+
 }  // namespace
 
 bool is_zip(std::string_view bytes) {
@@ -412,14 +424,24 @@ Tests workbook_tests(std::string_view bytes, std::string const& file, std::optio
     tests.recognised.push_back(fmt::format("an Excel workbook, sheet {}", in_quotes(names[index])));
     return tests;
   }
-  Tests first;
-  std::vector<std::string> found;
+  Tests first, named;  // the first with rows of numbers, the first that names a channel
+  std::vector<std::string> found, without_names;
+  std::size_t most = 0;
+  std::vector<std::pair<std::size_t, std::size_t>> filled;  // sheets with rows of numbers, channels that they name
   for (std::size_t i = 0; i < names.size(); ++i) {
     auto tests = workbook.tests(workbook.sheets()[i]);
     if (tests.tables.empty()) continue;
-    found.push_back(sheet_key(names, i));
-    if (first.tables.empty()) first = std::move(tests);
+    auto const channels = channels_named(tests);
+    filled.emplace_back(i, channels);
+    most = std::max(most, channels);
+    if (filled.size() == 1)
+      first = std::move(tests);
+    else if (filled.front().second == 0 && channels > 0 && named.tables.empty())
+      named = std::move(tests);
   }
+  if (most >= 2 && filled.front().second == 0) first = std::move(named);
+  for (auto const& [i, channels] : filled)
+    (most >= 2 && channels == 0 ? without_names : found).push_back(sheet_key(names, i));
   if (first.tables.empty())
     throw Error(Complaint{.where = file,
                           .found = fmt::format("no rows of numbers in {}", sheet_list(names, "sheets")),
@@ -427,7 +449,14 @@ Tests workbook_tests(std::string_view bytes, std::string const& file, std::optio
                           .advice = "a sheet with displacement and force"});
   if (names.size() > 1) first.sheet = found.front();
   first.recognised.push_back(fmt::format("an Excel workbook, sheet {}{}", in_quotes(found.front()),
-                                         names.size() > 1 ? ", the only one with rows of numbers" : ""));
+                                         names.size() == 1       ? ""
+                                         : without_names.empty() ? ", the only one with rows of numbers"
+                                                                 : ", the only test"));
+  if (!without_names.empty())
+    first.recognised.push_back(fmt::format("{} {} no time, displacement or force, passed over",
+                                           sheet_list(without_names, without_names.size() == 1 ? "sheet" : "sheets"),
+                                           without_names.size() == 1 ? "names" : "name"));
+  first.sheets_passed_over = std::move(without_names);
   first.sheets = std::move(found);
   return first;
 }

@@ -9,6 +9,7 @@
 #include "isolaw/base/printable.hpp"
 #include "isolaw/data/read.hpp"
 #include "isolaw/report/properties_json.hpp"
+#include "isolaw/report/verdict.hpp"
 
 namespace isolaw::report {
 namespace {
@@ -77,10 +78,10 @@ void print_block(std::string& text, DeviceResult const& device, data::Block cons
   auto const& reported = device.properties.reported;
   for (auto const& c : block.cycles) {
     int const stiffness = decimals_for(std::abs(c.K_eff_kN_per_mm));
-    add(text, "  {:>5} {:>9.2f} {:>9.{}f} {:>9.{}f} {:>9.{}f} {:>10.4g} {:>8.2f} {:>9.4g} {:>9.{}f}",
-        c.counts() ? fmt::to_string(c.number) : "-", c.amplitude_mm, c.K_eff_kN_per_mm, stiffness, c.K_plus_kN_per_mm,
-        stiffness, c.K_minus_kN_per_mm, stiffness, c.energy_kN_mm, c.damping_percent, c.Q_d_kN, c.K_d_kN_per_mm,
-        stiffness);
+    add(text, "  {:>5} {:>9.2f} {:>9.{}f} {:>9} {:>9} {:>10.4g} {:>8.2f} {:>9.4g} {:>9.{}f}",
+        c.counts() ? fmt::to_string(c.number) : "-", c.amplitude_mm, c.K_eff_kN_per_mm, stiffness,
+        number(c.K_plus(), stiffness), number(c.K_minus(), stiffness), c.energy_kN_mm, c.damping_percent, c.Q_d_kN,
+        c.K_d_kN_per_mm, stiffness);
     if (loads) add(text, " {:>9}", number(c.N_mean_kN, 1));
     if (reported && c.counts() && reported->block == c.block && reported->number == c.number) text += "  reported";
     if (!c.counts()) add(text, "  not counted: {}", c.not_counted);
@@ -128,6 +129,7 @@ void print_device_in_full(std::string& text, DeviceResult const& device) {
   if (!acceptance.assessments.empty()) {
     add(text, "\nAssessed on block {}, {}\n", *acceptance.block, acceptance.choice);
     for (auto const& assessment : acceptance.assessments) print_assessment(text, assessment);
+    add(text, "  device: {}\n", device_verdict(acceptance.assessments).text());
   } else {
     add(text, "\n{}\n", no_vertical_stiffness);
   }
@@ -141,15 +143,6 @@ std::size_t longest_name(Summary const& summary) {
   std::size_t longest = 6;
   for (auto const& device : summary.devices) longest = std::max(longest, printable(device.name).size());
   return std::min<std::size_t>(longest, 32);
-}
-
-// The worst of a device's verdicts.
-std::string_view overall(std::vector<rules::Assessment> const& assessments) {
-  using rules::Verdict;
-  for (auto const verdict : {Verdict::fail, Verdict::pass, Verdict::information, Verdict::not_assessed})
-    if (std::ranges::any_of(assessments, [&](auto const& a) { return a.verdict == verdict; }))
-      return rules::name(verdict);
-  return "";
 }
 
 void print_devices(std::string& text, Summary const& summary) {
@@ -168,7 +161,7 @@ void print_devices(std::string& text, Summary const& summary) {
     else
       add(text, "{:>5} {:>5} {:>9.2f} {:>9.4f} {:>10.4g} {:>8.2f}  {}\n", cycle->block, cycle->number,
           cycle->amplitude_mm, cycle->K_eff_kN_per_mm, cycle->energy_kN_mm, cycle->damping_percent,
-          overall(acceptance.assessments));
+          summary.acceptance.has_rules() ? device_verdict(acceptance.assessments).text() : "");
   }
 }
 

@@ -25,7 +25,7 @@ void write_cycle(JsonWriter& out, DeviceResult const& device, data::Cycle const&
   number(out, "d_plus_mm", c.d_plus_mm), number(out, "d_minus_mm", c.d_minus_mm);
   number(out, "F_plus_kN", c.F_plus_kN), number(out, "F_minus_kN", c.F_minus_kN);
   number(out, "K_eff_kN_per_mm", c.K_eff_kN_per_mm);
-  number(out, "K_plus_kN_per_mm", c.K_plus_kN_per_mm), number(out, "K_minus_kN_per_mm", c.K_minus_kN_per_mm);
+  number(out, "K_plus_kN_per_mm", c.K_plus()), number(out, "K_minus_kN_per_mm", c.K_minus());
   number(out, "energy_kN_mm", c.energy_kN_mm), number(out, "damping_percent", c.damping_percent);
   number(out, "Q_d_kN", c.Q_d_kN), number(out, "K_d_kN_per_mm", c.K_d_kN_per_mm);
   number(out, "D_y_mm", c.D_y_mm), number(out, "K_1_kN_per_mm", c.K_1_kN_per_mm);

@@ -23,7 +23,7 @@ void cycle_row(CsvTable& table, DeviceResult const& device, data::Block const& b
   table.yes_no(c.counts()).cell(c.not_counted).yes_no(is_reported);
   table.cell(strain ? std::optional(strain->shear_strain_percent) : std::nullopt).cell(block.frequency_Hz);
   table.cell(c.period_s).cell(c.amplitude_mm).cell(c.d_plus_mm).cell(c.d_minus_mm).cell(c.F_plus_kN).cell(c.F_minus_kN);
-  table.cell(c.K_eff_kN_per_mm).cell(c.K_plus_kN_per_mm).cell(c.K_minus_kN_per_mm);
+  table.cell(c.K_eff_kN_per_mm).cell(c.K_plus()).cell(c.K_minus());
   table.cell(strain ? strain->G_MPa : std::nullopt).cell(c.energy_kN_mm).cell(c.damping_percent);
   table.cell(c.Q_d_kN).cell(c.K_d_kN_per_mm).cell(c.D_y_mm).cell(c.K_1_kN_per_mm).cell(c.v_max_mm_s);
   table.cell(c.N_mean_kN).cell(c.N_min_kN).cell(c.N_max_kN).cell(c.closure_mm).cell(c.closure_kN);

@@ -176,9 +176,9 @@ bool is_within(double value, double nominal, std::optional<double> lower_percent
 }
 
 std::string limit_text(std::optional<double> lower_percent, std::optional<double> upper_percent) {
-  if (lower_percent && upper_percent) return fmt::format("{:+g} % to {:+g} %", *lower_percent, *upper_percent);
-  if (lower_percent) return fmt::format("{:+g} % or more", *lower_percent);
-  return upper_percent ? fmt::format("{:+g} % or less", *upper_percent) : "";
+  if (lower_percent && upper_percent) return fmt::format("from {:+g} % to {:+g} %", *lower_percent, *upper_percent);
+  if (lower_percent) return fmt::format("at least {:+g} %", *lower_percent);
+  return upper_percent ? fmt::format("at most {:+g} %", *upper_percent) : "";
 }
 
 std::string deviation_text(double deviation_percent, std::optional<double> lower_percent,

@@ -27,7 +27,7 @@ struct Assessment {
   std::optional<double> nominal;
   std::optional<double> deviation_percent;  // 100 (value - nominal)/nominal
   std::string deviation;                    // the same as text, see deviation_text()
-  std::string limit;                        // "-20 % to +20 %"; empty where the set has none
+  std::string limit;                        // "from -20 % to +20 %"; empty where the set has none
   Verdict verdict = Verdict::not_assessed;
   std::string reason;  // why there is no verdict
 };
@@ -45,7 +45,7 @@ std::vector<Assessment> assess(RuleSet const& rules, BlockValues const& block, D
 // Whether nominal x (1 + lower/100) <= value <= nominal x (1 + upper/100), with the relative slack said above.
 bool is_within(double value, double nominal, std::optional<double> lower_percent, std::optional<double> upper_percent);
 
-// "-20 % to +20 %", "-25 % or more", "+10 % or less"
+// "from -20 % to +20 %", "at least -25 %", "at most +10 %": a word first, since a spreadsheet takes a sign for a formula.
 std::string limit_text(std::optional<double> lower_percent, std::optional<double> upper_percent);
 
 // "+19.9 %": one decimal, or as many as it takes for the text to lie on the same side of the limit as the value. Printed

@@ -1970,7 +1970,7 @@ function followedPanels(stacked, largest) {
   return layout;
 }
 
-// Limits of a device in percent of the design value, as rule sets print them: "-20 % to +20 %", "-25 % or more".
+// Limits of a device in percent of the design value, as rule sets print them: "from -20 % to +20 %", "at least -25 %".
 function limitBand(limit, nominal) {
   if (!isNumber(nominal) || !limit) return null;
   const numbers =
@@ -1979,9 +1979,9 @@ function limitBand(limit, nominal) {
       .match(/[-+]?\d+(?:\.\d+)?(?= ?%)/g)
       ?.map(Number) ?? [];
   const at = (percent) => nominal * (1 + percent / 100);
-  if (/^[^%]*% to [^%]*%$/.test(limit) && numbers.length === 2) return numbers.map(at);
-  if (/% or more$/.test(limit) && numbers.length === 1) return [at(numbers[0]), null];
-  if (/% or less$/.test(limit) && numbers.length === 1) return [null, at(numbers[0])];
+  if (/^from [^%]*% to [^%]*%$/.test(limit) && numbers.length === 2) return numbers.map(at);
+  if (/^at least .*%$/.test(limit) && numbers.length === 1) return [at(numbers[0]), null];
+  if (/^at most .*%$/.test(limit) && numbers.length === 1) return [null, at(numbers[0])];
   return null;
 }
 

@@ -1,0 +1,119 @@
+// What the terminal says of verdicts, of design values and of inputs that are not what they seem.
+#include "cli/records.hpp"
+#include "cli/run.hpp"
+
+namespace isolaw::cli_test {
+namespace {
+
+class Terminal : public InFreshDirectory {
+ protected:
+  void SetUp() override {
+    InFreshDirectory::SetUp();
+    write("lot/D1.csv", csv(record()));  // K_eff 0.7 kN/mm
+    write("lot/D2.csv", csv(record({.stiffness_kN_per_mm = 0.7})));
+  }
+  static Words held_to(std::string const& design) { return {"--rules", "ntc-2018", "--design", design}; }
+};
+
+TEST_F(Terminal, a_pass_of_a_device_says_what_was_not_compared) {
+  auto const o = isolaw(Words{"inspect", "lot"} + held_to("K_eff=0.8,disp=100") + Words{"--lot-size", "2"});
+  EXPECT_TRUE(contains(o.out, "pass (K_eff; not assessed: damping, K_v, ")) << o;
+  EXPECT_FALSE(contains(o.out, "  pass\n")) << o;
+  auto const one = isolaw(Words{"inspect", "lot/D1.csv"} + held_to("K_eff=0.8,disp=100"));
+  EXPECT_TRUE(contains(one.out, "device: pass (K_eff; not assessed: damping, K_v, ")) << one;
+}
+
+TEST_F(Terminal, a_single_device_shows_the_line_of_the_lot_that_fails) {
+  auto const o = isolaw(Words{"inspect", "lot/D1.csv"} + held_to("K_eff=0.7,disp=100") + Words{"--lot-size", "20"});
+  EXPECT_EQ(o.code, 1) << o;
+  EXPECT_TRUE(contains(o.out, "fail          sample size                1 devices, limit 4 or more of 20")) << o;
+}
+
+TEST_F(Terminal, a_signed_set_without_comparable_values_assesses_nothing) {
+  write("mine.toml",
+        "id = \"mine\"\ntitle = \"Contract\"\nedition = \"1\"\nsource = \"none\"\nverified_by = \"me\"\n"
+        "[formulas]\nstiffness = \"peak_to_peak\"\ndamping = \"peak_to_peak\"\n"
+        "[cycles]\none = 3\n"
+        "[test]\nfrequencies_Hz = [5.0]\nfrequency_tolerance_percent = 1.0\n"
+        "[[limit]]\nquantity = \"K_eff\"\napplies_to = \"each\"\nwithin_percent = 20\nclause = \"1\"\n");
+  auto const o =
+      isolaw({"inspect", "lot", "--rules", "mine.toml", "--design", "K_eff=0.7,Q_d=20,disp=100", "--lot-size", "2"});
+  EXPECT_EQ(o.err, "") << o;
+  EXPECT_EQ(count_of("not assessed\n", o.out), 2u) << o;
+  EXPECT_FALSE(contains(o.out, "information\n")) << o;
+}
+
+TEST_F(Terminal, calibrate_and_report_end_with_the_verdict) {
+  Words const quick{"--laws", "bilinear", "--runs", "1", "--population", "4", "--generations", "1"};
+  auto const o = isolaw(Words{"calibrate", "lot", "--out", "O"} + quick + held_to("K_eff=0.72,disp=100") +
+                        Words{"--lot-size", "2"});
+  EXPECT_EQ(o.code, 1) << o;
+  auto const line = "NTC 2018: 1 of 2 devices pass as far as assessed (not assessed: damping, K_v, ";
+  EXPECT_TRUE(contains(o.out, line)) << o;
+  EXPECT_TRUE(contains(o.out, "1 fails: D2 K_eff +25.0 %")) << o;
+  EXPECT_TRUE(contains(isolaw({"report", "O"}).out, line));
+  EXPECT_TRUE(contains(isolaw({"report", "O", "--rules", "asce-7-22"}).out,
+                       "ASCE/SEI 7-22: no verdict, the limits of this set are not verified"));
+  EXPECT_EQ(Json::parse(isolaw({"report", "O", "--json"}).out)["devices"].size(), 2u);
+}
+
+TEST_F(Terminal, a_damping_below_one_percent_is_asked_about) {
+  auto const said = isolaw(Words{"inspect", "lot/D1.csv"} + held_to("damping=0.127")).err;
+  EXPECT_TRUE(contains(said, "--design damping=0.127: damping is in percent"));
+  EXPECT_TRUE(contains(said, "try: damping=12.7"));
+  EXPECT_EQ(isolaw(Words{"inspect", "lot/D1.csv"} + held_to("damping=12.7")).err, "");
+}
+
+TEST_F(Terminal, a_lot_file_in_a_directory_of_records_is_named_not_used) {
+  EXPECT_EQ(isolaw({"inspect", "lot"}).err, "");
+  write("lot/lot.toml", "[[device]]\nname = \"mine\"\nfile = \"D1.csv\"\n");
+  auto const o = isolaw({"inspect", "lot"});
+  EXPECT_TRUE(
+      contains(o.err, "lot holds a lot file, which is not used: its records are read as they are; try: lot/lot.toml"));
+  EXPECT_TRUE(contains(o.out, "lot: 2 devices"));
+  EXPECT_EQ(isolaw({"inspect", "lot/lot.toml"}).err, "");
+}
+
+// No number of a cycle that cannot have it, none of rounding alone.
+TEST_F(Terminal, partial_and_one_sided_cycles_print_bounded_numbers) {
+  auto samples = record({.samples = 701});
+  for (auto& s : samples) s.disp_mm = 0.5 * (1e-13 - s.disp_mm + 100.0), s.force_kN = 0.5 * (-s.force_kN + 70.0);
+  write("side.csv", csv(samples, header, [](std::size_t, Sample const& s) {
+          return fmt::format("{:.4f},{:.17g},{:.17g}", s.time_s, s.disp_mm, s.force_kN);
+        }));
+  auto const o = isolaw({"inspect", "side.csv"});
+  EXPECT_EQ(o.code, 0) << o;
+  auto const blocks = o.out.substr(o.out.find("Block 1"));
+  EXPECT_FALSE(contains(blocks, "-0 mm")) << blocks;
+  EXPECT_FALSE(contains(blocks, "e-1")) << blocks;
+  for (std::size_t digits = 0, i = 0; i < blocks.size(); ++i) {
+    digits = blocks[i] >= '0' && blocks[i] <= '9' ? digits + 1 : 0;
+    ASSERT_LT(digits, 9u) << blocks;
+  }
+  EXPECT_TRUE(contains(blocks, "         - ")) << blocks;  // K-
+  for (auto const& cycle : Json::parse(isolaw({"inspect", "side.csv", "--json"}).out)["blocks"][0]["cycles"])
+    EXPECT_TRUE(cycle["K_minus_kN_per_mm"].is_null()) << cycle;
+}
+
+// A spreadsheet opens the limits as they read, without a guard before them.
+TEST_F(Terminal, limits_of_the_tables_begin_with_a_word) {
+  isolaw(Words{"inspect", "lot", "--out", "I"} + held_to("K_eff=0.7,damping=10,disp=100"));
+  auto const table = read("I/tables/tests.csv");
+  EXPECT_TRUE(contains(table, ",from -20 % to +20 %,")) << table;
+  EXPECT_FALSE(contains(table, "'")) << table;
+}
+
+TEST_F(Terminal, blocks_of_a_history_without_cycles_cannot_be_chosen) {
+  auto samples = record();
+  for (auto& s : samples) s.disp_mm = s.time_s * 10.0, s.force_kN = 5.0 * s.time_s + std::sin(s.time_s);
+  write("pull.csv", csv(samples));
+  for (auto const* block : {"1", "2"}) {
+    auto const o = isolaw({"calibrate", "pull.csv", "--out", "P", "--laws", "bilinear", "--runs", "1", "--population",
+                           "4", "--generations", "1", "--fit-blocks", block});
+    EXPECT_NE(o.code, 0) << o;
+    EXPECT_TRUE(contains(o.err, "the record has no cycles to choose among")) << o;
+  }
+}
+
+}  // namespace
+}  // namespace isolaw::cli_test
