@@ -1,6 +1,7 @@
 # Everything comes from the distribution's packages; nothing is downloaded while building (docs/decisions/).
 find_package(Boost REQUIRED)  # headers alone
 find_package(CLI11 REQUIRED)
+find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(EXPAT REQUIRED)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)

@@ -186,14 +186,14 @@ TEST_F(Formats, init_like_reads_a_folder_as_another_lot_file_does) {
                              "--units", "force=kN,disp=cm,time=s", "--flip-force", "--force-factor", "0.5"});
   ASSERT_EQ(first.code, 0) << first;
   auto text = read("old/lot.toml");
-  text.replace(text.find("runs = 20"), 9, "runs = 3");
+  text.replace(text.find("runs = 3"), 8, "runs = 5");
   write("old/lot.toml", text);
   write("new/two.csv", bare(0.55));
   write("new/three.csv", bare(0.6));
   EXPECT_EQ(isolaw({"init", "new", "--out", "new/lot.toml"}).code, 2) << "not without being told";
   auto const o = isolaw({"init", "new", "--like", "old/lot.toml", "--out", "new/lot.toml"});
   ASSERT_EQ(o.code, 0) << o;
-  EXPECT_TRUE(contains(read("new/lot.toml"), "runs = 3"));
+  EXPECT_TRUE(contains(read("new/lot.toml"), "runs = 5"));
   EXPECT_EQ(read("new/lot.toml").find("one.csv"), std::string::npos);
   auto const run = isolaw(
       {"calibrate", "new/lot.toml", "--out", "N", "--laws", "bilinear", "--population", "4", "--generations", "1"});
@@ -205,7 +205,7 @@ TEST_F(Formats, init_like_reads_a_folder_as_another_lot_file_does) {
     EXPECT_NEAR(cycle_of(devices[d], 1, 3)["K_eff_kN_per_mm"].get<double>(), d == 0 ? 0.8 : 0.75, 1e-6);
     EXPECT_TRUE(contains(devices[d]["corrections"].dump(), "force multiplied by 0.5"));
   }
-  EXPECT_EQ(json("N/summary.json")["laws"][0]["devices"][0]["runs"], 3);
+  EXPECT_EQ(json("N/summary.json")["laws"][0]["devices"][0]["runs"], 5);
 }
 
 TEST_F(Formats, every_test_of_several_files_comes_back_as_its_own_device) {

@@ -47,6 +47,15 @@ TEST_F(HeldTo, rules_of_a_lot_file_are_built_in_or_beside_it) {
   }
 }
 
+TEST_F(HeldTo, the_output_names_no_path_of_the_machine) {
+  write("m/own.toml", own_rules("own"));
+  write("m/lot.toml", lot("rules = \"own.toml\""));
+  auto const o = isolaw({"inspect", path("m/lot.toml").string(), "--json"});
+  ASSERT_EQ(o.code, 0) << o;
+  EXPECT_EQ(Json::parse(o.out)["assessment"]["rule_set"]["origin"], "own.toml");
+  EXPECT_FALSE(contains(o.out, path("m").string())) << o.out;
+}
+
 TEST_F(HeldTo, like_takes_it_over) {
   write("m/own.toml", own_rules("own"));
   write("m/lot.toml", lot("rules = \"own.toml\"\ndesign = { K_eff = 0.62, disp = 100.0 }\nlot-size = 28"));

@@ -181,6 +181,13 @@ inline void expect_same(Settings const& a, Settings const& b) {
   EXPECT_EQ(a.genetic.stagnation, b.genetic.stagnation);
   EXPECT_EQ(a.genetic.stagnation_tolerance, b.genetic.stagnation_tolerance);
   EXPECT_EQ(a.genetic.selection_pressure, b.genetic.selection_pressure);
+  EXPECT_EQ(a.multistart.least_starts, b.multistart.least_starts);
+  EXPECT_EQ(a.multistart.starts, b.multistart.starts);
+  EXPECT_EQ(a.multistart.hits, b.multistart.hits);
+  EXPECT_EQ(a.multistart.hit_tolerance, b.multistart.hit_tolerance);
+  EXPECT_EQ(a.multistart.most_evaluations, b.multistart.most_evaluations);
+  EXPECT_EQ(a.multistart.scattered, b.multistart.scattered);
+  EXPECT_EQ(a.multistart.hops, b.multistart.hops);
   EXPECT_EQ(a.seed, b.seed);
   EXPECT_EQ(a.box, b.box);
   ASSERT_EQ(a.overrides.size(), b.overrides.size());

@@ -101,6 +101,7 @@ columns = "disp=2,force=3"
   expected.laws = {"abe", "bilinear"};
   expected.integration = laws::Integration::paper;
   expected.runs = 5;
+  expected.method = Method::genetic;
   expected.genetic.population = 40;
   expected.genetic.generations = 30;
   expected.genetic.stagnation_tolerance = 1e-6;
@@ -211,6 +212,19 @@ TEST_F(LotFileTest, ValuesThatAreNotAllowedHaveTheirLine) {
   expect_parts(calibrate("samples-per-cycle = \"some\""), {"lot.toml:3", "samples-per-cycle", "'some'", "all"});
   expect_parts(device("units = { disp = \"parsec\" }"), {"lot.toml:4", "units", "parsec"});
   expect_parts(device("columns = { weight = 3 }"), {"lot.toml:4", "columns", "weight"});
+}
+
+TEST_F(LotFileTest, OptionsOfTheGeneticAlgorithmChooseIt) {
+  auto const method = [&](std::string const& text) {
+    return read("[calibrate]\n" + text + "\n[[device]]\nname = \"A\"\nfile = \"a.csv\"\n").settings.method;
+  };
+  EXPECT_EQ(method(""), Method::best);
+  EXPECT_EQ(method("runs = 2"), Method::best);
+  EXPECT_EQ(method("population = 40"), Method::genetic);
+  EXPECT_EQ(method("stagnation-tolerance = 1e-4"), Method::genetic);
+  EXPECT_EQ(method("method = \"ga\""), Method::genetic);
+  expect_parts(calibrate("method = \"best\"\ngenerations = 30"),
+               {"lot.toml:4", "generations of the genetic algorithm", "ga"});
 }
 
 // "Throws one Error that holds every problem of the file with its line: ..., values that are not allowed".
@@ -512,11 +526,13 @@ TEST_F(LotFileTest, WrittenSettingsReadBack) {
   lot.settings.runs = 4;
   lot.settings.box = fit::BoxKind::published;
   lot.settings.clean = {.smooth = 7, .samples_per_cycle = std::nullopt, .center = false};
+  lot.settings.complete();
   expect_same(read(lot_file_text(lot, folder)).settings, lot.settings);
 
   lot.settings.clean.center = true;
   lot.settings.laws = {"abe", "vaiana"};
   lot.settings.integration = laws::Integration::paper;
+  lot.settings.method = Method::genetic;
   lot.settings.genetic.population = 40;
   lot.settings.genetic.generations = 30;
   lot.settings.overrides = {fit::parse_override("bilinear.K1=1.5")};

@@ -34,6 +34,7 @@ class CampaignTest : public testing::Folder {
     Lot made;
     made.title = "test lot";
     made.settings.laws = parse_laws(laws);
+    made.settings.method = Method::genetic;
     made.settings.runs = 3;
     made.settings.genetic.population = 10;
     made.settings.genetic.generations = 5;
@@ -138,7 +139,7 @@ TEST_F(CampaignTest, PrepareThrowsEveryReasonWhenNoDeviceIsUsable) {
 
 TEST_F(CampaignTest, PrepareRefusesSettingsOutOfRange) {
   auto wrong = lot();
-  wrong.settings.runs = 0;
+  wrong.settings.runs = -1;
   EXPECT_THROW(prepare(wrong), Error);
   wrong = lot();
   wrong.settings.clean.smooth = 2;
@@ -185,6 +186,37 @@ TEST_F(CampaignTest, SeveralFilesOfADeviceAreOneHistory) {
 }
 
 // Running ------------------------------------------------------------------------------------------------------
+
+// The method `best`: the same runs for any number of threads, interrupted or not, each within 0.1 % of the others.
+TEST_F(CampaignTest, DescentsEndAtOneObjective) {
+  auto best = lot("bilinear,bouc-wen");
+  best.settings.method = Method::best;
+  best.settings.genetic = {};
+  auto const whole = done(best);
+  ASSERT_EQ(whole.runs.size(), 12u);
+  std::map<std::pair<std::size_t, std::string>, double> least;
+  for (auto const& r : whole.runs) {
+    auto const [entry, is_new] = least.try_emplace(std::pair(r.device, r.law), r.objective);
+    entry->second = std::min(entry->second, r.objective);
+    EXPECT_EQ(r.outcome, Outcome::confirmed);
+    EXPECT_GE(r.history.size(), 17u);  // 16 starts and the last refinement
+    EXPECT_NEAR(r.history.back(), r.objective, fit::block_tolerance * std::max(r.objective, 1e-3));
+    EXPECT_GT(r.evaluations, 500);
+  }
+  for (auto const& r : whole.runs) EXPECT_LE(r.objective, 1.001 * least.at(std::pair(r.device, r.law)) + 1e-9) << r.law;
+
+  expect_same(done(best, 2, "threads.sqlite").runs, whole.runs);
+
+  auto stopped = prepare(best);
+  Store::create(file("stopped.sqlite"), stopped);
+  std::atomic<int> asked = 0;
+  EXPECT_FALSE(
+      run(stopped, file("stopped.sqlite"), {.jobs = 1, .progress = {}, .interrupted = [&] { return ++asked > 60; }}));
+  EXPECT_LT(stopped.runs.size(), 12u);
+  auto resumed = Store::read(file("stopped.sqlite"));
+  EXPECT_TRUE(run(resumed, file("stopped.sqlite"), {.jobs = 2, .progress = {}, .interrupted = {}}));
+  expect_same(resumed.runs, whole.runs);
+}
 
 TEST_F(CampaignTest, EveryRunIsThereOnceAndIsWhatItSays) {
   auto const contents = done(lot("all"));

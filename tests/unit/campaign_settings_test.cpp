@@ -20,6 +20,7 @@ using testing::expect_same;
 Settings unusual() {
   Settings s;
   s.laws = {"hwang-wu", "bilinear", "abe-y0"};
+  s.method = Method::genetic;
   s.integration = laws::Integration::paper;
   s.runs = 7;
   s.genetic = {.population = 36,
@@ -41,6 +42,17 @@ TEST(Settings, PairsReadBack) {
   Settings plain;
   plain.laws = parse_laws("all");
   expect_same(settings_from_pairs(to_pairs(plain)), plain);
+  auto best = unusual();
+  best.method = Method::best;
+  best.genetic = {};
+  best.multistart = {.least_starts = 5,
+                     .starts = 9,
+                     .hits = 2,
+                     .hit_tolerance = 0.1 + 0.2,
+                     .most_evaluations = 777,
+                     .scattered = 3,
+                     .hops = 0};
+  expect_same(settings_from_pairs(to_pairs(best)), best);
   auto other = unusual();
   other.clean.samples_per_cycle = 33;
   other.overrides.clear();
@@ -51,6 +63,7 @@ TEST(Settings, PairsReadBack) {
 TEST(Settings, EveryChangeShowsInThePairs) {
   std::vector<std::function<void(Settings&)>> const changes{
       [](Settings& s) { s.laws.pop_back(); },
+      [](Settings& s) { s.method = Method::best; },
       [](Settings& s) { s.integration = laws::Integration::converged; },
       [](Settings& s) { s.runs = 8; },
       [](Settings& s) { s.genetic.population = 38; },
@@ -76,7 +89,9 @@ TEST(Settings, EveryChangeShowsInThePairs) {
 }
 
 TEST(Settings, PairsHaveDistinctKeysInAFixedOrder) {
-  auto const pairs = to_pairs(unusual()), others = to_pairs(Settings{});
+  Settings plain;
+  plain.method = Method::genetic;
+  auto const pairs = to_pairs(unusual()), others = to_pairs(plain);
   std::set<std::string> keys;
   ASSERT_EQ(pairs.size(), others.size());
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -88,11 +103,20 @@ TEST(Settings, PairsHaveDistinctKeysInAFixedOrder) {
     EXPECT_TRUE(keys.contains(key)) << key;
 }
 
-TEST(Settings, Defaults) {  // of the paper
+TEST(Settings, RunsAreThoseTheMethodNeeds) {
+  Settings best, genetic, given;
+  genetic.method = given.method = Method::genetic;
+  given.runs = 7;
+  for (auto* s : {&best, &genetic, &given}) s->complete();
+  EXPECT_EQ(best.runs, 3);
+  EXPECT_EQ(genetic.runs, 20);  // of the paper
+  EXPECT_EQ(given.runs, 7);
+}
+
+TEST(Settings, Defaults) {  // of the genetic algorithm: the paper's
   Settings const s;
-  EXPECT_EQ(s.method, "ga");
+  EXPECT_EQ(s.method, Method::best);
   EXPECT_EQ(s.integration, laws::Integration::converged);
-  EXPECT_EQ(s.runs, 20);
   EXPECT_EQ(s.genetic.population, 100);
   EXPECT_EQ(s.genetic.generations, 50);
   EXPECT_EQ(s.genetic.mutation_rate, 0.01);
@@ -120,14 +144,16 @@ bool holds(std::string const& text, std::string const& part) {
 TEST(Settings, ValidateRefusesWhatIsOutOfRange) {
   auto const with = [](std::function<void(Settings&)> const& change) {
     Settings s;
+    s.method = Method::genetic;
+    s.runs = 20;
     change(s);
     return refusal([&] { s.validate(); });
   };
   EXPECT_EQ(with([](Settings&) {}), "");
-  auto const method = with([](Settings& s) { s.method = "pso"; });
-  EXPECT_TRUE(holds(method, "--method") && holds(method, "'pso'") && holds(method, "allowed: ga")) << method;
-  auto const runs = with([](Settings& s) { s.runs = 0; });
-  EXPECT_TRUE(holds(runs, "--runs") && holds(runs, "0") && holds(runs, "1 to 100000")) << runs;
+  auto const method = refusal([] { parse_method("pso"); });
+  EXPECT_TRUE(holds(method, "--method") && holds(method, "'pso'") && holds(method, "allowed: best, ga")) << method;
+  auto const runs = with([](Settings& s) { s.runs = -1; });
+  EXPECT_TRUE(holds(runs, "--runs") && holds(runs, "-1") && holds(runs, "1 to 100000")) << runs;
   EXPECT_TRUE(holds(with([](Settings& s) { s.genetic.population = 3; }), "--population"));
   EXPECT_TRUE(holds(with([](Settings& s) { s.genetic.generations = 0; }), "--generations"));
   EXPECT_TRUE(holds(with([](Settings& s) { s.clean.smooth = 4; }), "smooth"));

@@ -48,15 +48,16 @@ void add_calibrate(CLI::App& app, CalibrateArguments& a) {
   auto& c = *app.add_subcommand("calibrate", "Identify every law on every device; statistics, ranking, report");
   c.add_option("inputs", a.inputs, "a lot file (.toml), test records, or a directory of them")->required();
   c.add_option("--laws", a.laws, "all, or ids separated by commas (isolaw laws lists them)");
-  c.add_option("--method", a.method, "ga: the genetic algorithm of the paper");
+  c.add_option("--method", a.method,
+               "best (default): to the least objective there is; ga: the paper's genetic algorithm");
   c.add_option("--integration", a.integration, "converged (default), or paper: one Runge-Kutta step per sample");
   c.add_option("--turning-points", a.turning_points,
                "sampled (default), or interpolated: the path turns between samples, for smooth records");
-  c.add_option("--runs", a.runs, "independent runs per law and device, 1 to 100000 (20)");
-  c.add_option("--population", a.population, "individuals, an even number from 4 to 100000 (100)");
-  c.add_option("--generations", a.generations, "generations, the initial one included, 1 to 20000 (50)");
+  c.add_option("--runs", a.runs, "independent runs per law and device, 1 to 100000 (3; ga: 20)");
+  c.add_option("--population", a.population, "of ga: individuals, an even number from 4 to 100000 (100)");
+  c.add_option("--generations", a.generations, "of ga: generations, the initial one included, 1 to 20000 (50)");
   c.add_option("--stagnation-tolerance", a.stagnation_tolerance,
-               "relative improvement that counts as none; 20 generations without improvement end a run (0)");
+               "of ga: relative improvement that counts as none; 20 generations without improvement end a run (0)");
   c.add_option("--seed", a.seed, "seed of the campaign (1)");
   c.add_option("--box", a.box,
                "search box: auto, scaled from each record (default), or published, Table 4 of the paper");

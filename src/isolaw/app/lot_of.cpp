@@ -152,7 +152,16 @@ campaign::Lot lot_of(CalibrateArguments const& a) {
   auto lot = lot_of_inputs(a.inputs, {.allow_outside = a.allow_outside, .other_out = a.out.has_value()});
   auto& s = lot.settings;
   if (a.laws) s.laws = campaign::parse_laws(*a.laws);
-  override_with(a.method, s.method);
+  if (a.method) s.method = campaign::parse_method(*a.method);
+  if (a.population || a.generations || a.stagnation_tolerance) {
+    if (a.method && s.method != campaign::Method::genetic)
+      throw Error({.where = a.population    ? "--population"
+                            : a.generations ? "--generations"
+                                            : "--stagnation-tolerance",
+                   .found = fmt::format("an option of the genetic algorithm, with --method {}", *a.method),
+                   .allowed = "with --method ga, which it also chooses where --method is not given"});
+    s.method = campaign::Method::genetic;
+  }
   if (a.integration) s.integration = campaign::parse_integration(*a.integration);
   if (a.turning_points) s.turning_points = campaign::parse_turning_points(*a.turning_points);
   if (a.box) s.box = campaign::parse_box(*a.box);
@@ -161,7 +170,8 @@ campaign::Lot lot_of(CalibrateArguments const& a) {
     std::erase_if(s.overrides, [&](auto const& o) { return o.law == change.law && o.parameter == change.parameter; });
     s.overrides.push_back(change);
   }
-  override_with(a.runs, s.runs);
+  if (a.runs) s.runs = campaign::checked_runs(*a.runs);
+  s.complete();
   override_with(a.population, s.genetic.population);
   override_with(a.generations, s.genetic.generations);
   override_with(a.stagnation_tolerance, s.genetic.stagnation_tolerance);

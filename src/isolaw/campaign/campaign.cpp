@@ -9,6 +9,7 @@
 #include <latch>
 #include <mutex>
 #include <new>
+#include <optional>
 #include <set>
 #include <system_error>
 #include <thread>
@@ -78,7 +79,7 @@ Search prepare_search(std::size_t index, Device const& device, std::string const
   auto const& law = laws::find_law(law_id);
   try {
     fit::LawOnRecord const check(law, device.record, settings.integration, settings.turning_points);
-    search.box = fit::make_box(law, settings.box, fit::scales_of(device.record, law.info), settings.overrides);
+    search.box = search_box(law, device.record, settings);
   } catch (Error const& error) {
     search.refusal = error.what();
   }
@@ -97,25 +98,88 @@ struct Task {
   int number;
 };
 
+// What a search of either method found.
+struct Found {
+  std::optional<Outcome> outcome;  // none: interrupted
+  std::vector<double> best;        // in the unit box
+  int evaluations = 0, failed_evaluations = 0;
+  std::vector<double> history;
+};
+
+Found found_by(opt::GeneticResult result) {
+  Found found{.outcome = {},
+              .best = std::move(result.best),
+              .evaluations = result.evaluations,
+              .failed_evaluations = result.failed_evaluations,
+              .history = std::move(result.history)};
+  switch (result.outcome) {
+    case opt::GeneticOutcome::all_generations:
+      found.outcome = Outcome::all_generations;
+      break;
+    case opt::GeneticOutcome::stagnated:
+      found.outcome = Outcome::stagnated;
+      break;
+    case opt::GeneticOutcome::no_finite_value:
+      found.outcome = Outcome::no_finite_value;
+      break;
+    case opt::GeneticOutcome::interrupted:
+      break;
+  }
+  return found;
+}
+
+Found found_by(opt::MultistartResult result) {
+  Found found{.outcome = {},
+              .best = std::move(result.best),
+              .evaluations = result.evaluations,
+              .failed_evaluations = result.failed_evaluations,
+              .history = std::move(result.history)};
+  switch (result.outcome) {
+    case opt::MultistartOutcome::confirmed:
+      found.outcome = Outcome::confirmed;
+      break;
+    case opt::MultistartOutcome::budget_spent:
+      found.outcome = Outcome::budget_spent;
+      break;
+    case opt::MultistartOutcome::no_finite_value:
+      found.outcome = Outcome::no_finite_value;
+      break;
+    case opt::MultistartOutcome::interrupted:
+      break;
+  }
+  return found;
+}
+
 // Nothing is searched when every parameter is fixed: the one point is the answer.
-opt::GeneticResult evaluate_fixed(Target const& target) {
-  opt::GeneticResult result;
+Found evaluate_fixed(Target const& target, Method method) {
+  Found result;
   std::vector<double> parameters(target.search->box.parameters.size()), work;
   target.search->box.expand({}, parameters);
-  result.best_value = target.model.objective(parameters, work);
+  double const value = target.model.objective(parameters, work);
+  bool const finite = std::isfinite(value);
   result.evaluations = 1;
-  result.outcome =
-      std::isfinite(result.best_value) ? opt::GeneticOutcome::all_generations : opt::GeneticOutcome::no_finite_value;
-  result.failed_evaluations = result.outcome == opt::GeneticOutcome::no_finite_value ? 1 : 0;
-  result.history = {result.best_value};
+  result.failed_evaluations = finite ? 0 : 1;
+  result.outcome = !finite                     ? Outcome::no_finite_value
+                   : method == Method::genetic ? Outcome::all_generations
+                                               : Outcome::confirmed;
+  result.history = {value};
   return result;
 }
 
-Run finished(Target const& target, int number, opt::GeneticResult const& result) {
+Found search_by(Settings const& settings, Target const& target, int number, std::function<bool()> const& interrupted) {
+  if (target.search->box.free_count() == 0) return evaluate_fixed(target, settings.method);
+  fit::IdentificationProblem const problem(target.model, target.search->box);
+  auto const stream = target.stream.split(static_cast<std::uint64_t>(number));
+  return settings.method == Method::genetic
+             ? found_by(opt::minimise_genetic(problem, stream, settings.genetic, interrupted))
+             : found_by(opt::minimise_multistart(problem, stream, settings.multistart, interrupted));
+}
+
+Run finished(Target const& target, int number, Found const& result) {
   Run run{.device = target.search->device,
           .law = target.search->law,
           .number = number,
-          .outcome = {},
+          .outcome = *result.outcome,
           .objective = {},
           .integration_shift = {},
           .evaluations = result.evaluations,
@@ -123,12 +187,8 @@ Run finished(Target const& target, int number, opt::GeneticResult const& result)
           .failure = {},
           .parameters = {},
           .history = result.history};
-  bool const found = result.outcome != opt::GeneticOutcome::no_finite_value;
-  run.outcome = !found                                             ? Outcome::no_finite_value
-                : result.outcome == opt::GeneticOutcome::stagnated ? Outcome::stagnated
-                                                                   : Outcome::all_generations;
   run.objective = run.integration_shift = std::nan("");
-  if (!found) {
+  if (run.outcome == Outcome::no_finite_value) {
     run.failure = result.evaluations == 1
                       ? std::string("the one parameter set, all of it fixed, gives no finite force")
                       : fmt::format("none of the first {} parameter sets gave a finite force", result.evaluations);
@@ -208,6 +268,11 @@ std::size_t for_each_in_parallel(std::size_t count, std::size_t threads, std::fu
 
 }  // namespace
 
+fit::SearchBox search_box(laws::LawEntry const& law, data::FitRecord const& record, Settings const& settings) {
+  auto box = fit::make_box(law, settings.box, fit::scales_of(record, law.info), settings.overrides);
+  return settings.method == Method::best ? fit::on_logarithmic_scales(std::move(box), law) : box;
+}
+
 Contents prepare_devices(Lot const& lot) {
   Contents contents{.title = lot.title,
                     .acceptance = lot.acceptance,
@@ -216,6 +281,7 @@ Contents prepare_devices(Lot const& lot) {
                     .searches = {},
                     .runs = {}};
   contents.settings.laws.clear();
+  contents.settings.complete();
   contents.settings.validate();
   for (auto const& input : lot.devices) contents.devices.push_back(prepare_device(input, contents.settings.clean));
   return contents;
@@ -272,12 +338,8 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
   auto const perform = [&](Task const& task) {
     if (asked_to_stop()) return;
     auto const& target = targets[task.target];
-    auto const result = target.search->box.free_count() == 0
-                            ? evaluate_fixed(target)
-                            : opt::minimise_genetic(fit::IdentificationProblem(target.model, target.search->box),
-                                                    target.stream.split(static_cast<std::uint64_t>(task.number)),
-                                                    contents.settings.genetic, asked_to_stop);
-    if (result.outcome == opt::GeneticOutcome::interrupted) return;
+    auto const result = search_by(contents.settings, target, task.number, asked_to_stop);
+    if (!result.outcome) return;
     auto run = finished(target, task.number, result);
     std::scoped_lock const lock(one_writer);
     note(run);

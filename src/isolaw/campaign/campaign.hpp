@@ -19,6 +19,9 @@ Contents prepare(Lot const& lot);
 // Only that: devices as they are read and cleaned, no boxes, none of the laws. Never throws for a device.
 Contents prepare_devices(Lot const& lot);
 
+// Where a law is searched on a record under these settings.
+fit::SearchBox search_box(laws::LawEntry const& law, data::FitRecord const& record, Settings const& settings);
+
 struct Progress {
   std::size_t done = 0, total = 0;
   std::map<std::string, double> best;  // best objective so far per law
@@ -27,7 +30,7 @@ struct Progress {
 struct RunOptions {
   int jobs = 0;                                    // threads; 0: one per core
   std::function<void(Progress const&)> progress;   // called from one thread at a time; must not throw
-  std::function<bool()> interrupted;               // asked between generations, from any thread
+  std::function<bool()> interrupted;               // asked between generations or starts, from any thread
   std::function<void(int)> short_of_threads = {};  // told at the end how many there were where the system gave fewer
 };
 

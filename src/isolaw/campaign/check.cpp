@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/campaign/campaign.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/data/clean.hpp"
 #include "isolaw/fit/objective.hpp"
@@ -44,8 +45,7 @@ void check_record(Device const& device, Settings const& settings, std::vector<st
 
 void check_box(Device const& device, Search const& search, Settings const& settings, std::vector<std::string>& faults) {
   auto const& law = laws::find_law(search.law);
-  auto const box =
-      fit::make_box(law, settings.box, fit::scales_of(device.record, law.info), settings.overrides).parameters;
+  auto const box = search_box(law, device.record, settings).parameters;
   bool const same = std::ranges::equal(box, search.box.parameters, [](auto const& a, auto const& b) {
     return a.free == b.free && a.scale == b.scale && close(a.value, b.value) && close(a.lower, b.lower) &&
            close(a.upper, b.upper);
@@ -76,6 +76,7 @@ class RunChecker {
  private:
   // How the search went: what the settings and the history leave no choice in.
   void check_course(Search const& search, Run const& run) {
+    if (contents_.settings.method == Method::best) return check_descents(search, run);
     auto const& genetic = contents_.settings.genetic;
     auto const generations = run.history.size();
     bool const searched = search.box.free_count() > 0;
@@ -86,6 +87,21 @@ class RunChecker {
       complain(run, "its count of evaluations is impossible");
     bool const ended = searched ? opt::outcome_of(run.history, genetic) == as_searched(run.outcome)
                                 : generations == 1 && run.outcome != Outcome::stagnated;
+    if (!ended || run.usable() != (run.outcome != Outcome::no_finite_value))
+      complain(run, "its history does not end as the settings and its outcome say");
+  }
+  // A history has a value for each start, and one for the refinement that ends a confirmed search.
+  void check_descents(Search const& search, Run const& run) {
+    auto const& options = contents_.settings.multistart;
+    bool const searched = search.box.free_count() > 0;
+    auto const least = static_cast<std::size_t>(searched && run.usable() ? options.least_starts : 1);
+    if (run.failed_evaluations < 0 || run.failed_evaluations > run.evaluations ||
+        std::cmp_less(run.evaluations, searched ? run.history.size() : std::size_t{1}) ||
+        (!searched && run.evaluations != 1) || (run.usable() && run.failed_evaluations == run.evaluations))
+      complain(run, "its count of evaluations is impossible");
+    bool const ended = run.outcome == Outcome::confirmed      ? run.history.size() >= least
+                       : run.outcome == Outcome::budget_spent ? run.evaluations >= options.most_evaluations
+                                                              : run.outcome == Outcome::no_finite_value;
     if (!ended || run.usable() != (run.outcome != Outcome::no_finite_value))
       complain(run, "its history does not end as the settings and its outcome say");
   }

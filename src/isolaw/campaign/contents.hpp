@@ -38,7 +38,8 @@ struct Search {
   fit::SearchBox box;
 };
 
-enum class Outcome { all_generations, stagnated, no_finite_value };
+// confirmed, budget_spent: of the method `best`; all_generations, stagnated: of the genetic algorithm.
+enum class Outcome { confirmed, budget_spent, all_generations, stagnated, no_finite_value };
 std::string_view name(Outcome outcome);
 
 struct Run {
@@ -52,7 +53,7 @@ struct Run {
   int failed_evaluations = 0;      // parameter sets tried that gave no finite force
   std::string failure;             // why the run is not usable; empty for a usable one
   std::vector<double> parameters;  // all of the law's; empty when not usable
-  std::vector<double> history;     // best objective after each generation
+  std::vector<double> history;     // best objective after each generation, or start
 
   bool usable() const { return !parameters.empty(); }
 };

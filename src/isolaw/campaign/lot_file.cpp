@@ -71,14 +71,29 @@ void read_settings(TableReader& table, Settings& s) {
     for (auto const& id : parse_laws(text))
       if (std::ranges::find(s.laws, id) == s.laws.end()) s.laws.push_back(id);
   });
-  table.set<std::string>("method", "text", s.method);
+  bool named = false;
+  table.value<std::string>("method", "text", [&](auto const& v) {
+    s.method = parse_method(v);
+    named = true;
+  });
   table.value<std::string>("integration", "text", [&](auto const& v) { s.integration = parse_integration(v); });
   table.value<std::string>("turning-points", "text",
                            [&](auto const& v) { s.turning_points = parse_turning_points(v); });
-  table.set<int>("runs", "a whole number from 1 to 100000", s.runs);
-  table.set<int>("population", "an even number from 4 to 100000", s.genetic.population);
-  table.set<int>("generations", "a whole number from 1 to 20000", s.genetic.generations);
-  table.set<double>("stagnation-tolerance", "a number", s.genetic.stagnation_tolerance);
+  table.value<int>("runs", "a whole number from 1 to 100000", [&](int v) { s.runs = checked_runs(v); });
+  // What only the genetic algorithm has also chooses it.
+  auto const of_genetic = [&]<class T>(std::string_view key, std::string_view allowed, T& target) {
+    table.value<T>(key, allowed, [&](T v) {
+      if (named && s.method != Method::genetic)
+        throw Error({.where = {},
+                     .found = fmt::format("{} of the genetic algorithm, with method = \"{}\"", key, name(s.method)),
+                     .allowed = "with method = \"ga\" alone"});
+      s.method = Method::genetic;
+      target = v;
+    });
+  };
+  of_genetic("population", "an even number from 4 to 100000", s.genetic.population);
+  of_genetic("generations", "a whole number from 1 to 20000", s.genetic.generations);
+  of_genetic("stagnation-tolerance", "a number", s.genetic.stagnation_tolerance);
   table.value<std::int64_t>("seed", "a whole number", [&](std::int64_t v) { s.seed = parse_seed(std::to_string(v)); });
   table.value<std::string>("box", "text", [&](auto const& v) { s.box = parse_box(v); });
   table.strings("set", [&](std::string const& text) {
@@ -428,23 +443,26 @@ Lot lot_of_files(std::vector<std::filesystem::path> const& files) {
 }
 
 std::string lot_file_text(Lot const& lot, std::filesystem::path const& directory) {
-  auto const& s = lot.settings;
+  auto s = lot.settings;
+  s.complete();
   toml::array laws, sets;
   for (auto const& id : s.laws) laws.push_back(id);
   for (auto const& change : s.overrides) sets.push_back(change.text());
-  toml::table calibrate{{"method", s.method},
+  toml::table calibrate{{"method", name(s.method)},
                         {"integration", name(s.integration)},
                         {"turning-points", name(s.turning_points)},
                         {"box", name(s.box)},
-                        {"runs", s.runs},
-                        {"population", s.genetic.population},
-                        {"generations", s.genetic.generations},
-                        {"stagnation-tolerance", s.genetic.stagnation_tolerance},
                         {"seed", static_cast<std::int64_t>(s.seed)},
                         {"smooth", s.clean.smooth},
                         {"center", s.clean.center},
                         {"fit-blocks", s.clean.scored.blocks.text()},
                         {"fit-cycles", s.clean.scored.cycles.text()}};
+  calibrate.insert("runs", s.runs);
+  if (s.method == Method::genetic) {
+    calibrate.insert("population", s.genetic.population);
+    calibrate.insert("generations", s.genetic.generations);
+    calibrate.insert("stagnation-tolerance", s.genetic.stagnation_tolerance);
+  }
   if (!laws.empty()) calibrate.insert("laws", std::move(laws));
   if (!sets.empty()) calibrate.insert("set", std::move(sets));
   if (s.clean.samples_per_cycle)

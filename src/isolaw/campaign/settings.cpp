@@ -32,10 +32,16 @@ int whole_number(Json const& json) {
 
 }  // namespace
 
+void Settings::complete() {
+  if (runs == 0) runs = method == Method::genetic ? 20 : 3;
+}
+
 void Settings::validate() const {
-  if (method != "ga") refuse("method", method, "ga");
-  if (runs < 1 || runs > 100000) refuse("runs", fmt::to_string(runs), "1 to 100000");
-  genetic.validate();
+  if (runs != 0) checked_runs(runs);
+  if (method == Method::genetic)
+    genetic.validate();
+  else
+    multistart.validate();
   clean.validate();
   for (auto const& id : laws) laws::find_law(id);
 }
@@ -102,6 +108,20 @@ std::optional<int> parse_samples_per_cycle(std::string_view text) {
   return value;
 }
 
+int checked_runs(int runs) {
+  if (runs < 1 || runs > 100000) refuse("runs", fmt::to_string(runs), "1 to 100000");
+  return runs;
+}
+
+Method parse_method(std::string_view text) {
+  if (text == "best") return Method::best;
+  if (text == "ga") return Method::genetic;
+  refuse("method", text, "best, ga (the genetic algorithm of the paper)");
+}
+std::string_view name(Method method) {
+  return method == Method::genetic ? "ga" : "best";
+}
+
 std::string_view name(fit::BoxKind kind) {
   return kind == fit::BoxKind::published ? "published" : "auto";
 }
@@ -117,16 +137,26 @@ std::vector<std::pair<std::string, std::string>> to_pairs(Settings const& s) {
   for (auto const& change : s.overrides) sets.push_back(change.text());
   Json json;
   json["laws"] = s.laws;
-  json["method"] = s.method;
+  json["method"] = name(s.method);
   json["integration"] = name(s.integration);
   json["turning-points"] = name(s.turning_points);
   json["runs"] = s.runs;
-  json["population"] = s.genetic.population;
-  json["generations"] = s.genetic.generations;
-  json["mutation_rate"] = s.genetic.mutation_rate;
-  json["stagnation"] = s.genetic.stagnation;
-  json["stagnation_tolerance"] = s.genetic.stagnation_tolerance;
-  json["selection_pressure"] = s.genetic.selection_pressure;
+  if (s.method == Method::genetic) {
+    json["population"] = s.genetic.population;
+    json["generations"] = s.genetic.generations;
+    json["mutation_rate"] = s.genetic.mutation_rate;
+    json["stagnation"] = s.genetic.stagnation;
+    json["stagnation_tolerance"] = s.genetic.stagnation_tolerance;
+    json["selection_pressure"] = s.genetic.selection_pressure;
+  } else {
+    json["least_starts"] = s.multistart.least_starts;
+    json["starts"] = s.multistart.starts;
+    json["hits"] = s.multistart.hits;
+    json["hit_tolerance"] = s.multistart.hit_tolerance;
+    json["most_evaluations"] = s.multistart.most_evaluations;
+    json["scattered"] = s.multistart.scattered;
+    json["hops"] = s.multistart.hops;
+  }
   json["seed"] = s.seed;
   json["box"] = name(s.box);
   json["set"] = sets;
@@ -145,16 +175,26 @@ Settings settings_from_pairs(std::vector<std::pair<std::string, std::string>> co
   for (auto const& [key, value] : pairs) json[key] = Json::parse(value);
   Settings s;
   s.laws = json.at("laws").get<std::vector<std::string>>();
-  s.method = json.at("method").get<std::string>();
+  s.method = parse_method(json.at("method").get<std::string>());
   s.integration = parse_integration(json.at("integration").get<std::string>());
   s.turning_points = parse_turning_points(json.at("turning-points").get<std::string>());
   s.runs = whole_number(json.at("runs"));
-  s.genetic.population = whole_number(json.at("population"));
-  s.genetic.generations = whole_number(json.at("generations"));
-  s.genetic.mutation_rate = json.at("mutation_rate").get<double>();
-  s.genetic.stagnation = whole_number(json.at("stagnation"));
-  s.genetic.stagnation_tolerance = json.at("stagnation_tolerance").get<double>();
-  s.genetic.selection_pressure = json.at("selection_pressure").get<double>();
+  if (s.method == Method::genetic) {
+    s.genetic.population = whole_number(json.at("population"));
+    s.genetic.generations = whole_number(json.at("generations"));
+    s.genetic.mutation_rate = json.at("mutation_rate").get<double>();
+    s.genetic.stagnation = whole_number(json.at("stagnation"));
+    s.genetic.stagnation_tolerance = json.at("stagnation_tolerance").get<double>();
+    s.genetic.selection_pressure = json.at("selection_pressure").get<double>();
+  } else {
+    s.multistart.least_starts = whole_number(json.at("least_starts"));
+    s.multistart.starts = whole_number(json.at("starts"));
+    s.multistart.hits = whole_number(json.at("hits"));
+    s.multistart.hit_tolerance = json.at("hit_tolerance").get<double>();
+    s.multistart.most_evaluations = whole_number(json.at("most_evaluations"));
+    s.multistart.scattered = whole_number(json.at("scattered"));
+    s.multistart.hops = whole_number(json.at("hops"));
+  }
   s.seed = json.at("seed").get<std::uint64_t>();
   s.box = parse_box(json.at("box").get<std::string>());
   for (auto const& text : json.at("set")) s.overrides.push_back(fit::parse_override(text.get<std::string>()));

@@ -10,21 +10,28 @@
 #include "isolaw/data/clean.hpp"
 #include "isolaw/fit/box.hpp"
 #include "isolaw/opt/genetic.hpp"
+#include "isolaw/opt/multistart.hpp"
 
 namespace isolaw::campaign {
 
+// best: descents from many starts, to the least objective there is. genetic: the paper's search.
+enum class Method { best, genetic };
+
 struct Settings {
   std::vector<std::string> laws;  // ids, in the order of reports; empty: all
-  std::string method = "ga";
+  Method method = Method::best;
   laws::Integration integration = laws::Integration::converged;
   laws::TurningPoints turning_points = laws::TurningPoints::as_sampled;
-  int runs = 20;
-  opt::GeneticOptions genetic;
+  int runs = 0;                       // 0: as many as the method needs, see complete()
+  opt::MultistartOptions multistart;  // of `best`
+  opt::GeneticOptions genetic;        // of `genetic`
   std::uint64_t seed = 1;
   fit::BoxKind box = fit::BoxKind::scaled;
   std::vector<fit::Override> overrides;
   data::CleanOptions clean;
 
+  // What was left to the method: 3 runs of `best`, which differ by the last digits; 20 of the paper's.
+  void complete();
   void validate() const;  // throws Error
 };
 
@@ -39,6 +46,9 @@ std::uint64_t parse_seed(std::string_view text);                    // 0 to 2^64
 fit::BoxKind parse_box(std::string_view text);                      // "published" or "auto"
 laws::Integration parse_integration(std::string_view text);         // "converged" or "paper"
 std::optional<int> parse_samples_per_cycle(std::string_view text);  // a number or "all"
+int checked_runs(int runs);                                         // 1 to 100000
+Method parse_method(std::string_view text);                         // "best" or "ga"
+std::string_view name(Method method);
 std::string_view name(fit::BoxKind kind);
 laws::TurningPoints parse_turning_points(std::string_view text);  // "sampled" or "interpolated"
 std::string_view name(laws::Integration integration);

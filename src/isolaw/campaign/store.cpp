@@ -365,7 +365,7 @@ void read_searches(sqlite3* db, Contents& contents) {
 }
 
 Outcome outcome_from(std::string_view text) {
-  for (auto const outcome : {Outcome::all_generations, Outcome::stagnated})
+  for (auto const outcome : {Outcome::confirmed, Outcome::budget_spent, Outcome::all_generations, Outcome::stagnated})
     if (name(outcome) == text) return outcome;
   return Outcome::no_finite_value;
 }
@@ -554,6 +554,10 @@ void check_schema(sqlite3* db, std::filesystem::path const& file) {
 
 std::string_view name(Outcome outcome) {
   switch (outcome) {
+    case Outcome::confirmed:
+      return "confirmed";
+    case Outcome::budget_spent:
+      return "budget_spent";
     case Outcome::all_generations:
       return "all_generations";
     case Outcome::stagnated:

@@ -12,6 +12,9 @@
 namespace isolaw::fit {
 namespace {
 
+// A logarithmic scale that ends at zero: six decades, then straight into it.
+constexpr double decades_from_zero = 6.0 * 2.302585092994046;
+
 constexpr std::string_view override_form = "law.parameter=value, law.parameter=lower:upper, law.parameter=free";
 
 std::optional<double> parse_number(std::string_view text) {
@@ -105,15 +108,26 @@ Override parse_override(std::string_view text) {
 double SearchParameter::at(double u) const {
   u = std::clamp(u, 0.0, 1.0);
   if (scale == laws::Scale::linear) return lower + u * (upper - lower);
+  if (lower == 0.0)
+    return std::clamp(upper * std::expm1(decades_from_zero * u) / std::expm1(decades_from_zero), 0.0, upper);
+  if (upper == 0.0)
+    return std::clamp(lower * std::expm1(decades_from_zero * (1.0 - u)) / std::expm1(decades_from_zero), lower, 0.0);
   double const sign = lower < 0.0 ? -1.0 : 1.0;
   double const a = std::log(std::abs(lower)), b = std::log(std::abs(upper));
   return std::clamp(sign * std::exp(a + u * (b - a)), lower, upper);
 }
 
 double SearchParameter::coordinate(double value_) const {
+  auto const from_zero = [](double share) {
+    return std::log1p(std::max(0.0, share) * std::expm1(decades_from_zero)) / decades_from_zero;
+  };
   double u = 0.0;
   if (scale == laws::Scale::linear) {
     u = (value_ - lower) / (upper - lower);
+  } else if (lower == 0.0) {
+    u = from_zero(value_ / upper);
+  } else if (upper == 0.0) {
+    u = 1.0 - from_zero(value_ / lower);
   } else {
     double const a = std::log(std::abs(lower)), b = std::log(std::abs(upper));
     u = (std::log(std::abs(value_)) - a) / (b - a);
@@ -129,6 +143,18 @@ void SearchBox::expand(std::span<double const> point, std::span<double> values) 
   std::size_t next = 0;
   for (std::size_t i = 0; i < parameters.size(); ++i)
     values[i] = parameters[i].free ? parameters[i].at(point[next++]) : parameters[i].value;
+}
+
+SearchBox on_logarithmic_scales(SearchBox box, laws::LawEntry const& law) {
+  for (std::size_t i = 0; i < box.parameters.size(); ++i) {
+    auto& p = box.parameters[i];
+    if (!p.free || p.lower * p.upper < 0.0) continue;
+    double const smaller = std::min(std::abs(p.lower), std::abs(p.upper)),
+                 larger = std::max(std::abs(p.lower), std::abs(p.upper));
+    bool const declared = law.parameters[i].scaled_search == laws::Scale::logarithmic;
+    if (smaller > 0.0 ? declared || larger >= wide_interval * smaller : declared) p.scale = laws::Scale::logarithmic;
+  }
+  return box;
 }
 
 AtBound at_bound(SearchParameter const& parameter, double value) {

@@ -49,6 +49,12 @@ struct SearchBox {
   void expand(std::span<double const> point, std::span<double> values) const;
 };
 
+// The same box, searched on a logarithmic scale in every free interval of one sign that spans a factor of `wide_interval`
+// or more, and in those that end at zero where the law's own box is logarithmic: what acts through its order of magnitude
+// is otherwise looked for in the last decade alone. A scale that ends at zero holds six decades.
+inline constexpr double wide_interval = 100.0;
+SearchBox on_logarithmic_scales(SearchBox box, laws::LawEntry const& law);
+
 // A best value this close to an edge, as a share of the interval on the search scale, is at its bound.
 inline constexpr double bound_tolerance = 1e-3;
 enum class AtBound { no, lower, upper };

@@ -13,11 +13,17 @@ namespace isolaw::fit {
 namespace {
 
 // T is a parameter so that the name says the instruction set.
-template <class Law, std::size_t W, class T = num::Batch<W>>
-void objectives(double const* parameters, KernelRecord const& record, laws::Integration integration, double* out) {
+template <class Law, std::size_t W, class T>
+laws::ParamsOf<Law, T> load(double const* parameters) {
   laws::ParamsOf<Law, T> params;
   for (std::size_t i = 0; i < laws::parameter_count<Law>; ++i)
     params.*laws::members<Law, T>[i] = T::load(parameters + i * W);
+  return params;
+}
+
+template <class Law, std::size_t W, class T = num::Batch<W>>
+void objectives(double const* parameters, KernelRecord const& record, laws::Integration integration, double* out) {
+  auto const params = load<Law, W, T>(parameters);
   T sum(0.0);
   double const *measured = record.measured.data(), *weight = record.weight.data();
   laws::run<Law, T>(params, record.path, integration, [&](std::size_t i, T const& force) ISOLAW_LAMBDA {
@@ -26,12 +32,19 @@ void objectives(double const* parameters, KernelRecord const& record, laws::Inte
   sum.store(out);
 }
 
+template <class Law, std::size_t W, class T = num::Batch<W>>
+void forces(double const* parameters, laws::Path const& path, laws::Integration integration, double* out) {
+  auto const params = load<Law, W, T>(parameters);
+  laws::run<Law, T>(params, path, integration,
+                    [&](std::size_t i, T const& force) ISOLAW_LAMBDA { force.store(out + i * W); });
+}
+
 }  // namespace
 
 using Kernels = std::array<Kernel, std::tuple_size_v<laws::AllLaws>>;
 extern Kernels const ISOLAW_KERNELS;
 constinit Kernels const ISOLAW_KERNELS = []<class... Law>(std::tuple<Law...>*) {
-  return Kernels{Kernel{objectives<Law, wide_block>, objectives<Law, narrow_block>}...};
+  return Kernels{Kernel{objectives<Law, wide_block>, objectives<Law, narrow_block>, forces<Law, narrow_block>}...};
 }(static_cast<laws::AllLaws*>(nullptr));
 
 }  // namespace isolaw::fit

@@ -37,6 +37,11 @@ struct Kernel {
   using Objectives = void (*)(double const* parameters, KernelRecord const& record, laws::Integration integration,
                               double* objectives);
   Objectives wide = nullptr, narrow = nullptr;  // of wide_block and narrow_block candidates
+
+  // Computed forces of narrow_block candidates: those of the first sample, then those of the second, and so on.
+  using Forces = void (*)(double const* parameters, laws::Path const& path, laws::Integration integration,
+                          double* forces);
+  Forces forces = nullptr;
 };
 inline constexpr std::size_t wide_block = 32, narrow_block = 8;
 

@@ -88,9 +88,9 @@ LawOnRecord::LawOnRecord(laws::LawEntry const& law, data::FitRecord const& recor
   v_ = in_unit(record.vel_mm_s, info.length.in_record_units);
   path_ = path(1);
   measured_ = in_unit(record.force_kN, info.force.in_record_units);
-  weight_ = time_weights(record).weight;
-  double const spread = num::population_std(scored_values(record, measured_));
-  for (double& w : weight_) w /= spread;
+  share_ = weight_ = time_weights(record).weight;
+  spread_ = num::population_std(scored_values(record, measured_));
+  for (double& w : weight_) w /= spread_;
 }
 
 laws::Path LawOnRecord::path(int refinement) const {
@@ -144,6 +144,35 @@ void LawOnRecord::objectives(std::size_t count, std::function<void(std::size_t, 
   }
 }
 
+void LawOnRecord::residuals(std::size_t count, std::function<void(std::size_t, std::span<double>)> const& candidate,
+                            std::span<double> values, InstructionSet set) const {
+  std::size_t const dimension = law_->parameters.size(), samples = measured_.size();
+  std::vector<double> one(dimension), block(dimension * narrow_block), force;
+  auto const into = [&](std::size_t i, double const* forces, std::size_t stride) {
+    for (std::size_t j = 0; j < samples; ++j) values[i * samples + j] = (measured_[j] - forces[j * stride]) / spread_;
+  };
+  if (set == InstructionSet::scalar) {
+    force.resize(samples);
+    for (std::size_t i = 0; i < count; ++i) {
+      candidate(i, one);
+      law_->evaluate(one, path_, integration_, force);
+      into(i, force.data(), 1);
+    }
+    return;
+  }
+  auto const code = kernel(set, law_->index);
+  force.resize(samples * narrow_block);
+  for (std::size_t first = 0; first < count; first += narrow_block) {
+    std::size_t const used = std::min(count - first, narrow_block);
+    for (std::size_t lane = 0; lane < narrow_block; ++lane) {
+      candidate(lane < used ? first + lane : first, one);
+      for (std::size_t p = 0; p < dimension; ++p) block[p * narrow_block + lane] = one[p];
+    }
+    code.forces(block.data(), path_, integration_, force.data());
+    for (std::size_t lane = 0; lane < used; ++lane) into(first + lane, force.data() + lane, narrow_block);
+  }
+}
+
 std::vector<double> LawOnRecord::force_kN(std::span<double const> parameters) const {
   std::vector<double> force(measured_.size());
   law_->evaluate(parameters, path_, integration_, force);
@@ -162,6 +191,11 @@ double LawOnRecord::integration_shift(std::span<double const> parameters) const 
 
 void IdentificationProblem::evaluate(opt::Points const& points, std::span<double> values) const {
   model_.objectives(
+      points.size(), [&](std::size_t i, std::span<double> parameters) { box_.expand(points[i], parameters); }, values);
+}
+
+void IdentificationProblem::residuals(opt::Points const& points, std::span<double> values) const {
+  model_.residuals(
       points.size(), [&](std::size_t i, std::span<double> parameters) { box_.expand(points[i], parameters); }, values);
 }
 

@@ -44,6 +44,15 @@ class LawOnRecord {
   void objectives(std::size_t count, std::function<void(std::size_t, std::span<double>)> const& candidate,
                   std::span<double> values, InstructionSet set = instruction_set()) const;
 
+  // (measured - computed force) / standard deviation of the measured force at every sample, for many candidates, one
+  // after another; not finite where a force is not. Agrees with the scalar path as `objectives` does.
+  void residuals(std::size_t count, std::function<void(std::size_t, std::span<double>)> const& candidate,
+                 std::span<double> values, InstructionSet set = instruction_set()) const;
+
+  // Share of each sample in the objective, which is the sum of weight * |residual|.
+  std::span<double const> residual_weights() const { return share_; }
+  std::size_t samples() const { return measured_.size(); }
+
   // Computed force [kN] at every sample.
   std::vector<double> force_kN(std::span<double const> parameters) const;
 
@@ -61,14 +70,18 @@ class LawOnRecord {
   laws::Path path_;
   std::vector<double> measured_;  // law's force unit
   std::vector<double> weight_;    // trapezoid in time / (duration * standard deviation)
+  std::vector<double> share_;     // trapezoid in time / duration
+  double spread_ = 1.0;           // standard deviation of the measured force, law's unit
 };
 
 // The search of a law's free parameters on a record, in the unit box.
-class IdentificationProblem final : public opt::Problem {
+class IdentificationProblem final : public opt::DeviationProblem {
  public:
   IdentificationProblem(LawOnRecord const& model, SearchBox const& box) : model_(model), box_(box) {}
   std::size_t dimension() const override { return box_.free_count(); }
   void evaluate(opt::Points const& points, std::span<double> values) const override;
+  std::span<double const> weights() const override { return model_.residual_weights(); }
+  void residuals(opt::Points const& points, std::span<double> values) const override;
 
  private:
   LawOnRecord const& model_;

@@ -30,4 +30,13 @@ class Problem {
   virtual void evaluate(Points const& points, std::span<double> values) const = 0;
 };
 
+// A problem whose value is a weighted sum of absolute residuals: sum of weights()[j] * |residual j|. What descends by the
+// residuals needs one evaluation where a value alone needs many.
+class DeviationProblem : public Problem {
+ public:
+  virtual std::span<double const> weights() const = 0;  // of each residual; 0 or more, with a sum of 1
+  // Residuals of each point, one point after another. Not finite where a point failed.
+  virtual void residuals(Points const& points, std::span<double> values) const = 0;
+};
+
 }  // namespace isolaw::opt

@@ -1,0 +1,386 @@
+#include "isolaw/opt/multistart.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "isolaw/base/error.hpp"
+
+namespace isolaw::opt {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+using Eigen::Index;
+using Vector = Eigen::VectorXd;
+using Matrix = Eigen::MatrixXd;
+
+Eigen::Map<Vector const> vector(std::span<double const> values) {
+  return {values.data(), static_cast<Index>(values.size())};
+}
+
+// A point with its residuals.
+struct Located {
+  std::vector<double> x;
+  std::vector<double> residuals;
+  double value = infinity;  // sum of weight * |residual|
+};
+
+class Counting {
+ public:
+  Counting(DeviationProblem const& problem, MultistartResult& result) : problem_(problem), result_(result) {}
+
+  std::size_t dimension() const { return problem_.dimension(); }
+  std::span<double const> weights() const { return problem_.weights(); }
+
+  // Of these points, to be asked for with `of` and `value`.
+  void residuals(Points const& points) {
+    room_.resize(points.size() * weights().size());
+    problem_.residuals(points, room_);
+    result_.evaluations += static_cast<int>(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) result_.failed_evaluations += std::isfinite(value(i)) ? 0 : 1;
+  }
+  std::span<double const> of(std::size_t i) const {
+    return std::span(room_).subspan(i * weights().size(), weights().size());
+  }
+  double value(std::size_t i) const { return smoothed(of(i), 0.0); }
+  double smoothed(std::span<double const> r, double delta) const {
+    auto const w = weights();
+    double sum = 0.0;
+    for (std::size_t j = 0; j < r.size(); ++j) sum += w[j] * std::sqrt(r[j] * r[j] + delta * delta);
+    return std::isfinite(sum) ? sum : infinity;
+  }
+
+ private:
+  DeviationProblem const& problem_;
+  MultistartResult& result_;
+  std::vector<double> room_;
+};
+
+// A descent from one point. Three stages: `approach` finds the valley, `settle` its floor, `polish` the last digits.
+class Descent {
+ public:
+  Descent(Counting& problem, std::span<double const> start) : problem_(problem), n_(problem.dimension()) {
+    Points one(n_, 1);
+    std::ranges::copy(start, one[0].begin());
+    problem_.residuals(one);
+    take(one[0], 0);
+    delta_ = here_.value;
+  }
+
+  bool usable() const { return std::isfinite(here_.value); }
+  double value() const { return best_.value; }
+  std::vector<double> const& x() const { return best_.x; }
+
+  void approach() { go({.smoothing = 0.5, .iterations = 25}); }
+  void settle() { go({.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4}); }
+  void polish() { go({.smoothing = 0.003, .iterations = 60}); }
+
+ private:
+  static constexpr std::size_t tried = 8;  // steps of an iteration, evaluated together
+
+  struct Stage {
+    double smoothing;         // the last delta, as a share of the mean residual
+    int iterations;           // at most
+    double least_gain = 0.0;  // relative, over `patience` iterations at the last delta
+  };
+  static constexpr std::size_t patience = 4;
+
+  void go(Stage const& stage) {
+    std::vector<double> values;  // at the last delta
+    for (int i = 0; i < stage.iterations; ++i) {
+      double const before = problem_.smoothed(here_.residuals, delta_);
+      bool const moved = iterate();
+      double const after = problem_.smoothed(here_.residuals, delta_);
+      if (moved && after <= before * (1.0 - 3e-3)) continue;
+      if (delta_ > stage.smoothing * here_.value) {
+        delta_ = std::max(0.3 * std::min(delta_, here_.value), 0.999 * stage.smoothing * here_.value);
+        damping_ = std::min(damping_, usual_damping);
+        continue;
+      }
+      values.push_back(after);
+      if (!moved || after > before * (1.0 - 1e-6)) return;
+      if (values.size() > patience && after > values[values.size() - 1 - patience] * (1.0 - stage.least_gain)) return;
+    }
+  }
+
+  void take(std::span<double const> x, std::size_t i) {
+    here_.x.assign(x.begin(), x.end());
+    auto const r = problem_.of(i);
+    here_.residuals.assign(r.begin(), r.end());
+    here_.value = problem_.value(i);
+    if (here_.value < best_.value) best_ = here_;
+  }
+
+  // Derivatives of the residuals by one-sided differences into the box; zero where the neighbour has no value.
+  Matrix jacobian() {
+    constexpr double step = 1e-6;
+    Points points(n_, n_);
+    for (std::size_t k = 0; k < n_; ++k) {
+      std::ranges::copy(here_.x, points[k].begin());
+      points[k][k] += here_.x[k] > 0.5 ? -step : step;
+    }
+    problem_.residuals(points);
+    Matrix J(here_.residuals.size(), n_);
+    for (std::size_t k = 0; k < n_; ++k) {
+      auto column = J.col(static_cast<Index>(k));
+      if (std::isfinite(problem_.value(k)))
+        column = (vector(problem_.of(k)) - vector(here_.residuals)) / (points[k][k] - here_.x[k]);
+      else
+        column.setZero();
+    }
+    return J;
+  }
+
+  // False when no step was an improvement.
+  bool iterate() {
+    auto const J = jacobian();
+    auto const r = vector(here_.residuals).array();
+    // Curvature of the rounded absolute value: of the parabola that touches it here and lies above it elsewhere, and its
+    // own, which is that of the residuals near zero alone. The former steps too shortly, the latter too far.
+    Eigen::ArrayXd const size = (r.square() + delta_ * delta_).sqrt();
+    Vector const above = vector(problem_.weights()).array() / size;
+    Vector const own = above.array() * (delta_ / size).square();
+    Vector const g = J.transpose() * (above.array() * r).matrix();
+    Matrix const cautious = J.transpose() * above.asDiagonal() * J;
+    Matrix const bold = 0.1 * cautious + 0.9 * (J.transpose() * own.asDiagonal() * J);
+
+    double const value = problem_.smoothed(here_.residuals, delta_);
+    auto const stretch = [](std::size_t i) { return std::pow(20.0, static_cast<double>(i / 2) - 1.0); };
+    for (int attempt = 0; attempt < 4 && damping_ <= most_damping; ++attempt) {
+      Points points(n_, tried);
+      for (std::size_t i = 0; i < tried; ++i)
+        propose(i % 2 == 0 ? cautious : bold, g, damping_ * stretch(i), points[i]);
+      problem_.residuals(points);
+      std::size_t best = tried;
+      double least = value;
+      for (std::size_t i = 0; i < tried; ++i) {
+        double const v = problem_.smoothed(problem_.of(i), delta_);
+        if (v >= least) continue;
+        least = v;
+        best = i;
+      }
+      if (best < tried) {
+        damping_ = std::clamp(damping_ * stretch(best) / std::sqrt(20.0), 1e-9, 1e6);
+        take(points[best], best);
+        return true;
+      }
+      damping_ *= 1e4;
+    }
+    damping_ = usual_damping;
+    return false;
+  }
+
+  // here + the damped Newton step, inside the box. A coordinate at an edge that the step would leave stays there.
+  void propose(Matrix const& H, Vector const& g, double damping, std::span<double> point) const {
+    std::ranges::copy(here_.x, point.begin());
+    std::vector<Index> free;
+    for (std::size_t k = 0; k < n_; ++k) {
+      double const slope = g[static_cast<Index>(k)];
+      bool const stuck = (here_.x[k] <= 0.0 && slope >= 0.0) || (here_.x[k] >= 1.0 && slope <= 0.0);
+      if (!stuck) free.push_back(static_cast<Index>(k));
+    }
+    double const floor = 1e-9 * H.diagonal().maxCoeff() + 1e-300;
+    Vector moved = Vector::Zero(g.size());
+    // Coordinates whose step ends at an edge are held there, and the others computed again.
+    for (int pass = 0; pass < 3 && !free.empty(); ++pass) {
+      Vector held = moved;
+      held(free).setZero();
+      Vector const b = -(g + H * held)(free);
+      Matrix A = H(free, free);
+      A.diagonal() += damping * A.diagonal() + Vector::Constant(A.rows(), floor);
+      Vector const step = A.ldlt().solve(b);
+      std::vector<Index> inside;
+      for (Index i = 0; i < step.size(); ++i) {
+        auto const k = static_cast<std::size_t>(free[static_cast<std::size_t>(i)]);
+        double const to = here_.x[k] + (std::isfinite(step[i]) ? step[i] : 0.0);
+        point[k] = std::clamp(to, 0.0, 1.0);
+        moved[static_cast<Index>(k)] = point[k] - here_.x[k];
+        if (to == point[k]) inside.push_back(static_cast<Index>(k));
+      }
+      if (inside.size() == free.size()) break;
+      free = std::move(inside);
+    }
+  }
+
+  static constexpr double usual_damping = 1e-2, most_damping = 1e8;
+
+  Counting& problem_;
+  std::size_t n_;
+  Located here_, best_;
+  double delta_ = 0.0;
+  double damping_ = usual_damping;
+};
+
+// One point in each of `count` slices of every coordinate.
+Points latin_hypercube(std::size_t dimension, std::size_t count, num::Draws& draws) {
+  Points points(dimension, count);
+  std::vector<std::size_t> slice(count);
+  for (std::size_t k = 0; k < dimension; ++k) {
+    std::iota(slice.begin(), slice.end(), std::size_t{0});
+    for (std::size_t i = count; i > 1; --i) std::swap(slice[i - 1], slice[draws.below(i)]);
+    for (std::size_t i = 0; i < count; ++i)
+      points[i][k] = (static_cast<double>(slice[i]) + draws.uniform()) / static_cast<double>(count);
+  }
+  return points;
+}
+
+// A point in the surroundings of another: some coordinates moved by a normally distributed length, of a size between two
+// powers of ten, or one drawn anew.
+std::vector<double> disturbed(std::vector<double> x, double least_power, double most_power, num::Draws& draws) {
+  double const size = std::pow(10.0, least_power + (most_power - least_power) * draws.uniform());
+  for (double& coordinate : x)
+    if (draws.uniform() < 0.5) coordinate = std::clamp(coordinate + size * draws.normal(), 0.0, 1.0);
+  return x;
+}
+std::vector<double> with_one_drawn_anew(std::vector<double> x, num::Draws& draws) {
+  x[draws.below(x.size())] = draws.uniform();
+  return x;
+}
+
+// One search: its descents so far, and when they are enough.
+class Search {
+ public:
+  Search(DeviationProblem const& problem, num::Stream const& stream, MultistartOptions const& options)
+      : options_(options), stream_(stream), counting_(problem, result_) {}
+
+  MultistartResult run(std::function<bool()> const& interrupted) {
+    for (std::uint32_t round = 0; !enough(); ++round) {
+      if (result_.evaluations >= options_.most_evaluations) return ended(MultistartOutcome::budget_spent);
+      num::Draws draws(stream_, round, 0);
+      auto const points = latin_hypercube(counting_.dimension(), static_cast<std::size_t>(options_.scattered), draws);
+      for (std::size_t i = 0; i < points.size() && !enough(); ++i) {
+        if (interrupted && interrupted()) return ended(MultistartOutcome::interrupted);
+        scattered_.push_back(descend(points[i]));
+      }
+      if (!result_.usable()) return ended(MultistartOutcome::no_finite_value);
+      for (int hop = 1; hop <= options_.hops && !enough(); ++hop) {
+        if (interrupted && interrupted()) return ended(MultistartOutcome::interrupted);
+        num::Draws wind(stream_, round, static_cast<std::uint32_t>(hop));
+        descend(wind.uniform() < 0.5 ? with_one_drawn_anew(result_.best, wind)
+                                     : disturbed(result_.best, -1.5, -0.3, wind));
+      }
+    }
+    refine(interrupted);
+    return ended(interrupted && interrupted() ? MultistartOutcome::interrupted : MultistartOutcome::confirmed);
+  }
+
+ private:
+  double within(double tolerance) const { return result_.best_value * (1.0 + tolerance) + absolute_tolerance; }
+  static std::ptrdiff_t count(std::vector<double> const& values, double most) {
+    return std::ranges::count_if(values, [&](double value) { return value <= most; });
+  }
+
+  bool enough() const {
+    double const near = within(options_.hit_tolerance);
+    bool const alone = 4 * count(scattered_, near) >= 3 * std::ssize(scattered_);
+    return std::ssize(ends_) >= (alone ? options_.least_starts : options_.starts) &&
+           count(ends_, near) >= options_.hits;
+  }
+
+  void keep(Descent const& descent) {
+    if (descent.value() >= result_.best_value) return;
+    result_.best_value = descent.value();
+    result_.best = descent.x();
+  }
+
+  double descend(std::span<double const> start) {
+    Descent descent(counting_, start);
+    if (descent.usable()) {
+      descent.approach();
+      if (descent.value() < promising * result_.best_value) descent.settle();
+      keep(descent);
+    }
+    ends_.push_back(descent.value());
+    result_.history.push_back(result_.best_value);
+    return descent.value();
+  }
+
+  // The last digits; where the descents' ends scatter, also by small hops until several in a row gain nothing.
+  void refine(std::function<bool()> const& interrupted) {
+    auto const polish = [&](std::vector<double> const& start) {
+      Descent descent(counting_, start);
+      if (!descent.usable()) return;
+      descent.approach();
+      if (descent.value() < 1.01 * result_.best_value) descent.polish();
+      keep(descent);
+    };
+    polish(result_.best);
+    bool const sharp = count(ends_, within(0.2 * options_.hit_tolerance)) >= options_.hits;
+    int without_gain = 0;
+    for (std::uint32_t hop = 0; !sharp && without_gain < 10 && hop < 40; ++hop) {
+      if (interrupted && interrupted()) break;
+      num::Draws wind(stream_, std::numeric_limits<std::uint32_t>::max(), hop);
+      double const before = result_.best_value;
+      polish(disturbed(result_.best, -2.0, -0.5, wind));
+      without_gain = result_.best_value < before * (1.0 - 0.1 * options_.hit_tolerance) ? 0 : without_gain + 1;
+    }
+    result_.history.push_back(result_.best_value);
+  }
+
+  MultistartResult ended(MultistartOutcome outcome) {
+    result_.outcome = outcome;
+    result_.starts = static_cast<int>(ends_.size());
+    result_.hits = static_cast<int>(count(ends_, within(options_.hit_tolerance)));
+    return result_;
+  }
+
+  static constexpr double promising = 1.5;            // times the best: worth settling
+  static constexpr double absolute_tolerance = 1e-9;  // where the best is zero
+
+  MultistartOptions const& options_;
+  num::Stream stream_;
+  MultistartResult result_;
+  Counting counting_;
+  std::vector<double> ends_, scattered_;  // values at which descents ended: all, and those from scattered points
+};
+
+}  // namespace
+
+void MultistartOptions::validate() const {
+  std::vector<Complaint> complaints;
+  auto const require = [&](bool holds, char const* option, auto found, char const* allowed) {
+    if (!holds) complaints.push_back({option, fmt::format("found {}", found), allowed, {}});
+  };
+  require(least_starts >= 1 && least_starts <= 10'000, "least starts", least_starts, "1 to 10000");
+  require(starts >= least_starts && starts <= 10'000, "starts", starts, "the least starts to 10000");
+  require(hits >= 1 && hits <= least_starts, "hits", hits, "1 to the least starts");
+  require(hit_tolerance > 0.0 && hit_tolerance < 1.0, "hit tolerance", hit_tolerance, "above 0, below 1");
+  require(most_evaluations >= 1 && most_evaluations <= 1'000'000'000, "evaluations", most_evaluations,
+          "1 to 1000000000");
+  require(scattered >= 1 && scattered <= 10'000, "scattered points", scattered, "1 to 10000");
+  require(hops >= 0 && hops <= 10'000, "hops", hops, "0 to 10000");
+  if (!complaints.empty()) throw Error(std::move(complaints));
+}
+
+std::string_view name(MultistartOutcome outcome) {
+  switch (outcome) {
+    case MultistartOutcome::confirmed:
+      return "confirmed";
+    case MultistartOutcome::budget_spent:
+      return "budget spent";
+    case MultistartOutcome::interrupted:
+      return "interrupted";
+    case MultistartOutcome::no_finite_value:
+      return "no finite value";
+  }
+  return "";
+}
+
+MultistartResult minimise_multistart(DeviationProblem const& problem, num::Stream const& stream,
+                                     MultistartOptions const& options, std::function<bool()> const& interrupted) {
+  options.validate();
+  auto const dimension = problem.dimension();
+  if (dimension == 0)
+    throw Error({"multistart", "a problem with no free parameter", "at least one",
+                 "freeing a parameter, or evaluating the single point directly"});
+
+  return Search(problem, stream, options).run(interrupted);
+}
+
+}  // namespace isolaw::opt

@@ -1,0 +1,60 @@
+// The smallest sum of absolute residuals over the unit box, sought by descents from many starts.
+//
+// Starts are scattered over the box (Latin hypercube); in between, the best point found is disturbed and descended from
+// again (basin hopping). A descent is a Levenberg-Marquardt iteration with bounds on sum w sqrt(r^2 + delta^2), the
+// absolute value rounded off at its corner; delta falls from the size of the residuals, where the sum behaves as a sum of
+// squares, to a hundredth of it. The Jacobian comes from differences, all of it in one batch, and every iteration tries
+// several steps at once. The search ends when enough descents have ended at the best value: soon where nearly all of the
+// scattered ones do, after more of them where there are other valleys.
+//
+// Points are not screened by their value before a descent: in the laws' boxes the low ones lie in the wrong valleys.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/num/random.hpp"
+#include "isolaw/opt/problem.hpp"
+
+namespace isolaw::opt {
+
+struct MultistartOptions {
+  int least_starts = 16;           // descents, where three quarters of the scattered ones end at the best value
+  int starts = 40;                 // elsewhere
+  int hits = 3;                    // descents that must have ended at the best value
+  double hit_tolerance = 5e-4;     // relative
+  int most_evaluations = 200'000;  // no round begins after these
+  int scattered = 12;              // starts of a round, over the box
+  int hops = 4;                    // of a round, about the best point
+
+  void validate() const;  // throws Error
+};
+
+// interrupted: best is the best so far. no_finite_value: none of the first scattered points had a value.
+enum class MultistartOutcome { confirmed, budget_spent, interrupted, no_finite_value };
+std::string_view name(MultistartOutcome outcome);
+
+struct MultistartResult {
+  MultistartOutcome outcome = MultistartOutcome::no_finite_value;
+  std::vector<double> best;  // in the unit box; empty when no point was finite
+  double best_value = std::numeric_limits<double>::infinity();
+  int evaluations = 0;          // points whose residuals were computed
+  int failed_evaluations = 0;   // of them, those that were not finite
+  std::vector<double> history;  // best value after each descent, and after the last refinement; never rises
+  int starts = 0;               // descents
+  int hits = 0;                 // of them, those that ended within the tolerance of the best value
+
+  bool usable() const { return !best.empty(); }
+};
+
+// Deterministic for a given stream. `interrupted`, when given, is asked before each start.
+// Throws Error for options out of range and for a problem without dimensions.
+MultistartResult minimise_multistart(DeviationProblem const& problem, num::Stream const& stream,
+                                     MultistartOptions const& options = {},
+                                     std::function<bool()> const& interrupted = {});
+
+}  // namespace isolaw::opt

@@ -1,0 +1,200 @@
+// Descents from many starts: known least sums of absolute residuals, also at the edges of the box and beyond valleys that
+// mislead, and the promises on counts, repetition, failure and interruption.
+#include "isolaw/opt/multistart.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "isolaw/base/error.hpp"
+
+namespace isolaw::opt {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using Point = std::span<double const>;
+
+// `count` residuals r(x, j), equally weighted unless weights are given.
+class Residuals : public DeviationProblem {
+ public:
+  Residuals(std::size_t dimension, std::size_t count, std::function<double(Point, std::size_t)> residual)
+      : dimension_(dimension), weights_(count, 1.0 / static_cast<double>(count)), residual_(std::move(residual)) {}
+  std::size_t dimension() const override { return dimension_; }
+  std::span<double const> weights() const override { return weights_; }
+  void evaluate(Points const& points, std::span<double> values) const override {
+    for (std::size_t i = 0; i < points.size(); ++i) values[i] = value(points[i]);
+  }
+  void residuals(Points const& points, std::span<double> values) const override {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      for (std::size_t j = 0; j < weights_.size(); ++j) values[i * weights_.size() + j] = residual_(points[i], j);
+    seen += points.size();
+  }
+  double value(Point x) const {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < weights_.size(); ++j) sum += weights_[j] * std::abs(residual_(x, j));
+    return sum;
+  }
+
+  mutable std::size_t seen = 0;
+
+ private:
+  std::size_t dimension_;
+  std::vector<double> weights_;
+  std::function<double(Point, std::size_t)> residual_;
+};
+
+num::Stream const stream(17);
+
+// The least sum of distances to numbers is at their median; the mean, 0.5, would be the least sum of squares.
+TEST(Multistart, FindsTheMedianNotTheMean) {
+  std::vector<double> const numbers{0.1, 0.2, 0.3, 0.9, 1.0};
+  Residuals const problem(1, 5, [&](Point x, std::size_t j) { return x[0] - numbers[j]; });
+  auto const found = minimise_multistart(problem, stream);
+  EXPECT_EQ(found.outcome, MultistartOutcome::confirmed);
+  EXPECT_NEAR(found.best.at(0), 0.3, 1e-3);
+  EXPECT_NEAR(found.best_value, (0.2 + 0.1 + 0.0 + 0.6 + 0.7) / 5.0, 1e-4);
+}
+
+// A line through points of which a third lie far off: the others decide.
+TEST(Multistart, IsNotDrawnByOutliers) {
+  Residuals const problem(2, 30, [](Point x, std::size_t j) {
+    double const t = static_cast<double>(j) / 29.0, y = 0.2 + 0.5 * t + (j % 3 == 1 ? 4.0 : 0.0);
+    return x[0] + x[1] * t - y;
+  });
+  auto const found = minimise_multistart(problem, stream);
+  EXPECT_NEAR(found.best.at(0), 0.2, 1e-2);
+  EXPECT_NEAR(found.best.at(1), 0.5, 1e-2);
+}
+
+TEST(Multistart, StaysInTheBoxAndFindsTheBestOfAnEdge) {
+  // Unbounded the least is at (1.4, 0.75); with x0 <= 1 and the coupling it is at (1, 0.55).
+  Residuals const problem(
+      2, 2, [](Point x, std::size_t j) { return j == 0 ? x[0] - 1.4 : 4.0 * (x[1] - 0.05 - 0.5 * x[0]); });
+  auto const found = minimise_multistart(problem, stream);
+  EXPECT_EQ(found.best.at(0), 1.0);
+  EXPECT_NEAR(found.best.at(1), 0.55, 1e-3);
+  EXPECT_NEAR(found.best_value, 0.2, 1e-3);
+}
+
+// Rosenbrock's curved valley, as residuals.
+TEST(Multistart, FollowsACurvedValley) {
+  Residuals const problem(2, 2, [](Point x, std::size_t j) {
+    double const u = 4.0 * x[0] - 2.0, v = 4.0 * x[1] - 1.0;
+    return j == 0 ? 1.0 - u : 10.0 * (v - u * u);
+  });
+  auto const found = minimise_multistart(problem, stream);
+  EXPECT_LT(found.best_value, 1e-4);
+  EXPECT_NEAR(found.best.at(0), 0.75, 1e-3);
+}
+
+// An exponential whose rate has two valleys: the broad one holds most starts, the narrow one the least value.
+TEST(Multistart, LeavesABroadValleyForADeeperNarrowOne) {
+  Residuals const problem(1, 1, [](Point x, std::size_t) {
+    return 1.0 + 2.0 * std::abs(x[0] - 0.3) - 1.3 * std::exp(-std::pow((x[0] - 0.85) / 0.05, 2));
+  });
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    auto const found = minimise_multistart(problem, num::Stream(seed));
+    EXPECT_NEAR(found.best.at(0), 0.85, 0.02) << "seed " << seed;
+  }
+}
+
+TEST(Multistart, RepeatsItselfAndCountsWhatItDoes) {
+  auto const residual = [](Point x, std::size_t j) {
+    return std::sin(7.0 * x[0] + static_cast<double>(j)) + x[1] * std::cos(static_cast<double>(j)) - 0.3;
+  };
+  Residuals const problem(2, 25, residual);
+  auto const first = minimise_multistart(problem, stream);
+  EXPECT_EQ(problem.seen, static_cast<std::size_t>(first.evaluations));
+  auto const again = minimise_multistart(Residuals(2, 25, residual), stream);
+  EXPECT_EQ(first.best, again.best);
+  EXPECT_EQ(first.history, again.history);
+  EXPECT_EQ(first.evaluations, again.evaluations);
+  EXPECT_NE(minimise_multistart(problem, num::Stream(18)).history, first.history);
+
+  EXPECT_TRUE(std::ranges::is_sorted(first.history, std::greater{}));
+  EXPECT_EQ(first.history.back(), first.best_value);
+  EXPECT_EQ(first.best_value, problem.value(first.best));
+  EXPECT_EQ(first.history.size(), static_cast<std::size_t>(first.starts) + 1);
+  EXPECT_GE(first.starts, 16);
+  EXPECT_GE(first.hits, 3);
+  EXPECT_EQ(first.failed_evaluations, 0);
+}
+
+// Half of the box has no value: the search stays where there is one, and counts.
+TEST(Multistart, PassesOverPointsWithoutAValue) {
+  Residuals const problem(2, 4, [](Point x, std::size_t j) {
+    return x[0] < 0.5 ? nan : x[0] - 0.5 + std::abs(x[1] - 0.25 * static_cast<double>(j));
+  });
+  auto const found = minimise_multistart(problem, stream);
+  EXPECT_EQ(found.outcome, MultistartOutcome::confirmed);
+  EXPECT_NEAR(found.best.at(0), 0.5, 2e-3);
+  EXPECT_GT(found.failed_evaluations, 0);
+  EXPECT_LT(found.failed_evaluations, found.evaluations);
+}
+
+TEST(Multistart, WithoutAnyValueSaysSo) {
+  Residuals const problem(3, 4, [](Point, std::size_t) { return nan; });
+  auto const found = minimise_multistart(problem, stream);
+  EXPECT_EQ(found.outcome, MultistartOutcome::no_finite_value);
+  EXPECT_FALSE(found.usable());
+  EXPECT_EQ(found.failed_evaluations, found.evaluations);
+}
+
+// Flat problems and exact fits have no relative tolerance to go by.
+TEST(Multistart, EndsOnAFlatProblemAndOnAnExactFit) {
+  auto const flat = minimise_multistart(Residuals(3, 2, [](Point, std::size_t) { return 1.0; }), stream);
+  EXPECT_EQ(flat.outcome, MultistartOutcome::confirmed);
+  EXPECT_EQ(flat.best_value, 1.0);
+  auto const exact = minimise_multistart(
+      Residuals(2, 9, [](Point x, std::size_t j) { return (x[0] - 0.4) + static_cast<double>(j) * (x[1] - 0.6); }),
+      stream);
+  EXPECT_EQ(exact.outcome, MultistartOutcome::confirmed);
+  EXPECT_LT(exact.best_value, 1e-6);
+}
+
+TEST(Multistart, StopsWhenItIsAsked) {
+  Residuals const problem(2, 3, [](Point x, std::size_t j) { return x[j % 2] - 0.2 * static_cast<double>(j); });
+  int asked = 0;
+  auto const found = minimise_multistart(problem, stream, {}, [&] { return ++asked > 4; });
+  EXPECT_EQ(found.outcome, MultistartOutcome::interrupted);
+  EXPECT_EQ(found.starts, 4);
+  EXPECT_TRUE(found.usable());
+}
+
+TEST(Multistart, SpendsItsBudgetWhereTheBestIsNotConfirmed) {
+  // As many valleys as starts, each of another depth.
+  Residuals const problem(1, 1, [](Point x, std::size_t) { return 2.0 + std::sin(900.0 * x[0]) + x[0]; });
+  auto const found = minimise_multistart(problem, stream, {.hits = 16, .most_evaluations = 3000});
+  EXPECT_EQ(found.outcome, MultistartOutcome::budget_spent);
+  EXPECT_GE(found.evaluations, 3000);
+  EXPECT_LT(found.evaluations, 20'000);
+}
+
+TEST(Multistart, OptionsOutOfRangeAreRefused) {
+  auto const refused = [](MultistartOptions const& options) {
+    try {
+      options.validate();
+    } catch (Error const&) {
+      return true;
+    }
+    return false;
+  };
+  EXPECT_FALSE(refused({}));
+  EXPECT_TRUE(refused({.least_starts = 0}));
+  EXPECT_TRUE(refused({.least_starts = 16, .starts = 15}));
+  EXPECT_TRUE(refused({.hits = 0}));
+  EXPECT_TRUE(refused({.hits = 17}));
+  EXPECT_TRUE(refused({.hit_tolerance = nan}));
+  EXPECT_TRUE(refused({.most_evaluations = 0}));
+  EXPECT_TRUE(refused({.scattered = 0}));
+  EXPECT_TRUE(refused({.hops = -1}));
+  EXPECT_THROW(minimise_multistart(Residuals(0, 1, [](Point, std::size_t) { return 1.0; }), stream), Error);
+}
+
+}  // namespace
+}  // namespace isolaw::opt
