@@ -1,12 +1,13 @@
-// How often, and at what cost, the best objective is found: every run of every law of a lot, with the method `best`.
-// Usage: optimum LOT.toml RUNS [LAW...]; CSV: law, device, run, objective, evaluations, hits, seconds.
+// How often, and at what cost, the search `best` finds the least objective: repeated with other random numbers for every law
+// and device of a lot.
+// Usage: optimum LOT.toml RUNS [LAW...]; prints CSV. The records may lie outside the lot file's folder.
 #include <fmt/format.h>
 
+#include <charconv>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
+#include <string_view>
 
-#include "isolaw/base/error.hpp"
 #include "isolaw/base/hash.hpp"
 #include "isolaw/campaign/campaign.hpp"
 #include "isolaw/campaign/lot_file.hpp"
@@ -16,36 +17,38 @@
 using namespace isolaw;
 
 int main(int argc, char** argv) try {
+  int runs = 0;
+  std::string_view const count = argc > 2 ? argv[2] : "";
+  std::from_chars(count.data(), count.data() + count.size(), runs);
+  if (runs < 1) {
+    std::fputs("usage: optimum LOT.toml RUNS [LAW...]\n", stderr);
+    return 2;
+  }
   auto lot = campaign::read_lot_file(argv[1], {.allow_outside = true});
-  int const runs = std::atoi(argv[2]);
+  lot.settings.method = campaign::Method::best;
   if (argc > 3) lot.settings.laws.assign(argv + 3, argv + argc);
   auto const contents = campaign::prepare(lot);
   std::puts("law,device,run,objective,evaluations,starts,hits,seconds");
   for (auto const& search : contents.searches) {
+    if (!search.refusal.empty()) continue;
     auto const& device = contents.devices[search.device];
-    auto const& law = laws::find_law(search.law);
-    auto const box = fit::on_logarithmic_scales(search.box, laws::find_law(search.law));
-    fit::LawOnRecord const model(law, device.record, contents.settings.integration);
-    fit::IdentificationProblem const problem(model, box);
+    fit::LawOnRecord const model(laws::find_law(search.law), device.record, contents.settings.integration,
+                                 contents.settings.turning_points);
+    fit::IdentificationProblem const problem(model, search.box);
     auto const stream =
         num::Stream(contents.settings.seed).split(stable_hash(device.name)).split(stable_hash(search.law));
     for (int run = 1; run <= runs; ++run) {
       auto const start = std::chrono::steady_clock::now();
-      auto const r = opt::minimise_multistart(problem, stream.split(static_cast<std::uint64_t>(run)));
-      double const s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      fmt::print("{},{},{},{:.8g},{},{},{},{:.4f}\n", search.law, device.name, run, r.best_value, r.evaluations,
-                 r.starts, r.hits, s);
+      auto const found = opt::minimise_multistart(problem, stream.split(static_cast<std::uint64_t>(run)),
+                                                  contents.settings.multistart);
+      std::chrono::duration<double> const seconds = std::chrono::steady_clock::now() - start;
+      fmt::print("{},{},{},{:.8g},{},{},{},{:.4f}\n", search.law, device.name, run, found.best_value, found.evaluations,
+                 found.starts, found.hits, seconds.count());
       std::fflush(stdout);
-      if (std::getenv("ISOLAW_SHOW")) {
-        std::vector<double> p(box.parameters.size());
-        box.expand(r.best, p);
-        for (std::size_t i = 0; i < p.size(); ++i)
-          fmt::print("#   {} = {:.6g}{}\n", box.parameters[i].name, p[i],
-                     fit::at_bound(box.parameters[i], p[i]) == fit::AtBound::no ? "" : " (bound)");
-      }
     }
   }
+  return 0;
 } catch (std::exception const& error) {
-  std::fputs(error.what(), stderr);
+  std::fprintf(stderr, "optimum: %s\n", error.what());
   return 2;
 }
