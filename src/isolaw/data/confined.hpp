@@ -10,8 +10,9 @@
 
 namespace isolaw::data {
 
+// Under sanitizers, which need both for themselves, neither memory nor files are limited.
 struct ConfinedLimits {
-  std::uint64_t memory_bytes;  // beyond what the process holds already; not kept to under sanitizers
+  std::uint64_t memory_bytes;  // beyond what the process holds already
   unsigned seconds;
   std::size_t output_bytes;
 };
