@@ -99,7 +99,9 @@ void write_rule_set(JsonWriter& out, LotAcceptance const& acceptance) {
   }
   auto const& rules = acceptance.rules;
   out.begin_object().member("id", rules.id).member("title", rules.title).member("edition", rules.edition);
-  out.member("verified_by", rules.verified_by).member("source", rules.source).member("origin", std::filesystem::path(rules.origin).filename().string());  // no path of the machine
+  out.member("verified_by", rules.verified_by)
+      .member("source", rules.source)
+      .member("origin", std::filesystem::path(rules.origin).filename().string());  // no path of the machine
   out.end_object();
 }
 
