@@ -196,5 +196,27 @@ TEST(Multistart, OptionsOutOfRangeAreRefused) {
   EXPECT_THROW(minimise_multistart(Residuals(0, 1, [](Point, std::size_t) { return 1.0; }), stream), Error);
 }
 
+// Warm starts: the same problem a little changed.
+TEST(Descend, GoesToTheNearMinimumAndNeverAboveItsStart) {
+  std::vector<double> const numbers{0.1, 0.2, 0.3, 0.9, 1.0};
+  Residuals const problem(1, 5, [&](Point x, std::size_t j) { return x[0] - numbers[j]; });
+  for (double const from : {0.0, 0.25, 0.3, 0.35, 1.0}) {
+    std::vector<double> const start{from};
+    auto const found = descend(problem, start, 0.1);
+    EXPECT_NEAR(found.best.at(0), 0.3, 2e-3) << from;
+    EXPECT_LE(found.best_value, problem.value(start)) << from;
+    EXPECT_EQ(found.best_value, problem.value(found.best)) << from;
+  }
+}
+
+TEST(Descend, SaysThatItsStartHasNoValue) {
+  Residuals const problem(1, 2, [](Point, std::size_t) { return nan; });
+  auto const found = descend(problem, std::vector<double>{0.5});
+  EXPECT_FALSE(found.usable());
+  EXPECT_EQ(found.evaluations, 1);
+  EXPECT_EQ(found.failed_evaluations, 1);
+  EXPECT_THROW(descend(Residuals(0, 1, [](Point, std::size_t) { return 0.0; }), std::vector<double>{}), Error);
+}
+
 }  // namespace
 }  // namespace isolaw::opt

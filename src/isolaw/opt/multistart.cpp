@@ -65,12 +65,13 @@ class Counting {
 // A descent from one point. Three stages: `approach` finds the valley, `settle` its floor, `polish` the last digits.
 class Descent {
  public:
-  Descent(Counting& problem, std::span<double const> start) : problem_(problem), n_(problem.dimension()) {
+  Descent(Counting& problem, std::span<double const> start, double rounding = 1.0)
+      : problem_(problem), n_(problem.dimension()) {
     Points one(n_, 1);
     std::ranges::copy(start, one[0].begin());
     problem_.residuals(one);
     take(one[0], 0);
-    delta_ = here_.value;
+    delta_ = rounding * here_.value;
   }
 
   bool usable() const { return std::isfinite(here_.value); }
@@ -340,6 +341,12 @@ class Search {
   std::vector<double> ends_, scattered_;  // values at which descents ended: all, and those from scattered points
 };
 
+void require_dimension(DeviationProblem const& problem) {
+  if (problem.dimension() == 0)
+    throw Error({"multistart", "a problem with no free parameter", "at least one",
+                 "freeing a parameter, or evaluating the single point directly"});
+}
+
 }  // namespace
 
 void MultistartOptions::validate() const {
@@ -375,12 +382,21 @@ std::string_view name(MultistartOutcome outcome) {
 MultistartResult minimise_multistart(DeviationProblem const& problem, num::Stream const& stream,
                                      MultistartOptions const& options, std::function<bool()> const& interrupted) {
   options.validate();
-  auto const dimension = problem.dimension();
-  if (dimension == 0)
-    throw Error({"multistart", "a problem with no free parameter", "at least one",
-                 "freeing a parameter, or evaluating the single point directly"});
-
+  require_dimension(problem);
   return Search(problem, stream, options).run(interrupted);
+}
+
+DescentResult descend(DeviationProblem const& problem, std::span<double const> start, double rounding) {
+  require_dimension(problem);
+  MultistartResult counts;
+  Counting counting(problem, counts);
+  Descent descent(counting, start, rounding);
+  if (descent.usable()) descent.polish();
+  DescentResult result{.evaluations = counts.evaluations, .failed_evaluations = counts.failed_evaluations};
+  if (!descent.usable()) return result;
+  result.best = descent.x();
+  result.best_value = descent.value();
+  return result;
 }
 
 }  // namespace isolaw::opt

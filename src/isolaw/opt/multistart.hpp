@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,5 +57,18 @@ struct MultistartResult {
 MultistartResult minimise_multistart(DeviationProblem const& problem, num::Stream const& stream,
                                      MultistartOptions const& options = {},
                                      std::function<bool()> const& interrupted = {});
+
+// One descent from a point near a minimum, to its last digits: after the problem has changed a little.
+struct DescentResult {
+  std::vector<double> best;  // in the unit box; empty when the start has no value
+  double best_value = std::numeric_limits<double>::infinity();  // never above that of the start
+  int evaluations = 0, failed_evaluations = 0;
+
+  bool usable() const { return !best.empty(); }
+};
+
+// `rounding` is the first delta, as a share of the value at the start: small keeps the descent in its valley.
+// Throws Error for a problem without dimensions.
+DescentResult descend(DeviationProblem const& problem, std::span<double const> start, double rounding = 0.3);
 
 }  // namespace isolaw::opt
