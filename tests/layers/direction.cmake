@@ -1,4 +1,4 @@
-# base <- num <- {laws, opt, data} <- fit <- {campaign, lot, rules} <- report <- app
+# base <- num <- {laws, opt, data} <- fit <- analysis <- {campaign, lot, rules} <- report <- app
 # Modules of one rank do not know one another. Usage: cmake -DSOURCE=src/isolaw -P direction.cmake
 get_filename_component(SOURCE "${SOURCE}" ABSOLUTE)
 set(rank_base 0)
@@ -7,11 +7,12 @@ foreach(module laws opt data)
   set(rank_${module} 2)
 endforeach()
 set(rank_fit 3)
+set(rank_analysis 4)
 foreach(module campaign lot rules)
-  set(rank_${module} 4)
+  set(rank_${module} 5)
 endforeach()
-set(rank_report 5)
-set(rank_app 6)
+set(rank_report 6)
+set(rank_app 7)
 
 set(breaches "")
 file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/*.hpp ${SOURCE}/*.cpp)

@@ -61,12 +61,17 @@ void add_calibrate(CLI::App& app, CalibrateArguments& a) {
   c.add_option("--seed", a.seed, "seed of the campaign (1)");
   c.add_option("--box", a.box,
                "search box: auto, scaled from each record (default), or published, Table 4 of the paper");
-  c.add_option("--set", a.set, "law.parameter=value | lower:upper | free; may be repeated")->allow_extra_args(false);
+  c.add_option("--set", a.set, "law.parameter=value | lower:upper | free | another parameter, to tie it; may be repeated")->allow_extra_args(false);
   c.add_option("--smooth", a.smooth, "window of the centred moving average, odd (1: none)");
   c.add_option("--samples-per-cycle", a.samples_per_cycle, "thin records to this many samples per cycle, or all (200)");
   c.add_flag("--center", a.center, "remove the offset of displacement and force");
   c.add_option("--fit-blocks", a.fit_blocks, "judge laws by these blocks of the test alone: 2, 1-3, 2- (all)");
   c.add_option("--fit-cycles", a.fit_cycles, "and by these cycles of each: 2- leaves out scragging (all)");
+  c.add_option("--score-blocks", a.score_blocks,
+               "with --fit-blocks: predict these blocks by the laws fitted to those (all others)");
+  c.add_option("--analysis", a.analysis,
+               "what the tests determine, intervals, one law for the lot, devices left out: full (default), or none");
+  c.add_option("--replicates", a.replicates, "fits of the bootstrap for intervals, 0 for none (100)");
   add_reading(c, a.read);
   add_acceptance(c, a.acceptance);
   c.add_option("--jobs", a.jobs, "threads, 0 to 4096 (one per core); the results do not depend on it")

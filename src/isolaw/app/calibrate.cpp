@@ -160,6 +160,9 @@ void open_or_create(std::filesystem::path const& file, campaign::Contents& conte
     described = stored.devices[d].info == contents.devices[d].info;
   if (!described) campaign::Store::open(file).describe(contents);
   contents.runs = std::move(stored.runs);
+  contents.device_analyses = std::move(stored.device_analyses);
+  contents.lot_analyses = std::move(stored.lot_analyses);
+  contents.left_out = std::move(stored.left_out);
   if (!contents.complete() && !contents.runs.empty())
     say("continuing: {} runs are there already\n", contents.runs.size());
 }

@@ -31,9 +31,9 @@ struct CalibrateArguments {
   ReadArguments read;
   AcceptanceArguments acceptance;
   std::optional<std::string> laws, method, integration, turning_points, box, samples_per_cycle, seed, fit_blocks,
-      fit_cycles;
+      fit_cycles, score_blocks, analysis;
   std::vector<std::string> set;
-  std::optional<int> runs, population, generations, smooth;
+  std::optional<int> runs, population, generations, smooth, replicates;
   std::optional<double> stagnation_tolerance;
   bool center = false;
   std::optional<std::filesystem::path> out;

@@ -181,6 +181,9 @@ campaign::Lot lot_of(CalibrateArguments const& a) {
   if (a.center) s.clean.center = true;
   if (a.fit_blocks) s.clean.scored.blocks = data::parse_numbers("--fit-blocks", *a.fit_blocks);
   if (a.fit_cycles) s.clean.scored.cycles = data::parse_numbers("--fit-cycles", *a.fit_cycles);
+  if (a.score_blocks) s.clean.scored.predicted = data::parse_numbers("--score-blocks", *a.score_blocks);
+  if (a.analysis) s.analysis = campaign::parse_analysis(*a.analysis);
+  override_with(a.replicates, s.replicates);
   if (a.out) lot.out = a.out;
   if (a.jobs) lot.jobs = a.jobs;
   for (auto& device : lot.devices) apply(a.read, device.read);

@@ -35,6 +35,12 @@ ProgressLine::~ProgressLine() {
 void ProgressLine::show(campaign::Progress const& progress) {
   if (progress.total == 0) return;
   auto const now = Clock::now();
+  if (analysis_ != progress.analysis) {  // the analyses that follow the runs have a rate of their own
+    analysis_ = progress.analysis;
+    first_ = true;
+    start_ = now;
+  }
+  auto const* what = progress.analysis ? "analyses" : "runs";
   if (first_) {
     done_at_start_ = progress.done - 1;  // runs finished before an interruption do not count for the rate
     first_ = false;
@@ -48,7 +54,7 @@ void ProgressLine::show(campaign::Progress const& progress) {
   double const rate = static_cast<double>(progress.done - done_at_start_) / std::max(elapsed, 1e-3);
   double const left = static_cast<double>(progress.total - progress.done) / rate;
   if (!terminal_) {
-    say("{}/{} runs, {:.1f}/s, {} left\n", progress.done, progress.total, rate, duration(left));
+    say("{}/{} {}, {:.1f}/s, {} left\n", progress.done, progress.total, what, rate, duration(left));
     return;
   }
   drawn_ = true;
@@ -57,7 +63,7 @@ void ProgressLine::show(campaign::Progress const& progress) {
   std::string bar;
   for (std::size_t i = 0; i < cells; ++i) bar += i < filled ? "#" : "-";
   auto line =
-      fmt::format("[{}] {}/{} runs  {:.1f}/s  {} left ", bar, progress.done, progress.total, rate, duration(left));
+      fmt::format("[{}] {}/{} {}  {:.1f}/s  {} left ", bar, progress.done, progress.total, what, rate, duration(left));
   for (auto const& [law, best] : progress.best) line += fmt::format(" {} {:.4f}", law, best);
   line.resize(std::min(line.size(), terminal_width() - 1));
   say("\r{}\033[K", line);

@@ -24,6 +24,7 @@ class ProgressLine {
   Clock::time_point last_ = start_;
   std::size_t done_at_start_ = 0;
   bool first_ = true;
+  bool analysis_ = false;
 };
 
 }  // namespace isolaw::app

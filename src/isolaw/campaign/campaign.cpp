@@ -17,6 +17,8 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/hash.hpp"
+#include "isolaw/campaign/analyse.hpp"
+#include "isolaw/campaign/parallel.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/data/clean.hpp"
 #include "isolaw/data/text.hpp"
@@ -182,6 +184,7 @@ Run finished(Target const& target, int number, Found const& result) {
           .outcome = *result.outcome,
           .objective = {},
           .integration_shift = {},
+          .refinement = 1,
           .evaluations = result.evaluations,
           .failed_evaluations = result.failed_evaluations,
           .failure = {},
@@ -203,6 +206,36 @@ Run finished(Target const& target, int number, Found const& result) {
   return run;
 }
 
+// An optimum that owes more than a thousandth of its value to the step of the integration is none of the law's: the law is
+// fitted again from there in finer steps, until steps two and four times finer agree.
+void refit_in_finer_steps(Target const& target, Run& run) {
+  constexpr double tolerance = 1e-3;
+  constexpr int finest = 64;
+  if (!target.model.law().info.traits.path_integrated) return;
+  std::vector<double> work;
+  auto model = target.model;
+  while (model.refinement() < finest) {
+    auto const finer = model.refined(4 * model.refinement());
+    double const twice = model.refined(2 * model.refinement()).objective(run.parameters, work),
+                 four_times = finer.objective(run.parameters, work);
+    double const moved = std::max(std::abs(twice - run.objective), std::abs(four_times - run.objective));
+    if (moved <= tolerance * run.objective) return;
+    auto const& box = target.search->box;
+    fit::IdentificationProblem const problem(finer, box);
+    run.refinement = finer.refinement();
+    if (box.free_count() > 0) {
+      auto const again = opt::descend(problem, box.contract(run.parameters), 1.0);
+      run.evaluations += again.evaluations;
+      run.failed_evaluations += again.failed_evaluations;
+      if (again.usable()) box.expand(again.best, run.parameters);
+    }
+    run.objective = finer.objective(run.parameters, work);
+    run.integration_shift = finer.integration_shift(run.parameters);
+    if (!std::isfinite(run.objective)) return;  // cannot be: the start was finite in steps a quarter as fine
+    model = finer;
+  }
+}
+
 std::vector<Task> missing_runs(Contents const& contents, std::vector<Target> const& targets) {
   std::set<std::tuple<std::size_t, std::string, int>> present;
   for (auto const& run : contents.runs) present.emplace(run.device, run.law, run.number);
@@ -211,59 +244,6 @@ std::vector<Task> missing_runs(Contents const& contents, std::vector<Target> con
     for (std::size_t t = 0; t < targets.size(); ++t)
       if (!present.contains({targets[t].search->device, targets[t].search->law, number})) tasks.push_back({t, number});
   return tasks;
-}
-
-// Calls work(i) for every i below `count`, from up to `threads` threads, this one among them. Where the system refuses
-// a thread, half of those it gave do the work, since what the others took is needed for the work itself; one that runs
-// out of memory leaves, and its turn is taken when the others have ended. Returns how many worked to the end. Any other
-// exception, or too little memory for a single thread, ends all of it and is thrown here.
-std::size_t for_each_in_parallel(std::size_t count, std::size_t threads, std::function<void(std::size_t)> const& work) {
-  threads = std::clamp<std::size_t>(threads, 1, std::max<std::size_t>(count, 1));
-  std::atomic<std::size_t> next = 0;
-  std::mutex one_at_a_time;
-  std::exception_ptr failure;
-  std::vector<std::size_t> left;
-  left.reserve(threads);
-  auto const work_along = [&] {
-    for (auto i = next++; i < count; i = next++) {
-      try {
-        work(i);
-      } catch (std::bad_alloc const&) {
-        std::scoped_lock const lock(one_at_a_time);
-        left.push_back(i);
-        return;
-      } catch (...) {
-        next = count;
-        std::scoped_lock const lock(one_at_a_time);
-        if (!failure) failure = std::current_exception();
-      }
-    }
-  };
-  std::size_t helpers = 0;
-  {
-    std::latch counted(1);
-    std::vector<std::jthread> crew;
-    crew.reserve(threads - 1);
-    try {
-      for (std::size_t id = 0; id + 1 < threads; ++id)
-        crew.emplace_back([&, id] {
-          counted.wait();
-          if (id < helpers) work_along();
-        });
-      helpers = crew.size();
-    } catch (std::system_error const&) {
-      helpers = crew.size() / 2;
-    } catch (std::bad_alloc const&) {
-      helpers = crew.size() / 2;
-    }
-    counted.count_down();
-    while (crew.size() > helpers) crew.pop_back();
-    work_along();
-  }
-  if (failure) std::rethrow_exception(failure);
-  for (auto const i : left) work(i);
-  for (auto i = next++; i < count; i = next++) work(i);
-  return helpers + 1 - std::min(helpers, left.size());
 }
 
 }  // namespace
@@ -312,15 +292,15 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
     if (!search.refusal.empty()) continue;
     auto const& device = contents.devices[search.device];
     targets.push_back({&search,
-                       fit::LawOnRecord(laws::find_law(search.law), device.record, contents.settings.integration,
-                                        contents.settings.turning_points),
+                       law_on_device(contents, search.device, search.law),
                        campaign.split(stable_hash(device.name)).split(stable_hash(search.law))});
   }
   auto const tasks = missing_runs(contents, targets);
-  if (tasks.empty() && Store::is_plain(file)) return contents.complete();
+  if (tasks.empty() && contents.complete() && Store::is_plain(file)) return true;
   auto store = Store::open(file);
 
-  Progress progress{.done = contents.runs.size(), .total = contents.runs.size() + tasks.size(), .best = {}};
+  Progress progress{
+      .done = contents.runs.size(), .total = contents.runs.size() + tasks.size(), .analysis = false, .best = {}};
   auto const note = [&](Run const& run) {
     if (!run.usable()) return;
     auto const [entry, is_new] = progress.best.try_emplace(run.law, run.objective);
@@ -341,6 +321,9 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
     auto const result = search_by(contents.settings, target, task.number, asked_to_stop);
     if (!result.outcome) return;
     auto run = finished(target, task.number, result);
+    if (run.usable() && contents.settings.method == Method::best &&
+        contents.settings.integration == laws::Integration::converged)
+      refit_in_finer_steps(target, run);
     std::scoped_lock const lock(one_writer);
     note(run);
     store.add(run);  // after it nothing may fail: a run that ran out of memory is tried again
@@ -351,10 +334,26 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
 
   std::size_t const jobs =
       options.jobs > 0 ? static_cast<std::size_t>(options.jobs) : std::max(1U, std::thread::hardware_concurrency());
-  auto const worked = for_each_in_parallel(tasks.size(), jobs, [&](std::size_t i) { perform(tasks[i]); });
-  if (worked < std::min(jobs, tasks.size()) && options.short_of_threads)
-    options.short_of_threads(static_cast<int>(worked));
+  auto worked = for_each_in_parallel(tasks.size(), jobs, [&](std::size_t i) { perform(tasks[i]); });
+  bool short_of_threads = worked < std::min(jobs, tasks.size());
   std::ranges::sort(contents.runs, {}, [](Run const& r) { return std::tie(r.device, r.law, r.number); });
+  if (contents.settings.analysis && contents.runs.size() == contents.expected_runs() && !asked_to_stop()) {
+    progress.analysis = true;
+    auto const threads = analyse(contents, store,
+                                 {.threads = jobs,
+                                  .progress =
+                                      [&](std::size_t done, std::size_t total) {
+                                        progress.done = done;
+                                        progress.total = total;
+                                        if (options.progress) options.progress(progress);
+                                      },
+                                  .interrupted = asked_to_stop});
+    if (threads < jobs) {
+      worked = short_of_threads ? std::min(worked, threads) : threads;
+      short_of_threads = true;
+    }
+  }
+  if (short_of_threads && options.short_of_threads) options.short_of_threads(static_cast<int>(worked));
   bool const complete = contents.complete();  // also when the wish to stop came during the last run
   store.finish();                             // also when interrupted: whoever reads it next finds one plain file
   return complete;

@@ -24,6 +24,7 @@ fit::SearchBox search_box(laws::LawEntry const& law, data::FitRecord const& reco
 
 struct Progress {
   std::size_t done = 0, total = 0;
+  bool analysis = false;               // of analyses, not of runs
   std::map<std::string, double> best;  // best objective so far per law
 };
 

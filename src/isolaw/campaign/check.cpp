@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/campaign/analyse.hpp"
 #include "isolaw/campaign/campaign.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/data/clean.hpp"
@@ -36,7 +37,7 @@ void check_record(Device const& device, Settings const& settings, std::vector<st
     auto const& stored = device.record;
     if (!close(again.time_s, stored.time_s) || !close(again.disp_mm, stored.disp_mm) ||
         !close(again.vel_mm_s, stored.vel_mm_s) || !close(again.force_kN, stored.force_kN) ||
-        again.scored != stored.scored)
+        again.scored != stored.scored || again.block != stored.block)
       faults.push_back(fmt::format("{}: the record the laws saw is not the one its raw record gives", device.name));
   } catch (Error const& error) {
     faults.push_back(fmt::format("{}: its raw record cannot be cleaned again: {}", device.name, error.what()));
@@ -47,7 +48,7 @@ void check_box(Device const& device, Search const& search, Settings const& setti
   auto const& law = laws::find_law(search.law);
   auto const box = search_box(law, device.record, settings).parameters;
   bool const same = std::ranges::equal(box, search.box.parameters, [](auto const& a, auto const& b) {
-    return a.free == b.free && a.scale == b.scale && close(a.value, b.value) && close(a.lower, b.lower) &&
+    return a.free == b.free && a.scale == b.scale && a.tied_to == b.tied_to && close(a.value, b.value) && close(a.lower, b.lower) &&
            close(a.upper, b.upper);
   });
   if (!same)
@@ -62,12 +63,12 @@ class RunChecker {
     check_course(search, run);
     if (!std::ranges::is_sorted(run.history, std::ranges::greater())) complain(run, "its history rises");
     if (!run.usable()) return;
-    if (run.history.empty() || !close(run.history.back(), run.objective)) complain(run, "its history ends elsewhere");
+    if (run.history.empty() || (run.refinement == 1 && !close(run.history.back(), run.objective))) complain(run, "its history ends elsewhere");
     for (std::size_t i = 0; i < run.parameters.size(); ++i) {
       auto const& p = search.box.parameters[i];
       double const slack = fit::evaluation_tolerance * std::max(std::abs(p.lower), std::abs(p.upper));
       bool const inside = p.free ? run.parameters[i] >= p.lower - slack && run.parameters[i] <= p.upper + slack
-                                 : close(run.parameters[i], p.value);
+                                 : close(run.parameters[i], p.tied_to ? run.parameters[*p.tied_to] : p.value);
       if (!inside) complain(run, fmt::format("{} = {} lies outside its box", p.name, run.parameters[i]));
     }
     check_objective(search, run);
@@ -111,7 +112,8 @@ class RunChecker {
                                                  : opt::GeneticOutcome::all_generations;
   }
   void check_objective(Search const& search, Run const& run) {
-    double const again = model(search).objective(run.parameters, work_);
+    auto const model = law_on_device(contents_, search.device, search.law, run.refinement);
+    double const again = model.objective(run.parameters, work_);
     // An objective near zero, of a record a law made itself, is rounding.
     constexpr double smallest = 1e-3;
     double const difference =
@@ -120,21 +122,13 @@ class RunChecker {
     if (!(difference <= fit::evaluation_tolerance))
       complain(run, fmt::format("its parameters give the objective {}, stored is {}", again, run.objective));
     // The difference of two objectives, each as exact as an objective is.
-    double const shift = model(search).integration_shift(run.parameters);
+    double const shift = model.integration_shift(run.parameters);
     bool const same = shift == run.integration_shift ||
                       std::abs(shift - run.integration_shift) <=
                           2.0 * fit::evaluation_tolerance * std::max({run.objective, shift, smallest});
     if (!same)
       complain(run,
                fmt::format("its parameters give the integration shift {}, stored is {}", shift, run.integration_shift));
-  }
-  // Runs come sorted, so that one model at a time is enough.
-  fit::LawOnRecord const& model(Search const& search) {
-    if (!model_ || of_ != &search)
-      model_.emplace(laws::find_law(search.law), contents_.devices[search.device].record,
-                     contents_.settings.integration, contents_.settings.turning_points);
-    of_ = &search;
-    return *model_;
   }
   void complain(Run const& run, std::string_view what) {
     result_.faults.push_back(
@@ -143,8 +137,62 @@ class RunChecker {
 
   Contents const& contents_;
   Check& result_;
-  std::optional<fit::LawOnRecord> model_;
-  Search const* of_ = nullptr;
+  std::vector<double> work_;
+};
+
+class AnalysisChecker {
+ public:
+  AnalysisChecker(Contents const& contents, Check& result) : contents_(contents), result_(result) {}
+
+  void operator()(DeviceAnalysis const& a) {
+    auto const& found = a.determination;
+    auto const where = fmt::format("{} on {}", a.law, contents_.devices[a.device].name);
+    hold(where + ", its optimum", a.device, a.law, a.refinement, found.optimum, found.objective);
+    auto const* best = contents_.best_run(a.device, a.law);
+    if (best == nullptr || best->refinement != a.refinement)
+      complain(where, "it was not examined as its runs ended");
+    else if (found.objective > best->objective * (1.0 + fit::evaluation_tolerance))
+      complain(where, "its optimum is worse than its best run");
+    for (auto const& p : found.parameters) {
+      bool const rises = std::ranges::is_sorted(p.profile.value);
+      bool const above = std::ranges::all_of(
+          p.profile.objective, [&](double value) { return value >= found.objective * (1.0 - 1e-3) - 1e-9; });
+      if (!rises || !above) complain(where, "a profile is none about its optimum");
+    }
+  }
+  void operator()(LotAnalysis const& a) {
+    for (std::size_t i = 0; i < a.devices.size() && !a.mean.parameters.empty(); ++i) {
+      auto const where = fmt::format("{} for the lot, on {}", a.law, contents_.devices[a.devices[i]].name);
+      hold(where, a.devices[i], a.law, a.refinement, a.mean.parameters, a.mean.objectives[i]);
+      hold(where + ", worst device", a.devices[i], a.law, a.refinement, a.worst.law.parameters,
+           a.worst.law.objectives[i]);
+    }
+  }
+  void operator()(LeftOutAnalysis const& a) {
+    auto const lot = std::ranges::find(contents_.lot_analyses, a.law, &LotAnalysis::law);
+    auto const where = fmt::format("{} without {}", a.law, contents_.devices[a.device].name);
+    if (lot == contents_.lot_analyses.end())
+      complain(where, "there is no law of the lot");
+    else if (!a.left_out.parameters.empty())
+      hold(where, a.device, a.law, lot->refinement, a.left_out.parameters, a.left_out.objective);
+  }
+
+ private:
+  void hold(std::string const& where, std::size_t device, std::string const& law, int refinement,
+            std::vector<double> const& parameters, double stored) {
+    constexpr double smallest = 1e-3;
+    double const again = law_on_device(contents_, device, law, refinement).objective(parameters, work_);
+    double const difference = again == stored ? 0.0 : std::abs(again - stored) / std::max(stored, smallest);
+    result_.largest_difference = std::max(result_.largest_difference, difference);
+    if (!(difference <= fit::evaluation_tolerance))
+      complain(where, fmt::format("its parameters give the objective {}, stored is {}", again, stored));
+  }
+  void complain(std::string_view where, std::string_view what) {
+    result_.faults.push_back(fmt::format("{}: {}", where, what));
+  }
+
+  Contents const& contents_;
+  Check& result_;
   std::vector<double> work_;
 };
 
@@ -168,6 +216,12 @@ Check check(std::filesystem::path const& file) {
   }
   RunChecker check_run(contents, result);
   for (auto const& run : contents.runs) check_run(*searches.at({run.device, run.law}), run);
+  AnalysisChecker check_analysis(contents, result);
+  for (auto const& analysis : contents.device_analyses) check_analysis(analysis);
+  for (auto const& analysis : contents.lot_analyses) check_analysis(analysis);
+  for (auto const& analysis : contents.left_out) check_analysis(analysis);
+  result.analyses = contents.analyses();
+  result.expected_analyses = contents.expected_analyses();
   return result;
 }
 

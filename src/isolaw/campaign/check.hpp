@@ -9,14 +9,15 @@
 namespace isolaw::campaign {
 
 struct Check {
-  std::size_t devices = 0, searches = 0, runs = 0, expected_runs = 0;
+  std::size_t devices = 0, searches = 0, runs = 0, expected_runs = 0, analyses = 0, expected_analyses = 0;
   double largest_difference = 0.0;  // of an objective computed again, relative
   std::vector<std::string> faults;  // one sentence each; empty: sound
 };
 
 // SQLite's own check of the file; that indices and lengths fit; that each device's raw record cleaned again is the
 // record the laws saw, and the boxes are those made from it; that each run's parameters give its objective and lie in
-// the box. Values are compared within fit::evaluation_tolerance, so that another machine may check.
+// the box, and so for the optima, the laws of the lot and those without one device; profiles and intervals are held to
+// their optimum alone. Values are compared within fit::evaluation_tolerance, so that another machine may check.
 // Throws Error when the file is not a store at all.
 Check check(std::filesystem::path const& file);
 

@@ -3,8 +3,12 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "isolaw/analysis/determination.hpp"
+#include "isolaw/analysis/intervals.hpp"
+#include "isolaw/analysis/one_law.hpp"
 #include "isolaw/campaign/settings.hpp"
 #include "isolaw/data/record.hpp"
 #include "isolaw/fit/box.hpp"
@@ -49,6 +53,7 @@ struct Run {
   Outcome outcome = Outcome::no_finite_value;
   double objective = 0.0;          // NaN when no parameter set gave a finite force
   double integration_shift = 0.0;  // of the objective, against a much finer path
+  int refinement = 1;              // steps per sample of the path that the law was integrated on in the end
   int evaluations = 0;
   int failed_evaluations = 0;      // parameter sets tried that gave no finite force
   std::string failure;             // why the run is not usable; empty for a usable one
@@ -56,6 +61,31 @@ struct Run {
   std::vector<double> history;     // best objective after each generation, or start
 
   bool usable() const { return !parameters.empty(); }
+};
+
+// What the test of one device determines of a law, about its least objective.
+struct DeviceAnalysis {
+  std::size_t device = 0;
+  std::string law;
+  int refinement = 1;  // as of the run it starts from
+  analysis::Determination determination;
+  analysis::Intervals intervals;
+};
+
+// One parameter vector for all devices that have a DeviceAnalysis of the law.
+struct LotAnalysis {
+  std::string law;
+  int refinement = 1;                // the finest of the devices'
+  std::vector<std::size_t> devices;  // those that took part, rising
+  analysis::OneLaw mean;             // least mean objective; objectives in the order of `devices`
+  analysis::LeastWorst worst;        // least objective of the worst device
+};
+
+// The law of the lot without one device, judged by it.
+struct LeftOutAnalysis {
+  std::size_t device = 0;
+  std::string law;
+  analysis::LeftOut left_out;
 };
 
 // What the tests are held to. No law depends on it, so it may change before a campaign is continued or reported.
@@ -75,9 +105,19 @@ struct Contents {
   std::vector<Device> devices;
   std::vector<Search> searches;  // by device, then in the order of the settings' laws
   std::vector<Run> runs;         // by device, law, number
+  std::vector<DeviceAnalysis> device_analyses = {};  // by device, law
+  std::vector<LotAnalysis> lot_analyses = {};        // by law
+  std::vector<LeftOutAnalysis> left_out = {};        // by device, law
 
   std::size_t expected_runs() const;  // of every search that was not refused
-  bool complete() const { return runs.size() == expected_runs(); }
+  // Analyses that are to be made, given the runs there are; 0 without analysis.
+  std::size_t expected_analyses() const;
+  std::size_t analyses() const { return device_analyses.size() + lot_analyses.size() + left_out.size(); }
+  bool complete() const { return runs.size() == expected_runs() && analyses() >= expected_analyses(); }
+
+  // The usable run of least objective, the first of equals; nullptr: none.
+  Run const* best_run(std::size_t device, std::string_view law) const;
+  DeviceAnalysis const* analysis_of(std::size_t device, std::string_view law) const;
 };
 
 }  // namespace isolaw::campaign

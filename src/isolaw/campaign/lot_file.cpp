@@ -112,6 +112,13 @@ void read_settings(TableReader& table, Settings& s) {
                            [&](auto const& v) { s.clean.scored.blocks = data::parse_numbers("--fit-blocks", v); });
   table.value<std::string>("fit-cycles", "text",
                            [&](auto const& v) { s.clean.scored.cycles = data::parse_numbers("--fit-cycles", v); });
+  table.value<std::string>("score-blocks", "text", [&](auto const& v) {
+    s.clean.scored.predicted = data::parse_numbers("--score-blocks", v);
+  });
+  table.value<std::string>("analysis", "\"full\" or \"none\"",
+                           [&](auto const& v) { s.analysis = parse_analysis(v); });
+  table.value<int>("replicates", "a whole number, 0 for no bootstrap",
+                   [&](int v) { s.replicates = checked_replicates(v); });
 }
 
 // samples-per-cycle is a number or the word "all".
@@ -456,7 +463,10 @@ std::string lot_file_text(Lot const& lot, std::filesystem::path const& directory
                         {"smooth", s.clean.smooth},
                         {"center", s.clean.center},
                         {"fit-blocks", s.clean.scored.blocks.text()},
-                        {"fit-cycles", s.clean.scored.cycles.text()}};
+                        {"fit-cycles", s.clean.scored.cycles.text()},
+                        {"score-blocks", s.clean.scored.predicted.text()},
+                        {"analysis", s.analysis ? "full" : "none"},
+                        {"replicates", s.replicates}};
   calibrate.insert("runs", s.runs);
   if (s.method == Method::genetic) {
     calibrate.insert("population", s.genetic.population);

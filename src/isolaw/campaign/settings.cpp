@@ -43,7 +43,8 @@ void Settings::validate() const {
   else
     multistart.validate();
   clean.validate();
-  for (auto const& id : laws) laws::find_law(id);
+  checked_replicates(replicates);
+  for (auto const& id : laws) fit::make_box(laws::find_law(id), box, {1.0, 1.0, 1.0, 1.0, 1.0, 1.0}, overrides);
 }
 
 std::vector<std::string> parse_laws(std::string_view text) {
@@ -113,6 +114,19 @@ int checked_runs(int runs) {
   return runs;
 }
 
+bool parse_analysis(std::string_view text) {
+  if (text == "full") return true;
+  if (text == "none") return false;
+  refuse("analysis", text, "full, none");
+}
+
+int checked_replicates(int replicates) {
+  constexpr int most = 100'000;
+  if (replicates < 0 || replicates > most || replicates == 1)
+    refuse("replicates", fmt::to_string(replicates), fmt::format("0 for no bootstrap, or 2 to {}", most));
+  return replicates;
+}
+
 Method parse_method(std::string_view text) {
   if (text == "best") return Method::best;
   if (text == "ga") return Method::genetic;
@@ -165,6 +179,9 @@ std::vector<std::pair<std::string, std::string>> to_pairs(Settings const& s) {
   json["center"] = s.clean.center;
   json["fit-blocks"] = s.clean.scored.blocks.text();
   json["fit-cycles"] = s.clean.scored.cycles.text();
+  json["score-blocks"] = s.clean.scored.predicted.text();
+  json["analysis"] = s.analysis ? "full" : "none";
+  json["replicates"] = s.replicates;
   std::vector<std::pair<std::string, std::string>> pairs;
   for (auto const& [key, value] : json.items()) pairs.emplace_back(key, value.dump());
   return pairs;
@@ -204,6 +221,9 @@ Settings settings_from_pairs(std::vector<std::pair<std::string, std::string>> co
   s.clean.center = json.at("center").get<bool>();
   s.clean.scored.blocks = data::parse_numbers("--fit-blocks", json.at("fit-blocks").get<std::string>());
   s.clean.scored.cycles = data::parse_numbers("--fit-cycles", json.at("fit-cycles").get<std::string>());
+  s.clean.scored.predicted = data::parse_numbers("--score-blocks", json.at("score-blocks").get<std::string>());
+  s.analysis = parse_analysis(json.at("analysis").get<std::string>());
+  s.replicates = whole_number(json.at("replicates"));
   return s;
 }
 

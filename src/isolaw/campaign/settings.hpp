@@ -29,6 +29,8 @@ struct Settings {
   fit::BoxKind box = fit::BoxKind::scaled;
   std::vector<fit::Override> overrides;
   data::CleanOptions clean;
+  bool analysis = true;        // what the tests determine, intervals, one law for the lot
+  int replicates = 100;        // of the bootstrap
 
   // What was left to the method: 3 runs of `best`, which differ by the last digits; 20 of the paper's.
   void complete();
@@ -47,6 +49,8 @@ fit::BoxKind parse_box(std::string_view text);                      // "publishe
 laws::Integration parse_integration(std::string_view text);         // "converged" or "paper"
 std::optional<int> parse_samples_per_cycle(std::string_view text);  // a number or "all"
 int checked_runs(int runs);                                         // 1 to 100000
+bool parse_analysis(std::string_view text);                         // "full" or "none"
+int checked_replicates(int replicates);                             // 0 to 100000
 Method parse_method(std::string_view text);                         // "best" or "ga"
 std::string_view name(Method method);
 std::string_view name(fit::BoxKind kind);

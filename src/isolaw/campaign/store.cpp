@@ -19,6 +19,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/file.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/campaign/analysis_json.hpp"
 
 namespace isolaw::campaign {
 namespace {
@@ -43,16 +44,21 @@ CREATE TABLE search (
   PRIMARY KEY (device, law)) WITHOUT ROWID;
 CREATE TABLE search_parameter (
   device INTEGER NOT NULL, law TEXT NOT NULL, position INTEGER NOT NULL, name TEXT NOT NULL, unit TEXT NOT NULL,
-  free INTEGER NOT NULL, value REAL, lower REAL, upper REAL, scale TEXT NOT NULL,
+  free INTEGER NOT NULL, value REAL, lower REAL, upper REAL, scale TEXT NOT NULL, tied_to INTEGER,
   PRIMARY KEY (device, law, position)) WITHOUT ROWID;
 CREATE TABLE run (
   device INTEGER NOT NULL, law TEXT NOT NULL, number INTEGER NOT NULL, outcome TEXT NOT NULL,
-  objective REAL, integration_shift REAL, evaluations INTEGER NOT NULL, failed_evaluations INTEGER NOT NULL,
+  objective REAL, integration_shift REAL, refinement INTEGER NOT NULL, evaluations INTEGER NOT NULL, failed_evaluations INTEGER NOT NULL,
   message TEXT NOT NULL, history BLOB NOT NULL,
   PRIMARY KEY (device, law, number)) WITHOUT ROWID;
 CREATE TABLE run_parameter (
   device INTEGER NOT NULL, law TEXT NOT NULL, number INTEGER NOT NULL, position INTEGER NOT NULL, value REAL NOT NULL,
   PRIMARY KEY (device, law, number, position)) WITHOUT ROWID;
+CREATE TABLE device_analysis (
+  device INTEGER NOT NULL, law TEXT NOT NULL, json TEXT NOT NULL, PRIMARY KEY (device, law)) WITHOUT ROWID;
+CREATE TABLE lot_analysis (law TEXT PRIMARY KEY, json TEXT NOT NULL) WITHOUT ROWID;
+CREATE TABLE left_out (
+  device INTEGER NOT NULL, law TEXT NOT NULL, json TEXT NOT NULL, PRIMARY KEY (device, law)) WITHOUT ROWID;
 )sql";
 
 [[noreturn]] void refuse_damaged(std::string file, std::string_view what) {
@@ -244,6 +250,7 @@ void for_each_series(auto& device, Visit&& visit) {
   visit("fit", "vel_mm_s", device.record.vel_mm_s);
   visit("fit", "force_kN", device.record.force_kN);
   visit("fit", "scored", device.record.scored);
+  visit("fit", "block", device.record.block);
 }
 
 void write_devices(sqlite3* db, Contents const& contents) {
@@ -264,14 +271,15 @@ void write_devices(sqlite3* db, Contents const& contents) {
 
 void write_searches(sqlite3* db, Contents const& contents) {
   Statement search(db, "INSERT INTO search VALUES (?, ?, ?)");
-  Statement parameter(db, "INSERT INTO search_parameter VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  Statement parameter(db, "INSERT INTO search_parameter VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (auto const& s : contents.searches) {
     search.bind(s.device).bind(s.law).bind(s.refusal).insert();
     for (std::size_t i = 0; i < s.box.parameters.size(); ++i) {
       auto const& p = s.box.parameters[i];
       parameter.bind(s.device).bind(s.law).bind(i).bind(p.name).bind(p.unit).bind(p.free ? 1 : 0);
       parameter.bind(p.value).bind(p.lower).bind(p.upper);
-      parameter.bind(p.scale == laws::Scale::logarithmic ? "logarithmic" : "linear").insert();
+      parameter.bind(p.scale == laws::Scale::logarithmic ? "logarithmic" : "linear");
+      parameter.bind(p.tied_to ? std::optional(static_cast<double>(*p.tied_to)) : std::nullopt).insert();
     }
   }
 }
@@ -340,7 +348,7 @@ void read_searches(sqlite3* db, Contents& contents) {
     found[{s.device, s.law}] = s;
   }
   Statement parameter(db,
-                      "SELECT device, law, name, unit, free, value, lower, upper, scale FROM search_parameter "
+                      "SELECT device, law, name, unit, free, value, lower, upper, scale, tied_to FROM search_parameter "
                       "ORDER BY device, law, position");
   while (parameter.row()) {
     auto const device = parameter.index();
@@ -355,6 +363,7 @@ void read_searches(sqlite3* db, Contents& contents) {
     p.lower = parameter.real();
     p.upper = parameter.real();
     p.scale = parameter.text() == "logarithmic" ? laws::Scale::logarithmic : laws::Scale::linear;
+    if (auto const other = parameter.optional_real()) p.tied_to = static_cast<std::size_t>(std::max(0.0, *other));
     box.parameters.push_back(std::move(p));
   }
   for (std::size_t d = 0; d < contents.devices.size(); ++d)
@@ -381,8 +390,8 @@ void read_runs(sqlite3* db, Contents& contents) {
     values[{device, std::move(law), number}].push_back(parameter.real());
   }
   Statement run(db,
-                "SELECT device, law, number, outcome, objective, integration_shift, evaluations, failed_evaluations, "
-                "message, history FROM run ORDER BY device, law, number");
+                "SELECT device, law, number, outcome, objective, integration_shift, refinement, evaluations, "
+                "failed_evaluations, message, history FROM run ORDER BY device, law, number");
   while (run.row()) {
     Run r;
     r.device = run.index();
@@ -391,6 +400,7 @@ void read_runs(sqlite3* db, Contents& contents) {
     r.outcome = outcome_from(run.text());
     r.objective = run.real();
     r.integration_shift = run.real();
+    r.refinement = run.whole();
     r.evaluations = run.whole();
     r.failed_evaluations = run.whole();
     r.failure = run.text();
@@ -398,6 +408,26 @@ void read_runs(sqlite3* db, Contents& contents) {
     if (auto const found = values.find({r.device, r.law, r.number}); found != values.end())
       r.parameters = std::move(found->second);
     contents.runs.push_back(std::move(r));
+  }
+}
+
+void read_analyses(sqlite3* db, Contents& contents) {
+  Statement device(db, "SELECT device, law, json FROM device_analysis ORDER BY device, law");
+  while (device.row()) {
+    auto const index = device.index();
+    auto law = device.text();
+    contents.device_analyses.push_back(device_analysis(index, std::move(law), device.text()));
+  }
+  Statement lot(db, "SELECT law, json FROM lot_analysis ORDER BY law");
+  while (lot.row()) {
+    auto law = lot.text();
+    contents.lot_analyses.push_back(lot_analysis(std::move(law), lot.text()));
+  }
+  Statement left_out(db, "SELECT device, law, json FROM left_out ORDER BY device, law");
+  while (left_out.row()) {
+    auto const index = left_out.index();
+    auto law = left_out.text();
+    contents.left_out.push_back(left_out_analysis(index, std::move(law), left_out.text()));
   }
 }
 
@@ -438,6 +468,9 @@ class Consistency {
     for (auto const& device : contents_.devices) device_fits(device);
     for (auto const& search : contents_.searches) search_fits(search);
     for (auto const& run : contents_.runs) run_fits(run);
+    for (auto const& analysis : contents_.device_analyses) analysis_fits(analysis);
+    for (auto const& analysis : contents_.lot_analyses) analysis_fits(analysis);
+    for (auto const& analysis : contents_.left_out) analysis_fits(analysis);
   }
 
  private:
@@ -448,7 +481,7 @@ class Consistency {
     bool const fits = same(raw.time_s, raw.size()) && raw.force_kN.size() == raw.size() &&
                       same(raw.load_kN, raw.size()) && fit.time_s.size() == fit.size() &&
                       same(fit.vel_mm_s, fit.size()) && fit.force_kN.size() == fit.size() &&
-                      same(fit.scored, fit.size());
+                      same(fit.scored, fit.size()) && same(fit.block, fit.size());
     if (!fits) fail(fmt::format("the channels of device '{}' differ in length", d.name));
     if (!std::ranges::all_of(fit.scored, [](double value) { return value == 0.0 || value == 1.0; }))
       fail(fmt::format("what is scored of device '{}' is neither 0 nor 1", d.name));
@@ -468,6 +501,8 @@ class Consistency {
       auto const& p = s.box.parameters[i];
       if (p.name != law->parameters[i].name)
         fail(fmt::format("parameter {} of {} is called '{}'", i + 1, s.law, p.name));
+      if (p.tied_to && (p.free || *p.tied_to >= s.box.parameters.size()))
+        fail(fmt::format("parameter {} of {} is tied to none", p.name, s.law));
       if (!std::isfinite(p.free ? p.lower + p.upper : p.value))
         fail(fmt::format("the box of {} of {} is not finite", p.name, s.law));
     }
@@ -478,12 +513,62 @@ class Consistency {
       fail(fmt::format("a run of {} on device {}, which was not searched", r.law, r.device));
     if (r.number < 1 || r.number > contents_.settings.runs)
       fail(fmt::format("run {} of {}, of {} asked for", r.number, r.law, contents_.settings.runs));
+    refinement_fits(r.refinement);
     if (r.usable() && r.parameters.size() != found->second->box.parameters.size())
       fail(fmt::format("run {} of {} has {} parameters", r.number, r.law, r.parameters.size()));
     if (!std::ranges::all_of(r.parameters, [](double value) { return std::isfinite(value); }))
       fail(fmt::format("run {} of {} has a parameter that is not finite", r.number, r.law));
     if (r.usable() != r.failure.empty() || r.usable() != std::isfinite(r.objective))
       fail(fmt::format("run {} of {} is neither a result nor a failure", r.number, r.law));
+  }
+  Search const& searched(std::size_t device, std::string const& law) const {
+    auto const found = search_of_.find({device, law});
+    if (found == search_of_.end() || !found->second->refusal.empty())
+      fail(fmt::format("an analysis of {} on device {}, which was not searched", law, device));
+    return *found->second;
+  }
+  void values_fit(std::vector<double> const& parameters, Search const& search) const {
+    if (parameters.size() != search.box.parameters.size() ||
+        !std::ranges::all_of(parameters, [](double value) { return std::isfinite(value); }))
+      fail(fmt::format("an analysis of {} without its parameters", search.law));
+  }
+  void refinement_fits(int refinement) const {
+    constexpr int finest = 64;
+    if (refinement < 1 || refinement > finest) fail(fmt::format("{} steps per sample", refinement));
+  }
+  void analysis_fits(DeviceAnalysis const& a) const {
+    auto const& search = searched(a.device, a.law);
+    refinement_fits(a.refinement);
+    values_fit(a.determination.optimum, search);
+    auto const free = search.box.free_count();
+    auto const is_free = [&](std::size_t i) {
+      return i < search.box.parameters.size() && search.box.parameters[i].free;
+    };
+    auto const names = [&](auto const& items) {
+      return items.size() == free && std::ranges::all_of(items, [&](auto const& p) { return is_free(p.parameter); });
+    };
+    bool fits = names(a.determination.parameters) && names(a.intervals.parameters) &&
+                a.intervals.covariance.size() == free * free;
+    for (auto const& p : a.determination.parameters) fits = fits && p.profile.value.size() == p.profile.objective.size();
+    for (auto const& t : a.determination.trade_offs)
+      fits = fits && t.change.size() == t.parameters.size() && std::ranges::all_of(t.parameters, is_free);
+    if (!fits) fail(fmt::format("an analysis of {} that does not fit its parameters", a.law));
+  }
+  void analysis_fits(LotAnalysis const& a) const {
+    refinement_fits(a.refinement);
+    for (auto const device : a.devices) {
+      auto const& search = searched(device, a.law);
+      if (a.mean.parameters.empty()) continue;
+      values_fit(a.mean.parameters, search);
+      values_fit(a.worst.law.parameters, search);
+    }
+    if (!a.mean.parameters.empty() && (a.mean.objectives.size() != a.devices.size() ||
+                                       a.worst.law.objectives.size() != a.devices.size()))
+      fail(fmt::format("the law of the lot, {}, is not judged by every device", a.law));
+  }
+  void analysis_fits(LeftOutAnalysis const& a) const {
+    auto const& search = searched(a.device, a.law);
+    if (!a.left_out.parameters.empty()) values_fit(a.left_out.parameters, search);
   }
   [[noreturn]] void fail(std::string found) const { refuse_damaged(file_, found); }
 
@@ -566,12 +651,6 @@ std::string_view name(Outcome outcome) {
       return "no_finite_value";
   }
   return "";
-}
-
-std::size_t Contents::expected_runs() const {
-  std::size_t expected = 0;
-  for (auto const& search : searches) expected += search.refusal.empty() ? static_cast<std::size_t>(settings.runs) : 0;
-  return expected;
 }
 
 void Store::Close::operator()(sqlite3* db) const {
@@ -700,6 +779,7 @@ Contents Store::read(std::filesystem::path const& file) {
     read_devices(db, contents);
     read_searches(db, contents);
     read_runs(db, contents);
+    read_analyses(db, contents);
   } catch (nlohmann::json::exception const& error) {
     refuse_damaged(file.string(), error.what());
   } catch (Error const& error) {
@@ -713,13 +793,26 @@ Contents Store::read(std::filesystem::path const& file) {
 namespace {
 
 void write_run(sqlite3* db, Run const& run) {
-  Statement row(db, "INSERT INTO run VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  Statement row(db, "INSERT INTO run VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   row.bind(run.device).bind(run.law).bind(run.number).bind(name(run.outcome)).bind(run.objective);
-  row.bind(run.integration_shift).bind(run.evaluations).bind(run.failed_evaluations).bind(run.failure);
+  row.bind(run.integration_shift).bind(run.refinement).bind(run.evaluations).bind(run.failed_evaluations).bind(run.failure);
   row.bind(run.history).insert();
   Statement parameter(db, "INSERT INTO run_parameter VALUES (?, ?, ?, ?, ?)");
   for (std::size_t i = 0; i < run.parameters.size(); ++i)
     parameter.bind(run.device).bind(run.law).bind(run.number).bind(i).bind(run.parameters[i]).insert();
+}
+
+void write_analysis(sqlite3* db, DeviceAnalysis const& analysis) {
+  Statement row(db, "INSERT INTO device_analysis VALUES (?, ?, ?)");
+  row.bind(analysis.device).bind(analysis.law).bind(analysis_json(analysis)).insert();
+}
+void write_analysis(sqlite3* db, LotAnalysis const& analysis) {
+  Statement row(db, "INSERT INTO lot_analysis VALUES (?, ?)");
+  row.bind(analysis.law).bind(analysis_json(analysis)).insert();
+}
+void write_analysis(sqlite3* db, LeftOutAnalysis const& analysis) {
+  Statement row(db, "INSERT INTO left_out VALUES (?, ?, ?)");
+  row.bind(analysis.device).bind(analysis.law).bind(analysis_json(analysis)).insert();
 }
 
 // The rows of a table, each as one text that tells values and their kinds apart.
@@ -739,17 +832,36 @@ void Store::add(Run const& run) {
   transaction.commit();
 }
 
+void Store::add(DeviceAnalysis const& analysis) {
+  Transaction transaction(db_.get());
+  write_analysis(db_.get(), analysis);
+  transaction.commit();
+}
+void Store::add(LotAnalysis const& analysis) {
+  Transaction transaction(db_.get());
+  write_analysis(db_.get(), analysis);
+  transaction.commit();
+}
+void Store::add(LeftOutAnalysis const& analysis) {
+  Transaction transaction(db_.get());
+  write_analysis(db_.get(), analysis);
+  transaction.commit();
+}
+
 std::vector<std::string> Store::foreign_rows(std::filesystem::path const& file, Contents const& contents) {
   auto const theirs = open_to_read(file);
   auto const ours = in_memory();
   fill(ours.get(), contents);
   execute(ours.get(), "BEGIN");
   for (auto const& run : contents.runs) write_run(ours.get(), run);
+  for (auto const& analysis : contents.device_analyses) write_analysis(ours.get(), analysis);
+  for (auto const& analysis : contents.lot_analyses) write_analysis(ours.get(), analysis);
+  for (auto const& analysis : contents.left_out) write_analysis(ours.get(), analysis);
   execute(ours.get(), "COMMIT");
   std::vector<std::string> faults;
   for (auto const* table : {"key, value FROM meta WHERE key <> 'isolaw'", "* FROM setting", "* FROM device",
                             "device, kind, channel, count FROM series", "* FROM search", "* FROM search_parameter",
-                            "* FROM run", "* FROM run_parameter"}) {
+                            "* FROM run", "* FROM run_parameter", "* FROM device_analysis", "* FROM lot_analysis", "* FROM left_out"}) {
     std::vector<std::string> differing;
     std::ranges::set_symmetric_difference(rows_of(theirs.get(), table), rows_of(ours.get(), table),
                                           std::back_inserter(differing));

@@ -16,7 +16,7 @@ namespace isolaw::campaign {
 
 class Store {
  public:
-  static constexpr int schema_version = 3;
+  static constexpr int schema_version = 4;
 
   // A new store that holds the devices and searches of `contents` and no runs; replaces a file of that name. When it
   // fails, or the program is killed, the former or the new one is there, whole. `before_replacing` is called when the
@@ -38,7 +38,11 @@ class Store {
   // series are left out, which read() holds as they are.
   static std::vector<std::string> foreign_rows(std::filesystem::path const& file, Contents const& contents);
 
-  void add(Run const& run);  // one transaction; not thread-safe
+  // Each is one transaction; not thread-safe.
+  void add(Run const& run);
+  void add(DeviceAnalysis const& analysis);
+  void add(LotAnalysis const& analysis);
+  void add(LeftOutAnalysis const& analysis);
   // What the lot file says of the devices and what they are held to, on which no law depends, may be changed before a
   // campaign is continued.
   void describe(Contents const& contents);

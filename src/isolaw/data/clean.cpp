@@ -108,11 +108,14 @@ void drop_samples(FitRecord& record, std::size_t step) {
   record.vel_mm_s = every(record.vel_mm_s, step);
   record.force_kN = every(record.force_kN, step);
   record.scored = every(record.scored, step);
+  record.block = every(record.block, step);
 }
 
 void choose_scored(FitRecord& record, TestRecord const& raw, Selection const& selection) {
   if (selection.all()) return;
-  record.scored = scored_samples(selection, segment(raw.disp_mm, raw.time_s), raw.size());
+  auto const segmentation = segment(raw.disp_mm, raw.time_s);
+  record.scored = scored_samples(selection, segmentation, raw.size());
+  record.block = block_numbers(selection, segmentation, raw.size());
   record.cleaning.push_back(fmt::format(
       "laws are judged by {} of {} samples (blocks {}, cycles {}); the rest of the history only acts on their state",
       std::ranges::count(record.scored, 1.0), raw.size(), selection.blocks.text(), selection.cycles.text()));
@@ -150,6 +153,9 @@ void CleanOptions::validate() const {
                           std::to_string(std::max(1, smooth + 1))});
   if (samples_per_cycle && *samples_per_cycle < 20)
     complaints.push_back({"--samples-per-cycle", std::to_string(*samples_per_cycle), "20 or more, or all", "200"});
+  if (scored.blocks.all() && !scored.predicted.all())
+    complaints.push_back({"--score-blocks", scored.predicted.text(), "together with --fit-blocks",
+                          "--fit-blocks, with the numbers of the blocks that laws are fitted to"});
   if (!complaints.empty()) throw Error(std::move(complaints));
 }
 

@@ -56,10 +56,10 @@ std::string what_there_is(Segmentation const& segmentation) {
   return text;
 }
 
-void mark(std::vector<double>& scored, double first, double last) {
+void mark(std::vector<double>& scored, double first, double last, double value = 1.0) {
   auto const begin = static_cast<std::size_t>(std::max(0.0, std::ceil(first)));
   auto const end = std::min(scored.size(), static_cast<std::size_t>(std::max(0.0, std::floor(last))) + 1);
-  for (auto i = begin; i < end; ++i) scored[i] = 1.0;
+  for (auto i = begin; i < end; ++i) scored[i] = value;
 }
 
 }  // namespace
@@ -120,6 +120,25 @@ std::vector<double> scored_samples(Selection const& selection, Segmentation cons
                  .allowed = what_there_is(segmentation),
                  .advice = "isolaw inspect FILE, which numbers blocks and cycles"});
   return scored;
+}
+
+std::vector<double> block_numbers(Selection const& selection, Segmentation const& segmentation, std::size_t samples) {
+  if (selection.blocks.all()) return {};
+  std::vector<double> numbers(samples, 0.0);
+  bool any = false;
+  for (auto const& cycle : segmentation.cycles) {
+    bool const fitted = selection.blocks.contains(cycle.block), predicted = selection.predicted.contains(cycle.block);
+    if (!fitted && !predicted) continue;
+    any = any || !fitted;
+    mark(numbers, cycle.first, cycle.last, cycle.block);
+  }
+  if (!any && !selection.predicted.all())
+    throw Error({.where = fmt::format("--score-blocks {}", selection.predicted.text()),
+                 .found = fmt::format("no block of the record is among them beside those of --fit-blocks {}",
+                                      selection.blocks.text()),
+                 .allowed = what_there_is(segmentation),
+                 .advice = "isolaw inspect FILE, which numbers blocks and cycles"});
+  return numbers;
 }
 
 }  // namespace isolaw::data

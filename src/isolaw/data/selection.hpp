@@ -32,6 +32,7 @@ Numbers parse_numbers(std::string_view option, std::string_view text);
 
 struct Selection {
   Numbers blocks, cycles;
+  Numbers predicted = {};  // blocks that the law of the others is then tried on (--score-blocks); all: every other one
   bool all() const { return blocks.all() && cycles.all(); }
 };
 
@@ -39,5 +40,10 @@ struct Selection {
 // block's first cut to its last, partial cycles included; by cycles: the counted cycles of these numbers. Throws Error
 // when nothing is left, or only a sample: with the blocks and cycles there are.
 std::vector<double> scored_samples(Selection const& selection, Segmentation const& segmentation, std::size_t samples);
+
+// The number of its block for every sample of a block that is scored or predicted, from the block's first cut to its last;
+// 0 elsewhere; empty where the selection leaves out no block. Throws Error when blocks to predict were named and none of
+// them is left.
+std::vector<double> block_numbers(Selection const& selection, Segmentation const& segmentation, std::size_t samples);
 
 }  // namespace isolaw::data

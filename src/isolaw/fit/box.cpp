@@ -15,7 +15,8 @@ namespace {
 // A logarithmic scale that ends at zero: six decades, then straight into it.
 constexpr double decades_from_zero = 6.0 * 2.302585092994046;
 
-constexpr std::string_view override_form = "law.parameter=value, law.parameter=lower:upper, law.parameter=free";
+constexpr std::string_view override_form = "law.parameter=value, law.parameter=lower:upper, law.parameter=free, "
+    "law.parameter=another parameter";
 
 std::optional<double> parse_number(std::string_view text) {
   double value = 0.0;
@@ -65,6 +66,7 @@ double peak_to_peak_stiffness(data::FitRecord const& record) {
 }  // namespace
 
 std::string Override::text() const {
+  if (!tied_to.empty()) return fmt::format("{}.{}={}", law, parameter, tied_to);
   if (!interval) return fmt::format("{}.{}=free", law, parameter);
   if (interval->lower == interval->upper) return fmt::format("{}.{}={}", law, parameter, interval->lower);
   return fmt::format("{}.{}={}:{}", law, parameter, interval->lower, interval->upper);
@@ -81,6 +83,17 @@ Override parse_override(std::string_view text) {
   Override made{.law = std::string(law.info.id), .parameter = std::string(parameter.name), .interval = std::nullopt};
   auto const value = text.substr(equals + 1);
   if (value == "free") return made;
+  if (auto const other = std::ranges::find(law.parameters, value, &laws::ParameterInfo::name);
+      other != law.parameters.end()) {
+    if (other->name == parameter.name || other->unit != parameter.unit)
+      throw Error({.where = where,
+                   .found = other->name == parameter.name
+                                ? fmt::format("{} is tied to itself", value)
+                                : fmt::format("{} is in {}, {} in {}", parameter.name, parameter.unit, value, other->unit),
+                   .allowed = "another parameter of the law, of the same unit"});
+    made.tied_to = value;
+    return made;
+  }
 
   auto const colon = value.find(':');
   bool const fixed = colon == std::string_view::npos;
@@ -88,7 +101,7 @@ Override parse_override(std::string_view text) {
   auto const upper = fixed ? lower : parse_number(value.substr(colon + 1));
   if (!lower || !upper)
     throw Error({.where = where,
-                 .found = fmt::format("'{}' is not a number, an interval or 'free'", value),
+                 .found = fmt::format("'{}' is not a number, an interval, 'free' or a parameter of the law", value),
                  .allowed = std::string(override_form)});
   if (!fixed && *lower >= *upper)
     throw Error({.where = where,
@@ -143,6 +156,15 @@ void SearchBox::expand(std::span<double const> point, std::span<double> values) 
   std::size_t next = 0;
   for (std::size_t i = 0; i < parameters.size(); ++i)
     values[i] = parameters[i].free ? parameters[i].at(point[next++]) : parameters[i].value;
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    if (parameters[i].tied_to) values[i] = values[*parameters[i].tied_to];
+}
+
+std::vector<double> SearchBox::contract(std::span<double const> values) const {
+  std::vector<double> point;
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    if (parameters[i].free) point.push_back(parameters[i].coordinate(values[i]));
+  return point;
 }
 
 SearchBox on_logarithmic_scales(SearchBox box, laws::LawEntry const& law) {
@@ -206,7 +228,10 @@ SearchBox make_box(laws::LawEntry const& law, BoxKind kind, laws::RecordScales c
     Override const* change = nullptr;
     for (auto const& candidate : overrides)
       if (candidate.law == law.info.id && candidate.parameter == info.name) change = &candidate;
-    if (change != nullptr) {
+    if (change != nullptr && !change->tied_to.empty()) {
+      made.free = false;
+      made.tied_to = law.index_of(change->tied_to);
+    } else if (change != nullptr) {
       made.free = !change->interval || change->interval->lower < change->interval->upper;
       if (change->interval) {
         made.lower = change->interval->lower;
@@ -217,6 +242,17 @@ SearchBox make_box(laws::LawEntry const& law, BoxKind kind, laws::RecordScales c
       }
     }
     box.parameters.push_back(made);
+  }
+  for (auto& p : box.parameters) {
+    if (!p.tied_to) continue;
+    auto const& other = box.parameters[*p.tied_to];
+    if (other.tied_to)
+      throw Error({.where = fmt::format("--set {}.{}={}", law.info.id, p.name, other.name),
+                   .found = fmt::format("{} is tied to {}", other.name, box.parameters[*other.tied_to].name),
+                   .allowed = "a parameter that is free or fixed"});
+    p.value = other.value;
+    p.lower = other.lower;
+    p.upper = other.upper;
   }
   return box;
 }

@@ -17,22 +17,25 @@ enum class BoxKind {
   scaled,     // "auto": from the size of the record
 };
 
-// Option --set law.parameter=value|lo:hi|free.
+// Option --set law.parameter=value|lo:hi|free|other parameter.
 struct Override {
   std::string law;
   std::string parameter;
-  std::optional<laws::Interval> interval;  // equal ends: fixed at that value; nullopt: free in its box
+  std::optional<laws::Interval> interval;  // equal ends: fixed at that value; nullopt: free in its box, or tied
+  std::string tied_to = {};                // another parameter of the law whose value it takes; empty: none
 
   std::string text() const;  // as the user would type it
 };
 
-// Throws Error: malformed, unknown law or parameter, lower >= upper, outside the physical limits.
+// Throws Error: malformed, unknown law or parameter, lower >= upper, outside the physical limits, a tie to itself or to
+// a parameter of another unit.
 Override parse_override(std::string_view text);
 
 struct SearchParameter {
   std::string name, unit;
   bool free = true;
-  double value = 0.0;  // when fixed
+  double value = 0.0;                           // when fixed
+  std::optional<std::size_t> tied_to = {};      // not free: takes the value of this one; free: none
   double lower = 0.0, upper = 0.0;
   laws::Scale scale = laws::Scale::linear;
 
@@ -43,6 +46,9 @@ struct SearchParameter {
 
 struct SearchBox {
   std::vector<SearchParameter> parameters;  // all of the law's, in its order
+
+  // The point of the unit box that gives these values of the law's parameters, the free ones clamped into it.
+  std::vector<double> contract(std::span<double const> values) const;
 
   std::size_t free_count() const;
   // Parameter values for a point of the unit box of the free parameters.
@@ -63,7 +69,8 @@ AtBound at_bound(SearchParameter const& parameter, double value);
 // The size of a record in the units of a law. Throws Error for a record without samples.
 laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const& law);
 
-// `published` falls back to the scaled interval for parameters the paper does not calibrate.
+// `published` falls back to the scaled interval for parameters the paper does not calibrate. Throws Error for a tie to a
+// parameter that is tied itself.
 SearchBox make_box(laws::LawEntry const& law, BoxKind kind, laws::RecordScales const& scales,
                    std::span<Override const> overrides);
 

@@ -75,8 +75,12 @@ void require_something_to_fit(laws::LawInfo const& law, data::FitRecord const& r
 }  // namespace
 
 LawOnRecord::LawOnRecord(laws::LawEntry const& law, data::FitRecord const& record, laws::Integration integration,
-                         laws::TurningPoints turning_points)
-    : law_(&law), integration_(integration), turning_points_(turning_points), time_s_(record.time_s) {
+                         laws::TurningPoints turning_points, int refinement)
+    : law_(&law),
+      integration_(integration),
+      turning_points_(turning_points),
+      refinement_(refinement),
+      time_s_(record.time_s) {
   if (!law.info.traits.rate_independent && !record.has_time())
     throw Error({.where = "law " + std::string(law.info.id),
                  .found = "the record has no time channel, and this law depends on velocity",
@@ -86,11 +90,18 @@ LawOnRecord::LawOnRecord(laws::LawEntry const& law, data::FitRecord const& recor
   auto const& info = law.info;
   x_ = in_unit(record.disp_mm, info.length.in_record_units);
   v_ = in_unit(record.vel_mm_s, info.length.in_record_units);
-  path_ = path(1);
+  path_ = path(refinement_);
   measured_ = in_unit(record.force_kN, info.force.in_record_units);
   share_ = weight_ = time_weights(record).weight;
   spread_ = num::population_std(scored_values(record, measured_));
   for (double& w : weight_) w /= spread_;
+}
+
+LawOnRecord LawOnRecord::refined(int refinement) const {
+  LawOnRecord made = *this;
+  made.refinement_ = refinement;
+  made.path_ = path(refinement);
+  return made;
 }
 
 laws::Path LawOnRecord::path(int refinement) const {
@@ -184,7 +195,7 @@ double LawOnRecord::integration_shift(std::span<double const> parameters) const 
   if (!law_->info.traits.path_integrated) return 0.0;
   std::vector<double> force;
   double const here = objective(parameters, force);
-  auto const fine = path(shift_refinement);
+  auto const fine = path(shift_refinement * refinement_);
   law_->evaluate(parameters, fine, laws::Integration::converged, force);
   return std::abs(misfit(force) - here);
 }

@@ -13,7 +13,7 @@
 
 namespace isolaw::fit {
 
-// A finer path that tells how far a result still moves when integrated more finely.
+// A finer path that tells how far a result still moves when integrated more finely: this many times finer than its own.
 inline constexpr int shift_refinement = 20;
 
 // How far an objective, computed elsewhere from the same record and parameters, may differ, relative; and a force, of
@@ -30,10 +30,14 @@ class LawOnRecord {
  public:
   // Throws Error when the law needs velocities and the record has no time, and for a record that Eq. (27) cannot judge
   // by: fewer than two samples, no duration, a constant force. The record may be discarded afterwards.
+  // Every interval between samples is cut into `refinement` equal steps.
   LawOnRecord(laws::LawEntry const& law, data::FitRecord const& record, laws::Integration integration,
-              laws::TurningPoints turning_points = laws::TurningPoints::as_sampled);
+              laws::TurningPoints turning_points = laws::TurningPoints::as_sampled, int refinement = 1);
+  // The same law and record integrated in finer steps; `refinement` counts from the samples, not from this one's.
+  LawOnRecord refined(int refinement) const;
 
   laws::LawEntry const& law() const { return *law_; }
+  int refinement() const { return refinement_; }
 
   // OF = mean over time of |measured - computed| / standard deviation of the measured force; +infinity when a computed
   // force is not finite. `parameters` in the law's order and units. Thread-safe; `work` is scratch, resized as needed.
@@ -56,7 +60,7 @@ class LawOnRecord {
   // Computed force [kN] at every sample.
   std::vector<double> force_kN(std::span<double const> parameters) const;
 
-  // |objective - objective of the converged integration on a path `shift_refinement` times finer|.
+  // |objective - objective of the converged integration on a path `shift_refinement` times finer than this one|.
   double integration_shift(std::span<double const> parameters) const;
 
  private:
@@ -66,6 +70,7 @@ class LawOnRecord {
   laws::LawEntry const* law_;
   laws::Integration integration_;
   laws::TurningPoints turning_points_;
+  int refinement_ = 1;
   std::vector<double> time_s_, x_, v_;  // law's units of length
   laws::Path path_;
   std::vector<double> measured_;  // law's force unit

@@ -157,7 +157,7 @@ DeviceFit device_fit(campaign::Contents const& contents, campaign::Search const&
   made.objective.best = best->objective;
   made.integration_shift = best->integration_shift;
   fit::LawOnRecord const model(laws::find_law(search.law), device.record, contents.settings.integration,
-                               contents.settings.turning_points);
+                               contents.settings.turning_points, best->refinement);
   made.force_kN = model.force_kN(best->parameters);
   compare_properties(made, device.record);
   return made;

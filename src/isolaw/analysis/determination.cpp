@@ -1,0 +1,287 @@
+#include "isolaw/analysis/determination.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "isolaw/analysis/sensitivity.hpp"
+#include "isolaw/opt/multistart.hpp"
+
+namespace isolaw::analysis {
+namespace {
+
+using Eigen::Index;
+using Point = std::vector<double>;
+
+struct Given_up {};
+
+Point without(Point point, std::size_t coordinate) {
+  point.erase(point.begin() + static_cast<std::ptrdiff_t>(coordinate));
+  return point;
+}
+Point with(Point point, std::size_t coordinate, double value) {
+  point.insert(point.begin() + static_cast<std::ptrdiff_t>(coordinate), value);
+  return point;
+}
+
+// The profiles start from an optimum; should one of them come upon a lower objective, everything starts anew from there.
+class Examination {
+ public:
+  Examination(fit::LawOnRecord const& model, fit::SearchBox const& box, Point optimum, Interrupted const& interrupted)
+      : model_(model),
+        box_(box),
+        problem_(model, box),
+        interrupted_(interrupted),
+        free_(free_parameters(box)),
+        best_(std::move(optimum)) {
+    best_value_ = value_at(best_);
+  }
+
+  Determination run() {
+    constexpr int most_passes = 4;
+    for (int pass = 1;; ++pass) {
+      made_.parameters.clear();
+      rise_ = std::max(visible_rise * best_value_, least_visible_rise);
+      look_around();
+      bool const is_lowest = profile_all(pass < most_passes);
+      if (is_lowest) break;
+    }
+    made_.optimum.resize(box_.parameters.size());
+    box_.expand(best_, made_.optimum);
+    std::vector<double> work;
+    made_.objective = model_.objective(made_.optimum, work);
+    made_.rise = rise_;
+    return made_;
+  }
+
+ private:
+  // What a change of the force of this root mean square, of its standard deviation, raises the objective by `rise_`: the
+  // residuals there are as good as distributed exponentially on both sides, with the objective as mean magnitude.
+  double visible_change() const { return std::max(std::sqrt(2.0 * best_value_ * rise_), rise_); }
+
+  double value_at(Point const& point) {
+    opt::Points one(point.size(), 1);
+    std::ranges::copy(point, one[0].begin());
+    double value = 0.0;
+    problem_.evaluate(one, std::span(&value, 1));
+    ++made_.evaluations;
+    return value;
+  }
+  double value_of(std::size_t k) const { return free_[k]->at(best_[k]); }
+  bool at_bound(std::size_t k) const {
+    return best_[k] <= fit::bound_tolerance || best_[k] >= 1.0 - fit::bound_tolerance;
+  }
+
+  // Singular values and directions, by relative changes of the parameters.
+  void look_around() {
+    auto const seen = sensitivity(problem_, best_);
+    made_.evaluations += static_cast<int>(2 * free_.size() + 1);
+    weighted_ = seen.weights.cwiseSqrt().asDiagonal() * seen.jacobian;
+    std::vector<std::size_t> inner;
+    for (std::size_t k = 0; k < free_.size(); ++k)
+      if (!at_bound(k)) inner.push_back(k);
+    made_.singular_values.clear();
+    made_.trade_offs.clear();
+    if (inner.empty()) return;
+    Eigen::MatrixXd relative(weighted_.rows(), static_cast<Index>(inner.size()));
+    for (std::size_t i = 0; i < inner.size(); ++i) {
+      auto const k = inner[i];
+      relative.col(static_cast<Index>(i)) =
+          weighted_.col(static_cast<Index>(k)) * natural_size(*free_[k], value_of(k)) / slope(*free_[k], best_[k]);
+    }
+    Eigen::BDCSVD<Eigen::MatrixXd> const svd(relative, Eigen::ComputeThinV);
+    for (Index i = 0; i < svd.singularValues().size(); ++i) {
+      made_.singular_values.push_back(svd.singularValues()[i]);
+      add_trade_off(svd.matrixV().col(i), svd.singularValues()[i], inner);
+    }
+  }
+
+  void add_trade_off(Eigen::VectorXd const& direction, double singular_value, std::vector<std::size_t> const& inner) {
+    constexpr double takes_part = 0.1;
+    Index largest = 0;
+    double const most = direction.cwiseAbs().maxCoeff(&largest);
+    TradeOff found;
+    found.force_change = singular_value / most;
+    if (weakly_determined_within * found.force_change >= visible_change()) return;
+    std::vector<std::string> names;
+    for (Index i = 0; i < direction.size(); ++i) {
+      double const change = direction[i] / direction[largest];
+      if (std::abs(change) < takes_part) continue;
+      auto const* parameter = free_[inner[static_cast<std::size_t>(i)]];
+      found.parameters.push_back(static_cast<std::size_t>(parameter - box_.parameters.data()));
+      found.change.push_back(change);
+      names.push_back(parameter->name);
+    }
+    found.sentence = trade_off_sentence(names, found.change);
+    made_.trade_offs.push_back(std::move(found));
+  }
+
+  // How far coordinate k goes, to first order, before the others can no longer hide it; and how they follow.
+  std::pair<double, Eigen::VectorXd> first_order(std::size_t k) const {
+    auto const column = static_cast<Index>(k);
+    Eigen::MatrixXd others(weighted_.rows(), weighted_.cols() - 1);
+    others << weighted_.leftCols(column), weighted_.rightCols(weighted_.cols() - 1 - column);
+    Eigen::VectorXd follow = Eigen::VectorXd::Zero(others.cols());
+    Eigen::VectorXd remains = weighted_.col(column);
+    if (others.cols() > 0) {
+      follow = -others.completeOrthogonalDecomposition().solve(weighted_.col(column));
+      remains += others * follow;
+    }
+    double const norm = remains.norm();
+    double const most = 0.1;
+    return {norm > 0.0 ? std::min(visible_change() / norm, most) : most, follow};
+  }
+
+  struct Side {
+    std::vector<std::pair<double, double>> points;  // coordinate and objective, outwards
+    double end = 0.0;                               // coordinate where the rise is reached
+    bool open = false;                              // it is not, up to the edge of the box
+  };
+
+  // False when a lower objective turned up.
+  bool profile_all(bool may_restart) {
+    for (std::size_t k = 0; k < free_.size(); ++k) {
+      if (interrupted_ && interrupted_()) throw Given_up();
+      auto const [reach, follow] = first_order(k);
+      auto const below = profile_side(k, -1.0, reach, follow, may_restart);
+      if (lower_found_) return lower_found_ = false;
+      auto const above = profile_side(k, 1.0, reach, follow, may_restart);
+      if (lower_found_) return lower_found_ = false;
+      made_.parameters.push_back(judged(k, below, above));
+    }
+    return true;
+  }
+
+  Side profile_side(std::size_t k, double sign, double reach, Eigen::VectorXd const& follow, bool may_restart) {
+    constexpr double enough = 4.0;  // times the rise: to be drawn
+    double const room = sign > 0.0 ? 1.0 - best_[k] : best_[k];
+    Side side;
+    double distance = 0.0, step = 0.5 * reach;
+    Point others = without(best_, k);
+    for (std::size_t i = 0; i < others.size(); ++i)
+      if (std::isfinite(follow[static_cast<Index>(i)]))
+        others[i] = std::clamp(others[i] + sign * step * follow[static_cast<Index>(i)], 0.0, 1.0);
+    constexpr int most_points = 12;
+    for (int i = 0; i < most_points && distance < room; ++i) {
+      double const next = std::min(distance + step, room);
+      double const u = std::clamp(best_[k] + sign * next, 0.0, 1.0);
+      auto const [point, value] = refitted(k, u, others);
+      if (may_restart && value < best_value_ * (1.0 - 1e-4) - 1e-9) {
+        best_ = with(point, k, u);
+        auto const polished = opt::descend(problem_, best_);
+        made_.evaluations += polished.evaluations;
+        if (polished.usable()) best_ = polished.best;
+        best_value_ = std::min(value, polished.best_value);
+        lower_found_ = true;
+        return side;
+      }
+      if (side.points.empty() && value > best_value_ + enough * rise_ && step > 1e-7 && i < 6) {
+        step *= 0.2;
+        others = without(best_, k);
+        continue;
+      }
+      side.points.emplace_back(u, value);
+      if (value > best_value_ + enough * rise_) break;
+      if (!point.empty()) others = point;
+      distance = next;
+      step = side.points.size() < 4 ? step : 1.7 * step;
+    }
+    find_end(side, k, sign);
+    return side;
+  }
+
+  // The objective with coordinate k held at u, the others fitted again from `others`.
+  std::pair<Point, double> refitted(std::size_t k, double u, Point const& others) {
+    Held const held(problem_, k, u);
+    if (others.empty()) return {Point(), value_at({u})};
+    auto found = opt::descend(held, others, 0.2);
+    made_.evaluations += found.evaluations;
+    return {std::move(found.best), found.best_value};
+  }
+
+  // Where the rise is reached, between two points by the root of the rise, which grows about linearly.
+  void find_end(Side& side, std::size_t k, double sign) const {
+    double before_u = best_[k], before = 0.0;
+    for (auto const& [u, value] : side.points) {
+      double const root = std::isfinite(value) ? std::sqrt(std::max(0.0, value - best_value_) / rise_) : 2.0;
+      if (root >= 1.0) {
+        side.end = before_u + (u - before_u) * (1.0 - before) / (root - before);
+        return;
+      }
+      before_u = u;
+      before = root;
+    }
+    side.open = true;
+    side.end = sign > 0.0 ? 1.0 : 0.0;
+  }
+
+  ParameterDetermination judged(std::size_t k, Side const& below, Side const& above) const {
+    auto const& p = *free_[k];
+    ParameterDetermination made;
+    made.parameter = static_cast<std::size_t>(&p - box_.parameters.data());
+    made.lower = p.at(below.end);
+    made.upper = p.at(above.end);
+    made.open_below = below.open;
+    made.open_above = above.open;
+    auto const add = [&](double u, double objective) {
+      if (!std::isfinite(objective)) return;
+      made.profile.value.push_back(p.at(u));
+      made.profile.objective.push_back(objective);
+    };
+    for (std::size_t i = below.points.size(); i-- > 0;) add(below.points[i].first, below.points[i].second);
+    add(best_[k], best_value_);
+    for (auto const& [u, objective] : above.points) add(u, objective);
+
+    double const value = value_of(k);
+    double const half = std::max(value - made.lower, made.upper - value) / natural_size(p, value);
+    if (half > weakly_determined_within || (below.open && above.open))
+      made.verdict = Verdict::undetermined;
+    else if (at_bound(k))
+      made.verdict = Verdict::at_bound;
+    else
+      made.verdict = half > determined_within || below.open || above.open ? Verdict::weakly_determined
+                                                                           : Verdict::determined;
+    return made;
+  }
+
+  fit::LawOnRecord const& model_;
+  fit::SearchBox const& box_;
+  fit::IdentificationProblem problem_;
+  Interrupted const& interrupted_;
+  std::vector<fit::SearchParameter const*> free_;
+  Point best_;
+  double best_value_ = 0.0;
+  double rise_ = 0.0;
+  bool lower_found_ = false;
+  Eigen::MatrixXd weighted_;  // Jacobian by coordinates, rows times the root of their weights
+  Determination made_;
+};
+
+}  // namespace
+
+std::string_view name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::determined:
+      return "determined";
+    case Verdict::weakly_determined:
+      return "weakly determined";
+    case Verdict::undetermined:
+      return "undetermined";
+    case Verdict::at_bound:
+      return "at its bound";
+  }
+  return "";
+}
+
+std::optional<Determination> determine(fit::LawOnRecord const& model, fit::SearchBox const& box,
+                                       std::span<double const> optimum, Interrupted const& interrupted) {
+  try {
+    return Examination(model, box, box.contract(optimum), interrupted).run();
+  } catch (Given_up const&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace isolaw::analysis

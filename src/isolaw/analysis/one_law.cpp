@@ -1,0 +1,149 @@
+#include "isolaw/analysis/one_law.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/opt/multistart.hpp"
+
+namespace isolaw::analysis {
+namespace {
+
+std::vector<double> expanded(fit::SearchBox const& box, std::span<double const> point) {
+  std::vector<double> parameters(box.parameters.size());
+  box.expand(point, parameters);
+  return parameters;
+}
+
+OneLaw judged(std::span<fit::LawOnRecord const* const> models, std::vector<double> parameters) {
+  OneLaw made;
+  made.parameters = std::move(parameters);
+  std::vector<double> work;
+  for (auto const* model : models) made.objectives.push_back(model->objective(made.parameters, work));
+  for (double const objective : made.objectives) {
+    made.mean += objective / static_cast<double>(models.size());
+    made.worst = std::max(made.worst, objective);
+  }
+  made.evaluations = static_cast<int>(models.size());
+  return made;
+}
+
+std::vector<double> equal_shares(std::size_t devices) {
+  return std::vector<double>(devices, 1.0 / static_cast<double>(devices));
+}
+
+// Of the free parameters, coordinate by coordinate.
+std::vector<double> median_point(std::span<std::vector<double> const> points) {
+  std::vector<double> made(points.front().size());
+  std::vector<double> values(points.size());
+  for (std::size_t k = 0; k < made.size(); ++k) {
+    for (std::size_t d = 0; d < points.size(); ++d) values[d] = points[d][k];
+    std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
+    made[k] = values[values.size() / 2];
+  }
+  return made;
+}
+
+}  // namespace
+
+fit::SearchBox common_box(std::span<fit::SearchBox const* const> boxes) {
+  auto made = *boxes.front();
+  for (auto const* box : boxes)
+    for (std::size_t i = 0; i < made.parameters.size(); ++i) {
+      auto& p = made.parameters[i];
+      auto const& q = box->parameters[i];
+      if (p.free != q.free || (!p.free && p.value != q.value))
+        throw Error({.where = fmt::format("the law of the lot, parameter {}", p.name),
+                     .found = "fixed at different values on different devices",
+                     .allowed = "the same parameters free on all devices"});
+      p.lower = std::min(p.lower, q.lower);
+      p.upper = std::max(p.upper, q.upper);
+      if (p.scale != q.scale) p.scale = laws::Scale::linear;
+    }
+  return made;
+}
+
+std::optional<OneLaw> least_mean(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
+                                 std::span<std::vector<double> const> optima, Interrupted const& interrupted) {
+  if (box.free_count() == 0) return judged(models, expanded(box, {}));
+  constexpr std::size_t most_starts = 12;
+  Joint const problem(models, box, equal_shares(models.size()));
+  std::vector<std::vector<double>> points;
+  for (auto const& optimum : optima) points.push_back(box.contract(optimum));
+  std::vector<std::vector<double>> starts{median_point(points)};
+  std::size_t const used = std::min(most_starts, points.size());
+  for (std::size_t i = 0; i < used; ++i) starts.push_back(points[i * points.size() / used]);
+
+  opt::DescentResult best;
+  int evaluations = 0;
+  for (auto const& start : starts) {
+    if (interrupted && interrupted()) return std::nullopt;
+    auto found = opt::descend(problem, start, 1.0);
+    evaluations += found.evaluations;
+    if (found.best_value < best.best_value) best = std::move(found);
+  }
+  if (!best.usable()) return std::nullopt;
+  auto made = judged(models, expanded(box, best.best));
+  made.evaluations += evaluations * static_cast<int>(models.size());
+  return made;
+}
+
+std::optional<LeastWorst> least_worst(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
+                                      OneLaw const& mean, Interrupted const& interrupted) {
+  constexpr int rounds = 40;
+  constexpr double near = 1e-3;
+  LeastWorst best{.law = mean, .bound = mean.mean};
+  best.law.evaluations = 0;
+  if (box.free_count() == 0 || models.size() < 2) return best;
+  auto shares = equal_shares(models.size());
+  auto now = mean;
+  double pull = 4.0;
+  int evaluations = 0;
+  for (int round = 0; round < rounds && best.law.worst > best.bound * (1.0 + near); ++round) {
+    if (interrupted && interrupted()) return std::nullopt;
+    double sum = 0.0;
+    for (std::size_t d = 0; d < shares.size(); ++d)
+      sum += shares[d] *= std::exp(pull * (now.objectives[d] / now.worst - 1.0));
+    for (double& share : shares) share /= sum;
+    // A device that has lost all weight can win it back.
+    for (double& share : shares) share = 0.999 * share + 0.001 / static_cast<double>(shares.size());
+    Joint const problem(models, box, shares);
+    auto const found = opt::descend(problem, box.contract(now.parameters), 0.3);
+    evaluations += found.evaluations * static_cast<int>(models.size());
+    if (!found.usable()) break;
+    now = judged(models, expanded(box, found.best));
+    evaluations += now.evaluations;
+    best.bound = std::max(best.bound, found.best_value);
+    if (now.worst < best.law.worst)
+      best.law = now;
+    else
+      pull *= 0.7;
+  }
+  best.bound = std::min(best.bound, best.law.worst);
+  best.law.evaluations = evaluations;
+  return best;
+}
+
+std::optional<LeftOut> leave_out(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
+                                 std::span<double const> parameters_of_all, std::size_t device) {
+  LeftOut made;
+  made.parameters.assign(parameters_of_all.begin(), parameters_of_all.end());
+  std::vector<double> shares(models.size(), 1.0 / static_cast<double>(models.size() - 1));
+  shares[device] = 0.0;
+  if (box.free_count() > 0) {
+    Joint const problem(models, box, shares);
+    auto const found = opt::descend(problem, box.contract(parameters_of_all), 0.3);
+    made.evaluations = found.evaluations * static_cast<int>(models.size() - 1);
+    if (!found.usable()) return std::nullopt;
+    made.parameters = expanded(box, found.best);
+  }
+  std::vector<double> work;
+  made.objective = models[device]->objective(made.parameters, work);
+  ++made.evaluations;
+  return made;
+}
+
+}  // namespace isolaw::analysis

@@ -1,0 +1,215 @@
+#include "isolaw/campaign/analyse.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "isolaw/base/hash.hpp"
+#include "isolaw/campaign/parallel.hpp"
+#include "isolaw/opt/multistart.hpp"
+
+namespace isolaw::campaign {
+namespace {
+
+// What a law's analyses over the lot need: every device that was examined.
+struct LawOnLot {
+  std::string_view law;
+  int refinement = 1;
+  std::vector<std::size_t> devices = {};
+  std::vector<fit::LawOnRecord> models = {};
+  std::vector<std::vector<double>> optima = {};
+  fit::SearchBox box = {};
+
+  std::vector<fit::LawOnRecord const*> pointers() const {
+    std::vector<fit::LawOnRecord const*> made;
+    for (auto const& model : models) made.push_back(&model);
+    return made;
+  }
+};
+
+class Analysis {
+ public:
+  Analysis(Contents& contents, Store& store, AnalyseOptions const& options)
+      : contents_(contents), store_(store), options_(options), total_(contents.expected_analyses()) {}
+
+  std::size_t run() {
+    examine_devices();
+    if (interrupted()) return threads_;
+    auto const lots = laws_on_lot();
+    fit_lots(lots);
+    if (interrupted()) return threads_;
+    leave_each_out(lots);
+    return threads_;
+  }
+
+ private:
+  bool interrupted() const { return options_.interrupted && options_.interrupted(); }
+
+  void examine_devices() {
+    std::vector<Search const*> tasks;
+    for (auto const& search : contents_.searches)
+      if (contents_.best_run(search.device, search.law) != nullptr &&
+          contents_.analysis_of(search.device, search.law) == nullptr)
+        tasks.push_back(&search);
+    each(tasks.size(), contents_.device_analyses, [&](std::size_t i) { return examined(*tasks[i]); });
+    std::ranges::sort(contents_.device_analyses, {},
+                      [](auto const& a) { return std::tuple(a.device, std::string_view(a.law)); });
+  }
+
+  // nullopt when interrupted.
+  std::optional<DeviceAnalysis> examined(Search const& search) const {
+    auto const& best = *contents_.best_run(search.device, search.law);
+    auto const model = law_on_device(contents_, search.device, search.law, best.refinement);
+    auto const box = examined_box(search);
+    auto const stream = num::Stream(contents_.settings.seed)
+                            .split(stable_hash(contents_.devices[search.device].name))
+                            .split(stable_hash(search.law))
+                            .split(stable_hash("analysis"));
+    auto optimum = best.parameters;
+    int evaluations = 0;
+    if (contents_.settings.method == Method::genetic && box.free_count() > 0) {
+      // The runs end where the method of the paper does; what a test determines is asked about the least objective.
+      fit::IdentificationProblem const problem(model, box);
+      auto const found = opt::minimise_multistart(problem, stream, contents_.settings.multistart, options_.interrupted);
+      if (found.outcome == opt::MultistartOutcome::interrupted) return std::nullopt;
+      evaluations = found.evaluations;
+      if (found.usable() && found.best_value < best.objective) box.expand(found.best, optimum);
+    }
+    auto determination = analysis::determine(model, box, optimum, options_.interrupted);
+    if (!determination) return std::nullopt;
+    determination->evaluations += evaluations;
+    auto intervals = analysis::intervals(model, box, determination->optimum, stream.split(1),
+                                         {.replicates = contents_.settings.replicates}, options_.interrupted);
+    if (!intervals) return std::nullopt;
+    return DeviceAnalysis{.device = search.device,
+                          .law = search.law,
+                          .refinement = best.refinement,
+                          .determination = std::move(*determination),
+                          .intervals = std::move(*intervals)};
+  }
+
+  std::vector<LawOnLot> laws_on_lot() const {
+    std::vector<LawOnLot> lots;
+    for (auto const& law : contents_.settings.laws) {
+      LawOnLot lot{.law = law};
+      std::vector<fit::SearchBox> boxes;
+      for (auto const& search : contents_.searches) {
+        if (search.law != law) continue;
+        auto const* examined = contents_.analysis_of(search.device, law);
+        if (examined == nullptr) continue;
+        lot.devices.push_back(search.device);
+        lot.optima.push_back(examined->determination.optimum);
+        lot.refinement = std::max(lot.refinement, examined->refinement);
+        boxes.push_back(examined_box(search));
+      }
+      if (lot.devices.size() < 2) continue;
+      for (auto const device : lot.devices)
+        lot.models.push_back(law_on_device(contents_, device, law, lot.refinement));
+      std::vector<fit::SearchBox const*> pointers;
+      for (auto const& box : boxes) pointers.push_back(&box);
+      lot.box = analysis::common_box(pointers);
+      lots.push_back(std::move(lot));
+    }
+    return lots;
+  }
+
+  void fit_lots(std::vector<LawOnLot> const& lots) {
+    std::vector<LawOnLot const*> tasks;
+    for (auto const& lot : lots)
+      if (lot_analysis_of(lot.law) == nullptr) tasks.push_back(&lot);
+    each(tasks.size(), contents_.lot_analyses, [&](std::size_t i) { return fitted(*tasks[i]); });
+    std::ranges::sort(contents_.lot_analyses, {}, &LotAnalysis::law);
+  }
+
+  // nullopt when interrupted. Without parameters where no start has a finite force on every device.
+  std::optional<LotAnalysis> fitted(LawOnLot const& lot) const {
+    LotAnalysis made{.law = std::string(lot.law),
+                     .refinement = lot.refinement,
+                     .devices = lot.devices,
+                     .mean = {},
+                     .worst = {}};
+    auto const models = lot.pointers();
+    auto mean = analysis::least_mean(models, lot.box, lot.optima, options_.interrupted);
+    if (interrupted()) return std::nullopt;
+    if (!mean) return made;
+    made.mean = std::move(*mean);
+    auto worst = analysis::least_worst(models, lot.box, made.mean, options_.interrupted);
+    if (!worst) return std::nullopt;
+    made.worst = std::move(*worst);
+    return made;
+  }
+
+  void leave_each_out(std::vector<LawOnLot> const& lots) {
+    std::vector<std::pair<LawOnLot const*, std::size_t>> tasks;
+    for (auto const& lot : lots)
+      for (std::size_t i = 0; i < lot.devices.size(); ++i) {
+        bool const there = std::ranges::any_of(contents_.left_out, [&](auto const& other) {
+          return other.device == lot.devices[i] && other.law == lot.law;
+        });
+        if (!there) tasks.emplace_back(&lot, i);
+      }
+    each(tasks.size(), contents_.left_out, [&](std::size_t i) {
+      auto const& [lot, place] = tasks[i];
+      LeftOutAnalysis found{.device = lot->devices[place], .law = std::string(lot->law), .left_out = {}};
+      found.left_out.objective = std::nan("");
+      auto const& of_all = lot_analysis_of(lot->law)->mean.parameters;
+      auto left_out = of_all.empty() ? std::nullopt : analysis::leave_out(lot->pointers(), lot->box, of_all, place);
+      if (left_out) found.left_out = std::move(*left_out);
+      return std::optional(std::move(found));
+    });
+    std::ranges::sort(contents_.left_out, {},
+                      [](auto const& a) { return std::tuple(a.device, std::string_view(a.law)); });
+  }
+
+  LotAnalysis const* lot_analysis_of(std::string_view law) const {
+    auto const found = std::ranges::find(contents_.lot_analyses, law, &LotAnalysis::law);
+    return found == contents_.lot_analyses.end() ? nullptr : &*found;
+  }
+
+  // Work by several threads; what a piece of it returns is stored and added to `where`, which none of them reads.
+  template <class Made, class Work>
+  void each(std::size_t count, std::vector<Made>& where, Work&& work) {
+    if (count == 0) return;
+    where.reserve(where.size() + count);
+    auto const worked = for_each_in_parallel(count, options_.threads, [&](std::size_t i) {
+      if (interrupted()) return;
+      auto found = work(i);
+      if (!found) return;
+      std::scoped_lock const lock(one_writer_);
+      store_.add(*found);
+      where.push_back(std::move(*found));
+      if (options_.progress) options_.progress(contents_.analyses(), total_);
+    });
+    if (worked < std::min(options_.threads, count)) threads_ = std::min(threads_, worked);
+  }
+
+  Contents& contents_;
+  Store& store_;
+  AnalyseOptions const& options_;
+  std::size_t total_;
+  std::size_t threads_ = options_.threads;
+  std::mutex one_writer_;
+};
+
+}  // namespace
+
+fit::SearchBox examined_box(Search const& search) {
+  return fit::on_logarithmic_scales(search.box, laws::find_law(search.law));
+}
+
+fit::LawOnRecord law_on_device(Contents const& contents, std::size_t device, std::string_view law, int refinement) {
+  auto const& settings = contents.settings;
+  return fit::LawOnRecord(laws::find_law(law), contents.devices[device].record, settings.integration,
+                          settings.turning_points, refinement);
+}
+
+std::size_t analyse(Contents& contents, Store& store, AnalyseOptions const& options) {
+  return Analysis(contents, store, options).run();
+}
+
+}  // namespace isolaw::campaign

@@ -1,0 +1,44 @@
+#include "isolaw/campaign/contents.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+namespace isolaw::campaign {
+namespace {
+
+using Key = std::tuple<std::size_t, std::string_view>;
+constexpr auto by_device_and_law = [](auto const& item) { return Key(item.device, item.law); };
+
+}  // namespace
+
+std::size_t Contents::expected_runs() const {
+  std::size_t expected = 0;
+  for (auto const& search : searches) expected += search.refusal.empty() ? static_cast<std::size_t>(settings.runs) : 0;
+  return expected;
+}
+
+std::size_t Contents::expected_analyses() const {
+  if (!settings.analysis) return 0;
+  std::map<std::string_view, std::size_t> usable;
+  for (auto const& search : searches)
+    if (best_run(search.device, search.law) != nullptr) ++usable[search.law];
+  std::size_t expected = 0;
+  for (auto const& [law, count] : usable) expected += count + (count > 1 ? 1 + count : 0);
+  return expected;
+}
+
+Run const* Contents::best_run(std::size_t device, std::string_view law) const {
+  Run const* best = nullptr;
+  auto const [first, last] = std::ranges::equal_range(runs, Key(device, law), {}, by_device_and_law);
+  for (auto run = first; run != last; ++run)
+    if (run->usable() && (best == nullptr || run->objective < best->objective)) best = &*run;
+  return best;
+}
+
+DeviceAnalysis const* Contents::analysis_of(std::size_t device, std::string_view law) const {
+  auto const found = std::ranges::lower_bound(device_analyses, Key(device, law), {}, by_device_and_law);
+  return found != device_analyses.end() && by_device_and_law(*found) == Key(device, law) ? &*found : nullptr;
+}
+
+}  // namespace isolaw::campaign
