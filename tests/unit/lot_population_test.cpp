@@ -273,6 +273,17 @@ TEST(PopulationSample, DoesNotDependOnTheCount) {
   EXPECT_NE(few.values, sample(population, 5, num::Stream(4), limits).values);
 }
 
+// Two equal variances: a breath of correlation of either sign turns the axes by 90 degrees, and must not turn the draws.
+TEST(PopulationSample, DoesNotJumpWhereVariancesCoincide) {
+  auto population = estimate_population(two, with(ellipse(3, 3)));
+  expect_near(population.covariance, about_the_diagonal(8.0, 8.0), 1e-12);
+  auto const drawn = [&](double correlation) {
+    population.covariance = about_the_diagonal(8.0 * (1.0 + correlation), 8.0 * (1.0 - correlation));
+    return sample(population, 20, num::Stream(6)).values;
+  };
+  expect_near({drawn(1e-9)[0], drawn(1e-9)[1]}, {drawn(-1e-9)[0], drawn(-1e-9)[1]}, 1e-7);
+}
+
 // xy = 3 K1^2 in every device, and so in every draw; independent marginals would leave that line.
 TEST(PopulationSample, KeepsParametersThatDependOnOneAnotherOnTheirLine) {
   std::vector<Values> values;
