@@ -60,5 +60,25 @@ TEST(Moments, ValuesThatAreNotFiniteAreNotHidden) {
   }
 }
 
+TEST(Median, IsTheMiddle) {
+  EXPECT_EQ(median(std::vector<double>{3, 1, 2}), 2.0);
+  EXPECT_EQ(median(std::vector<double>{4, 1, 2, 3}), 2.5);
+  EXPECT_EQ(median(std::vector<double>{1, -infinity, infinity}), 1.0);
+  EXPECT_TRUE(std::isnan(median({})));
+  EXPECT_TRUE(std::isnan(median(std::vector<double>{1, nan, 2})));
+}
+
+// Median 3, deviations 2 1 0 1 7: median absolute deviation 1.
+TEST(ModifiedScores, CountDeviationsFromTheMedian) {
+  std::vector<double> const values{1, 2, 3, 4, 10};
+  auto const found = modified_scores(values, 0.0);
+  EXPECT_EQ(found.median, 3.0);
+  for (std::size_t i = 0; i < values.size(); ++i) EXPECT_DOUBLE_EQ(found.scores[i], (values[i] - 3.0) / 1.4826);
+  EXPECT_NEAR(found.scores[4], 0.6745 * 7.0, 1e-3);  // as printed
+  EXPECT_EQ(modified_scores(values, 10.0).scores[4], 7.0 / 30.0);
+  EXPECT_EQ(modified_scores(std::vector<double>{0, 0, 0, 1}, 0.5).scores, std::vector<double>(4, 0.0));
+  EXPECT_TRUE(modified_scores({}, 0.1).scores.empty());
+}
+
 }  // namespace
 }  // namespace isolaw::num

@@ -1,5 +1,6 @@
 #include "isolaw/num/statistics.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -7,6 +8,7 @@ namespace isolaw::num {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double mad_to_std = 1.4826;  // of a normal distribution
 
 struct Deviations {
   double mean = nan;
@@ -42,6 +44,23 @@ Moments moments(std::span<double const> values) {
 
 double population_std(std::span<double const> values) {
   return std::sqrt(deviations(values).sum_of_squares / static_cast<double>(values.size()));
+}
+
+double median(std::span<double const> values) {
+  if (values.empty() || std::ranges::any_of(values, [](double value) { return std::isnan(value); })) return nan;
+  std::vector<double> sorted(values.begin(), values.end());
+  std::ranges::sort(sorted);
+  auto const half = sorted.size() / 2;
+  return sorted.size() % 2 == 1 ? sorted[half] : 0.5 * (sorted[half - 1] + sorted[half]);
+}
+
+ModifiedScores modified_scores(std::span<double const> values, double least_scale) {
+  ModifiedScores made{.median = median(values), .scores = {}};
+  std::vector<double> distances;
+  for (double const value : values) distances.push_back(std::abs(value - made.median));
+  double const scale = std::max(mad_to_std * median(distances), least_scale * std::abs(made.median));
+  for (double const value : values) made.scores.push_back(scale > 0.0 ? (value - made.median) / scale : 0.0);
+  return made;
 }
 
 }  // namespace isolaw::num

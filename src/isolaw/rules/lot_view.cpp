@@ -16,9 +16,7 @@ namespace isolaw::rules {
 namespace {
 
 constexpr double normal_95 = 1.6448536269514722;  // one-sided
-constexpr double outlying = 3.5;
-constexpr double mad_to_std = 1.4826;     // of a normal distribution
-constexpr double property_error = 0.005;  // relative, of a property from one record
+constexpr double property_error = 0.005;          // relative, of a property from one record
 
 struct Values {
   std::vector<std::string> names;
@@ -37,12 +35,6 @@ Values collect(RuleSet const& rules, Quantity quantity, std::span<DeviceValues c
     }
   }
   return made;
-}
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  auto const half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
 std::string no_lower_bound(double half_width_percent) {
@@ -261,21 +253,18 @@ std::vector<Outlier> find_outliers(std::string_view quantity, std::string_view u
                                    std::span<std::string const> names, std::span<double const> values) {
   assert(names.size() == values.size());
   if (values.size() < fewest_for_outliers) return {};
-  double const centre = median({values.begin(), values.end()});
-  std::vector<double> distances;
-  for (double const value : values) distances.push_back(std::abs(value - centre));
-  double const scale = std::max(mad_to_std * median(distances), property_error * std::abs(centre));
+  auto const [centre, scores] = num::modified_scores(values, property_error);
   std::vector<Outlier> outliers;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    double const score = scale > 0.0 ? distances[i] / scale : 0.0;
-    if (score <= outlying) continue;
+    double const score = std::abs(scores[i]);
+    if (score <= num::outlying_score) continue;
     outliers.push_back(
         {.device = names[i],
          .value = values[i],
          .score = score,
          .reason = fmt::format("{} {:.4g} {} is {:.3g} % {} the median {:.4g}: modified z {:.1f}, above {}", quantity,
-                               values[i], unit_text, 100.0 * distances[i] / std::abs(centre),
-                               values[i] > centre ? "above" : "below", centre, score, outlying)});
+                               values[i], unit_text, 100.0 * std::abs(values[i] - centre) / std::abs(centre),
+                               values[i] > centre ? "above" : "below", centre, score, num::outlying_score)});
   }
   return outliers;
 }

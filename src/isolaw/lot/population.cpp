@@ -1,0 +1,315 @@
+#include "isolaw/lot/population.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "isolaw/base/error.hpp"
+
+namespace isolaw::lot {
+namespace {
+
+using Eigen::Index;
+using Vector = Eigen::VectorXd;
+using Matrix = Eigen::MatrixXd;
+using Symmetric = Eigen::SelfAdjointEigenSolver<Matrix>;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+// Of the largest eigenvalue: below it a direction is rounding of the others.
+constexpr double rounding = 1e-13;
+// Share of a direction's variance that must remain; what is left by S = C in exact arithmetic is rounding.
+constexpr double least_remainder = 1e-10;
+
+std::size_t whole(Index i) {
+  return static_cast<std::size_t>(i);
+}
+
+std::vector<double> plain(Vector const& v) {
+  return {v.begin(), v.end()};
+}
+
+SquareMatrix plain(Matrix const& m) {
+  SquareMatrix rows;
+  for (Index i = 0; i < m.rows(); ++i) rows.push_back(plain(Vector(m.row(i))));
+  return rows;
+}
+
+Matrix matrix(SquareMatrix const& rows) {
+  auto const n = static_cast<Index>(rows.size());
+  Matrix m(n, n);
+  for (Index i = 0; i < n; ++i)
+    for (Index j = 0; j < n; ++j) m(i, j) = rows[whole(i)][whole(j)];
+  return m;
+}
+
+Vector vector(std::vector<double> const& values) {
+  return Eigen::Map<Vector const>(values.data(), static_cast<Index>(values.size()));
+}
+
+void check_covariance(std::vector<std::string> const& names, SquareMatrix const& covariance, std::string const& where,
+                      std::vector<Complaint>& complaints) {
+  auto const n = names.size();
+  bool const square =
+      covariance.size() == n && std::ranges::all_of(covariance, [&](auto const& row) { return row.size() == n; });
+  if (!square) {
+    complaints.push_back({where, "a covariance of another size", fmt::format("{0} by {0}, or none", n), {}});
+    return;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!std::ranges::all_of(covariance[i], [](double value) { return std::isfinite(value); }))
+      complaints.push_back({where, "a covariance of " + names[i] + " that is not finite", "finite numbers", {}});
+    else if (covariance[i][i] < 0.0)
+      complaints.push_back({where, fmt::format("a variance of {} of {}", names[i], covariance[i][i]), "0 or more", {}});
+  }
+}
+
+void check(std::vector<std::string> const& names, std::span<DeviceEstimate const> devices) {
+  std::vector<Complaint> complaints;
+  for (std::size_t d = 0; d < devices.size(); ++d) {
+    auto const where = fmt::format("population, device {}", d + 1);
+    auto const& values = devices[d].values;
+    if (values.size() != names.size()) {
+      complaints.push_back({where, fmt::format("{} values", values.size()), fmt::format("{}", names.size()), {}});
+      continue;
+    }
+    for (std::size_t n = 0; n < names.size(); ++n)
+      if (!std::isfinite(values[n]))
+        complaints.push_back({where, fmt::format("{} = {}", names[n], values[n]), "a finite value",
+                              "leaving out a device whose fit failed"});
+    if (!devices[d].covariance.empty()) check_covariance(names, devices[d].covariance, where, complaints);
+  }
+  if (!complaints.empty()) throw Error(std::move(complaints));
+}
+
+// A device in transformed coordinates.
+struct Located {
+  Vector at;
+  Matrix error;  // C_d
+};
+
+Located transformed(Population const& population, DeviceEstimate const& device) {
+  auto const n = static_cast<Index>(device.values.size());
+  Located made{vector(device.values), Matrix::Zero(n, n)};
+  if (!device.covariance.empty()) {
+    Matrix const given = matrix(device.covariance);
+    made.error = 0.5 * given + 0.5 * given.transpose();
+  }
+  for (Index i = 0; i < n; ++i) {
+    if (population.transforms[whole(i)] == Transform::identity) continue;
+    double const value = made.at[i];
+    made.error.row(i) /= value;
+    made.error.col(i) /= value;
+    made.at[i] = std::log(std::abs(value));
+  }
+  return made;
+}
+
+std::vector<double> physical(Population const& population, Vector const& at) {
+  auto values = plain(at);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (population.transforms[i] == Transform::logarithm) values[i] = population.signs[i] * std::exp(values[i]);
+  return values;
+}
+
+// 1 in place of 0, for what is divided by.
+Vector or_one(Vector v) {
+  for (double& x : v) x = x > 0.0 ? x : 1.0;
+  return v;
+}
+
+std::vector<double> unit_direction(Vector v) {
+  v.normalize();
+  Index largest = 0;
+  v.cwiseAbs().maxCoeff(&largest);
+  return plain(Vector(v[largest] < 0.0 ? -v : v));
+}
+
+// S x = lambda C x as S x = m T x with T = S + C, m = lambda / (1 + lambda) between 0 and 1: C may then be singular or
+// zero, and S as well. In coordinates scaled by the diagonal of T, so that units do not matter, and within the range of
+// T: outside it estimates neither differ nor err. lambda - 1 of C is 2 m - 1 of T.
+Matrix between_devices(Matrix const& S, Matrix const& C, Population& population) {
+  Vector const scale = or_one((S + C).diagonal().cwiseMax(0.0).cwiseSqrt());
+  Matrix const shrink = scale.cwiseInverse().asDiagonal();
+  Matrix const s = shrink * S * shrink;
+  Symmetric const total(s + shrink * C * shrink);
+  double const largest = total.eigenvalues().maxCoeff();
+  std::vector<Index> range;
+  for (Index i = 0; i < total.eigenvalues().size(); ++i)
+    if (total.eigenvalues()[i] > rounding * largest) range.push_back(i);
+
+  auto const n = S.rows();
+  Matrix sigma = Matrix::Zero(n, n);
+  if (range.empty()) return sigma;
+  Matrix const axes = total.eigenvectors()(Eigen::all, range);
+  Vector const size = total.eigenvalues()(range).cwiseSqrt();
+  Matrix const whiten = axes * size.cwiseInverse().asDiagonal(), colour = axes * size.asDiagonal();
+  Symmetric const shares(whiten.transpose() * s * whiten);
+  for (Index i = 0; i < shares.eigenvalues().size(); ++i) {
+    double const m = shares.eigenvalues()[i], remainder = 2.0 * m - 1.0;
+    Vector const direction = colour * shares.eigenvectors().col(i);
+    if (remainder > least_remainder) {
+      ++population.directions;
+      sigma += remainder * direction * direction.transpose();
+    } else {
+      population.undetermined.push_back({unit_direction(direction), std::max(0.0, m) / (1.0 - m)});
+    }
+  }
+  return scale.asDiagonal() * sigma * scale.asDiagonal();
+}
+
+Matrix correlation_of(Matrix const& sigma) {
+  Vector const spread = sigma.diagonal().cwiseSqrt();
+  Matrix made = Matrix::Identity(sigma.rows(), sigma.cols());
+  for (Index i = 0; i < made.rows(); ++i)
+    for (Index j = 0; j < made.cols(); ++j) {
+      double const product = spread[i] * spread[j];
+      if (i != j) made(i, j) = product > 0.0 ? std::clamp(sigma(i, j) / product, -1.0, 1.0) : nan;
+    }
+  return made;
+}
+
+std::string note_on_rank(Population const& population) {
+  auto const n = population.names.size();
+  if (population.directions == n) return {};
+  auto text = fmt::format("the devices differ by more than the uncertainty of their fits in {} of {} directions",
+                          population.directions, n);
+  if (population.devices <= n)
+    text += fmt::format("; {} devices can show {} at most", population.devices, population.devices - 1);
+  return text;
+}
+
+void describe(Matrix const& sigma, Population& population) {
+  population.covariance = plain(sigma);
+  population.correlation = plain(correlation_of(sigma));
+  population.std = plain(Vector(sigma.diagonal().cwiseSqrt()));
+  for (std::size_t i = 0; i < population.names.size(); ++i) {
+    bool const logarithm = population.transforms[i] == Transform::logarithm;
+    double const mean = std::abs(population.mean[i]);
+    population.relative_std.push_back(logarithm ? population.std[i] : mean > 0.0 ? population.std[i] / mean : nan);
+  }
+  population.note = note_on_rank(population);
+}
+
+// The symmetric root of Sigma, by way of the correlations so that units do not matter.
+Matrix symmetric_root(Population const& population) {
+  Matrix const sigma = matrix(population.covariance);
+  Vector const spread = sigma.diagonal().cwiseMax(0.0).cwiseSqrt(), scale = or_one(spread);
+  Symmetric const parts(scale.cwiseInverse().asDiagonal() * sigma * scale.cwiseInverse().asDiagonal());
+  return scale.asDiagonal() * parts.eigenvectors() * parts.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() *
+         parts.eigenvectors().transpose();
+}
+
+bool inside(std::vector<double> const& values, std::span<Limits const> limits) {
+  for (std::size_t i = 0; i < limits.size(); ++i)
+    if (!(values[i] >= limits[i].lower && values[i] <= limits[i].upper)) return false;
+  return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+}
+
+void check_sampling(Population const& population, std::span<Limits const> limits) {
+  if (!population.has_covariance())
+    throw Error({"sample of a population", "no covariance: " + population.note, "two devices or more", {}});
+  if (!limits.empty() && limits.size() != population.names.size())
+    throw Error({"sample of a population",
+                 fmt::format("limits of {} parameters", limits.size()),
+                 fmt::format("of {}, or none", population.names.size()),
+                 {}});
+  std::vector<Complaint> complaints;
+  for (std::size_t i = 0; i < limits.size(); ++i)
+    if (!(population.medians[i] >= limits[i].lower && population.medians[i] <= limits[i].upper))
+      complaints.push_back({"sample of a population",
+                            fmt::format("{}, median {}", population.names[i], population.medians[i]),
+                            fmt::format("{} to {}", limits[i].lower, limits[i].upper),
+                            {}});
+  if (!complaints.empty()) throw Error(std::move(complaints));
+}
+
+}  // namespace
+
+std::string_view name(Transform transform) {
+  return transform == Transform::logarithm ? "logarithm" : "identity";
+}
+
+Transform transform_for(std::span<double const> values) {
+  if (values.empty()) return Transform::identity;
+  bool const one_sign = std::ranges::all_of(values, [&](double value) {
+    return std::isfinite(value) && value != 0.0 && std::signbit(value) == std::signbit(values[0]);
+  });
+  return one_sign ? Transform::logarithm : Transform::identity;
+}
+
+Population estimate_population(std::vector<std::string> const& names, std::span<DeviceEstimate const> devices) {
+  check(names, devices);
+  Population population;
+  population.names = names;
+  population.devices = devices.size();
+  for (std::size_t n = 0; n < names.size(); ++n) {
+    std::vector<double> values;
+    for (auto const& device : devices) values.push_back(device.values[n]);
+    population.transforms.push_back(transform_for(values));
+    bool const negative = population.transforms.back() == Transform::logarithm && values[0] < 0.0;
+    population.signs.push_back(negative ? -1.0 : 1.0);
+  }
+  population.note = names.empty()         ? "no free parameter"
+                    : devices.empty()     ? "no device"
+                    : devices.size() == 1 ? "one device: no scatter between devices"
+                                          : "";
+  if (names.empty() || devices.empty()) return population;
+
+  std::vector<Located> located;
+  for (auto const& device : devices) located.push_back(transformed(population, device));
+  auto const n = static_cast<Index>(names.size());
+  auto const count = static_cast<double>(devices.size());
+  Vector const first = transformed(population, devices.front()).at;
+  Vector mean = first;  // plus differences, so that equal devices have a scatter of zero
+  for (auto const& device : located) mean += (device.at - first) / count;
+  population.mean = plain(mean);
+  population.medians = physical(population, mean);
+  if (devices.size() == 1) return population;
+
+  Matrix S = Matrix::Zero(n, n), C = Matrix::Zero(n, n);
+  for (auto const& device : located) {
+    S += (device.at - mean) * (device.at - mean).transpose() / (count - 1.0);
+    C += device.error / count;
+  }
+  if (!S.allFinite() || !C.allFinite())
+    throw Error({"population", "values or errors whose squares are no numbers any more",
+                 "errors below 1e150 times the value", "fixing a parameter that the test does not determine"});
+  population.estimates = plain(S);
+  population.uncertainty = plain(C);
+  describe(between_devices(S, C, population), population);
+  return population;
+}
+
+Sample sample(Population const& population, std::size_t count, num::Stream const& stream,
+              std::span<Limits const> limits) {
+  check_sampling(population, limits);
+  Vector const mean = vector(population.mean);
+  Matrix const root = symmetric_root(population);
+  Sample made;
+  for (std::size_t i = 0; i < count; ++i) {
+    Vector z(mean.size());
+    std::vector<double> values;
+    bool found = false;
+    for (std::uint32_t attempt = 0; attempt < most_tries && !found; ++attempt) {
+      num::Draws draws(stream, static_cast<std::uint32_t>(i), attempt);
+      for (double& x : z) x = draws.normal();
+      values = physical(population, mean + root * z);
+      found = inside(values, limits);
+      made.rejected += found ? 0 : 1;
+    }
+    if (!found) ++made.pulled_back;
+    while (!found) {
+      z *= 0.5;
+      // Halved until it no longer moves a median that lies on its limit.
+      values = z.norm() > 1e-12 ? physical(population, mean + root * z) : population.medians;
+      found = inside(values, limits) || z.norm() <= 1e-12;
+    }
+    made.values.push_back(std::move(values));
+  }
+  return made;
+}
+
+}  // namespace isolaw::lot
