@@ -1,52 +1,186 @@
 // How often, and at what cost, the search `best` finds the least objective: repeated with other random numbers for every law
-// and device of a lot.
-// Usage: optimum LOT.toml RUNS [LAW...]; prints CSV. The records may lie outside the lot file's folder.
+// and device of a lot, beside other programs where they are asked for. A run succeeds within 0.1 % of the least objective
+// of all runs and of the best known.
+// Usage: optimum LOT.toml RUNS [LAW...] [--device NAME]... [--peers FACTOR] [--update FILE --name RECORD]
+//   --peers    other programs too, each run with FACTOR times the evaluations that `best` takes on average
+//   --update   add what is found to FILE, bench/best_known.toml or another, and lower what it holds, as entries of the
+//              record "RECORD, device"
+// Prints the runs as CSV, then a table by law and method. The records may lie outside the lot file's folder.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
+#include <map>
 #include <string_view>
+#include <utility>
 
-#include "isolaw/base/hash.hpp"
-#include "isolaw/campaign/campaign.hpp"
-#include "isolaw/campaign/lot_file.hpp"
-#include "isolaw/fit/objective.hpp"
 #include "isolaw/opt/multistart.hpp"
+#include "named_problems.hpp"
+#include "peers.hpp"
 
 using namespace isolaw;
 
-int main(int argc, char** argv) try {
+namespace {
+
+constexpr auto own_method = "isolaw best";
+
+struct Arguments {
+  std::string lot, update, name = "lot";
   int runs = 0;
-  std::string_view const count = argc > 2 ? argv[2] : "";
-  std::from_chars(count.data(), count.data() + count.size(), runs);
-  if (runs < 1) {
-    std::fputs("usage: optimum LOT.toml RUNS [LAW...]\n", stderr);
-    return 2;
+  double peers = 0.0;
+  bench::Choice choice;
+};
+
+template <class Number>
+void parse_number(std::string const& text, Number& number) {
+  std::from_chars(text.data(), text.data() + text.size(), number);
+}
+
+Arguments parse(int argc, char** argv) {
+  Arguments made;
+  std::vector<std::string> positional;
+  bool names_entries = false;
+  for (int i = 1; i < argc; ++i) {
+    std::string const word = argv[i];
+    if (!word.starts_with("--") || i + 1 == argc) {
+      positional.push_back(word);
+      continue;
+    }
+    std::string const value = argv[++i];
+    if (word == "--update") made.update = value;
+    if (word == "--name") made.name = value, names_entries = true;
+    if (word == "--device") made.choice.devices.push_back(value);
+    if (word == "--peers") parse_number(value, made.peers);
   }
-  auto lot = campaign::read_lot_file(argv[1], {.allow_outside = true});
-  lot.settings.method = campaign::Method::best;
-  if (argc > 3) lot.settings.laws.assign(argv + 3, argv + argc);
-  auto const contents = campaign::prepare(lot);
-  std::puts("law,device,run,objective,evaluations,starts,hits,seconds");
-  for (auto const& search : contents.searches) {
-    if (!search.refusal.empty()) continue;
-    auto const& device = contents.devices[search.device];
-    fit::LawOnRecord const model(laws::find_law(search.law), device.record, contents.settings.integration,
-                                 contents.settings.turning_points);
-    fit::IdentificationProblem const problem(model, search.box);
-    auto const stream =
-        num::Stream(contents.settings.seed).split(stable_hash(device.name)).split(stable_hash(search.law));
+  if (positional.size() > 1) {
+    made.lot = positional[0];
+    parse_number(positional[1], made.runs);
+    made.choice.laws.assign(positional.begin() + 2, positional.end());
+  }
+  if (made.runs < 1 || (!made.update.empty() && !names_entries))
+    throw Error({.found = "usage: optimum LOT.toml RUNS [LAW...] [--device NAME]... [--peers FACTOR] "
+                          "[--update FILE --name RECORD]"});
+  return made;
+}
+
+struct Run {
+  double objective = 0.0, seconds = 0.0;
+  int evaluations = 0;
+};
+using Runs = std::vector<Run>;
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// All runs on one problem, and the best point of each method.
+class Contest {
+ public:
+  explicit Contest(bench::NamedProblem const& named) : named_(named) {}
+
+  void run_own(int runs, opt::MultistartOptions const& options) {
     for (int run = 1; run <= runs; ++run) {
       auto const start = std::chrono::steady_clock::now();
-      auto const found = opt::minimise_multistart(problem, stream.split(static_cast<std::uint64_t>(run)),
-                                                  contents.settings.multistart);
-      std::chrono::duration<double> const seconds = std::chrono::steady_clock::now() - start;
-      fmt::print("{},{},{},{:.8g},{},{},{},{:.4f}\n", search.law, device.name, run, found.best_value, found.evaluations,
-                 found.starts, found.hits, seconds.count());
-      std::fflush(stdout);
+      auto const found = opt::minimise_multistart(named_.problem, stream(run), options);
+      add(own_method, run, {found.best_value, seconds_since(start), found.evaluations}, found.best);
     }
   }
+  void run_peer(bench::Peer const& peer, int runs, int budget) {
+    for (int run = 1; run <= runs; ++run) {
+      bench::Watched const watched(named_.problem);
+      auto const start = std::chrono::steady_clock::now();
+      peer.search(watched, stream(run).key(), budget);
+      add(peer.name, run, {watched.best_value(), seconds_since(start), watched.evaluations()}, watched.best());
+    }
+  }
+
+  double mean_evaluations() const {
+    double sum = 0.0;
+    for (auto const& run : runs_.front().second) sum += run.evaluations;
+    return sum / static_cast<double>(runs_.front().second.size());
+  }
+  std::vector<std::pair<std::string, Runs>> const& runs() const { return runs_; }
+  std::vector<fit::BestKnown> const& found() const { return found_; }
+
+ private:
+  num::Stream stream(int run) const { return named_.stream.split(static_cast<std::uint64_t>(run)); }
+
+  void add(std::string const& method, int number, Run const& run, std::vector<double> const& best) {
+    fmt::print("\"{}\",{},{},{},{:.8g},{},{:.4f}\n", method, named_.entry.law, named_.device, number, run.objective,
+               run.evaluations, run.seconds);
+    std::fflush(stdout);
+    if (runs_.empty() || runs_.back().first != method) runs_.emplace_back(method, Runs());
+    runs_.back().second.push_back(run);
+    if (!best.empty()) found_.push_back(named_.found(best, method));
+  }
+
+  bench::NamedProblem const& named_;
+  std::vector<std::pair<std::string, Runs>> runs_;
+  std::vector<fit::BestKnown> found_;
+};
+
+struct Tally {
+  int successes = 0;
+  std::vector<double> evaluations, seconds;
+};
+
+double median(std::vector<double> values) {
+  auto const middle = values.begin() + std::ssize(values) / 2;
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  auto const arguments = parse(argc, argv);
+  bench::NamedProblems const problems(arguments.lot, arguments.name, arguments.choice);
+  bench::BestFile file(arguments.update);
+  auto const peers = arguments.peers > 0.0 ? bench::peers(ISOLAW_PEERS_SCRIPT) : std::vector<bench::Peer>();
+  std::map<std::string, std::vector<std::pair<std::string, Tally>>> laws;
+  std::map<std::string, int> changes;
+
+  std::puts("method,law,device,run,objective,evaluations,seconds");
+  for (auto const& named : problems.all) {
+    Contest contest(*named);
+    contest.run_own(arguments.runs, problems.contents.settings.multistart);
+    auto const budget = static_cast<int>(arguments.peers * contest.mean_evaluations());
+    for (auto const& peer : peers) contest.run_peer(peer, arguments.runs, budget);
+
+    double best = file.objective(named->entry.key);
+    int changed = 0;
+    for (auto const& found : contest.found()) {
+      best = std::min(best, found.objective);
+      changed += file.lower(found) != fit::Change::none;
+    }
+    if (changed > 0) file.write();
+    changes[named->entry.law] += changed > 0;
+
+    auto& methods = laws[named->entry.law];
+    methods.resize(contest.runs().size());
+    for (std::size_t i = 0; i < methods.size(); ++i) {
+      auto& [method, tally] = methods[i];
+      method = contest.runs()[i].first;
+      for (auto const& run : contest.runs()[i].second) {
+        tally.successes += run.objective <= best * (1.0 + bench::success_tolerance);
+        tally.evaluations.push_back(run.evaluations);
+        tally.seconds.push_back(run.seconds);
+      }
+    }
+  }
+
+  std::puts("\nlaw,method,successes,runs,median evaluations,median seconds");
+  for (auto const& law : problems.contents.settings.laws) {
+    for (auto const& [method, tally] : laws[law])
+      fmt::print("{},\"{}\",{},{},{:.0f},{:.3f}\n", law, method, tally.successes, tally.seconds.size(),
+                 median(tally.evaluations), median(tally.seconds));
+  }
+  std::puts("");
+  for (auto const& [law, count] : changes)
+    if (count > 0) fmt::print("{}: {} best objectives that the file did not hold, or held higher\n", law, count);
   return 0;
 } catch (std::exception const& error) {
   std::fprintf(stderr, "optimum: %s\n", error.what());

@@ -1,0 +1,122 @@
+// The searches of a lot as problems with a name and a key, and what is known of their least objectives.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/file.hpp"
+#include "isolaw/base/hash.hpp"
+#include "isolaw/campaign/campaign.hpp"
+#include "isolaw/campaign/lot_file.hpp"
+#include "isolaw/fit/best_known.hpp"
+#include "isolaw/fit/objective.hpp"
+
+namespace isolaw::bench {
+
+// A run succeeds where it ends within this of the best objective, relative.
+inline constexpr double success_tolerance = 1e-3;
+
+struct NamedProblem {
+  std::string device;
+  fit::SearchBox box;
+  fit::LawOnRecord model;
+  fit::IdentificationProblem problem{model, box};
+  fit::BestKnown entry;  // of whoever finds something: objective, parameters and founder are open
+  num::Stream stream;
+
+  NamedProblem(campaign::Contents const& contents, campaign::Search const& search, std::string const& name)
+      : device(contents.devices[search.device].name),
+        box(search.box),
+        model(laws::find_law(search.law), contents.devices[search.device].record, contents.settings.integration,
+              contents.settings.turning_points) {
+    auto const& settings = contents.settings;
+    auto const& record = contents.devices[search.device].record;
+    stream = num::Stream(settings.seed).split(stable_hash(device)).split(stable_hash(search.law));
+    entry.record = fmt::format("{}, {}", name, device);
+    entry.settings =
+        fmt::format("box {}, integration {}", campaign::name(settings.box), campaign::name(settings.integration));
+    if (settings.turning_points != laws::TurningPoints::as_sampled)
+      entry.settings += fmt::format(", turning points {}", campaign::name(settings.turning_points));
+    entry.law = search.law;
+    entry.key = fit::problem_key(model.law(), settings.integration, settings.turning_points, record, box);
+  }
+  NamedProblem(NamedProblem const&) = delete;
+  NamedProblem& operator=(NamedProblem const&) = delete;
+
+  // A point of the unit box with the objective that the scalar law gives, which is the one that is reported.
+  fit::BestKnown found(std::span<double const> point, std::string const& found_by) const {
+    auto made = entry;
+    std::vector<double> work;
+    made.parameters.resize(box.parameters.size());
+    box.expand(point, made.parameters);
+    made.objective = model.objective(made.parameters, work);
+    made.found_by = found_by;
+    return made;
+  }
+};
+
+struct Choice {
+  std::vector<std::string> laws, devices;  // empty: all of the lot file
+};
+
+// The records may lie outside the lot file's folder.
+struct NamedProblems {
+  campaign::Contents contents;
+  std::vector<std::unique_ptr<NamedProblem>> all;
+
+  NamedProblems(std::filesystem::path const& lot_file, std::string const& name, Choice const& choice) {
+    auto lot = campaign::read_lot_file(lot_file, {.allow_outside = true});
+    lot.settings.method = campaign::Method::best;
+    if (!choice.laws.empty()) lot.settings.laws = choice.laws;
+    contents = campaign::prepare(lot);
+    for (auto const& search : contents.searches) {
+      auto const& device = contents.devices[search.device].name;
+      bool const chosen = choice.devices.empty() || std::ranges::find(choice.devices, device) != choice.devices.end();
+      if (search.refusal.empty() && chosen) all.push_back(std::make_unique<NamedProblem>(contents, search, name));
+    }
+  }
+};
+
+// The file of best objectives while it is added to; without a file, the built-in one, which stays as it is.
+class BestFile {
+ public:
+  explicit BestFile(std::string file) : file_(std::move(file)) {
+    if (file_.empty())
+      entries_ = fit::all_best_known();
+    else if (std::filesystem::exists(file_))
+      entries_ = fit::read_best_known(
+          read_file(file_,
+                    {.largest_bytes = std::size_t{16} << 20, .allowed = "TOML", .when_too_large = "another file"}),
+          file_);
+  }
+
+  double objective(std::string const& key) const {
+    auto const found = std::ranges::find(entries_, key, &fit::BestKnown::key);
+    return found == entries_.end() ? std::numeric_limits<double>::infinity() : found->objective;
+  }
+  fit::Change lower(fit::BestKnown const& found) { return fit::lower(entries_, found); }
+  void write() const {
+    if (file_.empty()) return;
+    auto const unfinished = file_ + ".new";
+    std::ofstream out(unfinished, std::ios::binary);
+    out << fit::best_known_text(entries_);
+    out.close();
+    if (!out) throw Error({.where = unfinished, .found = "cannot be written"});
+    std::filesystem::rename(unfinished, file_);
+  }
+
+ private:
+  std::string file_;
+  std::vector<fit::BestKnown> entries_;
+};
+
+}  // namespace isolaw::bench

@@ -1,0 +1,52 @@
+// Other programs' searches on isolaw's objective, for bench/optimum: each evaluates the same blocks of candidates.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "isolaw/num/random.hpp"
+#include "isolaw/opt/problem.hpp"
+
+namespace isolaw::bench {
+
+// A problem that remembers the best point of all that was evaluated, and how many: whatever a search returns, what it has
+// seen counts for it.
+class Watched final : public opt::DeviationProblem {
+ public:
+  explicit Watched(opt::DeviationProblem const& problem) : problem_(problem) {}
+  std::size_t dimension() const override { return problem_.dimension(); }
+  std::span<double const> weights() const override { return problem_.weights(); }
+  void evaluate(opt::Points const& points, std::span<double> values) const override;
+  void residuals(opt::Points const& points, std::span<double> values) const override;
+
+  std::vector<double> const& best() const { return best_; }  // empty when nothing was finite
+  double best_value() const { return best_value_; }
+  int evaluations() const { return evaluations_; }
+
+ private:
+  void see(std::span<double const> point, double value) const;
+
+  opt::DeviationProblem const& problem_;
+  mutable std::vector<double> best_;
+  mutable double best_value_ = std::numeric_limits<double>::infinity();
+  mutable int evaluations_ = 0;
+};
+
+struct Peer {
+  std::string name;
+  // Searches until about `budget` evaluations are spent.
+  std::function<void(Watched const& problem, std::uint64_t seed, int budget)> search;
+};
+
+// Those that are installed; says on standard error what is not. `script`: bench/peers/optimum.py.
+std::vector<Peer> peers(std::string const& script);
+
+// In peer_ceres.cpp, which is compiled where Ceres is found.
+void search_by_ceres(Watched const& problem, std::uint64_t seed, int budget);
+
+}  // namespace isolaw::bench
