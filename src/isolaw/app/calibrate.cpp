@@ -130,7 +130,8 @@ void remove_outputs(std::filesystem::path const& directory) {
   std::error_code ignored;
   for (auto const* name :
        {"summary.json", "report.html", "run.json", "tables/parameters.csv", "tables/objective.csv",
-        "tables/robustness.csv", "tables/cycles.csv", "tables/tests.csv", "tables/lot.csv", "tables/lambda.csv"})
+        "tables/robustness.csv", "tables/converged.csv", "tables/identifiability.csv", "tables/lot_law.csv",
+        "tables/prediction.csv", "tables/cycles.csv", "tables/tests.csv", "tables/lot.csv", "tables/lambda.csv"})
     if (std::filesystem::is_regular_file(directory / name, ignored)) std::filesystem::remove(directory / name, ignored);
 }
 
@@ -296,7 +297,10 @@ int report(ReportArguments const& arguments) {
     not_written = error;
   }
   print(summary, arguments.json);
-  if (!contents.complete())
+  if (!contents.complete() && summary.missing_runs() == 0)
+    say("the campaign is not complete: {} analyses are missing; the calibrate command it was started with continues it\n",
+        summary.missing_analyses());
+  else if (!contents.complete())
     say("the campaign is not complete: {} runs are missing; the calibrate command it was started with continues it\n",
         summary.missing_runs());
   if (not_written) throw *not_written;
@@ -377,11 +381,17 @@ int check(std::filesystem::path const& directory) {
           fmt::format("{} is not what the store gives; isolaw report {} makes it again", name, shown(directory)));
   fmt::print("{}: {}\n", shown(file),
              result.faults.empty() ? "sound" : fmt::format("{} fault(s)", result.faults.size()));
-  fmt::print("  {} devices, {} laws on them, {} of {} runs\n", result.devices, result.searches, result.runs,
+  fmt::print("  {} devices, {} laws on them, {} of {} runs", result.devices, result.searches, result.runs,
              result.expected_runs);
+  fmt::print("{}\n", result.expected_analyses > 0
+                         ? fmt::format(", {} of {} analyses", result.analyses, result.expected_analyses)
+                         : std::string());
   if (summary.missing_runs() > 0)
     fmt::print("  not complete: {} runs are missing; the calibrate command it was started with continues it\n",
                summary.missing_runs());
+  else if (summary.missing_analyses() > 0)
+    fmt::print("  not complete: {} analyses are missing; the calibrate command it was started with continues it\n",
+               summary.missing_analyses());
   fmt::print("  records cleaned and objectives computed again: largest relative difference {:.2g}\n",
              result.largest_difference);
   if (outputs.compared > 0) fmt::print("  {} files beside it compared with what the store gives\n", outputs.compared);

@@ -200,6 +200,21 @@ double LawOnRecord::integration_shift(std::span<double const> parameters) const 
   return std::abs(misfit(force) - here);
 }
 
+double objective_on(data::FitRecord const& record, std::span<double const> force_kN, std::vector<double> scored) {
+  data::FitRecord part{.time_s = record.time_s,
+                       .disp_mm = record.disp_mm,
+                       .vel_mm_s = {},
+                       .force_kN = record.force_kN,
+                       .scored = std::move(scored),
+                       .cleaning = {}};
+  auto const weights = time_weights(part);
+  double const spread = num::population_std(scored_values(part, part.force_kN));
+  double sum = 0.0;
+  for (std::size_t i = 0; i < weights.weight.size(); ++i)
+    if (part.is_scored(i)) sum += weights.weight[i] * std::abs(record.force_kN[i] - force_kN[i]);
+  return weights.duration > 0.0 && spread > 0.0 ? sum / spread : std::nan("");
+}
+
 void IdentificationProblem::evaluate(opt::Points const& points, std::span<double> values) const {
   model_.objectives(
       points.size(), [&](std::size_t i, std::span<double> parameters) { box_.expand(points[i], parameters); }, values);

@@ -79,6 +79,10 @@ class LawOnRecord {
   double spread_ = 1.0;           // standard deviation of the measured force, law's unit
 };
 
+// Eq. (27) over some of the samples, those where `scored` is not 0: of the forces that a law gives over the whole history.
+// NaN where no two neighbours are among them or the force does not change there.
+double objective_on(data::FitRecord const& record, std::span<double const> force_kN, std::vector<double> scored);
+
 // The search of a law's free parameters on a record, in the unit box.
 class IdentificationProblem final : public opt::DeviationProblem {
  public:

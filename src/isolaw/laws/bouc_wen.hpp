@@ -81,6 +81,20 @@ struct BoucWen {
                          .scaled_search = Scale::logarithmic}},
   };
 
+  // The same forces with A = 1: z is measured in travel of its own first slope.
+  static constexpr std::string_view redundant = "A";
+  static constexpr double redundant_value = 1.0;
+  static constexpr std::array<std::string_view, 4> redundant_with{"alpha", "Ke", "beta", "gamma"};
+  static Params<double> reduced(Params<double> const& p) {
+    double const scale = num::power(p.A, p.n - 1.0), elastic = p.alpha * p.Ke + (1.0 - p.alpha) * p.Ke * p.A;
+    return {.alpha = p.alpha * p.Ke / elastic,
+            .Ke = elastic,
+            .A = 1.0,
+            .beta = p.beta * scale,
+            .n = p.n,
+            .gamma = p.gamma * scale};
+  }
+
   template <class T>
   struct State {
     T z = T(0.0);

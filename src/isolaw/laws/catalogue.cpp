@@ -11,8 +11,20 @@ namespace isolaw::laws {
 namespace {
 
 template <class Law>
+concept HasReducedForm = requires(ParamsOf<Law, double> const& p) { Law::reduced(p); };
+
+template <class Law>
 LawEntry entry() {
   LawEntry made{.info = Law::info, .index = 0, .parameters = {}, .evaluate = nullptr};
+  if constexpr (HasReducedForm<Law>) {
+    made.redundant = Law::redundant;
+    made.redundant_with.assign(Law::redundant_with.begin(), Law::redundant_with.end());
+    made.redundant_value = Law::redundant_value;
+    made.reduce = [](std::span<double> parameters) {
+      auto const p = Law::reduced(unpack<Law, double>(parameters));
+      for (std::size_t i = 0; i < parameters.size(); ++i) parameters[i] = p.*members<Law, double>[i];
+    };
+  }
   for (auto const& row : Law::template rows<double>) made.parameters.push_back(row.info);
   made.evaluate = [](std::span<double const> parameters, Path const& path, Integration integration,
                      std::span<double> force) {

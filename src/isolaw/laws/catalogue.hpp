@@ -19,6 +19,13 @@ struct LawEntry {
   void (*evaluate)(std::span<double const> parameters, Path const& path, Integration integration,
                    std::span<double> force);
 
+  // Where parameters are redundant by the law's form: the name of the one that can be fixed without loss, those it trades off
+  // with, and the change to parameters of the same forces in which it has its fixed value. Empty and null elsewhere.
+  std::string_view redundant = {};
+  std::vector<std::string_view> redundant_with = {};
+  double redundant_value = 0.0;
+  void (*reduce)(std::span<double> parameters) = nullptr;
+
   // Index of a parameter; throws Error that lists the law's parameters.
   std::size_t index_of(std::string_view parameter) const;
 };

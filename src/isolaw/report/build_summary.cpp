@@ -14,6 +14,7 @@
 #include "isolaw/num/statistics.hpp"
 #include "isolaw/opt/pareto.hpp"
 #include "isolaw/report/acceptance.hpp"
+#include "isolaw/report/build_analysis.hpp"
 
 namespace isolaw::report {
 namespace {
@@ -79,7 +80,9 @@ ParameterFit parameter_fit(fit::SearchParameter const& searched, std::size_t ind
                     .upper = searched.upper,
                     .value = {},
                     .percent_of_lot = std::nullopt,
-                    .at_bound = ""};
+                    .at_bound = "",
+                    .tied_to = "",
+                    .analysis = std::nullopt};
   made.value = statistic(collect(usable, [&](campaign::Run const& run) { return run.parameters[index]; }));
   if (best == nullptr) return made;
   made.value.best = best->parameters[index];
@@ -152,6 +155,9 @@ DeviceFit device_fit(campaign::Contents const& contents, campaign::Search const&
   made.objective = statistic(collect(usable, [](campaign::Run const& run) { return run.objective; }));
   for (std::size_t i = 0; i < search.box.parameters.size(); ++i)
     made.parameters.push_back(parameter_fit(search.box.parameters[i], i, usable, best));
+  for (std::size_t i = 0; i < search.box.parameters.size(); ++i)
+    if (auto const other = search.box.parameters[i].tied_to)
+      made.parameters[i].tied_to = search.box.parameters[*other].name;
   if (best == nullptr) return made;
 
   made.objective.best = best->objective;
@@ -159,7 +165,9 @@ DeviceFit device_fit(campaign::Contents const& contents, campaign::Search const&
   fit::LawOnRecord const model(laws::find_law(search.law), device.record, contents.settings.integration,
                                contents.settings.turning_points, best->refinement);
   made.force_kN = model.force_kN(best->parameters);
+  made.refinement = best->refinement;
   compare_properties(made, device.record);
+  add_analysis(made, contents, search);
   return made;
 }
 
@@ -242,6 +250,8 @@ Summary build_summary(campaign::Contents const& contents) {
   summary.seed = contents.settings.seed;
   summary.runs = contents.runs.size();
   summary.expected_runs = contents.expected_runs();
+  summary.analyses = contents.analyses();
+  summary.expected_analyses = contents.expected_analyses();
   for (auto const& [key, json] : campaign::to_pairs(contents.settings))
     if (key != "seed") summary.settings.push_back({key, json});
   for (auto const& device : contents.devices)
@@ -249,14 +259,9 @@ Summary build_summary(campaign::Contents const& contents) {
 
   for (auto const& id : contents.settings.laws) {
     auto const& entry = laws::find_law(id);
-    LawResult law{.id = id,
-                  .title = std::string(entry.info.title),
-                  .objective = {},
-                  .beta = std::nullopt,
-                  .beta_note = {},
-                  .on_front = false,
-                  .notes = {},
-                  .devices = {}};
+    LawResult law;
+    law.id = id;
+    law.title = std::string(entry.info.title);
     if (!entry.info.note.empty()) law.notes.emplace_back(entry.info.note);
     std::vector<double> all_objectives;
     for (auto const& search : contents.searches) {
@@ -273,9 +278,11 @@ Summary build_summary(campaign::Contents const& contents) {
     }
     add_accuracy(law, all_objectives);
     add_lot_statistics(law);
+    add_lot_analysis(law, contents);
     summary.laws.push_back(std::move(law));
   }
   mark_front(summary.laws);
+  add_converged_views(summary);
   auto const& asked = summary.asked = contents.acceptance;
   add_acceptance(summary, asked.rules.empty() ? rules::RuleSet{} : rules::read_rule_text(asked.rules, asked.rules_file),
                  asked.design.empty() ? rules::Design{} : rules::parse_design(asked.design), asked.lot_size);

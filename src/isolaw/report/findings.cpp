@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "isolaw/report/analysis_findings.hpp"
+
 namespace isolaw::report {
 namespace {
 
@@ -126,6 +128,9 @@ void warn_of_missing_runs(Summary const& summary, std::vector<Warning>& warnings
         {"not complete", fmt::format("not complete: {} of {} runs are there; every number and the choice "
                                      "of a law may still change",
                                      summary.runs, summary.expected_runs)});
+  else if (summary.missing_analyses() > 0)
+    warnings.push_back({"not complete", fmt::format("not complete: {} of {} analyses are there", summary.analyses,
+                                                    summary.expected_analyses)});
 }
 
 // A record under two names counts twice, and makes parameters look less scattered than they are.
@@ -263,7 +268,10 @@ std::vector<Warning> all_warnings(Summary const& summary) {
   warn_of_devices(summary, warnings);
   warn_of_copies(summary, warnings);
   for (auto const warn :
-       {warn_of_refused_laws, warn_of_failed_runs, warn_of_failed_evaluations, warn_of_bounds, warn_of_integration})
+       {warn_of_refused_laws, warn_of_failed_runs, warn_of_failed_evaluations})
+    for (auto const& law : summary.laws) warn(law, warnings);
+  warn_of_analysis(summary, warnings);
+  for (auto const warn : {warn_of_bounds, warn_of_integration})
     for (auto const& law : summary.laws) warn(law, warnings);
   warn_of_records(summary, warnings);
   return warnings;
@@ -315,6 +323,7 @@ Findings findings(Summary const& summary) {
     if (!front.empty() && !note.empty()) verdict.sentence += fmt::format(" No beta: {}.", note);
     all.verdicts.push_back(std::move(verdict));
   }
+  all.converged = converged_sentences(summary);
   all.warnings = all_warnings(summary);
   all.beta_note = note_on_beta(summary);
   return all;

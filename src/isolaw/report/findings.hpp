@@ -35,7 +35,8 @@ struct Verdict {
 
 struct Warning {
   std::string
-      topic;  // "not complete", "refused", "copies", "law not identified", "failed runs", "at bound", "integration", "record"
+      topic;  // "not complete", "refused", "copies", "law not identified", "failed runs", "prediction", "search",
+              // "undetermined", "outlier", "at bound", "integration", "record"
   std::string sentence;
 };
 
@@ -43,6 +44,7 @@ struct Findings {
   std::string headline;           // the decision in one sentence
   std::vector<Verdict> verdicts;  // the front from accurate to robust, then dominated, then unranked laws
   std::vector<Warning> warnings;  // most serious topic first
+  std::vector<std::string> converged;  // what changes without the optimiser's noise, and what an engineer meets
   std::string beta_note;          // why no law has a beta; "" when one has
 };
 

@@ -34,4 +34,13 @@ std::string lambda_csv(Summary const& summary);
 // One cell of untrusted text, quoted where needed and never a formula.
 std::string csv_cell(std::string_view text);
 
+// What the tests determine: a row per law, device and free parameter; only the head without analyses.
+std::string identifiability_csv(Summary const& summary);
+// The laws without the optimiser's noise, with devices left out and blocks predicted: a row per law.
+std::string converged_csv(Summary const& summary);
+// One parameter vector for the lot, and the population: a row per law and parameter.
+std::string lot_law_csv(Summary const& summary);
+// Objectives of laws on what they were and were not fitted to: a row per law, device and part.
+std::string prediction_csv(Summary const& summary);
+
 }  // namespace isolaw::report

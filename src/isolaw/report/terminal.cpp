@@ -110,6 +110,43 @@ std::string law_table(Summary const& summary) {
   return text;
 }
 
+// The laws without the optimiser's noise.
+std::string converged_table(Summary const& summary, int width) {
+  std::vector<std::array<std::string, 8>> rows{
+      {"law", "found", "least OF", "beta", "front", "left out", "worst", "open"}};
+  for (std::size_t const index : by_objective(summary)) {
+    auto const& law = summary.laws[index];
+    if (!law.objective_converged) continue;
+    int open = 0, free = 0;
+    for (auto const& fit : law.devices)
+      for (auto const& p : fit.parameters) {
+        free += p.analysis ? 1 : 0;
+        open += p.analysis && p.analysis->identifiability == "undetermined" ? 1 : 0;
+      }
+    rows.push_back({printable(law.id), law.success_share ? fmt::format("{:.0f} %", 100.0 * *law.success_share) : "–",
+                    fixed(law.objective_converged, 4), fixed(law.beta_converged, 3),
+                    !law.beta_converged      ? "–"
+                    : law.on_front_converged ? "●"
+                                             : "○",
+                    fixed(law.loo_objective, 4), fixed(law.loo_worst, 4),
+                    free > 0 ? fmt::format("{:.0f} %", 100.0 * open / free) : "–"});
+  }
+  if (rows.size() == 1) return {};
+  std::array<int, 8> widths{};
+  for (auto const& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], columns(row[i]) + 2);
+  std::string text = "Without the optimiser's noise\n";
+  for (auto const& row : rows) {
+    std::string line = "     " + padded(row[0], widths[0]);
+    for (std::size_t i = 1; i < row.size(); ++i) line += padded(row[i], widths[i], true);
+    text += line + '\n';
+  }
+  return text + wrapped("",
+                        "found: runs that reached the least OF known; left out: OF on a device by the law of all others, "
+                        "mean and worst; open: parameters that the tests do not determine",
+                        5, width);
+}
+
 // A character raster addressed by column and row, of code points.
 class Canvas {
  public:
@@ -264,6 +301,9 @@ std::string ranking(Summary const& summary, int width) {
   auto const found = findings(summary);
   std::string text = heading(summary, width) + '\n' + law_table(summary) + '\n';
   text += wrapped("", found.headline, 0, width);
+  if (auto const converged = converged_table(summary, width); !converged.empty()) text += '\n' + converged;
+  if (!found.converged.empty()) text += '\n';
+  for (auto const& sentence : found.converged) text += wrapped("", sentence, 0, width);
   if (!found.warnings.empty()) {
     text += "\nTake care:\n";
     for (auto const& warning : found.warnings) text += wrapped("  -", warning.sentence, 4, width);

@@ -1,0 +1,180 @@
+#include "isolaw/report/analysis_findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace isolaw::report {
+namespace {
+
+using Names = std::vector<std::string>;
+
+std::string percent(double fraction) {
+  double const value = 100.0 * fraction;
+  return std::abs(value) < 9.95 ? fmt::format("{:.1f} %", value) : fmt::format("{:.0f} %", value);
+}
+std::string error_percent(double fraction) {
+  return fmt::format("{:.1f} %", 100.0 * fraction);
+}
+
+Names on(Summary const& summary, bool LawResult::*front) {
+  std::vector<LawResult const*> laws;
+  for (auto const& law : summary.laws)
+    if (law.*front) laws.push_back(&law);
+  std::ranges::stable_sort(laws, {}, [](auto const* law) {
+    return law->objective_converged.value_or(law->objective.mean.value_or(std::numeric_limits<double>::infinity()));
+  });
+  Names names;
+  for (auto const* law : laws) names.push_back(law->id);
+  return names;
+}
+
+// Why a law's beta is another without the optimiser's noise; "" where it is not by more than a tenth.
+std::string changed_beta(LawResult const& law) {
+  if (!law.beta || !law.beta_converged) return {};
+  double const change = *law.beta_converged - *law.beta;
+  if (std::abs(change) <= 0.1 * std::max(*law.beta, *law.beta_converged)) return {};
+  Names reasons;
+  if (law.reduced) reasons.push_back("it is taken of the reduced form, in which nothing is redundant");
+  if (!law.left_out_of_beta.empty())
+    reasons.push_back(
+        fmt::format("{} left out, which most tests do not determine", enumerate(law.left_out_of_beta, 4)));
+  if (law.success_share && *law.success_share < 0.99)
+    reasons.push_back(fmt::format("{} of the runs found the least objective",
+                                  *law.success_share == 0.0 ? "none" : "only " + percent(*law.success_share)));
+  if (reasons.empty()) reasons.push_back("the runs' means hide where the least objective is");
+  return fmt::format("{}: {} instead of {}, {}", law.id, percent(*law.beta_converged), percent(*law.beta),
+                     fmt::join(reasons, "; "));
+}
+
+void say_what_changed(Summary const& summary, Names& sentences) {
+  auto const published = on(summary, &LawResult::on_front), converged = on(summary, &LawResult::on_front_converged);
+  if (converged.empty()) return;
+  if (published == converged)
+    sentences.push_back(fmt::format("Without the optimiser's noise the front is the same: {}.", enumerate(converged)));
+  else
+    sentences.push_back(published.empty()
+                            ? fmt::format("Without the optimiser's noise the front is {}.", enumerate(converged))
+                            : fmt::format("Without the optimiser's noise the front is {}, as published it is {}.",
+                                          enumerate(converged), enumerate(published)));
+  Names changes;
+  for (auto const& law : summary.laws)
+    if (auto text = changed_beta(law); !text.empty()) changes.push_back(std::move(text));
+  if (!changes.empty()) sentences.push_back(fmt::format("Beta changes for {}.", fmt::join(changes, "; for ")));
+}
+
+void say_what_an_engineer_meets(Summary const& summary, Names& sentences) {
+  LawResult const* best = nullptr;
+  for (auto const& law : summary.laws)
+    if (law.loo_objective && !law.prediction_collapses &&
+        (best == nullptr || *law.loo_objective < *best->loo_objective))
+      best = &law;
+  if (best == nullptr) return;
+  auto text = fmt::format(
+      "Taken for a device that was not tested, the lot's one law is {} wrong on average with {}, the least of all, and "
+      "{} at worst ({})",
+      error_percent(*best->loo_objective), best->id, error_percent(*best->loo_worst), best->loo_worst_device);
+  if (best->objective_converged)
+    text += fmt::format("; fitted to each device itself it would be {}", error_percent(*best->objective_converged));
+  sentences.push_back(text + ".");
+}
+
+void say_what_is_determined(Summary const& summary, Names& sentences) {
+  Names parts;
+  for (auto const& law : summary.laws) {
+    int free = 0, blind = 0;
+    for (auto const& fit : law.devices)
+      for (auto const& p : fit.parameters) {
+        if (!p.analysis) continue;
+        ++free;
+        blind += p.analysis->identifiability == "undetermined" ? 1 : 0;
+      }
+    if (free > 0)
+      parts.push_back(fmt::format("{} {}", law.id, percent(1.0 - static_cast<double>(blind) / static_cast<double>(free))));
+  }
+  if (!parts.empty())
+    sentences.push_back(fmt::format("Share of the parameters that the tests determine: {}.", fmt::join(parts, ", ")));
+}
+
+void warn_of_collapse(LawResult const& law, std::vector<Warning>& warnings) {
+  if (!law.prediction_collapses) return;
+  warnings.push_back({"prediction",
+                      fmt::format("{}: its prediction collapses: blocks it was not fitted to are missed by {} of their "
+                                  "force's standard deviation ({} at worst), those it was fitted to by {}; it is no law "
+                                  "for other amplitudes or frequencies than those it was fitted to",
+                                  law.id, percent(*law.predicted_objective), percent(*law.worst_predicted),
+                                  error_percent(*law.fitted_objective))});
+}
+
+void warn_of_success(LawResult const& law, std::vector<Warning>& warnings) {
+  if (!law.success_share || *law.success_share >= 0.5) return;
+  warnings.push_back({"search", fmt::format("{}: {} of the runs ended within 0.1 % of the least objective ({}); the others "
+                                            "stopped above it",
+                                            law.id, *law.success_share == 0.0 ? "none" : percent(*law.success_share),
+                                            law.success_reference)});
+}
+
+void warn_of_undetermined(LawResult const& law, std::vector<Warning>& warnings) {
+  std::vector<std::pair<std::string, int>> blind;
+  int devices = 0;
+  for (auto const& fit : law.devices) {
+    devices += fit.optimum ? 1 : 0;
+    for (auto const& p : fit.parameters) {
+      if (!p.analysis || p.analysis->identifiability != "undetermined") continue;
+      auto found = std::ranges::find(blind, p.name, &std::pair<std::string, int>::first);
+      if (found == blind.end()) found = blind.insert(blind.end(), {p.name, 0});
+      ++found->second;
+    }
+  }
+  if (blind.empty()) return;
+  Names parts;
+  for (auto const& [name, count] : blind)
+    parts.push_back(count == devices ? name : fmt::format("{} ({} of {} devices)", name, count, devices));
+  auto text = fmt::format("{}: the tests do not determine {}", law.id, enumerate(parts, 6));
+  if (!law.reduced_form.empty())
+    text += fmt::format("; {} searches a form of the same loops without the redundant one", law.reduced_form);
+  warnings.push_back({"undetermined", std::move(text)});
+}
+
+void warn_of_outliers(Summary const& summary, std::vector<Warning>& warnings) {
+  std::vector<std::pair<std::string, Names>> devices;
+  for (auto const& outlier : summary.outliers) {
+    auto found = std::ranges::find(devices, outlier.device, &std::pair<std::string, Names>::first);
+    if (found == devices.end()) found = devices.insert(devices.end(), {outlier.device, {}});
+    auto const unit = outlier.unit.empty() ? std::string() : " " + outlier.unit;
+    found->second.push_back(fmt::format("{} {:.4g}{} ({:+.0f} % from the median)", outlier.property, outlier.value, unit,
+                                        outlier.percent));
+  }
+  for (auto const& [device, properties] : devices)
+    warnings.push_back(
+        {"outlier", fmt::format("{} stands apart from its lot: {}", device, enumerate(properties, 4))});
+}
+
+}  // namespace
+
+std::vector<std::string> converged_sentences(Summary const& summary) {
+  Names sentences;
+  say_what_changed(summary, sentences);
+  say_what_an_engineer_meets(summary, sentences);
+  say_what_is_determined(summary, sentences);
+  return sentences;
+}
+
+void warn_of_analysis(Summary const& summary, std::vector<Warning>& warnings) {
+  for (auto const warn : {warn_of_collapse, warn_of_success, warn_of_undetermined})
+    for (auto const& law : summary.laws) warn(law, warnings);
+  bool several_blocks = false, predicted = false;
+  for (auto const& device : summary.devices)
+    several_blocks = several_blocks || (device.status == "ok" && device.properties.blocks.size() > 1);
+  for (auto const& law : summary.laws) predicted = predicted || law.predicted_objective.has_value();
+  if (several_blocks && !predicted && !summary.laws.empty())
+    warnings.push_back({"prediction",
+                        "the records hold several blocks; whether a law fitted to one holds for the others is not asked: "
+                        "--fit-blocks with the numbers of some predicts the rest"});
+  warn_of_outliers(summary, warnings);
+}
+
+}  // namespace isolaw::report
