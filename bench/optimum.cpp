@@ -34,9 +34,13 @@ struct Arguments {
   bench::Choice choice;
 };
 
+constexpr auto usage =
+    "optimum LOT.toml RUNS [LAW...] [--device NAME]... [--peers FACTOR] [--update FILE --name RECORD]";
+
 template <class Number>
-void parse_number(std::string const& text, Number& number) {
-  std::from_chars(text.data(), text.data() + text.size(), number);
+bool parse_number(std::string const& text, Number& number) {
+  auto const end = text.data() + text.size();
+  return std::from_chars(text.data(), end, number).ptr == end;
 }
 
 Arguments parse(int argc, char** argv) {
@@ -50,19 +54,23 @@ Arguments parse(int argc, char** argv) {
       continue;
     }
     std::string const value = argv[++i];
-    if (word == "--update") made.update = value;
-    if (word == "--name") made.name = value, names_entries = true;
-    if (word == "--device") made.choice.devices.push_back(value);
-    if (word == "--peers") parse_number(value, made.peers);
+    if (word == "--update")
+      made.update = value;
+    else if (word == "--name")
+      made.name = value, names_entries = true;
+    else if (word == "--device")
+      made.choice.devices.push_back(value);
+    else if (word == "--peers" && parse_number(value, made.peers) && made.peers > 0.0)
+      continue;
+    else
+      throw Error({.where = word, .found = "not an option, or not a value of it: " + value, .allowed = usage});
   }
   if (positional.size() > 1) {
     made.lot = positional[0];
-    parse_number(positional[1], made.runs);
+    if (!parse_number(positional[1], made.runs)) made.runs = 0;
     made.choice.laws.assign(positional.begin() + 2, positional.end());
   }
-  if (made.runs < 1 || (!made.update.empty() && !names_entries))
-    throw Error({.found = "usage: optimum LOT.toml RUNS [LAW...] [--device NAME]... [--peers FACTOR] "
-                          "[--update FILE --name RECORD]"});
+  if (made.runs < 1 || (!made.update.empty() && !names_entries)) throw Error({.where = "usage", .found = usage});
   return made;
 }
 
