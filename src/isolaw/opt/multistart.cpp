@@ -392,7 +392,10 @@ DescentResult descend(DeviationProblem const& problem, std::span<double const> s
   Counting counting(problem, counts);
   Descent descent(counting, start, rounding);
   if (descent.usable()) descent.polish();
-  DescentResult result{.evaluations = counts.evaluations, .failed_evaluations = counts.failed_evaluations};
+  DescentResult result{.best = {},
+                       .best_value = infinity,
+                       .evaluations = counts.evaluations,
+                       .failed_evaluations = counts.failed_evaluations};
   if (!descent.usable()) return result;
   result.best = descent.x();
   result.best_value = descent.value();
