@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -119,6 +120,13 @@ class Process {
   fs::path output_, errors_;
 };
 
+// Analyses cost far more than the short searches of most tests, which ask about other things: none unless asked for.
+inline Words without_analysis(Words words) {
+  bool const asked = std::ranges::find(words, "--analysis") != words.end();
+  if (!words.empty() && words.front() == "calibrate" && !asked) words.insert(words.end(), {"--analysis", "none"});
+  return words;
+}
+
 // A test in a directory of its own, where commands run and their relative names live.
 class InFreshDirectory : public testing::Test {
  protected:
@@ -142,12 +150,14 @@ class InFreshDirectory : public testing::Test {
 
   // isolaw with `words`; captured output lies beside the working directory, not in it.
   Process start(Words words, Words const& environment = {}) {
+    words = without_analysis(std::move(words));
     words.insert(words.begin(), ISOLAW_BINARY);
     auto const number = std::to_string(++commands_);
     return Process(words, directory(), base_ / ("out" + number), base_ / ("err" + number), environment);
   }
   Outcome isolaw(Words words) { return start(std::move(words)).wait(); }
   Outcome isolaw_in(fs::path const& where, Words words) {
+    words = without_analysis(std::move(words));
     words.insert(words.begin(), ISOLAW_BINARY);
     return Process(words, where, base_ / "out", base_ / "err").wait();
   }

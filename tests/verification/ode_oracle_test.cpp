@@ -218,11 +218,20 @@ TEST(OdeOracle, HwangWuForThePublishedDevices) {
   }
 }
 
+// Candidates without a bounded force, beta + gamma <= 0, are passed over.
+Values<laws::BoucWen> bounded_bouc_wen(std::uint32_t index) {
+  for (std::uint32_t next = index;; next += 100) {
+    auto const values = scaled_candidate<laws::BoucWen>(next);
+    double const beta = values[index_of<laws::BoucWen>("beta")], gamma = values[index_of<laws::BoucWen>("gamma")];
+    if (beta + gamma > 0.0) return values;
+  }
+}
+
 // What an optimiser meets on a device of its own size: exponents 0.5 to 2 and any ratio of beta to gamma for bouc-wen,
 // yield displacements down to a thousandth of the largest displacement for abe. A wrong force there is one that a
 // search exploits.
 TEST(OdeOracleInTheScaledBox, BoucWen) {
-  EXPECT_LT(errors<laws::BoucWen>(100, bouc_wen, scaled_candidate<laws::BoucWen>).back(), 1e-4);
+  EXPECT_LT(errors<laws::BoucWen>(100, bouc_wen, bounded_bouc_wen).back(), 1e-4);
 }
 TEST(OdeOracleInTheScaledBox, AbeY0) {
   EXPECT_LT(errors<laws::AbeY0>(100, abe_y0, scaled_candidate<laws::AbeY0>).back(), 1e-5);

@@ -12,8 +12,18 @@
 namespace isolaw::fit {
 namespace {
 
-// A logarithmic scale that ends at zero: six decades, then straight into it.
+// A logarithmic scale that ends at zero: six decades, then straight into it. One across zero: the same on both sides.
 constexpr double decades_from_zero = 6.0 * 2.302585092994046;
+
+// value = linear_size sinh(coordinate), the coordinate running from asinh(lower / linear_size) to that of the upper end.
+struct AcrossZero {
+  double linear_size, from, to;
+
+  AcrossZero(double lower, double upper)
+      : linear_size(std::max(-lower, upper) / std::exp(decades_from_zero)),
+        from(std::asinh(lower / linear_size)),
+        to(std::asinh(upper / linear_size)) {}
+};
 
 constexpr std::string_view override_form = "law.parameter=value, law.parameter=lower:upper, law.parameter=free, "
     "law.parameter=another parameter";
@@ -125,6 +135,10 @@ double SearchParameter::at(double u) const {
     return std::clamp(upper * std::expm1(decades_from_zero * u) / std::expm1(decades_from_zero), 0.0, upper);
   if (upper == 0.0)
     return std::clamp(lower * std::expm1(decades_from_zero * (1.0 - u)) / std::expm1(decades_from_zero), lower, 0.0);
+  if (lower < 0.0 && upper > 0.0) {
+    AcrossZero const across(lower, upper);
+    return std::clamp(across.linear_size * std::sinh(across.from + u * (across.to - across.from)), lower, upper);
+  }
   double const sign = lower < 0.0 ? -1.0 : 1.0;
   double const a = std::log(std::abs(lower)), b = std::log(std::abs(upper));
   return std::clamp(sign * std::exp(a + u * (b - a)), lower, upper);
@@ -141,6 +155,9 @@ double SearchParameter::coordinate(double value_) const {
     u = from_zero(value_ / upper);
   } else if (upper == 0.0) {
     u = 1.0 - from_zero(value_ / lower);
+  } else if (lower < 0.0 && upper > 0.0) {
+    AcrossZero const across(lower, upper);
+    u = (std::asinh(value_ / across.linear_size) - across.from) / (across.to - across.from);
   } else {
     double const a = std::log(std::abs(lower)), b = std::log(std::abs(upper));
     u = (std::log(std::abs(value_)) - a) / (b - a);

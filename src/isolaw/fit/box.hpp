@@ -57,7 +57,7 @@ struct SearchBox {
 
 // The same box, searched on a logarithmic scale in every free interval of one sign that spans a factor of `wide_interval`
 // or more, and in those that end at zero where the law's own box is logarithmic: what acts through its order of magnitude
-// is otherwise looked for in the last decade alone. A scale that ends at zero holds six decades.
+// is otherwise looked for in the last decade alone. A scale that ends at zero holds six decades, one across it six on each side.
 inline constexpr double wide_interval = 100.0;
 SearchBox on_logarithmic_scales(SearchBox box, laws::LawEntry const& law);
 

@@ -77,8 +77,7 @@ struct BoucWen {
                          .meaning = "shape of the loop",
                          .physical = any_value,
                          .published = Interval{0.025, 0.075},
-                         .scaled = {0.05, 60.0, per_disp},
-                         .scaled_search = Scale::logarithmic}},
+                         .scaled = {-20.0, 60.0, per_disp}}},
   };
 
   // The same forces with A = 1: z is measured in travel of its own first slope.

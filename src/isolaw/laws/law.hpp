@@ -45,7 +45,8 @@ struct Interval {
   double upper = 0.0;
 };
 
-enum class Scale { linear, logarithmic };  // logarithmic: in log|value|, for an interval that does not contain 0
+// logarithmic: in log|value|; where the interval holds 0, down to a millionth of its larger end, linear in between.
+enum class Scale { linear, logarithmic };
 
 // The size of a record, in the units of the law that asks; boxes of unknown devices are scaled from it.
 struct RecordScales {

@@ -279,9 +279,15 @@ class Search {
 
   bool enough() const {
     double const near = within(options_.hit_tolerance);
-    bool const alone = 4 * count(scattered_, near) >= 3 * std::ssize(scattered_);
-    return std::ssize(ends_) >= (alone ? options_.least_starts : options_.starts) &&
-           count(ends_, near) >= options_.hits;
+    auto const hits = count(ends_, near);
+    return hits >= options_.hits && std::ssize(ends_) >= starts_for(hits, near);
+  }
+
+  // The rarer the best value among the ends, the likelier it is that a better one was missed.
+  std::ptrdiff_t starts_for(std::ptrdiff_t hits, double near) const {
+    std::ptrdiff_t const least = options_.least_starts, starts = options_.starts;
+    if (4 * count(scattered_, near) >= 3 * std::ssize(scattered_)) return least;
+    return hits >= many_hits ? std::max(least, 3 * starts / 5) : 2 * starts;
   }
 
   void keep(Descent const& descent) {
@@ -331,6 +337,7 @@ class Search {
     return result_;
   }
 
+  static constexpr std::ptrdiff_t many_hits = 10;
   static constexpr double promising = 1.5;            // times the best: worth settling
   static constexpr double absolute_tolerance = 1e-9;  // where the best is zero
 
