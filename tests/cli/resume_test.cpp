@@ -16,7 +16,7 @@ class Resume : public InFreshDirectory {
   }
   Words campaign(std::string const& out, Words const& more = {}) const {
     return Words{"calibrate",    "ex/lot.toml", "--laws",        "abe", "--runs", "4",
-                 "--population", "40",          "--generations", "20",  "--out",  out} +
+                 "--population", "40",          "--generations", "20",  "--analysis", "none", "--out",  out} +
            more;
   }
   // Starts the campaign and sends the signal once some runs, but not all 40, are stored.
@@ -291,7 +291,7 @@ TEST_F(Changed, a_store_of_a_newer_schema_is_refused) {
             SQLITE_OK);
   sqlite3_close(db);
   for (auto const& o : {run(), isolaw({"report", "O"})})
-    expect_refused(o, {"O/campaign.sqlite", "schema version 99", "version 3", "the version of isolaw that wrote it"});
+    expect_refused(o, {"O/campaign.sqlite", "schema version 99", "version 4", "the version of isolaw that wrote it"});
 }
 
 TEST_F(Changed, a_damaged_store_is_refused_without_a_crash) {
@@ -310,7 +310,7 @@ TEST_F(Changed, progress_is_shown_on_a_terminal) {
   winsize size{.ws_row = 40, .ws_col = 120, .ws_xpixel = 0, .ws_ypixel = 0};
   if (openpty(&terminal, &other, name, nullptr, &size) != 0) GTEST_SKIP() << "no pseudo terminal here";
   Process process({ISOLAW_BINARY, "calibrate", "lot.toml", "--laws", "bilinear,abe", "--runs", "8", "--population",
-                   "20", "--generations", "20", "--out", "T"},
+                   "20", "--generations", "20", "--analysis", "none", "--out", "T"},
                   directory(), path("stdout"), name);
   std::string shown;
   fcntl(terminal, F_SETFL, O_NONBLOCK);

@@ -123,7 +123,10 @@ class Process {
 // Analyses cost far more than the short searches of most tests, which ask about other things: none unless asked for.
 inline Words without_analysis(Words words) {
   bool const asked = std::ranges::find(words, "--analysis") != words.end();
-  if (!words.empty() && words.front() == "calibrate" && !asked) words.insert(words.end(), {"--analysis", "none"});
+  if (words.size() < 2 || words.front() != "calibrate" || asked) return words;
+  static Words const flags{"--fresh", "--json", "--center", "--allow-outside", "--flip-force"};
+  bool const lacks_a_value = words.back().starts_with('-') && std::ranges::find(flags, words.back()) == flags.end();
+  if (!lacks_a_value) words.insert(std::ranges::find(words, "--"), {"--analysis", "none"});
   return words;
 }
 

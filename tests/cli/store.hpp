@@ -63,15 +63,17 @@ inline std::vector<std::string> all_rows(std::filesystem::path const& file) {
   return rows;
 }
 
-// How many runs of a law are stored; 0 while there is no store to read yet.
-inline int stored_runs(std::filesystem::path const& file, std::string const& law) {
+// How many rows a table has; 0 while there is no store to read yet.
+inline int stored_rows(std::filesystem::path const& file, std::string const& table_and_condition) {
   try {
-    return std::filesystem::exists(file)
-               ? std::stoi(query(file, "SELECT count(*) FROM run WHERE law = '" + law + "'").at(0))
-               : 0;
+    return std::filesystem::exists(file) ? std::stoi(query(file, "SELECT count(*) FROM " + table_and_condition).at(0))
+                                         : 0;
   } catch (std::exception const&) {
     return 0;
   }
+}
+inline int stored_runs(std::filesystem::path const& file, std::string const& law) {
+  return stored_rows(file, "run WHERE law = '" + law + "'");
 }
 
 }  // namespace isolaw::cli_test

@@ -32,6 +32,7 @@ class CampaignTest : public testing::Folder {
   // Two devices of different stiffness, with time.
   Lot lot(std::string_view laws = "bilinear,bouc-wen,jankowski") const {
     Lot made;
+    made.settings.analysis = false;  // its tests are of their own
     made.title = "test lot";
     made.settings.laws = parse_laws(laws);
     made.settings.method = Method::genetic;

@@ -367,10 +367,10 @@ TEST_F(StoreTest, RefusesWhatIsNotAStore) {
 
 TEST_F(StoreTest, RefusesANewerSchemaAndChangesNothing) {
   make();
-  sql(file(), "UPDATE meta SET value = '4' WHERE key = 'schema'");
+  sql(file(), "UPDATE meta SET value = '5' WHERE key = 'schema'");
   auto const before = bytes_of(file());
   auto const said = refusal(file());
-  for (auto const* part : {"campaign.sqlite", "version 4", "version 3"})
+  for (auto const* part : {"campaign.sqlite", "version 5", "version 4"})
     EXPECT_NE(said.find(part), std::string::npos) << said;
   EXPECT_EQ(bytes_of(file()), before);
 }

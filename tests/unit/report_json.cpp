@@ -107,7 +107,9 @@ TEST(SummaryJson, ExactText) {
               "free": true,
               "lower": 0,
               "upper": 2,
-              "percent_of_lot": null
+              "percent_of_lot": null,
+              "tied_to": null,
+              "identifiability": null
             }
           },
           "status": "ok",
@@ -115,17 +117,54 @@ TEST(SummaryJson, ExactText) {
           "runs": 1,
           "failed_runs": 0,
           "evaluations": 0,
-          "failed_evaluations": 0
+          "failed_evaluations": 0,
+          "refinement": 1,
+          "success_share": null,
+          "success_reference": "",
+          "optimum": null,
+          "rise": null,
+          "trade_offs": [],
+          "intervals": {
+            "level": null,
+            "samples": 0,
+            "block": 0,
+            "replicates": 0
+          },
+          "lot_objective": null,
+          "worst_objective": null,
+          "left_out_objective": null,
+          "blocks": []
         }
       ],
       "beta_note": "one device",
       "title": "Line",
-      "notes": []
+      "notes": [],
+      "success_share": null,
+      "success_reference": "",
+      "objective_converged": null,
+      "beta_converged": null,
+      "beta_converged_note": "",
+      "left_out_of_beta": [],
+      "reduced": false,
+      "on_front_converged": false,
+      "loo_objective": null,
+      "loo_worst": null,
+      "loo_worst_device": "",
+      "on_front_loo": false,
+      "lot": null,
+      "population": null,
+      "fitted_objective": null,
+      "predicted_objective": null,
+      "worst_predicted": null,
+      "prediction_collapses": false,
+      "reduced_form": ""
     }
   ],
   "title": "Lot",
+  "outliers": [],
   "complete": false,
-  "missing_runs": 3
+  "missing_runs": 3,
+  "missing_analyses": 0
 }
 )");
 }
@@ -143,7 +182,7 @@ TEST(SummaryJson, TellsHowManyRunsWereMissing) {
 TEST(SummaryJson, KeysInTheAgreedOrder) {
   auto const json = Json::parse(summary_json(fixture::lot()));
   EXPECT_EQ(keys(json), (std::vector<std::string>{"schema", "isolaw", "seed", "settings", "devices", "laws", "title",
-                                                  "complete", "missing_runs"}));
+                                                  "outliers", "complete", "missing_runs", "missing_analyses"}));
   EXPECT_EQ(keys(json["laws"][1]["devices"][2]["parameters"]),
             (std::vector<std::string>{"kb+", "f0+", "alpha+", "beta1-", "beta2+"}));
 }

@@ -105,8 +105,9 @@ class DirectoryLock {
 std::vector<std::string> differences(campaign::Contents const& stored, campaign::Contents const& asked) {
   std::vector<std::string> found;
   auto const before = to_pairs(stored.settings), now = to_pairs(asked.settings);
+  bool const adds_analysis = !stored.settings.analysis && asked.settings.analysis;
   for (std::size_t i = 0; i < now.size(); ++i)
-    if (before.at(i).second != now[i].second)
+    if (before.at(i).second != now[i].second && !(adds_analysis && now[i].first == "analysis"))
       found.push_back(fmt::format("{}: {} there, {} now", now[i].first, before[i].second, now[i].second));
   if (stored.devices.size() != asked.devices.size())
     found.push_back(fmt::format("{} devices there, {} now", stored.devices.size(), asked.devices.size()));
@@ -156,7 +157,8 @@ void open_or_create(std::filesystem::path const& file, campaign::Contents& conte
                  .allowed = "the same settings and records, to continue it",
                  .advice = "--fresh to start over, or another --out DIR"});
   }
-  bool described = stored.title == contents.title && stored.acceptance == contents.acceptance;
+  bool described = stored.title == contents.title && stored.acceptance == contents.acceptance &&
+                   stored.settings.analysis == contents.settings.analysis;
   for (std::size_t d = 0; described && d < contents.devices.size(); ++d)
     described = stored.devices[d].info == contents.devices[d].info;
   if (!described) campaign::Store::open(file).describe(contents);

@@ -878,6 +878,8 @@ void Store::describe(Contents const& contents) {
   Transaction transaction(db);
   Statement meta(db, "UPDATE meta SET value = ? WHERE key = ?");
   for (auto const& [key, value] : descriptions(contents)) meta.bind(value).bind(key).insert();
+  Statement analysis(db, "UPDATE setting SET json = ? WHERE key = 'analysis'");
+  analysis.bind(contents.settings.analysis ? "\"full\"" : "\"none\"").insert();
   Statement device(db,
                    "UPDATE device SET serial = ?, lot = ?, test_date = ?, temperature_C = ?, rubber_thickness_mm = ?, "
                    "rubber_area_mm2 = ? WHERE id = ?");

@@ -44,7 +44,7 @@ class Store {
   void add(LotAnalysis const& analysis);
   void add(LeftOutAnalysis const& analysis);
   // What the lot file says of the devices and what they are held to, on which no law depends, may be changed before a
-  // campaign is continued.
+  // campaign is continued; and a campaign without analysis may be continued with one.
   void describe(Contents const& contents);
   // No more runs: folds the write-ahead log into the one file. False when another program reads the store just now; the
   // log then stays beside it, and whoever opens the store to write next folds it in.

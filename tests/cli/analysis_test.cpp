@@ -1,0 +1,197 @@
+// Campaigns with analysis: what a user sees, finds in the files and can go on from.
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "cli/run.hpp"
+#include "cli/store.hpp"
+
+namespace isolaw::cli_test {
+namespace {
+
+// Two blocks of three cycles at 50 and at 100 mm, 60 samples a cycle: a bilinear device, with a little third harmonic.
+std::string two_blocks(double stiffness) {
+  std::string text = "time [s],disp [mm],force [kN]\n";
+  double hysteretic = 0.0, before = 0.0;
+  for (int i = 0; i <= 360; ++i) {
+    double const amplitude = i <= 180 ? 50.0 : 100.0, phase = 2.0 * std::numbers::pi * i / 60.0;
+    double const x = amplitude * std::sin(phase);
+    hysteretic = std::clamp(hysteretic + 2.0 * (x - before), -20.0, 20.0);
+    before = x;
+    text += fmt::format("{:.4f},{:.5f},{:.5f}\n", i / 30.0, x,
+                        stiffness * (0.4 * x + hysteretic + 1.0 * std::sin(3.0 * phase)));
+  }
+  return text;
+}
+
+class Analysis : public InFreshDirectory {
+ protected:
+  void SetUp() override {
+    InFreshDirectory::SetUp();
+    double stiffness = 1.0;
+    for (auto const* name : {"a.csv", "b.csv", "c.csv"}) {
+      write(name, two_blocks(stiffness));
+      stiffness += 0.05;
+    }
+  }
+  Words campaign(std::string const& out, Words const& more = {}) const {
+    return Words{"calibrate", "a.csv", "b.csv", "c.csv",        "--laws", "bilinear,vaiana", "--runs", "2",
+                 "--analysis", "full", "--replicates", "20", "--out",  out} +
+           more;
+  }
+};
+
+TEST_F(Analysis, tells_what_tests_determine_and_what_an_engineer_meets) {
+  auto const o = isolaw(campaign("O"));
+  ASSERT_EQ(o.code, 0) << o;
+  for (auto const* part : {"Without the optimiser's noise", "Taken for a device that was not tested",
+                           "Share of the parameters that the tests determine"})
+    EXPECT_TRUE(contains(o.out, part));
+  auto const summary = json("O/summary.json");
+  EXPECT_EQ(summary["missing_analyses"], 0);
+  for (auto const& law : summary["laws"]) {
+    SCOPED_TRACE(law["id"].get<std::string>());
+    EXPECT_EQ(law["success_share"], 1.0);
+    EXPECT_EQ(law["success_reference"], "best of this campaign");
+    EXPECT_GT(law["beta_converged"], 0.0);
+    // Devices that differ by 5 % are predicted worse than fitted, and a fit of all of them lies in between.
+    EXPECT_GT(law["loo_objective"], law["objective_converged"]);
+    EXPECT_GT(law["lot"]["mean_objective"], law["objective_converged"]);
+    EXPECT_GE(law["loo_objective"], law["lot"]["mean_objective"]);
+    EXPECT_LE(law["lot"]["least_worst_objective"], law["lot"]["worst_objective"]);
+    EXPECT_GE(law["lot"]["least_worst_objective"], law["lot"]["least_worst_bound"]);
+    for (auto const& fit : law["devices"])
+      for (auto const& [name, p] : fit["parameters"].items()) {
+        if (!p["free"]) {
+          EXPECT_TRUE(p["identifiability"].is_null()) << name;
+          continue;
+        }
+        EXPECT_LE(p["open_range"][0], p["optimum"]) << name;
+        EXPECT_GE(p["open_range"][1], p["optimum"]) << name;
+        EXPECT_LE(p["linear_interval"][0], p["linear_interval"][1]) << name;
+        EXPECT_LE(p["bootstrap_interval"][0], p["bootstrap_interval"][1]) << name;
+        EXPECT_EQ(p["profile"]["value"].size(), p["profile"]["objective"].size()) << name;
+      }
+  }
+  auto const& k2 = summary["laws"][0]["devices"][0]["parameters"]["K2"];
+  EXPECT_EQ(k2["identifiability"], "determined");
+  EXPECT_NEAR(k2["optimum"], 0.4, 0.02);
+  for (auto const* table : {"converged", "identifiability", "lot_law", "prediction"})
+    EXPECT_GT(count_of("\n", read(fmt::format("O/tables/{}.csv", table))), 1u) << table;
+  auto const checked = isolaw({"check", "O"});
+  EXPECT_EQ(checked.code, 0) << checked;
+  EXPECT_TRUE(contains(checked.out, "12 of 12 runs, 14 of 14 analyses"));
+}
+
+TEST_F(Analysis, number_of_threads_changes_nothing) {
+  ASSERT_EQ(isolaw(campaign("O", {"--jobs", "1"})).code, 0);
+  ASSERT_EQ(isolaw(campaign("P", {"--jobs", "3"})).code, 0);
+  EXPECT_EQ(read("O/summary.json"), read("P/summary.json"));
+  EXPECT_EQ(all_rows(path("O/campaign.sqlite")), all_rows(path("P/campaign.sqlite")));
+}
+
+// Stopped in the middle of the analyses.
+TEST_F(Analysis, interrupted_ones_continue_and_end_as_if_never_stopped) {
+  auto const analyses = [&] { return stored_rows(path("O/campaign.sqlite"), "device_analysis"); };
+  auto process = start(campaign("O", {"--jobs", "1"}));
+  Outcome result;
+  auto const end = std::chrono::steady_clock::now() + 60s;
+  bool ended = false;
+  while (!(ended = process.ended(result)) && analyses() < 2 && std::chrono::steady_clock::now() < end)
+    std::this_thread::sleep_for(1ms);
+  if (!ended) {
+    process.send(SIGINT);
+    result = process.wait();
+    EXPECT_EQ(result.code, 1) << result;
+  }
+  int const kept = analyses();
+  EXPECT_GE(kept, 2);
+  auto const continued = isolaw(campaign("O"));
+  EXPECT_EQ(continued.code, 0) << continued;
+  ASSERT_EQ(isolaw(campaign("P")).code, 0);
+  EXPECT_EQ(read("O/summary.json"), read("P/summary.json"));
+  EXPECT_EQ(all_rows(path("O/campaign.sqlite")), all_rows(path("P/campaign.sqlite")));
+}
+
+TEST_F(Analysis, is_added_to_a_campaign_that_was_made_without) {
+  auto words = campaign("O");
+  *std::ranges::find(words, "full") = "none";
+  auto const without = isolaw(words);
+  ASSERT_EQ(without.code, 0) << without;
+  EXPECT_EQ(without.out.find("Without the optimiser's noise"), std::string::npos);
+  auto const with = isolaw(campaign("O"));
+  EXPECT_EQ(with.code, 0) << with;
+  ASSERT_EQ(isolaw(campaign("P")).code, 0);
+  EXPECT_EQ(read("O/summary.json"), read("P/summary.json"));
+  EXPECT_EQ(isolaw({"check", "O"}).code, 0);
+}
+
+TEST_F(Analysis, changed_ones_are_found_by_check) {
+  ASSERT_EQ(isolaw(campaign("O")).code, 0);
+  auto const sound = read("O/campaign.sqlite");
+  for (auto const* sql :
+       {"UPDATE device_analysis SET json = replace(json, '\"objective\":0.', '\"objective\":0.9') WHERE device = 0",
+        "UPDATE lot_analysis SET json = replace(json, '\"objectives\":[0.', '\"objectives\":[0.9')",
+        "UPDATE left_out SET json = replace(json, '\"objective\":0.', '\"objective\":0.9')",
+        "DELETE FROM left_out WHERE device = 1", "UPDATE device_analysis SET json = '{}'",
+        "UPDATE device_analysis SET json = replace(json, '\"parameter\":0', '\"parameter\":99')"}) {
+    SCOPED_TRACE(sql);
+    write("O/campaign.sqlite", sound);
+    sqlite3* db = nullptr;
+    ASSERT_EQ(sqlite3_open(path("O/campaign.sqlite").c_str(), &db), SQLITE_OK);
+    EXPECT_EQ(sqlite3_exec(db, sql, nullptr, nullptr, nullptr), SQLITE_OK);
+    EXPECT_GT(sqlite3_changes(db), 0);
+    sqlite3_close(db);
+    EXPECT_NE(isolaw({"check", "O"}).code, 0);
+  }
+}
+
+TEST_F(Analysis, what_one_block_was_fitted_to_predicts_the_other) {
+  auto const o = isolaw(campaign("O", {"--fit-blocks", "1"}));
+  ASSERT_EQ(o.code, 0) << o;
+  auto const summary = json("O/summary.json");
+  for (auto const& law : summary["laws"]) {
+    auto const& blocks = law["devices"][0]["blocks"];
+    ASSERT_EQ(blocks.size(), 2u);
+    EXPECT_EQ(blocks[0]["fitted"], true);
+    EXPECT_EQ(blocks[1]["fitted"], false);
+    EXPECT_GT(law["predicted_objective"], law["fitted_objective"]);
+  }
+  // The elastic-plastic law of the generator holds at the other amplitude too.
+  EXPECT_LT(summary["laws"][0]["predicted_objective"], 0.1);
+  EXPECT_EQ(summary["laws"][0]["prediction_collapses"], false);
+  EXPECT_TRUE(contains(read("O/tables/prediction.csv"), "bilinear,a,\"block 2, predicted\",the device itself,"));
+  expect_refused(isolaw(campaign("P", {"--score-blocks", "2"})), {"--score-blocks", "together with --fit-blocks"});
+  expect_message(isolaw(campaign("Q", {"--fit-blocks", "1", "--score-blocks", "7"})), 2,
+                 {"no block of the record is among them", "block 2: cycles 1 to 3"});
+}
+
+// Runs of the paper's method end above the least objective, which the analysis finds.
+TEST_F(Analysis, of_the_genetic_algorithm_compares_with_the_least_objective) {
+  auto const o = isolaw(campaign("O", {"--method", "ga", "--population", "10", "--generations", "5"}));
+  ASSERT_EQ(o.code, 0) << o;
+  auto const summary = json("O/summary.json");
+  for (auto const& law : summary["laws"]) {
+    EXPECT_LT(law["success_share"], 1.0);
+    EXPECT_LT(law["objective_converged"], law["objective"]["mean"]);
+    EXPECT_LE(law["devices"][0]["optimum"], law["devices"][0]["objective"]["best"]);
+  }
+}
+
+TEST_F(Analysis, tied_parameters_share_a_value) {
+  auto const o = isolaw(campaign("O", {"--set", "vaiana.Kb-=Kb+"}));
+  ASSERT_EQ(o.code, 0) << o;
+  auto const parameters = json("O/summary.json")["laws"][1]["devices"][0]["parameters"];
+  EXPECT_EQ(parameters["Kb-"]["tied_to"], "Kb+");
+  EXPECT_EQ(parameters["Kb-"]["best"], parameters["Kb+"]["best"]);
+  EXPECT_EQ(parameters["Kb-"]["free"], false);
+  EXPECT_EQ(isolaw({"check", "O"}).code, 0);
+  expect_refused(isolaw(campaign("P", {"--set", "vaiana.Kb-=Kb-"})), {"Kb- is tied to itself", "another parameter"});
+  expect_refused(isolaw(campaign("P", {"--set", "vaiana.Kb-=f0+"})), {"Kb- is in N/m, f0+ in N"});
+  expect_refused(isolaw(campaign("P", {"--set", "vaiana.Kb-=Kb+", "--set", "vaiana.Kb+=Kb-"})), {"is tied to"});
+}
+
+}  // namespace
+}  // namespace isolaw::cli_test
