@@ -503,7 +503,7 @@ const FIGURES = [
     caption: () =>
       'OF: mean absolute error of the force divided by the standard deviation of the measured force, over devices and runs. ' +
       'β: how far the parameters stray from their mean over the lot. Errors of stiffness and energy: mean magnitude over devices, best fit against the record.' +
-      (laws.some((law) => isNumber(law.success_share))
+      onScreen(laws.some((law) => isNumber(law.success_share))
         ? ' Found: runs that ended within ' +
           percentText(report.thresholds.found_within) +
           ' of the least objective known; where they are few, the mean says more of the search than of the law.'
@@ -1136,7 +1136,7 @@ function rankingTable() {
     { title: 'Verdict', tight: true },
     { title: 'stiffness error', unit: '%', number: true },
     { title: 'energy error', unit: '%', number: true },
-    ...(searched ? [{ title: 'found', unit: '% of runs', number: true }] : []),
+    ...(searched ? [{ title: 'found', unit: '% of runs', number: true, screen: true }] : []),
     { title: 'parameters', unit: 'calibrated', number: true },
     { title: 'Description', screen: true },
   ];
@@ -1765,7 +1765,7 @@ function determinedTable() {
             {
               className: 'group',
               cells: [
-                element('span', { class: 'note' }, 'undetermined, of ' + fits.length),
+                element('span', { class: 'note', title: 'devices whose test leaves it undetermined' }, 'open, of ' + fits.length),
                 ...shares.map((share) => element('td', { class: 'mark note' }, share)),
               ],
             },
