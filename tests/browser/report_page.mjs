@@ -326,7 +326,9 @@ async function look_at_analysis() {
       cell: cell.dataset.device + ' ' + cell.dataset.parameter,
       focused: document.activeElement === cell,
       right: JSON.stringify(points.y) === JSON.stringify(row[11]),
-      caption: caption('profile').includes(law.parameters[cell.dataset.parameter].name + ' is held') && caption('profile').includes(row[0]),
+      caption:
+        caption('profile').includes(law.parameters[cell.dataset.parameter].name + ' is held') &&
+        caption('profile').includes(row[0]),
     };
   };
   cells[0].click();
@@ -370,12 +372,18 @@ async function look_at_analysis() {
     shapes: Object.values(shapes).map((some) => [...some]),
     named: cells.every((cell) => cell.getAttribute('aria-label').includes(verdictOf(cell))),
     profiles,
-    tradeOffs: fit.trade_offs.every((text) => figure('trade-offs').textContent.replace(/\s/g, '').includes(text.replace(/\s/g, ''))),
+    tradeOffs: fit.trade_offs.every((text) =>
+      figure('trade-offs').textContent.replace(/\s/g, '').includes(text.replace(/\s/g, '')),
+    ),
     intervals: ['95', '42 samples', '100 fits'].every((text) => figure('trade-offs').textContent.includes(text)),
     posterior: /posterior/i.test(document.querySelector('main').textContent),
     lot: report.laws.filter((one) => one.lot).length,
     lotRows: document.querySelectorAll('#figure-lot-laws tbody tr').length,
-    lotPoints: document.querySelector('#figure-lot-devices') ? plot('lot-devices').slice(1).map((trace) => trace.y) : [],
+    lotPoints: document.querySelector('#figure-lot-devices')
+      ? plot('lot-devices')
+          .slice(1)
+          .map((trace) => trace.y)
+      : [],
     lotValues: ['optimum', 'lot_objective', 'left_out_objective'].map((key) => law.devices.map((one) => one[key])),
     parameterRows: document.querySelectorAll('#figure-lot-parameters tbody tr').length,
     parameters: law.parameters.length,
@@ -425,7 +433,7 @@ function check_analysis(name, seen, { devices }) {
   );
   expect(seen.tradeOffs && seen.intervals, name, 'a trade-off, or what the intervals are, is not said');
   expect(!seen.posterior, name, 'the page speaks of a posterior');
-  expect(seen.lotRows === seen.lot && (seen.lot > 0) === several, name, 'rows of the one law for the lot');
+  expect(seen.lotRows === seen.lot && seen.lot > 0 === several, name, 'rows of the one law for the lot');
   if (several) expect(same(seen.lotPoints, seen.lotValues), name, 'objectives per device of the one law');
   expect(seen.parameterRows === (several ? seen.parameters : 0), name, "rows of the lot's parameters");
   expect(seen.note, name, 'what the population does not cover is not said');
@@ -515,7 +523,9 @@ async function photograph(page, { name, width, height }, directory) {
 async function check(browser, directory, one) {
   const { name, devices, laws, dark, records = {} } = one;
   const out = join(directory, name);
-  execFileSync(makePage, [out, String(devices), String(laws), ...(one.analysed ? ['analysed'] : [])], { stdio: ['ignore', 'ignore', 'inherit'] });
+  execFileSync(makePage, [out, String(devices), String(laws), ...(one.analysed ? ['analysed'] : [])], {
+    stdio: ['ignore', 'ignore', 'inherit'],
+  });
   const file = join(out, 'report.html');
   if (records)
     writeFileSync(

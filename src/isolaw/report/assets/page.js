@@ -503,11 +503,13 @@ const FIGURES = [
     caption: () =>
       'OF: mean absolute error of the force divided by the standard deviation of the measured force, over devices and runs. ' +
       'β: how far the parameters stray from their mean over the lot. Errors of stiffness and energy: mean magnitude over devices, best fit against the record.' +
-      onScreen(laws.some((law) => isNumber(law.success_share))
-        ? ' Found: runs that ended within ' +
-          percentText(report.thresholds.found_within) +
-          ' of the least objective known; where they are few, the mean says more of the search than of the law.'
-        : ''),
+      onScreen(
+        laws.some((law) => isNumber(law.success_share))
+          ? ' Found: runs that ended within ' +
+              percentText(report.thresholds.found_within) +
+              ' of the least objective known; where they are few, the mean says more of the search than of the law.'
+          : '',
+      ),
     csv: () => ({
       columns: [
         'law',
@@ -1649,9 +1651,7 @@ const chosenExamination = () => examination(laws[chosen.examined], chosen.device
 function rangeText([low, high], unit) {
   for (let digits = 3; digits < 7; ++digits)
     if (low === high || significant(low, digits) !== significant(high, digits))
-      return (
-        (low === high ? '' : significant(low, digits) + ' to ') + withUnit(high, unitText(unit), digits)
-      );
+      return (low === high ? '' : significant(low, digits) + ' to ') + withUnit(high, unitText(unit), digits);
   return withUnit(high, unitText(unit), 7);
 }
 
@@ -1736,7 +1736,13 @@ function determinedTable() {
     const one = examination(law, fit.device, place);
     if (!one) return element('td', { class: 'mark note' }, DASH);
     const text =
-      one.parameter.name + ' on ' + devices[fit.device].name + ': ' + one.verdict + ', ' + rangeText(one.open, one.parameter.unit);
+      one.parameter.name +
+      ' on ' +
+      devices[fit.device].name +
+      ': ' +
+      one.verdict +
+      ', ' +
+      rangeText(one.open, one.parameter.unit);
     const button = element(
       'button',
       {
@@ -1765,7 +1771,11 @@ function determinedTable() {
             {
               className: 'group',
               cells: [
-                element('span', { class: 'note', title: 'devices whose test leaves it undetermined' }, 'open, of ' + fits.length),
+                element(
+                  'span',
+                  { class: 'note', title: 'devices whose test leaves it undetermined' },
+                  'open, of ' + fits.length,
+                ),
                 ...shares.map((share) => element('td', { class: 'mark note' }, share)),
               ],
             },
@@ -1816,8 +1826,7 @@ function chooseCell(button) {
 
 // The cell that a key leads to, past those that were not examined.
 function cellBeside(button, key) {
-  const [dx, dy] =
-    { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[key] ?? [0, 0];
+  const [dx, dy] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[key] ?? [0, 0];
   if (!button || (dx === 0 && dy === 0)) return null;
   let row = button.closest('tr'),
     column = button.closest('td').cellIndex;
@@ -2055,7 +2064,7 @@ function tradeOffs() {
       : element(
           'div',
           {},
-  element('p', {}, 'The loops of ' + law.id + ' on ' + name + ':'),
+          element('p', {}, 'The loops of ' + law.id + ' on ' + name + ':'),
           element('ul', { class: 'sentences' }, ...fit.trade_offs.map((text) => element('li', {}, sentence(text)))),
         ),
     law.reduced_form
@@ -2133,8 +2142,8 @@ function lotLawsData() {
     columns: [
       'law',
       'own least OF [-]',
-      'mean OF of the lot\'s law [-]',
-      'worst OF of the lot\'s law [-]',
+      "mean OF of the lot's law [-]",
+      "worst OF of the lot's law [-]",
       'worst device',
       'least worst OF [-]',
       'bound of it [-]',
@@ -2187,7 +2196,14 @@ function lotDevicesCaption() {
 
 function lotDevicesData() {
   return {
-    columns: ['law', 'device', 'own OF [-]', 'OF of the lot\'s law [-]', 'OF of the least worst law [-]', 'OF left out [-]'],
+    columns: [
+      'law',
+      'device',
+      'own OF [-]',
+      "OF of the lot's law [-]",
+      'OF of the least worst law [-]',
+      'OF left out [-]',
+    ],
     rows: lotLaws.flatMap((law) =>
       fitsInLot(law).map((fit) => [
         law.id,
@@ -2305,7 +2321,7 @@ function lotParametersTable() {
 
 function lotParametersData() {
   return {
-    columns: ['law', 'parameter', 'unit', 'lot\'s law', 'least worst law', 'median', 'scatter [%]'],
+    columns: ['law', 'parameter', 'unit', "lot's law", 'least worst law', 'median', 'scatter [%]'],
     rows: lotLaws.flatMap((law) =>
       law.parameters.map((parameter, place) => {
         const { median, scatter } = inPopulation(law, parameter.name);
@@ -2403,7 +2419,13 @@ function apartList() {
         found
           .map(
             (one) =>
-              one.property + ' ' + withUnit(one.value, one.unit) + ' (' + signed(one.percent, 0) + THIN + '% from the median)',
+              one.property +
+              ' ' +
+              withUnit(one.value, one.unit) +
+              ' (' +
+              signed(one.percent, 0) +
+              THIN +
+              '% from the median)',
           )
           .join('; '),
     ),
@@ -2502,7 +2524,11 @@ function predictionTable() {
           { class: 'number' },
           missText(average(scores.map(({ objective }) => objective))),
           scores.length > 1
-            ? element('small', { title: worst.device }, 'worst ' + missText(worst.objective) + ', ' + short(worst.device))
+            ? element(
+                'small',
+                { title: worst.device },
+                'worst ' + missText(worst.objective) + ', ' + short(worst.device),
+              )
             : null,
         );
       }),
@@ -3360,7 +3386,9 @@ function stabilityCaption() {
   );
   return (
     (said.length > 0
-      ? 'Against cycle 3. ' + said.join(' ') + (blocks.length > 3 ? onScreen(' Choose a block above for the others.') : '')
+      ? 'Against cycle 3. ' +
+        said.join(' ') +
+        (blocks.length > 3 ? onScreen(' Choose a block above for the others.') : '')
       : 'No block has a third cycle to compare with.') + (held ? ' Dashed: design value; band: its limits.' : '')
   );
 }
@@ -4485,7 +4513,8 @@ function buildPage() {
       { id: section.id, 'aria-labelledby': section.id + '-title' },
       element('h2', { id: section.id + '-title' }, section.title),
     );
-    if (section.id === 'decision') node.append(element('p', { class: 'headline' }, ...withBadges(report.findings.headline)));
+    if (section.id === 'decision')
+      node.append(element('p', { class: 'headline' }, ...withBadges(report.findings.headline)));
     const grid = element('div', { class: 'figures' });
     if (section.controls) grid.append(element('div', { class: 'controls' }, ...section.controls()));
     grid.append(...figures.map((figure) => buildFigure(figure, observer)));
