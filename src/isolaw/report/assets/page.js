@@ -2499,6 +2499,7 @@ function predictionTable() {
   const blocks = scoredBlocks();
   const columns = [
     { title: 'Law', pinned: true, tight: true },
+    { title: 'Prediction', tight: true },
     ...blocks.map(({ block, fitted, amplitudes }) => ({
       title: 'Block ' + block,
       unit:
@@ -2510,11 +2511,11 @@ function predictionTable() {
     { title: 'Predicted', unit: 'mean', number: true },
     { title: 'Predicted', unit: '/ fitted', number: true },
     { title: 'Worst', unit: 'predicted', number: true },
-    { title: 'Prediction', tight: true },
   ];
   const rows = predictedLaws.map((law) => ({
     cells: [
       element('b', { class: 'strong' }, law.id),
+      law.prediction_collapses ? element('span', { class: 'badge' }, 'collapses') : 'does not collapse',
       ...blocks.map((column) => {
         const scores = scoresOf(law, column);
         if (scores.length === 0) return element('td', { class: 'number note' }, DASH);
@@ -2536,9 +2537,6 @@ function predictionTable() {
       missText(law.predicted_objective),
       law.fitted_objective > 0 ? significant(law.predicted_objective / law.fitted_objective, 2) : DASH,
       missText(law.worst_predicted),
-      law.prediction_collapses
-        ? element('span', { class: 'badge' }, 'collapses')
-        : element('span', {}, 'does not collapse'),
     ],
   }));
   return table(columns, rows, 'Objective of every law on every block');
