@@ -1,21 +1,26 @@
-// Writes the outputs of a made-up lot for the browser tests: make_page DIR [DEVICES [LAWS]].
+// Writes the outputs of a made-up lot for the browser tests: make_page DIR [DEVICES [LAWS [analysed]]].
 #include <cstdlib>
 #include <iostream>
+#include <string_view>
+#include <utility>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/report/terminal.hpp"
 #include "isolaw/report/write.hpp"
+#include "unit/analysed_fixture.hpp"
 #include "unit/report_fixture.hpp"
 
 int main(int argc, char** argv) {
   if (argc < 2) {
-    std::cerr << "usage: make_page DIR [DEVICES [LAWS]]\n";
+    std::cerr << "usage: make_page DIR [DEVICES [LAWS [analysed]]]\n";
     return 2;
   }
   int const devices = argc > 2 ? std::atoi(argv[2]) : 3;
   int const laws = argc > 3 ? std::atoi(argv[3]) : 3;
   try {
     auto summary = isolaw::report::fixture::lot(devices, laws);
+    if (argc > 4 && std::string_view(argv[4]) == "analysed")
+      summary = isolaw::report::fixture::analysed(std::move(summary));
     // What a careful reader must be told of: a failed run, a coarse integration, a law that does not apply.
     summary.laws.back().devices.back().integration_shift = 0.0021;
     summary.laws.back().devices.front().failed_runs = 1;

@@ -35,6 +35,10 @@ const CASES = [
   { name: 'unverified', devices: 10, laws: 3, width: 1366, height: 768, records: { verified: false } },
   { name: 'no-rule-set', devices: 3, laws: 3, width: 1366, height: 768, dark: true, records: { assessed: false } },
   { name: 'as-written', devices: 3, laws: 3, width: 1366, height: 768, records: false },
+  { name: 'analysed', devices: 10, laws: 7, width: 1366, height: 768, records: false, analysed: true },
+  { name: 'analysed-phone', devices: 10, laws: 7, width: 390, height: 844, records: false, analysed: true, dark: true },
+  { name: 'analysed-one-device', devices: 1, laws: 3, width: 1366, height: 768, records: false, analysed: true },
+  { name: 'analysed-large-lot', devices: 160, laws: 7, width: 1366, height: 768, records: false, analysed: true },
 ];
 const FIRST_SCREEN_MS = 2000;
 const SOURCES = [
@@ -274,6 +278,175 @@ function check_records(name, seen, { laws = true, verified = true, assessed = tr
   expect(same(seen.sections, sections), name, 'sections ' + seen.sections);
 }
 
+// What a page of an analysed campaign must show, and how its choices work. Runs in the page.
+async function look_at_analysis() {
+  const report = JSON.parse(document.getElementById('isolaw-data').textContent);
+  const wait = (ms) => new Promise((done) => setTimeout(done, ms));
+  const figure = (id) => document.getElementById('figure-' + id);
+  const see = async (id) => {
+    figure(id)?.scrollIntoView();
+    await wait(200);
+  };
+  const plot = (id) => figure(id).querySelector('.plot').data;
+  const caption = (id) => figure(id).querySelector('figcaption').textContent;
+
+  const converged = figure('converged').cloneNode(true);
+  for (const badge of converged.querySelectorAll('.badge')) badge.remove();
+  const said = converged.textContent.replace(/\s/g, '');
+  await see('front');
+  const views = [];
+  for (const button of document.querySelectorAll('#figure-front .choice button')) {
+    button.click();
+    await wait(50);
+    views.push({
+      names: plot('front').flatMap((trace) => trace.text ?? []),
+      front: plot('front').find((trace) => trace.name === 'not dominated').text,
+      caption: caption('front'),
+      pressed: document.querySelectorAll('#figure-front .choice [aria-pressed=true]').length,
+    });
+  }
+
+  const chooser = document.getElementById('examined');
+  const law = report.laws[report.laws.length - 1];
+  chooser.value = String(report.laws.length - 1);
+  chooser.dispatchEvent(new Event('change'));
+  await see('determined');
+  const cells = [...document.querySelectorAll('#figure-determined td button')];
+  const verdictOf = (cell) =>
+    law.devices.find((fit) => fit.device === Number(cell.dataset.device)).determination[cell.dataset.parameter][0];
+  const shapes = {};
+  for (const cell of cells) (shapes[verdictOf(cell)] ??= new Set()).add(cell.innerHTML.replace(/var\([^)]*\)/g, ''));
+  const profile = () => {
+    const [cell] = document.querySelectorAll('#figure-determined [aria-pressed=true]');
+    const row = law.devices.find((fit) => fit.device === Number(cell.dataset.device)).determination[
+      cell.dataset.parameter
+    ];
+    const points = plot('profile').find((trace) => trace.mode === 'markers' && trace.y.length > 1);
+    return {
+      cell: cell.dataset.device + ' ' + cell.dataset.parameter,
+      focused: document.activeElement === cell,
+      right: JSON.stringify(points.y) === JSON.stringify(row[11]),
+      caption:
+        caption('profile').includes(law.parameters[cell.dataset.parameter].name + ' is held') &&
+        caption('profile').includes(row[0]),
+    };
+  };
+  cells[0].click();
+  await see('profile');
+  const profiles = [profile()];
+  for (const key of ['ArrowRight', 'ArrowDown']) {
+    document
+      .querySelector('#figure-determined [aria-pressed=true]')
+      .dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }));
+    await wait(150);
+    profiles.push(profile());
+  }
+  await see('trade-offs');
+  const fit = law.devices.find((one) => profiles[2].cell.startsWith(one.device + ' '));
+  const lower = (law.population?.correlation ?? []).flatMap((row, i) => row.slice(0, i));
+  if (document.getElementById('lotLaw')) {
+    document.getElementById('lotLaw').value = chooser.value;
+    document.getElementById('lotLaw').dispatchEvent(new Event('change'));
+    await see('lot-devices');
+    await see('lot-correlation');
+  }
+  const collapsing = report.laws.filter((one) => one.prediction_collapses).map((one) => one.id);
+  const badged = [...document.querySelectorAll('.verdicts li')].filter((item) => item.querySelector('.badge'));
+  return {
+    views,
+    placed: [
+      report.laws.filter((one) => one.beta !== null),
+      report.laws.filter((one) => one.beta_converged !== null),
+      report.laws.filter((one) => one.loo_objective !== null),
+    ].map((some) => some.map((one) => one.id).sort()),
+    fronts: ['on_front', 'on_front_converged', 'on_front_loo'].map((key) =>
+      report.laws
+        .filter((one) => one[key])
+        .map((one) => one.id)
+        .sort(),
+    ),
+    sentences: report.findings.converged.every((text) => said.includes(text.replace(/\s/g, ''))),
+    cells: cells.length,
+    examined: law.devices.flatMap((one) => one.determination).filter(Boolean).length,
+    reached: cells.filter((cell) => cell.tabIndex === 0).length,
+    shapes: Object.values(shapes).map((some) => [...some]),
+    named: cells.every((cell) => cell.getAttribute('aria-label').includes(verdictOf(cell))),
+    profiles,
+    tradeOffs: fit.trade_offs.every((text) =>
+      figure('trade-offs').textContent.replace(/\s/g, '').includes(text.replace(/\s/g, '')),
+    ),
+    intervals: ['95', '42 samples', '100 fits'].every((text) => figure('trade-offs').textContent.includes(text)),
+    posterior: /posterior/i.test(document.querySelector('main').textContent),
+    lot: report.laws.filter((one) => one.lot).length,
+    lotRows: document.querySelectorAll('#figure-lot-laws tbody tr').length,
+    lotPoints: document.querySelector('#figure-lot-devices')
+      ? plot('lot-devices')
+          .slice(1)
+          .map((trace) => trace.y)
+      : [],
+    lotValues: ['optimum', 'lot_objective', 'left_out_objective'].map((key) => law.devices.map((one) => one[key])),
+    parameterRows: document.querySelectorAll('#figure-lot-parameters tbody tr').length,
+    parameters: law.parameters.length,
+    note: law.population ? caption('lot-parameters').toLowerCase().includes(law.population.note) : true,
+    heat: document.querySelectorAll('#figure-lot-correlation .heat').length,
+    correlations: lower.filter((value) => value !== null).length,
+    apart: document.querySelectorAll('#figure-lot-outliers li').length,
+    outliers: new Set(report.outliers.map((one) => one.device)).size,
+    predictedRows: document.querySelectorAll('#figure-predictions tbody tr').length,
+    predicted: report.laws.filter((one) => one.predicted_objective !== null).length,
+    collapsing,
+    badged: badged.map((item) => item.querySelector('b').textContent),
+    flagged: [...document.querySelectorAll('#figure-predictions tbody tr')]
+      .filter((row) => row.querySelector('.badge')?.textContent === 'collapses')
+      .map((row) => row.querySelector('b').textContent),
+  };
+}
+
+function check_analysis(name, seen, { devices }) {
+  const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
+  const several = devices > 1;
+  expect(seen.views.length === (several ? 3 : 0), name, `${seen.views.length} views of accuracy against robustness`);
+  seen.views.forEach((view, i) => {
+    expect(same([...view.names].sort(), seen.placed[i]), name, `view ${i} shows ${view.names}`);
+    expect(same([...view.front].sort(), seen.fronts[i]), name, `view ${i} has the front ${view.front}`);
+    expect(view.pressed === 1, name, `view ${i} has ${view.pressed} buttons pressed`);
+  });
+  expect(new Set(seen.views.map((view) => view.caption)).size === seen.views.length, name, 'views share a caption');
+  expect(seen.sentences, name, 'a sentence on the laws without noise is not shown');
+  expect(seen.cells === seen.examined, name, `${seen.cells} of ${seen.examined} examined parameters shown`);
+  expect(seen.reached === 1, name, `${seen.reached} cells stop the tabulator`);
+  expect(seen.named, name, 'a cell does not say its verdict');
+  expect(
+    seen.shapes.every((some) => some.length === 1) && new Set(seen.shapes.flat()).size === seen.shapes.length,
+    name,
+    'verdicts on parameters share a shape',
+  );
+  expect(
+    seen.profiles.every((one) => one.right && one.caption),
+    name,
+    'profiles ' + JSON.stringify(seen.profiles),
+  );
+  expect(
+    new Set(seen.profiles.map((one) => one.cell)).size === (several ? 3 : 2) && seen.profiles[1].focused,
+    name,
+    'arrow keys lead to ' + seen.profiles.map((one) => one.cell),
+  );
+  expect(seen.tradeOffs && seen.intervals, name, 'a trade-off, or what the intervals are, is not said');
+  expect(!seen.posterior, name, 'the page speaks of a posterior');
+  expect(seen.lotRows === seen.lot && seen.lot > 0 === several, name, 'rows of the one law for the lot');
+  if (several) expect(same(seen.lotPoints, seen.lotValues), name, 'objectives per device of the one law');
+  expect(seen.parameterRows === (several ? seen.parameters : 0), name, "rows of the lot's parameters");
+  expect(seen.note, name, 'what the population does not cover is not said');
+  expect(seen.heat === seen.correlations, name, `${seen.heat} of ${seen.correlations} correlations shown`);
+  expect(seen.apart === seen.outliers, name, `${seen.apart} of ${seen.outliers} devices that stand apart`);
+  expect(seen.predictedRows === seen.predicted, name, 'rows of the prediction');
+  expect(
+    seen.collapsing.length > 0 && same(seen.badged, seen.collapsing) && same(seen.flagged, seen.collapsing),
+    name,
+    'predictions that collapse: ' + seen.badged + '; ' + seen.flagged,
+  );
+}
+
 // Runs in the page. Scrolls through it as a reader does and tries the controls; says what it saw.
 async function look() {
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
@@ -350,7 +523,9 @@ async function photograph(page, { name, width, height }, directory) {
 async function check(browser, directory, one) {
   const { name, devices, laws, dark, records = {} } = one;
   const out = join(directory, name);
-  execFileSync(makePage, [out, String(devices), String(laws)], { stdio: ['ignore', 'ignore', 'inherit'] });
+  execFileSync(makePage, [out, String(devices), String(laws), ...(one.analysed ? ['analysed'] : [])], {
+    stdio: ['ignore', 'ignore', 'inherit'],
+  });
   const file = join(out, 'report.html');
   if (records)
     writeFileSync(
@@ -388,7 +563,7 @@ async function check(browser, directory, one) {
   expect(page.errors.length === 0 && seen.errors === '', name, 'errors: ' + [...page.errors, seen.errors].join('; '));
   expect(page.requests.length === 0, name, 'requested ' + page.requests.join(', '));
   const { laws: identified = true } = records || {}; // as written: with the rules of make_page.cpp
-  const expected = (identified ? 5 : 0) + 5;
+  const expected = (identified ? 5 : 0) + 5 + (one.analysed ? (devices > 1 ? 2 : 1) : 0);
   expect(
     seen.plots === expected && seen.drawn === expected,
     name,
@@ -402,6 +577,7 @@ async function check(browser, directory, one) {
   expect(seen.unlabelled === 0, name, 'a control has no label');
   expect(seen.paper === (dark ? 'rgb(20, 25, 29)' : 'rgb(255, 255, 255)'), name, 'paper is ' + seen.paper);
 
+  if (one.analysed) check_analysis(name, await page.evaluate(`(${look_at_analysis})()`), one);
   if (records) check_records(name, await page.evaluate(`(${look_at_records})()`), records);
 
   // Printed: light whatever the screen, nothing cut off at the right edge of the paper.

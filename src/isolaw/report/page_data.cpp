@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "isolaw/analysis/determination.hpp"
+#include "isolaw/report/build_analysis.hpp"
 #include "isolaw/report/findings.hpp"
 #include "isolaw/report/json.hpp"
 #include "isolaw/report/properties_json.hpp"
@@ -11,6 +13,7 @@ namespace isolaw::report {
 namespace {
 
 constexpr int digits = 9;
+constexpr int profile_digits = 6;
 constexpr double curve_levels = 20000.0;
 
 void write(JsonWriter& out, Statistic const& statistic) {
@@ -126,6 +129,60 @@ void write_parameter(JsonWriter& out, ParameterFit const& parameter) {
   out.end_array();
 }
 
+void write_values(JsonWriter& out, std::vector<double> const& values, int to_digits) {
+  out.begin_array();
+  for (double const value : values) out.rounded(value, to_digits);
+  out.end_array();
+}
+
+// One row [verdict, optimum, open range, whether it ends at the box, intervals, profile] per parameter, null for one that
+// was not examined; all null without an analysis.
+void write_determination(JsonWriter& out, DeviceFit const& fit) {
+  out.key("determination");
+  if (!fit.optimum) {
+    out.null();
+    return;
+  }
+  out.begin_array();
+  for (auto const& parameter : fit.parameters) {
+    if (!parameter.analysis) {
+      out.null();
+      continue;
+    }
+    auto const& a = *parameter.analysis;
+    out.begin_array().value(a.identifiability).rounded(a.optimum, digits);
+    out.rounded(a.open_lower, profile_digits).rounded(a.open_upper, profile_digits);
+    out.value(a.open_below).value(a.open_above);
+    out.rounded(a.linear_lower, profile_digits).rounded(a.linear_upper, profile_digits);
+    out.rounded(a.bootstrap_lower, profile_digits).rounded(a.bootstrap_upper, profile_digits);
+    write_values(out, a.profile_value, profile_digits);
+    write_values(out, a.profile_objective, profile_digits);
+    out.end_array();
+  }
+  out.end_array();
+}
+
+void write_analysis(JsonWriter& out, DeviceFit const& fit) {
+  out.key("success_share").rounded(fit.success_share, digits);
+  out.member("success_reference", fit.success_reference);
+  out.key("optimum").rounded(fit.optimum, digits);
+  out.key("rise").rounded(fit.rise, digits);
+  write_determination(out, fit);
+  out.member("trade_offs", fit.trade_offs);
+  out.key("intervals").begin_object();
+  out.member("level", fit.interval_level).member("samples", std::uint64_t{fit.interval_samples});
+  out.member("block", std::uint64_t{fit.interval_block}).member("replicates", fit.interval_replicates).end_object();
+  out.key("lot_objective").rounded(fit.lot_objective, digits);
+  out.key("worst_objective").rounded(fit.worst_objective, digits);
+  out.key("left_out_objective").rounded(fit.left_out_objective, digits);
+  out.key("blocks").begin_array();
+  for (auto const& score : fit.blocks) {
+    out.begin_object().member("block", score.block).member("fitted", score.fitted);
+    out.key("objective").rounded(score.objective, digits).end_object();
+  }
+  out.end_array();
+}
+
 void write_fit(JsonWriter& out, DeviceFit const& fit, int device, std::vector<std::size_t> const& drawn) {
   out.begin_object();
   out.member("device", device).member("status", fit_status(fit));
@@ -141,6 +198,7 @@ void write_fit(JsonWriter& out, DeviceFit const& fit, int device, std::vector<st
   out.key("parameters").begin_array();
   for (auto const& parameter : fit.parameters) write_parameter(out, parameter);
   out.end_array();
+  write_analysis(out, fit);
   out.key("force_kN");
   bool const has_curve = !drawn.empty() && drawn.back() < fit.force_kN.size();
   if (has_curve) {
@@ -149,6 +207,60 @@ void write_fit(JsonWriter& out, DeviceFit const& fit, int device, std::vector<st
     out.null();
   }
   out.end_object();
+}
+
+void write_lot_law(JsonWriter& out, std::optional<LotLaw> const& lot) {
+  out.key("lot");
+  if (!lot) {
+    out.null();
+    return;
+  }
+  out.begin_object();
+  out.key("parameters");
+  write_values(out, lot->parameters, digits);
+  out.key("mean_objective").rounded(lot->mean, digits).key("worst_objective").rounded(lot->worst, digits);
+  out.member("worst_device", lot->worst_device);
+  out.key("least_worst_parameters");
+  write_values(out, lot->worst_parameters, digits);
+  out.key("least_worst_objective").rounded(lot->least_worst, digits);
+  out.key("least_worst_bound").rounded(lot->least_worst_bound, digits);
+  out.end_object();
+}
+
+// What is shown of it: not its covariances.
+void write_population(JsonWriter& out, std::optional<lot::Population> const& population) {
+  out.key("population");
+  if (!population) {
+    out.null();
+    return;
+  }
+  out.begin_object().member("devices", std::uint64_t{population->devices}).member("parameters", population->names);
+  out.key("medians");
+  write_values(out, population->medians, digits);
+  out.key("relative_std");
+  write_values(out, population->relative_std, profile_digits);
+  out.key("correlation").begin_array();
+  for (auto const& row : population->correlation) write_values(out, row, profile_digits);
+  out.end_array();
+  out.member("note", population->note);
+  out.end_object();
+}
+
+void write_lot_analysis(JsonWriter& out, LawResult const& law) {
+  out.key("success_share").rounded(law.success_share, digits);
+  out.member("success_reference", law.success_reference);
+  out.key("objective_converged").rounded(law.objective_converged, digits);
+  out.key("beta_converged").rounded(law.beta_converged, digits);
+  out.member("beta_converged_note", law.beta_converged_note).member("left_out_of_beta", law.left_out_of_beta);
+  out.member("reduced", law.reduced).member("on_front_converged", law.on_front_converged);
+  out.key("loo_objective").rounded(law.loo_objective, digits).key("loo_worst").rounded(law.loo_worst, digits);
+  out.member("loo_worst_device", law.loo_worst_device).member("on_front_loo", law.on_front_loo);
+  write_lot_law(out, law.lot);
+  write_population(out, law.population);
+  out.key("fitted_objective").rounded(law.fitted_objective, digits);
+  out.key("predicted_objective").rounded(law.predicted_objective, digits);
+  out.key("worst_predicted").rounded(law.worst_predicted, digits);
+  out.member("prediction_collapses", law.prediction_collapses).member("reduced_form", law.reduced_form);
 }
 
 void write_law(JsonWriter& out, Summary const& summary, LawResult const& law,
@@ -161,6 +273,7 @@ void write_law(JsonWriter& out, Summary const& summary, LawResult const& law,
   out.member("beta_note", law.beta_note).member("on_front", law.on_front);
   out.key("K_eff_error_percent").rounded(mean_magnitude(law, &DeviceFit::K_eff_error_percent), digits);
   out.key("energy_error_percent").rounded(mean_magnitude(law, &DeviceFit::energy_error_percent), digits);
+  write_lot_analysis(out, law);
   out.key("parameters").begin_array();
   auto const& parameters = parameters_of(law);
   for (std::size_t n = 0; n < parameters.size(); ++n) {
@@ -196,7 +309,28 @@ void write_findings(JsonWriter& out, Summary const& summary) {
   out.key("warnings").begin_array();
   for (auto const& warning : found.warnings)
     out.begin_object().member("topic", warning.topic).member("sentence", warning.sentence).end_object();
-  out.end_array().end_object();
+  out.end_array().member("converged", found.converged).end_object();
+}
+
+// What the words of the verdicts mean, so that the page says it with the numbers that were used.
+void write_thresholds(JsonWriter& out) {
+  out.key("thresholds").begin_object();
+  out.member("found_within", found_within).member("determined_within", analysis::determined_within);
+  out.member("weakly_determined_within", analysis::weakly_determined_within);
+  out.member("collapsed_objective", collapsed_objective).member("collapsed_ratio", collapsed_ratio);
+  out.end_object();
+}
+
+void write_outliers(JsonWriter& out, Summary const& summary) {
+  out.key("outliers").begin_array();
+  for (auto const& outlier : summary.outliers) {
+    out.begin_object();
+    out.member("device", outlier.device).member("property", outlier.property).member("unit", outlier.unit);
+    out.key("value").rounded(outlier.value, digits).key("median").rounded(outlier.median, digits);
+    out.key("score").rounded(outlier.score, digits).key("percent").rounded(outlier.percent, digits);
+    out.end_object();
+  }
+  out.end_array();
 }
 
 }  // namespace
@@ -223,6 +357,8 @@ std::string page_data_json(Summary const& summary) {
   for (auto const& setting : summary.settings) out.key(setting.key).json(setting.json);
   out.end_object();
   write_findings(out, summary);
+  write_outliers(out, summary);
+  write_thresholds(out);
   out.key("assessment");
   write_acceptance(out, summary.acceptance);
   out.key("devices").begin_array();

@@ -17,7 +17,50 @@ const ranking = report.findings.verdicts.map((verdict) => laws[verdict.law]);
 const lawsByObjective = laws
   .filter((law) => law.objective.mean !== null)
   .sort((a, b) => a.objective.mean - b.objective.mean);
-const hasFront = laws.some((law) => law.beta !== null && law.objective.mean !== null);
+const examinedLaws = lawsByObjective.filter((law) => law.devices.some((fit) => fit.determination !== null));
+const lotLaws = lawsByObjective.filter((law) => law.lot !== null);
+const predictedLaws = lawsByObjective.filter((law) => law.predicted_objective !== null);
+
+// Accuracy against robustness, three ways; those that some law has both coordinates of.
+const VIEWS = [
+  {
+    id: 'published',
+    title: 'as published',
+    robust: (law) => law.beta,
+    accurate: (law) => law.objective.mean,
+    onFront: (law) => law.on_front,
+    whyNot: (law) => law.beta_note,
+    axes: ['robustness index β [-], smaller is more robust', 'mean objective OF [-], smaller is more accurate'],
+    columns: ['beta [-]', 'mean OF [-]'],
+    says: 'lower is more accurate, further left its parameters agree better from device to device.',
+  },
+  {
+    id: 'converged',
+    title: 'without the optimiser\u2019s noise',
+    robust: (law) => law.beta_converged,
+    accurate: (law) => law.objective_converged,
+    onFront: (law) => law.on_front_converged,
+    whyNot: (law) => law.beta_converged_note,
+    axes: ['β of the least objectives [-]', 'least objective OF [-], mean over devices'],
+    columns: ['beta of the least objectives [-]', 'least OF [-]'],
+    says: 'as published, but of the least objective of every device instead of the means over runs, and without parameters that most tests do not determine.',
+  },
+  {
+    id: 'left-out',
+    title: 'device left out',
+    robust: (law) => law.loo_objective,
+    accurate: (law) => law.objective_converged,
+    onFront: (law) => law.on_front_loo,
+    whyNot: () => '',
+    axes: ['OF on a device by the law of all others [-]', 'least objective OF [-], mean over devices'],
+    columns: ['OF on devices left out [-]', 'least OF [-]'],
+    says: 'lower is more accurate on a tested device, further left better for a device that was not tested: one law, fitted to all others.',
+  },
+].filter((view) => laws.some((law) => isPlaced(view, law)));
+function isPlaced(view, law) {
+  return isNumber(view.robust(law)) && isNumber(view.accurate(law));
+}
+const hasFront = VIEWS.length > 0;
 
 // What the reader has chosen; a figure names the keys that change it.
 const chosen = {
@@ -26,7 +69,12 @@ const chosen = {
   block: 'all',
   laws: new Set(ranking.slice(0, 2).map((law) => law.index)),
   grouping: 'law',
+  view: VIEWS[0]?.id,
+  examined: examinedLaws[0]?.index ?? null, // a law
+  parameter: 0, // its place among the law's
+  lotLaw: lotLaws[0]?.index ?? null,
 };
+chosen.parameter = firstExamined(laws[chosen.examined]);
 
 // ---------------------------------------------------------------------------------------------------- text and numbers
 
@@ -54,7 +102,9 @@ function plain(text) {
 
 const short = (text, most = 14) => (text.length > most ? text.slice(0, most - 1) + '\u2026' : text);
 const typeset = (text) => text.replace('-', MINUS);
-const isNumber = (value) => typeof value === 'number' && Number.isFinite(value);
+function isNumber(value) {
+  return typeof value === 'number' && Number.isFinite(value);
+}
 
 function fixed(value, decimals) {
   return isNumber(value) ? typeset(value.toFixed(decimals)) : DASH;
@@ -246,6 +296,7 @@ function labelPlaces(points, stair, xRange, yRange, width, height) {
     const free =
       Object.keys(sides).find((side) => {
         const b = sides[side];
+        if (b[0] < -40 || b[2] > width + 10) return false;
         return taken.every((t, k) => k === i || b[2] < t[0] || t[2] < b[0] || b[3] < t[1] || t[3] < b[1]);
       }) ?? 'top center';
     taken.push(sides[free]);
@@ -264,6 +315,7 @@ function table(columns, rows, label) {
       column.tight ? 'tight' : '',
       column.name ? 'name' : '',
       column.screen ? 'screen' : '',
+      column.mark ? 'mark' : '',
     ]
       .filter(Boolean)
       .join(' ') || null;
@@ -297,6 +349,22 @@ function lawKey(law) {
   return element('span', { class: 'key', style: 'border-color: var(--law-' + ((law.index % 8) + 1) + ')' });
 }
 
+// A small sign of [path, fill, stroke] in a field of 12 by 12.
+const ROUND = 'M6 .8 A5.2 5.2 0 1 1 5.99 .8 Z';
+function icon(...shapes) {
+  const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+  svg.setAttribute('viewBox', '0 0 12 12');
+  svg.setAttribute('aria-hidden', 'true');
+  for (const [d, fill, stroke] of shapes) {
+    const path = document.createElementNS('http://www.w3.org/2000/svg', 'path');
+    path.setAttribute('d', d);
+    path.style.fill = fill;
+    path.style.stroke = stroke;
+    svg.append(path);
+  }
+  return svg;
+}
+
 // The front's markers, as in the plot: filled circle, or open diamond for a dominated law.
 function marker(role) {
   const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
@@ -323,6 +391,9 @@ const SECTIONS = [
   { id: 'decision', title: 'The decision', laws: true },
   { id: 'objective', title: 'Accuracy', laws: true },
   { id: 'loops', title: 'Loops', controls: loopControls, laws: true },
+  { id: 'determination', title: 'What the tests determine', laws: true },
+  { id: 'one-law', title: 'One law for the lot', laws: true },
+  { id: 'prediction', title: 'Prediction across the record', laws: true },
   { id: 'properties', title: 'Properties', controls: propertyControls },
   { id: 'devices', title: 'Lot and devices' },
   { id: 'parameters', title: 'Parameters', laws: true },
@@ -347,82 +418,23 @@ const FIGURES = [
     width: 'wide',
     title: 'Accuracy against robustness',
     wanted: () => hasFront,
-    caption: () => {
-      const dominated = report.findings.verdicts.filter((v) => v.role === 'dominated').map((v) => laws[v.law].id);
-      return (
-        'Each point is a law; lower is more accurate, further left its parameters agree better from device to device. ' +
-        'No law lies both below and left of a filled green point' +
-        (dominated.length > 0
-          ? '; ' + enumerate(dominated) + (dominated.length === 1 ? ' is' : ' are') + ' beaten in both respects.'
-          : '.')
-      );
-    },
+    depends: ['view'],
+    controls: VIEWS.length > 1 ? viewControl : null,
+    caption: frontCaption,
     csv: () => ({
-      columns: ['law', 'beta [-]', 'mean OF [-]', 'on front'],
-      rows: ranking.map((law) => [law.id, law.beta, law.objective.mean, law.on_front ? 'yes' : 'no']),
+      columns: [
+        'law',
+        ...VIEWS.flatMap((view) => [...view.columns, 'on front ' + view.title.replace('\u2019', "'")]),
+        'prediction collapses',
+      ],
+      rows: ranking.map((law) => [
+        law.id,
+        ...VIEWS.flatMap((view) => [view.robust(law), view.accurate(law), view.onFront(law) ? 'yes' : 'no']),
+        law.prediction_collapses ? 'yes' : 'no',
+      ]),
     }),
     height: () => FRONT_HEIGHT,
-    draw: (look, width) => {
-      const shown = laws.filter((law) => law.beta !== null && law.objective.mean !== null);
-      const height = FRONT_HEIGHT;
-      const edge = shown.filter((law) => law.on_front).sort((a, b) => a.beta - b.beta);
-      const xRange = paddedRange(
-          shown.map((law) => law.beta),
-          0.13,
-        ),
-        yRange = paddedRange(
-          shown.map((law) => law.objective.mean),
-          0.13,
-        );
-      const places = labelPlaces(
-        shown.map((law) => ({ x: law.beta, y: law.objective.mean, label: law.id })),
-        edge.map((law) => shown.indexOf(law)),
-        xRange,
-        yRange,
-        width - 70,
-        height - 85,
-      );
-      const points = (onFront, name, symbol, colour) => {
-        const some = shown.filter((law) => law.on_front === onFront);
-        return {
-          name,
-          x: some.map((law) => law.beta),
-          y: some.map((law) => law.objective.mean),
-          mode: 'markers+text',
-          cliponaxis: false,
-          text: some.map((law) => plain(law.id)),
-          textposition: some.map((law) => places[shown.indexOf(law)]),
-          textfont: { size: 13, color: look.colour(onFront ? 'ink' : 'muted') },
-          marker: {
-            size: onFront ? 12 : 11,
-            symbol,
-            color: look.colour(colour),
-            line: { width: 2, color: look.colour(colour) },
-          },
-          hovertemplate: '<b>%{text}</b><br>mean OF %{y:.4f}<br>beta %{x:.3f}<extra></extra>',
-        };
-      };
-      return {
-        traces: [
-          {
-            x: edge.map((law) => law.beta),
-            y: edge.map((law) => law.objective.mean),
-            mode: 'lines',
-            hoverinfo: 'skip',
-            showlegend: false,
-            opacity: 0.55,
-            line: { shape: 'hv', width: 1.2, dash: 'dot', color: look.colour('good') },
-          },
-          points(true, 'not dominated', 'circle', 'good'),
-          points(false, 'dominated', 'diamond-open', 'poor'),
-        ],
-        layout: {
-          showlegend: true,
-          xaxis: { title: 'robustness index β [-], smaller is more robust', range: xRange, zeroline: false },
-          yaxis: { title: 'mean objective OF [-], smaller is more accurate', range: yRange, zeroline: false },
-        },
-      };
-    },
+    draw: drawFront,
   },
   {
     id: 'objective-bars',
@@ -433,7 +445,8 @@ const FIGURES = [
     caption: () =>
       'Shorter is more accurate. Accuracy alone decides here, because the robustness index is undefined: ' +
       report.findings.beta_note +
-      '.',
+      '.' +
+      collapseNote(lawsByObjective),
     csv: () => ({
       columns: ['law', 'mean OF [-]', 'std OF [-]', 'best OF [-]'],
       rows: lawsByObjective.map((law) => [law.id, law.objective.mean, law.objective.std, law.objective.best]),
@@ -467,6 +480,21 @@ const FIGURES = [
       };
     },
   },
+  {
+    id: 'converged',
+    section: 'decision',
+    width: 'wide',
+    title: 'Without the optimiser\u2019s noise, and for an untested device',
+    wanted: () => report.findings.converged.length > 0,
+    build: () =>
+      element(
+        'ul',
+        { class: 'sentences' },
+        ...report.findings.converged.map((text) =>
+          element('li', {}, ...(/\bfront\b/.test(text) ? withBadges(sentence(text)) : [sentence(text)])),
+        ),
+      ),
+  },
   { id: 'verdicts', section: 'decision', width: 'narrow', title: '', build: verdictList },
   {
     id: 'ranking',
@@ -474,7 +502,14 @@ const FIGURES = [
     title: 'Ranking by mean objective',
     caption: () =>
       'OF: mean absolute error of the force divided by the standard deviation of the measured force, over devices and runs. ' +
-      'β: how far the parameters stray from their mean over the lot. Errors of stiffness and energy: mean magnitude over devices, best fit against the record.',
+      'β: how far the parameters stray from their mean over the lot. Errors of stiffness and energy: mean magnitude over devices, best fit against the record.' +
+      onScreen(
+        laws.some((law) => isNumber(law.success_share))
+          ? ' Found: runs that ended within ' +
+              percentText(report.thresholds.found_within) +
+              ' of the least objective known; where they are few, the mean says more of the search than of the law.'
+          : '',
+      ),
     csv: () => ({
       columns: [
         'law',
@@ -485,6 +520,7 @@ const FIGURES = [
         'on front',
         'K_eff error [%]',
         'energy error [%]',
+        'runs at the least OF [%]',
       ],
       rows: lawsByObjective.map((law) => [
         law.id,
@@ -495,6 +531,7 @@ const FIGURES = [
         law.on_front ? 'yes' : 'no',
         law.K_eff_error_percent,
         law.energy_error_percent,
+        isNumber(law.success_share) ? 100 * law.success_share : null,
       ]),
     }),
     build: rankingTable,
@@ -603,6 +640,105 @@ const FIGURES = [
     csv: () => loopData(laws),
     height: (width) => overviewGrid(fitsOn(devices[chosen.device], laws).length, width).height,
     draw: drawOverview,
+  },
+  {
+    id: 'determined',
+    section: 'determination',
+    width: 'wide',
+    title: 'Parameters by device',
+    long: true,
+    depends: ['examined'],
+    wanted: () => examinedLaws.length > 0,
+    controls: () => [lawChooser('examined', examinedLaws, (law) => ({ parameter: firstExamined(law) }))],
+    caption: determinedCaption,
+    csv: determinedData,
+    build: determinedTable,
+  },
+  {
+    id: 'profile',
+    section: 'determination',
+    width: 'narrow',
+    title: 'How far the parameter may go',
+    depends: ['examined', 'parameter', 'device'],
+    wanted: () => examinedLaws.length > 0 && chosen.device !== null,
+    caption: profileCaption,
+    csv: profileData,
+    height: () => PROFILE_HEIGHT,
+    draw: drawProfile,
+  },
+  {
+    id: 'trade-offs',
+    section: 'determination',
+    width: 'wide',
+    title: 'What changes together, and the intervals',
+    depends: ['examined', 'device'],
+    wanted: () => examinedLaws.length > 0 && chosen.device !== null,
+    build: tradeOffs,
+  },
+  {
+    id: 'lot-laws',
+    section: 'one-law',
+    title: 'What one law for all devices costs',
+    wanted: () => lotLaws.length > 0,
+    caption: lotLawsCaption,
+    csv: lotLawsData,
+    build: lotLawsTable,
+  },
+  {
+    id: 'lot-devices',
+    section: 'one-law',
+    title: 'Own law, the lot\u2019s law, and the law of all other devices',
+    depends: ['lotLaw'],
+    wanted: () => lotLaws.length > 0,
+    controls: () => [lawChooser('lotLaw', lotLaws)],
+    caption: lotDevicesCaption,
+    csv: lotDevicesData,
+    height: () => 360,
+    draw: drawLotDevices,
+  },
+  {
+    id: 'lot-parameters',
+    section: 'one-law',
+    width: 'half',
+    title: 'The lot\u2019s parameters',
+    depends: ['lotLaw'],
+    wanted: () => lotLaws.length > 0,
+    caption: lotParametersCaption,
+    csv: lotParametersData,
+    build: lotParametersTable,
+  },
+  {
+    id: 'lot-correlation',
+    section: 'one-law',
+    width: 'half',
+    title: 'How the parameters vary together',
+    depends: ['lotLaw'],
+    wanted: () => lotLaws.some((law) => law.population !== null),
+    caption: correlationCaption,
+    csv: correlationData,
+    build: correlationTable,
+  },
+  {
+    id: 'lot-outliers',
+    section: 'one-law',
+    title: 'Devices that stand apart from the lot',
+    wanted: () => report.outliers.length > 0,
+    caption: () =>
+      'Properties and misfits far from the median of the lot. Look at the test of such a device before the lot\u2019s law is built on it.',
+    csv: () => ({
+      columns: ['device', 'property', 'value', 'unit', 'median', 'difference [%]', 'score'],
+      rows: report.outliers.map((o) => [o.device, o.property, o.value, o.unit, o.median, o.percent, o.score]),
+    }),
+    build: apartList,
+  },
+  {
+    id: 'predictions',
+    section: 'prediction',
+    title: 'Objective per block',
+    wanted: () => predictedLaws.length > 0,
+    caption: predictionCaption,
+    csv: predictionData,
+    build: predictionTable,
   },
   {
     id: 'parameter-tables',
@@ -810,6 +946,146 @@ const FIGURES = [
 
 // --- the decision
 
+// A law's name; where its prediction collapses, that stands beside it wherever it is recommended.
+function collapseBadge() {
+  return element(
+    'span',
+    { class: 'badge', title: 'misses the blocks it was not fitted to: see Prediction across the record' },
+    'prediction collapses',
+  );
+}
+const lawName = (law) =>
+  element(
+    'span',
+    {},
+    element('b', { class: 'strong' }, law.id),
+    ...(law.prediction_collapses ? [' ', collapseBadge()] : []),
+  );
+
+// A sentence in which the first mention of such a law has its badge.
+function withBadges(text) {
+  const parts = [text];
+  for (const law of laws.filter((one) => one.prediction_collapses)) {
+    const name = new RegExp('(?<![\\w-])' + law.id.replace(/[^\w]/g, '\\$&') + '(?![\\w-])');
+    const at = parts.findIndex((part) => typeof part === 'string' && name.test(part));
+    if (at < 0) continue;
+    const end = parts[at].search(name) + law.id.length;
+    parts.splice(at, 1, parts[at].slice(0, end) + ' ', collapseBadge(), parts[at].slice(end));
+  }
+  return parts;
+}
+
+const percentText = (share) => Number((100 * share).toPrecision(3)) + THIN + '%';
+const shownView = () => VIEWS.find((view) => view.id === chosen.view);
+
+function viewControl() {
+  const buttons = VIEWS.map((view) => {
+    const button = element('button', { type: 'button', value: view.id }, view.title);
+    button.addEventListener('click', () => choose({ view: view.id }));
+    return button;
+  });
+  const follow = () => {
+    for (const button of buttons) button.setAttribute('aria-pressed', String(button.value === chosen.view));
+  };
+  followers.push(follow);
+  follow();
+  return [element('div', { class: 'choice', role: 'group', 'aria-label': 'View' }, ...buttons)];
+}
+
+function frontCaption() {
+  const view = shownView();
+  const placed = laws.filter((law) => isPlaced(view, law));
+  const dominated = ranking.filter((law) => placed.includes(law) && !view.onFront(law)).map((law) => law.id);
+  const missing = ranking.filter((law) => !placed.includes(law));
+  const leftOut = view.id !== 'converged' ? [] : placed.filter((law) => law.left_out_of_beta.length > 0);
+  const reduced = view.id !== 'converged' ? [] : placed.filter((law) => law.reduced).map((law) => law.id);
+  return (
+    'Each point is a law; ' +
+    view.says +
+    ' No law lies both below and left of a filled green point' +
+    (dominated.length > 0
+      ? '; ' + enumerate(dominated) + (dominated.length === 1 ? ' is' : ' are') + ' beaten in both respects.'
+      : '.') +
+    (leftOut.length > 0
+      ? ' Left out of β: ' + leftOut.map((law) => enumerate(law.left_out_of_beta) + ' of ' + law.id).join('; ') + '.'
+      : '') +
+    (reduced.length > 0 ? ' Of the form without the redundant parameter: ' + enumerate(reduced) + '.' : '') +
+    (missing.length > 0
+      ? ' Not shown: ' +
+        missing.map((law) => law.id + (view.whyNot(law) ? ' (' + view.whyNot(law) + ')' : '')).join('; ') +
+        '.'
+      : '') +
+    collapseNote(placed)
+  );
+}
+
+function collapseNote(among) {
+  const names = among.filter((law) => law.prediction_collapses).map((law) => law.id);
+  return names.length > 0 ? ' Prediction across the record collapses: ' + enumerate(names) + '.' : '';
+}
+
+function drawFront(look, width) {
+  const view = shownView();
+  const shown = laws.filter((law) => isPlaced(view, law));
+  const height = FRONT_HEIGHT;
+  const edge = shown.filter(view.onFront).sort((a, b) => view.robust(a) - view.robust(b));
+  const xRange = paddedRange(shown.map(view.robust), 0.13),
+    yRange = paddedRange(shown.map(view.accurate), 0.13);
+  const places = labelPlaces(
+    shown.map((law) => ({ x: view.robust(law), y: view.accurate(law), label: law.id })),
+    edge.map((law) => shown.indexOf(law)),
+    xRange,
+    yRange,
+    width - 70,
+    height - 85,
+  );
+  const points = (onFront, name, symbol, colour) => {
+    const some = shown.filter((law) => view.onFront(law) === onFront);
+    return {
+      name,
+      x: some.map(view.robust),
+      y: some.map(view.accurate),
+      mode: 'markers+text',
+      cliponaxis: false,
+      text: some.map((law) => plain(law.id)),
+      textposition: some.map((law) => places[shown.indexOf(law)]),
+      textfont: { size: 13, color: look.colour(onFront ? 'ink' : 'muted') },
+      marker: {
+        size: onFront ? 12 : 11,
+        symbol,
+        color: look.colour(colour),
+        line: { width: 2, color: look.colour(colour) },
+      },
+      hovertemplate:
+        '<b>%{text}</b><br>' +
+        view.columns[1].replace(' [-]', '') +
+        ' %{y:.4f}<br>' +
+        view.columns[0].replace(' [-]', '') +
+        ' %{x:.3f}<extra></extra>',
+    };
+  };
+  return {
+    traces: [
+      {
+        x: edge.map(view.robust),
+        y: edge.map(view.accurate),
+        mode: 'lines',
+        hoverinfo: 'skip',
+        showlegend: false,
+        opacity: 0.55,
+        line: { shape: 'hv', width: 1.2, dash: 'dot', color: look.colour('good') },
+      },
+      points(true, 'not dominated', 'circle', 'good'),
+      points(false, 'dominated', 'diamond-open', 'poor'),
+    ],
+    layout: {
+      showlegend: true,
+      xaxis: { title: view.axes[0], range: xRange, zeroline: false },
+      yaxis: { title: view.axes[1], range: yRange, zeroline: false },
+    },
+  };
+}
+
 function verdictList() {
   const items = report.findings.verdicts.map((verdict) => {
     const law = laws[verdict.law];
@@ -819,7 +1095,7 @@ function verdictList() {
       'li',
       { class: inOneLine ? 'brief' : null },
       marker(verdict.role),
-      element('div', {}, element('b', {}, law.id), role, inOneLine ? null : element('br'), sentence(verdict.sentence)),
+      element('div', {}, lawName(law), role, inOneLine ? null : element('br'), sentence(verdict.sentence)),
     );
   });
   const care =
@@ -853,6 +1129,7 @@ function takeCare() {
 }
 
 function rankingTable() {
+  const searched = laws.some((law) => isNumber(law.success_share));
   const columns = [
     { title: 'Law', pinned: true, tight: true },
     { title: 'mean OF ± std', unit: '-', number: true },
@@ -861,6 +1138,7 @@ function rankingTable() {
     { title: 'Verdict', tight: true },
     { title: 'stiffness error', unit: '%', number: true },
     { title: 'energy error', unit: '%', number: true },
+    ...(searched ? [{ title: 'found', unit: '% of runs', number: true, screen: true }] : []),
     { title: 'parameters', unit: 'calibrated', number: true },
     { title: 'Description', screen: true },
   ];
@@ -870,13 +1148,14 @@ function rankingTable() {
     const tone = role === 'dominated' ? 'poor' : role === 'not ranked' ? 'note' : 'good';
     return {
       cells: [
-        element('b', { class: 'strong' }, law.id),
+        lawName(law),
         objectiveText(law.objective),
         fixed(law.objective.best, 4),
         fixed(law.beta, 3),
         element('span', { class: tone }, role),
         fixed(law.K_eff_error_percent, 1),
         fixed(law.energy_error_percent, 1),
+        ...(searched ? [isNumber(law.success_share) ? fixed(100 * law.success_share, 0) : DASH] : []),
         String(law.parameters.filter((p) => p.free).length || DASH),
         element('td', { class: 'note text screen' }, law.title),
       ],
@@ -963,8 +1242,7 @@ function drawObjectives(look) {
 const followers = [];
 
 // One device for the whole page; what cannot be shown of it stays with the device before.
-function chooseDevice(index) {
-  const changes = {};
+function chooseDevice(index, changes = {}) {
   if (drawable.some((device) => device.index === index)) changes.device = index;
   if (tested.some((device) => device.index === index)) {
     changes.tested = index;
@@ -1302,6 +1580,984 @@ function drawOverview(look, width) {
     });
   });
   return { traces, layout };
+}
+
+// --- what the tests determine
+
+const PROFILE_HEIGHT = 400;
+
+// Word and shape say the same; the colour only repeats them.
+const DETERMINATIONS = {
+  determined: { tone: 'good', path: ROUND, filled: true },
+  'weakly determined': { tone: 'accent', path: ROUND, filled: false, mark: 'M6 .8 A5.2 5.2 0 0 0 6 11.2 Z' },
+  undetermined: { tone: 'poor', path: ROUND, filled: false },
+  'at its bound': { tone: 'care', path: 'M6 1.2 L10.6 8.2 H1.4 Z M1.4 11 H10.6', filled: true },
+};
+
+function determinationMark(verdict) {
+  const { tone, path, filled, mark } = DETERMINATIONS[verdict];
+  const colour = 'var(--' + tone + ')';
+  return icon([path, filled ? colour : 'none', colour], ...(mark ? [[mark, colour, 'none']] : []));
+}
+
+function lawChooser(key, among, changes = () => ({})) {
+  const select = element(
+    'select',
+    { id: key },
+    ...among.map((law) => element('option', { value: law.index, selected: law.index === chosen[key] }, law.id)),
+  );
+  select.addEventListener('change', () => {
+    const law = laws[Number(select.value)];
+    choose({ [key]: law.index, ...changes(law) });
+  });
+  return element('label', {}, 'Law', select);
+}
+
+// Places of the parameters that were examined on some device.
+function examinedPlaces(law) {
+  return law.parameters
+    .map((_, place) => place)
+    .filter((place) => law.devices.some((fit) => fit.determination?.[place]));
+}
+function firstExamined(law) {
+  return law ? (examinedPlaces(law)[0] ?? 0) : 0;
+}
+
+// What is known of a parameter on a device; null where it was not examined.
+function examination(law, device, place) {
+  const fit = law?.fitOn.get(device);
+  const row = fit?.determination?.[place];
+  if (!row) return null;
+  const [verdict, optimum, low, high, openBelow, openAbove, linearLow, linearHigh, bootLow, bootHigh, values, levels] =
+    row;
+  return {
+    law,
+    fit,
+    parameter: law.parameters[place],
+    verdict,
+    optimum,
+    open: [low, high],
+    ends: [openBelow, openAbove],
+    linear: [linearLow, linearHigh],
+    bootstrap: [bootLow, bootHigh],
+    values,
+    objectives: levels,
+    box: fit.parameters[place].slice(5, 7),
+  };
+}
+const chosenExamination = () => examination(laws[chosen.examined], chosen.device, chosen.parameter);
+
+// "0.15 to 0.2 kN/mm"; as many digits as tell the two apart, three at least.
+function rangeText([low, high], unit) {
+  for (let digits = 3; digits < 7; ++digits)
+    if (low === high || significant(low, digits) !== significant(high, digits))
+      return (low === high ? '' : significant(low, digits) + ' to ') + withUnit(high, unitText(unit), digits);
+  return withUnit(high, unitText(unit), 7);
+}
+
+function determinedCaption() {
+  const law = laws[chosen.examined];
+  const fits = law.devices.filter((fit) => fit.determination);
+  const blind = examinedPlaces(law)
+    .map((place) => ({
+      name: law.parameters[place].name,
+      times: fits.filter((fit) => fit.determination[place]?.[0] === 'undetermined').length,
+    }))
+    .filter(({ times }) => times > 0);
+  const missing = usable.filter((device) => !law.fitOn.get(device.index)?.determination).map((device) => device.name);
+  return (
+    (blind.length === 0
+      ? 'The tests determine every parameter of ' + law.id + ' that does not lie at its bound.'
+      : 'The tests leave open ' +
+        enumerate(
+          blind.map(({ name, times }) =>
+            times === fits.length ? name : name + ' (' + times + ' of ' + count(fits.length, 'device') + ')',
+          ),
+          7,
+        ) +
+        ': other values give loops that nobody can tell apart, so do not compare such values between devices.') +
+    (missing.length > 0 ? ' Not examined: ' + enumerate(missing) + '.' : '') +
+    onScreen(' Choose a cell, by the mouse or the arrow keys, for its profile.')
+  );
+}
+
+function determinedData() {
+  return {
+    columns: [
+      'law',
+      'device',
+      'parameter',
+      'unit',
+      'verdict',
+      'optimum',
+      'open from',
+      'open to',
+      'ends at the box below',
+      'ends at the box above',
+      'linear from',
+      'linear to',
+      'bootstrap from',
+      'bootstrap to',
+    ],
+    rows: examinedLaws.flatMap((law) =>
+      law.devices.flatMap((fit) =>
+        examinedPlaces(law)
+          .map((place) => examination(law, fit.device, place))
+          .filter(Boolean)
+          .map((one) => [
+            law.id,
+            devices[fit.device].name,
+            one.parameter.name,
+            one.parameter.unit,
+            one.verdict,
+            one.optimum,
+            ...one.open,
+            ...one.ends.map((end) => (end ? 'yes' : 'no')),
+            ...one.linear,
+            ...one.bootstrap,
+          ]),
+      ),
+    ),
+  };
+}
+
+function determinedTable() {
+  const law = laws[chosen.examined];
+  const places = examinedPlaces(law);
+  const fits = law.devices.filter((fit) => fit.determination);
+  const columns = [
+    { title: 'Device', pinned: true, name: true },
+    ...places.map((place) => {
+      const { name, unit } = law.parameters[place];
+      return { title: element('span', {}, name), full: name + ' [' + unitText(unit) + ']', mark: true };
+    }),
+  ];
+  const cell = (fit, place) => {
+    const one = examination(law, fit.device, place);
+    if (!one) return element('td', { class: 'mark note' }, DASH);
+    const text =
+      one.parameter.name +
+      ' on ' +
+      devices[fit.device].name +
+      ': ' +
+      one.verdict +
+      ', ' +
+      rangeText(one.open, one.parameter.unit);
+    const button = element(
+      'button',
+      {
+        type: 'button',
+        class: DETERMINATIONS[one.verdict].tone,
+        tabindex: '-1',
+        title: text,
+        'aria-label': text,
+        'data-device': fit.device,
+        'data-parameter': place,
+      },
+      determinationMark(one.verdict),
+    );
+    return element('td', { class: 'mark' }, button);
+  };
+  const shares = places.map((place) => {
+    const verdicts = fits.map((fit) => fit.determination[place]?.[0]).filter(Boolean);
+    return String(verdicts.filter((verdict) => verdict === 'undetermined').length);
+  });
+  const body = table(
+    columns,
+    [
+      ...fits.map((fit) => ({ cells: [devices[fit.device].name, ...places.map((place) => cell(fit, place))] })),
+      ...(fits.length > 1
+        ? [
+            {
+              className: 'group',
+              cells: [
+                element(
+                  'span',
+                  { class: 'note', title: 'devices whose test leaves it undetermined' },
+                  'open, of ' + fits.length,
+                ),
+                ...shares.map((share) => element('td', { class: 'mark note' }, share)),
+              ],
+            },
+          ]
+        : []),
+    ],
+    'Whether the tests determine the parameters of ' + law.id,
+  );
+  body.classList.add('marks');
+  body.classList.toggle('upright', places.length > 12);
+  body.addEventListener('click', (event) => chooseCell(event.target.closest('button')));
+  body.addEventListener('keydown', (event) => {
+    const next = cellBeside(event.target.closest('button'), event.key);
+    if (!next) return;
+    event.preventDefault();
+    chooseCell(next);
+    next.focus();
+  });
+  markChosenCell(body);
+  return element('div', {}, body, determinedLegend());
+}
+
+function determinedLegend() {
+  const { determined_within: near, weakly_determined_within: far } = report.thresholds;
+  const meaning = {
+    determined: 'known to ±' + percentText(near),
+    'weakly determined': 'to ±' + percentText(far) + ', or its range ends at the box',
+    undetermined: 'anything further, or all of the box',
+    'at its bound': 'the box, not the test, decides the value',
+  };
+  return element(
+    'ul',
+    { class: 'legend' },
+    ...Object.keys(DETERMINATIONS).map((verdict) =>
+      element(
+        'li',
+        {},
+        element('span', { class: 'verdict ' + DETERMINATIONS[verdict].tone }, determinationMark(verdict), verdict),
+        ' ' + meaning[verdict],
+      ),
+    ),
+  );
+}
+
+function chooseCell(button) {
+  if (button) chooseDevice(Number(button.dataset.device), { parameter: Number(button.dataset.parameter) });
+}
+
+// The cell that a key leads to, past those that were not examined.
+function cellBeside(button, key) {
+  const [dx, dy] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[key] ?? [0, 0];
+  if (!button || (dx === 0 && dy === 0)) return null;
+  let row = button.closest('tr'),
+    column = button.closest('td').cellIndex;
+  for (;;) {
+    column += dx;
+    if (dy !== 0) row = dy > 0 ? row.nextElementSibling : row.previousElementSibling;
+    const cell = row?.cells[column];
+    if (!cell) return null;
+    if (cell.querySelector('button')) return cell.querySelector('button');
+  }
+}
+
+// One cell is pressed and reached by the tabulator, the arrow keys lead to the others.
+function markChosenCell(body) {
+  if (!body) return;
+  for (const button of body.querySelectorAll('button[tabindex="0"]')) {
+    button.tabIndex = -1;
+    button.setAttribute('aria-pressed', 'false');
+  }
+  const own = body.querySelector(
+    'button[data-device="' + chosen.device + '"][data-parameter="' + chosen.parameter + '"]',
+  );
+  own?.setAttribute('aria-pressed', 'true');
+  const reached = own ?? body.querySelector('button');
+  if (reached) reached.tabIndex = 0;
+}
+followers.push(() => markChosenCell(document.querySelector('#figure-determined .marks')));
+
+function profileCaption() {
+  const one = chosenExamination();
+  const law = laws[chosen.examined],
+    where = law.id + ' on ' + devices[chosen.device].name;
+  if (!one) return where + ' was not examined.';
+  const { name, unit } = one.parameter;
+  const ends = one.ends[0] && one.ends[1] ? 'both ends are' : one.ends[0] ? 'the lower end is' : 'the upper end is';
+  return (
+    where +
+    '. ' +
+    name +
+    ' is held at each point and all others are fitted again. Below the dashed line, ' +
+    significant(one.fit.rise, 2) +
+    ' above the least objective of ' +
+    fixed(one.fit.optimum, 4) +
+    ', the loops get no worse to the eye: there ' +
+    name +
+    ' may be ' +
+    rangeText(one.open, unit) +
+    (one.ends.some(Boolean) ? ' (' + ends + ' the search box\u2019s)' : '') +
+    ', so it is ' +
+    one.verdict +
+    '.'
+  );
+}
+
+function profileData() {
+  const one = chosenExamination();
+  return {
+    columns: ['law', 'device', 'parameter', 'unit', 'value', 'least OF [-]'],
+    rows: one
+      ? one.values.map((value, i) => [
+          one.law.id,
+          devices[chosen.device].name,
+          one.parameter.name,
+          one.parameter.unit,
+          value,
+          one.objectives[i],
+        ])
+      : [],
+  };
+}
+
+// The axis of a parameter: powers of ten where its values span many, of negative ones too; else a factor as in tables.
+function parameterAxis({ name, unit }, values) {
+  const sizes = values.map(Math.abs),
+    largest = Math.max(...sizes),
+    sign = Math.sign(values[0]);
+  const log = values.every((value) => Math.sign(value) === sign && value !== 0) && largest > 20 * Math.min(...sizes);
+  const format = rowFormat(values);
+  const factor = log ? sign : format.factor;
+  const scaled = log || format.exponent === 0 ? '' : '10' + superscript(format.exponent) + ' ';
+  const places = values.map((value) => value / factor);
+  const range = paddedRange(log ? places.map(Math.log10) : places, 0.04);
+  const start = log && sign < 0 ? [...range].reverse() : range;
+  return {
+    of: (value) => value / factor,
+    share: (place) => ((log ? Math.log10(place) : place) - start[0]) / (start[1] - start[0]), // of the width
+    layout: {
+      title: plain(name + ' [' + scaled + unitText(unit) + ']'),
+      type: log ? 'log' : 'linear',
+      range: start,
+      ...(log ? { dtick: 1, exponentformat: 'power', tickprefix: sign < 0 ? MINUS : '' } : { nticks: 7 }),
+      zeroline: false,
+    },
+  };
+}
+
+function drawProfile(look, width) {
+  const one = chosenExamination();
+  if (!one) return emptyPlot(look, 'not examined');
+  const { values, objectives, optimum, fit } = one;
+  const limit = fit.optimum + fit.rise;
+  const bars = [
+    { title: 'open range', range: one.open, colour: 'good' },
+    { title: 'linearised', range: one.linear, colour: 'law-1' },
+    { title: 'bootstrap', range: one.bootstrap, colour: 'law-4' },
+  ].filter(({ range }) => range.every(isNumber));
+  const axis = parameterAxis(one.parameter, [...values, optimum, ...bars.flatMap(({ range }) => range)]);
+  const top = Math.max(fit.optimum + 2 * fit.rise, Math.min(Math.max(...objectives), fit.optimum + 6 * fit.rise)),
+    low = fit.optimum - 0.12 * (top - fit.optimum);
+  const level = (i) => bars.length - i;
+  const ends = one.open.map(axis.of);
+  const curvePoints = [
+    ...values.map((value, i) => [value, objectives[i]]),
+    ...one.open.filter((_, i) => !one.ends[i]).map((value) => [value, limit]), // where the profile crosses it
+  ].sort((a, b) => a[0] - b[0]);
+  const text = (value) => withUnit(value, unitText(one.parameter.unit));
+  return {
+    traces: [
+      {
+        mode: 'lines',
+        x: [ends[0], ends[0], ends[1], ends[1], ends[0]],
+        y: [low, 2 * top, 2 * top, low, low],
+        fill: 'toself',
+        fillcolor: look.colour('band'),
+        line: { width: 0 },
+        hoverinfo: 'skip',
+      },
+      {
+        mode: 'lines',
+        x: curvePoints.map(([value]) => axis.of(value)),
+        y: curvePoints.map(([, objective]) => objective),
+        hoverinfo: 'skip',
+        line: { color: look.colour('ink'), width: 1.8 },
+      },
+      {
+        mode: 'markers',
+        x: values.map(axis.of),
+        y: objectives,
+        text: values.map(text),
+        marker: { color: look.colour('ink'), size: 6 },
+        hovertemplate: '%{text}<br>least OF %{y:.5f}<extra></extra>',
+      },
+      {
+        mode: 'markers',
+        x: [axis.of(optimum)],
+        y: [fit.optimum],
+        text: [text(optimum)],
+        marker: { color: look.colour('good'), size: 11, line: { color: look.colour('paper'), width: 1.5 } },
+        hovertemplate: 'least objective %{y:.5f}<br>at %{text}<extra></extra>',
+      },
+      ...bars.map(({ title, range, colour }, i) => ({
+        mode: 'lines+markers',
+        yaxis: 'y2',
+        x: range.map(axis.of),
+        y: [level(i), level(i)],
+        line: { color: look.colour(colour), width: 5 },
+        marker: { color: look.colour(colour), size: 11, symbol: 'line-ns-open', line: { width: 2.5 } },
+        text: [plain(title + ': ' + rangeText(range, one.parameter.unit))],
+        hovertemplate: '%{text}<extra></extra>',
+      })),
+    ],
+    layout: {
+      margin: { l: 70, r: 12, t: 10, b: 44 },
+      xaxis: { ...axis.layout, anchor: 'y2' },
+      yaxis: {
+        title: 'least objective OF [-]',
+        domain: [0.32, 1],
+        range: [low, top + 0.05 * (top - low)],
+        zeroline: false,
+        nticks: 6,
+      },
+      yaxis2: {
+        domain: [0, 0.2],
+        range: [0.4, bars.length + 0.6],
+        tickmode: 'array',
+        tickvals: bars.map((_, i) => level(i)),
+        ticktext: bars.map(({ title }) => title),
+        showgrid: false,
+        zeroline: false,
+        fixedrange: true,
+      },
+      shapes: [
+        {
+          type: 'line',
+          xref: 'paper',
+          x0: 0,
+          x1: 1,
+          y0: limit,
+          y1: limit,
+          line: { color: look.colour('muted'), width: 1.2, dash: 'dash' },
+        },
+      ],
+      annotations: [
+        {
+          xref: 'paper',
+          x: Math.min(0.8, Math.max(0.2, axis.share((ends[0] + ends[1]) / 2))), // the curve lies below here
+          y: limit,
+          xanchor: 'center',
+          yanchor: 'bottom',
+          showarrow: false,
+          text: 'visibly worse above',
+          font: { size: 11.5, color: look.colour('muted') },
+        },
+      ],
+    },
+  };
+}
+
+function intervalSentence({ level, samples, block, replicates }) {
+  if (!isNumber(level)) return null;
+  return (
+    'The bars under the profile are intervals of ' +
+    percentText(level) +
+    ': by linearisation' +
+    (replicates > 0 ? ', and from ' + count(replicates, 'fit') + ' of the bootstrap' : '') +
+    ', in blocks of ' +
+    count(block, 'sample') +
+    ' of ' +
+    samples +
+    ' because neighbouring residuals are alike. They say how far another record of the same device could move the fit, ' +
+    'taking the law\u2019s misfit for noise; they are no statement on whether the law is true. A parameter at its bound is held there.'
+  );
+}
+
+function tradeOffs() {
+  const law = laws[chosen.examined],
+    fit = law.fitOn.get(chosen.device);
+  const name = devices[chosen.device].name;
+  if (!fit?.determination) return element('p', { class: 'empty' }, law.id + ' on ' + name + ' was not examined.');
+  return element(
+    'div',
+    { class: 'prose' },
+    fit.trade_offs.length === 0
+      ? element('p', {}, 'On ' + name + ' no parameters of ' + law.id + ' change together unseen.')
+      : element(
+          'div',
+          {},
+          element('p', {}, 'The loops of ' + law.id + ' on ' + name + ':'),
+          element('ul', { class: 'sentences' }, ...fit.trade_offs.map((text) => element('li', {}, sentence(text)))),
+        ),
+    law.reduced_form
+      ? element(
+          'p',
+          {},
+          element('code', {}, law.reduced_form),
+          ' searches a form of the same loops without the redundant parameter.',
+        )
+      : null,
+    element('p', {}, intervalSentence(fit.intervals)),
+  );
+}
+
+// --- one law for the lot
+
+const ofLot = () => laws[chosen.lotLaw];
+const fitsInLot = (law) => law.devices.filter((fit) => isNumber(fit.lot_objective));
+
+function lotLawsCaption() {
+  const best = lotLaws
+    .filter((law) => isNumber(law.loo_objective))
+    .sort((a, b) => a.loo_objective - b.loo_objective)[0];
+  return (
+    'OF of each device\u2019s own law, of the one law with the least mean over the lot, and of the law of all other devices on the one left out. Least worst: the law that is least bad for its worst device; no law gets below the bound.' +
+    (best
+      ? ' For a device that was not tested, ' +
+        best.id +
+        ' misses least: ' +
+        fixed(best.loo_objective, 4) +
+        ' on average, against ' +
+        fixed(best.objective_converged, 4) +
+        ' of each device\u2019s own law.'
+      : '')
+  );
+}
+
+function lotLawsTable() {
+  const columns = [
+    { title: 'Law', pinned: true, tight: true },
+    { title: 'Own law', unit: 'mean', number: true },
+    { title: 'Lot\u2019s law', unit: 'mean', number: true },
+    { title: 'Lot\u2019s law', unit: 'worst', number: true },
+    { title: 'Least worst', unit: 'bound', number: true },
+    { title: 'Left out', unit: 'mean', number: true },
+    { title: 'Left out', unit: 'worst', number: true },
+    { title: 'β', unit: 'of own laws', number: true },
+    { title: 'Runs at the least OF', number: true },
+  ];
+  const below = (value, text) =>
+    element('td', { class: 'number' }, value, text ? element('small', { title: text }, short(text, 16)) : null);
+  const rows = lotLaws.map((law) => ({
+    cells: [
+      lawName(law),
+      fixed(law.objective_converged, 4),
+      fixed(law.lot.mean_objective, 4),
+      below(fixed(law.lot.worst_objective, 4), law.lot.worst_device),
+      below(fixed(law.lot.least_worst_objective, 4), fixed(law.lot.least_worst_bound, 4)),
+      fixed(law.loo_objective, 4),
+      below(fixed(law.loo_worst, 4), law.loo_worst_device),
+      fixed(law.beta_converged, 3),
+      element(
+        'td',
+        { class: 'number' },
+        isNumber(law.success_share) ? fixed(100 * law.success_share, 0) + THIN + '%' : DASH,
+        law.success_reference ? element('small', {}, law.success_reference) : null,
+      ),
+    ],
+  }));
+  return table(columns, rows, 'One law for all devices');
+}
+
+function lotLawsData() {
+  return {
+    columns: [
+      'law',
+      'own least OF [-]',
+      "mean OF of the lot's law [-]",
+      "worst OF of the lot's law [-]",
+      'worst device',
+      'least worst OF [-]',
+      'bound of it [-]',
+      'mean OF left out [-]',
+      'worst OF left out [-]',
+      'worst device left out',
+      'beta of the least objectives [-]',
+      'runs at the least OF [%]',
+      'least OF of',
+    ],
+    rows: lotLaws.map((law) => [
+      law.id,
+      law.objective_converged,
+      law.lot.mean_objective,
+      law.lot.worst_objective,
+      law.lot.worst_device,
+      law.lot.least_worst_objective,
+      law.lot.least_worst_bound,
+      law.loo_objective,
+      law.loo_worst,
+      law.loo_worst_device,
+      law.beta_converged,
+      isNumber(law.success_share) ? 100 * law.success_share : null,
+      law.success_reference,
+    ]),
+  };
+}
+
+function lotDevicesCaption() {
+  const law = ofLot();
+  const cost = fitsInLot(law)
+    .filter((fit) => isNumber(fit.left_out_objective) && isNumber(fit.optimum))
+    .sort((a, b) => b.left_out_objective - b.optimum - (a.left_out_objective - a.optimum));
+  return (
+    law.id +
+    ': from the circle to the square is what sharing one law costs a device, to the diamond what it costs not to have tested it.' +
+    (cost.length > 1
+      ? ' Most for ' +
+        devices[cost[0].device].name +
+        ' (' +
+        fixed(cost[0].optimum, 4) +
+        ' with its own law, ' +
+        fixed(cost[0].left_out_objective, 4) +
+        ' left out), least for ' +
+        devices[cost[cost.length - 1].device].name +
+        '.'
+      : '')
+  );
+}
+
+function lotDevicesData() {
+  return {
+    columns: [
+      'law',
+      'device',
+      'own OF [-]',
+      "OF of the lot's law [-]",
+      'OF of the least worst law [-]',
+      'OF left out [-]',
+    ],
+    rows: lotLaws.flatMap((law) =>
+      fitsInLot(law).map((fit) => [
+        law.id,
+        devices[fit.device].name,
+        fit.optimum,
+        fit.lot_objective,
+        fit.worst_objective,
+        fit.left_out_objective,
+      ]),
+    ),
+  };
+}
+
+function drawLotDevices(look, width) {
+  const law = ofLot(),
+    fits = fitsInLot(law),
+    size = fits.length > 60 ? 6 : 9;
+  const kinds = [
+    { name: 'own law', key: 'optimum', symbol: 'circle', colour: 'law-1' },
+    { name: 'the lot\u2019s law', key: 'lot_objective', symbol: 'square', colour: 'law-5' },
+    { name: 'left out', key: 'left_out_objective', symbol: 'diamond', colour: 'law-2' },
+  ];
+  const names = fits.map((fit) => short(devices[fit.device].name)),
+    every = Math.ceil(names.length / Math.max(4, Math.min(24, Math.floor(width / 60)))),
+    ticks = names.map((_, i) => i).filter((i) => i % every === 0);
+  const spans = fits.flatMap((fit, i) => {
+    const values = kinds.map(({ key }) => fit[key]).filter(isNumber);
+    return [
+      [i, Math.min(...values)],
+      [i, Math.max(...values)],
+      [null, null],
+    ];
+  });
+  return {
+    traces: [
+      {
+        mode: 'lines',
+        x: spans.map(([x]) => x),
+        y: spans.map(([, y]) => y),
+        showlegend: false,
+        hoverinfo: 'skip',
+        line: { color: look.colour('measured'), width: 1.4 },
+      },
+      ...kinds.map(({ name, key, symbol, colour }) => ({
+        name,
+        mode: 'markers',
+        x: fits.map((_, i) => i),
+        y: fits.map((fit) => fit[key]),
+        text: fits.map((fit) => plain(devices[fit.device].name)),
+        marker: { symbol, size, color: look.colour(colour) },
+        hovertemplate: '<b>%{text}</b>, ' + name + '<br>OF %{y:.4f}<extra></extra>',
+      })),
+    ],
+    layout: {
+      showlegend: true,
+      xaxis: {
+        tickmode: 'array',
+        tickvals: ticks,
+        ticktext: ticks.map((i) => plain(names[i])),
+        range: [-0.6, fits.length - 0.4],
+        showgrid: false,
+        zeroline: false,
+      },
+      yaxis: { title: 'objective OF [-]', rangemode: 'tozero' },
+    },
+  };
+}
+
+// A parameter's median and relative scatter over the lot, where it was estimated.
+function inPopulation(law, name) {
+  const place = law.population?.parameters.indexOf(name) ?? -1;
+  return {
+    median: law.population?.medians[place] ?? null,
+    scatter: law.population?.relative_std[place] ?? null,
+  };
+}
+
+function lotParametersCaption() {
+  const law = ofLot();
+  return (
+    law.id +
+    ' as one law for all devices, and as the devices scatter: median of the lot, standard deviation between devices without the uncertainty of their fits.' +
+    (law.population?.note ? ' ' + law.population.note[0].toUpperCase() + law.population.note.slice(1) + '.' : '')
+  );
+}
+
+function lotParametersTable() {
+  const law = ofLot();
+  const columns = [
+    { title: 'Parameter', pinned: true, tight: true },
+    { title: 'Unit', tight: true },
+    { title: 'Lot\u2019s law', number: true },
+    { title: 'Least worst', number: true },
+    { title: 'Median', number: true },
+    { title: 'Scatter', unit: '%', number: true },
+  ];
+  const rows = law.parameters.map((parameter, place) => {
+    const { median, scatter } = inPopulation(law, parameter.name);
+    const values = [law.lot.parameters[place], law.lot.least_worst_parameters[place], median];
+    const sizes = values.filter((value) => isNumber(value) && value !== 0).map(Math.abs);
+    const apart = Math.max(...sizes) > 100 * Math.min(...sizes); // no factor serves both
+    const format = apart ? { factor: 1, exponent: 0 } : rowFormat(values);
+    const text = (value) => (apart ? significant(value) : fixed(value / format.factor, format.decimals));
+    return {
+      cells: [
+        parameter.name,
+        (format.exponent !== 0 ? '10' + superscript(format.exponent) + ' ' : '') + unitText(parameter.unit),
+        ...values.map((value) => (isNumber(value) ? text(value) : DASH)),
+        parameter.free ? (isNumber(scatter) ? fixed(100 * scatter, 1) : DASH) : 'fixed',
+      ],
+    };
+  });
+  return table(columns, rows, 'Parameters of the lot\u2019s law ' + law.id);
+}
+
+function lotParametersData() {
+  return {
+    columns: ['law', 'parameter', 'unit', "lot's law", 'least worst law', 'median', 'scatter [%]'],
+    rows: lotLaws.flatMap((law) =>
+      law.parameters.map((parameter, place) => {
+        const { median, scatter } = inPopulation(law, parameter.name);
+        return [
+          law.id,
+          parameter.name,
+          parameter.unit,
+          law.lot.parameters[place],
+          law.lot.least_worst_parameters[place],
+          median,
+          isNumber(scatter) ? 100 * scatter : null,
+        ];
+      }),
+    ),
+  };
+}
+
+// Pairs of parameters with a correlation, the strongest first.
+function correlations(law) {
+  const { parameters = [], correlation = [] } = law.population ?? {};
+  return correlation
+    .flatMap((row, i) => row.slice(0, i).map((value, j) => ({ names: [parameters[j], parameters[i]], value })))
+    .filter(({ value }) => isNumber(value))
+    .sort((a, b) => Math.abs(b.value) - Math.abs(a.value));
+}
+
+function correlationCaption() {
+  const law = ofLot(),
+    strong = correlations(law).filter(({ value }) => Math.abs(value) >= 0.7);
+  if (correlations(law).length === 0) return law.id + ' has no correlation to show.';
+  return (
+    'Correlation of the parameters of ' +
+    law.id +
+    ' between devices, blue: together, rust: against one another; \u2013: a parameter that does not vary. ' +
+    (strong.length === 0
+      ? 'No two go closely together.'
+      : 'Closest: ' +
+        strong
+          .slice(0, 3)
+          .map(({ names, value }) => names.join(' and ') + ' (' + fixed(value, 2) + ')')
+          .join(', ') +
+        '. Draw a device\u2019s parameters together, never one by one.')
+  );
+}
+
+function correlationData() {
+  return {
+    columns: ['law', 'parameter', 'with', 'correlation'],
+    rows: lotLaws.flatMap((law) => correlations(law).map(({ names, value }) => [law.id, ...names, value])),
+  };
+}
+
+function correlationTable() {
+  const law = ofLot();
+  const { parameters = [], correlation = [], note = '' } = law.population ?? {};
+  if (correlation.length === 0)
+    return element('p', { class: 'empty' }, note || 'No correlation was estimated for ' + law.id + '.');
+  const columns = [
+    { title: '', pinned: true, tight: true },
+    ...parameters.slice(0, -1).map((name) => ({ title: element('span', {}, name), full: name, mark: true })),
+  ];
+  const rows = parameters.slice(1).map((name, i) => ({
+    cells: [
+      name,
+      ...parameters.slice(0, -1).map((other, j) => {
+        if (j > i) return element('td');
+        const value = correlation[i + 1][j];
+        if (!isNumber(value)) return element('td', { class: 'mark note' }, DASH);
+        return element(
+          'td',
+          {
+            class: 'mark heat ' + (value < 0 ? 'against' : 'together'),
+            style: '--share: ' + Math.min(1, Math.abs(value)).toFixed(3),
+            title: name + ' with ' + other + ': ' + fixed(value, 3),
+          },
+          fixed(value, 2),
+        );
+      }),
+    ],
+  }));
+  const body = table(columns, rows, 'Correlation of the parameters of ' + law.id);
+  body.classList.add('marks');
+  return body;
+}
+
+function apartList() {
+  const byDevice = new Map();
+  for (const one of report.outliers) byDevice.set(one.device, [...(byDevice.get(one.device) ?? []), one]);
+  const items = [...byDevice].map(([name, found]) =>
+    element(
+      'li',
+      {},
+      element('b', { class: 'strong' }, name),
+      ': ' +
+        found
+          .map(
+            (one) =>
+              one.property +
+              ' ' +
+              withUnit(one.value, one.unit) +
+              ' (' +
+              signed(one.percent, 0) +
+              THIN +
+              '% from the median)',
+          )
+          .join('; '),
+    ),
+  );
+  const few = items.length <= 8 ? items.length : 6;
+  return element(
+    'div',
+    { class: 'prose' },
+    element('ul', { class: 'sentences' }, ...items.slice(0, few)),
+    few === items.length
+      ? null
+      : element(
+          'details',
+          {},
+          element('summary', {}, items.length - few + ' more'),
+          element('ul', { class: 'sentences' }, ...items.slice(few)),
+        ),
+  );
+}
+
+// --- prediction across the record
+
+// A column per block, and apart for a block that is fitted on some devices and predicted on others.
+function scoredBlocks() {
+  const found = new Map();
+  for (const law of predictedLaws)
+    for (const fit of law.devices)
+      for (const { block, fitted } of fit.blocks) {
+        const shown = devices[fit.device].blocks.find((one) => one.number === block);
+        const amplitudes = found.get(block + ' ' + fitted)?.amplitudes ?? [];
+        if (shown) amplitudes.push(shown.amplitude_mm);
+        found.set(block + ' ' + fitted, { block, fitted, amplitudes });
+      }
+  return [...found.values()].sort((a, b) => a.block - b.block || Number(b.fitted) - Number(a.fitted));
+}
+const scoresOf = (law, { block, fitted }) =>
+  law.devices.flatMap((fit) =>
+    fit.blocks
+      .filter((score) => score.block === block && score.fitted === fitted)
+      .map((score) => ({ device: devices[fit.device].name, objective: score.objective })),
+  );
+const missText = (objective) => (objective < 10 ? fixed(objective, 4) : significant(objective, 3));
+const average = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
+
+function predictionCaption() {
+  const { collapsed_objective: most, collapsed_ratio: ratio } = report.thresholds;
+  const best = [...predictedLaws].sort((a, b) => a.predicted_objective - b.predicted_objective)[0],
+    closest = [...predictedLaws].sort((a, b) => a.fitted_objective - b.fitted_objective)[0];
+  const collapsing = predictedLaws.filter((law) => law.prediction_collapses).map((law) => law.id);
+  return (
+    'Every law runs through the whole record and was fitted to the blocks so marked alone. ' +
+    (best === closest
+      ? best.id + ' is closest both to the blocks it was fitted to and to the others.'
+      : closest.id + ' is closest to the blocks it was fitted to, ' + best.id + ' to the others.') +
+    (collapsing.length > 0
+      ? ' The prediction of ' +
+        enumerate(collapsing) +
+        ' collapses: no law for other amplitudes or frequencies than those of the fit.'
+      : ' No prediction collapses.') +
+    ' A prediction collapses that misses a block by more than ' +
+    (most === 1 ? '' : most + ' times ') +
+    'the standard deviation of its force (OF ' +
+    most +
+    '), or by more than ' +
+    ratio +
+    ' times what the fitted blocks are missed by.'
+  );
+}
+
+function predictionTable() {
+  const blocks = scoredBlocks();
+  const columns = [
+    { title: 'Law', pinned: true, tight: true },
+    { title: 'Prediction', tight: true },
+    ...blocks.map(({ block, fitted, amplitudes }) => ({
+      title: 'Block ' + block,
+      unit:
+        (amplitudes.length > 0 ? '±' + significant(average(amplitudes), 3) + THIN + 'mm, ' : '') +
+        (fitted ? 'fitted' : 'predicted'),
+      number: true,
+    })),
+    { title: 'Fitted', unit: 'mean', number: true },
+    { title: 'Predicted', unit: 'mean', number: true },
+    { title: 'Predicted', unit: '/ fitted', number: true },
+    { title: 'Worst', unit: 'predicted', number: true },
+  ];
+  const rows = predictedLaws.map((law) => ({
+    cells: [
+      element('b', { class: 'strong' }, law.id),
+      law.prediction_collapses ? element('span', { class: 'badge' }, 'collapses') : 'does not collapse',
+      ...blocks.map((column) => {
+        const scores = scoresOf(law, column);
+        if (scores.length === 0) return element('td', { class: 'number note' }, DASH);
+        const worst = scores.reduce((a, b) => (b.objective > a.objective ? b : a));
+        return element(
+          'td',
+          { class: 'number' },
+          missText(average(scores.map(({ objective }) => objective))),
+          scores.length > 1
+            ? element(
+                'small',
+                { title: worst.device },
+                'worst ' + missText(worst.objective) + ', ' + short(worst.device),
+              )
+            : null,
+        );
+      }),
+      fixed(law.fitted_objective, 4),
+      missText(law.predicted_objective),
+      law.fitted_objective > 0 ? significant(law.predicted_objective / law.fitted_objective, 2) : DASH,
+      missText(law.worst_predicted),
+    ],
+  }));
+  return table(columns, rows, 'Objective of every law on every block');
+}
+
+function predictionData() {
+  return {
+    columns: ['law', 'device', 'block', 'fitted or predicted', 'OF [-]', 'prediction collapses'],
+    rows: predictedLaws.flatMap((law) =>
+      law.devices.flatMap((fit) =>
+        fit.blocks.map(({ block, fitted, objective }) => [
+          law.id,
+          devices[fit.device].name,
+          block,
+          fitted ? 'fitted' : 'predicted',
+          objective,
+          law.prediction_collapses ? 'yes' : 'no',
+        ]),
+      ),
+    ),
+  };
 }
 
 // --- parameters
@@ -2128,7 +3384,9 @@ function stabilityCaption() {
   );
   return (
     (said.length > 0
-      ? 'Against cycle 3. ' + said.join(' ') + (blocks.length > 3 ? onScreen(' Choose a block above for the others.') : '')
+      ? 'Against cycle 3. ' +
+        said.join(' ') +
+        (blocks.length > 3 ? onScreen(' Choose a block above for the others.') : '')
       : 'No block has a third cycle to compare with.') + (held ? ' Dashed: design value; band: its limits.' : '')
   );
 }
@@ -2367,7 +3625,7 @@ const VERDICTS = {
   pass: {
     tone: 'good',
     filled: true,
-    path: 'M6 .8 A5.2 5.2 0 1 1 5.99 .8 Z',
+    path: ROUND,
     mark: 'M3.4 6.2 L5.3 8 L8.6 4',
     symbol: 'circle',
   },
@@ -2390,20 +3648,10 @@ const VERDICTS = {
 
 function verdictBadge(verdict) {
   const known = VERDICTS[verdict] ?? VERDICTS['not assessed'];
-  const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-  svg.setAttribute('viewBox', '0 0 12 12');
-  svg.setAttribute('aria-hidden', 'true');
-  const shape = (d, fill, stroke) => {
-    const path = document.createElementNS('http://www.w3.org/2000/svg', 'path');
-    path.setAttribute('d', d);
-    path.style.fill = fill;
-    path.style.stroke = stroke;
-    svg.append(path);
-  };
   const colour = 'var(--' + known.tone + ')';
-  shape(known.path, known.filled ? colour : 'none', colour);
-  if (known.mark) shape(known.mark, 'none', known.filled ? 'var(--paper)' : colour);
-  return element('span', { class: 'verdict ' + known.tone }, svg, verdict);
+  const shapes = [[known.path, known.filled ? colour : 'none', colour]];
+  if (known.mark) shapes.push([known.mark, 'none', known.filled ? 'var(--paper)' : colour]);
+  return element('span', { class: 'verdict ' + known.tone }, icon(...shapes), verdict);
 }
 
 const withUnit = (value, unit, digits = 4) =>
@@ -3263,7 +4511,8 @@ function buildPage() {
       { id: section.id, 'aria-labelledby': section.id + '-title' },
       element('h2', { id: section.id + '-title' }, section.title),
     );
-    if (section.id === 'decision') node.append(element('p', { class: 'headline' }, report.findings.headline));
+    if (section.id === 'decision')
+      node.append(element('p', { class: 'headline' }, ...withBadges(report.findings.headline)));
     const grid = element('div', { class: 'figures' });
     if (section.controls) grid.append(element('div', { class: 'controls' }, ...section.controls()));
     grid.append(...figures.map((figure) => buildFigure(figure, observer)));

@@ -1,0 +1,126 @@
+// The made-up lot of report_fixture.hpp as if it had been analysed: every verdict, a law whose prediction collapses, a
+// population whose correlation has a hole, a device that stands apart.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "unit/report_fixture.hpp"
+
+namespace isolaw::report::fixture {
+
+inline ParameterAnalysis analysis(ParameterFit const& parameter, double objective, double rise, std::size_t place) {
+  static std::array<std::string, 4> const verdicts{"determined", "weakly determined", "undetermined", "at its bound"};
+  ParameterAnalysis made;
+  made.identifiability = verdicts[place % 4];
+  made.optimum = *parameter.value.best;
+  double const width = std::abs(made.optimum) * (made.identifiability == "determined" ? 0.02 : 0.3);
+  made.open_lower = made.optimum - width;
+  made.open_upper = made.optimum + width;
+  made.open_above = made.identifiability == "at its bound";
+  made.linear_lower = made.optimum - 0.7 * width;
+  made.linear_upper = made.optimum + 0.7 * width;
+  if (place % 2 == 0) {
+    made.bootstrap_lower = made.optimum - 0.8 * width;
+    made.bootstrap_upper = made.optimum + 0.9 * width;
+  }
+  for (int i = -4; i <= 4; ++i) {
+    made.profile_value.push_back(made.optimum + i * width / 3.0);
+    made.profile_objective.push_back(objective + rise * i * i / 9.0);
+  }
+  return made;
+}
+
+inline void analyse(DeviceFit& fit, std::size_t device) {
+  fit.optimum = 0.98 * *fit.objective.best;
+  fit.rise = 0.01 * *fit.optimum;
+  fit.success_share = 0.75;
+  fit.success_reference = "best known";
+  fit.trade_offs = {"A and B trade off on " + fit.device + ": A +10 % is undone by B -10 %"};
+  fit.interval_level = 0.95;
+  fit.interval_samples = 601;
+  fit.interval_block = 42;
+  fit.interval_replicates = 100;
+  fit.lot_objective = 1.6 * *fit.optimum;
+  fit.worst_objective = 1.7 * *fit.optimum;
+  fit.left_out_objective = 1.9 * *fit.optimum;
+  fit.blocks = {{1, true, *fit.optimum}, {2, false, 3.0 * *fit.optimum}};
+  for (std::size_t n = 0; n < fit.parameters.size(); ++n)
+    fit.parameters[n].analysis = analysis(fit.parameters[n], *fit.optimum, *fit.rise, n + device);
+}
+
+inline lot::Population population(LawResult const& law) {
+  lot::Population made;
+  made.devices = law.devices.size();
+  made.note = "the devices differ in one direction";
+  for (auto const& parameter : law.devices.front().parameters) {
+    made.names.push_back(parameter.name);
+    made.medians.push_back(*parameter.value.mean);
+    made.relative_std.push_back(0.1);
+  }
+  auto const n = made.names.size();
+  made.correlation.assign(n, std::vector<double>(n, 0.0));
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) made.correlation[i][j] = i == j ? 1.0 : (i + j) % 2 == 0 ? 0.83 : -0.61;
+  made.relative_std.back() = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = 0; i + 1 < n; ++i)
+    made.correlation[i][n - 1] = made.correlation[n - 1][i] = std::numeric_limits<double>::quiet_NaN();
+  return made;
+}
+
+inline void analyse(LawResult& law) {
+  double const scale = *law.objective.best;
+  law.success_share = 0.75;
+  law.success_reference = "best known";
+  law.objective_converged = 0.98 * scale;
+  for (std::size_t d = 0; d < law.devices.size(); ++d) analyse(law.devices[d], d);
+  law.fitted_objective = law.objective_converged;
+  law.predicted_objective = law.worst_predicted = 3.0 * scale;
+  auto const& last = law.devices.back();
+  if (law.devices.size() < 2) {
+    law.beta_converged_note = law.beta_note;
+    return;
+  }
+  law.beta_converged = 0.9 * *law.beta;
+  law.loo_objective = 1.9 * scale;
+  law.loo_worst = 2.3 * scale;
+  law.loo_worst_device = last.device;
+  LotLaw lot;
+  for (auto const& parameter : last.parameters) {
+    lot.parameters.push_back(*parameter.value.mean);
+    lot.worst_parameters.push_back(1.05 * *parameter.value.mean);
+  }
+  lot.mean = 1.6 * scale;
+  lot.worst = 2.0 * scale;
+  lot.worst_device = last.device;
+  lot.least_worst = 1.8 * scale;
+  lot.least_worst_bound = 1.75 * scale;
+  law.lot = lot;
+  law.population = population(law);
+}
+
+// The first law is on the front of every view; the second, where there is one, is off those without noise, and its
+// prediction collapses.
+inline Summary analysed(Summary summary) {
+  for (std::size_t j = 0; j < summary.laws.size(); ++j) {
+    auto& law = summary.laws[j];
+    analyse(law);
+    law.on_front_converged = law.beta_converged && j != 1;
+    law.on_front_loo = law.loo_objective && j == 0;
+    law.prediction_collapses = j == 1;
+  }
+  if (summary.laws.size() > 1) summary.laws[1].left_out_of_beta = {"f0+"};
+  if (summary.devices.size() > 2)
+    summary.outliers.push_back({.device = summary.devices[1].name,
+                                .property = "effective stiffness",
+                                .unit = "kN/mm",
+                                .value = 0.81,
+                                .median = 0.62,
+                                .score = 5.2,
+                                .percent = 30.6});
+  return summary;
+}
+
+}  // namespace isolaw::report::fixture
