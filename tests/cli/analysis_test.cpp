@@ -157,7 +157,6 @@ TEST_F(Analysis, what_one_block_was_fitted_to_predicts_the_other) {
     ASSERT_EQ(blocks.size(), 2u);
     EXPECT_EQ(blocks[0]["fitted"], true);
     EXPECT_EQ(blocks[1]["fitted"], false);
-    EXPECT_GT(law["predicted_objective"], law["fitted_objective"]);
   }
   // The elastic-plastic law of the generator holds at the other amplitude too.
   EXPECT_LT(summary["laws"][0]["predicted_objective"], 0.1);

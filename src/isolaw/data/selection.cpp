@@ -126,12 +126,14 @@ std::vector<double> block_numbers(Selection const& selection, Segmentation const
   if (selection.blocks.all()) return {};
   std::vector<double> numbers(samples, 0.0);
   bool any = false;
-  for (auto const& cycle : segmentation.cycles) {
-    bool const fitted = selection.blocks.contains(cycle.block), predicted = selection.predicted.contains(cycle.block);
-    if (!fitted && !predicted) continue;
-    any = any || !fitted;
-    mark(numbers, cycle.first, cycle.last, cycle.block);
-  }
+  // The sample in which two blocks meet is that of the one that is fitted.
+  for (bool const fitted : {false, true})
+    for (auto const& cycle : segmentation.cycles) {
+      bool const wanted = fitted || selection.predicted.contains(cycle.block);
+      if (selection.blocks.contains(cycle.block) != fitted || !wanted) continue;
+      any = any || !fitted;
+      mark(numbers, cycle.first, cycle.last, cycle.block);
+    }
   if (!any && !selection.predicted.all())
     throw Error({.where = fmt::format("--score-blocks {}", selection.predicted.text()),
                  .found = fmt::format("no block of the record is among them beside those of --fit-blocks {}",
