@@ -16,6 +16,10 @@ std::string percent(double fraction) {
   double const value = 100.0 * fraction;
   return std::abs(value) < 9.95 ? fmt::format("{:.1f} %", value) : fmt::format("{:.0f} %", value);
 }
+// Four digits, without an exponent where a person would write none.
+std::string plain(double value) {
+  return std::abs(value) >= 1000.0 && std::abs(value) < 1e7 ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value);
+}
 std::string error_percent(double fraction) {
   return fmt::format("{:.1f} %", 100.0 * fraction);
 }
@@ -82,6 +86,23 @@ void say_what_an_engineer_meets(Summary const& summary, Names& sentences) {
   sentences.push_back(text + ".");
 }
 
+void say_what_is_predicted(Summary const& summary, Names& sentences) {
+  LawResult const* best = nullptr;
+  Names collapsed;
+  for (auto const& law : summary.laws) {
+    if (!law.predicted_objective) continue;
+    if (law.prediction_collapses) collapsed.push_back(law.id);
+    if (best == nullptr || *law.predicted_objective < *best->predicted_objective) best = &law;
+  }
+  if (best == nullptr) return;
+  auto text = fmt::format("Of the laws fitted to some blocks, {} predicts the others best (OF {:.3g} against {:.3g} where it "
+                          "was fitted)",
+                          best->id, *best->predicted_objective, *best->fitted_objective);
+  if (!collapsed.empty())
+    text += fmt::format("; the prediction of {} collapses", enumerate(collapsed));
+  sentences.push_back(text + ".");
+}
+
 void say_what_is_determined(Summary const& summary, Names& sentences) {
   Names parts;
   for (auto const& law : summary.laws) {
@@ -102,11 +123,11 @@ void say_what_is_determined(Summary const& summary, Names& sentences) {
 void warn_of_collapse(LawResult const& law, std::vector<Warning>& warnings) {
   if (!law.prediction_collapses) return;
   warnings.push_back({"prediction",
-                      fmt::format("{}: its prediction collapses: blocks it was not fitted to are missed by {} of their "
-                                  "force's standard deviation ({} at worst), those it was fitted to by {}; it is no law "
-                                  "for other amplitudes or frequencies than those it was fitted to",
-                                  law.id, percent(*law.predicted_objective), percent(*law.worst_predicted),
-                                  error_percent(*law.fitted_objective))});
+                      fmt::format("{}: its prediction collapses: blocks it was not fitted to are missed {} times as far "
+                                  "as those it was fitted to (OF {:.3g} against {:.3g}, {:.3g} at worst); it is no law for "
+                                  "other amplitudes or frequencies than those it was fitted to",
+                                  law.id, plain(std::round(*law.predicted_objective / *law.fitted_objective)), *law.predicted_objective,
+                                  *law.fitted_objective, *law.worst_predicted)});
 }
 
 void warn_of_success(LawResult const& law, std::vector<Warning>& warnings) {
@@ -145,8 +166,8 @@ void warn_of_outliers(Summary const& summary, std::vector<Warning>& warnings) {
     auto found = std::ranges::find(devices, outlier.device, &std::pair<std::string, Names>::first);
     if (found == devices.end()) found = devices.insert(devices.end(), {outlier.device, {}});
     auto const unit = outlier.unit.empty() ? std::string() : " " + outlier.unit;
-    found->second.push_back(fmt::format("{} {:.4g}{} ({:+.0f} % from the median)", outlier.property, outlier.value, unit,
-                                        outlier.percent));
+    found->second.push_back(fmt::format("{} {}{} ({:+.0f} % from the median)", outlier.property,
+                                        plain(outlier.value), unit, outlier.percent));
   }
   for (auto const& [device, properties] : devices)
     warnings.push_back(
@@ -159,6 +180,7 @@ std::vector<std::string> converged_sentences(Summary const& summary) {
   Names sentences;
   say_what_changed(summary, sentences);
   say_what_an_engineer_meets(summary, sentences);
+  say_what_is_predicted(summary, sentences);
   say_what_is_determined(summary, sentences);
   return sentences;
 }

@@ -58,6 +58,11 @@ std::string scatter(LawResult const& law) {
   return fmt::format("parameters lie up to {} from the lot's mean, averaged over the parameters", percent(*law.beta));
 }
 
+// Whoever is told to take a law must know that it holds only where it was fitted.
+std::string caution(LawResult const& law) {
+  return law.prediction_collapses ? " Its prediction collapses: only for the blocks it was fitted to." : "";
+}
+
 Verdict front_verdict(Summary const& summary, std::vector<std::size_t> const& front, std::size_t place) {
   auto const& laws = summary.laws;
   auto const& law = laws[front[place]];
@@ -81,6 +86,7 @@ Verdict front_verdict(Summary const& summary, std::vector<std::size_t> const& fr
         fmt::format("Scatters less than {} ({} against {}) and errs less than {} ({} against {}).", accurate.id,
                     percent(*law.beta), percent(*accurate.beta), robust.id, error_percent(law), error_percent(robust));
   }
+  verdict.sentence += caution(law);
   return verdict;
 }
 
@@ -101,7 +107,7 @@ Verdict unranked_verdict(LawResult const& law, std::size_t index, LawResult cons
   if (!law.objective.mean) {
     verdict.sentence = "was not identified on any device.";
   } else if (&law == &best) {
-    verdict.sentence = fmt::format("{}, the least of all.", accuracy(law));
+    verdict.sentence = fmt::format("{}, the least of all.{}", accuracy(law), caution(law));
   } else {
     verdict.sentence = fmt::format("has a mean error of {}, {} times that of {}.", error_percent(law),
                                    with_decimals(*law.objective.mean / *best.objective.mean, 2), best.id);
@@ -112,14 +118,20 @@ Verdict unranked_verdict(LawResult const& law, std::size_t index, LawResult cons
 std::string headline(Summary const& summary, std::vector<std::size_t> const& front,
                      std::vector<std::size_t> const& ranking) {
   auto const& laws = summary.laws;
-  if (front.size() == 1) return fmt::format("{} is both the most accurate and the most robust law.", laws[front[0]].id);
+  auto const flagged = [&](std::size_t index) {
+    return laws[index].id + (laws[index].prediction_collapses ? ", whose prediction collapses" : "");
+  };
+  if (front.size() == 1)
+    return fmt::format("{} is both the most accurate and the most robust law.{}", laws[front[0]].id,
+                       caution(laws[front[0]]));
   if (front.size() > 1) {
     return fmt::format(
         "{} of {} laws are worth considering: the choice lies between accuracy ({}) and robustness ({}).", front.size(),
-        laws.size(), laws[front.front()].id, laws[front.back()].id);
+        laws.size(), flagged(front.front()), flagged(front.back()));
   }
   if (ranking.empty() || !laws[ranking.front()].objective.mean) return "No law could be identified.";
-  return fmt::format("{} is the most accurate law; how robust it is cannot be said.", laws[ranking.front()].id);
+  return fmt::format("{} is the most accurate law; how robust it is cannot be said.{}", laws[ranking.front()].id,
+                     caution(laws[ranking.front()]));
 }
 
 void warn_of_missing_runs(Summary const& summary, std::vector<Warning>& warnings) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -145,6 +146,52 @@ std::string converged_table(Summary const& summary, int width) {
                         "found: runs that reached the least OF known; left out: OF on a device by the law of all others, "
                         "mean and worst; open: parameters that the tests do not determine",
                         5, width);
+}
+
+// Objectives on each block, means over the devices that have it.
+std::string prediction_table(Summary const& summary) {
+  std::map<int, bool> blocks;  // number, and whether it was fitted
+  for (auto const& law : summary.laws)
+    for (auto const& fit : law.devices)
+      for (auto const& score : fit.blocks) blocks[score.block] = score.fitted;
+  if (blocks.empty()) return {};
+  std::vector<std::vector<std::string>> rows{{"law"}};
+  constexpr std::size_t most = 6;
+  std::size_t shown = 0;
+  for (auto const& [block, fitted] : blocks)
+    if (shown++ < most) rows.front().push_back(fmt::format("block {}{}", block, fitted ? ", fitted" : ""));
+  for (std::size_t const index : by_objective(summary)) {
+    auto const& law = summary.laws[index];
+    if (!law.predicted_objective) continue;
+    std::vector<std::string> row{printable(law.id)};
+    for (auto const& [block, fitted] : blocks) {
+      if (row.size() > most) break;
+      double sum = 0.0;
+      int count = 0;
+      for (auto const& fit : law.devices)
+        for (auto const& score : fit.blocks)
+          if (score.block == block) {
+            sum += score.objective;
+            ++count;
+          }
+      row.push_back(count > 0 ? bounded(sum / count, 4) : "–");
+    }
+    if (law.prediction_collapses) row.back() += "  collapses";
+    rows.push_back(std::move(row));
+  }
+  if (rows.size() == 1) return {};
+  std::string text = "OF on blocks, predicted where not fitted\n";
+  for (auto const& row : rows) {
+    std::string line = "     " + padded(row[0], 10);
+    for (std::size_t i = 1; i < row.size(); ++i) {
+      auto const collapse = row[i].find("  collapses");
+      line += padded(row[i].substr(0, collapse), std::max(12, columns(rows[0][i]) + 2), true);
+      if (collapse != std::string::npos) line += "  collapses";
+    }
+    text += line + '\n';
+  }
+  if (blocks.size() > most) text += fmt::format("     and {} more blocks: tables/prediction.csv\n", blocks.size() - most);
+  return text;
 }
 
 // A character raster addressed by column and row, of code points.
@@ -302,6 +349,7 @@ std::string ranking(Summary const& summary, int width) {
   std::string text = heading(summary, width) + '\n' + law_table(summary) + '\n';
   text += wrapped("", found.headline, 0, width);
   if (auto const converged = converged_table(summary, width); !converged.empty()) text += '\n' + converged;
+  if (auto const prediction = prediction_table(summary); !prediction.empty()) text += '\n' + prediction;
   if (!found.converged.empty()) text += '\n';
   for (auto const& sentence : found.converged) text += wrapped("", sentence, 0, width);
   if (!found.warnings.empty()) {
