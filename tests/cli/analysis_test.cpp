@@ -179,6 +179,34 @@ TEST_F(Analysis, of_the_genetic_algorithm_compares_with_the_least_objective) {
   }
 }
 
+TEST_F(Analysis, devices_are_drawn_from_the_lots_population) {
+  ASSERT_EQ(isolaw(campaign("O")).code, 0);
+  auto const few = isolaw({"sample", "O", "--law", "bilinear", "--count", "5"}),
+             many = isolaw({"sample", "O", "--law", "bilinear", "--count", "400"});
+  ASSERT_EQ(few.code, 0) << few;
+  EXPECT_TRUE(contains(few.out, "device,K1 [kN/mm],K2 [kN/mm],xy [mm]\n1,"));
+  EXPECT_EQ(count_of("\n", few.out), 6u);
+  EXPECT_TRUE(many.out.starts_with(few.out)) << "a draw depends on its number alone";
+  EXPECT_TRUE(contains(few.err, "5 devices of a population estimated from 3"));
+  // The devices differ by one factor on both stiffnesses: so do the drawn ones.
+  std::istringstream rows(many.out);
+  std::string row;
+  std::getline(rows, row);
+  double least = 1e9, most = 0.0;
+  while (std::getline(rows, row)) {
+    double number = 0.0, k1 = 0.0, k2 = 0.0;
+    char comma = 0;
+    std::istringstream(row) >> number >> comma >> k1 >> comma >> k2;
+    least = std::min(least, k1 / k2);
+    most = std::max(most, k1 / k2);
+  }
+  EXPECT_LT(most / least, 1.03);
+  EXPECT_NE(isolaw({"sample", "O", "--law", "bilinear", "--seed", "7"}).out,
+            isolaw({"sample", "O", "--law", "bilinear"}).out);
+  expect_refused(isolaw({"sample", "O", "--law", "abe"}), {"law abe", "not in this campaign"});
+  expect_refused(isolaw({"sample", "O", "--law", "bilinear", "--count", "0"}), {"--count", "1 to 10000000"});
+}
+
 TEST_F(Analysis, tied_parameters_share_a_value) {
   auto const o = isolaw(campaign("O", {"--set", "vaiana.Kb-=Kb+"}));
   ASSERT_EQ(o.code, 0) << o;

@@ -215,6 +215,14 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   report_command.add_option("--out", report_arguments.out, "directory of the results (the campaign's)");
   report_command.add_flag("--json", report_arguments.json, "print summary.json instead of the ranking");
 
+  SampleArguments sample_arguments;
+  auto& sample_command =
+      *app.add_subcommand("sample", "Draw devices from a lot's population of a law's parameters, as CSV");
+  sample_command.add_option("directory", sample_arguments.directory, "the campaign's directory")->required();
+  sample_command.add_option("--law", sample_arguments.law, "id of the law")->required();
+  sample_command.add_option("--count", sample_arguments.count, "devices to draw (100)");
+  sample_command.add_option("--seed", sample_arguments.seed, "seed of the draws (the campaign's)");
+
   std::string rule_set;
   auto& rules_command = *app.add_subcommand("rules", "The rule sets, or the file of one; template to write your own");
   rules_command.add_option("name", rule_set, "a rule set, or template");
@@ -257,6 +265,7 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   if (app.got_subcommand("init")) return init(init_arguments);
   if (app.got_subcommand("inspect")) return inspect(inspect_arguments);
   if (app.got_subcommand("report")) return report(report_arguments);
+  if (app.got_subcommand("sample")) return sample(sample_arguments);
   if (app.got_subcommand("rules")) return list_rules(rule_set);
   if (app.got_subcommand("bench")) return bench(json);
   if (app.got_subcommand("check")) return check(directory);

@@ -70,6 +70,16 @@ struct ReportArguments {
   bool json = false;
 };
 int report(ReportArguments const& arguments);
+
+struct SampleArguments {
+  std::filesystem::path directory;
+  std::string law;
+  int count = 100;
+  std::optional<std::string> seed;
+};
+// Devices of a lot's population as CSV, a row for each.
+int sample(SampleArguments const& arguments);
+
 int list_rules(std::string const& name);
 int check(std::filesystem::path const& directory);
 int bench(bool json);
