@@ -36,27 +36,52 @@ class Examination {
         interrupted_(interrupted),
         free_(free_parameters(box)),
         best_(std::move(optimum)) {
-    best_value_ = value_at(best_);
+    if (!free_.empty()) best_value_ = value_at(best_);
   }
 
   Determination run() {
     constexpr int most_passes = 4;
+    if (free_.empty()) return closed();
+    if (!std::isfinite(best_value_)) return nothing_determined();
     for (int pass = 1;; ++pass) {
       made_.parameters.clear();
-      rise_ = std::max(visible_rise * best_value_, least_visible_rise);
+      rise_ = least_seen();
       look_around();
       bool const is_lowest = profile_all(pass < most_passes);
       if (is_lowest) break;
     }
-    made_.optimum.resize(box_.parameters.size());
-    box_.expand(best_, made_.optimum);
-    std::vector<double> work;
-    made_.objective = model_.objective(made_.optimum, work);
-    made_.rise = rise_;
-    return made_;
+    return closed();
   }
 
  private:
+  double least_seen() const { return std::max(visible_rise * best_value_, least_visible_rise); }
+
+  Determination closed() {
+    made_.optimum.resize(box_.parameters.size());
+    box_.expand(best_, made_.optimum);
+    std::vector<double> work;
+    made_.objective = best_value_ = model_.objective(made_.optimum, work);
+    made_.rise = free_.empty() ? least_seen() : rise_;
+    return made_;
+  }
+
+  // The law has no force at the point that was given.
+  Determination nothing_determined() {
+    for (auto const* p : free_)
+      made_.parameters.push_back({.parameter = index_of(*p),
+                                  .verdict = Verdict::undetermined,
+                                  .lower = p->lower,
+                                  .upper = p->upper,
+                                  .open_below = true,
+                                  .open_above = true,
+                                  .profile = {}});
+    return closed();
+  }
+
+  std::size_t index_of(fit::SearchParameter const& p) const {
+    return static_cast<std::size_t>(&p - box_.parameters.data());
+  }
+
   // What a change of the force of this root mean square, of its standard deviation, raises the objective by `rise_`: the
   // residuals there are as good as distributed exponentially on both sides, with the objective as mean magnitude.
   double visible_change() const { return std::max(std::sqrt(2.0 * best_value_ * rise_), rise_); }
@@ -135,7 +160,7 @@ class Examination {
     TradeOff found{.parameters = {}, .change = std::move(change), .force_change = force_change, .sentence = {}};
     std::vector<std::string> names;
     for (auto const k : coordinates) {
-      found.parameters.push_back(static_cast<std::size_t>(free_[k] - box_.parameters.data()));
+      found.parameters.push_back(index_of(*free_[k]));
       names.push_back(free_[k]->name);
     }
     found.sentence = trade_off_sentence(names, found.change);
@@ -244,7 +269,7 @@ class Examination {
   ParameterDetermination judged(std::size_t k, Side const& below, Side const& above) const {
     auto const& p = *free_[k];
     ParameterDetermination made;
-    made.parameter = static_cast<std::size_t>(&p - box_.parameters.data());
+    made.parameter = index_of(p);
     made.lower = p.at(below.end);
     made.upper = p.at(above.end);
     made.open_below = below.open;
