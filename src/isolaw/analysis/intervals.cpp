@@ -48,7 +48,8 @@ Serial serial(std::span<double const> series, double mean) {
   };
   Serial made;
   double const size = static_cast<double>(n), variance = covariance(0);
-  if (n < 12 || !(variance > 0.0)) return made;
+  constexpr double rounding = 1e-20;
+  if (n < 12 || !(variance > rounding * mean * mean)) return made;
   // The lag from which on the correlation is no more than that of independent values, for a few lags in a row.
   auto const in_a_row = static_cast<std::size_t>(std::max(5.0, std::sqrt(std::log10(size))));
   auto const most = static_cast<std::size_t>(std::ceil(std::sqrt(size))) + in_a_row;
@@ -143,10 +144,11 @@ Eigen::MatrixXd variance_of_score(Sensitivity const& seen, std::vector<double> c
   return axes * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() * axes.transpose();
 }
 
+constexpr double variance_over_box = 1.0 / 12.0;  // of a uniform distribution
+
 // H^-1 V H^-1 in coordinates of the unit box. A direction in which a standard deviation would exceed that of a uniform
 // distribution over the box is as uncertain as that.
 Eigen::MatrixXd covariance_in_box(Eigen::MatrixXd const& H, Eigen::MatrixXd const& V) {
-  constexpr double uniform = 1.0 / 12.0;
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> const eigen(H);
   auto const& values = eigen.eigenvalues();
   auto const& axes = eigen.eigenvectors();
@@ -155,9 +157,9 @@ Eigen::MatrixXd covariance_in_box(Eigen::MatrixXd const& H, Eigen::MatrixXd cons
   Eigen::MatrixXd made = Eigen::MatrixXd::Zero(H.rows(), H.cols());
   for (Index k = 0; k < values.size(); ++k) {
     auto const axis = axes.col(k);
-    double const variance = values[k] > least ? axis.dot(V * axis) / (values[k] * values[k]) : uniform;
-    if (values[k] <= least || variance > uniform)
-      made += uniform * axis * axis.transpose();
+    double const variance = values[k] > least ? axis.dot(V * axis) / (values[k] * values[k]) : variance_over_box;
+    if (values[k] <= least || variance > variance_over_box)
+      made += variance_over_box * axis * axis.transpose();
     else
       half += axis * axis.transpose() / values[k];
   }
@@ -200,7 +202,7 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
     p.free = false;
     p.value = optimum[i];
   }
-  auto const start = inner.contract(optimum);
+  auto start = inner.contract(optimum);
   std::size_t const n = start.size();
 
   Intervals made{.level = options.level};
@@ -213,9 +215,13 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
   for (double const weight : model.residual_weights()) made.samples += weight > 0.0 ? 1 : 0;
   made.block = 1;
   std::vector<std::vector<double>> refits(n);
-  if (n > 0) {
-    auto const seen = sensitivity(problem, start);
-    made.evaluations += static_cast<int>(2 * n + 1);
+  auto const seen = n > 0 ? sensitivity(problem, start) : Sensitivity();
+  if (n > 0) made.evaluations += static_cast<int>(2 * n + 1);
+  if (!seen.residuals.allFinite()) {
+    // The law has no force there: the whole box.
+    start.assign(n, 0.5);
+    covariance.diagonal().setConstant(variance_over_box);
+  } else if (n > 0) {
     Eigen::VectorXd const signs = seen.residuals.array().sign();
     auto const neighbours = serial({signs.data(), made.samples}, 0.0);
     made.block = std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(neighbours.block)), 1,
