@@ -9,6 +9,7 @@
 #include <map>
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "isolaw/base/error.hpp"
@@ -163,6 +164,20 @@ TEST(ParseOverride, TextReadsBackExactly) {
   }
 }
 
+TEST(ParseOverride, ATieNamesTheOtherAndReadsBack) {
+  for (auto const* text : {"vaiana.Kb-=Kb+", "vaiana.f0+=f0-", "bilinear.K2=K1"}) {
+    auto const tie = parse_override(text);
+    EXPECT_FALSE(tie.interval) << text;
+    EXPECT_EQ(tie.text(), text);
+    auto const again = parse_override(tie.text());
+    EXPECT_EQ(again.law, tie.law);
+    EXPECT_EQ(again.parameter, tie.parameter);
+    EXPECT_EQ(again.tied_to, tie.tied_to);
+  }
+  EXPECT_EQ(parse_override("vaiana.Kb-=Kb+").tied_to, "Kb+");
+  EXPECT_TRUE(parse_override("vaiana.Kb-=free").tied_to.empty());
+}
+
 // What is said about a wrong --set; "" when it was accepted.
 std::string refusal(std::string_view text) {
   try {
@@ -214,6 +229,13 @@ TEST(ParseOverride, RefusesWhatIsNotPhysical) {
   expect_parts("bouc-wen.n=0", {"physical", "n"});
   expect_parts("hwang-wu.a9=-1e-6:1e-6", {"physical", "a9", "1/(N cm)"});
   expect_parts("bilinear.K1=0:1", {"physical", "K1"});
+}
+
+TEST(ParseOverride, RefusesATieToItselfToAnotherUnitAndToWhatTheLawHasNot) {
+  expect_parts("vaiana.Kb+=Kb+", {"--set vaiana.Kb+=Kb+", "Kb+ is tied to itself", "another parameter", "same unit"});
+  expect_parts("vaiana.Kb-=f0+", {"Kb- is in N/m, f0+ in N", "same unit"});
+  expect_parts("bilinear.K2=xy", {"K2 is in kN/mm, xy in mm"});
+  expect_parts("vaiana.Kb-=K1", {"'K1'", "parameter of the law"});
 }
 
 // Boxes --------------------------------------------------------------------------------------------------------
@@ -449,6 +471,75 @@ TEST(Box, ExpandPutsFixedValuesAmongTheFree) {
   EXPECT_DOUBLE_EQ(values[0], 1.45);
   EXPECT_EQ(values[1], 0.4);
   EXPECT_DOUBLE_EQ(values[2], 35.0);
+}
+
+SearchBox vaiana_box(std::vector<char const*> const& texts) {
+  auto const& law = laws::find_law("vaiana");
+  std::vector<Override> overrides;
+  for (auto const* text : texts) overrides.push_back(parse_override(text));
+  return make_box(law, BoxKind::scaled, scales(law.info), overrides);
+}
+
+TEST(Box, ATiedParameterTakesTheValueOfTheOther) {
+  auto const& law = laws::find_law("vaiana");
+  auto const plus = law.index_of("Kb+"), minus = law.index_of("Kb-");
+  // Of a later and of an earlier parameter.
+  for (auto const& [tied, other, text] : {std::tuple(minus, plus, "vaiana.Kb-=Kb+"), {plus, minus, "vaiana.Kb+=Kb-"}}) {
+    auto const box = vaiana_box({text});
+    EXPECT_EQ(box.free_count(), vaiana_box({}).free_count() - 1);
+    EXPECT_FALSE(box.parameters[tied].free);
+    ASSERT_TRUE(box.parameters[tied].tied_to);
+    EXPECT_EQ(*box.parameters[tied].tied_to, other);
+    EXPECT_EQ(box.parameters[tied].lower, box.parameters[other].lower);
+    EXPECT_EQ(box.parameters[tied].upper, box.parameters[other].upper);
+    EXPECT_EQ(at_bound(box.parameters[tied], box.parameters[tied].upper), AtBound::no);
+
+    std::vector<double> point(box.free_count()), values(box.parameters.size());
+    for (std::size_t k = 0; k < point.size(); ++k) point[k] = 0.1 + 0.08 * static_cast<double>(k);
+    box.expand(point, values);
+    EXPECT_EQ(values[tied], values[other]);
+    EXPECT_GT(values[other], box.parameters[other].lower);
+    auto const back = box.contract(values);
+    ASSERT_EQ(back.size(), point.size());
+    for (std::size_t k = 0; k < point.size(); ++k) EXPECT_NEAR(back[k], point[k], 1e-12);
+  }
+}
+
+TEST(Box, ATieToAFixedParameterIsItsValue) {
+  auto const& law = laws::find_law("vaiana");
+  auto const box = vaiana_box({"vaiana.Kb-=Kb+", "vaiana.Kb+=2e5"});
+  EXPECT_EQ(box.free_count(), vaiana_box({}).free_count() - 2);
+  std::vector<double> point(box.free_count(), 0.5), values(box.parameters.size());
+  box.expand(point, values);
+  EXPECT_EQ(values[law.index_of("Kb-")], 2e5);
+  EXPECT_EQ(box.parameters[law.index_of("Kb-")].value, 2e5);
+}
+
+TEST(Box, TheLastWordOnATieCounts) {
+  auto const minus = laws::find_law("vaiana").index_of("Kb-");
+  EXPECT_FALSE(vaiana_box({"vaiana.Kb-=Kb+", "vaiana.Kb-=free"}).parameters[minus].tied_to);
+  EXPECT_TRUE(vaiana_box({"vaiana.Kb-=Kb+", "vaiana.Kb-=free"}).parameters[minus].free);
+  EXPECT_TRUE(vaiana_box({"vaiana.Kb-=1e5", "vaiana.Kb-=Kb+"}).parameters[minus].tied_to);
+}
+
+TEST(Box, RefusesAChainOfTies) {
+  for (auto const& texts : {std::vector{"vaiana.Kb-=Kb+", "vaiana.Kb+=Kb-"}, {"vaiana.beta1-=f0+", "vaiana.f0+=f0-"}})
+    try {
+      vaiana_box(texts);
+      ADD_FAILURE() << texts.front() << " was accepted with " << texts.back();
+    } catch (Error const& error) {
+      EXPECT_NE(std::string(error.what()).find("is tied to"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("free or fixed"), std::string::npos) << error.what();
+    }
+}
+
+// The logarithmic scales of a search leave a tie as it is.
+TEST(Box, ATieOutlivesLogarithmicScales) {
+  auto const& law = laws::find_law("vaiana");
+  auto const box = on_logarithmic_scales(vaiana_box({"vaiana.f0-=f0+"}), law);
+  std::vector<double> point(box.free_count(), 0.3), values(box.parameters.size());
+  box.expand(point, values);
+  EXPECT_EQ(values[law.index_of("f0-")], values[law.index_of("f0+")]);
 }
 
 // Scales -------------------------------------------------------------------------------------------------------

@@ -36,27 +36,52 @@ class Examination {
         interrupted_(interrupted),
         free_(free_parameters(box)),
         best_(std::move(optimum)) {
-    best_value_ = value_at(best_);
+    if (!free_.empty()) best_value_ = value_at(best_);
   }
 
   Determination run() {
     constexpr int most_passes = 4;
+    if (free_.empty()) return closed();
+    if (!std::isfinite(best_value_)) return nothing_determined();
     for (int pass = 1;; ++pass) {
       made_.parameters.clear();
-      rise_ = std::max(visible_rise * best_value_, least_visible_rise);
+      rise_ = least_seen();
       look_around();
       bool const is_lowest = profile_all(pass < most_passes);
       if (is_lowest) break;
     }
-    made_.optimum.resize(box_.parameters.size());
-    box_.expand(best_, made_.optimum);
-    std::vector<double> work;
-    made_.objective = model_.objective(made_.optimum, work);
-    made_.rise = rise_;
-    return made_;
+    return closed();
   }
 
  private:
+  double least_seen() const { return std::max(visible_rise * best_value_, least_visible_rise); }
+
+  Determination closed() {
+    made_.optimum.resize(box_.parameters.size());
+    box_.expand(best_, made_.optimum);
+    std::vector<double> work;
+    made_.objective = best_value_ = model_.objective(made_.optimum, work);
+    made_.rise = free_.empty() ? least_seen() : rise_;
+    return made_;
+  }
+
+  // The law has no force at the point that was given.
+  Determination nothing_determined() {
+    for (auto const* p : free_)
+      made_.parameters.push_back({.parameter = index_of(*p),
+                                  .verdict = Verdict::undetermined,
+                                  .lower = p->lower,
+                                  .upper = p->upper,
+                                  .open_below = true,
+                                  .open_above = true,
+                                  .profile = {}});
+    return closed();
+  }
+
+  std::size_t index_of(fit::SearchParameter const& p) const {
+    return static_cast<std::size_t>(&p - box_.parameters.data());
+  }
+
   // What a change of the force of this root mean square, of its standard deviation, raises the objective by `rise_`: the
   // residuals there are as good as distributed exponentially on both sides, with the objective as mean magnitude.
   double visible_change() const { return std::max(std::sqrt(2.0 * best_value_ * rise_), rise_); }
@@ -74,45 +99,69 @@ class Examination {
     return best_[k] <= fit::bound_tolerance || best_[k] >= 1.0 - fit::bound_tolerance;
   }
 
-  // Singular values and directions, by relative changes of the parameters.
+  // What does not act, and singular values and directions of the rest, by relative changes of the parameters.
   void look_around() {
     auto const seen = sensitivity(problem_, best_);
     made_.evaluations += static_cast<int>(2 * free_.size() + 1);
     weighted_ = seen.weights.cwiseSqrt().asDiagonal() * seen.jacobian;
-    std::vector<std::size_t> inner;
-    for (std::size_t k = 0; k < free_.size(); ++k)
-      if (!at_bound(k)) inner.push_back(k);
     made_.singular_values.clear();
     made_.trade_offs.clear();
-    if (inner.empty()) return;
-    Eigen::MatrixXd relative(weighted_.rows(), static_cast<Index>(inner.size()));
-    for (std::size_t i = 0; i < inner.size(); ++i) {
-      auto const k = inner[i];
-      relative.col(static_cast<Index>(i)) =
-          weighted_.col(static_cast<Index>(k)) * natural_size(*free_[k], value_of(k)) / slope(*free_[k], best_[k]);
+    std::vector<std::size_t> acting;
+    Eigen::MatrixXd relative(weighted_.rows(), weighted_.cols());
+    for (std::size_t k = 0; k < free_.size(); ++k) {
+      if (at_bound(k)) continue;
+      double const value = value_of(k), size = std::copysign(natural_size(*free_[k], value), value);
+      auto const column = static_cast<Index>(acting.size());
+      relative.col(column) = weighted_.col(static_cast<Index>(k)) * size / slope(*free_[k], best_[k]);
+      double const force_change = relative.col(column).norm();
+      if (is_seen(force_change))
+        acting.push_back(k);
+      else
+        add_trade_off({k}, {1.0}, force_change);
     }
+    if (acting.empty()) return;
+    relative.conservativeResize(Eigen::NoChange, static_cast<Index>(acting.size()));
+    Eigen::VectorXd const alone = relative.colwise().norm();
     Eigen::BDCSVD<Eigen::MatrixXd> const svd(relative, Eigen::ComputeThinV);
     for (Index i = 0; i < svd.singularValues().size(); ++i) {
       made_.singular_values.push_back(svd.singularValues()[i]);
-      add_trade_off(svd.matrixV().col(i), svd.singularValues()[i], inner);
+      add_direction(svd.matrixV().col(i), svd.singularValues()[i], acting, alone);
     }
   }
 
-  void add_trade_off(Eigen::VectorXd const& direction, double singular_value, std::vector<std::size_t> const& inner) {
+  // A change of the parameters by half, were the law linear.
+  bool is_seen(double force_change) const { return weakly_determined_within * force_change >= visible_change(); }
+
+  // A direction of several parameters, since each of these moves the force when it changes alone, by `alone`. Named are
+  // those that change by a tenth or more of what the one that changes most does; and, since a small change counts where a
+  // parameter moves the force much, those whose change moves the force by a tenth or more of the most that any does.
+  void add_direction(Eigen::VectorXd const& direction, double singular_value, std::vector<std::size_t> const& acting,
+                     Eigen::VectorXd const& alone) {
     constexpr double takes_part = 0.1;
     Index largest = 0;
-    double const most = direction.cwiseAbs().maxCoeff(&largest);
-    TradeOff found;
-    found.force_change = singular_value / most;
-    if (weakly_determined_within * found.force_change >= visible_change()) return;
+    double const most = direction.cwiseAbs().maxCoeff(&largest), force_change = singular_value / most;
+    if (is_seen(force_change) || acting.size() < 2) return;
+    Eigen::VectorXd const change = direction / direction[largest];
+    Eigen::VectorXd const moved = change.cwiseAbs().cwiseProduct(alone);
+    double second = 0.0;
+    for (Index i = 0; i < moved.size(); ++i)
+      if (i != largest) second = std::max(second, moved[i]);
+    std::vector<std::size_t> taking_part;
+    std::vector<double> changes;
+    for (Index i = 0; i < change.size(); ++i) {
+      if (std::abs(change[i]) < takes_part && moved[i] < std::min(takes_part * moved.maxCoeff(), second)) continue;
+      taking_part.push_back(acting[static_cast<std::size_t>(i)]);
+      changes.push_back(change[i]);
+    }
+    add_trade_off(taking_part, std::move(changes), force_change);
+  }
+
+  void add_trade_off(std::vector<std::size_t> const& coordinates, std::vector<double> change, double force_change) {
+    TradeOff found{.parameters = {}, .change = std::move(change), .force_change = force_change, .sentence = {}};
     std::vector<std::string> names;
-    for (Index i = 0; i < direction.size(); ++i) {
-      double const change = direction[i] / direction[largest];
-      if (std::abs(change) < takes_part) continue;
-      auto const* parameter = free_[inner[static_cast<std::size_t>(i)]];
-      found.parameters.push_back(static_cast<std::size_t>(parameter - box_.parameters.data()));
-      found.change.push_back(change);
-      names.push_back(parameter->name);
+    for (auto const k : coordinates) {
+      found.parameters.push_back(index_of(*free_[k]));
+      names.push_back(free_[k]->name);
     }
     found.sentence = trade_off_sentence(names, found.change);
     made_.trade_offs.push_back(std::move(found));
@@ -220,7 +269,7 @@ class Examination {
   ParameterDetermination judged(std::size_t k, Side const& below, Side const& above) const {
     auto const& p = *free_[k];
     ParameterDetermination made;
-    made.parameter = static_cast<std::size_t>(&p - box_.parameters.data());
+    made.parameter = index_of(p);
     made.lower = p.at(below.end);
     made.upper = p.at(above.end);
     made.open_below = below.open;
@@ -241,8 +290,8 @@ class Examination {
     else if (at_bound(k))
       made.verdict = Verdict::at_bound;
     else
-      made.verdict = half > determined_within || below.open || above.open ? Verdict::weakly_determined
-                                                                           : Verdict::determined;
+      made.verdict =
+          half > determined_within || below.open || above.open ? Verdict::weakly_determined : Verdict::determined;
     return made;
   }
 

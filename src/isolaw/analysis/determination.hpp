@@ -42,7 +42,7 @@ struct ParameterDetermination {
   Profile profile;
 };
 
-// Parameters that can change together without the loop showing it.
+// Parameters that can change together without the loop showing it; or one alone, which does not act.
 struct TradeOff {
   std::vector<std::size_t> parameters;  // indices among the law's
   std::vector<double> change;           // of each, relative; the largest is 1
@@ -54,7 +54,7 @@ struct Determination {
   std::vector<double> optimum;  // all of the law's parameters; a little lower than what was given where a profile found it
   double objective = 0.0;
   double rise = 0.0;                     // of the objective, by which the ranges are judged
-  std::vector<double> singular_values;   // of the Jacobian by relative changes, falling; without parameters at a bound
+  std::vector<double> singular_values;   // of the Jacobian by relative changes, falling; without those at a bound or without effect
   std::vector<ParameterDetermination> parameters;  // the free ones, in order
   std::vector<TradeOff> trade_offs;
   int evaluations = 0;

@@ -32,45 +32,123 @@ double quantile(std::vector<double> sorted, double probability) {
   return std::lerp(sorted[below], sorted[above], at - static_cast<double>(below));
 }
 
-// Weighted sum of outer products of the Jacobian's rows, each counted by a Gaussian kernel of its residual.
+// What is known of a series from its autocovariance (Politis and White 2004): block length, and the correlations of
+// neighbours up to where they have died out, tapered.
+struct Serial {
+  double block = 1.0;
+  std::vector<double> correlation = {1.0};  // by lag
+};
+
+Serial serial(std::span<double const> series, double mean) {
+  std::size_t const n = series.size();
+  auto const covariance = [&](std::size_t lag) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i + lag < n; ++i) sum += (series[i] - mean) * (series[i + lag] - mean);
+    return sum / static_cast<double>(n);
+  };
+  Serial made;
+  double const size = static_cast<double>(n), variance = covariance(0);
+  constexpr double rounding = 1e-20;
+  if (n < 12 || !(variance > rounding * mean * mean)) return made;
+  // The lag from which on the correlation is no more than that of independent values, for a few lags in a row.
+  auto const in_a_row = static_cast<std::size_t>(std::max(5.0, std::sqrt(std::log10(size))));
+  auto const most = static_cast<std::size_t>(std::ceil(std::sqrt(size))) + in_a_row;
+  double const threshold = 2.0 * std::sqrt(std::log10(size) / size);
+  std::size_t quiet = 0, last = 0;
+  for (std::size_t lag = 1; lag < std::min(most, n) && quiet < in_a_row; ++lag) {
+    bool const correlated = std::abs(covariance(lag) / variance) >= threshold;
+    quiet = correlated ? 0 : quiet + 1;
+    if (correlated) last = lag;
+  }
+  if (last == 0) return made;
+  std::size_t const reach = std::min(2 * last, n - 1);
+  double g = 0.0, total = variance;
+  for (std::size_t k = 1; k <= reach; ++k) {
+    double const place = static_cast<double>(k) / static_cast<double>(reach);
+    double const c = (place <= 0.5 ? 1.0 : 2.0 * (1.0 - place)) * covariance(k);
+    g += 2.0 * static_cast<double>(k) * c;
+    total += 2.0 * c;
+    made.correlation.push_back(c / variance);
+  }
+  double const d = 4.0 / 3.0 * total * total;
+  if (d > 0.0) made.block = std::max(1.0, std::cbrt(2.0 * g * g / d * size));
+  return made;
+}
+
+// Mean size of the residuals about each sample, over an eighth of the record: misfits differ from one part of it to
+// another. A narrower window would find the samples that the fit passes through, a tenth of the usual size is the least.
+Eigen::VectorXd local_size(Eigen::VectorXd const& residuals) {
+  constexpr double rounding = 1e-12;
+  Index const n = residuals.size(), half = std::max<Index>(1, n / 16);
+  double const least = std::max(0.1 * residuals.cwiseAbs().mean(), rounding);
+  Eigen::VectorXd made(n);
+  for (Index i = 0; i < n; ++i) {
+    Index const first = std::max<Index>(0, i - half), last = std::min(n - 1, i + half);
+    made[i] = std::max(residuals.segment(first, last - first + 1).cwiseAbs().mean(), least);
+  }
+  return made;
+}
+
+// Density at zero of residuals of about unit size, by a Gaussian kernel. A fit by least absolute residuals passes through
+// as many samples as it has parameters, whatever the errors there; these are left out.
+double density_at_zero(Eigen::VectorXd const& residuals, Index fitted) {
+  std::vector<double> sizes;
+  for (double const r : residuals) sizes.push_back(std::abs(r));
+  std::ranges::sort(sizes);
+  sizes.erase(sizes.begin(), sizes.begin() + std::min(fitted, residuals.size() / 2));
+  auto const count = static_cast<double>(sizes.size());
+  double squares = 0.0;
+  for (double const size : sizes) squares += size * size;
+  // Half of a normal distribution lies within 0.6745 standard deviations. A record without errors has none of these.
+  constexpr double least_spread = 1e-3;
+  double const spread = std::max(std::min(quantile(sizes, 0.5) / 0.6745, std::sqrt(squares / count)), least_spread);
+  double const width = 1.06 * spread * std::pow(count, -0.2);
+  double sum = 0.0;
+  for (double const size : sizes) sum += std::exp(-0.5 * size * size / (width * width));
+  return sum / (count * width * std::sqrt(2.0 * std::numbers::pi));
+}
+
+// Each sample counts by the density of its residual at zero, which is that of its surroundings: its own residual would
+// tell nothing where a few samples decide on a parameter, since the fit passes through these.
 Eigen::MatrixXd curvature(Sensitivity const& seen) {
-  auto const& r = seen.residuals;
-  double const n = static_cast<double>(r.size());
-  std::vector<double> sizes(static_cast<std::size_t>(r.size()));
-  for (Index i = 0; i < r.size(); ++i) sizes[static_cast<std::size_t>(i)] = std::abs(r[i]);
-  // Half of a normal distribution lies within 0.6745 standard deviations.
-  double const spread = std::min(quantile(sizes, 0.5) / 0.6745, std::sqrt(r.squaredNorm() / n));
-  double const width = 1.06 * spread * std::pow(n, -0.2);
-  if (!(width > 0.0)) return Eigen::MatrixXd::Zero(seen.jacobian.cols(), seen.jacobian.cols());
-  Eigen::ArrayXd const kernel =
-      (-0.5 * (r.array() / width).square()).exp() / (width * std::sqrt(2.0 * std::numbers::pi));
-  Eigen::VectorXd const counted = 2.0 * seen.weights.array() * kernel;
+  Eigen::VectorXd const size = local_size(seen.residuals);
+  double const density = density_at_zero(seen.residuals.cwiseQuotient(size), seen.jacobian.cols());
+  Eigen::VectorXd const counted = 2.0 * density * seen.weights.cwiseQuotient(size);
   return seen.jacobian.transpose() * counted.asDiagonal() * seen.jacobian;
 }
 
-Eigen::MatrixXd scores(Sensitivity const& seen) {
-  Eigen::VectorXd const signs = seen.weights.array() * seen.residuals.array().sign();
-  return signs.asDiagonal() * seen.jacobian;
+// Residuals are smaller than errors, and less correlated, by what was fitted to them: n / (n - p) with the number of
+// samples that would be as many independent ones. Twice the width at the most.
+double freedom_lost(std::size_t samples, std::size_t fitted, std::vector<double> const& correlation) {
+  double total = -1.0;
+  for (double const c : correlation) total += 2.0 * c;
+  double const independent = static_cast<double>(samples) / std::max(1.0, total);
+  return independent / std::max(independent - static_cast<double>(fitted), 0.25 * independent);
 }
 
-// The variance of the sum of the rows: over all blocks of neighbours, the last followed by the first.
-Eigen::MatrixXd variance_of_sum(Eigen::MatrixXd const& rows, std::size_t block) {
-  Index const n = rows.rows(), length = static_cast<Index>(block);
-  Eigen::MatrixXd const centred = rows.rowwise() - rows.colwise().mean();
-  Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(rows.cols());
-  for (Index i = 0; i < length; ++i) sum += centred.row(i);
-  Eigen::MatrixXd total = Eigen::MatrixXd::Zero(rows.cols(), rows.cols());
-  for (Index i = 0; i < n; ++i) {
-    total += sum.transpose() * sum;
-    sum += centred.row((i + length) % n) - centred.row(i);
+// Of the sum of weight * sign * derivatives, the signs of a correlation that depends on their distance alone. The products
+// themselves would not do where a few samples decide on a parameter: they are zero there, as are the residuals.
+Eigen::MatrixXd variance_of_score(Sensitivity const& seen, std::vector<double> const& correlation) {
+  Eigen::MatrixXd const rows = seen.weights.asDiagonal() * seen.jacobian;
+  Eigen::MatrixXd sum = rows.transpose() * rows;
+  Eigen::VectorXd const size = sum.diagonal().cwiseSqrt().cwiseMax(1e-300);
+  for (std::size_t k = 1; k < correlation.size(); ++k) {
+    auto const lag = static_cast<Index>(k);
+    Eigen::MatrixXd const products = rows.topRows(rows.rows() - lag).transpose() * rows.bottomRows(rows.rows() - lag);
+    sum += correlation[k] * (products + products.transpose());
   }
-  return total / static_cast<double>(length);
+  // The taper admits directions of a variance below zero: they have none.
+  Eigen::MatrixXd const scaled = size.cwiseInverse().asDiagonal() * sum * size.cwiseInverse().asDiagonal();
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> const eigen(scaled);
+  Eigen::MatrixXd const axes = size.asDiagonal() * eigen.eigenvectors();
+  return axes * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() * axes.transpose();
 }
+
+constexpr double variance_over_box = 1.0 / 12.0;  // of a uniform distribution
 
 // H^-1 V H^-1 in coordinates of the unit box. A direction in which a standard deviation would exceed that of a uniform
 // distribution over the box is as uncertain as that.
 Eigen::MatrixXd covariance_in_box(Eigen::MatrixXd const& H, Eigen::MatrixXd const& V) {
-  constexpr double uniform = 1.0 / 12.0;
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> const eigen(H);
   auto const& values = eigen.eigenvalues();
   auto const& axes = eigen.eigenvectors();
@@ -79,23 +157,13 @@ Eigen::MatrixXd covariance_in_box(Eigen::MatrixXd const& H, Eigen::MatrixXd cons
   Eigen::MatrixXd made = Eigen::MatrixXd::Zero(H.rows(), H.cols());
   for (Index k = 0; k < values.size(); ++k) {
     auto const axis = axes.col(k);
-    double const variance = values[k] > least ? axis.dot(V * axis) / (values[k] * values[k]) : uniform;
-    if (values[k] <= least || variance > uniform)
-      made += uniform * axis * axis.transpose();
+    double const variance = values[k] > least ? axis.dot(V * axis) / (values[k] * values[k]) : variance_over_box;
+    if (values[k] <= least || variance > variance_over_box)
+      made += variance_over_box * axis * axis.transpose();
     else
       half += axis * axis.transpose() / values[k];
   }
   return made + half * V * half;
-}
-
-std::size_t block_of(Eigen::MatrixXd const& score, std::size_t samples) {
-  double longest = 1.0;
-  std::vector<double> series(samples);
-  for (Index k = 0; k < score.cols(); ++k) {
-    for (std::size_t i = 0; i < samples; ++i) series[i] = score(static_cast<Index>(i), k);
-    longest = std::max(longest, block_length(series));
-  }
-  return std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(longest)), 1, std::max<std::size_t>(1, samples / 8));
 }
 
 // Weights of a replicate: blocks of scored samples, drawn until they are as many as the samples.
@@ -116,39 +184,9 @@ std::vector<double> drawn(std::span<double const> weights, std::size_t samples, 
 }  // namespace
 
 double block_length(std::span<double const> series) {
-  std::size_t const n = series.size();
-  if (n < 12) return 1.0;
   double mean = 0.0;
-  for (double const value : series) mean += value / static_cast<double>(n);
-  auto const covariance = [&](std::size_t lag) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i + lag < n; ++i) sum += (series[i] - mean) * (series[i + lag] - mean);
-    return sum / static_cast<double>(n);
-  };
-  double const size = static_cast<double>(n), variance = covariance(0);
-  if (!(variance > 0.0)) return 1.0;
-  // The lag from which on the correlation is no more than that of independent values, for a few lags in a row.
-  auto const in_a_row = static_cast<std::size_t>(std::max(5.0, std::sqrt(std::log10(size))));
-  auto const most = static_cast<std::size_t>(std::ceil(std::sqrt(size))) + in_a_row;
-  double const threshold = 2.0 * std::sqrt(std::log10(size) / size);
-  std::size_t quiet = 0, lag = 1, last = 0;
-  for (; lag < std::min(most, n) && quiet < in_a_row; ++lag) {
-    bool const correlated = std::abs(covariance(lag) / variance) >= threshold;
-    quiet = correlated ? 0 : quiet + 1;
-    if (correlated) last = lag;
-  }
-  std::size_t const reach = std::min(2 * std::max<std::size_t>(last, 1), n - 1);
-  double g = 0.0, total = variance;
-  for (std::size_t k = 1; k <= reach; ++k) {
-    double const place = static_cast<double>(k) / static_cast<double>(reach);
-    double const window = place <= 0.5 ? 1.0 : 2.0 * (1.0 - place);
-    double const c = covariance(k);
-    g += 2.0 * window * static_cast<double>(k) * c;
-    total += 2.0 * window * c;
-  }
-  double const d = 4.0 / 3.0 * total * total;
-  if (last == 0 || !(d > 0.0)) return 1.0;
-  return std::max(1.0, std::cbrt(2.0 * g * g / d * size));
+  for (double const value : series) mean += value / static_cast<double>(series.size());
+  return serial(series, mean).block;
 }
 
 std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox const& box,
@@ -164,25 +202,32 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
     p.free = false;
     p.value = optimum[i];
   }
-  auto const start = inner.contract(optimum);
+  auto start = inner.contract(optimum);
   std::size_t const n = start.size();
 
   Intervals made{.level = options.level};
   auto const place = [&](std::size_t i) {  // of a parameter among those of `inner`
-    return static_cast<std::size_t>(std::ranges::count_if(
-        std::span(inner.parameters).first(i), [](auto const& p) { return p.free; }));
+    return static_cast<std::size_t>(
+        std::ranges::count_if(std::span(inner.parameters).first(i), [](auto const& p) { return p.free; }));
   };
   fit::IdentificationProblem const problem(model, inner);
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(static_cast<Index>(n), static_cast<Index>(n));
   for (double const weight : model.residual_weights()) made.samples += weight > 0.0 ? 1 : 0;
   made.block = 1;
   std::vector<std::vector<double>> refits(n);
-  if (n > 0) {
-    auto const seen = sensitivity(problem, start);
-    made.evaluations += static_cast<int>(2 * n + 1);
-    auto const score = scores(seen);
-    made.block = block_of(score, made.samples);
-    covariance = covariance_in_box(curvature(seen), variance_of_sum(score, made.block));
+  auto const seen = n > 0 ? sensitivity(problem, start) : Sensitivity();
+  if (n > 0) made.evaluations += static_cast<int>(2 * n + 1);
+  if (!seen.residuals.allFinite()) {
+    // The law has no force there: the whole box.
+    start.assign(n, 0.5);
+    covariance.diagonal().setConstant(variance_over_box);
+  } else if (n > 0) {
+    Eigen::VectorXd const signs = seen.residuals.array().sign();
+    auto const neighbours = serial({signs.data(), made.samples}, 0.0);
+    made.block = std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(neighbours.block)), 1,
+                                         std::max<std::size_t>(1, made.samples / 8));
+    covariance = covariance_in_box(curvature(seen), variance_of_score(seen, neighbours.correlation) *
+                                                        freedom_lost(made.samples, n, neighbours.correlation));
     for (int replicate = 0; replicate < options.replicates; ++replicate) {
       if (interrupted && interrupted()) return std::nullopt;
       num::Draws draws(stream, static_cast<std::uint32_t>(replicate), 0);

@@ -55,10 +55,10 @@ fit::SearchBox common_box(std::span<fit::SearchBox const* const> boxes) {
     for (std::size_t i = 0; i < made.parameters.size(); ++i) {
       auto& p = made.parameters[i];
       auto const& q = box->parameters[i];
-      if (p.free != q.free || (!p.free && p.value != q.value))
+      if (p.free != q.free || p.tied_to != q.tied_to || (!p.free && p.value != q.value))
         throw Error({.where = fmt::format("the law of the lot, parameter {}", p.name),
-                     .found = "fixed at different values on different devices",
-                     .allowed = "the same parameters free on all devices"});
+                     .found = "fixed or tied differently on different devices",
+                     .allowed = "the same parameters free, and the others alike, on all devices"});
       p.lower = std::min(p.lower, q.lower);
       p.upper = std::max(p.upper, q.upper);
       if (p.scale != q.scale) p.scale = laws::Scale::linear;

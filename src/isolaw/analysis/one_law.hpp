@@ -11,8 +11,8 @@
 
 namespace isolaw::analysis {
 
-// The box that holds those of all devices; what is fixed must be the same. Throws Error otherwise. A scale that differs
-// becomes linear.
+// The box that holds those of all devices; what is fixed or tied must be the same. Throws Error otherwise. A scale that
+// differs becomes linear.
 fit::SearchBox common_box(std::span<fit::SearchBox const* const> boxes);
 
 struct OneLaw {

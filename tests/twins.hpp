@@ -1,0 +1,88 @@
+// Twins of devices: records that a law made itself, from known parameters, with noise where asked for.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/base/hash.hpp"
+#include "isolaw/fit/objective.hpp"
+#include "isolaw/num/random.hpp"
+#include "isolaw/num/statistics.hpp"
+
+namespace isolaw::twins {
+
+// `cycles` cycles at 0.5 Hz, each of an amplitude larger by as much, up to 150 mm; the force is a law's to make.
+inline data::FitRecord growing_cycles(int cycles, int samples_per_cycle) {
+  data::FitRecord record;
+  constexpr double omega = std::numbers::pi;
+  for (int i = 0; i <= cycles * samples_per_cycle; ++i) {
+    double const t = 2.0 * i / samples_per_cycle;
+    double const amplitude_mm = 150.0 / cycles * (1 + std::min(i / samples_per_cycle, cycles - 1));
+    record.time_s.push_back(t);
+    record.disp_mm.push_back(amplitude_mm * std::sin(omega * t));
+    record.vel_mm_s.push_back(amplitude_mm * omega * std::cos(omega * t));
+    record.force_kN.push_back(0.7 * record.disp_mm.back() + 25.0 * std::cos(omega * t));
+  }
+  return record;
+}
+
+struct Twin {
+  laws::LawEntry const* law = nullptr;
+  fit::SearchBox box;
+  std::vector<double> truth;
+  data::FitRecord record;  // noise-free
+};
+
+inline std::vector<double> force_of(laws::LawEntry const& law, data::FitRecord const& motion,
+                                    std::vector<double> const& parameters) {
+  return fit::LawOnRecord(law, motion, laws::Integration::converged).force_kN(parameters);
+}
+
+// Parameters given.
+inline Twin twin_of(laws::LawEntry const& law, data::FitRecord motion, fit::SearchBox box, std::vector<double> truth) {
+  motion.force_kN = force_of(law, motion, truth);
+  return {.law = &law, .box = std::move(box), .truth = std::move(truth), .record = std::move(motion)};
+}
+
+// Parameters somewhere in the middle of the automatic box, where the law has a force.
+inline Twin twin_in_box(std::string_view id, data::FitRecord motion, std::vector<fit::Override> const& overrides = {}) {
+  auto const& law = laws::find_law(id);
+  auto box = fit::make_box(law, fit::BoxKind::scaled, fit::scales_of(motion, law.info), overrides);
+  fit::LawOnRecord const scale(law, motion, laws::Integration::converged);
+  num::Stream const stream(stable_hash(id));
+  std::vector<double> truth(box.parameters.size()), point(box.free_count()), work;
+  for (std::uint32_t i = 0; i < 100; ++i) {
+    num::Draws draws(stream, 0, i);
+    for (double& u : point) u = 0.3 + 0.4 * draws.uniform();
+    box.expand(point, truth);
+    if (std::isfinite(scale.objective(truth, work))) break;
+  }
+  return twin_of(law, std::move(motion), std::move(box), truth);
+}
+
+// Normal noise: its standard deviation as a share of that of the force, and the correlation of neighbours.
+struct Noise {
+  double share = 0.01;
+  double correlation = 0.0;
+};
+
+inline data::FitRecord with_noise(data::FitRecord record, Noise const& noise, num::Draws& draws) {
+  double const spread = noise.share * num::population_std(record.force_kN);
+  double const fresh = std::sqrt(1.0 - noise.correlation * noise.correlation);
+  double error = draws.normal();
+  for (double& force : record.force_kN) {
+    force += spread * error;
+    error = noise.correlation * error + fresh * draws.normal();
+  }
+  return record;
+}
+
+// How far a value lies from the truth, as a share of it; of the box where it is zero.
+inline double relative_error(fit::SearchParameter const& parameter, double value, double truth) {
+  double const size = truth != 0.0 ? std::abs(truth) : parameter.upper - parameter.lower;
+  return std::abs(value - truth) / size;
+}
+
+}  // namespace isolaw::twins

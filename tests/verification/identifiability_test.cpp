@@ -1,0 +1,199 @@
+// What a record determines, on cases where the answer is known: a redundant parameter, one that does not act, one whose
+// truth lies outside the box, and a record that determines everything.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "isolaw/analysis/determination.hpp"
+#include "isolaw/opt/multistart.hpp"
+#include "twins.hpp"
+
+namespace isolaw::analysis {
+namespace {
+
+using Names = std::set<std::string>;
+
+std::vector<fit::Override> overrides(std::vector<std::string> const& texts) {
+  std::vector<fit::Override> made;
+  for (auto const& text : texts) made.push_back(fit::parse_override(text));
+  return made;
+}
+
+fit::LawOnRecord model_of(twins::Twin const& twin) {
+  return {*twin.law, twin.record, laws::Integration::converged};
+}
+
+Determination judged(twins::Twin const& twin) {
+  return *determine(model_of(twin), twin.box, twin.truth);
+}
+
+Verdict verdict_of(Determination const& judged, twins::Twin const& twin, std::string const& name) {
+  auto const index = twin.law->index_of(name);
+  return std::ranges::find(judged.parameters, index, &ParameterDetermination::parameter)->verdict;
+}
+
+Names names_of(TradeOff const& trade_off, twins::Twin const& twin) {
+  Names names;
+  for (auto const i : trade_off.parameters) names.insert(twin.box.parameters[i].name);
+  return names;
+}
+
+std::vector<std::string> sentences(Determination const& judged) {
+  std::vector<std::string> made;
+  for (auto const& t : judged.trade_offs) made.push_back(t.sentence);
+  return made;
+}
+
+void expect_all_determined(Determination const& judged, twins::Twin const& twin) {
+  for (auto const& p : judged.parameters)
+    EXPECT_EQ(name(p.verdict), name(Verdict::determined)) << twin.box.parameters[p.parameter].name;
+  EXPECT_EQ(sentences(judged), std::vector<std::string>{});
+  EXPECT_EQ(judged.singular_values.size(), judged.parameters.size());
+}
+
+TEST(Identifiability, ARecordOfABilinearDeviceDeterminesAll) {
+  auto const twin = twins::twin_in_box("bilinear", twins::growing_cycles(3, 100));
+  auto const found = judged(twin);
+  ASSERT_EQ(found.parameters.size(), 3u);
+  expect_all_determined(found, twin);
+  EXPECT_LT(found.objective, 1e-12);
+  for (auto const& p : found.parameters) {
+    double const truth = twin.truth[p.parameter];
+    EXPECT_LT(p.lower, truth);
+    EXPECT_GT(p.upper, truth);
+    EXPECT_FALSE(p.open_below || p.open_above);
+    ASSERT_EQ(p.profile.value.size(), p.profile.objective.size());
+    EXPECT_TRUE(std::ranges::is_sorted(p.profile.value));
+    auto const least = std::ranges::min_element(p.profile.objective) - p.profile.objective.begin();
+    EXPECT_DOUBLE_EQ(p.profile.value[static_cast<std::size_t>(least)], truth);
+    EXPECT_GT(std::min(p.profile.objective.front(), p.profile.objective.back()), found.rise);
+  }
+}
+
+// z may be counted in other units: A, alpha and Ke go with it, and beta and gamma unless n = 1.
+TEST(Identifiability, AOfBoucWenIsRedundant) {
+  for (bool const n_is_one : {false, true}) {
+    auto const set = n_is_one ? std::vector<std::string>{"bouc-wen.n=1"} : std::vector<std::string>{};
+    auto const twin = twins::twin_in_box("bouc-wen", twins::growing_cycles(3, 100), overrides(set));
+    auto const found = judged(twin);
+    Names const redundant = n_is_one ? Names{"alpha", "Ke", "A"} : Names{"alpha", "Ke", "A", "beta", "gamma"};
+    ASSERT_EQ(found.trade_offs.size(), 1u);
+    EXPECT_EQ(names_of(found.trade_offs.front(), twin), redundant);
+    for (auto const& parameter : redundant)
+      EXPECT_NE(found.trade_offs.front().sentence.find(parameter), std::string::npos)
+          << parameter << ": " << found.trade_offs.front().sentence;
+    for (auto const& p : found.parameters) {
+      auto const& parameter = twin.box.parameters[p.parameter].name;
+      EXPECT_EQ(p.verdict == Verdict::determined, !redundant.contains(parameter)) << parameter;
+    }
+  }
+}
+
+TEST(Identifiability, WithAFixedBoucWenIsDetermined) {
+  for (auto const& set : {std::vector<std::string>{"bouc-wen.A=1"}, {"bouc-wen.A=1", "bouc-wen.n=1"}}) {
+    auto const twin = twins::twin_in_box("bouc-wen", twins::growing_cycles(3, 100), overrides(set));
+    expect_all_determined(judged(twin), twin);
+  }
+}
+
+// The stiffness a4 exp(-a5 |v|) lives at rest alone: at 1000 s/m and no sample slower than 10 mm/s it is e^-10 of nothing.
+TEST(Identifiability, WhatDoesNotActIsSaidOnceAndLeavesTheOthersAlone) {
+  auto const motion = twins::growing_cycles(3, 98);
+  ASSERT_GT(std::abs(*std::ranges::min_element(motion.vel_mm_s, {}, [](double v) { return std::abs(v); })), 4.0);
+  auto const twin = twins::twin_in_box("jankowski", motion, overrides({"jankowski.a5=4e3:1e4"}));
+  auto const found = judged(twin);
+  auto said = sentences(found);
+  std::ranges::sort(said);
+  EXPECT_EQ(said, (std::vector<std::string>{"a4 does not act on this record", "a5 does not act on this record"}));
+  for (auto const* idle : {"a4", "a5"}) EXPECT_EQ(verdict_of(found, twin, idle), Verdict::undetermined) << idle;
+  EXPECT_EQ(found.singular_values.size(), 9u);
+  for (auto const* active : {"a1", "a6", "a7", "a8", "a9"})
+    EXPECT_EQ(verdict_of(found, twin, active), Verdict::determined) << active;
+}
+
+// One of the two acts: at the reversals the device is at rest for a sample.
+TEST(Identifiability, AParameterThatActsIsNotNamedWithOneThatDoesNot) {
+  auto const twin = twins::twin_in_box("jankowski", twins::growing_cycles(3, 100), overrides({"jankowski.a5=4e3:1e4"}));
+  auto const found = judged(twin);
+  EXPECT_EQ(sentences(found), std::vector<std::string>{"a5 does not act on this record"});
+  EXPECT_EQ(verdict_of(found, twin, "a5"), Verdict::undetermined);
+  EXPECT_EQ(verdict_of(found, twin, "a4"), Verdict::determined);
+}
+
+TEST(Identifiability, ATruthOutsideTheBoxEndsAtItsBound) {
+  auto twin = twins::twin_in_box("bilinear", twins::growing_cycles(3, 100));
+  auto& K2 = twin.box.parameters[twin.law->index_of("K2")];
+  K2.lower = 1.2 * twin.truth[twin.law->index_of("K2")];
+  auto const model = model_of(twin);
+  std::vector<double> optimum(twin.truth.size());
+  twin.box.expand(opt::descend(fit::IdentificationProblem(model, twin.box), twin.box.contract(twin.truth), 1.0).best,
+                  optimum);
+  auto const found = *determine(model, twin.box, optimum);
+  EXPECT_EQ(verdict_of(found, twin, "K2"), Verdict::at_bound);
+  EXPECT_DOUBLE_EQ(found.optimum[twin.law->index_of("K2")], K2.lower);
+  EXPECT_EQ(verdict_of(found, twin, "K1"), Verdict::determined);
+  EXPECT_EQ(verdict_of(found, twin, "xy"), Verdict::determined);
+  EXPECT_EQ(found.singular_values.size(), 2u);  // without that at its bound
+  auto const& p = found.parameters[1];
+  EXPECT_TRUE(p.open_below);
+  EXPECT_FALSE(p.open_above);
+  EXPECT_GE(p.lower, K2.lower);
+}
+
+// Root mean square over time of a change of the force, of the force's standard deviation.
+double force_change(fit::LawOnRecord const& model, std::vector<double> const& from, std::vector<double> const& to) {
+  std::vector<double> residuals(2 * model.samples());
+  model.residuals(
+      2, [&](std::size_t i, std::span<double> values) { std::ranges::copy(i == 0 ? from : to, values.begin()); },
+      residuals);
+  double sum = 0.0;
+  for (std::size_t j = 0; j < model.samples(); ++j)
+    sum += model.residual_weights()[j] * std::pow(residuals[model.samples() + j] - residuals[j], 2);
+  return std::sqrt(sum);
+}
+
+// The parameters changed by the percentages that a sentence gives, of either sign, move the force by little more than is
+// said, what is left out of the sentence moving it by a tenth of what the first named does alone.
+TEST(Identifiability, ATradeOffHoldsForParametersOfEitherSign) {
+  struct Case {
+    std::string law;
+    std::vector<std::string> set;
+    double noise;
+  };
+  std::size_t of_opposite_sign = 0;
+  for (auto const& c : {Case{"abe-y0", {}, 0.0}, Case{"bouc-wen", {}, 0.0}, Case{"vaiana", {}, 0.0},
+                        Case{"jankowski", {"jankowski.a3=-9e7:-1e6"}, 0.1},
+                        Case{"vaiana", {"vaiana.beta1+=-100:-10", "vaiana.beta2+=20:50"}, 0.0}, Case{"abe", {}, 0.01},
+                        Case{"hwang-wu", {}, 0.05}}) {
+    SCOPED_TRACE(c.law);
+    auto twin = twins::twin_in_box(c.law, twins::growing_cycles(3, 100), overrides(c.set));
+    if (c.noise > 0.0) {
+      num::Draws draws(num::Stream(stable_hash(c.law)), 1, 0);
+      twin.record = twins::with_noise(twin.record, {.share = c.noise}, draws);
+    }
+    auto const model = model_of(twin);
+    auto const found = *determine(model, twin.box, twin.truth);
+    EXPECT_FALSE(found.trade_offs.empty());
+    for (auto const& t : found.trade_offs) {
+      constexpr double small = 1e-4;
+      auto changed = found.optimum, alone = found.optimum;
+      for (std::size_t i = 0; i < t.parameters.size(); ++i) {
+        changed[t.parameters[i]] *= 1.0 + small * t.change[i];
+        if (t.change[i] == 1.0) alone[t.parameters[i]] *= 1.0 + small;
+        of_opposite_sign += found.optimum[t.parameters[i]] * found.optimum[t.parameters[0]] < 0.0 ? 1 : 0;
+      }
+      double const together = force_change(model, found.optimum, changed) / small,
+                   by_one = force_change(model, found.optimum, alone) / small;
+      EXPECT_LT(together, 1.01 * t.force_change + 0.1 * by_one) << t.sentence;
+      if (t.parameters.size() == 1) EXPECT_NEAR(by_one, t.force_change, 0.01 * by_one) << t.sentence;
+    }
+  }
+  EXPECT_GT(of_opposite_sign, 0u);
+}
+
+}  // namespace
+}  // namespace isolaw::analysis
