@@ -46,17 +46,32 @@ inline Twin twin_of(laws::LawEntry const& law, data::FitRecord motion, fit::Sear
   return {.law = &law, .box = std::move(box), .truth = std::move(truth), .record = std::move(motion)};
 }
 
+// Where boxes of both signs are searched, the truth is of the sign and size that devices have.
+inline std::vector<fit::Override> usual(std::string_view id) {
+  std::vector<fit::Override> made;
+  if (id == "bouc-wen") made.push_back(fit::parse_override("bouc-wen.gamma=0.0003:0.4"));
+  if (id == "vaiana")
+    for (auto const* text : {"vaiana.beta1+=0.01:10000", "vaiana.beta1-=-10000:-0.01"})
+      made.push_back(fit::parse_override(text));
+  return made;
+}
+
 // Parameters somewhere in the middle of the automatic box, where the law has a force.
 inline Twin twin_in_box(std::string_view id, data::FitRecord motion, std::vector<fit::Override> const& overrides = {}) {
   auto const& law = laws::find_law(id);
   auto box = fit::make_box(law, fit::BoxKind::scaled, fit::scales_of(motion, law.info), overrides);
+  auto narrower = usual(id);
+  narrower.insert(narrower.end(), overrides.begin(), overrides.end());
+  auto middle = fit::make_box(law, fit::BoxKind::scaled, fit::scales_of(motion, law.info), narrower);
+  for (auto const& change : usual(id))
+    middle.parameters[law.index_of(change.parameter)].scale = laws::Scale::logarithmic;
   fit::LawOnRecord const scale(law, motion, laws::Integration::converged);
   num::Stream const stream(stable_hash(id));
   std::vector<double> truth(box.parameters.size()), point(box.free_count()), work;
   for (std::uint32_t i = 0; i < 100; ++i) {
     num::Draws draws(stream, 0, i);
     for (double& u : point) u = 0.3 + 0.4 * draws.uniform();
-    box.expand(point, truth);
+    middle.expand(point, truth);
     if (std::isfinite(scale.objective(truth, work))) break;
   }
   return twin_of(law, std::move(motion), std::move(box), truth);

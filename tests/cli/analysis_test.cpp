@@ -37,8 +37,8 @@ class Analysis : public InFreshDirectory {
     }
   }
   Words campaign(std::string const& out, Words const& more = {}) const {
-    return Words{"calibrate", "a.csv", "b.csv", "c.csv",        "--laws", "bilinear,vaiana", "--runs", "2",
-                 "--analysis", "full", "--replicates", "20", "--out",  out} +
+    return Words{"calibrate", "a.csv",      "b.csv", "c.csv",        "--laws", "bilinear,vaiana", "--runs",
+                 "2",         "--analysis", "full",  "--replicates", "20",     "--out",           out} +
            more;
   }
 };

@@ -44,11 +44,11 @@ TEST_F(Calibrate, leaves_every_file_of_a_campaign) {
   std::set<std::string> files;
   for (auto const& entry : fs::recursive_directory_iterator(path("O")))
     if (entry.is_regular_file()) files.insert(fs::relative(entry.path(), path("O")).generic_string());
-  EXPECT_EQ(files,
-            (std::set<std::string>{"campaign.sqlite", "run.json", "summary.json", "report.html",
-                                   "tables/parameters.csv", "tables/objective.csv", "tables/robustness.csv", "tables/converged.csv", "tables/identifiability.csv", "tables/lot_law.csv",
-                                   "tables/prediction.csv",
-                                   "tables/cycles.csv", "tables/tests.csv", "tables/lot.csv", "tables/lambda.csv"}));
+  EXPECT_EQ(files, (std::set<std::string>{"campaign.sqlite", "run.json", "summary.json", "report.html",
+                                          "tables/parameters.csv", "tables/objective.csv", "tables/robustness.csv",
+                                          "tables/converged.csv", "tables/identifiability.csv", "tables/lot_law.csv",
+                                          "tables/prediction.csv", "tables/cycles.csv", "tables/tests.csv",
+                                          "tables/lot.csv", "tables/lambda.csv"}));
   EXPECT_TRUE(contains(o.err, "O/report.html"));
   auto const run = json("O/run.json");
   for (auto const* key : {"isolaw", "command", "directory", "started", "total_seconds", "threads", "host"})
@@ -83,8 +83,8 @@ TEST_F(Calibrate, ranks_every_law_on_the_terminal_best_first) {
 TEST_F(Calibrate, summary_has_the_documented_schema) {
   ASSERT_EQ(calibrate("O").code, 0);
   auto const s = json("O/summary.json");
-  EXPECT_EQ(keys(s),
-            (Words{"schema", "isolaw", "seed", "settings", "devices", "laws", "title", "outliers", "complete", "missing_runs", "missing_analyses"}));
+  EXPECT_EQ(keys(s), (Words{"schema", "isolaw", "seed", "settings", "devices", "laws", "title", "outliers", "complete",
+                            "missing_runs", "missing_analyses"}));
   EXPECT_EQ(s["schema"], 1);
   EXPECT_EQ(s["isolaw"], ISOLAW_VERSION);
   EXPECT_EQ(s["seed"], 1);
@@ -101,12 +101,33 @@ TEST_F(Calibrate, summary_has_the_documented_schema) {
     auto const& law = s["laws"][l];
     auto const& expected = expected_laws()[l];
     SCOPED_TRACE(expected.id);
-    EXPECT_EQ(keys(law), (Words{"id", "objective", "beta", "on_front", "devices", "beta_note", "title", "notes",
-                               "success_share", "success_reference", "objective_converged", "beta_converged",
-                               "beta_converged_note", "left_out_of_beta", "reduced", "on_front_converged",
-                               "loo_objective", "loo_worst", "loo_worst_device", "on_front_loo", "lot", "population",
-                               "fitted_objective", "predicted_objective", "worst_predicted", "prediction_collapses",
-                               "reduced_form"}));
+    EXPECT_EQ(keys(law), (Words{"id",
+                                "objective",
+                                "beta",
+                                "on_front",
+                                "devices",
+                                "beta_note",
+                                "title",
+                                "notes",
+                                "success_share",
+                                "success_reference",
+                                "objective_converged",
+                                "beta_converged",
+                                "beta_converged_note",
+                                "left_out_of_beta",
+                                "reduced",
+                                "on_front_converged",
+                                "loo_objective",
+                                "loo_worst",
+                                "loo_worst_device",
+                                "on_front_loo",
+                                "lot",
+                                "population",
+                                "fitted_objective",
+                                "predicted_objective",
+                                "worst_predicted",
+                                "prediction_collapses",
+                                "reduced_form"}));
     EXPECT_EQ(law["id"], expected.id);
     expect_statistic(law["objective"]);
     EXPECT_GT(law["beta"].get<double>(), 0.0);
@@ -114,11 +135,30 @@ TEST_F(Calibrate, summary_has_the_documented_schema) {
     ASSERT_EQ(law["devices"].size(), 10u);
     for (std::size_t d = 0; d < 10; ++d) {
       auto const& fit = law["devices"][d];
-      EXPECT_EQ(keys(fit), (Words{"name", "objective", "K_eff_error_percent", "energy_error_percent",
-                                  "damping_error_percent", "integration_shift", "parameters", "status", "message",
-                                  "runs", "failed_runs", "evaluations", "failed_evaluations", "refinement",
-                                 "success_share", "success_reference", "optimum", "rise", "trade_offs", "intervals",
-                                 "lot_objective", "worst_objective", "left_out_objective", "blocks"}));
+      EXPECT_EQ(keys(fit), (Words{"name",
+                                  "objective",
+                                  "K_eff_error_percent",
+                                  "energy_error_percent",
+                                  "damping_error_percent",
+                                  "integration_shift",
+                                  "parameters",
+                                  "status",
+                                  "message",
+                                  "runs",
+                                  "failed_runs",
+                                  "evaluations",
+                                  "failed_evaluations",
+                                  "refinement",
+                                  "success_share",
+                                  "success_reference",
+                                  "optimum",
+                                  "rise",
+                                  "trade_offs",
+                                  "intervals",
+                                  "lot_objective",
+                                  "worst_objective",
+                                  "left_out_objective",
+                                  "blocks"}));
       EXPECT_EQ(fit["name"], s["devices"][d]["name"]);
       expect_statistic(fit["objective"]);
       for (auto const* key : {"K_eff_error_percent", "energy_error_percent", "damping_error_percent"})
@@ -133,8 +173,8 @@ TEST_F(Calibrate, summary_has_the_documented_schema) {
       for (auto const& [name, unit] : expected.parameters) {
         ASSERT_TRUE(fit["parameters"].contains(name)) << name;
         auto const& parameter = fit["parameters"][std::string(name)];
-        EXPECT_EQ(keys(parameter),
-                  (Words{"unit", "mean", "std", "best", "at_bound", "free", "lower", "upper", "percent_of_lot", "tied_to", "identifiability"}));
+        EXPECT_EQ(keys(parameter), (Words{"unit", "mean", "std", "best", "at_bound", "free", "lower", "upper",
+                                          "percent_of_lot", "tied_to", "identifiability"}));
         EXPECT_EQ(parameter["unit"], unit);
         for (auto const* key : {"mean", "std", "best", "lower", "upper"})
           EXPECT_TRUE(parameter[key].is_number()) << name << key;

@@ -15,8 +15,8 @@ class Resume : public InFreshDirectory {
     ASSERT_EQ(isolaw({"example", "ex"}).code, 0);
   }
   Words campaign(std::string const& out, Words const& more = {}) const {
-    return Words{"calibrate",    "ex/lot.toml", "--laws",        "abe", "--runs", "4",
-                 "--population", "40",          "--generations", "20",  "--analysis", "none", "--out",  out} +
+    return Words{"calibrate", "ex/lot.toml",   "--laws", "abe",        "--runs", "4",     "--population",
+                 "40",        "--generations", "20",     "--analysis", "none",   "--out", out} +
            more;
   }
   // Starts the campaign and sends the signal once some runs, but not all 40, are stored.

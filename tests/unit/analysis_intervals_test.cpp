@@ -203,10 +203,11 @@ TEST_F(IntervalsOf, OfWhatDoesNotActSpanTheBox) {
   for (auto const& p : made.parameters) {
     auto const& parameter = twin_.box.parameters[p.parameter];
     double const share = (p.linear_upper - p.linear_lower) / (parameter.upper - parameter.lower);
-    if (p.parameter == idle)
+    if (p.parameter == idle) {
       EXPECT_GT(share, 0.9);
-    else if (parameter.name == "a8" || parameter.name == "a9")
+    } else if (parameter.name == "a8" || parameter.name == "a9") {
       EXPECT_LT(share, 0.1) << parameter.name;
+    }
   }
 }
 

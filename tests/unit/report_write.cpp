@@ -43,8 +43,8 @@ TEST_F(Write, AllOutputsAndNothingElse) {
     if (entry.is_regular_file()) files.insert(fs::relative(entry.path(), dir_ / "deep" / "out").string());
   EXPECT_EQ(files, (std::set<std::string>{"report.html", "summary.json", "tables/cycles.csv", "tables/lambda.csv",
                                           "tables/lot.csv", "tables/objective.csv", "tables/parameters.csv",
-                                          "tables/robustness.csv", "tables/converged.csv", "tables/identifiability.csv", "tables/lot_law.csv",
-                                   "tables/prediction.csv", "tables/tests.csv"}));
+                                          "tables/robustness.csv", "tables/converged.csv", "tables/identifiability.csv",
+                                          "tables/lot_law.csv", "tables/prediction.csv", "tables/tests.csv"}));
   EXPECT_EQ(content(dir_ / "deep" / "out" / "summary.json"), summary_json(summary));
   EXPECT_EQ(content(dir_ / "deep" / "out" / "report.html"), html(summary));
 }

@@ -60,8 +60,8 @@ TEST_P(Twin, IsFoundAgain) {
 
 INSTANTIATE_TEST_SUITE_P(Every, Twin,
                          testing::Values("bilinear", "jankowski", "vaiana", "bouc-wen", "abe", "abe-y0", "hwang-wu"),
-                         [](auto const& info) {
-                           auto name = info.param;
+                         [](auto const& instance) {
+                           auto name = instance.param;
                            for (char& c : name)
                              if (c == '-') c = '_';
                            return name;

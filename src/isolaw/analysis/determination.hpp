@@ -24,7 +24,7 @@ std::string_view name(Verdict verdict);  // "determined", "weakly determined", "
 
 // A rise of the objective that nobody sees in the loops: this share of the least value, or this much where that is zero.
 inline constexpr double visible_rise = 0.01, least_visible_rise = 1e-4;
-// Half of the open range, relative to the parameter (to no less than a tenth of a box that spans zero), up to which it is
+// Half of the open range, relative to the parameter (to no less than a hundredth of a box that spans zero), up to which it is
 // determined, and weakly determined.
 inline constexpr double determined_within = 0.05, weakly_determined_within = 0.5;
 
@@ -37,8 +37,8 @@ struct Profile {
 struct ParameterDetermination {
   std::size_t parameter = 0;  // index among the law's
   Verdict verdict = Verdict::determined;
-  double lower = 0.0, upper = 0.0;                // the open range
-  bool open_below = false, open_above = false;    // it ends at the box, not where the objective has risen
+  double lower = 0.0, upper = 0.0;              // the open range
+  bool open_below = false, open_above = false;  // it ends at the box, not where the objective has risen
   Profile profile;
 };
 
@@ -51,10 +51,12 @@ struct TradeOff {
 };
 
 struct Determination {
-  std::vector<double> optimum;  // all of the law's parameters; a little lower than what was given where a profile found it
+  std::vector<double>
+      optimum;  // all of the law's parameters; a little lower than what was given where a profile found it
   double objective = 0.0;
-  double rise = 0.0;                     // of the objective, by which the ranges are judged
-  std::vector<double> singular_values;   // of the Jacobian by relative changes, falling; without those at a bound or without effect
+  double rise = 0.0;  // of the objective, by which the ranges are judged
+  std::vector<double>
+      singular_values;  // of the Jacobian by relative changes, falling; without those at a bound or without effect
   std::vector<ParameterDetermination> parameters;  // the free ones, in order
   std::vector<TradeOff> trade_offs;
   int evaluations = 0;

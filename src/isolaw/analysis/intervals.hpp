@@ -29,15 +29,15 @@
 namespace isolaw::analysis {
 
 struct ParameterInterval {
-  std::size_t parameter = 0;                       // index among the law's
-  double linear_lower = 0.0, linear_upper = 0.0;   // inside the box, as all of these
+  std::size_t parameter = 0;                      // index among the law's
+  double linear_lower = 0.0, linear_upper = 0.0;  // inside the box, as all of these
   std::optional<double> bootstrap_lower = {}, bootstrap_upper = {};
 };
 
 struct Intervals {
   double level = 0.95;
-  std::size_t samples = 0, block = 0;  // scored samples, and how many make a block
-  int replicates = 0;                  // fits of the bootstrap
+  std::size_t samples = 0, block = 0;              // scored samples, and how many make a block
+  int replicates = 0;                              // fits of the bootstrap
   std::vector<ParameterInterval> parameters = {};  // the free ones, in order
   // By linearisation, of the free parameters in the law's units, row by row. Directions the record does not determine have
   // the variance of a uniform distribution over the box.

@@ -27,8 +27,7 @@ void Reweighted::evaluate(opt::Points const& points, std::span<double> values) c
 opt::Points Held::with_held(opt::Points const& points) const {
   opt::Points all(base_.dimension(), points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
-    for (std::size_t k = 0, next = 0; k < all.dimension; ++k)
-      all[i][k] = k == coordinate_ ? value_ : points[i][next++];
+    for (std::size_t k = 0, next = 0; k < all.dimension; ++k) all[i][k] = k == coordinate_ ? value_ : points[i][next++];
   return all;
 }
 void Held::evaluate(opt::Points const& points, std::span<double> values) const {

@@ -48,10 +48,10 @@ double slope(fit::SearchParameter const& parameter, double coordinate) {
 }
 
 double natural_size(fit::SearchParameter const& parameter, double value) {
-  double const tenth = 0.1 * (parameter.upper - parameter.lower);
+  double const least = 0.01 * (parameter.upper - parameter.lower);
   bool const of_one_sign = parameter.lower * parameter.upper >= 0.0;
   if (of_one_sign && value != 0.0) return std::abs(value);
-  return std::max(std::abs(value), tenth);
+  return std::max(std::abs(value), least);
 }
 
 std::vector<fit::SearchParameter const*> free_parameters(fit::SearchBox const& box) {

@@ -61,7 +61,9 @@ void add_calibrate(CLI::App& app, CalibrateArguments& a) {
   c.add_option("--seed", a.seed, "seed of the campaign (1)");
   c.add_option("--box", a.box,
                "search box: auto, scaled from each record (default), or published, Table 4 of the paper");
-  c.add_option("--set", a.set, "law.parameter=value | lower:upper | free | another parameter, to tie it; may be repeated")->allow_extra_args(false);
+  c.add_option("--set", a.set,
+               "law.parameter=value | lower:upper | free | another parameter, to tie it; may be repeated")
+      ->allow_extra_args(false);
   c.add_option("--smooth", a.smooth, "window of the centred moving average, odd (1: none)");
   c.add_option("--samples-per-cycle", a.samples_per_cycle, "thin records to this many samples per cycle, or all (200)");
   c.add_flag("--center", a.center, "remove the offset of displacement and force");

@@ -300,7 +300,8 @@ int report(ReportArguments const& arguments) {
   }
   print(summary, arguments.json);
   if (!contents.complete() && summary.missing_runs() == 0)
-    say("the campaign is not complete: {} analyses are missing; the calibrate command it was started with continues it\n",
+    say("the campaign is not complete: {} analyses are missing; the calibrate command it was started with continues "
+        "it\n",
         summary.missing_analyses());
   else if (!contents.complete())
     say("the campaign is not complete: {} runs are missing; the calibrate command it was started with continues it\n",

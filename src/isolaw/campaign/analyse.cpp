@@ -108,8 +108,7 @@ class Analysis {
         boxes.push_back(examined_box(search));
       }
       if (lot.devices.size() < 2) continue;
-      for (auto const device : lot.devices)
-        lot.models.push_back(law_on_device(contents_, device, law, lot.refinement));
+      for (auto const device : lot.devices) lot.models.push_back(law_on_device(contents_, device, law, lot.refinement));
       std::vector<fit::SearchBox const*> pointers;
       for (auto const& box : boxes) pointers.push_back(&box);
       lot.box = analysis::common_box(pointers);
@@ -128,11 +127,8 @@ class Analysis {
 
   // nullopt when interrupted. Without parameters where no start has a finite force on every device.
   std::optional<LotAnalysis> fitted(LawOnLot const& lot) const {
-    LotAnalysis made{.law = std::string(lot.law),
-                     .refinement = lot.refinement,
-                     .devices = lot.devices,
-                     .mean = {},
-                     .worst = {}};
+    LotAnalysis made{
+        .law = std::string(lot.law), .refinement = lot.refinement, .devices = lot.devices, .mean = {}, .worst = {}};
     auto const models = lot.pointers();
     auto mean = analysis::least_mean(models, lot.box, lot.optima, options_.interrupted);
     if (interrupted()) return std::nullopt;

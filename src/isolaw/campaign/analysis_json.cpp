@@ -36,8 +36,7 @@ std::vector<double> to_doubles(Json const& json) {
 }
 
 Verdict verdict_from(std::string const& text) {
-  for (auto const verdict :
-       {Verdict::determined, Verdict::weakly_determined, Verdict::undetermined, Verdict::at_bound})
+  for (auto const verdict : {Verdict::determined, Verdict::weakly_determined, Verdict::undetermined, Verdict::at_bound})
     if (name(verdict) == text) return verdict;
   throw Error({.where = "stored analysis", .found = "'" + text + "'", .allowed = "a verdict on a parameter"});
 }
@@ -72,12 +71,9 @@ Json json_of(analysis::Determination const& d) {
                           {"change", numbers(t.change)},
                           {"force_change", number(t.force_change)},
                           {"sentence", t.sentence}});
-  return {{"optimum", numbers(d.optimum)},
-          {"objective", number(d.objective)},
-          {"rise", number(d.rise)},
-          {"singular_values", numbers(d.singular_values)},
-          {"parameters", parameters},
-          {"trade_offs", trade_offs},
+  return {{"optimum", numbers(d.optimum)}, {"objective", number(d.objective)},
+          {"rise", number(d.rise)},        {"singular_values", numbers(d.singular_values)},
+          {"parameters", parameters},      {"trade_offs", trade_offs},
           {"evaluations", d.evaluations}};
 }
 analysis::Determination whole_determination_from(Json const& json) {
@@ -102,8 +98,12 @@ Json json_of(analysis::Intervals const& i) {
     parameters.push_back({{"parameter", p.parameter},
                           {"linear", {number(p.linear_lower), number(p.linear_upper)}},
                           {"bootstrap", {number(p.bootstrap_lower), number(p.bootstrap_upper)}}});
-  return {{"level", i.level},           {"samples", i.samples},       {"block", i.block},
-          {"replicates", i.replicates}, {"parameters", parameters},   {"covariance", numbers(i.covariance)},
+  return {{"level", i.level},
+          {"samples", i.samples},
+          {"block", i.block},
+          {"replicates", i.replicates},
+          {"parameters", parameters},
+          {"covariance", numbers(i.covariance)},
           {"evaluations", i.evaluations}};
 }
 analysis::Intervals intervals_from(Json const& json) {

@@ -291,8 +291,7 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
   for (auto const& search : contents.searches) {
     if (!search.refusal.empty()) continue;
     auto const& device = contents.devices[search.device];
-    targets.push_back({&search,
-                       law_on_device(contents, search.device, search.law),
+    targets.push_back({&search, law_on_device(contents, search.device, search.law),
                        campaign.split(stable_hash(device.name)).split(stable_hash(search.law))});
   }
   auto const tasks = missing_runs(contents, targets);

@@ -48,8 +48,8 @@ void check_box(Device const& device, Search const& search, Settings const& setti
   auto const& law = laws::find_law(search.law);
   auto const box = search_box(law, device.record, settings).parameters;
   bool const same = std::ranges::equal(box, search.box.parameters, [](auto const& a, auto const& b) {
-    return a.free == b.free && a.scale == b.scale && a.tied_to == b.tied_to && close(a.value, b.value) && close(a.lower, b.lower) &&
-           close(a.upper, b.upper);
+    return a.free == b.free && a.scale == b.scale && a.tied_to == b.tied_to && close(a.value, b.value) &&
+           close(a.lower, b.lower) && close(a.upper, b.upper);
   });
   if (!same)
     faults.push_back(fmt::format("{} on {}: the search box is not that of its record", search.law, device.name));
@@ -63,7 +63,8 @@ class RunChecker {
     check_course(search, run);
     if (!std::ranges::is_sorted(run.history, std::ranges::greater())) complain(run, "its history rises");
     if (!run.usable()) return;
-    if (run.history.empty() || (run.refinement == 1 && !close(run.history.back(), run.objective))) complain(run, "its history ends elsewhere");
+    if (run.history.empty() || (run.refinement == 1 && !close(run.history.back(), run.objective)))
+      complain(run, "its history ends elsewhere");
     for (std::size_t i = 0; i < run.parameters.size(); ++i) {
       auto const& p = search.box.parameters[i];
       double const slack = fit::evaluation_tolerance * std::max(std::abs(p.lower), std::abs(p.upper));

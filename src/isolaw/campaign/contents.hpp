@@ -103,8 +103,8 @@ struct Contents {
   Acceptance acceptance;
   Settings settings;
   std::vector<Device> devices;
-  std::vector<Search> searches;  // by device, then in the order of the settings' laws
-  std::vector<Run> runs;         // by device, law, number
+  std::vector<Search> searches;                      // by device, then in the order of the settings' laws
+  std::vector<Run> runs;                             // by device, law, number
   std::vector<DeviceAnalysis> device_analyses = {};  // by device, law
   std::vector<LotAnalysis> lot_analyses = {};        // by law
   std::vector<LeftOutAnalysis> left_out = {};        // by device, law

@@ -112,11 +112,9 @@ void read_settings(TableReader& table, Settings& s) {
                            [&](auto const& v) { s.clean.scored.blocks = data::parse_numbers("--fit-blocks", v); });
   table.value<std::string>("fit-cycles", "text",
                            [&](auto const& v) { s.clean.scored.cycles = data::parse_numbers("--fit-cycles", v); });
-  table.value<std::string>("score-blocks", "text", [&](auto const& v) {
-    s.clean.scored.predicted = data::parse_numbers("--score-blocks", v);
-  });
-  table.value<std::string>("analysis", "\"full\" or \"none\"",
-                           [&](auto const& v) { s.analysis = parse_analysis(v); });
+  table.value<std::string>("score-blocks", "text",
+                           [&](auto const& v) { s.clean.scored.predicted = data::parse_numbers("--score-blocks", v); });
+  table.value<std::string>("analysis", "\"full\" or \"none\"", [&](auto const& v) { s.analysis = parse_analysis(v); });
   table.value<int>("replicates", "a whole number, 0 for no bootstrap",
                    [&](int v) { s.replicates = checked_replicates(v); });
 }

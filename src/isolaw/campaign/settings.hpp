@@ -29,8 +29,8 @@ struct Settings {
   fit::BoxKind box = fit::BoxKind::scaled;
   std::vector<fit::Override> overrides;
   data::CleanOptions clean;
-  bool analysis = true;        // what the tests determine, intervals, one law for the lot
-  int replicates = 100;        // of the bootstrap
+  bool analysis = true;  // what the tests determine, intervals, one law for the lot
+  int replicates = 100;  // of the bootstrap
 
   // What was left to the method: 3 runs of `best`, which differ by the last digits; 20 of the paper's.
   void complete();

@@ -549,7 +549,8 @@ class Consistency {
     };
     bool fits = names(a.determination.parameters) && names(a.intervals.parameters) &&
                 a.intervals.covariance.size() == free * free;
-    for (auto const& p : a.determination.parameters) fits = fits && p.profile.value.size() == p.profile.objective.size();
+    for (auto const& p : a.determination.parameters)
+      fits = fits && p.profile.value.size() == p.profile.objective.size();
     for (auto const& t : a.determination.trade_offs)
       fits = fits && t.change.size() == t.parameters.size() && std::ranges::all_of(t.parameters, is_free);
     if (!fits) fail(fmt::format("an analysis of {} that does not fit its parameters", a.law));
@@ -562,8 +563,8 @@ class Consistency {
       values_fit(a.mean.parameters, search);
       values_fit(a.worst.law.parameters, search);
     }
-    if (!a.mean.parameters.empty() && (a.mean.objectives.size() != a.devices.size() ||
-                                       a.worst.law.objectives.size() != a.devices.size()))
+    if (!a.mean.parameters.empty() &&
+        (a.mean.objectives.size() != a.devices.size() || a.worst.law.objectives.size() != a.devices.size()))
       fail(fmt::format("the law of the lot, {}, is not judged by every device", a.law));
   }
   void analysis_fits(LeftOutAnalysis const& a) const {
@@ -795,7 +796,11 @@ namespace {
 void write_run(sqlite3* db, Run const& run) {
   Statement row(db, "INSERT INTO run VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   row.bind(run.device).bind(run.law).bind(run.number).bind(name(run.outcome)).bind(run.objective);
-  row.bind(run.integration_shift).bind(run.refinement).bind(run.evaluations).bind(run.failed_evaluations).bind(run.failure);
+  row.bind(run.integration_shift)
+      .bind(run.refinement)
+      .bind(run.evaluations)
+      .bind(run.failed_evaluations)
+      .bind(run.failure);
   row.bind(run.history).insert();
   Statement parameter(db, "INSERT INTO run_parameter VALUES (?, ?, ?, ?, ?)");
   for (std::size_t i = 0; i < run.parameters.size(); ++i)
@@ -859,9 +864,10 @@ std::vector<std::string> Store::foreign_rows(std::filesystem::path const& file, 
   for (auto const& analysis : contents.left_out) write_analysis(ours.get(), analysis);
   execute(ours.get(), "COMMIT");
   std::vector<std::string> faults;
-  for (auto const* table : {"key, value FROM meta WHERE key <> 'isolaw'", "* FROM setting", "* FROM device",
-                            "device, kind, channel, count FROM series", "* FROM search", "* FROM search_parameter",
-                            "* FROM run", "* FROM run_parameter", "* FROM device_analysis", "* FROM lot_analysis", "* FROM left_out"}) {
+  for (auto const* table :
+       {"key, value FROM meta WHERE key <> 'isolaw'", "* FROM setting", "* FROM device",
+        "device, kind, channel, count FROM series", "* FROM search", "* FROM search_parameter", "* FROM run",
+        "* FROM run_parameter", "* FROM device_analysis", "* FROM lot_analysis", "* FROM left_out"}) {
     std::vector<std::string> differing;
     std::ranges::set_symmetric_difference(rows_of(theirs.get(), table), rows_of(ours.get(), table),
                                           std::back_inserter(differing));

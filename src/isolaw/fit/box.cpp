@@ -25,7 +25,8 @@ struct AcrossZero {
         to(std::asinh(upper / linear_size)) {}
 };
 
-constexpr std::string_view override_form = "law.parameter=value, law.parameter=lower:upper, law.parameter=free, "
+constexpr std::string_view override_form =
+    "law.parameter=value, law.parameter=lower:upper, law.parameter=free, "
     "law.parameter=another parameter";
 
 std::optional<double> parse_number(std::string_view text) {
@@ -97,9 +98,9 @@ Override parse_override(std::string_view text) {
       other != law.parameters.end()) {
     if (other->name == parameter.name || other->unit != parameter.unit)
       throw Error({.where = where,
-                   .found = other->name == parameter.name
-                                ? fmt::format("{} is tied to itself", value)
-                                : fmt::format("{} is in {}, {} in {}", parameter.name, parameter.unit, value, other->unit),
+                   .found = other->name == parameter.name ? fmt::format("{} is tied to itself", value)
+                                                          : fmt::format("{} is in {}, {} in {}", parameter.name,
+                                                                        parameter.unit, value, other->unit),
                    .allowed = "another parameter of the law, of the same unit"});
     made.tied_to = value;
     return made;

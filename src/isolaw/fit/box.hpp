@@ -34,8 +34,8 @@ Override parse_override(std::string_view text);
 struct SearchParameter {
   std::string name, unit;
   bool free = true;
-  double value = 0.0;                           // when fixed
-  std::optional<std::size_t> tied_to = {};      // not free: takes the value of this one; free: none
+  double value = 0.0;                       // when fixed
+  std::optional<std::size_t> tied_to = {};  // not free: takes the value of this one; free: none
   double lower = 0.0, upper = 0.0;
   laws::Scale scale = laws::Scale::linear;
 

@@ -11,7 +11,9 @@ namespace isolaw::laws {
 namespace {
 
 template <class Law>
-concept HasReducedForm = requires(ParamsOf<Law, double> const& p) { Law::reduced(p); };
+concept HasReducedForm = requires(ParamsOf<Law, double> const& p) {
+  Law::reduced(p);
+};
 
 template <class Law>
 LawEntry entry() {

@@ -60,7 +60,7 @@ MultistartResult minimise_multistart(DeviationProblem const& problem, num::Strea
 
 // One descent from a point near a minimum, to its last digits: after the problem has changed a little.
 struct DescentResult {
-  std::vector<double> best;  // in the unit box; empty when the start has no value
+  std::vector<double> best;                                     // in the unit box; empty when the start has no value
   double best_value = std::numeric_limits<double>::infinity();  // never above that of the start
   int evaluations = 0, failed_evaluations = 0;
 

@@ -18,7 +18,8 @@ std::string percent(double fraction) {
 }
 // Four digits, without an exponent where a person would write none.
 std::string plain(double value) {
-  return std::abs(value) >= 1000.0 && std::abs(value) < 1e7 ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value);
+  return std::abs(value) >= 1000.0 && std::abs(value) < 1e7 ? fmt::format("{:.0f}", value)
+                                                            : fmt::format("{:.4g}", value);
 }
 std::string error_percent(double fraction) {
   return fmt::format("{:.1f} %", 100.0 * fraction);
@@ -95,11 +96,11 @@ void say_what_is_predicted(Summary const& summary, Names& sentences) {
     if (best == nullptr || *law.predicted_objective < *best->predicted_objective) best = &law;
   }
   if (best == nullptr) return;
-  auto text = fmt::format("Of the laws fitted to some blocks, {} predicts the others best (OF {:.3g} against {:.3g} where it "
-                          "was fitted)",
-                          best->id, *best->predicted_objective, *best->fitted_objective);
-  if (!collapsed.empty())
-    text += fmt::format("; the prediction of {} collapses", enumerate(collapsed));
+  auto text = fmt::format(
+      "Of the laws fitted to some blocks, {} predicts the others best (OF {:.3g} against {:.3g} where it "
+      "was fitted)",
+      best->id, *best->predicted_objective, *best->fitted_objective);
+  if (!collapsed.empty()) text += fmt::format("; the prediction of {} collapses", enumerate(collapsed));
   sentences.push_back(text + ".");
 }
 
@@ -114,7 +115,8 @@ void say_what_is_determined(Summary const& summary, Names& sentences) {
         blind += p.analysis->identifiability == "undetermined" ? 1 : 0;
       }
     if (free > 0)
-      parts.push_back(fmt::format("{} {}", law.id, percent(1.0 - static_cast<double>(blind) / static_cast<double>(free))));
+      parts.push_back(
+          fmt::format("{} {}", law.id, percent(1.0 - static_cast<double>(blind) / static_cast<double>(free))));
   }
   if (!parts.empty())
     sentences.push_back(fmt::format("Share of the parameters that the tests determine: {}.", fmt::join(parts, ", ")));
@@ -122,20 +124,22 @@ void say_what_is_determined(Summary const& summary, Names& sentences) {
 
 void warn_of_collapse(LawResult const& law, std::vector<Warning>& warnings) {
   if (!law.prediction_collapses) return;
-  warnings.push_back({"prediction",
-                      fmt::format("{}: its prediction collapses: blocks it was not fitted to are missed {} times as far "
-                                  "as those it was fitted to (OF {:.3g} against {:.3g}, {:.3g} at worst); it is no law for "
-                                  "other amplitudes or frequencies than those it was fitted to",
-                                  law.id, plain(std::round(*law.predicted_objective / *law.fitted_objective)), *law.predicted_objective,
-                                  *law.fitted_objective, *law.worst_predicted)});
+  warnings.push_back(
+      {"prediction",
+       fmt::format("{}: its prediction collapses: blocks it was not fitted to are missed {} times as far "
+                   "as those it was fitted to (OF {:.3g} against {:.3g}, {:.3g} at worst); it is no law for "
+                   "other amplitudes or frequencies than those it was fitted to",
+                   law.id, plain(std::round(*law.predicted_objective / *law.fitted_objective)),
+                   *law.predicted_objective, *law.fitted_objective, *law.worst_predicted)});
 }
 
 void warn_of_success(LawResult const& law, std::vector<Warning>& warnings) {
   if (!law.success_share || *law.success_share >= 0.5) return;
-  warnings.push_back({"search", fmt::format("{}: {} of the runs ended within 0.1 % of the least objective ({}); the others "
-                                            "stopped above it",
-                                            law.id, *law.success_share == 0.0 ? "none" : percent(*law.success_share),
-                                            law.success_reference)});
+  warnings.push_back(
+      {"search",
+       fmt::format("{}: {} of the runs ended within 0.1 % of the least objective ({}); the others "
+                   "stopped above it",
+                   law.id, *law.success_share == 0.0 ? "none" : percent(*law.success_share), law.success_reference)});
 }
 
 void warn_of_undetermined(LawResult const& law, std::vector<Warning>& warnings) {
@@ -166,12 +170,11 @@ void warn_of_outliers(Summary const& summary, std::vector<Warning>& warnings) {
     auto found = std::ranges::find(devices, outlier.device, &std::pair<std::string, Names>::first);
     if (found == devices.end()) found = devices.insert(devices.end(), {outlier.device, {}});
     auto const unit = outlier.unit.empty() ? std::string() : " " + outlier.unit;
-    found->second.push_back(fmt::format("{} {}{} ({:+.0f} % from the median)", outlier.property,
-                                        plain(outlier.value), unit, outlier.percent));
+    found->second.push_back(fmt::format("{} {}{} ({:+.0f} % from the median)", outlier.property, plain(outlier.value),
+                                        unit, outlier.percent));
   }
   for (auto const& [device, properties] : devices)
-    warnings.push_back(
-        {"outlier", fmt::format("{} stands apart from its lot: {}", device, enumerate(properties, 4))});
+    warnings.push_back({"outlier", fmt::format("{} stands apart from its lot: {}", device, enumerate(properties, 4))});
 }
 
 }  // namespace
@@ -193,9 +196,10 @@ void warn_of_analysis(Summary const& summary, std::vector<Warning>& warnings) {
     several_blocks = several_blocks || (device.status == "ok" && device.properties.blocks.size() > 1);
   for (auto const& law : summary.laws) predicted = predicted || law.predicted_objective.has_value();
   if (several_blocks && !predicted && !summary.laws.empty())
-    warnings.push_back({"prediction",
-                        "the records hold several blocks; whether a law fitted to one holds for the others is not asked: "
-                        "--fit-blocks with the numbers of some predicts the rest"});
+    warnings.push_back(
+        {"prediction",
+         "the records hold several blocks; whether a law fitted to one holds for the others is not asked: "
+         "--fit-blocks with the numbers of some predicts the rest"});
   warn_of_outliers(summary, warnings);
 }
 

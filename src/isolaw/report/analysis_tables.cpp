@@ -28,11 +28,18 @@ std::string identifiability_csv(Summary const& summary) {
 std::string converged_csv(Summary const& summary) {
   CsvTable table;
   table.cell("law").cell("mean least OF [-]").cell("beta, converged [-]").cell("on front, converged");
-  table.cell("beta, as published [-]").cell("on front, as published").cell("success share [-]").cell("success refers to");
+  table.cell("beta, as published [-]")
+      .cell("on front, as published")
+      .cell("success share [-]")
+      .cell("success refers to");
   table.cell("OF, device left out [-]").cell("OF, worst device left out [-]").cell("worst device left out");
   table.cell("on front, left out").cell("OF, law of the lot [-]").cell("OF, law of the lot, worst device [-]");
   table.cell("least OF of the worst device [-]").cell("no law goes below [-]").cell("left out of beta");
-  table.cell("OF, blocks fitted [-]").cell("OF, blocks predicted [-]").cell("prediction collapses").cell("note").end_row();
+  table.cell("OF, blocks fitted [-]")
+      .cell("OF, blocks predicted [-]")
+      .cell("prediction collapses")
+      .cell("note")
+      .end_row();
   for (auto const& law : summary.laws) {
     table.cell(law.id).cell(law.objective_converged).cell(law.beta_converged).yes_no(law.on_front_converged);
     table.cell(law.beta).yes_no(law.on_front).cell(law.success_share).cell(law.success_reference);

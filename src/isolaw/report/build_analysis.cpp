@@ -33,9 +33,9 @@ Reference reference_of(campaign::Contents const& contents, campaign::Search cons
     made.objective = std::min(made.objective, a->determination.objective);
   made.text = "best of this campaign";
   auto const& settings = contents.settings;
-  auto const known = fit::best_known(fit::problem_key(laws::find_law(search.law), settings.integration,
-                                                      settings.turning_points,
-                                                      contents.devices[search.device].record, search.box));
+  auto const known =
+      fit::best_known(fit::problem_key(laws::find_law(search.law), settings.integration, settings.turning_points,
+                                       contents.devices[search.device].record, search.box));
   if (!known) return made;
   made.text = "best known";
   made.objective = std::min(made.objective, known->objective);
@@ -230,9 +230,8 @@ struct Property {
 
 std::vector<Property> properties_of(Summary const& summary) {
   double const absent = std::nan("");
-  std::vector<Property> made{{"effective stiffness", "kN/mm", {}},
-                             {"dissipated energy", "kN mm", {}},
-                             {"equivalent damping", "%", {}}};
+  std::vector<Property> made{
+      {"effective stiffness", "kN/mm", {}}, {"dissipated energy", "kN mm", {}}, {"equivalent damping", "%", {}}};
   for (auto const& device : summary.devices) {
     auto const& cycle = device.properties.reported;
     made[0].values.push_back(cycle ? cycle->K_eff_kN_per_mm : absent);
@@ -294,19 +293,18 @@ void add_analysis(DeviceFit& made, campaign::Contents const& contents, campaign:
   for (std::size_t i = 0; i < determination.parameters.size(); ++i) {
     auto const& p = determination.parameters[i];
     auto const& interval = intervals.parameters[i];
-    made.parameters[p.parameter].analysis =
-        ParameterAnalysis{.optimum = determination.optimum[p.parameter],
-                          .identifiability = std::string(analysis::name(p.verdict)),
-                          .open_lower = p.lower,
-                          .open_upper = p.upper,
-                          .open_below = p.open_below,
-                          .open_above = p.open_above,
-                          .linear_lower = interval.linear_lower,
-                          .linear_upper = interval.linear_upper,
-                          .bootstrap_lower = interval.bootstrap_lower,
-                          .bootstrap_upper = interval.bootstrap_upper,
-                          .profile_value = p.profile.value,
-                          .profile_objective = p.profile.objective};
+    made.parameters[p.parameter].analysis = ParameterAnalysis{.optimum = determination.optimum[p.parameter],
+                                                              .identifiability = std::string(analysis::name(p.verdict)),
+                                                              .open_lower = p.lower,
+                                                              .open_upper = p.upper,
+                                                              .open_below = p.open_below,
+                                                              .open_above = p.open_above,
+                                                              .linear_lower = interval.linear_lower,
+                                                              .linear_upper = interval.linear_upper,
+                                                              .bootstrap_lower = interval.bootstrap_lower,
+                                                              .bootstrap_upper = interval.bootstrap_upper,
+                                                              .profile_value = p.profile.value,
+                                                              .profile_objective = p.profile.objective};
   }
 }
 

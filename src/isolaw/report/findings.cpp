@@ -279,8 +279,7 @@ std::vector<Warning> all_warnings(Summary const& summary) {
   warn_of_missing_runs(summary, warnings);
   warn_of_devices(summary, warnings);
   warn_of_copies(summary, warnings);
-  for (auto const warn :
-       {warn_of_refused_laws, warn_of_failed_runs, warn_of_failed_evaluations})
+  for (auto const warn : {warn_of_refused_laws, warn_of_failed_runs, warn_of_failed_evaluations})
     for (auto const& law : summary.laws) warn(law, warnings);
   warn_of_analysis(summary, warnings);
   for (auto const warn : {warn_of_bounds, warn_of_integration})

@@ -41,11 +41,11 @@ struct Warning {
 };
 
 struct Findings {
-  std::string headline;           // the decision in one sentence
-  std::vector<Verdict> verdicts;  // the front from accurate to robust, then dominated, then unranked laws
-  std::vector<Warning> warnings;  // most serious topic first
+  std::string headline;                // the decision in one sentence
+  std::vector<Verdict> verdicts;       // the front from accurate to robust, then dominated, then unranked laws
+  std::vector<Warning> warnings;       // most serious topic first
   std::vector<std::string> converged;  // what changes without the optimiser's noise, and what an engineer meets
-  std::string beta_note;          // why no law has a beta; "" when one has
+  std::string beta_note;               // why no law has a beta; "" when one has
 };
 
 Findings findings(Summary const& summary);

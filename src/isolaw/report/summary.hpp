@@ -25,8 +25,8 @@ struct Statistic {
 // What the test of one device determines of a parameter, about the least objective.
 struct ParameterAnalysis {
   double optimum = 0.0;
-  std::string identifiability;  // "determined", "weakly determined", "undetermined", "at its bound"
-  double open_lower = 0.0, open_upper = 0.0;  // where the objective, all others fitted again, stays within the rise
+  std::string identifiability;                  // "determined", "weakly determined", "undetermined", "at its bound"
+  double open_lower = 0.0, open_upper = 0.0;    // where the objective, all others fitted again, stays within the rise
   bool open_below = false, open_above = false;  // that range ends at the box
   double linear_lower = 0.0, linear_upper = 0.0;
   std::optional<double> bootstrap_lower, bootstrap_upper;
@@ -62,17 +62,17 @@ struct DeviceFit {
   Statistic objective;
   std::optional<double> K_eff_error_percent, energy_error_percent, damping_error_percent;
   std::optional<double> integration_shift;
-  int refinement = 1;  // integration steps per sample, of the best run
-  std::optional<double> success_share;    // of the usable runs: within 0.1 % of the least objective known
-  std::string success_reference;          // whose objective that is
-  std::optional<double> optimum;          // least objective of the analysis
-  std::optional<double> rise;             // of the objective, by which ranges of parameters are judged
-  std::vector<std::string> trade_offs;    // sentences
+  int refinement = 1;                   // integration steps per sample, of the best run
+  std::optional<double> success_share;  // of the usable runs: within 0.1 % of the least objective known
+  std::string success_reference;        // whose objective that is
+  std::optional<double> optimum;        // least objective of the analysis
+  std::optional<double> rise;           // of the objective, by which ranges of parameters are judged
+  std::vector<std::string> trade_offs;  // sentences
   std::optional<double> interval_level;
   std::size_t interval_samples = 0, interval_block = 0;
   int interval_replicates = 0;
-  std::optional<double> lot_objective;    // with the one law of the lot, of least mean objective
-  std::optional<double> worst_objective;  // with the law that is least bad for the worst device
+  std::optional<double> lot_objective;       // with the one law of the lot, of least mean objective
+  std::optional<double> worst_objective;     // with the law that is least bad for the worst device
   std::optional<double> left_out_objective;  // with the law of all other devices
   std::vector<BlockScore> blocks;
   std::vector<ParameterFit> parameters;        // in the law's order

@@ -187,12 +187,16 @@ std::string summary_json(Summary const& summary) {
   out.member("title", summary.title);
   out.key("outliers").begin_array();
   for (auto const& outlier : summary.outliers) {
-    out.begin_object().member("device", outlier.device).member("property", outlier.property).member("unit", outlier.unit);
+    out.begin_object()
+        .member("device", outlier.device)
+        .member("property", outlier.property)
+        .member("unit", outlier.unit);
     out.member("value", outlier.value).member("median", outlier.median).member("score", outlier.score);
     out.member("percent", outlier.percent).end_object();
   }
   out.end_array();
-  out.member("complete", summary.missing_runs() == 0 && summary.missing_analyses() == 0).member("missing_runs", std::uint64_t{summary.missing_runs()});
+  out.member("complete", summary.missing_runs() == 0 && summary.missing_analyses() == 0)
+      .member("missing_runs", std::uint64_t{summary.missing_runs()});
   out.member("missing_analyses", std::uint64_t{summary.missing_analyses()});
   out.end_object();
   return out.take() + "\n";

@@ -142,10 +142,11 @@ std::string converged_table(Summary const& summary, int width) {
     for (std::size_t i = 1; i < row.size(); ++i) line += padded(row[i], widths[i], true);
     text += line + '\n';
   }
-  return text + wrapped("",
-                        "found: runs that reached the least OF known; left out: OF on a device by the law of all others, "
-                        "mean and worst; open: parameters that the tests do not determine",
-                        5, width);
+  return text +
+         wrapped("",
+                 "found: runs that reached the least OF known; left out: OF on a device by the law of all others, "
+                 "mean and worst; open: parameters that the tests do not determine",
+                 5, width);
 }
 
 // Objectives on each block, means over the devices that have it.
@@ -190,7 +191,8 @@ std::string prediction_table(Summary const& summary) {
     }
     text += line + '\n';
   }
-  if (blocks.size() > most) text += fmt::format("     and {} more blocks: tables/prediction.csv\n", blocks.size() - most);
+  if (blocks.size() > most)
+    text += fmt::format("     and {} more blocks: tables/prediction.csv\n", blocks.size() - most);
   return text;
 }
 
