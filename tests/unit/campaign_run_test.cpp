@@ -407,6 +407,44 @@ TEST_F(CampaignTest, ACompleteCampaignRunsNothingAgain) {
   expect_same(Store::read(file()), expected);
 }
 
+// Finer steps ----------------------------------------------------------------------------------------------------
+
+// A dozen samples to a cycle, and a corner of the box where one step of hwang-wu's integration is far too long: a search
+// that sees such steps alone finds an objective that is owed to them.
+TEST_F(CampaignTest, AnOptimumThatLivesFromTheStepIsFittedAgainInFinerOnes) {
+  Lot coarse;
+  coarse.settings.laws = {"hwang-wu", "bilinear"};
+  coarse.settings.runs = 1;
+  coarse.settings.analysis = false;
+  for (auto const* text : {"a3=0.107", "a4=14250", "a5=0.813", "a6=2469", "a7=-184", "a8=1.63", "a9=-2.2e-6", "a10=-4.7e-10"})
+    coarse.settings.overrides.push_back(fit::parse_override(fmt::format("hwang-wu.{}", text)));
+  coarse.devices = {device_input("coarse", {write("coarse.csv", record_text(1.0, true, 12))})};
+  auto const contents = done(coarse);
+  ASSERT_EQ(contents.runs.size(), 2u);
+  auto const& exact = contents.runs[0];
+  auto const& refined = contents.runs[1];
+  EXPECT_EQ(exact.law, "bilinear");
+  EXPECT_EQ(exact.refinement, 1);
+  ASSERT_EQ(refined.law, "hwang-wu");
+  EXPECT_GE(refined.refinement, 4);
+  auto const& law = laws::find_law("hwang-wu");
+  auto const& record = contents.devices[0].record;
+  std::vector<double> work;
+  auto const objective = [&](int refinement, std::vector<double> const& parameters) {
+    return fit::LawOnRecord(law, record, laws::Integration::converged, laws::TurningPoints::as_sampled, refinement)
+        .objective(parameters, work);
+  };
+  EXPECT_EQ(refined.objective, objective(refined.refinement, refined.parameters));
+  for (int const finer : {2, 4})
+    EXPECT_NEAR(objective(finer * refined.refinement, refined.parameters), refined.objective, 1e-3 * refined.objective);
+  EXPECT_LT(refined.integration_shift, 1e-3 * refined.objective);
+  // What the coarse search ended with is worth less once it is integrated well.
+  EXPECT_LT(refined.history.back(), refined.objective);
+
+  coarse.settings.integration = laws::Integration::paper;
+  for (auto const& r : done(coarse, 1, "paper.sqlite").runs) EXPECT_EQ(r.refinement, 1) << r.law;
+}
+
 // Nothing to search, nothing to find ---------------------------------------------------------------------------
 
 TEST_F(CampaignTest, AllParametersFixedIsEvaluatedAsTheyAre) {
