@@ -245,7 +245,7 @@ class Examination {
   std::pair<Point, double> refitted(std::size_t k, double u, Point const& others) {
     Held const held(problem_, k, u);
     if (others.empty()) return {Point(), value_at({u})};
-    auto found = opt::descend(held, others, 0.2);
+    auto found = opt::descend(held, others, 0.2, true);
     made_.evaluations += found.evaluations;
     return {std::move(found.best), found.best_value};
   }

@@ -232,7 +232,7 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
       if (interrupted && interrupted()) return std::nullopt;
       num::Draws draws(stream, static_cast<std::uint32_t>(replicate), 0);
       Reweighted const resampled(problem, drawn(model.residual_weights(), made.samples, made.block, draws));
-      auto const again = opt::descend(resampled, start, 0.3);
+      auto const again = opt::descend(resampled, start, 0.3, true);
       made.evaluations += again.evaluations;
       if (!again.usable()) continue;
       ++made.replicates;

@@ -393,12 +393,12 @@ MultistartResult minimise_multistart(DeviationProblem const& problem, num::Strea
   return Search(problem, stream, options).run(interrupted);
 }
 
-DescentResult descend(DeviationProblem const& problem, std::span<double const> start, double rounding) {
+DescentResult descend(DeviationProblem const& problem, std::span<double const> start, double rounding, bool brief) {
   require_dimension(problem);
   MultistartResult counts;
   Counting counting(problem, counts);
   Descent descent(counting, start, rounding);
-  if (descent.usable()) descent.polish();
+  if (descent.usable()) brief ? descent.settle() : descent.polish();
   DescentResult result{.best = {},
                        .best_value = infinity,
                        .evaluations = counts.evaluations,

@@ -67,8 +67,10 @@ struct DescentResult {
   bool usable() const { return !best.empty(); }
 };
 
-// `rounding` is the first delta, as a share of the value at the start: small keeps the descent in its valley.
+// `rounding` is the first delta, as a share of the value at the start: small keeps the descent in its valley. `brief`: to
+// about a ten-thousandth of the value, for many descents of which none is reported by itself.
 // Throws Error for a problem without dimensions.
-DescentResult descend(DeviationProblem const& problem, std::span<double const> start, double rounding = 0.3);
+DescentResult descend(DeviationProblem const& problem, std::span<double const> start, double rounding = 0.3,
+                      bool brief = false);
 
 }  // namespace isolaw::opt
