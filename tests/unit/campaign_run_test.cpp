@@ -416,7 +416,8 @@ TEST_F(CampaignTest, AnOptimumThatLivesFromTheStepIsFittedAgainInFinerOnes) {
   coarse.settings.laws = {"hwang-wu", "bilinear"};
   coarse.settings.runs = 1;
   coarse.settings.analysis = false;
-  for (auto const* text : {"a3=0.107", "a4=14250", "a5=0.813", "a6=2469", "a7=-184", "a8=1.63", "a9=-2.2e-6", "a10=-4.7e-10"})
+  for (auto const* text :
+       {"a3=0.107", "a4=14250", "a5=0.813", "a6=2469", "a7=-184", "a8=1.63", "a9=-2.2e-6", "a10=-4.7e-10"})
     coarse.settings.overrides.push_back(fit::parse_override(fmt::format("hwang-wu.{}", text)));
   coarse.devices = {device_input("coarse", {write("coarse.csv", record_text(1.0, true, 12))})};
   auto const contents = done(coarse);

@@ -47,6 +47,25 @@ std::vector<double> median_point(std::span<std::vector<double> const> points) {
   return made;
 }
 
+// The law of all, and the optima of other devices with the least mean over all others.
+std::vector<std::vector<double>> starts_without(Joint const& problem, fit::SearchBox const& box,
+                                                std::span<double const> parameters_of_all,
+                                                std::span<std::vector<double> const> optima, std::size_t device) {
+  constexpr std::size_t most_optima = 3;
+  std::vector<std::vector<double>> starts{box.contract(parameters_of_all)};
+  opt::Points points(problem.dimension(), optima.size());
+  for (std::size_t d = 0; d < optima.size(); ++d) std::ranges::copy(box.contract(optima[d]), points[d].begin());
+  std::vector<double> values(optima.size());
+  problem.evaluate(points, values);
+  std::vector<std::size_t> order;
+  for (std::size_t d = 0; d < optima.size(); ++d)
+    if (d != device) order.push_back(d);
+  std::ranges::stable_sort(order, {}, [&](std::size_t d) { return values[d]; });
+  for (std::size_t i = 0; i < std::min(most_optima, order.size()); ++i)
+    starts.emplace_back(points[order[i]].begin(), points[order[i]].end());
+  return starts;
+}
+
 }  // namespace
 
 fit::SearchBox common_box(std::span<fit::SearchBox const* const> boxes) {
@@ -128,17 +147,24 @@ std::optional<LeastWorst> least_worst(std::span<fit::LawOnRecord const* const> m
 }
 
 std::optional<LeftOut> leave_out(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
-                                 std::span<double const> parameters_of_all, std::size_t device) {
+                                 std::span<double const> parameters_of_all, std::span<std::vector<double> const> optima,
+                                 std::size_t device) {
   LeftOut made;
   made.parameters.assign(parameters_of_all.begin(), parameters_of_all.end());
   std::vector<double> shares(models.size(), 1.0 / static_cast<double>(models.size() - 1));
   shares[device] = 0.0;
   if (box.free_count() > 0) {
     Joint const problem(models, box, shares);
-    auto const found = opt::descend(problem, box.contract(parameters_of_all), 0.3);
-    made.evaluations = found.evaluations * static_cast<int>(models.size() - 1);
-    if (!found.usable()) return std::nullopt;
-    made.parameters = expanded(box, found.best);
+    opt::DescentResult best;
+    int evaluations = 0;
+    for (auto const& start : starts_without(problem, box, parameters_of_all, optima, device)) {
+      auto found = opt::descend(problem, start, 0.3);
+      evaluations += found.evaluations;
+      if (found.best_value < best.best_value) best = std::move(found);
+    }
+    made.evaluations = (evaluations + static_cast<int>(optima.size())) * static_cast<int>(models.size() - 1);
+    if (!best.usable()) return std::nullopt;
+    made.parameters = expanded(box, best.best);
   }
   std::vector<double> work;
   made.objective = models[device]->objective(made.parameters, work);

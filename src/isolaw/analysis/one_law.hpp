@@ -37,14 +37,15 @@ struct LeastWorst {
 std::optional<LeastWorst> least_worst(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
                                       OneLaw const& mean, Interrupted const& interrupted = {});
 
-// The law of least mean of all devices but one, from that of all, judged by the one: what an engineer meets who has not
-// tested the device.
+// The law of least mean of all devices but one, judged by the one: what an engineer meets who has not tested the device.
+// Descents start from the law of all and from those of the others' own optima that suit the others best.
 struct LeftOut {
   std::vector<double> parameters;
   double objective = 0.0;  // of the device left out
   int evaluations = 0;
 };
 std::optional<LeftOut> leave_out(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
-                                 std::span<double const> parameters_of_all, std::size_t device);
+                                 std::span<double const> parameters_of_all, std::span<std::vector<double> const> optima,
+                                 std::size_t device);
 
 }  // namespace isolaw::analysis

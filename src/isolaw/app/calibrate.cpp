@@ -265,7 +265,10 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
     throw;
   }
   if (!finished) {
-    say("interrupted: {} finished runs are kept in {}\nto continue: {}\n", contents.runs.size(), shown(file), command);
+    auto const analyses =
+        contents.analyses() > 0 ? fmt::format(" and {} analyses", contents.analyses()) : std::string();
+    say("interrupted: {} finished runs{} are kept in {}\nto continue: {}\n", contents.runs.size(), analyses,
+        shown(file), command);
     return exit_with_refusals;
   }
   double const search_s = std::chrono::duration<double>(Clock::now() - start).count();

@@ -28,7 +28,9 @@ int sample(SampleArguments const& a) {
     throw Error({.where = where, .found = "the law is not in this campaign", .allowed = "one of its laws"});
   if (!law->population || !law->population->has_covariance())
     throw Error({.where = where,
-                 .found = law->population ? law->population->note : std::string("no analysis was made"),
+                 .found = law->population                    ? law->population->note
+                          : contents.device_analyses.empty() ? std::string("no analysis was made")
+                                                             : std::string("no parameter of the law is free"),
                  .allowed = "a law that was analysed on two devices or more",
                  .advice = "isolaw calibrate ... --analysis full"});
   auto const& population = *law->population;
@@ -53,7 +55,9 @@ int sample(SampleArguments const& a) {
     for (auto const& p : parameters) {
       auto const source = p.tied_to.empty() ? p.name : p.tied_to;
       auto const at = place(source);
-      text += fmt::format(",{}", at < population.names.size() ? drawn.values[i][at] : *p.value.best);
+      text += fmt::format(",{}", at < population.names.size()                ? drawn.values[i][at]
+                                 : law->reduced && source == entry.redundant ? entry.redundant_value
+                                                                             : *p.value.best);
     }
     text += '\n';
   }

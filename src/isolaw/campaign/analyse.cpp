@@ -154,7 +154,8 @@ class Analysis {
       LeftOutAnalysis found{.device = lot->devices[place], .law = std::string(lot->law), .left_out = {}};
       found.left_out.objective = std::nan("");
       auto const& of_all = lot_analysis_of(lot->law)->mean.parameters;
-      auto left_out = of_all.empty() ? std::nullopt : analysis::leave_out(lot->pointers(), lot->box, of_all, place);
+      auto left_out =
+          of_all.empty() ? std::nullopt : analysis::leave_out(lot->pointers(), lot->box, of_all, lot->optima, place);
       if (left_out) found.left_out = std::move(*left_out);
       return std::optional(std::move(found));
     });

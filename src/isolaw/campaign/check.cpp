@@ -18,6 +18,12 @@
 namespace isolaw::campaign {
 namespace {
 
+// An objective near zero, of a record a law made itself, is rounding.
+constexpr double smallest_objective = 1e-3;
+bool ends_at(double a, double b) {
+  return std::abs(a - b) <= fit::evaluation_tolerance * std::max({std::abs(a), std::abs(b), smallest_objective});
+}
+
 bool close(double a, double b) {
   return a == b || (std::isnan(a) && std::isnan(b)) ||
          std::abs(a - b) <= fit::evaluation_tolerance * std::max(std::abs(a), std::abs(b));
@@ -63,7 +69,7 @@ class RunChecker {
     check_course(search, run);
     if (!std::ranges::is_sorted(run.history, std::ranges::greater())) complain(run, "its history rises");
     if (!run.usable()) return;
-    if (run.history.empty() || (run.refinement == 1 && !close(run.history.back(), run.objective)))
+    if (run.history.empty() || (run.refinement == 1 && !ends_at(run.history.back(), run.objective)))
       complain(run, "its history ends elsewhere");
     for (std::size_t i = 0; i < run.parameters.size(); ++i) {
       auto const& p = search.box.parameters[i];
@@ -115,8 +121,7 @@ class RunChecker {
   void check_objective(Search const& search, Run const& run) {
     auto const model = law_on_device(contents_, search.device, search.law, run.refinement);
     double const again = model.objective(run.parameters, work_);
-    // An objective near zero, of a record a law made itself, is rounding.
-    constexpr double smallest = 1e-3;
+    constexpr double smallest = smallest_objective;
     double const difference =
         again == run.objective ? 0.0 : std::abs(again - run.objective) / std::max(run.objective, smallest);
     result_.largest_difference = std::max(result_.largest_difference, difference);
@@ -181,7 +186,7 @@ class AnalysisChecker {
  private:
   void hold(std::string const& where, std::size_t device, std::string const& law, int refinement,
             std::vector<double> const& parameters, double stored) {
-    constexpr double smallest = 1e-3;
+    constexpr double smallest = smallest_objective;
     double const again = law_on_device(contents_, device, law, refinement).objective(parameters, work_);
     double const difference = again == stored ? 0.0 : std::abs(again - stored) / std::max(stored, smallest);
     result_.largest_difference = std::max(result_.largest_difference, difference);

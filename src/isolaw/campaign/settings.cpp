@@ -121,9 +121,9 @@ bool parse_analysis(std::string_view text) {
 }
 
 int checked_replicates(int replicates) {
-  constexpr int most = 100'000;
-  if (replicates < 0 || replicates > most || replicates == 1)
-    refuse("replicates", fmt::to_string(replicates), fmt::format("0 for no bootstrap, or 2 to {}", most));
+  constexpr int fewest = 40, most = 100'000;  // a quantile of 2.5 % is that of one replicate in forty
+  if (replicates != 0 && (replicates < fewest || replicates > most))
+    refuse("replicates", fmt::to_string(replicates), fmt::format("0 for no bootstrap, or {} to {}", fewest, most));
   return replicates;
 }
 

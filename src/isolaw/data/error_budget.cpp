@@ -102,7 +102,7 @@ class Assessment {
     auto const [least, largest] = std::ranges::minmax(counted, {}, by_amplitude);
     if (largest->amplitude_mm < 1.1 * least->amplitude_mm) return;
     say(true, fmt::format("cycles of several amplitudes, {:.4g} to {:.4g} mm: the reported stiffness, energy and "
-                          "damping, and the laws' errors in them, are those of {} at {:.4g} mm",
+                          "damping are those of {} at {:.4g} mm",
                           least->amplitude_mm, largest->amplitude_mm, where(), cycle().amplitude_mm));
   }
 

@@ -41,12 +41,13 @@ Names on(Summary const& summary, bool LawResult::*front) {
 std::string changed_beta(LawResult const& law) {
   if (!law.beta || !law.beta_converged) return {};
   double const change = *law.beta_converged - *law.beta;
-  if (std::abs(change) <= 0.1 * std::max(*law.beta, *law.beta_converged)) return {};
+  constexpr double nothing = 1e-4;
+  if (std::abs(change) <= std::max(0.1 * std::max(*law.beta, *law.beta_converged), nothing)) return {};
   Names reasons;
   if (law.reduced) reasons.push_back("it is taken of the reduced form, in which nothing is redundant");
   if (!law.left_out_of_beta.empty())
-    reasons.push_back(
-        fmt::format("{} left out, which most tests do not determine", enumerate(law.left_out_of_beta, 4)));
+    reasons.push_back(fmt::format("{} left out, which most tests do not determine or the box decides",
+                                  enumerate(law.left_out_of_beta, 4)));
   if (law.success_share && *law.success_share < 0.99)
     reasons.push_back(fmt::format("{} of the runs found the least objective",
                                   *law.success_share == 0.0 ? "none" : "only " + percent(*law.success_share)));
@@ -92,10 +93,17 @@ void say_what_is_predicted(Summary const& summary, Names& sentences) {
   Names collapsed;
   for (auto const& law : summary.laws) {
     if (!law.predicted_objective) continue;
-    if (law.prediction_collapses) collapsed.push_back(law.id);
+    if (law.prediction_collapses) {
+      collapsed.push_back(law.id);
+      continue;
+    }
     if (best == nullptr || *law.predicted_objective < *best->predicted_objective) best = &law;
   }
-  if (best == nullptr) return;
+  if (best == nullptr) {
+    if (!collapsed.empty())
+      sentences.push_back(fmt::format("No law fitted to some blocks predicts the others: {}.", enumerate(collapsed)));
+    return;
+  }
   auto text = fmt::format(
       "Of the laws fitted to some blocks, {} predicts the others best (OF {:.3g} against {:.3g} where it "
       "was fitted)",
@@ -107,16 +115,16 @@ void say_what_is_predicted(Summary const& summary, Names& sentences) {
 void say_what_is_determined(Summary const& summary, Names& sentences) {
   Names parts;
   for (auto const& law : summary.laws) {
-    int free = 0, blind = 0;
+    int free = 0, determined = 0, weakly = 0;
     for (auto const& fit : law.devices)
       for (auto const& p : fit.parameters) {
         if (!p.analysis) continue;
         ++free;
-        blind += p.analysis->identifiability == "undetermined" ? 1 : 0;
+        determined += p.analysis->identifiability == "determined" ? 1 : 0;
+        weakly += p.analysis->identifiability == "weakly determined" ? 1 : 0;
       }
-    if (free > 0)
-      parts.push_back(
-          fmt::format("{} {}", law.id, percent(1.0 - static_cast<double>(blind) / static_cast<double>(free))));
+    auto const share = [&](int count) { return percent(static_cast<double>(count) / static_cast<double>(free)); };
+    if (free > 0) parts.push_back(fmt::format("{} {} (and {} weakly)", law.id, share(determined), share(weakly)));
   }
   if (!parts.empty())
     sentences.push_back(fmt::format("Share of the parameters that the tests determine: {}.", fmt::join(parts, ", ")));
@@ -136,10 +144,8 @@ void warn_of_collapse(LawResult const& law, std::vector<Warning>& warnings) {
 void warn_of_success(LawResult const& law, std::vector<Warning>& warnings) {
   if (!law.success_share || *law.success_share >= 0.5) return;
   warnings.push_back(
-      {"search",
-       fmt::format("{}: {} of the runs ended within 0.1 % of the least objective ({}); the others "
-                   "stopped above it",
-                   law.id, *law.success_share == 0.0 ? "none" : percent(*law.success_share), law.success_reference)});
+      {"search", fmt::format("{}: {} of the runs ended within 0.1 % of the least objective ({})", law.id,
+                             *law.success_share == 0.0 ? "none" : percent(*law.success_share), law.success_reference)});
 }
 
 void warn_of_undetermined(LawResult const& law, std::vector<Warning>& warnings) {
@@ -181,6 +187,7 @@ void warn_of_outliers(Summary const& summary, std::vector<Warning>& warnings) {
 
 std::vector<std::string> converged_sentences(Summary const& summary) {
   Names sentences;
+  if (summary.missing_runs() > 0 || summary.missing_analyses() > 0) return sentences;
   say_what_changed(summary, sentences);
   say_what_an_engineer_meets(summary, sentences);
   say_what_is_predicted(summary, sentences);

@@ -34,7 +34,9 @@ std::string converged_csv(Summary const& summary) {
       .cell("success refers to");
   table.cell("OF, device left out [-]").cell("OF, worst device left out [-]").cell("worst device left out");
   table.cell("on front, left out").cell("OF, law of the lot [-]").cell("OF, law of the lot, worst device [-]");
-  table.cell("least OF of the worst device [-]").cell("no law goes below [-]").cell("left out of beta");
+  table.cell("least OF of the worst device [-]")
+      .cell("least possible where descents are global [-]")
+      .cell("left out of beta");
   table.cell("OF, blocks fitted [-]")
       .cell("OF, blocks predicted [-]")
       .cell("prediction collapses")

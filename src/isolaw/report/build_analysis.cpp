@@ -25,6 +25,7 @@ constexpr double none = std::numeric_limits<double>::infinity();
 struct Reference {
   double objective = none;
   std::string text;
+  bool only_run = true;  // nothing but the campaign's own runs
 };
 Reference reference_of(campaign::Contents const& contents, campaign::Search const& search) {
   Reference made;
@@ -38,6 +39,7 @@ Reference reference_of(campaign::Contents const& contents, campaign::Search cons
                                        contents.devices[search.device].record, search.box));
   if (!known) return made;
   made.text = "best known";
+  made.only_run = false;
   made.objective = std::min(made.objective, known->objective);
   return made;
 }
@@ -50,7 +52,8 @@ void add_success(DeviceFit& made, campaign::Contents const& contents, campaign::
     ++usable;
     found += run.objective <= reference.objective * (1.0 + found_within) + 1e-9 ? 1 : 0;
   }
-  if (usable == 0) return;
+  // One run that is compared with itself alone has found nothing.
+  if (usable == 0 || (usable == 1 && reference.only_run)) return;
   made.success_share = static_cast<double>(found) / usable;
   made.success_reference = reference.text;
 }
@@ -111,7 +114,8 @@ Examined examined(LawResult const& law, laws::LawEntry const& entry) {
     for (std::size_t d = 0; d < fits.size(); ++d) {
       values.push_back(all[d][i]);
       auto const& a = fits[d]->parameters[i].analysis;
-      undetermined.push_back(!in_reduction && a && a->identifiability == "undetermined");
+      auto const verdict = a ? std::string_view(a->identifiability) : std::string_view();
+      undetermined.push_back(verdict == "at its bound" || (verdict == "undetermined" && !in_reduction));
     }
   }
   return made;
@@ -144,7 +148,7 @@ void add_converged_beta(LawResult& law, laws::LawEntry const& entry) {
   }
   law.objective_converged = sum / static_cast<double>(count);
   if (names.empty() && !found.names.empty()) {
-    law.beta_converged_note = "the tests determine no parameter";
+    law.beta_converged_note = "the tests determine no parameter inside its box";
     return;
   }
   auto const robustness = lot::robustness_index(names, values);
@@ -158,23 +162,77 @@ std::vector<fit::SearchParameter> parameters_of_search(campaign::Contents const&
   return {};
 }
 
-void add_population(LawResult& law, campaign::Contents const& contents) {
+// How uncertain the estimates of one device are, [parameter][parameter] over the free ones: by linearisation; where the test
+// does not determine a parameter that lies at its bound, as uncertain as the box is wide; never less than rounding.
+lot::SquareMatrix uncertainty(DeviceFit const& fit, campaign::DeviceAnalysis const& analysis) {
+  constexpr double rounding = 1e-6;
+  auto const& intervals = analysis.intervals;
+  auto const n = intervals.parameters.size();
+  lot::SquareMatrix made(n, std::vector<double>(n, 0.0));
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) made[i][j] = intervals.covariance[i * n + j];
+    auto const& p = fit.parameters[intervals.parameters[i].parameter];
+    double const width = p.upper - p.lower;
+    if (made[i][i] == 0.0 && p.analysis->identifiability == "undetermined") made[i][i] = width * width / 12.0;
+    made[i][i] += std::pow(rounding * std::max(std::abs(p.analysis->optimum), 1e-3 * width), 2);
+  }
+  return made;
+}
+
+// The estimate in the form without the redundant parameter, and what the free ones' covariance becomes, to first order.
+lot::DeviceEstimate reduced(laws::LawEntry const& entry, std::vector<double> const& values,
+                            std::vector<std::size_t> const& free, lot::SquareMatrix const& covariance,
+                            std::vector<std::size_t> const& kept) {
+  auto const form = [&](std::vector<double> parameters) {
+    entry.reduce(parameters);
+    return parameters;
+  };
+  auto const here = form(values);
+  std::vector<std::vector<double>> slopes;  // [free][kept]
+  for (auto const k : free) {
+    constexpr double step = 1e-6;
+    double const size = values[k] != 0.0 ? step * std::abs(values[k]) : step;
+    auto moved = values;
+    moved[k] += size;
+    auto const there = form(moved);
+    auto& row = slopes.emplace_back();
+    for (auto const i : kept) row.push_back((there[i] - here[i]) / size);
+  }
+  lot::DeviceEstimate made;
+  for (auto const i : kept) made.values.push_back(here[i]);
+  made.covariance.assign(kept.size(), std::vector<double>(kept.size(), 0.0));
+  for (std::size_t a = 0; a < free.size(); ++a)
+    for (std::size_t b = 0; b < free.size(); ++b)
+      for (std::size_t i = 0; i < kept.size(); ++i)
+        for (std::size_t j = 0; j < kept.size(); ++j)
+          made.covariance[i][j] += slopes[a][i] * covariance[a][b] * slopes[b][j];
+  return made;
+}
+
+void add_population(LawResult& law, laws::LawEntry const& entry, campaign::Contents const& contents) {
   std::vector<std::string> names;
   std::vector<lot::DeviceEstimate> estimates;
   for (auto const& fit : law.devices) {
     if (!fit.optimum) continue;
     auto const device = std::ranges::find(contents.devices, fit.device, &campaign::Device::name);
     auto const* a = contents.analysis_of(static_cast<std::size_t>(device - contents.devices.begin()), law.id);
-    auto const n = a->intervals.parameters.size();
-    lot::DeviceEstimate estimate;
-    estimate.covariance.assign(n, std::vector<double>(n, 0.0));
-    if (names.empty())
-      for (auto const& p : fit.parameters)
-        if (p.free) names.push_back(p.name);
-    for (std::size_t i = 0; i < n; ++i) {
-      estimate.values.push_back(a->determination.optimum[a->intervals.parameters[i].parameter]);
-      for (std::size_t j = 0; j < n; ++j) estimate.covariance[i][j] = a->intervals.covariance[i * n + j];
+    std::vector<std::size_t> free, kept;
+    for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
+      if (!fit.parameters[i].free) continue;
+      free.push_back(i);
+      if (!law.reduced || fit.parameters[i].name != entry.redundant) kept.push_back(i);
     }
+    auto const& values = a->determination.optimum;
+    auto covariance = uncertainty(fit, *a);
+    lot::DeviceEstimate estimate;
+    if (law.reduced) {
+      estimate = reduced(entry, values, free, covariance, kept);
+    } else {
+      for (auto const i : free) estimate.values.push_back(values[i]);
+      estimate.covariance = std::move(covariance);
+    }
+    if (names.empty())
+      for (auto const i : kept) names.push_back(fit.parameters[i].name);
     estimates.push_back(std::move(estimate));
   }
   if (estimates.empty() || names.empty()) return;
@@ -208,7 +266,8 @@ void add_prediction(LawResult& law) {
   law.predicted_objective = predicted / static_cast<double>(devices);
   law.worst_predicted = worst;
   law.prediction_collapses =
-      !(worst <= collapsed_objective) || !(*law.predicted_objective <= collapsed_ratio * *law.fitted_objective);
+      !(worst <= collapsed_objective) || (*law.predicted_objective >= collapsed_least &&
+                                          *law.predicted_objective > collapsed_ratio * *law.fitted_objective);
 }
 
 void mark(Summary& summary, std::optional<double> LawResult::*robust, std::optional<double> LawResult::*accurate,
@@ -332,7 +391,7 @@ void add_lot_analysis(LawResult& law, campaign::Contents const& contents) {
       if (p.free && p.name == entry.redundant)
         law.reduced_form = fmt::format("--set {}.{}={}", law.id, entry.redundant, entry.redundant_value);
   add_converged_beta(law, entry);
-  add_population(law, contents);
+  add_population(law, entry, contents);
 
   auto const fit_of = [&](std::size_t device) {
     return std::ranges::find(law.devices, contents.devices[device].name, &DeviceFit::device);
@@ -372,6 +431,8 @@ void add_lot_analysis(LawResult& law, campaign::Contents const& contents) {
 }
 
 void add_converged_views(Summary& summary) {
+  if (summary.missing_runs() > 0 || summary.missing_analyses() > 0)
+    return;  // laws would be compared on different devices
   mark(summary, &LawResult::beta_converged, &LawResult::objective_converged, &LawResult::on_front_converged);
   mark(summary, &LawResult::loo_objective, &LawResult::objective_converged, &LawResult::on_front_loo);
   add_outliers(summary);

@@ -132,7 +132,7 @@ std::string converged_table(Summary const& summary, int width) {
                     fixed(law.loo_objective, 4), fixed(law.loo_worst, 4),
                     free > 0 ? fmt::format("{:.0f} %", 100.0 * open / free) : "–"});
   }
-  if (rows.size() == 1) return {};
+  if (rows.size() == 1 || summary.missing_runs() > 0 || summary.missing_analyses() > 0) return {};
   std::array<int, 8> widths{};
   for (auto const& row : rows)
     for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], columns(row[i]) + 2);
@@ -142,11 +142,11 @@ std::string converged_table(Summary const& summary, int width) {
     for (std::size_t i = 1; i < row.size(); ++i) line += padded(row[i], widths[i], true);
     text += line + '\n';
   }
-  return text +
-         wrapped("",
-                 "found: runs that reached the least OF known; left out: OF on a device by the law of all others, "
-                 "mean and worst; open: parameters that the tests do not determine",
-                 5, width);
+  return text + wrapped("",
+                        "found: runs that reached the least OF known, of a named record or of this campaign; left out: "
+                        "OF on a device by the law of all others, "
+                        "mean and worst; open: parameters that the tests do not determine",
+                        5, width);
 }
 
 // Objectives on each block, means over the devices that have it.

@@ -2089,7 +2089,7 @@ function lotLawsCaption() {
     .filter((law) => isNumber(law.loo_objective))
     .sort((a, b) => a.loo_objective - b.loo_objective)[0];
   return (
-    'OF of each device\u2019s own law, of the one law with the least mean over the lot, and of the law of all other devices on the one left out. Least worst: the law that is least bad for its worst device; no law gets below the bound.' +
+    'OF of each device\u2019s own law, of the one law with the least mean over the lot, and of the law of all other devices on the one left out. Least worst: the law that is least bad for its worst device; where the descents are global, no law gets below the bound.' +
     (best
       ? ' For a device that was not tested, ' +
         best.id +
