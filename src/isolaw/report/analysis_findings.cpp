@@ -37,23 +37,33 @@ Names on(Summary const& summary, bool LawResult::*front) {
   return names;
 }
 
-// Why a law's beta is another without the optimiser's noise; "" where it is not by more than a tenth.
+// How a law's beta changes without the optimiser's noise; "" where it does not by more than a tenth.
 std::string changed_beta(LawResult const& law) {
   if (!law.beta || !law.beta_converged) return {};
-  double const change = *law.beta_converged - *law.beta;
   constexpr double nothing = 1e-4;
+  double const change = *law.beta_converged - *law.beta;
   if (std::abs(change) <= std::max(0.1 * std::max(*law.beta, *law.beta_converged), nothing)) return {};
   Names reasons;
-  if (law.reduced) reasons.push_back("it is taken of the reduced form, in which nothing is redundant");
-  if (!law.left_out_of_beta.empty())
-    reasons.push_back(fmt::format("{} left out, which most tests do not determine or the box decides",
-                                  enumerate(law.left_out_of_beta, 4)));
-  if (law.success_share && *law.success_share < 0.99)
-    reasons.push_back(fmt::format("{} of the runs found the least objective",
-                                  *law.success_share == 0.0 ? "none" : "only " + percent(*law.success_share)));
-  if (reasons.empty()) reasons.push_back("the runs' means hide where the least objective is");
-  return fmt::format("{}: {} instead of {}, {}", law.id, percent(*law.beta_converged), percent(*law.beta),
-                     fmt::join(reasons, "; "));
+  if (law.reduced) reasons.emplace_back("in its reduced form");
+  if (!law.left_out_of_beta.empty()) reasons.push_back("without " + enumerate(law.left_out_of_beta, 4));
+  auto const why = reasons.empty() ? std::string() : fmt::format(" ({})", fmt::join(reasons, ", "));
+  return fmt::format("{} {} instead of {}{}", law.id, percent(*law.beta_converged), percent(*law.beta), why);
+}
+
+// Why it changes: of all laws at once.
+std::string reasons_of_change(Summary const& summary) {
+  bool missed = false, left_out = false, reduced = false;
+  for (auto const& law : summary.laws) {
+    if (changed_beta(law).empty()) continue;
+    missed = missed || (law.success_share && *law.success_share < 0.99);
+    left_out = left_out || !law.left_out_of_beta.empty();
+    reduced = reduced || law.reduced;
+  }
+  Names reasons;
+  if (missed) reasons.emplace_back("the runs' means are not where the least objectives are");
+  if (left_out) reasons.emplace_back("what most tests do not determine or the box decides is left out");
+  if (reduced) reasons.emplace_back("a redundant parameter scatters for nothing");
+  return enumerate(reasons);
 }
 
 void say_what_changed(Summary const& summary, Names& sentences) {
@@ -69,7 +79,10 @@ void say_what_changed(Summary const& summary, Names& sentences) {
   Names changes;
   for (auto const& law : summary.laws)
     if (auto text = changed_beta(law); !text.empty()) changes.push_back(std::move(text));
-  if (!changes.empty()) sentences.push_back(fmt::format("Beta changes for {}.", fmt::join(changes, "; for ")));
+  if (changes.empty()) return;
+  auto const reasons = reasons_of_change(summary);
+  sentences.push_back(
+      fmt::format("Beta changes{}: {}.", reasons.empty() ? "" : ", since " + reasons, fmt::join(changes, ", ")));
 }
 
 void say_what_an_engineer_meets(Summary const& summary, Names& sentences) {
@@ -141,11 +154,19 @@ void warn_of_collapse(LawResult const& law, std::vector<Warning>& warnings) {
                    *law.predicted_objective, *law.fitted_objective, *law.worst_predicted)});
 }
 
-void warn_of_success(LawResult const& law, std::vector<Warning>& warnings) {
-  if (!law.success_share || *law.success_share >= 0.5) return;
-  warnings.push_back(
-      {"search", fmt::format("{}: {} of the runs ended within 0.1 % of the least objective ({})", law.id,
-                             *law.success_share == 0.0 ? "none" : percent(*law.success_share), law.success_reference)});
+void warn_of_success(Summary const& summary, std::vector<Warning>& warnings) {
+  std::vector<std::pair<std::string, Names>> missed;  // by what is said of them
+  for (auto const& law : summary.laws) {
+    if (!law.success_share || *law.success_share >= 0.5) continue;
+    auto const text =
+        fmt::format("{} of the runs ended within 0.1 % of the least objective ({})",
+                    *law.success_share == 0.0 ? "none" : percent(*law.success_share), law.success_reference);
+    auto found = std::ranges::find(missed, text, &std::pair<std::string, Names>::first);
+    if (found == missed.end()) found = missed.insert(missed.end(), {text, {}});
+    found->second.push_back(law.id);
+  }
+  for (auto const& [text, laws] : missed)
+    warnings.push_back({"search", fmt::format("{}: {}", enumerate(laws, 20), text)});
 }
 
 void warn_of_undetermined(LawResult const& law, std::vector<Warning>& warnings) {
@@ -196,8 +217,9 @@ std::vector<std::string> converged_sentences(Summary const& summary) {
 }
 
 void warn_of_analysis(Summary const& summary, std::vector<Warning>& warnings) {
-  for (auto const warn : {warn_of_collapse, warn_of_success, warn_of_undetermined})
-    for (auto const& law : summary.laws) warn(law, warnings);
+  for (auto const& law : summary.laws) warn_of_collapse(law, warnings);
+  warn_of_success(summary, warnings);
+  for (auto const& law : summary.laws) warn_of_undetermined(law, warnings);
   bool several_blocks = false, predicted = false;
   for (auto const& device : summary.devices)
     several_blocks = several_blocks || (device.status == "ok" && device.properties.blocks.size() > 1);
