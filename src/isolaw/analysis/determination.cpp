@@ -15,7 +15,7 @@ namespace {
 using Eigen::Index;
 using Point = std::vector<double>;
 
-struct Given_up {};
+struct GivenUp {};
 
 Point without(Point point, std::size_t coordinate) {
   point.erase(point.begin() + static_cast<std::ptrdiff_t>(coordinate));
@@ -192,7 +192,7 @@ class Examination {
   // False when a lower objective turned up.
   bool profile_all(bool may_restart) {
     for (std::size_t k = 0; k < free_.size(); ++k) {
-      if (interrupted_ && interrupted_()) throw Given_up();
+      if (interrupted_ && interrupted_()) throw GivenUp();
       auto const [reach, follow] = first_order(k);
       auto const below = profile_side(k, -1.0, reach, follow, may_restart);
       if (lower_found_) return lower_found_ = false;
@@ -328,7 +328,7 @@ std::optional<Determination> determine(fit::LawOnRecord const& model, fit::Searc
                                        std::span<double const> optimum, Interrupted const& interrupted) {
   try {
     return Examination(model, box, box.contract(optimum), interrupted).run();
-  } catch (Given_up const&) {
+  } catch (GivenUp const&) {
     return std::nullopt;
   }
 }

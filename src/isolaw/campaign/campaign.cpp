@@ -108,48 +108,41 @@ struct Found {
   std::vector<double> history;
 };
 
-Found found_by(opt::GeneticResult result) {
-  Found found{.outcome = {},
-              .best = std::move(result.best),
-              .evaluations = result.evaluations,
-              .failed_evaluations = result.failed_evaluations,
-              .history = std::move(result.history)};
-  switch (result.outcome) {
+std::optional<Outcome> outcome_of(opt::GeneticOutcome outcome) {
+  switch (outcome) {
     case opt::GeneticOutcome::all_generations:
-      found.outcome = Outcome::all_generations;
-      break;
+      return Outcome::all_generations;
     case opt::GeneticOutcome::stagnated:
-      found.outcome = Outcome::stagnated;
-      break;
+      return Outcome::stagnated;
     case opt::GeneticOutcome::no_finite_value:
-      found.outcome = Outcome::no_finite_value;
-      break;
+      return Outcome::no_finite_value;
     case opt::GeneticOutcome::interrupted:
       break;
   }
-  return found;
+  return std::nullopt;
 }
 
-Found found_by(opt::MultistartResult result) {
-  Found found{.outcome = {},
-              .best = std::move(result.best),
-              .evaluations = result.evaluations,
-              .failed_evaluations = result.failed_evaluations,
-              .history = std::move(result.history)};
-  switch (result.outcome) {
+std::optional<Outcome> outcome_of(opt::MultistartOutcome outcome) {
+  switch (outcome) {
     case opt::MultistartOutcome::confirmed:
-      found.outcome = Outcome::confirmed;
-      break;
+      return Outcome::confirmed;
     case opt::MultistartOutcome::budget_spent:
-      found.outcome = Outcome::budget_spent;
-      break;
+      return Outcome::budget_spent;
     case opt::MultistartOutcome::no_finite_value:
-      found.outcome = Outcome::no_finite_value;
-      break;
+      return Outcome::no_finite_value;
     case opt::MultistartOutcome::interrupted:
       break;
   }
-  return found;
+  return std::nullopt;
+}
+
+template <class Result>
+Found found_by(Result result) {
+  return {.outcome = outcome_of(result.outcome),
+          .best = std::move(result.best),
+          .evaluations = result.evaluations,
+          .failed_evaluations = result.failed_evaluations,
+          .history = std::move(result.history)};
 }
 
 // Nothing is searched when every parameter is fixed: the one point is the answer.

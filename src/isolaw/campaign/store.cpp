@@ -820,6 +820,13 @@ void write_analysis(sqlite3* db, LeftOutAnalysis const& analysis) {
   row.bind(analysis.device).bind(analysis.law).bind(analysis_json(analysis)).insert();
 }
 
+template <class Analysis>
+void add_analysis(sqlite3* db, Analysis const& analysis) {
+  Transaction transaction(db);
+  write_analysis(db, analysis);
+  transaction.commit();
+}
+
 // The rows of a table, each as one text that tells values and their kinds apart.
 std::vector<std::string> rows_of(sqlite3* db, std::string const& columns_and_table) {
   std::vector<std::string> found;
@@ -838,19 +845,13 @@ void Store::add(Run const& run) {
 }
 
 void Store::add(DeviceAnalysis const& analysis) {
-  Transaction transaction(db_.get());
-  write_analysis(db_.get(), analysis);
-  transaction.commit();
+  add_analysis(db_.get(), analysis);
 }
 void Store::add(LotAnalysis const& analysis) {
-  Transaction transaction(db_.get());
-  write_analysis(db_.get(), analysis);
-  transaction.commit();
+  add_analysis(db_.get(), analysis);
 }
 void Store::add(LeftOutAnalysis const& analysis) {
-  Transaction transaction(db_.get());
-  write_analysis(db_.get(), analysis);
-  transaction.commit();
+  add_analysis(db_.get(), analysis);
 }
 
 std::vector<std::string> Store::foreign_rows(std::filesystem::path const& file, Contents const& contents) {
