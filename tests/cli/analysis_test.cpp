@@ -251,27 +251,6 @@ TEST_F(Analysis, what_is_not_complete_gives_no_front) {
   EXPECT_EQ(read("O/summary.json"), read("P/summary.json"));
 }
 
-// Parameters that no test determines and that lie at their bound on every device have no scatter to draw from.
-TEST_F(Analysis, what_is_not_determined_is_no_population) {
-  ASSERT_EQ(isolaw(campaign("O")).code, 0);
-  auto const law = json("O/summary.json")["laws"][1];
-  auto const& parameters = law["devices"][0]["parameters"];
-  auto const& population = law["population"];
-  std::size_t idle = 0;
-  for (std::size_t i = 0; i < population["parameters"].size(); ++i) {
-    auto const name = population["parameters"][i].get<std::string>();
-    bool undetermined = true;
-    for (auto const& fit : law["devices"])
-      undetermined = undetermined && fit["parameters"][name]["identifiability"] == "undetermined";
-    if (!undetermined) continue;
-    ++idle;
-    double const width = parameters[name]["upper"].get<double>() - parameters[name]["lower"].get<double>();
-    double const variance = population["covariance"][i][i];
-    EXPECT_LT(variance, 1e-6 * width * width) << name;
-  }
-  EXPECT_GT(idle, 0u);
-}
-
 TEST_F(Analysis, tied_parameters_share_a_value) {
   auto const o = isolaw(campaign("O", {"--set", "vaiana.Kb-=Kb+"}));
   ASSERT_EQ(o.code, 0) << o;
