@@ -207,6 +207,33 @@ TEST_F(Analysis, devices_are_drawn_from_the_lots_population) {
   expect_refused(isolaw({"sample", "O", "--law", "bilinear", "--count", "0"}), {"--count", "1 to 10000000"});
 }
 
+// Where beta1 of vaiana is zero beta2 does not act, and ends anywhere in its box: a lot's population has no scatter of it.
+TEST_F(Analysis, of_a_parameter_that_does_not_act_gives_it_no_scatter) {
+  ASSERT_EQ(isolaw({"example", "ex"}).code, 0);
+  auto const o = isolaw({"calibrate", "ex/lot.toml", "--laws", "vaiana", "--runs", "1", "--analysis", "full",
+                         "--replicates", "0", "--out", "O"});
+  ASSERT_EQ(o.code, 0) << o;
+  auto const law = json("O/summary.json")["laws"][0];
+  auto const& population = law["population"];
+  int without_effect = 0, with_scatter = 0;
+  for (std::size_t n = 0; n < population["parameters"].size(); ++n) {
+    auto const name = population["parameters"][n].get<std::string>();
+    bool undetermined = true;
+    for (auto const& device : law["devices"]) {
+      auto const& identified = device["parameters"][name]["identifiability"];
+      undetermined = undetermined && (identified.is_object() ? identified["verdict"] : identified) == "undetermined";
+    }
+    double const std = std::sqrt(population["covariance"][n][n].get<double>());
+    without_effect += undetermined ? 1 : 0;
+    with_scatter += std > 1e-3 ? 1 : 0;
+    if (undetermined) {
+      EXPECT_LT(std, 1e-9) << name;
+    }
+  }
+  EXPECT_GE(without_effect, 2);
+  EXPECT_GE(with_scatter, 4);
+}
+
 // A record that a law made itself: objectives are rounding, and neither the check nor a prediction makes much of that.
 TEST_F(Analysis, of_a_record_that_a_law_made_itself) {
   std::string text = "time [s],disp [mm],force [kN]\n";

@@ -153,6 +153,26 @@ TEST(Population, KeepsADirectionBesideOneThatIsNotDetermined) {
   EXPECT_EQ(found.directions, 1u);
 }
 
+// Ten devices whose second estimate is noise that happens to go with the first: known for noise, it keeps nothing.
+TEST(Population, HoldsWhatDoesNotActAtItsMedian) {
+  SquareMatrix const error{{0.01, 0.0}, {0.0, 9.0}};
+  auto const devices = with(ellipse(1.5, 0.75), error);
+  std::vector<std::size_t> const second{1};
+  auto const taken = estimate_population(two, devices), held = estimate_population(two, devices, second);
+  EXPECT_GT(taken.covariance[1][1], 0.1);
+  EXPECT_NEAR(held.covariance[0][0], held.estimates[0][0] - error[0][0], 1e-12);
+  EXPECT_NEAR(held.covariance[1][1], 0.0, 1e-12);
+  EXPECT_NEAR(held.covariance[0][1], 0.0, 1e-12);
+  EXPECT_EQ(held.directions, 1u);
+}
+
+// Neither of two parameters is determined, their sum is: both act.
+TEST(Population, KeepsWhatTwoUndeterminedParametersShare) {
+  std::vector<std::size_t> const both{0, 1};
+  auto const found = estimate_population(two, with(ellipse(3, 0.5), about_the_diagonal(0.01, 1e9)), both);
+  expect_near(found.covariance, about_the_diagonal(8.0 - 0.01, 0.0), 1e-6);
+}
+
 TEST(Population, TakesErrorsToLogarithms) {
   SquareMatrix const error{{0.04, -0.06}, {-0.06, 0.36}};  // of (2, -6): 0.1 and 0.1, fully correlated
   auto const found = estimate_population(two, with({{2, -6}, {2, -6}}, error));

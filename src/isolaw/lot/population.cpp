@@ -160,6 +160,25 @@ Matrix between_devices(Matrix const& S, Matrix const& C, Population& population)
   return scale.asDiagonal() * sigma * scale.asDiagonal();
 }
 
+// The variance that each error would have if all other parameters were known, 1 / (C^-1)_ii; near zero where C is singular.
+Vector alone(Matrix const& C) {
+  Vector const scale = or_one(C.diagonal().cwiseMax(0.0).cwiseSqrt());
+  Symmetric const parts(scale.cwiseInverse().asDiagonal() * C * scale.cwiseInverse().asDiagonal());
+  Vector const inverse = parts.eigenvalues().cwiseMax(rounding).cwiseInverse();
+  return (parts.eigenvectors().cwiseAbs2() * inverse).cwiseInverse().cwiseProduct(scale.cwiseAbs2());
+}
+
+// Takes those of `undetermined` out of S that do not act.
+void silence(Matrix& S, Matrix const& C, std::span<std::size_t const> undetermined) {
+  Vector const error = alone(C);
+  for (auto const parameter : undetermined) {
+    auto const i = static_cast<Index>(parameter);
+    if (S(i, i) > error[i]) continue;
+    S.row(i).setZero();
+    S.col(i).setZero();
+  }
+}
+
 Matrix correlation_of(Matrix const& sigma) {
   Vector const spread = sigma.diagonal().cwiseSqrt();
   Matrix made = Matrix::Identity(sigma.rows(), sigma.cols());
@@ -240,7 +259,8 @@ Transform transform_for(std::span<double const> values) {
   return one_sign ? Transform::logarithm : Transform::identity;
 }
 
-Population estimate_population(std::vector<std::string> const& names, std::span<DeviceEstimate const> devices) {
+Population estimate_population(std::vector<std::string> const& names, std::span<DeviceEstimate const> devices,
+                               std::span<std::size_t const> undetermined) {
   check(names, devices);
   Population population;
   population.names = names;
@@ -279,6 +299,7 @@ Population estimate_population(std::vector<std::string> const& names, std::span<
                  "errors below 1e150 times the value", "fixing a parameter that the test does not determine"});
   population.estimates = plain(S);
   population.uncertainty = plain(C);
+  silence(S, C, undetermined);
   describe(between_devices(S, C, population), population);
   return population;
 }

@@ -76,8 +76,12 @@ struct Population {
 // names[n] and devices[d]; transforms from transform_for on the devices' values. One device has a mean and no
 // covariance, none has neither; `note` says so. Throws Error, with all complaints, for vectors and matrices of another
 // size than names, values that are not finite or whose squares are not, and negative variances of an estimate.
+// `undetermined`: parameters that no device's test determines. One whose estimates scatter no more than its error would if
+// all others were known does not act and is taken out of S first: in a lot of a dozen devices its chance correlations with
+// those that do differ would give it a scatter back. Ke and A of a law that knows only their product stay.
 // Cost: n^3 + devices n^2.
-Population estimate_population(std::vector<std::string> const& names, std::span<DeviceEstimate const> devices);
+Population estimate_population(std::vector<std::string> const& names, std::span<DeviceEstimate const> devices,
+                               std::span<std::size_t const> undetermined = {});
 
 // Physical limits of a parameter, in its units; a value at a limit is inside.
 struct Limits {

@@ -163,7 +163,7 @@ std::vector<fit::SearchParameter> parameters_of_search(campaign::Contents const&
 }
 
 // How uncertain the estimates of one device are, [parameter][parameter] over the free ones: by linearisation; where the test
-// does not determine a parameter that lies at its bound, as uncertain as the box is wide; never less than rounding.
+// does not determine a parameter that lies at its bound, no value in the box scatters more; never less than rounding.
 lot::SquareMatrix uncertainty(DeviceFit const& fit, campaign::DeviceAnalysis const& analysis) {
   constexpr double rounding = 1e-6;
   auto const& intervals = analysis.intervals;
@@ -173,7 +173,7 @@ lot::SquareMatrix uncertainty(DeviceFit const& fit, campaign::DeviceAnalysis con
     for (std::size_t j = 0; j < n; ++j) made[i][j] = intervals.covariance[i * n + j];
     auto const& p = fit.parameters[intervals.parameters[i].parameter];
     double const width = p.upper - p.lower;
-    if (made[i][i] == 0.0 && p.analysis->identifiability == "undetermined") made[i][i] = width * width / 12.0;
+    if (made[i][i] == 0.0 && p.analysis->identifiability == "undetermined") made[i][i] = width * width / 4.0;
     made[i][i] += std::pow(rounding * std::max(std::abs(p.analysis->optimum), 1e-3 * width), 2);
   }
   return made;
@@ -209,6 +209,18 @@ lot::DeviceEstimate reduced(laws::LawEntry const& entry, std::vector<double> con
   return made;
 }
 
+// Of `names`, those that the test of no device determines; their places.
+std::vector<std::size_t> undetermined_everywhere(LawResult const& law, std::vector<std::string> const& names) {
+  std::vector<std::size_t> found;
+  for (std::size_t n = 0; n < names.size(); ++n)
+    if (std::ranges::all_of(law.devices, [&](DeviceFit const& fit) {
+          auto const p = std::ranges::find(fit.parameters, names[n], &ParameterFit::name);
+          return !p->analysis || p->analysis->identifiability == "undetermined";
+        }))
+      found.push_back(n);
+  return found;
+}
+
 void add_population(LawResult& law, laws::LawEntry const& entry, campaign::Contents const& contents) {
   std::vector<std::string> names;
   std::vector<lot::DeviceEstimate> estimates;
@@ -237,7 +249,7 @@ void add_population(LawResult& law, laws::LawEntry const& entry, campaign::Conte
   }
   if (estimates.empty() || names.empty()) return;
   try {
-    law.population = lot::estimate_population(names, estimates);
+    law.population = lot::estimate_population(names, estimates, undetermined_everywhere(law, names));
   } catch (Error const& error) {
     lot::Population empty;
     empty.note = error.what();
