@@ -1,0 +1,92 @@
+// Tables of cycles
+
+const isReported = (device, block, cycle) =>
+  device.reported !== null &&
+  block.number === device.reported.block &&
+  cycle.counts &&
+  cycle.number === device.reported.number;
+
+function cycleTableCaption() {
+  const device = devices[chosen.tested];
+  if (device.blocks.length === 0) return 'No cycles: ' + noCycles(device);
+  return (
+    device.name +
+    ', from raw values. In bold the reported cycle: the third of the block of largest amplitude, or its last; grey: not counted.' +
+    onScreen(' K+ and K\u2212: force over displacement per side. The CSV holds more columns.')
+  );
+}
+
+function cycleTable() {
+  const device = devices[chosen.tested];
+  const all = device.blocks.flatMap((block) => block.cycles.map((cycle) => ({ block, cycle })));
+  if (all.length === 0) return element('p', { class: 'empty' }, 'No cycles: ' + noCycles(device));
+  const shown = CYCLE_COLUMNS.filter(
+    (column) => !column.csvOnly && all.some(({ cycle }) => isNumber(cycle[column.key])),
+  );
+  const columns = [
+    { title: 'Block', pinned: true, name: true },
+    { title: 'Cycle', number: true },
+    ...shown.map((column) => ({ title: column.title, unit: column.unit, number: true, screen: column.screen })),
+  ];
+  const rows = all.map(({ block, cycle }, i) => {
+    const first = i === 0 || all[i - 1].block !== block;
+    return {
+      className:
+        [first ? 'group' : '', isReported(device, block, cycle) ? 'strong' : '', cycle.counts ? '' : 'uncounted']
+          .filter(Boolean)
+          .join(' ') || null,
+      cells: [
+        element(
+          'span',
+          {},
+          first ? blockText(block).replace(/^block /, '') : '',
+          cycle.counts ? null : element('small', {}, 'not counted: ' + cycle.reason),
+        ),
+        cycle.counts ? String(cycle.number) : DASH,
+        ...shown.map((column) => column.text(cycle[column.key])),
+      ],
+    };
+  });
+  return table(columns, rows, 'Properties of every cycle of the chosen device');
+}
+
+function cycleData(among) {
+  return {
+    columns: [
+      'device',
+      'block',
+      'waveform',
+      'frequency [Hz]',
+      'cycle',
+      'counts',
+      'reason',
+      'reported',
+      'first sample',
+      'last sample',
+      ...CYCLE_COLUMNS.map(
+        (column) => column.key.replace(/_(mm|kN|s|percent|kN_per_mm|kN_mm|mm_s|MPa)$/, '') + ' [' + column.unit + ']',
+      ),
+      ...FOLLOWED.map((property) => property.name + ' / cycle 3'),
+    ],
+    rows: among.flatMap((device) =>
+      device.blocks.flatMap((block) =>
+        block.cycles.map((cycle) => [
+          device.name,
+          block.number,
+          block.waveform,
+          block.frequency_Hz,
+          cycle.counts ? cycle.number : null,
+          cycle.counts ? 'yes' : 'no',
+          cycle.reason,
+          isReported(device, block, cycle) ? 'yes' : 'no',
+          cycle.first,
+          cycle.last,
+          ...CYCLE_COLUMNS.map((column) => cycle[column.key]),
+          ...FOLLOWED.map((property) =>
+            cycle.counts ? block.stability?.[property.name]?.ratio_to_third?.[counted(block).indexOf(cycle)] : null,
+          ),
+        ]),
+      ),
+    ),
+  };
+}
