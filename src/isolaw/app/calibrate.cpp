@@ -22,6 +22,7 @@
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/file.hpp"
+#include "isolaw/base/shell.hpp"
 #include "isolaw/campaign/campaign.hpp"
 #include "isolaw/campaign/check.hpp"
 #include "isolaw/campaign/store.hpp"
@@ -199,25 +200,6 @@ void warn_of_idle_overrides(campaign::Settings const& settings) {
   for (auto const& change : settings.overrides)
     if (std::ranges::find(settings.laws, change.law) == settings.laws.end())
       say("--set {}: has no effect, {} is not among the laws of this campaign\n", change.text(), change.law);
-}
-
-std::string shell_quoted(std::vector<std::string> const& words) {
-  std::string line;
-  for (auto const& word : words) {
-    bool const simple =
-        !word.empty() &&
-        word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@%") ==
-            std::string::npos;
-    line += (line.empty() ? "" : " ");
-    if (simple) {
-      line += word;
-      continue;
-    }
-    line += '\'';
-    for (char const c : word) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    line += '\'';
-  }
-  return line;
 }
 
 }  // namespace

@@ -232,15 +232,15 @@ Points latin_hypercube(std::size_t dimension, std::size_t count, num::Draws& dra
 }
 
 // A point in the surroundings of another: some coordinates moved by a normally distributed length, of a size between two
-// powers of ten, or one drawn anew.
+// powers of ten, or two drawn anew.
 std::vector<double> disturbed(std::vector<double> x, double least_power, double most_power, num::Draws& draws) {
   double const size = std::pow(10.0, least_power + (most_power - least_power) * draws.uniform());
   for (double& coordinate : x)
     if (draws.uniform() < 0.5) coordinate = std::clamp(coordinate + size * draws.normal(), 0.0, 1.0);
   return x;
 }
-std::vector<double> with_one_drawn_anew(std::vector<double> x, num::Draws& draws) {
-  x[draws.below(x.size())] = draws.uniform();
+std::vector<double> with_two_drawn_anew(std::vector<double> x, num::Draws& draws) {
+  for (int i = 0; i < 2; ++i) x[draws.below(x.size())] = draws.uniform();
   return x;
 }
 
@@ -260,11 +260,11 @@ class Search {
         scattered_.push_back(descend(points[i]));
       }
       if (!result_.usable()) return ended(MultistartOutcome::no_finite_value);
-      for (int hop = 1; hop <= options_.hops && !enough(); ++hop) {
+      int const hops = is_wide() ? options_.scattered : options_.hops;
+      for (int hop = 1; hop <= hops && !enough(); ++hop) {
         if (interrupted && interrupted()) return ended(MultistartOutcome::interrupted);
         num::Draws wind(stream_, round, static_cast<std::uint32_t>(hop));
-        descend(wind.uniform() < 0.5 ? with_one_drawn_anew(result_.best, wind)
-                                     : disturbed(result_.best, -1.5, -0.3, wind));
+        descend(hop % 2 != 0 ? with_two_drawn_anew(result_.best, wind) : disturbed(result_.best, -1.5, -0.3, wind));
       }
     }
     refine(interrupted);
@@ -287,8 +287,12 @@ class Search {
   std::ptrdiff_t starts_for(std::ptrdiff_t hits, double near) const {
     std::ptrdiff_t const least = options_.least_starts, starts = options_.starts;
     if (4 * count(scattered_, near) >= 3 * std::ssize(scattered_)) return least;
+    if (is_wide()) return 4 * starts;
     return hits >= many_hits ? std::max(least, 3 * starts / 5) : 2 * starts;
   }
+
+  // In so many dimensions hops find a better valley at a quarter of a scattered start's cost, and both seldom.
+  bool is_wide() const { return counting_.dimension() > 14; }
 
   void keep(Descent const& descent) {
     if (descent.value() >= result_.best_value) return;
@@ -337,7 +341,7 @@ class Search {
     return result_;
   }
 
-  static constexpr std::ptrdiff_t many_hits = 10;
+  static constexpr std::ptrdiff_t many_hits = 12;
   static constexpr double promising = 1.5;            // times the best: worth settling
   static constexpr double absolute_tolerance = 1e-9;  // where the best is zero
 

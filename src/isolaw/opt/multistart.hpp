@@ -5,7 +5,8 @@
 // absolute value rounded off at its corner; delta falls from the size of the residuals, where the sum behaves as a sum of
 // squares, to a hundredth of it. The Jacobian comes from differences, all of it in one batch, and every iteration tries
 // several steps at once. The search ends when enough descents have ended at the best value: soon where nearly all of the
-// scattered ones do, after more of them where there are other valleys, and the later the fewer have.
+// scattered ones do, after more of them where there are other valleys, and the later the fewer have. In more than fourteen
+// dimensions as many hops as scattered starts are made, and twice as many descents.
 //
 // Points are not screened by their value before a descent: in the laws' boxes the low ones lie in the wrong valleys.
 #pragma once
@@ -25,7 +26,7 @@ namespace isolaw::opt {
 
 struct MultistartOptions {
   int least_starts = 16;           // descents, where three quarters of the scattered ones end at the best value
-  int starts = 40;                 // elsewhere three fifths of these where ten ended there, else twice as many
+  int starts = 40;                 // elsewhere three fifths of these where a dozen ended there, else twice as many
   int hits = 3;                    // descents that must have ended at the best value
   double hit_tolerance = 5e-4;     // relative
   int most_evaluations = 200'000;  // no round begins after these

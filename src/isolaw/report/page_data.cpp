@@ -5,6 +5,7 @@
 
 #include "isolaw/analysis/determination.hpp"
 #include "isolaw/report/build_analysis.hpp"
+#include "isolaw/report/command.hpp"
 #include "isolaw/report/findings.hpp"
 #include "isolaw/report/json.hpp"
 #include "isolaw/report/properties_json.hpp"
@@ -15,6 +16,7 @@ namespace {
 constexpr int digits = 9;
 constexpr int profile_digits = 6;
 constexpr double curve_levels = 20000.0;
+constexpr std::size_t convergence_points = 120;
 
 void write(JsonWriter& out, Statistic const& statistic) {
   out.begin_object();
@@ -183,6 +185,44 @@ void write_analysis(JsonWriter& out, DeviceFit const& fit) {
   out.end_array();
 }
 
+// How the runs came down: smallest, median and largest over the runs of the decimal logarithm of the best objective so far,
+// after each generation or start; a run that ended earlier keeps its last.
+void write_convergence(JsonWriter& out, DeviceFit const& fit) {
+  std::vector<std::vector<double>> runs;
+  std::size_t steps = 0;
+  for (auto const& history : fit.histories) {
+    if (history.empty() || !(history.back() > 0.0)) continue;
+    runs.push_back(history);
+    steps = std::max(steps, history.size());
+  }
+  out.key("convergence");
+  if (runs.empty() || steps < 2) {
+    out.null();
+    return;
+  }
+  std::vector<double> lowest, median, highest;
+  for (std::size_t i = 0; i < steps; ++i) {
+    std::vector<double> values;
+    for (auto const& run : runs) values.push_back(std::log10(run[std::min(i, run.size() - 1)]));
+    std::ranges::sort(values);
+    auto const n = values.size();
+    lowest.push_back(values.front());
+    median.push_back(0.5 * (values[(n - 1) / 2] + values[n / 2]));
+    highest.push_back(values.back());
+  }
+  auto const drawn = drawn_samples(steps, convergence_points);
+  out.begin_object().member("steps", std::uint64_t{steps});
+  out.member("stride", std::uint64_t{drawn.size() > 1 ? drawn[1] - drawn[0] : 1});
+  out.member("runs", std::uint64_t{runs.size()});
+  out.key("lowest");
+  write_curve(out, lowest, drawn);
+  out.key("median");
+  write_curve(out, median, drawn);
+  out.key("highest");
+  write_curve(out, highest, drawn);
+  out.end_object();
+}
+
 void write_fit(JsonWriter& out, DeviceFit const& fit, int device, std::vector<std::size_t> const& drawn) {
   out.begin_object();
   out.member("device", device).member("status", fit_status(fit));
@@ -199,6 +239,7 @@ void write_fit(JsonWriter& out, DeviceFit const& fit, int device, std::vector<st
   for (auto const& parameter : fit.parameters) write_parameter(out, parameter);
   out.end_array();
   write_analysis(out, fit);
+  write_convergence(out, fit);
   out.key("force_kN");
   bool const has_curve = !drawn.empty() && drawn.back() < fit.force_kN.size();
   if (has_curve) {
@@ -353,6 +394,7 @@ std::string page_data_json(Summary const& summary) {
   out.member("isolaw", summary.version).member("title", summary.title);
   out.member("seed", std::to_string(summary.seed));  // as text: 64 bits do not fit a JavaScript number
   out.member("runs", std::uint64_t{summary.runs}).member("missing_runs", std::uint64_t{summary.missing_runs()});
+  out.member("missing_analyses", std::uint64_t{summary.missing_analyses()}).member("command", command_again(summary));
   out.key("settings").begin_object();
   for (auto const& setting : summary.settings) out.key(setting.key).json(setting.json);
   out.end_object();

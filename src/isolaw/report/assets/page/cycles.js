@@ -64,7 +64,6 @@ section({ id: 'properties', title: 'Properties', controls: propertyControls }, [
   },
 ]);
 
-
 const CYCLES_HEIGHT = 470,
   NARROW = 620;
 

@@ -125,7 +125,6 @@ section({ id: 'decision', title: 'The decision', laws: true }, [
   },
 ]);
 
-
 // A law's name; where its prediction collapses, that stands beside it wherever it is recommended.
 function collapseBadge() {
   return element(

@@ -34,7 +34,6 @@ section({ id: 'determination', title: 'What the tests determine', laws: true }, 
   },
 ]);
 
-
 const PROFILE_HEIGHT = 400;
 
 // Word and shape say the same; the colour only repeats them.

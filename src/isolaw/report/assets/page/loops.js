@@ -26,20 +26,78 @@ section({ id: 'loops', title: 'Loops', controls: loopControls, laws: true }, [
     draw: drawHistory,
   },
   {
-    id: 'loop-overview',
+    id: 'fits',
     title: 'All laws on this device',
-    depends: ['device'],
+    depends: ['device', 'order'],
+    wanted: () => chosen.device !== null,
+    caption: () =>
+      'Best run of each law on ' +
+      devices[chosen.device].name +
+      ': its objective, and its effective stiffness, dissipated energy and damping against the record.' +
+      onScreen(' The heads of the columns sort; the loops below follow.'),
+    csv: fitData,
+    build: fitTable,
+  },
+  {
+    id: 'loop-overview',
+    title: '',
+    depends: ['device', 'order'],
     wanted: () => chosen.device !== null,
     caption: () =>
       'The best fit of each law (coloured) over the measured loop of ' +
       devices[chosen.device].name +
-      ' (grey), in one scale, the smallest objective first.',
+      ' (grey), in one scale, ' +
+      ORDERS.find((order) => order.key === chosen.order).first +
+      ' first.' +
+      cutOff(laws),
     csv: () => loopData(laws),
     height: (width) => overviewGrid(fitsOn(devices[chosen.device], laws).length, width).height,
     draw: drawOverview,
   },
+  {
+    id: 'cleaning',
+    title: 'Displacement over time, as recorded and as the laws saw it',
+    depends: ['device'],
+    wanted: () => drawable.some((device) => device.raw?.samples > 0),
+    caption: cleaningCaption,
+    csv: cleaningData,
+    height: () => 300,
+    draw: drawCleaning,
+  },
 ]);
 
+// What the laws on a device can be sorted by; `of` is smaller the better.
+const ORDERS = [
+  { key: 'objective', title: 'best OF', unit: '-', first: 'the smallest objective', of: (fit) => fit.objective.best },
+  {
+    key: 'K_eff_error_percent',
+    title: 'stiffness error',
+    unit: '%',
+    first: 'the smallest error of stiffness',
+    of: (fit) => absolute(fit.K_eff_error_percent),
+  },
+  {
+    key: 'energy_error_percent',
+    title: 'energy error',
+    unit: '%',
+    first: 'the smallest error of energy',
+    of: (fit) => absolute(fit.energy_error_percent),
+  },
+  {
+    key: 'damping_error_percent',
+    title: 'damping error',
+    unit: '%',
+    first: 'the smallest error of damping',
+    of: (fit) => absolute(fit.damping_error_percent),
+  },
+];
+const absolute = (value) => (isNumber(value) ? Math.abs(value) : null);
+
+// Laws on the chosen device in the chosen order, what has no value last.
+function inOrder(fits) {
+  const { of } = ORDERS.find((order) => order.key === chosen.order);
+  return [...fits].sort((a, b) => (of(a.fit) ?? Infinity) - (of(b.fit) ?? Infinity));
+}
 
 // What follows a choice made elsewhere: controls that show the same choice.
 const followers = [];
@@ -109,6 +167,41 @@ function parted(values, inside) {
   };
 }
 
+// The scale of the forces is that of the record, with half of it to spare: a law that runs away is cut off.
+function forceRange(measured, computed) {
+  const low = Math.min(...measured),
+    high = Math.max(...measured),
+    spare = 0.5 * (high - low || 1);
+  const all = computed.flatMap((force) => [Math.min(...force), Math.max(...force)]).concat(low, high);
+  return paddedRange(
+    all.map((force) => Math.min(Math.max(force, low - spare), high + spare)),
+    0.06,
+  );
+}
+
+const chosenForces = () => fitsOn(devices[chosen.device], chosenLaws()).map(({ force }) => force);
+
+function residualAxis(measured, fits) {
+  const most = 0.75 * (Math.max(...measured) - Math.min(...measured) || 1);
+  const away = fits.some(({ force }) => force.some((f, i) => Math.abs(measured[i] - f) > most));
+  return away ? { range: [-most, most] } : {};
+}
+
+// Laws whose force leaves the scale, and how far they go.
+function cutOff(among) {
+  const device = devices[chosen.device],
+    { F } = record(device);
+  const fits = fitsOn(device, among),
+    [low, high] = forceRange(
+      F,
+      fits.map(({ force }) => force),
+    );
+  const away = fits.filter(({ force }) => force.some((f) => f < low || f > high));
+  if (away.length === 0) return '';
+  const largest = ({ law, force }) => law.id + ' to ' + significant(Math.max(...force.map(Math.abs)), 2) + THIN + 'kN';
+  return ' Off the scale: ' + enumerate(away.map(largest)) + '.';
+}
+
 function loopData(among = chosenLaws()) {
   const device = devices[chosen.device],
     measured = record(device),
@@ -166,6 +259,7 @@ function loopCaption() {
       )
       .join('') +
     partly +
+    cutOff(chosenLaws()) +
     thinned
   );
 }
@@ -286,8 +380,8 @@ function drawHistory(look) {
       hovermode: 'x unified',
       shapes: (device.scored ?? []).map(([x0, x1]) => scoredShape(look, x0, x1)),
       xaxis: { title: device.record.has_time ? 'time [s]' : 'sample', anchor: 'y2' },
-      yaxis: { title: 'force [kN]', domain: [0.38, 1] },
-      yaxis2: { title: 'residual [kN]', domain: [0, 0.3] },
+      yaxis: { title: 'force [kN]', domain: [0.38, 1], range: forceRange(measured.F, chosenForces()) },
+      yaxis2: { title: 'residual [kN]', domain: [0, 0.3], ...residualAxis(measured.F, fits) },
     },
   };
 }
@@ -314,15 +408,13 @@ function overviewGrid(panels, width) {
 function drawOverview(look, width) {
   const device = devices[chosen.device],
     measured = record(device);
-  const fits = fitsOn(device, laws).sort(
-    (a, b) => (a.fit.objective.best ?? Infinity) - (b.fit.objective.best ?? Infinity),
-  );
+  const fits = inOrder(fitsOn(device, laws));
   const { columns, wide, panel, heading, between, height } = overviewGrid(fits.length, width);
   const plotHeight = height - OVERVIEW_MARGIN.t - OVERVIEW_MARGIN.b;
-  const forces = [measured.F, ...fits.map(({ force }) => force)];
-  const low = Math.min(...forces.map((f) => Math.min(...f))),
-    high = Math.max(...forces.map((f) => Math.max(...f))),
-    margin = 0.06 * (high - low || 1);
+  const [low, high] = forceRange(
+    measured.F,
+    fits.map(({ force }) => force),
+  );
   const layout = { margin: OVERVIEW_MARGIN, annotations: [] };
   const traces = [];
   fits.forEach(({ law, fit, force }, i) => {
@@ -348,7 +440,7 @@ function drawOverview(look, width) {
       domain: [top - h, top],
       anchor: 'x' + suffix,
       nticks: 5,
-      range: [low - margin, high + margin],
+      range: [low, high],
       title: column === 0 ? 'kN' : '',
       matches: i > 0 ? 'y' : undefined,
       showticklabels: column === 0,
@@ -383,4 +475,122 @@ function drawOverview(look, width) {
     });
   });
   return { traces, layout };
+}
+
+function sortHead(order) {
+  const current = order.key === chosen.order;
+  const button = element(
+    'button',
+    { type: 'button', class: 'sort', id: 'sort-' + order.key },
+    order.title + (current ? '\u202f\u25b4' : ''),
+  );
+  button.addEventListener('click', () => {
+    choose({ order: order.key });
+    document.getElementById('sort-' + order.key)?.focus(); // the table was built anew
+  });
+  return { title: button, unit: order.unit, number: true, sorted: current };
+}
+
+function fitTable() {
+  const device = devices[chosen.device];
+  const fits = inOrder(
+    laws.map((law) => ({ law, fit: law.fitOn.get(device.index) })).filter(({ fit }) => fit),
+  );
+  const remarks = fits.some(({ fit }) => fit.message);
+  const columns = [
+    { title: 'Law', pinned: true, tight: true },
+    ...ORDERS.map(sortHead),
+    { title: 'mean OF \u00b1 std', unit: 'over the runs', number: true },
+    { title: 'runs', number: true },
+    { title: 'parameter sets', unit: 'tried', number: true, screen: true },
+    ...(remarks ? [{ title: 'Remark' }] : []),
+  ];
+  const rows = fits.map(({ law, fit }) => ({
+    cells: [
+      lawName(law),
+      fixed(fit.objective.best, 4),
+      signed(fit.K_eff_error_percent, 1),
+      signed(fit.energy_error_percent, 1),
+      signed(fit.damping_error_percent, 1),
+      objectiveText(fit.objective),
+      String(fit.runs) + (fit.failed_runs > 0 ? ', ' + fit.failed_runs + ' failed' : ''),
+      significant(fit.evaluations, 3),
+      ...(remarks ? [element('td', { class: 'note text' }, fit.message)] : []),
+    ],
+  }));
+  return table(columns, rows, 'All laws on the chosen device');
+}
+
+function fitData() {
+  return {
+    columns: [
+      'law', 'device', 'best OF [-]', 'mean OF [-]', 'std OF [-]', 'K_eff error [%]', 'energy error [%]', 'damping error [%]',
+      'runs', 'failed runs', 'evaluations', 'message',
+    ],
+    rows: laws.flatMap((law) =>
+      law.devices.map((fit) => [
+        law.id, devices[fit.device].name, fit.objective.best, fit.objective.mean, fit.objective.std,
+        fit.K_eff_error_percent, fit.energy_error_percent, fit.damping_error_percent,
+        fit.runs, fit.failed_runs, fit.evaluations, fit.message,
+      ]),
+    ),
+  };
+}
+
+// --- the record before and after cleaning
+
+function cleaningCaption() {
+  const device = devices[chosen.device];
+  return (
+    device.name + ': ' + device.raw.samples + ' samples as recorded, ' + device.record.samples + ' as the laws saw them. ' +
+    (device.cleaning.length > 0 ? sentence(device.cleaning.join('; ')) + '.' : 'Nothing was changed.')
+  );
+}
+
+function cleaningData() {
+  const device = devices[chosen.device],
+    axis = rawTime(device),
+    measured = record(device),
+    raw = curve(device.raw.disp_mm);
+  return {
+    columns: ['series', axis.timed ? 'time [s]' : 'sample', 'displacement [mm]'],
+    rows: [
+      ...raw.map((x, k) => ['as recorded', axis.of(rawIndex(device.raw, k)), x]),
+      ...measured.x.map((x, k) => ['as the laws saw it', axis.fromRecord(measured.t[k]), x]),
+    ],
+  };
+}
+
+function drawCleaning(look) {
+  const device = devices[chosen.device],
+    axis = rawTime(device),
+    measured = record(device),
+    raw = curve(device.raw.disp_mm);
+  const hover = axis.timed ? '%{x:.3f} s, %{y:.2f} mm' : 'sample %{x}, %{y:.2f} mm';
+  return {
+    traces: [
+      {
+        name: 'as recorded',
+        mode: 'lines',
+        x: raw.map((_, k) => axis.of(rawIndex(device.raw, k))),
+        y: raw,
+        line: { color: look.colour('measured'), width: 3 },
+        opacity: 0.7,
+        hovertemplate: hover + '<extra>as recorded</extra>',
+      },
+      {
+        name: 'as the laws saw it',
+        mode: 'lines',
+        x: measured.t.map((t) => axis.fromRecord(t)),
+        y: measured.x,
+        line: { color: look.colour('accent'), width: 1.2 },
+        hovertemplate: hover + '<extra>as the laws saw it</extra>',
+      },
+    ],
+    layout: {
+      showlegend: true,
+      xaxis: { title: axis.title, zeroline: false },
+      yaxis: { title: 'displacement [mm]' },
+    },
+  };
 }

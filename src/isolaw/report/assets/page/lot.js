@@ -79,7 +79,6 @@ section({ id: 'devices', title: 'Lot and devices' }, [
   },
 ]);
 
-
 const sampleText = ({ value, limit, verdict, reason }) =>
   [count(value, 'device') + ' tested', limit, verdict].filter(Boolean).join(', ') + (reason ? ': ' + reason : '');
 

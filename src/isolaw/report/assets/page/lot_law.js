@@ -54,7 +54,6 @@ section({ id: 'one-law', title: 'One law for the lot', laws: true }, [
   },
 ]);
 
-
 const ofLot = () => laws[chosen.lotLaw];
 const fitsInLot = (law) => law.devices.filter((fit) => isNumber(fit.lot_objective));
 

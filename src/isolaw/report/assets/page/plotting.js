@@ -77,6 +77,17 @@ function paddedRange(values, share) {
   return [low - margin, high + margin];
 }
 
+// Ticks of a logarithmic axis at 1, 2 and 5 times powers of ten; at the powers alone where these are many.
+function decadeTicks(values) {
+  const some = values.filter((value) => isNumber(value) && value > 0);
+  if (some.length === 0) return {};
+  const [low, high] = [Math.min(...some), Math.max(...some)].map(Math.log10);
+  const steps = high - low > 2.5 ? [1] : [1, 2, 5];
+  const tickvals = [];
+  for (let power = Math.floor(low); power <= Math.ceil(high); ++power) tickvals.push(...steps.map((step) => step * 10 ** power));
+  return { tickmode: 'array', tickvals, ticktext: tickvals.map((value) => significant(value, 1)) };
+}
+
 // Where each label of a scatter goes: the first side where it meets no point, no label placed before, and not the
 // stair that joins `stair`, the indices of points from left to right. Ranges as drawn, width and height in pixels.
 function labelPlaces(points, stair, xRange, yRange, width, height) {

@@ -11,7 +11,6 @@ section({ id: 'prediction', title: 'Prediction across the record', laws: true },
   },
 ]);
 
-
 // A column per block, and apart for a block that is fitted on some devices and predicted on others.
 function scoredBlocks() {
   const found = new Map();

@@ -24,6 +24,16 @@ section({ id: 'provenance', title: 'How it was made' }, [
     build: filesTable,
   },
   {
+    id: 'command',
+    title: 'The command that makes it again',
+    wanted: () => report.command !== '',
+    caption: () =>
+      report.command.includes(' LOT.toml ')
+        ? 'LOT.toml: the lot file that names these devices and says how their files are read. The name of a device is part of its seed.'
+        : 'The files as they were named, and every setting. Where columns or units were given, give them again.',
+    build: commandLine,
+  },
+  {
     id: 'steps',
     title: 'What was recognised and done to the records',
     long: true,
@@ -38,9 +48,8 @@ section({ id: 'provenance', title: 'How it was made' }, [
   },
 ]);
 
-
 function settingRows() {
-  const text = (value) => (typeof value === 'string' ? value : JSON.stringify(value));
+  const text = (value) => (Array.isArray(value) ? value.join(', ') || 'none' : String(value));
   if (inspection) return [['isolaw', report.isolaw]]; // nothing was searched, and properties are of raw values
   return [
     ['isolaw', report.isolaw],
@@ -55,6 +64,20 @@ function settingsList() {
     { class: 'settings' },
     ...settingRows().flatMap(([key, value]) => [element('dt', {}, key), element('dd', {}, value)]),
   );
+}
+
+function commandLine() {
+  const code = element('code', { class: 'command', tabindex: '0' }, report.command);
+  const button = element('button', { type: 'button', class: 'action screen' }, 'Copy');
+  button.addEventListener('click', () => {
+    getSelection().selectAllChildren(code);
+    // Without a secure context the selection remains, for Ctrl-C.
+    navigator.clipboard?.writeText(report.command).then(
+      () => (button.textContent = 'Copied'),
+      () => {},
+    );
+  });
+  return element('div', { class: 'command-line' }, code, button);
 }
 
 function filesTable() {

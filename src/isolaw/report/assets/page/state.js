@@ -74,5 +74,7 @@ const chosen = {
   examined: examinedLaws[0]?.index ?? null, // a law
   parameter: 0, // its place among the law's
   lotLaw: lotLaws[0]?.index ?? null,
+  law: ranking[0]?.index ?? null, // of the parameters
+  order: 'objective', // of the laws on a device
 };
 chosen.parameter = firstExamined(laws[chosen.examined]);

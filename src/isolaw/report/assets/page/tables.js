@@ -16,7 +16,7 @@ function table(columns, rows, label) {
   const head = columns.map((column) =>
     element(
       'th',
-      { scope: 'col', class: align(column), title: column.full ?? null },
+      { scope: 'col', class: align(column), title: column.full ?? null, 'aria-sort': column.sorted ? 'ascending' : null },
       column.title,
       column.unit ? element('small', {}, column.unit) : null,
     ),

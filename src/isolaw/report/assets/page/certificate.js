@@ -1,0 +1,334 @@
+// The certificate: what a laboratory signs, on one or two pages of its own
+
+section({ id: 'certificate', title: 'Certificate', controls: certificateControls }, [
+  {
+    id: 'certificate-head',
+    title: '',
+    build: certificateHead,
+  },
+  {
+    id: 'certificate-devices',
+    title: 'Devices',
+    long: true,
+    caption: certificateCaption,
+    csv: certificateData,
+    build: certificateTable,
+  },
+  {
+    id: 'certificate-bounds',
+    title: 'Lower and upper bound values',
+    wanted: () => boundRows().length > 0,
+    caption: boundsCaption,
+    csv: () => ({
+      columns: ['property', 'unit', 'design value', 'mean of the lot', 'lower bound', 'upper bound', 'from'],
+      rows: boundRows().map((b) => [b.property, b.unit, b.nominal, b.mean, b.lower, b.upper, b.from]),
+    }),
+    build: boundsTable,
+  },
+  {
+    id: 'certificate-signature',
+    title: '',
+    build: signatureBlock,
+  },
+]);
+
+// Prints this section alone.
+function certificateControls() {
+  const button = element('button', { type: 'button', class: 'action' }, 'Print the certificate alone');
+  button.addEventListener('click', () => {
+    document.documentElement.dataset.only = 'certificate';
+    window.print();
+  });
+  window.addEventListener('afterprint', () => delete document.documentElement.dataset.only);
+  return [button, element('span', { class: 'muted' }, 'The lines below can be filled in here before printing.')];
+}
+
+// A line to write on, here or on paper. It is kept nowhere but on the page.
+function blank(label, text = '') {
+  return element(
+    'span',
+    { class: 'blank', contenteditable: 'plaintext-only', role: 'textbox', spellcheck: 'false', 'aria-label': label },
+    text,
+  );
+}
+
+const allDevices = (key) => [...new Set(devices.map((device) => device[key]).filter(Boolean))];
+const spanText = (values, decimals) => {
+  const some = values.filter(isNumber);
+  if (some.length === 0) return null;
+  const [low, high] = [Math.min(...some), Math.max(...some)].map((value) => fixed(value, decimals));
+  return low === high ? low : low + ' to ' + high;
+};
+
+function certificateHead() {
+  const rules = report.assessment?.rule_set ?? null,
+    lot = report.assessment?.lot ?? null;
+  const lots = allDevices('lot'),
+    dates = allDevices('test_date').sort(),
+    temperature = spanText(
+      devices.map((device) => device.temperature_C),
+      1,
+    );
+  const facts = [
+    ['Laboratory', blank('Laboratory')],
+    ['Client, project', blank('Client, project')],
+    ['Certificate no.', blank('Certificate number')],
+    ['Test', 'cyclic shear of ' + count(devices.length, 'device') + (isNumber(lot?.size) ? ' of a lot of ' + lot.size : '')],
+    ...(lots.length > 0 ? [['Lot', enumerate(lots)]] : []),
+    ...(dates.length > 0
+      ? [['Tested', dates[0] + (dates.length > 1 ? ' to ' + dates[dates.length - 1] : '')]]
+      : []),
+    ...(temperature ? [['Temperature', temperature + THIN + '\u00b0C']] : []),
+    [
+      'Held to',
+      rules
+        ? rules.title + (rules.edition ? ', ' + rules.edition : '') + (rules.verified_by ? '' : ' (limits not verified: no verdict)')
+        : 'no rule set: values only',
+    ],
+    ...(report.assessment?.design?.length > 0
+      ? [
+          [
+            'Design values',
+            report.assessment.design.map(({ name, value, unit }) => name + ' ' + value + THIN + unit).join(', '),
+          ],
+        ]
+      : []),
+    ['Result', certificateResult()],
+  ];
+  return element(
+    'div',
+    {},
+    element('p', { class: 'certificate-title' }, 'Test certificate: ' + (report.title || 'isolation devices')),
+    element(
+      'dl',
+      { class: 'facts-list' },
+      ...facts.flatMap(([term, text]) => [
+        element('dt', {}, term),
+        element('dd', {}, typeof text === 'string' ? sentence(text) : text),
+      ]),
+    ),
+  );
+}
+
+// What no device could be assessed for: said once, for all of them.
+function commonlyOpen() {
+  const judged = devices.filter((device) => device.assessments.length > 0);
+  if (judged.length === 0 || judged.every((device) => deviceVerdict(device).verdict !== 'pass')) return [];
+  const open = (device) => device.assessments.filter((a) => a.verdict === 'not assessed').map((a) => a.quantity);
+  return [...new Set(open(judged[0]))].filter((quantity) => judged.every((device) => open(device).includes(quantity)));
+}
+
+// The worst of a device's verdicts, with what could not be assessed of it.
+function deviceVerdict(device) {
+  const verdict = worstVerdict(device.assessments.map((a) => a.verdict));
+  const named = (wanted) => [
+    ...new Set(device.assessments.filter((a) => a.verdict === wanted).map((a) => a.quantity)),
+  ];
+  return { verdict, failed: named('fail'), open: verdict === 'pass' ? named('not assessed') : [] };
+}
+
+function certificateResult() {
+  const verdicts = devices.map((device) => deviceVerdict(device).verdict);
+  const times = (verdict) => verdicts.filter((found) => found === verdict).length;
+  const said = [
+    times('pass') > 0 ? count(times('pass'), 'device') + ' within the limits' : '',
+    times('fail') > 0 ? count(times('fail'), 'device') + ' outside a limit' : '',
+    times('information') > 0 ? count(times('information'), 'device') + ' compared, without verdict' : '',
+    times('not assessed') + times(null) > 0 ? count(times('not assessed') + times(null), 'device') + ' not assessed' : '',
+  ].filter(Boolean);
+  const open = commonlyOpen();
+  if (open.length > 0) said.push('not assessed: ' + open.join(', '));
+  const limits = lotQuantities.filter((quantity) => quantity.verdict);
+  const onLot = limits.map(
+    (quantity) => 'mean ' + quantity.quantity + ' of the lot: ' + quantity.verdict + (quantity.reason ? ' (' + quantity.reason + ')' : ''),
+  );
+  return [...said, ...onLot].join('; ');
+}
+
+// Properties of the certificate: those of the lot where a rule set says which, else of the reported cycle.
+const certificateProperties = () =>
+  lotQuantities.length > 0
+    ? lotQuantities.map((quantity) => ({
+        title: quantity.quantity,
+        unit: quantity.unit,
+        value: (device) => deviceValue(device, quantity.quantity)?.value,
+      }))
+    : [
+        { title: 'K_eff', unit: 'kN/mm', value: (device) => reportedCycle(device)?.K_eff_kN_per_mm },
+        { title: 'damping', unit: '%', value: (device) => reportedCycle(device)?.damping_percent },
+      ];
+
+// What sets a device apart, in its test and in the laws' misfits.
+function apart(device) {
+  const own = (outliers) => outliers.filter((outlier) => outlier.device === device.name);
+  const tested = lotQuantities.length > 0;
+  return [
+    ...(tested ? own(report.assessment.lot.outliers).map((outlier) => outlier.quantity) : []),
+    // Misfits have no unit; of the others the lot has spoken.
+    ...own(report.outliers).filter((outlier) => !tested || outlier.unit === '').map((outlier) => outlier.property),
+  ];
+}
+
+function certificateCaption() {
+  const marked = devices.filter((device) => apart(device).length > 0).length;
+  return (
+    'Values of the cycles that the rule set counts, without one of the third counted cycle. ' +
+    (marked > 0 ? '\u25be: stands apart from the lot (modified z-score above 3.5). ' : 'No device stands apart from the lot. ') +
+    'File: first digits of the SHA-256 of the record as it was read.'
+  );
+}
+
+function certificateColumns() {
+  const known = (key) => devices.some((device) => device[key] !== null && device[key] !== '');
+  return [
+    { key: 'serial', column: { title: 'Serial' }, text: (d) => d.serial },
+    { key: 'lot', column: { title: 'Lot' }, text: (d) => d.lot },
+    { key: 'test_date', column: { title: 'Tested', tight: true }, text: (d) => d.test_date },
+    { key: 'temperature_C', column: { title: 'Temp.', unit: '\u00b0C', number: true }, text: (d) => fixed(d.temperature_C, 1) },
+  ].filter((fact) => known(fact.key));
+}
+
+function certificateTable() {
+  const facts = certificateColumns(),
+    properties = certificateProperties(),
+    common = commonlyOpen();
+  const columns = [
+    { title: 'Device', pinned: true },
+    ...facts.map((fact) => fact.column),
+    { title: 'Amplitude', unit: 'mm', number: true },
+    { title: 'Frequency', unit: 'Hz', number: true },
+    ...properties.map(({ title, unit }) => ({ title, unit: unitText(unit), number: true })),
+    { title: 'Verdict' },
+    { title: 'File' },
+  ];
+  const rows = devices.map((device) => {
+    const block = device.blocks.find((b) => b.number === device.reported?.block);
+    const { verdict, failed, open } = deviceVerdict(device),
+      outlying = apart(device),
+      missing = open.filter((quantity) => !common.includes(quantity));
+    const remark =
+      device.status !== 'ok' ? 'refused: ' + device.message : [enumerate(failed), missing.length > 0 ? 'not assessed: ' + enumerate(missing) : '', outlying.length > 0 ? '\u25be ' + enumerate(outlying, 3) : ''].filter(Boolean).join('; ');
+    return {
+      cells: [
+        element('b', { class: 'strong' }, device.name),
+        ...facts.map((fact) => fact.text(device)),
+        fixed(block?.amplitude_mm, 1),
+        significant(block?.frequency_Hz, 2),
+        ...properties.map(({ value }) => significant(value(device), 4)),
+        element(
+          'td',
+          { class: 'reasoned' },
+          verdict ? verdictBadge(verdict) : DASH,
+          remark ? element('small', {}, remark) : null,
+        ),
+        element('span', { class: 'hash', title: device.sha256 }, device.sha256.slice(0, 8)),
+      ],
+    };
+  });
+  return table(columns, rows, 'The certificate: devices');
+}
+
+function certificateData() {
+  const properties = certificateProperties();
+  return {
+    columns: [
+      'device', 'serial', 'lot', 'tested', 'temperature [°C]', 'amplitude [mm]', 'frequency [Hz]',
+      ...properties.map(({ title, unit }) => title + ' [' + (unit || '-') + ']'),
+      'verdict', 'outside the limits', 'not assessed', 'stands apart by', 'file', 'sha256',
+    ],
+    rows: devices.map((device) => {
+      const block = device.blocks.find((b) => b.number === device.reported?.block);
+      const { verdict, failed, open } = deviceVerdict(device);
+      return [
+        device.name, device.serial, device.lot, device.test_date, device.temperature_C,
+        block?.amplitude_mm ?? null, block?.frequency_Hz ?? null,
+        ...properties.map(({ value }) => value(device) ?? null),
+        verdict ?? '', device.status === 'ok' ? failed.join('; ') : device.message, open.join('; '), apart(device).join('; '), device.file, device.sha256,
+      ];
+    }),
+  };
+}
+
+// Bounds by property modification factors; without them the smallest and largest value of the lot.
+function boundRows() {
+  const factors = report.assessment?.lot?.factors ?? [];
+  const quantity = (name) => lotQuantities.find((q) => q.quantity === name);
+  if (factors.length > 0)
+    return factors.map((factor) => ({
+      property: factor.property,
+      unit: factor.unit,
+      nominal: quantity(factor.property)?.nominal ?? null,
+      mean: quantity(factor.property)?.mean ?? null,
+      lower: factor.lower,
+      upper: factor.upper,
+      from: factor.source,
+    }));
+  return lotQuantities
+    .filter((q) => q.n > 1)
+    .map((q) => ({
+      property: q.quantity,
+      unit: q.unit,
+      nominal: q.nominal,
+      mean: q.mean,
+      lower: q.min,
+      upper: q.max,
+      from: 'smallest and largest of the devices tested',
+    }));
+}
+
+function boundsCaption() {
+  return (report.assessment?.lot?.factors?.length ?? 0) > 0
+    ? 'By the property modification factors of the lot, on the design value, or on the mean where there is none; the factors and what they hold stand under \u201cLot and devices\u201d.'
+    : 'No rule set gives modification factors: the smallest and the largest device that was tested. A lot has others beyond them.';
+}
+
+function boundsTable() {
+  const columns = [
+    { title: 'Property', pinned: true },
+    { title: 'Unit', tight: true },
+    { title: 'Design value', number: true },
+    { title: 'Mean of the lot', number: true },
+    { title: 'Lower bound', number: true },
+    { title: 'Upper bound', number: true },
+    { title: 'From' },
+  ];
+  const rows = boundRows().map((b, i, all) => {
+    const first = i === 0 || all[i - 1].property !== b.property;
+    return {
+      className: first ? 'group' : null,
+      cells: [
+        element('b', { class: 'strong' }, first ? b.property : ''),
+        first ? unitText(b.unit) : '',
+        first ? significant(b.nominal, 4) : '',
+        first ? significant(b.mean, 4) : '',
+        significant(b.lower, 4),
+        significant(b.upper, 4),
+        b.from,
+      ],
+    };
+  });
+  return table(columns, rows, 'Lower and upper bound values');
+}
+
+function signatureBlock() {
+  const signer = (role) =>
+    element(
+      'div',
+      { class: 'signer' },
+      element('b', {}, role),
+      ...['Name', 'Place, date', 'Signature'].map((label) =>
+        element('div', {}, element('span', { class: 'muted' }, label), blank(role + ': ' + label.toLowerCase())),
+      ),
+    );
+  return element(
+    'div',
+    {},
+    element('div', { class: 'signers' }, signer('Tested by'), signer('Checked by'), signer('Accepted by')),
+    element(
+      'p',
+      { class: 'fine' },
+      'Values computed by isolaw ' + report.isolaw + ' from ' + count(devices.length, 'record') +
+        '. They hold for the devices named here, as they were tested.',
+    ),
+  );
+}
