@@ -201,6 +201,7 @@ function parameterData() {
       'device',
       'mean',
       'std',
+      'std/|mean|',
       'best',
       'difference from lot [%]',
       'at bound',
@@ -220,6 +221,7 @@ function parameterData() {
               devices[fit.device].name,
               mean,
               std,
+              isNumber(std) && mean !== 0 ? Math.abs(std / mean) : null,
               best,
               difference,
               bound,
@@ -304,7 +306,7 @@ function drawPanels(look, width) {
       { factor, exponent } = rowFormat(entries.map(({ row }) => row[0]));
     const values = entries.flatMap(({ row }) => [(row[0] - (row[1] ?? 0)) / factor, (row[0] + (row[1] ?? 0)) / factor]);
     const range = paddedRange([...values, lot / factor], 0.08);
-    const percent = (value) => (lot !== 0 ? 100 * ((value * factor - lot) / Math.abs(lot)) : 0);
+    const percent = (value) => (lot !== 0 ? 100 * ((value * factor) / lot - 1) : 0); // of a negative mean falling upwards
     layout['xaxis' + x] = {
       domain: [left, left + wide],
       anchor: 'y' + y,
@@ -367,6 +369,7 @@ function drawPanels(look, width) {
         ({ row }) =>
           significant(row[0], 4) + (isNumber(row[1]) ? ' \u00b1 ' + significant(row[1], 2) : '') +
           (unit && unit !== '1' ? ' ' + plain(unitText(unit)) : '') +
+          (isNumber(row[1]) && row[0] !== 0 ? ' (\u03c3/|\u03bc| ' + significant(Math.abs(row[1] / row[0]), 2) + ')' : '') +
           (isNumber(row[3]) ? ', ' + signed(row[3], 1) + THIN + '%' : '') +
           (row[4] ? '<br>best run at the ' + row[4] + ' bound' : ''),
       ),
