@@ -27,14 +27,14 @@ constexpr std::string_view part_suffix = ".part";
       path.string(), "cannot be written: " + reason, {}, "another output directory, or free space in this one"});
 }
 
+}  // namespace
+
 void make_directory(fs::path const& dir) {
   std::error_code error;
   if (fs::is_symlink(fs::symlink_status(dir, error))) refuse(dir, "it is a symbolic link");
   fs::create_directories(dir, error);
   if (error) refuse(dir, error.message());
 }
-
-}  // namespace
 
 // Everything on disk before the name is given to it: after a power cut the old or the new file is there.
 void write_file(fs::path const& path, std::string_view text) {
@@ -89,7 +89,7 @@ void write_inspection(Summary const& summary, fs::path const& dir) {
 }
 
 void remove_leftovers(fs::path const& dir) {
-  for (auto const& folder : {dir, dir / "tables"}) {
+  for (auto const& folder : {dir, dir / "tables", dir / "figures"}) {
     std::error_code ignored;
     for (auto const& entry : fs::directory_iterator(folder, ignored)) {
       // NAME.PID.part, of a process that is no more.
