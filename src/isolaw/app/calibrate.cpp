@@ -135,7 +135,8 @@ void remove_outputs(std::filesystem::path const& directory) {
   for (auto const* name :
        {"summary.json", "report.html", "run.json", "tables/parameters.csv", "tables/objective.csv",
         "tables/robustness.csv", "tables/converged.csv", "tables/identifiability.csv", "tables/lot_law.csv",
-        "tables/prediction.csv", "tables/cycles.csv", "tables/tests.csv", "tables/lot.csv", "tables/lambda.csv"})
+        "tables/prediction.csv", "tables/cycles.csv", "tables/tests.csv", "tables/lot.csv", "tables/lambda.csv",
+        "tables/table_a5.csv", "tables/table_a5.tex", "tables/robustness.tex", "tables/front.csv", "tables/front.tex"})
     if (std::filesystem::is_regular_file(directory / name, ignored)) std::filesystem::remove(directory / name, ignored);
   report::remove_figures(directory);
 }

@@ -9,6 +9,7 @@
 #include "isolaw/report/figure_script.hpp"
 #include "isolaw/report/figures_of.hpp"
 #include "isolaw/report/findings.hpp"
+#include "isolaw/report/front_view.hpp"
 #include "isolaw/report/gnuplot.hpp"
 #include "isolaw/report/json.hpp"
 
@@ -132,12 +133,6 @@ MaybeFigure panels_figure(std::string const& name, std::string const& about, std
 
 // --- accuracy against robustness -------------------------------------------------------------------------------------
 
-struct Placed {
-  std::string law;
-  double x = 0.0, y = 0.0;
-  bool on_front = false;
-};
-
 struct FrontWords {
   std::string name, about, x_label, y_label, columns;
 };
@@ -159,21 +154,6 @@ FrontWords words_of(FrontView view) {
           "law OF_on_devices_left_out least_OF on_front"};
 }
 
-std::vector<Placed> placed_laws(Summary const& summary, FrontView view) {
-  std::vector<Placed> points;
-  for (auto const& law : summary.laws) {
-    auto const x = view == FrontView::published   ? law.beta
-                   : view == FrontView::converged ? law.beta_converged
-                                                  : law.loo_objective;
-    auto const y = view == FrontView::published ? law.objective.mean : law.objective_converged;
-    bool const on_front = view == FrontView::published   ? law.on_front
-                          : view == FrontView::converged ? law.on_front_converged
-                                                         : law.on_front_loo;
-    if (x && y && std::isfinite(*x) && std::isfinite(*y)) points.push_back({law.id, *x, *y, on_front});
-  }
-  return points;
-}
-
 struct Box {
   double left = 0.0, right = 0.0, low = 0.0, high = 0.0;  // mm
 };
@@ -192,10 +172,10 @@ struct NamePlace {
 
 // Points of the line that joins the front, from its left to its right end.
 template <class At>
-std::vector<std::pair<double, double>> along_front(std::vector<Placed> points, At const& at) {
+std::vector<std::pair<double, double>> along_front(std::vector<FrontPoint> points, At const& at) {
   constexpr int steps = 60;  // of each piece
   std::erase_if(points, [](auto const& point) { return !point.on_front; });
-  std::ranges::stable_sort(points, {}, &Placed::x);
+  std::ranges::stable_sort(points, {}, &FrontPoint::x);
   std::vector<std::pair<double, double>> line;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     auto const [x0, y0] = at(points[i]);
@@ -205,8 +185,8 @@ std::vector<std::pair<double, double>> along_front(std::vector<Placed> points, A
   return line;
 }
 
-std::vector<NamePlace> place_names(std::vector<Placed> const& points, Range const& x, Range const& y, double width_mm,
-                                   double height_mm) {
+std::vector<NamePlace> place_names(std::vector<FrontPoint> const& points, Range const& x, Range const& y,
+                                   double width_mm, double height_mm) {
   constexpr double letter_height_mm = 2.6, marker_mm = 1.3, line_mm = 0.4;
   static constexpr std::array<NamePlace, 8> candidates{{{2.0, 0.0, "left"},
                                                         {-2.0, 0.0, "right"},
@@ -216,7 +196,7 @@ std::vector<NamePlace> place_names(std::vector<Placed> const& points, Range cons
                                                         {1.6, -1.9, "left"},
                                                         {-1.6, 1.9, "right"},
                                                         {-1.6, -1.9, "right"}}};
-  auto const at = [&](Placed const& point) {
+  auto const at = [&](FrontPoint const& point) {
     return std::pair((point.x - x.low) / (x.high - x.low) * width_mm, (point.y - y.low) / (y.high - y.low) * height_mm);
   };
   std::vector<Box> taken;
@@ -251,20 +231,20 @@ std::vector<NamePlace> place_names(std::vector<Placed> const& points, Range cons
   return chosen;
 }
 
-std::string front_data(std::vector<Placed> points, FrontWords const& words) {
+std::string front_data(std::vector<FrontPoint> points, FrontWords const& words) {
   DataTable table;
   table.comment(words.about).comment("all values are without a unit").comment(words.columns);
   for (auto const& point : points)
     table.cell(point.law).cell(point.x).cell(point.y).cell(std::size_t{point.on_front}).end_row();
   table.end_block();
   table.comment("the front, from left to right");
-  std::ranges::stable_sort(points, {}, &Placed::x);
+  std::ranges::stable_sort(points, {}, &FrontPoint::x);
   for (auto const& point : points)
     if (point.on_front) table.cell(point.law).cell(point.x).cell(point.y).cell(std::size_t{1}).end_row();
   return table.take();
 }
 
-std::string front_script(std::vector<Placed> const& points, FrontWords const& words) {
+std::string front_script(std::vector<FrontPoint> const& points, FrontWords const& words) {
   constexpr double height_mm = 70.0, left = 14.0, right = 3.0, bottom = 9.5, top = 6.5;
   Range x, y;
   for (auto const& point : points) {
@@ -285,8 +265,8 @@ std::string front_script(std::vector<Placed> const& points, FrontWords const& wo
                 number(points[i].x), number(points[i].y), places[i].align, number(places[i].dx_mm / 1.65),
                 number(places[i].dy_mm / 3.2));
   auto const file = words.name + ".dat";
-  bool const has_front = std::ranges::any_of(points, &Placed::on_front);
-  bool const has_dominated = !std::ranges::all_of(points, &Placed::on_front);
+  bool const has_front = std::ranges::any_of(points, &FrontPoint::on_front);
+  bool const has_dominated = !std::ranges::all_of(points, &FrontPoint::on_front);
   std::string plot;
   if (has_front)
     plot += fmt::format(
@@ -609,7 +589,7 @@ void draw_panel(Script& script, std::string const& file, std::size_t index, Prop
 }  // namespace
 
 MaybeFigure front_figure(Summary const& summary, FrontView view) {
-  auto const points = placed_laws(summary, view);
+  auto const points = front_points(summary, view);
   if (points.empty()) return std::nullopt;
   auto const words = words_of(view);
   return Figure{words.name, front_data(points, words), front_script(points, words)};

@@ -5,13 +5,13 @@
 #include <string>
 
 #include "isolaw/report/figures.hpp"
+#include "isolaw/report/front_view.hpp"
 
 namespace isolaw::report {
 
 using MaybeFigure = std::optional<Figure>;
 
-// Accuracy against robustness, Fig. 14: as published; of the least objectives; against the objective on devices left out.
-enum class FrontView { published, converged, left_out };
+// Accuracy against robustness, Fig. 14.
 MaybeFigure front_figure(Summary const& summary, FrontView view);
 
 // Objective of every law on every device: mean, standard deviation over runs, and difference from the law's mean, Figs.

@@ -12,6 +12,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/report/html.hpp"
 #include "isolaw/report/inspection.hpp"
+#include "isolaw/report/latex_tables.hpp"
 #include "isolaw/report/summary_json.hpp"
 #include "isolaw/report/tables.hpp"
 
@@ -71,6 +72,11 @@ std::vector<std::pair<std::string, std::string>> output_texts(Summary const& sum
           {"tables/tests.csv", tests_csv(summary)},
           {"tables/lot.csv", lot_csv(summary)},
           {"tables/lambda.csv", lambda_csv(summary)},
+          {"tables/table_a5.csv", table_a5_csv(summary)},
+          {"tables/table_a5.tex", table_a5_tex(summary)},
+          {"tables/robustness.tex", robustness_tex(summary)},
+          {"tables/front.csv", front_csv(summary)},
+          {"tables/front.tex", front_tex(summary)},
           {"report.html", html(summary)}};
 }
 
