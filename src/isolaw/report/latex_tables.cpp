@@ -144,7 +144,7 @@ std::string block_head(std::vector<std::string> const& devices, std::size_t colu
     if (there) rules += fmt::format("\\cmidrule(lr){{{}-{}}}", 3 * i + 3, 3 * i + 5);
     words += there ? " & $\\mu$ & $\\sigma$ & best" : " & & &";
   }
-  return names + "\\\\*\n" + rules + "\n" + words + " \\\\*\n\\midrule\\nopagebreak\n";
+  return names + "\\\\*\n" + rules + "\\nopagebreak\n" + words + " \\\\*\n\\midrule\\nopagebreak\n";
 }
 
 // Large and small values stand as multiples of one power of ten, said with the unit: narrow, and easy to compare.
