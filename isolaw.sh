@@ -19,7 +19,7 @@ preset=${ISOLAW_PRESET:-release}
 step() { printf '+ %s\n' "$*" >&2; "$@"; }
 as_root() { if [ "$(id -u)" -eq 0 ]; then step "$@"; else step sudo "$@"; fi; }
 
-build_packages=(ca-certificates cmake g++ libboost-dev libcli11-dev libeigen3-dev libexpat1-dev libfmt-dev libgtest-dev libhdf5-dev
+build_packages=(ca-certificates cmake g++ gnuplot-nox libboost-dev libcli11-dev libeigen3-dev libexpat1-dev libfmt-dev libgtest-dev libhdf5-dev
   libmatio-dev libminizip-dev librandom123-dev libsqlite3-dev libssl-dev libtomlplusplus-dev libxlsxwriter-dev
   ninja-build nlohmann-json3-dev npm zlib1g-dev)
 test_packages=(chromium xz-utils)

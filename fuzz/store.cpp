@@ -5,7 +5,9 @@
 #include "harness.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/report/build_summary.hpp"
+#include "isolaw/report/figures.hpp"
 #include "isolaw/report/html.hpp"
+#include "isolaw/report/latex_tables.hpp"
 #include "isolaw/report/summary_json.hpp"
 #include "isolaw/report/tables.hpp"
 #include "isolaw/report/terminal.hpp"
@@ -34,6 +36,12 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     report::tests_csv(summary);
     report::lot_csv(summary);
     report::lambda_csv(summary);
+    report::table_a5_csv(summary);
+    report::table_a5_tex(summary);
+    report::robustness_tex(summary);
+    report::front_csv(summary);
+    report::front_tex(summary);
+    report::for_each_figure(summary, report::FigureChoice::all, [](report::Figure const&) {});
     report::ranking(summary, 80);
   } catch (Error const& error) {
     fuzz::require_plain_message(error);

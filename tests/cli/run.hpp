@@ -120,13 +120,18 @@ class Process {
   fs::path output_, errors_;
 };
 
-// Analyses cost far more than the short searches of most tests, which ask about other things: none unless asked for.
-inline Words without_analysis(Words words) {
-  bool const asked = std::ranges::find(words, "--analysis") != words.end();
-  if (words.size() < 2 || words.front() != "calibrate" || asked) return words;
+// Analyses and figures cost far more than the short searches of most tests, which ask about other things: none unless
+// asked for.
+inline Words without_extras(Words words) {
+  if (words.size() < 2 || (words.front() != "calibrate" && words.front() != "report")) return words;
   static Words const flags{"--fresh", "--json", "--center", "--allow-outside", "--flip-force"};
   bool const lacks_a_value = words.back().starts_with('-') && std::ranges::find(flags, words.back()) == flags.end();
-  if (!lacks_a_value) words.insert(std::ranges::find(words, "--"), {"--analysis", "none"});
+  if (lacks_a_value) return words;
+  Words const options = words.front() == "calibrate" ? Words{"--analysis", "--figures"} : Words{"--figures"};
+  for (auto const& option : options) {
+    bool const asked = std::ranges::find(words, option) != words.end();
+    if (!asked) words.insert(std::ranges::find(words, "--"), {option, "none"});
+  }
   return words;
 }
 
@@ -153,14 +158,14 @@ class InFreshDirectory : public testing::Test {
 
   // isolaw with `words`; captured output lies beside the working directory, not in it.
   Process start(Words words, Words const& environment = {}) {
-    words = without_analysis(std::move(words));
+    words = without_extras(std::move(words));
     words.insert(words.begin(), ISOLAW_BINARY);
     auto const number = std::to_string(++commands_);
     return Process(words, directory(), base_ / ("out" + number), base_ / ("err" + number), environment);
   }
   Outcome isolaw(Words words) { return start(std::move(words)).wait(); }
   Outcome isolaw_in(fs::path const& where, Words words) {
-    words = without_analysis(std::move(words));
+    words = without_extras(std::move(words));
     words.insert(words.begin(), ISOLAW_BINARY);
     return Process(words, where, base_ / "out", base_ / "err").wait();
   }

@@ -95,7 +95,7 @@ TEST_F(Usage, output_that_cannot_be_written_is_no_success) {
         Words{"rules", "template"}, Words{"example", "E"}, Words{"inspect", "a.csv"},
         Words{"inspect", "a.csv", "--json"}, Words{"init", "a.csv"}, campaign, campaign + Words{"--json"},
         Words{"report", "O"}, Words{"report", "O", "--json"}, Words{"check", "O"}}) {
-    Process process(Words{ISOLAW_BINARY} + without_analysis(command), directory(), "/dev/full", path("err"));
+    Process process(Words{ISOLAW_BINARY} + without_extras(command), directory(), "/dev/full", path("err"));
     auto const o = process.wait();
     SCOPED_TRACE(command.front() + " " + command.back());
     expect_message(o, 3, {"isolaw: standard output cannot be written\n"});

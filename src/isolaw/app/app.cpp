@@ -44,6 +44,11 @@ void add_acceptance(CLI::App& command, AcceptanceArguments& acceptance) {
   command.add_option("--lot-size", acceptance.lot_size, "devices of the production lot, tested or not");
 }
 
+void add_figures(CLI::App& command, std::string& figures) {
+  command.add_option("--figures", figures,
+                     "for print, with data and gnuplot scripts: lot (default), all (of every device too), none");
+}
+
 void add_calibrate(CLI::App& app, CalibrateArguments& a) {
   auto& c = *app.add_subcommand("calibrate", "Identify every law on every device; statistics, ranking, report");
   c.add_option("inputs", a.inputs, "a lot file (.toml), test records, or a directory of them")->required();
@@ -79,6 +84,7 @@ void add_calibrate(CLI::App& app, CalibrateArguments& a) {
   c.add_option("--jobs", a.jobs, "threads, 0 to 4096 (one per core); the results do not depend on it")
       ->check(CLI::Range(0, 4096));
   c.add_option("--out", a.out, "directory of the results (out/<name of the lot>)");
+  add_figures(c, a.figures);
   c.add_flag("--fresh", a.fresh, "start over where the directory holds another campaign");
   c.add_flag("--allow-outside", a.allow_outside, "the lot file may name records outside its own folder");
   c.add_flag("--json", a.json, "print summary.json instead of the ranking");
@@ -215,6 +221,7 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   report_command.add_option("directory", report_arguments.directory, "the campaign's directory")->required();
   add_acceptance(report_command, report_arguments.acceptance);
   report_command.add_option("--out", report_arguments.out, "directory of the results (the campaign's)");
+  add_figures(report_command, report_arguments.figures);
   report_command.add_flag("--json", report_arguments.json, "print summary.json instead of the ranking");
 
   SampleArguments sample_arguments;

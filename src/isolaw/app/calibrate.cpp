@@ -13,6 +13,7 @@
 #include <ctime>
 #include <exception>
 #include <fstream>
+#include <iterator>
 #include <optional>
 #include <thread>
 
@@ -22,12 +23,14 @@
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/file.hpp"
+#include "isolaw/base/printable.hpp"
 #include "isolaw/base/shell.hpp"
 #include "isolaw/campaign/campaign.hpp"
 #include "isolaw/campaign/check.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/fit/kernels.hpp"
 #include "isolaw/report/build_summary.hpp"
+#include "isolaw/report/figures.hpp"
 #include "isolaw/report/html.hpp"
 #include "isolaw/report/run_json.hpp"
 #include "isolaw/report/summary_json.hpp"
@@ -133,8 +136,10 @@ void remove_outputs(std::filesystem::path const& directory) {
   for (auto const* name :
        {"summary.json", "report.html", "run.json", "tables/parameters.csv", "tables/objective.csv",
         "tables/robustness.csv", "tables/converged.csv", "tables/identifiability.csv", "tables/lot_law.csv",
-        "tables/prediction.csv", "tables/cycles.csv", "tables/tests.csv", "tables/lot.csv", "tables/lambda.csv"})
+        "tables/prediction.csv", "tables/cycles.csv", "tables/tests.csv", "tables/lot.csv", "tables/lambda.csv",
+        "tables/table_a5.csv", "tables/table_a5.tex", "tables/robustness.tex", "tables/front.csv", "tables/front.tex"})
     if (std::filesystem::is_regular_file(directory / name, ignored)) std::filesystem::remove(directory / name, ignored);
+  report::remove_figures(directory);
 }
 
 // Takes over the finished runs of an interrupted or finished campaign of the same settings and inputs, or starts anew.
@@ -169,6 +174,20 @@ void open_or_create(std::filesystem::path const& file, campaign::Contents& conte
   contents.left_out = std::move(stored.left_out);
   if (!contents.complete() && !contents.runs.empty())
     say("continuing: {} runs are there already\n", contents.runs.size());
+}
+
+// Figures that cannot be drawn are no failure: their data and scripts are there.
+void draw_figures(report::Summary const& summary, report::FigureChoice choice, std::filesystem::path const& directory) {
+  auto const outcome = report::write_figures(summary, choice, directory);
+  auto const folder = shown(directory / "figures");
+  if (outcome.program_missing)
+    say("figures: {} not drawn, {}; try: install gnuplot (Debian: gnuplot-nox) and isolaw report, or gnuplot NAME.gp "
+        "in "
+        "{}, which holds data and scripts\n",
+        outcome.figures - outcome.drawn, printable(outcome.reason), folder);
+  else if (outcome.drawn < outcome.figures)
+    say("figures: {} of {} not drawn: {}; data and scripts are in {}\n", outcome.figures - outcome.drawn,
+        outcome.figures, printable(outcome.reason), folder);
 }
 
 int terminal_width() {
@@ -208,6 +227,7 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
   using Clock = std::chrono::steady_clock;
   auto const start = Clock::now();
   std::time_t const started_at = std::time(nullptr);
+  auto const figures = report::figure_choice(arguments.figures);
   fit::instruction_set();  // throws before anything is written, also where no run is left to do
   auto const lot = lot_of(arguments);
   warn_of_idle_overrides(lot.settings);
@@ -257,6 +277,9 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
   // From the store, not from memory: what is printed is what `isolaw report` would print.
   auto const summary = report::build_summary(campaign::Store::read(file));
   report::write_outputs(summary, directory);
+  // Figures are for print, and no part of the study: their time is told apart from its.
+  auto const before_figures = Clock::now();
+  draw_figures(summary, figures, directory);
   report::write_file(
       directory / "run.json",
       report::run_json(
@@ -264,7 +287,8 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
            .directory = std::filesystem::absolute(directory).string(),
            .started_at = started_at,
            .search_s = search_s,
-           .total_s = std::chrono::duration<double>(Clock::now() - start).count(),
+           .total_s = std::chrono::duration<double>(before_figures - start).count(),
+           .figures_s = std::chrono::duration<double>(Clock::now() - before_figures).count(),
            .jobs = lot.jobs.value_or(0) > 0 ? *lot.jobs : static_cast<int>(std::thread::hardware_concurrency())}));
   print(summary, arguments.json);
   say("results: {} (open {})\n", shown(directory), shown(directory / "report.html"));
@@ -273,6 +297,7 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
 
 int report(ReportArguments const& arguments) {
   auto const& directory = arguments.directory;
+  auto const figures = report::figure_choice(arguments.figures);
   auto contents = campaign::Store::read(directory / store_name);
   apply(arguments.acceptance, contents.acceptance);
   auto const summary = report::build_summary(contents);
@@ -280,6 +305,7 @@ int report(ReportArguments const& arguments) {
   std::optional<Error> not_written;
   try {
     report::write_outputs(summary, arguments.out.value_or(directory));
+    draw_figures(summary, figures, arguments.out.value_or(directory));
   } catch (Error const& error) {
     not_written = error;
   }
@@ -344,7 +370,9 @@ struct Outputs {
 
 Outputs compare_outputs(std::filesystem::path const& directory, report::Summary const& summary) {
   Outputs found;
-  for (auto const& [name, text] : report::output_texts(summary)) {
+  auto texts = report::output_texts(summary);
+  std::ranges::move(report::figure_data(summary), std::back_inserter(texts));
+  for (auto const& [name, text] : texts) {
     std::error_code unknown;
     if (!std::filesystem::is_regular_file(directory / name, unknown)) continue;
     ++found.compared;

@@ -38,6 +38,7 @@ struct CalibrateArguments {
   bool center = false;
   std::optional<std::filesystem::path> out;
   std::optional<int> jobs;
+  std::string figures = "lot";
   bool fresh = false;
   bool allow_outside = false;  // a lot file may name files outside its folder
   bool json = false;
@@ -67,6 +68,7 @@ struct ReportArguments {
   std::filesystem::path directory;
   std::optional<std::filesystem::path> out;  // of the results; empty: the campaign's directory
   AcceptanceArguments acceptance;
+  std::string figures = "lot";
   bool json = false;
 };
 int report(ReportArguments const& arguments);

@@ -20,6 +20,7 @@ std::string run_json(RunFacts const& facts) {
   json["started"] = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(facts.started_at));
   json["search_seconds"] = facts.search_s;
   json["total_seconds"] = facts.total_s;
+  json["figures_seconds"] = facts.figures_s;
   json["threads"] = facts.jobs;
   json["host"] = system.nodename;
   json["system"] = fmt::format("{} {} {}", system.sysname, system.release, system.machine);

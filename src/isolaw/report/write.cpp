@@ -12,6 +12,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/report/html.hpp"
 #include "isolaw/report/inspection.hpp"
+#include "isolaw/report/latex_tables.hpp"
 #include "isolaw/report/summary_json.hpp"
 #include "isolaw/report/tables.hpp"
 
@@ -27,14 +28,14 @@ constexpr std::string_view part_suffix = ".part";
       path.string(), "cannot be written: " + reason, {}, "another output directory, or free space in this one"});
 }
 
+}  // namespace
+
 void make_directory(fs::path const& dir) {
   std::error_code error;
   if (fs::is_symlink(fs::symlink_status(dir, error))) refuse(dir, "it is a symbolic link");
   fs::create_directories(dir, error);
   if (error) refuse(dir, error.message());
 }
-
-}  // namespace
 
 // Everything on disk before the name is given to it: after a power cut the old or the new file is there.
 void write_file(fs::path const& path, std::string_view text) {
@@ -71,6 +72,11 @@ std::vector<std::pair<std::string, std::string>> output_texts(Summary const& sum
           {"tables/tests.csv", tests_csv(summary)},
           {"tables/lot.csv", lot_csv(summary)},
           {"tables/lambda.csv", lambda_csv(summary)},
+          {"tables/table_a5.csv", table_a5_csv(summary)},
+          {"tables/table_a5.tex", table_a5_tex(summary)},
+          {"tables/robustness.tex", robustness_tex(summary)},
+          {"tables/front.csv", front_csv(summary)},
+          {"tables/front.tex", front_tex(summary)},
           {"report.html", html(summary)}};
 }
 
@@ -89,7 +95,7 @@ void write_inspection(Summary const& summary, fs::path const& dir) {
 }
 
 void remove_leftovers(fs::path const& dir) {
-  for (auto const& folder : {dir, dir / "tables"}) {
+  for (auto const& folder : {dir, dir / "tables", dir / "figures"}) {
     std::error_code ignored;
     for (auto const& entry : fs::directory_iterator(folder, ignored)) {
       // NAME.PID.part, of a process that is no more.

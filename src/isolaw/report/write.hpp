@@ -21,6 +21,9 @@ void write_inspection(Summary const& summary, std::filesystem::path const& dir);
 // Names of write_outputs() relative to `dir`, and their texts.
 std::vector<std::pair<std::string, std::string>> output_texts(Summary const& summary);
 
+// Made where it is not there. Throws Error: it cannot be, or is a link to somewhere else.
+void make_directory(std::filesystem::path const& dir);
+
 // Parts that a killed process left in `dir`.
 void remove_leftovers(std::filesystem::path const& dir);
 
