@@ -83,6 +83,22 @@ async function drawn() {
       [...row.children].map((cell) => cell.querySelector('.cell-mean')?.textContent ?? cell.textContent),
     );
   }
+  // What a reader sees who points at a mark.
+  seen.hover = [];
+  for (const [id, pick] of [
+    ['front', (node) => node.data.findIndex((trace) => trace.mode?.includes('markers') && trace.x.length > 0)],
+    ['objective-devices', () => 0],
+    ['parameter-panels', (node) => node.data.findIndex((trace) => trace.error_y)],
+  ]) {
+    const node = document.querySelector('#figure-' + id + ' .plot');
+    node.scrollIntoView();
+    await wait(200);
+    const curveNumber = pick(node),
+      trace = node.data[curveNumber];
+    Plotly.Fx.hover(node, [{ curveNumber, pointNumber: 0 }], [trace.xaxis && trace.xaxis !== 'x' ? trace.xaxis + trace.yaxis : 'xy']);
+    await wait(100);
+    seen.hover.push({ id, text: node.querySelector('.hoverlayer')?.textContent ?? '', name: trace.name, x: trace.x[0], y: trace.y[0], of: trace.text?.[0] });
+  }
   seen.errors = document.body.dataset.errors;
   return seen;
 }
@@ -162,6 +178,17 @@ function compareParameters(name, seen, expected) {
   }
 }
 
+// The label of a mark says the law or device it stands for and, rounded, the number it is drawn at.
+function compareHover(name, seen) {
+  for (const { id, text, y, of } of seen.hover) {
+    ++compared;
+    const numbers = (text.match(/[\u2212-]?\d+(\.\d+)?/g) ?? []).map(number);
+    const plain = (of ?? '').replace(/<[^>]*>/g, '');
+    if (!text.includes(plain) || !numbers.some((value) => Math.abs(value - y) <= 6e-3 * Math.abs(y)))
+      failures.push(`${name}: pointing at ${plain} of ${id} says "${text}", it is drawn at ${y}`);
+  }
+}
+
 async function check(browser, name, directory) {
   const expected = JSON.parse(execFileSync(expectedNumbers, [join(directory, 'campaign.sqlite')], { encoding: 'utf8' }));
   const page = await browser.open(pathToFileURL(join(directory, 'report.html')).href, { width: 1366, height: 768 });
@@ -170,6 +197,7 @@ async function check(browser, name, directory) {
   compareFront(name, seen, expected);
   compareObjectives(name, seen, expected);
   compareParameters(name, seen, expected);
+  compareHover(name, seen);
   await page.close();
   return expected;
 }

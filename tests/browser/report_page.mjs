@@ -502,6 +502,60 @@ async function look() {
   };
 }
 
+// Runs in the page: the laws of a device after each head of their table was pressed, and the loops that follow.
+async function look_at_order() {
+  const wait = (ms) => new Promise((done) => setTimeout(done, ms));
+  const seen = [];
+  for (const head of [...document.querySelectorAll('#figure-fits button.sort')].map((button) => button.id)) {
+    document.getElementById(head).click();
+    document.querySelector('#figure-loop-overview').scrollIntoView();
+    await wait(250);
+    const sorted = [...document.querySelectorAll('#figure-fits th')].findIndex((th) => th.getAttribute('aria-sort'));
+    seen.push({
+      head,
+      focused: document.activeElement?.id,
+      values: [...document.querySelectorAll('#figure-fits tbody tr')].map((row) => row.children[sorted].textContent),
+      laws: [...document.querySelectorAll('#figure-fits tbody tr')].map((row) => row.children[0].textContent.replace(/ .*/, '')),
+      loops: document.querySelector('#figure-loop-overview .plot').layout.annotations.map((a) => /<b>(.*)<\/b>/.exec(a.text)[1]),
+    });
+  }
+  return seen;
+}
+
+function check_order(name, seen) {
+  expect(seen.length === 4, name, `${seen.length} heads sort`);
+  for (const { head, focused, values, laws, loops } of seen) {
+    const sizes = values.map((text) => Math.abs(Number(text.replace('\u2212', '-')))).filter((value) => !Number.isNaN(value));
+    expect(sizes.every((value, i) => i === 0 || sizes[i - 1] <= value), name, `${head}: ${values.join(', ')}`);
+    expect(loops.every((law, i) => laws.filter((one) => loops.includes(one))[i] === law), name, `${head}: ${laws}; loops ${loops}`);
+    expect(focused === head, name, head + ' loses the focus');
+  }
+}
+
+// Printed alone, the certificate leaves nothing else on the paper, and within it nothing out.
+async function check_certificate(page, name, pictures) {
+  const seen = await page.evaluate(`(() => {
+    document.documentElement.dataset.only = 'certificate';
+    const shown = (node) => node.getClientRects().length > 0;
+    return {
+      sections: [...document.querySelectorAll('#report > section')].filter(shown).map((section) => section.id),
+      devices: document.querySelectorAll('#figure-certificate-devices tbody tr').length,
+      blanks: [...document.querySelectorAll('#certificate .blank')].filter(shown).length,
+      masthead: shown(document.querySelector('.masthead')),
+      hashes: [...document.querySelectorAll('#figure-certificate-devices .hash')].map((hash) => hash.title.startsWith(hash.textContent)),
+    };
+  })()`);
+  expect(JSON.stringify(seen.sections) === '["certificate"]', name, 'printed with the certificate: ' + seen.sections);
+  expect(seen.devices === (await page.evaluate('devices.length')), name, `${seen.devices} devices on the certificate`);
+  expect(seen.blanks === 12 && !seen.masthead, name, `${seen.blanks} lines to fill in`);
+  expect(seen.hashes.every(Boolean), name, 'a file of the certificate is not its own');
+  if (pictures) {
+    const { data } = await page.send('Page.printToPDF', { preferCSSPageSize: true, printBackground: true });
+    writeFileSync(join(pictures, name + '-certificate.pdf'), Buffer.from(data, 'base64'));
+  }
+  await page.evaluate("delete document.documentElement.dataset.only");
+}
+
 const failures = [];
 function expect(holds, name, what) {
   if (!holds) failures.push(`${name}: ${what}`);
@@ -563,7 +617,7 @@ async function check(browser, directory, one) {
   expect(page.errors.length === 0 && seen.errors === '', name, 'errors: ' + [...page.errors, seen.errors].join('; '));
   expect(page.requests.length === 0, name, 'requested ' + page.requests.join(', '));
   const { laws: identified = true } = records || {}; // as written: with the rules of make_page.cpp
-  const expected = (identified ? 5 : 0) + 5 + (one.analysed ? (devices > 1 ? 2 : 1) : 0);
+  const expected = (identified ? (devices > 1 ? 10 : 9) : 0) + 5 + (one.analysed ? (devices > 1 ? 2 : 1) : 0);
   expect(
     seen.plots === expected && seen.drawn === expected,
     name,
@@ -576,6 +630,10 @@ async function check(browser, directory, one) {
   expect(seen.images === 0 && seen.nastyName, name, 'a name from the input is not shown as text');
   expect(seen.unlabelled === 0, name, 'a control has no label');
   expect(seen.paper === (dark ? 'rgb(20, 25, 29)' : 'rgb(255, 255, 255)'), name, 'paper is ' + seen.paper);
+
+  const megabytes = readFileSync(file).length / 1e6;
+  expect(megabytes < 30, name, `${megabytes.toFixed(1)} MB`);
+  if (identified) check_order(name, await page.evaluate(`(${look_at_order})()`));
 
   if (one.analysed) check_analysis(name, await page.evaluate(`(${look_at_analysis})()`), one);
   if (records) check_records(name, await page.evaluate(`(${look_at_records})()`), records);
@@ -605,6 +663,7 @@ async function check(browser, directory, one) {
     const { data } = await page.send('Page.printToPDF', { preferCSSPageSize: true, printBackground: true });
     writeFileSync(join(pictures, name + '.pdf'), Buffer.from(data, 'base64'));
   }
+  await check_certificate(page, name, pictures);
   await page.evaluate("dispatchEvent(new Event('afterprint'))");
   await page.send('Emulation.setEmulatedMedia', { media: 'screen' });
   expect((await captions()).includes('CSV'), name, 'after printing the captions are those of paper');

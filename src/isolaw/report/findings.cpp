@@ -63,6 +63,24 @@ std::string caution(LawResult const& law) {
   return law.prediction_collapses ? " Its prediction collapses: only for the blocks it was fitted to." : "";
 }
 
+// Of the laws between the ends of the front, the place of the one nearest to having the best of both, each measured by the
+// front's extent; the front's size where there is none. A law whose prediction collapses is no compromise.
+std::size_t compromise(Summary const& summary, std::vector<std::size_t> const& front) {
+  auto const& laws = summary.laws;
+  auto best = front.size();
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t place = 1; place + 1 < front.size(); ++place) {
+    auto const &law = laws[front[place]], &accurate = laws[front.front()], &robust = laws[front.back()];
+    double const error = (*law.objective.mean - *accurate.objective.mean) / (*robust.objective.mean - *accurate.objective.mean);
+    double const scatter = (*law.beta - *robust.beta) / (*accurate.beta - *robust.beta);
+    double const distance = std::hypot(error, scatter);
+    if (law.prediction_collapses || !(distance < least)) continue;
+    least = distance;
+    best = place;
+  }
+  return best;
+}
+
 Verdict front_verdict(Summary const& summary, std::vector<std::size_t> const& front, std::size_t place) {
   auto const& laws = summary.laws;
   auto const& law = laws[front[place]];
@@ -82,6 +100,7 @@ Verdict front_verdict(Summary const& summary, std::vector<std::size_t> const& fr
   } else {
     auto const& accurate = laws[front[place - 1]];
     auto const& robust = laws[front[place + 1]];
+    if (place == compromise(summary, front)) verdict.role = Role::compromise;
     verdict.sentence =
         fmt::format("Scatters less than {} ({} against {}) and errs less than {} ({} against {}).", accurate.id,
                     percent(*law.beta), percent(*accurate.beta), robust.id, error_percent(law), error_percent(robust));
@@ -125,9 +144,11 @@ std::string headline(Summary const& summary, std::vector<std::size_t> const& fro
     return fmt::format("{} is both the most accurate and the most robust law.{}", laws[front[0]].id,
                        caution(laws[front[0]]));
   if (front.size() > 1) {
+    auto const middle = compromise(summary, front);
     return fmt::format(
-        "{} of {} laws are worth considering: the choice lies between accuracy ({}) and robustness ({}).", front.size(),
-        laws.size(), flagged(front.front()), flagged(front.back()));
+        "{} of {} laws are worth considering: the choice lies between accuracy ({}) and robustness ({}){}.", front.size(),
+        laws.size(), flagged(front.front()), flagged(front.back()),
+        middle < front.size() ? fmt::format("; the best compromise is {}", laws[front[middle]].id) : "");
   }
   if (ranking.empty() || !laws[ranking.front()].objective.mean) return "No law could be identified.";
   return fmt::format("{} is the most accurate law; how robust it is cannot be said.{}", laws[ranking.front()].id,
@@ -306,6 +327,8 @@ std::string_view name(Role role) {
       return "most accurate";
     case Role::most_robust:
       return "most robust";
+    case Role::compromise:
+      return "best compromise";
     case Role::between:
       return "in between";
     case Role::dominated:

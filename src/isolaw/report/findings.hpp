@@ -19,7 +19,8 @@ enum class Role {
   best_of_both,   // the only law on the front
   most_accurate,  // the front's end of smallest objective
   most_robust,    // the front's end of smallest beta
-  between,        // on the front between them
+  compromise,     // between them, nearest to the best of both in terms of the front's extent
+  between,        // also between them
   dominated,
   unranked  // without beta, or never identified
 };
