@@ -234,7 +234,7 @@ TEST(Figures, LoopsAndRecordsOfEveryDevice) {
     EXPECT_EQ(value(loops[0][i][1]), record.disp_mm[i]);
     EXPECT_EQ(value(loops[0][i][2]), record.force_kN[i]);
     EXPECT_EQ(value(loops[0][i][3]), fit.force_kN[i]);
-    EXPECT_EQ(value(loops[0][i][4]), fit.force_kN[i] - record.force_kN[i]);
+    EXPECT_EQ(value(loops[0][i][4]), record.force_kN[i] - fit.force_kN[i]);
   }
   auto const cleaned = blocks(made.at("record_D2").data);
   ASSERT_EQ(cleaned.size(), 2u);

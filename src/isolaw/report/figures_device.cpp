@@ -38,7 +38,7 @@ std::string loops_data(DeviceResult const& device, DeviceFit const& fit, std::st
         .cell(record.disp_mm[i])
         .cell(measured)
         .cell(computed)
-        .cell(computed - measured)
+        .cell(measured - computed)
         .end_row();
   }
   return table.take();
@@ -103,7 +103,7 @@ MaybeFigure loops_figure(DeviceResult const& device, LawResult const& law, std::
   auto const samples = device.record.size();
   if (fit == law.devices.end() || samples == 0 || fit->force_kN.size() != samples) return std::nullopt;
   auto const name = "loops_" + stem + "_" + law.id;
-  std::string const about = "measured and computed force, Fig. 5; residual is computed less measured";
+  std::string const about = "measured and computed force, Fig. 5; residual is measured less computed";
   return Figure{name, loops_data(device, *fit, about),
                 loops_script(name, about, law.id + ", " + device.name, device.record.has_time())};
 }

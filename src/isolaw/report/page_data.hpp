@@ -1,4 +1,4 @@
-// The data block of the page: everything report.html draws and prints, as compact JSON for assets/page.js.
+// The data block of the page: everything report.html draws and prints, as compact JSON for the scripts in assets/page/.
 #pragma once
 
 #include <span>

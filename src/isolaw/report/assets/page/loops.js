@@ -33,7 +33,7 @@ section({ id: 'loops', title: 'Loops', controls: loopControls, laws: true }, [
     caption: () =>
       'Best run of each law on ' +
       devices[chosen.device].name +
-      ': its objective, and its effective stiffness, dissipated energy and damping against the record.' +
+      ': its objective, and its effective stiffness, dissipated energy and damping against the record, on the third counted cycle of the largest amplitude.' +
       onScreen(' The heads of the columns sort; the loops below follow.'),
     csv: fitData,
     build: fitTable,
