@@ -1,0 +1,1 @@
+isolaw_test(unit_programs programs_export_test.cpp)
