@@ -130,11 +130,11 @@ std::string opensees_script(Subject const& subject, Realisation const& realisati
   std::string text;
   for (auto const& line : fact_lines(facts(subject, realisation, units, "OpenSees (Tcl)"))) text += "# " + line + "\n";
   text += fmt::format(
-      "#\n# To use:   source this file; {0}::material 1        (or: 1 lower, 1 upper)\n"
+      "#\n# To use:   source this file; {0}::{1} 1        (or: 1 lower, 1 upper)\n"
       "# To check: OpenSees, then: model basic -ndm 1 -ndf 1; source this file; {0}::self_check\n"
       "#           or, where the program passes arguments on: OpenSees this-file check\n\n"
       "namespace eval {0} {{\n",
-      space);
+      space, check.forms.front().function);
   for (auto const& form : check.forms) text += procedure(form);
   text += check_procedure(check) + "}\n\n";
   text += fmt::format(

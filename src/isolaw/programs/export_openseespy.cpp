@@ -53,10 +53,11 @@ std::string openseespy_script(Subject const& subject, Realisation const& realisa
   auto const check = self_check(subject, realisation, units);
   std::string text;
   for (auto const& line : fact_lines(facts(subject, realisation, units, "OpenSeesPy"))) text += "# " + line + "\n";
-  text +=
-      "#\n# To use:   import this module; material(1) or material(1, \"upper\")\n"
+  text += fmt::format(
+      "#\n# To use:   import this module; {0}(1) or {0}(1, \"upper\")\n"
       "# To check: python3 this-file (exit code 0 where all agree)\n\n"
-      "import openseespy.opensees as ops\n\n\n";
+      "import openseespy.opensees as ops\n\n\n",
+      check.forms.front().function);
   for (auto const& form : check.forms) text += function(form);
   text += fmt::format(
       "# Displacements of the self-check, and the force of the law itself along them.\nDISP = [\n{}\n]\nLAW = "

@@ -188,6 +188,7 @@ std::unique_ptr<Material> make_one(Command const& command, std::unique_ptr<Mater
 std::unique_ptr<Material> make_material(std::span<Command const> commands) {
   std::unique_ptr<Material> made;
   for (auto const& command : commands) made = make_one(command, std::move(made));
+  if (!made) throw Error({.where = "material", .found = "no command", .allowed = "one or more"});
   return made;
 }
 
