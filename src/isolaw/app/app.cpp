@@ -232,6 +232,7 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   export_command.add_option("--device", export_arguments.device, "name of the device, or lot: the one law of the lot")
       ->required();
   export_command.add_option("--to", export_arguments.to, "opensees, openseespy, cpp, json, or sheet")->required();
+  add_acceptance(export_command, export_arguments.acceptance);
   export_command.add_option("--units", export_arguments.units, "kN-mm, N-m, or kip-in (kN-mm)");
   export_command.add_option("--out", export_arguments.out, "file to write (standard output)");
 

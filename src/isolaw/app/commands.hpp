@@ -83,6 +83,7 @@ int sample(SampleArguments const& arguments);
 struct ExportArguments {
   std::filesystem::path directory;
   std::string law, device, to;
+  AcceptanceArguments acceptance;  // of the bounds; what is given overrides what the store says
   std::optional<std::string> units;
   std::optional<std::filesystem::path> out;  // empty: standard output
 };

@@ -2,6 +2,7 @@
 #include <fstream>
 
 #include "isolaw/app/commands.hpp"
+#include "isolaw/app/lot_of.hpp"
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/campaign/store.hpp"
@@ -13,7 +14,8 @@ namespace isolaw::app {
 int export_law(ExportArguments const& a) {
   auto const target = programs::parse_target(a.to);
   auto const& units = programs::find_unit_system(a.units.value_or("kN-mm"));
-  auto const contents = campaign::Store::read(a.directory / "campaign.sqlite");
+  auto contents = campaign::Store::read(a.directory / "campaign.sqlite");
+  apply(a.acceptance, contents.acceptance);
   auto const subject = programs::make_subject(contents, report::build_summary(contents), a.law, a.device);
   auto const text = programs::exported(subject, target, units);
   if (!a.out) {

@@ -24,9 +24,9 @@ Target parse_target(std::string_view text) {
 
 std::string exported(Subject const& subject, Target target, UnitSystem const& units) {
   if (target == Target::cpp) return cpp_header(subject, units);
+  if (target == Target::sheet) return value_sheet(subject, units);
   auto const realisation = realise(subject);
   if (target == Target::json) return export_json(subject, realisation, units);
-  if (target == Target::sheet) return value_sheet(subject, realisation, units);
   if (realisation.forms.empty())
     throw Error({.where = "law " + std::string(subject.law->info.id),
                  .found = realisation.explanation,

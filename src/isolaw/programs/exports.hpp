@@ -17,7 +17,7 @@ std::string opensees_script(Subject const& subject, Realisation const& realisati
 std::string openseespy_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string cpp_header(Subject const& subject, UnitSystem const& units);
 std::string export_json(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
-std::string value_sheet(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
+std::string value_sheet(Subject const& subject, UnitSystem const& units);
 
 std::string exported(Subject const& subject, Target target, UnitSystem const& units);
 

@@ -11,18 +11,6 @@ namespace {
 // the force. Beyond it is chance that decides, at each step, whether what is left is positive.
 constexpr double largest_exponent = 35.0;
 
-BilinearValues scaled(BilinearValues v, BoundFactors const& scale) {
-  double const z = scale.strength * (v.K1 - v.K2);
-  return {.K1 = scale.stiffness * v.K2 + z, .K2 = scale.stiffness * v.K2, .uy = v.uy};
-}
-
-BoucWenValues scaled(BoucWenValues v, BoundFactors const& scale) {
-  double const spring = scale.stiffness * v.alpha * v.Ke, hysteretic = scale.strength * (1.0 - v.alpha) * v.Ke;
-  v.Ke = spring + hysteretic;
-  v.alpha = spring / v.Ke;
-  return v;
-}
-
 Form steel01(BilinearValues const& v) {
   return {.id = "material",
           .title = "uniaxialMaterial Steel01",
@@ -171,6 +159,11 @@ Form hysteretic_asym(VaianaValues const& v) {
   return form;
 }
 
+BoucWenValues without_hardening(VaianaValues const& v) {
+  double const Ke = v.Kb + v.alpha * v.f0;
+  return {.alpha = v.Kb / Ke, .Ke = Ke, .beta = v.alpha, .gamma = 0.0, .n = 1.0};
+}
+
 Mapping map_vaiana(laws::LawEntry const& law, std::span<double const> p, BoundFactors const& scale) {
   auto branch = one_branch(law, p);
   if (!branch.values) return {{}, branch.why};
@@ -181,8 +174,7 @@ Mapping map_vaiana(laws::LawEntry const& law, std::span<double const> p, BoundFa
   Mapping made{.forms = {hysteretic_asym(v)}, .why = {}};
   if (v.beta1 != 0.0) return made;
   // Without hardening the branches are those of Bouc-Wen with n = 1, beta = alpha and gamma = 0, which knows no NaN.
-  double const Ke = v.Kb + v.alpha * v.f0;
-  for (auto& form : bouc_wen_forms({.alpha = v.Kb / Ke, .Ke = Ke, .beta = v.alpha, .gamma = 0.0, .n = 1.0})) {
+  for (auto& form : bouc_wen_forms(without_hardening(v))) {
     if (form.id == "material") form.id = "material_bouc_wen";
     made.forms.push_back(std::move(form));
   }
@@ -190,6 +182,25 @@ Mapping map_vaiana(laws::LawEntry const& law, std::span<double const> p, BoundFa
 }
 
 }  // namespace
+
+BilinearValues scaled(BilinearValues v, BoundFactors const& scale) {
+  double const z = scale.strength * (v.K1 - v.K2);
+  return {.K1 = scale.stiffness * v.K2 + z, .K2 = scale.stiffness * v.K2, .uy = v.uy};
+}
+
+BoucWenValues scaled(BoucWenValues v, BoundFactors const& scale) {
+  double const spring = scale.stiffness * v.alpha * v.Ke, hysteretic = scale.strength * (1.0 - v.alpha) * v.Ke;
+  v.Ke = spring + hysteretic;
+  v.alpha = spring / v.Ke;
+  return v;
+}
+
+std::optional<BoucWenValues> equivalent_bouc_wen(laws::LawEntry const& law, std::span<double const> parameters) {
+  if (law.info.id != "vaiana") return bouc_wen_values(law, parameters);
+  auto const branch = one_branch(law, parameters);
+  if (!branch.values || branch.values->beta1 != 0.0) return std::nullopt;
+  return without_hardening(*branch.values);
+}
 
 double BoucWenValues::z_max() const {
   return std::pow(beta + gamma, -1.0 / n);

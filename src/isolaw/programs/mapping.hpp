@@ -62,6 +62,12 @@ Mapping map_law(laws::LawEntry const& law, std::span<double const> parameters, B
 // Whether the two factors can act on the law's parts by themselves.
 bool has_separate_parts(laws::LawEntry const& law, std::span<double const> parameters);
 
+BilinearValues scaled(BilinearValues values, BoundFactors const& scale);
+BoucWenValues scaled(BoucWenValues values, BoundFactors const& scale);
+
+// The Bouc-Wen values of the same force: of bouc-wen itself, and of vaiana without hardening and with equal branches.
+std::optional<BoucWenValues> equivalent_bouc_wen(laws::LawEntry const& law, std::span<double const> parameters);
+
 std::optional<BilinearValues> bilinear_values(laws::LawEntry const& law, std::span<double const> parameters);
 std::optional<BoucWenValues> bouc_wen_values(laws::LawEntry const& law, std::span<double const> parameters);
 

@@ -124,42 +124,11 @@ void add_bounds(Realised& realised, std::size_t index, laws::LawEntry const& law
   realised.upper = form(bounds.upper);
 }
 
-struct Fitted {
-  laws::LawEntry const* law = nullptr;
-  std::vector<double> parameters;
-  double objective = infinite;
-};
-
-// The nearest bilinear or Bouc-Wen law to the force that the law gives on the first history. Not to the measured force:
-// the export is of this law, and its distance from the measurement is reported beside.
 Fitted nearest(Subject const& subject) {
-  auto const& history = subject.histories.front();
-  data::FitRecord record;
-  for (std::size_t i = 0; i < history.disp_mm.size(); ++i) {
-    if (!record.time_s.empty() && history.time_s[i] <= record.time_s.back()) {
-      // The way from zero displacement to the first sample takes no time; a record needs times that increase.
-      record.time_s.back() -= 1e-9;
-    }
-    record.time_s.push_back(history.time_s[i]);
-    record.disp_mm.push_back(history.disp_mm[i]);
-    record.force_kN.push_back(history.law_kN[i]);
-  }
   Fitted best;
   for (std::string_view const id : {"bilinear", "bouc-wen"}) {
-    auto const& law = laws::find_law(id);
-    fit::LawOnRecord const model(law, record, laws::Integration::converged);
-    std::vector<fit::Override> overrides;
-    if (!law.redundant.empty())
-      overrides.push_back({.law = std::string(id),
-                           .parameter = std::string(law.redundant),
-                           .interval = laws::Interval{law.redundant_value, law.redundant_value}});
-    auto const box = fit::make_box(law, fit::BoxKind::scaled, fit::scales_of(record, law.info), overrides);
-    fit::IdentificationProblem const problem(model, box);
-    num::Stream const stream = num::Stream(subject.seed).split(stable_hash("export")).split(stable_hash(id));
-    auto const found = opt::minimise_multistart(problem, stream);
-    if (!found.usable() || !(found.best_value < best.objective)) continue;
-    best = {.law = &law, .parameters = std::vector<double>(law.parameters.size()), .objective = found.best_value};
-    box.expand(found.best, best.parameters);
+    auto found = fit_in_place(subject, id);
+    if (found.law != nullptr && (best.law == nullptr || found.objective < best.objective)) best = std::move(found);
   }
   return best;
 }
@@ -253,6 +222,41 @@ std::string failure_of(Form const& form, Subject const& subject, Realised& reali
       "its replay differs from the law by {:.3g} % of the peak force, with steps {} times smaller still "
       "by {:.3g} %",
       found.largest, finer_steps, realised.finer->largest);
+}
+
+// Not to the measured force: the export is of this law, and its distance from the measurement is reported beside.
+Fitted fit_in_place(Subject const& subject, std::string_view id, std::vector<fit::Override> const& asked) {
+  auto const& history = subject.histories.front();
+  data::FitRecord record;
+  for (std::size_t i = 0; i < history.disp_mm.size(); ++i) {
+    // The way from zero displacement to the first sample takes no time; a record needs times that increase.
+    if (!record.time_s.empty() && history.time_s[i] <= record.time_s.back()) record.time_s.back() -= 1e-9;
+    record.time_s.push_back(history.time_s[i]);
+    record.disp_mm.push_back(history.disp_mm[i]);
+    record.force_kN.push_back(history.law_kN[i]);
+  }
+  auto const& law = laws::find_law(id);
+  fit::LawOnRecord const model(law, record, laws::Integration::converged);
+  auto overrides = asked;
+  if (!law.redundant.empty())
+    overrides.push_back({.law = std::string(id),
+                         .parameter = std::string(law.redundant),
+                         .interval = laws::Interval{law.redundant_value, law.redundant_value}});
+  auto const box = fit::make_box(law, fit::BoxKind::scaled, fit::scales_of(record, law.info), overrides);
+  fit::IdentificationProblem const problem(model, box);
+  num::Stream const stream = num::Stream(subject.seed).split(stable_hash("export")).split(stable_hash(id));
+  auto const found = opt::minimise_multistart(problem, stream);
+  if (!found.usable()) return {};
+  Fitted made{.law = &law, .parameters = std::vector<double>(law.parameters.size()), .objective = found.best_value};
+  box.expand(found.best, made.parameters);
+  return made;
+}
+
+Deviation deviation_of_law(Subject const& subject, laws::LawEntry const& law, std::span<double const> parameters) {
+  Deviation worst;
+  for (auto const& history : subject.histories)
+    keep_worst(worst, deviation(history, law_force(law, parameters, history), history.law_kN));
+  return worst;
 }
 
 Realisation realise(Subject const& subject) {

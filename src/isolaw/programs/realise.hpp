@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "isolaw/fit/box.hpp"
 #include "isolaw/programs/mapping.hpp"
 #include "isolaw/programs/subject.hpp"
 
@@ -54,6 +55,17 @@ struct Realisation {
 inline constexpr double exact_percent = 1e-7, limit_percent = 0.5;
 // A history this much longer than the tested one must still give a force.
 inline constexpr double overtravel = 1.5;
+
+// The nearest parameters of another law to this law's force on the first history.
+struct Fitted {
+  laws::LawEntry const* law = nullptr;  // null: none gave a force
+  std::vector<double> parameters;
+  double objective = 0.0;
+};
+Fitted fit_in_place(Subject const& subject, std::string_view law, std::vector<fit::Override> const& overrides = {});
+
+// How far a law with these parameters is from the subject's, the worst over the histories.
+Deviation deviation_of_law(Subject const& subject, laws::LawEntry const& law, std::span<double const> parameters);
 
 Realisation realise(Subject const& subject);
 

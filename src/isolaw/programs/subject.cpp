@@ -48,8 +48,8 @@ History protocol_of(double amplitude_mm, double frequency_Hz) {
     double const phase = 2.0 * std::numbers::pi * i / samples_per_cycle;
     double const size = i <= samples_per_cycle ? 0.5 * amplitude_mm : amplitude_mm;
     made.time_s.push_back(i / (samples_per_cycle * frequency_Hz));
-    // Exactly zero at the cycles' ends, whatever sin makes of pi.
-    made.disp_mm.push_back(i % samples_per_cycle == 0 ? 0.0 : size * std::sin(phase));
+    // Exactly zero there, whatever sin makes of pi.
+    made.disp_mm.push_back(i % (samples_per_cycle / 2) == 0 ? 0.0 : size * std::sin(phase));
     made.vel_mm_s.push_back(size * omega * std::cos(phase));
   }
   return made;
@@ -133,12 +133,14 @@ std::optional<PropertyBounds> ruled_bounds(report::Summary const& summary, Subje
   made.own = *own;
   if (std::isfinite(bound->lower) && bound->lower > 0.0) made.lower = bound->lower / *own;
   if (std::isfinite(bound->upper)) made.upper = bound->upper / *own;
-  made.text = fmt::format("{} {}: lower {}, upper {} {} (lambda {} and {} on {} {}, {}), this one's {}", bound->source,
-                          rules::name(quantity), made.lower ? number(bound->lower) : "none",
-                          made.upper ? number(bound->upper) : "none", view->unit,
-                          made.lower ? number(bound->combined.min) : "none", number(bound->combined.max),
-                          view->nominal ? "the design value" : "the lot's mean",
-                          number(view->nominal ? *view->nominal : *view->mean), bound->note, number(*own));
+  made.text = fmt::format(
+      "{} {}: lower {}, upper {} {} (lambda {} and {} on {} {}, {}{}), this one's {}", bound->source,
+      rules::name(quantity), made.lower ? number(bound->lower) : "none", made.upper ? number(bound->upper) : "none",
+      view->unit, made.lower ? number(bound->combined.min) : "none", number(bound->combined.max),
+      view->nominal ? "the design value" : "the lot's mean", number(view->nominal ? *view->nominal : *view->mean),
+      bound->note,
+      bound->combined.max_is_default || bound->combined.min_is_default ? ", the set's own limits of lambda taken" : "",
+      number(*own));
   return made;
 }
 

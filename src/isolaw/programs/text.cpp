@@ -48,11 +48,16 @@ std::string harmless_markdown(std::string_view text) {
 }
 
 std::string identifier(Subject const& subject) {
-  auto made = fmt::format("isolaw_{}_{}", subject.law->info.id, subject.device);
-  for (char& c : made)
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0 || static_cast<unsigned char>(c) > 127) c = '_';
   constexpr std::size_t longest = 60;
-  return made.substr(0, longest);
+  std::string made;
+  for (char const c : fmt::format("isolaw_{}_{}", subject.law->info.id, subject.device)) {
+    bool const kept = static_cast<unsigned char>(c) < 128 && std::isalnum(static_cast<unsigned char>(c)) != 0;
+    // C++ keeps names with two underscores in a row for itself.
+    if (kept || (!made.ends_with('_') && made.size() < longest)) made += kept ? c : '_';
+    if (made.size() >= longest) break;
+  }
+  while (made.ends_with('_')) made.pop_back();
+  return made;
 }
 
 std::string exactly(double value) {
