@@ -61,6 +61,9 @@ TEST_F(Export, gives_every_law_to_every_target) {
         EXPECT_NEAR(j["bounds"]["upper"]["force"].get<double>(), 1.1, 0.01);
         EXPECT_NEAR(j["bounds"]["lower"]["force"].get<double>(), 1.0, 1e-12);
       }
+      if (law == "vaiana" && to == "json") {
+        EXPECT_TRUE(contains(o.out, "--set vaiana.Kb-=Kb+"));
+      }
       if (to == "opensees" || to == "openseespy") {
         EXPECT_TRUE(contains(o.out, "Fidelity: "));
       }
@@ -147,6 +150,18 @@ TEST_F(Export, takes_bounds_from_the_rule_set) {
   // Asked for at the export, a set leaves the store as it is.
   EXPECT_TRUE(contains(of("a", {"--rules", "aashto"})["source"].get<std::string>(), "aashto"));
   EXPECT_EQ(of("a"), a);
+}
+
+// The export of a general vaiana says what would make it exact; this is that.
+TEST_F(Export, of_vaiana_with_equal_branches_is_exact) {
+  Words ties;
+  for (std::string const name : {"Kb", "f0", "alpha", "beta1", "beta2"})
+    ties = ties + Words{"--set", "vaiana." + name + "-=" + name + "+"};
+  ASSERT_EQ(calibrate("vaiana", ties).code, 0);
+  auto const hardening = Json::parse(exported("vaiana", "a", "json").out);
+  EXPECT_EQ(hardening["fidelity"], "exact") << hardening["explanation"] << hardening["refused"];
+  EXPECT_LT(hardening["forms"][0]["from_law"]["largest_percent_of_peak"], 1e-7);
+  EXPECT_EQ(hardening["forms"][0]["nominal"].size(), 2U);  // in a Multiplier
 }
 
 TEST_F(Export, says_what_there_is_when_asked_wrongly) {

@@ -95,7 +95,14 @@ Form bearing_bouc_wen(BoucWenValues const& v) {
 }
 
 std::vector<Form> bouc_wen_forms(BoucWenValues const& v) {
-  return {bouc_wen(v), bouc_wen_original(v), bearing_bouc_wen(v)};
+  std::vector<Form> made{bouc_wen(v), bouc_wen_original(v), bearing_bouc_wen(v)};
+  // |z|^n has an infinite slope at 0 then, which Newton's iteration of the program meets and bisection here does not.
+  if (v.n < 1.0)
+    for (auto& form : made)
+      form.condition +=
+          std::string(form.condition.empty() ? "" : "; ") +
+          "where the program's iteration converges: with n below 1 it may fail as z passes 0, see the self-check";
+  return made;
 }
 
 // One set of limit curves, in kN and mm; empty with the reason where loading and unloading differ or there is a sigmoid.
@@ -117,11 +124,12 @@ OneBranch one_branch(laws::LawEntry const& law, std::span<double const> p) {
     if (no_hardening && name == "beta2") continue;
     double const loading = at(std::string(name) + "+"), unloading = at(std::string(name) + "-");
     if (loading != unloading)
-      return {
-          {},
-          fmt::format("loading and unloading differ ({}+ = {:.5g}, {}- = {:.5g}), and HystereticAsym has one set of "
-                      "limit curves; a calibration with --set 'vaiana.{}-={}+' and so on would be exact",
-                      name, loading, name, unloading, name, name)};
+      return {{},
+              fmt::format(
+                  "loading and unloading differ ({}+ = {:.5g}, {}- = {:.5g}), and HystereticAsym has one set of "
+                  "limit curves; calibrated with --set vaiana.Kb-=Kb+, and likewise for f0, alpha, beta1 and beta2, "
+                  "the law has one set too",
+                  name, loading, name, unloading)};
   }
   double const F = law.info.force.in_record_units, L = law.info.length.in_record_units;
   VaianaValues v{.Kb = at("Kb+") * F / L,

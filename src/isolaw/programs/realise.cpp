@@ -82,6 +82,13 @@ double longest_travel(History const& history) {
   return longest;
 }
 
+double longest_step(History const& history) {
+  double longest = 0.0;
+  for (std::size_t i = 1; i < history.disp_mm.size(); ++i)
+    longest = std::max(longest, std::abs(history.disp_mm[i] - history.disp_mm[i - 1]));
+  return longest;
+}
+
 Realised replayed(Form const& form, Subject const& subject) {
   Realised made{.nominal = form, .lower = {}, .upper = {}, .from_law = {}, .finer = {}, .from_measured = {}};
   for (auto const& history : subject.histories) {
@@ -89,7 +96,8 @@ Realised replayed(Form const& form, Subject const& subject) {
     keep_worst(made.from_law, deviation(history, force, history.law_kN));
     if (!made.from_measured) made.from_measured.emplace();
     keep_worst(*made.from_measured, deviation(history, force, history.measured_kN));
-    made.largest_measured_travel_mm = std::max(made.largest_measured_travel_mm, longest_travel(history));
+    made.longest_travel_mm = std::max(made.longest_travel_mm, longest_travel(history));
+    made.longest_step_mm = std::max(made.longest_step_mm, longest_step(history));
     if (form.exactness != Exactness::small_steps) continue;
     if (!made.finer) made.finer.emplace();
     auto const fine = replay_kN(form, record_units, refined(history.disp_mm, finer_steps));
@@ -205,12 +213,12 @@ std::string failure_of(Form const& form, Subject const& subject, Realised& reali
   realised = replayed(form, subject);
   auto const& found = realised.from_law;
   if (!std::isfinite(found.largest)) return "its force is no number (NaN) on the calibration record";
-  if (breaks_beyond_the_test(form, subject, realised.largest_measured_travel_mm))
+  if (breaks_beyond_the_test(form, subject, realised.longest_travel_mm))
     return fmt::format(
         "its force may be no number (NaN) where the isolator moves {} times as far as in the tests{}", overtravel,
         form.longest_travel_mm ? fmt::format(": it stands no travel beyond about {:.4g} mm in one direction, "
                                              "the tests have {:.4g} mm",
-                                             *form.longest_travel_mm, realised.largest_measured_travel_mm)
+                                             *form.longest_travel_mm, realised.longest_travel_mm)
                                : std::string());
   if (form.exactness == Exactness::every_step)
     return found.largest <= exact_percent

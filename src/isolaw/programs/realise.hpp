@@ -37,7 +37,7 @@ struct Realised {
   Deviation from_law;                      // the worst over the histories, at the sampling of the records
   std::optional<Deviation> finer;          // with steps finer_steps times smaller, where that matters
   std::optional<Deviation> from_measured;  // of a device's record
-  double largest_measured_travel_mm = 0.0;
+  double longest_travel_mm = 0.0, longest_step_mm = 0.0;  // of the records: in one direction, and between samples
 };
 inline constexpr int finer_steps = 16;
 

@@ -31,6 +31,40 @@ std::string range_of(std::optional<double> low, std::optional<double> high, std:
   return fmt::format("{:.4g} to {:.4g} {}", *low, *high, unit);
 }
 
+// Forms of one equation agree to rounding and are told of together.
+bool same(Deviation const& a, Deviation const& b) {
+  return std::abs(a.largest - b.largest) <= 1e-6 * a.largest + 1e-9;
+}
+
+std::vector<Fact> replay_facts(Subject const& subject, Realisation const& realisation, UnitSystem const& units) {
+  auto const& forms = realisation.forms;
+  std::vector<Fact> made;
+  for (std::size_t first = 0, next = 0; first < forms.size(); first = next) {
+    std::string titles;
+    for (next = first; next < forms.size() && same(forms[first].from_law, forms[next].from_law); ++next)
+      titles += (titles.empty() ? "" : ", ") + forms[next].nominal.title;
+    auto const& form = forms[first];
+    made.push_back(
+        {titles, fmt::format("replayed on the calibration record{}, steps up to {:.3g} {}, against the law: {}",
+                             subject.lot ? "s (the worst of them)" : "", units.from_mm(form.longest_step_mm),
+                             units.length.symbol, deviation_text(form.from_law))});
+    if (form.finer)
+      made.push_back({fmt::format("  in steps {} times smaller", finer_steps), deviation_text(*form.finer)});
+    if (form.from_measured && first == 0)
+      made.push_back({"  against the measured force", deviation_text(*form.from_measured)});
+    for (std::size_t i = first; i < next; ++i) {
+      auto const& one = forms[i].nominal;
+      if (one.condition.empty()) continue;
+      made.push_back(
+          {"  " + one.title.substr(one.title.find(' ') + 1),
+           one.condition + (one.longest_travel_mm
+                                ? fmt::format(": {:.4g} {}", units.from_mm(*one.longest_travel_mm), units.length.symbol)
+                                : std::string())});
+    }
+  }
+  return made;
+}
+
 std::string factor_text(BoundFactors const& factors, bool one_factor) {
   if (factors.separate && !one_factor)
     return fmt::format("stiffness (K_d) x {:.4g}, strength (Q_d) x {:.4g}", factors.stiffness, factors.strength);
@@ -137,22 +171,7 @@ std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, 
     made.push_back({"Fitted in its place", fmt::format("{}: {}", realisation.substitute,
                                                        parameter_text(laws::find_law(realisation.substitute),
                                                                       realisation.substitute_parameters))});
-  auto const record =
-      subject.lot ? std::string("the calibration records (the worst of them)") : std::string("the calibration record");
-  for (auto const& form : realisation.forms) {
-    made.push_back(
-        {form.nominal.title, "replayed on " + record + ", against the law: " + deviation_text(form.from_law)});
-    if (form.finer)
-      made.push_back({"  in steps " + std::to_string(finer_steps) + " times smaller", deviation_text(*form.finer)});
-    if (form.from_measured && &form == realisation.forms.data())
-      made.push_back({"  against the measured force", deviation_text(*form.from_measured)});
-    if (!form.nominal.condition.empty())
-      made.push_back({"  holds", form.nominal.condition +
-                                     (form.nominal.longest_travel_mm
-                                          ? fmt::format(": {:.4g} {}", units.from_mm(*form.nominal.longest_travel_mm),
-                                                        units.length.symbol)
-                                          : std::string())});
-  }
+  for (auto& fact : replay_facts(subject, realisation, units)) made.push_back(std::move(fact));
   for (auto const& refused : realisation.refused) made.push_back({"Refused", refused});
   for (auto& fact : validity(subject)) made.push_back(std::move(fact));
   made.push_back({"Beyond these", "nothing was tested, and the law is an extrapolation"});
