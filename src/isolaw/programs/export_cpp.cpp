@@ -33,17 +33,17 @@ std::string parameters_struct(Subject const& subject) {
 std::string constants(Subject const& subject, UnitSystem const& units) {
   auto const& law = subject.law->info;
   std::string text = fmt::format(
-      "constexpr double length_to_law = {};  // {} per {} of the program\n"
-      "constexpr double force_from_law = {};  // {} of the program per {}\n"
-      "constexpr int substeps = {};  // of a step, as the law was integrated when it was identified\n"
-      "constexpr double nominal = 1.0;  // factors on the force\n",
+      "inline constexpr double length_to_law = {};  // {} per {} of the program\n"
+      "inline constexpr double force_from_law = {};  // {} of the program per {}\n"
+      "inline constexpr int substeps = {};  // of a step, as the law was integrated when it was identified\n"
+      "inline constexpr double nominal = 1.0;  // factors on the force\n",
       exactly(units.length.in_record_units / law.length.in_record_units), law.length.symbol, units.length.symbol,
       exactly(law.force.in_record_units / units.force.in_record_units), units.force.symbol, law.force.symbol,
       subject.refinement);
   if (subject.bounds.lower)
-    text += fmt::format("constexpr double lower = {};\n", exactly(subject.bounds.lower->overall));
+    text += fmt::format("inline constexpr double lower = {};\n", exactly(subject.bounds.lower->overall));
   if (subject.bounds.upper)
-    text += fmt::format("constexpr double upper = {};\n", exactly(subject.bounds.upper->overall));
+    text += fmt::format("inline constexpr double upper = {};\n", exactly(subject.bounds.upper->overall));
   return text;
 }
 
@@ -94,10 +94,14 @@ int main() {{
 
 std::string cpp_header(Subject const& subject, UnitSystem const& units) {
   auto const parts = header_parts(subject.law->info.id);
+  if (parts.empty())
+    throw Error({.where = "law " + std::string(subject.law->info.id),
+                 .found = "no C++ form of it",
+                 .allowed = "another target"});
   auto const space = identifier(subject);
   Realisation itself;
   itself.fidelity = Fidelity::exact;
-  itself.explanation = "the law itself, in steps of the analysis as it was identified in steps of the record";
+  itself.explanation = "the law itself, computed as isolaw computes it, one step for each step of the analysis";
   auto all = facts(subject, itself, units, "C++17");
   std::erase_if(all, [](Fact const& fact) {
     return fact.label == "Lower bound" || fact.label == "Upper bound" || fact.label == "Bounds from";

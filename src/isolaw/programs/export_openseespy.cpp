@@ -84,7 +84,7 @@ def self_check(tag=990001):
         ops.testUniaxialMaterial(tag)
         got = []
         for x in DISP:
-            ops.setStrain(x)
+            ops.setStrain(float(x))
             got.append(ops.getStress())
         peak = max(abs(f) for f in expected)
         # A force that is no number is larger than any difference.

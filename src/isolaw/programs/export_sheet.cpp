@@ -237,8 +237,8 @@ void others(Page& page, WenSet const& wen, std::optional<Set<BilinearValues>> co
     page.heading("MIDAS, general link, Hysteretic System");
     page.line(fmt::format(
         "{}. PA + PB = 1; which of the two multiplies the sign was not verified: where they differ, compare "
-        "one loop before use.\n",
-        wen->how));
+        "one loop before use, and see whether the program takes a negative one.\n",
+        capitalised(wen->how)));
     wen_rows(page, *wen, "STIFF", "YSTR", "PYS_RATIO", "YEXP");
     page.row("PA or PB", 0, 0, *wen, share_of_beta, "beta / (beta + gamma), the one with the sign");
     page.row(

@@ -24,6 +24,7 @@ std::string_view name(Fidelity fidelity);
 // How far a force is from another over a history, in percent.
 struct Deviation {
   double largest = 0.0;                 // of the other's peak
+  double at_s = 0.0;                    // when
   double rms = 0.0;                     // root mean square, of the other's peak
   std::optional<double> K_eff, energy;  // of the reported cycle; without one, empty
 };

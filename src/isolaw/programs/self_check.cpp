@@ -38,9 +38,11 @@ SelfCheck self_check(Subject const& subject, Realisation const& realisation, Uni
 std::string wrapped(std::vector<double> const& values, std::string_view separator, std::string_view indent) {
   constexpr std::size_t per_line = 8;
   std::string text;
+  auto const line_end = separator.substr(0, separator.find_last_not_of(' ') + 1);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (i % per_line == 0) text += fmt::format("{}{}", i == 0 ? "" : "\n", indent);
-    text += fmt::format("{:.10g}{}", values[i], i + 1 < values.size() ? separator : "");
+    bool const first = i % per_line == 0, last = (i + 1) % per_line == 0;
+    if (first) text += fmt::format("{}{}", i == 0 ? "" : "\n", indent);
+    text += fmt::format("{:.10g}{}", values[i], i + 1 == values.size() ? "" : last ? line_end : separator);
   }
   return text;
 }

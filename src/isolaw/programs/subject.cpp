@@ -232,6 +232,19 @@ void add_lot_parameters(Subject& subject, campaign::Contents const& contents, st
   std::ranges::stable_sort(subject.histories, std::ranges::greater{}, reach);
 }
 
+// A law may have fitted a record that begins elsewhere and still have no force on the way there from zero.
+void require_finite(Subject const& subject, std::string const& where) {
+  auto const finite = [](History const& history) {
+    return std::ranges::all_of(history.law_kN, [](double f) { return std::isfinite(f); });
+  };
+  if (std::ranges::all_of(subject.histories, finite) && finite(subject.protocol)) return;
+  throw Error(
+      {.where = where,
+       .found = "from zero displacement the law has no finite force on the calibration record, or on two cycles at the "
+                "tested amplitude",
+       .allowed = "a law with a finite force there"});
+}
+
 void add_measured(Subject& subject, report::Summary const& summary) {
   std::vector<double> stiffness, damping;
   for (auto const& device : summary.devices) {
@@ -305,6 +318,7 @@ Subject make_subject(campaign::Contents const& contents, report::Summary const& 
   subject.protocol.refinement = subject.refinement;
   for (auto& history : subject.histories) history.law_kN = law_force(*subject.law, subject.parameters, history);
   subject.protocol.law_kN = law_force(*subject.law, subject.parameters, subject.protocol);
+  require_finite(subject, where);
   subject.bounds = bounds_of(summary, subject);
   return subject;
 }
