@@ -214,5 +214,12 @@ TEST_F(Export, of_devices_with_hostile_names_stays_a_comment) {
             "x\"\"\"; } {$a`b` [exec touch HACKED] \\");
 }
 
+TEST_F(Export, keeps_devices_of_alike_names_apart) {
+  write("lot.toml", "[[device]]\nname = 'P 1'\nfile = 'a.csv'\n[[device]]\nname = 'P-1'\nfile = 'b.csv'\n");
+  ASSERT_EQ(isolaw({"calibrate", "lot.toml", "--laws", "bouc-wen", "--runs", "1", "--out", "C"}).code, 0);
+  EXPECT_TRUE(contains(exported("bouc-wen", "P 1", "cpp").out, "namespace isolaw_bouc_wen_P_1_1 {"));
+  EXPECT_TRUE(contains(exported("bouc-wen", "P-1", "cpp").out, "namespace isolaw_bouc_wen_P_1_2 {"));
+}
+
 }  // namespace
 }  // namespace isolaw::cli_test

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -267,6 +268,19 @@ void add_measured(Subject& subject, report::Summary const& summary) {
 
 }  // namespace
 
+std::string plain_name(std::string_view name) {
+  constexpr std::size_t longest = 40;
+  std::string made;
+  for (char const c : name) {
+    bool const kept = static_cast<unsigned char>(c) < 128 && std::isalnum(static_cast<unsigned char>(c)) != 0;
+    // C++ keeps names with two underscores in a row for itself.
+    if (kept || (!made.empty() && !made.ends_with('_'))) made += kept ? c : '_';
+    if (made.size() == longest) break;
+  }
+  while (made.ends_with('_')) made.pop_back();
+  return made;
+}
+
 std::vector<double> law_force(laws::LawEntry const& law, std::span<double const> parameters, History const& history) {
   auto const in_law_units = [&](std::vector<double> values) {
     for (double& v : values) v /= law.info.length.in_record_units;
@@ -296,6 +310,9 @@ Subject make_subject(campaign::Contents const& contents, report::Summary const& 
       std::ranges::find(contents.lot_analyses, law, &campaign::LotAnalysis::law) != contents.lot_analyses.end();
   subject.lot = device == "lot" && (named == contents.devices.end() || has_lot);
   subject.device = std::string(device);
+  for (auto const& other : contents.devices)
+    if ((subject.lot || other.name != subject.device) && plain_name(other.name) == plain_name(subject.device))
+      subject.number_among_alike = static_cast<std::size_t>(named - contents.devices.begin()) + 1;
   auto const where = fmt::format("law {}, {}", law, subject.lot ? "the lot" : "device '" + subject.device + "'");
   if (!subject.lot && named == contents.devices.end()) {
     std::vector<std::string> names;

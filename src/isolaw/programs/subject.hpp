@@ -48,7 +48,9 @@ struct Subject {
   std::string version, title;
   laws::LawEntry const* law = nullptr;
   bool lot = false;
-  std::string device;              // its name; "lot" for the law of the lot
+  std::string device;  // its name; "lot" for the law of the lot
+  // Where another name of the campaign has the same letters and digits: which of its devices this is, from 1; 0 elsewhere.
+  std::size_t number_among_alike = 0;
   std::vector<double> parameters;  // in the law's units and order
   std::vector<History>
       histories;              // of the device; for a lot, of every device that takes part, the largest amplitude first
@@ -63,6 +65,9 @@ struct Subject {
   double design_disp_mm = 0.0;                             // amplitude of the reported cycle
   std::vector<std::string> notes;
 };
+
+// A name as programs take names: each run of other characters than letters and digits becomes one underscore.
+std::string plain_name(std::string_view name);
 
 // Throws Error: no such law or device in the campaign (says what there is), a law without a result there, a lot without
 // its one law.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "isolaw/base/printable.hpp"
@@ -82,15 +81,9 @@ std::string harmless_markdown(std::string_view text) {
 }
 
 std::string identifier(Subject const& subject) {
-  constexpr std::size_t longest = 60;
-  std::string made;
-  for (char const c : fmt::format("isolaw_{}_{}", subject.law->info.id, subject.device)) {
-    bool const kept = static_cast<unsigned char>(c) < 128 && std::isalnum(static_cast<unsigned char>(c)) != 0;
-    // C++ keeps names with two underscores in a row for itself.
-    if (kept || (!made.ends_with('_') && made.size() < longest)) made += kept ? c : '_';
-    if (made.size() >= longest) break;
-  }
-  while (made.ends_with('_')) made.pop_back();
+  auto made = "isolaw_" + plain_name(subject.law->info.id);
+  if (auto const device = plain_name(subject.device); !device.empty()) made += "_" + device;
+  if (subject.number_among_alike > 0) made += fmt::format("_{}", subject.number_among_alike);
   return made;
 }
 

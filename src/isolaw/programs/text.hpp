@@ -14,7 +14,8 @@ namespace isolaw::programs {
 std::string harmless(std::string_view text);
 // The same for a table of Markdown.
 std::string harmless_markdown(std::string_view text);
-// Letters, digits and underscores, not beginning with a digit: "isolaw_bouc_wen_P_1".
+// Letters, digits and single underscores, not beginning with a digit: "isolaw_bouc_wen_P_1". One for each device of a
+// campaign.
 std::string identifier(Subject const& subject);
 
 // Shortest text that reads back as the same number.
