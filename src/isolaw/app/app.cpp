@@ -232,6 +232,17 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   sample_command.add_option("--count", sample_arguments.count, "devices to draw (100)");
   sample_command.add_option("--seed", sample_arguments.seed, "seed of the draws (the campaign's)");
 
+  ExportArguments export_arguments;
+  auto& export_command = *app.add_subcommand("export", "A law of a campaign for an analysis program, with its check");
+  export_command.add_option("directory", export_arguments.directory, "the campaign's directory")->required();
+  export_command.add_option("--law", export_arguments.law, "id of the law")->required();
+  export_command.add_option("--device", export_arguments.device, "name of the device, or lot: the one law of the lot")
+      ->required();
+  export_command.add_option("--to", export_arguments.to, "opensees, openseespy, cpp, json, or sheet")->required();
+  add_acceptance(export_command, export_arguments.acceptance);
+  export_command.add_option("--units", export_arguments.units, "kN-mm, N-m, or kip-in (kN-mm)");
+  export_command.add_option("--out", export_arguments.out, "file to write (standard output)");
+
   std::string rule_set;
   auto& rules_command = *app.add_subcommand("rules", "The rule sets, or the file of one; template to write your own");
   rules_command.add_option("name", rule_set, "a rule set, or template");
@@ -275,6 +286,7 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   if (app.got_subcommand("inspect")) return inspect(inspect_arguments);
   if (app.got_subcommand("report")) return report(report_arguments);
   if (app.got_subcommand("sample")) return sample(sample_arguments);
+  if (app.got_subcommand("export")) return export_law(export_arguments);
   if (app.got_subcommand("rules")) return list_rules(rule_set);
   if (app.got_subcommand("bench")) return bench(json);
   if (app.got_subcommand("check")) return check(directory);

@@ -82,6 +82,16 @@ struct SampleArguments {
 // Devices of a lot's population as CSV, a row for each.
 int sample(SampleArguments const& arguments);
 
+struct ExportArguments {
+  std::filesystem::path directory;
+  std::string law, device, to;
+  AcceptanceArguments acceptance;  // of the bounds; what is given overrides what the store says
+  std::optional<std::string> units;
+  std::optional<std::filesystem::path> out;  // empty: standard output
+};
+// A law of a campaign for an analysis program.
+int export_law(ExportArguments const& arguments);
+
 int list_rules(std::string const& name);
 int check(std::filesystem::path const& directory);
 int bench(bool json);

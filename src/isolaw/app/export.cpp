@@ -1,0 +1,34 @@
+#include <cstdio>
+#include <fstream>
+
+#include "isolaw/app/commands.hpp"
+#include "isolaw/app/lot_of.hpp"
+#include "isolaw/app/say.hpp"
+#include "isolaw/base/error.hpp"
+#include "isolaw/campaign/store.hpp"
+#include "isolaw/programs/exports.hpp"
+#include "isolaw/report/build_summary.hpp"
+
+namespace isolaw::app {
+
+int export_law(ExportArguments const& a) {
+  auto const target = programs::parse_target(a.to);
+  auto const& units = programs::find_unit_system(a.units.value_or("kN-mm"));
+  auto contents = campaign::Store::read(a.directory / "campaign.sqlite");
+  apply(a.acceptance, contents.acceptance);
+  auto const subject = programs::make_subject(contents, report::build_summary(contents), a.law, a.device);
+  auto const text = programs::exported(subject, target, units);
+  if (!a.out) {
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return exit_done;
+  }
+  std::ofstream file(*a.out, std::ios::binary);
+  file.write(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!file.flush())
+    throw Error(
+        {.where = a.out->string(), .found = "cannot be written", .allowed = "a file in a directory that exists"});
+  say("{}\n", shown(*a.out));
+  return exit_done;
+}
+
+}  // namespace isolaw::app

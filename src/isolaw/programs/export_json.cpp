@@ -1,0 +1,127 @@
+// JSON: everything an export knows, for machines.
+#include "isolaw/programs/exports.hpp"
+#include "isolaw/programs/self_check.hpp"
+#include "isolaw/programs/text.hpp"
+#include "isolaw/report/json.hpp"
+
+namespace isolaw::programs {
+namespace {
+
+using report::JsonWriter;
+
+void write(JsonWriter& out, std::string_view key, Deviation const& d) {
+  out.key(key).begin_object();
+  out.member("largest_percent_of_peak", d.largest).member("at_s", d.at_s).member("rms_percent_of_peak", d.rms);
+  out.member("K_eff_percent", d.K_eff).member("energy_percent", d.energy).end_object();
+}
+
+void write(JsonWriter& out, std::string_view key, std::vector<double> const& values) {
+  out.key(key).begin_array();
+  for (double const v : values) out.value(v);
+  out.end_array();
+}
+
+void write_parameters(JsonWriter& out, std::string_view key, laws::LawEntry const& law,
+                      std::span<double const> parameters) {
+  out.key(key).begin_array();
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    auto const& p = law.parameters[i];
+    out.begin_object().member("name", p.name).member("value", parameters[i]).member("unit", p.unit);
+    out.member("meaning", p.meaning).end_object();
+  }
+  out.end_array();
+}
+
+void write_commands(JsonWriter& out, std::string_view key, Form const& form, UnitSystem const& units) {
+  auto const commands = in_units(form, units);
+  out.key(key).begin_array();
+  for (std::size_t c = 0; c < commands.size(); ++c) {
+    out.begin_object().member("name", commands[c].name).key("arguments").begin_array();
+    for (std::size_t i = 0; i < commands[c].arguments.size(); ++i) {
+      auto const& a = form.commands[c].arguments[i];
+      out.begin_object().member("name", a.name).member("value", commands[c].arguments[i]);
+      out.member("force_power", a.force_power).member("length_power", a.length_power).end_object();
+    }
+    out.end_array().end_object();
+  }
+  out.end_array();
+}
+
+void write_factors(JsonWriter& out, std::string_view key, std::optional<BoundFactors> const& factors) {
+  out.key(key);
+  if (!factors) {
+    out.null();
+    return;
+  }
+  out.begin_object().member("stiffness", factors->stiffness).member("strength", factors->strength);
+  out.member("force", factors->overall).member("separate", factors->separate).end_object();
+}
+
+void write_validity(JsonWriter& out, Subject const& subject) {
+  auto const& t = subject.tested;
+  out.key("tested").begin_object();
+  out.member("disp_mm", t.disp_mm).member("shear_strain_percent", t.strain_percent);
+  out.member("lowest_frequency_Hz", t.lowest_Hz).member("highest_frequency_Hz", t.highest_Hz);
+  out.member("velocity_mm_s", t.v_max_mm_s).member("load_min_kN", t.load_min_kN).member("load_max_kN", t.load_max_kN);
+  out.member("temperature_min_C", t.temperature_min_C).member("temperature_max_C", t.temperature_max_C).end_object();
+}
+
+void write_forms(JsonWriter& out, Realisation const& realisation, SelfCheck const& check, UnitSystem const& units) {
+  out.key("forms").begin_array();
+  for (std::size_t i = 0; i < realisation.forms.size(); ++i) {
+    auto const& form = realisation.forms[i];
+    out.begin_object().member("id", form.nominal.id).member("title", form.nominal.title);
+    out.member("exact_at_every_step", form.nominal.exactness == Exactness::every_step);
+    out.member("condition", form.nominal.condition);
+    out.member("longest_travel", form.nominal.longest_travel_mm
+                                     ? std::optional(units.from_mm(*form.nominal.longest_travel_mm))
+                                     : std::nullopt);
+    out.member("longest_step_of_the_records", units.from_mm(form.longest_step_mm));
+    write_commands(out, "nominal", form.nominal, units);
+    if (form.lower) write_commands(out, "lower", *form.lower, units);
+    if (form.upper) write_commands(out, "upper", *form.upper, units);
+    write(out, "from_law", form.from_law);
+    if (form.finer) write(out, "from_law_in_finer_steps", *form.finer);
+    if (form.from_measured) write(out, "from_measured", *form.from_measured);
+    out.key("expected").begin_object().member("tolerance_of_peak", check.forms[i].tolerance);
+    for (auto const& variant : check.forms[i].variants) write(out, variant.name, variant.force);
+    out.end_object().end_object();
+  }
+  out.end_array();
+}
+
+}  // namespace
+
+std::string export_json(Subject const& subject, Realisation const& realisation, UnitSystem const& units) {
+  auto const check = self_check(subject, realisation, units);
+  auto const& law = subject.law->info;
+  JsonWriter out(JsonWriter::Layout::indented);
+  out.begin_object().member("isolaw", subject.version).member("lot", subject.title);
+  out.member("device", subject.device).member("of_the_lot", subject.lot);
+  out.key("law").begin_object().member("id", law.id).member("title", law.title).member("source", law.source);
+  out.member("force_unit", law.force.symbol).member("length_unit", law.length.symbol).end_object();
+  write_parameters(out, "parameters", *subject.law, subject.parameters);
+  out.member("objective", subject.objective);
+  out.key("units").begin_object().member("id", units.id).member("force", units.force.symbol);
+  out.member("length", units.length.symbol).member("time", "s").end_object();
+  out.member("fidelity", name(realisation.fidelity)).member("explanation", realisation.explanation);
+  out.member("refused", realisation.refused).member("substitute", realisation.substitute);
+  if (!realisation.substitute.empty())
+    write_parameters(out, "substitute_parameters", laws::find_law(realisation.substitute),
+                     realisation.substitute_parameters);
+  write_validity(out, subject);
+  out.key("bounds").begin_object();
+  write_factors(out, "lower", subject.bounds.lower);
+  write_factors(out, "upper", subject.bounds.upper);
+  out.member("source", subject.bounds.source).end_object();
+  out.member("finer_steps", finer_steps);
+  write_forms(out, realisation, check, units);
+  out.key("self_check").begin_object();
+  out.member("frequency_Hz", subject.frequency_Hz);
+  write(out, "disp", check.disp);
+  write(out, "law_force", check.law);
+  out.end_object().member("notes", subject.notes).end_object();
+  return out.take() + "\n";
+}
+
+}  // namespace isolaw::programs

@@ -1,0 +1,316 @@
+// A page of values for programs whose input cannot be tried here: each program's own symbols, where its model is the law and
+// where it is the nearest one, with what that costs.
+//
+// Force laws, as their manuals give them. SAP2000 and ETABS, Plastic (Wen): f = r k d + (1 - r) Fy z with dz = (k / Fy) dd
+// (1 - |z|^exp) where dd z > 0, else (k / Fy) dd: Bouc-Wen with beta = gamma. Rubber Isolator: the same with exp = 2, coupled
+// in its plane. MIDAS, Hysteretic System: as Plastic (Wen) with two free shares PA + PB = 1. SeismoStruct: the arguments of
+// the OpenSees bearing. Abaqus: connector elasticity with plasticity and linear kinematic hardening.
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cmath>
+
+#include "isolaw/programs/exports.hpp"
+#include "isolaw/programs/text.hpp"
+
+namespace isolaw::programs {
+namespace {
+
+// A substitute with the values of its three variants.
+template <class Values>
+struct Set {
+  std::string how;  // "exact", or what was fitted and its error
+  Values nominal;
+  std::optional<Values> lower, upper;
+};
+
+template <class Values>
+Set<Values> with_bounds(Subject const& subject, Values const& nominal, std::string how) {
+  Set<Values> made{std::move(how), nominal, {}, {}};
+  if (subject.bounds.lower) made.lower = scaled(nominal, *subject.bounds.lower);
+  if (subject.bounds.upper) made.upper = scaled(nominal, *subject.bounds.upper);
+  return made;
+}
+
+std::string fitted_text(std::string_view what, Deviation const& error) {
+  return fmt::format("{}: {}", what, deviation_text(error));
+}
+
+std::vector<double> parameters_of(BoucWenValues const& v) {
+  auto const& law = laws::find_law("bouc-wen");
+  std::vector<double> p(law.parameters.size());
+  p[law.index_of("alpha")] = v.alpha;
+  p[law.index_of("Ke")] = v.Ke;
+  p[law.index_of("A")] = 1.0;
+  p[law.index_of("beta")] = v.beta;
+  p[law.index_of("n")] = v.n;
+  p[law.index_of("gamma")] = v.gamma;
+  return p;
+}
+
+constexpr double sharpest = 20.0;  // exponent of a corner
+
+// Bouc-Wen that stands for a bilinear loop.
+BoucWenValues sharp(BilinearValues const& v) {
+  double const half = 0.5 * std::pow(v.uy, -sharpest);
+  return {.alpha = v.K2 / v.K1, .Ke = v.K1, .beta = half, .gamma = half, .n = sharpest};
+}
+
+std::optional<BoucWenValues> fitted_bouc_wen(Subject const& subject, std::vector<fit::Override> const& overrides,
+                                             Deviation& error) {
+  auto const found = fit_in_place(subject, "bouc-wen", overrides);
+  if (found.law == nullptr) return std::nullopt;
+  error = deviation_of_law(subject, *found.law, found.parameters);
+  return bouc_wen_values(*found.law, found.parameters);
+}
+
+fit::Override set(std::string_view parameter, laws::Interval interval) {
+  return {.law = "bouc-wen", .parameter = std::string(parameter), .interval = interval, .tied_to = {}};
+}
+fit::Override tie_gamma() {
+  return {.law = "bouc-wen", .parameter = "gamma", .interval = std::nullopt, .tied_to = "beta"};
+}
+
+using WenSet = std::optional<Set<BoucWenValues>>;
+
+// With beta = gamma and an exponent of 1 to 20.
+WenSet plastic_wen(Subject const& subject) {
+  if (auto const v = bilinear_values(*subject.law, subject.parameters)) {
+    auto const s = sharp(*v);
+    auto const error = deviation_of_law(subject, laws::find_law("bouc-wen"), parameters_of(s));
+    return with_bounds(subject, s, fitted_text("the corner as an exponent of 20, from the law", error));
+  }
+  auto const v = equivalent_bouc_wen(*subject.law, subject.parameters);
+  if (v && std::abs(v->beta - v->gamma) <= 1e-9 * std::abs(v->beta + v->gamma) && v->n >= 1.0)
+    return with_bounds(subject, *v, "exact: beta = gamma");
+  Deviation error;
+  auto const found = fitted_bouc_wen(subject, {tie_gamma(), set("n", {1.0, sharpest})}, error);
+  if (!found) return std::nullopt;
+  auto const what =
+      v ? fmt::format(
+              "re-fitted with beta = gamma and an exponent of 1 or more, since the law has beta = {}, "
+              "gamma = {} of beta + gamma = 1 and n = {}; from the law",
+              briefly(v->beta / (v->beta + v->gamma)), briefly(v->gamma / (v->beta + v->gamma)), briefly(v->n))
+        : std::string("re-fitted; from the law");
+  return with_bounds(subject, *found, fitted_text(what, error));
+}
+
+WenSet rubber_isolator(Subject const& subject) {
+  Deviation error;
+  auto const found = fitted_bouc_wen(subject, {tie_gamma(), set("n", {2.0, 2.0})}, error);
+  if (!found) return std::nullopt;
+  return with_bounds(subject, *found, fitted_text("re-fitted with exponent 2 and beta = gamma; from the law", error));
+}
+
+// With beta and gamma free.
+WenSet free_bouc_wen(Subject const& subject, WenSet const& wen) {
+  if (subject.law->info.id == "bilinear") return wen;
+  if (auto const v = equivalent_bouc_wen(*subject.law, subject.parameters))
+    return with_bounds(subject, *v, "the law's own equation; the program's integration comes on top");
+  Deviation error;
+  auto const found = fitted_bouc_wen(subject, {}, error);
+  if (!found) return std::nullopt;
+  return with_bounds(subject, *found, fitted_text("re-fitted; from the law", error));
+}
+
+std::optional<Set<BilinearValues>> bilinear(Subject const& subject) {
+  if (auto const v = bilinear_values(*subject.law, subject.parameters)) return with_bounds(subject, *v, "exact");
+  auto const found = fit_in_place(subject, "bilinear");
+  if (found.law == nullptr) return std::nullopt;
+  auto const error = deviation_of_law(subject, *found.law, found.parameters);
+  return with_bounds(subject, *bilinear_values(*found.law, found.parameters),
+                     fitted_text("re-fitted; from the law", error));
+}
+
+// --- the page ----------------------------------------------------------------------------------------------------------
+
+class Page {
+ public:
+  Page(Subject const& subject, UnitSystem const& units) : subject_(subject), units_(units) {}
+
+  void line(std::string_view text) { text_ += std::string(text) + "\n"; }
+  void heading(std::string_view text) { text_ += fmt::format("\n## {}\n\n", text); }
+
+  void values_header() {
+    text_ += "| symbol | unit |  nominal |";
+    text_ +=
+        std::string(subject_.bounds.lower ? " lower |" : "") + (subject_.bounds.upper ? " upper |" : "") + " note |\n";
+    text_ += "|---|---|---:|";
+    text_ += std::string(subject_.bounds.lower ? "---:|" : "") + (subject_.bounds.upper ? "---:|" : "") + "---|\n";
+  }
+  // `get` makes a number in kN^force mm^length of a variant's values.
+  template <class Values, class Get>
+  void row(std::string_view symbol, double force, double length, Set<Values> const& set, Get&& get,
+           std::string_view note = {}) {
+    text_ += fmt::format("| {} | {} |", symbol, unit(force, length));
+    auto const cell = [&](Values const& v) {
+      text_ += fmt::format(" {:.6g} |", units_.convert(get(v), force, length));
+    };
+    cell(set.nominal);
+    if (set.lower) cell(*set.lower);
+    if (set.upper) cell(*set.upper);
+    text_ += fmt::format(" {} |\n", note);
+  }
+
+  std::string take() { return std::move(text_); }
+
+ private:
+  std::string unit(double force, double length) const {
+    if (force == 0.0 && length == 0.0) return "1";
+    if (force == 0.0) return std::string(units_.length.symbol);
+    if (length == 0.0) return std::string(units_.force.symbol);
+    return fmt::format("{}/{}", units_.force.symbol, units_.length.symbol);
+  }
+
+  Subject const& subject_;
+  UnitSystem const& units_;
+  std::string text_;
+};
+
+void wen_rows(Page& page, Set<BoucWenValues> const& set, std::string_view k, std::string_view Fy, std::string_view r,
+              std::string_view exponent) {
+  page.values_header();
+  page.row(
+      k, 1, -1, set, [](auto const& v) { return v.Ke; }, "stiffness before yielding");
+  page.row(
+      Fy, 1, 0, set, [](auto const& v) { return v.Ke * v.z_max(); }, "yield force");
+  page.row(
+      r, 0, 0, set, [](auto const& v) { return v.alpha; }, "stiffness after over before yielding");
+  if (!exponent.empty())
+    page.row(
+        exponent, 0, 0, set, [](auto const& v) { return v.n; }, "sharpness of yielding");
+}
+
+double share_of_beta(BoucWenValues const& v) {
+  return v.beta / (v.beta + v.gamma);
+}
+
+void csi(Page& page, Subject const& subject, WenSet const& wen, WenSet const& rubber,
+         std::optional<Set<BilinearValues>> const& corner, UnitSystem const& units) {
+  page.heading("SAP2000, ETABS");
+  if (subject.K_eff_kN_per_mm) {
+    page.line(
+        fmt::format("Linear properties of every link, for modal and response spectrum analyses: TransKE = {:.5g} {}/{} "
+                    "(measured, {} at {:.4g} {}), TransCE = 0 in a non-linear run. Measured damping {:.3g} %.",
+                    units.convert(*subject.K_eff_kN_per_mm, 1, -1), units.force.symbol, units.length.symbol,
+                    subject.lot ? "mean of the lot" : "peak to peak", units.from_mm(subject.design_disp_mm),
+                    units.length.symbol, *subject.damping_percent));
+    page.line("");
+  }
+  if (wen) {
+    page.line(
+        fmt::format("**Plastic (Wen)**, one direction: {}. Its equation has beta = gamma: other loops are only "
+                    "approached.\n",
+                    wen->how));
+    wen_rows(page, *wen, "TransK", "TransYield", "Ratio", "YieldExp");
+  }
+  if (rubber) {
+    page.line(fmt::format("\n**Rubber Isolator**, coupled in its plane: {}.\n", rubber->how));
+    wen_rows(page, *rubber, "TransK", "TransYield", "Ratio", "");
+  }
+  if (corner) {
+    page.line(
+        fmt::format("\n**MultiLinear Plastic, kinematic**: {}. Points mirrored through zero; the last one lies on the "
+                    "line after yielding.\n",
+                    corner->how));
+    page.values_header();
+    double const far = 2.0 * subject.tested.disp_mm;
+    page.row("Displ 1", 0, 1, *corner, [](auto const& v) { return v.uy; });
+    page.row("Force 1", 1, 0, *corner, [](auto const& v) { return v.K1 * v.uy; });
+    page.row(
+        "Displ 2", 0, 1, *corner, [&](auto const&) { return far; }, "twice the tested displacement");
+    page.row("Force 2", 1, 0, *corner, [&](auto const& v) { return v.K1 * v.uy + v.K2 * (far - v.uy); });
+  }
+  page.line(
+      "\n**High Damping Rubber Isolator**: not available. Its control strains and strengths were not compared with "
+      "this "
+      "law; use one of the links above.");
+}
+
+std::string capitalised(std::string text) {
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+void others(Page& page, WenSet const& wen, std::optional<Set<BilinearValues>> const& corner) {
+  if (wen) {
+    page.heading("MIDAS, general link, Hysteretic System");
+    page.line(fmt::format(
+        "{}. PA + PB = 1; which of the two multiplies the sign was not verified: where they differ, compare "
+        "one loop before use, and see whether the program takes a negative one.\n",
+        capitalised(wen->how)));
+    wen_rows(page, *wen, "STIFF", "YSTR", "PYS_RATIO", "YEXP");
+    page.row("PA or PB", 0, 0, *wen, share_of_beta, "beta / (beta + gamma), the one with the sign");
+    page.row(
+        "PB or PA", 0, 0, *wen, [](auto const& v) { return 1.0 - share_of_beta(v); }, "gamma / (beta + gamma)");
+    page.heading("SeismoStruct, elastomeric bearing (Bouc-Wen)");
+    page.line(fmt::format("{}. Arguments as in OpenSees elastomericBearingBoucWen.\n", capitalised(wen->how)));
+    page.values_header();
+    page.row("kInit", 1, -1, *wen, [](auto const& v) { return v.Ke; });
+    page.row(
+        "qd", 1, 0, *wen, [](auto const& v) { return (1.0 - v.alpha) * v.Ke * v.z_max(); }, "characteristic strength");
+    page.row("alpha1", 0, 0, *wen, [](auto const& v) { return v.alpha; });
+    page.row("alpha2", 0, 0, *wen, [](auto const&) { return 0.0; });
+    page.row(
+        "mu", 0, 0, *wen, [](auto const&) { return 2.0; }, "of no effect with alpha2 = 0");
+    page.row("eta", 0, 0, *wen, [](auto const& v) { return v.n; });
+    page.row("beta", 0, 0, *wen, share_of_beta, "multiplies the sign");
+    page.row("gamma", 0, 0, *wen, [](auto const& v) { return 1.0 - share_of_beta(v); });
+  }
+  if (corner) {
+    page.heading("Abaqus, connector elasticity and plasticity");
+    page.line(fmt::format("{}. Kinematic hardening, linear: force at yield against plastic motion.\n",
+                          capitalised(corner->how)));
+    page.values_header();
+    page.row("elasticity", 1, -1, *corner, [](auto const& v) { return v.K1; });
+    page.row("yield force at plastic motion 0", 1, 0, *corner, [](auto const& v) { return v.K1 * v.uy; });
+    page.row(
+        "hardening slope", 1, -1, *corner, [](auto const& v) { return v.K1 * v.K2 / (v.K1 - v.K2); },
+        "yield force by plastic motion");
+  }
+}
+
+}  // namespace
+
+std::string value_sheet(Subject const& subject, UnitSystem const& units) {
+  Page page(subject, units);
+  auto const& law = subject.law->info;
+  page.line(fmt::format("# {}: values for analysis programs", harmless_markdown(subject.device)));
+  page.line(
+      fmt::format("\nUnits {}, {}, s. Typed by hand, these values are not checked by the program: run one cycle at the "
+                  "tested amplitude and compare with the last table.\n",
+                  units.force.symbol, units.length.symbol));
+  page.line("| | |\n|---|---|");
+  auto const fact = [&](std::string_view label, std::string_view text) {
+    page.line(fmt::format("| {} | {} |", label, harmless_markdown(text)));
+  };
+  fact("Law", fmt::format("{}: {} ({})", law.id, law.title, law.source));
+  fact("Of", (subject.lot ? std::string("the lot: one law for all its devices") : "device " + subject.device) +
+                 (subject.title.empty() ? "" : ", lot " + subject.title));
+  fact("Parameters", parameter_text(*subject.law, subject.parameters));
+  for (auto const& f : validity(subject)) fact(f.label, f.text);
+  for (auto const& f : bound_facts(subject, false)) fact(f.label, f.text);
+  fact("Errors below",
+       "of the model's exact force, in percent of the peak force, on the calibration records; a program's own "
+       "integration error comes on top");
+  for (auto const& note : subject.notes) fact("Note", note);
+  if (!law.traits.rate_independent)
+    fact("Rate", "no model below depends on the rate; they hold for the frequency tested");
+
+  auto const wen = plastic_wen(subject);
+  auto const corner = bilinear(subject);
+  csi(page, subject, wen, rubber_isolator(subject), corner, units);
+  others(page, free_bouc_wen(subject, wen), corner);
+
+  page.heading("To compare: one cycle of the law");
+  page.line(fmt::format("Second cycle of two, the first at half the amplitude, {:.4g} Hz.\n", subject.frequency_Hz));
+  page.line(fmt::format("| displacement, {} | force, {} |\n|---:|---:|", units.length.symbol, units.force.symbol));
+  auto const& cycle = subject.protocol;
+  auto const count = cycle.disp_mm.size();
+  for (std::size_t i = (count - 1) / 2; i < count; i += 10)
+    page.line(fmt::format("| {:.5g} | {:.5g} |", units.from_mm(cycle.disp_mm[i]), units.from_kN(cycle.law_kN[i])));
+  page.line(fmt::format("\nisolaw {}", subject.version));
+  return page.take();
+}
+
+}  // namespace isolaw::programs

@@ -1,0 +1,14 @@
+// The pieces that exported C++ headers are put together from; the files of header/.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace isolaw::programs {
+
+// Those of a law before its material, in order; empty for a law that has none.
+std::vector<std::string_view> header_parts(std::string_view law);
+std::string_view header_numbers();
+std::string_view header_material();
+
+}  // namespace isolaw::programs

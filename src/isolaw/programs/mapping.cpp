@@ -1,0 +1,263 @@
+#include "isolaw/programs/mapping.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace isolaw::programs {
+namespace {
+
+// Where the logarithm of HystereticAsym may lose the distance to the limit curve: exp(-35) of it is about the rounding of
+// the force. Beyond it is chance that decides, at each step, whether what is left is positive.
+constexpr double largest_exponent = 35.0;
+
+Form steel01(BilinearValues const& v) {
+  return {.id = "material",
+          .title = "uniaxialMaterial Steel01",
+          .exactness = Exactness::every_step,
+          .commands = {{"Steel01", {{"Fy", v.K1 * v.uy, 1, 0}, {"E0", v.K1, 1, -1}, {"b", v.K2 / v.K1, 0, 0}}}},
+          .condition = {},
+          .longest_travel_mm = {}};
+}
+
+Form bearing_plasticity(BilinearValues const& v) {
+  return {.id = "bearing",
+          .title = "element elastomericBearingPlasticity",
+          .exactness = Exactness::every_step,
+          .commands = {{"elastomericBearingPlasticity",
+                        {{"kInit", v.K1, 1, -1},
+                         {"qd", (v.K1 - v.K2) * v.uy, 1, 0},
+                         {"alpha1", v.K2 / v.K1, 0, 0},
+                         {"alpha2", 0.0, 0, 0},
+                         {"mu", 2.0, 0, 0}}}},
+          .condition = "coupled in the bearing's plane; checked here along one axis",
+          .longest_travel_mm = {}};
+}
+
+// gamma before beta, and z a length: beta and gamma are in 1/length^n.
+Form bouc_wen(BoucWenValues const& v) {
+  return {.id = "material",
+          .title = "uniaxialMaterial BoucWen",
+          .exactness = Exactness::small_steps,
+          .commands = {{"BoucWen",
+                        {{"alpha", v.alpha, 0, 0},
+                         {"ko", v.Ke, 1, -1},
+                         {"n", v.n, 0, 0},
+                         {"gamma", v.gamma, 0, -v.n},
+                         {"beta", v.beta, 0, -v.n},
+                         {"Ao", 1.0, 0, 0},
+                         {"deltaA", 0.0, 0, 0},
+                         {"deltaNu", 0.0, 0, 0},
+                         {"deltaEta", 0.0, 0, 0},
+                         {"tol", 1e-9 * v.z_max(), 0, 1},
+                         {"maxIter", 100.0, 0, 0}}}},
+          .condition = {},
+          .longest_travel_mm = {}};
+}
+
+// beta before gamma, z without dimension: z = 1 at the yield displacement, here that of saturation.
+Form bouc_wen_original(BoucWenValues const& v) {
+  double const uy = v.z_max(), scale = std::pow(uy, v.n);
+  return {.id = "material_original",
+          .title = "uniaxialMaterial BoucWenOriginal",
+          .exactness = Exactness::small_steps,
+          .commands = {{"BoucWenOriginal",
+                        {{"E", v.Ke, 1, -1},
+                         {"fy", v.Ke * uy, 1, 0},
+                         {"alphaL", v.alpha, 0, 0},
+                         {"alphaNL", 0.0, 0, 0},
+                         {"mu", 2.0, 0, 0},
+                         {"eta", v.n, 0, 0},
+                         {"beta", v.beta * scale, 0, 0},
+                         {"gamma", v.gamma * scale, 0, 0},
+                         {"tol", 1e-9, 0, 0},
+                         {"maxIter", 100.0, 0, 0}}}},
+          .condition = {},
+          .longest_travel_mm = {}};
+}
+
+Form bearing_bouc_wen(BoucWenValues const& v) {
+  double const uy = v.z_max(), scale = std::pow(uy, v.n);
+  return {.id = "bearing",
+          .title = "element elastomericBearingBoucWen",
+          .exactness = Exactness::small_steps,
+          .commands = {{"elastomericBearingBoucWen",
+                        {{"kInit", v.Ke, 1, -1},
+                         {"qd", (1.0 - v.alpha) * v.Ke * uy, 1, 0},
+                         {"alpha1", v.alpha, 0, 0},
+                         {"alpha2", 0.0, 0, 0},
+                         {"mu", 2.0, 0, 0},
+                         {"eta", v.n, 0, 0},
+                         {"beta", v.beta * scale, 0, 0},
+                         {"gamma", v.gamma * scale, 0, 0}}}},
+          .condition = "coupled in the bearing's plane; checked here along one axis",
+          .longest_travel_mm = {}};
+}
+
+std::vector<Form> bouc_wen_forms(BoucWenValues const& v) {
+  std::vector<Form> made{bouc_wen(v), bouc_wen_original(v), bearing_bouc_wen(v)};
+  // |z|^n has an infinite slope at 0 then, which Newton's iteration of the program meets and bisection here does not.
+  if (v.n < 1.0)
+    for (auto& form : made)
+      form.condition +=
+          std::string(form.condition.empty() ? "" : "; ") +
+          "where the program's iteration converges: with n below 1 it may fail as z passes 0, see the self-check";
+  return made;
+}
+
+// One set of limit curves, in kN and mm; empty with the reason where loading and unloading differ or there is a sigmoid.
+struct VaianaValues {
+  double Kb, f0, alpha, beta1, beta2;
+};
+struct OneBranch {
+  std::optional<VaianaValues> values;
+  std::string why;
+};
+
+OneBranch one_branch(laws::LawEntry const& law, std::span<double const> p) {
+  auto const at = [&](std::string_view name) { return p[law.index_of(name)]; };
+  for (std::string_view const half : {"gamma1+", "gamma1-"})
+    if (at(half) != 0.0)
+      return {{}, "the sigmoid of the limit curves (" + std::string(half) + " is not 0) is in no material of OpenSees"};
+  bool const no_hardening = at("beta1+") == 0.0 && at("beta1-") == 0.0;
+  for (std::string_view const name : {"Kb", "f0", "alpha", "beta1", "beta2"}) {
+    if (no_hardening && name == "beta2") continue;
+    double const loading = at(std::string(name) + "+"), unloading = at(std::string(name) + "-");
+    if (loading != unloading)
+      return {{},
+              fmt::format(
+                  "loading and unloading differ ({}+ = {:.5g}, {}- = {:.5g}), and HystereticAsym has one set of "
+                  "limit curves; calibrated with --set vaiana.Kb-=Kb+, and likewise for f0, alpha, beta1 and beta2, "
+                  "the law has one set too",
+                  name, loading, name, unloading)};
+  }
+  double const F = law.info.force.in_record_units, L = law.info.length.in_record_units;
+  VaianaValues v{.Kb = at("Kb+") * F / L,
+                 .f0 = at("f0+") * F,
+                 .alpha = at("alpha+") / L,
+                 .beta1 = at("beta1+") * F,
+                 .beta2 = at("beta2+") / L};
+  if (!(v.alpha > 0.0 && v.f0 > 0.0)) return {{}, "without hysteresis (alpha or f0 is 0) there is no such material"};
+  return {v, {}};
+}
+
+// The hardening's coefficient in HystereticAsym is one unit of force, whatever the units: written in units of its own
+// size and multiplied by it, the law does not change with the unit system. Without hardening there is no such trap.
+Form hysteretic_asym(VaianaValues const& v) {
+  Form form{.id = "material",
+            .title = "uniaxialMaterial HystereticAsym",
+            .exactness = Exactness::every_step,
+            .commands = {},
+            .condition = "the force turns into no number (NaN) without a message on a longer travel in one direction",
+            .longest_travel_mm = largest_exponent / v.alpha};
+  bool const hardens = v.beta1 != 0.0;
+  double const unit = hardens ? v.beta1 : 1.0, kb = v.Kb / unit + (hardens ? v.beta2 : 0.0), f0 = v.f0 / unit;
+  double const power = hardens ? 0.0 : 1.0;
+  form.commands.push_back({"HystereticAsym",
+                           {{"ka", kb + 2.0 * v.alpha * f0, power, -1},
+                            {"kb", kb, power, -1},
+                            {"fo", f0, power, 0},
+                            {"b1", hardens ? v.beta2 : 0.0, 0, -1},
+                            {"b2", 0.0, 0, 0},
+                            {"gamma", 0.0, 0, -1}}});
+  if (hardens) {
+    form.title += " in a Multiplier";
+    form.commands.push_back({"Multiplier", {{"factor", unit, 1, 0}}});
+  }
+  return form;
+}
+
+BoucWenValues without_hardening(VaianaValues const& v) {
+  double const Ke = v.Kb + v.alpha * v.f0;
+  return {.alpha = v.Kb / Ke, .Ke = Ke, .beta = v.alpha, .gamma = 0.0, .n = 1.0};
+}
+
+Mapping map_vaiana(laws::LawEntry const& law, std::span<double const> p, BoundFactors const& scale) {
+  auto branch = one_branch(law, p);
+  if (!branch.values) return {{}, branch.why};
+  auto& v = *branch.values;
+  v.Kb *= scale.stiffness;
+  v.f0 *= scale.strength;
+  v.beta1 *= scale.stiffness;
+  Mapping made{.forms = {hysteretic_asym(v)}, .why = {}};
+  if (v.beta1 != 0.0) return made;
+  // Without hardening the branches are those of Bouc-Wen with n = 1, beta = alpha and gamma = 0, which knows no NaN.
+  for (auto& form : bouc_wen_forms(without_hardening(v))) {
+    if (form.id == "material") form.id = "material_bouc_wen";
+    made.forms.push_back(std::move(form));
+  }
+  return made;
+}
+
+}  // namespace
+
+BilinearValues scaled(BilinearValues v, BoundFactors const& scale) {
+  double const z = scale.strength * (v.K1 - v.K2);
+  return {.K1 = scale.stiffness * v.K2 + z, .K2 = scale.stiffness * v.K2, .uy = v.uy};
+}
+
+BoucWenValues scaled(BoucWenValues v, BoundFactors const& scale) {
+  double const spring = scale.stiffness * v.alpha * v.Ke, hysteretic = scale.strength * (1.0 - v.alpha) * v.Ke;
+  v.Ke = spring + hysteretic;
+  v.alpha = spring / v.Ke;
+  return v;
+}
+
+std::optional<BoucWenValues> equivalent_bouc_wen(laws::LawEntry const& law, std::span<double const> parameters) {
+  if (law.info.id != "vaiana") return bouc_wen_values(law, parameters);
+  auto const branch = one_branch(law, parameters);
+  if (!branch.values || branch.values->beta1 != 0.0) return std::nullopt;
+  return without_hardening(*branch.values);
+}
+
+double BoucWenValues::z_max() const {
+  return std::pow(beta + gamma, -1.0 / n);
+}
+
+std::vector<Command> in_units(Form const& form, UnitSystem const& units) {
+  std::vector<Command> made;
+  for (auto const& command : form.commands) {
+    Command converted{.name = command.name, .arguments = {}};
+    for (auto const& a : command.arguments)
+      converted.arguments.push_back(units.convert(a.value, a.force_power, a.length_power));
+    made.push_back(std::move(converted));
+  }
+  return made;
+}
+
+std::optional<BilinearValues> bilinear_values(laws::LawEntry const& law, std::span<double const> p) {
+  if (law.info.id != "bilinear") return std::nullopt;
+  return BilinearValues{p[law.index_of("K1")], p[law.index_of("K2")], p[law.index_of("xy")]};
+}
+
+std::optional<BoucWenValues> bouc_wen_values(laws::LawEntry const& law, std::span<double const> p) {
+  if (law.info.id != "bouc-wen") return std::nullopt;
+  std::vector<double> reduced(p.begin(), p.end());
+  law.reduce(reduced);
+  auto const at = [&](std::string_view name) { return reduced[law.index_of(name)]; };
+  return BoucWenValues{at("alpha"), at("Ke"), at("beta"), at("gamma"), at("n")};
+}
+
+Mapping map_law(laws::LawEntry const& law, std::span<double const> parameters, BoundFactors const& scale) {
+  if (auto const v = bilinear_values(law, parameters)) {
+    if (!(v->K1 > v->K2 && v->uy > 0.0))
+      return {{}, "without yielding (K1 <= K2 or xy = 0) there is no bilinear material to export"};
+    auto const s = scaled(*v, scale);
+    return {{steel01(s), bearing_plasticity(s)}, {}};
+  }
+  if (auto const v = bouc_wen_values(law, parameters)) {
+    if (!(v->beta + v->gamma > 0.0)) return {{}, "beta + gamma is not positive: no bounded force"};
+    return {bouc_wen_forms(scaled(*v, scale)), {}};
+  }
+  if (law.info.id == "vaiana") return map_vaiana(law, parameters, scale);
+  if (!law.info.traits.rate_independent)
+    return {{}, "no material of OpenSees has a force that depends on displacement and velocity in this way"};
+  return {{}, "no material of OpenSees has this law's yield force and displacement, which change with the peak so far"};
+}
+
+bool has_separate_parts(laws::LawEntry const& law, std::span<double const> parameters) {
+  if (law.info.id == "bilinear" || law.info.id == "bouc-wen") return true;
+  return law.info.id == "vaiana" && one_branch(law, parameters).values.has_value();
+}
+
+}  // namespace isolaw::programs

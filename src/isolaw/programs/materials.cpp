@@ -1,0 +1,203 @@
+#include "isolaw/programs/materials.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "isolaw/base/error.hpp"
+
+namespace isolaw::programs {
+namespace {
+
+double sign(double x) {
+  return x < 0.0 ? -1.0 : 1.0;
+}
+
+// Fy E0 b: elastic increments, held between two lines of slope b E0.
+class Steel01 final : public Material {
+ public:
+  explicit Steel01(std::span<double const> a) : Fy_(a[0]), E0_(a[1]), b_(a[2]) {}
+  double force(double x) override {
+    double const middle = b_ * E0_ * x, reach = Fy_ * (1.0 - b_);
+    force_ = std::clamp(force_ + E0_ * (x - x_), middle - reach, middle + reach);
+    x_ = x;
+    return force_;
+  }
+
+ private:
+  double Fy_, E0_, b_, x_ = 0.0, force_ = 0.0;
+};
+
+// kInit qd alpha1 alpha2 mu, in one direction: an elastic-plastic part beside a spring and a hardening one.
+class BearingPlasticity final : public Material {
+ public:
+  explicit BearingPlasticity(std::span<double const> a)
+      : k_(a[0]), qd_(a[1]), alpha1_(a[2]), alpha2_(a[3]), mu_(a[4]) {}
+  double force(double x) override {
+    double const k0 = (1.0 - alpha1_) * k_, trial = k0 * (x - plastic_), q = std::clamp(trial, -qd_, qd_);
+    plastic_ = x - q / k0;
+    return q + alpha1_ * k_ * x + alpha2_ * k_ * sign(x) * std::pow(std::abs(x), mu_);
+  }
+
+ private:
+  double k_, qd_, alpha1_, alpha2_, mu_, plastic_ = 0.0;
+};
+
+// z after a step of backward Euler: z = z0 + dx (A - |z|^n (gamma + beta sgn(dx z))). The root is enclosed before it is
+// sought: from z0 the equation moves towards saturation or by no more than A |dx|.
+double implicit_z(double z0, double dx, double A, double beta, double gamma, double n) {
+  auto const gap = [&](double z) {
+    return z - z0 - dx * (A - std::pow(std::abs(z), n) * (gamma + beta * sign(dx * z)));
+  };
+  if (dx == 0.0) return z0;
+  double const along = std::abs(dx);
+  double low = z0, high = z0, stride = A * along;
+  for (int i = 0; i < 200 && gap(low) > 0.0; ++i, stride *= 2.0) low -= stride;
+  stride = A * along;
+  for (int i = 0; i < 200 && gap(high) < 0.0; ++i, stride *= 2.0) high += stride;
+  for (int i = 0; i < 200 && low < high; ++i) {
+    double const middle = low + 0.5 * (high - low);
+    if (middle == low || middle == high) break;
+    (gap(middle) > 0.0 ? high : low) = middle;
+  }
+  return std::abs(gap(low)) < std::abs(gap(high)) ? low : high;
+}
+
+// alpha ko n gamma beta Ao deltaA deltaNu deltaEta [tol maxIter]: z is a length.
+class BoucWen final : public Material {
+ public:
+  explicit BoucWen(std::span<double const> a) : alpha_(a[0]), k_(a[1]), n_(a[2]), gamma_(a[3]), beta_(a[4]), A_(a[5]) {
+    if (a[6] != 0.0 || a[7] != 0.0 || a[8] != 0.0)
+      throw Error({.where = "BoucWen", .found = "deltaA, deltaNu or deltaEta", .allowed = "0: no degradation"});
+  }
+  double force(double x) override {
+    z_ = implicit_z(z_, x - x_, A_, beta_, gamma_, n_);
+    x_ = x;
+    return alpha_ * k_ * x + (1.0 - alpha_) * k_ * z_;
+  }
+
+ private:
+  double alpha_, k_, n_, gamma_, beta_, A_, x_ = 0.0, z_ = 0.0;
+};
+
+// z of 1 at the yield displacement uy.
+class DimensionlessBoucWen final : public Material {
+ public:
+  struct Parameters {
+    double k, uy, qd, alpha1, alpha2, mu, eta, beta, gamma;
+  };
+  explicit DimensionlessBoucWen(Parameters const& p) : p_(p) {}
+  double force(double x) override {
+    z_ = implicit_z(z_, (x - x_) / p_.uy, 1.0, p_.beta, p_.gamma, p_.eta);
+    x_ = x;
+    return p_.qd * z_ + p_.alpha1 * p_.k * x + p_.alpha2 * p_.k * sign(x) * std::pow(std::abs(x), p_.mu);
+  }
+
+ private:
+  Parameters p_;
+  double x_ = 0.0, z_ = 0.0;
+};
+
+// E fy alphaL alphaNL mu eta beta gamma [tol maxIter].
+DimensionlessBoucWen::Parameters bouc_wen_original(std::span<double const> a) {
+  double const uy = a[1] / a[0], qd = a[1] - a[2] * a[0] * uy - a[3] * a[0] * std::pow(uy, a[4]);
+  return {.k = a[0],
+          .uy = uy,
+          .qd = qd,
+          .alpha1 = a[2],
+          .alpha2 = a[3],
+          .mu = a[4],
+          .eta = a[5],
+          .beta = a[6],
+          .gamma = a[7]};
+}
+
+// kInit qd alpha1 alpha2 mu eta beta gamma.
+DimensionlessBoucWen::Parameters bearing_bouc_wen(std::span<double const> a) {
+  return {.k = a[0],
+          .uy = a[1] / ((1.0 - a[2]) * a[0]),
+          .qd = a[1],
+          .alpha1 = a[2],
+          .alpha2 = a[3],
+          .mu = a[4],
+          .eta = a[5],
+          .beta = a[6],
+          .gamma = a[7]};
+}
+
+// ka kb fo b1 b2 gamma. Nothing keeps the logarithm's argument positive: on a long branch the distance to the limit
+// curve is lost to rounding and the force is no number from there on.
+class HystereticAsym final : public Material {
+ public:
+  explicit HystereticAsym(std::span<double const> a)
+      : ka_(a[0]), kb_(a[1]), f0_(a[2]), b1_(a[3]), b2_(a[4]), g_(a[5]), a_((a[0] - a[1]) / (2.0 * a[2])) {}
+  double force(double u) override {
+    if (u == u_) return f_;
+    double const s = sign(u - u_);
+    double const distance = (elastic(u_) - f_) * std::exp(-g_ * u_) + kb_ * u_ + s * f0_;
+    double const uj = s * u_ + std::log(s * a_ * distance / (ka_ - kb_)) / a_;
+    f_ = elastic(u) + std::exp(g_ * u) * (kb_ * u + s * f0_ - s * (ka_ - kb_) / a_ * std::exp(-a_ * (s * u - uj)));
+    u_ = u;
+    return f_;
+  }
+
+ private:
+  double elastic(double u) const { return std::exp(b1_ * u) - std::exp(-b2_ * u) - (b1_ + b2_) * u; }
+
+  double ka_, kb_, f0_, b1_, b2_, g_, a_, u_ = 0.0, f_ = 0.0;
+};
+
+class Multiplier final : public Material {
+ public:
+  Multiplier(std::unique_ptr<Material> other, double factor) : other_(std::move(other)), factor_(factor) {}
+  double force(double x) override { return factor_ * other_->force(x); }
+
+ private:
+  std::unique_ptr<Material> other_;
+  double factor_;
+};
+
+std::unique_ptr<Material> make_one(Command const& command, std::unique_ptr<Material> before) {
+  auto const& a = command.arguments;
+  auto const expect = [&](std::size_t least, std::size_t most) {
+    if (a.size() < least || a.size() > most)
+      throw Error({.where = command.name,
+                   .found = fmt::format("{} arguments after the tag", a.size()),
+                   .allowed = least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most)});
+  };
+  if (command.name == "Steel01") return expect(3, 3), std::make_unique<Steel01>(a);
+  if (command.name == "BoucWen") return expect(9, 11), std::make_unique<BoucWen>(a);
+  if (command.name == "BoucWenOriginal")
+    return expect(8, 10), std::make_unique<DimensionlessBoucWen>(bouc_wen_original(a));
+  if (command.name == "HystereticAsym") return expect(6, 6), std::make_unique<HystereticAsym>(a);
+  if (command.name == "elastomericBearingPlasticity") return expect(5, 5), std::make_unique<BearingPlasticity>(a);
+  if (command.name == "elastomericBearingBoucWen")
+    return expect(8, 8), std::make_unique<DimensionlessBoucWen>(bearing_bouc_wen(a));
+  if (command.name == "Multiplier" && before)
+    return expect(1, 1), std::make_unique<Multiplier>(std::move(before), a[0]);
+  throw Error({.where = command.name,
+               .found = "no material that is replayed here",
+               .allowed = "Steel01, BoucWen, BoucWenOriginal, HystereticAsym, Multiplier of one before it, "
+                          "elastomericBearingPlasticity, elastomericBearingBoucWen"});
+}
+
+}  // namespace
+
+std::unique_ptr<Material> make_material(std::span<Command const> commands) {
+  std::unique_ptr<Material> made;
+  for (auto const& command : commands) made = make_one(command, std::move(made));
+  if (!made) throw Error({.where = "material", .found = "no command", .allowed = "one or more"});
+  return made;
+}
+
+std::vector<double> replay(std::span<Command const> commands, std::span<double const> disp) {
+  auto const material = make_material(commands);
+  std::vector<double> force;
+  force.reserve(disp.size());
+  for (double const x : disp) force.push_back(material->force(x));
+  return force;
+}
+
+}  // namespace isolaw::programs

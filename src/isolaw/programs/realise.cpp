@@ -1,0 +1,300 @@
+#include "isolaw/programs/realise.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "isolaw/base/hash.hpp"
+#include "isolaw/data/properties.hpp"
+#include "isolaw/fit/objective.hpp"
+#include "isolaw/opt/multistart.hpp"
+
+namespace isolaw::programs {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+UnitSystem const& record_units = unit_systems[0];
+
+double peak_of(std::span<double const> force) {
+  double peak = 0.0;
+  for (double const f : force)
+    if (std::isfinite(f)) peak = std::max(peak, std::abs(f));
+  return peak;
+}
+
+std::vector<double> refined(std::span<double const> x, int pieces) {
+  std::vector<double> made{x.front()};
+  for (std::size_t i = 1; i < x.size(); ++i)
+    for (int k = 1; k <= pieces; ++k) made.push_back(k == pieces ? x[i] : x[i - 1] + (x[i] - x[i - 1]) * k / pieces);
+  return made;
+}
+
+std::vector<double> every(std::span<double const> values, int step) {
+  std::vector<double> made;
+  for (std::size_t i = 0; i < values.size(); i += static_cast<std::size_t>(step)) made.push_back(values[i]);
+  return made;
+}
+
+// Stiffness and energy of the cycle that is reported of the law's own loop.
+void compare_properties(Deviation& made, History const& history, std::span<double const> force,
+                        std::span<double const> other) {
+  std::vector<double> x, f, reference, time;
+  for (std::size_t i = 0; i < other.size(); ++i) {
+    if (!std::isfinite(other[i])) continue;
+    x.push_back(history.disp_mm[i]);
+    f.push_back(force[i]);
+    reference.push_back(other[i]);
+    time.push_back(history.time_s[i]);
+  }
+  if (x.size() < 2 || (time[0] == time[1])) {
+    if (x.size() < 3) return;
+    for (auto* values : {&x, &f, &reference, &time}) values->erase(values->begin());
+  }
+  auto const properties = data::cyclic_properties(data::CycleView{x, reference, time, {}});
+  if (!properties.reported) return;
+  auto const cycle = data::properties_on(*properties.reported, x, f);
+  auto const percent = [](double value, double truth) {
+    return truth != 0.0 ? std::optional(100.0 * (value - truth) / truth) : std::nullopt;
+  };
+  made.K_eff = percent(cycle.K_eff_kN_per_mm, properties.reported->K_eff_kN_per_mm);
+  made.energy = percent(cycle.energy_kN_mm, properties.reported->energy_kN_mm);
+}
+
+void keep_worst(Deviation& worst, Deviation const& other) {
+  auto const larger = [](std::optional<double>& a, std::optional<double> b) {
+    if (b && (!a || std::abs(*b) > std::abs(*a))) a = b;
+  };
+  if (other.largest > worst.largest) worst.at_s = other.at_s;
+  worst.largest = std::max(worst.largest, other.largest);
+  worst.rms = std::max(worst.rms, other.rms);
+  larger(worst.K_eff, other.K_eff);
+  larger(worst.energy, other.energy);
+}
+
+double longest_travel(History const& history) {
+  double longest = 0.0, travel = 0.0;
+  for (std::size_t i = 1; i < history.disp_mm.size(); ++i) {
+    double const dx = history.disp_mm[i] - history.disp_mm[i - 1];
+    travel = dx * travel >= 0.0 ? travel + dx : dx;
+    longest = std::max(longest, std::abs(travel));
+  }
+  return longest;
+}
+
+double longest_step(History const& history) {
+  double longest = 0.0;
+  for (std::size_t i = 1; i < history.disp_mm.size(); ++i)
+    longest = std::max(longest, std::abs(history.disp_mm[i] - history.disp_mm[i - 1]));
+  return longest;
+}
+
+Realised replayed(Form const& form, Subject const& subject) {
+  Realised made{.nominal = form, .lower = {}, .upper = {}, .from_law = {}, .finer = {}, .from_measured = {}};
+  for (auto const& history : subject.histories) {
+    auto const force = replay_kN(form, record_units, history.disp_mm);
+    keep_worst(made.from_law, deviation(history, force, history.law_kN));
+    if (!made.from_measured) made.from_measured.emplace();
+    keep_worst(*made.from_measured, deviation(history, force, history.measured_kN));
+    made.longest_travel_mm = std::max(made.longest_travel_mm, longest_travel(history));
+    made.longest_step_mm = std::max(made.longest_step_mm, longest_step(history));
+    if (form.exactness != Exactness::small_steps) continue;
+    if (!made.finer) made.finer.emplace();
+    auto const fine = replay_kN(form, record_units, refined(history.disp_mm, finer_steps));
+    keep_worst(*made.finer, deviation(history, every(fine, finer_steps), history.law_kN));
+  }
+  return made;
+}
+
+// Tried, and computed where the form says how much travel it stands: rounding decides there, and may spare one record.
+bool breaks_beyond_the_test(Form const& form, Subject const& subject, double travel_mm) {
+  if (form.longest_travel_mm && *form.longest_travel_mm < overtravel * travel_mm) return true;
+  for (auto const& history : subject.histories) {
+    auto disp = history.disp_mm;
+    for (double& x : disp) x *= overtravel;
+    if (!std::ranges::all_of(replay_kN(form, record_units, disp), [](double f) { return std::isfinite(f); }))
+      return true;
+  }
+  return false;
+}
+
+// Bounds by their forms; a factor on a law whose parts cannot be told apart acts on all of it.
+void add_bounds(Realised& realised, std::size_t index, laws::LawEntry const& law, std::span<double const> parameters,
+                Bounds const& bounds) {
+  auto const form = [&](std::optional<BoundFactors> const& factors) -> std::optional<Form> {
+    if (!factors) return std::nullopt;
+    auto const mapping = map_law(law, parameters, *factors);
+    for (auto const& other : mapping.forms)
+      if (other.id == realised.nominal.id) return other;
+    return index < mapping.forms.size() ? std::optional(mapping.forms[index]) : std::nullopt;
+  };
+  realised.lower = form(bounds.lower);
+  realised.upper = form(bounds.upper);
+}
+
+Fitted nearest(Subject const& subject) {
+  Fitted best;
+  for (std::string_view const id : {"bilinear", "bouc-wen"}) {
+    auto found = fit_in_place(subject, id);
+    if (found.law != nullptr && (best.law == nullptr || found.objective < best.objective)) best = std::move(found);
+  }
+  return best;
+}
+
+Realisation refit(Subject const& subject, Realisation made) {
+  auto const fitted = nearest(subject);
+  if (fitted.law == nullptr) {
+    made.explanation += "; no bilinear or Bouc-Wen law could be fitted in its place either";
+    return made;
+  }
+  auto const mapping = map_law(*fitted.law, fitted.parameters);
+  for (std::size_t i = 0; i < mapping.forms.size(); ++i) {
+    auto realised = replayed(mapping.forms[i], subject);
+    if (!std::isfinite(realised.from_law.largest)) continue;
+    add_bounds(realised, i, *fitted.law, fitted.parameters, subject.bounds);
+    made.forms.push_back(std::move(realised));
+  }
+  if (made.forms.empty()) return made;
+  made.fidelity = Fidelity::refitted;
+  made.substitute = std::string(fitted.law->info.id);
+  made.substitute_parameters = fitted.parameters;
+  made.explanation += fmt::format("; in its place the nearest {} law, fitted to this law's force on the record of {}",
+                                  made.substitute, subject.histories.front().device);
+  if (!subject.law->info.traits.rate_independent)
+    made.explanation += ", at the rate of that record: other rates are not represented";
+  return made;
+}
+
+}  // namespace
+
+std::string_view name(Fidelity fidelity) {
+  switch (fidelity) {
+    case Fidelity::exact:
+      return "exact";
+    case Fidelity::exact_in_limit:
+      return "exact as the step goes to zero";
+    case Fidelity::refitted:
+      return "re-fitted";
+    case Fidelity::not_available:
+      return "not available";
+  }
+  return "";
+}
+
+Deviation deviation(History const& history, std::span<double const> force, std::span<double const> other) {
+  double const peak = peak_of(other);
+  double largest = 0.0, at_s = 0.0, squares = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < other.size(); ++i) {
+    if (!std::isfinite(other[i])) continue;
+    if (!std::isfinite(force[i]))
+      return {.largest = infinite, .at_s = history.time_s[i], .rms = infinite, .K_eff = {}, .energy = {}};
+    double const d = force[i] - other[i];
+    if (std::abs(d) > largest) at_s = history.time_s[i];
+    largest = std::max(largest, std::abs(d));
+    squares += d * d;
+    ++count;
+  }
+  Deviation made;
+  if (count == 0 || peak == 0.0) return made;
+  made.largest = 100.0 * largest / peak;
+  made.at_s = at_s;
+  made.rms = 100.0 * std::sqrt(squares / static_cast<double>(count)) / peak;
+  compare_properties(made, history, force, other);
+  return made;
+}
+
+std::vector<double> replay_kN(Form const& form, UnitSystem const& units, std::span<double const> disp_mm) {
+  std::vector<double> disp(disp_mm.begin(), disp_mm.end());
+  for (double& x : disp) x = units.from_mm(x);
+  auto force = replay(in_units(form, units), disp);
+  for (double& f : force) f *= units.force.in_record_units;
+  return force;
+}
+
+std::string failure_of(Form const& form, Subject const& subject, Realised& realised) {
+  realised = replayed(form, subject);
+  auto const& found = realised.from_law;
+  if (!std::isfinite(found.largest)) return "its force is no number (NaN) on the calibration record";
+  if (breaks_beyond_the_test(form, subject, realised.longest_travel_mm))
+    return fmt::format(
+        "its force may be no number (NaN) where the isolator moves {} times as far as in the tests{}", overtravel,
+        form.longest_travel_mm ? fmt::format(": it stands no travel beyond about {:.4g} mm in one direction, "
+                                             "the tests have {:.4g} mm",
+                                             *form.longest_travel_mm, realised.longest_travel_mm)
+                               : std::string());
+  if (form.exactness == Exactness::every_step)
+    return found.largest <= exact_percent
+               ? std::string()
+               : fmt::format("its replay differs from the law by {:.3g} % of the peak force", found.largest);
+  bool const converges = realised.finer->largest <= std::max(0.25 * found.largest, 1e-3);
+  if (converges && realised.finer->largest <= limit_percent) return {};
+  return fmt::format(
+      "its replay differs from the law by {:.3g} % of the peak force, with steps {} times smaller still "
+      "by {:.3g} %",
+      found.largest, finer_steps, realised.finer->largest);
+}
+
+// Not to the measured force: the export is of this law, and its distance from the measurement is reported beside.
+Fitted fit_in_place(Subject const& subject, std::string_view id, std::vector<fit::Override> const& asked) {
+  auto const& history = subject.histories.front();
+  data::FitRecord record;
+  for (std::size_t i = 0; i < history.disp_mm.size(); ++i) {
+    // The way from zero displacement to the first sample takes no time; a record needs times that increase.
+    if (!record.time_s.empty() && history.time_s[i] <= record.time_s.back()) record.time_s.back() -= 1e-9;
+    record.time_s.push_back(history.time_s[i]);
+    record.disp_mm.push_back(history.disp_mm[i]);
+    record.force_kN.push_back(history.law_kN[i]);
+  }
+  auto const& law = laws::find_law(id);
+  fit::LawOnRecord const model(law, record, laws::Integration::converged);
+  auto overrides = asked;
+  if (!law.redundant.empty())
+    overrides.push_back({.law = std::string(id),
+                         .parameter = std::string(law.redundant),
+                         .interval = laws::Interval{law.redundant_value, law.redundant_value}});
+  auto const box = fit::make_box(law, fit::BoxKind::scaled, fit::scales_of(record, law.info), overrides);
+  fit::IdentificationProblem const problem(model, box);
+  num::Stream const stream = num::Stream(subject.seed).split(stable_hash("export")).split(stable_hash(id));
+  auto const found = opt::minimise_multistart(problem, stream);
+  if (!found.usable()) return {};
+  Fitted made{.law = &law, .parameters = std::vector<double>(law.parameters.size()), .objective = found.best_value};
+  box.expand(found.best, made.parameters);
+  return made;
+}
+
+Deviation deviation_of_law(Subject const& subject, laws::LawEntry const& law, std::span<double const> parameters) {
+  Deviation worst;
+  for (auto const& history : subject.histories)
+    keep_worst(worst, deviation(history, law_force(law, parameters, history), history.law_kN));
+  return worst;
+}
+
+Realisation realise(Subject const& subject) {
+  Realisation made;
+  auto const mapping = map_law(*subject.law, subject.parameters);
+  made.explanation = mapping.why;
+  for (std::size_t i = 0; i < mapping.forms.size(); ++i) {
+    Realised realised;
+    auto const failure = failure_of(mapping.forms[i], subject, realised);
+    if (!failure.empty()) {
+      made.refused.push_back(mapping.forms[i].title + ": " + failure);
+      continue;
+    }
+    add_bounds(realised, i, *subject.law, subject.parameters, subject.bounds);
+    made.forms.push_back(std::move(realised));
+  }
+  if (made.forms.empty()) {
+    if (made.explanation.empty()) made.explanation = "no exact form is kept: " + made.refused.front();
+    return refit(subject, std::move(made));
+  }
+  bool const limit = made.forms.front().nominal.exactness == Exactness::small_steps;
+  made.fidelity = limit ? Fidelity::exact_in_limit : Fidelity::exact;
+  made.explanation =
+      limit ? "the program integrates the hysteretic variable by backward Euler, one step per analysis step"
+            : "algebraic between reversals: no step is too large";
+  return made;
+}
+
+}  // namespace isolaw::programs

@@ -1,0 +1,50 @@
+#include "isolaw/programs/self_check.hpp"
+
+#include <fmt/format.h>
+
+namespace isolaw::programs {
+namespace {
+
+std::vector<double> as_written(std::vector<double> values) {
+  for (double& v : values) v = std::stod(fmt::format("{:.10g}", v));
+  return values;
+}
+
+}  // namespace
+
+SelfCheck self_check(Subject const& subject, Realisation const& realisation, UnitSystem const& units) {
+  SelfCheck made;
+  for (double const x : subject.protocol.disp_mm) made.disp.push_back(units.from_mm(x));
+  made.disp = as_written(std::move(made.disp));
+  for (double const f : subject.protocol.law_kN) made.law.push_back(units.from_kN(f));
+  for (auto const& realised : realisation.forms) {
+    CheckedForm form{.form = &realised.nominal, .function = realised.nominal.id, .is_element = false, .variants = {}};
+    form.is_element = form.function == "bearing";
+    // What iterates ends within its own tolerance, step after step.
+    if (realised.nominal.exactness == Exactness::small_steps) form.tolerance = 1e-5;
+    auto const add = [&](std::string name, Form const& variant) {
+      auto commands = in_units(variant, units);
+      auto force = replay(commands, made.disp);
+      form.variants.push_back({std::move(name), std::move(commands), std::move(force)});
+    };
+    add("nominal", realised.nominal);
+    if (realised.lower) add("lower", *realised.lower);
+    if (realised.upper) add("upper", *realised.upper);
+    made.forms.push_back(std::move(form));
+  }
+  return made;
+}
+
+std::string wrapped(std::vector<double> const& values, std::string_view separator, std::string_view indent) {
+  constexpr std::size_t per_line = 8;
+  std::string text;
+  auto const line_end = separator.substr(0, separator.find_last_not_of(' ') + 1);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    bool const first = i % per_line == 0, last = (i + 1) % per_line == 0;
+    if (first) text += fmt::format("{}{}", i == 0 ? "" : "\n", indent);
+    text += fmt::format("{:.10g}{}", values[i], i + 1 == values.size() ? "" : last ? line_end : separator);
+  }
+  return text;
+}
+
+}  // namespace isolaw::programs

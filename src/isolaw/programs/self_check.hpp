@@ -1,0 +1,37 @@
+// The displacement-driven self-check that every script carries: a path, the law's force along it, and the force that the
+// program's algorithm must give there.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/programs/realise.hpp"
+
+namespace isolaw::programs {
+
+struct CheckedVariant {
+  std::string name;  // "nominal", "lower", "upper"
+  std::vector<Command> commands;
+  std::vector<double> force;  // expected of the program
+};
+
+struct CheckedForm {
+  Form const* form = nullptr;
+  std::string function;  // name in the script: "material"
+  bool is_element = false;
+  double tolerance = 1e-6;  // of the peak force
+  std::vector<CheckedVariant> variants;
+};
+
+struct SelfCheck {
+  std::vector<double> disp, law;  // the script's units
+  std::vector<CheckedForm> forms;
+};
+
+SelfCheck self_check(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
+
+// Numbers for a script, ten significant digits, some to a line.
+std::string wrapped(std::vector<double> const& values, std::string_view separator, std::string_view indent);
+
+}  // namespace isolaw::programs

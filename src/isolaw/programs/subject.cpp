@@ -1,0 +1,343 @@
+#include "isolaw/programs/subject.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "isolaw/base/error.hpp"
+
+namespace isolaw::programs {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr int samples_per_cycle = 80;
+
+// What a program is driven through: the samples and, where the laws turned between them, the turning points.
+History history_of(campaign::Device const& device, laws::TurningPoints turning_points) {
+  auto const& record = device.record;
+  auto const path = turning_points == laws::TurningPoints::interpolated
+                        ? laws::make_path_with_turning_points(record.disp_mm, record.vel_mm_s, record.time_s)
+                        : laws::make_path(record.disp_mm, record.vel_mm_s);
+  History made;
+  made.device = device.name;
+  auto const add = [&](double t, double x, double v, double force) {
+    made.time_s.push_back(t);
+    made.disp_mm.push_back(x);
+    made.vel_mm_s.push_back(v);
+    made.measured_kN.push_back(force);
+  };
+  if (record.disp_mm.front() != 0.0)
+    add(record.time_s.front(), 0.0, record.has_time() ? record.vel_mm_s.front() : 0.0, nan);
+  std::size_t sample = 0;
+  for (auto const& step : path.steps) {
+    double const t = step.sample ? record.time_s[sample] : 0.5 * (record.time_s[sample - 1] + record.time_s[sample]);
+    add(t, step.x1, step.v1, step.sample ? record.force_kN[sample] : nan);
+    if (step.sample) ++sample;
+  }
+  return made;
+}
+
+History protocol_of(double amplitude_mm, double frequency_Hz) {
+  History made;
+  auto const omega = 2.0 * std::numbers::pi * frequency_Hz;
+  for (int i = 0; i <= 2 * samples_per_cycle; ++i) {
+    double const phase = 2.0 * std::numbers::pi * i / samples_per_cycle;
+    double const size = i <= samples_per_cycle ? 0.5 * amplitude_mm : amplitude_mm;
+    made.time_s.push_back(i / (samples_per_cycle * frequency_Hz));
+    // Exactly zero there, whatever sin makes of pi.
+    made.disp_mm.push_back(i % (samples_per_cycle / 2) == 0 ? 0.0 : size * std::sin(phase));
+    made.vel_mm_s.push_back(size * omega * std::cos(phase));
+  }
+  return made;
+}
+
+void widen(std::optional<double>& least, std::optional<double>& most, std::optional<double> low,
+           std::optional<double> high) {
+  if (low) least = std::min(least.value_or(*low), *low);
+  if (high) most = std::max(most.value_or(*high), *high);
+}
+
+void add_tested(Tested& tested, report::DeviceResult const& device) {
+  double largest = 0.0;
+  for (double const x : device.record.disp_mm) largest = std::max(largest, std::abs(x));
+  tested.disp_mm = std::max(tested.disp_mm, largest);
+  std::optional<double> none;
+  if (device.rubber_thickness_mm) widen(none, tested.strain_percent, {}, 100.0 * largest / *device.rubber_thickness_mm);
+  for (auto const& block : device.properties.blocks) {
+    widen(tested.lowest_Hz, tested.highest_Hz, block.frequency_Hz, block.frequency_Hz);
+    widen(none, tested.v_max_mm_s, {}, block.v_max_mm_s);
+  }
+  if (!device.raw.load_kN.empty()) {
+    auto const [low, high] = std::ranges::minmax(device.raw.load_kN);
+    widen(tested.load_min_kN, tested.load_max_kN, low, high);
+  }
+  widen(tested.temperature_min_C, tested.temperature_max_C, device.temperature_C, device.temperature_C);
+}
+
+std::string list_of(std::vector<std::string> const& names) {
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+rules::LotQuantity const* quantity_of(report::Summary const& summary, rules::Quantity quantity) {
+  for (auto const& view : summary.acceptance.lot.quantities)
+    if (view.quantity == quantity) return &view;
+  return nullptr;
+}
+
+// The property that the factors are relative to: of the device in the cycle that counts, or the mean of the lot.
+std::optional<double> own_value(report::Summary const& summary, Subject const& subject,
+                                rules::LotQuantity const& view) {
+  if (subject.lot) return view.mean;
+  auto const device = std::ranges::find(summary.devices, subject.device, &report::DeviceResult::name);
+  auto const* cycle = report::counting_cycle(device->properties, device->acceptance.block);
+  if (cycle == nullptr) return std::nullopt;
+  switch (view.quantity) {
+    case rules::Quantity::K_d:
+      return cycle->K_d_kN_per_mm;
+    case rules::Quantity::Q_d:
+      return cycle->Q_d_kN;
+    default:
+      return cycle->K_eff_kN_per_mm;
+  }
+}
+
+rules::Bound const* chosen_bound(rules::LotQuantity const& view) {
+  for (std::string_view const wanted : {"contract band", "observed"})
+    for (auto const& bound : view.bounds)
+      if (bound.source == wanted) return &bound;
+  return nullptr;
+}
+
+struct PropertyBounds {
+  std::optional<double> lower, upper;  // factors on the subject's own property
+  double own = 0.0;
+  std::string text;
+};
+
+std::string number(double value) {
+  return fmt::format("{:.4g}", value);
+}
+
+std::optional<PropertyBounds> ruled_bounds(report::Summary const& summary, Subject const& subject,
+                                           rules::Quantity quantity) {
+  auto const* view = quantity_of(summary, quantity);
+  if (view == nullptr) return std::nullopt;
+  auto const* bound = chosen_bound(*view);
+  auto const own = own_value(summary, subject, *view);
+  if (bound == nullptr || !own || !(*own > 0.0)) return std::nullopt;
+  PropertyBounds made;
+  made.own = *own;
+  if (std::isfinite(bound->lower) && bound->lower > 0.0) made.lower = bound->lower / *own;
+  if (std::isfinite(bound->upper)) made.upper = bound->upper / *own;
+  made.text = fmt::format(
+      "{} {}: lower {}, upper {} {} (lambda {} and {} on {} {}, {}{}), this one's {}", bound->source,
+      rules::name(quantity), made.lower ? number(bound->lower) : "none", made.upper ? number(bound->upper) : "none",
+      view->unit, made.lower ? number(bound->combined.min) : "none", number(bound->combined.max),
+      view->nominal ? "the design value" : "the lot's mean", number(view->nominal ? *view->nominal : *view->mean),
+      bound->note,
+      bound->combined.max_is_default || bound->combined.min_is_default ? ", the set's own limits of lambda taken" : "",
+      number(*own));
+  return made;
+}
+
+BoundFactors whole(double factor) {
+  return {.stiffness = factor, .strength = factor, .overall = factor, .separate = false};
+}
+
+Bounds spread_of_the_lot(report::Summary const& summary, Subject const& subject, std::string_view why) {
+  auto const* view = quantity_of(summary, rules::Quantity::K_eff);
+  auto const own = view == nullptr ? std::nullopt : own_value(summary, subject, *view);
+  if (view == nullptr || view->count < 2 || !view->min || !own || !(*own > 0.0))
+    return {.lower = {}, .upper = {}, .source = "none: " + std::string(why) + ", and one device has no spread"};
+  return {
+      .lower = whole(*view->min / *own),
+      .upper = whole(*view->max / *own),
+      .source = fmt::format("{}: the spread of the {} devices tested, smallest and largest K_eff {} ({}) and {} ({}) "
+                            "kN/mm over this one's {}; ageing, temperature and rate are not in it",
+                            why, view->count, number(*view->min), view->min_device, number(*view->max),
+                            view->max_device, number(*own))};
+}
+
+Bounds bounds_of(report::Summary const& summary, Subject const& subject) {
+  if (!summary.acceptance.has_rules()) return spread_of_the_lot(summary, subject, "no rule set was given");
+  auto const& rules = summary.acceptance.rules;
+  auto const K_d = ruled_bounds(summary, subject, rules::Quantity::K_d);
+  auto const Q_d = ruled_bounds(summary, subject, rules::Quantity::Q_d);
+  if (!K_d || !Q_d)
+    return spread_of_the_lot(summary, subject, "rule set " + rules.id + " has no factors of K_d and Q_d for this lot");
+  Bounds made;
+  // Of the whole force at the amplitude of the cycle that counts: its parts by their shares of it there.
+  double const spring = K_d->own * subject.design_disp_mm, both = spring + Q_d->own;
+  auto const factors = [&](std::optional<double> stiffness, std::optional<double> strength) {
+    return stiffness && strength
+               ? std::optional(BoundFactors{.stiffness = *stiffness,
+                                            .strength = *strength,
+                                            .overall = (*stiffness * spring + *strength * Q_d->own) / both,
+                                            .separate = true})
+               : std::nullopt;
+  };
+  made.lower = factors(K_d->lower, Q_d->lower);
+  made.upper = factors(K_d->upper, Q_d->upper);
+  made.source = fmt::format("rule set {} ({}): {}; {}", rules.id, rules.verified() ? "verified" : "not verified",
+                            K_d->text, Q_d->text);
+  return made;
+}
+
+void add_device_parameters(Subject& subject, campaign::Contents const& contents, std::size_t device,
+                           std::string const& where) {
+  auto const& named = contents.devices[device];
+  if (!named.usable())
+    throw Error(
+        {.where = where, .found = "the device was refused: " + named.refusal, .allowed = "a device that was not"});
+  auto const* run = contents.best_run(device, subject.law->info.id);
+  if (run == nullptr) {
+    std::string why = "no run has finished";
+    for (auto const& search : contents.searches)
+      if (search.device == device && search.law == subject.law->info.id && !search.refusal.empty())
+        why = search.refusal;
+    for (auto const& other : contents.runs)
+      if (other.device == device && other.law == subject.law->info.id && !other.failure.empty()) why = other.failure;
+    throw Error(
+        {.where = where, .found = "the law has no result there: " + why, .allowed = "a law that was identified"});
+  }
+  subject.parameters = run->parameters;
+  subject.refinement = run->refinement;
+  subject.objective = run->objective;
+  subject.histories.push_back(history_of(named, contents.settings.turning_points));
+}
+
+void add_lot_parameters(Subject& subject, campaign::Contents const& contents, std::string const& where) {
+  auto const lot = std::ranges::find(contents.lot_analyses, subject.law->info.id, &campaign::LotAnalysis::law);
+  if (lot == contents.lot_analyses.end())
+    throw Error({.where = where,
+                 .found = contents.settings.analysis
+                              ? "the one law of the lot is not there: it needs two devices on which "
+                                "the law was analysed"
+                              : "no analysis was made, and with it no one law of the lot",
+                 .allowed = "a law that was analysed on two devices or more, or the name of a device",
+                 .advice = "isolaw calibrate ... --analysis full"});
+  subject.parameters = lot->mean.parameters;
+  subject.refinement = lot->refinement;
+  subject.objective = lot->mean.mean;
+  for (auto const device : lot->devices)
+    subject.histories.push_back(history_of(contents.devices[device], contents.settings.turning_points));
+  auto const reach = [](History const& history) {
+    auto const [low, high] = std::ranges::minmax(history.disp_mm);
+    return std::max(-low, high);
+  };
+  std::ranges::stable_sort(subject.histories, std::ranges::greater{}, reach);
+}
+
+// A law may have fitted a record that begins elsewhere and still have no force on the way there from zero.
+void require_finite(Subject const& subject, std::string const& where) {
+  auto const finite = [](History const& history) {
+    return std::ranges::all_of(history.law_kN, [](double f) { return std::isfinite(f); });
+  };
+  if (std::ranges::all_of(subject.histories, finite) && finite(subject.protocol)) return;
+  throw Error(
+      {.where = where,
+       .found = "from zero displacement the law has no finite force on the calibration record, or on two cycles at the "
+                "tested amplitude",
+       .allowed = "a law with a finite force there"});
+}
+
+void add_measured(Subject& subject, report::Summary const& summary) {
+  std::vector<double> stiffness, damping;
+  for (auto const& device : summary.devices) {
+    if (std::ranges::find(subject.histories, device.name, &History::device) == subject.histories.end()) continue;
+    add_tested(subject.tested, device);
+    if (auto const& cycle = device.properties.reported) {
+      stiffness.push_back(cycle->K_eff_kN_per_mm);
+      damping.push_back(cycle->damping_percent);
+      subject.design_disp_mm = std::max(subject.design_disp_mm, cycle->amplitude_mm);
+    }
+  }
+  auto const mean = [](std::vector<double> const& values) {
+    double sum = 0.0;
+    for (double const v : values) sum += v;
+    return sum / static_cast<double>(values.size());
+  };
+  if (!stiffness.empty()) subject.K_eff_kN_per_mm = mean(stiffness), subject.damping_percent = mean(damping);
+  if (subject.design_disp_mm == 0.0) subject.design_disp_mm = subject.tested.disp_mm;
+}
+
+}  // namespace
+
+std::string plain_name(std::string_view name) {
+  constexpr std::size_t longest = 40;
+  std::string made;
+  for (char const c : name) {
+    bool const kept = static_cast<unsigned char>(c) < 128 && std::isalnum(static_cast<unsigned char>(c)) != 0;
+    // C++ keeps names with two underscores in a row for itself.
+    if (kept || (!made.empty() && !made.ends_with('_'))) made += kept ? c : '_';
+    if (made.size() == longest) break;
+  }
+  while (made.ends_with('_')) made.pop_back();
+  return made;
+}
+
+std::vector<double> law_force(laws::LawEntry const& law, std::span<double const> parameters, History const& history) {
+  auto const in_law_units = [&](std::vector<double> values) {
+    for (double& v : values) v /= law.info.length.in_record_units;
+    return values;
+  };
+  auto const path = laws::make_path(in_law_units(history.disp_mm), in_law_units(history.vel_mm_s), history.refinement);
+  std::vector<double> force(history.disp_mm.size());
+  law.evaluate(parameters, path, laws::Integration::converged, force);
+  for (double& f : force) f *= law.info.force.in_record_units;
+  return force;
+}
+
+Subject make_subject(campaign::Contents const& contents, report::Summary const& summary, std::string_view law,
+                     std::string_view device) {
+  Subject subject;
+  subject.law = &laws::find_law(law);
+  if (std::ranges::find(contents.settings.laws, law) == contents.settings.laws.end())
+    throw Error({.where = "law " + std::string(law),
+                 .found = "the law is not in this campaign",
+                 .allowed = list_of(contents.settings.laws)});
+  subject.version = summary.version;
+  subject.title = contents.title;
+  subject.seed = contents.settings.seed;
+  // A device that is called "lot" is that device only where there is no other meaning.
+  auto const named = std::ranges::find(contents.devices, device, &campaign::Device::name);
+  bool const has_lot =
+      std::ranges::find(contents.lot_analyses, law, &campaign::LotAnalysis::law) != contents.lot_analyses.end();
+  subject.lot = device == "lot" && (named == contents.devices.end() || has_lot);
+  subject.device = std::string(device);
+  for (auto const& other : contents.devices)
+    if ((subject.lot || other.name != subject.device) && plain_name(other.name) == plain_name(subject.device))
+      subject.number_among_alike = static_cast<std::size_t>(named - contents.devices.begin()) + 1;
+  auto const where = fmt::format("law {}, {}", law, subject.lot ? "the lot" : "device '" + subject.device + "'");
+  if (!subject.lot && named == contents.devices.end()) {
+    std::vector<std::string> names;
+    for (auto const& other : contents.devices) names.push_back(other.name);
+    names.emplace_back("lot");
+    throw Error({.where = where, .found = "no such device in this campaign", .allowed = list_of(names)});
+  }
+  if (subject.lot)
+    add_lot_parameters(subject, contents, where);
+  else
+    add_device_parameters(subject, contents, static_cast<std::size_t>(named - contents.devices.begin()), where);
+  if (contents.settings.integration == laws::Integration::paper)
+    subject.notes.emplace_back(
+        "The campaign integrated with one Runge-Kutta step per sample; the export is of the law itself, integrated to "
+        "convergence with the same parameters.");
+  add_measured(subject, summary);
+  subject.frequency_Hz = subject.tested.highest_Hz.value_or(0.5);
+  subject.protocol = protocol_of(subject.tested.disp_mm, subject.frequency_Hz);
+  for (auto& history : subject.histories) history.refinement = subject.refinement;
+  subject.protocol.refinement = subject.refinement;
+  for (auto& history : subject.histories) history.law_kN = law_force(*subject.law, subject.parameters, history);
+  subject.protocol.law_kN = law_force(*subject.law, subject.parameters, subject.protocol);
+  require_finite(subject, where);
+  subject.bounds = bounds_of(summary, subject);
+  return subject;
+}
+
+}  // namespace isolaw::programs

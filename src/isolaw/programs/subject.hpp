@@ -1,0 +1,80 @@
+// What is exported: one law of a campaign with the parameters of a device or of the lot, the histories it was calibrated
+// on, how far the tests went, and the factors of its upper and lower bounds. Read from a campaign's contents alone.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/campaign/contents.hpp"
+#include "isolaw/laws/catalogue.hpp"
+#include "isolaw/report/summary.hpp"
+
+namespace isolaw::programs {
+
+// Displacement, velocity and force after another; the first point is at zero displacement, from where programs start.
+struct History {
+  std::string device;  // empty: a protocol of ours
+  std::vector<double> time_s, disp_mm, vel_mm_s;
+  std::vector<double> measured_kN;  // empty for a protocol; NaN at points that are no samples
+  std::vector<double> law_kN;       // the law from the virgin state at the first point
+  int refinement = 1;               // steps of the law in each interval
+};
+
+// How far the tests went, over all histories. Empty: not stated by the records or the lot file.
+struct Tested {
+  double disp_mm = 0.0;
+  std::optional<double> strain_percent;
+  std::optional<double> lowest_Hz, highest_Hz, v_max_mm_s;
+  std::optional<double> load_min_kN, load_max_kN;
+  std::optional<double> temperature_min_C, temperature_max_C;
+};
+
+// Factors on the part of the force that grows with displacement (K_d) and on the hysteretic part (Q_d); equal where one
+// factor on the whole force is all there is.
+struct BoundFactors {
+  double stiffness = 1.0, strength = 1.0;
+  double overall = 1.0;  // on the whole force, for laws and programs that cannot tell the parts apart
+  bool separate = false;
+};
+
+struct Bounds {
+  std::optional<BoundFactors> lower, upper;
+  std::string source;  // where they come from, or why there are none
+};
+
+struct Subject {
+  std::string version, title;
+  laws::LawEntry const* law = nullptr;
+  bool lot = false;
+  std::string device;  // its name; "lot" for the law of the lot
+  // Where another name of the campaign has the same letters and digits: which of its devices this is, from 1; 0 elsewhere.
+  std::size_t number_among_alike = 0;
+  std::vector<double> parameters;  // in the law's units and order
+  std::vector<History>
+      histories;              // of the device; for a lot, of every device that takes part, the largest amplitude first
+  History protocol;           // two cycles, at half and at the whole tested amplitude
+  double frequency_Hz = 0.0;  // of the protocol
+  std::optional<double> objective;
+  Tested tested;
+  Bounds bounds;
+  std::uint64_t seed = 1;
+  int refinement = 1;
+  std::optional<double> K_eff_kN_per_mm, damping_percent;  // measured: of the device, or the mean of the lot
+  double design_disp_mm = 0.0;                             // amplitude of the reported cycle
+  std::vector<std::string> notes;
+};
+
+// A name as programs take names: each run of other characters than letters and digits becomes one underscore.
+std::string plain_name(std::string_view name);
+
+// Throws Error: no such law or device in the campaign (says what there is), a law without a result there, a lot without
+// its one law.
+Subject make_subject(campaign::Contents const& contents, report::Summary const& summary, std::string_view law,
+                     std::string_view device);
+
+// Force of the law [kN] at the history's points.
+std::vector<double> law_force(laws::LawEntry const& law, std::span<double const> parameters, History const& history);
+
+}  // namespace isolaw::programs

@@ -1,0 +1,201 @@
+#include "isolaw/programs/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "isolaw/base/printable.hpp"
+
+namespace isolaw::programs {
+namespace {
+
+// Besides control characters: what begins a substitution or joins lines in Tcl, Python or C++.
+constexpr std::string_view acted_on = "\\\"`$[]{}";
+
+std::string replaced(std::string_view text, std::string_view unwanted) {
+  auto made = printable(text);
+  for (char& c : made)
+    if (unwanted.find(c) != std::string_view::npos) c = '_';
+  return made;
+}
+
+std::string percent(double value) {
+  return std::isfinite(value) ? fmt::format("{:.2g} %", std::abs(value) < 5e-11 ? 0.0 : value) : "not a number";
+}
+
+std::string range_of(std::optional<double> low, std::optional<double> high, std::string_view unit) {
+  if (!low || !high) return "not stated";
+  if (*low == *high) return fmt::format("{:.4g} {}", *low, unit);
+  return fmt::format("{:.4g} to {:.4g} {}", *low, *high, unit);
+}
+
+// Forms of one equation agree to rounding and are told of together.
+bool same(Deviation const& a, Deviation const& b) {
+  return std::abs(a.largest - b.largest) <= 1e-6 * a.largest + 1e-9;
+}
+
+std::vector<Fact> replay_facts(Subject const& subject, Realisation const& realisation, UnitSystem const& units) {
+  auto const& forms = realisation.forms;
+  std::vector<Fact> made;
+  for (std::size_t first = 0, next = 0; first < forms.size(); first = next) {
+    std::string titles;
+    for (next = first; next < forms.size() && same(forms[first].from_law, forms[next].from_law); ++next)
+      titles += (titles.empty() ? "" : ", ") + forms[next].nominal.title;
+    auto const& form = forms[first];
+    made.push_back(
+        {titles, fmt::format("replayed on the calibration record{}, steps up to {:.3g} {}, against the law: {}",
+                             subject.lot ? "s (the worst of them)" : "", units.from_mm(form.longest_step_mm),
+                             units.length.symbol, deviation_text(form.from_law))});
+    if (form.finer)
+      made.push_back({fmt::format("  in steps {} times smaller", finer_steps), deviation_text(*form.finer)});
+    if (form.from_measured && first == 0)
+      made.push_back({"  against the measured force", deviation_text(*form.from_measured)});
+    for (std::size_t i = first; i < next; ++i) {
+      auto const& one = forms[i].nominal;
+      if (one.condition.empty()) continue;
+      made.push_back(
+          {"  " + one.title.substr(one.title.find(' ') + 1),
+           one.condition + (one.longest_travel_mm
+                                ? fmt::format(": {:.4g} {}", units.from_mm(*one.longest_travel_mm), units.length.symbol)
+                                : std::string())});
+    }
+  }
+  return made;
+}
+
+std::string factor_text(BoundFactors const& factors, bool one_factor) {
+  if (factors.separate && !one_factor)
+    return fmt::format("stiffness (K_d) x {:.4g}, strength (Q_d) x {:.4g}", factors.stiffness, factors.strength);
+  return fmt::format("force x {:.4g}", factors.overall);
+}
+
+}  // namespace
+
+std::string harmless(std::string_view text) {
+  return replaced(text, acted_on);
+}
+
+std::string harmless_markdown(std::string_view text) {
+  return replaced(text, "\\|<>`[]*#&");
+}
+
+std::string identifier(Subject const& subject) {
+  auto made = "isolaw_" + plain_name(subject.law->info.id);
+  if (auto const device = plain_name(subject.device); !device.empty()) made += "_" + device;
+  if (subject.number_among_alike > 0) made += fmt::format("_{}", subject.number_among_alike);
+  return made;
+}
+
+std::string exactly(double value) {
+  auto text = fmt::format("{}", value);
+  // A whole number would be an integer to a script, and integers divide otherwise.
+  if (text.find_first_of(".en") == std::string::npos) text += ".0";
+  return text;
+}
+
+std::string briefly(double value) {
+  return fmt::format("{:.5g}", value);
+}
+
+std::string parameter_text(laws::LawEntry const& law, std::span<double const> parameters) {
+  std::string text;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    auto const& p = law.parameters[i];
+    text += fmt::format("{}{} = {}{}", i == 0 ? "" : ", ", p.name, exactly(parameters[i]),
+                        p.unit == "1" ? "" : " " + std::string(p.unit));
+  }
+  return text;
+}
+
+std::string deviation_text(Deviation const& d) {
+  auto text = fmt::format("largest {} of the peak force (at {:.4g} s), root mean square {}", percent(d.largest), d.at_s,
+                          percent(d.rms));
+  if (d.K_eff) text += ", K_eff " + percent(*d.K_eff);
+  if (d.energy) text += ", energy of a cycle " + percent(*d.energy);
+  return text;
+}
+
+std::vector<Fact> validity(Subject const& subject) {
+  auto const& t = subject.tested;
+  return {
+      {"Displacement tested", fmt::format("up to {:.4g} mm", t.disp_mm)},
+      {"Shear strain tested",
+       t.strain_percent ? fmt::format("up to {:.4g} %", *t.strain_percent) : std::string("not stated")},
+      {"Frequency tested", range_of(t.lowest_Hz, t.highest_Hz, "Hz")},
+      {"Velocity tested", t.v_max_mm_s ? fmt::format("up to {:.4g} mm/s", *t.v_max_mm_s) : std::string("not stated")},
+      {"Vertical load tested", range_of(t.load_min_kN, t.load_max_kN, "kN")},
+      {"Temperature", range_of(t.temperature_min_C, t.temperature_max_C, "C")}};
+}
+
+std::vector<Fact> bound_facts(Subject const& subject, bool one_factor) {
+  auto const& bounds = subject.bounds;
+  auto const text = [&](std::optional<BoundFactors> const& factors) {
+    return factors ? factor_text(*factors, one_factor) : std::string("none");
+  };
+  std::vector<Fact> made{
+      {"Lower bound", text(bounds.lower)}, {"Upper bound", text(bounds.upper)}, {"Bounds from", bounds.source}};
+  auto const separate = [](auto const& factors) { return factors && factors->separate; };
+  if (one_factor && (separate(bounds.lower) || separate(bounds.upper)))
+    made.push_back({"Bounds act",
+                    "as one factor on the whole force, which at the amplitude of the cycle that counts is that "
+                    "of K_d and Q_d together; the law's parameters do not tell the two apart"});
+  return made;
+}
+
+std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
+                        std::string_view program) {
+  auto const& law = subject.law->info;
+  std::vector<Fact> made{
+      {"Export", fmt::format("isolaw {}, for {}", subject.version, program)},
+      {"Law", fmt::format("{}: {} ({})", law.id, law.title, law.source)},
+      {"Parameters of",
+       (subject.lot ? std::string("the lot (one law for all its devices)") : "device " + subject.device) +
+           (subject.title.empty() ? "" : ", lot " + subject.title)},
+      {"Parameters", fmt::format("{} (units of the law: {}, {}, s)", parameter_text(*subject.law, subject.parameters),
+                                 law.force.symbol, law.length.symbol)}};
+  if (subject.objective)
+    made.push_back(
+        {"Fitted to the tests with", fmt::format("objective {:.4g}{} (mean deviation over the standard "
+                                                 "deviation of the force)",
+                                                 *subject.objective, subject.lot ? ", mean of the devices" : "")});
+  made.push_back({"Units of this file", fmt::format("{}, {}, s", units.force.symbol, units.length.symbol)});
+  made.push_back({"Fidelity", fmt::format("{}: {}", name(realisation.fidelity), realisation.explanation)});
+  if (!realisation.substitute.empty())
+    made.push_back({"Fitted in its place", fmt::format("{}: {}", realisation.substitute,
+                                                       parameter_text(laws::find_law(realisation.substitute),
+                                                                      realisation.substitute_parameters))});
+  for (auto& fact : replay_facts(subject, realisation, units)) made.push_back(std::move(fact));
+  for (auto const& refused : realisation.refused) made.push_back({"Refused", refused});
+  for (auto& fact : validity(subject)) made.push_back(std::move(fact));
+  made.push_back({"Beyond these", "nothing was tested, and the law is an extrapolation"});
+  for (auto& fact : bound_facts(subject, false)) made.push_back(std::move(fact));
+  for (auto const& note : subject.notes) made.push_back({"Note", note});
+  return made;
+}
+
+std::vector<std::string> fact_lines(std::vector<Fact> const& facts) {
+  constexpr std::size_t width = 110;
+  std::vector<std::string> lines;
+  for (auto const& fact : facts) {
+    auto rest = harmless(fact.label + ": " + fact.text);
+    bool first = true;
+    while (!rest.empty()) {
+      auto const room = first ? width : width - 4;
+      auto cut = rest.size();
+      if (cut > room) {
+        cut = rest.rfind(' ', room);
+        if (cut == std::string::npos || cut < room / 2) cut = room;
+        // Not within a character of several bytes.
+        while (cut < rest.size() && (static_cast<unsigned char>(rest[cut]) & 0xC0U) == 0x80U) ++cut;
+      }
+      lines.push_back((first ? "" : "    ") + rest.substr(0, cut));
+      rest.erase(0, cut);
+      rest.erase(0, std::min(rest.find_first_not_of(' '), rest.size()));
+      first = false;
+    }
+  }
+  return lines;
+}
+
+}  // namespace isolaw::programs

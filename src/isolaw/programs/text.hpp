@@ -1,0 +1,42 @@
+// What the exported texts share: names made harmless, numbers, and the sentences that every export states.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/programs/realise.hpp"
+
+namespace isolaw::programs {
+
+// Text of others for a comment of a script: control characters, quotes, backslashes and all that a language could act on
+// become '_'.
+std::string harmless(std::string_view text);
+// The same for a table of Markdown.
+std::string harmless_markdown(std::string_view text);
+// Letters, digits and single underscores, not beginning with a digit: "isolaw_bouc_wen_P_1". One for each device of a
+// campaign.
+std::string identifier(Subject const& subject);
+
+// Shortest text that reads back as the same number.
+std::string exactly(double value);
+// For people: five significant digits.
+std::string briefly(double value);
+
+struct Fact {
+  std::string label, text;
+};
+// Law, parameters, units, fidelity, errors, validity, bounds. `program` is the target's name.
+std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
+                        std::string_view program);
+// The same facts as lines no wider than 110 characters, harmless, for comments.
+std::vector<std::string> fact_lines(std::vector<Fact> const& facts);
+
+// "law's parameter = value unit, ...".
+std::string parameter_text(laws::LawEntry const& law, std::span<double const> parameters);
+// Where the law was tested, or "not stated".
+std::vector<Fact> validity(Subject const& subject);
+std::vector<Fact> bound_facts(Subject const& subject, bool one_factor);
+std::string deviation_text(Deviation const& deviation);
+
+}  // namespace isolaw::programs

@@ -1,0 +1,41 @@
+// The unit systems an analysis program may be run in. Programs carry no units: an export states the one it was written
+// in, and every argument is converted by its own powers of force and length.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/units.hpp"
+
+namespace isolaw::programs {
+
+struct UnitSystem {
+  std::string_view id;  // "kN-mm"
+  Unit force, length;   // time is always in seconds
+
+  double from_kN(double force_kN) const { return force_kN / force.in_record_units; }
+  double from_mm(double disp_mm) const { return disp_mm / length.in_record_units; }
+  // A value in kN^force_power mm^length_power; powers need not be whole (1/mm^n).
+  double convert(double value, double force_power, double length_power) const {
+    if (force_power != 0.0) value *= std::pow(1.0 / force.in_record_units, force_power);
+    if (length_power != 0.0) value *= std::pow(1.0 / length.in_record_units, length_power);
+    return value;
+  }
+};
+
+inline constexpr Unit kip{Dimension::force, "kip", 4.4482216152605};
+inline constexpr Unit inch{Dimension::length, "in", 25.4};
+inline constexpr std::array unit_systems{UnitSystem{"kN-mm", kN, mm}, UnitSystem{"N-m", N, m},
+                                         UnitSystem{"kip-in", kip, inch}};
+
+// Throws Error that lists them.
+inline UnitSystem const& find_unit_system(std::string_view id) {
+  for (auto const& system : unit_systems)
+    if (system.id == id) return system;
+  throw Error({.where = "--units", .found = std::string(id), .allowed = "kN-mm, N-m, kip-in"});
+}
+
+}  // namespace isolaw::programs

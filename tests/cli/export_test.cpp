@@ -1,0 +1,225 @@
+// isolaw export: every law to every target, what is asked for wrongly, and that the store alone decides.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "cli/run.hpp"
+
+namespace isolaw::cli_test {
+namespace {
+
+// Three cycles at 100 mm, 60 samples a cycle, of a bilinear device with a rounded corner.
+std::string loops(double stiffness) {
+  std::string text = "time [s],disp [mm],force [kN]\n";
+  double hysteretic = 0.0, before = 0.0;
+  for (int i = 0; i <= 180; ++i) {
+    double const x = 100.0 * std::sin(2.0 * std::numbers::pi * i / 60.0);
+    hysteretic +=
+        (1.0 - hysteretic / 20.0 * (x > before ? 1.0 : -1.0)) * 2.0 * (x - before) / (1.0 + std::abs(x - before) * 0.1);
+    before = x;
+    text +=
+        fmt::format("{:.4f},{:.5f},{:.5f}\n", i / 30.0, x, stiffness * (0.4 * x + std::clamp(hysteretic, -20.0, 20.0)));
+  }
+  return text;
+}
+
+class Export : public InFreshDirectory {
+ protected:
+  void SetUp() override {
+    InFreshDirectory::SetUp();
+    write("a.csv", loops(1.0));
+    write("b.csv", loops(1.1));
+  }
+  Outcome calibrate(std::string const& laws, Words const& more = {}) {
+    return isolaw(Words{"calibrate", "a.csv", "b.csv", "--laws", laws, "--runs", "1", "--out", "C"} + more);
+  }
+  Outcome exported(std::string const& law, std::string const& device, std::string const& to, Words const& more = {}) {
+    return isolaw(Words{"export", "C", "--law", law, "--device", device, "--to", to} + more);
+  }
+};
+
+TEST_F(Export, gives_every_law_to_every_target) {
+  ASSERT_EQ(calibrate("all").code, 0);
+  for (std::string const law : {"bilinear", "jankowski", "vaiana", "bouc-wen", "abe", "abe-y0", "hwang-wu"}) {
+    for (std::string const to : {"opensees", "openseespy", "cpp", "json", "sheet"}) {
+      SCOPED_TRACE(law + " " + to);
+      auto const o = exported(law, "a", to);
+      ASSERT_EQ(o.code, 0) << o;
+      EXPECT_TRUE(o.err.empty()) << o.err;
+      EXPECT_TRUE(contains(o.out, law));
+      EXPECT_TRUE(contains(o.out, to == "json" ? "\"tested\"" : "Displacement tested"));
+      if (to == "json") {
+        EXPECT_EQ(exported(law, "a", to).out, o.out);
+        auto const j = Json::parse(o.out);
+        std::string const expected = law == "bilinear"   ? "exact"
+                                     : law == "bouc-wen" ? "exact as the step goes to zero"
+                                                         : "re-fitted";
+        EXPECT_EQ(j["fidelity"], expected);
+        EXPECT_EQ(j["substitute"].get<std::string>().empty(), expected != "re-fitted");
+        for (auto const& form : j["forms"]) EXPECT_TRUE(form["from_law"]["largest_percent_of_peak"].is_number());
+        EXPECT_NEAR(j["bounds"]["upper"]["force"].get<double>(), 1.1, 0.01);
+        EXPECT_NEAR(j["bounds"]["lower"]["force"].get<double>(), 1.0, 1e-12);
+      }
+      if (law == "vaiana" && to == "json") {
+        EXPECT_TRUE(contains(o.out, "--set vaiana.Kb-=Kb+"));
+      }
+      if (to == "opensees" || to == "openseespy") {
+        EXPECT_TRUE(contains(o.out, "Fidelity: "));
+      }
+    }
+  }
+}
+
+TEST_F(Export, reads_the_store_alone_and_writes_files) {
+  ASSERT_EQ(calibrate("bilinear").code, 0);
+  auto const before = exported("bilinear", "b", "opensees", {"--units", "N-m"});
+  ASSERT_EQ(before.code, 0) << before;
+  EXPECT_TRUE(contains(before.out, "Units of this file: N, m, s"));
+  fs::create_directory(path("elsewhere"));
+  fs::rename(path("C/campaign.sqlite"), path("elsewhere/campaign.sqlite"));
+  fs::remove(path("b.csv"));
+  auto const o = isolaw({"export", "elsewhere", "--law", "bilinear", "--device", "b", "--to", "opensees", "--units",
+                         "N-m", "--out", "b.tcl"});
+  EXPECT_EQ(o.code, 0) << o;
+  EXPECT_TRUE(o.out.empty());
+  EXPECT_TRUE(contains(o.err, "b.tcl"));
+  EXPECT_EQ(read("b.tcl"), before.out);
+}
+
+TEST_F(Export, of_the_lot_needs_its_one_law) {
+  ASSERT_EQ(calibrate("bilinear", {"--analysis", "full", "--replicates", "0"}).code, 0);
+  auto const o = exported("bilinear", "lot", "json");
+  ASSERT_EQ(o.code, 0) << o;
+  auto const j = Json::parse(o.out);
+  EXPECT_EQ(j["of_the_lot"], true);
+  // The lot's law is between its devices', and its bounds are about it.
+  auto const K2_of = [&](std::string const& device) {
+    return Json::parse(exported("bilinear", device, "json").out)["parameters"][1]["value"].get<double>();
+  };
+  double const K2 = j["parameters"][1]["value"];
+  EXPECT_GT(K2, std::min(K2_of("a"), K2_of("b")));
+  EXPECT_LT(K2, std::max(K2_of("a"), K2_of("b")));
+  EXPECT_LT(j["bounds"]["lower"]["force"], 1.0);
+  EXPECT_GT(j["bounds"]["upper"]["force"], 1.0);
+}
+
+// "K_d", "contract band": column `name` of tables/lambda.csv.
+double lambda_of(std::string const& table, std::string const& property, std::string const& source,
+                 std::string const& name) {
+  std::istringstream lines(table);
+  std::string line;
+  std::getline(lines, line);
+  auto const cells = [](std::string const& text) {
+    std::vector<std::string> made;
+    std::istringstream stream(text);
+    for (std::string cell; std::getline(stream, cell, ',');) made.push_back(cell);
+    return made;
+  };
+  auto const names = cells(line);
+  auto const at = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+  while (std::getline(lines, line)) {
+    auto const row = cells(line);
+    if (row[0] == property && row[2] == source) return std::stod(row.at(at));
+  }
+  throw std::runtime_error("no " + property + " of " + source);
+}
+
+TEST_F(Export, takes_bounds_from_the_rule_set) {
+  ASSERT_EQ(calibrate("bilinear", {"--rules", "asce-7-22"}).code, 0);
+  auto const of = [&](std::string const& device, Words const& more = {}) {
+    auto const o = exported("bilinear", device, "json", more);
+    EXPECT_EQ(o.code, 0) << o;
+    return Json::parse(o.out)["bounds"];
+  };
+  auto const a = of("a"), b = of("b");
+  EXPECT_TRUE(contains(a["source"].get<std::string>(), "asce-7-22 (not verified)"));
+  EXPECT_EQ(a["upper"]["separate"], true);
+  auto const table = read("C/tables/lambda.csv");
+  for (auto const& [key, property] : {std::pair{"stiffness", "K_d"}, {"strength", "Q_d"}})
+    for (auto const& [side, column] : {std::pair{"lower", "lambda min"}, {"upper", "lambda max"}}) {
+      // The bound is of the lot, so that its factors on the two devices, of values v and 1.1 v about the mean 1.05 v,
+      // are lambda times 1.05 and 1.05 / 1.1.
+      double const lambda = lambda_of(table, property, "contract band", column);
+      EXPECT_NEAR(a[side][key].get<double>(), 1.05 * lambda, 0.002 * lambda) << property << " " << side;
+      EXPECT_NEAR(b[side][key].get<double>(), 1.05 / 1.1 * lambda, 0.002 * lambda) << property << " " << side;
+    }
+  // Between its parts' factors, by their shares.
+  EXPECT_GE(a["upper"]["force"], std::min(a["upper"]["stiffness"], a["upper"]["strength"]));
+  EXPECT_LE(a["upper"]["force"], std::max(a["upper"]["stiffness"], a["upper"]["strength"]));
+  // Asked for at the export, a set leaves the store as it is.
+  EXPECT_TRUE(contains(of("a", {"--rules", "aashto"})["source"].get<std::string>(), "aashto"));
+  EXPECT_EQ(of("a"), a);
+}
+
+// The export of a general vaiana says what would make it exact; this is that.
+TEST_F(Export, of_vaiana_with_equal_branches_is_exact) {
+  Words ties;
+  for (std::string const name : {"Kb", "f0", "alpha", "beta1", "beta2"})
+    ties = ties + Words{"--set", "vaiana." + name + "-=" + name + "+"};
+  ASSERT_EQ(calibrate("vaiana", ties).code, 0);
+  auto const hardening = Json::parse(exported("vaiana", "a", "json").out);
+  EXPECT_EQ(hardening["fidelity"], "exact") << hardening["explanation"] << hardening["refused"];
+  EXPECT_LT(hardening["forms"][0]["from_law"]["largest_percent_of_peak"], 1e-7);
+  EXPECT_EQ(hardening["forms"][0]["nominal"].size(), 2U);  // in a Multiplier
+}
+
+TEST_F(Export, says_what_there_is_when_asked_wrongly) {
+  ASSERT_EQ(calibrate("bilinear,bouc-wen").code, 0);
+  expect_refused(exported("linear", "a", "opensees"), {"linear", "no such law", "bilinear", "bouc-wen"});
+  expect_refused(exported("abe", "a", "opensees"), {"law abe", "not in this campaign", "bilinear, bouc-wen"});
+  expect_refused(exported("bilinear", "c", "opensees"), {"'c'", "no such device", "a, b, lot"});
+  expect_refused(exported("bilinear", "lot", "opensees"), {"the lot", "no analysis was made", "--analysis full"});
+  expect_refused(exported("bilinear", "a", "sap"), {"--to", "sap", "opensees, openseespy, cpp, json, sheet"});
+  expect_refused(exported("bilinear", "a", "json", {"--units", "MN-m"}), {"--units", "MN-m", "kN-mm, N-m, kip-in"});
+  expect_refused(exported("bilinear", "a", "json", {"--out", "none/such.json"}),
+                 {"none/such.json", "cannot be written"});
+  expect_refused(isolaw({"export", "nothing", "--law", "bilinear", "--device", "a", "--to", "json"}), {"nothing"});
+  expect_refused(isolaw({"export", "C", "--device", "a", "--to", "json"}), {"--law"});
+}
+
+TEST_F(Export, of_a_law_without_result_says_why) {
+  // Without time a law that depends on velocity has none.
+  auto text = loops(1.0);
+  std::string without_time = "disp [mm],force [kN]\n";
+  std::istringstream lines(text.substr(text.find('\n') + 1));
+  for (std::string line; std::getline(lines, line);) without_time += line.substr(line.find(',') + 1) + "\n";
+  write("t.csv", without_time);
+  isolaw({"calibrate", "t.csv", "--laws", "bilinear,jankowski", "--runs", "1", "--out", "C"});
+  expect_refused(exported("jankowski", "t", "cpp"), {"law jankowski, device 't'", "no result", "time"});
+  auto const o = exported("bilinear", "t", "json");
+  ASSERT_EQ(o.code, 0) << o;
+  EXPECT_TRUE(Json::parse(o.out)["tested"]["highest_frequency_Hz"].is_null());
+  EXPECT_TRUE(contains(exported("bilinear", "t", "opensees").out, "Frequency tested: not stated"));
+}
+
+TEST_F(Export, of_devices_with_hostile_names_stays_a_comment) {
+  write("lot.toml",
+        "title = 'T [exec rm] \\'\n[[device]]\nname = 'x\"\"\"; } {$a`b` [exec touch HACKED] \\'\nfile = 'a.csv'\n");
+  auto const made = isolaw({"calibrate", "lot.toml", "--laws", "bilinear", "--runs", "1", "--out", "C"});
+  ASSERT_EQ(made.code, 0) << made;
+  for (std::string const to : {"opensees", "openseespy", "cpp"}) {
+    auto const o = exported("bilinear", "x\"\"\"; } {$a`b` [exec touch HACKED] \\", to);
+    ASSERT_EQ(o.code, 0) << o;
+    std::istringstream lines(o.out);
+    for (std::string line; std::getline(lines, line);) {
+      EXPECT_FALSE(line.ends_with("\\")) << line;
+      if (line.find("exec touch") == std::string::npos) continue;
+      EXPECT_TRUE(line.starts_with(to == "cpp" ? "// " : "# ")) << line;
+      EXPECT_EQ(line.find_first_of("[]{}$`\"\\"), std::string::npos) << line;
+    }
+  }
+  // JSON keeps the name.
+  EXPECT_EQ(Json::parse(exported("bilinear", "x\"\"\"; } {$a`b` [exec touch HACKED] \\", "json").out)["device"],
+            "x\"\"\"; } {$a`b` [exec touch HACKED] \\");
+}
+
+TEST_F(Export, keeps_devices_of_alike_names_apart) {
+  write("lot.toml", "[[device]]\nname = 'P 1'\nfile = 'a.csv'\n[[device]]\nname = 'P-1'\nfile = 'b.csv'\n");
+  ASSERT_EQ(isolaw({"calibrate", "lot.toml", "--laws", "bouc-wen", "--runs", "1", "--out", "C"}).code, 0);
+  EXPECT_TRUE(contains(exported("bouc-wen", "P 1", "cpp").out, "namespace isolaw_bouc_wen_P_1_1 {"));
+  EXPECT_TRUE(contains(exported("bouc-wen", "P-1", "cpp").out, "namespace isolaw_bouc_wen_P_1_2 {"));
+}
+
+}  // namespace
+}  // namespace isolaw::cli_test

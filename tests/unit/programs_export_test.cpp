@@ -1,0 +1,199 @@
+// What scripts say, read back from their text and replayed.
+#include <gtest/gtest.h>
+
+#include "unit/programs_fixture.hpp"
+
+namespace isolaw::programs_test {
+namespace {
+
+// Force [kN] of a procedure of a script, driven over a history.
+std::vector<double> of_script(std::string const& script, std::string const& procedure, std::string const& variant,
+                              UnitSystem const& units, History const& history) {
+  auto const commands = commands_in(script, procedure, variant);
+  std::vector<double> disp;
+  for (double const x : history.disp_mm) disp.push_back(units.from_mm(x));
+  auto force = replay(commands, disp);
+  for (double& f : force) f *= units.force.in_record_units;
+  return force;
+}
+
+struct Case {
+  std::string law;
+  std::vector<double> parameters;
+  std::vector<std::string> procedures;
+  double tolerance;  // of the peak force
+};
+
+std::vector<Case> exact_cases() {
+  return {{"bilinear", bilinear_parameters, {"material", "bearing"}, 1e-12},
+          {"vaiana", vaiana_parameters(), {"material"}, 1e-9},
+          {"vaiana", vaiana_parameters(800.0, 12.0), {"material"}, 1e-9},
+          // One backward Euler step to a sample, 200 to a cycle.
+          {"bouc-wen", bouc_wen_parameters, {"material", "material_original", "bearing"}, 0.03},
+          {"vaiana", vaiana_parameters(), {"material_bouc_wen", "material_original", "bearing"}, 0.03}};
+}
+
+TEST(Scripts, give_the_laws_force_when_read_back_in_every_unit_system) {
+  for (auto const& c : exact_cases()) {
+    auto const subject = subject_of(c.law, c.parameters);
+    auto const& history = subject.histories[0];
+    auto const realisation = realise(subject);
+    for (auto const& procedure : c.procedures) {
+      std::vector<double> in_kN_mm;
+      for (auto const& units : unit_systems) {
+        SCOPED_TRACE(c.law + " " + procedure + " " + std::string(units.id));
+        auto const script = opensees_script(subject, realisation, units);
+        auto const force = of_script(script, procedure, "nominal", units, history);
+        ASSERT_EQ(force.size(), history.law_kN.size());
+        EXPECT_LE(largest_difference(force, history.law_kN), c.tolerance * peak_of(history.law_kN));
+        if (in_kN_mm.empty()) in_kN_mm = force;
+        // The units change nothing but rounding.
+        EXPECT_LE(largest_difference(force, in_kN_mm), 1e-9 * peak_of(in_kN_mm));
+      }
+    }
+  }
+}
+
+TEST(Scripts, bouc_wen_in_smaller_steps_is_the_law) {
+  auto const subject = subject_of("bouc-wen", bouc_wen_parameters);
+  auto const script = opensees_script(subject, realise(subject), unit_systems[1]);
+  auto const fine = subject_of("bouc-wen", bouc_wen_parameters, 200 * 64).histories[0];
+  for (auto const* procedure : {"material", "material_original", "bearing"})
+    EXPECT_LE(largest_difference(of_script(script, procedure, "nominal", unit_systems[1], fine), fine.law_kN),
+              5e-4 * peak_of(fine.law_kN))
+        << procedure;
+}
+
+// The bounds scale the part that grows with displacement and the hysteretic part by themselves.
+TEST(Scripts, bounds_scale_stiffness_and_strength) {
+  for (auto const& c : exact_cases()) {
+    if (c.tolerance > 0.01 || c.parameters == vaiana_parameters(800.0, 12.0)) continue;
+    auto const subject = subject_of(c.law, c.parameters);
+    auto const script = opensees_script(subject, realise(subject), unit_systems[0]);
+    auto const& history = subject.histories[0];
+    bool const bilinear = c.law == "bilinear";
+    double const K = bilinear ? c.parameters[1] : c.parameters[0] * 1e-6;
+    for (auto const& [variant, factors] :
+         {std::pair{"lower", *subject.bounds.lower}, {"upper", *subject.bounds.upper}}) {
+      auto const force = of_script(script, "material", variant, unit_systems[0], history);
+      for (std::size_t i = 0; i < force.size(); ++i) {
+        double const spring = K * history.disp_mm[i], rest = history.law_kN[i] - spring;
+        ASSERT_NEAR(force[i], factors.stiffness * spring + factors.strength * rest, 1e-9) << c.law << " " << variant;
+      }
+    }
+  }
+}
+
+TEST(Scripts, carry_the_force_that_their_own_material_must_give) {
+  for (auto const& c : exact_cases()) {
+    auto const subject = subject_of(c.law, c.parameters);
+    for (auto const& units : unit_systems) {
+      auto const script = opensees_script(subject, realise(subject), units);
+      auto const list = [&](std::string const& after) {
+        auto const from = script.find(after);
+        EXPECT_NE(from, std::string::npos) << after;
+        auto const begin = script.find('{', from) + 1;
+        std::istringstream text(script.substr(begin, script.find('}', begin) - begin));
+        std::vector<double> values;
+        for (double v; text >> v;) values.push_back(v);
+        return values;
+      };
+      auto const disp = list("variable disp {");
+      ASSERT_EQ(disp.size(), subject.protocol.disp_mm.size());
+      for (auto const* variant : {"nominal", "lower", "upper"}) {
+        auto const force = replay(commands_in(script, c.procedures[0], variant), disp);
+        auto const expected = list("set expected(" + c.procedures[0] + "," + variant + ") {");
+        EXPECT_LE(largest_difference(force, expected), 1e-8 * peak_of(expected)) << c.law << " " << variant;
+      }
+    }
+  }
+}
+
+TEST(Replays, find_a_wrong_order_of_arguments) {
+  for (auto const* id : {"material", "material_original", "bearing"}) {
+    auto const subject = subject_of("bouc-wen", bouc_wen_parameters);
+    auto forms = map_law(*subject.law, subject.parameters).forms;
+    auto const form = std::ranges::find(forms, std::string(id), &Form::id);
+    Realised realised;
+    ASSERT_EQ(failure_of(*form, subject, realised), "");
+    auto& arguments = form->commands[0].arguments;
+    auto const gamma = std::ranges::find(arguments, std::string("gamma"), &Argument::name);
+    auto const beta = std::ranges::find(arguments, std::string("beta"), &Argument::name);
+    std::swap(gamma->value, beta->value);
+    EXPECT_NE(failure_of(*form, subject, realised), "") << id;
+  }
+}
+
+// A unit forgotten in one argument is found as well.
+TEST(Replays, find_a_wrong_normalisation) {
+  auto const subject = subject_of("bouc-wen", bouc_wen_parameters);
+  auto form = map_law(*subject.law, subject.parameters).forms[0];
+  form.commands[0].arguments[3].value *= 1.1;
+  form.commands[0].arguments[4].value *= 1.1;
+  Realised realised;
+  EXPECT_NE(failure_of(form, subject, realised), "");
+}
+
+// 35 / alpha is the travel that the algebraic material stands; Bouc-Wen of exponent 1 takes its place, and with hardening,
+// where there is no such way out, the law is fitted again.
+TEST(Replays, refuse_the_material_that_turns_into_no_number) {
+  auto const fast = subject_of("vaiana", vaiana_parameters(0.0, 0.0, 150.0));  // alpha times travel: 45
+  auto const made = realise(fast);
+  ASSERT_FALSE(made.refused.empty());
+  EXPECT_NE(made.refused[0].find("HystereticAsym"), std::string::npos);
+  EXPECT_NE(made.refused[0].find("NaN"), std::string::npos);
+  EXPECT_EQ(made.fidelity, Fidelity::exact_in_limit);
+  EXPECT_EQ(made.forms[0].nominal.id, "material_bouc_wen");
+
+  // Within reach of the test, not of half as much again.
+  auto const beyond = realise(subject_of("vaiana", vaiana_parameters(0.0, 0.0, 90.0)));
+  ASSERT_FALSE(beyond.refused.empty());
+  EXPECT_NE(beyond.refused[0].find("1.5 times as far"), std::string::npos) << beyond.refused[0];
+
+  auto const hardening = realise(subject_of("vaiana", vaiana_parameters(800.0, 12.0, 150.0)));
+  EXPECT_EQ(hardening.fidelity, Fidelity::refitted);
+  EXPECT_NE(hardening.explanation.find("NaN"), std::string::npos);
+}
+
+TEST(Refits, say_their_error_and_are_the_same_again) {
+  auto parameters = vaiana_parameters();
+  parameters[1] *= 1.05;  // unloading differs
+  auto const subject = subject_of("vaiana", parameters);
+  auto const made = realise(subject), again = realise(subject);
+  ASSERT_EQ(made.fidelity, Fidelity::refitted);
+  EXPECT_EQ(made.substitute_parameters, again.substitute_parameters);
+  EXPECT_EQ(made.substitute, "bouc-wen");
+  auto const& error = made.forms[0].from_law;
+  EXPECT_GT(error.rms, 0.1);
+  EXPECT_LT(error.rms, 5.0);
+  // The stated error is that of the text.
+  auto const script = opensees_script(subject, made, unit_systems[2]);
+  auto const force = of_script(script, "material", "nominal", unit_systems[2], subject.histories[0]);
+  EXPECT_NEAR(100.0 * largest_difference(force, subject.histories[0].law_kN) / peak_of(subject.histories[0].law_kN),
+              error.largest, 1e-6);
+}
+
+TEST(Scripts, are_not_broken_by_hostile_names) {
+  auto subject = subject_of("bilinear", bilinear_parameters);
+  subject.device = "x\\\n[exec rm]\"\"\"; } {$a`b`\r # '''";
+  subject.title = "t\\";
+  auto const tcl = opensees_script(subject, realise(subject), unit_systems[0]);
+  auto const python = openseespy_script(subject, realise(subject), unit_systems[0]);
+  for (auto const* text : {&tcl, &python}) {
+    std::istringstream lines(*text);
+    bool found = false;
+    for (std::string line; std::getline(lines, line);) {
+      if (line.find("exec rm") == std::string::npos) continue;
+      found = true;
+      EXPECT_TRUE(line.starts_with("# ")) << line;
+      EXPECT_EQ(line.find_first_of("\\[]{}$`\"\r"), std::string::npos) << line;
+    }
+    EXPECT_TRUE(found);
+    EXPECT_EQ(text->find("\\\n"), std::string::npos);
+  }
+  EXPECT_EQ(identifier(subject).find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace isolaw::programs_test

@@ -1,0 +1,101 @@
+// Laws to export, without a campaign: a history of sine cycles of growing amplitude and a subject made of it.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "isolaw/programs/exports.hpp"
+#include "isolaw/programs/realise.hpp"
+#include "isolaw/programs/subject.hpp"
+#include "isolaw/programs/text.hpp"
+
+namespace isolaw::programs_test {
+
+using namespace isolaw::programs;
+
+// One cycle at each amplitude [mm], `samples` to a cycle, from rest at zero.
+inline History cycles(std::vector<double> const& amplitudes_mm, int samples, double frequency_Hz = 0.5) {
+  History made;
+  made.device = "D";
+  double const omega = 2.0 * std::numbers::pi * frequency_Hz;
+  for (std::size_t c = 0; c < amplitudes_mm.size(); ++c)
+    for (int i = c == 0 ? 0 : 1; i <= samples; ++i) {
+      double const phase = 2.0 * std::numbers::pi * i / samples;
+      made.time_s.push_back((static_cast<double>(c) + static_cast<double>(i) / samples) / frequency_Hz);
+      made.disp_mm.push_back(i == samples ? 0.0 : amplitudes_mm[c] * std::sin(phase));
+      made.vel_mm_s.push_back(amplitudes_mm[c] * omega * std::cos(phase));
+    }
+  return made;
+}
+
+inline Subject subject_of(std::string_view law, std::vector<double> parameters, int samples = 200,
+                          double amplitude_mm = 150.0) {
+  Subject made;
+  made.version = "test";
+  made.title = "a lot";
+  made.law = &laws::find_law(law);
+  made.device = "D";
+  made.parameters = std::move(parameters);
+  made.histories.push_back(cycles({0.3 * amplitude_mm, amplitude_mm, amplitude_mm}, samples));
+  made.protocol = cycles({0.5 * amplitude_mm, amplitude_mm}, 80);
+  for (auto* history : {&made.histories[0], &made.protocol})
+    history->law_kN = law_force(*made.law, made.parameters, *history);
+  made.histories[0].measured_kN = made.histories[0].law_kN;
+  made.tested.disp_mm = made.design_disp_mm = amplitude_mm;
+  made.frequency_Hz = 0.5;
+  made.K_eff_kN_per_mm = 0.7;
+  made.damping_percent = 15.0;
+  made.bounds = {.lower = BoundFactors{.stiffness = 0.9, .strength = 0.8, .overall = 0.87, .separate = true},
+                 .upper = BoundFactors{.stiffness = 1.1, .strength = 1.3, .overall = 1.15, .separate = true},
+                 .source = "the test"};
+  return made;
+}
+
+inline std::vector<double> const bilinear_parameters{2.5, 0.4, 18.0};
+inline std::vector<double> const bouc_wen_parameters{0.2, 2.0, 1.3, 0.045, 1.2, 0.02};
+// Kb f0 alpha beta1 beta2, each for loading and unloading, and no sigmoid. N, m.
+inline std::vector<double> vaiana_parameters(double beta1 = 0.0, double beta2 = 0.0, double alpha = 60.0) {
+  return {6e5, 6e5, 25e3, 25e3, alpha, alpha, beta1, beta1, beta2, beta2, 0, 0, 0, 0, 0, 0};
+}
+
+inline double largest_difference(std::vector<double> const& a, std::vector<double> const& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    largest = a[i] == a[i] ? std::max(largest, std::abs(a[i] - b[i])) : HUGE_VAL;
+  return largest;
+}
+inline double peak_of(std::vector<double> const& force) {
+  double peak = 0.0;
+  for (double const f : force) peak = std::max(peak, std::abs(f));
+  return peak;
+}
+
+// The commands of one variant of a procedure of the Tcl text, as a reader of that text understands them.
+inline std::vector<Command> commands_in(std::string const& script, std::string const& procedure,
+                                        std::string const& variant) {
+  std::vector<Command> made;
+  std::istringstream lines(script);
+  std::string line, in_procedure, in_variant;
+  while (std::getline(lines, line)) {
+    std::istringstream stream(line);
+    std::vector<std::string> words;
+    for (std::string word; stream >> word;) words.push_back(word);
+    if (words.empty() || words[0] == "#") continue;
+    if (words[0] == "proc") in_procedure = words[1];
+    if (words.size() == 2 && words[1] == "{") in_variant = words[0];
+    if (in_procedure != procedure || in_variant != variant) continue;
+    if (words[0] != "uniaxialMaterial" && words[0] != "element") continue;
+    std::size_t const tags = words[0] == "element" ? 5 : words[1] == "Multiplier" ? 4 : 3;
+    Command command{.name = words[1], .arguments = {}};
+    for (std::size_t i = tags; i < words.size(); ++i)
+      if (!words[i].starts_with("{*}")) command.arguments.push_back(std::stod(words[i]));
+    made.push_back(std::move(command));
+  }
+  return made;
+}
+
+}  // namespace isolaw::programs_test

@@ -1,0 +1,419 @@
+// Exported files as their readers run them: the C++ headers compiled, the Python and Tcl scripts interpreted with materials
+// written for the test from the formulas.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "isolaw/fit/box.hpp"
+#include "unit/programs_fixture.hpp"
+
+namespace isolaw::programs_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Folder : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "isolaw-programs-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+  void write(fs::path const& name, std::string const& text) const {
+    fs::create_directories((folder_ / name).parent_path());
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+  std::string read(fs::path const& name) const {
+    std::ostringstream text;
+    text << std::ifstream(folder_ / name, std::ios::binary).rdbuf();
+    return text.str();
+  }
+  // Exit code; what was printed lies in "printed".
+  int run(std::string const& command) const {
+    auto const whole = fmt::format("cd '{}' && {} > printed 2>&1", folder_.string(), command);
+    int const status = std::system(whole.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+  }
+  bool has(std::string const& program) const { return run("command -v " + program) == 0; }
+
+  fs::path folder_;
+};
+
+// Parameters inside the box that a record of this size would be searched in.
+std::vector<double> inside_box(laws::LawEntry const& law, double share) {
+  data::FitRecord record;
+  auto const history = cycles({50.0, 150.0}, 200);
+  auto const force = law_force(laws::find_law("bilinear"), bilinear_parameters, history);
+  record.time_s = history.time_s;
+  record.disp_mm = history.disp_mm;
+  record.vel_mm_s = history.vel_mm_s;
+  record.force_kN = force;
+  auto const box = fit::make_box(law, fit::BoxKind::scaled, fit::scales_of(record, law.info), {});
+  std::vector<double> point(box.free_count()), values(law.parameters.size());
+  for (std::size_t i = 0; i < point.size(); ++i)
+    point[i] = std::fmod(share + 0.31 * static_cast<double>(i), 1.0) * 0.6 + 0.2;
+  box.expand(point, values);
+  return values;
+}
+
+constexpr double shares[] = {0.1, 0.35, 0.6};
+
+// Every law: forces of the header against the library's, its tangents against differences of its own forces.
+TEST_F(Folder, headers_are_the_laws) {
+  UnitSystem const& units = unit_systems[1];
+  auto const history = cycles({40.0, 150.0, 90.0}, 120);
+  std::string includes = "#include <cstdio>\n#include <initializer_list>\n", body;
+  std::vector<std::vector<double>> expected;
+  std::vector<std::string> names;
+  std::vector<bool> is_rate_independent;
+  for (auto const& law : laws::catalogue()) {
+    auto subject = subject_of(law.info.id, inside_box(law, 0.5));
+    subject.refinement = law.info.id == "abe" ? 2 : 1;
+    auto const file = std::string(law.info.id) + ".hpp", space = identifier(subject);
+    write(file, cpp_header(subject, units));
+    includes += "#include \"" + file + "\"\n";
+    for (double const share : shares) {
+      auto const parameters = inside_box(law, share);
+      auto driven = history;
+      driven.refinement = subject.refinement;
+      auto const force = law_force(law, parameters, driven);
+      if (!std::ranges::all_of(force, [](double f) { return std::isfinite(f); })) continue;
+      std::string list;
+      for (double const p : parameters) list += (list.empty() ? "" : ", ") + exactly(p);
+      body += fmt::format("  drive({0}::Material(1.5, {0}::Parameters{{{1}}}));\n", space, list);
+      expected.push_back(force);
+      names.push_back(fmt::format("{} {}", law.info.id, share));
+      is_rate_independent.push_back(law.info.traits.rate_independent);
+    }
+  }
+  // Trials to both sides first, of which nothing may stay; then the point itself, twice.
+  std::string motion;
+  for (std::size_t i = 0; i < history.disp_mm.size(); ++i)
+    motion += fmt::format("  {{{}, {}}},\n", history.disp_mm[i] / 1e3, history.vel_mm_s[i] / 1e3);
+  write("drive.cpp", includes + "struct Point { double x, v; };\nPoint const motion[] = {\n" + motion + R"(};
+template <class Material>
+void drive(Material m) {
+  double const h = 1e-7;  // m
+  Material fresh = m;
+  for (auto const& p : motion) {
+    double const above = m.trial(p.x + h, p.v), below = m.trial(p.x - h, p.v);
+    double const faster = m.trial(p.x, p.v + h), slower = m.trial(p.x, p.v - h);
+    m.trial(-3.0 * p.x, 2.0 * p.v);
+    m.revert();
+    Material copy = m;
+    double const force = m.trial(p.x, p.v);
+    if (copy.trial(p.x, p.v) != force) std::printf("copies differ\n");
+    std::printf("%.17g %.17g %.17g %.17g %.17g %.17g %.17g\n", force, m.tangent(), m.damping(), (above - force) / h,
+                (force - below) / h, (faster - force) / h, (force - slower) / h);
+    m.commit();
+  }
+  m.revert_to_start();
+  if (m.force() != 0.0 || m.trial(0.01, 0.1) != fresh.trial(0.01, 0.1)) std::printf("not at the start\n");
+}
+int main() {
+)" + body + "}\n");
+  ASSERT_EQ(run(ISOLAW_COMPILER " -std=c++17 -O1 -Wall -Wextra -Werror drive.cpp -o drive"), 0)
+      << read("printed").substr(0, 3000);
+  ASSERT_EQ(run("./drive"), 0);
+  std::istringstream printed(read("printed"));
+  ASSERT_EQ(expected.size(), names.size());
+  ASSERT_GE(expected.size(), 2 * laws::catalogue().size());
+  for (std::size_t c = 0; c < expected.size(); ++c) {
+    SCOPED_TRACE(names[c]);
+    double const peak = peak_of(expected[c]), stiffness = 1.5e3 * peak / 0.15;  // N/m
+    std::size_t off_tangents = 0, off_damping = 0;
+    for (std::size_t i = 0; i < expected[c].size(); ++i) {
+      double force, tangent, damping, ahead, behind, faster, slower;
+      ASSERT_TRUE(printed >> force >> tangent >> damping >> ahead >> behind >> faster >> slower) << i;
+      ASSERT_NEAR(force, 1.5e3 * expected[c][i], 1.5e3 * 1e-10 * peak) << i;
+      // Between the slopes to both sides, which differ at a corner and where the motion turns.
+      auto const between = [&](double slope, double a, double b, double scale) {
+        return slope >= std::min(a, b) - scale && slope <= std::max(a, b) + scale;
+      };
+      // At the virgin state |F2/Yt|^n of abe has no second derivative, and a difference falls short of the slope.
+      double const share = i == 0 ? 0.03 : 1e-3;
+      if (!between(tangent, ahead, behind, 1e-4 * stiffness + share * std::abs(tangent))) ++off_tangents;
+      double const damping_scale = 1e-4 * stiffness * 0.3 + 1e-3 * std::abs(damping);
+      if (!between(damping, faster, slower, damping_scale)) ++off_damping;
+      if (is_rate_independent[c]) {
+        ASSERT_EQ(damping, 0.0);
+      }
+    }
+    EXPECT_EQ(off_tangents, 0U);
+    EXPECT_EQ(off_damping, 0U);
+  }
+  std::string rest;
+  EXPECT_FALSE(printed >> rest) << rest;
+}
+
+TEST_F(Folder, headers_check_themselves) {
+  for (auto const& law : laws::catalogue()) {
+    auto const subject = subject_of(law.info.id, inside_box(law, 0.35));
+    for (auto const& units : {unit_systems[law.index % 3]}) {
+      auto text = cpp_header(subject, units);
+      auto const build = [&] {
+        write("h.hpp", text);
+        return run(ISOLAW_COMPILER " -std=c++17 -O1 -Wall -Wextra -Werror -DISOLAW_SELF_CHECK -x c++ h.hpp -o check");
+      };
+      ASSERT_EQ(build(), 0) << read("printed").substr(0, 3000);
+      EXPECT_EQ(run("./check"), 0) << law.info.id << read("printed");
+      EXPECT_NE(read("printed").find("PASS"), std::string::npos);
+    }
+  }
+  // The check finds a changed parameter.
+  auto text = cpp_header(subject_of("bilinear", bilinear_parameters), unit_systems[0]);
+  auto const at = text.find("double K2 = 0.4;");
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, 16, "double K2 = 0.5;");
+  write("h.hpp", text);
+  ASSERT_EQ(run(ISOLAW_COMPILER " -std=c++17 -DISOLAW_SELF_CHECK -x c++ h.hpp -o check"), 0);
+  EXPECT_EQ(run("./check"), 1);
+  EXPECT_NE(read("printed").find("FAIL"), std::string::npos);
+}
+
+// Materials of OpenSees in Python, from their formulas, with gamma before beta in BoucWen.
+constexpr char const* python_stub = R"text(
+import math
+
+made = {}
+
+
+def wipe():
+    made.clear()
+
+
+def model(*arguments):
+    pass
+
+
+def euler(z, dx, A, beta, gamma, n):
+    def gap(new):
+        return new - z - dx * (A - abs(new) ** n * (gamma + beta * (-1.0 if dx * new < 0.0 else 1.0)))
+    if dx == 0.0:
+        return z
+    low, high = z - abs(dx) * 10.0, z + abs(dx) * 10.0
+    for _ in range(64):
+        middle = 0.5 * (low + high)
+        if gap(middle) > 0.0:
+            high = middle
+        else:
+            low = middle
+    return low
+
+
+class Steel01:
+    def __init__(self, Fy, E, b):
+        self.Fy, self.E, self.b, self.x, self.f = Fy, E, b, 0.0, 0.0
+
+    def set(self, x):
+        middle, reach = self.b * self.E * x, self.Fy * (1.0 - self.b)
+        self.f = min(max(self.f + self.E * (x - self.x), middle - reach), middle + reach)
+        self.x = x
+        return self.f
+
+
+class BoucWen:
+    def __init__(self, alpha, ko, n, gamma, beta, Ao, deltaA, deltaNu, deltaEta, tol=1e-8, maxIter=20):
+        assert isinstance(maxIter, int)
+        self.p = (Ao, beta, gamma, n)
+        self.alpha, self.ko, self.x, self.z = alpha, ko, 0.0, 0.0
+
+    def set(self, x):
+        self.z = euler(self.z, x - self.x, *self.p)
+        self.x = x
+        return self.alpha * self.ko * x + (1.0 - self.alpha) * self.ko * self.z
+
+
+class BoucWenOriginal:
+    def __init__(self, E, fy, alphaL, alphaNL, mu, eta, beta, gamma, tol=1e-8, maxIter=20):
+        self.uy = fy / E
+        self.qd = fy - alphaL * E * self.uy - alphaNL * E * self.uy ** mu
+        self.E, self.alphaL, self.p, self.x, self.z = E, alphaL, (1.0, beta, gamma, eta), 0.0, 0.0
+
+    def set(self, x):
+        self.z = euler(self.z, (x - self.x) / self.uy, *self.p)
+        self.x = x
+        return self.alphaL * self.E * x + self.qd * self.z
+
+
+class HystereticAsym:
+    def __init__(self, ka, kb, fo, b1, b2, gamma):
+        self.p, self.u, self.f = (ka, kb, fo, b1, b2, gamma), 0.0, 0.0
+
+    def set(self, u):
+        ka, kb, fo, b1, b2, g = self.p
+        if u == self.u:
+            return self.f
+        a, s = (ka - kb) / (2.0 * fo), 1.0 if u > self.u else -1.0
+
+        def fe(x):
+            return math.exp(b1 * x) - math.exp(-b2 * x) - (b1 + b2) * x
+        d2 = (fe(self.u) - self.f) * math.exp(-g * self.u) + kb * self.u + s * fo
+        uj = s * self.u + math.log(s * a * d2 / (ka - kb)) / a
+        self.f = fe(u) + math.exp(g * u) * (kb * u + s * fo - s * (ka - kb) / a * math.exp(-a * (s * u - uj)))
+        self.u = u
+        return self.f
+
+
+class Multiplier:
+    def __init__(self, other, factor):
+        self.other, self.factor = made[other], factor
+
+    def set(self, x):
+        return self.factor * self.other.set(x)
+
+
+def uniaxialMaterial(kind, tag, *arguments):
+    made[tag] = globals()[kind](*arguments)
+
+
+def element(*arguments):
+    print("element", *arguments)
+
+
+def testUniaxialMaterial(tag):
+    global tested
+    tested = made[tag]
+
+
+def setStrain(x):
+    global stress
+    stress = tested.set(x)
+
+
+def getStress():
+    return stress
+)text";
+
+TEST_F(Folder, python_scripts_check_themselves) {
+  if (!has("python3")) GTEST_SKIP() << "no python3";
+  write("openseespy/__init__.py", "");
+  write("openseespy/opensees.py", python_stub);
+  struct Case {
+    std::string law;
+    std::vector<double> parameters;
+  };
+  for (auto const& c : {Case{"bilinear", bilinear_parameters}, Case{"bouc-wen", bouc_wen_parameters},
+                        Case{"vaiana", vaiana_parameters()}, Case{"vaiana", vaiana_parameters(800.0, 12.0)}})
+    for (auto const& units : unit_systems) {
+      auto subject = subject_of(c.law, c.parameters);
+      subject.device = "D'\"\\ \"\"\" {x} \xC3\xA8";
+      write("bearing.py", openseespy_script(subject, realise(subject), units));
+      ASSERT_EQ(run("python3 -m py_compile bearing.py"), 0) << read("printed");
+      EXPECT_EQ(run("python3 bearing.py"), 0) << c.law << " " << units.id << "\n" << read("printed");
+      EXPECT_NE(read("printed").find("PASS"), std::string::npos);
+      EXPECT_EQ(read("printed").find("FAIL"), std::string::npos);
+    }
+  auto const bearing = subject_of("bilinear", bilinear_parameters);
+  write("bearing.py", openseespy_script(bearing, realise(bearing), unit_systems[0]));
+  ASSERT_EQ(run("python3 -c \"import bearing; bearing.bearing(7, 1, 2, 'upper', '-P', 3, '-Mz', 4)\""), 0);
+  EXPECT_TRUE(read("printed").starts_with("element elastomericBearingPlasticity 7 1 2 ")) << read("printed");
+  EXPECT_TRUE(read("printed").ends_with(" 0.0 2.0 -P 3 -Mz 4\n")) << read("printed");
+  EXPECT_NE(run("python3 -c \"import bearing; bearing.material(7, 'uper')\""), 0);
+  // A program that reads beta before gamma is found.
+  auto wrong = std::string(python_stub);
+  auto const at = wrong.find("n, gamma, beta, Ao");
+  ASSERT_NE(at, std::string::npos);
+  wrong.replace(at, 18, "n, beta, gamma, Ao");
+  write("openseespy/opensees.py", wrong);
+  auto const subject = subject_of("bouc-wen", bouc_wen_parameters);
+  write("bearing.py", openseespy_script(subject, realise(subject), unit_systems[0]));
+  EXPECT_EQ(run("python3 bearing.py"), 1) << read("printed");
+  EXPECT_NE(read("printed").find("FAIL"), std::string::npos);
+}
+
+// Steel01 and HystereticAsym with Multiplier in Tcl.
+constexpr char const* tcl_stub = R"text(
+proc model {args} {}
+proc element {args} { puts "element $args" }
+proc uniaxialMaterial {kind tag args} {
+  global kinds values state
+  set kinds($tag) $kind
+  set values($tag) $args
+  set state($tag) {0.0 0.0}
+}
+proc testUniaxialMaterial {tag} { global tested; set tested $tag }
+proc step {tag x} {
+  global kinds values state
+  lassign $state($tag) before f
+  switch -- $kinds($tag) {
+    Steel01 {
+      lassign $values($tag) Fy E b
+      set middle [expr {$b * $E * $x}]
+      set reach [expr {$Fy * (1.0 - $b)}]
+      set f [expr {min(max($f + $E * ($x - $before), $middle - $reach), $middle + $reach)}]
+    }
+    HystereticAsym {
+      lassign $values($tag) ka kb fo b1 b2 g
+      if {$x != $before} {
+        set a [expr {($ka - $kb) / (2.0 * $fo)}]
+        set s [expr {$x > $before ? 1.0 : -1.0}]
+        set fe {expr {exp($b1 * $u) - exp(-$b2 * $u) - ($b1 + $b2) * $u}}
+        set u $before
+        set d2 [expr {([eval $fe] - $f) * exp(-$g * $u) + $kb * $u + $s * $fo}]
+        set uj [expr {$s * $u + log($s * $a * $d2 / ($ka - $kb)) / $a}]
+        set u $x
+        set f [expr {[eval $fe] + exp($g * $u) * ($kb * $u + $s * $fo - $s * ($ka - $kb) / $a * exp(-$a * ($s * $u - $uj)))}]
+      }
+    }
+    Multiplier {
+      lassign $values($tag) other factor
+      set f [expr {$factor * [step $other $x]}]
+    }
+    default { error "no $kinds($tag)" }
+  }
+  set state($tag) [list $x $f]
+  return $f
+}
+proc setStrain {x} { global tested stress; set stress [step $tested $x] }
+proc getStress {} { global stress; return $stress }
+)text";
+
+TEST_F(Folder, tcl_scripts_check_themselves) {
+  if (!has("tclsh")) GTEST_SKIP() << "no tclsh";
+  write("stub.tcl", tcl_stub);
+  auto const check = [&](Subject const& subject, UnitSystem const& units, bool good) {
+    auto realisation = realise(subject);
+    realisation.forms.resize(1);
+    write("bearing.tcl", opensees_script(subject, realisation, units));
+    write("run.tcl", fmt::format("source stub.tcl\nsource bearing.tcl\nputs \"returned [{}::self_check]\"\n",
+                                 identifier(subject)));
+    ASSERT_EQ(run("tclsh run.tcl"), 0) << read("printed");
+    EXPECT_NE(read("printed").find(good ? "PASS" : "FAIL"), std::string::npos) << read("printed");
+    EXPECT_NE(read("printed").find(good ? "returned 1" : "returned 0"), std::string::npos) << read("printed");
+    // The way of a program that passes arguments on.
+    write("run.tcl", "source stub.tcl\nset argv check\nsource bearing.tcl\n");
+    EXPECT_EQ(run("tclsh run.tcl"), 0) << read("printed");
+    EXPECT_NE(read("printed").find(good ? "PASS" : "FAIL"), std::string::npos) << read("printed");
+  };
+  for (auto const& units : unit_systems) {
+    for (auto const& parameters : {vaiana_parameters(), vaiana_parameters(800.0, 12.0)})
+      check(subject_of("vaiana", parameters), units, true);
+    auto subject = subject_of("bilinear", bilinear_parameters);
+    subject.device = "x [exec false] {\\";
+    check(subject, units, true);
+  }
+  auto const bearing = subject_of("bilinear", bilinear_parameters);
+  write("bearing.tcl", opensees_script(bearing, realise(bearing), unit_systems[0]));
+  write("run.tcl",
+        "source stub.tcl\nsource bearing.tcl\n" + identifier(bearing) + "::bearing 7 1 2 upper -P 3 -Mz 4\n");
+  ASSERT_EQ(run("tclsh run.tcl"), 0) << read("printed");
+  EXPECT_TRUE(read("printed").starts_with("element elastomericBearingPlasticity 7 1 2 ")) << read("printed");
+  EXPECT_TRUE(read("printed").ends_with(" 0.0 2.0 -P 3 -Mz 4\n")) << read("printed");
+  auto wrong = std::string(tcl_stub);
+  wrong.replace(wrong.find("lassign $values($tag) Fy E b"), 28, "lassign $values($tag) E Fy b");
+  write("stub.tcl", wrong);
+  check(subject_of("bilinear", bilinear_parameters), unit_systems[0], false);
+}
+
+}  // namespace
+}  // namespace isolaw::programs_test
