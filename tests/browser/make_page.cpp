@@ -21,6 +21,10 @@ int main(int argc, char** argv) {
     auto summary = isolaw::report::fixture::lot(devices, laws);
     if (argc > 4 && std::string_view(argv[4]) == "analysed")
       summary = isolaw::report::fixture::analysed(std::move(summary));
+    for (auto& law : summary.laws)
+      for (auto& fit : law.devices)
+        for (double const above : {1.3, 1.7})
+          if (fit.objective.mean) fit.histories.push_back({above * *fit.objective.mean, *fit.objective.mean});
     // What a careful reader must be told of: a failed run, a coarse integration, a law that does not apply.
     summary.laws.back().devices.back().integration_shift = 0.0021;
     summary.laws.back().devices.front().failed_runs = 1;

@@ -97,7 +97,7 @@ async function drawn() {
       trace = node.data[curveNumber];
     Plotly.Fx.hover(node, [{ curveNumber, pointNumber: 0 }], [trace.xaxis && trace.xaxis !== 'x' ? trace.xaxis + trace.yaxis : 'xy']);
     await wait(100);
-    seen.hover.push({ id, text: node.querySelector('.hoverlayer')?.textContent ?? '', name: trace.name, x: trace.x[0], y: trace.y[0], of: trace.text?.[0] });
+    seen.hover.push({ id, text: [...node.querySelectorAll('.hoverlayer text')].map((label) => [...label.childNodes].map((line) => line.textContent).join(' ')).join(' '), name: trace.name, x: trace.x[0], y: trace.y[0], of: trace.text?.[0] });
   }
   seen.errors = document.body.dataset.errors;
   return seen;

@@ -142,7 +142,7 @@ async function look_at_records() {
   await select('block', String(last.number));
   const one = { labels: labels(), lines: lines() };
 
-  const badges = [...document.querySelectorAll('.verdict')].map((badge) => ({
+  const badges = [...document.querySelectorAll('section:not(#certificate) .verdict')].map((badge) => ({
     word: badge.textContent,
     shape: badge.querySelector('path').getAttribute('d'),
   }));
@@ -273,8 +273,8 @@ function check_records(name, seen, { laws = true, verified = true, assessed = tr
 
   expect((seen.kind === 'Test records') === !laws, name, 'the page calls itself ' + seen.kind);
   const sections = laws
-    ? ['decision', 'objective', 'loops', 'properties', 'devices', 'parameters', 'provenance']
-    : ['properties', 'devices', 'provenance'];
+    ? ['decision', 'objective', 'loops', 'parameters', 'properties', 'devices', 'certificate', 'provenance']
+    : ['properties', 'devices', 'certificate', 'provenance'];
   expect(same(seen.sections, sections), name, 'sections ' + seen.sections);
 }
 
@@ -507,13 +507,16 @@ async function look_at_order() {
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
   const seen = [];
   for (const head of [...document.querySelectorAll('#figure-fits button.sort')].map((button) => button.id)) {
+    document.getElementById('figure-fits').scrollIntoView(); // what is out of sight is not built anew
+    await wait(150);
     document.getElementById(head).click();
+    const focused = document.activeElement?.id;
     document.querySelector('#figure-loop-overview').scrollIntoView();
     await wait(250);
     const sorted = [...document.querySelectorAll('#figure-fits th')].findIndex((th) => th.getAttribute('aria-sort'));
     seen.push({
       head,
-      focused: document.activeElement?.id,
+      focused,
       values: [...document.querySelectorAll('#figure-fits tbody tr')].map((row) => row.children[sorted].textContent),
       laws: [...document.querySelectorAll('#figure-fits tbody tr')].map((row) => row.children[0].textContent.replace(/ .*/, '')),
       loops: document.querySelector('#figure-loop-overview .plot').layout.annotations.map((a) => /<b>(.*)<\/b>/.exec(a.text)[1]),

@@ -52,6 +52,7 @@ function blank(label, text = '') {
   );
 }
 
+const reportedBlock = (device) => device.blocks.find((block) => block.number === device.reported?.block);
 const allDevices = (key) => [...new Set(devices.map((device) => device[key]).filter(Boolean))];
 const spanText = (values, decimals) => {
   const some = values.filter(isNumber);
@@ -69,6 +70,19 @@ function certificateHead() {
       devices.map((device) => device.temperature_C),
       1,
     );
+  const tests = devices.map(reportedBlock),
+    amplitude = spanText(
+      tests.map((block) => block?.amplitude_mm),
+      1,
+    ),
+    frequency = spanText(
+      tests.map((block) => block?.frequency_Hz),
+      2,
+    );
+  const conditions = [
+    amplitude ? 'amplitude ' + amplitude + THIN + 'mm' : '',
+    frequency ? frequency + THIN + 'Hz' : '',
+  ].filter(Boolean);
   const facts = [
     ['Laboratory', blank('Laboratory')],
     ['Client, project', blank('Client, project')],
@@ -78,6 +92,7 @@ function certificateHead() {
     ...(dates.length > 0
       ? [['Tested', dates[0] + (dates.length > 1 ? ' to ' + dates[dates.length - 1] : '')]]
       : []),
+    ...(conditions.length > 0 ? [['Conditions', conditions.join(', ')]] : []),
     ...(temperature ? [['Temperature', temperature + THIN + '\u00b0C']] : []),
     [
       'Held to',
@@ -145,12 +160,14 @@ function certificateResult() {
   return [...said, ...onLot].join('; ');
 }
 
-// Properties of the certificate: those of the lot where a rule set says which, else of the reported cycle.
+// Properties of the certificate: those of the lot where a rule set says which, else of the reported cycle. Paper has no
+// room for those that nothing is asked of.
 const certificateProperties = () =>
   lotQuantities.length > 0
     ? lotQuantities.map((quantity) => ({
         title: quantity.quantity,
         unit: quantity.unit,
+        screen: !isNumber(quantity.nominal) && !quantity.limit_individual && !['K_eff', 'damping'].includes(quantity.quantity),
         value: (device) => deviceValue(device, quantity.quantity)?.value,
       }))
     : [
@@ -179,13 +196,15 @@ function certificateCaption() {
 }
 
 function certificateColumns() {
-  const known = (key) => devices.some((device) => device[key] !== null && device[key] !== '');
+  // What all devices share stands in the head.
+  const known = (key) => devices.length === 1 || new Set(devices.map((device) => device[key])).size > 1;
+  const given = (key) => devices.some((device) => device[key] !== null && device[key] !== '');
   return [
     { key: 'serial', column: { title: 'Serial' }, text: (d) => d.serial },
     { key: 'lot', column: { title: 'Lot' }, text: (d) => d.lot },
     { key: 'test_date', column: { title: 'Tested', tight: true }, text: (d) => d.test_date },
     { key: 'temperature_C', column: { title: 'Temp.', unit: '\u00b0C', number: true }, text: (d) => fixed(d.temperature_C, 1) },
-  ].filter((fact) => known(fact.key));
+  ].filter((fact) => given(fact.key) && (fact.key === 'serial' || known(fact.key)));
 }
 
 function certificateTable() {
@@ -196,13 +215,13 @@ function certificateTable() {
     { title: 'Device', pinned: true },
     ...facts.map((fact) => fact.column),
     { title: 'Amplitude', unit: 'mm', number: true },
-    { title: 'Frequency', unit: 'Hz', number: true },
-    ...properties.map(({ title, unit }) => ({ title, unit: unitText(unit), number: true })),
+    { title: 'Frequency', unit: 'Hz', number: true, screen: true },
+    ...properties.map(({ title, unit, screen }) => ({ title, unit: unitText(unit), number: true, screen })),
     { title: 'Verdict' },
     { title: 'File' },
   ];
   const rows = devices.map((device) => {
-    const block = device.blocks.find((b) => b.number === device.reported?.block);
+    const block = reportedBlock(device);
     const { verdict, failed, open } = deviceVerdict(device),
       outlying = apart(device),
       missing = open.filter((quantity) => !common.includes(quantity));
@@ -237,7 +256,7 @@ function certificateData() {
       'verdict', 'outside the limits', 'not assessed', 'stands apart by', 'file', 'sha256',
     ],
     rows: devices.map((device) => {
-      const block = device.blocks.find((b) => b.number === device.reported?.block);
+      const block = reportedBlock(device);
       const { verdict, failed, open } = deviceVerdict(device);
       return [
         device.name, device.serial, device.lot, device.test_date, device.temperature_C,
