@@ -1,4 +1,4 @@
-# base <- num <- {laws, opt, data} <- fit <- analysis <- {campaign, lot, rules} <- report <- app
+# base <- num <- {laws, opt, data} <- fit <- analysis <- {campaign, lot, rules} <- report <- api <- app
 # Modules of one rank do not know one another. Usage: cmake -DSOURCE=src/isolaw -P direction.cmake
 get_filename_component(SOURCE "${SOURCE}" ABSOLUTE)
 set(rank_base 0)
@@ -12,7 +12,8 @@ foreach(module campaign lot rules)
   set(rank_${module} 5)
 endforeach()
 set(rank_report 6)
-set(rank_app 7)
+set(rank_api 7)
+set(rank_app 8)
 
 set(breaches "")
 file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/*.hpp ${SOURCE}/*.cpp)

@@ -138,8 +138,13 @@ std::string typed(std::string const& name) {
   return plain == std::string::npos ? name : "\"" + printable(name) + "\"";
 }
 
-void require_one_sheet(Tests const& tests, std::string const& file, ReadOptions const& options) {
-  bool const columns_told = options.columns.contains(Channel::disp) && options.columns.contains(Channel::force);
+bool columns_are_told(ReadOptions const& options, Wanted wanted) {
+  return options.columns.contains(Channel::disp) &&
+         (wanted == Wanted::motion || options.columns.contains(Channel::force));
+}
+
+void require_one_sheet(Tests const& tests, std::string const& file, ReadOptions const& options, Wanted wanted) {
+  bool const columns_told = columns_are_told(options, wanted);
   bool const by_name = tests.tables.front()->header().by_name;
   auto sheets = tests.sheets;
   if (columns_told)  // which need no names
@@ -193,9 +198,10 @@ std::vector<std::size_t> chosen_tests(Tests const& tests, std::string const& fil
   return {number - 1};
 }
 
-TestRecord read_table(Tests const& tests, Table const& table, TestRecord record, ReadOptions const& options) {
+TestRecord read_table(Tests const& tests, Table const& table, TestRecord record, ReadOptions const& options,
+                      Wanted wanted) {
   auto const& place = table.place();
-  auto const columns = recognise_columns(place, table.header(), table.columns(), options);
+  auto const columns = recognise_columns(place, table.header(), table.columns(), options, wanted);
   auto complaints = columns.complaints;
   table.check(complaints);
   check_interval(place, options, table.header(), columns, complaints);
@@ -215,6 +221,7 @@ TestRecord read_table(Tests const& tests, Table const& table, TestRecord record,
   append(record.warnings, columns.warnings);
   store_channels(rows, columns, record);
   describe_rows(rows, table.header().row, record, record.recognised);
+  if (wanted == Wanted::motion) return record;
   correct(record, options.corrections);
   record.layout.corrections = options.corrections;
   check_physics(record, exchange_advice(columns, table.header()), complaints);
@@ -222,6 +229,51 @@ TestRecord read_table(Tests const& tests, Table const& table, TestRecord record,
   add_warnings(record);
   return record;
 }
+
+TestRecord read_tests(std::string_view bytes, std::string const& name, ReadOptions const& options, Wanted wanted) {
+  TestRecord start;
+  start.file = name;
+  start.sha256 = sha256(bytes);
+  auto const tests = open_tests(bytes, name, options.sheet);
+  require_one_sheet(tests, name, options, wanted);
+  std::optional<TestRecord> history;
+  auto const chosen = chosen_tests(tests, name, options);
+  for (auto const i : chosen) {
+    auto record = read_table(tests, *tests.tables[i], start, options, wanted);
+    if (!history)
+      history = std::move(record);
+    else
+      continue_with(*history, record, fmt::format("test {}", i + 1));
+  }
+  history->sha256 = start.sha256;
+  if (tests.tables.size() > 1) {
+    history->layout.test = parse_test(*options.test);
+    history->recognised.push_back(
+        fmt::format("{} tests in the file, {} is read", tests.tables.size(),
+                    chosen.size() > 1 ? "one history of all" : fmt::format("test {}", chosen.front() + 1)));
+  }
+  return *std::move(history);
+}
+
+// --- motions ----------------------------------------------------------------------------------------------------------
+
+// The line among the first ones of a text that speaks of acceleration, as files of ground motions do.
+std::optional<std::string> line_about_acceleration(std::string_view bytes) {
+  constexpr std::size_t head = 4000, longest = 100;
+  if (is_zip(bytes) || is_mat(bytes)) return std::nullopt;
+  std::string_view left = bytes.substr(0, head);
+  while (!left.empty()) {
+    auto const line = left.substr(0, left.find_first_of("\r\n"));
+    left.remove_prefix(std::min(left.size(), line.size() + 1));
+    auto const small = lower(without_accents(line));
+    for (auto const* word : {"acceler", "beschleunigung", "aceler"})
+      if (small.find(word) != std::string::npos) return std::string(trimmed(line.substr(0, longest)));
+  }
+  return std::nullopt;
+}
+
+constexpr std::string_view displacement_needed =
+    "the displacement of the device, one face against the other, over time";
 
 }  // namespace
 
@@ -241,28 +293,35 @@ TestRecord read_record(std::filesystem::path const& file, ReadOptions const& opt
 }
 
 TestRecord read_record_text(std::string_view bytes, std::string const& name, ReadOptions const& options) {
-  TestRecord start;
-  start.file = name;
-  start.sha256 = sha256(bytes);
-  auto const tests = open_tests(bytes, name, options.sheet);
-  require_one_sheet(tests, name, options);
-  std::optional<TestRecord> history;
-  auto const chosen = chosen_tests(tests, name, options);
-  for (auto const i : chosen) {
-    auto record = read_table(tests, *tests.tables[i], start, options);
-    if (!history)
-      history = std::move(record);
-    else
-      continue_with(*history, record, fmt::format("test {}", i + 1));
+  return read_tests(bytes, name, options, Wanted::test);
+}
+
+TestRecord read_motion(std::filesystem::path const& file, ReadOptions const& options) {
+  return read_motion_text(load_text(file), file.generic_string(), options);
+}
+
+TestRecord read_motion_text(std::string_view bytes, std::string const& name, ReadOptions const& options) {
+  auto const acceleration = line_about_acceleration(bytes);
+  try {
+    auto motion = read_tests(bytes, name, options, Wanted::motion);
+    // A column of that name is one of displacements, whatever stands beside it.
+    if (acceleration && options.columns.contains(Channel::disp))
+      motion.warnings.push_back(fmt::format("the file speaks of acceleration ({}): what is read must be {}",
+                                            in_quotes(*acceleration), displacement_needed));
+    return motion;
+  } catch (Error const& error) {
+    if (!acceleration) throw;
+    std::vector<Complaint> complaints{
+        {.where = name,
+         .found = fmt::format("a record of acceleration ({})", in_quotes(*acceleration)),
+         .allowed = std::string(displacement_needed),
+         .advice =
+             "the response of the isolated structure to it, from an analysis with this law; or --columns disp=..., "
+             "where the file holds that displacement too"}};
+    if (options.columns.contains(Channel::disp))
+      complaints.insert(complaints.end(), error.complaints().begin(), error.complaints().end());
+    throw Error(std::move(complaints));
   }
-  history->sha256 = start.sha256;
-  if (tests.tables.size() > 1) {
-    history->layout.test = parse_test(*options.test);
-    history->recognised.push_back(
-        fmt::format("{} tests in the file, {} is read", tests.tables.size(),
-                    chosen.size() > 1 ? "one history of all" : fmt::format("test {}", chosen.front() + 1)));
-  }
-  return *std::move(history);
 }
 
 std::vector<TestChoice> list_tests(std::filesystem::path const& file, ReadOptions const& options) {
@@ -283,8 +342,8 @@ std::vector<TestChoice> list_tests(std::filesystem::path const& file, ReadOption
     }
   };
   auto const tests = open_tests(bytes, name, options.sheet);
-  bool const columns_told = options.columns.contains(Channel::disp) && options.columns.contains(Channel::force);
-  if (options.sheet || tests.sheets.size() < 2 || (columns_told && tests.tables.front()->header().by_name)) {
+  if (options.sheet || tests.sheets.size() < 2 ||
+      (columns_are_told(options, Wanted::test) && tests.tables.front()->header().by_name)) {
     add(tests);
     if (!choices.empty()) choices.front().passed_over = tests.sheets_passed_over;
     return choices;
