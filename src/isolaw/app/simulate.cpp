@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "isolaw/api/campaign_directory.hpp"
 #include "isolaw/api/fitted.hpp"
 #include "isolaw/api/parameters.hpp"
 #include "isolaw/app/commands.hpp"
@@ -43,7 +44,7 @@ FittedLaw chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
     values = read_parameter_file(*a.parameters, law);
     where = shown(*a.parameters);
   } else if (a.from) {
-    made = fitted_law(campaign::Store::read(*a.from / "campaign.sqlite"), law.info.id, *a.device);
+    made = fitted_law(campaign::Store::read(*a.from / store_name), law.info.id, *a.device);
     for (std::size_t i = 0; i < law.parameters.size(); ++i)
       values.push_back({.name = std::string(law.parameters[i].name), .value = made.parameters[i]});
   }

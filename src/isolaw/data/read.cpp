@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 
 #include "isolaw/base/error.hpp"
@@ -322,6 +323,55 @@ TestRecord read_motion_text(std::string_view bytes, std::string const& name, Rea
       complaints.insert(complaints.end(), error.complaints().begin(), error.complaints().end());
     throw Error(std::move(complaints));
   }
+}
+
+TestRecord record_of_values(std::string const& name, Values values) {
+  std::vector<Complaint> complaints;
+  std::vector<RawChannel> channels;
+  std::string bytes;
+  auto const samples = values.disp_mm.size();
+  auto const add = [&](Channel channel, std::string_view unit, std::string const& text, std::vector<double>& given) {
+    if (given.empty() && channel != Channel::disp) return;
+    if (given.size() != samples)
+      complaints.push_back(
+          {name, fmt::format("{} values of {}, {} of disp_mm", given.size(), text, samples), "as many of each", {}});
+    auto const odd = std::ranges::find_if_not(given, [](double value) { return std::isfinite(value); });
+    if (odd != given.end())
+      complaints.push_back({fmt::format("{}:{}", name, odd - given.begin() + 1),
+                            fmt::format("{} is {}", text, *odd),
+                            "finite numbers",
+                            {}});
+    bytes.append(reinterpret_cast<char const*>(given.data()), given.size() * sizeof(double));
+    channels.push_back({.channel = channel, .column = text, .unit = std::string(unit), .values = std::move(given)});
+  };
+  add(Channel::disp, "mm", "disp_mm", values.disp_mm);
+  add(Channel::force, "kN", "force_kN", values.force_kN);
+  add(Channel::time, "s", "time_s", values.time_s);
+  add(Channel::load, "kN", "load_kN", values.load_kN);
+  if (samples < least_samples && complaints.empty())
+    complaints.push_back({name, fmt::format("{} samples", samples), fmt::format("{} or more", least_samples), {}});
+  if (!complaints.empty()) throw Error(std::move(complaints));
+  std::vector<std::size_t> numbers(samples);
+  std::iota(numbers.begin(), numbers.end(), std::size_t{1});
+  for (auto const& channel : channels) check_channel(name, channel, numbers, complaints);
+  if (!complaints.empty()) throw Error(std::move(complaints));
+
+  TestRecord record;
+  record.file = name;
+  record.sha256 = sha256(bytes);
+  record.recognised.push_back(fmt::format("{} samples given as values, in mm, kN and s", samples));
+  for (auto& channel : channels) {
+    auto& target = channel.channel == Channel::disp    ? record.disp_mm
+                   : channel.channel == Channel::force ? record.force_kN
+                   : channel.channel == Channel::time  ? record.time_s
+                                                       : record.load_kN;
+    target = std::move(channel.values);
+  }
+  if (record.force_kN.empty()) return record;
+  check_physics(record, "displacement and force the other way round", complaints);
+  if (!complaints.empty()) throw Error(std::move(complaints));
+  add_warnings(record);
+  return record;
 }
 
 std::vector<TestChoice> list_tests(std::filesystem::path const& file, ReadOptions const& options) {
