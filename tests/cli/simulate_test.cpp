@@ -110,6 +110,12 @@ TEST_F(Simulate, everything_wrong_with_parameters_is_said_at_once) {
                  {"'K1' is given twice", "'K2' is no number", "'xy' is no number"});
   write("p.json", R"({"K1": )");
   expect_refused(isolaw({"simulate", "bilinear", "--parameters", "p.json", "--motion", "d.csv"}), {"p.json", "JSON"});
+  for (auto const* deep : {"[", "{\"a\":"}) {
+    std::string text;
+    for (int i = 0; i < 100000; ++i) text += deep;
+    write("p.json", text);
+    expect_refused(isolaw({"simulate", "bilinear", "--parameters", "p.json", "--motion", "d.csv"}), {"p.json", "JSON"});
+  }
   expect_refused(isolaw({"simulate", "bilinear", "--set", "K1=big", "--motion", "d.csv"}),
                  {"--set: 'K1=big'", "PARAMETER=NUMBER"});
   expect_refused(isolaw({"simulate", "bilinear", "--set", "K1=nan", "--motion", "d.csv"}), {"--set"});
