@@ -39,8 +39,11 @@ def draw(rows, file):
 
     figure, axes = pyplot.subplots(figsize=(6, 4.5), layout="constrained")
     for row in rows:
+        if row["robustness"] is None:  # undefined, as where the mean of a parameter is zero
+            continue
         axes.plot(row["robustness"], row["accuracy"], "o", color="C0", fillstyle="full" if row["on_front"] else "none")
         axes.annotate(row["law"], (row["robustness"], row["accuracy"]), xytext=(5, 5), textcoords="offset points")
+    axes.margins(0.15)  # room for the names
     axes.set(xlabel="beta, Eq. (31): smaller is more robust", ylabel="mean objective, Eq. (27): smaller is more accurate")
     figure.savefig(file, dpi=150)
     return True
@@ -60,7 +63,8 @@ def main():
     rows = fitted(asked.laws, asked.runs, asked.generations, show).front()
     print(f"{'law':<12}{'accuracy':>12}{'robustness':>12}  front")
     for row in sorted(rows, key=lambda row: row["accuracy"]):
-        print(f"{row['law']:<12}{row['accuracy']:>12.4f}{row['robustness']:>12.4f}  {'*' if row['on_front'] else ''}")
+        robustness = "-" if row["robustness"] is None else f"{row['robustness']:.4f}"
+        print(f"{row['law']:<12}{row['accuracy']:>12.4f}{robustness:>12}  {'*' if row['on_front'] else ''}")
     asked.out.mkdir(parents=True, exist_ok=True)
     with open(asked.out / "front.csv", "w", newline="") as file:
         table = csv.DictWriter(file, rows[0].keys())

@@ -362,8 +362,10 @@ def calibrate(
     that cannot be used is refused in the summary, the others go on. Raises Error for wrong input and where no device is
     usable.
     """
-    if isinstance(records, (Record, str, _os.PathLike)):
-        records = [records]
+    records = [records] if isinstance(records, (Record, str, _os.PathLike)) else list(records)
+    for one in records:
+        if isinstance(one, (str, _os.PathLike)) and _os.fspath(one).endswith(".toml"):
+            raise Error(f"{one}: a lot file; allowed: records; try: isolaw calibrate {one} --out DIR, then isolaw.load(DIR)")
     devices = [one if isinstance(one, Record) else read_record(one) for one in records]
     if not isinstance(laws, str):
         laws = ",".join(laws)

@@ -104,6 +104,8 @@ class Campaigns(unittest.TestCase):
                 isolaw.calibrate(record, **({"laws": "bilinear"} | how))
         with self.assertRaisesRegex(isolaw.Error, "is there twice"):
             isolaw.calibrate([record, record], "bilinear")
+        with self.assertRaisesRegex(isolaw.Error, "a lot file; allowed: records"):
+            isolaw.calibrate("lot.toml")
         with self.assertRaisesRegex(isolaw.Error, "there are none"):
             isolaw.calibrate([], "bilinear")
 

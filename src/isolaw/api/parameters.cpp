@@ -58,13 +58,13 @@ std::vector<NamedValue> read_toml(std::string const& text, std::string const& fi
 
 std::vector<NamedValue> read_json(std::string const& text, std::string const& file, laws::LawEntry const& law) {
   using Json = nlohmann::ordered_json;
+  using Event = Json::parse_event_t;
   std::vector<Complaint> complaints;
   std::vector<std::set<std::string>> open;  // names seen in every object that is open
-  auto const watch = [&](int, Json::parse_event_t event, Json& parsed) {
-    using enum Json::parse_event_t;
-    if (event == object_start) open.emplace_back();
-    if (event == object_end) open.pop_back();
-    if (event == key && !open.back().insert(parsed.get<std::string>()).second)
+  auto const watch = [&](int, Event event, Json& parsed) {
+    if (event == Event::object_start) open.emplace_back();
+    if (event == Event::object_end) open.pop_back();
+    if (event == Event::key && !open.back().insert(parsed.get<std::string>()).second)
       complaints.push_back({file, fmt::format("{} is given twice", in_marks(parsed.get<std::string>())), "once", {}});
     return true;
   };
