@@ -21,7 +21,7 @@ as_root() { if [ "$(id -u)" -eq 0 ]; then step "$@"; else step sudo "$@"; fi; }
 
 build_packages=(ca-certificates cmake g++ gnuplot-nox libboost-dev libcli11-dev libeigen3-dev libexpat1-dev libfmt-dev libgtest-dev libhdf5-dev
   libmatio-dev libminizip-dev librandom123-dev libsqlite3-dev libssl-dev libtomlplusplus-dev libxlsxwriter-dev
-  ninja-build nlohmann-json3-dev npm zlib1g-dev)
+  ninja-build nlohmann-json3-dev npm pybind11-dev python3-dev python3-numpy zlib1g-dev)
 test_packages=(chromium xz-utils)
 
 install_missing() {
@@ -56,7 +56,7 @@ case "${1:-help}" in
   build) build ;;
   run)
     setup
-    build --target isolaw_cli
+    build --target isolaw_products
     step "build/$preset/cli/isolaw" calibrate examples/published-lot/lot.toml --out out/published-lot "${@:2}"
     ;;
   test)
@@ -100,7 +100,7 @@ case "${1:-help}" in
     ;;
   lint)
     install_missing clang-format clang-tidy
-    mapfile -t sources < <(git ls-files 'src/*.cpp' 'src/*.hpp' 'cli/*.cpp' 'tests/*.cpp' 'tests/*.hpp' 'bench/*.cpp' 'bench/*.hpp'
+    mapfile -t sources < <(git ls-files 'src/*.cpp' 'src/*.hpp' 'cli/*.cpp' 'python/*.cpp' 'examples/*.cpp' 'tests/*.cpp' 'tests/*.hpp' 'bench/*.cpp' 'bench/*.hpp'
       'fuzz/*.cpp' 'fuzz/*.hpp')
     if [ "${2:-}" = --fix ]; then
       step clang-format -i "${sources[@]}"

@@ -1,4 +1,4 @@
-# base <- num <- {laws, opt, data} <- fit <- analysis <- {campaign, lot, rules} <- report <- programs <- app
+# base <- num <- {laws, opt, data} <- fit <- analysis <- {campaign, lot, rules} <- report <- {programs, api} <- app
 # Modules of one rank do not know one another. Usage: cmake -DSOURCE=src/isolaw -P direction.cmake
 get_filename_component(SOURCE "${SOURCE}" ABSOLUTE)
 set(rank_base 0)
@@ -12,7 +12,9 @@ foreach(module campaign lot rules)
   set(rank_${module} 5)
 endforeach()
 set(rank_report 6)
-set(rank_programs 7)
+foreach(module programs api)
+  set(rank_${module} 7)
+endforeach()
 set(rank_app 8)
 
 set(breaches "")

@@ -22,11 +22,17 @@
 namespace isolaw::app {
 namespace {
 
-void add_reading(CLI::App& command, ReadArguments& read) {
+void add_layout(CLI::App& command, ReadArguments& read) {
   command.add_option("--columns", read.columns,
                      "time=...,disp=...,force=...,load=...: column names or 1-based numbers");
   command.add_option("--units", read.units, "disp=cm,force=tonf,time=s: units the files do not state");
   command.add_option("--dt", read.dt_s, "sampling interval in seconds of files without a time column");
+  command.add_option("--sheet", read.sheet, "sheet of a workbook, struct of a .mat file, key of JSON: name or number");
+  command.add_option("--test", read.test, "of files that hold several tests: a number, or all, one after the other");
+}
+
+void add_reading(CLI::App& command, ReadArguments& read) {
+  add_layout(command, read);
   command.add_flag("--flip-force", read.flip_force, "reverse the sign of the force");
   command.add_option("--skew-ms", read.skew_ms, "correct: the force comes later than displacement by this");
   command.add_option("--rig-friction", read.rig_friction_kN, "correct: friction of the rig in the force, kN");
@@ -34,8 +40,6 @@ void add_reading(CLI::App& command, ReadArguments& read) {
                      "correct: the same as a share of the vertical load");
   command.add_option("--moving-mass", read.moving_mass_kg, "correct: mass between device and load cell, kg");
   command.add_option("--force-factor", read.force_factor, "correct: 0.5 where the rig shears two devices");
-  command.add_option("--sheet", read.sheet, "sheet of a workbook, struct of a .mat file, key of JSON: name or number");
-  command.add_option("--test", read.test, "of files that hold several tests: a number, or all, one after the other");
 }
 
 void add_acceptance(CLI::App& command, AcceptanceArguments& acceptance) {
@@ -88,6 +92,27 @@ void add_calibrate(CLI::App& app, CalibrateArguments& a) {
   c.add_flag("--fresh", a.fresh, "start over where the directory holds another campaign");
   c.add_flag("--allow-outside", a.allow_outside, "the lot file may name records outside its own folder");
   c.add_flag("--json", a.json, "print summary.json instead of the ranking");
+}
+
+void add_simulate(CLI::App& app, SimulateArguments& a) {
+  auto& c =
+      *app.add_subcommand("simulate", "The force of a law under any displacement history, cyclic or seismic, as CSV");
+  c.add_option("law", a.law, "a law (isolaw laws lists them)")->required();
+  c.add_option("--parameters", a.parameters,
+               "file of its parameters, name = value in TOML or JSON, in the law's units");
+  c.add_option("--from", a.from, "in place of it, a campaign's directory, with --device");
+  c.add_option("--device", a.device, "of --from: the device whose law is taken, or lot for the one law of all");
+  c.add_option("--set", a.set, "parameter=value, over what file or campaign say; may be repeated")
+      ->allow_extra_args(false);
+  c.add_option("--motion", a.motion, "file of the displacement history, read as a record is; force is not needed")
+      ->required();
+  add_layout(c, a.read);
+  c.add_option("--integration", a.integration,
+               "converged (default, or as the campaign had it), or paper: one Runge-Kutta step per sample");
+  c.add_option("--turning-points", a.turning_points,
+               "sampled (default, or as the campaign had it), or interpolated: the path turns between samples");
+  c.add_option("--refinement", a.refinement, "steps per sample (1, or as the campaign had it)");
+  c.add_option("--out", a.out, "file to write, instead of standard output");
 }
 
 // --- wrong usage in our own words ------------------------------------------------------------------------------------
@@ -242,6 +267,8 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   add_acceptance(export_command, export_arguments.acceptance);
   export_command.add_option("--units", export_arguments.units, "kN-mm, N-m, or kip-in (kN-mm)");
   export_command.add_option("--out", export_arguments.out, "file to write (standard output)");
+  SimulateArguments simulate_arguments;
+  add_simulate(app, simulate_arguments);
 
   std::string rule_set;
   auto& rules_command = *app.add_subcommand("rules", "The rule sets, or the file of one; template to write your own");
@@ -287,6 +314,7 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   if (app.got_subcommand("report")) return report(report_arguments);
   if (app.got_subcommand("sample")) return sample(sample_arguments);
   if (app.got_subcommand("export")) return export_law(export_arguments);
+  if (app.got_subcommand("simulate")) return simulate(simulate_arguments);
   if (app.got_subcommand("rules")) return list_rules(rule_set);
   if (app.got_subcommand("bench")) return bench(json);
   if (app.got_subcommand("check")) return check(directory);

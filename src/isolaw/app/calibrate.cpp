@@ -1,12 +1,9 @@
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -17,6 +14,7 @@
 #include <optional>
 #include <thread>
 
+#include "isolaw/api/campaign_directory.hpp"
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/lot_of.hpp"
 #include "isolaw/app/progress.hpp"
@@ -40,8 +38,6 @@
 
 namespace isolaw::app {
 namespace {
-
-constexpr char const* store_name = "campaign.sqlite";
 
 std::atomic<bool> interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
@@ -74,107 +70,6 @@ class SignalGuard {
   void (*previous_term_)(int) = nullptr;
   void (*previous_hup_)(int) = nullptr;
 };
-
-void make_directory(std::filesystem::path const& directory) {
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error)
-    throw Error(
-        {.where = directory.string(), .found = "cannot make the directory: " + error.message(), .advice = "--out DIR"});
-}
-
-// One campaign at a time in a directory. The lock goes with the process, however it ends.
-class DirectoryLock {
- public:
-  explicit DirectoryLock(std::filesystem::path const& directory)
-      : descriptor_(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-    if (descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-      ::close(descriptor_);
-      throw Error({.where = directory.string(),
-                   .found = "another isolaw works in this directory",
-                   .advice = "wait for it, or another --out DIR"});
-    }
-  }
-  DirectoryLock(DirectoryLock const&) = delete;
-  DirectoryLock& operator=(DirectoryLock const&) = delete;
-  ~DirectoryLock() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-
- private:
-  int descriptor_;
-};
-
-// What makes the stored campaign another one than the one asked for; empty when it can be continued.
-std::vector<std::string> differences(campaign::Contents const& stored, campaign::Contents const& asked) {
-  std::vector<std::string> found;
-  auto const before = to_pairs(stored.settings), now = to_pairs(asked.settings);
-  bool const adds_analysis = !stored.settings.analysis && asked.settings.analysis;
-  for (std::size_t i = 0; i < now.size(); ++i)
-    if (before.at(i).second != now[i].second && !(adds_analysis && now[i].first == "analysis"))
-      found.push_back(fmt::format("{}: {} there, {} now", now[i].first, before[i].second, now[i].second));
-  if (stored.devices.size() != asked.devices.size())
-    found.push_back(fmt::format("{} devices there, {} now", stored.devices.size(), asked.devices.size()));
-  for (std::size_t d = 0; d < std::min(stored.devices.size(), asked.devices.size()); ++d) {
-    auto const &a = stored.devices[d], &b = asked.devices[d];
-    if (a.name != b.name)
-      found.push_back(fmt::format("device {}: '{}' there, '{}' now", d + 1, a.name, b.name));
-    else if (a.usable() && !b.usable())
-      found.push_back(fmt::format("{}: refused now: {}", b.name, b.refusal));
-    else if (a.raw.sha256 != b.raw.sha256 || a.refusal != b.refusal)
-      found.push_back(fmt::format("{}: its file has changed", b.name));
-    else if (a.raw.disp_mm != b.raw.disp_mm || a.raw.force_kN != b.raw.force_kN || a.raw.time_s != b.raw.time_s ||
-             a.raw.load_kN != b.raw.load_kN)
-      found.push_back(fmt::format("{}: its file is read in another way", b.name));
-  }
-  return found;
-}
-
-// The reports of another campaign must not stand beside this one's store.
-void remove_outputs(std::filesystem::path const& directory) {
-  std::error_code ignored;
-  for (auto const* name :
-       {"summary.json", "report.html", "run.json", "tables/parameters.csv", "tables/objective.csv",
-        "tables/robustness.csv", "tables/converged.csv", "tables/identifiability.csv", "tables/lot_law.csv",
-        "tables/prediction.csv", "tables/cycles.csv", "tables/tests.csv", "tables/lot.csv", "tables/lambda.csv",
-        "tables/table_a5.csv", "tables/table_a5.tex", "tables/robustness.tex", "tables/front.csv", "tables/front.tex"})
-    if (std::filesystem::is_regular_file(directory / name, ignored)) std::filesystem::remove(directory / name, ignored);
-  report::remove_figures(directory);
-}
-
-// Takes over the finished runs of an interrupted or finished campaign of the same settings and inputs, or starts anew.
-void open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh) {
-  if (fresh || !std::filesystem::exists(file)) {
-    // A kill between the two leaves the former store without its reports, which can be made again: never reports of one
-    // campaign beside the store of another.
-    campaign::Store::create(file, contents, [&] { remove_outputs(file.parent_path()); });
-    return;
-  }
-  campaign::Store::remove_unfinished(file);
-  // Of a process that was killed: what it had not finished writing is undone, what it had is kept.
-  if (!campaign::Store::is_plain(file)) campaign::Store::open(file).finish();
-  auto stored = campaign::Store::read(file);
-  auto const changed = differences(stored, contents);
-  if (!changed.empty()) {
-    std::string list;
-    for (auto const& line : changed) list += (list.empty() ? "" : "; ") + line;
-    throw Error({.where = file.string(),
-                 .found = "the campaign there differs: " + list,
-                 .allowed = "the same settings and records, to continue it",
-                 .advice = "--fresh to start over, or another --out DIR"});
-  }
-  bool described = stored.title == contents.title && stored.acceptance == contents.acceptance &&
-                   stored.settings.analysis == contents.settings.analysis;
-  for (std::size_t d = 0; described && d < contents.devices.size(); ++d)
-    described = stored.devices[d].info == contents.devices[d].info;
-  if (!described) campaign::Store::open(file).describe(contents);
-  contents.runs = std::move(stored.runs);
-  contents.device_analyses = std::move(stored.device_analyses);
-  contents.lot_analyses = std::move(stored.lot_analyses);
-  contents.left_out = std::move(stored.left_out);
-  if (!contents.complete() && !contents.runs.empty())
-    say("continuing: {} runs are there already\n", contents.runs.size());
-}
 
 // Figures that cannot be drawn are no failure: their data and scripts are there.
 void draw_figures(report::Summary const& summary, report::FigureChoice choice, std::filesystem::path const& directory) {
@@ -243,6 +138,8 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
   auto const file = directory / store_name;
   report::remove_leftovers(directory);
   open_or_create(file, contents, arguments.fresh);
+  if (!contents.complete() && !contents.runs.empty())
+    say("continuing: {} runs are there already\n", contents.runs.size());
 
   // To continue is not to start over.
   auto words = command_line;

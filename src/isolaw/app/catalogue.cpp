@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "isolaw/api/catalogue_json.hpp"
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/example_lot.hpp"
 #include "isolaw/app/say.hpp"
@@ -12,32 +12,6 @@
 
 namespace isolaw::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json interval_json(laws::Interval const& interval) {
-  auto const bound = [](double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); };
-  return Json::array({bound(interval.lower), bound(interval.upper)});
-}
-
-Json law_json(laws::LawEntry const& law) {
-  Json json;
-  json["id"] = law.info.id;
-  json["title"] = law.info.title;
-  json["source"] = law.info.source;
-  json["units"] = {law.info.force.symbol, law.info.length.symbol, "s"};
-  json["rate_independent"] = law.info.traits.rate_independent;
-  json["note"] = law.info.note;
-  json["parameters"] = Json::array();
-  for (auto const& p : law.parameters)
-    json["parameters"].push_back({{"name", p.name},
-                                  {"unit", p.unit},
-                                  {"meaning", p.meaning},
-                                  {"physical", interval_json(p.physical)},
-                                  {"published", p.published ? interval_json(*p.published) : Json(nullptr)},
-                                  {"fixed", p.fixed_by_default ? Json(*p.fixed_by_default) : Json(nullptr)}});
-  return json;
-}
 
 // Prose of at most `width` columns, every line indented.
 std::string wrapped(std::string_view text, std::size_t indent, std::size_t width) {
@@ -77,19 +51,17 @@ int list_laws(std::string const& id, bool json) {
   if (!id.empty()) {
     auto const& law = laws::find_law(id);
     if (json)
-      fmt::print("{}\n", law_json(law).dump(2));
+      fmt::print("{}\n", law_json(law));
     else
       print_law(law);
     return exit_done;
   }
-  Json all = Json::array();
-  for (auto const& law : laws::catalogue()) {
-    if (json)
-      all.push_back(law_json(law));
-    else
-      fmt::print("{:<10} {:>2} parameters  {}\n", law.info.id, law.parameters.size(), law.info.title);
+  if (json) {
+    fmt::print("{}\n", catalogue_json());
+    return exit_done;
   }
-  if (json) fmt::print("{}\n", all.dump(2));
+  for (auto const& law : laws::catalogue())
+    fmt::print("{:<10} {:>2} parameters  {}\n", law.info.id, law.parameters.size(), law.info.title);
   return exit_done;
 }
 

@@ -92,6 +92,21 @@ struct ExportArguments {
 // A law of a campaign for an analysis program.
 int export_law(ExportArguments const& arguments);
 
+struct SimulateArguments {
+  std::string law;
+  std::optional<std::filesystem::path> parameters;  // a file of them
+  std::optional<std::filesystem::path> from;        // or a campaign's directory, with a device's name or "lot"
+  std::optional<std::string> device;
+  std::vector<std::string> set;
+  std::filesystem::path motion;
+  ReadArguments read;
+  std::optional<std::string> integration, turning_points;
+  std::optional<int> refinement;
+  std::optional<std::filesystem::path> out;
+};
+// The force of a law under a displacement history as CSV.
+int simulate(SimulateArguments const& arguments);
+
 int list_rules(std::string const& name);
 int check(std::filesystem::path const& directory);
 int bench(bool json);

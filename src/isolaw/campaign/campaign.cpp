@@ -17,6 +17,7 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/hash.hpp"
+#include "isolaw/base/printable.hpp"
 #include "isolaw/campaign/analyse.hpp"
 #include "isolaw/campaign/parallel.hpp"
 #include "isolaw/campaign/store.hpp"
@@ -246,27 +247,57 @@ fit::SearchBox search_box(laws::LawEntry const& law, data::FitRecord const& reco
   return settings.method == Method::best ? fit::on_logarithmic_scales(std::move(box), law) : box;
 }
 
-Contents prepare_devices(Lot const& lot) {
-  Contents contents{.title = lot.title,
-                    .acceptance = lot.acceptance,
-                    .settings = lot.settings,
-                    .devices = {},
-                    .searches = {},
-                    .runs = {}};
+namespace {
+
+Contents without_devices(std::string const& title, Acceptance const& acceptance, Settings const& settings) {
+  Contents contents{
+      .title = title, .acceptance = acceptance, .settings = settings, .devices = {}, .searches = {}, .runs = {}};
   contents.settings.laws.clear();
   contents.settings.complete();
   contents.settings.validate();
-  for (auto const& input : lot.devices) contents.devices.push_back(prepare_device(input, contents.settings.clean));
   return contents;
 }
 
-Contents prepare(Lot const& lot) {
-  auto contents = prepare_devices(lot);
-  contents.settings.laws = lot.settings.laws.empty() ? parse_laws("all") : lot.settings.laws;
+// Names as a lot file would take them.
+void check_names(std::vector<NamedRecord> const& records) {
+  std::vector<Complaint> complaints;
+  std::set<std::string> seen;
+  for (auto const& [name, record, info] : records) {
+    auto const where = "device '" + printable(name) + "'";
+    if (name.empty() || name.size() > longest_name || !is_printable(name))
+      complaints.push_back({where, "is no name", fmt::format("printable text of at most {} bytes", longest_name), {}});
+    else if (!seen.insert(name).second)
+      complaints.push_back({where, "is there twice", "a name for each", {}});
+  }
+  if (records.empty()) complaints.push_back({"records", "there are none", "one or more", {}});
+  if (!complaints.empty()) throw Error(std::move(complaints));
+}
+
+Device cleaned(NamedRecord&& given, data::CleanOptions const& cleaning) {
+  Device device{.name = std::move(given.name),
+                .file = given.record.file,
+                .info = std::move(given.info),
+                .refusal = {},
+                .raw = std::move(given.record),
+                .record = {}};
+  try {
+    device.record = data::clean(device.raw, cleaning);
+  } catch (Error const& error) {
+    device.refusal = error.what();
+    data::TestRecord refused;
+    refused.file = device.file;
+    refused.sha256 = device.raw.sha256;
+    device.raw = std::move(refused);
+  }
+  return device;
+}
+
+Contents with_searches(Contents contents, std::vector<std::string> const& laws) {
+  contents.settings.laws = laws.empty() ? parse_laws("all") : laws;
   contents.settings.validate();
   if (std::ranges::none_of(contents.devices, &Device::usable)) {
     std::vector<Complaint> complaints{
-        {.where = "lot", .found = fmt::format("none of {} device(s) is usable", lot.devices.size())}};
+        {.where = "lot", .found = fmt::format("none of {} device(s) is usable", contents.devices.size())}};
     for (auto const& device : contents.devices) complaints.push_back({.where = device.name, .found = device.refusal});
     throw Error(complaints);
   }
@@ -276,6 +307,25 @@ Contents prepare(Lot const& lot) {
       contents.searches.push_back(prepare_search(d, contents.devices[d], law, contents.settings));
   }
   return contents;
+}
+
+}  // namespace
+
+Contents prepare_devices(Lot const& lot) {
+  auto contents = without_devices(lot.title, lot.acceptance, lot.settings);
+  for (auto const& input : lot.devices) contents.devices.push_back(prepare_device(input, contents.settings.clean));
+  return contents;
+}
+
+Contents prepare(Lot const& lot) {
+  return with_searches(prepare_devices(lot), lot.settings.laws);
+}
+
+Contents prepare(std::vector<NamedRecord> records, Settings const& settings, std::string const& title) {
+  check_names(records);
+  auto contents = without_devices(title, {}, settings);
+  for (auto& record : records) contents.devices.push_back(cleaned(std::move(record), contents.settings.clean));
+  return with_searches(std::move(contents), settings.laws);
 }
 
 bool run(Contents& contents, std::filesystem::path const& file, RunOptions const& options) {

@@ -16,6 +16,15 @@ namespace isolaw::campaign {
 // only when none is usable.
 Contents prepare(Lot const& lot);
 
+// A record that a program holds already; its name counts as a device's in a lot file does.
+struct NamedRecord {
+  std::string name;
+  data::TestRecord record;
+  DeviceInfo info = {};
+};
+// The same of these. Throws Error also for names that no lot file could hold.
+Contents prepare(std::vector<NamedRecord> records, Settings const& settings, std::string const& title);
+
 // Only that: devices as they are read and cleaned, no boxes, none of the laws. Never throws for a device.
 Contents prepare_devices(Lot const& lot);
 

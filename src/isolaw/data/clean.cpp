@@ -232,4 +232,12 @@ FitRecord clean(TestRecord const& raw, CleanOptions const& options) {
   return record;
 }
 
+FitRecord motion_of(TestRecord const& record) {
+  FitRecord motion;
+  motion.disp_mm = record.disp_mm;
+  motion.time_s = record.has_time() ? record.time_s : sample_numbers(record.size());
+  if (record.has_time()) motion.vel_mm_s = central_difference(motion.time_s, motion.disp_mm);
+  return motion;
+}
+
 }  // namespace isolaw::data

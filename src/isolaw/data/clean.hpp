@@ -31,4 +31,8 @@ std::vector<double> central_difference(std::vector<double> const& time_s, std::v
 // Thinning needs cycles: a record that is not cyclic, or has no complete one, keeps all samples. Throws Error for a record without samples.
 FitRecord clean(TestRecord const& raw, CleanOptions const& options);
 
+// What a law needs of a history whose force is not looked at: every sample as it is, velocity by central_difference().
+// The result has no force.
+FitRecord motion_of(TestRecord const& record);
+
 }  // namespace isolaw::data

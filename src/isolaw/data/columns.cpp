@@ -183,6 +183,8 @@ std::optional<ColumnName> split_last_word(std::string_view name) {
   return ColumnName{.base = std::string(base), .unit = std::string(name.substr(at + 1))};
 }
 
+constexpr Channel motion_channels[] = {Channel::time, Channel::disp};
+
 // --- resolution ------------------------------------------------------------------------------------------------
 
 std::string unit_example(Channel channel) {
@@ -212,13 +214,15 @@ std::string_view meaning_text(Channel channel) {
 
 class Resolver {
  public:
-  Resolver(std::string where, Header const& header, std::size_t count, ReadOptions const& options)
-      : file_(std::move(where)), header_(header), count_(count), options_(options) {}
+  Resolver(std::string where, Header const& header, std::size_t count, ReadOptions const& options, Wanted wanted)
+      : file_(std::move(where)), header_(header), count_(count), options_(options), motion_(wanted == Wanted::motion) {}
 
   Columns run() {
     if (header_.mismatch) complain_about_mismatch();
-    for (auto const channel : all_channels) take_option(channel);
-    for (auto const channel : all_channels)
+    std::span<Channel const> channels = all_channels;
+    if (motion_) channels = motion_channels;
+    for (auto const channel : channels) take_option(channel);
+    for (auto const channel : channels)
       if (!asked_for(channel)) recognise(channel);
     refuse_shared_columns();
     for (auto& [channel, column] : result_.channels) resolve_unit(channel, column);
@@ -410,7 +414,7 @@ class Resolver {
   // Programs name variables as they like: what there is, once.
   void report_variables(Channel channel) {
     bool const no_disp = !result_.channels.contains(Channel::disp) && candidates_of_any(Channel::disp).empty();
-    bool const both = no_disp && candidates_of_any(Channel::force).empty();
+    bool const both = !motion_ && no_disp && candidates_of_any(Channel::force).empty();
     if (both && channel == Channel::force) return;  // said with the displacement
     complain(header_place(),
              fmt::format("no variable is recognised as the {}{}", meaning_text(channel),
@@ -428,7 +432,7 @@ class Resolver {
 
   // Without names nothing tells displacement from force, nor time from a counter: asked for at once.
   void report_nameless(Channel channel) {
-    bool const both = !asked_for(Channel::disp) && !asked_for(Channel::force);
+    bool const both = !motion_ && !asked_for(Channel::disp) && !asked_for(Channel::force);
     if (both && channel == Channel::force) return;  // said with the displacement
     auto const what = both ? std::string("displacement and which the force") : std::string(meaning_text(channel));
     complain(
@@ -519,6 +523,7 @@ class Resolver {
   Header const& header_;
   std::size_t count_;
   ReadOptions const& options_;
+  bool motion_;
   std::map<Channel, std::string> why_;
   Columns result_;
 };
@@ -607,9 +612,9 @@ std::optional<std::size_t> letters_column(std::string_view letters) {
   return number - 1;
 }
 
-Columns recognise_columns(std::string const& where, Header const& header, std::size_t count,
-                          ReadOptions const& options) {
-  auto columns = Resolver(where, header, count, options).run();
+Columns recognise_columns(std::string const& where, Header const& header, std::size_t count, ReadOptions const& options,
+                          Wanted wanted) {
+  auto columns = Resolver(where, header, count, options, wanted).run();
   if (!columns.channels.contains(Channel::time))
     for (std::size_t i = 0; i < header.names.size(); ++i)
       if (is_counter(header.names[i]))

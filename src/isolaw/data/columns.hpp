@@ -18,6 +18,9 @@ namespace isolaw::data {
 
 inline constexpr Channel all_channels[] = {Channel::time, Channel::disp, Channel::force, Channel::load};
 
+// What is read of a table: a test, or the displacement history of one, of which force and load are left alone.
+enum class Wanted { test, motion };
+
 Dimension dimension(Channel channel);
 
 // A column's name taken apart: "Forza orizzontale [kN]" -> "Forza orizzontale" and "kN".
@@ -43,8 +46,8 @@ struct Columns {
 };
 
 // `where` is the file as given, or the part of it that holds the `count` columns. Never throws: problems are collected.
-Columns recognise_columns(std::string const& where, Header const& header, std::size_t count,
-                          ReadOptions const& options);
+Columns recognise_columns(std::string const& where, Header const& header, std::size_t count, ReadOptions const& options,
+                          Wanted wanted = Wanted::test);
 
 // The name where it says which column it is and an option can hold it, else the number.
 std::string column_key(std::size_t index, Header const& header);

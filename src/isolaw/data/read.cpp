@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 
 #include "isolaw/base/error.hpp"
@@ -138,8 +139,13 @@ std::string typed(std::string const& name) {
   return plain == std::string::npos ? name : "\"" + printable(name) + "\"";
 }
 
-void require_one_sheet(Tests const& tests, std::string const& file, ReadOptions const& options) {
-  bool const columns_told = options.columns.contains(Channel::disp) && options.columns.contains(Channel::force);
+bool columns_are_told(ReadOptions const& options, Wanted wanted) {
+  return options.columns.contains(Channel::disp) &&
+         (wanted == Wanted::motion || options.columns.contains(Channel::force));
+}
+
+void require_one_sheet(Tests const& tests, std::string const& file, ReadOptions const& options, Wanted wanted) {
+  bool const columns_told = columns_are_told(options, wanted);
   bool const by_name = tests.tables.front()->header().by_name;
   auto sheets = tests.sheets;
   if (columns_told)  // which need no names
@@ -193,9 +199,10 @@ std::vector<std::size_t> chosen_tests(Tests const& tests, std::string const& fil
   return {number - 1};
 }
 
-TestRecord read_table(Tests const& tests, Table const& table, TestRecord record, ReadOptions const& options) {
+TestRecord read_table(Tests const& tests, Table const& table, TestRecord record, ReadOptions const& options,
+                      Wanted wanted) {
   auto const& place = table.place();
-  auto const columns = recognise_columns(place, table.header(), table.columns(), options);
+  auto const columns = recognise_columns(place, table.header(), table.columns(), options, wanted);
   auto complaints = columns.complaints;
   table.check(complaints);
   check_interval(place, options, table.header(), columns, complaints);
@@ -215,6 +222,7 @@ TestRecord read_table(Tests const& tests, Table const& table, TestRecord record,
   append(record.warnings, columns.warnings);
   store_channels(rows, columns, record);
   describe_rows(rows, table.header().row, record, record.recognised);
+  if (wanted == Wanted::motion) return record;
   correct(record, options.corrections);
   record.layout.corrections = options.corrections;
   check_physics(record, exchange_advice(columns, table.header()), complaints);
@@ -222,6 +230,51 @@ TestRecord read_table(Tests const& tests, Table const& table, TestRecord record,
   add_warnings(record);
   return record;
 }
+
+TestRecord read_tests(std::string_view bytes, std::string const& name, ReadOptions const& options, Wanted wanted) {
+  TestRecord start;
+  start.file = name;
+  start.sha256 = sha256(bytes);
+  auto const tests = open_tests(bytes, name, options.sheet);
+  require_one_sheet(tests, name, options, wanted);
+  std::optional<TestRecord> history;
+  auto const chosen = chosen_tests(tests, name, options);
+  for (auto const i : chosen) {
+    auto record = read_table(tests, *tests.tables[i], start, options, wanted);
+    if (!history)
+      history = std::move(record);
+    else
+      continue_with(*history, record, fmt::format("test {}", i + 1));
+  }
+  history->sha256 = start.sha256;
+  if (tests.tables.size() > 1) {
+    history->layout.test = parse_test(*options.test);
+    history->recognised.push_back(
+        fmt::format("{} tests in the file, {} is read", tests.tables.size(),
+                    chosen.size() > 1 ? "one history of all" : fmt::format("test {}", chosen.front() + 1)));
+  }
+  return *std::move(history);
+}
+
+// --- motions ----------------------------------------------------------------------------------------------------------
+
+// The line among the first ones of a text that speaks of acceleration, as files of ground motions do.
+std::optional<std::string> line_about_acceleration(std::string_view bytes) {
+  constexpr std::size_t head = 4000, longest = 100;
+  if (is_zip(bytes) || is_mat(bytes)) return std::nullopt;
+  std::string_view left = bytes.substr(0, head);
+  while (!left.empty()) {
+    auto const line = left.substr(0, left.find_first_of("\r\n"));
+    left.remove_prefix(std::min(left.size(), line.size() + 1));
+    auto const small = lower(without_accents(line));
+    for (auto const* word : {"acceler", "beschleunigung", "aceler"})
+      if (small.find(word) != std::string::npos) return std::string(trimmed(line.substr(0, longest)));
+  }
+  return std::nullopt;
+}
+
+constexpr std::string_view displacement_needed =
+    "the displacement of the device, one face against the other, over time";
 
 }  // namespace
 
@@ -241,28 +294,84 @@ TestRecord read_record(std::filesystem::path const& file, ReadOptions const& opt
 }
 
 TestRecord read_record_text(std::string_view bytes, std::string const& name, ReadOptions const& options) {
-  TestRecord start;
-  start.file = name;
-  start.sha256 = sha256(bytes);
-  auto const tests = open_tests(bytes, name, options.sheet);
-  require_one_sheet(tests, name, options);
-  std::optional<TestRecord> history;
-  auto const chosen = chosen_tests(tests, name, options);
-  for (auto const i : chosen) {
-    auto record = read_table(tests, *tests.tables[i], start, options);
-    if (!history)
-      history = std::move(record);
-    else
-      continue_with(*history, record, fmt::format("test {}", i + 1));
+  return read_tests(bytes, name, options, Wanted::test);
+}
+
+TestRecord read_motion(std::filesystem::path const& file, ReadOptions const& options) {
+  return read_motion_text(load_text(file), file.generic_string(), options);
+}
+
+TestRecord read_motion_text(std::string_view bytes, std::string const& name, ReadOptions const& options) {
+  auto const acceleration = line_about_acceleration(bytes);
+  try {
+    auto motion = read_tests(bytes, name, options, Wanted::motion);
+    // A column of that name is one of displacements, whatever stands beside it.
+    if (acceleration && options.columns.contains(Channel::disp))
+      motion.warnings.push_back(fmt::format("the file speaks of acceleration ({}): what is read must be {}",
+                                            in_quotes(*acceleration), displacement_needed));
+    return motion;
+  } catch (Error const& error) {
+    if (!acceleration) throw;
+    std::vector<Complaint> complaints{
+        {.where = name,
+         .found = fmt::format("a record of acceleration ({})", in_quotes(*acceleration)),
+         .allowed = std::string(displacement_needed),
+         .advice =
+             "the response of the isolated structure to it, from an analysis with this law; or --columns disp=..., "
+             "where the file holds that displacement too"}};
+    if (options.columns.contains(Channel::disp))
+      complaints.insert(complaints.end(), error.complaints().begin(), error.complaints().end());
+    throw Error(std::move(complaints));
   }
-  history->sha256 = start.sha256;
-  if (tests.tables.size() > 1) {
-    history->layout.test = parse_test(*options.test);
-    history->recognised.push_back(
-        fmt::format("{} tests in the file, {} is read", tests.tables.size(),
-                    chosen.size() > 1 ? "one history of all" : fmt::format("test {}", chosen.front() + 1)));
+}
+
+TestRecord record_of_values(std::string const& name, Values values) {
+  std::vector<Complaint> complaints;
+  std::vector<RawChannel> channels;
+  std::string bytes;
+  auto const samples = values.disp_mm.size();
+  auto const add = [&](Channel channel, std::string_view unit, std::string const& text, std::vector<double>& given) {
+    if (given.empty() && channel != Channel::disp) return;
+    if (given.size() != samples)
+      complaints.push_back(
+          {name, fmt::format("{} values of {}, {} of disp_mm", given.size(), text, samples), "as many of each", {}});
+    auto const odd = std::ranges::find_if_not(given, [](double value) { return std::isfinite(value); });
+    if (odd != given.end())
+      complaints.push_back({fmt::format("{}:{}", name, odd - given.begin() + 1),
+                            fmt::format("{} is {}", text, *odd),
+                            "finite numbers",
+                            {}});
+    bytes.append(reinterpret_cast<char const*>(given.data()), given.size() * sizeof(double));
+    channels.push_back({.channel = channel, .column = text, .unit = std::string(unit), .values = std::move(given)});
+  };
+  add(Channel::disp, "mm", "disp_mm", values.disp_mm);
+  add(Channel::force, "kN", "force_kN", values.force_kN);
+  add(Channel::time, "s", "time_s", values.time_s);
+  add(Channel::load, "kN", "load_kN", values.load_kN);
+  if (samples < least_samples && complaints.empty())
+    complaints.push_back({name, fmt::format("{} samples", samples), fmt::format("{} or more", least_samples), {}});
+  if (!complaints.empty()) throw Error(std::move(complaints));
+  std::vector<std::size_t> numbers(samples);
+  std::iota(numbers.begin(), numbers.end(), std::size_t{1});
+  for (auto const& channel : channels) check_channel(name, channel, numbers, complaints);
+  if (!complaints.empty()) throw Error(std::move(complaints));
+
+  TestRecord record;
+  record.file = name;
+  record.sha256 = sha256(bytes);
+  record.recognised.push_back(fmt::format("{} samples given as values, in mm, kN and s", samples));
+  for (auto& channel : channels) {
+    auto& target = channel.channel == Channel::disp    ? record.disp_mm
+                   : channel.channel == Channel::force ? record.force_kN
+                   : channel.channel == Channel::time  ? record.time_s
+                                                       : record.load_kN;
+    target = std::move(channel.values);
   }
-  return *std::move(history);
+  if (record.force_kN.empty()) return record;
+  check_physics(record, "displacement and force the other way round", complaints);
+  if (!complaints.empty()) throw Error(std::move(complaints));
+  add_warnings(record);
+  return record;
 }
 
 std::vector<TestChoice> list_tests(std::filesystem::path const& file, ReadOptions const& options) {
@@ -283,8 +392,8 @@ std::vector<TestChoice> list_tests(std::filesystem::path const& file, ReadOption
     }
   };
   auto const tests = open_tests(bytes, name, options.sheet);
-  bool const columns_told = options.columns.contains(Channel::disp) && options.columns.contains(Channel::force);
-  if (options.sheet || tests.sheets.size() < 2 || (columns_told && tests.tables.front()->header().by_name)) {
+  if (options.sheet || tests.sheets.size() < 2 ||
+      (columns_are_told(options, Wanted::test) && tests.tables.front()->header().by_name)) {
     add(tests);
     if (!choices.empty()) choices.front().passed_over = tests.sheets_passed_over;
     return choices;

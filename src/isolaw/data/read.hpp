@@ -44,6 +44,18 @@ TestRecord read_record(std::filesystem::path const& file, ReadOptions const& opt
 // The same of a file's bytes; `name` is the file in messages.
 TestRecord read_record_text(std::string_view bytes, std::string const& name, ReadOptions const& options = {});
 
+// The displacement history of a file, cyclic or seismic, with its time where there is one: read and checked in the same
+// way, force and load left alone and empty. A file that holds accelerations is refused with what is needed instead.
+TestRecord read_motion(std::filesystem::path const& file, ReadOptions const& options = {});
+TestRecord read_motion_text(std::string_view bytes, std::string const& name, ReadOptions const& options = {});
+
+// The same of values that a program holds already, in mm, kN and s; time and load may be empty. An empty force makes a
+// motion of it. Throws Error as above, with samples counted from 1, and for values that are not finite or not as many.
+struct Values {
+  std::vector<double> disp_mm, force_kN, time_s, load_kN;
+};
+TestRecord record_of_values(std::string const& name, Values values);
+
 // One of the tests of a file, and the options that read it.
 struct TestChoice {
   std::optional<std::string> sheet;  // as Layout has it

@@ -37,12 +37,6 @@ std::optional<double> parse_number(std::string_view text) {
   return value;
 }
 
-std::string limits_text(laws::Interval const& limits, std::string_view unit) {
-  if (limits.lower > 0.0) return fmt::format("above 0 {}", unit);
-  if (limits.lower == 0.0) return fmt::format("0 {} or more", unit);
-  return fmt::format("0 {} or less", unit);
-}
-
 // Displacement decreasing or increasing through zero after the start; the force there, by linear interpolation.
 std::vector<double> forces_at_zero(data::FitRecord const& record) {
   auto const &x = record.disp_mm, &f = record.force_kN;
@@ -75,6 +69,13 @@ double peak_to_peak_stiffness(data::FitRecord const& record) {
 }
 
 }  // namespace
+
+std::string limits_text(laws::Interval const& limits, std::string_view unit) {
+  if (std::isinf(limits.lower) && std::isinf(limits.upper)) return fmt::format("any number of {}", unit);
+  if (limits.lower > 0.0) return fmt::format("above 0 {}", unit);
+  if (limits.lower == 0.0) return fmt::format("0 {} or more", unit);
+  return fmt::format("0 {} or less", unit);
+}
 
 std::string Override::text() const {
   if (!tied_to.empty()) return fmt::format("{}.{}={}", law, parameter, tied_to);

@@ -27,6 +27,9 @@ struct Override {
   std::string text() const;  // as the user would type it
 };
 
+// What a parameter may be, "above 0 kN/mm".
+std::string limits_text(laws::Interval const& limits, std::string_view unit);
+
 // Throws Error: malformed, unknown law or parameter, lower >= upper, outside the physical limits, a tie to itself or to
 // a parameter of another unit.
 Override parse_override(std::string_view text);

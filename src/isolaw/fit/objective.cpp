@@ -74,24 +74,56 @@ void require_something_to_fit(laws::LawInfo const& law, data::FitRecord const& r
 
 }  // namespace
 
-LawOnRecord::LawOnRecord(laws::LawEntry const& law, data::FitRecord const& record, laws::Integration integration,
+LawOnMotion::LawOnMotion(laws::LawEntry const& law, data::FitRecord const& motion, laws::Integration integration,
                          laws::TurningPoints turning_points, int refinement)
     : law_(&law),
       integration_(integration),
       turning_points_(turning_points),
       refinement_(refinement),
-      time_s_(record.time_s) {
-  if (!law.info.traits.rate_independent && !record.has_time())
+      time_s_(motion.time_s) {
+  if (!law.info.traits.rate_independent && !motion.has_time())
     throw Error({.where = "law " + std::string(law.info.id),
                  .found = "the record has no time channel, and this law depends on velocity",
                  .allowed = "rate-independent laws (bilinear, vaiana, bouc-wen, abe, abe-y0) without time",
                  .advice = "--dt SECONDS, the sampling interval of the test"});
-  require_something_to_fit(law.info, record);
-  auto const& info = law.info;
-  x_ = in_unit(record.disp_mm, info.length.in_record_units);
-  v_ = in_unit(record.vel_mm_s, info.length.in_record_units);
+  if (motion.size() == 0)
+    throw Error({.where = "law " + std::string(law.info.id),
+                 .found = "a history of 0 samples",
+                 .allowed = "a history with samples"});
+  x_ = in_unit(motion.disp_mm, law.info.length.in_record_units);
+  v_ = in_unit(motion.vel_mm_s, law.info.length.in_record_units);
   path_ = path(refinement_);
-  measured_ = in_unit(record.force_kN, info.force.in_record_units);
+}
+
+LawOnMotion LawOnMotion::refined(int refinement) const {
+  LawOnMotion made = *this;
+  made.refinement_ = refinement;
+  made.path_ = path(refinement);
+  return made;
+}
+
+laws::Path LawOnMotion::path(int refinement) const {
+  return turning_points_ == laws::TurningPoints::interpolated
+             ? laws::make_path_with_turning_points(x_, v_, time_s_, refinement)
+             : laws::make_path(x_, v_, refinement);
+}
+
+void LawOnMotion::force_kN(std::span<double const> parameters, std::span<double> force) const {
+  law_->evaluate(parameters, path_, integration_, force);
+  for (double& f : force) f *= law_->info.force.in_record_units;
+}
+
+std::vector<double> LawOnMotion::force_kN(std::span<double const> parameters) const {
+  std::vector<double> force(path_.samples());
+  force_kN(parameters, force);
+  return force;
+}
+
+LawOnRecord::LawOnRecord(laws::LawEntry const& law, data::FitRecord const& record, laws::Integration integration,
+                         laws::TurningPoints turning_points, int refinement)
+    : motion_(law, record, integration, turning_points, refinement) {
+  require_something_to_fit(law.info, record);
+  measured_ = in_unit(record.force_kN, law.info.force.in_record_units);
   share_ = weight_ = time_weights(record).weight;
   spread_ = num::population_std(scored_values(record, measured_));
   for (double& w : weight_) w /= spread_;
@@ -99,15 +131,8 @@ LawOnRecord::LawOnRecord(laws::LawEntry const& law, data::FitRecord const& recor
 
 LawOnRecord LawOnRecord::refined(int refinement) const {
   LawOnRecord made = *this;
-  made.refinement_ = refinement;
-  made.path_ = path(refinement);
+  made.motion_ = motion_.refined(refinement);
   return made;
-}
-
-laws::Path LawOnRecord::path(int refinement) const {
-  return turning_points_ == laws::TurningPoints::interpolated
-             ? laws::make_path_with_turning_points(x_, v_, time_s_, refinement)
-             : laws::make_path(x_, v_, refinement);
 }
 
 double LawOnRecord::misfit(std::vector<double> const& force) const {
@@ -118,13 +143,13 @@ double LawOnRecord::misfit(std::vector<double> const& force) const {
 
 double LawOnRecord::objective(std::span<double const> parameters, std::vector<double>& work) const {
   work.resize(measured_.size());
-  law_->evaluate(parameters, path_, integration_, work);
+  law().evaluate(parameters, motion_.path(), motion_.integration(), work);
   return misfit(work);
 }
 
 void LawOnRecord::objectives(std::size_t count, std::function<void(std::size_t, std::span<double>)> const& candidate,
                              std::span<double> values, InstructionSet set) const {
-  std::size_t const dimension = law_->parameters.size();
+  std::size_t const dimension = law().parameters.size();
   std::vector<double> one(dimension);
   if (set == InstructionSet::scalar) {
     std::vector<double> force;
@@ -134,8 +159,8 @@ void LawOnRecord::objectives(std::size_t count, std::function<void(std::size_t, 
     }
     return;
   }
-  auto const code = kernel(set, law_->index);
-  KernelRecord const record{path_, measured_, weight_};
+  auto const code = kernel(set, law().index);
+  KernelRecord const record{motion_.path(), measured_, weight_};
   std::vector<double> block(dimension * wide_block);
   std::array<double, wide_block> sums{};
   for (std::size_t first = 0; first < count;) {
@@ -148,7 +173,7 @@ void LawOnRecord::objectives(std::size_t count, std::function<void(std::size_t, 
       usable[lane] = std::ranges::all_of(one, [](double value) { return std::isfinite(value); });
       for (std::size_t p = 0; p < dimension; ++p) block[p * width + lane] = one[p];
     }
-    (width == wide_block ? code.wide : code.narrow)(block.data(), record, integration_, sums.data());
+    (width == wide_block ? code.wide : code.narrow)(block.data(), record, motion_.integration(), sums.data());
     for (std::size_t lane = 0; lane < used; ++lane)
       values[first + lane] = usable[lane] && std::isfinite(sums[lane]) ? sums[lane] : infinite;
     first += used;
@@ -157,7 +182,7 @@ void LawOnRecord::objectives(std::size_t count, std::function<void(std::size_t, 
 
 void LawOnRecord::residuals(std::size_t count, std::function<void(std::size_t, std::span<double>)> const& candidate,
                             std::span<double> values, InstructionSet set) const {
-  std::size_t const dimension = law_->parameters.size(), samples = measured_.size();
+  std::size_t const dimension = law().parameters.size(), samples = measured_.size();
   std::vector<double> one(dimension), block(dimension * narrow_block), force;
   auto const into = [&](std::size_t i, double const* forces, std::size_t stride) {
     for (std::size_t j = 0; j < samples; ++j) values[i * samples + j] = (measured_[j] - forces[j * stride]) / spread_;
@@ -166,12 +191,12 @@ void LawOnRecord::residuals(std::size_t count, std::function<void(std::size_t, s
     force.resize(samples);
     for (std::size_t i = 0; i < count; ++i) {
       candidate(i, one);
-      law_->evaluate(one, path_, integration_, force);
+      law().evaluate(one, motion_.path(), motion_.integration(), force);
       into(i, force.data(), 1);
     }
     return;
   }
-  auto const code = kernel(set, law_->index);
+  auto const code = kernel(set, law().index);
   force.resize(samples * narrow_block);
   for (std::size_t first = 0; first < count; first += narrow_block) {
     std::size_t const used = std::min(count - first, narrow_block);
@@ -179,24 +204,17 @@ void LawOnRecord::residuals(std::size_t count, std::function<void(std::size_t, s
       candidate(lane < used ? first + lane : first, one);
       for (std::size_t p = 0; p < dimension; ++p) block[p * narrow_block + lane] = one[p];
     }
-    code.forces(block.data(), path_, integration_, force.data());
+    code.forces(block.data(), motion_.path(), motion_.integration(), force.data());
     for (std::size_t lane = 0; lane < used; ++lane) into(first + lane, force.data() + lane, narrow_block);
   }
 }
 
-std::vector<double> LawOnRecord::force_kN(std::span<double const> parameters) const {
-  std::vector<double> force(measured_.size());
-  law_->evaluate(parameters, path_, integration_, force);
-  for (double& f : force) f *= law_->info.force.in_record_units;
-  return force;
-}
-
 double LawOnRecord::integration_shift(std::span<double const> parameters) const {
-  if (!law_->info.traits.path_integrated) return 0.0;
+  if (!law().info.traits.path_integrated) return 0.0;
   std::vector<double> force;
   double const here = objective(parameters, force);
-  auto const fine = path(shift_refinement * refinement_);
-  law_->evaluate(parameters, fine, laws::Integration::converged, force);
+  auto const fine = motion_.path(shift_refinement * refinement());
+  law().evaluate(parameters, fine, laws::Integration::converged, force);
   return std::abs(misfit(force) - here);
 }
 

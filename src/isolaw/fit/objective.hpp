@@ -26,6 +26,36 @@ inline constexpr double evaluation_tolerance = 1e-9;
 // laws. Larger only where an objective is beyond 1e6 or a Runge-Kutta step of `paper` too long to be stable.
 inline constexpr double block_tolerance = 1e-11;
 
+// A law on a displacement history, whose force may be unknown.
+class LawOnMotion {
+ public:
+  // Throws Error when the law needs velocities and the history has no time, and for one without samples. The history may
+  // be discarded afterwards. Every interval between samples is cut into `refinement` equal steps.
+  LawOnMotion(laws::LawEntry const& law, data::FitRecord const& motion, laws::Integration integration,
+              laws::TurningPoints turning_points = laws::TurningPoints::as_sampled, int refinement = 1);
+  // The same law and history integrated in finer steps; `refinement` counts from the samples, not from this one's.
+  LawOnMotion refined(int refinement) const;
+
+  laws::LawEntry const& law() const { return *law_; }
+  laws::Integration integration() const { return integration_; }
+  int refinement() const { return refinement_; }
+  laws::Path const& path() const { return path_; }
+  laws::Path path(int refinement) const;
+
+  // Computed force [kN] at every sample, into `force` of that length or as a new vector; not finite where the law gives
+  // none. `parameters` in the law's order and units. Thread-safe.
+  void force_kN(std::span<double const> parameters, std::span<double> force) const;
+  std::vector<double> force_kN(std::span<double const> parameters) const;
+
+ private:
+  laws::LawEntry const* law_;
+  laws::Integration integration_;
+  laws::TurningPoints turning_points_;
+  int refinement_ = 1;
+  std::vector<double> time_s_, x_, v_;  // law's units of length
+  laws::Path path_;
+};
+
 class LawOnRecord {
  public:
   // Throws Error when the law needs velocities and the record has no time, and for a record that Eq. (27) cannot judge
@@ -36,8 +66,8 @@ class LawOnRecord {
   // The same law and record integrated in finer steps; `refinement` counts from the samples, not from this one's.
   LawOnRecord refined(int refinement) const;
 
-  laws::LawEntry const& law() const { return *law_; }
-  int refinement() const { return refinement_; }
+  laws::LawEntry const& law() const { return motion_.law(); }
+  int refinement() const { return motion_.refinement(); }
 
   // OF = mean over time of |measured - computed| / standard deviation of the measured force; +infinity when a computed
   // force is not finite. `parameters` in the law's order and units. Thread-safe; `work` is scratch, resized as needed.
@@ -58,21 +88,15 @@ class LawOnRecord {
   std::size_t samples() const { return measured_.size(); }
 
   // Computed force [kN] at every sample.
-  std::vector<double> force_kN(std::span<double const> parameters) const;
+  std::vector<double> force_kN(std::span<double const> parameters) const { return motion_.force_kN(parameters); }
 
   // |objective - objective of the converged integration on a path `shift_refinement` times finer than this one|.
   double integration_shift(std::span<double const> parameters) const;
 
  private:
   double misfit(std::vector<double> const& force) const;
-  laws::Path path(int refinement) const;
 
-  laws::LawEntry const* law_;
-  laws::Integration integration_;
-  laws::TurningPoints turning_points_;
-  int refinement_ = 1;
-  std::vector<double> time_s_, x_, v_;  // law's units of length
-  laws::Path path_;
+  LawOnMotion motion_;
   std::vector<double> measured_;  // law's force unit
   std::vector<double> weight_;    // trapezoid in time / (duration * standard deviation)
   std::vector<double> share_;     // trapezoid in time / duration

@@ -1,0 +1,662 @@
+// The Python package `isolaw`: NumPy views of what the library holds, and its calls with the interpreter's lock released.
+// What is said to Python users stands in the docstrings here and in isolaw/__init__.pyi; tests/python holds the two together.
+#include <pybind11/functional.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "isolaw/api/isolaw.hpp"
+#include "isolaw/base/hash.hpp"
+#include "isolaw/base/printable.hpp"
+#include "isolaw/report/inspection.hpp"
+
+namespace py = pybind11;
+
+namespace isolaw::python {
+namespace {
+
+using Array = py::array_t<double>;
+// Rows of doubles as they lie in memory: taken without a copy where the caller's array is of that form.
+using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using Contents = campaign::Contents;
+
+// --- views --------------------------------------------------------------------------------------------------------------
+
+// Values that `owner` keeps alive, read-only: a view, no copy.
+Array view(std::vector<double> const& values, py::object owner) {
+  Array array(static_cast<py::ssize_t>(values.size()), values.data(), std::move(owner));
+  array.attr("flags").attr("writeable") = false;
+  return array;
+}
+
+py::object view_or_none(std::vector<double> const& values, py::object owner) {
+  return values.empty() ? py::object(py::none()) : py::object(view(values, std::move(owner)));
+}
+
+std::vector<double> values_of(std::optional<Rows> const& array, char const* what) {
+  if (!array) return {};
+  if (array->ndim() != 1)
+    throw Error({.where = what, .found = fmt::format("an array of {} dimensions", array->ndim()), .allowed = "one"});
+  return {array->data(), array->data() + array->size()};
+}
+
+// --- records ------------------------------------------------------------------------------------------------------------
+
+struct Record {
+  std::string name;
+  data::TestRecord raw;
+};
+using RecordPtr = std::shared_ptr<Record>;
+
+using Assignments = std::map<std::string, py::object>;
+
+// {"disp": 2, "force": "F [kN]"} or the text of the option.
+std::string option_text(py::object const& given) {
+  if (given.is_none()) return {};
+  if (py::isinstance<py::str>(given)) return given.cast<std::string>();
+  std::string text;
+  for (auto const& [channel, value] : given.cast<Assignments>())
+    text += (text.empty() ? "" : ",") + channel + "=" + std::string(py::str(value));
+  return text;
+}
+
+std::optional<std::string> text_or_number(py::object const& given) {
+  if (given.is_none()) return std::nullopt;
+  return std::string(py::str(given));
+}
+
+struct Reading {
+  py::object columns, units, sheet, test;
+  std::optional<double> dt, skew_ms, rig_friction_kN, rig_friction_coefficient, moving_mass_kg, force_factor;
+  bool flip_force = false;
+
+  data::ReadOptions options() const {
+    data::ReadOptions made;
+    if (auto const text = option_text(columns); !text.empty()) made.columns = data::parse_columns(text);
+    if (auto const text = option_text(units); !text.empty()) made.units = data::parse_units(text);
+    made.dt_s = dt;
+    made.flip_force = flip_force;
+    made.sheet = text_or_number(sheet);
+    if (auto const text = text_or_number(test)) made.test = data::parse_test(*text);
+    if (skew_ms) made.corrections.skew_s = *skew_ms / 1000.0;
+    made.corrections.friction_kN = rig_friction_kN;
+    made.corrections.friction_coefficient = rig_friction_coefficient;
+    made.corrections.moving_mass_kg = moving_mass_kg;
+    made.corrections.force_factor = force_factor;
+    made.corrections.validate();
+    return made;
+  }
+};
+
+RecordPtr read(std::filesystem::path const& file, std::optional<std::string> const& name, Reading const& how,
+               bool motion) {
+  auto const options = how.options();
+  py::gil_scoped_release const released;
+  return std::make_shared<Record>(
+      Record{.name = name.value_or(printable(file.stem().string())),
+             .raw = motion ? data::read_motion(file, options) : data::read_record(file, options)});
+}
+
+std::string inspected(Record const& record) {
+  if (record.raw.force_kN.empty())
+    throw Error({.where = record.name, .found = "a motion without force", .allowed = "a record of a test"});
+  Contents contents;
+  contents.devices.push_back({.name = record.name,
+                              .file = record.raw.file,
+                              .info = {},
+                              .refusal = {},
+                              .raw = record.raw,
+                              .record = data::clean(record.raw, {})});
+  return report::inspection_json(report::build_summary(contents));
+}
+
+// --- laws ---------------------------------------------------------------------------------------------------------------
+
+struct Evaluation {
+  std::string integration = "converged", turning_points = "sampled";
+  int refinement = 1;
+
+  laws::Integration method() const { return campaign::parse_integration(integration); }
+  laws::TurningPoints turning() const { return campaign::parse_turning_points(turning_points); }
+  int steps() const {
+    if (refinement < 1 || refinement > 1000)
+      throw Error(
+          {.where = "refinement", .found = fmt::format("{}", refinement), .allowed = "1 to 1000 steps per sample"});
+    return refinement;
+  }
+};
+
+// A table by name, or values in the law's order.
+std::vector<double> parameters_of(laws::LawEntry const& law, py::object const& given) {
+  std::vector<NamedValue> named;
+  if (py::isinstance<py::dict>(given)) {
+    for (auto const& [key, value] : given.cast<py::dict>())
+      named.push_back({.name = py::str(key), .value = value.cast<double>()});
+    return parameters_in_order(law, named, "parameters");
+  }
+  auto const values = values_of(given.cast<Rows>(), "parameters");
+  if (values.size() != law.parameters.size())
+    throw Error(
+        {.where = "parameters",
+         .found = fmt::format("{} values", values.size()),
+         .allowed = fmt::format("the {} of {} in its order, or a dict by name", law.parameters.size(), law.info.id),
+         .advice = fmt::format("isolaw.laws()['{}']", law.info.id)});
+  for (std::size_t i = 0; i < values.size(); ++i)
+    named.push_back({.name = std::string(law.parameters[i].name), .value = values[i]});
+  return parameters_in_order(law, named, "parameters");
+}
+
+// The array that a result goes to: the caller's, or a new one.
+Array result_array(std::optional<Array> const& out, std::size_t size) {
+  if (!out) return Array(static_cast<py::ssize_t>(size));
+  bool const fits = out->ndim() == 1 && static_cast<std::size_t>(out->size()) == size && out->writeable() &&
+                    (out->flags() & py::array::c_style) != 0;
+  if (!fits)
+    throw Error({.where = "out",
+                 .found = "another array",
+                 .allowed = fmt::format("a writeable contiguous float64 array of {} values", size)});
+  return *out;
+}
+
+Array force_of(std::string const& law_id, py::object const& parameters, Record const& motion, Evaluation const& how,
+               std::optional<Array> const& out) {
+  auto const& law = laws::find_law(law_id);
+  auto const values = parameters_of(law, parameters);
+  auto result = result_array(out, motion.raw.size());
+  auto* target = result.mutable_data();
+  auto const method = how.method();
+  auto const turning = how.turning();
+  int const steps = how.steps();
+  py::gil_scoped_release const released;
+  fit::LawOnMotion const model(law, data::motion_of(motion.raw), method, turning, steps);
+  model.force_kN(values, std::span(target, motion.raw.size()));
+  return result;
+}
+
+// A law on a record as calibrate() sees it.
+class Model {
+ public:
+  Model(std::string const& law, RecordPtr record, Evaluation const& how, data::CleanOptions const& cleaning)
+      : record_(std::make_shared<data::FitRecord>(data::clean(record->raw, cleaning))),
+        model_(laws::find_law(law), *record_, how.method(), how.turning(), how.steps()) {}
+
+  laws::LawEntry const& law() const { return model_.law(); }
+  data::FitRecord const& record() const { return *record_; }
+
+  double objective(py::object const& parameters) const {
+    auto const values = parameters_of(law(), parameters);
+    std::vector<double> work;
+    return model_.objective(values, work);
+  }
+
+  Array objectives(Rows const& population, std::optional<Array> const& out) const {
+    auto const dimension = law().parameters.size();
+    if (population.ndim() != 2 || static_cast<std::size_t>(population.shape(1)) != dimension)
+      throw Error({.where = "population",
+                   .found = population.ndim() == 2 ? fmt::format("rows of {} values", population.shape(1))
+                                                   : fmt::format("an array of {} dimensions", population.ndim()),
+                   .allowed = fmt::format("a row for each candidate, with the {} parameters of {} in its order",
+                                          dimension, law().info.id)});
+    auto const count = static_cast<std::size_t>(population.shape(0));
+    auto result = result_array(out, count);
+    auto* target = result.mutable_data();
+    auto const* rows = population.data();
+    py::gil_scoped_release const released;
+    model_.objectives(
+        count,
+        [&](std::size_t i, std::span<double> values) { std::copy_n(rows + i * dimension, dimension, values.begin()); },
+        std::span(target, count));
+    return result;
+  }
+
+  Array force(py::object const& parameters, std::optional<Array> const& out) const {
+    auto const values = parameters_of(law(), parameters);
+    auto result = result_array(out, record_->size());
+    auto const force = model_.force_kN(values);
+    std::ranges::copy(force, result.mutable_data());
+    return result;
+  }
+
+ private:
+  std::shared_ptr<data::FitRecord const> record_;
+  fit::LawOnRecord model_;
+};
+
+// --- campaigns ----------------------------------------------------------------------------------------------------------
+
+struct Campaign {
+  Contents contents;
+  report::Summary summary;
+
+  explicit Campaign(Contents made) : contents(std::move(made)), summary(report::build_summary(contents)) {}
+
+  report::DeviceFit const& fit(std::string const& law, std::string const& device) const {
+    auto const of_law = std::ranges::find(summary.laws, law, &report::LawResult::id);
+    if (of_law == summary.laws.end())
+      throw Error({.where = "law '" + law + "'",
+                   .found = "not in this campaign",
+                   .allowed = names(summary.laws, &report::LawResult::id)});
+    auto const of_device = std::ranges::find(of_law->devices, device, &report::DeviceFit::device);
+    if (of_device == of_law->devices.end())
+      throw Error({.where = "device '" + device + "'",
+                   .found = "not in this campaign",
+                   .allowed = names(summary.devices, &report::DeviceResult::name)});
+    return *of_device;
+  }
+
+  template <class Items, class Name>
+  static std::string names(Items const& items, Name name) {
+    std::string text;
+    for (auto const& item : items) text += (text.empty() ? "" : ", ") + item.*name;
+    return text;
+  }
+
+  std::size_t device(std::string const& name) const {
+    auto const found = std::ranges::find(contents.devices, name, &campaign::Device::name);
+    if (found == contents.devices.end())
+      throw Error({.where = "device '" + name + "'",
+                   .found = "not in this campaign",
+                   .allowed = names(contents.devices, &campaign::Device::name)});
+    return static_cast<std::size_t>(found - contents.devices.begin());
+  }
+};
+using CampaignPtr = std::shared_ptr<Campaign>;
+
+py::dict runs_of(Campaign const& campaign, std::string const& law, std::string const& device) {
+  campaign.fit(law, device);
+  auto const index = campaign.device(device);
+  std::vector<campaign::Run const*> runs;
+  for (auto const& run : campaign.contents.runs)
+    if (run.device == index && run.law == law) runs.push_back(&run);
+  auto const dimension = laws::find_law(law).parameters.size();
+  auto const count = static_cast<py::ssize_t>(runs.size());
+  py::array_t<int> number(count);
+  Array objective(count), parameters({count, static_cast<py::ssize_t>(dimension)});
+  py::list outcome, history;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    number.mutable_data()[i] = runs[i]->number;
+    objective.mutable_data()[i] = runs[i]->objective;
+    for (std::size_t p = 0; p < dimension; ++p)
+      parameters.mutable_data()[i * dimension + p] = runs[i]->usable() ? runs[i]->parameters[p] : std::nan("");
+    outcome.append(std::string(campaign::name(runs[i]->outcome)));
+    history.append(Array(static_cast<py::ssize_t>(runs[i]->history.size()), runs[i]->history.data()));
+  }
+  py::dict made;
+  made["number"] = number;
+  made["objective"] = objective;
+  made["parameters"] = parameters;
+  made["outcome"] = outcome;
+  made["history"] = history;
+  return made;
+}
+
+// What calibrate() was asked for, in the words of the command line.
+struct CalibrateArguments {
+  std::string laws, method, box, integration, turning_points;
+  std::vector<std::string> set;
+  std::optional<int> runs, population, generations, replicates;
+  std::optional<double> stagnation_tolerance;
+  std::uint64_t seed = 1;
+  data::CleanOptions clean;
+  bool analysis = true;
+  int jobs = 0;
+  std::optional<std::filesystem::path> out;
+  bool fresh = false;
+  std::string title;
+
+  campaign::Settings settings() const {
+    campaign::Settings s;
+    s.laws = campaign::parse_laws(laws);
+    s.method = campaign::parse_method(method);
+    if (s.method != campaign::Method::genetic && (population || generations || stagnation_tolerance))
+      throw Error({.where = "population, generations, stagnation_tolerance",
+                   .found = "given with method='best'",
+                   .allowed = "with method='ga'"});
+    s.integration = campaign::parse_integration(integration);
+    s.turning_points = campaign::parse_turning_points(turning_points);
+    s.box = campaign::parse_box(box);
+    for (auto const& text : set) s.overrides.push_back(fit::parse_override(text));
+    if (runs) s.runs = campaign::checked_runs(*runs);
+    s.complete();
+    if (population) s.genetic.population = *population;
+    if (generations) s.genetic.generations = *generations;
+    if (stagnation_tolerance) s.genetic.stagnation_tolerance = *stagnation_tolerance;
+    s.seed = seed;
+    s.clean = clean;
+    s.analysis = analysis;
+    if (replicates) s.replicates = campaign::checked_replicates(*replicates);
+    s.validate();
+    return s;
+  }
+};
+
+// The campaign runs in a thread of its own, without the interpreter's lock; the caller's thread waits, hands progress to
+// Python and listens for signals, which Python delivers to its main thread alone. An exception of either stops the search.
+CampaignPtr calibrated(std::vector<RecordPtr> const& records, CalibrateArguments const& a, py::object const& progress) {
+  auto const settings = a.settings();
+  std::vector<campaign::NamedRecord> named;
+  for (auto const& record : records) {
+    if (record == nullptr) throw Error({.where = "records", .found = "None", .allowed = "records"});
+    named.push_back({.name = record->name, .record = record->raw, .info = {}});
+    named.back().record.file = printable(std::filesystem::path(record->raw.file).filename().string());
+    if (record->raw.force_kN.empty())
+      throw Error({.where = record->name, .found = "a motion without force", .allowed = "records of tests"});
+  }
+  std::mutex mutex;
+  std::condition_variable changed;
+  std::optional<campaign::Progress> latest;
+  bool ended = false;
+  std::atomic<bool> stop = false;
+  std::exception_ptr failure;
+  std::optional<Contents> contents;
+  CalibrateOptions const options{.run = {.jobs = a.jobs,
+                                         .progress =
+                                             [&](campaign::Progress const& now) {
+                                               std::scoped_lock const lock(mutex);
+                                               latest = now;
+                                               changed.notify_one();
+                                             },
+                                         .interrupted = [&] { return stop.load(); },
+                                         .short_of_threads = {}},
+                                 .directory = a.out,
+                                 .fresh = a.fresh,
+                                 .title = a.title};
+  std::exception_ptr asked;  // by Python: a signal, or an exception of `progress`
+  {
+    std::jthread const worker([&] {
+      try {
+        contents = calibrate(std::move(named), settings, options);
+      } catch (...) {
+        failure = std::current_exception();
+      }
+      std::scoped_lock const lock(mutex);
+      ended = true;
+      changed.notify_one();
+    });
+    constexpr auto patience = std::chrono::milliseconds(50);
+    for (bool over = false; !over;) {
+      std::optional<campaign::Progress> told;
+      {
+        py::gil_scoped_release const released;
+        std::unique_lock lock(mutex);
+        changed.wait_for(lock, patience, [&] { return ended || (latest && !stop); });
+        told = std::exchange(latest, std::nullopt);
+        over = ended;
+      }
+      if (stop) continue;
+      try {
+        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+        if (told && !progress.is_none()) progress(told->done, told->total, told->analysis, told->best);
+      } catch (...) {
+        asked = std::current_exception();
+        stop = true;
+      }
+    }
+    py::gil_scoped_release const released;  // while the thread ends
+  }
+  if (asked) std::rethrow_exception(asked);
+  if (failure) std::rethrow_exception(failure);
+  py::gil_scoped_release const released;
+  return std::make_shared<Campaign>(std::move(*contents));
+}
+
+CampaignPtr loaded(std::filesystem::path const& directory) {
+  py::gil_scoped_release const released;
+  return std::make_shared<Campaign>(campaign::Store::read(directory / store_name));
+}
+
+// --- the module ---------------------------------------------------------------------------------------------------------
+
+// Of the package, never released: exceptions outlive its modules.
+py::handle error_type;
+
+void raise_error(Error const& error) {
+  py::list complaints;
+  for (auto const& c : error.complaints()) {
+    py::dict one;
+    one["where"] = c.where;
+    one["found"] = c.found;
+    one["allowed"] = c.allowed;
+    one["advice"] = c.advice;
+    complaints.append(one);
+  }
+  py::object made = py::reinterpret_borrow<py::object>(error_type)(py::str(error.what()));
+  made.attr("complaints") = complaints;
+  PyErr_SetObject(error_type.ptr(), made.ptr());
+}
+
+data::CleanOptions cleaning(py::object const& samples_per_cycle, int smooth, bool center) {
+  data::CleanOptions made{.smooth = smooth, .center = center};
+  made.samples_per_cycle = samples_per_cycle.is_none()
+                               ? std::nullopt
+                               : campaign::parse_samples_per_cycle(std::string(py::str(samples_per_cycle)));
+  made.validate();
+  return made;
+}
+
+}  // namespace
+}  // namespace isolaw::python
+
+PYBIND11_MODULE(_core, m) {
+  using namespace isolaw;
+  using namespace isolaw::python;
+  m.doc() = "The compiled part of isolaw; import isolaw instead.";
+  m.attr("__version__") = ISOLAW_VERSION;
+
+  error_type = py::object(py::module_::import("isolaw._error").attr("Error")).release();
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (Error const& error) {
+      raise_error(error);
+    }
+  });
+
+  py::class_<Record, RecordPtr>(
+      m, "Record",
+      "A test record, or the displacement history of one, in kN, mm and s; made by read_record, read_motion,\n"
+      "record and motion.")
+      .def_readonly("name", &Record::name, "Name of the device.")
+      .def_property_readonly(
+          "file", [](Record const& r) { return r.raw.file; }, "The file it was read from, or its name.")
+      .def_property_readonly(
+          "disp_mm", [](py::object self) { return view(self.cast<Record&>().raw.disp_mm, self); },
+          "Displacements in mm, shape (samples,): a read-only view.")
+      .def_property_readonly(
+          "force_kN", [](py::object self) { return view_or_none(self.cast<Record&>().raw.force_kN, self); },
+          "Forces in kN, shape (samples,): a read-only view; None of a motion.")
+      .def_property_readonly(
+          "time_s", [](py::object self) { return view_or_none(self.cast<Record&>().raw.time_s, self); },
+          "Times in s, shape (samples,): a read-only view; None without time.")
+      .def_property_readonly(
+          "load_kN", [](py::object self) { return view_or_none(self.cast<Record&>().raw.load_kN, self); },
+          "Vertical loads in kN, shape (samples,): a read-only view; None without.")
+      .def_property_readonly(
+          "recognised", [](Record const& r) { return r.raw.recognised; },
+          "What reading decided, and why: a sentence for each.")
+      .def_property_readonly(
+          "warnings", [](Record const& r) { return r.raw.warnings; }, "What a careful reader would want to know.")
+      .def(
+          "__len__", [](Record const& r) { return r.raw.size(); }, "Number of samples.")
+      .def(
+          "_inspection_json", [](Record const& r) { return inspected(r); }, py::call_guard<py::gil_scoped_release>());
+
+  m.def(
+      "read",
+      [](std::filesystem::path const& file, bool motion, std::optional<std::string> const& name, py::object columns,
+         py::object units, std::optional<double> dt, bool flip_force, py::object sheet, py::object test,
+         std::optional<double> skew_ms, std::optional<double> rig_friction_kN,
+         std::optional<double> rig_friction_coefficient, std::optional<double> moving_mass_kg,
+         std::optional<double> force_factor) {
+        return read(file, name,
+                    {.columns = columns,
+                     .units = units,
+                     .sheet = sheet,
+                     .test = test,
+                     .dt = dt,
+                     .skew_ms = skew_ms,
+                     .rig_friction_kN = rig_friction_kN,
+                     .rig_friction_coefficient = rig_friction_coefficient,
+                     .moving_mass_kg = moving_mass_kg,
+                     .force_factor = force_factor,
+                     .flip_force = flip_force},
+                    motion);
+      },
+      py::arg("file"), py::arg("motion"), py::arg("name"), py::arg("columns"), py::arg("units"), py::arg("dt"),
+      py::arg("flip_force"), py::arg("sheet"), py::arg("test"), py::arg("skew_ms"), py::arg("rig_friction_kN"),
+      py::arg("rig_friction_coefficient"), py::arg("moving_mass_kg"), py::arg("force_factor"));
+
+  m.def(
+      "record",
+      [](std::string const& name, Rows const& disp_mm, std::optional<Rows> const& force_kN,
+         std::optional<Rows> const& time_s, std::optional<Rows> const& load_kN) {
+        return std::make_shared<Record>(
+            Record{.name = name,
+                   .raw = data::record_of_values(name, {.disp_mm = values_of(disp_mm, "disp_mm"),
+                                                        .force_kN = values_of(force_kN, "force_kN"),
+                                                        .time_s = values_of(time_s, "time_s"),
+                                                        .load_kN = values_of(load_kN, "load_kN")})});
+      },
+      py::arg("name"), py::arg("disp_mm"), py::arg("force_kN"), py::arg("time_s"), py::arg("load_kN"));
+
+  m.def("catalogue_json", &catalogue_json);
+
+  m.def(
+      "box",
+      [](std::string const& law_id, Record const& record, std::string const& kind, std::string const& method) {
+        campaign::Settings settings;
+        settings.box = campaign::parse_box(kind);
+        settings.method = campaign::parse_method(method);
+        auto const box = campaign::search_box(laws::find_law(law_id), data::clean(record.raw, {}), settings);
+        py::dict made;
+        for (auto const& p : box.parameters) {
+          py::dict one;
+          one["unit"] = p.unit;
+          one["free"] = p.free;
+          one["value"] = p.free ? py::object(py::none()) : py::object(py::float_(p.value));
+          one["lower"] = p.lower;
+          one["upper"] = p.upper;
+          one["scale"] = p.scale == laws::Scale::linear ? "linear" : "logarithmic";
+          made[py::str(p.name)] = one;
+        }
+        return made;
+      },
+      py::arg("law"), py::arg("record"), py::arg("kind"), py::arg("method"));
+
+  m.def(
+      "force",
+      [](std::string const& law, py::object const& parameters, Record const& motion, std::string const& integration,
+         std::string const& turning_points, int refinement, std::optional<Array> const& out) {
+        return force_of(law, parameters, motion, {integration, turning_points, refinement}, out);
+      },
+      py::arg("law"), py::arg("parameters"), py::arg("motion"), py::arg("integration"), py::arg("turning_points"),
+      py::arg("refinement"), py::arg("out").noconvert());
+
+  py::class_<Model, std::shared_ptr<Model>>(m, "Model", "A law on a record; see isolaw.Model.")
+      .def(py::init([](std::string const& law, RecordPtr record, std::string const& integration,
+                       std::string const& turning_points, int refinement, py::object samples_per_cycle, int smooth,
+                       bool center) {
+             return std::make_shared<Model>(law, std::move(record), Evaluation{integration, turning_points, refinement},
+                                            cleaning(samples_per_cycle, smooth, center));
+           }),
+           py::arg("law"), py::arg("record"), py::arg("integration"), py::arg("turning_points"), py::arg("refinement"),
+           py::arg("samples_per_cycle"), py::arg("smooth"), py::arg("center"))
+      .def_property_readonly("disp_mm",
+                             [](py::object self) { return view(self.cast<Model&>().record().disp_mm, self); })
+      .def_property_readonly("force_kN",
+                             [](py::object self) { return view(self.cast<Model&>().record().force_kN, self); })
+      .def_property_readonly("time_s", [](py::object self) { return view(self.cast<Model&>().record().time_s, self); })
+      .def("objective", &Model::objective, py::arg("parameters"))
+      .def("objectives", &Model::objectives, py::arg("population"), py::arg("out").noconvert())
+      .def("force", &Model::force, py::arg("parameters"), py::arg("out").noconvert());
+
+  py::class_<Campaign, CampaignPtr>(m, "Campaign", "A campaign; see isolaw.Campaign.")
+      .def(
+          "_summary_json", [](Campaign const& c) { return report::summary_json(c.summary); },
+          py::call_guard<py::gil_scoped_release>())
+      .def_property_readonly("complete", [](Campaign const& c) { return c.contents.complete(); })
+      .def("force",
+           [](py::object self, std::string const& law, std::string const& device) {
+             return view(self.cast<Campaign&>().fit(law, device).force_kN, self);
+           })
+      .def("runs", &runs_of)
+      .def("parameters",
+           [](Campaign const& c, std::string const& law, std::string const& device) {
+             auto const fitted = fitted_law(c.contents, law, device);
+             py::dict made;
+             auto const& entry = laws::find_law(law);
+             for (std::size_t i = 0; i < fitted.parameters.size(); ++i)
+               made[py::str(std::string(entry.parameters[i].name))] = fitted.parameters[i];
+             return made;
+           })
+      .def("refinement", [](Campaign const& c, std::string const& law,
+                            std::string const& device) { return fitted_law(c.contents, law, device).refinement; })
+      .def("record",
+           [](Campaign const& c, std::string const& device) {
+             auto const& one = c.contents.devices[c.device(device)];
+             if (!one.usable()) throw Error({.where = "device '" + device + "'", .found = one.refusal});
+             return std::make_shared<Record>(Record{.name = one.name, .raw = one.raw});
+           })
+      .def("fit_channel",
+           [](py::object self, std::string const& device, std::string const& channel) {
+             auto const& c = self.cast<Campaign&>();
+             auto const& record = c.contents.devices[c.device(device)].record;
+             return view(channel == "disp_mm"    ? record.disp_mm
+                         : channel == "force_kN" ? record.force_kN
+                                                 : record.time_s,
+                         self);
+           })
+      .def("write", [](Campaign const& c, std::filesystem::path const& directory) {
+        py::gil_scoped_release const released;
+        report::write_outputs(c.summary, directory);
+      });
+
+  m.def("load", &loaded, py::arg("directory"));
+  m.def(
+      "calibrate",
+      [](std::vector<RecordPtr> const& records, std::string laws, std::string method, std::optional<int> runs,
+         std::uint64_t seed, std::string box, std::string integration, std::string turning_points,
+         std::vector<std::string> set, std::optional<int> population, std::optional<int> generations,
+         std::optional<double> stagnation_tolerance, py::object samples_per_cycle, int smooth, bool center,
+         bool analysis, std::optional<int> replicates, int jobs, std::optional<std::filesystem::path> out, bool fresh,
+         std::string title, py::object progress) {
+        if (jobs < 0 || jobs > 4096)
+          throw Error({.where = "jobs", .found = fmt::format("{}", jobs), .allowed = "0 to 4096"});
+        return calibrated(records,
+                          {.laws = std::move(laws),
+                           .method = std::move(method),
+                           .box = std::move(box),
+                           .integration = std::move(integration),
+                           .turning_points = std::move(turning_points),
+                           .set = std::move(set),
+                           .runs = runs,
+                           .population = population,
+                           .generations = generations,
+                           .replicates = replicates,
+                           .stagnation_tolerance = stagnation_tolerance,
+                           .seed = seed,
+                           .clean = cleaning(samples_per_cycle, smooth, center),
+                           .analysis = analysis,
+                           .jobs = jobs,
+                           .out = std::move(out),
+                           .fresh = fresh,
+                           .title = std::move(title)},
+                          progress);
+      },
+      py::arg("records"), py::arg("laws"), py::arg("method"), py::arg("runs"), py::arg("seed"), py::arg("box"),
+      py::arg("integration"), py::arg("turning_points"), py::arg("set"), py::arg("population"), py::arg("generations"),
+      py::arg("stagnation_tolerance"), py::arg("samples_per_cycle"), py::arg("smooth"), py::arg("center"),
+      py::arg("analysis"), py::arg("replicates"), py::arg("jobs"), py::arg("out"), py::arg("fresh"), py::arg("title"),
+      py::arg("progress"));
+}

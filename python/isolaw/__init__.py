@@ -1,0 +1,390 @@
+"""Hysteretic laws of seismic isolators, fitted to cyclic tests: the library behind the program ``isolaw``, for NumPy.
+
+>>> import isolaw
+>>> record = isolaw.read_record("device-01.csv")
+>>> campaign = isolaw.calibrate([record], laws=["bilinear", "bouc-wen"])
+>>> campaign.summary["laws"][0]["objective"]["best"]
+
+Units are kN, mm and s; the parameters of a law have the law's own (``isolaw.laws()``). Wrong input raises ``isolaw.Error``.
+Arrays of records and results are read-only views of what the library holds, without a copy. Nothing is printed. Long
+calls release the interpreter's lock; ``calibrate`` can be interrupted by Ctrl-C.
+"""
+
+import json as _json
+import os as _os
+
+from . import _core
+from ._error import Error
+from ._core import Record, __version__
+
+__all__ = [
+    "Campaign",
+    "Error",
+    "Model",
+    "Record",
+    "__version__",
+    "box",
+    "calibrate",
+    "force",
+    "laws",
+    "load",
+    "motion",
+    "objective",
+    "objectives",
+    "properties",
+    "read_motion",
+    "read_record",
+    "record",
+]
+
+Record.__module__ = "isolaw"
+
+
+# --- records ----------------------------------------------------------------------------------------------------------
+
+
+def read_record(
+    path,
+    *,
+    name=None,
+    columns=None,
+    units=None,
+    dt=None,
+    flip_force=False,
+    sheet=None,
+    test=None,
+    skew_ms=None,
+    rig_friction_kN=None,
+    rig_friction_coefficient=None,
+    moving_mass_kg=None,
+    force_factor=None,
+):
+    """Reads a test record: delimited text, Excel, MATLAB or JSON; dialect, columns and units are recognised.
+
+    path: the file. name: of the device, by default the file's without its ending.
+    columns, units: what the file does not say, as a dict or as the text of the option of the same name:
+    ``columns={"disp": 2, "force": "F"}``, ``units="disp=cm,force=tonf"``. Channels are time, disp, force and load.
+    dt: sampling interval in s of a file without time. sheet, test: which part of a file that holds several.
+    flip_force, skew_ms, rig_friction_kN, rig_friction_coefficient, moving_mass_kg, force_factor: corrections, as the
+    options of ``isolaw inspect``.
+
+    Returns a Record; ``record.recognised`` says what was recognised and why. Raises Error with every problem found.
+    """
+    return _core.read(
+        path, False, name, columns, units, dt, flip_force, sheet, test, skew_ms, rig_friction_kN,
+        rig_friction_coefficient, moving_mass_kg, force_factor,
+    )  # fmt: skip
+
+
+def read_motion(path, *, name=None, columns=None, units=None, dt=None, sheet=None, test=None):
+    """Reads a displacement history, cyclic or seismic, from a file as read_record does; it needs no force.
+
+    Returns a Record whose ``force_kN`` is None. Raises Error, also for a record of acceleration.
+    """
+    return _core.read(path, True, name, columns, units, dt, False, sheet, test, None, None, None, None, None)
+
+
+def record(disp_mm, force_kN, time_s=None, load_kN=None, *, name="record"):
+    """A Record of arrays of equal length, checked as a file's values are.
+
+    disp_mm, force_kN, time_s, load_kN: shape (samples,), in mm, kN, s and kN; time and load may be missing.
+    Raises Error: values that are not finite, time that does not increase, displacement and force exchanged, and so on.
+    """
+    return _core.record(name, disp_mm, force_kN, time_s, load_kN)
+
+
+def motion(disp_mm, time_s=None, *, name="motion"):
+    """A displacement history of arrays, shape (samples,), in mm and s: a Record whose ``force_kN`` is None.
+
+    Raises Error as record does.
+    """
+    return _core.record(name, disp_mm, None, time_s, None)
+
+
+def properties(record):
+    """Properties of a test cycle by cycle, from raw values: the dict that ``isolaw inspect --json`` prints.
+
+    ``blocks`` lists the blocks of cycles of one amplitude and frequency with ``cycles``, each with K_eff in kN/mm,
+    damping in percent of critical, energy per cycle in kN mm and more (docs/inspection-json.md, with formulas and their
+    sources in docs/properties.md). Raises Error for a motion without force.
+    """
+    return _json.loads(record._inspection_json())
+
+
+# --- laws -------------------------------------------------------------------------------------------------------------
+
+
+def laws():
+    """The catalogue of laws: a dict by id.
+
+    Each value holds title, source, units (force, length, time), whether it is rate_independent, a note on how the source
+    was read, and parameters: name, unit, meaning, physical limits, the paper's search box (published), and the value of
+    one that is not fitted unless freed (fixed). Bounds that are None do not exist.
+    """
+    return {law["id"]: law for law in _json.loads(_core.catalogue_json())}
+
+
+def box(law, record, *, kind="auto", method="best"):
+    """Where a law's parameters are searched on a record: a dict by parameter, in the law's order.
+
+    kind: "auto", scaled from the record, or "published", Table 4 of Cucuzza et al. 2025. method as in calibrate.
+    Each value holds unit, free, value (of one that is not free, else None), lower, upper and scale. Raises Error.
+    """
+    return _core.box(law, record, kind, method)
+
+
+def force(law, parameters, motion, *, integration="converged", turning_points="sampled", refinement=1, out=None):
+    """Force of a law under a displacement history, in kN: a float64 array of shape (samples,).
+
+    law: an id. parameters: a dict by name or the values in the law's order, in its units.
+    motion: a Record (its force is not looked at), or an array of displacements in mm for laws that need no time.
+    integration: "converged", or "paper" (one Runge-Kutta step per sample). turning_points: "sampled" or "interpolated".
+    refinement: integration steps per sample. out: a contiguous float64 array that the forces are written into.
+
+    Values are not finite where the law gives no force. Raises Error: an unknown law, parameters that are missing,
+    unknown or outside their physical limits (all said at once), a rate-dependent law without time.
+    """
+    if not isinstance(motion, Record):
+        motion = _core.record("motion", motion, None, None, None)
+    return _core.force(law, parameters, motion, integration, turning_points, refinement, out)
+
+
+class Model:
+    """A law on a record as calibrate sees it, for optimisers and studies of one's own.
+
+    law: an id. record: a Record with force. The record is cleaned as calibrate cleans it: thinned to
+    ``samples_per_cycle`` (None: not at all), averaged over ``smooth`` samples, centred where ``center`` says so.
+    integration, turning_points, refinement as in force. Raises Error.
+    """
+
+    def __init__(
+        self,
+        law,
+        record,
+        *,
+        integration="converged",
+        turning_points="sampled",
+        refinement=1,
+        samples_per_cycle=200,
+        smooth=1,
+        center=False,
+    ):
+        if samples_per_cycle is None:
+            samples_per_cycle = "all"
+        self._core = _core.Model(
+            law, record, integration, turning_points, refinement, samples_per_cycle, smooth, center
+        )
+        self._law = law
+        self._names = [p["name"] for p in laws()[law]["parameters"]]
+
+    @property
+    def law(self):
+        """Id of the law."""
+        return self._law
+
+    @property
+    def parameter_names(self):
+        """Names of the parameters in the law's order, which is that of a population's columns."""
+        return list(self._names)
+
+    @property
+    def time_s(self):
+        """Times of the cleaned record in s (sample numbers where it has no time): a read-only view."""
+        return self._core.time_s
+
+    @property
+    def disp_mm(self):
+        """Displacements of the cleaned record in mm: a read-only view."""
+        return self._core.disp_mm
+
+    @property
+    def force_kN(self):
+        """Measured forces of the cleaned record in kN: a read-only view."""
+        return self._core.force_kN
+
+    def objective(self, parameters):
+        """Eq. (27) of Cucuzza et al. 2025 for one set of parameters (dict or values in order), without a unit.
+
+        Mean over time of |measured - computed force| over the standard deviation of the measured force; infinity where
+        a force is not finite. From the scalar path, as every number of a report. Raises Error as force does.
+        """
+        return self._core.objective(parameters)
+
+    def objectives(self, population, out=None):
+        """Objectives of many candidates at once, by the vector kernels: a float64 array of shape (candidates,).
+
+        population: float64 of shape (candidates, parameters) in the law's order and units; read without a copy where it
+        is contiguous. Agrees with objective() to about 1e-11; infinity for candidates without a finite force. No limits
+        are checked. out: a contiguous float64 array that the values are written into. Raises Error for other shapes.
+        """
+        return self._core.objectives(population, out)
+
+    def force(self, parameters, out=None):
+        """Computed force in kN at the samples of the cleaned record, shape (samples,). Raises Error as force does."""
+        return self._core.force(parameters, out)
+
+
+def objective(law, parameters, record, **how):
+    """Objective of one set of parameters on a record: Model(law, record, **how).objective(parameters)."""
+    return Model(law, record, **how).objective(parameters)
+
+
+def objectives(law, population, record, **how):
+    """Objectives of many candidates on a record: Model(law, record, **how).objectives(population)."""
+    return Model(law, record, **how).objectives(population)
+
+
+# --- campaigns --------------------------------------------------------------------------------------------------------
+
+
+class Campaign:
+    """Laws fitted to the devices of a lot; made by calibrate and load.
+
+    ``summary`` is the content of summary.json (docs/summary-json.md). Arrays are read-only views, or new where they are
+    gathered from the runs.
+    """
+
+    def __init__(self, core):
+        self._core = core
+        self._summary = None
+
+    @property
+    def summary(self):
+        """All numbers of the campaign: the same dict that summary.json holds."""
+        if self._summary is None:
+            self._summary = _json.loads(self._core._summary_json())
+        return self._summary
+
+    @property
+    def complete(self):
+        """Whether every run and analysis that was asked for is there."""
+        return self._core.complete
+
+    @property
+    def devices(self):
+        """Names of the devices, refused ones included."""
+        return [device["name"] for device in self.summary["devices"]]
+
+    @property
+    def laws(self):
+        """Ids of the laws, in the order of the campaign."""
+        return [law["id"] for law in self.summary["laws"]]
+
+    def record(self, device):
+        """The raw Record of a device. Raises Error for one that was refused, with the reason."""
+        return self._core.record(device)
+
+    def fit_record(self, device):
+        """What the laws were fitted to: a dict of views time_s, disp_mm and force_kN (cleaned and thinned)."""
+        return {name: self._core.fit_channel(device, name) for name in ("time_s", "disp_mm", "force_kN")}
+
+    def force(self, law, device):
+        """Force in kN that the best run computes at the samples of fit_record(device): a read-only view."""
+        return self._core.force(law, device)
+
+    def parameters(self, law, device):
+        """Parameters of the best run on a device, or of the one law of all with device="lot": a dict in the law's units.
+
+        Raises Error where there is none.
+        """
+        return self._core.parameters(law, device)
+
+    def runs(self, law, device):
+        """Every run: a dict of arrays number, objective (both of shape (runs,)), parameters (runs, parameters; in the
+        law's order; NaN for a run that failed), and lists outcome (text) and history (an array for each run: the best
+        objective after each generation or start)."""
+        return self._core.runs(law, device)
+
+    def front(self, kind="runs"):
+        """Accuracy against robustness: a list of dicts law, accuracy, robustness, on_front, in the order of the laws.
+
+        kind: "runs", mean objective over the runs against beta, Eq. (31) of Cucuzza et al. 2025 (its Fig. 14);
+        "converged", the same of the least objectives; "loo", least objectives against those on devices left out. The
+        latter two need analysis. Smaller is better in both; None is undefined.
+        """
+        columns = {
+            "runs": lambda law: (law["objective"]["mean"], law["beta"], law["on_front"]),
+            "converged": lambda law: (law["objective_converged"], law["beta_converged"], law["on_front_converged"]),
+            "loo": lambda law: (law["objective_converged"], law["loo_objective"], law["on_front_loo"]),
+        }
+        if kind not in columns:
+            raise Error(f"kind: '{kind}'; allowed: {', '.join(columns)}")
+        rows = []
+        for law in self.summary["laws"]:
+            accuracy, robustness, on_front = columns[kind](law)
+            rows.append({"law": law["id"], "accuracy": accuracy, "robustness": robustness, "on_front": on_front})
+        return rows
+
+    def write(self, directory):
+        """Writes summary.json, the tables and report.html into a directory. Raises Error where that cannot be done."""
+        self._core.write(_os.fspath(directory))
+
+
+def calibrate(
+    records,
+    laws="all",
+    *,
+    method="best",
+    runs=None,
+    seed=1,
+    box="auto",
+    integration="converged",
+    turning_points="sampled",
+    set=(),
+    population=None,
+    generations=None,
+    stagnation_tolerance=None,
+    samples_per_cycle=200,
+    smooth=1,
+    center=False,
+    analysis=True,
+    replicates=100,
+    jobs=0,
+    out=None,
+    fresh=False,
+    title="",
+    progress=None,
+):
+    """Fits laws to records, as ``isolaw calibrate`` does: with the same settings and seed the numbers are the same.
+
+    records: a Record or a path, or a list of them; each is a device of the lot, under its name.
+    laws: "all", an id, or a list of ids. method: "best", to the least objective there is, or "ga", the paper's.
+    runs: independent runs per law and device (3; ga: 20). seed: 0 to 2**64 - 1. set: texts "law.parameter=value",
+    "=lower:upper", "=free" or "=other parameter". population, generations, stagnation_tolerance: of "ga".
+    samples_per_cycle (None: all), smooth, center: how records are cleaned. analysis: what the tests determine,
+    intervals, one law for the lot; takes longer than the fits. replicates: of its bootstrap. jobs: threads, 0 for one
+    per core; the numbers do not depend on it. out: a directory for store and reports, where an interrupted campaign is
+    continued by the same call; fresh starts over there. title: of the lot.
+    progress: called as progress(done, total, analysis, best) from the calling thread; best is a dict of the least
+    objective so far by law; an exception it raises ends the search and is raised here.
+
+    Returns a Campaign. Ctrl-C ends the search with KeyboardInterrupt, and what has finished is kept in ``out``. A device
+    that cannot be used is refused in the summary, the others go on. Raises Error for wrong input and where no device is
+    usable.
+    """
+    records = [records] if isinstance(records, (Record, str, _os.PathLike)) else list(records)
+    for one in records:
+        if isinstance(one, (str, _os.PathLike)) and _os.fspath(one).endswith(".toml"):
+            raise Error(f"{one}: a lot file; allowed: records; try: isolaw calibrate {one} --out DIR, then isolaw.load(DIR)")
+    devices = [one if isinstance(one, Record) else read_record(one) for one in records]
+    if not isinstance(laws, str):
+        laws = ",".join(laws)
+    if samples_per_cycle is None:
+        samples_per_cycle = "all"
+    if isinstance(set, str):
+        set = [set]
+    return Campaign(
+        _core.calibrate(
+            devices, laws, method, runs, seed, box, integration, turning_points, list(set), population, generations,
+            stagnation_tolerance, samples_per_cycle, smooth, center, analysis, replicates, jobs, out, fresh, title,
+            progress,
+        )
+    )  # fmt: skip
+
+
+def load(directory):
+    """A Campaign from the directory of a finished or interrupted one, made here or by ``isolaw calibrate --out``.
+
+    Raises Error where there is none, or where it is not as isolaw writes it.
+    """
+    return Campaign(_core.load(_os.fspath(directory)))

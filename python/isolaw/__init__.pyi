@@ -1,0 +1,168 @@
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from os import PathLike
+from typing import Any, Literal, TypedDict
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__version__: str
+
+_Path = str | PathLike[str]
+_Floats = NDArray[np.float64]
+_Parameters = Mapping[str, float] | ArrayLike
+_Assignments = str | Mapping[str, str | int]
+_Integration = Literal["converged", "paper"]
+_TurningPoints = Literal["sampled", "interpolated"]
+
+class Error(ValueError):
+    complaints: list[dict[str, str]]
+
+class Record:
+    @property
+    def name(self) -> str: ...
+    @property
+    def file(self) -> str: ...
+    @property
+    def disp_mm(self) -> _Floats: ...
+    @property
+    def force_kN(self) -> _Floats | None: ...
+    @property
+    def time_s(self) -> _Floats | None: ...
+    @property
+    def load_kN(self) -> _Floats | None: ...
+    @property
+    def recognised(self) -> list[str]: ...
+    @property
+    def warnings(self) -> list[str]: ...
+    def __len__(self) -> int: ...
+
+def read_record(
+    path: _Path,
+    *,
+    name: str | None = None,
+    columns: _Assignments | None = None,
+    units: _Assignments | None = None,
+    dt: float | None = None,
+    flip_force: bool = False,
+    sheet: str | int | None = None,
+    test: str | int | None = None,
+    skew_ms: float | None = None,
+    rig_friction_kN: float | None = None,
+    rig_friction_coefficient: float | None = None,
+    moving_mass_kg: float | None = None,
+    force_factor: float | None = None,
+) -> Record: ...
+def read_motion(
+    path: _Path,
+    *,
+    name: str | None = None,
+    columns: _Assignments | None = None,
+    units: _Assignments | None = None,
+    dt: float | None = None,
+    sheet: str | int | None = None,
+    test: str | int | None = None,
+) -> Record: ...
+def record(
+    disp_mm: ArrayLike,
+    force_kN: ArrayLike,
+    time_s: ArrayLike | None = None,
+    load_kN: ArrayLike | None = None,
+    *,
+    name: str = "record",
+) -> Record: ...
+def motion(disp_mm: ArrayLike, time_s: ArrayLike | None = None, *, name: str = "motion") -> Record: ...
+def properties(record: Record) -> dict[str, Any]: ...
+def laws() -> dict[str, dict[str, Any]]: ...
+def box(
+    law: str, record: Record, *, kind: Literal["auto", "published"] = "auto", method: Literal["best", "ga"] = "best"
+) -> dict[str, dict[str, Any]]: ...
+def force(
+    law: str,
+    parameters: _Parameters,
+    motion: Record | ArrayLike,
+    *,
+    integration: _Integration = "converged",
+    turning_points: _TurningPoints = "sampled",
+    refinement: int = 1,
+    out: _Floats | None = None,
+) -> _Floats: ...
+
+class Model:
+    def __init__(
+        self,
+        law: str,
+        record: Record,
+        *,
+        integration: _Integration = "converged",
+        turning_points: _TurningPoints = "sampled",
+        refinement: int = 1,
+        samples_per_cycle: int | None = 200,
+        smooth: int = 1,
+        center: bool = False,
+    ) -> None: ...
+    @property
+    def law(self) -> str: ...
+    @property
+    def parameter_names(self) -> list[str]: ...
+    @property
+    def time_s(self) -> _Floats: ...
+    @property
+    def disp_mm(self) -> _Floats: ...
+    @property
+    def force_kN(self) -> _Floats: ...
+    def objective(self, parameters: _Parameters) -> float: ...
+    def objectives(self, population: ArrayLike, out: _Floats | None = None) -> _Floats: ...
+    def force(self, parameters: _Parameters, out: _Floats | None = None) -> _Floats: ...
+
+def objective(law: str, parameters: _Parameters, record: Record, **how: Any) -> float: ...
+def objectives(law: str, population: ArrayLike, record: Record, **how: Any) -> _Floats: ...
+
+class _FrontRow(TypedDict):
+    law: str
+    accuracy: float | None
+    robustness: float | None
+    on_front: bool
+
+class Campaign:
+    @property
+    def summary(self) -> dict[str, Any]: ...
+    @property
+    def complete(self) -> bool: ...
+    @property
+    def devices(self) -> list[str]: ...
+    @property
+    def laws(self) -> list[str]: ...
+    def record(self, device: str) -> Record: ...
+    def fit_record(self, device: str) -> dict[str, _Floats]: ...
+    def force(self, law: str, device: str) -> _Floats: ...
+    def parameters(self, law: str, device: str) -> dict[str, float]: ...
+    def runs(self, law: str, device: str) -> dict[str, Any]: ...
+    def front(self, kind: Literal["runs", "converged", "loo"] = "runs") -> list[_FrontRow]: ...
+    def write(self, directory: _Path) -> None: ...
+
+def calibrate(
+    records: Record | _Path | Iterable[Record | _Path],
+    laws: str | Sequence[str] = "all",
+    *,
+    method: Literal["best", "ga"] = "best",
+    runs: int | None = None,
+    seed: int = 1,
+    box: Literal["auto", "published"] = "auto",
+    integration: _Integration = "converged",
+    turning_points: _TurningPoints = "sampled",
+    set: str | Sequence[str] = (),
+    population: int | None = None,
+    generations: int | None = None,
+    stagnation_tolerance: float | None = None,
+    samples_per_cycle: int | None = 200,
+    smooth: int = 1,
+    center: bool = False,
+    analysis: bool = True,
+    replicates: int = 100,
+    jobs: int = 0,
+    out: _Path | None = None,
+    fresh: bool = False,
+    title: str = "",
+    progress: Callable[[int, int, bool, dict[str, float]], object] | None = None,
+) -> Campaign: ...
+def load(directory: _Path) -> Campaign: ...

@@ -1,0 +1,68 @@
+#include "isolaw/api/calibrate.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <system_error>
+
+#include "isolaw/api/campaign_directory.hpp"
+#include "isolaw/base/error.hpp"
+#include "isolaw/campaign/store.hpp"
+#include "isolaw/fit/kernels.hpp"
+#include "isolaw/report/build_summary.hpp"
+#include "isolaw/report/write.hpp"
+
+namespace isolaw {
+namespace {
+
+// A directory of its own that goes with its owner.
+class TemporaryDirectory {
+ public:
+  TemporaryDirectory() {
+    auto name = (std::filesystem::temp_directory_path() / "isolaw-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr)
+      throw Error({.where = name,
+                   .found = "cannot make a directory for the campaign: " + std::generic_category().message(errno),
+                   .advice = "a directory of its own, or TMPDIR"});
+    path_ = name;
+  }
+  TemporaryDirectory(TemporaryDirectory const&) = delete;
+  TemporaryDirectory& operator=(TemporaryDirectory const&) = delete;
+  ~TemporaryDirectory() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  std::filesystem::path const& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace
+
+campaign::Contents calibrate(std::vector<campaign::NamedRecord> records, campaign::Settings const& settings,
+                             CalibrateOptions const& options) {
+  fit::instruction_set();  // throws before anything is written
+  auto contents = campaign::prepare(std::move(records), settings, options.title);
+  if (!options.directory) {
+    TemporaryDirectory const directory;
+    auto const file = directory.path() / store_name;
+    campaign::Store::create(file, contents);
+    campaign::run(contents, file, options.run);
+    return contents;
+  }
+  make_directory(*options.directory);
+  DirectoryLock const lock(*options.directory);
+  auto const file = *options.directory / store_name;
+  report::remove_leftovers(*options.directory);
+  open_or_create(file, contents, options.fresh);
+  // From the store, not from memory: what is returned is what another program would read there.
+  bool const finished = campaign::run(contents, file, options.run);
+  if (!finished) return contents;
+  contents = campaign::Store::read(file);
+  report::write_outputs(report::build_summary(contents), *options.directory);
+  return contents;
+}
+
+}  // namespace isolaw

@@ -1,0 +1,47 @@
+#include "isolaw/api/catalogue_json.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace isolaw {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json interval_json(laws::Interval const& interval) {
+  auto const bound = [](double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); };
+  return Json::array({bound(interval.lower), bound(interval.upper)});
+}
+
+Json json_of(laws::LawEntry const& law) {
+  Json json;
+  json["id"] = law.info.id;
+  json["title"] = law.info.title;
+  json["source"] = law.info.source;
+  json["units"] = {law.info.force.symbol, law.info.length.symbol, "s"};
+  json["rate_independent"] = law.info.traits.rate_independent;
+  json["note"] = law.info.note;
+  json["parameters"] = Json::array();
+  for (auto const& p : law.parameters)
+    json["parameters"].push_back({{"name", p.name},
+                                  {"unit", p.unit},
+                                  {"meaning", p.meaning},
+                                  {"physical", interval_json(p.physical)},
+                                  {"published", p.published ? interval_json(*p.published) : Json(nullptr)},
+                                  {"fixed", p.fixed_by_default ? Json(*p.fixed_by_default) : Json(nullptr)}});
+  return json;
+}
+
+}  // namespace
+
+std::string law_json(laws::LawEntry const& law) {
+  return json_of(law).dump(2);
+}
+
+std::string catalogue_json() {
+  Json all = Json::array();
+  for (auto const& law : laws::catalogue()) all.push_back(json_of(law));
+  return all.dump(2);
+}
+
+}  // namespace isolaw

@@ -1,0 +1,13 @@
+// The laws with their parameters, units, limits and boxes as JSON text.
+#pragma once
+
+#include <string>
+
+#include "isolaw/laws/catalogue.hpp"
+
+namespace isolaw {
+
+std::string law_json(laws::LawEntry const& law);
+std::string catalogue_json();  // a list of all
+
+}  // namespace isolaw

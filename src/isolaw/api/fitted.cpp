@@ -1,0 +1,71 @@
+#include "isolaw/api/fitted.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "isolaw/base/error.hpp"
+
+namespace isolaw {
+namespace {
+
+template <class Names>
+std::string listed(Names const& names) {
+  constexpr std::size_t shown = 30;
+  std::string text;
+  std::size_t count = 0;
+  for (auto const& name : names)
+    if (++count <= shown) text += (text.empty() ? "" : ", ") + std::string(name);
+  return count > shown ? fmt::format("{} and {} more", text, count - shown) : text;
+}
+
+void note_tested(data::FitRecord const& record, FittedLaw& law) {
+  for (double const x : record.disp_mm) law.tested_disp_mm = std::max(law.tested_disp_mm, std::abs(x));
+  for (double const v : record.vel_mm_s) law.tested_vel_mm_s = std::max(law.tested_vel_mm_s, std::abs(v));
+}
+
+FittedLaw law_of_lot(campaign::Contents const& contents, std::string_view law, FittedLaw made) {
+  auto const found = std::ranges::find(contents.lot_analyses, law, &campaign::LotAnalysis::law);
+  if (found == contents.lot_analyses.end())
+    throw Error({.where = fmt::format("law {}, lot", law),
+                 .found = "the campaign holds no one law for the lot",
+                 .allowed = "a campaign of two devices or more with --analysis full, which has finished",
+                 .advice = "the name of a device"});
+  made.parameters = found->mean.parameters;
+  made.refinement = found->refinement;
+  for (auto const device : found->devices) note_tested(contents.devices[device].record, made);
+  return made;
+}
+
+}  // namespace
+
+FittedLaw fitted_law(campaign::Contents const& contents, std::string_view law, std::string_view device) {
+  if (std::ranges::find(contents.settings.laws, law) == contents.settings.laws.end())
+    throw Error({.where = fmt::format("law {}", law),
+                 .found = "not in this campaign",
+                 .allowed = listed(contents.settings.laws)});
+  FittedLaw made{.parameters = {},
+                 .integration = contents.settings.integration,
+                 .turning_points = contents.settings.turning_points};
+  auto const found = std::ranges::find(contents.devices, device, &campaign::Device::name);
+  if (found == contents.devices.end()) {
+    if (device == whole_lot) return law_of_lot(contents, law, std::move(made));
+    std::vector<std::string> names{std::string(whole_lot)};
+    for (auto const& one : contents.devices) names.push_back(one.name);
+    throw Error(
+        {.where = fmt::format("device '{}'", device), .found = "not in this campaign", .allowed = listed(names)});
+  }
+  auto const index = static_cast<std::size_t>(found - contents.devices.begin());
+  auto const* run = contents.best_run(index, law);
+  if (run == nullptr)
+    throw Error({.where = fmt::format("device '{}', law {}", device, law),
+                 .found = "no usable run",
+                 .allowed = "a device that the law was fitted to"});
+  made.parameters = run->parameters;
+  made.refinement = run->refinement;
+  note_tested(found->record, made);
+  return made;
+}
+
+}  // namespace isolaw

@@ -1,0 +1,26 @@
+// A law as a campaign fitted it, taken from what its store holds.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/campaign/contents.hpp"
+
+namespace isolaw {
+
+struct FittedLaw {
+  std::vector<double> parameters;  // in the law's order and units
+  laws::Integration integration = laws::Integration::converged;
+  laws::TurningPoints turning_points = laws::TurningPoints::as_sampled;
+  int refinement = 1;            // steps per sample that the law was integrated in
+  double tested_disp_mm = 0.0;   // the largest that it was fitted to
+  double tested_vel_mm_s = 0.0;  // 0 without time
+};
+
+inline constexpr std::string_view whole_lot = "lot";
+
+// The law of one device (its best run), or with `whole_lot` the one law for all. Throws Error that says what there is.
+FittedLaw fitted_law(campaign::Contents const& contents, std::string_view law, std::string_view device);
+
+}  // namespace isolaw

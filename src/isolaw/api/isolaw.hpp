@@ -1,0 +1,25 @@
+// What a program needs of isolaw, in one header (examples/cpp/two_laws.cpp shows it at work):
+//   data::read_record, data::read_motion     files as laboratories write them, or refused with the reason
+//   data::cyclic_properties                  stiffness, damping, energy, cycle by cycle
+//   laws::catalogue, laws::find_law          the laws and their parameters
+//   parameters_in_order, fitted_law          values by name, or as a campaign found them
+//   fit::LawOnMotion, fit::LawOnRecord       forces under a displacement history; the objective of a record
+//   calibrate, report::build_summary         laws fitted to records; all numbers of the reports
+// Wrong input throws one isolaw::Error. Nothing prints.
+#pragma once
+
+#include "isolaw/api/calibrate.hpp"
+#include "isolaw/api/campaign_directory.hpp"
+#include "isolaw/api/catalogue_json.hpp"
+#include "isolaw/api/fitted.hpp"
+#include "isolaw/api/parameters.hpp"
+#include "isolaw/base/error.hpp"
+#include "isolaw/campaign/store.hpp"
+#include "isolaw/data/clean.hpp"
+#include "isolaw/data/properties.hpp"
+#include "isolaw/data/read.hpp"
+#include "isolaw/fit/objective.hpp"
+#include "isolaw/laws/catalogue.hpp"
+#include "isolaw/report/build_summary.hpp"
+#include "isolaw/report/summary_json.hpp"
+#include "isolaw/report/write.hpp"

@@ -1,0 +1,131 @@
+// `isolaw simulate`: the force of a law under any displacement history.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "isolaw/api/campaign_directory.hpp"
+#include "isolaw/api/fitted.hpp"
+#include "isolaw/api/parameters.hpp"
+#include "isolaw/app/commands.hpp"
+#include "isolaw/app/lot_of.hpp"
+#include "isolaw/app/say.hpp"
+#include "isolaw/base/error.hpp"
+#include "isolaw/campaign/store.hpp"
+#include "isolaw/data/clean.hpp"
+#include "isolaw/data/read.hpp"
+#include "isolaw/fit/objective.hpp"
+#include "isolaw/report/write.hpp"
+
+namespace isolaw::app {
+namespace {
+
+constexpr int finest = 1000;  // steps per sample
+
+double largest(std::vector<double> const& values) {
+  double found = 0.0;
+  for (double const value : values) found = std::max(found, std::abs(value));
+  return found;
+}
+
+// What --parameters, --from and --set come to; the names are checked with everything else.
+FittedLaw chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
+  if (a.parameters && a.from)
+    throw Error({.where = "--parameters and --from", .found = "both are given", .allowed = "one of them"});
+  if (a.from.has_value() != a.device.has_value())
+    throw Error({.where = a.from ? "--from" : "--device",
+                 .found = "is given alone",
+                 .allowed = "--from DIR with --device NAME, or --device lot for the one law of the lot"});
+  FittedLaw made;
+  std::vector<NamedValue> values;
+  auto where = std::string("--parameters");
+  if (a.parameters) {
+    values = read_parameter_file(*a.parameters, law);
+    where = shown(*a.parameters);
+  } else if (a.from) {
+    made = fitted_law(campaign::Store::read(*a.from / store_name), law.info.id, *a.device);
+    for (std::size_t i = 0; i < law.parameters.size(); ++i)
+      values.push_back({.name = std::string(law.parameters[i].name), .value = made.parameters[i]});
+  }
+  std::vector<NamedValue> changes;
+  for (auto const& text : a.set) changes.push_back(parse_named_value(text, "--set"));
+  std::erase_if(values, [&](auto const& value) {
+    return std::ranges::find(changes, value.name, &NamedValue::name) != changes.end();
+  });
+  values.insert(values.end(), changes.begin(), changes.end());
+  made.parameters = parameters_in_order(law, values, where);
+  if (a.integration) made.integration = campaign::parse_integration(*a.integration);
+  if (a.turning_points) made.turning_points = campaign::parse_turning_points(*a.turning_points);
+  if (a.refinement) made.refinement = *a.refinement;
+  if (made.refinement < 1 || made.refinement > finest)
+    throw Error({.where = "--refinement",
+                 .found = fmt::format("{}", made.refinement),
+                 .allowed = fmt::format("1 to {} steps per sample", finest)});
+  return made;
+}
+
+void say_what_it_is(laws::LawEntry const& law, FittedLaw const& chosen, data::TestRecord const& motion,
+                    data::FitRecord const& path) {
+  say("{}\n", shown(motion.file));
+  for (auto const& line : motion.recognised)
+    if (!line.starts_with("no time column")) say("  {}\n", line);
+  for (auto const& line : motion.warnings) say("  warning: {}\n", line);
+  if (!motion.has_time()) say("  no time: the force of {} does not depend on it\n", law.info.id);
+  say("{}\n ", law.info.id);
+  for (std::size_t i = 0; i < law.parameters.size(); ++i)
+    say(" {} = {:g}{}{}{}", law.parameters[i].name, chosen.parameters[i], law.parameters[i].unit == "1" ? "" : " ",
+        law.parameters[i].unit == "1" ? "" : law.parameters[i].unit, i + 1 < law.parameters.size() ? "," : "\n");
+  if (chosen.refinement > 1) say("  integrated in {} steps per sample\n", chosen.refinement);
+  constexpr double beyond = 1.02;
+  if (double const x = largest(path.disp_mm); chosen.tested_disp_mm > 0.0 && x > beyond * chosen.tested_disp_mm)
+    say("  warning: the history reaches {:.4g} mm, the test {:.4g} mm: beyond it nothing was measured\n", x,
+        chosen.tested_disp_mm);
+  if (double const v = largest(path.vel_mm_s);
+      !law.info.traits.rate_independent && chosen.tested_vel_mm_s > 0.0 && v > beyond * chosen.tested_vel_mm_s)
+    say("  warning: the history reaches {:.4g} mm/s, the test {:.4g} mm/s: beyond it nothing was measured\n", v,
+        chosen.tested_vel_mm_s);
+}
+
+// Numbers read back as the same doubles.
+std::string csv_text(data::TestRecord const& motion, std::vector<double> const& force_kN) {
+  std::string text = motion.has_time() ? "time [s],displacement [mm],force [kN]\n" : "displacement [mm],force [kN]\n";
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    if (motion.has_time()) text += fmt::format("{},", motion.time_s[i]);
+    text += fmt::format("{},{}\n", motion.disp_mm[i], force_kN[i]);
+  }
+  return text;
+}
+
+}  // namespace
+
+int simulate(SimulateArguments const& a) {
+  auto const& law = laws::find_law(a.law);
+  auto const chosen = chosen_law(a, law);
+  data::ReadOptions options;
+  apply(a.read, options);
+  auto const motion = data::read_motion(a.motion, options);
+  auto const path = data::motion_of(motion);
+  fit::LawOnMotion const model(law, path, chosen.integration, chosen.turning_points, chosen.refinement);
+  auto const force_kN = model.force_kN(chosen.parameters);
+  say_what_it_is(law, chosen, motion, path);
+  if (auto const bad = std::ranges::find_if_not(force_kN, [](double f) { return std::isfinite(f); });
+      bad != force_kN.end())
+    throw Error(
+        {.where = "law " + std::string(law.info.id),
+         .found = fmt::format("no finite force from sample {} on with these parameters", bad - force_kN.begin() + 1),
+         .allowed = "parameters of a device like this one",
+         .advice = "--refinement 4, finer steps; isolaw laws " + std::string(law.info.id)});
+  auto const [least, most] = std::ranges::minmax(force_kN);
+  say("  {} samples, force from {:.4g} to {:.4g} kN\n", force_kN.size(), least, most);
+  auto const text = csv_text(motion, force_kN);
+  if (!a.out) {
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return exit_done;
+  }
+  report::write_file(*a.out, text);
+  say("written: {}\n", shown(*a.out));
+  return exit_done;
+}
+
+}  // namespace isolaw::app

@@ -1,0 +1,195 @@
+// `isolaw simulate`: forces as the report has them, parameters from anywhere, and what is refused.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "cli/records.hpp"
+#include "cli/run.hpp"
+#include "isolaw/campaign/store.hpp"
+#include "isolaw/report/build_summary.hpp"
+
+namespace isolaw::cli_test {
+namespace {
+
+struct Simulated {
+  std::string header;
+  std::vector<std::vector<double>> columns;
+};
+
+Simulated parsed(std::string const& text) {
+  Simulated made;
+  std::istringstream in(text);
+  std::getline(in, made.header);
+  made.columns.resize(static_cast<std::size_t>(std::ranges::count(made.header, ',')) + 1);
+  for (std::string line; std::getline(in, line);) {
+    char const* at = line.data();
+    for (auto& column : made.columns) {
+      double value = std::nan("");
+      at = std::from_chars(at, line.data() + line.size(), value).ptr + 1;
+      column.push_back(value);
+    }
+  }
+  return made;
+}
+
+class Simulate : public InFreshDirectory {
+ protected:
+  // One device, a sine with enough samples, fitted by three laws of which one needs velocities.
+  void calibrated(std::string const& laws = "bilinear,bouc-wen,hwang-wu", Words const& more = {}) {
+    write("d.csv", csv(record()));
+    auto const o = isolaw(Words{"calibrate", "d.csv", "--laws", laws, "--runs", "1", "--out", "O"} + more);
+    ASSERT_EQ(o.code, 0) << o;
+  }
+  report::Summary summary() const { return report::build_summary(campaign::Store::read(path("O/campaign.sqlite"))); }
+};
+
+TEST_F(Simulate, on_a_devices_own_record_gives_the_force_of_the_report) {
+  calibrated();
+  for (auto const& law : summary().laws) {
+    auto const o = isolaw({"simulate", law.id, "--from", "O", "--device", "d", "--motion", "d.csv"});
+    ASSERT_EQ(o.code, 0) << o;
+    auto const made = parsed(o.out);
+    EXPECT_EQ(made.header, "time [s],displacement [mm],force [kN]");
+    EXPECT_EQ(made.columns.back(), law.devices.at(0).force_kN) << law.id;
+  }
+}
+
+TEST_F(Simulate, integration_of_the_campaign_is_taken_over_and_may_be_changed) {
+  calibrated("bouc-wen", {"--integration", "paper", "--method", "ga", "--population", "20", "--generations", "4"});
+  Words const words{"simulate", "bouc-wen", "--from", "O", "--device", "d", "--motion", "d.csv"};
+  auto const as_fitted = parsed(isolaw(words).out);
+  EXPECT_EQ(as_fitted.columns.back(), summary().laws.at(0).devices.at(0).force_kN);
+  auto const other = parsed(isolaw(words + Words{"--integration", "converged"}).out);
+  EXPECT_NE(other.columns.back(), as_fitted.columns.back());
+  auto const finer = isolaw(words + Words{"--refinement", "8"});
+  EXPECT_TRUE(contains(finer.err, "8 steps per sample"));
+  EXPECT_NE(parsed(finer.out).columns.back(), as_fitted.columns.back());
+}
+
+TEST_F(Simulate, parameters_come_from_toml_json_tables_or_options_alike) {
+  write("d.csv", csv(record()));
+  write("p.toml", "K1 = 2.5\nK2 = 0.5\nxy = 10\n");
+  write("q.json", R"({"bilinear": {"K1": 2.5, "K2": 0.5, "xy": 10}, "abe": {"c": 1}})");
+  write("r.toml", "[bilinear]\nK1 = 9\nK2 = 0.5\nxy = 10\n");
+  Words const start{"simulate", "bilinear", "--motion", "d.csv"};
+  auto const by_toml = isolaw(start + Words{"--parameters", "p.toml"});
+  ASSERT_EQ(by_toml.code, 0) << by_toml;
+  EXPECT_EQ(isolaw(start + Words{"--parameters", "q.json"}).out, by_toml.out);
+  EXPECT_EQ(isolaw(start + Words{"--parameters", "r.toml", "--set", "K1=2.5"}).out, by_toml.out);
+  EXPECT_EQ(isolaw(start + Words{"--set", "K1=2.5", "--set", "K2=0.5", "--set", "xy=10"}).out, by_toml.out);
+  auto const written = isolaw(start + Words{"--parameters", "p.toml", "--out", "f.csv"});
+  EXPECT_EQ(written.out, "");
+  EXPECT_EQ(read("f.csv"), by_toml.out);
+  // The peak of a bilinear law: K2 x + (K1 - K2) xy.
+  auto const force = parsed(by_toml.out).columns.back();
+  EXPECT_NEAR(std::ranges::max(force), 0.5 * 100.0 + 2.0 * 10.0, 1e-9);
+}
+
+TEST_F(Simulate, a_motion_needs_no_force_and_no_time_where_the_law_needs_none) {
+  write("m.csv", "displacement [cm]\tother\n0\t1\n1\t1\n-1\t1\n0.5\t2\n");
+  Words const parameters{"--set", "K1=2.5", "--set", "K2=0.5", "--set", "xy=100"};
+  auto const o = isolaw(Words{"simulate", "bilinear", "--motion", "m.csv"} + parameters);
+  ASSERT_EQ(o.code, 0) << o;
+  EXPECT_EQ(o.out, "displacement [mm],force [kN]\n0,0\n10,25\n-10,-25\n5,12.5\n");
+  auto const timed = isolaw(Words{"simulate", "bilinear", "--motion", "m.csv", "--dt", "0.5"} + parameters);
+  EXPECT_EQ(timed.out, "time [s],displacement [mm],force [kN]\n0,0,0\n0.5,10,25\n1,-10,-25\n1.5,5,12.5\n");
+  write("hw.toml", "a1=1\na2=0\na3=0\na4=0\na5=0\na6=0\na7=0\na8=1\na9=0\na10=0\n");
+  expect_refused(isolaw({"simulate", "hwang-wu", "--parameters", "hw.toml", "--motion", "m.csv"}),
+                 {"depends on velocity", "--dt SECONDS"});
+}
+
+TEST_F(Simulate, everything_wrong_with_parameters_is_said_at_once) {
+  write("d.csv", csv(record()));
+  write("p.toml", "K1 = -2.5\nKa = 0.5\n");
+  expect_refused(isolaw({"simulate", "bilinear", "--parameters", "p.toml", "--motion", "d.csv"}),
+                 {"p.toml:1: K1 = -2.5 leaves its physical limits; allowed: above 0 kN/mm",
+                  "p.toml:2: bilinear has no parameter 'Ka'; allowed: K1 [kN/mm]",
+                  "p.toml: bilinear also needs K2 [kN/mm], xy [mm]"});
+  write("p.json", R"({"K1": 1, "K1": 2, "K2": "stiff", "xy": null})");
+  expect_refused(isolaw({"simulate", "bilinear", "--parameters", "p.json", "--motion", "d.csv"}),
+                 {"'K1' is given twice", "'K2' is no number", "'xy' is no number"});
+  write("p.json", R"({"K1": )");
+  expect_refused(isolaw({"simulate", "bilinear", "--parameters", "p.json", "--motion", "d.csv"}), {"p.json", "JSON"});
+  for (auto const* deep : {"[", "{\"a\":"}) {
+    std::string text;
+    for (int i = 0; i < 100000; ++i) text += deep;
+    write("p.json", text);
+    expect_refused(isolaw({"simulate", "bilinear", "--parameters", "p.json", "--motion", "d.csv"}), {"p.json", "JSON"});
+  }
+  expect_refused(isolaw({"simulate", "bilinear", "--set", "K1=big", "--motion", "d.csv"}),
+                 {"--set: 'K1=big'", "PARAMETER=NUMBER"});
+  expect_refused(isolaw({"simulate", "bilinear", "--set", "K1=nan", "--motion", "d.csv"}), {"--set"});
+  expect_refused(isolaw({"simulate", "bilinear", "--motion", "d.csv"}), {"bilinear also needs K1"});
+}
+
+TEST_F(Simulate, what_cannot_be_found_is_said_with_what_there_is) {
+  calibrated("bilinear");
+  auto const with = [&](Words const& words) { return isolaw(Words{"simulate"} + words + Words{"--motion", "d.csv"}); };
+  expect_refused(with({"bilinea"}), {"no such law", "bilinear"});
+  expect_refused(with({"bilinear", "--from", "O", "--device", "e"}), {"device 'e'", "lot, d"});
+  expect_refused(with({"abe", "--from", "O", "--device", "d"}), {"law abe: not in this campaign; allowed: bilinear"});
+  expect_refused(with({"bilinear", "--from", "O", "--device", "lot"}), {"no one law for the lot", "--analysis full"});
+  expect_refused(with({"bilinear", "--from", "O"}), {"--from", "--device NAME"});
+  expect_refused(with({"bilinear", "--from", "O", "--device", "d", "--parameters", "x"}), {"both are given"});
+  expect_refused(with({"bilinear", "--from", "O", "--device", "d", "--refinement", "0"}),
+                 {"--refinement", "1 to 1000"});
+  expect_refused(with({"bilinear", "--from", "nowhere", "--device", "d"}), {"nowhere"});
+  expect_refused(isolaw({"simulate", "bilinear"}), {"--motion is required"});
+}
+
+TEST_F(Simulate, says_where_the_history_goes_beyond_the_test) {
+  calibrated("bilinear");
+  write("far.csv", "displacement [mm],x\n0,0\n150,0\n0,0\n");
+  auto const o = isolaw({"simulate", "bilinear", "--from", "O", "--device", "d", "--motion", "far.csv"});
+  EXPECT_EQ(o.code, 0) << o;
+  EXPECT_TRUE(contains(o.err, "the history reaches 150 mm, the test 100 mm"));
+}
+
+TEST_F(Simulate, the_one_law_of_a_lot) {
+  write("r/a.csv", csv(record()));
+  write("r/b.csv", csv(record({.strength_kN = 24.0})));
+  auto const made = isolaw(
+      {"calibrate", "r", "--laws", "bilinear", "--runs", "1", "--analysis", "full", "--replicates", "0", "--out", "O"});
+  ASSERT_EQ(made.code, 0) << made;
+  auto const o = isolaw({"simulate", "bilinear", "--from", "O", "--device", "lot", "--motion", "r/a.csv"});
+  ASSERT_EQ(o.code, 0) << o;
+  auto const lot = summary().laws.at(0).lot;
+  ASSERT_TRUE(lot);
+  Words words{"simulate", "bilinear", "--motion", "r/a.csv"};
+  for (std::size_t i = 0; i < 3; ++i)
+    words = words + Words{"--set", fmt::format("{}={}", Words{"K1", "K2", "xy"}[i], lot->parameters[i])};
+  EXPECT_EQ(isolaw(words).out, o.out);
+}
+
+// Accelerations are no displacements; a header that says so is believed.
+TEST_F(Simulate, a_record_of_acceleration_is_refused_with_what_is_needed) {
+  write("g.txt",
+        "STATION\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 10, DT= .01 SEC\n 0.1 0.2 0.1 0.3 0.2\n 0.1 0.2 0.1 "
+        "0.3 0.2\n");
+  write("h.csv", "time [s],acceleration [m/s2]\n0,0\n0.1,1\n0.2,0\n0.3,-1\n");
+  for (auto const* file : {"g.txt", "h.csv"})
+    expect_refused(
+        isolaw({"simulate", "bilinear", "--set", "K1=2", "--set", "K2=1", "--set", "xy=9", "--motion", file}),
+        {"a record of acceleration", "displacement of the device"});
+}
+
+TEST_F(Simulate, measured_motions) {
+  fs::path const data = ISOLAW_DATA_DIR;
+  auto const orbit = data / "hdrb-gallardo-device/biaxial_input_Fig8b.txt";
+  auto const ground = data / "ground-motions/peer/RSN763_LOMAP_GIL067.AT2";
+  if (!fs::exists(orbit) || !fs::exists(ground)) GTEST_SKIP() << "measured data are not here: " << data;
+  Words const start{"simulate", "bilinear", "--set", "K1=2", "--set", "K2=1", "--set", "xy=9", "--motion"};
+  auto const o = isolaw(start + Words{orbit, "--columns", "disp=1", "--units", "disp=mm"});
+  ASSERT_EQ(o.code, 0) << o;
+  auto const made = parsed(o.out);
+  ASSERT_EQ(made.columns.back().size(), 26000u);
+  auto const [least, most] = std::ranges::minmax(made.columns.front());
+  for (double const force : made.columns.back()) {
+    EXPECT_LE(force, 1.0 * most + 9.0 + 1e-9);
+    EXPECT_GE(force, 1.0 * least - 9.0 - 1e-9);
+  }
+  expect_refused(isolaw(start + Words{ground}), {"a record of acceleration", "UNITS OF G"});
+}
+
+}  // namespace
+}  // namespace isolaw::cli_test

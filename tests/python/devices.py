@@ -1,0 +1,32 @@
+"""Devices of constant stiffness and friction under a sine, as arrays and files, and the program beside the package."""
+
+import os
+import pathlib
+import subprocess
+
+import numpy as np
+
+SOURCE = pathlib.Path(os.environ["ISOLAW_SOURCE_DIR"])
+BINARY = os.environ["ISOLAW_BINARY"]
+
+
+def arrays(strength_kN=20.0, cycles=3, per_cycle=200):
+    """time in s, displacement in mm and force in kN of a bilinear device."""
+    i = np.arange(cycles * per_cycle + 1)
+    x = 100.0 * np.sin(2.0 * np.pi * i / per_cycle)
+    z = np.zeros(len(x))
+    for k in range(1, len(x)):
+        z[k] = np.clip(z[k - 1] + (x[k] - x[k - 1]) / 10.0, -1.0, 1.0)
+    return 0.01 * i, x, 0.5 * x + strength_kN * z
+
+
+def write_csv(path, *columns, header="time [s],displacement [mm],force [kN]"):
+    rows = (",".join(repr(float(value)) for value in row) for row in zip(*columns))
+    pathlib.Path(path).write_text("\n".join([header, *rows]) + "\n")
+
+
+def program(*words, cwd=None):
+    """Runs isolaw and returns its standard output."""
+    made = subprocess.run([BINARY, *map(str, words)], cwd=cwd, capture_output=True, text=True, timeout=300)
+    assert made.returncode in (0, 1), made.stderr
+    return made.stdout

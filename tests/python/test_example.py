@@ -1,0 +1,40 @@
+"""The examples of the documentation run."""
+
+import csv
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from devices import SOURCE
+
+
+class Examples(unittest.TestCase):
+    def test_the_front_of_the_example_lot(self):
+        with tempfile.TemporaryDirectory() as folder:
+            made = subprocess.run(
+                [sys.executable, SOURCE / "examples/python/front.py", "--out", folder, "--laws", "bilinear,bouc-wen",
+                 "--runs", "2", "--generations", "5"],
+                capture_output=True, text=True, timeout=300,
+            )  # fmt: skip
+            self.assertEqual(made.returncode, 0, made.stderr)
+            with open(pathlib.Path(folder) / "front.csv", newline="") as file:
+                rows = list(csv.DictReader(file))
+        self.assertEqual([row["law"] for row in rows], ["bilinear", "bouc-wen"])
+        for row in rows:
+            self.assertGreater(float(row["accuracy"]), 0.0)
+            self.assertGreater(float(row["robustness"]), 0.0)
+            self.assertIn(row["law"], made.stdout)
+        self.assertTrue(any(row["on_front"] == "True" for row in rows))
+
+    def test_the_page_of_the_documentation(self):
+        blocks = re.findall(r"```python\n(.*?)```", (SOURCE / "docs/python.md").read_text(), re.S)
+        self.assertGreater(len(blocks), 0)
+        made = subprocess.run([sys.executable, "-c", "\n".join(blocks)], cwd=SOURCE, capture_output=True, text=True, timeout=300)
+        self.assertEqual(made.returncode, 0, made.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

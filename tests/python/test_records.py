@@ -1,0 +1,99 @@
+import json
+import pathlib
+import tempfile
+import unittest
+
+import numpy as np
+
+import isolaw
+from devices import SOURCE, arrays, program, write_csv
+
+
+class Records(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.path = pathlib.Path(self.folder.name)
+
+    def test_a_file_is_read_and_said_how(self):
+        t, x, f = arrays()
+        write_csv(self.path / "d.csv", t, x, f)
+        record = isolaw.read_record(self.path / "d.csv")
+        self.assertEqual((record.name, len(record)), ("d", len(x)))
+        np.testing.assert_array_equal(record.time_s, t)
+        np.testing.assert_array_equal(record.disp_mm, x)
+        np.testing.assert_array_equal(record.force_kN, f)
+        self.assertIsNone(record.load_kN)
+        self.assertTrue(any("by its name; unit mm" in line for line in record.recognised))
+
+    def test_columns_and_units_as_dict_or_text(self):
+        _, x, f = arrays()
+        write_csv(self.path / "d.csv", f, x, header="a,b")
+        for columns, units in (({"disp": 2, "force": "a"}, {"disp": "cm", "force": "kN"}), ("disp=2,force=1", "disp=cm,force=kN")):
+            record = isolaw.read_record(self.path / "d.csv", columns=columns, units=units, dt=0.01, name="one")
+            np.testing.assert_array_equal(record.disp_mm, 10.0 * x)
+            self.assertEqual(record.name, "one")
+            self.assertEqual(record.time_s[1], 0.01)
+
+    def test_arrays_are_views_without_a_copy_that_outlive_the_record(self):
+        t, x, f = arrays()
+        record = isolaw.record(x, f, t)
+        first, second = record.disp_mm, record.disp_mm
+        self.assertTrue(np.shares_memory(first, second))
+        self.assertFalse(np.shares_memory(first, x))
+        self.assertFalse(first.flags.writeable)
+        with self.assertRaises(ValueError):
+            first[0] = 1.0
+        del record, second
+        np.testing.assert_array_equal(first, x)
+
+    def test_properties_are_those_that_inspect_prints(self):
+        file = SOURCE / "examples/published-lot/device-01.csv"
+        found = isolaw.properties(isolaw.read_record(file))
+        printed = json.loads(program("inspect", file, "--json"))
+        self.assertGreater(len(found["blocks"][0]["cycles"]), 0)
+        self.assertEqual(found["blocks"], printed["blocks"])
+        self.assertEqual(found["reported"], printed["reported"])
+
+    def test_errors_hold_every_complaint(self):
+        write_csv(self.path / "bad.csv", [0, 1, 2], [0, 1, 2], [3, 4, 5], header="a,b,c")
+        with self.assertRaises(isolaw.Error) as caught:
+            isolaw.read_record(self.path / "bad.csv")
+        self.assertIsInstance(caught.exception, ValueError)
+        self.assertIn("bad.csv", str(caught.exception))
+        self.assertGreaterEqual(len(caught.exception.complaints), 1)
+        self.assertEqual(set(caught.exception.complaints[0]), {"where", "found", "allowed", "advice"})
+        with self.assertRaisesRegex(isolaw.Error, "no such file"):
+            isolaw.read_record(self.path / "none.csv")
+
+    def test_arrays_are_checked_as_files_are(self):
+        t, x, f = arrays()
+        wrong = f.copy()
+        wrong[7] = np.nan
+        for given, said in (
+            ((x, wrong, t), "record:8: force_kN is nan"),
+            ((x, f[:-1], t), "600 values of force_kN, 601 of disp_mm"),
+            ((x, f, t[::-1]), "time goes back"),
+            ((x, np.full_like(f, 3.0), t), "force is constant"),
+            ((f, x, t), "the other way round"),
+            ((x[:2], f[:2], t[:2]), "2 samples"),
+            ((x.reshape(1, -1), f, t), "2 dimensions"),
+        ):
+            with self.assertRaisesRegex(isolaw.Error, said):
+                isolaw.record(*given)
+
+    def test_a_motion_needs_no_force(self):
+        t, x, f = arrays()
+        write_csv(self.path / "m.csv", t, x, header="time [s],displacement [mm]")
+        motion = isolaw.read_motion(self.path / "m.csv")
+        self.assertIsNone(motion.force_kN)
+        np.testing.assert_array_equal(motion.disp_mm, isolaw.motion(x, t).disp_mm)
+        with self.assertRaisesRegex(isolaw.Error, "without force"):
+            isolaw.properties(motion)
+        (self.path / "g.csv").write_text("time [s],acceleration [g]\n0,0\n1,1\n2,0\n")
+        with self.assertRaisesRegex(isolaw.Error, "acceleration"):
+            isolaw.read_motion(self.path / "g.csv")
+
+
+if __name__ == "__main__":
+    unittest.main()
