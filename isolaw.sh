@@ -11,7 +11,7 @@
 #   ./isolaw.sh study [--quick]  time the published study, its scaling and other programs; see docs/performance.md
 #   ./isolaw.sh lint         clang-format and clang-tidy, without changing files (lint --fix formats)
 #   ./isolaw.sh compilers    other compilers and processors against this one: the largest differences of any result
-#   ./isolaw.sh docs         the catalogue of laws from the laws' own files, into build/docs/
+#   ./isolaw.sh docs         the pages that the program writes of itself: docs/laws.md, docs/cli.md
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 preset=${ISOLAW_PRESET:-release}
@@ -118,9 +118,8 @@ case "${1:-help}" in
   docs)
     setup
     build --target isolaw_cli
-    mkdir -p build/docs
-    for law in $("build/$preset/cli/isolaw" laws | cut -d' ' -f1); do "build/$preset/cli/isolaw" laws "$law"; echo; done >build/docs/laws.txt
-    echo "written: build/docs/laws.txt" >&2
+    step tools/reference.sh "build/$preset/cli/isolaw" docs
+    echo "written: docs/laws.md, docs/cli.md" >&2
     ;;
   help | -h | --help) sed -n '2,15s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
   *)

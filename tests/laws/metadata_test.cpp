@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -71,6 +72,21 @@ TYPED_TEST(Metadata, EveryParameterIsNamedOnceAndExplained) {
     EXPECT_FALSE(row.info.meaning.empty()) << row.info.name;
     EXPECT_NE(row.info.scaled.size, nullptr) << row.info.name;
   }
+}
+
+// A name in the formula that is not part of a longer word.
+bool names(std::string_view formula, std::string_view name) {
+  auto const letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  for (auto at = formula.find(name); at != std::string_view::npos; at = formula.find(name, at + 1)) {
+    auto const after = at + name.size();
+    if ((at == 0 || !letter(formula[at - 1])) && (after == formula.size() || !letter(formula[after]))) return true;
+  }
+  return false;
+}
+
+TYPED_TEST(Metadata, TheFormulaHasEveryParameter) {
+  for (auto const& row : this->rows)
+    EXPECT_TRUE(names(TypeParam::info.formula, row.info.name)) << row.info.name << " in\n" << TypeParam::info.formula;
 }
 
 // unpack() puts value i into the member of row i, and no member is fed twice.

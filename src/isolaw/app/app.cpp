@@ -286,6 +286,8 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   auto& laws_command = *app.add_subcommand("laws", "The catalogue of laws, or one law with its parameters");
   laws_command.add_option("id", law, "a law");
   laws_command.add_flag("--json", json, "for machines");
+  bool markdown = false;
+  laws_command.add_flag("--markdown", markdown, "all of them as a page");
 
   auto& example_command = *app.add_subcommand("example", "Write the built-in example lot");
   example_command.add_option("directory", directory, "where to")->required();
@@ -318,7 +320,7 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   if (app.got_subcommand("rules")) return list_rules(rule_set);
   if (app.got_subcommand("bench")) return bench(json);
   if (app.got_subcommand("check")) return check(directory);
-  if (app.got_subcommand("laws")) return list_laws(law, json);
+  if (app.got_subcommand("laws")) return list_laws(law, json, markdown);
   return example(directory);
 }
 

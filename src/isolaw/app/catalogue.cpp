@@ -1,7 +1,10 @@
 // `isolaw laws` and `isolaw example`.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "isolaw/api/catalogue_json.hpp"
 #include "isolaw/app/commands.hpp"
@@ -29,10 +32,59 @@ std::string wrapped(std::string_view text, std::size_t indent, std::size_t width
   return out + std::string(indent, ' ') + line + '\n';
 }
 
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  for (std::size_t start = 0; start <= text.size();) {
+    auto const end = std::min(text.find('\n', start), text.size());
+    lines.push_back(text.substr(start, end - start));
+    start = end + 1;
+  }
+  return lines;
+}
+
+// What Markdown would read as markup in prose or a cell of a table.
+std::string plain_markdown(std::string_view text) {
+  std::string out;
+  for (char const c : text) {
+    if (c == '|' || c == '*' || c == '_' || c == '<' || c == '`') out += '\\';
+    out += c;
+  }
+  return out;
+}
+
+std::string markdown_interval(std::optional<laws::Interval> const& interval) {
+  return interval ? fmt::format("{:g} to {:g}", interval->lower, interval->upper) : std::string("–");
+}
+
+// The catalogue that docs/laws.md holds.
+void print_markdown() {
+  fmt::print(
+      "# The laws\n\nFrom the laws' own files, by `./isolaw.sh docs`. x displacement, v velocity, F force, in the "
+      "law's own "
+      "units; a step goes from one\nsample to the next, and what is not said starts at zero. *Paper*: the box of Table "
+      "4; "
+      "`isolaw laws ID` says the same.\n");
+  for (auto const& law : laws::catalogue()) {
+    fmt::print("\n## {}: {}\n\n{}. Units {}, {}, s; {}.\n\n```\n{}\n```\n\n", law.info.id,
+               plain_markdown(law.info.title), plain_markdown(law.info.source), law.info.force.symbol,
+               law.info.length.symbol,
+               law.info.traits.rate_independent ? "needs displacement alone" : "needs displacement and time",
+               law.info.formula);
+    if (!law.info.note.empty()) fmt::print("{}\n", wrapped(plain_markdown(law.info.note), 0, 120));
+    fmt::print("| parameter | unit | meaning | paper |\n|---|---|---|---|\n");
+    for (auto const& p : law.parameters)
+      fmt::print("| {} | {} | {}{} | {} |\n", plain_markdown(p.name), p.unit, plain_markdown(p.meaning),
+                 p.fixed_by_default ? fmt::format("; fixed at {:g} unless freed", *p.fixed_by_default) : "",
+                 markdown_interval(p.published));
+  }
+}
+
 void print_law(laws::LawEntry const& law) {
   fmt::print("{}: {}\n  source  {}\n  units   {}, {}, s\n  needs   {}\n", law.info.id, law.info.title, law.info.source,
              law.info.force.symbol, law.info.length.symbol,
              law.info.traits.rate_independent ? "displacement" : "displacement and time");
+  fmt::print("  formula\n");
+  for (auto const line : lines_of(law.info.formula)) fmt::print("    {}\n", line);
   if (!law.info.note.empty()) fmt::print("  reading\n{}", wrapped(law.info.note, 4, 96));
   fmt::print("\n  {:<10} {:<10} {:>12} {:>12}  {}\n", "parameter", "unit", "paper from", "to", "meaning");
   for (auto const& p : law.parameters) {
@@ -47,7 +99,11 @@ void print_law(laws::LawEntry const& law) {
 
 }  // namespace
 
-int list_laws(std::string const& id, bool json) {
+int list_laws(std::string const& id, bool json, bool markdown) {
+  if (markdown) {
+    print_markdown();
+    return exit_done;
+  }
   if (!id.empty()) {
     auto const& law = laws::find_law(id);
     if (json)

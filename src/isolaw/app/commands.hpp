@@ -110,7 +110,7 @@ int simulate(SimulateArguments const& arguments);
 int list_rules(std::string const& name);
 int check(std::filesystem::path const& directory);
 int bench(bool json);
-int list_laws(std::string const& id, bool json);
+int list_laws(std::string const& id, bool json, bool markdown);
 int example(std::filesystem::path const& directory);
 
 }  // namespace isolaw::app

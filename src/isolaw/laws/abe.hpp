@@ -188,6 +188,12 @@ struct Abe {
       .force = kN,
       .length = mm,
       .traits = {.rate_independent = true, .odd = true, .path_integrated = true},
+      .formula =
+          "F = F1 + F2 + F3,   Umax = largest |x| so far\n"
+          "F1 = K1 (beta + (1 - beta) exp(-Umax / alpha)) x + a (1 - exp(-b |x|)) sgn(x)\n"
+          "dF2 = (Yt / Ut) (dx - |dx| |F2 / Yt|^n sgn(F2))\n"
+          "Yt = Y0 (1 + |x / Uh|^p),   Ut = U0 (1 + Umax / Us)\n"
+          "F3 = K2 |x / Uh|^r x",
       .note =
           "Eq. (19) as printed. The means of Table A.5 then give loops 49 to 76 % too stiff; without the growth of the "
           "yield force (law abe-y0) they agree with the other laws. What was run for the table is not known."};

@@ -16,6 +16,11 @@ struct AbeY0 {
       .force = kN,
       .length = mm,
       .traits = {.rate_independent = true, .odd = true, .path_integrated = true},
+      .formula =
+          "as abe, with Yt = Y0:   F = F1 + F2 + F3,   Umax = largest |x| so far\n"
+          "F1 = K1 (beta + (1 - beta) exp(-Umax / alpha)) x + a (1 - exp(-b |x|)) sgn(x)\n"
+          "dF2 = (Y0 / Ut) (dx - |dx| |F2 / Y0|^n sgn(F2)),   Ut = U0 (1 + Umax / Us)\n"
+          "F3 = K2 |x / Uh|^r x",
       .note = "Closest reading of the published law 5: with Table A.5's means its loops agree with the other laws."};
 
   template <class T>

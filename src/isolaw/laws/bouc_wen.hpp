@@ -22,6 +22,9 @@ struct BoucWen {
       .force = kN,
       .length = mm,
       .traits = {.rate_independent = true, .odd = true, .path_integrated = true},
+      .formula =
+          "F = alpha Ke x + (1 - alpha) Ke z\n"
+          "dz/dx = A - |z|^n (beta sgn(z dx) + gamma)",
       .note =
           "A is redundant: (Ke, A, beta, gamma, alpha) can be rescaled without changing the force, so a calibration "
           "with A "

@@ -95,6 +95,7 @@ struct LawInfo {
   std::string_view source;
   Unit force, length;  // time is always in seconds
   Traits traits;
+  std::string_view formula;    // lines of plain text with the parameters' names; x, v and F in the units above
   std::string_view note = "";  // how the source was read where it is incomplete
 };
 

@@ -17,6 +17,12 @@ struct Vaiana {
       .force = N,
       .length = m,
       .traits = {.rate_independent = true},
+      .formula =
+          "from the last turning point (xP, fP), loading:   F = cu(x) - (cu(xP) - fP) exp(-alpha+ (x - xP))\n"
+          "unloading:   F = cl(x) + (fP - cl(xP)) exp(-alpha- (xP - x))\n"
+          "cu(x) = fe+(x) + Kb+ x + f0+,   cl(x) = fe-(x) + Kb- x - f0-\n"
+          "fe+(x) = beta1+ (exp(beta2+ x) - 1) + 4 gamma1+ / (1 + exp(-gamma2+ (x - gamma3+))) - 2 gamma1+\n"
+          "fe-(x) = beta1- (exp(beta2- x) - 1) + 4 gamma1- / (1 + exp(-gamma2- (x - gamma3-))) - 2 gamma1-",
       .note =
           "The auxiliary length of Eqs. (11)-(12) is infinite here (the source takes exp(-alpha u) = 1e-20). The paper "
           "calibrates ten of the sixteen parameters and sets the sigmoid (gamma1, gamma2, gamma3) to zero."};

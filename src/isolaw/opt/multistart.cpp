@@ -288,7 +288,8 @@ class Search {
     std::ptrdiff_t const least = options_.least_starts, starts = options_.starts;
     if (4 * count(scattered_, near) >= 3 * std::ssize(scattered_)) return least;
     if (is_wide()) return 4 * starts;
-    return hits >= many_hits ? std::max(least, 3 * starts / 5) : 2 * starts;
+    bool const agreed = hits >= many_hits && 10 * hits >= 3 * std::ssize(ends_);
+    return agreed ? std::max(least, 3 * starts / 5) : 2 * starts;
   }
 
   // In so many dimensions hops find a better valley at a quarter of a scattered start's cost, and both seldom.

@@ -26,7 +26,7 @@ namespace isolaw::opt {
 
 struct MultistartOptions {
   int least_starts = 16;           // descents, where three quarters of the scattered ones end at the best value
-  int starts = 40;                 // elsewhere three fifths of these where a dozen ended there, else twice as many
+  int starts = 40;                 // elsewhere three fifths of these where a dozen ended there, three in ten, else twice as many
   int hits = 3;                    // descents that must have ended at the best value
   double hit_tolerance = 5e-4;     // relative
   int most_evaluations = 200'000;  // no round begins after these

@@ -12,9 +12,10 @@ namespace isolaw::report {
 namespace {
 
 // Settings that are options of the same name; the others belong to a method and have no option.
-constexpr std::string_view options[] = {"laws",       "method",      "integration", "turning-points",    "runs",
-                                        "population", "generations", "box",         "smooth",            "samples-per-cycle",
-                                        "fit-blocks", "fit-cycles",  "score-blocks", "analysis", "replicates"};
+constexpr std::string_view options[] = {
+    "laws",       "method",      "integration",  "turning-points", "runs",
+    "population", "generations", "box",          "smooth",         "samples-per-cycle",
+    "fit-blocks", "fit-cycles",  "score-blocks", "analysis",       "replicates"};
 
 std::string text_of(nlohmann::json const& value) {
   if (value.is_string()) return value.get<std::string>();

@@ -71,7 +71,8 @@ std::size_t compromise(Summary const& summary, std::vector<std::size_t> const& f
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t place = 1; place + 1 < front.size(); ++place) {
     auto const &law = laws[front[place]], &accurate = laws[front.front()], &robust = laws[front.back()];
-    double const error = (*law.objective.mean - *accurate.objective.mean) / (*robust.objective.mean - *accurate.objective.mean);
+    double const error =
+        (*law.objective.mean - *accurate.objective.mean) / (*robust.objective.mean - *accurate.objective.mean);
     double const scatter = (*law.beta - *robust.beta) / (*accurate.beta - *robust.beta);
     double const distance = std::hypot(error, scatter);
     if (law.prediction_collapses || !(distance < least)) continue;
@@ -146,8 +147,8 @@ std::string headline(Summary const& summary, std::vector<std::size_t> const& fro
   if (front.size() > 1) {
     auto const middle = compromise(summary, front);
     return fmt::format(
-        "{} of {} laws are worth considering: the choice lies between accuracy ({}) and robustness ({}){}.", front.size(),
-        laws.size(), flagged(front.front()), flagged(front.back()),
+        "{} of {} laws are worth considering: the choice lies between accuracy ({}) and robustness ({}){}.",
+        front.size(), laws.size(), flagged(front.front()), flagged(front.back()),
         middle < front.size() ? fmt::format("; the best compromise is {}", laws[front[middle]].id) : "");
   }
   if (ranking.empty() || !laws[ranking.front()].objective.mean) return "No law could be identified.";

@@ -104,7 +104,7 @@ function certificateHead() {
       ? [
           [
             'Design values',
-            report.assessment.design.map(({ name, value, unit }) => name + ' ' + value + THIN + unit).join(', '),
+            report.assessment.design.map(({ name, value, unit }) => name + ' ' + withUnit(value, unit)).join(', '),
           ],
         ]
       : []),
@@ -197,7 +197,7 @@ function certificateCaption() {
 
 function certificateColumns() {
   // What all devices share stands in the head.
-  const known = (key) => devices.length === 1 || new Set(devices.map((device) => device[key])).size > 1;
+  const known = (key) => new Set(devices.map((device) => device[key]).filter((value) => value !== null && value !== '')).size > 1;
   const given = (key) => devices.some((device) => device[key] !== null && device[key] !== '');
   return [
     { key: 'serial', column: { title: 'Serial' }, text: (d) => d.serial },

@@ -543,7 +543,7 @@ function cleaningCaption() {
   const device = devices[chosen.device];
   return (
     device.name + ': ' + device.raw.samples + ' samples as recorded, ' + device.record.samples + ' as the laws saw them. ' +
-    (device.cleaning.length > 0 ? sentence(device.cleaning.join('; ')) + '.' : 'Nothing was changed.')
+    (device.cleaning.length > 0 ? 'Done to it: ' + sentence(device.cleaning.join('; ')) + '.' : 'Nothing was changed.')
   );
 }
 
