@@ -71,6 +71,7 @@ TEST(Gnuplot, StringsEndWhereTheyEnd) {
 
 TEST(Gnuplot, LabelsRaiseExponentsAndPrintTheRest) {
   EXPECT_EQ(gnuplot_label("K_1 (N/m^3)"), "'K\\_1 (N/m^{3})'");
+  EXPECT_EQ(gnuplot_label("beta (1/mm^n)"), "'beta (1/mm^{n})'");
   EXPECT_EQ(gnuplot_label("a9 (10^-6 N/cm^3)"), "'a9 (10^{-6} N/cm^{3})'");
 }
 

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -88,7 +89,7 @@ std::string gnuplot_label(std::string_view text) {
     label += text[i];
     if (text[i] != '^') continue;
     auto end = i + 1;
-    while (end < text.size() && (text[end] == '-' || (text[end] >= '0' && text[end] <= '9'))) ++end;
+    while (end < text.size() && (text[end] == '-' || std::isalnum(static_cast<unsigned char>(text[end])) != 0)) ++end;
     label += fmt::format("{{{}}}", text.substr(i + 1, end - i - 1));
     i = end - 1;
   }
