@@ -545,13 +545,17 @@ async function check_certificate(page, name, pictures) {
       devices: document.querySelectorAll('#figure-certificate-devices tbody tr').length,
       blanks: [...document.querySelectorAll('#certificate .blank')].filter(shown).length,
       masthead: shown(document.querySelector('.masthead')),
-      hashes: [...document.querySelectorAll('#figure-certificate-devices .hash')].map((hash) => hash.title.startsWith(hash.textContent)),
+      hashes: [...document.querySelectorAll('#figure-certificate-records .hash')].map((hash, i) => hash.textContent === devices[i].sha256),
+      failsWithTheLot: [...devices.flatMap((device) => device.assessments), report.assessment?.lot?.sample, ...lotQuantities]
+        .filter((one) => report.assessment?.rule_set && one)
+        .some(({ verdict }) => verdict === 'fail') === (document.querySelector('#figure-certificate-head .verdict')?.textContent === 'fail'),
     };
   })()`);
   expect(JSON.stringify(seen.sections) === '["certificate"]', name, 'printed with the certificate: ' + seen.sections);
   expect(seen.devices === (await page.evaluate('devices.length')), name, `${seen.devices} devices on the certificate`);
-  expect(seen.blanks === 12 && !seen.masthead, name, `${seen.blanks} lines to fill in`);
-  expect(seen.hashes.every(Boolean), name, 'a file of the certificate is not its own');
+  expect(seen.blanks >= 12 && seen.blanks <= 14 && !seen.masthead, name, `${seen.blanks} lines to fill in`);
+  expect(seen.hashes.length > 0 && seen.hashes.every(Boolean), name, 'a file of the certificate is not its own');
+  expect(seen.failsWithTheLot, name, 'the certificate has another verdict than the lot');
   if (pictures) {
     const { data } = await page.send('Page.printToPDF', { preferCSSPageSize: true, printBackground: true });
     writeFileSync(join(pictures, name + '-certificate.pdf'), Buffer.from(data, 'base64'));

@@ -38,6 +38,30 @@ void expect_statistic(Json const& statistic) {
   EXPECT_GT(statistic["best"].get<double>(), 0.0);
 }
 
+// What the page says makes the campaign again does, verdicts and bounds included.
+TEST_F(Calibrate, the_command_of_the_page_makes_it_again) {
+  for (auto const* name : {"device-01.csv", "device-02.csv"})
+    fs::copy_file(path("ex") / name, path(name), fs::copy_options::overwrite_existing);
+  auto const once = isolaw(Words{"calibrate", "device-01.csv", "device-02.csv", "--laws", "bilinear,bouc-wen",
+                                 "--method", "ga", "--set", "bouc-wen.A=1", "--seed", "7", "--rules", "ntc-2018",
+                                 "--design", "K_eff=0.62,damping=19.5,disp=208,frequency=0.5", "--lot-size", "28"} +
+                           reduced + Words{"--out", "O"});
+  ASSERT_LE(once.code, 1) << once;
+  auto const page = read("O/report.html");
+  auto const start = page.find("\"command\":\"") + 11;
+  auto const command = page.substr(start, page.find('"', start) - start);
+  Words words;
+  std::istringstream stream(command);
+  for (std::string word; stream >> word;) words.push_back(word);
+  ASSERT_EQ(words.at(0), "isolaw") << command;
+  words.erase(words.begin());
+  auto const again = isolaw(words + Words{"--out", "P"});
+  EXPECT_EQ(again.code, once.code) << command << again;
+  for (auto const* file :
+       {"summary.json", "tables/tests.csv", "tables/lot.csv", "tables/lambda.csv", "tables/parameters.csv"})
+    EXPECT_EQ(read(fs::path("P") / file), read(fs::path("O") / file)) << file << "\n" << command;
+}
+
 TEST_F(Calibrate, leaves_every_file_of_a_campaign) {
   auto const o = calibrate("O");
   EXPECT_EQ(o.code, 0) << o;

@@ -300,7 +300,14 @@ Population estimate_population(std::vector<std::string> const& names, std::span<
   population.estimates = plain(S);
   population.uncertainty = plain(C);
   silence(S, C, undetermined);
-  describe(between_devices(S, C, population), population);
+  Matrix sigma = between_devices(S, C, population);
+  // What rounding leaves of a parameter without variance has no correlations.
+  for (Index i = 0; i < n; ++i)
+    if (sigma(i, i) <= 1e-12 * (S(i, i) + C(i, i))) {
+      sigma.row(i).setZero();
+      sigma.col(i).setZero();
+    }
+  describe(sigma, population);
   return population;
 }
 

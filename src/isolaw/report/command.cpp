@@ -58,6 +58,10 @@ std::string command_again(Summary const& summary) {
     if (!value.is_discarded()) add_setting(words, setting.key, value);
   }
   words.insert(words.end(), {"--seed", std::to_string(summary.seed)});
+  auto const& asked = summary.asked;
+  if (!asked.rules_file.empty()) words.insert(words.end(), {"--rules", asked.rules_file});
+  if (!asked.design.empty()) words.insert(words.end(), {"--design", asked.design});
+  if (asked.lot_size) words.insert(words.end(), {"--lot-size", std::to_string(*asked.lot_size)});
   return shell_quoted(words);
 }
 

@@ -64,9 +64,11 @@ std::string caution(LawResult const& law) {
 }
 
 // Of the laws between the ends of the front, the place of the one nearest to having the best of both, each measured by the
-// front's extent; the front's size where there is none. A law whose prediction collapses is no compromise.
+// front's extent; the front's size where there is none. No compromise is a law whose prediction collapses, or that leaves the
+// front with the optimiser's noise.
 std::size_t compromise(Summary const& summary, std::vector<std::size_t> const& front) {
   auto const& laws = summary.laws;
+  bool const analysed = std::ranges::any_of(laws, &LawResult::on_front_converged);
   auto best = front.size();
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t place = 1; place + 1 < front.size(); ++place) {
@@ -75,7 +77,7 @@ std::size_t compromise(Summary const& summary, std::vector<std::size_t> const& f
         (*law.objective.mean - *accurate.objective.mean) / (*robust.objective.mean - *accurate.objective.mean);
     double const scatter = (*law.beta - *robust.beta) / (*accurate.beta - *robust.beta);
     double const distance = std::hypot(error, scatter);
-    if (law.prediction_collapses || !(distance < least)) continue;
+    if (law.prediction_collapses || (analysed && !law.on_front_converged) || !(distance < least)) continue;
     least = distance;
     best = place;
   }

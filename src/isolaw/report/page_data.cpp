@@ -185,8 +185,8 @@ void write_analysis(JsonWriter& out, DeviceFit const& fit) {
   out.end_array();
 }
 
-// How the runs came down: smallest, median and largest over the runs of the decimal logarithm of the best objective so far,
-// after each generation or start; a run that ended earlier keeps its last.
+// How the runs came down: decimal logarithms of the smallest, median and largest best objective so far over the runs, after
+// each generation or start; a run that ended earlier keeps its last.
 void write_convergence(JsonWriter& out, DeviceFit const& fit) {
   std::vector<std::vector<double>> runs;
   std::size_t steps = 0;
@@ -203,12 +203,12 @@ void write_convergence(JsonWriter& out, DeviceFit const& fit) {
   std::vector<double> lowest, median, highest;
   for (std::size_t i = 0; i < steps; ++i) {
     std::vector<double> values;
-    for (auto const& run : runs) values.push_back(std::log10(run[std::min(i, run.size() - 1)]));
+    for (auto const& run : runs) values.push_back(run[std::min(i, run.size() - 1)]);
     std::ranges::sort(values);
     auto const n = values.size();
-    lowest.push_back(values.front());
-    median.push_back(0.5 * (values[(n - 1) / 2] + values[n / 2]));
-    highest.push_back(values.back());
+    lowest.push_back(std::log10(values.front()));
+    median.push_back(std::log10(0.5 * (values[(n - 1) / 2] + values[n / 2])));
+    highest.push_back(std::log10(values.back()));
   }
   auto const drawn = drawn_samples(steps, convergence_points);
   out.begin_object().member("steps", std::uint64_t{steps});

@@ -194,7 +194,8 @@ function spreadCaption() {
         .filter((entry) => entry.law === law)
         .map(({ value }) => value)
         .sort((a, b) => a - b);
-      return { law, value: values[Math.floor(values.length / 2)] };
+      const middle = (values.length - 1) / 2;
+      return { law, value: (values[Math.floor(middle)] + values[Math.ceil(middle)]) / 2 };
     })
     .filter(({ value }) => isNumber(value))
     .sort((a, b) => a.value - b.value);

@@ -20,8 +20,8 @@ section({ id: 'certificate', title: 'Certificate', controls: certificateControls
     wanted: () => boundRows().length > 0,
     caption: boundsCaption,
     csv: () => ({
-      columns: ['property', 'unit', 'design value', 'mean of the lot', 'lower bound', 'upper bound', 'from'],
-      rows: boundRows().map((b) => [b.property, b.unit, b.nominal, b.mean, b.lower, b.upper, b.from]),
+      columns: ['property', 'unit', 'design value', 'mean of the lot', 'lower bound', 'upper bound', 'of', 'from'],
+      rows: boundRows().map((b) => [b.property, b.unit, b.nominal, b.mean, b.lower, b.upper, b.of, b.from]),
     }),
     build: boundsTable,
   },
@@ -29,6 +29,13 @@ section({ id: 'certificate', title: 'Certificate', controls: certificateControls
     id: 'certificate-signature',
     title: '',
     build: signatureBlock,
+  },
+  {
+    id: 'certificate-records',
+    title: 'Records',
+    long: true,
+    caption: () => 'SHA-256 of each file as it was read: a changed file is another record.',
+    build: recordsTable,
   },
 ]);
 
@@ -83,32 +90,57 @@ function certificateHead() {
     amplitude ? 'amplitude ' + amplitude + THIN + 'mm' : '',
     frequency ? frequency + THIN + 'Hz' : '',
   ].filter(Boolean);
+  const steps = [...new Set(devices.flatMap((device) => device.blocks.map((block) => significant(block.amplitude_mm, 3))))];
+  const load = spanText(
+    devices.map((device) => reportedCycle(device)?.N_mean_kN),
+    0,
+  );
+  const thickness = spanText(
+      devices.map((device) => device.rubber_thickness_mm),
+      1,
+    ),
+    area = spanText(
+      devices.map((device) => device.rubber_area_mm2),
+      0,
+    );
+  const rubber = [
+    thickness ? 'thickness ' + thickness + THIN + 'mm' : '',
+    area ? 'area ' + area + THIN + 'mm\u00b2' : '',
+  ].filter(Boolean);
+  const limits = limitSentences(),
+    remarks = certificateRemarks();
   const facts = [
     ['Laboratory', blank('Laboratory')],
     ['Client, project', blank('Client, project')],
-    ['Certificate no.', blank('Certificate number')],
+    ['Certificate no.', numberBlank()],
     ['Test', 'cyclic shear of ' + count(devices.length, 'device') + (isNumber(lot?.size) ? ' of a lot of ' + lot.size : '')],
     ...(lots.length > 0 ? [['Lot', enumerate(lots)]] : []),
-    ...(dates.length > 0
-      ? [['Tested', dates[0] + (dates.length > 1 ? ' to ' + dates[dates.length - 1] : '')]]
-      : []),
+    [
+      'Tested',
+      dates.length > 0 ? dates[0] + (dates.length > 1 ? ' to ' + dates[dates.length - 1] : '') : blank('Date of the tests'),
+    ],
+    ['Temperature', temperature ? temperature + THIN + '\u00b0C' : blank('Temperature')],
     ...(conditions.length > 0 ? [['Conditions', conditions.join(', ')]] : []),
-    ...(temperature ? [['Temperature', temperature + THIN + '\u00b0C']] : []),
+    ...(steps.length > 1 ? [['Blocks tested', '\u00b1' + steps.join(', \u00b1') + THIN + 'mm']] : []),
+    ...(load ? [['Vertical load', load + THIN + 'kN (mean of the cycle)']] : []),
+    ...(rubber.length > 0 ? [['Rubber', rubber.join(', ')]] : []),
     [
       'Held to',
       rules
         ? rules.title + (rules.edition ? ', ' + rules.edition : '') + (rules.verified_by ? '' : ' (limits not verified: no verdict)')
-        : 'no rule set: values only',
+        : 'no rule set: values, no verdict',
     ],
     ...(report.assessment?.design?.length > 0
       ? [
           [
             'Design values',
-            report.assessment.design.map(({ name, value, unit }) => name + ' ' + withUnit(value, unit)).join(', '),
+            report.assessment.design.map(({ name, value, unit }) => name + ' ' + trimmed(value) + THIN + unit).join(', '),
           ],
         ]
       : []),
+    ...(limits.length > 0 ? [['Limits', limits.join('; ')]] : []),
     ['Result', certificateResult()],
+    ...(remarks.length > 0 ? [['Remarks', listOf(remarks)]] : []),
   ];
   return element(
     'div',
@@ -142,32 +174,90 @@ function deviceVerdict(device) {
   return { verdict, failed: named('fail'), open: verdict === 'pass' ? named('not assessed') : [] };
 }
 
-function certificateResult() {
-  const verdicts = devices.map((device) => deviceVerdict(device).verdict);
-  const times = (verdict) => verdicts.filter((found) => found === verdict).length;
-  const said = [
-    times('pass') > 0 ? count(times('pass'), 'device') + ' within the limits' : '',
-    times('fail') > 0 ? count(times('fail'), 'device') + ' outside a limit' : '',
-    times('information') > 0 ? count(times('information'), 'device') + ' compared, without verdict' : '',
-    times('not assessed') + times(null) > 0 ? count(times('not assessed') + times(null), 'device') + ' not assessed' : '',
-  ].filter(Boolean);
-  const open = commonlyOpen();
-  if (open.length > 0) said.push('not assessed: ' + open.join(', '));
-  const limits = lotQuantities.filter((quantity) => quantity.verdict);
-  const onLot = limits.map(
-    (quantity) => 'mean ' + quantity.quantity + ' of the lot: ' + quantity.verdict + (quantity.reason ? ' (' + quantity.reason + ')' : ''),
-  );
-  return [...said, ...onLot].join('; ');
+const listOf = (sentences) =>
+  element('ul', { class: 'plain-list' }, ...sentences.map((text) => element('li', {}, sentence(text))));
+
+// The number is written once and stands beside the signatures too.
+function numberBlank() {
+  const line = blank('Certificate number');
+  line.addEventListener('input', () => {
+    for (const echo of document.querySelectorAll('.certificate-number')) echo.textContent = line.textContent;
+  });
+  return line;
 }
 
-// Properties of the certificate: those of the lot where a rule set says which, else of the reported cycle. Paper has no
-// room for those that nothing is asked of.
+// Limits with their clauses, each said once.
+function limitSentences() {
+  // Of a device, or of its two sides.
+  const clauseOf = (quantity) =>
+    devices
+      .flatMap((device) => device.assessments)
+      .find((a) => a.clause && (a.quantity === quantity || a.quantity.startsWith(quantity + ',')))?.clause;
+  return lotQuantities
+    .filter((quantity) => quantity.limit_individual || quantity.limit_mean)
+    .map(
+      (quantity) =>
+        quantity.quantity +
+        ' ' +
+        [
+          quantity.limit_individual ? limitText(quantity.limit_individual) + ' of the design value' : '',
+          quantity.limit_mean ? 'mean of the lot ' + limitText(quantity.limit_mean) : '',
+        ]
+          .filter(Boolean)
+          .join(', ') +
+        (clauseOf(quantity.quantity) ? ' (' + clauseOf(quantity.quantity) + ')' : ''),
+    );
+}
+
+// What a reader of the sheet must know of the records: doubts, corrections, what the program was told of them.
+function certificateRemarks() {
+  const topics = new Set(['copies', 'record', 'refused']);
+  const grouped = (key) => {
+    const found = new Map();
+    for (const device of devices) for (const text of device[key]) found.set(text, [...(found.get(text) ?? []), device.name]);
+    return [...found].map(
+      ([text, names]) => (names.length === devices.length && names.length > 1 ? 'all devices' : enumerate(names)) + ': ' + text,
+    );
+  };
+  const told = new Map();
+  for (const device of devices)
+    for (const text of device.recognised.filter((line) => /--dt|--units|as asked for|as given/.test(line)))
+      told.set(text, [...(told.get(text) ?? []), device.name]);
+  return [
+    ...report.findings.warnings.filter((warning) => topics.has(warning.topic)).map((warning) => warning.sentence),
+    ...grouped('corrections').map((text) => 'corrected, ' + text),
+    ...[...told].map(([text, names]) => (names.length === devices.length ? 'all devices' : enumerate(names)) + ': ' + text),
+  ];
+}
+
+function certificateResult() {
+  if (!report.assessment?.rule_set) return 'values, no verdict';
+  const { sample } = report.assessment.lot;
+  const verdicts = devices.map((device) => deviceVerdict(device).verdict);
+  const times = (verdict) => verdicts.filter((found) => found === verdict).length;
+  const lot = lotQuantities
+    .filter((quantity) => quantity.verdict)
+    .map(({ quantity, verdict, reason }) => ({ what: 'mean ' + quantity + ' of the lot', verdict, reason }));
+  if (sample?.verdict) lot.unshift({ what: 'size of the sample: ' + sampleText({ ...sample, verdict: '' }), verdict: sample.verdict, reason: '' });
+  const open = commonlyOpen();
+  const said = [
+    ...lot.map(({ what, verdict, reason }) => what + ': ' + verdict + (reason ? ' (' + reason + ')' : '')),
+    times('fail') > 0 ? count(times('fail'), 'device') + ' outside a limit' : '',
+    times('pass') > 0 ? count(times('pass'), 'device') + ' within the limits that could be assessed' : '',
+    times('information') > 0 ? count(times('information'), 'device') + ' compared, without verdict' : '',
+    times('not assessed') + times(null) > 0 ? count(times('not assessed') + times(null), 'device') + ' not assessed' : '',
+    open.length > 0 ? 'not assessed on any device: ' + open.join(', ') : '',
+  ].filter(Boolean);
+  const overall = worstVerdict([...verdicts.filter(Boolean), ...lot.map(({ verdict }) => verdict)]);
+  return element('div', {}, overall ? verdictBadge(overall) : null, listOf(said));
+}
+
+// Properties of the certificate: those of the lot where a rule set says which, else of the reported cycle.
 const certificateProperties = () =>
   lotQuantities.length > 0
     ? lotQuantities.map((quantity) => ({
         title: quantity.quantity,
         unit: quantity.unit,
-        screen: !isNumber(quantity.nominal) && !quantity.limit_individual && !['K_eff', 'damping'].includes(quantity.quantity),
         value: (device) => deviceValue(device, quantity.quantity)?.value,
       }))
     : [
@@ -187,11 +277,17 @@ function apart(device) {
 }
 
 function certificateCaption() {
-  const marked = devices.filter((device) => apart(device).length > 0).length;
+  const marked = devices.some((device) => apart(device).length > 0);
+  const unjudged = [...new Set(lotQuantities.map((quantity) => quantity.outlier_note).filter(Boolean))];
   return (
-    'Values of the cycles that the rule set counts, without one of the third counted cycle. ' +
-    (marked > 0 ? '\u25be: stands apart from the lot (modified z-score above 3.5). ' : 'No device stands apart from the lot. ') +
-    'File: first digits of the SHA-256 of the record as it was read.'
+    (report.assessment?.rule_set
+      ? 'Values over the cycles that the rule set counts. '
+      : 'Values of the third counted cycle of the largest amplitude. ') +
+    (marked
+      ? '\u25be: stands apart from the lot (modified z-score above 3.5).'
+      : unjudged.length > 0 || lotQuantities.length === 0
+        ? 'Outliers not judged' + (unjudged.length > 0 ? ': ' + unjudged.join('; ') : '') + '.'
+        : 'No device stands apart from the lot.')
   );
 }
 
@@ -211,14 +307,17 @@ function certificateTable() {
   const facts = certificateColumns(),
     properties = certificateProperties(),
     common = commonlyOpen();
+  const same = (digits) => (key) => new Set(devices.map((device) => fixed(reportedBlock(device)?.[key], digits))).size === 1;
+  const sameAmplitude = same(1)('amplitude_mm'), // then it stands in the head
+    sameFrequency = same(2)('frequency_Hz');
   const columns = [
     { title: 'Device', pinned: true },
     ...facts.map((fact) => fact.column),
-    { title: 'Amplitude', unit: 'mm', number: true },
-    { title: 'Frequency', unit: 'Hz', number: true, screen: true },
-    ...properties.map(({ title, unit, screen }) => ({ title, unit: unitText(unit), number: true, screen })),
+    { title: 'Amplitude', unit: 'mm', number: true, screen: sameAmplitude },
+    { title: 'Frequency', unit: 'Hz', number: true, screen: sameFrequency },
+    ...properties.map(({ title, unit }) => ({ title, unit: unitText(unit), number: true })),
     { title: 'Verdict' },
-    { title: 'File' },
+    { title: 'File', screen: true },
   ];
   const rows = devices.map((device) => {
     const block = reportedBlock(device);
@@ -280,7 +379,8 @@ function boundRows() {
       mean: quantity(factor.property)?.mean ?? null,
       lower: factor.lower,
       upper: factor.upper,
-      from: factor.source,
+      of: boundsOf(factor.source),
+      from: [factor.source, factor.note, factor.no_lower_bound].filter(Boolean).join('; '),
     }));
   return lotQuantities
     .filter((q) => q.n > 1)
@@ -291,14 +391,23 @@ function boundRows() {
       mean: q.mean,
       lower: q.min,
       upper: q.max,
-      from: 'smallest and largest of the devices tested',
+      of: 'the devices tested',
+      from: 'smallest and largest',
     }));
 }
 
+const boundsOf = (source) =>
+  source.startsWith('statistical, system') ? 'the isolation system' : source === 'contract band' ? 'by contract' : 'one device';
+
 function boundsCaption() {
-  return (report.assessment?.lot?.factors?.length ?? 0) > 0
-    ? 'By the property modification factors of the lot, on the design value, or on the mean where there is none; the factors and what they hold stand under \u201cLot and devices\u201d.'
-    : 'No rule set gives modification factors: the smallest and the largest device that was tested. A lot has others beyond them.';
+  if ((report.assessment?.lot?.factors?.length ?? 0) === 0)
+    return 'No rule set gives modification factors: the smallest and the largest device that was tested. A lot has others beyond them.';
+  const tested = report.assessment.lot.tested;
+  return (
+    'By property modification factors, on the design value, or on the mean where there is none. Those of one device hold 95' + THIN +
+    '% of all devices with 95' + THIN + '% confidence, or what was observed; those of the system hold the mean of all devices of the lot.' +
+    (tested < 5 ? ' From ' + count(tested, 'device') + ' alone: bounds by statistics are wide for that reason.' : '')
+  );
 }
 
 function boundsTable() {
@@ -309,6 +418,7 @@ function boundsTable() {
     { title: 'Mean of the lot', number: true },
     { title: 'Lower bound', number: true },
     { title: 'Upper bound', number: true },
+    { title: 'Bounds', tight: true },
     { title: 'From' },
   ];
   const rows = boundRows().map((b, i, all) => {
@@ -322,7 +432,8 @@ function boundsTable() {
         first ? significant(b.mean, 4) : '',
         significant(b.lower, 4),
         significant(b.upper, 4),
-        b.from,
+        b.of,
+        element('td', { class: 'note text' }, b.from),
       ],
     };
   });
@@ -342,6 +453,13 @@ function signatureBlock() {
   return element(
     'div',
     {},
+    element(
+      'p',
+      { class: 'bound' },
+      'Certificate ',
+      element('span', { class: 'certificate-number' }),
+      ' \u2013 ' + (report.title || 'isolation devices') + ', ' + count(devices.length, 'device'),
+    ),
     element('div', { class: 'signers' }, signer('Tested by'), signer('Checked by'), signer('Accepted by')),
     element(
       'p',
@@ -350,4 +468,16 @@ function signatureBlock() {
         '. They hold for the devices named here, as they were tested.',
     ),
   );
+}
+
+function recordsTable() {
+  const columns = [{ title: 'Device', pinned: true }, { title: 'File' }, { title: 'SHA-256' }];
+  const rows = devices.map((device) => ({
+    cells: [
+      element('b', { class: 'strong' }, device.name),
+      device.file,
+      element('td', { class: 'hash whole' }, device.sha256),
+    ],
+  }));
+  return table(columns, rows, 'Records of the certificate');
 }

@@ -107,6 +107,8 @@ function buildPage() {
       { id: section.id, 'aria-labelledby': section.id + '-title' },
       element('h2', { id: section.id + '-title' }, section.title),
     );
+    if (section.id === 'decision' && report.missing_runs + report.missing_analyses > 0)
+      node.append(element('p', { class: 'warnings' }, element('b', {}, incomplete())));
     if (section.id === 'decision')
       node.append(element('p', { class: 'headline' }, ...withBadges(report.findings.headline)));
     const grid = element('div', { class: 'figures' });
@@ -120,6 +122,18 @@ function buildPage() {
   markCurrentSection(main, contents);
   if (location.hash) document.getElementById(location.hash.slice(1))?.scrollIntoView(); // now that it exists
 }
+
+// A decision on part of the campaign may change.
+const incomplete = () =>
+  'Not complete: ' +
+  [
+    report.missing_runs > 0 ? count(report.missing_runs, 'run') : '',
+    report.missing_analyses > 0 ? count(report.missing_analyses, 'analys') + (report.missing_analyses === 1 ? 'is' : '') : '',
+  ]
+    .filter(Boolean)
+    .join(' and ')
+    .replace('analyss', 'analyses') +
+  ' missing. What follows may change; the command it was started with continues the campaign.';
 
 function markCurrentSection(main, contents) {
   const links = new Map([...contents.children].map((link) => [link.hash.slice(1), link]));

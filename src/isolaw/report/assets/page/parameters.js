@@ -250,9 +250,10 @@ const panelPlaces = (law) =>
 
 const PANEL_MARGIN = { l: 62, r: 52, t: 8, b: 40 };
 function panelGrid(panels, width) {
-  const columns = width > 900 ? 3 : width > NARROW ? 2 : 1;
+  const printing = 'printing' in document.documentElement.dataset; // a figure is no longer than a page
+  const columns = width > 900 || printing ? 3 : width > NARROW ? 2 : 1;
   const rows = Math.max(1, Math.ceil(panels / columns)),
-    panel = 140,
+    panel = printing ? 95 : 140,
     heading = 20,
     between = 34 + heading;
   const inner = heading + rows * panel + (rows - 1) * between;
@@ -281,6 +282,7 @@ function panelsCaption() {
       ? strayed[0].name + ' differs most from device to device (' + fixed(100 * strayed[0].delta, 0) + THIN + '%), ' +
         strayed[strayed.length - 1].name + ' least (' + fixed(100 * strayed[strayed.length - 1].delta, 0) + THIN + '%).'
       : '') +
+    (usable.some((device) => device.name.length > 6) ? ' Devices are numbered in the order of the lot.' : '') +
     (bound.length > 0
       ? ' Open marks: the best run lies at a bound of its box (' + enumerate(bound.map((place) => law.parameters[place].name)) + ').'
       : '')
@@ -295,6 +297,7 @@ function drawPanels(look, width) {
     traces = [];
   const every = Math.ceil(usable.length / (columns === 1 ? 12 : 11)),
     ticks = usable.map((_, i) => i).filter((i) => i % every === 0);
+  const named = usable.every((device) => device.name.length <= 6); // else numbers, in the order of the lot
   const gap = columns === 1 ? 0 : 118 / (width - PANEL_MARGIN.l - PANEL_MARGIN.r),
     wide = (1 - gap * (columns - 1)) / columns;
   places.forEach((place, i) => {
@@ -313,7 +316,7 @@ function drawPanels(look, width) {
       range: [-0.6, usable.length - 0.4],
       tickmode: 'array',
       tickvals: ticks,
-      ticktext: ticks.map((k) => plain(short(usable[k].name, 6))),
+      ticktext: ticks.map((k) => plain(named ? usable[k].name : String(k + 1))),
       tickfont: { size: 10.5 },
       showgrid: false,
       zeroline: false,

@@ -50,11 +50,15 @@ section({ id: 'provenance', title: 'How it was made' }, [
 
 function settingRows() {
   const text = (value) => (Array.isArray(value) ? value.join(', ') || 'none' : String(value));
+  const { rule_set: rules = null, design = [], lot = null } = report.assessment ?? {};
   if (inspection) return [['isolaw', report.isolaw]]; // nothing was searched, and properties are of raw values
   return [
     ['isolaw', report.isolaw],
     ['seed', report.seed],
     ...Object.entries(report.settings).map(([key, value]) => [key, text(value)]),
+    ...(rules ? [['rules', rules.id]] : []),
+    ...(design.length > 0 ? [['design', design.map(({ name, value }) => name + '=' + value).join(', ')]] : []),
+    ...(isNumber(lot?.size) ? [['lot-size', lot.size]] : []),
   ];
 }
 
