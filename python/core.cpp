@@ -137,24 +137,55 @@ struct Evaluation {
   }
 };
 
-// A table by name, or values in the law's order.
-std::vector<double> parameters_of(laws::LawEntry const& law, py::object const& given) {
+std::string shown(py::handle value) {
+  return printable(std::string(py::repr(value)).substr(0, 100));
+}
+
+std::vector<NamedValue> named_values(py::dict const& given) {
   std::vector<NamedValue> named;
-  if (py::isinstance<py::dict>(given)) {
-    for (auto const& [key, value] : given.cast<py::dict>())
+  std::vector<Complaint> complaints;
+  for (auto const& [key, value] : given) {
+    try {
       named.push_back({.name = py::str(key), .value = value.cast<double>()});
-    return parameters_in_order(law, named, "parameters");
+    } catch (py::cast_error const&) {
+      complaints.push_back({"parameters",
+                            fmt::format("{} = {} is no number", printable(std::string(py::str(key))), shown(value)),
+                            "a number",
+                            {}});
+    }
   }
-  auto const values = values_of(given.cast<Rows>(), "parameters");
+  if (!complaints.empty()) throw Error(std::move(complaints));
+  return named;
+}
+
+Rows rows_of(py::object const& given) {
+  try {
+    return given.cast<Rows>();
+  } catch (py::cast_error const&) {
+  } catch (py::error_already_set& error) {  // NumPy's own
+    if (!error.matches(PyExc_ValueError) && !error.matches(PyExc_TypeError)) throw;
+  }
+  throw Error({.where = "parameters",
+               .found = shown(given) + " is no array of numbers",
+               .allowed = "a dict by name, or numbers in the law's order"});
+}
+
+// A table by name, or values in the law's order.
+std::vector<double> parameters_of(laws::LawEntry const& law, py::object const& given,
+                                  Together together = Together::checked) {
+  if (py::isinstance<py::dict>(given))
+    return parameters_in_order(law, named_values(given.cast<py::dict>()), "parameters", together);
+  auto const values = values_of(rows_of(given), "parameters");
   if (values.size() != law.parameters.size())
     throw Error(
         {.where = "parameters",
          .found = fmt::format("{} values", values.size()),
          .allowed = fmt::format("the {} of {} in its order, or a dict by name", law.parameters.size(), law.info.id),
          .advice = fmt::format("isolaw.laws()['{}']", law.info.id)});
+  std::vector<NamedValue> named;
   for (std::size_t i = 0; i < values.size(); ++i)
     named.push_back({.name = std::string(law.parameters[i].name), .value = values[i]});
-  return parameters_in_order(law, named, "parameters");
+  return parameters_in_order(law, named, "parameters", together);
 }
 
 // The array that a result goes to: the caller's, or a new one.
@@ -195,7 +226,7 @@ class Model {
   data::FitRecord const& record() const { return *record_; }
 
   double objective(py::object const& parameters) const {
-    auto const values = parameters_of(law(), parameters);
+    auto const values = parameters_of(law(), parameters, Together::left);
     std::vector<double> work;
     return model_.objective(values, work);
   }

@@ -49,7 +49,7 @@ TEST_F(Simulate, on_a_devices_own_record_gives_the_force_of_the_report) {
     auto const o = isolaw({"simulate", law.id, "--from", "O", "--device", "d", "--motion", "d.csv"});
     ASSERT_EQ(o.code, 0) << o;
     auto const made = parsed(o.out);
-    EXPECT_EQ(made.header, "time [s],displacement [mm],force [kN]");
+    EXPECT_EQ(made.header, "time [s],displacement [mm],velocity [mm/s],force [kN]");
     EXPECT_EQ(made.columns.back(), law.devices.at(0).force_kN) << law.id;
   }
 }
@@ -92,7 +92,9 @@ TEST_F(Simulate, a_motion_needs_no_force_and_no_time_where_the_law_needs_none) {
   ASSERT_EQ(o.code, 0) << o;
   EXPECT_EQ(o.out, "displacement [mm],force [kN]\n0,0\n10,25\n-10,-25\n5,12.5\n");
   auto const timed = isolaw(Words{"simulate", "bilinear", "--motion", "m.csv", "--dt", "0.5"} + parameters);
-  EXPECT_EQ(timed.out, "time [s],displacement [mm],force [kN]\n0,0,0\n0.5,10,25\n1,-10,-25\n1.5,5,12.5\n");
+  EXPECT_EQ(timed.out,
+            "time [s],displacement [mm],velocity [mm/s],force [kN]\n"
+            "0,0,50,0\n0.5,10,-10,25\n1,-10,-5,-25\n1.5,5,65,12.5\n");
   write("hw.toml", "a1=1\na2=0\na3=0\na4=0\na5=0\na6=0\na7=0\na8=1\na9=0\na10=0\n");
   expect_refused(isolaw({"simulate", "hwang-wu", "--parameters", "hw.toml", "--motion", "m.csv"}),
                  {"depends on velocity", "--dt SECONDS"});
@@ -159,6 +161,37 @@ TEST_F(Simulate, the_one_law_of_a_lot) {
   for (std::size_t i = 0; i < 3; ++i)
     words = words + Words{"--set", fmt::format("{}={}", Words{"K1", "K2", "xy"}[i], lot->parameters[i])};
   EXPECT_EQ(isolaw(words).out, o.out);
+}
+
+// Of a motion that starts elsewhere the law knows nothing before its first sample, as no analysis program has it.
+TEST_F(Simulate, a_motion_that_does_not_start_at_zero_is_warned_of) {
+  Words const words{"simulate", "bilinear", "--set", "K1=2.5", "--set", "K2=0.5", "--set", "xy=2", "--motion", "m.csv"};
+  write("m.csv", "displacement [mm],x\n5,0\n10,0\n0,0\n");
+  auto const off = isolaw(words);
+  ASSERT_EQ(off.code, 0) << off;
+  EXPECT_TRUE(contains(off.err, "the motion starts at 5 mm: the device is taken as virgin there")) << off;
+  EXPECT_TRUE(contains(off.err, "put a path from 0 in front")) << off;
+  EXPECT_EQ(parsed(off.out).columns.back().front(), 0.5 * 5.0);  // as the warning says: no hysteretic force yet
+  write("m.csv", "displacement [mm],x\n0.000001,0\n10,0\n0,0\n");
+  auto const at_zero = isolaw(words);
+  ASSERT_EQ(at_zero.code, 0) << at_zero;
+  EXPECT_FALSE(contains(at_zero.err, "virgin")) << at_zero;
+}
+
+// Each within its own limits, and together no device.
+TEST_F(Simulate, parameters_that_together_are_no_device_are_refused) {
+  write("d.csv", csv(record()));
+  Words const bilinear{"simulate", "bilinear", "--motion", "d.csv", "--set", "xy=10", "--set", "K2=0.42"};
+  expect_refused(isolaw(bilinear + Words{"--set", "K1=0.1"}), {"K1 = 0.1 is below K2 = 0.42; allowed: K1 >= K2"});
+  EXPECT_EQ(isolaw(bilinear + Words{"--set", "K1=0.42"}).code, 0);
+  Words const bouc_wen{"simulate", "bouc-wen", "--motion", "d.csv", "--set", "alpha=0.12",
+                       "--set",    "Ke=2.4",   "--set",    "n=1.1", "--set", "A=1"};
+  std::string const allowed = "; allowed: beta > 0 and beta + gamma > 0";
+  expect_refused(isolaw(bouc_wen + Words{"--set", "beta=0.05", "--set", "gamma=-0.1"}),
+                 {"beta + gamma = -0.05" + allowed});
+  expect_refused(isolaw(bouc_wen + Words{"--set", "beta=-0.05", "--set", "gamma=0.1"}), {"beta = -0.05" + allowed});
+  EXPECT_EQ(isolaw(bouc_wen + Words{"--set", "beta=0.05", "--set", "gamma=-0.02"}).code, 0);
+  expect_refused(isolaw(bouc_wen + Words{"--set", "A=-1"}), {"A = -1 leaves its physical limits; allowed: above 0"});
 }
 
 // Accelerations are no displacements; a header that says so is believed.

@@ -35,7 +35,7 @@ class Laws(unittest.TestCase):
             write_csv(pathlib.Path(folder) / "m.csv", self.record.time_s, self.x, header="time [s],displacement [mm]")
             words = [word for name, value in BILINEAR.items() for word in ("--set", f"{name}={value}")]
             printed = program("simulate", "bilinear", *words, "--motion", "m.csv", cwd=folder).splitlines()[1:]
-        expected = np.array([float(line.split(",")[2]) for line in printed])
+        expected = np.array([float(line.split(",")[-1]) for line in printed])
         np.testing.assert_array_equal(isolaw.force("bilinear", BILINEAR, self.record), expected)
         np.testing.assert_array_equal(isolaw.force("bilinear", [2.5, 0.5, 10.0], self.x), expected)
         self.assertAlmostEqual(expected.max(), 0.5 * 100.0 + 2.0 * 10.0, places=9)
@@ -87,12 +87,29 @@ class Laws(unittest.TestCase):
             self.assertIn(part, str(caught.exception))
         with self.assertRaisesRegex(isolaw.Error, "2 values; allowed: the 3 of bilinear"):
             isolaw.force("bilinear", [1.0, 2.0], self.record)
+        for wrong, said in (("a", "'a'"), (None, "None"), ([1.0], "[1.0]")):
+            with self.assertRaises(isolaw.Error) as caught:
+                isolaw.force("bilinear", BILINEAR | {"K1": wrong, "xy": "b"}, self.record)
+            self.assertIn(f"K1 = {said} is no number", str(caught.exception))
+            self.assertIn("xy = 'b' is no number", str(caught.exception))
+        for wrong in ("abc", ["a", 1.0, 2.0]):
+            with self.assertRaisesRegex(isolaw.Error, "no array of numbers"):
+                isolaw.force("bilinear", wrong, self.record)
         with self.assertRaisesRegex(isolaw.Error, "no such law"):
             isolaw.force("bilinea", BILINEAR, self.record)
         with self.assertRaisesRegex(isolaw.Error, "rows of 2 values"):
             isolaw.objectives("bilinear", np.ones((4, 2)), self.record)
         with self.assertRaisesRegex(isolaw.Error, "depends on velocity"):
             isolaw.Model("hwang-wu", isolaw.record(self.record.disp_mm, self.record.force_kN))
+
+    def test_parameters_that_together_are_no_device(self):
+        with self.assertRaisesRegex(isolaw.Error, "K1 = 0.1 is below K2 = 0.42; allowed: K1 >= K2"):
+            isolaw.force("bilinear", {"K1": 0.1, "K2": 0.42, "xy": 10.0}, self.record)
+        unbounded = {"alpha": 0.1, "Ke": 2.0, "A": 1.0, "beta": 0.05, "n": 1.0, "gamma": -0.1}
+        with self.assertRaisesRegex(isolaw.Error, r"beta \+ gamma = -0.05; allowed: beta > 0 and beta \+ gamma > 0"):
+            isolaw.Model("bouc-wen", self.record).force(unbounded)
+        # A search may come by them.
+        self.assertFalse(np.isfinite(isolaw.objective("bouc-wen", unbounded, self.record)))
 
     def test_other_threads_go_on_meanwhile(self):
         model = isolaw.Model("abe", self.record)

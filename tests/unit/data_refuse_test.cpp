@@ -103,7 +103,11 @@ TEST_F(Refuse, NoNumbers) {
       "export displacement and force as CSV";
   EXPECT_EQ(refusal("Time;Disp;Force\ns;mm;kN\n"), "FILE: no rows of numbers in 2 lines" + rest);
   EXPECT_EQ(refusal("\n \n"), "FILE: no rows of numbers in 2 lines" + rest);
-  EXPECT_EQ(refusal("1.5\n2.5\n3.5\n"), "FILE: no rows of numbers in 3 lines" + rest);
+  std::string const one =
+      "FILE: one column of numbers; allowed: two or more columns of numbers, separated by commas, semicolons, tabs or "
+      "blanks; try: write time beside displacement for a motion, displacement beside force for a test";
+  EXPECT_EQ(refusal("1.5\n2.5\n3.5\n"), one);
+  EXPECT_EQ(refusal("Displacement [mm]\n1.5\n2.5e1\n-3\n+4\n"), one);
 }
 
 TEST_F(Refuse, FewerThanThreeSamples) {

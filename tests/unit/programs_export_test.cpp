@@ -1,6 +1,9 @@
 // What scripts say, read back from their text and replayed.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "unit/programs_fixture.hpp"
 
 namespace isolaw::programs_test {
@@ -171,6 +174,23 @@ TEST(Refits, say_their_error_and_are_the_same_again) {
   auto const force = of_script(script, "material", "nominal", unit_systems[2], subject.histories[0]);
   EXPECT_NEAR(100.0 * largest_difference(force, subject.histories[0].law_kN) / peak_of(subject.histories[0].law_kN),
               error.largest, 1e-6);
+}
+
+// The way from zero to the first sample and the turning points are driven through, and are no samples.
+TEST(Refits, root_mean_square_counts_each_sample_once) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  History const history{.device = "D",
+                        .time_s = {0.0, 0.0, 1.0, 1.5, 2.0},
+                        .disp_mm = {0.0, 0.1, 5.0, 6.0, 4.0},
+                        .vel_mm_s = {1.0, 1.0, 1.0, 0.0, -1.0},
+                        .measured_kN = {none, 2.0, 10.0, none, 8.0},
+                        .law_kN = {2.0, 2.0, 10.0, 12.0, 8.0}};
+  std::vector<double> const force{0.0, 0.0, 11.0, 9.0, 8.0};
+  double const rms_kN = std::sqrt((4.0 + 1.0 + 0.0) / 3.0);
+  EXPECT_NEAR(deviation(history, force, history.law_kN).rms, 100.0 * rms_kN / 12.0, 1e-12);
+  EXPECT_NEAR(deviation(history, force, history.measured_kN).rms, 100.0 * rms_kN / 10.0, 1e-12);
+  // The largest is of all that the program computes.
+  EXPECT_NEAR(deviation(history, force, history.law_kN).largest, 100.0 * 3.0 / 12.0, 1e-12);
 }
 
 TEST(Scripts, are_not_broken_by_hostile_names) {

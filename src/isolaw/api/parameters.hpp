@@ -23,10 +23,14 @@ NamedValue parse_named_value(std::string_view text, std::string const& where);
 // id. Throws one Error with every line that is neither; the names are checked by parameters_in_order().
 std::vector<NamedValue> read_parameter_file(std::filesystem::path const& file, laws::LawEntry const& law);
 
+// Whether values that are each within their limits must also be those of a device together. A search may come by others:
+// they have no objective, or a poor one.
+enum class Together { checked, left };
+
 // The values of all of the law's parameters in its order; those fixed by default may be missing. Throws one Error with
-// everything wrong: unknown names, a name twice, missing parameters, values outside the physical limits. `where` is said
-// of what has no place of its own.
+// everything wrong: unknown names, a name twice, missing parameters, values outside the physical limits; or, where each
+// is right, what they come to together. `where` is said of what has no place of its own.
 std::vector<double> parameters_in_order(laws::LawEntry const& law, std::vector<NamedValue> const& values,
-                                        std::string const& where);
+                                        std::string const& where, Together together = Together::checked);
 
 }  // namespace isolaw

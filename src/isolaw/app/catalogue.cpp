@@ -63,7 +63,9 @@ void print_markdown() {
       "law's own "
       "units; a step goes from one\nsample to the next, and what is not said starts at zero. *Paper*: the box of Table "
       "4; "
-      "`isolaw laws ID` says the same.\n");
+      "`isolaw laws ID` says the same. A history that\nstarts elsewhere than at zero displacement finds the device "
+      "virgin "
+      "there, as if it had come there without history; analysis\nprograms start at zero.\n");
   for (auto const& law : laws::catalogue()) {
     fmt::print("\n## {}: {}\n\n{}. Units {}, {}, s; {}.\n\n```\n{}\n```\n\n", law.info.id,
                plain_markdown(law.info.title), plain_markdown(law.info.source), law.info.force.symbol,

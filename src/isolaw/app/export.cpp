@@ -16,7 +16,7 @@ int export_law(ExportArguments const& a) {
   auto const& units = programs::find_unit_system(a.units.value_or("kN-mm"));
   auto contents = campaign::Store::read(a.directory / "campaign.sqlite");
   apply(a.acceptance, contents.acceptance);
-  auto const subject = programs::make_subject(contents, report::build_summary(contents), a.law, a.device);
+  auto const subject = programs::make_subject(contents, report::build_summary(contents), a.law, a.device, units);
   auto const text = programs::exported(subject, target, units);
   if (!a.out) {
     std::fwrite(text.data(), 1, text.size(), stdout);

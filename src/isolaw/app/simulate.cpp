@@ -44,6 +44,7 @@ FittedLaw chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
     values = read_parameter_file(*a.parameters, law);
     where = shown(*a.parameters);
   } else if (a.from) {
+    where = shown(*a.from);
     made = fitted_law(campaign::Store::read(*a.from / store_name), law.info.id, *a.device);
     for (std::size_t i = 0; i < law.parameters.size(); ++i)
       values.push_back({.name = std::string(law.parameters[i].name), .value = made.parameters[i]});
@@ -85,15 +86,23 @@ void say_what_it_is(laws::LawEntry const& law, FittedLaw const& chosen, data::Te
       !law.info.traits.rate_independent && chosen.tested_vel_mm_s > 0.0 && v > beyond * chosen.tested_vel_mm_s)
     say("  warning: the history reaches {:.4g} mm/s, the test {:.4g} mm/s: beyond it nothing was measured\n", v,
         chosen.tested_vel_mm_s);
+  constexpr double at_zero = 1e-6;  // of the largest displacement
+  if (double const x = path.disp_mm.front(); std::abs(x) > at_zero * largest(path.disp_mm))
+    say("  warning: the motion starts at {:.4g} mm: the device is taken as virgin there, its force as if it had come "
+        "there without history; an analysis program starts at 0: put a path from 0 in front to compare\n",
+        x);
 }
 
 // Numbers read back as the same doubles.
-std::string csv_text(data::TestRecord const& motion, std::vector<double> const& force_kN) {
-  std::string text = motion.has_time() ? "time [s],displacement [mm],force [kN]\n" : "displacement [mm],force [kN]\n";
-  for (std::size_t i = 0; i < motion.size(); ++i) {
-    if (motion.has_time()) text += fmt::format("{},", motion.time_s[i]);
-    text += fmt::format("{},{}\n", motion.disp_mm[i], force_kN[i]);
+std::string csv_text(data::TestRecord const& motion, data::FitRecord const& path, std::vector<double> const& force_kN) {
+  if (!motion.has_time()) {
+    std::string text = "displacement [mm],force [kN]\n";
+    for (std::size_t i = 0; i < motion.size(); ++i) text += fmt::format("{},{}\n", motion.disp_mm[i], force_kN[i]);
+    return text;
   }
+  std::string text = "time [s],displacement [mm],velocity [mm/s],force [kN]\n";
+  for (std::size_t i = 0; i < motion.size(); ++i)
+    text += fmt::format("{},{},{},{}\n", motion.time_s[i], motion.disp_mm[i], path.vel_mm_s[i], force_kN[i]);
   return text;
 }
 
@@ -118,7 +127,7 @@ int simulate(SimulateArguments const& a) {
          .advice = "--refinement 4, finer steps; isolaw laws " + std::string(law.info.id)});
   auto const [least, most] = std::ranges::minmax(force_kN);
   say("  {} samples, force from {:.4g} to {:.4g} kN\n", force_kN.size(), least, most);
-  auto const text = csv_text(motion, force_kN);
+  auto const text = csv_text(motion, path, force_kN);
   if (!a.out) {
     std::fwrite(text.data(), 1, text.size(), stdout);
     return exit_done;

@@ -194,8 +194,22 @@ Tests tests_of(std::shared_ptr<Page const> const& page, std::string const& place
   return tests;
 }
 
+bool is_one_column(std::span<std::string_view const> lines) {
+  auto const is_number = [](std::string_view line) {
+    auto const cell = std::string(trimmed(line));
+    return parse_cell(cell, '.').kind == CellKind::number || parse_cell(cell, ',').kind == CellKind::number;
+  };
+  return 2 * std::ranges::count_if(lines, is_number) > static_cast<std::ptrdiff_t>(lines.size());
+}
+
 Dialect require_dialect(std::string const& file, std::span<std::string_view const> lines) {
   auto dialect = recognise_dialect(lines);
+  if (!dialect && is_one_column(lines))
+    throw Error(
+        Complaint{.where = file,
+                  .found = "one column of numbers",
+                  .allowed = "two or more columns of numbers, separated by commas, semicolons, tabs or blanks",
+                  .advice = "write time beside displacement for a motion, displacement beside force for a test"});
   if (!dialect)
     throw Error(Complaint{.where = file,
                           .found = fmt::format("no rows of numbers in {} lines", lines.size()),

@@ -71,10 +71,11 @@ double peak_to_peak_stiffness(data::FitRecord const& record) {
 }  // namespace
 
 std::string limits_text(laws::Interval const& limits, std::string_view unit) {
-  if (std::isinf(limits.lower) && std::isinf(limits.upper)) return fmt::format("any number of {}", unit);
-  if (limits.lower > 0.0) return fmt::format("above 0 {}", unit);
-  if (limits.lower == 0.0) return fmt::format("0 {} or more", unit);
-  return fmt::format("0 {} or less", unit);
+  auto const zero = unit == "1" ? std::string("0") : fmt::format("0 {}", unit);
+  if (std::isinf(limits.lower) && std::isinf(limits.upper))
+    return unit == "1" ? std::string("any number") : fmt::format("any number of {}", unit);
+  if (limits.lower > 0.0) return "above " + zero;
+  return zero + (limits.lower == 0.0 ? " or more" : " or less");
 }
 
 std::string Override::text() const {

@@ -288,7 +288,7 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units) {
   fact("Of", (subject.lot ? std::string("the lot: one law for all its devices") : "device " + subject.device) +
                  (subject.title.empty() ? "" : ", lot " + subject.title));
   fact("Parameters", parameter_text(*subject.law, subject.parameters));
-  for (auto const& f : validity(subject)) fact(f.label, f.text);
+  for (auto const& f : validity(subject, units)) fact(f.label, f.text);
   for (auto const& f : bound_facts(subject, false)) fact(f.label, f.text);
   fact("Errors below",
        "of the model's exact force, in percent of the peak force, on the calibration records; a program's own "

@@ -37,6 +37,11 @@ std::vector<double> every(std::span<double const> values, int step) {
   return made;
 }
 
+// Of the record, not the way to its first sample or a turning point between two; a protocol is its own samples.
+bool is_sample(History const& history, std::size_t i) {
+  return history.measured_kN.empty() || std::isfinite(history.measured_kN[i]);
+}
+
 // Stiffness and energy of the cycle that is reported of the law's own loop.
 void compare_properties(Deviation& made, History const& history, std::span<double const> force,
                         std::span<double const> other) {
@@ -193,6 +198,7 @@ Deviation deviation(History const& history, std::span<double const> force, std::
     double const d = force[i] - other[i];
     if (std::abs(d) > largest) at_s = history.time_s[i];
     largest = std::max(largest, std::abs(d));
+    if (!is_sample(history, i)) continue;
     squares += d * d;
     ++count;
   }

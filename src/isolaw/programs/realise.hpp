@@ -25,7 +25,7 @@ std::string_view name(Fidelity fidelity);
 struct Deviation {
   double largest = 0.0;                 // of the other's peak
   double at_s = 0.0;                    // when
-  double rms = 0.0;                     // root mean square, of the other's peak
+  double rms = 0.0;                     // root mean square over the samples, of the other's peak
   std::optional<double> K_eff, energy;  // of the reported cycle; without one, empty
 };
 // `other` is the reference; values that are not numbers in it are left out. A force that is no number gives infinity.

@@ -124,7 +124,7 @@ std::string number(double value) {
 }
 
 std::optional<PropertyBounds> ruled_bounds(report::Summary const& summary, Subject const& subject,
-                                           rules::Quantity quantity) {
+                                           rules::Quantity quantity, UnitSystem const& units) {
   auto const* view = quantity_of(summary, quantity);
   if (view == nullptr) return std::nullopt;
   auto const* bound = chosen_bound(*view);
@@ -134,14 +134,17 @@ std::optional<PropertyBounds> ruled_bounds(report::Summary const& summary, Subje
   made.own = *own;
   if (std::isfinite(bound->lower) && bound->lower > 0.0) made.lower = bound->lower / *own;
   if (std::isfinite(bound->upper)) made.upper = bound->upper / *own;
+  bool const stiffness = quantity != rules::Quantity::Q_d;
+  auto const text = [&](double value) { return number(units.convert(value, 1, stiffness ? -1 : 0)); };
+  auto const unit = std::string(units.force.symbol) + (stiffness ? "/" + std::string(units.length.symbol) : "");
   made.text = fmt::format(
       "{} {}: lower {}, upper {} {} (lambda {} and {} on {} {}, {}{}), this one's {}", bound->source,
-      rules::name(quantity), made.lower ? number(bound->lower) : "none", made.upper ? number(bound->upper) : "none",
-      view->unit, made.lower ? number(bound->combined.min) : "none", number(bound->combined.max),
-      view->nominal ? "the design value" : "the lot's mean", number(view->nominal ? *view->nominal : *view->mean),
+      rules::name(quantity), made.lower ? text(bound->lower) : "none", made.upper ? text(bound->upper) : "none", unit,
+      made.lower ? number(bound->combined.min) : "none", number(bound->combined.max),
+      view->nominal ? "the design value" : "the lot's mean", text(view->nominal ? *view->nominal : *view->mean),
       bound->note,
       bound->combined.max_is_default || bound->combined.min_is_default ? ", the set's own limits of lambda taken" : "",
-      number(*own));
+      text(*own));
   return made;
 }
 
@@ -149,27 +152,30 @@ BoundFactors whole(double factor) {
   return {.stiffness = factor, .strength = factor, .overall = factor, .separate = false};
 }
 
-Bounds spread_of_the_lot(report::Summary const& summary, Subject const& subject, std::string_view why) {
+Bounds spread_of_the_lot(report::Summary const& summary, Subject const& subject, UnitSystem const& units,
+                         std::string_view why) {
   auto const* view = quantity_of(summary, rules::Quantity::K_eff);
   auto const own = view == nullptr ? std::nullopt : own_value(summary, subject, *view);
   if (view == nullptr || view->count < 2 || !view->min || !own || !(*own > 0.0))
     return {.lower = {}, .upper = {}, .source = "none: " + std::string(why) + ", and one device has no spread"};
+  auto const text = [&](double stiffness) { return number(units.convert(stiffness, 1, -1)); };
   return {
       .lower = whole(*view->min / *own),
       .upper = whole(*view->max / *own),
       .source = fmt::format("{}: the spread of the {} devices tested, smallest and largest K_eff {} ({}) and {} ({}) "
-                            "kN/mm over this one's {}; ageing, temperature and rate are not in it",
-                            why, view->count, number(*view->min), view->min_device, number(*view->max),
-                            view->max_device, number(*own))};
+                            "{}/{} over this one's {}; ageing, temperature and rate are not in it",
+                            why, view->count, text(*view->min), view->min_device, text(*view->max), view->max_device,
+                            units.force.symbol, units.length.symbol, text(*own))};
 }
 
-Bounds bounds_of(report::Summary const& summary, Subject const& subject) {
-  if (!summary.acceptance.has_rules()) return spread_of_the_lot(summary, subject, "no rule set was given");
+Bounds bounds_of(report::Summary const& summary, Subject const& subject, UnitSystem const& units) {
+  if (!summary.acceptance.has_rules()) return spread_of_the_lot(summary, subject, units, "no rule set was given");
   auto const& rules = summary.acceptance.rules;
-  auto const K_d = ruled_bounds(summary, subject, rules::Quantity::K_d);
-  auto const Q_d = ruled_bounds(summary, subject, rules::Quantity::Q_d);
+  auto const K_d = ruled_bounds(summary, subject, rules::Quantity::K_d, units);
+  auto const Q_d = ruled_bounds(summary, subject, rules::Quantity::Q_d, units);
   if (!K_d || !Q_d)
-    return spread_of_the_lot(summary, subject, "rule set " + rules.id + " has no factors of K_d and Q_d for this lot");
+    return spread_of_the_lot(summary, subject, units,
+                             "rule set " + rules.id + " has no factors of K_d and Q_d for this lot");
   Bounds made;
   // Of the whole force at the amplitude of the cycle that counts: its parts by their shares of it there.
   double const spring = K_d->own * subject.design_disp_mm, both = spring + Q_d->own;
@@ -294,7 +300,7 @@ std::vector<double> law_force(laws::LawEntry const& law, std::span<double const>
 }
 
 Subject make_subject(campaign::Contents const& contents, report::Summary const& summary, std::string_view law,
-                     std::string_view device) {
+                     std::string_view device, UnitSystem const& units) {
   Subject subject;
   subject.law = &laws::find_law(law);
   if (std::ranges::find(contents.settings.laws, law) == contents.settings.laws.end())
@@ -336,7 +342,7 @@ Subject make_subject(campaign::Contents const& contents, report::Summary const& 
   for (auto& history : subject.histories) history.law_kN = law_force(*subject.law, subject.parameters, history);
   subject.protocol.law_kN = law_force(*subject.law, subject.parameters, subject.protocol);
   require_finite(subject, where);
-  subject.bounds = bounds_of(summary, subject);
+  subject.bounds = bounds_of(summary, subject, units);
   return subject;
 }
 

@@ -116,16 +116,20 @@ std::string deviation_text(Deviation const& d) {
   return text;
 }
 
-std::vector<Fact> validity(Subject const& subject) {
+std::vector<Fact> validity(Subject const& subject, UnitSystem const& units) {
   auto const& t = subject.tested;
-  return {
-      {"Displacement tested", fmt::format("up to {:.4g} mm", t.disp_mm)},
-      {"Shear strain tested",
-       t.strain_percent ? fmt::format("up to {:.4g} %", *t.strain_percent) : std::string("not stated")},
-      {"Frequency tested", range_of(t.lowest_Hz, t.highest_Hz, "Hz")},
-      {"Velocity tested", t.v_max_mm_s ? fmt::format("up to {:.4g} mm/s", *t.v_max_mm_s) : std::string("not stated")},
-      {"Vertical load tested", range_of(t.load_min_kN, t.load_max_kN, "kN")},
-      {"Temperature", range_of(t.temperature_min_C, t.temperature_max_C, "C")}};
+  auto const load = [&](std::optional<double> value) {
+    return value ? std::optional(units.from_kN(*value)) : std::nullopt;
+  };
+  return {{"Displacement tested", fmt::format("up to {:.4g} {}", units.from_mm(t.disp_mm), units.length.symbol)},
+          {"Shear strain tested",
+           t.strain_percent ? fmt::format("up to {:.4g} %", *t.strain_percent) : std::string("not stated")},
+          {"Frequency tested", range_of(t.lowest_Hz, t.highest_Hz, "Hz")},
+          {"Velocity tested", t.v_max_mm_s
+                                  ? fmt::format("up to {:.4g} {}/s", units.from_mm(*t.v_max_mm_s), units.length.symbol)
+                                  : std::string("not stated")},
+          {"Vertical load tested", range_of(load(t.load_min_kN), load(t.load_max_kN), units.force.symbol)},
+          {"Temperature", range_of(t.temperature_min_C, t.temperature_max_C, "C")}};
 }
 
 std::vector<Fact> bound_facts(Subject const& subject, bool one_factor) {
@@ -167,7 +171,7 @@ std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, 
                                                                       realisation.substitute_parameters))});
   for (auto& fact : replay_facts(subject, realisation, units)) made.push_back(std::move(fact));
   for (auto const& refused : realisation.refused) made.push_back({"Refused", refused});
-  for (auto& fact : validity(subject)) made.push_back(std::move(fact));
+  for (auto& fact : validity(subject, units)) made.push_back(std::move(fact));
   made.push_back({"Beyond these", "nothing was tested, and the law is an extrapolation"});
   for (auto& fact : bound_facts(subject, false)) made.push_back(std::move(fact));
   for (auto const& note : subject.notes) made.push_back({"Note", note});

@@ -35,7 +35,7 @@ std::vector<std::string> fact_lines(std::vector<Fact> const& facts);
 // "law's parameter = value unit, ...".
 std::string parameter_text(laws::LawEntry const& law, std::span<double const> parameters);
 // Where the law was tested, or "not stated".
-std::vector<Fact> validity(Subject const& subject);
+std::vector<Fact> validity(Subject const& subject, UnitSystem const& units);
 std::vector<Fact> bound_facts(Subject const& subject, bool one_factor);
 std::string deviation_text(Deviation const& deviation);
 
