@@ -210,6 +210,7 @@ TEST_F(Simulate, measured_motions) {
   fs::path const data = ISOLAW_DATA_DIR;
   auto const orbit = data / "hdrb-gallardo-device/biaxial_input_Fig8b.txt";
   auto const ground = data / "ground-motions/peer/RSN763_LOMAP_GIL067.AT2";
+  // Measured data lie beside the checkout and are never part of it.
   if (!fs::exists(orbit) || !fs::exists(ground)) GTEST_SKIP() << "measured data are not here: " << data;
   Words const start{"simulate", "bilinear", "--set", "K1=2", "--set", "K2=1", "--set", "xy=9", "--motion"};
   auto const o = isolaw(start + Words{orbit, "--columns", "disp=1", "--units", "disp=mm"});

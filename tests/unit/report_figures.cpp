@@ -298,6 +298,7 @@ class Drawn : public testing::Test {
     ::unsetenv("ISOLAW_GNUPLOT");
   }
 
+  // A report is whole without gnuplot, so its drawings are tested where it is; `./isolaw.sh test` brings it.
   static bool has_gnuplot() { return run_gnuplot({}, fs::temp_directory_path(), std::chrono::seconds(20)).started; }
   static void hide_gnuplot() { ::setenv("ISOLAW_GNUPLOT", "/nonexistent/gnuplot", 1); }
 

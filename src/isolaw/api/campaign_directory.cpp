@@ -11,7 +11,7 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/campaign/store.hpp"
-#include "isolaw/report/figures.hpp"
+#include "isolaw/report/write.hpp"
 
 namespace isolaw {
 namespace {
@@ -39,18 +39,6 @@ std::vector<std::string> differences(campaign::Contents const& stored, campaign:
       found.push_back(fmt::format("{}: its file is read in another way", b.name));
   }
   return found;
-}
-
-// The reports of another campaign must not stand beside this one's store.
-void remove_outputs(std::filesystem::path const& directory) {
-  std::error_code ignored;
-  for (auto const* name :
-       {"summary.json", "report.html", "run.json", "tables/parameters.csv", "tables/objective.csv",
-        "tables/robustness.csv", "tables/converged.csv", "tables/identifiability.csv", "tables/lot_law.csv",
-        "tables/prediction.csv", "tables/cycles.csv", "tables/tests.csv", "tables/lot.csv", "tables/lambda.csv",
-        "tables/table_a5.csv", "tables/table_a5.tex", "tables/robustness.tex", "tables/front.csv", "tables/front.tex"})
-    if (std::filesystem::is_regular_file(directory / name, ignored)) std::filesystem::remove(directory / name, ignored);
-  report::remove_figures(directory);
 }
 
 }  // namespace
@@ -81,7 +69,7 @@ void open_or_create(std::filesystem::path const& file, campaign::Contents& conte
   if (fresh || !std::filesystem::exists(file)) {
     // A kill between the two leaves the former store without its reports, which can be made again: never reports of one
     // campaign beside the store of another.
-    campaign::Store::create(file, contents, [&] { remove_outputs(file.parent_path()); });
+    campaign::Store::create(file, contents, [&] { report::remove_outputs(file.parent_path()); });
     return;
   }
   campaign::Store::remove_unfinished(file);

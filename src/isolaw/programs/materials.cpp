@@ -100,31 +100,21 @@ class DimensionlessBoucWen final : public Material {
   double x_ = 0.0, z_ = 0.0;
 };
 
+// Both lists of arguments end with: alpha1 alpha2 mu eta beta gamma.
+DimensionlessBoucWen::Parameters with_shape(double k, double uy, double qd, std::span<double const> a) {
+  return {
+      .k = k, .uy = uy, .qd = qd, .alpha1 = a[2], .alpha2 = a[3], .mu = a[4], .eta = a[5], .beta = a[6], .gamma = a[7]};
+}
+
 // E fy alphaL alphaNL mu eta beta gamma [tol maxIter].
 DimensionlessBoucWen::Parameters bouc_wen_original(std::span<double const> a) {
   double const uy = a[1] / a[0], qd = a[1] - a[2] * a[0] * uy - a[3] * a[0] * std::pow(uy, a[4]);
-  return {.k = a[0],
-          .uy = uy,
-          .qd = qd,
-          .alpha1 = a[2],
-          .alpha2 = a[3],
-          .mu = a[4],
-          .eta = a[5],
-          .beta = a[6],
-          .gamma = a[7]};
+  return with_shape(a[0], uy, qd, a);
 }
 
 // kInit qd alpha1 alpha2 mu eta beta gamma.
 DimensionlessBoucWen::Parameters bearing_bouc_wen(std::span<double const> a) {
-  return {.k = a[0],
-          .uy = a[1] / ((1.0 - a[2]) * a[0]),
-          .qd = a[1],
-          .alpha1 = a[2],
-          .alpha2 = a[3],
-          .mu = a[4],
-          .eta = a[5],
-          .beta = a[6],
-          .gamma = a[7]};
+  return with_shape(a[0], a[1] / ((1.0 - a[2]) * a[0]), a[1], a);
 }
 
 // ka kb fo b1 b2 gamma. Nothing keeps the logarithm's argument positive: on a long branch the distance to the limit

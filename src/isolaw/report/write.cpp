@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/report/figures.hpp"
 #include "isolaw/report/html.hpp"
 #include "isolaw/report/inspection.hpp"
 #include "isolaw/report/latex_tables.hpp"
@@ -27,6 +28,32 @@ constexpr std::string_view part_suffix = ".part";
   throw Error(Complaint{
       path.string(), "cannot be written: " + reason, {}, "another output directory, or free space in this one"});
 }
+
+// What a campaign leaves, beside its store and figures.
+struct Output {
+  char const* name;
+  std::string (*text)(Summary const&);
+};
+constexpr Output outputs[] = {
+    {"summary.json", summary_json},
+    {"tables/parameters.csv", parameters_csv},
+    {"tables/objective.csv", objective_csv},
+    {"tables/robustness.csv", robustness_csv},
+    {"tables/converged.csv", converged_csv},
+    {"tables/identifiability.csv", identifiability_csv},
+    {"tables/lot_law.csv", lot_law_csv},
+    {"tables/prediction.csv", prediction_csv},
+    {"tables/cycles.csv", cycles_csv},
+    {"tables/tests.csv", tests_csv},
+    {"tables/lot.csv", lot_csv},
+    {"tables/lambda.csv", lambda_csv},
+    {"tables/table_a5.csv", table_a5_csv},
+    {"tables/table_a5.tex", table_a5_tex},
+    {"tables/robustness.tex", robustness_tex},
+    {"tables/front.csv", front_csv},
+    {"tables/front.tex", front_tex},
+    {"report.html", html},
+};
 
 }  // namespace
 
@@ -60,24 +87,19 @@ void write_file(fs::path const& path, std::string_view text) {
 }
 
 std::vector<std::pair<std::string, std::string>> output_texts(Summary const& summary) {
-  return {{"summary.json", summary_json(summary)},
-          {"tables/parameters.csv", parameters_csv(summary)},
-          {"tables/objective.csv", objective_csv(summary)},
-          {"tables/robustness.csv", robustness_csv(summary)},
-          {"tables/converged.csv", converged_csv(summary)},
-          {"tables/identifiability.csv", identifiability_csv(summary)},
-          {"tables/lot_law.csv", lot_law_csv(summary)},
-          {"tables/prediction.csv", prediction_csv(summary)},
-          {"tables/cycles.csv", cycles_csv(summary)},
-          {"tables/tests.csv", tests_csv(summary)},
-          {"tables/lot.csv", lot_csv(summary)},
-          {"tables/lambda.csv", lambda_csv(summary)},
-          {"tables/table_a5.csv", table_a5_csv(summary)},
-          {"tables/table_a5.tex", table_a5_tex(summary)},
-          {"tables/robustness.tex", robustness_tex(summary)},
-          {"tables/front.csv", front_csv(summary)},
-          {"tables/front.tex", front_tex(summary)},
-          {"report.html", html(summary)}};
+  std::vector<std::pair<std::string, std::string>> texts;
+  for (auto const& [name, text] : outputs) texts.emplace_back(name, text(summary));
+  return texts;
+}
+
+void remove_outputs(fs::path const& dir) {
+  auto const remove = [&](char const* name) {
+    std::error_code ignored;
+    if (fs::is_regular_file(dir / name, ignored)) fs::remove(dir / name, ignored);
+  };
+  for (auto const& output : outputs) remove(output.name);
+  remove("run.json");
+  remove_figures(dir);
 }
 
 void write_outputs(Summary const& summary, fs::path const& dir) {
