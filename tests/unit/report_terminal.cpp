@@ -50,6 +50,19 @@ TEST(Findings, PublishedLotHasThePublishedFront) {
       "the best compromise is vaiana.");
 }
 
+// A law that is on the front by the optimiser's noise alone is no compromise.
+TEST(Findings, CompromiseStaysOnTheFrontWithoutNoise) {
+  auto summary = fixture::lot(10, 6);
+  auto const mark = [&](std::string const& id) {
+    std::ranges::find(summary.laws, id, &LawResult::id)->on_front_converged = true;
+  };
+  mark("jankowski");
+  mark("bilinear");
+  EXPECT_NE(findings(summary).headline.find("none between them holds up"), std::string::npos);
+  mark("abe");
+  EXPECT_NE(findings(summary).headline.find("the best compromise is abe"), std::string::npos);
+}
+
 TEST(Findings, OneLawOnTheFrontIsBestOfBoth) {
   auto summary = fixture::lot(3, 2);
   summary.laws[1].beta = 0.1;

@@ -151,7 +151,10 @@ std::string headline(Summary const& summary, std::vector<std::size_t> const& fro
     return fmt::format(
         "{} of {} laws are worth considering: the choice lies between accuracy ({}) and robustness ({}){}.",
         front.size(), laws.size(), flagged(front.front()), flagged(front.back()),
-        middle < front.size() ? fmt::format("; the best compromise is {}", laws[front[middle]].id) : "");
+        middle < front.size() ? fmt::format("; the best compromise is {}", laws[front[middle]].id)
+        : front.size() > 2
+            ? "; none between them holds up (off the front without the optimiser's noise, or its prediction collapses)"
+            : "");
   }
   if (ranking.empty() || !laws[ranking.front()].objective.mean) return "No law could be identified.";
   return fmt::format("{} is the most accurate law; how robust it is cannot be said.{}", laws[ranking.front()].id,
