@@ -301,6 +301,83 @@ TEST(Problem, EvaluatesTheExpandedPoints) {
   }
 }
 
+TEST(Outline, HoldsEveryReversalAndItsSurroundingsAndAFractionOfTheRest) {
+  auto const record = sine(400);
+  LawOnMotion const motion(laws::find_law("vaiana"), record, laws::Integration::converged);
+  auto const samples = motion.outline();
+  EXPECT_LT(samples.size(), record.size() / 4);
+  EXPECT_EQ(samples.front(), 0u);
+  EXPECT_EQ(samples.back(), record.size() - 1);
+  for (std::size_t k = 1; k < samples.size(); ++k) {
+    EXPECT_LT(samples[k - 1], samples[k]);
+    EXPECT_LE(samples[k], samples[k - 1] + 8) << "a wide gap at " << samples[k];
+  }
+  for (std::size_t reversal = 100; reversal < record.size(); reversal += 200)
+    for (std::size_t i = reversal - 1; i <= reversal + 6; ++i)
+      EXPECT_TRUE(std::ranges::binary_search(samples, i)) << "sample " << i << " near the reversal " << reversal;
+}
+
+TEST(Outline, HasTheForcesOfTheWholeWhereTheRateDoesNotAct) {
+  auto const record = sine(200);
+  for (auto const& law : laws::catalogue()) {
+    if (!law.info.traits.rate_independent) continue;
+    LawOnMotion const motion(law, record, laws::Integration::converged);
+    auto const samples = motion.outline();
+    auto const whole = motion.force_kN(plausible(law)), some = motion.at(samples).force_kN(plausible(law));
+    ASSERT_EQ(some.size(), samples.size());
+    double const peak = std::ranges::max(whole, {}, [](double f) { return std::abs(f); });
+    for (std::size_t k = 0; k < samples.size(); ++k)
+      EXPECT_NEAR(some[k], whole[samples[k]], 1e-5 * std::abs(peak)) << law.info.id << ", sample " << samples[k];
+  }
+}
+
+TEST(Outline, HasAboutTheObjectiveOfTheWhole) {
+  auto record = sine(200);
+  record.scored.assign(record.size(), 1.0);
+  for (std::size_t i = 0; i < 150; ++i) record.scored[i] = 0.0;
+  for (auto const& law : laws::catalogue()) {
+    LawOnRecord const model(law, record, laws::Integration::converged);
+    auto const outline = model.outline();
+    ASSERT_TRUE(outline) << law.info.id;
+    EXPECT_LT(outline->samples(), model.samples() / 3);
+    double sum = 0.0;
+    for (double const w : outline->residual_weights()) sum += w;
+    EXPECT_NEAR(sum, 1.0, 1e-12);
+    double const whole = objective_of(model, plausible(law));
+    EXPECT_NEAR(objective_of(*outline, plausible(law)), whole, 0.02 * whole) << law.info.id;
+  }
+}
+
+TEST(Outline, IsNotMadeWhereItSparesLittleOrWouldChangeTheIntegration) {
+  EXPECT_FALSE(LawOnRecord(laws::find_law("bilinear"), sine(20), laws::Integration::converged).outline());
+  auto const dense = sine(400);
+  for (auto const* id : {"bouc-wen", "abe", "abe-y0", "hwang-wu"})
+    EXPECT_FALSE(LawOnRecord(laws::find_law(id), dense, laws::Integration::paper).outline()) << id;
+  EXPECT_TRUE(LawOnRecord(laws::find_law("bilinear"), dense, laws::Integration::paper).outline());
+}
+
+TEST(Problem, HasAnOutlineOfTheSameParameters) {
+  auto const& law = laws::find_law("vaiana");
+  auto const dense = sine(400);
+  auto const box = make_box(law, BoxKind::scaled, scales_of(dense, law.info), {});
+  LawOnRecord const model(law, dense, laws::Integration::converged);
+  IdentificationProblem const problem(model, box);
+  auto const* outline = problem.outline();
+  ASSERT_NE(outline, nullptr);
+  EXPECT_EQ(outline->outline(), nullptr);
+  EXPECT_EQ(outline->dimension(), problem.dimension());
+  EXPECT_LT(outline->weights().size(), problem.weights().size() / 4);
+  opt::Points const centre = [&] {
+    opt::Points one(problem.dimension(), 1);
+    std::ranges::fill(one.values, 0.5);
+    return one;
+  }();
+  Values whole(1), some(1);
+  problem.evaluate(centre, whole);
+  outline->evaluate(centre, some);
+  EXPECT_NEAR(some[0], whole[0], 0.02 * whole[0]);
+}
+
 TEST(IntegrationShift, IsZeroForLawsThatAreNotIntegrated) {
   for (auto const* id : {"bilinear", "jankowski", "vaiana"}) {
     auto const& law = laws::find_law(id);

@@ -125,6 +125,50 @@ TEST(Multistart, RepeatsItselfAndCountsWhatItDoes) {
   EXPECT_EQ(first.failed_evaluations, 0);
 }
 
+// A problem approached by another of a quarter as many residuals.
+class Outlined final : public Residuals {
+ public:
+  Outlined(std::function<double(Point, std::size_t)> const& residual,
+           std::function<double(Point, std::size_t)> const& fewer)
+      : Residuals(2, 40, residual), fewer_(2, 10, fewer) {}
+  DeviationProblem const* outline() const override { return &fewer_; }
+  Residuals const& fewer() const { return fewer_; }
+
+ private:
+  Residuals fewer_;
+};
+
+double line(Point x, double t) {
+  return x[0] + x[1] * t - (0.2 + 0.5 * t) + (t < 0.1 ? 0.3 : 0.0);
+}
+
+TEST(Multistart, ApproachesByTheOutlineAndCountsItsShare) {
+  Outlined const problem([](Point x, std::size_t j) { return line(x, static_cast<double>(j) / 39.0); },
+                         [](Point x, std::size_t j) { return line(x, static_cast<double>(j) / 9.0); });
+  auto const found = minimise_multistart(problem, stream);
+  EXPECT_EQ(found.outcome, MultistartOutcome::confirmed);
+  EXPECT_NEAR(found.best.at(0), 0.2, 1e-2);
+  EXPECT_NEAR(found.best.at(1), 0.5, 1e-2);
+  EXPECT_EQ(found.best_value, problem.value(found.best));
+  EXPECT_GT(problem.fewer().seen, problem.seen / 4);
+  EXPECT_EQ(found.evaluations, static_cast<int>((4 * problem.seen + problem.fewer().seen + 3) / 4));
+}
+
+// The result is the problem's, whatever the outline says: one that leads elsewhere, and one that never has a value.
+TEST(Multistart, IsNotMisledByABadOutline) {
+  auto const whole = [](Point x, std::size_t j) { return line(x, static_cast<double>(j) / 39.0); };
+  Outlined const elsewhere(whole, [](Point x, std::size_t) { return x[0] - x[1] + 0.9; });
+  Outlined const nowhere(whole, [](Point, std::size_t) { return nan; });
+  for (auto const* problem : {&elsewhere, &nowhere}) {
+    auto const found = minimise_multistart(*problem, stream);
+    EXPECT_EQ(found.outcome, MultistartOutcome::confirmed);
+    EXPECT_NEAR(found.best.at(0), 0.2, 1e-2);
+    EXPECT_NEAR(found.best.at(1), 0.5, 1e-2);
+    EXPECT_EQ(found.best_value, problem->value(found.best));
+    EXPECT_LE(found.failed_evaluations, found.evaluations);
+  }
+}
+
 // Half of the box has no value: the search stays where there is one, and counts.
 TEST(Multistart, PassesOverPointsWithoutAValue) {
   Residuals const problem(2, 4, [](Point x, std::size_t j) {

@@ -21,6 +21,14 @@ std::vector<double> in_unit(std::vector<double> values, double unit) {
   return values;
 }
 
+std::vector<double> taken(std::vector<double> const& values, std::span<std::size_t const> samples) {
+  std::vector<double> some;
+  if (values.empty()) return some;
+  some.reserve(samples.size());
+  for (std::size_t const i : samples) some.push_back(values[i]);
+  return some;
+}
+
 // Weights of the trapezoidal rule over the true time stamps, divided by the duration; only intervals between two scored
 // samples count.
 struct TimeWeights {
@@ -108,6 +116,33 @@ laws::Path LawOnMotion::path(int refinement) const {
              : laws::make_path(x_, v_, refinement);
 }
 
+std::vector<std::size_t> LawOnMotion::outline() const {
+  // Laws bend most after a reversal, and what a search keeps of that decides which valley it finds: every third sample
+  // alone halves abe's chance.
+  constexpr std::size_t distance_per_gap = 6, widest_gap = 8;
+  std::vector<std::size_t> samples;
+  auto const reverses = [&](std::size_t i) {
+    return i > 0 && i + 1 < x_.size() && (x_[i] - x_[i - 1]) * (x_[i + 1] - x_[i]) <= 0.0;
+  };
+  std::size_t last = 0, reversal = 0;
+  for (std::size_t i = 0; i < x_.size(); ++i) {
+    if (reverses(i)) reversal = i;
+    bool const marked = i == reversal || i + 1 == x_.size() || reverses(i + 1);
+    if (!marked && i - last < std::clamp<std::size_t>((i - reversal) / distance_per_gap, 1, widest_gap)) continue;
+    samples.push_back(last = i);
+  }
+  return samples;
+}
+
+LawOnMotion LawOnMotion::at(std::span<std::size_t const> samples) const {
+  LawOnMotion made = *this;
+  made.time_s_ = taken(time_s_, samples);
+  made.x_ = taken(x_, samples);
+  made.v_ = taken(v_, samples);
+  made.path_ = made.path(refinement_);
+  return made;
+}
+
 void LawOnMotion::force_kN(std::span<double const> parameters, std::span<double> force) const {
   law_->evaluate(parameters, path_, integration_, force);
   for (double& f : force) f *= law_->info.force.in_record_units;
@@ -132,6 +167,30 @@ LawOnRecord::LawOnRecord(laws::LawEntry const& law, data::FitRecord const& recor
 LawOnRecord LawOnRecord::refined(int refinement) const {
   LawOnRecord made = *this;
   made.motion_ = motion_.refined(refinement);
+  return made;
+}
+
+std::optional<LawOnRecord> LawOnRecord::outline() const {
+  bool const steps_are_samples = motion_.integration() == laws::Integration::paper && law().info.traits.path_integrated;
+  auto const kept = motion_.outline();
+  if (steps_are_samples || 4 * kept.size() > 3 * samples()) return std::nullopt;
+  LawOnRecord made = *this;
+  made.motion_ = motion_.at(kept);
+  made.measured_ = taken(measured_, kept);
+  made.share_.assign(kept.size(), 0.0);
+  // A residual between two that are kept is taken for the line through them.
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    made.share_[k] += share_[kept[k]];
+    if (k + 1 == kept.size()) break;
+    auto const gap = static_cast<double>(kept[k + 1] - kept[k]);
+    for (std::size_t i = kept[k] + 1; i < kept[k + 1]; ++i) {
+      double const nearness = static_cast<double>(i - kept[k]) / gap;
+      made.share_[k] += (1.0 - nearness) * share_[i];
+      made.share_[k + 1] += nearness * share_[i];
+    }
+  }
+  made.weight_ = made.share_;
+  for (double& w : made.weight_) w /= spread_;
   return made;
 }
 
@@ -231,6 +290,11 @@ double objective_on(data::FitRecord const& record, std::span<double const> force
   for (std::size_t i = 0; i < weights.weight.size(); ++i)
     if (part.is_scored(i)) sum += weights.weight[i] * std::abs(record.force_kN[i] - force_kN[i]);
   return weights.duration > 0.0 && spread > 0.0 ? sum / spread : std::nan("");
+}
+
+IdentificationProblem::IdentificationProblem(LawOnRecord const& model, SearchBox const& box)
+    : model_(model), box_(box), fewer_(model.outline()) {
+  if (fewer_) outline_.reset(new IdentificationProblem(*fewer_, box, WithoutOutline()));
 }
 
 void IdentificationProblem::evaluate(opt::Points const& points, std::span<double> values) const {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -42,6 +44,12 @@ class LawOnMotion {
   laws::Path const& path() const { return path_; }
   laws::Path path(int refinement) const;
 
+  // The samples that show the loop's outline: all of those next to a reversal, and the fewer the farther from it.
+  std::vector<std::size_t> outline() const;
+  // The same law on these of the samples, in rising order. On a path that keeps its reversals a law that does not depend
+  // on the rate gives the same forces.
+  LawOnMotion at(std::span<std::size_t const> samples) const;
+
   // Computed force [kN] at every sample, into `force` of that length or as a new vector; not finite where the law gives
   // none. `parameters` in the law's order and units. Thread-safe.
   void force_kN(std::span<double const> parameters, std::span<double> force) const;
@@ -65,6 +73,9 @@ class LawOnRecord {
               laws::TurningPoints turning_points = laws::TurningPoints::as_sampled, int refinement = 1);
   // The same law and record integrated in finer steps; `refinement` counts from the samples, not from this one's.
   LawOnRecord refined(int refinement) const;
+  // On the samples of the loop's outline, each with the weight of those it stands for; nullopt where that spares little, and
+  // where the integration's steps are the samples. Its objective is about this one's.
+  std::optional<LawOnRecord> outline() const;
 
   laws::LawEntry const& law() const { return motion_.law(); }
   int refinement() const { return motion_.refinement(); }
@@ -110,15 +121,24 @@ double objective_on(data::FitRecord const& record, std::span<double const> force
 // The search of a law's free parameters on a record, in the unit box.
 class IdentificationProblem final : public opt::DeviationProblem {
  public:
-  IdentificationProblem(LawOnRecord const& model, SearchBox const& box) : model_(model), box_(box) {}
+  IdentificationProblem(LawOnRecord const& model, SearchBox const& box);
+  IdentificationProblem(IdentificationProblem const&) = delete;
+  IdentificationProblem& operator=(IdentificationProblem const&) = delete;
+
   std::size_t dimension() const override { return box_.free_count(); }
   void evaluate(opt::Points const& points, std::span<double> values) const override;
   std::span<double const> weights() const override { return model_.residual_weights(); }
   void residuals(opt::Points const& points, std::span<double> values) const override;
+  DeviationProblem const* outline() const override { return outline_.get(); }
 
  private:
+  struct WithoutOutline {};
+  IdentificationProblem(LawOnRecord const& model, SearchBox const& box, WithoutOutline) : model_(model), box_(box) {}
+
   LawOnRecord const& model_;
   SearchBox const& box_;
+  std::optional<LawOnRecord> fewer_;
+  std::unique_ptr<IdentificationProblem> outline_;
 };
 
 }  // namespace isolaw::fit

@@ -31,19 +31,27 @@ struct Located {
   double value = infinity;  // sum of weight * |residual|
 };
 
+// The problem, or its outline, with what it has cost.
 class Counting {
  public:
-  Counting(DeviationProblem const& problem, MultistartResult& result) : problem_(problem), result_(result) {}
+  Counting(DeviationProblem const& problem, MultistartResult& result)
+      : problem_(&problem), whole_(problem), result_(result) {}
 
-  std::size_t dimension() const { return problem_.dimension(); }
-  std::span<double const> weights() const { return problem_.weights(); }
+  bool has_outline() const { return whole_.outline() != nullptr; }
+  void show_outline() { problem_ = whole_.outline(); }
+  void show_whole() { problem_ = &whole_; }
+
+  std::size_t dimension() const { return problem_->dimension(); }
+  std::span<double const> weights() const { return problem_->weights(); }
 
   // Of these points, to be asked for with `of` and `value`.
   void residuals(Points const& points) {
     room_.resize(points.size() * weights().size());
-    problem_.residuals(points, room_);
-    result_.evaluations += static_cast<int>(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) result_.failed_evaluations += std::isfinite(value(i)) ? 0 : 1;
+    problem_->residuals(points, room_);
+    computed_ += room_.size();
+    for (std::size_t i = 0; i < points.size(); ++i) failed_ += std::isfinite(value(i)) ? 0 : weights().size();
+    result_.evaluations = in_points(computed_);
+    result_.failed_evaluations = in_points(failed_);
   }
   std::span<double const> of(std::size_t i) const {
     return std::span(room_).subspan(i * weights().size(), weights().size());
@@ -57,20 +65,25 @@ class Counting {
   }
 
  private:
-  DeviationProblem const& problem_;
+  int in_points(std::size_t residuals) const {
+    std::size_t const each = whole_.weights().size();
+    return static_cast<int>((residuals + each - 1) / each);
+  }
+
+  DeviationProblem const* problem_;
+  DeviationProblem const& whole_;
   MultistartResult& result_;
   std::vector<double> room_;
+  std::size_t computed_ = 0, failed_ = 0;  // residuals
 };
 
-// A descent from one point. Three stages: `approach` finds the valley, `settle` its floor, `polish` the last digits.
+// A descent from one point. Three stages: `approach` finds the valley, by the problem's outline where it has one, `settle`
+// its floor, `polish` the last digits.
 class Descent {
  public:
   Descent(Counting& problem, std::span<double const> start, double rounding = 1.0)
       : problem_(problem), n_(problem.dimension()) {
-    Points one(n_, 1);
-    std::ranges::copy(start, one[0].begin());
-    problem_.residuals(one);
-    take(one[0], 0);
+    move_to(start);
     delta_ = rounding * here_.value;
   }
 
@@ -78,12 +91,23 @@ class Descent {
   double value() const { return best_.value; }
   std::vector<double> const& x() const { return best_.x; }
 
-  void approach() { go({.smoothing = 0.5, .iterations = 25}); }
+  void approach() {
+    Stage const stage{.smoothing = 0.5, .iterations = 25};
+    if (!problem_.has_outline()) return go(stage);
+    Located const start = std::exchange(best_, {});
+    problem_.show_outline();
+    move_to(start.x);
+    if (usable()) go(stage);
+    problem_.show_whole();
+    auto const found = std::exchange(best_, start);
+    move_to(found.x.empty() ? start.x : found.x);
+    if (!usable()) here_ = start;
+  }
   void settle() { go({.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4}); }
   void polish() { go({.smoothing = 0.003, .iterations = 60}); }
 
  private:
-  static constexpr std::size_t tried = 8;  // steps of an iteration, evaluated together
+  static constexpr std::size_t tried = 4;  // steps of an iteration, evaluated together
 
   struct Stage {
     double smoothing;         // the last delta, as a share of the mean residual
@@ -108,6 +132,13 @@ class Descent {
       if (!moved || after > before * (1.0 - 1e-6)) return;
       if (values.size() > patience && after > values[values.size() - 1 - patience] * (1.0 - stage.least_gain)) return;
     }
+  }
+
+  void move_to(std::span<double const> x) {
+    Points one(n_, 1);
+    std::ranges::copy(x, one[0].begin());
+    problem_.residuals(one);
+    take(one[0], 0);
   }
 
   void take(std::span<double const> x, std::size_t i) {

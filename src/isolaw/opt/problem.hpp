@@ -37,6 +37,8 @@ class DeviationProblem : public Problem {
   virtual std::span<double const> weights() const = 0;  // of each residual; 0 or more, with a sum of 1
   // Residuals of each point, one point after another. Not finite where a point failed.
   virtual void residuals(Points const& points, std::span<double> values) const = 0;
+  // The same problem by fewer residuals, good enough to find a valley by; null where there is none.
+  virtual DeviationProblem const* outline() const { return nullptr; }
 };
 
 }  // namespace isolaw::opt
