@@ -314,13 +314,15 @@ class Search {
     return hits >= options_.hits && std::ssize(ends_) >= starts_for(hits, near);
   }
 
-  // The rarer the best value among the ends, the likelier it is that a better one was missed.
+  // The rarer the best value among the ends, the likelier it is that a better one was missed. Hops come back to the valley
+  // they left, so that only scattered starts speak for it.
   std::ptrdiff_t starts_for(std::ptrdiff_t hits, double near) const {
     std::ptrdiff_t const least = options_.least_starts, starts = options_.starts;
-    if (4 * count(scattered_, near) >= 3 * std::ssize(scattered_)) return least;
-    if (is_wide()) return 4 * starts;
-    bool const agreed = hits >= many_hits && 10 * hits >= 3 * std::ssize(ends_);
-    return agreed ? std::max(least, 3 * starts / 5) : 2 * starts;
+    auto const scattered_hits = count(scattered_, near);
+    if (4 * scattered_hits >= 3 * std::ssize(scattered_)) return least;
+    if (is_wide()) return 5 * starts / 2;
+    bool const agreed = hits >= many_hits && 5 * scattered_hits >= 2 * std::ssize(scattered_);
+    return agreed ? std::max(least, starts / 3) : starts;
   }
 
   // In so many dimensions hops find a better valley at a quarter of a scattered start's cost, and both seldom.
@@ -340,11 +342,13 @@ class Search {
       keep(descent);
     }
     ends_.push_back(descent.value());
+    end_points_.push_back(descent.x());
     result_.history.push_back(result_.best_value);
     return descent.value();
   }
 
-  // The last digits; where the descents' ends scatter, also by small hops until several in a row gain nothing.
+  // The last digits. Where the ends at the best value scatter, its valley's floor is ragged: the next best ends are taken
+  // further too, and small hops follow until several in a row gain nothing.
   void refine(std::function<bool()> const& interrupted) {
     auto const polish = [&](std::vector<double> const& start) {
       Descent descent(counting_, start);
@@ -353,8 +357,16 @@ class Search {
       if (descent.value() < 1.01 * result_.best_value) descent.polish();
       keep(descent);
     };
-    polish(result_.best);
-    bool const sharp = count(ends_, within(0.2 * options_.hit_tolerance)) >= options_.hits;
+    auto const hits = count(ends_, within(options_.hit_tolerance));
+    auto const agreeing = count(ends_, within(0.2 * options_.hit_tolerance));
+    bool const sharp = agreeing >= 2 * options_.hits && 2 * agreeing >= hits;
+    double const near = within(2.0 * options_.hit_tolerance);
+    std::vector<std::size_t> order(ends_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return ends_[i]; });
+    order.resize(std::min<std::size_t>(order.size(), sharp ? 1 : polished));
+    for (std::size_t const i : order)
+      if (ends_[i] <= near) polish(end_points_[i]);
     int without_gain = 0;
     for (std::uint32_t hop = 0; !sharp && without_gain < 10 && hop < 40; ++hop) {
       if (interrupted && interrupted()) break;
@@ -374,6 +386,7 @@ class Search {
   }
 
   static constexpr std::ptrdiff_t many_hits = 12;
+  static constexpr std::size_t polished = 6;          // ends, where they scatter
   static constexpr double promising = 1.5;            // times the best: worth settling
   static constexpr double absolute_tolerance = 1e-9;  // where the best is zero
 
@@ -381,7 +394,8 @@ class Search {
   num::Stream stream_;
   MultistartResult result_;
   Counting counting_;
-  std::vector<double> ends_, scattered_;  // values at which descents ended: all, and those from scattered points
+  std::vector<double> ends_, scattered_;         // values at which descents ended: all, and those from scattered points
+  std::vector<std::vector<double>> end_points_;  // of all
 };
 
 void require_dimension(DeviationProblem const& problem) {

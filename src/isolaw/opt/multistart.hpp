@@ -4,10 +4,10 @@
 // again (basin hopping). A descent is a Levenberg-Marquardt iteration with bounds on sum w sqrt(r^2 + delta^2), the
 // absolute value rounded off at its corner; delta falls from the size of the residuals, where the sum behaves as a sum of
 // squares, to a hundredth of it. The Jacobian comes from differences, all of it in one batch, and every iteration tries
-// several steps at once. Far from the floor it goes by the problem's outline, where there is one: a quarter of the residuals find the
-// same valleys. The search ends when enough descents have ended at the best value: soon where nearly all of the
-// scattered ones do, after more of them where there are other valleys, and the later the fewer have. In more than fourteen
-// dimensions as many hops as scattered starts are made, and twice as many descents.
+// several steps at once. Far from the floor it goes by the problem's outline, where there is one: a third of the residuals
+// find the same valleys. The search ends when enough descents have ended at the best value: soon where nearly all of the
+// scattered ones do, later where there are other valleys, and after all its starts where few have. In more than fourteen
+// dimensions as many hops as scattered starts are made, and two and a half times as many descents.
 //
 // Points are not screened by their value before a descent: in the laws' boxes the low ones lie in the wrong valleys.
 #pragma once
@@ -27,8 +27,8 @@ namespace isolaw::opt {
 
 struct MultistartOptions {
   int least_starts = 16;  // descents, where three quarters of the scattered ones end at the best value
-  int starts = 40;        // elsewhere three fifths of these where a dozen ended there, three in ten, else twice as many
-  int hits = 3;           // descents that must have ended at the best value
+  int starts = 72;  // elsewhere; a third of these where a dozen ended there, among them two fifths of the scattered
+  int hits = 3;     // descents that must have ended at the best value
   double hit_tolerance = 5e-4;     // relative
   int most_evaluations = 200'000;  // no round begins after these
   int scattered = 12;              // starts of a round, over the box
