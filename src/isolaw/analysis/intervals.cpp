@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -13,16 +14,6 @@ namespace isolaw::analysis {
 namespace {
 
 using Eigen::Index;
-
-// The quantile of the standard normal distribution with probability (1 + level) / 2 below it.
-double normal_quantile(double level) {
-  double low = 0.0, high = 10.0;
-  for (int i = 0; i < 60; ++i) {
-    double const middle = 0.5 * (low + high);
-    (std::erf(middle / std::numbers::sqrt2) < level ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
 
 double quantile(std::vector<double> sorted, double probability) {
   std::ranges::sort(sorted);
@@ -240,7 +231,7 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
     }
   }
 
-  double const z = normal_quantile(options.level), tail = 0.5 * (1.0 - options.level);
+  double const z = std::numbers::sqrt2 * boost::math::erf_inv(options.level), tail = 0.5 * (1.0 - options.level);
   std::size_t const free_count = box.free_count();
   made.covariance.assign(free_count * free_count, 0.0);
   std::vector<std::pair<std::size_t, double>> inside;  // place among the free ones of `box`, d value / d coordinate

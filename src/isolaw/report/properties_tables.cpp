@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "isolaw/base/words.hpp"
 #include "isolaw/report/csv.hpp"
 #include "isolaw/report/tables.hpp"
 
@@ -28,12 +29,6 @@ void cycle_row(CsvTable& table, DeviceResult const& device, data::Block const& b
   table.cell(c.Q_d_kN).cell(c.K_d_kN_per_mm).cell(c.D_y_mm).cell(c.K_1_kN_per_mm).cell(c.v_max_mm_s);
   table.cell(c.N_mean_kN).cell(c.N_min_kN).cell(c.N_max_kN).cell(c.closure_mm).cell(c.closure_kN);
   table.cell(c.first).cell(c.last).cell(device.properties.refusal).end_row();
-}
-
-std::string joined(std::vector<std::string> const& texts) {
-  std::string text;
-  for (auto const& one : texts) text += (text.empty() ? "" : "; ") + one;
-  return text;
 }
 
 void assessment_row(CsvTable& table, std::string_view device, std::optional<int> block, rules::Assessment const& a) {
@@ -124,7 +119,11 @@ std::string lot_csv(Summary const& summary) {
     }
     for (auto const& outlier : q.outliers) outliers.push_back(outlier.device + ": " + outlier.reason);
     if (!q.outlier_note.empty()) outliers.push_back(q.outlier_note);
-    table.cell(joined(limits)).cell(joined(verdicts)).cell(joined(reasons)).cell(joined(outliers)).end_row();
+    table.cell(joined(limits, "; "))
+        .cell(joined(verdicts, "; "))
+        .cell(joined(reasons, "; "))
+        .cell(joined(outliers, "; "))
+        .end_row();
   }
   return table.take();
 }

@@ -1,24 +1,17 @@
 #include "isolaw/report/tables.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <concepts>
 #include <optional>
 #include <vector>
 
+#include "isolaw/base/words.hpp"
 #include "isolaw/report/csv.hpp"
 #include "isolaw/report/findings.hpp"
 #include "isolaw/report/json.hpp"
 
 namespace isolaw::report {
 namespace {
-
-bool is_number(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double value = 0.0;
-  auto const result = std::from_chars(text.data(), text.data() + text.size(), value);
-  return result.ec == std::errc() && result.ptr == text.data() + text.size();
-}
 
 // "D3 upper; D5 lower"
 std::string devices_at_bound(LawResult const& law, std::size_t parameter) {
@@ -52,7 +45,7 @@ std::string csv_cell(std::string_view text) {
   std::string cell;
   bool const starts_formula =
       text.size() > 1 && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos;
-  if (starts_formula && !is_number(text)) cell += '\'';
+  if (starts_formula && !number_in<double>(text)) cell += '\'';
   cell += text;
   if (cell.find_first_of(",\"\r\n") == std::string::npos) return cell;
   std::string quoted = "\"";
