@@ -1,4 +1,4 @@
-// The seven laws with their parameters and units as spec/laws.md lists them: what a user's script may rely on.
+// The seven laws with their parameters and units as docs/laws.md lists them: what a user's script may rely on.
 #pragma once
 
 #include <array>

@@ -165,7 +165,7 @@ TEST_F(Catalogue, as_json_holds_every_law_and_parameter) {
 }
 
 TEST_F(Catalogue, knows_the_published_boxes) {
-  // Table 4 of the paper for law 1 (spec/laws.md).
+  // Table 4 of the paper for law 1.
   auto const bilinear = Json::parse(isolaw({"laws", "bilinear", "--json"}).out)["parameters"];
   EXPECT_EQ(bilinear[0]["published"], Json({1.0, 1.9}));
   EXPECT_EQ(bilinear[1]["published"], Json({0.35, 0.95}));

@@ -23,7 +23,7 @@ Motion some_motion() {
   return irregular(3, 150.0, 4, 60);
 }
 
-// The table of spec/laws.md; a law that changes its mind changes this line.
+// The table of docs/laws.md; a law that changes its mind changes this line.
 TYPED_TEST(Traits, AreThoseOfTheSpecification) {
   std::string_view const id = TypeParam::info.id;
   auto const& traits = TypeParam::info.traits;
