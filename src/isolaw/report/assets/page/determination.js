@@ -370,7 +370,7 @@ function parameterAxis({ name, unit }, values) {
   };
 }
 
-function drawProfile(look, width) {
+function drawProfile(look) {
   const one = chosenExamination();
   if (!one) return emptyPlot(look, 'not examined');
   const { values, objectives, optimum, fit } = one;
