@@ -94,7 +94,7 @@ section({ id: 'decision', title: 'The decision', laws: true }, [
         laws.some((law) => isNumber(law.success_share))
           ? ' Found: runs that ended within ' +
               percentText(report.thresholds.found_within) +
-              ' of the least objective known; where they are few, the mean says more of the search than of the law.'
+              ' of the least objective of the campaign; where they are few, the mean says more of the search than of the law.'
           : '',
       ),
     csv: () => ({

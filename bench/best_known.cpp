@@ -1,4 +1,4 @@
-#include "isolaw/fit/best_known.hpp"
+#include "best_known.hpp"
 
 #include <fmt/format.h>
 
@@ -6,20 +6,14 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/file.hpp"
 #include "isolaw/base/hash.hpp"
 #include "isolaw/base/toml_reader.hpp"
 
-// Defined in the assembly file that CMake makes from best_known.s.in.
-extern "C" {
-extern char const isolaw_best_known[];
-extern std::uint64_t const isolaw_best_known_size;
-}
-
-namespace isolaw::fit {
+namespace isolaw::bench {
 namespace {
 
 constexpr std::size_t key_length = 64;
@@ -55,7 +49,7 @@ void add_channel(std::string& text, std::string_view name, std::vector<double> c
   text += '\n';
 }
 
-void add_box(std::string& text, SearchBox const& box) {
+void add_box(std::string& text, fit::SearchBox const& box) {
   for (auto const& p : box.parameters)
     text += p.free ? fmt::format("{} free {} {}\n", p.name, rounded(p.lower), rounded(p.upper))
                    : fmt::format("{} fixed {}\n", p.name, rounded(p.value));
@@ -170,7 +164,7 @@ std::string toml_key(std::string_view name) {
 }  // namespace
 
 std::string problem_key(laws::LawEntry const& law, laws::Integration integration, laws::TurningPoints turning_points,
-                        data::FitRecord const& record, SearchBox const& box) {
+                        data::FitRecord const& record, fit::SearchBox const& box) {
   auto text = fmt::format("law {}\nintegration {}\nturning points {}\n", law.info.id,
                           integration == laws::Integration::paper ? "paper" : "converged",
                           turning_points == laws::TurningPoints::interpolated ? "interpolated" : "sampled");
@@ -183,16 +177,10 @@ std::string problem_key(laws::LawEntry const& law, laws::Integration integration
   return sha256(text);
 }
 
-std::vector<BestKnown> const& all_best_known() {
-  static std::vector<BestKnown> const all =
-      read_best_known({isolaw_best_known, std::size_t{isolaw_best_known_size}}, "bench/best_known.toml");
-  return all;
-}
-
-std::optional<BestKnown> best_known(std::string_view key) {
-  auto const& all = all_best_known();
-  auto const found = std::ranges::find(all, key, &BestKnown::key);
-  return found == all.end() ? std::nullopt : std::optional(*found);
+std::vector<BestKnown> load_best_known(std::string const& file) {
+  return read_best_known(
+      read_file(file, {.largest_bytes = std::size_t{16} << 20, .allowed = "TOML", .when_too_large = "another file"}),
+      file);
 }
 
 std::vector<BestKnown> read_best_known(std::string_view text, std::string const& file) {
@@ -204,7 +192,7 @@ std::string best_known_text(std::span<BestKnown const> entries) {
   std::string text =
       "# The least objectives known, pooled over every method ever tried; bench/optimum --update adds and lowers "
       "them.\n"
-      "# key: what decides the objective, see src/isolaw/fit/best_known.hpp. Parameters in the law's own units.\n";
+      "# key: what decides the objective, see bench/best_known.hpp. Parameters in the law's own units.\n";
   for (auto const& entry : entries) {
     fmt::format_to(std::back_inserter(text),
                    "\n[[best]]\nrecord = {}\nsettings = {}\nlaw = \"{}\"\nkey = \"{}\"\nobjective = {}\n"
@@ -240,4 +228,4 @@ Change lower(std::vector<BestKnown>& entries, BestKnown const& found) {
   return Change::added;
 }
 
-}  // namespace isolaw::fit
+}  // namespace isolaw::bench

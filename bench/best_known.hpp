@@ -1,8 +1,7 @@
-// The least objectives known of named problems, over every method ever tried: bench/best_known.toml, built in. A search is
-// judged by them where its own runs might all have ended in the same wrong valley.
+// The least objectives known of named problems, over every method ever tried: best_known.toml. A search is judged by them
+// where its own runs might all have ended in the same wrong valley.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,7 +11,7 @@
 #include "isolaw/fit/box.hpp"
 #include "isolaw/laws/catalogue.hpp"
 
-namespace isolaw::fit {
+namespace isolaw::bench {
 
 struct BestKnown {
   std::string record;    // "example lot, D03"
@@ -29,14 +28,11 @@ struct BestKnown {
 // Numbers count to nine digits, those of a channel to nine of its largest, so that the same record cleaned by another
 // compiler's program has the same key.
 std::string problem_key(laws::LawEntry const& law, laws::Integration integration, laws::TurningPoints turning_points,
-                        data::FitRecord const& record, SearchBox const& box);
-
-// Of the built-in file; nullopt for a problem that it does not hold.
-std::optional<BestKnown> best_known(std::string_view key);
-std::vector<BestKnown> const& all_best_known();
+                        data::FitRecord const& record, fit::SearchBox const& box);
 
 // Throws one Error with every mistake of the text and its line; `file` is its name in messages.
 std::vector<BestKnown> read_best_known(std::string_view text, std::string const& file);
+std::vector<BestKnown> load_best_known(std::string const& file);
 // The text that reads back as `entries`.
 std::string best_known_text(std::span<BestKnown const> entries);
 
@@ -48,4 +44,4 @@ inline constexpr double least_lowering = 1e-6;
 enum class Change { none, added, lowered, redefined };
 Change lower(std::vector<BestKnown>& entries, BestKnown const& found);
 
-}  // namespace isolaw::fit
+}  // namespace isolaw::bench
