@@ -309,15 +309,15 @@ TEST_F(StoreTest, WhatAReaderWouldRefuseIsNotWritten) {
     spoil(run);
     EXPECT_THROW(store.add(run), std::logic_error);
   };
-  refused([](Run& r) { r.objective = infinity; });
-  refused([](Run& r) { r.objective = std::nan(""); });
-  refused([](Run& r) { r.failure = "and a result"; });
-  refused([](Run& r) { r.parameters.pop_back(); });
-  refused([](Run& r) { r.parameters[0] = infinity; });
-  refused([](Run& r) { r.refinement = 0; });
-  refused([](Run& r) { r.number = 4; });
-  refused([](Run& r) { r.law = "vaiana"; });
-  refused([](Run& r) { r.device = 1; });
+  refused([](auto& r) { r.objective = infinity; });
+  refused([](auto& r) { r.objective = std::nan(""); });
+  refused([](auto& r) { r.failure = "and a result"; });
+  refused([](auto& r) { r.parameters.pop_back(); });
+  refused([](auto& r) { r.parameters[0] = infinity; });
+  refused([](auto& r) { r.refinement = 0; });
+  refused([](auto& r) { r.number = 4; });
+  refused([](auto& r) { r.law = "vaiana"; });
+  refused([](auto& r) { r.device = 1; });
   EXPECT_THROW(store.add(LeftOutAnalysis{.device = 0, .law = "abe", .left_out = {.parameters = {1.0}}}),
                std::logic_error);
   store.finish();
@@ -334,11 +334,11 @@ TEST_F(StoreTest, ACampaignThatAReaderWouldRefuseIsNotWritten) {
     EXPECT_THROW(Store::create(file(), contents), std::logic_error);
     EXPECT_EQ(Store::read(file()).runs.size(), runs().size());  // the former one is there
   };
-  refused([](Contents& c) { c.devices[0].raw.time_s.pop_back(); });
-  refused([](Contents& c) { c.devices[0].record.scored[0] = 0.5; });
-  refused([](Contents& c) { c.searches[0].box.parameters[0].lower = infinity; });
-  refused([](Contents& c) { c.settings.clean.smooth = -1; });
-  refused([](Contents& c) { c.acceptance.lot_size = 0; });
+  refused([](auto& c) { c.devices[0].raw.time_s.pop_back(); });
+  refused([](auto& c) { c.devices[0].record.scored[0] = 0.5; });
+  refused([](auto& c) { c.searches[0].box.parameters[0].lower = infinity; });
+  refused([](auto& c) { c.settings.clean.smooth = -1; });
+  refused([](auto& c) { c.acceptance.lot_size = 0; });
 }
 
 TEST_F(StoreTest, FinishingLeavesOnePlainFile) {
