@@ -188,7 +188,8 @@ class AnalysisChecker {
             std::vector<double> const& parameters, double stored) {
     constexpr double smallest = smallest_objective;
     double const again = law_on_device(contents_, device, law, refinement).objective(parameters, work_);
-    double const difference = again == stored ? 0.0 : std::abs(again - stored) / std::max(stored, smallest);
+    bool const none = std::isnan(stored) && !std::isfinite(again);  // no finite force there
+    double const difference = none || again == stored ? 0.0 : std::abs(again - stored) / std::max(stored, smallest);
     result_.largest_difference = std::max(result_.largest_difference, difference);
     if (!(difference <= fit::evaluation_tolerance))
       complain(where, fmt::format("its parameters give the objective {}, stored is {}", again, stored));

@@ -1,0 +1,110 @@
+#include "isolaw/campaign/schema.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <utility>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/printable.hpp"
+
+namespace isolaw::campaign {
+namespace {
+
+using sqlite::Connection;
+using sqlite::Statement;
+
+constexpr char const* tables = R"sql(
+CREATE TABLE meta (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
+CREATE TABLE setting (position INTEGER PRIMARY KEY, key TEXT NOT NULL UNIQUE, json TEXT NOT NULL);
+CREATE TABLE device (
+  id INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE, file TEXT NOT NULL, sha256 TEXT NOT NULL,
+  status TEXT NOT NULL CHECK (status IN ('ok', 'refused')), message TEXT NOT NULL,
+  serial TEXT NOT NULL, lot TEXT NOT NULL, test_date TEXT NOT NULL,
+  temperature_C REAL, rubber_thickness_mm REAL, rubber_area_mm2 REAL,
+  recognised TEXT NOT NULL, corrections TEXT NOT NULL, warnings TEXT NOT NULL, cleaning TEXT NOT NULL);
+CREATE TABLE series (  -- values: little-endian 8-byte floats; kind: as read, or as the laws saw it
+  device INTEGER NOT NULL REFERENCES device(id), kind TEXT NOT NULL CHECK (kind IN ('raw', 'fit')),
+  channel TEXT NOT NULL, count INTEGER NOT NULL, "values" BLOB NOT NULL,
+  PRIMARY KEY (device, kind, channel)) WITHOUT ROWID;
+CREATE TABLE search (
+  device INTEGER NOT NULL REFERENCES device(id), law TEXT NOT NULL, refusal TEXT NOT NULL,
+  PRIMARY KEY (device, law)) WITHOUT ROWID;
+CREATE TABLE search_parameter (
+  device INTEGER NOT NULL, law TEXT NOT NULL, position INTEGER NOT NULL, name TEXT NOT NULL, unit TEXT NOT NULL,
+  free INTEGER NOT NULL, value REAL, lower REAL, upper REAL, scale TEXT NOT NULL, tied_to INTEGER,
+  PRIMARY KEY (device, law, position)) WITHOUT ROWID;
+CREATE TABLE run (
+  device INTEGER NOT NULL, law TEXT NOT NULL, number INTEGER NOT NULL, outcome TEXT NOT NULL,
+  objective REAL, integration_shift REAL, refinement INTEGER NOT NULL, evaluations INTEGER NOT NULL, failed_evaluations INTEGER NOT NULL,
+  message TEXT NOT NULL, history BLOB NOT NULL,
+  PRIMARY KEY (device, law, number)) WITHOUT ROWID;
+CREATE TABLE run_parameter (
+  device INTEGER NOT NULL, law TEXT NOT NULL, number INTEGER NOT NULL, position INTEGER NOT NULL, value REAL NOT NULL,
+  PRIMARY KEY (device, law, number, position)) WITHOUT ROWID;
+CREATE TABLE device_analysis (
+  device INTEGER NOT NULL, law TEXT NOT NULL, json TEXT NOT NULL, PRIMARY KEY (device, law)) WITHOUT ROWID;
+CREATE TABLE lot_analysis (law TEXT PRIMARY KEY, json TEXT NOT NULL) WITHOUT ROWID;
+CREATE TABLE left_out (
+  device INTEGER NOT NULL, law TEXT NOT NULL, json TEXT NOT NULL, PRIMARY KEY (device, law)) WITHOUT ROWID;
+)sql";
+
+// What the file declares, by name: tables, and what another program may have added.
+std::map<std::string, std::string> declarations(Connection const& db) {
+  std::map<std::string, std::string> found;
+  Statement objects(db, "SELECT name, sql FROM sqlite_master");
+  while (objects.row()) {
+    auto name = objects.text();
+    found[std::move(name)] = objects.text();
+  }
+  return found;
+}
+
+std::map<std::string, std::string> const& our_declarations() {
+  static auto const ours = [] {
+    auto const memory = Connection::in_memory();
+    create_tables(memory);
+    return declarations(memory);
+  }();
+  return ours;
+}
+
+}  // namespace
+
+void create_tables(Connection const& db) {
+  db.execute(tables);
+}
+
+std::string meta(Connection const& db, std::string_view key) {
+  Statement select(db, "SELECT value FROM meta WHERE key = ?");
+  select.bind(key);
+  return select.row() ? select.text() : std::string();
+}
+
+// A store of ours, of a schema this version knows. Its tables must be declared word by word as ours: a view or a computed
+// column in place of one could run without end, or fill the memory; a trigger could change what is written.
+void require_schema(Connection const& db, std::filesystem::path const& file) {
+  auto const theirs = declarations(db);
+  auto const is_ours = [&](std::string const& name) {
+    auto const found = theirs.find(name);
+    return found != theirs.end() && found->second == our_declarations().at(name);
+  };
+  auto const version = is_ours("meta") ? meta(db, "schema") : std::string();
+  if (version.empty())
+    throw Error({.where = file.string(),
+                 .found = "not a campaign store of isolaw",
+                 .allowed = "campaign.sqlite of a campaign"});
+  if (version != std::to_string(schema_version))
+    throw Error({.where = file.string(),
+                 .found = fmt::format("schema version {}", version),
+                 .allowed = fmt::format("version {}", schema_version),
+                 .advice = "the version of isolaw that wrote it"});
+  for (auto const& [name, declaration] : our_declarations())
+    if (!is_ours(name))
+      sqlite::refuse_damaged(file.string(), fmt::format("table '{}' is missing or not as isolaw makes it", name));
+  for (auto const& [name, declaration] : theirs)
+    if (!our_declarations().contains(name))
+      sqlite::refuse_damaged(file.string(), fmt::format("it holds {}, which isolaw does not make", in_quotes(name)));
+}
+
+}  // namespace isolaw::campaign
