@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "laws/candidates.hpp"
 #include "laws/motion.hpp"
+#include "laws/paper.hpp"
 #include "verification/consistency_data.hpp"
 
 namespace isolaw::law_tests {

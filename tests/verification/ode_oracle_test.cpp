@@ -16,8 +16,8 @@
 #include <limits>
 #include <vector>
 
-#include "laws/candidates.hpp"
 #include "laws/motion.hpp"
+#include "laws/paper.hpp"
 
 namespace isolaw::law_tests {
 namespace {
