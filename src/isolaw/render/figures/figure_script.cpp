@@ -25,6 +25,40 @@ double nice_step(double length, int steps) {
   return 10.0 * power;
 }
 
+std::string log_tics(Range const& range) {
+  std::vector<double> values;
+  int const first = static_cast<int>(std::floor(std::log10(range.low)));
+  int const last = static_cast<int>(std::ceil(std::log10(range.high)));
+  int const stride = std::max(1, (last - first) / 6);
+  auto const add = [&](double value) {
+    if (value >= range.low && value <= range.high) values.push_back(value);
+  };
+  if (last - first > 3) {
+    for (int decade = first; decade <= last; decade += stride) add(std::pow(10.0, decade));
+  } else {
+    for (int decade = first; decade <= last; ++decade)
+      for (double const digit : {1.0, 2.0, 5.0}) add(digit * std::pow(10.0, decade));
+  }
+  if (values.size() < 3) {  // less than a decade: steps as on a linear axis
+    values.clear();
+    double const step = nice_step(range.high - range.low, 4);
+    for (double k = std::ceil(range.low / step); k * step <= range.high; ++k) values.push_back(k * step);
+  }
+  std::string text;
+  for (double const value : values) {
+    double const rounded = std::stod(to_text(value, 6));
+    bool const is_plain = rounded >= 1e-3 && rounded < 1e4;
+    text += (text.empty() ? "" : ", ") +
+            (is_plain ? fmt::format("'{}' {}", to_text(rounded, 6), number(rounded))
+                      : fmt::format("{} {}",
+                                    gnuplot_label(values.size() > 1 && last - first > 3
+                                                      ? fmt::format("10^{}", std::lround(std::log10(rounded)))
+                                                      : to_text(rounded, 3)),
+                                    number(rounded)));
+  }
+  return text;
+}
+
 }  // namespace
 
 Grid grid_of(std::size_t panels, double panel_height_mm, Margins const& margins, int most_columns) {
@@ -134,40 +168,6 @@ Scale scale_for(Range const& range, std::string_view name, std::string_view unit
           gnuplot_label(fmt::format("{} ({})", name, inside.empty() ? std::string("-") : inside))};
 }
 
-std::string log_tics(Range const& range) {
-  std::vector<double> values;
-  int const first = static_cast<int>(std::floor(std::log10(range.low)));
-  int const last = static_cast<int>(std::ceil(std::log10(range.high)));
-  int const stride = std::max(1, (last - first) / 6);
-  auto const add = [&](double value) {
-    if (value >= range.low && value <= range.high) values.push_back(value);
-  };
-  if (last - first > 3) {
-    for (int decade = first; decade <= last; decade += stride) add(std::pow(10.0, decade));
-  } else {
-    for (int decade = first; decade <= last; ++decade)
-      for (double const digit : {1.0, 2.0, 5.0}) add(digit * std::pow(10.0, decade));
-  }
-  if (values.size() < 3) {  // less than a decade: steps as on a linear axis
-    values.clear();
-    double const step = nice_step(range.high - range.low, 4);
-    for (double k = std::ceil(range.low / step); k * step <= range.high; ++k) values.push_back(k * step);
-  }
-  std::string text;
-  for (double const value : values) {
-    double const rounded = std::stod(to_text(value, 6));
-    bool const is_plain = rounded >= 1e-3 && rounded < 1e4;
-    text += (text.empty() ? "" : ", ") +
-            (is_plain ? fmt::format("'{}' {}", to_text(rounded, 6), number(rounded))
-                      : fmt::format("{} {}",
-                                    gnuplot_label(values.size() > 1 && last - first > 3
-                                                      ? fmt::format("10^{}", std::lround(std::log10(rounded)))
-                                                      : to_text(rounded, 3)),
-                                    number(rounded)));
-  }
-  return text;
-}
-
 DeviceAxis::DeviceAxis(std::vector<std::string> const& devices, double axis_mm) : count(devices.size()) {
   constexpr double upright_mm = 2.9, longest_upright_mm = 22.0;
   std::size_t longest = 0;
@@ -190,6 +190,12 @@ void DeviceAxis::draw(Script& script) const {
   auto const step = std::max<std::size_t>(1, static_cast<std::size_t>(nice_step(static_cast<double>(count), 8)));
   script.line("set xtics norotate nomirror autofreq {},{},{}", step == 1 ? 1 : step, step, count);
   script.line("set xlabel 'Device, number' offset 0,raise");
+}
+
+void set_log_axis(Script& script, Range const& range) {
+  auto const padded = range.padded_log(0.06);
+  script.line("set logscale y; set yrange [{}:{}]; set ytics mirror ({})", number(padded.low), number(padded.high),
+              log_tics(padded));
 }
 
 }  // namespace isolaw::render

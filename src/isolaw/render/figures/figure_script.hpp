@@ -80,8 +80,8 @@ struct Scale {
 };
 Scale scale_for(Range const& range, std::string_view name, std::string_view unit);
 
-// `set ytics (...)` of a logarithmic axis: decades, or as many values between as it takes to read it.
-std::string log_tics(Range const& range);
+// A logarithmic y axis with decades, or as many values between as it takes to read it.
+void set_log_axis(Script& script, Range const& range);
 
 // Devices along an axis: their names where there is room, else their numbers.
 struct DeviceAxis {

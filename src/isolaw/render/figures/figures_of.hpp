@@ -10,6 +10,7 @@
 namespace isolaw::render {
 
 using MaybeFigure = std::optional<Figure>;
+using MaybeNumber = std::optional<double>;
 
 // Accuracy against robustness, Fig. 14.
 MaybeFigure front_figure(Summary const& summary, FrontView view);
