@@ -10,8 +10,11 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
     add_custom_command(OUTPUT ${made}
       COMMAND ${CMAKE_COMMAND} -DFUNCTION=${function} -DBASE=${base} "-DFILES=${files}" -DMADE=${made} -P ${isolaw_embed_script}
       DEPENDS ${ARGN} ${isolaw_embed_script} VERBATIM COMMENT "Embedding ${function}")
+    # TARGET may be of another folder, which does not see the command.
+    add_custom_target(${file} DEPENDS ${made})
+    add_dependencies(${target} ${file})
     target_sources(${target} PRIVATE ${made})
-    set_source_files_properties(${made} TARGET_DIRECTORY ${target} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+    set_source_files_properties(${made} TARGET_DIRECTORY ${target} PROPERTIES GENERATED ON SKIP_PRECOMPILE_HEADERS ON)
   endfunction()
   return()
 endif()

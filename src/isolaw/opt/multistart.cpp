@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -11,6 +10,7 @@
 #include <utility>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/num/linear.hpp"
 
 namespace isolaw::opt {
 namespace {
@@ -84,9 +84,9 @@ constexpr double absolute_tolerance = 1e-9;            // where the best is zero
 
 }  // namespace tuning
 
-using Eigen::Index;
-using Vector = Eigen::VectorXd;
-using Matrix = Eigen::MatrixXd;
+using num::Index;
+using num::Matrix;
+using num::Vector;
 
 Eigen::Map<Vector const> vector(std::span<double const> values) {
   return {values.data(), static_cast<Index>(values.size())};
@@ -238,9 +238,9 @@ class Descent {
     Eigen::ArrayXd const size = (r.square() + delta_ * delta_).sqrt();
     Vector const above = vector(problem_.weights()).array() / size;
     Vector const own = above.array() * (delta_ / size).square();
-    Vector const g = J.transpose() * (above.array() * r).matrix();
-    Matrix const cautious = J.transpose() * above.asDiagonal() * J;
-    Matrix const bold = cautious_share * cautious + bold_share * (J.transpose() * own.asDiagonal() * J);
+    Vector const g = num::apply_transposed(J, Vector(above.array() * r));
+    Matrix const cautious = num::weighted_gram(J, above);
+    Matrix const bold = cautious_share * cautious + num::weighted_gram(J, own, bold_share);
 
     double const value = problem_.smoothed(here_.residuals, delta_);
     auto const stretch = [](std::size_t i) { return std::pow(damping_ratio, static_cast<double>(i / 2) - 1.0); };
@@ -283,10 +283,10 @@ class Descent {
     for (int pass = 0; pass < 3 && !free.empty(); ++pass) {
       Vector held = moved;
       held(free).setZero();
-      Vector const b = -(g + H * held)(free);
+      Vector const b = -(g + num::apply(H, held))(free);
       Matrix A = H(free, free);
       A.diagonal() += damping * A.diagonal() + Vector::Constant(A.rows(), floor);
-      Vector const step = A.ldlt().solve(b);
+      Vector const step = num::solve_symmetric(A, b);
       std::vector<Index> inside;
       for (Index i = 0; i < step.size(); ++i) {
         auto const k = static_cast<std::size_t>(free[static_cast<std::size_t>(i)]);
