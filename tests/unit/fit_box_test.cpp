@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/fit/joint_limits.hpp"
 
 namespace isolaw::fit {
 namespace {
@@ -242,10 +243,11 @@ std::string joint_refusal(std::string_view law, std::vector<char const*> const& 
   std::vector<Override> overrides;
   for (auto const* text : texts) overrides.push_back(parse_override(text));
   try {
+    auto const& entry = laws::find_law(law);
     if (record)
-      make_box(laws::find_law(law), BoxKind::scaled, *record, overrides);
+      require_joint_limits(entry, make_box(entry, BoxKind::scaled, *record, overrides), overrides);
     else
-      check_overrides(laws::find_law(law), overrides);
+      require_joint_limits(entry, overrides);
   } catch (Error const& error) {
     return error.what();
   }

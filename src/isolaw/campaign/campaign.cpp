@@ -23,6 +23,7 @@
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/data/clean.hpp"
 #include "isolaw/data/text.hpp"
+#include "isolaw/fit/joint_limits.hpp"
 #include "isolaw/fit/objective.hpp"
 #include "isolaw/num/random.hpp"
 
@@ -82,7 +83,9 @@ Search prepare_search(std::size_t index, Device const& device, std::string const
   auto const& law = laws::find_law(law_id);
   try {
     fit::LawOnRecord const check(law, device.record, settings.integration, settings.turning_points);
-    search.box = search_box(law, device.record, settings);
+    auto box = search_box(law, device.record, settings);
+    fit::require_joint_limits(law, box, settings.overrides);
+    search.box = std::move(box);
   } catch (Error const& error) {
     search.refusal = error.what();
   }
@@ -308,6 +311,9 @@ Device cleaned(NamedRecord&& given, data::CleanOptions const& cleaning) {
 Contents with_searches(Contents contents, std::vector<std::string> const& laws) {
   contents.settings.laws = laws.empty() ? parse_laws("all") : laws;
   contents.settings.validate();
+  // Not in validate(): a store that was made before is read all the same.
+  for (auto const& id : contents.settings.laws)
+    fit::require_joint_limits(laws::find_law(id), contents.settings.overrides);
   if (std::ranges::none_of(contents.devices, &Device::usable)) {
     std::vector<Complaint> complaints{
         {.where = "lot", .found = fmt::format("none of {} device(s) is usable", contents.devices.size())}};

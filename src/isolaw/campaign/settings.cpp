@@ -44,7 +44,7 @@ void Settings::validate() const {
     multistart.validate();
   clean.validate();
   checked_replicates(replicates);
-  for (auto const& id : laws) fit::check_overrides(laws::find_law(id), overrides);
+  for (auto const& id : laws) fit::make_box(laws::find_law(id), box, {1.0, 1.0, 1.0, 1.0, 1.0, 1.0}, overrides);
 }
 
 std::vector<std::string> parse_laws(std::string_view text) {

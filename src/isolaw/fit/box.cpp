@@ -66,90 +66,6 @@ double peak_to_peak_stiffness(data::FitRecord const& record) {
   return high < x.size() && x[high] > x[low] ? (f[high] - f[low]) / (x[high] - x[low]) : 0.0;
 }
 
-SearchParameter parameter_in(laws::ParameterInfo const& info, laws::Interval const& interval, laws::Scale scale) {
-  return {.name = std::string(info.name),
-          .unit = std::string(info.unit),
-          .free = !info.fixed_by_default.has_value(),
-          .value = info.fixed_by_default.value_or(0.0),
-          .lower = interval.lower,
-          .upper = interval.upper,
-          .scale = scale};
-}
-
-// The last word on a parameter counts.
-Override const* last_of(std::span<Override const> overrides, std::string_view law, std::string_view parameter) {
-  Override const* last = nullptr;
-  for (auto const& candidate : overrides)
-    if (candidate.law == law && candidate.parameter == parameter) last = &candidate;
-  return last;
-}
-
-// Whether a point of the box meets the limit: one of its corners does where any does.
-bool met_somewhere(laws::JointLimitEntry const& limit, SearchBox const& box) {
-  std::vector<double> values;
-  for (auto const& p : box.parameters) values.push_back(p.free ? p.lower : p.value);
-  for (std::size_t corner = 0; corner >> limit.parameters.size() == 0; ++corner) {
-    for (std::size_t k = 0; k < limit.parameters.size(); ++k) {
-      auto const& p = box.parameters[limit.parameters[k]];
-      if (p.free) values[limit.parameters[k]] = (corner >> k & 1U) != 0 ? p.upper : p.lower;
-    }
-    for (std::size_t i = 0; i < values.size(); ++i)
-      if (box.parameters[i].tied_to) values[i] = values[*box.parameters[i].tied_to];
-    if (limit.holds(values)) return true;
-  }
-  return false;
-}
-
-void require_joint_limits(laws::LawEntry const& law, SearchBox const& box, std::span<Override const> overrides) {
-  for (auto const& limit : law.joint_limits) {
-    if (met_somewhere(limit, box)) continue;
-    std::string asked, found;
-    for (auto const i : limit.parameters) {
-      auto const& p = box.parameters[i];
-      auto const value = p.tied_to ? fmt::format(" = {}", box.parameters[*p.tied_to].name)
-                         : p.free  ? fmt::format(" from {:.6g} to {:.6g}", p.lower, p.upper)
-                                   : fmt::format(" = {:.6g}", p.value);
-      found += (found.empty() ? "" : ", ") + p.name + value;
-      if (auto const* change = last_of(overrides, law.info.id, p.name)) asked += ' ' + change->text();
-    }
-    throw Error({.where = asked.empty() ? fmt::format("law {}", law.info.id) : "--set" + asked,
-                 .found = std::move(found),
-                 .allowed = std::string(limit.statement),
-                 .advice = fmt::format("isolaw laws {}", law.info.id)});
-  }
-}
-
-void apply(std::span<Override const> overrides, laws::LawEntry const& law, SearchBox& box) {
-  for (auto& p : box.parameters) {
-    auto const* change = last_of(overrides, law.info.id, p.name);
-    if (change != nullptr && !change->tied_to.empty()) {
-      p.free = false;
-      p.tied_to = law.index_of(change->tied_to);
-    } else if (change != nullptr) {
-      p.free = !change->interval || change->interval->lower < change->interval->upper;
-      if (change->interval) {
-        p.lower = change->interval->lower;
-        p.upper = change->interval->upper;
-        p.value = p.lower;
-        // A logarithm needs one sign; an interval that touches or spans zero is searched linearly.
-        if (p.lower * p.upper <= 0.0) p.scale = laws::Scale::linear;
-      }
-    }
-  }
-  for (auto& p : box.parameters) {
-    if (!p.tied_to) continue;
-    auto const& other = box.parameters[*p.tied_to];
-    if (other.tied_to)
-      throw Error({.where = fmt::format("--set {}.{}={}", law.info.id, p.name, other.name),
-                   .found = fmt::format("{} is tied to {}", other.name, box.parameters[*other.tied_to].name),
-                   .allowed = "a parameter that is free or fixed"});
-    p.value = other.value;
-    p.lower = other.lower;
-    p.upper = other.upper;
-  }
-  require_joint_limits(law, box, overrides);
-}
-
 }  // namespace
 
 std::string limits_text(laws::Interval const& limits, std::string_view unit) {
@@ -324,18 +240,45 @@ SearchBox make_box(laws::LawEntry const& law, BoxKind kind, laws::RecordScales c
   SearchBox box;
   for (auto const& info : law.parameters) {
     bool const from_paper = kind == BoxKind::published && info.published.has_value();
-    box.parameters.push_back(parameter_in(info, from_paper ? *info.published : info.scaled(scales),
-                                          from_paper ? laws::Scale::linear : info.scaled_search));
+    auto const interval = from_paper ? *info.published : info.scaled(scales);
+    SearchParameter made{.name = std::string(info.name),
+                         .unit = std::string(info.unit),
+                         .free = !info.fixed_by_default.has_value(),
+                         .value = info.fixed_by_default.value_or(0.0),
+                         .lower = interval.lower,
+                         .upper = interval.upper,
+                         .scale = from_paper ? laws::Scale::linear : info.scaled_search};
+    // The last word on a parameter counts.
+    Override const* change = nullptr;
+    for (auto const& candidate : overrides)
+      if (candidate.law == law.info.id && candidate.parameter == info.name) change = &candidate;
+    if (change != nullptr && !change->tied_to.empty()) {
+      made.free = false;
+      made.tied_to = law.index_of(change->tied_to);
+    } else if (change != nullptr) {
+      made.free = !change->interval || change->interval->lower < change->interval->upper;
+      if (change->interval) {
+        made.lower = change->interval->lower;
+        made.upper = change->interval->upper;
+        made.value = made.lower;
+        // A logarithm needs one sign; an interval that touches or spans zero is searched linearly.
+        if (made.lower * made.upper <= 0.0) made.scale = laws::Scale::linear;
+      }
+    }
+    box.parameters.push_back(made);
   }
-  apply(overrides, law, box);
+  for (auto& p : box.parameters) {
+    if (!p.tied_to) continue;
+    auto const& other = box.parameters[*p.tied_to];
+    if (other.tied_to)
+      throw Error({.where = fmt::format("--set {}.{}={}", law.info.id, p.name, other.name),
+                   .found = fmt::format("{} is tied to {}", other.name, box.parameters[*other.tied_to].name),
+                   .allowed = "a parameter that is free or fixed"});
+    p.value = other.value;
+    p.lower = other.lower;
+    p.upper = other.upper;
+  }
   return box;
-}
-
-void check_overrides(laws::LawEntry const& law, std::span<Override const> overrides) {
-  SearchBox box;
-  for (auto const& info : law.parameters)
-    box.parameters.push_back(parameter_in(info, info.physical, laws::Scale::linear));
-  apply(overrides, law, box);
 }
 
 }  // namespace isolaw::fit

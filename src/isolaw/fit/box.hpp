@@ -72,12 +72,8 @@ AtBound at_bound(SearchParameter const& parameter, double value);
 // The size of a record in the units of a law. Throws Error for a record without samples.
 laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const& law);
 
-// Whether overrides go together, whatever the record: a parameter without one may be anything within its limits. Throws
-// Error for a tie to a parameter that is tied itself, and for a joint limit of the law that no such values meet.
-void check_overrides(laws::LawEntry const& law, std::span<Override const> overrides);
-
-// `published` falls back to the scaled interval for parameters the paper does not calibrate. Throws Error as
-// check_overrides does, of the box.
+// `published` falls back to the scaled interval for parameters the paper does not calibrate. Throws Error for a tie to a
+// parameter that is tied itself.
 SearchBox make_box(laws::LawEntry const& law, BoxKind kind, laws::RecordScales const& scales,
                    std::span<Override const> overrides);
 
