@@ -409,10 +409,10 @@ TEST_F(StoreTest, RefusesWhatIsNotAStore) {
 
 TEST_F(StoreTest, RefusesANewerSchemaAndChangesNothing) {
   make();
-  sql(file(), "UPDATE meta SET value = '5' WHERE key = 'schema'");
+  sql(file(), "UPDATE meta SET value = '6' WHERE key = 'schema'");
   auto const before = bytes_of(file());
   auto const said = refusal(file());
-  for (auto const* part : {"campaign.sqlite", "version 5", "version 4"})
+  for (auto const* part : {"campaign.sqlite", "newer isolaw", "schema 6", "schema 1 to 5"})
     EXPECT_NE(said.find(part), std::string::npos) << said;
   EXPECT_EQ(bytes_of(file()), before);
 }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 
+#include "isolaw/campaign/maker.hpp"
 #include "isolaw/base/error.hpp"
 
 namespace isolaw::programs {
@@ -308,6 +309,7 @@ Subject make_subject(campaign::Contents const& contents, report::Summary const& 
                  .found = "the law is not in this campaign",
                  .allowed = list_of(contents.settings.laws)});
   subject.version = summary.version;
+  subject.makers = campaign::text(std::span(summary.makers));
   subject.title = contents.title;
   subject.seed = contents.settings.seed;
   // A device that is called "lot" is that device only where there is no other meaning.
