@@ -63,8 +63,8 @@ TEST_P(Old, is_checked) {
 TEST_P(Old, that_was_changed_is_found_out) {
   sqlite3* db = nullptr;
   ASSERT_EQ(sqlite3_open(path("O/campaign.sqlite").c_str(), &db), SQLITE_OK);
-  ASSERT_EQ(sqlite3_exec(db, "UPDATE run SET objective = objective * 1.001 WHERE number = 1 AND law = 'bilinear'", nullptr,
-                         nullptr, nullptr),
+  ASSERT_EQ(sqlite3_exec(db, "UPDATE run SET objective = objective * 1.001 WHERE number = 1 AND law = 'bilinear'",
+                         nullptr, nullptr, nullptr),
             SQLITE_OK);
   sqlite3_close(db);
   auto const o = isolaw({"check", "O"});

@@ -70,8 +70,9 @@ void require_own(std::filesystem::path const& file, std::vector<campaign::Maker>
                .found = fmt::format("an unfinished campaign of isolaw {}; this is {}, whose numbers may differ",
                                     text(std::span(makers)), text(me)),
                .allowed = "runs of one build in a campaign",
-               .advice = "finish it with the isolaw that began it (isolaw --version tells its build), --fresh to start over, "
-                         "or another --out DIR"});
+               .advice =
+                   "finish it with the isolaw that began it (isolaw --version tells its build), --fresh to start over, "
+                   "or another --out DIR"});
 }
 
 }  // namespace

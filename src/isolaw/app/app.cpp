@@ -15,10 +15,10 @@
 #include <utility>
 #include <vector>
 
-#include "isolaw/campaign/maker.hpp"
 #include "isolaw/app/commands.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/campaign/maker.hpp"
 
 namespace isolaw::app {
 namespace {

@@ -198,9 +198,7 @@ class AnalysisChecker {
     if (!(difference <= fit::evaluation_tolerance))
       complain(where, fmt::format("its parameters give the objective {}, stored is {}", again, stored));
   }
-  void complain(std::string_view where, std::string_view what) {
-    found_.push_back(fmt::format("{}: {}", where, what));
-  }
+  void complain(std::string_view where, std::string_view what) { found_.push_back(fmt::format("{}: {}", where, what)); }
 
   Contents const& contents_;
   Check& result_;

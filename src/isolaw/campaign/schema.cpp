@@ -83,8 +83,9 @@ constexpr std::array added_tables{
     AddedTable{4, "device_analysis", "SELECT 0 AS device, '' AS law, '' AS json, 0 AS maker WHERE 0"},
     AddedTable{4, "lot_analysis", "SELECT '' AS law, '' AS json, 0 AS maker WHERE 0"},
     AddedTable{4, "left_out", "SELECT 0 AS device, '' AS law, '' AS json, 0 AS maker WHERE 0"},
-    AddedTable{5, "maker",
-               "SELECT 0 AS id, value AS version, '' AS build, '' AS instruction_set FROM main.meta WHERE key = 'isolaw'"}};
+    AddedTable{
+        5, "maker",
+        "SELECT 0 AS id, value AS version, '' AS build, '' AS instruction_set FROM main.meta WHERE key = 'isolaw'"}};
 
 // Settings that older stores lack, with what the program of their time did.
 struct AddedSetting {
@@ -137,9 +138,8 @@ Declarations declarations_of(int version) {
 }
 
 [[noreturn]] void refuse_foreign(std::filesystem::path const& file) {
-  throw Error({.where = file.string(),
-               .found = "not a campaign store of isolaw",
-               .allowed = "campaign.sqlite of a campaign"});
+  throw Error(
+      {.where = file.string(), .found = "not a campaign store of isolaw", .allowed = "campaign.sqlite of a campaign"});
 }
 
 // A store of ours, of a schema this version knows. Its tables must be declared word by word as ours: a view or a computed
@@ -157,10 +157,11 @@ int checked_version(Connection const& db, std::filesystem::path const& file) {
   auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), version);
   if (error != std::errc() || end != text.data() + text.size() || version < 1) refuse_foreign(file);
   if (version > schema_version)
-    throw Error({.where = file.string(),
-                 .found = fmt::format("written by a newer isolaw, {}, as schema {}", in_quotes(meta(db, "isolaw")), version),
-                 .allowed = fmt::format("schema 1 to {}, which isolaw {} reads", schema_version, ISOLAW_VERSION),
-                 .advice = "the isolaw that wrote it, or a newer one"});
+    throw Error(
+        {.where = file.string(),
+         .found = fmt::format("written by a newer isolaw, {}, as schema {}", in_quotes(meta(db, "isolaw")), version),
+         .allowed = fmt::format("schema 1 to {}, which isolaw {} reads", schema_version, ISOLAW_VERSION),
+         .advice = "the isolaw that wrote it, or a newer one"});
   auto const ours = declarations_of(version);
   for (auto const& [name, declaration] : ours)
     if (!same(name, declaration))
@@ -181,9 +182,8 @@ std::string rows_as_present(std::string const& table, int version) {
   present.bind(table);
   while (present.row()) {
     auto const column = present.text();
-    auto const added = std::ranges::find_if(additions, [&](Addition const& a) {
-      return version < a.since && table == a.table && column == a.column;
-    });
+    auto const added = std::ranges::find_if(
+        additions, [&](Addition const& a) { return version < a.since && table == a.table && column == a.column; });
     bool const missing = added != additions.end();
     columns += columns.empty() ? "" : ", ";
     columns += missing ? fmt::format("{} AS \"{}\"", added->before, column) : fmt::format("\"{}\"", column);
@@ -199,7 +199,8 @@ void show_as_present(Connection const& db, int version) {
   for (auto const& [table, declaration] : declarations(empty_store()))
     if (auto const rows = rows_as_present(table, version); !rows.empty())
       db.execute(fmt::format("CREATE TEMP VIEW \"{}\" AS {}", table, rows));
-  db.execute("CREATE TEMP TABLE setting AS SELECT * FROM main.setting; CREATE TEMP TABLE meta AS SELECT * FROM main.meta");
+  db.execute(
+      "CREATE TEMP TABLE setting AS SELECT * FROM main.setting; CREATE TEMP TABLE meta AS SELECT * FROM main.meta");
   Statement setting(db, "INSERT INTO temp.setting SELECT max(position) + 1, ?, ? FROM temp.setting");
   for (auto const& [since, key, json] : added_settings)
     if (version < since) setting.bind(std::string_view(key)).bind(std::string_view(json)).insert();
@@ -229,7 +230,8 @@ void require_present_schema(Connection const& db, std::filesystem::path const& f
   if (version < schema_version)
     throw Error({.where = file.string(),
                  .found = fmt::format("of an older isolaw, {}, as schema {}", in_quotes(meta(db, "isolaw")), version),
-                 .allowed = fmt::format("schema {}, to write to; isolaw report and isolaw check read older ones", schema_version),
+                 .allowed = fmt::format("schema {}, to write to; isolaw report and isolaw check read older ones",
+                                        schema_version),
                  .advice = "the isolaw that wrote it, to go on; or --fresh to start over, or another --out DIR"});
 }
 

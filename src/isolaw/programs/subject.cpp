@@ -9,8 +9,8 @@
 #include <limits>
 #include <numbers>
 
-#include "isolaw/campaign/maker.hpp"
 #include "isolaw/base/error.hpp"
+#include "isolaw/campaign/maker.hpp"
 
 namespace isolaw::programs {
 namespace {

@@ -1,5 +1,5 @@
-#include "isolaw/campaign/maker.hpp"
 #include "isolaw/report/build_summary.hpp"
+#include "isolaw/campaign/maker.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
-#include "isolaw/campaign/maker.hpp"
 #include "isolaw/report/page_data.hpp"
+#include "isolaw/campaign/maker.hpp"
 
 #include <algorithm>
 #include <cmath>
