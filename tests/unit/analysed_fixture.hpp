@@ -1,4 +1,4 @@
-// The made-up lot of report_fixture.hpp as if it had been analysed: every verdict, a law whose prediction collapses, a
+// The made-up lot of study_fixture.hpp as if it had been analysed: every verdict, a law whose prediction collapses, a
 // population whose correlation has a hole, a device that stands apart.
 #pragma once
 
@@ -7,9 +7,9 @@
 #include <limits>
 #include <string>
 
-#include "unit/report_fixture.hpp"
+#include "unit/study_fixture.hpp"
 
-namespace isolaw::report::fixture {
+namespace isolaw::study::fixture {
 
 inline ParameterAnalysis analysis(ParameterFit const& parameter, double objective, double rise, std::size_t place) {
   static std::array<std::string, 4> const verdicts{"determined", "weakly determined", "undetermined", "at its bound"};
@@ -123,4 +123,4 @@ inline Summary analysed(Summary summary) {
   return summary;
 }
 
-}  // namespace isolaw::report::fixture
+}  // namespace isolaw::study::fixture

@@ -14,7 +14,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/campaign/maker.hpp"
 #include "isolaw/campaign/store.hpp"
-#include "isolaw/report/write.hpp"
+#include "isolaw/render/write.hpp"
 
 namespace isolaw {
 namespace {
@@ -103,7 +103,7 @@ void open_or_create(std::filesystem::path const& file, campaign::Contents& conte
   if (fresh || !std::filesystem::exists(file)) {
     // A kill between the two leaves the former store without its reports, which can be made again: never reports of one
     // campaign beside the store of another.
-    campaign::Store::create(file, contents, [&] { report::remove_outputs(file.parent_path()); });
+    campaign::Store::create(file, contents, [&] { render::remove_outputs(file.parent_path()); });
     return;
   }
   campaign::Store::remove_unfinished(file);

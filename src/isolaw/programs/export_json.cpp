@@ -1,13 +1,11 @@
 // JSON: everything an export knows, for machines.
+#include "isolaw/base/json.hpp"
 #include "isolaw/programs/exports.hpp"
 #include "isolaw/programs/self_check.hpp"
 #include "isolaw/programs/text.hpp"
-#include "isolaw/report/json.hpp"
 
 namespace isolaw::programs {
 namespace {
-
-using report::JsonWriter;
 
 void write(JsonWriter& out, std::string_view key, Deviation const& d) {
   out.key(key).begin_object();

@@ -10,7 +10,7 @@
 #include "isolaw/campaign/contents.hpp"
 #include "isolaw/laws/catalogue.hpp"
 #include "isolaw/programs/unit_system.hpp"
-#include "isolaw/report/summary.hpp"
+#include "isolaw/study/summary.hpp"
 
 namespace isolaw::programs {
 
@@ -75,7 +75,7 @@ std::string plain_name(std::string_view name);
 // Throws Error: no such law or device in the campaign (says what there is), a law without a result there, a lot without
 // its one law.
 // The units are those that the source of the bounds is told in.
-Subject make_subject(campaign::Contents const& contents, report::Summary const& summary, std::string_view law,
+Subject make_subject(campaign::Contents const& contents, study::Summary const& summary, std::string_view law,
                      std::string_view device, UnitSystem const& units = unit_systems[0]);
 
 // Force of the law [kN] at the history's points.
