@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/printable.hpp"
 
 namespace isolaw::campaign {
 namespace {
@@ -52,6 +53,17 @@ void require_search(Contents const& campaign, Search const& s) {
   }
 }
 
+// They are printed, and written into inputs of other programs.
+void require_words(Maker const& maker) {
+  constexpr std::size_t longest = 64;
+  for (auto const& word : {maker.version, maker.build, maker.instruction_set})
+    if (word.size() > longest || !is_printable(word)) fail("the isolaw that made it has no name that can be printed");
+}
+
+void require_maker(Contents const& campaign, std::size_t maker) {
+  if (maker >= std::max<std::size_t>(1, campaign.makers.size())) fail(fmt::format("maker {}, who is not there", maker));
+}
+
 void require_refinement(int refinement) {
   constexpr int finest = 64;
   if (refinement < 1 || refinement > finest) fail(fmt::format("{} steps per sample", refinement));
@@ -83,6 +95,7 @@ void require_consistent(Contents const& campaign, Run const& r) {
   if (r.number < 1 || r.number > campaign.settings.runs)
     fail(fmt::format("run {} of {}, of {} asked for", r.number, r.law, campaign.settings.runs));
   require_refinement(r.refinement);
+  require_maker(campaign, r.maker);
   if (r.usable() && r.parameters.size() != search->box.parameters.size())
     fail(fmt::format("run {} of {} has {} parameters", r.number, r.law, r.parameters.size()));
   if (!all_finite(r.parameters)) fail(fmt::format("run {} of {} has a parameter that is not finite", r.number, r.law));
@@ -93,6 +106,7 @@ void require_consistent(Contents const& campaign, Run const& r) {
 void require_consistent(Contents const& campaign, DeviceAnalysis const& a) {
   auto const& search = searched(campaign, a.device, a.law);
   require_refinement(a.refinement);
+  require_maker(campaign, a.maker);
   require_values(a.determination.optimum, search);
   auto const free = search.box.free_count();
   auto const is_free = [&](std::size_t i) { return i < search.box.parameters.size() && search.box.parameters[i].free; };
@@ -109,6 +123,7 @@ void require_consistent(Contents const& campaign, DeviceAnalysis const& a) {
 
 void require_consistent(Contents const& campaign, LotAnalysis const& a) {
   require_refinement(a.refinement);
+  require_maker(campaign, a.maker);
   for (auto const device : a.devices) {
     auto const& search = searched(campaign, device, a.law);
     if (a.mean.parameters.empty()) continue;
@@ -122,10 +137,12 @@ void require_consistent(Contents const& campaign, LotAnalysis const& a) {
 
 void require_consistent(Contents const& campaign, LeftOutAnalysis const& a) {
   auto const& search = searched(campaign, a.device, a.law);
+  require_maker(campaign, a.maker);
   if (!a.left_out.parameters.empty()) require_values(a.left_out.parameters, search);
 }
 
 void require_consistent(Contents const& contents) {
+  for (auto const& maker : contents.makers) require_words(maker);
   for (auto const& device : contents.devices) require_device(device);
   for (auto const& search : contents.searches) require_search(contents, search);
   auto const require_all = [&](auto const& items) {

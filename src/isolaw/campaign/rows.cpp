@@ -71,6 +71,17 @@ void write_searches(Connection const& db, Contents const& contents) {
   }
 }
 
+void read_makers(Connection const& db, Contents& contents) {
+  Statement maker(db, "SELECT version, build, instruction_set FROM maker ORDER BY id");
+  while (maker.row()) {
+    auto& made = contents.makers.emplace_back();
+    made.version = maker.text();
+    made.build = maker.text();
+    made.instruction_set = maker.text();
+  }
+  if (contents.makers.empty()) throw Error({.found = "no word on the isolaw that made it"});
+}
+
 void read_settings(Connection const& db, Contents& contents) {
   std::vector<std::pair<std::string, std::string>> pairs;
   Statement setting(db, "SELECT key, json FROM setting ORDER BY position");
@@ -181,7 +192,7 @@ void read_runs(Connection const& db, Contents& contents) {
   }
   Statement run(db,
                 "SELECT device, law, number, outcome, objective, integration_shift, refinement, evaluations, "
-                "failed_evaluations, message, history FROM run ORDER BY device, law, number");
+                "failed_evaluations, message, history, maker FROM run ORDER BY device, law, number");
   while (run.row()) {
     Run r;
     r.device = run.index();
@@ -195,6 +206,7 @@ void read_runs(Connection const& db, Contents& contents) {
     r.failed_evaluations = run.whole();
     r.failure = run.text();
     r.history = run.reals();
+    r.maker = run.index();
     if (auto const found = values.find({r.device, r.law, r.number}); found != values.end())
       r.parameters = std::move(found->second);
     contents.runs.push_back(std::move(r));
@@ -202,22 +214,25 @@ void read_runs(Connection const& db, Contents& contents) {
 }
 
 void read_analyses(Connection const& db, Contents& contents) {
-  Statement device(db, "SELECT device, law, json FROM device_analysis ORDER BY device, law");
+  Statement device(db, "SELECT device, law, json, maker FROM device_analysis ORDER BY device, law");
   while (device.row()) {
     auto const index = device.index();
     auto law = device.text();
     contents.device_analyses.push_back(device_analysis(index, std::move(law), device.text()));
+    contents.device_analyses.back().maker = device.index();
   }
-  Statement lot(db, "SELECT law, json FROM lot_analysis ORDER BY law");
+  Statement lot(db, "SELECT law, json, maker FROM lot_analysis ORDER BY law");
   while (lot.row()) {
     auto law = lot.text();
     contents.lot_analyses.push_back(lot_analysis(std::move(law), lot.text()));
+    contents.lot_analyses.back().maker = lot.index();
   }
-  Statement left_out(db, "SELECT device, law, json FROM left_out ORDER BY device, law");
+  Statement left_out(db, "SELECT device, law, json, maker FROM left_out ORDER BY device, law");
   while (left_out.row()) {
     auto const index = left_out.index();
     auto law = left_out.text();
     contents.left_out.push_back(left_out_analysis(index, std::move(law), left_out.text()));
+    contents.left_out.back().maker = left_out.index();
   }
 }
 
@@ -242,14 +257,20 @@ void read_descriptions(Connection const& db, Contents& contents) {
 
 }  // namespace
 
-void write_campaign(Connection const& db, Contents const& contents) {
+void write_row(Connection const& db, std::size_t id, Maker const& maker) {
+  Statement row(db, "INSERT INTO maker VALUES (?, ?, ?, ?)");
+  row.bind(id).bind(maker.version).bind(maker.build).bind(maker.instruction_set).insert();
+}
+
+void write_campaign(Connection const& db, Contents const& contents, std::vector<Maker> const& makers) {
   Statement meta(db, "INSERT INTO meta VALUES (?, ?)");
   meta.bind("schema").bind(std::to_string(schema_version)).insert();
-  meta.bind("isolaw").bind(ISOLAW_VERSION).insert();
+  meta.bind("isolaw").bind(makers.front().version).insert();
   for (auto const& [key, value] : descriptions(contents)) meta.bind(key).bind(value).insert();
   Statement setting(db, "INSERT INTO setting VALUES (?, ?, ?)");
   std::size_t position = 0;
   for (auto const& [key, json] : to_pairs(contents.settings)) setting.bind(position++).bind(key).bind(json).insert();
+  for (std::size_t id = 0; id < makers.size(); ++id) write_row(db, id, makers[id]);
   write_devices(db, contents);
   write_searches(db, contents);
 }
@@ -270,35 +291,36 @@ void write_descriptions(Connection const& db, Contents const& contents) {
 }
 
 void write_row(Connection const& db, Run const& run) {
-  Statement row(db, "INSERT INTO run VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  Statement row(db, "INSERT INTO run VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   row.bind(run.device).bind(run.law).bind(run.number).bind(name(run.outcome)).bind(run.objective);
   row.bind(run.integration_shift)
       .bind(run.refinement)
       .bind(run.evaluations)
       .bind(run.failed_evaluations)
       .bind(run.failure);
-  row.bind(run.history).insert();
+  row.bind(run.history).bind(run.maker).insert();
   Statement parameter(db, "INSERT INTO run_parameter VALUES (?, ?, ?, ?, ?)");
   for (std::size_t i = 0; i < run.parameters.size(); ++i)
     parameter.bind(run.device).bind(run.law).bind(run.number).bind(i).bind(run.parameters[i]).insert();
 }
 
 void write_row(Connection const& db, DeviceAnalysis const& analysis) {
-  Statement row(db, "INSERT INTO device_analysis VALUES (?, ?, ?)");
-  row.bind(analysis.device).bind(analysis.law).bind(analysis_json(analysis)).insert();
+  Statement row(db, "INSERT INTO device_analysis VALUES (?, ?, ?, ?)");
+  row.bind(analysis.device).bind(analysis.law).bind(analysis_json(analysis)).bind(analysis.maker).insert();
 }
 void write_row(Connection const& db, LotAnalysis const& analysis) {
-  Statement row(db, "INSERT INTO lot_analysis VALUES (?, ?)");
-  row.bind(analysis.law).bind(analysis_json(analysis)).insert();
+  Statement row(db, "INSERT INTO lot_analysis VALUES (?, ?, ?)");
+  row.bind(analysis.law).bind(analysis_json(analysis)).bind(analysis.maker).insert();
 }
 void write_row(Connection const& db, LeftOutAnalysis const& analysis) {
-  Statement row(db, "INSERT INTO left_out VALUES (?, ?, ?)");
-  row.bind(analysis.device).bind(analysis.law).bind(analysis_json(analysis)).insert();
+  Statement row(db, "INSERT INTO left_out VALUES (?, ?, ?, ?)");
+  row.bind(analysis.device).bind(analysis.law).bind(analysis_json(analysis)).bind(analysis.maker).insert();
 }
 
 Contents read_campaign(Connection const& db) {
   Contents contents;
   read_descriptions(db, contents);
+  read_makers(db, contents);
   read_settings(db, contents);
   read_devices(db, contents);
   read_searches(db, contents);

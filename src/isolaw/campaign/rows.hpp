@@ -6,8 +6,9 @@
 
 namespace isolaw::campaign {
 
-// All but runs and analyses: what a campaign begins with.
-void write_campaign(sqlite::Connection const& db, Contents const& contents);
+// All but runs and analyses: what a campaign begins with. `makers` must not be empty.
+void write_campaign(sqlite::Connection const& db, Contents const& contents, std::vector<Maker> const& makers);
+void write_row(sqlite::Connection const& db, std::size_t id, Maker const& maker);
 // What may change afterwards, see Store::describe.
 void write_descriptions(sqlite::Connection const& db, Contents const& contents);
 void write_row(sqlite::Connection const& db, Run const& run);

@@ -13,6 +13,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/campaign/analysis_json.hpp"
 #include "isolaw/campaign/consistency.hpp"
+#include "isolaw/campaign/maker.hpp"
 #include "isolaw/campaign/rows.hpp"
 #include "isolaw/campaign/schema.hpp"
 
@@ -77,10 +78,10 @@ Contents read_as_ours(std::filesystem::path const& file, Read&& read) {
   }
 }
 
-void fill(Connection const& db, Contents const& contents) {
+void fill(Connection const& db, Contents const& contents, std::vector<Maker> const& makers) {
   Transaction transaction(db);
   create_tables(db);
-  write_campaign(db, contents);
+  write_campaign(db, contents, makers);
   transaction.commit();
 }
 
@@ -110,7 +111,7 @@ Store Store::create(std::filesystem::path const& file, Contents const& contents,
   auto const aside = unfinished(file);
   {
     auto const db = Connection::create(aside);
-    fill(db, contents);
+    fill(db, contents, {this_maker()});
     require_readable([&] { read_campaign(db); });
   }
   if (before_replacing) before_replacing();
@@ -137,7 +138,7 @@ bool Store::is_plain(std::filesystem::path const& file) {
 
 Store Store::open(std::filesystem::path const& file) {
   auto db = Connection::to_write(file);
-  require_schema(db, file);
+  require_present_schema(db, file);
   auto campaign = read_as_ours(file, [&] { return read_campaign(db); });
   db.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
   return {std::move(db), std::move(campaign)};
@@ -150,7 +151,7 @@ Contents Store::read(std::filesystem::path const& file) {
                  .allowed = "campaign.sqlite of a campaign",
                  .advice = "isolaw calibrate ... --out DIR makes one"});
   auto const db = Connection::to_read(file);
-  require_schema(db, file);
+  require_readable_schema(db, file);
   return read_as_ours(file, [&] {
     auto contents = read_contents(db);
     require_consistent(contents);
@@ -158,8 +159,22 @@ Contents Store::read(std::filesystem::path const& file) {
   });
 }
 
+std::size_t Store::own_maker() {
+  auto const me = this_maker();
+  auto& makers = campaign_.makers;
+  auto const place = static_cast<std::size_t>(std::ranges::find(makers, me) - makers.begin());
+  if (place == makers.size()) {
+    Transaction transaction(db_);
+    write_row(db_, place, me);
+    transaction.commit();
+    makers.push_back(me);
+  }
+  return place;
+}
+
 template <class Result>
-void Store::add_result(Result const& result) {
+void Store::add_result(Result result) {
+  result.maker = own_maker();
   require_readable([&] { require_consistent(campaign_, stored(result)); });
   Transaction transaction(db_);
   write_row(db_, result);
@@ -181,8 +196,9 @@ void Store::add(LeftOutAnalysis const& analysis) {
 
 std::vector<std::string> Store::foreign_rows(std::filesystem::path const& file, Contents const& contents) {
   auto const theirs = Connection::to_read(file);
+  require_readable_schema(theirs, file);
   auto const ours = Connection::in_memory();
-  fill(ours, contents);
+  fill(ours, contents, contents.makers);
   ours.execute("BEGIN");
   auto const write = [&](auto const& results) {
     for (auto const& result : results) write_row(ours, result);
@@ -194,7 +210,7 @@ std::vector<std::string> Store::foreign_rows(std::filesystem::path const& file, 
   ours.execute("COMMIT");
   std::vector<std::string> faults;
   for (auto const* table :
-       {"key, value FROM meta WHERE key <> 'isolaw'", "* FROM setting", "* FROM device",
+       {"key, value FROM meta WHERE key <> 'schema'", "key, json FROM setting", "* FROM maker", "* FROM device",
         "device, kind, channel, count FROM series", "* FROM search", "* FROM search_parameter", "* FROM run",
         "* FROM run_parameter", "* FROM device_analysis", "* FROM lot_analysis", "* FROM left_out"}) {
     std::vector<std::string> differing;

@@ -26,7 +26,7 @@ class Store {
   static Store open(std::filesystem::path const& file);
   // Whether the file stands alone, without a write-ahead log, and can be read wherever it is copied to.
   static bool is_plain(std::filesystem::path const& file);
-  // Everything in it; the file is not changed. Throws Error as above.
+  // Everything in it, also of an older schema; the file is not changed. Throws Error as above.
   static Contents read(std::filesystem::path const& file);
   // What SQLite finds wrong with the file itself; empty when it is sound. Throws Error when it cannot be read at all.
   static std::vector<std::string> integrity(std::filesystem::path const& file);
@@ -48,8 +48,10 @@ class Store {
 
  private:
   Store(sqlite::Connection db, Contents campaign) : db_(std::move(db)), campaign_(std::move(campaign)) {}
+  // The place of this program among those who made the campaign.
+  std::size_t own_maker();
   template <class Result>
-  void add_result(Result const& result);
+  void add_result(Result result);
 
   sqlite::Connection db_;
   Contents campaign_;  // what results are held to before they are added: without series and without results

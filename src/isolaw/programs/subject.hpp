@@ -46,7 +46,9 @@ struct Bounds {
 };
 
 struct Subject {
-  std::string version, title;
+  std::string version;  // of this program
+  std::string makers;   // versions and builds that calibrated
+  std::string title;
   laws::LawEntry const* law = nullptr;
   bool lot = false;
   std::string device;  // its name; "lot" for the law of the lot

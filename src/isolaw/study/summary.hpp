@@ -146,8 +146,9 @@ struct Setting {
 };
 
 struct Summary {
-  std::string version;
-  std::string title;  // of the lot
+  std::string version;                  // of this program
+  std::vector<campaign::Maker> makers;  // the builds that computed the campaign
+  std::string title;                    // of the lot
   std::uint64_t seed = 0;
   std::vector<Setting> settings;
   std::vector<DeviceResult> devices;
