@@ -144,7 +144,7 @@ std::string number(double value) {
   return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 
-std::string quoted(std::string_view text) {
+std::string toml_string(std::string_view text) {
   std::string made = "\"";
   for (char const c : text) {
     if (c == '"' || c == '\\') made += '\\';
@@ -158,7 +158,7 @@ std::string toml_key(std::string_view name) {
   bool const bare = std::ranges::all_of(name, [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
   });
-  return bare ? std::string(name) : quoted(name);
+  return bare ? std::string(name) : toml_string(name);
 }
 
 }  // namespace
@@ -197,8 +197,8 @@ std::string best_known_text(std::span<BestKnown const> entries) {
     fmt::format_to(std::back_inserter(text),
                    "\n[[best]]\nrecord = {}\nsettings = {}\nlaw = \"{}\"\nkey = \"{}\"\nobjective = {}\n"
                    "found_by = {}\nparameters = {{ ",
-                   quoted(entry.record), quoted(entry.settings), entry.law, entry.key, number(entry.objective),
-                   quoted(entry.found_by));
+                   toml_string(entry.record), toml_string(entry.settings), entry.law, entry.key,
+                   number(entry.objective), toml_string(entry.found_by));
     auto const& law = laws::find_law(entry.law);
     for (std::size_t i = 0; i < law.parameters.size(); ++i)
       fmt::format_to(std::back_inserter(text), "{}{} = {}", i == 0 ? "" : ", ", toml_key(law.parameters[i].name),
