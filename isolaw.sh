@@ -9,7 +9,7 @@
 #   ./isolaw.sh fuzz [SECONDS]  every fuzz target for so long (60), with clang; fails at a finding
 #   ./isolaw.sh bench        setup, build and run the benchmarks
 #   ./isolaw.sh study [--quick]  time the published study, its scaling and other programs; see docs/performance.md
-#   ./isolaw.sh lint         clang-format and clang-tidy, without changing files (lint --fix formats)
+#   ./isolaw.sh lint         clang-format, clang-tidy, eslint for the page's script, without changing files (lint --fix formats)
 #   ./isolaw.sh compilers    other compilers and processors against this one: the largest differences of any result
 #   ./isolaw.sh docs         the pages that the program writes of itself: docs/laws.md, docs/cli.md
 set -euo pipefail
@@ -42,7 +42,7 @@ setup() {
   install_missing "${build_packages[@]}" "$@"
   if [ ! -e node_modules/plotly.js-basic-dist-min/plotly-basic.min.js ]; then
     echo "installing: plotly.js-basic-dist-min (npm, into node_modules/)" >&2
-    step npm ci --no-audit --no-fund --loglevel=error
+    step npm ci --omit=dev --no-audit --no-fund --loglevel=error
   fi
 }
 
@@ -99,12 +99,14 @@ case "${1:-help}" in
     step bench/study "${@:2}"
     ;;
   lint)
-    install_missing clang-format clang-tidy
+    install_missing clang-format clang-tidy npm
+    [ -e node_modules/eslint ] || step npm ci --no-audit --no-fund --loglevel=error
     mapfile -t sources < <(git ls-files 'src/*.cpp' 'src/*.hpp' 'cli/*.cpp' 'python/*.cpp' 'examples/*.cpp' 'tests/*.cpp' 'tests/*.hpp' 'bench/*.cpp' 'bench/*.hpp'
       'fuzz/*.cpp' 'fuzz/*.hpp')
     if [ "${2:-}" = --fix ]; then
       step clang-format -i "${sources[@]}"
     else
+      step node_modules/.bin/eslint src tests/browser eslint.config.mjs
       step clang-format --dry-run --Werror "${sources[@]}"
       mapfile -t units < <(git ls-files 'src/*.cpp' 'cli/*.cpp')
       step cmake --preset developer

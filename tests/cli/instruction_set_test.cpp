@@ -40,7 +40,10 @@ class InstructionSets : public InFreshDirectory {
                          with(set))
                        .wait();
     EXPECT_EQ(o.code, 0) << o;
-    return {all_rows(path(out) / "campaign.sqlite"), read(fs::path(out) / "summary.json")};
+    auto rows = all_rows(path(out) / "campaign.sqlite");
+    EXPECT_EQ(query(path(out) / "campaign.sqlite", "SELECT instruction_set FROM maker"), Words{set});
+    std::erase_if(rows, [](auto const& row) { return row.starts_with("maker: "); });
+    return {rows, read(fs::path(out) / "summary.json")};
   }
 };
 

@@ -6,7 +6,7 @@
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 #include "isolaw/campaign/store.hpp"
-#include "isolaw/report/build_summary.hpp"
+#include "isolaw/study/build_summary.hpp"
 
 namespace isolaw::cli_test {
 namespace {
@@ -40,7 +40,7 @@ class Simulate : public InFreshDirectory {
     auto const o = isolaw(Words{"calibrate", "d.csv", "--laws", laws, "--runs", "1", "--out", "O"} + more);
     ASSERT_EQ(o.code, 0) << o;
   }
-  report::Summary summary() const { return report::build_summary(campaign::Store::read(path("O/campaign.sqlite"))); }
+  study::Summary summary() const { return study::build_summary(campaign::Store::read(path("O/campaign.sqlite"))); }
 };
 
 TEST_F(Simulate, on_a_devices_own_record_gives_the_force_of_the_report) {

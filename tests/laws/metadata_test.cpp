@@ -112,7 +112,7 @@ TYPED_TEST(Metadata, RowsAreTheSameForEveryScalar) {
   for (std::size_t i = 0; i < others.size(); ++i) EXPECT_EQ(others[i].info.name, this->rows[i].info.name);
 }
 
-// Table 4, in its order and units. Two bounds are illegible there; spec/laws.md supplies them.
+// Table 4, in its order and units. Two bounds are illegible there; docs/source.md supplies them.
 TYPED_TEST(OfThePaperOnly, PublishedBoxIsTable4) {
   std::map<std::string, double> const lost{{"bouc-wen alpha", 0.3}, {"hwang-wu a1", 6e3}};
   auto const& table = published<TypeParam>().parameters;

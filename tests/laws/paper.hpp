@@ -1,4 +1,4 @@
-// What only the laws of the paper have: its tables, what spec/laws.md says of each, and what is known of where each is
+// What only the laws of the paper have: its tables, what docs/source.md says of each, and what is known of where each is
 // hard to compute. A law that stands in none of these lists is held to the strictest bounds, and is left out where the tests
 // say PaperLaws.
 #pragma once

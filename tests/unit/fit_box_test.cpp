@@ -308,7 +308,7 @@ struct Published {
   double lower, upper;
 };
 
-// Table 4 of the paper, typed from it; the two bounds it lost (alpha of bouc-wen, a1 of hwang-wu) from spec/laws.md.
+// Table 4 of the paper, typed from it; the two bounds it lost (alpha of bouc-wen, a1 of hwang-wu) from docs/source.md.
 std::map<std::string, std::vector<Published>> const table_4{
     {"bilinear", {{"K1", 1, 1.9}, {"K2", 0.35, 0.95}, {"xy", 30, 80}}},
     {"jankowski",

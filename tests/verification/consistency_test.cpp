@@ -1,5 +1,5 @@
 // The laws against one another and against an independent program, on the published means of ten devices: the
-// consistency check of spec/laws.md.
+// check of docs/source.md.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -98,9 +98,8 @@ std::vector<NamedValue> read_json(std::string const& text, std::string const& fi
 
 NamedValue parse_named_value(std::string_view text, std::string const& where) {
   auto const equals = text.find('=');
-  auto const name = data::trimmed(text.substr(0, equals));
-  auto const number =
-      equals == std::string_view::npos ? std::string() : std::string(data::trimmed(text.substr(equals + 1)));
+  auto const name = trimmed(text.substr(0, equals));
+  auto const number = equals == std::string_view::npos ? std::string() : std::string(trimmed(text.substr(equals + 1)));
   auto const cell = data::parse_cell(number, '.');
   if (name.empty() || cell.kind != data::CellKind::number)
     throw Error({.where = where, .found = in_marks(text), .allowed = "PARAMETER=NUMBER", .advice = where + " Ke=2.5"});

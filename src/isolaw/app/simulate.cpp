@@ -12,11 +12,11 @@
 #include "isolaw/app/lot_of.hpp"
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/write_file.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/data/clean.hpp"
 #include "isolaw/data/read.hpp"
 #include "isolaw/fit/objective.hpp"
-#include "isolaw/report/write.hpp"
 
 namespace isolaw::app {
 namespace {
@@ -136,7 +136,7 @@ int simulate(SimulateArguments const& a) {
     std::fwrite(text.data(), 1, text.size(), stdout);
     return exit_done;
   }
-  report::write_file(*a.out, text);
+  write_file(*a.out, text);
   say("written: {}\n", shown(*a.out));
   return exit_done;
 }

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numeric>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/laws/limits.hpp"
 
 namespace isolaw::fit {
@@ -31,11 +31,8 @@ constexpr std::string_view override_form =
     "law.parameter=another parameter";
 
 std::optional<double> parse_number(std::string_view text) {
-  double value = 0.0;
-  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-  auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
+  auto const value = number_in<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 // Displacement decreasing or increasing through zero after the start; the force there, by linear interpolation.

@@ -309,7 +309,7 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units) {
   auto const count = cycle.disp_mm.size();
   for (std::size_t i = (count - 1) / 2; i < count; i += 10)
     page.line(fmt::format("| {:.5g} | {:.5g} |", units.from_mm(cycle.disp_mm[i]), units.from_kN(cycle.law_kN[i])));
-  page.line(fmt::format("\nisolaw {}", subject.version));
+  page.line(fmt::format("\nisolaw {}; calibrated by isolaw {}", subject.version, subject.makers));
   return page.take();
 }
 
