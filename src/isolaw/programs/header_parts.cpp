@@ -1,5 +1,8 @@
 #include "isolaw/programs/header_parts.hpp"
 
+#include <algorithm>
+#include <string>
+
 #include "isolaw/base/embedded.hpp"
 
 namespace isolaw::programs {
@@ -12,6 +15,17 @@ std::string_view part(std::string_view name) {
   return embedded_text(header_files(), name);
 }
 
+// The part behind those that its first lines include, each once.
+void add(std::vector<std::string_view>& parts, std::string_view text) {
+  constexpr std::string_view include = "#include \"";
+  while (text.starts_with(include)) {
+    text.remove_prefix(include.size());
+    add(parts, part(text.substr(0, text.find('"'))));
+    text.remove_prefix(text.find('\n') + 1);
+  }
+  if (std::ranges::find(parts, text) == parts.end()) parts.push_back(text);
+}
+
 }  // namespace
 
 std::string_view header_numbers() {
@@ -22,14 +36,11 @@ std::string_view header_material() {
 }
 
 std::vector<std::string_view> header_parts(std::string_view law) {
-  if (law == "bilinear") return {part("bilinear.inc")};
-  if (law == "jankowski") return {part("jankowski.inc")};
-  if (law == "vaiana") return {part("vaiana.inc")};
-  if (law == "bouc-wen") return {part("flow.inc"), part("bouc_wen.inc")};
-  if (law == "abe") return {part("flow.inc"), part("abe_parts.inc"), part("abe.inc")};
-  if (law == "abe-y0") return {part("flow.inc"), part("abe_parts.inc"), part("abe_y0.inc")};
-  if (law == "hwang-wu") return {part("hwang_wu.inc")};
-  return {};
+  auto name = std::string(law) + ".inc";
+  std::ranges::replace(name, '-', '_');
+  std::vector<std::string_view> parts;
+  if (std::ranges::find(header_files(), name, &Embedded::name) != header_files().end()) add(parts, part(name));
+  return parts;
 }
 
 }  // namespace isolaw::programs
