@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "isolaw/render/tables/csv.hpp"
 #include "isolaw/render/tables/tables.hpp"
 #include "isolaw/study/findings.hpp"
@@ -71,15 +69,9 @@ std::string lot_law_csv(Summary const& summary) {
       auto const& p = parameters[n];
       table.cell(law.id).cell(p.name).cell(p.unit).yes_no(p.free);
       table.cell(law.lot->parameters[n]).cell(law.lot->worst_parameters[n]);
-      bool const in_population = law.population && p.free && !law.population->medians.empty();
-      if (!in_population) {
-        table.empty(2).end_row();
-        continue;
-      }
-      auto const& names = law.population->names;
-      auto const at = static_cast<std::size_t>(std::ranges::find(names, p.name) - names.begin());
-      table.cell(law.population->medians[at]);
-      law.population->has_covariance() ? table.cell(law.population->relative_std[at]) : table.empty(1);
+      auto const place = law.population ? place_of(*law.population, p.name) : std::nullopt;
+      place ? table.cell(law.population->medians[*place]) : table.empty(1);
+      place && law.population->has_covariance() ? table.cell(law.population->relative_std[*place]) : table.empty(1);
       table.end_row();
     }
   }
