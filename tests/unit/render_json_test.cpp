@@ -23,7 +23,8 @@ std::vector<std::string> keys(Json const& object) {
 
 TEST(SummaryJson, ExactText) {
   Summary summary;
-  summary.version = "1.2.3";
+  summary.version = "1.2.4";
+  summary.makers = {{"1.2.3", "0123456789ab", ""}, {"1.2.2", "", ""}};
   summary.title = "Lot";
   summary.runs = 1;
   summary.expected_runs = 4;
@@ -58,7 +59,16 @@ TEST(SummaryJson, ExactText) {
 
   EXPECT_EQ(summary_json(summary), R"({
   "schema": 1,
-  "isolaw": "1.2.3",
+  "isolaw": [
+    {
+      "version": "1.2.3",
+      "build": "0123456789ab"
+    },
+    {
+      "version": "1.2.2",
+      "build": null
+    }
+  ],
   "seed": 18446744073709551615,
   "settings": {
     "runs": 2,

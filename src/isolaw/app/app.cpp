@@ -19,6 +19,7 @@
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/campaign/maker.hpp"
 
 namespace isolaw::app {
 namespace {
@@ -337,7 +338,7 @@ int run(int argc, char** argv) {
   try {
     CLI::App app("isolaw: from the test records of a production lot of seismic isolators to calibrated, ranked laws",
                  "isolaw");
-    app.set_version_flag("--version", ISOLAW_VERSION);
+    app.set_version_flag("--version", campaign::text(campaign::this_maker()));
     app.require_subcommand(1);
     int const code = dispatch(app, argc, argv);
     // Both: what failed while it was printed is no longer there to be flushed.

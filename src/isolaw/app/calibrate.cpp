@@ -26,6 +26,7 @@
 #include "isolaw/base/write_file.hpp"
 #include "isolaw/campaign/campaign.hpp"
 #include "isolaw/campaign/check.hpp"
+#include "isolaw/campaign/maker.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/fit/kernels.hpp"
 #include "isolaw/render/figures/figures.hpp"
@@ -291,10 +292,13 @@ int check(std::filesystem::path const& directory) {
   auto const since = outputs.other.empty() ? 0 : runs_since(directory, summary.missing_runs());
   if (since == 0)
     for (auto const& name : outputs.other)
-      result.faults.push_back(
-          fmt::format("{} is not what the store gives; isolaw report {} makes it again", name, shown(directory)));
+      (result.of_another_build ? result.differences : result.faults)
+          .push_back(
+              fmt::format("{} is not what the store gives; isolaw report {} makes it again", name, shown(directory)));
   fmt::print("{}: {}\n", shown(file),
-             result.faults.empty() ? "sound" : fmt::format("{} fault(s)", result.faults.size()));
+             !result.faults.empty()       ? fmt::format("{} fault(s)", result.faults.size())
+             : result.differences.empty() ? "sound"
+                                          : fmt::format("sound, but for {} difference(s)", result.differences.size()));
   fmt::print("  {} devices, {} laws on them, {} of {} runs", result.devices, result.searches, result.runs,
              result.expected_runs);
   fmt::print("{}\n", result.expected_analyses > 0
@@ -316,8 +320,12 @@ int check(std::filesystem::path const& directory) {
   if (since > 0)
     fmt::print("  out of date: {} of them, made before the last {} runs; isolaw report {} makes them again\n",
                outputs.other.size(), since, shown(directory));
+  if (result.of_another_build)
+    fmt::print("  made by isolaw {}; this is {}, which may compute otherwise\n",
+               campaign::text(std::span(contents.makers)), campaign::text(campaign::this_maker()));
   for (auto const& fault : result.faults) fmt::print("  fault: {}\n", fault);
-  return result.faults.empty() && since == 0 ? exit_done : exit_with_refusals;
+  for (auto const& difference : result.differences) fmt::print("  difference: {}\n", difference);
+  return result.faults.empty() && result.differences.empty() && since == 0 ? exit_done : exit_with_refusals;
 }
 
 }  // namespace isolaw::app

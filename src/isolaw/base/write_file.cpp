@@ -5,11 +5,11 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
 #include <string>
 #include <system_error>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/words.hpp"
 
 namespace isolaw {
 namespace {
@@ -62,10 +62,8 @@ void remove_unfinished_files(fs::path const& folder) {
     if (!name.ends_with(part_suffix)) continue;
     auto const stem = std::string_view(name).substr(0, name.size() - part_suffix.size());
     auto const digits = stem.substr(stem.find_last_of('.') + 1);
-    pid_t owner = 0;
-    auto const [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), owner);
-    bool const is_ours = error == std::errc() && end == digits.data() + digits.size() && owner > 0;
-    if (is_ours && ::kill(owner, 0) != 0 && errno == ESRCH) fs::remove(entry.path(), ignored);
+    auto const owner = number_in<pid_t>(digits);
+    if (owner && *owner > 0 && ::kill(*owner, 0) != 0 && errno == ESRCH) fs::remove(entry.path(), ignored);
   }
 }
 

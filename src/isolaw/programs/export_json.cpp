@@ -94,7 +94,8 @@ std::string export_json(Subject const& subject, Realisation const& realisation, 
   auto const check = self_check(subject, realisation, units);
   auto const& law = subject.law->info;
   JsonWriter out(JsonWriter::Layout::indented);
-  out.begin_object().member("isolaw", subject.version).member("lot", subject.title);
+  out.begin_object().member("isolaw", subject.version).member("calibrated_by", "isolaw " + subject.makers);
+  out.member("lot", subject.title);
   out.member("device", subject.device).member("of_the_lot", subject.lot);
   out.key("law").begin_object().member("id", law.id).member("title", law.title).member("source", law.source);
   out.member("force_unit", law.force.symbol).member("length_unit", law.length.symbol).end_object();

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/campaign/maker.hpp"
 
 namespace isolaw::programs {
 namespace {
@@ -307,6 +308,7 @@ Subject make_subject(campaign::Contents const& contents, study::Summary const& s
                  .found = "the law is not in this campaign",
                  .allowed = list_of(contents.settings.laws)});
   subject.version = summary.version;
+  subject.makers = campaign::text(std::span(summary.makers));
   subject.title = contents.title;
   subject.seed = contents.settings.seed;
   // A device that is called "lot" is that device only where there is no other meaning.

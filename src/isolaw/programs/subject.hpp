@@ -46,15 +46,17 @@ struct Bounds {
 };
 
 struct Subject {
-  std::string version, title;
+  std::string version;  // of this program
+  std::string makers;   // versions and builds that calibrated
+  std::string title;
   laws::LawEntry const* law = nullptr;
   bool lot = false;
   std::string device;  // its name; "lot" for the law of the lot
   // Where another name of the campaign has the same letters and digits: which of its devices this is, from 1; 0 elsewhere.
   std::size_t number_among_alike = 0;
   std::vector<double> parameters;  // in the law's units and order
-  std::vector<History>
-      histories;              // of the device; for a lot, of every device that takes part, the largest amplitude first
+  // Of the device; for a lot, of every device that takes part, the largest amplitude first.
+  std::vector<History> histories;
   History protocol;           // two cycles, at half and at the whole tested amplitude
   double frequency_Hz = 0.0;  // of the protocol
   std::optional<double> objective;

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "isolaw/base/error.hpp"
-#include "isolaw/fit/best_known.hpp"
 #include "isolaw/fit/objective.hpp"
 #include "isolaw/lot/outliers.hpp"
 #include "isolaw/lot/robustness.hpp"
@@ -21,41 +20,27 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::infinity();
 
-// The least objective known of a search, and whose it is.
-struct Reference {
-  double objective = none;
-  std::string text;
-  bool only_run = true;  // nothing but the campaign's own runs
-};
-Reference reference_of(campaign::Contents const& contents, campaign::Search const& search) {
-  Reference made;
-  if (auto const* best = contents.best_run(search.device, search.law)) made.objective = best->objective;
+// The least objective of a search's runs and of its analysis.
+double least_objective(campaign::Contents const& contents, campaign::Search const& search) {
+  double least = none;
+  if (auto const* best = contents.best_run(search.device, search.law)) least = best->objective;
   if (auto const* a = contents.analysis_of(search.device, search.law))
-    made.objective = std::min(made.objective, a->determination.objective);
-  made.text = "best of this campaign";
-  auto const& settings = contents.settings;
-  auto const known =
-      fit::best_known(fit::problem_key(laws::find_law(search.law), settings.integration, settings.turning_points,
-                                       contents.devices[search.device].record, search.box));
-  if (!known) return made;
-  made.text = "best known";
-  made.only_run = false;
-  made.objective = std::min(made.objective, known->objective);
-  return made;
+    least = std::min(least, a->determination.objective);
+  return least;
 }
 
 void add_success(DeviceFit& made, campaign::Contents const& contents, campaign::Search const& search) {
-  auto const reference = reference_of(contents, search);
+  double const least = least_objective(contents, search);
   int usable = 0, found = 0;
   for (auto const& run : contents.runs) {
     if (run.device != search.device || run.law != search.law || !run.usable()) continue;
     ++usable;
-    found += run.objective <= reference.objective * (1.0 + found_within) + 1e-9 ? 1 : 0;
+    found += run.objective <= least * (1.0 + found_within) + 1e-9 ? 1 : 0;
   }
   // One run that is compared with itself alone has found nothing.
-  if (usable == 0 || (usable == 1 && reference.only_run)) return;
+  if (usable < 2) return;
   made.success_share = static_cast<double>(found) / usable;
-  made.success_reference = reference.text;
+  made.success_reference = "best of this campaign";
 }
 
 void add_blocks(DeviceFit& made, data::FitRecord const& record) {
@@ -388,10 +373,7 @@ void add_lot_analysis(LawResult& law, campaign::Contents const& contents) {
     double const runs = fit.runs - fit.failed_runs;
     usable += runs;
     found += runs * *fit.success_share;
-    if (law.success_reference.empty())
-      law.success_reference = fit.success_reference;
-    else if (law.success_reference != fit.success_reference)
-      law.success_reference = "best known of some devices, best of this campaign of the others";
+    law.success_reference = fit.success_reference;
   }
   if (usable > 0.0) law.success_share = found / usable;
   add_prediction(law);

@@ -6,7 +6,7 @@
 
 namespace isolaw::study {
 
-// A run this close to the least objective known, relative, has found it.
+// A run this close to the least objective of its campaign, relative, has found it.
 inline constexpr double found_within = 1e-3;
 // A prediction has collapsed where a block is missed by more than its force's standard deviation, as a constant force would,
 // or by a visible part of it that is this many times what the law misses the blocks it was fitted to.

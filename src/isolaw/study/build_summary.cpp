@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "isolaw/campaign/maker.hpp"
 #include "isolaw/data/properties.hpp"
 #include "isolaw/fit/objective.hpp"
 #include "isolaw/lot/robustness.hpp"
@@ -246,6 +247,7 @@ void add_acceptance(Summary& summary, rules::RuleSet const& rules, rules::Design
 Summary build_summary(campaign::Contents const& contents) {
   Summary summary;
   summary.version = ISOLAW_VERSION;
+  summary.makers = campaign::builds(contents.makers);
   summary.title = contents.title;
   summary.seed = contents.settings.seed;
   summary.runs = contents.runs.size();

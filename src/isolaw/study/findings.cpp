@@ -283,8 +283,13 @@ void warn_of_integration(LawResult const& law, std::vector<Warning>& warnings) {
   }
   if (!devices.empty())
     warnings.push_back(
-        {"integration", fmt::format("{}: a finer integration step would move the objective by up to {:.2g} on {}",
-                                    law.id, largest, enumerate(devices))});
+        {"integration",
+         std::isfinite(largest)
+             ? fmt::format("{}: a finer integration step would move the objective by up to {:.2g} on {}", law.id,
+                           largest, enumerate(devices))
+             : fmt::format("{}: its force is not finite in finer integration steps on {}: the result is of "
+                           "the steps, not of the law",
+                           law.id, enumerate(devices))});
 }
 
 void warn_of_records(Summary const& summary, std::vector<Warning>& warnings) {

@@ -35,9 +35,9 @@ struct Verdict {
 };
 
 struct Warning {
-  std::string
-      topic;  // "not complete", "refused", "copies", "law not identified", "failed runs", "prediction", "search",
-              // "undetermined", "outlier", "at bound", "integration", "record"
+  // "not complete", "refused", "copies", "law not identified", "failed runs", "prediction", "search", "undetermined",
+  // "outlier", "at bound", "integration", "record"
+  std::string topic;
   std::string sentence;
 };
 

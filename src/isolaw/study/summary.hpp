@@ -63,7 +63,7 @@ struct DeviceFit {
   std::optional<double> K_eff_error_percent, energy_error_percent, damping_error_percent;
   std::optional<double> integration_shift;
   int refinement = 1;                   // integration steps per sample, of the best run
-  std::optional<double> success_share;  // of the usable runs: within 0.1 % of the least objective known
+  std::optional<double> success_share;  // of the usable runs: within 0.1 % of the least objective of the campaign
   std::string success_reference;        // whose objective that is
   std::optional<double> optimum;        // least objective of the analysis
   std::optional<double> rise;           // of the objective, by which ranges of parameters are judged
@@ -146,8 +146,9 @@ struct Setting {
 };
 
 struct Summary {
-  std::string version;
-  std::string title;  // of the lot
+  std::string version;                  // of this program
+  std::vector<campaign::Maker> makers;  // the builds that computed the campaign
+  std::string title;                    // of the lot
   std::uint64_t seed = 0;
   std::vector<Setting> settings;
   std::vector<DeviceResult> devices;

@@ -8,13 +8,18 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "isolaw/campaign/maker.hpp"
+
 namespace isolaw::render {
 
 std::string run_json(RunFacts const& facts) {
   utsname system{};
   uname(&system);
   nlohmann::ordered_json json;
-  json["isolaw"] = ISOLAW_VERSION;
+  auto const maker = campaign::this_maker();
+  json["isolaw"] = maker.version;
+  json["build"] = maker.build;
+  json["instruction_set"] = maker.instruction_set;
   json["command"] = facts.command;
   json["directory"] = facts.directory;
   json["started"] = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(facts.started_at));

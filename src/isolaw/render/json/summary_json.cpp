@@ -120,7 +120,13 @@ void write(JsonWriter& out, DeviceResult const& device) {
 std::string summary_json(Summary const& summary) {
   JsonWriter out(JsonWriter::Layout::indented);
   out.begin_object();
-  out.member("schema", schema).member("isolaw", summary.version).member("seed", summary.seed);
+  out.member("schema", schema).key("isolaw").begin_array();
+  for (auto const& maker : summary.makers) {
+    out.begin_object().member("version", maker.version).key("build");
+    maker.build.empty() ? out.null() : out.value(maker.build);
+    out.end_object();
+  }
+  out.end_array().member("seed", summary.seed);
   out.key("settings").begin_object();
   for (auto const& setting : summary.settings) out.key(setting.key).json(setting.json);
   out.end_object();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "isolaw/analysis/determination.hpp"
+#include "isolaw/campaign/maker.hpp"
 #include "isolaw/render/json/properties_json.hpp"
 #include "isolaw/render/json/results_json.hpp"
 #include "isolaw/study/build_analysis.hpp"
@@ -349,7 +350,7 @@ std::string page_data_json(Summary const& summary) {
 
   JsonWriter out;
   out.begin_object();
-  out.member("isolaw", summary.version).member("title", summary.title);
+  out.member("isolaw", campaign::text(std::span(summary.makers))).member("title", summary.title);
   out.member("seed", std::to_string(summary.seed));  // as text: 64 bits do not fit a JavaScript number
   out.member("runs", std::uint64_t{summary.runs}).member("missing_runs", std::uint64_t{summary.missing_runs()});
   out.member("missing_analyses", std::uint64_t{summary.missing_analyses()}).member("command", command_again(summary));

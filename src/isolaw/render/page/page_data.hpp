@@ -1,4 +1,4 @@
-// The data block of the page: everything report.html draws and prints, as compact JSON for the scripts in assets/page/.
+// The data block of the page: everything report.html draws and prints, as compact JSON for the modules in script/.
 #pragma once
 
 #include <string>

@@ -1,18 +1,10 @@
 #include "isolaw/render/tables/csv.hpp"
 
-#include <charconv>
-
+#include "isolaw/base/words.hpp"
 #include "isolaw/study/findings.hpp"
 
 namespace isolaw::render {
 namespace {
-
-bool is_number(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double value = 0.0;
-  auto const result = std::from_chars(text.data(), text.data() + text.size(), value);
-  return result.ec == std::errc() && result.ptr == text.data() + text.size();
-}
 
 struct Cells {
   CsvTable& table;
@@ -32,7 +24,7 @@ std::string csv_cell(std::string_view text) {
   std::string cell;
   bool const starts_formula =
       text.size() > 1 && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos;
-  if (starts_formula && !is_number(text)) cell += '\'';
+  if (starts_formula && !number_in<double>(text)) cell += '\'';
   cell += text;
   if (cell.find_first_of(",\"\r\n") == std::string::npos) return cell;
   std::string quoted = "\"";

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/render/tables/csv.hpp"
 #include "isolaw/study/findings.hpp"
 #include "isolaw/study/front_view.hpp"
@@ -245,12 +246,6 @@ std::vector<FrontPoint> by_accuracy(Summary const& summary, FrontView view) {
   auto points = front_points(summary, view);
   std::ranges::stable_sort(points, {}, &FrontPoint::y);
   return points;
-}
-
-std::string joined(std::vector<std::string> const& words) {
-  std::string text;
-  for (auto const& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
 }
 
 constexpr FrontView views[] = {FrontView::published, FrontView::converged, FrontView::left_out};

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "isolaw/base/words.hpp"
 #include "isolaw/render/tables/csv.hpp"
 #include "isolaw/render/tables/tables.hpp"
 #include "isolaw/study/cycle_results.hpp"
@@ -53,12 +54,6 @@ void cycle_row(CsvTable& table, DeviceResult const& device, data::Block const& b
   table.yes_no(c.counts()).cell(c.not_counted).yes_no(is_reported);
   CycleOf const of{c, device};
   table.cells(strain, of).cell(block.frequency_Hz).cells(of_cycles, of).cell(device.properties.refusal).end_row();
-}
-
-std::string joined(std::vector<std::string> const& texts) {
-  std::string text;
-  for (auto const& one : texts) text += (text.empty() ? "" : "; ") + one;
-  return text;
 }
 
 void assessment_row(CsvTable& table, std::string_view device, std::optional<int> block, rules::Assessment const& a) {
@@ -145,7 +140,11 @@ std::string lot_csv(Summary const& summary) {
     }
     for (auto const& outlier : q.outliers) outliers.push_back(outlier.device + ": " + outlier.reason);
     if (!q.outlier_note.empty()) outliers.push_back(q.outlier_note);
-    table.cell(joined(limits)).cell(joined(verdicts)).cell(joined(reasons)).cell(joined(outliers)).end_row();
+    table.cell(joined(limits, "; "))
+        .cell(joined(verdicts, "; "))
+        .cell(joined(reasons, "; "))
+        .cell(joined(outliers, "; "))
+        .end_row();
   }
   return table.take();
 }

@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "isolaw/base/json.hpp"
 #include "isolaw/render/tables/csv.hpp"
 #include "isolaw/study/findings.hpp"
 
