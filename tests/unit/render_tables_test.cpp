@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "isolaw/render/tables/tables.hpp"
+#include "unit/analysed_fixture.hpp"
 #include "unit/study_fixture.hpp"
 
 namespace isolaw::render {
@@ -159,6 +161,33 @@ TEST(Tables, PropertiesWithARefusedDevice) {
   EXPECT_EQ(rows[10][0], fixture::nasty_name);
   EXPECT_EQ(rows[10][2], "");
   EXPECT_EQ(rows[10].back(), "line 7: not a number: \"<script>alert(2)</script>\"");
+}
+
+TEST(LotLaw, PopulationOfTheReducedFormHasNoCellsForTheRedundantParameter) {
+  auto summary = fixture::analysed(fixture::lot());
+  auto& law = summary.laws[1];
+  auto& population = *law.population;
+  population.covariance.assign(population.names.size(), std::vector<double>(population.names.size(), 0.01));
+  auto const redundant = population.names[1];
+  for (auto* vector : {&population.medians, &population.relative_std}) vector->erase(vector->begin() + 1);
+  population.names.erase(population.names.begin() + 1);
+  auto const rows = read(lot_law_csv(summary));
+  expect_rectangular(rows);
+  std::size_t found = 0;
+  for (auto const& row : rows) {
+    if (row[0] != law.id) continue;
+    auto const place = std::ranges::find(population.names, row[1]) - population.names.begin();
+    if (row[1] == redundant) {
+      EXPECT_EQ(row[6], "");
+      EXPECT_EQ(row[7], "");
+    } else {
+      EXPECT_NEAR(std::stod(row[6]), population.medians[static_cast<std::size_t>(place)],
+                  1e-5 * std::abs(std::stod(row[6])));
+      EXPECT_EQ(row[7].empty(), std::isnan(population.relative_std[static_cast<std::size_t>(place)]));
+    }
+    ++found;
+  }
+  EXPECT_EQ(found, law.devices.front().parameters.size());
 }
 
 }  // namespace

@@ -44,9 +44,6 @@ int sample(SampleArguments const& a) {
                                  stream.split(stable_hash("population")).split(stable_hash(a.law)), limits);
 
   auto const& parameters = study::parameters_of(*law);
-  auto const place = [&](std::string const& name) {
-    return static_cast<std::size_t>(std::ranges::find(population.names, name) - population.names.begin());
-  };
   std::string text = "device";
   for (auto const& p : parameters) text += "," + render::csv_cell(fmt::format("{} [{}]", p.name, p.unit));
   text += '\n';
@@ -54,8 +51,8 @@ int sample(SampleArguments const& a) {
     text += fmt::format("{}", i + 1);
     for (auto const& p : parameters) {
       auto const source = p.tied_to.empty() ? p.name : p.tied_to;
-      auto const at = place(source);
-      text += fmt::format(",{}", at < population.names.size()                ? drawn.values[i][at]
+      auto const place = study::place_of(population, source);
+      text += fmt::format(",{}", place                                       ? drawn.values[i][*place]
                                  : law->reduced && source == entry.redundant ? entry.redundant_value
                                                                              : *p.value.best);
     }

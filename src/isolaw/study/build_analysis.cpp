@@ -200,7 +200,8 @@ std::vector<std::size_t> undetermined_everywhere(LawResult const& law, std::vect
   for (std::size_t n = 0; n < names.size(); ++n)
     if (std::ranges::all_of(law.devices, [&](DeviceFit const& fit) {
           auto const p = std::ranges::find(fit.parameters, names[n], &ParameterFit::name);
-          return !p->analysis || p->analysis->identifiability == "undetermined";
+          bool const examined = p != fit.parameters.end() && p->analysis;  // not where the law was refused
+          return !examined || p->analysis->identifiability == "undetermined";
         }))
       found.push_back(n);
   return found;

@@ -411,6 +411,12 @@ std::vector<ParameterFit> const& parameters_of(LawResult const& law) {
   return none;
 }
 
+std::optional<std::size_t> place_of(lot::Population const& population, std::string_view parameter) {
+  auto const found = std::ranges::find(population.names, parameter);
+  if (found == population.names.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - population.names.begin());
+}
+
 std::string enumerate(std::vector<std::string> const& names, std::size_t most) {
   std::string text;
   std::size_t const shown = names.size() <= most ? names.size() : std::max<std::size_t>(most, 2) - 1;

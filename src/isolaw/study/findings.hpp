@@ -63,6 +63,10 @@ std::vector<std::size_t> by_objective(Summary const& summary);
 // A law's parameters as its first identified device lists them; empty when there is none.
 std::vector<ParameterFit> const& parameters_of(LawResult const& law);
 
+// Where a parameter stands in the vectors of a population; nullopt for one that it does not hold: fixed, tied, or
+// redundant where it is of the form without it. A law's own order is another one.
+std::optional<std::size_t> place_of(lot::Population const& population, std::string_view parameter);
+
 // "A, B and C"; beyond `most` names "A, B and 5 more".
 std::string enumerate(std::vector<std::string> const& names, std::size_t most = 5);
 

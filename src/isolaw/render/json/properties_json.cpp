@@ -6,6 +6,9 @@
 #include <string>
 #include <string_view>
 
+#include "isolaw/render/json/results_json.hpp"
+#include "isolaw/study/cycle_results.hpp"
+
 namespace isolaw::render {
 namespace {
 
@@ -15,27 +18,9 @@ void number(JsonWriter& out, std::string_view key, std::optional<double> const& 
   out.key(key).rounded(value, digits);
 }
 
-void write_cycle(JsonWriter& out, DeviceResult const& device, data::Cycle const& c) {
+void write_cycle(JsonWriter& out, DeviceResult const& device, data::Cycle const& cycle) {
   out.begin_object();
-  out.member("number", c.number)
-      .member("counts", c.counts())
-      .member("partial", c.partial)
-      .member("reason", c.not_counted);
-  number(out, "first", c.first), number(out, "last", c.last);
-  number(out, "amplitude_mm", c.amplitude_mm);
-  number(out, "d_plus_mm", c.d_plus_mm), number(out, "d_minus_mm", c.d_minus_mm);
-  number(out, "F_plus_kN", c.F_plus_kN), number(out, "F_minus_kN", c.F_minus_kN);
-  number(out, "K_eff_kN_per_mm", c.K_eff_kN_per_mm);
-  number(out, "K_plus_kN_per_mm", c.K_plus()), number(out, "K_minus_kN_per_mm", c.K_minus());
-  number(out, "energy_kN_mm", c.energy_kN_mm), number(out, "damping_percent", c.damping_percent);
-  number(out, "Q_d_kN", c.Q_d_kN), number(out, "K_d_kN_per_mm", c.K_d_kN_per_mm);
-  number(out, "D_y_mm", c.D_y_mm), number(out, "K_1_kN_per_mm", c.K_1_kN_per_mm);
-  number(out, "period_s", c.period_s), number(out, "v_max_mm_s", c.v_max_mm_s);
-  number(out, "N_mean_kN", c.N_mean_kN), number(out, "N_min_kN", c.N_min_kN), number(out, "N_max_kN", c.N_max_kN);
-  number(out, "closure_mm", c.closure_mm), number(out, "closure_kN", c.closure_kN);
-  auto const strains = shear_strain(c, device.rubber_thickness_mm, device.rubber_area_mm2);
-  number(out, "strain_percent", strains ? std::optional(strains->shear_strain_percent) : std::nullopt);
-  number(out, "G_MPa", strains ? strains->G_MPa : std::nullopt);
+  write_results(out, cycle_results, CycleOf{cycle, device}, Digits::shown, [](std::string_view) {});
   out.end_object();
 }
 

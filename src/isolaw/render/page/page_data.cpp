@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "isolaw/analysis/determination.hpp"
-#include "isolaw/base/json.hpp"
 #include "isolaw/campaign/maker.hpp"
 #include "isolaw/render/json/properties_json.hpp"
+#include "isolaw/render/json/results_json.hpp"
 #include "isolaw/study/build_analysis.hpp"
 #include "isolaw/study/command.hpp"
 #include "isolaw/study/drawn_samples.hpp"
@@ -19,14 +19,6 @@ constexpr int digits = 9;
 constexpr int profile_digits = 6;
 constexpr double curve_levels = 20000.0;
 constexpr std::size_t convergence_points = 120;
-
-void write(JsonWriter& out, Statistic const& statistic) {
-  out.begin_object();
-  out.key("mean").rounded(statistic.mean, digits);
-  out.key("std").rounded(statistic.std, digits);
-  out.key("best").rounded(statistic.best, digits);
-  out.end_object();
-}
 
 // Integer differences of the quantised values; the steps do not add up to a drift. Not finite: the value before.
 void write_curve(JsonWriter& out, std::vector<double> const& values, std::vector<std::size_t> const& samples) {
@@ -144,7 +136,7 @@ void write_parameters(JsonWriter& out, std::vector<ParameterFit> const& paramete
   auto const column = [&](std::string_view name, auto const& of) {
     write_column(out, name, parameters, [&](ParameterFit const& parameter) { out.rounded(of(parameter), digits); });
   };
-  out.key("parameters").begin_object();
+  out.begin_object();
   column("mean", [](auto const& p) { return p.value.mean; });
   column("std", [](auto const& p) { return p.value.std; });
   column("best", [](auto const& p) { return p.value.best; });
@@ -189,27 +181,6 @@ void write_determination(JsonWriter& out, DeviceFit const& fit) {
   out.end_object();
 }
 
-void write_analysis(JsonWriter& out, DeviceFit const& fit) {
-  out.key("success_share").rounded(fit.success_share, digits);
-  out.member("success_reference", fit.success_reference);
-  out.key("optimum").rounded(fit.optimum, digits);
-  out.key("rise").rounded(fit.rise, digits);
-  write_determination(out, fit);
-  out.member("trade_offs", fit.trade_offs);
-  out.key("intervals").begin_object();
-  out.member("level", fit.interval_level).member("samples", std::uint64_t{fit.interval_samples});
-  out.member("block", std::uint64_t{fit.interval_block}).member("replicates", fit.interval_replicates).end_object();
-  out.key("lot_objective").rounded(fit.lot_objective, digits);
-  out.key("worst_objective").rounded(fit.worst_objective, digits);
-  out.key("left_out_objective").rounded(fit.left_out_objective, digits);
-  out.key("blocks").begin_array();
-  for (auto const& score : fit.blocks) {
-    out.begin_object().member("block", score.block).member("fitted", score.fitted);
-    out.key("objective").rounded(score.objective, digits).end_object();
-  }
-  out.end_array();
-}
-
 // How the runs came down: decimal logarithms of the smallest, median and largest best objective so far over the runs, after
 // each generation or start; a run that ended earlier keeps its last.
 void write_convergence(JsonWriter& out, DeviceFit const& fit) {
@@ -249,19 +220,16 @@ void write_convergence(JsonWriter& out, DeviceFit const& fit) {
 }
 
 void write_fit(JsonWriter& out, DeviceFit const& fit, int device, std::vector<std::size_t> const& drawn) {
-  out.begin_object();
-  out.member("device", device).member("status", fit_status(fit));
-  out.member("message", fit.refusal.empty() ? fit.failure : fit.refusal);
-  out.member("runs", fit.runs).member("failed_runs", fit.failed_runs);
-  out.member("evaluations", fit.evaluations).member("failed_evaluations", fit.failed_evaluations);
-  out.key("objective");
-  write(out, fit.objective);
-  out.key("K_eff_error_percent").rounded(fit.K_eff_error_percent, digits);
-  out.key("energy_error_percent").rounded(fit.energy_error_percent, digits);
-  out.key("damping_error_percent").rounded(fit.damping_error_percent, digits);
-  out.key("integration_shift").rounded(fit.integration_shift, digits);
-  write_parameters(out, fit.parameters);
-  write_analysis(out, fit);
+  out.begin_object().member("device", device);
+  write_results(out, fit_results, fit, Digits::shown, [&](std::string_view key) {
+    if (key == "parameters")
+      write_parameters(out, fit.parameters);
+    else if (key == "intervals")
+      write_intervals(out, fit);
+    else
+      write_blocks(out, fit.blocks, Digits::shown);
+  });
+  write_determination(out, fit);
   write_convergence(out, fit);
   out.key("force_kN");
   bool const has_curve = !drawn.empty() && drawn.back() < fit.force_kN.size();
@@ -273,71 +241,56 @@ void write_fit(JsonWriter& out, DeviceFit const& fit, int device, std::vector<st
   out.end_object();
 }
 
-void write_lot_law(JsonWriter& out, std::optional<LotLaw> const& lot) {
-  out.key("lot");
-  if (!lot) {
-    out.null();
-    return;
-  }
+// Parameters in the law's order.
+void write_lot_law(JsonWriter& out, LotLaw const& lot) {
   out.begin_object();
-  out.key("parameters");
-  write_values(out, lot->parameters, digits);
-  out.key("mean_objective").rounded(lot->mean, digits).key("worst_objective").rounded(lot->worst, digits);
-  out.member("worst_device", lot->worst_device);
-  out.key("least_worst_parameters");
-  write_values(out, lot->worst_parameters, digits);
-  out.key("least_worst_objective").rounded(lot->least_worst, digits);
-  out.key("least_worst_bound").rounded(lot->least_worst_bound, digits);
+  write_results(out, lot_law_results, lot, Digits::shown, [&](std::string_view key) {
+    write_values(out, key == "parameters" ? lot.parameters : lot.worst_parameters, digits);
+  });
   out.end_object();
 }
 
 // What is shown of it: not its covariances.
-void write_population(JsonWriter& out, std::optional<lot::Population> const& population) {
-  out.key("population");
-  if (!population) {
-    out.null();
-    return;
-  }
-  out.begin_object().member("devices", std::uint64_t{population->devices}).member("parameters", population->names);
+void write_population(JsonWriter& out, lot::Population const& population) {
+  out.begin_object().member("devices", std::uint64_t{population.devices}).member("parameters", population.names);
   out.key("medians");
-  write_values(out, population->medians, digits);
+  write_values(out, population.medians, digits);
   out.key("relative_std");
-  write_values(out, population->relative_std, profile_digits);
+  write_values(out, population.relative_std, profile_digits);
   out.key("correlation").begin_array();
-  for (auto const& row : population->correlation) write_values(out, row, profile_digits);
+  for (auto const& row : population.correlation) write_values(out, row, profile_digits);
   out.end_array();
-  out.member("note", population->note);
+  out.member("note", population.note);
   out.end_object();
 }
 
-void write_lot_analysis(JsonWriter& out, LawResult const& law) {
-  out.key("success_share").rounded(law.success_share, digits);
-  out.member("success_reference", law.success_reference);
-  out.key("objective_converged").rounded(law.objective_converged, digits);
-  out.key("beta_converged").rounded(law.beta_converged, digits);
-  out.member("beta_converged_note", law.beta_converged_note).member("left_out_of_beta", law.left_out_of_beta);
-  out.member("reduced", law.reduced).member("on_front_converged", law.on_front_converged);
-  out.key("loo_objective").rounded(law.loo_objective, digits).key("loo_worst").rounded(law.loo_worst, digits);
-  out.member("loo_worst_device", law.loo_worst_device).member("on_front_loo", law.on_front_loo);
-  write_lot_law(out, law.lot);
-  write_population(out, law.population);
-  out.key("fitted_objective").rounded(law.fitted_objective, digits);
-  out.key("predicted_objective").rounded(law.predicted_objective, digits);
-  out.key("worst_predicted").rounded(law.worst_predicted, digits);
-  out.member("prediction_collapses", law.prediction_collapses).member("reduced_form", law.reduced_form);
+void write_fits(JsonWriter& out, Summary const& summary, LawResult const& law,
+                std::vector<std::vector<std::size_t>> const& drawn) {
+  out.begin_array();
+  for (auto const& fit : law.devices) {
+    auto const found = std::ranges::find(summary.devices, fit.device, &DeviceResult::name);
+    if (found == summary.devices.end()) continue;
+    auto const index = static_cast<std::size_t>(found - summary.devices.begin());
+    write_fit(out, fit, static_cast<int>(index), drawn[index]);
+  }
+  out.end_array();
 }
 
 void write_law(JsonWriter& out, Summary const& summary, LawResult const& law,
                std::vector<std::vector<std::size_t>> const& drawn) {
   out.begin_object();
-  out.member("id", law.id).member("title", law.title).member("notes", law.notes);
-  out.key("objective");
-  write(out, law.objective);
-  out.key("beta").rounded(law.beta, digits);
-  out.member("beta_note", law.beta_note).member("on_front", law.on_front);
+  write_results(out, law_results, law, Digits::shown, [&](std::string_view key) {
+    if (key == "devices")
+      write_fits(out, summary, law, drawn);
+    else if (key == "lot" && law.lot)
+      write_lot_law(out, *law.lot);
+    else if (key == "population" && law.population)
+      write_population(out, *law.population);
+    else
+      out.null();
+  });
   out.key("K_eff_error_percent").rounded(mean_magnitude(law, &DeviceFit::K_eff_error_percent), digits);
   out.key("energy_error_percent").rounded(mean_magnitude(law, &DeviceFit::energy_error_percent), digits);
-  write_lot_analysis(out, law);
   out.key("parameters").begin_array();
   auto const& parameters = parameters_of(law);
   for (std::size_t n = 0; n < parameters.size(); ++n) {
@@ -345,15 +298,6 @@ void write_law(JsonWriter& out, Summary const& summary, LawResult const& law,
     out.member("name", parameters[n].name).member("unit", parameters[n].unit).member("free", parameters[n].free);
     out.key("delta").rounded(largest_difference(law, n), digits);
     out.end_object();
-  }
-  out.end_array();
-  out.key("devices").begin_array();
-  for (auto const& fit : law.devices) {
-    auto const found = std::find_if(summary.devices.begin(), summary.devices.end(),
-                                    [&](auto const& device) { return device.name == fit.device; });
-    if (found == summary.devices.end()) continue;
-    auto const index = static_cast<std::size_t>(found - summary.devices.begin());
-    write_fit(out, fit, static_cast<int>(index), drawn[index]);
   }
   out.end_array().end_object();
 }

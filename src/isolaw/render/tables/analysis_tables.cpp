@@ -7,55 +7,59 @@
 namespace isolaw::render {
 
 std::string identifiability_csv(Summary const& summary) {
+  constexpr auto of = [](std::string_view key) consteval {
+    return result(analysis_results, key);
+  };
+  static constexpr Result<ParameterAnalysis> range[]{of("optimum"), of("identifiability"), of("open_range")};
+  static constexpr Result<ParameterAnalysis> intervals[]{of("linear_interval"), of("bootstrap_interval")};
   CsvTable table;
-  table.cell("law").cell("device").cell("parameter").cell("unit").cell("optimum").cell("identifiability");
-  table.cell("open range lower").cell("open range upper").cell("range ends at the box");
-  table.cell("linear interval lower").cell("linear interval upper");
-  table.cell("bootstrap interval lower").cell("bootstrap interval upper").end_row();
+  table.cell("law").cell("device").cell("parameter").cell("unit").head(range);
+  table.cell("range ends at the box").head(intervals).end_row();
   for (auto const& law : summary.laws)
     for (auto const& fit : law.devices)
       for (auto const& p : fit.parameters) {
         if (!p.analysis) continue;
         auto const& a = *p.analysis;
-        table.cell(law.id).cell(fit.device).cell(p.name).cell(p.unit).cell(a.optimum).cell(a.identifiability);
-        table.cell(a.open_lower).cell(a.open_upper);
+        table.cell(law.id).cell(fit.device).cell(p.name).cell(p.unit).cells(range, a);
         table.cell(a.open_below && a.open_above ? "both" : a.open_below ? "below" : a.open_above ? "above" : "no");
-        table.cell(a.linear_lower).cell(a.linear_upper).cell(a.bootstrap_lower).cell(a.bootstrap_upper).end_row();
+        table.cells(intervals, a).end_row();
       }
   return table.take();
 }
 
 std::string converged_csv(Summary const& summary) {
+  constexpr auto of = [](std::string_view key) consteval {
+    return result(law_results, key);
+  };
+  constexpr auto of_lot = [](std::string_view key) consteval {
+    return result(lot_law_results, key);
+  };
+  static constexpr Result<LawResult> columns[]{of("id"),
+                                               of("objective_converged"),
+                                               of("beta_converged"),
+                                               of("on_front_converged"),
+                                               as(of("beta"), "beta, as published"),
+                                               as(of("on_front"), "on front, as published"),
+                                               of("success_share"),
+                                               of("success_reference"),
+                                               of("loo_objective"),
+                                               of("loo_worst"),
+                                               of("loo_worst_device"),
+                                               of("on_front_loo")};
+  static constexpr Result<LotLaw> of_the_lot[]{of_lot("mean_objective"), of_lot("worst_objective"),
+                                               of_lot("least_worst_objective"), of_lot("least_worst_bound")};
+  static constexpr Result<LawResult> blocks[]{of("left_out_of_beta"), of("fitted_objective"),
+                                              of("predicted_objective")};
+  static constexpr Result<LawResult> ends[]{of("prediction_collapses")}, notes[]{of("beta_converged_note")};
   CsvTable table;
-  table.cell("law").cell("mean least OF [-]").cell("beta, converged [-]").cell("on front, converged");
-  table.cell("beta, as published [-]")
-      .cell("on front, as published")
-      .cell("success share [-]")
-      .cell("success refers to");
-  table.cell("OF, device left out [-]").cell("OF, worst device left out [-]").cell("worst device left out");
-  table.cell("on front, left out").cell("OF, law of the lot [-]").cell("OF, law of the lot, worst device [-]");
-  table.cell("least OF of the worst device [-]")
-      .cell("least possible where descents are global [-]")
-      .cell("left out of beta");
-  table.cell("OF, blocks fitted [-]")
-      .cell("OF, blocks predicted [-]")
-      .cell("prediction collapses")
-      .cell("note")
-      .end_row();
+  table.head(columns).head(of_the_lot).head(blocks).head(ends);
+  table.head(notes).end_row();
   for (auto const& law : summary.laws) {
-    table.cell(law.id).cell(law.objective_converged).cell(law.beta_converged).yes_no(law.on_front_converged);
-    table.cell(law.beta).yes_no(law.on_front).cell(law.success_share).cell(law.success_reference);
-    table.cell(law.loo_objective).cell(law.loo_worst).cell(law.loo_worst_device).yes_no(law.on_front_loo);
-    if (law.lot)
-      table.cell(law.lot->mean).cell(law.lot->worst).cell(law.lot->least_worst).cell(law.lot->least_worst_bound);
-    else
-      table.empty(4);
-    table.cell(enumerate(law.left_out_of_beta, 99)).cell(law.fitted_objective).cell(law.predicted_objective);
-    if (law.predicted_objective)
-      table.yes_no(law.prediction_collapses);
-    else
-      table.empty(1);
-    table.cell(law.beta_converged_note).end_row();
+    table.cells(columns, law);
+    law.lot ? table.cells(of_the_lot, *law.lot) : table.empty(std::size(of_the_lot));
+    table.cells(blocks, law);
+    law.predicted_objective ? table.cells(ends, law) : table.empty(1);
+    table.cells(notes, law).end_row();
   }
   return table.take();
 }
@@ -71,15 +75,9 @@ std::string lot_law_csv(Summary const& summary) {
       auto const& p = parameters[n];
       table.cell(law.id).cell(p.name).cell(p.unit).yes_no(p.free);
       table.cell(law.lot->parameters[n]).cell(law.lot->worst_parameters[n]);
-      bool const in_population = law.population && p.free && !law.population->medians.empty();
-      if (!in_population) {
-        table.empty(2).end_row();
-        continue;
-      }
-      auto const& names = law.population->names;
-      auto const at = static_cast<std::size_t>(std::ranges::find(names, p.name) - names.begin());
-      table.cell(law.population->medians[at]);
-      law.population->has_covariance() ? table.cell(law.population->relative_std[at]) : table.empty(1);
+      auto const place = law.population ? place_of(*law.population, p.name) : std::nullopt;
+      place ? table.cell(law.population->medians[*place]) : table.empty(1);
+      place&& law.population->has_covariance() ? table.cell(law.population->relative_std[*place]) : table.empty(1);
       table.end_row();
     }
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 
 #include "isolaw/base/json.hpp"
 #include "isolaw/render/tables/tables.hpp"
+#include "isolaw/study/results.hpp"
 
 namespace isolaw::render {
 
@@ -19,8 +21,25 @@ class CsvTable {
   CsvTable& cell(double number) { return cell(std::optional(number)); }
   CsvTable& cell(std::integral auto number) { return put(std::to_string(number)); }
   CsvTable& yes_no(bool flag) { return put(flag ? "yes" : "no"); }
-  CsvTable& empty(int count) {
-    for (int i = 0; i < count; ++i) put("");
+  CsvTable& value(Value const& value);  // a statistic takes three cells, the ends of a range two
+  // The headings of rows of study/results.hpp, and an object's cells under them.
+  template <class Of, std::size_t count>
+  CsvTable& head(Result<Of> const (&columns)[count]) {
+    for (auto const& column : columns) {
+      if constexpr (std::default_initializable<Of>)
+        head(column.heading, column.unit, column.of(Of{}));
+      else
+        head(column.heading, column.unit, {});
+    }
+    return *this;
+  }
+  template <class Of, std::size_t count>
+  CsvTable& cells(Result<Of> const (&columns)[count], Of const& of) {
+    for (auto const& column : columns) value(column.of(of));
+    return *this;
+  }
+  CsvTable& empty(std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) put("");
     return *this;
   }
   void end_row() {
@@ -30,6 +49,7 @@ class CsvTable {
   std::string take() { return std::move(text_); }
 
  private:
+  void head(std::string_view heading, std::string_view unit, Value const& of_kind);
   CsvTable& put(std::string_view cell) {
     if (!at_start_) text_ += ',';
     at_start_ = false;

@@ -6,6 +6,7 @@
 #include "isolaw/base/words.hpp"
 #include "isolaw/render/tables/csv.hpp"
 #include "isolaw/render/tables/tables.hpp"
+#include "isolaw/study/cycle_results.hpp"
 
 namespace isolaw::render {
 namespace {
@@ -15,20 +16,44 @@ void header(CsvTable& table, std::initializer_list<char const*> names) {
   table.end_row();
 }
 
+consteval Result<CycleOf> of_cycle(std::string_view key) {
+  return result(cycle_results, key);
+}
+// What of a cycle stands before the frequency of its block, and after it.
+constexpr Result<CycleOf> strain[]{of_cycle("strain_percent")};
+constexpr Result<CycleOf> of_cycles[]{of_cycle("period_s"),
+                                      of_cycle("amplitude_mm"),
+                                      of_cycle("d_plus_mm"),
+                                      of_cycle("d_minus_mm"),
+                                      of_cycle("F_plus_kN"),
+                                      of_cycle("F_minus_kN"),
+                                      of_cycle("K_eff_kN_per_mm"),
+                                      of_cycle("K_plus_kN_per_mm"),
+                                      of_cycle("K_minus_kN_per_mm"),
+                                      of_cycle("G_MPa"),
+                                      of_cycle("energy_kN_mm"),
+                                      of_cycle("damping_percent"),
+                                      of_cycle("Q_d_kN"),
+                                      of_cycle("K_d_kN_per_mm"),
+                                      of_cycle("D_y_mm"),
+                                      of_cycle("K_1_kN_per_mm"),
+                                      of_cycle("v_max_mm_s"),
+                                      of_cycle("N_mean_kN"),
+                                      of_cycle("N_min_kN"),
+                                      of_cycle("N_max_kN"),
+                                      of_cycle("closure_mm"),
+                                      of_cycle("closure_kN"),
+                                      of_cycle("first"),
+                                      of_cycle("last")};
+
 void cycle_row(CsvTable& table, DeviceResult const& device, data::Block const& block, data::Cycle const& c) {
-  auto const strain = shear_strain(c, device.rubber_thickness_mm, device.rubber_area_mm2);
   auto const& reported = device.properties.reported;
   bool const is_reported = reported && reported->block == block.number && reported->number == c.number && c.counts();
   table.cell(device.name).cell(block.number);
   c.counts() ? table.cell(c.number) : table.empty(1);
   table.yes_no(c.counts()).cell(c.not_counted).yes_no(is_reported);
-  table.cell(strain ? std::optional(strain->shear_strain_percent) : std::nullopt).cell(block.frequency_Hz);
-  table.cell(c.period_s).cell(c.amplitude_mm).cell(c.d_plus_mm).cell(c.d_minus_mm).cell(c.F_plus_kN).cell(c.F_minus_kN);
-  table.cell(c.K_eff_kN_per_mm).cell(c.K_plus()).cell(c.K_minus());
-  table.cell(strain ? strain->G_MPa : std::nullopt).cell(c.energy_kN_mm).cell(c.damping_percent);
-  table.cell(c.Q_d_kN).cell(c.K_d_kN_per_mm).cell(c.D_y_mm).cell(c.K_1_kN_per_mm).cell(c.v_max_mm_s);
-  table.cell(c.N_mean_kN).cell(c.N_min_kN).cell(c.N_max_kN).cell(c.closure_mm).cell(c.closure_kN);
-  table.cell(c.first).cell(c.last).cell(device.properties.refusal).end_row();
+  CycleOf const of{c, device};
+  table.cells(strain, of).cell(block.frequency_Hz).cells(of_cycles, of).cell(device.properties.refusal).end_row();
 }
 
 void assessment_row(CsvTable& table, std::string_view device, std::optional<int> block, rules::Assessment const& a) {
@@ -42,13 +67,9 @@ void assessment_row(CsvTable& table, std::string_view device, std::optional<int>
 
 std::string cycles_csv(Summary const& summary) {
   CsvTable table;
-  header(table, {"device",         "block",          "cycle",         "counts",         "why not",      "reported",
-                 "strain [%]",     "frequency [Hz]", "period [s]",    "amplitude [mm]", "d+ [mm]",      "d- [mm]",
-                 "F+ [kN]",        "F- [kN]",        "K_eff [kN/mm]", "K+ [kN/mm]",     "K- [kN/mm]",   "G [MPa]",
-                 "energy [kN mm]", "damping [%]",    "Q_d [kN]",      "K_d [kN/mm]",    "D_y [mm]",     "K_1 [kN/mm]",
-                 "v max [mm/s]",   "N mean [kN]",    "N min [kN]",    "N max [kN]",     "closure [mm]", "closure [kN]",
-                 "first sample",   "last sample",    "no properties"});
-  constexpr int columns = 33;
+  for (auto const* name : {"device", "block", "cycle", "counts", "why not", "reported"}) table.cell(name);
+  table.head(strain).cell("frequency [Hz]").head(of_cycles).cell("no properties").end_row();
+  constexpr std::size_t columns = 9 + std::size(of_cycles);
   for (auto const& device : summary.devices) {
     for (auto const& block : device.properties.blocks)
       for (auto const& cycle : block.cycles) cycle_row(table, device, block, cycle);

@@ -1,12 +1,9 @@
 #include "isolaw/render/tables/tables.hpp"
 
 #include <algorithm>
-#include <concepts>
 #include <optional>
 #include <vector>
 
-#include "isolaw/base/json.hpp"
-#include "isolaw/base/words.hpp"
 #include "isolaw/render/tables/csv.hpp"
 #include "isolaw/study/findings.hpp"
 
@@ -40,21 +37,6 @@ void bound_cell(CsvTable& table, LawResult const& law, std::size_t parameter, do
 }
 
 }  // namespace
-
-std::string csv_cell(std::string_view text) {
-  std::string cell;
-  bool const starts_formula =
-      text.size() > 1 && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos;
-  if (starts_formula && !number_in<double>(text)) cell += '\'';
-  cell += text;
-  if (cell.find_first_of(",\"\r\n") == std::string::npos) return cell;
-  std::string quoted = "\"";
-  for (char const c : cell) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + '"';
-}
 
 std::string parameters_csv(Summary const& summary) {
   CsvTable table;
@@ -96,47 +78,40 @@ std::string parameters_csv(Summary const& summary) {
 }
 
 std::string objective_csv(Summary const& summary) {
+  constexpr auto of = [](std::string_view key) consteval {
+    return result(fit_results, key);
+  };
+  static constexpr Result<DeviceFit> columns[]{of("name"),
+                                               as(of("objective"), "OF"),
+                                               of("runs"),
+                                               of("failed_runs"),
+                                               of("evaluations"),
+                                               of("failed_evaluations"),
+                                               of("K_eff_error_percent"),
+                                               of("energy_error_percent"),
+                                               of("damping_error_percent"),
+                                               of("integration_shift"),
+                                               of("status"),
+                                               of("message")};
   CsvTable table;
-  table.cell("law")
-      .cell("device")
-      .cell("mean OF [-]")
-      .cell("std OF [-]")
-      .cell("best OF [-]")
-      .cell("runs")
-      .cell("failed runs")
-      .cell("evaluations")
-      .cell("failed evaluations");
-  table.cell("K_eff error [%]").cell("energy error [%]").cell("damping error [%]").cell("integration shift of OF [-]");
-  table.cell("status").cell("message").cell("missing runs").end_row();
+  table.cell("law").head(columns).cell("missing runs").end_row();
   for (auto const& law : summary.laws) {
     for (auto const& device : summary.devices)
       if (device.status != "ok")
         table.cell(law.id).cell(device.name).empty(11).cell("refused").cell(device.message).cell(0).end_row();
-    for (auto const& fit : law.devices) {
-      table.cell(law.id).cell(fit.device).cell(fit.objective.mean).cell(fit.objective.std).cell(fit.objective.best);
-      table.cell(fit.runs).cell(fit.failed_runs).cell(fit.evaluations).cell(fit.failed_evaluations);
-      table.cell(fit.K_eff_error_percent).cell(fit.energy_error_percent).cell(fit.damping_error_percent);
-      table.cell(fit.integration_shift).cell(fit_status(fit)).cell(fit.refusal.empty() ? fit.failure : fit.refusal);
-      table.cell(fit.missing_runs).end_row();
-    }
+    for (auto const& fit : law.devices) table.cell(law.id).cells(columns, fit).cell(fit.missing_runs).end_row();
   }
   return table.take();
 }
 
 std::string robustness_csv(Summary const& summary) {
+  constexpr auto of = [](std::string_view key) consteval {
+    return result(law_results, key);
+  };
+  static constexpr Result<LawResult> columns[]{of("id"), of("objective"), of("beta"), of("on_front"), of("beta_note")};
   CsvTable table;
-  table.cell("law")
-      .cell("mean OF [-]")
-      .cell("std OF [-]")
-      .cell("best OF [-]")
-      .cell("beta [-]")
-      .cell("on front")
-      .cell("note");
-  table.end_row();
-  for (auto const& law : summary.laws) {
-    table.cell(law.id).cell(law.objective.mean).cell(law.objective.std).cell(law.objective.best);
-    table.cell(law.beta).yes_no(law.on_front).cell(law.beta_note).end_row();
-  }
+  table.head(columns).end_row();
+  for (auto const& law : summary.laws) table.cells(columns, law).end_row();
   return table.take();
 }
 

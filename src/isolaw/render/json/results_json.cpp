@@ -1,0 +1,51 @@
+#include "isolaw/render/json/results_json.hpp"
+
+namespace isolaw::render {
+namespace {
+
+struct Writer {
+  JsonWriter& out;
+  std::optional<int> digits;
+
+  void number(std::optional<double> const& value) const { digits ? out.rounded(value, *digits) : out.value(value); }
+
+  void operator()(std::monostate) const { out.null(); }
+  void operator()(double value) const { number(value); }
+  void operator()(std::vector<std::string> const* texts) const { out.value(*texts); }
+  void operator()(Statistic const& statistic) const {
+    out.begin_object().key("mean"), number(statistic.mean);
+    out.key("std"), number(statistic.std);
+    out.key("best"), number(statistic.best);
+    out.end_object();
+  }
+  void operator()(Ends const& ends) const {
+    out.begin_array(), number(ends.lower), number(ends.upper);
+    out.end_array();
+  }
+  void operator()(study::Nested) const {}
+  void operator()(auto const& value) const { out.value(value); }
+};
+
+}  // namespace
+
+void write_value(JsonWriter& out, Value const& value, std::optional<int> digits) {
+  std::visit(Writer{out, digits}, value);
+}
+
+void write_intervals(JsonWriter& out, DeviceFit const& fit) {
+  out.begin_object();
+  out.member("level", fit.interval_level).member("samples", std::uint64_t{fit.interval_samples});
+  out.member("block", std::uint64_t{fit.interval_block}).member("replicates", fit.interval_replicates).end_object();
+}
+
+void write_blocks(JsonWriter& out, std::vector<BlockScore> const& blocks, Digits digits) {
+  out.begin_array();
+  for (auto const& score : blocks) {
+    out.begin_object().member("block", score.block).member("fitted", score.fitted).key("objective");
+    write_value(out, score.objective, digits == Digits::all ? std::nullopt : std::optional(9));
+    out.end_object();
+  }
+  out.end_array();
+}
+
+}  // namespace isolaw::render
