@@ -211,13 +211,28 @@ TEST_F(Changed, settings_are_refused_naming_each) {
                          "100",
                          "--out",
                          "O"});
-  expect_refused(
-      o, {"O/campaign.sqlite", "the campaign there differs", "laws: [\"bilinear\"] there, [\"bilinear\",\"abe\"] now",
-          "generations: 2 there, 3 now", "runs: 2 there, 3 now", "seed: 1 there, 9 now",
-          "integration: ", "box: ", "set: ", "samples-per-cycle: 200 there, 100 now", "--fresh", "another --out"});
+  expect_refused(o, {"O/campaign.sqlite", "the campaign there differs", "laws: bilinear there, bilinear,abe now",
+                     "generations: 2 there, 3 now", "runs: 2 there, 3 now", "seed: 1 there, 9 now", "integration: ",
+                     "box: ", "set: ", "samples-per-cycle: 200 there, 100 now", "--fresh", "another --out"});
   EXPECT_EQ(o.err.find("population"), std::string::npos) << "did not change";
   EXPECT_EQ(read("O/campaign.sqlite"), before);
   EXPECT_EQ(read("O/summary.json"), summary);
+}
+
+// On the default search, whose settings are others than the genetic algorithm's.
+TEST_F(Changed, the_method_is_refused_by_its_name_in_both_directions) {
+  Words const command{"calibrate", "a.csv", "--laws", "bilinear", "--runs", "2", "--out", "P"};
+  Words const genetic{"--method", "ga", "--population", "4", "--generations", "2"};
+  std::string const advice = "; allowed: the same settings and records, to continue it; try: --fresh to start over";
+  ASSERT_EQ(isolaw(command + genetic).code, 0);
+  for (auto const& best : {Words{"--method", "best"}, Words{}})
+    expect_refused(isolaw(command + best),
+                   {"P/campaign.sqlite: the campaign there differs: method: ga there, best now" + advice});
+  ASSERT_EQ(isolaw(command + Words{"--fresh"}).code, 0);
+  auto const before = read("P/campaign.sqlite");
+  expect_refused(isolaw(command + genetic),
+                 {"P/campaign.sqlite: the campaign there differs: method: best there, ga now" + advice});
+  EXPECT_EQ(read("P/campaign.sqlite"), before);
 }
 
 TEST_F(Changed, settings_are_accepted_with_fresh) {
