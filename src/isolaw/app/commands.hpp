@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,31 +13,14 @@ namespace isolaw::app {
 
 inline constexpr int exit_done = 0, exit_with_refusals = 1, exit_wrong_usage = 2, exit_internal = 3;
 
-// Options that say how records are read; what is given overrides the lot file.
-struct ReadArguments {
-  std::optional<std::string> columns, units;
-  std::optional<double> dt_s;
-  bool flip_force = false;
-  std::optional<std::string> sheet, test;
-  std::optional<double> skew_ms, rig_friction_kN, rig_friction_coefficient, moving_mass_kg, force_factor;
-};
-
-// What the tests are held to; what is given overrides the lot file, or what a campaign's store says.
-struct AcceptanceArguments {
-  std::optional<std::string> rules, design;
-  std::optional<int> lot_size;
-};
+// The options of a table that are given, by their keys, each with its words: of data::reading_table() how records are
+// read, of campaign::acceptance_table() what the tests are held to. What is given overrides a lot file, or what a
+// campaign's store says.
+using Given = std::map<std::string, std::vector<std::string>, std::less<>>;
 
 struct CalibrateArguments {
   std::vector<std::filesystem::path> inputs;  // one lot file, or records
-  ReadArguments read;
-  AcceptanceArguments acceptance;
-  std::optional<std::string> laws, method, integration, turning_points, box, samples_per_cycle, seed, fit_blocks,
-      fit_cycles, score_blocks, analysis;
-  std::vector<std::string> set;
-  std::optional<int> runs, population, generations, smooth, replicates;
-  std::optional<double> stagnation_tolerance;
-  bool center = false;
+  Given settings, read, acceptance;
   std::optional<std::filesystem::path> out;
   std::optional<int> jobs;
   std::string figures = "lot";
@@ -47,8 +32,7 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
 
 struct InspectArguments {
   std::vector<std::filesystem::path> inputs;  // one lot file, or records
-  ReadArguments read;
-  AcceptanceArguments acceptance;
+  Given read, acceptance;
   std::optional<std::filesystem::path> out;  // writes page, tables and JSON there
   bool allow_outside = false;
   bool json = false;
@@ -57,7 +41,7 @@ int inspect(InspectArguments const& arguments);
 
 struct InitArguments {
   std::vector<std::filesystem::path> files;
-  ReadArguments read;
+  Given read;
   std::optional<std::filesystem::path> like;  // a lot file whose way of reading is taken over
   std::filesystem::path out = "lot.toml";
   bool force = false;
@@ -67,7 +51,7 @@ int init(InitArguments const& arguments);
 struct ReportArguments {
   std::filesystem::path directory;
   std::optional<std::filesystem::path> out;  // of the results; empty: the campaign's directory
-  AcceptanceArguments acceptance;
+  Given acceptance;
   std::string figures = "lot";
   bool json = false;
 };
@@ -85,7 +69,7 @@ int sample(SampleArguments const& arguments);
 struct ExportArguments {
   std::filesystem::path directory;
   std::string law, device, to;
-  AcceptanceArguments acceptance;  // of the bounds; what is given overrides what the store says
+  Given acceptance;  // of the bounds; what is given overrides what the store says
   std::optional<std::string> units;
   std::optional<std::filesystem::path> out;  // empty: standard output
 };
@@ -99,7 +83,7 @@ struct SimulateArguments {
   std::optional<std::string> device;
   std::vector<std::string> set;
   std::filesystem::path motion;
-  ReadArguments read;
+  Given read;
   std::optional<std::string> integration, turning_points;
   std::optional<int> refinement;
   std::optional<std::filesystem::path> out;
