@@ -39,10 +39,14 @@ export class Chromium {
   }
 
   receive(message) {
-    if (!message.id) return this.listeners.forEach((listener) => listener(message));
+    if (!message.id) {
+      this.listeners.forEach((listener) => listener(message));
+      return;
+    }
     const { resolve, reject } = this.pending.get(message.id);
     this.pending.delete(message.id);
-    message.error ? reject(new Error(message.error.message)) : resolve(message.result);
+    if (message.error) reject(new Error(message.error.message));
+    else resolve(message.result);
   }
 
   send(method, params = {}, sessionId = undefined) {

@@ -2,7 +2,7 @@
 // store: node report_numbers.mjs ISOLAW MAKE_TABLE_A5 EXPECTED_NUMBERS CHROMIUM. A campaign as a user makes it, and one
 // whose runs have the means and standard deviations of the paper's Table A.5, where the paper's own numbers must appear.
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';

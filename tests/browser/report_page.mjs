@@ -154,7 +154,7 @@ async function look_at_records() {
     table,
     judged,
     scored: device.scored?.length ?? 0,
-    barsRight: JSON.stringify(bars.map(({ x0, x1 }) => [x0, x1])) === JSON.stringify(device.scored ?? []),
+    barsRight: JSON.stringify(bars.map(({ x0, x1 }) => ({ from: x0, to: x1 }))) === JSON.stringify(device.scored ?? []),
     drawnRows: device.raw.disp_mm.d.length,
     cycles: cycles.length,
     counted: cycles.filter((cycle) => cycle.counts).length,
@@ -312,23 +312,22 @@ async function look_at_analysis() {
   chooser.dispatchEvent(new Event('change'));
   await see('determined');
   const cells = [...document.querySelectorAll('#figure-determined td button')];
-  const verdictOf = (cell) =>
-    law.devices.find((fit) => fit.device === Number(cell.dataset.device)).determination[cell.dataset.parameter][0];
+  const examined = (cell) => law.devices.find((fit) => fit.device === Number(cell.dataset.device)).determination;
+  const verdictOf = (cell) => examined(cell).identifiability[cell.dataset.parameter];
   const shapes = {};
   for (const cell of cells) (shapes[verdictOf(cell)] ??= new Set()).add(cell.innerHTML.replace(/var\([^)]*\)/g, ''));
   const profile = () => {
     const [cell] = document.querySelectorAll('#figure-determined [aria-pressed=true]');
-    const row = law.devices.find((fit) => fit.device === Number(cell.dataset.device)).determination[
-      cell.dataset.parameter
-    ];
+    const { profile_objective, identifiability } = examined(cell);
+    const place = cell.dataset.parameter;
     const points = plot('profile').find((trace) => trace.mode === 'markers' && trace.y.length > 1);
     return {
       cell: cell.dataset.device + ' ' + cell.dataset.parameter,
       focused: document.activeElement === cell,
-      right: JSON.stringify(points.y) === JSON.stringify(row[11]),
+      right: JSON.stringify(points.y) === JSON.stringify(profile_objective[place]),
       caption:
-        caption('profile').includes(law.parameters[cell.dataset.parameter].name + ' is held') &&
-        caption('profile').includes(row[0]),
+        caption('profile').includes(law.parameters[place].name + ' is held') &&
+        caption('profile').includes(identifiability[place]),
     };
   };
   cells[0].click();
@@ -367,7 +366,7 @@ async function look_at_analysis() {
     ),
     sentences: report.findings.converged.every((text) => said.includes(text.replace(/\s/g, ''))),
     cells: cells.length,
-    examined: law.devices.flatMap((one) => one.determination).filter(Boolean).length,
+    examined: law.devices.flatMap((one) => one.determination?.identifiability ?? []).filter(Boolean).length,
     reached: cells.filter((cell) => cell.tabIndex === 0).length,
     shapes: Object.values(shapes).map((some) => [...some]),
     named: cells.every((cell) => cell.getAttribute('aria-label').includes(verdictOf(cell))),

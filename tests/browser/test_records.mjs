@@ -411,7 +411,7 @@ export function extend(report, { tests = {}, verified = true, assessed = true, l
     const t = device.record.time_s;
     if (scored && laws && d === 1 && t) {
       const end = t.o + t.s * t.d.reduce((sum, difference) => sum + difference, 0);
-      device.scored = [[t.o + 0.5 * (end - t.o), t.o + 0.9 * (end - t.o)]];
+      device.scored = [{ from: t.o + 0.5 * (end - t.o), to: t.o + 0.9 * (end - t.o) }];
     }
   });
   const first = report.devices.find((device) => device.reported);

@@ -102,8 +102,8 @@ TEST_F(Scored, what_was_chosen_is_recorded_and_shown) {
   auto const device = page_data(read("O/report.html"))["devices"][0];
   // Cycles 2 and 3 of the second block: from 8 s to 12 s.
   ASSERT_EQ(device["scored"].size(), 1u);
-  EXPECT_NEAR(device["scored"][0][0].get<double>(), 8.0, 0.011);
-  EXPECT_NEAR(device["scored"][0][1].get<double>(), 12.0, 0.011);
+  EXPECT_NEAR(device["scored"][0]["from"].get<double>(), 8.0, 0.011);
+  EXPECT_NEAR(device["scored"][0]["to"].get<double>(), 12.0, 0.011);
   EXPECT_TRUE(contains(device["cleaning"].dump(), "of 1201 samples (blocks 2, cycles 2-3)"));
   EXPECT_TRUE(page_data((calibrated({}), read("O/report.html")))["devices"][0]["scored"].is_null());
   auto const resumed =

@@ -109,7 +109,7 @@ TEST(PageData, UndefinedIsNull) {
   auto const data = Json::parse(page_data_json(fixture::lot(1, 2)));
   EXPECT_TRUE(data["laws"][0]["beta"].is_null());
   EXPECT_EQ(data["findings"]["beta_note"], "one device: the difference between devices is not defined");
-  EXPECT_TRUE(data["laws"][0]["devices"][0]["parameters"][0][3].is_null());
+  EXPECT_TRUE(data["laws"][0]["devices"][0]["parameters"]["percent_of_lot"][0].is_null());
   auto summary = fixture::lot();
   summary.laws[0].devices[0].force_kN.clear();
   EXPECT_TRUE(Json::parse(page_data_json(summary))["laws"][0]["devices"][0]["force_kN"].is_null());
@@ -177,25 +177,41 @@ TEST(PageData, AnalysisOfADeviceIsTheSummarys) {
         EXPECT_EQ(written["blocks"][b]["fitted"], fit.blocks[b].fitted);
         expect_close(written["blocks"][b]["objective"], fit.blocks[b].objective, of_nine);
       }
-      ASSERT_EQ(written["determination"].size(), fit.parameters.size());
       for (std::size_t n = 0; n < fit.parameters.size(); ++n) {
-        auto const& row = written["determination"][n];
+        auto const of = [&](char const* name) { return written["determination"][name][n]; };
         auto const& a = *fit.parameters[n].analysis;
-        ASSERT_EQ(row.size(), 12u);
-        EXPECT_EQ(row[0], a.identifiability);
-        expect_close(row[1], a.optimum, of_nine);
-        expect_close(row[2], a.open_lower, of_six);
-        expect_close(row[3], a.open_upper, of_six);
-        EXPECT_EQ(row[4], a.open_below);
-        EXPECT_EQ(row[5], a.open_above);
-        expect_close(row[6], a.linear_lower, of_six);
-        expect_close(row[7], a.linear_upper, of_six);
-        expect_close(row[8], a.bootstrap_lower, of_six);
-        expect_close(row[9], a.bootstrap_upper, of_six);
-        expect_close(row[10], a.profile_value, of_six);
-        expect_close(row[11], a.profile_objective, of_six);
+        EXPECT_EQ(of("identifiability"), a.identifiability);
+        expect_close(of("optimum"), a.optimum, of_nine);
+        expect_close(of("open_lower"), a.open_lower, of_six);
+        expect_close(of("open_upper"), a.open_upper, of_six);
+        EXPECT_EQ(of("open_below"), a.open_below);
+        EXPECT_EQ(of("open_above"), a.open_above);
+        expect_close(of("linear_lower"), a.linear_lower, of_six);
+        expect_close(of("linear_upper"), a.linear_upper, of_six);
+        expect_close(of("bootstrap_lower"), a.bootstrap_lower, of_six);
+        expect_close(of("bootstrap_upper"), a.bootstrap_upper, of_six);
+        expect_close(of("profile_value"), a.profile_value, of_six);
+        expect_close(of("profile_objective"), a.profile_objective, of_six);
       }
     }
+}
+
+TEST(PageData, ParametersStandByName) {
+  auto const summary = fixture::lot();
+  auto const data = Json::parse(page_data_json(summary));
+  auto const& fit = summary.laws[1].devices[2];
+  auto const& written = data["laws"][1]["devices"][2]["parameters"];
+  for (std::size_t n = 0; n < fit.parameters.size(); ++n) {
+    auto const& parameter = fit.parameters[n];
+    expect_close(written["mean"][n], parameter.value.mean, of_nine);
+    expect_close(written["std"][n], parameter.value.std, of_nine);
+    expect_close(written["best"][n], parameter.value.best, of_nine);
+    expect_close(written["percent_of_lot"][n], parameter.percent_of_lot, of_nine);
+    EXPECT_EQ(written["at_bound"][n], parameter.at_bound);
+    expect_close(written["lower"][n], parameter.lower, of_nine);
+    expect_close(written["upper"][n], parameter.upper, of_nine);
+  }
+  for (auto const& [name, column] : written.items()) EXPECT_EQ(column.size(), fit.parameters.size()) << name;
 }
 
 TEST(PageData, AnalysisOfALotIsTheSummarys) {
@@ -261,8 +277,10 @@ TEST(PageData, ParametersThatWereNotExaminedAreNull) {
   auto summary = fixture::analysed(fixture::lot());
   summary.laws[0].devices[0].parameters[1].analysis.reset();
   auto const data = Json::parse(page_data_json(summary));
-  EXPECT_TRUE(data["laws"][0]["devices"][0]["determination"][1].is_null());
-  EXPECT_FALSE(data["laws"][0]["devices"][0]["determination"][0].is_null());
+  for (auto const& [name, column] : data["laws"][0]["devices"][0]["determination"].items()) {
+    EXPECT_TRUE(column[1].is_null()) << name;
+    EXPECT_FALSE(column[0].is_null()) << name;
+  }
 }
 
 TEST(PageData, LargeLotStaysSmall) {

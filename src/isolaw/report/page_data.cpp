@@ -86,7 +86,8 @@ void write_scored(JsonWriter& out, data::FitRecord const& record) {
     auto const first = i;
     while (i < record.size() && record.is_scored(i)) ++i;
     if (i > first) {
-      out.begin_array().rounded(record.time_s[first], digits).rounded(record.time_s[i - 1], digits).end_array();
+      out.begin_object().key("from").rounded(record.time_s[first], digits);
+      out.key("to").rounded(record.time_s[i - 1], digits).end_object();
     } else {
       ++i;
     }
@@ -122,46 +123,68 @@ void write_device(JsonWriter& out, DeviceResult const& device, std::vector<std::
   out.end_object().end_object();
 }
 
-// One row [mean, std, best, percent of lot, bound, lower, upper] per parameter; their names stand once, in the law.
-void write_parameter(JsonWriter& out, ParameterFit const& parameter) {
-  out.begin_array();
-  out.rounded(parameter.value.mean, digits).rounded(parameter.value.std, digits).rounded(parameter.value.best, digits);
-  out.rounded(parameter.percent_of_lot, digits).value(parameter.at_bound);
-  out.rounded(parameter.lower, digits).rounded(parameter.upper, digits);
-  out.end_array();
-}
-
 void write_values(JsonWriter& out, std::vector<double> const& values, int to_digits) {
   out.begin_array();
   for (double const value : values) out.rounded(value, to_digits);
   out.end_array();
 }
 
-// One row [verdict, optimum, open range, whether it ends at the box, intervals, profile] per parameter, null for one that
-// was not examined; all null without an analysis.
+// A property of all parameters of a fit; their names stand once, in the law.
+template <class Of>
+void write_column(JsonWriter& out, std::string_view name, std::vector<ParameterFit> const& parameters, Of const& of) {
+  out.key(name).begin_array();
+  for (auto const& parameter : parameters) of(parameter);
+  out.end_array();
+}
+
+// Columns, not rows: the names of the properties stand once a fit.
+void write_parameters(JsonWriter& out, std::vector<ParameterFit> const& parameters) {
+  auto const column = [&](std::string_view name, auto const& of) {
+    write_column(out, name, parameters, [&](ParameterFit const& parameter) { out.rounded(of(parameter), digits); });
+  };
+  out.key("parameters").begin_object();
+  column("mean", [](auto const& p) { return p.value.mean; });
+  column("std", [](auto const& p) { return p.value.std; });
+  column("best", [](auto const& p) { return p.value.best; });
+  column("percent_of_lot", [](auto const& p) { return p.percent_of_lot; });
+  write_column(out, "at_bound", parameters, [&](auto const& p) { out.value(p.at_bound); });
+  column("lower", [](auto const& p) { return p.lower; });
+  column("upper", [](auto const& p) { return p.upper; });
+  out.end_object();
+}
+
+// Columns; a parameter that was not examined is null in each. Null as a whole without an analysis.
 void write_determination(JsonWriter& out, DeviceFit const& fit) {
   out.key("determination");
   if (!fit.optimum) {
     out.null();
     return;
   }
-  out.begin_array();
-  for (auto const& parameter : fit.parameters) {
-    if (!parameter.analysis) {
-      out.null();
-      continue;
-    }
-    auto const& a = *parameter.analysis;
-    out.begin_array().value(a.identifiability).rounded(a.optimum, digits);
-    out.rounded(a.open_lower, profile_digits).rounded(a.open_upper, profile_digits);
-    out.value(a.open_below).value(a.open_above);
-    out.rounded(a.linear_lower, profile_digits).rounded(a.linear_upper, profile_digits);
-    out.rounded(a.bootstrap_lower, profile_digits).rounded(a.bootstrap_upper, profile_digits);
-    write_values(out, a.profile_value, profile_digits);
-    write_values(out, a.profile_objective, profile_digits);
-    out.end_array();
-  }
-  out.end_array();
+  auto const column = [&](std::string_view name, auto const& write) {
+    write_column(out, name, fit.parameters, [&](ParameterFit const& parameter) {
+      parameter.analysis ? write(*parameter.analysis) : static_cast<void>(out.null());
+    });
+  };
+  auto const number = [&](std::string_view name, auto member, int to_digits) {
+    column(name, [&](ParameterAnalysis const& a) { out.rounded(a.*member, to_digits); });
+  };
+  auto const curve = [&](std::string_view name, auto member) {
+    column(name, [&](ParameterAnalysis const& a) { write_values(out, a.*member, profile_digits); });
+  };
+  out.begin_object();
+  column("identifiability", [&](auto const& a) { out.value(a.identifiability); });
+  number("optimum", &ParameterAnalysis::optimum, digits);
+  number("open_lower", &ParameterAnalysis::open_lower, profile_digits);
+  number("open_upper", &ParameterAnalysis::open_upper, profile_digits);
+  column("open_below", [&](auto const& a) { out.value(a.open_below); });
+  column("open_above", [&](auto const& a) { out.value(a.open_above); });
+  number("linear_lower", &ParameterAnalysis::linear_lower, profile_digits);
+  number("linear_upper", &ParameterAnalysis::linear_upper, profile_digits);
+  number("bootstrap_lower", &ParameterAnalysis::bootstrap_lower, profile_digits);
+  number("bootstrap_upper", &ParameterAnalysis::bootstrap_upper, profile_digits);
+  curve("profile_value", &ParameterAnalysis::profile_value);
+  curve("profile_objective", &ParameterAnalysis::profile_objective);
+  out.end_object();
 }
 
 void write_analysis(JsonWriter& out, DeviceFit const& fit) {
@@ -235,9 +258,7 @@ void write_fit(JsonWriter& out, DeviceFit const& fit, int device, std::vector<st
   out.key("energy_error_percent").rounded(fit.energy_error_percent, digits);
   out.key("damping_error_percent").rounded(fit.damping_error_percent, digits);
   out.key("integration_shift").rounded(fit.integration_shift, digits);
-  out.key("parameters").begin_array();
-  for (auto const& parameter : fit.parameters) write_parameter(out, parameter);
-  out.end_array();
+  write_parameters(out, fit.parameters);
   write_analysis(out, fit);
   write_convergence(out, fit);
   out.key("force_kN");

@@ -452,7 +452,7 @@ function drawCycleHistory(look, width) {
       }
     }
   }
-  for (const [from, to] of (!inspection && device.scored) || [])
+  for (const { from, to } of (!inspection && device.scored) || [])
     shapes.push({
       type: 'rect',
       yref: 'y domain',

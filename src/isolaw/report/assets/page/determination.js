@@ -78,21 +78,18 @@ function examination(law, device, place) {
   const fit = law?.fitOn.get(device);
   const row = fit?.determination?.[place];
   if (!row) return null;
-  const [verdict, optimum, low, high, openBelow, openAbove, linearLow, linearHigh, bootLow, bootHigh, values, levels] =
-    row;
   return {
     law,
     fit,
     parameter: law.parameters[place],
-    verdict,
-    optimum,
-    open: [low, high],
-    ends: [openBelow, openAbove],
-    linear: [linearLow, linearHigh],
-    bootstrap: [bootLow, bootHigh],
-    values,
-    objectives: levels,
-    box: fit.parameters[place].slice(5, 7),
+    verdict: row.identifiability,
+    optimum: row.optimum,
+    open: [row.open_lower, row.open_upper],
+    ends: [row.open_below, row.open_above],
+    linear: [row.linear_lower, row.linear_upper],
+    bootstrap: [row.bootstrap_lower, row.bootstrap_upper],
+    values: row.profile_value,
+    objectives: row.profile_objective,
   };
 }
 const chosenExamination = () => examination(laws[chosen.examined], chosen.device, chosen.parameter);
@@ -111,7 +108,7 @@ function determinedCaption() {
   const blind = examinedPlaces(law)
     .map((place) => ({
       name: law.parameters[place].name,
-      times: fits.filter((fit) => fit.determination[place]?.[0] === 'undetermined').length,
+      times: fits.filter((fit) => fit.determination[place]?.identifiability === 'undetermined').length,
     }))
     .filter(({ times }) => times > 0);
   const missing = usable.filter((device) => !law.fitOn.get(device.index)?.determination).map((device) => device.name);
@@ -209,7 +206,7 @@ function determinedTable() {
     return element('td', { class: 'mark' }, button);
   };
   const shares = places.map((place) => {
-    const verdicts = fits.map((fit) => fit.determination[place]?.[0]).filter(Boolean);
+    const verdicts = fits.map((fit) => fit.determination[place]?.identifiability).filter(Boolean);
     return String(verdicts.filter((verdict) => verdict === 'undetermined').length);
   });
   const body = table(
@@ -373,7 +370,7 @@ function parameterAxis({ name, unit }, values) {
   };
 }
 
-function drawProfile(look, width) {
+function drawProfile(look) {
   const one = chosenExamination();
   if (!one) return emptyPlot(look, 'not examined');
   const { values, objectives, optimum, fit } = one;

@@ -156,7 +156,7 @@ const record = (device) => ({
 
 // Whether a time of the record lies in a part the laws were judged by.
 const isScored = (device, time) =>
-  !device.scored || device.scored.some(([first, last]) => time >= first && time <= last);
+  !device.scored || device.scored.some(({ from, to }) => time >= from && time <= to);
 
 // A line cut in two: where `inside` holds, and the rest; both reach the sample at which it changes.
 function parted(values, inside) {
@@ -378,7 +378,7 @@ function drawHistory(look) {
     layout: {
       showlegend: true,
       hovermode: 'x unified',
-      shapes: (device.scored ?? []).map(([x0, x1]) => scoredShape(look, x0, x1)),
+      shapes: (device.scored ?? []).map(({ from, to }) => scoredShape(look, from, to)),
       xaxis: { title: device.record.has_time ? 'time [s]' : 'sample', anchor: 'y2' },
       yaxis: { title: 'force [kN]', domain: [0.38, 1], range: forceRange(measured.F, chosenForces()) },
       yaxis2: { title: 'residual [kN]', domain: [0, 0.3], ...residualAxis(measured.F, fits) },

@@ -21,7 +21,7 @@ function render(figure) {
     height = reserve(figure);
   const { traces, layout } = figure.draw(look, width);
   place.body.setAttribute('aria-label', figure.title + '. ' + (figure.caption ? figure.caption() : ''));
-  return Plotly.react(place.body, traces, styled({ ...layout, width, height }, look), {
+  Plotly.react(place.body, traces, styled({ ...layout, width, height }, look), {
     ...PLOT_CONFIG,
     displayModeBar: width > 480 ? 'hover' : false,
   });

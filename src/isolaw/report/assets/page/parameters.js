@@ -49,8 +49,8 @@ const trimmed = (value) => typeset(String(Number(value.toPrecision(4))));
 function bounds(law, place) {
   const found = law.devices.map((fit) => fit.parameters[place]).filter(Boolean);
   if (found.length === 0) return null;
-  const same = found.every((p) => p[5] === found[0][5] && p[6] === found[0][6]);
-  return { same, lower: found[0][5], upper: found[0][6] };
+  const same = found.every((p) => p.lower === found[0].lower && p.upper === found[0].upper);
+  return { same, lower: found[0].lower, upper: found[0].upper };
 }
 
 function parameterTable(law, shown) {
@@ -97,7 +97,7 @@ function parameterTable(law, shown) {
     ],
   };
   const rows = law.parameters.map((parameter, place) => {
-    const means = usable.map((device) => law.fitOn.get(device.index)?.parameters[place]?.[0]);
+    const means = usable.map((device) => law.fitOn.get(device.index)?.parameters[place]?.mean);
     const format = rowFormat(means);
     const box = bounds(law, place),
       lot = meanOf(means);
@@ -122,8 +122,8 @@ function parameterTable(law, shown) {
         ...shown.map((device) => {
           const fit = law.fitOn.get(device.index),
             p = fit?.parameters[place];
-          return isNumber(p?.[0])
-            ? cell(p[0], parameter.free ? p[1] : null, parameter.free ? p[3] : null, p[4], format, p[2])
+          return isNumber(p?.mean)
+            ? cell(p.mean, parameter.free ? p.std : null, parameter.free ? p.percent_of_lot : null, p.at_bound, format, p.best)
             : none(fit);
         }),
       ],
@@ -140,7 +140,7 @@ function parameterTables() {
     'div',
     {},
     ...ranking.map((law, place) => {
-      const bound = law.parameters.filter((_, i) => law.devices.some((fit) => fit.parameters[i]?.[4])).length;
+      const bound = law.parameters.filter((_, i) => law.devices.some((fit) => fit.parameters[i]?.at_bound)).length;
       const widest = law.parameters.filter((p) => p.delta !== null).sort((a, b) => b.delta - a.delta)[0];
       const body = element('div');
       const details = element(
@@ -213,7 +213,7 @@ function parameterData() {
         law.devices
           .filter((fit) => fit.parameters[i])
           .map((fit) => {
-            const [mean, std, best, difference, bound, lower, upper] = fit.parameters[i];
+            const { mean, std, best, percent_of_lot, at_bound, lower, upper } = fit.parameters[i];
             return [
               law.id,
               parameter.name,
@@ -223,8 +223,8 @@ function parameterData() {
               std,
               isNumber(std) && mean !== 0 ? Math.abs(std / mean) : null,
               best,
-              difference,
-              bound,
+              percent_of_lot,
+              at_bound,
               lower,
               upper,
             ];
@@ -245,7 +245,7 @@ const panelPlaces = (law) =>
   law.parameters
     .map((_, place) => place)
     .filter(
-      (place) => law.parameters[place].free && law.devices.some((fit) => isNumber(fit.parameters[place]?.[0])),
+      (place) => law.parameters[place].free && law.devices.some((fit) => isNumber(fit.parameters[place]?.mean)),
     );
 
 const PANEL_MARGIN = { l: 62, r: 52, t: 8, b: 40 };
@@ -264,8 +264,8 @@ function panelGrid(panels, width) {
 function overDevices(law, place) {
   const entries = usable
     .map((device, x) => ({ device, x, row: law.fitOn.get(device.index)?.parameters[place] }))
-    .filter(({ row }) => isNumber(row?.[0]));
-  const lot = entries.reduce((sum, { row }) => sum + row[0], 0) / entries.length;
+    .filter(({ row }) => isNumber(row?.mean));
+  const lot = entries.reduce((sum, { row }) => sum + row.mean, 0) / entries.length;
   return { entries, lot };
 }
 
@@ -275,7 +275,7 @@ function panelsCaption() {
     .map((place) => law.parameters[place])
     .filter((p) => isNumber(p.delta))
     .sort((a, b) => b.delta - a.delta);
-  const bound = panelPlaces(law).filter((place) => law.devices.some((fit) => fit.parameters[place]?.[4]));
+  const bound = panelPlaces(law).filter((place) => law.devices.some((fit) => fit.parameters[place]?.at_bound));
   return (
     'Mean over the runs \u00b1 standard deviation (left), and the difference from the mean over the devices, dotted (right). ' +
     (strayed.length > 1
@@ -306,8 +306,8 @@ function drawPanels(look, width) {
     const name = (number) => (number === 1 ? '' : String(number));
     const x = name(i + 1), y = name(2 * i + 1), right = name(2 * i + 2);
     const { entries, lot } = overDevices(law, place),
-      { factor, exponent } = rowFormat(entries.map(({ row }) => row[0]));
-    const values = entries.flatMap(({ row }) => [(row[0] - (row[1] ?? 0)) / factor, (row[0] + (row[1] ?? 0)) / factor]);
+      { factor, exponent } = rowFormat(entries.map(({ row }) => row.mean));
+    const values = entries.flatMap(({ row }) => [(row.mean - (row.std ?? 0)) / factor, (row.mean + (row.std ?? 0)) / factor]);
     const range = paddedRange([...values, lot / factor], 0.08);
     const percent = (value) => (lot !== 0 ? 100 * ((value * factor) / lot - 1) : 0); // of a negative mean falling upwards
     layout['xaxis' + x] = {
@@ -353,10 +353,10 @@ function drawPanels(look, width) {
       xaxis: 'x' + x,
       yaxis: 'y' + y,
       x: entries.map((entry) => entry.x),
-      y: entries.map(({ row }) => row[0] / factor),
+      y: entries.map(({ row }) => row.mean / factor),
       error_y: {
         type: 'data',
-        array: entries.map(({ row }) => (row[1] ?? 0) / factor),
+        array: entries.map(({ row }) => (row.std ?? 0) / factor),
         color: look.law(law),
         thickness: 1.2,
         width: usable.length > 40 ? 0 : 3,
@@ -364,17 +364,17 @@ function drawPanels(look, width) {
       marker: {
         color: look.law(law),
         size: usable.length > 60 ? 4 : 6,
-        symbol: entries.map(({ row }) => (row[4] ? 'circle-open' : 'circle')),
+        symbol: entries.map(({ row }) => (row.at_bound ? 'circle-open' : 'circle')),
         line: { width: 1.5, color: look.law(law) },
       },
       text: entries.map(({ device }) => plain(device.name)),
       customdata: entries.map(
         ({ row }) =>
-          significant(row[0], 4) + (isNumber(row[1]) ? ' \u00b1 ' + significant(row[1], 2) : '') +
+          significant(row.mean, 4) + (isNumber(row.std) ? ' \u00b1 ' + significant(row.std, 2) : '') +
           (unit && unit !== '1' ? ' ' + plain(unitText(unit)) : '') +
-          (isNumber(row[1]) && row[0] !== 0 ? ' (\u03c3/|\u03bc| ' + significant(Math.abs(row[1] / row[0]), 2) + ')' : '') +
-          (isNumber(row[3]) ? ', ' + signed(row[3], 1) + THIN + '%' : '') +
-          (row[4] ? '<br>best run at the ' + row[4] + ' bound' : ''),
+          (isNumber(row.std) && row.mean !== 0 ? ' (\u03c3/|\u03bc| ' + significant(Math.abs(row.std / row.mean), 2) + ')' : '') +
+          (isNumber(row.percent_of_lot) ? ', ' + signed(row.percent_of_lot, 1) + THIN + '%' : '') +
+          (row.at_bound ? '<br>best run at the ' + row.at_bound + ' bound' : ''),
       ),
       hovertemplate: '<b>' + plain(law.parameters[place].name) + '</b> on %{text}<br>%{customdata}<extra></extra>',
     });

@@ -5,11 +5,21 @@
 
 const report = JSON.parse(document.getElementById('isolaw-data').textContent);
 const devices = report.devices.map((device, index) => ({ ...device, index }));
-const laws = report.laws.map((law, index) => ({
-  ...law,
-  index,
-  fitOn: new Map(law.devices.map((fit) => [fit.device, fit])),
-}));
+
+// What the data block holds as columns, as one object per parameter.
+function rowsOf(columns) {
+  const names = Object.keys(columns);
+  return columns[names[0]].map((_, i) => Object.fromEntries(names.map((name) => [name, columns[name][i]])));
+}
+const laws = report.laws.map((law, index) => {
+  const fits = law.devices.map((fit) => ({
+    ...fit,
+    parameters: rowsOf(fit.parameters),
+    // Null for a parameter that was not examined.
+    determination: fit.determination && rowsOf(fit.determination).map((row) => (row.identifiability ? row : null)),
+  }));
+  return { ...law, index, devices: fits, fitOn: new Map(fits.map((fit) => [fit.device, fit])) };
+});
 const usable = devices.filter((device) => device.status === 'ok');
 const drawable = usable.filter((device) => device.record.drawn > 0); // beside the laws' loops
 const tested = devices.filter((device) => device.raw?.samples > 0); // whose raw record can be shown
