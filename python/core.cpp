@@ -19,7 +19,6 @@
 #include "isolaw/api/isolaw.hpp"
 #include "isolaw/base/hash.hpp"
 #include "isolaw/base/printable.hpp"
-#include "isolaw/campaign/acceptance_table.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/data/reading.hpp"
 #include "isolaw/report/inspection.hpp"
@@ -86,30 +85,19 @@ Json json_of(py::handle value) {
   return made;
 }
 
-// Calls take(row, value) for every keyword that belongs to a row of the table.
-template <class Rows, class Take>
-void for_each_given(Rows const& rows, py::dict const& given, Take const& take) {
+// What is given of a table, by its keywords; None is nothing.
+template <class Rows>
+Values given_of(Rows const& rows, py::dict const& given) {
+  Values values;
   for (auto const& row : rows)
     if (py::str const keyword(row.python()); given.contains(keyword))
-      if (auto const value = json_of(given[keyword]); !value.is_null()) take(row, value);
-}
-
-template <class Rows, class Target>
-void lay_over(Rows const& rows, py::dict const& given, Target& target) {
-  std::vector<Complaint> complaints;
-  for_each_given(rows, given, [&](auto const& row, Json const& value) {
-    about(row.python(), complaints, [&] { row.set(target, value); });
-  });
-  if (!complaints.empty()) throw Error(std::move(complaints));
+      if (auto value = json_of(given[keyword]); !value.is_null()) values.emplace(row.key, std::move(value));
+  return values;
 }
 
 campaign::Settings settings_of(py::dict const& given) {
-  std::vector<campaign::GivenSetting> values;
-  for_each_given(campaign::setting_table(), given, [&](auto const& setting, Json const& value) {
-    values.push_back({&setting, value});
-  });
   campaign::Settings settings;
-  campaign::apply(values, settings);
+  campaign::apply(given_of(campaign::setting_table(), given), settings);
   settings.complete();
   settings.validate();
   return settings;
@@ -129,7 +117,9 @@ Json described(Rows const& rows) {
     one["limits"] = row.limits ? Json{row.limits->least, row.limits->most} : Json();
     if constexpr (std::is_same_v<Row, data::Reading>) one["of_force"] = row.of_force;
     if constexpr (std::is_same_v<Row, campaign::Setting>) {
-      one["method"] = row.of ? Json(campaign::name(*row.of)) : Json();
+      campaign::Settings of;
+      of.method = row.of.value_or(of.method);
+      one["method"] = row.of ? campaign::find_setting("method")->get(of) : Json();
       one["stored_only"] = row.stored_only;
     }
   }
@@ -139,7 +129,7 @@ Json described(Rows const& rows) {
 RecordPtr record_of_file(std::filesystem::path const& file, bool motion, std::optional<std::string> const& name,
                          py::dict const& how) {
   data::ReadOptions options;
-  lay_over(data::reading_table(), how, options);
+  lay_over(data::reading_table(), given_of(data::reading_table(), how), options);
   options.corrections.validate();
   py::gil_scoped_release const released;
   return std::make_shared<Record>(
@@ -369,7 +359,7 @@ py::dict runs_of(Campaign const& campaign, std::string const& law, std::string c
 CampaignPtr calibrated(std::vector<RecordPtr> const& records, py::dict const& given, CalibrateOptions options,
                        py::object const& progress) {
   auto const settings = settings_of(given);
-  lay_over(campaign::acceptance_table(), given, options.acceptance);
+  lay_over(campaign::acceptance_table(), given_of(campaign::acceptance_table(), given), options.acceptance);
   std::vector<campaign::NamedRecord> named;
   for (auto const& record : records) {
     if (record == nullptr) throw Error({.where = "records", .found = "None", .allowed = "records"});

@@ -377,7 +377,7 @@ TEST_F(LotFileTest, ADeviceHasALargestNumberOfFiles) {
   std::string files;
   for (int i = 0; i < 1001; ++i) files += "\"a.csv\",";
   expect_parts(complaints("[[device]]\nfiles = [" + files + "]\n"),
-               {"lot.toml:2: 'files' lists 1001 texts", "1000 or fewer"});
+               {"lot.toml:2: 'files' lists 1001 values", "1000 or fewer"});
 }
 
 TEST_F(LotFileTest, ALargeOrSpecialFileIsNotRead) {

@@ -122,7 +122,7 @@ TEST(EverySetting, ComesBackFromTheWordsOfTheCommandLine) {
       if (word != "--" + setting.option()) values.push_back(word);
     EXPECT_LT(values.size(), words.size());
     Settings made;
-    apply({{&setting, value_of(setting.kind, values)}}, made);
+    apply({{std::string(setting.key), value_of(setting.kind, values)}}, made);
     EXPECT_EQ(setting.get(made), another(setting));
     EXPECT_EQ(made.method, setting.of.value_or(setting.key == "method" ? Method::genetic : Method::best));
   }
@@ -134,7 +134,7 @@ TEST(EverySetting, RefusesWhatItMayNotBeByItsName) {
       SCOPED_TRACE(fmt::format("{} {}", setting.key, value.dump()));
       auto const given = refusal([&] {
         Settings made;
-        apply({{&setting, value}}, made);
+        apply({{std::string(setting.key), value}}, made);
       });
       EXPECT_TRUE(given.starts_with(setting.where())) << given;
       EXPECT_TRUE(holds(given, shown(value)) || setting.key == "set") << given;
@@ -150,19 +150,18 @@ TEST(EverySetting, IsMissedWhereAStoreLacksIt) {
   for (auto const& setting : setting_table()) {
     auto pairs = to_pairs(with(setting, another(setting)));
     std::erase_if(pairs, [&](auto const& pair) { return pair.first == setting.key; });
-    EXPECT_TRUE(holds(refusal([&] { settings_from_pairs(pairs); }), fmt::format("'{}': is missing", setting.key)));
+    EXPECT_TRUE(holds(refusal([&] { settings_from_pairs(pairs); }), setting.where() + ": is missing"));
   }
 }
 
 TEST(Settings, WhatOneMethodAloneHasChoosesItUnlessAnotherOneIsNamed) {
-  auto const &population = *find_setting("population"), &method = *find_setting("method");
   Settings made;
-  apply({{&population, 40}}, made);
+  apply({{"population", 40}}, made);
   EXPECT_EQ(made.method, Method::genetic);
   EXPECT_EQ(made.genetic.population, 40);
   EXPECT_EQ(
       refusal([&] {
-        apply({{&population, 40}, {&method, "best"}}, made);
+        apply({{"population", 40}, {"method", "best"}}, made);
       }),
       "--population: belongs to method ga, and the method is best; allowed: with method ga, which it also chooses "
       "where no method is named");
@@ -170,7 +169,7 @@ TEST(Settings, WhatOneMethodAloneHasChoosesItUnlessAnotherOneIsNamed) {
 
 TEST(Settings, EverythingWrongIsSaidAtOnce) {
   Settings made;
-  auto const said = refusal([&] { apply({{find_setting("runs"), 0}, {find_setting("smooth"), 4}}, made); });
+  auto const said = refusal([&] { apply({{"runs", 0}, {"smooth", 4}}, made); });
   EXPECT_EQ(said, "--runs: 0; allowed: 1 to 100000\n--smooth: 4; allowed: an odd number of samples, 1 for none");
 }
 
@@ -248,14 +247,6 @@ TEST(Words, Laws) {
     auto const said = refusal([&] { parse_laws(text); });
     EXPECT_TRUE(holds(said, "hwang-wu")) << "'" << text << "' must be refused with the list of laws: " << said;
   }
-}
-
-TEST(Words, OfSimulateToo) {
-  for (auto const how : {laws::Integration::converged, laws::Integration::paper})
-    EXPECT_EQ(parse_integration(name(how)), how);
-  EXPECT_EQ(parse_turning_points("interpolated"), laws::TurningPoints::interpolated);
-  EXPECT_EQ(refusal([] { parse_integration("rk4"); }), "--integration: 'rk4'; allowed: converged, paper");
-  EXPECT_EQ(refusal([] { parse_turning_points(""); }), "--turning-points: ''; allowed: sampled, interpolated");
 }
 
 TEST(Words, ThinningIsANumberOrAll) {

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/report/write.hpp"
 

@@ -18,7 +18,6 @@
 #include "isolaw/app/commands.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
-#include "isolaw/campaign/acceptance_table.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/data/reading.hpp"
 
@@ -27,35 +26,31 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-void add_option(CLI::App& command, OptionInfo const& option, Given& given) {
+void add_option(CLI::App& command, OptionInfo const& option, Values& given) {
   auto const name = "--" + option.option();
   auto const take = [&given, name, key = std::string(option.key), kind = option.kind](Words const& words) {
+    given[key] = value_of(kind, words);
     bool const number = kind == Kind::whole || kind == Kind::real;
-    if (number && value_of(kind, words).is_string()) throw CLI::ConversionError(name, words);
-    given[key] = words;
+    if (number && given[key].is_string()) throw CLI::ConversionError(name, words);
   };
-  if (option.kind == Kind::flag) {
+  auto const take_word = [take](std::string const& word) { take({word}); };
+  auto const type = option.kind == Kind::whole ? "INT" : option.kind == Kind::real ? "FLOAT" : "TEXT";
+  if (option.kind == Kind::flag)
     command.add_flag_callback(
         name, [take] { take({}); }, option.help);
-    return;
-  }
-  auto const type = option.kind == Kind::whole ? "INT" : option.kind == Kind::real ? "FLOAT" : "TEXT";
-  if (option.kind == Kind::repeated)
+  else if (option.kind == Kind::repeated)
     command.add_option_function<Words>(name, take, option.help)->allow_extra_args(false);
   else
-    command
-        .add_option_function<std::string>(
-            name, [take](std::string const& word) { take({word}); }, option.help)
-        ->type_name(type);
+    command.add_option_function<std::string>(name, take_word, option.help)->type_name(type);
 }
 
 // Of a motion, which has no force: `of_force` is false.
-void add_reading(CLI::App& command, Given& read, bool of_force = true) {
+void add_reading(CLI::App& command, Values& read, bool of_force = true) {
   for (auto const& option : data::reading_table())
     if (of_force || !option.of_force) add_option(command, option, read);
 }
 
-void add_acceptance(CLI::App& command, Given& acceptance) {
+void add_acceptance(CLI::App& command, Values& acceptance) {
   for (auto const& option : campaign::acceptance_table()) add_option(command, option, acceptance);
 }
 
@@ -93,10 +88,7 @@ void add_simulate(CLI::App& app, SimulateArguments& a) {
   c.add_option("--motion", a.motion, "file of the displacement history, read as a record is; force is not needed")
       ->required();
   add_reading(c, a.read, false);
-  c.add_option("--integration", a.integration,
-               "converged (default, or as the campaign had it), or paper: one Runge-Kutta step per sample");
-  c.add_option("--turning-points", a.turning_points,
-               "sampled (default, or as the campaign had it), or interpolated: the path turns between samples");
+  for (auto const* key : {"integration", "turning-points"}) add_option(c, *campaign::find_setting(key), a.how);
   c.add_option("--refinement", a.refinement, "steps per sample (1, or as the campaign had it)");
   c.add_option("--out", a.out, "file to write, instead of standard output");
 }
@@ -241,7 +233,9 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   sample_command.add_option("directory", sample_arguments.directory, "the campaign's directory")->required();
   sample_command.add_option("--law", sample_arguments.law, "id of the law")->required();
   sample_command.add_option("--count", sample_arguments.count, "devices to draw (100)");
-  sample_command.add_option("--seed", sample_arguments.seed, "seed of the draws (the campaign's)");
+  auto seed = *campaign::find_setting("seed");
+  seed.help = "seed of the draws (the campaign's)";
+  add_option(sample_command, seed, sample_arguments.seed);
 
   ExportArguments export_arguments;
   auto& export_command = *app.add_subcommand("export", "A law of a campaign for an analysis program, with its check");

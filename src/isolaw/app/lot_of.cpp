@@ -10,7 +10,6 @@
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
-#include "isolaw/campaign/acceptance_table.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/data/reading.hpp"
 #include "isolaw/rules/measured.hpp"
@@ -79,44 +78,32 @@ std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path>
 
 namespace {
 
-template <class Rows, class Target>
-void lay_over(Rows const& rows, Given const& given, Target& target) {
-  std::vector<Complaint> complaints;
-  for (auto const& row : rows)
-    if (auto const words = given.find(row.key); words != given.end())
-      about("--" + row.option(), complaints, [&] { row.set(target, value_of(row.kind, words->second)); });
-  if (!complaints.empty()) throw Error(std::move(complaints));
-}
-
 // What may be repeated adds to what is there; the last word on a parameter counts.
-Json added(Json const& there, std::vector<std::string> const& words) {
+Json added(Json const& there, Json const& given) {
   auto const parameter = [](std::string const& text) { return text.substr(0, text.find('=')); };
   auto texts = there.get<std::vector<std::string>>();
-  for (auto const& word : words) {
-    std::erase_if(texts, [&](auto const& other) { return parameter(other) == parameter(word); });
-    texts.push_back(word);
+  for (auto const& text : given.get<std::vector<std::string>>()) {
+    std::erase_if(texts, [&](auto const& other) { return parameter(other) == parameter(text); });
+    texts.push_back(text);
   }
   return texts;
 }
 
-void apply(Given const& given, campaign::Settings& settings) {
-  std::vector<campaign::GivenSetting> values;
-  for (auto const& [key, words] : given) {
-    auto const* setting = campaign::find_setting(key);
-    bool const adds = setting->kind == Kind::repeated;
-    values.push_back({setting, adds ? added(setting->get(settings), words) : value_of(setting->kind, words)});
-  }
-  campaign::apply(values, settings);
+void lay_over(Values given, campaign::Settings& settings) {
+  for (auto& [key, value] : given)
+    if (auto const& setting = *campaign::find_setting(key); setting.kind == Kind::repeated)
+      value = added(setting.get(settings), value);
+  campaign::apply(given, settings);
 }
 
 }  // namespace
 
-void apply(Given const& given, data::ReadOptions& options) {
+void apply(Values const& given, data::ReadOptions& options) {
   lay_over(data::reading_table(), given, options);
   options.corrections.validate();
 }
 
-void apply(Given const& given, campaign::Acceptance& acceptance) {
+void apply(Values const& given, campaign::Acceptance& acceptance) {
   lay_over(campaign::acceptance_table(), given, acceptance);
   load_rules(acceptance);
   if (acceptance.design.empty()) return;
@@ -157,10 +144,10 @@ campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, ca
 
 campaign::Lot lot_of(CalibrateArguments const& a) {
   campaign::Settings unused;
-  apply(a.settings, unused);  // wrong usage is said before files are read
+  lay_over(a.settings, unused);  // wrong usage is said before files are read
   auto lot = lot_of_inputs(a.inputs, {.allow_outside = a.allow_outside, .other_out = a.out.has_value()});
   auto& s = lot.settings;
-  apply(a.settings, s);
+  lay_over(a.settings, s);
   s.complete();
   if (a.out) lot.out = a.out;
   if (a.jobs) lot.jobs = a.jobs;

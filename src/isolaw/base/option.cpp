@@ -18,8 +18,8 @@ Json parsed(std::string const& word) {
   return error == std::errc() && end == word.data() + word.size() ? Json(value) : Json(word);
 }
 
-[[noreturn]] void refuse_found(std::string found, std::string allowed, std::string advice = {}) {
-  throw Error({.where = {}, .found = std::move(found), .allowed = std::move(allowed), .advice = std::move(advice)});
+[[noreturn]] void refuse_found(std::string found, std::string allowed) {
+  throw Error({.where = {}, .found = std::move(found), .allowed = std::move(allowed)});
 }
 
 std::string with(std::string_view key, char from, char to) {
@@ -75,6 +75,7 @@ std::vector<std::string> words_of(OptionInfo const& option, Json const& value) {
 
 std::string shown(Json const& value) {
   if (value.is_string()) return in_quotes(value.get<std::string>());
+  if (value.is_number_float()) return fmt::format("{}", value.get<double>());
   return printable(value.dump(-1, ' ', false, Json::error_handler_t::replace).substr(0, 100));
 }
 
@@ -116,8 +117,8 @@ std::string text_in(Json const& value) {
   return value.get<std::string>();
 }
 
-void refuse(Json const& value, std::string allowed, std::string advice) {
-  refuse_found(shown(value), std::move(allowed), std::move(advice));
+void refuse(Json const& value, std::string allowed) {
+  refuse_found(shown(value), std::move(allowed));
 }
 
 std::string help_of(std::string help, std::string const& limits, std::string const& usual) {

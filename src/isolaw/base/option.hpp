@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -46,6 +46,7 @@ struct OptionInfo {
 
   std::string option() const;  // on the command line, without its dashes, and in a lot file
   std::string python() const;
+  std::string where() const { return "--" + option(); }  // of a complaint
 };
 
 template <class Target>
@@ -56,9 +57,12 @@ struct Option : OptionInfo {
 
 // --- ways in and out ---------------------------------------------------------------------------------------------------
 
+// What a way in was given, by key.
+using Values = std::map<std::string, Json, std::less<>>;
+
 // What the command line gives: a number where the words are one.
 Json value_of(Kind kind, std::vector<std::string> const& words);
-// As the command line takes it back.
+// As the command line takes it back; of a list: by commas.
 std::string text_of(Json const& value);
 // The words of the command line that give an option its value: none for null, false and a list of nothing.
 std::vector<std::string> words_of(OptionInfo const& option, Json const& value);
@@ -68,102 +72,94 @@ std::string shown(Json const& value);
 // Calls judge() and says of its complaints that they are about `where`, if they do not name an option themselves.
 void about(std::string const& where, std::vector<Complaint>& complaints, std::function<void()> const& judge);
 
+// Calls judge(row) for every row of a table; throws one Error of all complaints.
+template <class Rows, class Judge>
+void judge_each(Rows const& rows, Judge const& judge) {
+  std::vector<Complaint> complaints;
+  for (auto const& row : rows) about(row.where(), complaints, [&] { judge(row); });
+  if (!complaints.empty()) throw Error(std::move(complaints));
+}
+
+template <class Rows, class Target>
+void lay_over(Rows const& rows, Values const& given, Target& target) {
+  judge_each(rows, [&](auto const& row) {
+    if (auto const found = given.find(row.key); found != given.end()) row.set(target, found->second);
+  });
+}
+
 // --- judges: throw Error -----------------------------------------------------------------------------------------------
 
 int whole_of(Json const& value, Limits const& limits);
 double real_of(Json const& value, Limits const& limits);
 bool flag_of(Json const& value);
 std::string text_in(Json const& value);
-[[noreturn]] void refuse(Json const& value, std::string allowed, std::string advice = {});
+[[noreturn]] void refuse(Json const& value, std::string allowed);
 
 // --- rows --------------------------------------------------------------------------------------------------------------
+
+// The place of a member, or of a member's member.
+constexpr auto at(auto... path) {
+  return [=](auto& from) -> auto& {
+    return (from.*....*path);
+  };
+}
+
+template <class T>
+Json or_null(std::optional<T> const& value) {
+  return value ? Json(*value) : Json();
+}
 
 // "help, limits (usual)"
 std::string help_of(std::string help, std::string const& limits, std::string const& usual);
 
-// `member` gives the place in a Target, const or not: an int or a double, optional or not.
-template <class Target, class Member>
-Option<Target> number(std::string_view key, std::string help, Member member, Limits limits = {},
-                      std::string usual = {}) {
-  using Value = std::remove_cvref_t<decltype(member(std::declval<Target&>()))>;
+// Of an int or a double, optional or not.
+template <class Target, class Place>
+Option<Target> number(std::string_view key, std::string help, Place place, Limits limits = {}, std::string usual = {}) {
+  using Value = std::remove_cvref_t<decltype(place(std::declval<Target&>()))>;
+  constexpr bool optional = !std::is_arithmetic_v<Value>;
   constexpr bool whole = std::is_same_v<Value, int> || std::is_same_v<Value, std::optional<int>>;
-  Option<Target> made;
-  made.key = key;
-  made.kind = whole ? Kind::whole : Kind::real;
-  made.get = [member](Target const& from) -> Json {
-    if constexpr (std::is_arithmetic_v<Value>)
-      return member(from);
+  auto const get = [place](Target const& from) -> Json {
+    if constexpr (optional)
+      return or_null(place(from));
     else
-      return member(from) ? Json(*member(from)) : Json();
+      return place(from);
   };
-  if (usual.empty()) usual = text_of(made.get(Target{}));
-  made.help = help_of(std::move(help), limits.text(), usual);
-  made.limits = limits;
-  made.set = [member, limits](Target& to, Json const& value) {
+  auto const set = [place, limits](Target& to, Json const& value) {
     if constexpr (whole)
-      member(to) = whole_of(value, limits);
+      place(to) = whole_of(value, limits);
     else
-      member(to) = real_of(value, limits);
+      place(to) = real_of(value, limits);
   };
-  return made;
+  help = help_of(std::move(help), limits.text(), usual.empty() ? text_of(get({})) : usual);
+  return {{.key = key, .kind = whole ? Kind::whole : Kind::real, .help = help, .limits = limits}, get, set};
 }
 
-template <class Target, class Member>
-Option<Target> flag(std::string_view key, std::string help, Member member) {
-  Option<Target> made;
-  made.key = key;
-  made.kind = Kind::flag;
-  made.help = std::move(help);
-  made.get = [member](Target const& from) -> Json { return member(from); };
-  made.set = [member](Target& to, Json const& value) { member(to) = flag_of(value); };
-  return made;
+template <class Target, class Place>
+Option<Target> flag(std::string_view key, std::string help, Place place) {
+  return {{.key = key, .kind = Kind::flag, .help = std::move(help)},
+          [place](Target const& from) -> Json { return place(from); },
+          [place](Target& to, Json const& value) { place(to) = flag_of(value); }};
 }
 
-// One of several words, and what it stands for.
-template <class T>
-struct Word {
-  std::string_view text;
-  T value;
-};
-
-template <class T>
-std::string_view word_for(T value, std::span<Word<T> const> words) {
-  return std::ranges::find(words, value, &Word<T>::value)->text;
-}
-
-template <class T>
-T meant_by(Json const& value, std::span<Word<T> const> words) {
+// One of several words, each of which stands for a value. A flag of two words may also be true or false.
+template <class Target, class Place, class T, std::size_t N>
+Option<Target> word(std::string_view key, std::string help, Place place,
+                    std::pair<std::string_view, T> const (&words)[N]) {
+  std::vector<std::pair<std::string_view, T>> const all(std::begin(words), std::end(words));
+  Option<Target> made{{.key = key, .help = std::move(help)}, {}, {}};
   std::string allowed;
-  for (auto const& word : words) {
-    if (value.is_string() && value.get_ref<std::string const&>() == word.text) return word.value;
-    allowed += (allowed.empty() ? "" : ", ") + std::string(word.text);
+  for (auto const& [text, meant] : all) {
+    made.words.push_back(text);
+    allowed += (allowed.empty() ? "" : ", ") + std::string(text);
   }
-  if constexpr (std::is_same_v<T, bool>)
-    if (value.is_boolean()) return value.get<bool>();
-  refuse(value, allowed);
-}
-
-template <class Target, class Member, class T, std::size_t N>
-Option<Target> word(std::string_view key, std::string help, Member member, Word<T> const (&words)[N]) {
-  std::span<Word<T> const> const all(words);
-  Option<Target> made;
-  made.key = key;
-  made.help = std::move(help);
-  for (auto const& each : all) made.words.push_back(each.text);
-  made.get = [member, all](Target const& from) -> Json { return word_for<T>(member(from), all); };
-  made.set = [member, all](Target& to, Json const& value) { member(to) = meant_by<T>(value, all); };
-  return made;
-}
-
-// What `write` puts into words and `read` takes from them.
-template <class Target, class Write, class Read>
-Option<Target> text(std::string_view key, Kind kind, std::string help, Write write, Read read) {
-  Option<Target> made;
-  made.key = key;
-  made.kind = kind;
-  made.help = std::move(help);
-  made.get = write;
-  made.set = read;
+  made.get = [=](Target const& from) -> Json {
+    return std::ranges::find(all, place(from), [](auto& w) { return w.second; })->first;
+  };
+  made.set = [=](Target& to, Json const& value) {
+    for (auto const& [text, meant] : all)
+      if (value == Json(text) || (std::is_same_v<T, bool> && value == Json(meant))) return void(place(to) = meant);
+    refuse(value, allowed);
+  };
   return made;
 }
 

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <sstream>
 
+#include "isolaw/base/option.hpp"
 #include "isolaw/base/printable.hpp"
 
 namespace isolaw {
@@ -124,23 +125,8 @@ std::string TomlTable::where(toml::node const& node) const {
 
 void TomlTable::strings(std::string_view key, std::function<void(std::string const&)> const& take,
                         std::size_t longest) {
-  known_.emplace(key);
-  auto const* node = table_.get(key);
-  if (node == nullptr) return;
-  if (auto const one = node->value<std::string>(); one && node->is_string()) {
-    if (accept_text(*node, key, *one, longest)) guarded(*node, key, [&] { take(*one); });
-    return;
-  }
-  auto const* array = node->as_array();
-  if (array == nullptr || !array->is_homogeneous(toml::node_type::string))
-    return complain(*node, fmt::format("'{}' is not text or a list of texts", key), "\"...\" or [\"...\", \"...\"]");
-  if (array->size() > most_items)
-    return complain(*node, fmt::format("'{}' lists {} texts", key, array->size()),
-                    fmt::format("{} or fewer", most_items));
-  for (auto const& item : *array) {
-    auto const text = *item.value<std::string>();
-    if (accept_text(item, key, text, longest)) guarded(item, key, [&] { take(text); });
-  }
+  auto const last = [&](Json const& value) { take(text_in(value.is_array() ? value.back() : value)); };
+  json(key, last, longest);
 }
 
 std::optional<Json> TomlTable::scalar(toml::node const& node, std::string_view key, std::size_t longest) {
@@ -151,7 +137,8 @@ std::optional<Json> TomlTable::scalar(toml::node const& node, std::string_view k
   if (auto const* whole = node.as_integer()) return whole->get();
   if (auto const* real = node.as_floating_point()) return real->get();
   if (auto const* truth = node.as_boolean()) return truth->get();
-  complain(node, fmt::format("'{}' holds a date, or a list or table within another", key),
+  if (auto const* date = node.as_date()) return (std::ostringstream() << *date).str();
+  complain(node, fmt::format("'{}' holds a time, or a list or table within another", key),
            "text, a number, true or false");
   return std::nullopt;
 }

@@ -103,7 +103,7 @@ class TomlTable {
     else
       return node.is_string();
   }
-  // Of text, a number, or true and false; no value of what is none of these, or is not accepted.
+  // Of text, a number, true and false, or a date, which is text; no value of what is none of these, or not accepted.
   std::optional<Json> scalar(toml::node const& node, std::string_view key, std::size_t longest);
   void complain_kind(toml::node const& node, std::string_view key, std::string_view expected);
   // A whole number beyond those of its type.

@@ -14,7 +14,6 @@
 #include "isolaw/base/file.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/toml_reader.hpp"
-#include "isolaw/campaign/acceptance_table.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/data/reading.hpp"
 
@@ -66,6 +65,28 @@ void read_acceptance(TomlTable& table, std::filesystem::path const& directory, L
                    "copying the file there, or --allow-outside on the command line");
 }
 
+// What the table of a device says of it.
+std::vector<Option<DeviceInfo>> const& info_table() {
+  using I = DeviceInfo;
+  auto const text = [](std::string_view key, std::string I::*member) -> Option<I> {
+    return {{.key = key},
+            [=](I const& info) { return (info.*member).empty() ? Json() : Json(info.*member); },
+            [=](I& info, Json const& value) { info.*member = text_in(value); }};
+  };
+  auto const above = [](std::string_view key, double limit, std::string words, std::optional<double> I::*member) {
+    constexpr double largest = std::numeric_limits<double>::max();
+    return number<I>(key, {}, at(member), {std::nextafter(limit, largest), largest, std::move(words)});
+  };
+  static std::vector<Option<I>> const table{
+      text("serial", &I::serial),
+      text("lot", &I::lot),
+      text("test-date", &I::test_date),
+      above("temperature-C", -273.15, "degrees Celsius, above -273.15", &I::temperature_C),
+      above("rubber-thickness-mm", 0.0, "total thickness of the rubber in mm, above 0", &I::rubber_thickness_mm),
+      above("rubber-area-mm2", 0.0, "area of the rubber in mm2, above 0", &I::rubber_area_mm2)};
+  return table;
+}
+
 DeviceInput read_device(TomlTable& table, toml::table const& source, std::filesystem::path const& directory,
                         data::ReadOptions const& defaults, LotFileOptions const& options) {
   DeviceInput device;
@@ -87,27 +108,8 @@ DeviceInput read_device(TomlTable& table, toml::table const& source, std::filesy
   });
   table.strings("file", take_file, longest_path);
   table.strings("files", take_file, longest_path);
-  table.set<std::string>("serial", "text", device.info.serial);
-  table.set<std::string>("lot", "text", device.info.lot);
-  if (auto const* date = source.get("test-date"); date != nullptr && date->is_date()) {
-    std::ostringstream text;
-    text << *date->as_date();
-    device.info.test_date = text.str();
-    table.know("test-date");
-  } else {
-    table.set<std::string>("test-date", "a date or text", device.info.test_date);
-  }
-  auto const above = [&](std::string_view key, double limit, std::string_view allowed, std::optional<double>& target) {
-    table.value<double>(key, "a number", [&](double v) {
-      if (!std::isfinite(v) || v <= limit)
-        throw Error({.where = {}, .found = fmt::format("{}", v), .allowed = std::string(allowed)});
-      target = v;
-    });
-  };
-  constexpr double absolute_zero_C = -273.15;
-  above("temperature-C", absolute_zero_C, "degrees Celsius, above -273.15", device.info.temperature_C);
-  above("rubber-thickness-mm", 0.0, "total thickness of the rubber in mm, above 0", device.info.rubber_thickness_mm);
-  above("rubber-area-mm2", 0.0, "area of the rubber in mm2, above 0", device.info.rubber_area_mm2);
+  for (auto const& option : info_table())
+    table.json(option.option(), [&](Json const& value) { option.set(device.info, value); });
   read_reading(table, device.read);
   table.refuse_unknown();
   if (device.files.empty()) table.complain(source, "a device without a file", "file = \"...\" or files = [...]");
@@ -313,18 +315,7 @@ std::string lot_file_text(Lot const& lot, std::filesystem::path const& directory
       for (auto const& file : input.files) files.push_back(relative_name(file, directory));
       device.insert("files", std::move(files));
     }
-    auto const text = [&](char const* key, std::string const& value) {
-      if (!value.empty()) device.insert(key, value);
-    };
-    auto const number = [&](char const* key, std::optional<double> value) {
-      if (value) device.insert(key, *value);
-    };
-    text("serial", input.info.serial);
-    text("lot", input.info.lot);
-    text("test-date", input.info.test_date);
-    number("temperature-C", input.info.temperature_C);
-    number("rubber-thickness-mm", input.info.rubber_thickness_mm);
-    number("rubber-area-mm2", input.info.rubber_area_mm2);
+    for (auto const& option : info_table()) insert(device, option.option(), option.get(input.info));
     insert_reading(device, input.read, shared);
     devices.push_back(std::move(device));
   }

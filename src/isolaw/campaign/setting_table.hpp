@@ -1,12 +1,12 @@
-// Every setting once: command line, lot file, store, comparison on resume, the command in the report, Python and
-// docs/cli.md are made from this table.
+// Every setting of a campaign once, and every option of what its tests are held to: command line, lot file, store, comparison on resume, the command in the report, Python and
+// docs/cli.md are made from these tables.
 #pragma once
 
 #include <optional>
 #include <span>
 
 #include "isolaw/base/option.hpp"
-#include "isolaw/campaign/settings.hpp"
+#include "isolaw/campaign/contents.hpp"
 
 namespace isolaw::campaign {
 
@@ -15,7 +15,7 @@ struct Setting : Option<Settings> {
   bool stored_only = false;       // a constant of its method, kept with the results: nobody gives it
 
   bool belongs_to(Method method) const { return !of || *of == method; }
-  std::string where() const { return stored_only ? std::string(key) : "--" + option(); }
+  std::string where() const { return stored_only ? std::string(key) : Option::where(); }
 };
 
 // In the order of stores and reports: the method before what it alone has.
@@ -26,12 +26,13 @@ Setting const* find_setting(std::string_view key);
 // Sets one setting; what one method alone has chooses it, unless `method_given` says that the method was named. Throws
 // Error, which leaves `where` to the way in.
 void take(Setting const& setting, Json const& value, bool method_given, Settings& settings);
-
-struct GivenSetting {
-  Setting const* setting;
-  Json value;
-};
 // Lays everything that one way in was given over `settings`. Throws one Error, where of which is the option.
-void apply(std::vector<GivenSetting> const& given, Settings& settings);
+void apply(Values const& given, Settings& settings);
+
+// "method: ga there, best now", for each setting that differs; what one method alone has is said by the method.
+std::vector<std::string> differences(Settings const& there, Settings const& now);
+
+// What tests are held to. A name of rules means what its way in takes it for: their text is not loaded.
+std::span<Option<Acceptance> const> acceptance_table();
 
 }  // namespace isolaw::campaign

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "isolaw/base/shell.hpp"
-#include "isolaw/campaign/acceptance_table.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 
 namespace isolaw::report {
