@@ -9,7 +9,7 @@
 #   ./isolaw.sh fuzz [SECONDS]  every fuzz target for so long (60), with clang; fails at a finding
 #   ./isolaw.sh bench        setup, build and run the benchmarks
 #   ./isolaw.sh study [--quick]  time the published study, its scaling and other programs; see docs/performance.md
-#   ./isolaw.sh lint         clang-format and clang-tidy, without changing files (lint --fix formats)
+#   ./isolaw.sh lint         clang-format, clang-tidy, eslint for the page's script, without changing files (lint --fix formats)
 #   ./isolaw.sh compilers    other compilers and processors against this one: the largest differences of any result
 #   ./isolaw.sh docs         the pages that the program writes of itself: docs/laws.md, docs/cli.md
 set -euo pipefail
@@ -22,7 +22,7 @@ as_root() { if [ "$(id -u)" -eq 0 ]; then step "$@"; else step sudo "$@"; fi; }
 build_packages=(ca-certificates cmake g++ gnuplot-nox libboost-dev libcli11-dev libeigen3-dev libexpat1-dev libfmt-dev libgtest-dev libhdf5-dev
   libmatio-dev libminizip-dev librandom123-dev libsqlite3-dev libssl-dev libtomlplusplus-dev libxlsxwriter-dev
   ninja-build nlohmann-json3-dev npm pybind11-dev python3-dev python3-numpy zlib1g-dev)
-test_packages=(chromium tcl xz-utils)
+test_packages=(chromium qemu-user tcl xz-utils)
 
 install_missing() {
   command -v dpkg-query >/dev/null || { echo "isolaw.sh: not a Debian system; install the packages listed here by other means" >&2; return; }
@@ -42,7 +42,7 @@ setup() {
   install_missing "${build_packages[@]}" "$@"
   if [ ! -e node_modules/plotly.js-basic-dist-min/plotly-basic.min.js ]; then
     echo "installing: plotly.js-basic-dist-min (npm, into node_modules/)" >&2
-    step npm ci --no-audit --no-fund --loglevel=error
+    step npm ci --omit=dev --no-audit --no-fund --loglevel=error
   fi
 }
 
@@ -99,12 +99,14 @@ case "${1:-help}" in
     step bench/study "${@:2}"
     ;;
   lint)
-    install_missing clang-format clang-tidy
+    install_missing clang-format clang-tidy npm
+    [ -e node_modules/eslint ] || step npm ci --no-audit --no-fund --loglevel=error
     mapfile -t sources < <(git ls-files 'src/*.cpp' 'src/*.hpp' 'cli/*.cpp' 'python/*.cpp' 'examples/*.cpp' 'tests/*.cpp' 'tests/*.hpp' 'bench/*.cpp' 'bench/*.hpp'
       'fuzz/*.cpp' 'fuzz/*.hpp')
     if [ "${2:-}" = --fix ]; then
       step clang-format -i "${sources[@]}"
     else
+      step node_modules/.bin/eslint src tests/browser eslint.config.mjs
       step clang-format --dry-run --Werror "${sources[@]}"
       mapfile -t units < <(git ls-files 'src/*.cpp' 'cli/*.cpp')
       step cmake --preset developer

@@ -12,13 +12,12 @@
 #include <string>
 #include <vector>
 
+#include "best_known.hpp"
 #include "isolaw/base/error.hpp"
-#include "isolaw/base/file.hpp"
 #include "isolaw/base/hash.hpp"
 #include "isolaw/campaign/campaign.hpp"
 #include "isolaw/campaign/lot_file.hpp"
 #include "isolaw/campaign/setting_table.hpp"
-#include "isolaw/fit/best_known.hpp"
 #include "isolaw/fit/objective.hpp"
 
 namespace isolaw::bench {
@@ -31,7 +30,7 @@ struct NamedProblem {
   fit::SearchBox box;
   fit::LawOnRecord model;
   fit::IdentificationProblem problem{model, box};
-  fit::BestKnown entry;  // of whoever finds something: objective, parameters and founder are open
+  BestKnown entry;  // of whoever finds something: objective, parameters and founder are open
   num::Stream stream;
 
   NamedProblem(campaign::Contents const& contents, campaign::Search const& search, std::string const& name)
@@ -48,13 +47,13 @@ struct NamedProblem {
     if (settings.turning_points != laws::TurningPoints::as_sampled)
       entry.settings += fmt::format(", turning points {}", word("turning-points"));
     entry.law = search.law;
-    entry.key = fit::problem_key(model.law(), settings.integration, settings.turning_points, record, box);
+    entry.key = problem_key(model.law(), settings.integration, settings.turning_points, record, box);
   }
   NamedProblem(NamedProblem const&) = delete;
   NamedProblem& operator=(NamedProblem const&) = delete;
 
   // A point of the unit box with the objective that the scalar law gives, which is the one that is reported.
-  fit::BestKnown found(std::span<double const> point, std::string const& found_by) const {
+  BestKnown found(std::span<double const> point, std::string const& found_by) const {
     auto made = entry;
     std::vector<double> work;
     made.parameters.resize(box.parameters.size());
@@ -87,29 +86,24 @@ struct NamedProblems {
   }
 };
 
-// The file of best objectives while it is added to; without a file, the built-in one, which stays as it is.
+// The file of best objectives while it is added to; without a file, the project's own, which stays as it is.
 class BestFile {
  public:
   explicit BestFile(std::string file) : file_(std::move(file)) {
-    if (file_.empty())
-      entries_ = fit::all_best_known();
-    else if (std::filesystem::exists(file_))
-      entries_ = fit::read_best_known(
-          read_file(file_,
-                    {.largest_bytes = std::size_t{16} << 20, .allowed = "TOML", .when_too_large = "another file"}),
-          file_);
+    auto const source = file_.empty() ? std::string(ISOLAW_BEST_KNOWN) : file_;
+    if (std::filesystem::exists(source)) entries_ = load_best_known(source);
   }
 
   double objective(std::string const& key) const {
-    auto const found = std::ranges::find(entries_, key, &fit::BestKnown::key);
+    auto const found = std::ranges::find(entries_, key, &BestKnown::key);
     return found == entries_.end() ? std::numeric_limits<double>::infinity() : found->objective;
   }
-  fit::Change lower(fit::BestKnown const& found) { return fit::lower(entries_, found); }
+  Change lower(BestKnown const& found) { return bench::lower(entries_, found); }
   void write() const {
     if (file_.empty()) return;
     auto const unfinished = file_ + ".new";
     std::ofstream out(unfinished, std::ios::binary);
-    out << fit::best_known_text(entries_);
+    out << best_known_text(entries_);
     out.close();
     if (!out) throw Error({.where = unfinished, .found = "cannot be written"});
     std::filesystem::rename(unfinished, file_);
@@ -117,7 +111,7 @@ class BestFile {
 
  private:
   std::string file_;
-  std::vector<fit::BestKnown> entries_;
+  std::vector<BestKnown> entries_;
 };
 
 }  // namespace isolaw::bench

@@ -111,7 +111,7 @@ class Contest {
     return sum / static_cast<double>(runs_.front().second.size());
   }
   std::vector<std::pair<std::string, Runs>> const& runs() const { return runs_; }
-  std::vector<fit::BestKnown> const& found() const { return found_; }
+  std::vector<bench::BestKnown> const& found() const { return found_; }
 
  private:
   num::Stream stream(int run) const { return named_.stream.split(static_cast<std::uint64_t>(run)); }
@@ -127,7 +127,7 @@ class Contest {
 
   bench::NamedProblem const& named_;
   std::vector<std::pair<std::string, Runs>> runs_;
-  std::vector<fit::BestKnown> found_;
+  std::vector<bench::BestKnown> found_;
 };
 
 struct Tally {
@@ -162,7 +162,7 @@ int main(int argc, char** argv) try {
     int changed = 0;
     for (auto const& found : contest.found()) {
       best = std::min(best, found.objective);
-      changed += file.lower(found) != fit::Change::none;
+      changed += file.lower(found) != bench::Change::none;
     }
     if (changed > 0) file.write();
     changes[named->entry.law] += changed > 0;

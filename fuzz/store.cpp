@@ -4,13 +4,13 @@
 
 #include "harness.hpp"
 #include "isolaw/campaign/store.hpp"
-#include "isolaw/report/build_summary.hpp"
-#include "isolaw/report/figures.hpp"
-#include "isolaw/report/html.hpp"
-#include "isolaw/report/latex_tables.hpp"
-#include "isolaw/report/summary_json.hpp"
-#include "isolaw/report/tables.hpp"
-#include "isolaw/report/terminal.hpp"
+#include "isolaw/render/figures/figures.hpp"
+#include "isolaw/render/json/summary_json.hpp"
+#include "isolaw/render/page/html.hpp"
+#include "isolaw/render/tables/latex_tables.hpp"
+#include "isolaw/render/tables/tables.hpp"
+#include "isolaw/render/terminal/terminal.hpp"
+#include "isolaw/study/build_summary.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
   using namespace isolaw;
@@ -26,23 +26,23 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     std::filesystem::remove(file.string() + suffix, ignored);
   }
   try {
-    auto const summary = report::build_summary(campaign::Store::read(file));
-    fuzz::require(nlohmann::json::accept(report::summary_json(summary)), "summary.json is JSON");
-    fuzz::require(report::html(summary).find("</html>") != std::string::npos, "the page is whole");
-    report::parameters_csv(summary);
-    report::objective_csv(summary);
-    report::robustness_csv(summary);
-    report::cycles_csv(summary);
-    report::tests_csv(summary);
-    report::lot_csv(summary);
-    report::lambda_csv(summary);
-    report::table_a5_csv(summary);
-    report::table_a5_tex(summary);
-    report::robustness_tex(summary);
-    report::front_csv(summary);
-    report::front_tex(summary);
-    report::for_each_figure(summary, report::FigureChoice::all, [](report::Figure const&) {});
-    report::ranking(summary, 80);
+    auto const summary = study::build_summary(campaign::Store::read(file));
+    fuzz::require(nlohmann::json::accept(render::summary_json(summary)), "summary.json is JSON");
+    fuzz::require(render::html(summary).find("</html>") != std::string::npos, "the page is whole");
+    render::parameters_csv(summary);
+    render::objective_csv(summary);
+    render::robustness_csv(summary);
+    render::cycles_csv(summary);
+    render::tests_csv(summary);
+    render::lot_csv(summary);
+    render::lambda_csv(summary);
+    render::table_a5_csv(summary);
+    render::table_a5_tex(summary);
+    render::robustness_tex(summary);
+    render::front_csv(summary);
+    render::front_tex(summary);
+    render::for_each_figure(summary, render::FigureChoice::all, [](render::Figure const&) {});
+    render::ranking(summary, 80);
   } catch (Error const& error) {
     fuzz::require_plain_message(error);
   }

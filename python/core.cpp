@@ -21,7 +21,7 @@
 #include "isolaw/base/printable.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/data/reading.hpp"
-#include "isolaw/report/inspection.hpp"
+#include "isolaw/render/json/inspection_json.hpp"
 
 namespace py = pybind11;
 
@@ -147,7 +147,7 @@ std::string inspected(Record const& record) {
                               .refusal = {},
                               .raw = record.raw,
                               .record = data::clean(record.raw, {})});
-  return report::inspection_json(report::build_summary(contents));
+  return render::inspection_json(study::build_summary(contents));
 }
 
 // --- laws ---------------------------------------------------------------------------------------------------------------
@@ -290,21 +290,21 @@ class Model {
 
 struct Campaign {
   Contents contents;
-  report::Summary summary;
+  study::Summary summary;
 
-  explicit Campaign(Contents made) : contents(std::move(made)), summary(report::build_summary(contents)) {}
+  explicit Campaign(Contents made) : contents(std::move(made)), summary(study::build_summary(contents)) {}
 
-  report::DeviceFit const& fit(std::string const& law, std::string const& device) const {
-    auto const of_law = std::ranges::find(summary.laws, law, &report::LawResult::id);
+  study::DeviceFit const& fit(std::string const& law, std::string const& device) const {
+    auto const of_law = std::ranges::find(summary.laws, law, &study::LawResult::id);
     if (of_law == summary.laws.end())
       throw Error({.where = "law '" + law + "'",
                    .found = "not in this campaign",
-                   .allowed = names(summary.laws, &report::LawResult::id)});
-    auto const of_device = std::ranges::find(of_law->devices, device, &report::DeviceFit::device);
+                   .allowed = names(summary.laws, &study::LawResult::id)});
+    auto const of_device = std::ranges::find(of_law->devices, device, &study::DeviceFit::device);
     if (of_device == of_law->devices.end())
       throw Error({.where = "device '" + device + "'",
                    .found = "not in this campaign",
-                   .allowed = names(summary.devices, &report::DeviceResult::name)});
+                   .allowed = names(summary.devices, &study::DeviceResult::name)});
     return *of_device;
   }
 
@@ -569,7 +569,7 @@ PYBIND11_MODULE(_core, m) {
 
   py::class_<Campaign, CampaignPtr>(m, "Campaign", "A campaign; see isolaw.Campaign.")
       .def(
-          "_summary_json", [](Campaign const& c) { return report::summary_json(c.summary); },
+          "_summary_json", [](Campaign const& c) { return render::summary_json(c.summary); },
           py::call_guard<py::gil_scoped_release>())
       .def_property_readonly("complete", [](Campaign const& c) { return c.contents.complete(); })
       .def("force",
@@ -605,7 +605,7 @@ PYBIND11_MODULE(_core, m) {
            })
       .def("write", [](Campaign const& c, std::filesystem::path const& directory) {
         py::gil_scoped_release const released;
-        report::write_outputs(c.summary, directory);
+        render::write_outputs(c.summary, directory);
       });
 
   m.def("load", &loaded, py::arg("directory"));

@@ -14,7 +14,7 @@ int main(int count, char** words) try {
   settings.laws = {"bilinear", "bouc-wen"};
   settings.analysis = false;
   auto const campaign = isolaw::calibrate({{.name = "bearing", .record = record}}, settings);
-  auto const summary = isolaw::report::build_summary(campaign);
+  auto const summary = isolaw::study::build_summary(campaign);
   for (auto const& law : summary.laws)
     std::printf("%-10s objective %.6f\n", law.id.c_str(), law.objective.best.value());
 

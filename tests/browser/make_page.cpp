@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "isolaw/base/error.hpp"
-#include "isolaw/report/terminal.hpp"
-#include "isolaw/report/write.hpp"
+#include "isolaw/render/terminal/terminal.hpp"
+#include "isolaw/render/write.hpp"
 #include "unit/analysed_fixture.hpp"
-#include "unit/report_fixture.hpp"
+#include "unit/study_fixture.hpp"
 
 int main(int argc, char** argv) {
   if (argc < 2) {
@@ -18,9 +18,9 @@ int main(int argc, char** argv) {
   int const devices = argc > 2 ? std::atoi(argv[2]) : 3;
   int const laws = argc > 3 ? std::atoi(argv[3]) : 3;
   try {
-    auto summary = isolaw::report::fixture::lot(devices, laws);
+    auto summary = isolaw::study::fixture::lot(devices, laws);
     if (argc > 4 && std::string_view(argv[4]) == "analysed")
-      summary = isolaw::report::fixture::analysed(std::move(summary));
+      summary = isolaw::study::fixture::analysed(std::move(summary));
     for (auto& law : summary.laws)
       for (auto& fit : law.devices)
         for (double const above : {1.3, 1.7})
@@ -30,8 +30,8 @@ int main(int argc, char** argv) {
     summary.laws.back().devices.front().failed_runs = 1;
     summary.laws.back().devices.front().failure = "the computed force became infinite";
     summary.devices.front().raw.warnings.push_back("the vertical load column is constant");
-    isolaw::report::write_outputs(summary, argv[1]);
-    std::cout << isolaw::report::ranking(summary);
+    isolaw::render::write_outputs(summary, argv[1]);
+    std::cout << isolaw::render::ranking(summary);
   } catch (isolaw::Error const& error) {
     std::cerr << error.what() << '\n';
     return 2;

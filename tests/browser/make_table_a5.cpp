@@ -8,8 +8,8 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/campaign/campaign.hpp"
 #include "isolaw/campaign/store.hpp"
-#include "isolaw/report/build_summary.hpp"
-#include "isolaw/report/write.hpp"
+#include "isolaw/render/write.hpp"
+#include "isolaw/study/build_summary.hpp"
 #include "unit/campaign_fixture.hpp"
 #include "verification/table_a5.hpp"
 
@@ -74,7 +74,7 @@ int main(int argc, char** argv) {
         if (search.law == law.id)
           for (int number : {1, 2}) store.add(run_of(law, search, number));
     store.finish();
-    report::write_outputs(report::build_summary(campaign::Store::read(file)), dir);
+    render::write_outputs(study::build_summary(campaign::Store::read(file)), dir);
   } catch (Error const& error) {
     std::cerr << error.what() << '\n';
     return 2;

@@ -256,5 +256,51 @@ TEST_F(Check, a_directory_without_a_campaign) {
   expect_refused(isolaw({"check", "nowhere"}), {"nowhere/campaign.sqlite", "no such file", "isolaw calibrate"});
 }
 
+// Finite in one step a sample, not in finer ones: a result of the steps, which must not cost the campaign.
+class Overflow : public InFreshDirectory {
+ protected:
+  // The default search of what is left free.
+  Words campaign(Words const& more = {}) const {
+    Words words{"calibrate", "a.csv", "--laws", "bilinear,hwang-wu", "--samples-per-cycle", "20", "--runs",
+                "1",         "--out", "O"};
+    for (auto const* value : {"a6=-20000", "a7=4", "a8=50", "a10=-2.3928e-7"})
+      words = words + Words{"--set", fmt::format("hwang-wu.{}", value)};
+    return words + more;
+  }
+  void SetUp() override {
+    InFreshDirectory::SetUp();
+    write("a.csv", csv(record({.samples = 61, .per_cycle = 20, .interval_s = 0.05})));
+  }
+  void expect_failure(Words const& command) {
+    auto const o = isolaw(command);
+    ASSERT_EQ(o.code, 1) << o;
+    EXPECT_TRUE(contains(read("O/report.html"), "of the steps alone"));
+    EXPECT_EQ(query(path("O/campaign.sqlite"), "SELECT law, objective IS NULL, message <> '' FROM run ORDER BY law"),
+              (Words{"bilinear|0|0", "hwang-wu|1|1"}));
+    EXPECT_TRUE(contains(json("O/summary.json")["laws"].dump(), "these parameters give no finite force"));
+    EXPECT_EQ(isolaw({"report", "O"}).code, 1);
+    EXPECT_EQ(isolaw({"check", "O"}).code, 0);
+    EXPECT_EQ(isolaw(command).code, 1);  // continued: nothing is left to do
+  }
+};
+
+TEST_F(Overflow, is_a_recorded_failure_and_the_campaign_is_kept) {
+  expect_failure(campaign({"--analysis", "full"}));
+}
+
+TEST_F(Overflow, of_parameters_that_are_all_fixed) {
+  expect_failure(campaign({"--set", "hwang-wu.a1=4000", "--set", "hwang-wu.a2=-1", "--set", "hwang-wu.a3=0.001",
+                           "--set", "hwang-wu.a4=50", "--set", "hwang-wu.a5=0.1", "--set", "hwang-wu.a8=100", "--set",
+                           "hwang-wu.a9=-1e-7", "--set", "hwang-wu.a10=-7.1e-7"}));
+}
+
+// Steps are the samples in the paper's integration, and are not refined: the result stands, and is warned of.
+TEST_F(Overflow, is_warned_of_where_the_steps_are_given) {
+  auto const o = isolaw(campaign({"--method", "ga", "--population", "40", "--generations", "20"}));
+  ASSERT_EQ(o.code, 0) << o;
+  EXPECT_TRUE(contains(read("O/report.html"), "its force is not finite in finer integration steps on a"));
+  EXPECT_EQ(isolaw({"check", "O"}).code, 0);
+}
+
 }  // namespace
 }  // namespace isolaw::cli_test

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "cli/run.hpp"
+#include "isolaw/laws/catalogue.hpp"
 
 namespace isolaw::cli_test {
 namespace {
@@ -41,7 +42,8 @@ class Export : public InFreshDirectory {
 
 TEST_F(Export, gives_every_law_to_every_target) {
   ASSERT_EQ(calibrate("all").code, 0);
-  for (std::string const law : {"bilinear", "jankowski", "vaiana", "bouc-wen", "abe", "abe-y0", "hwang-wu"}) {
+  for (auto const& entry : laws::catalogue()) {
+    std::string const law(entry.info.id);
     for (std::string const to : {"opensees", "openseespy", "cpp", "json", "sheet"}) {
       SCOPED_TRACE(law + " " + to);
       auto const o = exported(law, "a", to);

@@ -325,5 +325,20 @@ TEST_F(Inspect, the_example_lot) {
   EXPECT_NEAR(cycle["energy_kN_mm"].get<double>(), expected_loop.energy, 0.01 * expected_loop.energy);
 }
 
+TEST_F(Inspect, BothStreamsInOneFileKeepTheirLinesWhole) {
+  auto const all = Words{"inspect", "--json", "--out", "x"} + files();
+  ASSERT_EQ(Process(Words{"/bin/sh", "-c", R"(exec "$0" "$@" >both.txt 2>&1)", ISOLAW_BINARY} + all, directory(),
+                    path("out.txt"), path("err.txt"))
+                .wait()
+                .code,
+            0);
+  auto const both = read("both.txt");
+  std::string const message = "written: x/inspection.html\n";
+  ASSERT_TRUE(both.ends_with("\n" + message)) << both.substr(both.size() - std::min<std::size_t>(both.size(), 300));
+  auto const output = both.substr(0, both.size() - message.size());
+  ASSERT_GT(output.size(), 10'000u) << "more than the stream holds back";
+  EXPECT_TRUE(Json::accept(output));
+}
+
 }  // namespace
 }  // namespace isolaw::cli_test

@@ -18,9 +18,10 @@ Words with(std::string const& set) {
 
 class InstructionSets : public InFreshDirectory {
  protected:
-  // As a refusal lists them, slowest first.
-  Words available() {
-    auto const o = start({"bench"}, with("nonsense")).wait();
+  // As a refusal lists them, slowest first; on a processor that is emulated where `emulator` starts it.
+  Words available(Words emulator = {}) {
+    emulator.insert(emulator.end(), {ISOLAW_BINARY, "bench"});
+    auto const o = Process(emulator, directory(), path("out"), path("err"), with("nonsense")).wait();
     std::string const before = "allowed: ";
     auto const begin = o.err.find(before), end = o.err.find("; try:");
     EXPECT_NE(begin, std::string::npos) << o;
@@ -39,7 +40,10 @@ class InstructionSets : public InFreshDirectory {
                          with(set))
                        .wait();
     EXPECT_EQ(o.code, 0) << o;
-    return {all_rows(path(out) / "campaign.sqlite"), read(fs::path(out) / "summary.json")};
+    auto rows = all_rows(path(out) / "campaign.sqlite");
+    EXPECT_EQ(query(path(out) / "campaign.sqlite", "SELECT instruction_set FROM maker"), Words{set});
+    std::erase_if(rows, [](auto const& row) { return row.starts_with("maker: "); });
+    return {rows, read(fs::path(out) / "summary.json")};
   }
 };
 
@@ -101,6 +105,17 @@ TEST_F(InstructionSets, what_the_processor_lacks_is_refused_as_that) {
   }
   if (lacking == 0) GTEST_SKIP() << "this processor has them all";
 }
+
+#if defined(ISOLAW_QEMU)
+// The code of a level may use every feature of it, not the vectors alone.
+TEST_F(InstructionSets, a_processor_that_lacks_a_part_of_a_level_is_not_given_its_code) {
+  auto const on = [&](std::string const& processor) { return available({ISOLAW_QEMU, "-cpu", processor}); };
+  if (on("max") != Words{"scalar", "sse2", "avx2"}) GTEST_SKIP() << "no x86-64-v3 is emulated here";
+  for (auto const* part : {"avx2", "fma", "bmi1", "bmi2", "f16c", "abm", "movbe"})
+    EXPECT_EQ(on(std::string("max,-") + part), (Words{"scalar", "sse2"})) << "without " << part;
+  EXPECT_EQ(on("Nehalem"), (Words{"scalar", "sse2"}));
+}
+#endif
 
 TEST_F(InstructionSets, number_of_threads_changes_no_bit_on_any_of_them) {
   ASSERT_EQ(isolaw({"example", "ex"}).code, 0);

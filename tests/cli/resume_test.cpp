@@ -299,6 +299,35 @@ TEST_F(Changed, a_store_that_is_none_is_refused_and_kept) {
   expect_refused(isolaw({"report", "nowhere"}), {"nowhere/campaign.sqlite", "no such file", "isolaw calibrate"});
 }
 
+TEST_F(Changed, an_unfinished_campaign_of_another_build_is_not_continued) {
+  auto const change = [&](std::string const& sql) {
+    sqlite3* db = nullptr;
+    ASSERT_EQ(sqlite3_open(path("O/campaign.sqlite").c_str(), &db), SQLITE_OK);
+    ASSERT_EQ(sqlite3_exec(db, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
+    sqlite3_close(db);
+  };
+  change("UPDATE maker SET version = '0.0.9', build = '0123456789ab'");
+  auto const finished = run();
+  EXPECT_EQ(finished.code, 0) << finished;  // nothing was left to compute
+  EXPECT_EQ(json("O/summary.json")["isolaw"].dump(), R"([{"version":"0.0.9","build":"0123456789ab"}])");
+  EXPECT_TRUE(contains(read("O/report.html"), "0.0.9, build 0123456789ab"));
+  change("DELETE FROM run WHERE number = 1; DELETE FROM run_parameter WHERE number = 1");
+  auto const before = all_rows(path("O/campaign.sqlite"));
+  expect_refused(run(), {"O/campaign.sqlite",
+                         "an unfinished campaign of isolaw 0.0.9, build 0123456789ab; this is " ISOLAW_VERSION,
+                         "runs of one build", "isolaw --version", "--fresh"});
+  EXPECT_EQ(all_rows(path("O/campaign.sqlite")), before);
+  EXPECT_EQ(isolaw({"report", "O"}).code, 1);  // runs are missing
+  EXPECT_EQ(run({"--fresh"}).code, 0);
+}
+
+TEST_F(Changed, every_run_names_its_maker) {
+  auto const makers =
+      query(path("O/campaign.sqlite"), "SELECT version, length(build), instruction_set <> '' FROM maker");
+  EXPECT_EQ(makers, Words{ISOLAW_VERSION "|12|1"});
+  EXPECT_EQ(query(path("O/campaign.sqlite"), "SELECT DISTINCT maker FROM run"), Words{"0"});
+}
+
 TEST_F(Changed, a_store_of_a_newer_schema_is_refused) {
   sqlite3* db = nullptr;
   ASSERT_EQ(sqlite3_open(path("O/campaign.sqlite").c_str(), &db), SQLITE_OK);
@@ -306,7 +335,8 @@ TEST_F(Changed, a_store_of_a_newer_schema_is_refused) {
             SQLITE_OK);
   sqlite3_close(db);
   for (auto const& o : {run(), isolaw({"report", "O"})})
-    expect_refused(o, {"O/campaign.sqlite", "schema version 99", "version 4", "the version of isolaw that wrote it"});
+    expect_refused(o, {"O/campaign.sqlite", "written by a newer isolaw, '" ISOLAW_VERSION "'", "schema 99",
+                       "the isolaw that wrote it"});
 }
 
 TEST_F(Changed, a_damaged_store_is_refused_without_a_crash) {

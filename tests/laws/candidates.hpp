@@ -20,7 +20,6 @@
 #include "isolaw/laws/all_laws.hpp"
 #include "isolaw/num/random.hpp"
 #include "laws/motion.hpp"
-#include "verification/table_a5.hpp"
 
 namespace isolaw::law_tests {
 
@@ -33,7 +32,7 @@ inline std::string_view name_of(laws::Integration integration) {
   return integration == laws::Integration::paper ? "paper" : "converged";
 }
 
-// AllLaws as googletest wants it, and the names of its instances.
+// AllLaws, and what else lists laws, as googletest wants it, and the names of its instances.
 template <class Tuple>
 struct AsTypes;
 template <class... Law>
@@ -118,24 +117,6 @@ template <class Law>
 Values<Law> named(std::initializer_list<std::pair<std::string_view, double>> parameters) {
   Values<Law> values{};
   for (auto const& [name, value] : parameters) values[index_of<Law>(name)] = value;
-  return values;
-}
-
-// The rows of Table A.5 for a law; abe and abe-y0 share one.
-template <class Law>
-table_a5::Law const& published() {
-  std::string_view const id = Law::info.id == std::string_view("abe") ? "abe-y0" : Law::info.id;
-  return *std::ranges::find_if(table_a5::laws, [&](auto const& law) { return law.id == id; });
-}
-
-// The published means of a device (0 .. 9). What the table does not have is zero (the sigmoid of vaiana), what the law
-// does not have is left out (p of abe-y0).
-template <class Law>
-Values<Law> published_means(std::size_t device) {
-  Values<Law> values{};
-  for (std::size_t i = 0; i < values.size(); ++i)
-    for (auto const& parameter : published<Law>().parameters)
-      if (parameter.name == Law::template rows<double>[i].info.name) values[i] = parameter.mean[device];
   return values;
 }
 

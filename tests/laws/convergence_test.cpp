@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "laws/candidates.hpp"
 #include "laws/motion.hpp"
+#include "laws/paper.hpp"
 
 namespace isolaw::law_tests {
 namespace {
@@ -109,39 +109,24 @@ template <class Law>
 class Convergence : public ::testing::Test {};
 TYPED_TEST_SUITE(Convergence, EveryLaw, LawName);
 
-// What the sampling may leave in the force anywhere in the published box, relative to the peak, at 50 samples a cycle.
-//   abe        a held yield force with a correction; the largest errors are on the virgin branch and at x = 0. Largest
-//   seen
-//              over 200 paths: 8e-4.
-//   hwang-wu   Runge-Kutta; where damping is strong and a10 large, exp(a10 W) decays within a step or two at the start.
-//              Largest seen: 1.8e-3.
-//   others     exact along a straight path: a hundred times the rounding that was seen.
-template <class Law>
-double allowed_error() {
-  std::string_view const id = Law::info.id;
-  return id == "abe" ? 1.5e-3 : id == "hwang-wu" ? 3e-3 : 1e-12;
-}
-
 TYPED_TEST(Convergence, RefiningThePathHardlyChangesTheForce) {
   for (std::uint32_t index = 0; index < 100; ++index)
     for (auto const& motion : {sine(208.0, 0.5, 3, 50), irregular(index, 200.0, 3, 50)}) {
       auto const values = candidate<TypeParam>(index);
       auto const coarse = forces<TypeParam>(values, motion), fine = forces<TypeParam>(values, motion, 20);
-      EXPECT_LT(largest_difference(coarse, fine), allowed_error<TypeParam>() * largest_magnitude(fine))
+      EXPECT_LT(largest_difference(coarse, fine), error_of_the_path(TypeParam::info.id) * largest_magnitude(fine))
           << describe<TypeParam>(values);
     }
 }
 
-// For the published devices, at the sampling of a laboratory, both are far better than in the corners of the box: the
-// law's file claims 4e-6 for hwang-wu at 200 samples a cycle; abe shows 5e-6.
-TYPED_TEST(Convergence, TheSamplingOfALaboratoryIsEnoughForThePublishedDevices) {
-  for (std::size_t device = 0; device < table_a5::devices; ++device) {
-    auto const values = published_means<TypeParam>(device);
+// At the sampling of a laboratory, far better than in the corners of the box.
+TYPED_TEST(Convergence, TheSamplingOfALaboratoryIsEnough) {
+  for (std::size_t number = 0; number < table_a5::devices; ++number) {
+    auto const values = device<TypeParam>(number);
     auto const motion = sine(208.0, 0.5, 3, 200);
     auto const coarse = forces<TypeParam>(values, motion), fine = forces<TypeParam>(values, motion, 20);
-    EXPECT_LT(largest_difference(coarse, fine),
-              (TypeParam::info.id == std::string_view("abe") ? 1e-5 : 4e-6) * largest_magnitude(fine))
-        << "device " << device + 1;
+    EXPECT_LT(largest_difference(coarse, fine), error_of_a_laboratory(TypeParam::info.id) * largest_magnitude(fine))
+        << "device " << number + 1;
   }
 }
 
@@ -149,12 +134,12 @@ TYPED_TEST(Convergence, TheSamplingOfALaboratoryIsEnoughForThePublishedDevices) 
 // check: its own error where the slope jumps (F2 = 0, small n) is first order in the step, up to 1e-4 of the peak;
 // abe's error at one step per sample is 4e-4 on this path, with reversals at almost every sample.
 TYPED_TEST(Convergence, FineRungeKuttaAgreesWithTheConvergedIntegration) {
-  for (std::size_t device = 0; device < table_a5::devices; ++device) {
-    auto const values = published_means<TypeParam>(device);
-    auto const motion = irregular(device, 208.0, 3, 100);
+  for (std::size_t number = 0; number < table_a5::devices; ++number) {
+    auto const values = device<TypeParam>(number);
+    auto const motion = irregular(number, 208.0, 3, 100);
     auto const converged = forces<TypeParam>(values, motion);
     auto const paper = forces<TypeParam>(values, motion, 200, Integration::paper);
-    EXPECT_LT(largest_difference(paper, converged), 6e-4 * largest_magnitude(converged)) << "device " << device + 1;
+    EXPECT_LT(largest_difference(paper, converged), 6e-4 * largest_magnitude(converged)) << "device " << number + 1;
   }
 }
 

@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "laws/paper.hpp"
 #include "laws/records.hpp"
 
 namespace isolaw::law_tests {

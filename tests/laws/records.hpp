@@ -63,28 +63,6 @@ inline std::string describe(laws::LawEntry const& law, std::span<double const> v
   return text;
 }
 
-// Candidates without a bounded force, by law; all of them must be flagged with both integrations. Those of bouc-wen:
-// beta <= 0 or beta + gamma <= 0. The other laws have none.
-inline bool inadmissible(laws::LawEntry const& law, std::span<double const> p) {
-  if (law.info.id != "bouc-wen") return false;
-  double const beta = p[law.index_of("beta")], gamma = p[law.index_of("gamma")];
-  return beta <= 0.0 || beta + gamma <= 0.0;
-}
-
-// Candidates whose force may run away, depending on the record: hwang-wu where the damping a6 + a7 x^2 or the stiffness
-// a1 + a2 x^2 + a3 x^4 + (a4 or nothing) is negative somewhere up to the peak. The device then gives out more work than
-// it took in, and exp(a10 W) or exp(a9 W) feeds on it. The other laws have none.
-inline bool may_run_away(laws::LawEntry const& law, std::span<double const> p, double peak_mm) {
-  if (law.info.id != "hwang-wu") return false;
-  auto const value = [&](char const* name) { return p[law.index_of(name)]; };
-  for (int i = 0; i <= 20; ++i) {
-    double const x = peak_mm / law.info.length.in_record_units * i / 20, x2 = x * x;
-    double const stiffness = value("a1") + x2 * (value("a2") + x2 * value("a3"));
-    if (value("a6") + value("a7") * x2 < 0.0 || stiffness + std::min(0.0, value("a4")) < 0.0) return true;
-  }
-  return false;
-}
-
 // The laws by name, for parameterised tests.
 inline std::vector<std::string> law_ids() {
   std::vector<std::string> ids;

@@ -16,9 +16,8 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/laws/catalogue.hpp"
-#include "laws/candidates.hpp"
 #include "laws/motion.hpp"
-#include "laws/overflow.hpp"
+#include "laws/paper.hpp"
 
 namespace isolaw::law_tests {
 namespace {
@@ -168,7 +167,8 @@ TYPED_TEST(Routes, ANaNParameterShowsInTheForce) {
 template <class Law>
 Values<Law> overflowing() {
   auto values = candidate<Law>(90);
-  for (auto const& [name, value] : overflowing_values(Law::info.id)) values[index_of<Law>(name)] = value;
+  for (auto const& [name, value] : overflowing_values(laws::find_law(Law::info.id)))
+    values[index_of<Law>(name)] = value;
   return values;
 }
 

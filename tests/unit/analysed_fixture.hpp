@@ -1,4 +1,4 @@
-// The made-up lot of report_fixture.hpp as if it had been analysed: every verdict, a law whose prediction collapses, a
+// The made-up lot of study_fixture.hpp as if it had been analysed: every verdict, a law whose prediction collapses, a
 // population whose correlation has a hole, a device that stands apart.
 #pragma once
 
@@ -7,9 +7,9 @@
 #include <limits>
 #include <string>
 
-#include "unit/report_fixture.hpp"
+#include "unit/study_fixture.hpp"
 
-namespace isolaw::report::fixture {
+namespace isolaw::study::fixture {
 
 inline ParameterAnalysis analysis(ParameterFit const& parameter, double objective, double rise, std::size_t place) {
   static std::array<std::string, 4> const verdicts{"determined", "weakly determined", "undetermined", "at its bound"};
@@ -37,7 +37,7 @@ inline void analyse(DeviceFit& fit, std::size_t device) {
   fit.optimum = 0.98 * *fit.objective.best;
   fit.rise = 0.01 * *fit.optimum;
   fit.success_share = 0.75;
-  fit.success_reference = "best known";
+  fit.success_reference = "best of this campaign";
   fit.trade_offs = {"A and B trade off on " + fit.device + ": A +10 % is undone by B -10 %"};
   fit.interval_level = 0.95;
   fit.interval_samples = 601;
@@ -73,7 +73,7 @@ inline lot::Population population(LawResult const& law) {
 inline void analyse(LawResult& law) {
   double const scale = *law.objective.best;
   law.success_share = 0.75;
-  law.success_reference = "best known";
+  law.success_reference = "best of this campaign";
   law.objective_converged = 0.98 * scale;
   for (std::size_t d = 0; d < law.devices.size(); ++d) analyse(law.devices[d], d);
   law.fitted_objective = law.objective_converged;
@@ -123,4 +123,4 @@ inline Summary analysed(Summary summary) {
   return summary;
 }
 
-}  // namespace isolaw::report::fixture
+}  // namespace isolaw::study::fixture

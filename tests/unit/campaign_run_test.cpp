@@ -306,7 +306,7 @@ TEST_F(CampaignTest, SeedAndNameOfTheDeviceDecide) {
 // give equal objectives.
 TEST_F(CampaignTest, LawsHaveRandomNumbersOfTheirOwn) {
   auto springs = lot("bilinear,jankowski");
-  for (auto const* text : {"bilinear.K1=0.1", "bilinear.xy=0", "bilinear.K2=0.4:1.2", "jankowski.a1=4e5:12e5",
+  for (auto const* text : {"bilinear.K1=2", "bilinear.xy=0", "bilinear.K2=0.4:1.2", "jankowski.a1=4e5:12e5",
                            "jankowski.a2=0", "jankowski.a3=0", "jankowski.a4=0", "jankowski.a5=1", "jankowski.a6=0",
                            "jankowski.a7=1", "jankowski.a8=1", "jankowski.a9=0", "jankowski.a10=0", "jankowski.a11=1"})
     springs.settings.overrides.push_back(fit::parse_override(text));
@@ -469,15 +469,17 @@ TEST_F(CampaignTest, AllParametersFixedIsEvaluatedAsTheyAre) {
   }
 }
 
-// beta + gamma <= 0 has no bounded force: the run fails, the others do not notice.
+// An exponential that overflows: the run fails, the others do not notice.
 TEST_F(CampaignTest, ARunWithoutAnyFiniteForceIsRecordedAsSuch) {
   auto const expected = by_name(done(lot("bilinear"), 1, "plain.sqlite"));
-  for (auto const& overrides :
-       {std::vector{fit::parse_override("bouc-wen.beta=-2:-1"), fit::parse_override("bouc-wen.gamma=-2:-1")},
-        std::vector{fit::parse_override("bouc-wen.alpha=0.1"), fit::parse_override("bouc-wen.Ke=3"),
-                    fit::parse_override("bouc-wen.A=1"), fit::parse_override("bouc-wen.n=1"),
-                    fit::parse_override("bouc-wen.beta=-1"), fit::parse_override("bouc-wen.gamma=-1")}}) {
-    auto failing = lot("bouc-wen,bilinear");
+  std::vector<fit::Override> searched{fit::parse_override("vaiana.beta1+=1:2"),
+                                      fit::parse_override("vaiana.beta2+=1e8:1e9")};
+  std::vector<fit::Override> fixed;
+  for (auto const* text : {"Kb+=1e5", "Kb-=1e5", "f0+=1e4", "f0-=1e4", "alpha+=10", "alpha-=10", "beta1+=1", "beta1-=1",
+                           "beta2+=1e9", "beta2-=1e9"})
+    fixed.push_back(fit::parse_override(std::string("vaiana.") + text));
+  for (auto const& overrides : {searched, fixed}) {
+    auto failing = lot("vaiana,bilinear");
     failing.settings.overrides = overrides;
     auto const contents = done(failing, 2);
     ASSERT_EQ(contents.runs.size(), 12u);

@@ -8,12 +8,15 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "campaign_fixture.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/hash.hpp"
+#include "isolaw/campaign/schema.hpp"
 
 namespace isolaw::campaign {
 namespace {
@@ -291,12 +294,53 @@ TEST_F(StoreTest, ARunAddedTwiceIsRefusedWholly) {
   auto store = Store::create(file(), full());
   store.add(runs()[0]);
   auto changed = runs()[0];
-  changed.parameters.push_back(99.0);
+  changed.parameters.back() = 99.0;
   EXPECT_THROW(store.add(changed), Error);
   store.add(runs()[1]);  // the store is still usable
   auto expected = runs();
   expected.resize(2);
   expect_same(Store::read(file()).runs, expected);
+}
+
+// A mistake of ours must cost what it made, and nothing that was made before.
+TEST_F(StoreTest, WhatAReaderWouldRefuseIsNotWritten) {
+  auto store = Store::create(file(), full());
+  store.add(runs()[0]);
+  auto const refused = [&](auto&& spoil) {
+    auto run = good(0, "abe", 2);
+    spoil(run);
+    EXPECT_THROW(store.add(run), std::logic_error);
+  };
+  refused([](auto& r) { r.objective = infinity; });
+  refused([](auto& r) { r.objective = std::nan(""); });
+  refused([](auto& r) { r.failure = "and a result"; });
+  refused([](auto& r) { r.parameters.pop_back(); });
+  refused([](auto& r) { r.parameters[0] = infinity; });
+  refused([](auto& r) { r.refinement = 0; });
+  refused([](auto& r) { r.number = 4; });
+  refused([](auto& r) { r.law = "vaiana"; });
+  refused([](auto& r) { r.device = 1; });
+  EXPECT_THROW(store.add(LeftOutAnalysis{.device = 0, .law = "abe", .left_out = {.parameters = {1.0}}}),
+               std::logic_error);
+  store.finish();
+  auto expected = full();
+  expected.runs = {runs()[0]};
+  expect_same(Store::read(file()), expected);
+}
+
+TEST_F(StoreTest, ACampaignThatAReaderWouldRefuseIsNotWritten) {
+  make();
+  auto const refused = [&](auto&& spoil) {
+    auto contents = full();
+    spoil(contents);
+    EXPECT_THROW(Store::create(file(), contents), std::logic_error);
+    EXPECT_EQ(Store::read(file()).runs.size(), runs().size());  // the former one is there
+  };
+  refused([](auto& c) { c.devices[0].raw.time_s.pop_back(); });
+  refused([](auto& c) { c.devices[0].record.scored[0] = 0.5; });
+  refused([](auto& c) { c.searches[0].box.parameters[0].lower = infinity; });
+  refused([](auto& c) { c.settings.clean.smooth = -1; });
+  refused([](auto& c) { c.acceptance.lot_size = 0; });
 }
 
 TEST_F(StoreTest, FinishingLeavesOnePlainFile) {
@@ -367,12 +411,52 @@ TEST_F(StoreTest, RefusesWhatIsNotAStore) {
 
 TEST_F(StoreTest, RefusesANewerSchemaAndChangesNothing) {
   make();
-  sql(file(), "UPDATE meta SET value = '5' WHERE key = 'schema'");
+  sql(file(), "UPDATE meta SET value = '6' WHERE key = 'schema'");
   auto const before = bytes_of(file());
   auto const said = refusal(file());
-  for (auto const* part : {"campaign.sqlite", "version 5", "version 4"})
+  for (auto const* part : {"campaign.sqlite", "newer isolaw", "schema 6", "schema 1 to 5"})
     EXPECT_NE(said.find(part), std::string::npos) << said;
   EXPECT_EQ(bytes_of(file()), before);
+}
+
+// Stores that lack it could not be read: see tests/stores/README.md before changing this.
+TEST(Schema, OfTheseSettingsIsFive) {
+  std::set<std::string> keys;
+  for (auto const method : {Method::best, Method::genetic}) {
+    Settings settings;
+    settings.method = method;
+    for (auto const& [key, value] : to_pairs(settings)) keys.insert(key);
+  }
+  EXPECT_EQ(schema_version, 5);
+  EXPECT_EQ(keys, (std::set<std::string>{"analysis",
+                                         "box",
+                                         "center",
+                                         "fit-blocks",
+                                         "fit-cycles",
+                                         "generations",
+                                         "hit_tolerance",
+                                         "hits",
+                                         "hops",
+                                         "integration",
+                                         "laws",
+                                         "least_starts",
+                                         "method",
+                                         "most_evaluations",
+                                         "mutation_rate",
+                                         "population",
+                                         "replicates",
+                                         "runs",
+                                         "samples-per-cycle",
+                                         "scattered",
+                                         "score-blocks",
+                                         "seed",
+                                         "selection_pressure",
+                                         "set",
+                                         "smooth",
+                                         "stagnation",
+                                         "stagnation_tolerance",
+                                         "starts",
+                                         "turning-points"}));
 }
 
 TEST_F(StoreTest, RefusesATruncatedStore) {

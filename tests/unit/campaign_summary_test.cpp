@@ -1,5 +1,5 @@
 // From a campaign's contents to the numbers of the report: hand-made runs whose statistics are worked out by hand.
-#include "isolaw/report/build_summary.hpp"
+#include "isolaw/study/build_summary.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "campaign_fixture.hpp"
 #include "isolaw/fit/objective.hpp"
 
-namespace isolaw::report {
+namespace isolaw::study {
 namespace {
 
 using campaign::Contents;
@@ -374,4 +374,4 @@ TEST(Summary, WarnsOfWhatTheMovingAverageTakes) {
 }
 
 }  // namespace
-}  // namespace isolaw::report
+}  // namespace isolaw::study

@@ -22,7 +22,7 @@
 
 #include "isolaw/fit/objective.hpp"
 #include "laws/motion.hpp"
-#include "laws/overflow.hpp"
+#include "laws/paper.hpp"
 #include "laws/records.hpp"
 
 namespace isolaw::fit {
@@ -234,7 +234,7 @@ TEST_P(Kernels, GiveACandidateTheSameBitsWhateverItsPlaceAndNeighbours) {
 // Candidates without an objective: each parameter in turn no number or infinite, an overflow, no bounded force.
 std::vector<Values> sick_ones(laws::LawEntry const& law, Values const& sound) {
   std::vector<Values> sick{sound};
-  for (auto const& [name, value] : law_tests::overflowing_values(law.info.id)) sick.front()[law.index_of(name)] = value;
+  for (auto const& [name, value] : law_tests::overflowing_values(law)) sick.front()[law.index_of(name)] = value;
   for (std::size_t p = 0; p < sound.size(); ++p)
     for (double const value : {nan, infinity, -infinity}) {
       sick.push_back(sound);

@@ -1,5 +1,5 @@
 // The laws against one another and against an independent program, on the published means of ten devices: the
-// consistency check of spec/laws.md.
+// check of docs/source.md.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "laws/candidates.hpp"
 #include "laws/motion.hpp"
+#include "laws/paper.hpp"
 #include "verification/consistency_data.hpp"
 
 namespace isolaw::law_tests {

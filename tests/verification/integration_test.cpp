@@ -393,7 +393,7 @@ TEST(IntegrationShift, IsTheDifferenceFromAPathOfFinerSteps) {
   }
 }
 
-// spec/laws.md, law 5: with n = 0.3 one step per sample at 100 samples per cycle moves the objective by 0.007. Here the
+// docs/source.md, "Integration": with n = 0.3 one step per sample at 100 samples per cycle moves the objective by 0.007. Here the
 // size of that number is what is tested: `paper` must show a shift that a reader is warned of.
 TEST(IntegrationShift, OfThePaperIsLargeWhereTheSpecificationSaysSo) {
   data::FitRecord record;

@@ -1,4 +1,4 @@
-// The differential laws against an adaptive integration of their equations, written here from spec/laws.md and sharing
+// The differential laws against an adaptive integration of their equations, written here from docs/laws.md and sharing
 // nothing with the laws: Dormand-Prince 5(4) of Boost.odeint, in displacement along the piecewise linear path,
 // restarted at every sample and wherever the right-hand side has a corner in x (x = 0, a new peak). The remaining
 // corner, F2 = 0 or z = 0 with n < 1, is left to the step control: the slope is bounded and never 0 there, so a step
@@ -16,8 +16,8 @@
 #include <limits>
 #include <vector>
 
-#include "laws/candidates.hpp"
 #include "laws/motion.hpp"
+#include "laws/paper.hpp"
 
 namespace isolaw::law_tests {
 namespace {

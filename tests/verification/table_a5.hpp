@@ -27,7 +27,7 @@ struct Parameter {
 
 struct Law {
   int number;
-  std::string_view id;  // of isolaw; abe-y0 is the variant of spec/laws.md that the printed values are closest to
+  std::string_view id;  // of isolaw; abe-y0 is the variant of docs/source.md that the printed values are closest to
   PerDevice objective_mean, objective_std;
   std::span<Parameter const> parameters;
 };

@@ -1,5 +1,5 @@
-// The post-processing against the printed Table A.5 of Cucuzza et al. 2025 (spec/method.md, "Exact check of the
-// post-processing"): mean objective, robustness index and front of the six laws. The expected numbers were computed
+// The post-processing against the printed Table A.5 of Cucuzza et al. 2025 (docs/source.md, "The
+// statistics"): mean objective, robustness index and front of the six laws. The expected numbers were computed
 // from the printed table by a separate script; they test the arithmetic, not the identification.
 #include "verification/table_a5.hpp"
 
@@ -69,7 +69,7 @@ TEST(TableA5, AgreesWithThePapersText) {
   EXPECT_NEAR(mean_objective(laws[2]), 0.09, 0.005);
 }
 
-// Law 5's p is printed and counts, although the printed loops agree best with a law that has none (spec/laws.md).
+// Law 5's p is printed and counts, although the printed loops agree best with a law that has none (docs/source.md).
 TEST(TableA5, TheIndexOfLaw5CountsAllThirteenPrintedParameters) {
   ASSERT_EQ(laws[4].parameters.size(), 13u);
   EXPECT_NEAR(*robustness(laws[4], "p").beta, 0.2760, half_of_fourth_digit);

@@ -1,6 +1,5 @@
 #include "isolaw/analysis/determination.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,7 +11,9 @@
 namespace isolaw::analysis {
 namespace {
 
-using Eigen::Index;
+using num::Index;
+using num::Matrix;
+using num::Vector;
 using Point = std::vector<double>;
 
 struct GivenUp {};
@@ -107,7 +108,7 @@ class Examination {
     made_.singular_values.clear();
     made_.trade_offs.clear();
     std::vector<std::size_t> acting;
-    Eigen::MatrixXd relative(weighted_.rows(), weighted_.cols());
+    Matrix relative(weighted_.rows(), weighted_.cols());
     for (std::size_t k = 0; k < free_.size(); ++k) {
       if (at_bound(k)) continue;
       double const value = value_of(k), size = std::copysign(natural_size(*free_[k], value), value);
@@ -121,11 +122,11 @@ class Examination {
     }
     if (acting.empty()) return;
     relative.conservativeResize(Eigen::NoChange, static_cast<Index>(acting.size()));
-    Eigen::VectorXd const alone = relative.colwise().norm();
-    Eigen::BDCSVD<Eigen::MatrixXd> const svd(relative, Eigen::ComputeThinV);
-    for (Index i = 0; i < svd.singularValues().size(); ++i) {
-      made_.singular_values.push_back(svd.singularValues()[i]);
-      add_direction(svd.matrixV().col(i), svd.singularValues()[i], acting, alone);
+    Vector const alone = relative.colwise().norm();
+    auto const [values, directions] = num::singular_values(relative);
+    for (Index i = 0; i < values.size(); ++i) {
+      made_.singular_values.push_back(values[i]);
+      add_direction(directions.col(i), values[i], acting, alone);
     }
   }
 
@@ -135,14 +136,14 @@ class Examination {
   // A direction of several parameters, since each of these moves the force when it changes alone, by `alone`. Named are
   // those that change by a tenth or more of what the one that changes most does; and, since a small change counts where a
   // parameter moves the force much, those whose change moves the force by a tenth or more of the most that any does.
-  void add_direction(Eigen::VectorXd const& direction, double singular_value, std::vector<std::size_t> const& acting,
-                     Eigen::VectorXd const& alone) {
+  void add_direction(Vector const& direction, double singular_value, std::vector<std::size_t> const& acting,
+                     Vector const& alone) {
     constexpr double takes_part = 0.1;
     Index largest = 0;
     double const most = direction.cwiseAbs().maxCoeff(&largest), force_change = singular_value / most;
     if (is_seen(force_change) || acting.size() < 2) return;
-    Eigen::VectorXd const change = direction / direction[largest];
-    Eigen::VectorXd const moved = change.cwiseAbs().cwiseProduct(alone);
+    Vector const change = direction / direction[largest];
+    Vector const moved = change.cwiseAbs().cwiseProduct(alone);
     double second = 0.0;
     for (Index i = 0; i < moved.size(); ++i)
       if (i != largest) second = std::max(second, moved[i]);
@@ -168,15 +169,15 @@ class Examination {
   }
 
   // How far coordinate k goes, to first order, before the others can no longer hide it; and how they follow.
-  std::pair<double, Eigen::VectorXd> first_order(std::size_t k) const {
+  std::pair<double, Vector> first_order(std::size_t k) const {
     auto const column = static_cast<Index>(k);
-    Eigen::MatrixXd others(weighted_.rows(), weighted_.cols() - 1);
+    Matrix others(weighted_.rows(), weighted_.cols() - 1);
     others << weighted_.leftCols(column), weighted_.rightCols(weighted_.cols() - 1 - column);
-    Eigen::VectorXd follow = Eigen::VectorXd::Zero(others.cols());
-    Eigen::VectorXd remains = weighted_.col(column);
+    Vector follow = Vector::Zero(others.cols());
+    Vector remains = weighted_.col(column);
     if (others.cols() > 0) {
-      follow = -others.completeOrthogonalDecomposition().solve(weighted_.col(column));
-      remains += others * follow;
+      follow = -num::least_squares(others, weighted_.col(column));
+      remains += num::apply(others, follow);
     }
     double const norm = remains.norm();
     double const most = 0.1;
@@ -203,7 +204,7 @@ class Examination {
     return true;
   }
 
-  Side profile_side(std::size_t k, double sign, double reach, Eigen::VectorXd const& follow, bool may_restart) {
+  Side profile_side(std::size_t k, double sign, double reach, Vector const& follow, bool may_restart) {
     constexpr double enough = 4.0;  // times the rise: to be drawn
     double const room = sign > 0.0 ? 1.0 - best_[k] : best_[k];
     Side side;
@@ -304,7 +305,7 @@ class Examination {
   double best_value_ = 0.0;
   double rise_ = 0.0;
   bool lower_found_ = false;
-  Eigen::MatrixXd weighted_;  // Jacobian by coordinates, rows times the root of their weights
+  Matrix weighted_;  // Jacobian by coordinates, rows times the root of their weights
   Determination made_;
 };
 

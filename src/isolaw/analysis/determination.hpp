@@ -51,12 +51,12 @@ struct TradeOff {
 };
 
 struct Determination {
-  std::vector<double>
-      optimum;  // all of the law's parameters; a little lower than what was given where a profile found it
+  // All of the law's parameters; a little lower than what was given where a profile found it.
+  std::vector<double> optimum;
   double objective = 0.0;
   double rise = 0.0;  // of the objective, by which the ranges are judged
-  std::vector<double>
-      singular_values;  // of the Jacobian by relative changes, falling; without those at a bound or without effect
+  // Of the Jacobian by relative changes, falling; without those at a bound or without effect.
+  std::vector<double> singular_values;
   std::vector<ParameterDetermination> parameters;  // the free ones, in order
   std::vector<TradeOff> trade_offs;
   int evaluations = 0;

@@ -1,7 +1,7 @@
 #include "isolaw/analysis/intervals.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
+#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -12,17 +12,9 @@
 namespace isolaw::analysis {
 namespace {
 
-using Eigen::Index;
-
-// The quantile of the standard normal distribution with probability (1 + level) / 2 below it.
-double normal_quantile(double level) {
-  double low = 0.0, high = 10.0;
-  for (int i = 0; i < 60; ++i) {
-    double const middle = 0.5 * (low + high);
-    (std::erf(middle / std::numbers::sqrt2) < level ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
+using num::Index;
+using num::Matrix;
+using num::Vector;
 
 double quantile(std::vector<double> sorted, double probability) {
   std::ranges::sort(sorted);
@@ -77,11 +69,11 @@ Serial serial(std::span<double const> series, double mean) {
 
 // Mean size of the residuals about each sample, over an eighth of the record: misfits differ from one part of it to
 // another. A narrower window would find the samples that the fit passes through, a tenth of the usual size is the least.
-Eigen::VectorXd local_size(Eigen::VectorXd const& residuals) {
+Vector local_size(Vector const& residuals) {
   constexpr double rounding = 1e-12;
   Index const n = residuals.size(), half = std::max<Index>(1, n / 16);
   double const least = std::max(0.1 * residuals.cwiseAbs().mean(), rounding);
-  Eigen::VectorXd made(n);
+  Vector made(n);
   for (Index i = 0; i < n; ++i) {
     Index const first = std::max<Index>(0, i - half), last = std::min(n - 1, i + half);
     made[i] = std::max(residuals.segment(first, last - first + 1).cwiseAbs().mean(), least);
@@ -91,7 +83,7 @@ Eigen::VectorXd local_size(Eigen::VectorXd const& residuals) {
 
 // Density at zero of residuals of about unit size, by a Gaussian kernel. A fit by least absolute residuals passes through
 // as many samples as it has parameters, whatever the errors there; these are left out.
-double density_at_zero(Eigen::VectorXd const& residuals, Index fitted) {
+double density_at_zero(Vector const& residuals, Index fitted) {
   std::vector<double> sizes;
   for (double const r : residuals) sizes.push_back(std::abs(r));
   std::ranges::sort(sizes);
@@ -110,11 +102,11 @@ double density_at_zero(Eigen::VectorXd const& residuals, Index fitted) {
 
 // Each sample counts by the density of its residual at zero, which is that of its surroundings: its own residual would
 // tell nothing where a few samples decide on a parameter, since the fit passes through these.
-Eigen::MatrixXd curvature(Sensitivity const& seen) {
-  Eigen::VectorXd const size = local_size(seen.residuals);
+Matrix curvature(Sensitivity const& seen) {
+  Vector const size = local_size(seen.residuals);
   double const density = density_at_zero(seen.residuals.cwiseQuotient(size), seen.jacobian.cols());
-  Eigen::VectorXd const counted = 2.0 * density * seen.weights.cwiseQuotient(size);
-  return seen.jacobian.transpose() * counted.asDiagonal() * seen.jacobian;
+  Vector const counted = 2.0 * density * seen.weights.cwiseQuotient(size);
+  return num::weighted_gram(seen.jacobian, counted);
 }
 
 // Residuals are smaller than errors, and less correlated, by what was fitted to them: n / (n - p) with the number of
@@ -128,42 +120,42 @@ double freedom_lost(std::size_t samples, std::size_t fitted, std::vector<double>
 
 // Of the sum of weight * sign * derivatives, the signs of a correlation that depends on their distance alone. The products
 // themselves would not do where a few samples decide on a parameter: they are zero there, as are the residuals.
-Eigen::MatrixXd variance_of_score(Sensitivity const& seen, std::vector<double> const& correlation) {
-  Eigen::MatrixXd const rows = seen.weights.asDiagonal() * seen.jacobian;
-  Eigen::MatrixXd sum = rows.transpose() * rows;
-  Eigen::VectorXd const size = sum.diagonal().cwiseSqrt().cwiseMax(1e-300);
+Matrix variance_of_score(Sensitivity const& seen, std::vector<double> const& correlation) {
+  Matrix const rows = seen.weights.asDiagonal() * seen.jacobian;
+  Matrix sum = num::transposed_product(rows, rows);
+  Vector const size = sum.diagonal().cwiseSqrt().cwiseMax(1e-300);
   for (std::size_t k = 1; k < correlation.size(); ++k) {
     auto const lag = static_cast<Index>(k);
-    Eigen::MatrixXd const products = rows.topRows(rows.rows() - lag).transpose() * rows.bottomRows(rows.rows() - lag);
+    Matrix const products =
+        num::transposed_product(rows.topRows(rows.rows() - lag), rows.bottomRows(rows.rows() - lag));
     sum += correlation[k] * (products + products.transpose());
   }
   // The taper admits directions of a variance below zero: they have none.
-  Eigen::MatrixXd const scaled = size.cwiseInverse().asDiagonal() * sum * size.cwiseInverse().asDiagonal();
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> const eigen(scaled);
-  Eigen::MatrixXd const axes = size.asDiagonal() * eigen.eigenvectors();
-  return axes * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() * axes.transpose();
+  Matrix const scaled = size.cwiseInverse().asDiagonal() * sum * size.cwiseInverse().asDiagonal();
+  auto const eigen = num::symmetric_eigen(scaled);
+  Matrix const axes = size.asDiagonal() * eigen.vectors;
+  return num::product_of_transposed(axes, eigen.values.cwiseMax(0.0), axes);
 }
 
 constexpr double variance_over_box = 1.0 / 12.0;  // of a uniform distribution
 
 // H^-1 V H^-1 in coordinates of the unit box. A direction in which a standard deviation would exceed that of a uniform
 // distribution over the box is as uncertain as that.
-Eigen::MatrixXd covariance_in_box(Eigen::MatrixXd const& H, Eigen::MatrixXd const& V) {
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> const eigen(H);
-  auto const& values = eigen.eigenvalues();
-  auto const& axes = eigen.eigenvectors();
+Matrix covariance_in_box(Matrix const& H, Matrix const& V) {
+  auto const [values, axes] = num::symmetric_eigen(H);
   double const least = 1e-10 * std::max(values.cwiseAbs().maxCoeff(), 1e-300);
-  Eigen::MatrixXd half = Eigen::MatrixXd::Zero(H.rows(), H.cols());
-  Eigen::MatrixXd made = Eigen::MatrixXd::Zero(H.rows(), H.cols());
+  Matrix half = Matrix::Zero(H.rows(), H.cols());
+  Matrix made = Matrix::Zero(H.rows(), H.cols());
   for (Index k = 0; k < values.size(); ++k) {
     auto const axis = axes.col(k);
-    double const variance = values[k] > least ? axis.dot(V * axis) / (values[k] * values[k]) : variance_over_box;
+    double const variance =
+        values[k] > least ? axis.dot(num::apply(V, axis)) / (values[k] * values[k]) : variance_over_box;
     if (values[k] <= least || variance > variance_over_box)
       made += variance_over_box * axis * axis.transpose();
     else
       half += axis * axis.transpose() / values[k];
   }
-  return made + half * V * half;
+  return made + num::product(num::product(half, V), half);
 }
 
 // Weights of a replicate: blocks of scored samples, drawn until they are as many as the samples.
@@ -211,7 +203,7 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
         std::ranges::count_if(std::span(inner.parameters).first(i), [](auto const& p) { return p.free; }));
   };
   fit::IdentificationProblem const problem(model, inner);
-  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(static_cast<Index>(n), static_cast<Index>(n));
+  Matrix covariance = Matrix::Zero(static_cast<Index>(n), static_cast<Index>(n));
   for (double const weight : model.residual_weights()) made.samples += weight > 0.0 ? 1 : 0;
   made.block = 1;
   std::vector<std::vector<double>> refits(n);
@@ -222,7 +214,7 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
     start.assign(n, 0.5);
     covariance.diagonal().setConstant(variance_over_box);
   } else if (n > 0) {
-    Eigen::VectorXd const signs = seen.residuals.array().sign();
+    Vector const signs = seen.residuals.array().sign();
     auto const neighbours = serial({signs.data(), made.samples}, 0.0);
     made.block = std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(neighbours.block)), 1,
                                          std::max<std::size_t>(1, made.samples / 8));
@@ -240,7 +232,7 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
     }
   }
 
-  double const z = normal_quantile(options.level), tail = 0.5 * (1.0 - options.level);
+  double const z = std::numbers::sqrt2 * boost::math::erf_inv(options.level), tail = 0.5 * (1.0 - options.level);
   std::size_t const free_count = box.free_count();
   made.covariance.assign(free_count * free_count, 0.0);
   std::vector<std::pair<std::size_t, double>> inside;  // place among the free ones of `box`, d value / d coordinate

@@ -5,7 +5,7 @@
 
 namespace isolaw::analysis {
 
-using Eigen::Index;
+using num::Index;
 
 Sensitivity sensitivity(opt::DeviationProblem const& problem, std::span<double const> point) {
   constexpr double step = 1e-5;

@@ -1,19 +1,19 @@
 // How the residuals at an optimum answer to small changes of the free parameters. Internal to this module.
 #pragma once
 
-#include <Eigen/Dense>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 #include "isolaw/fit/objective.hpp"
+#include "isolaw/num/linear.hpp"
 #include "isolaw/opt/problem.hpp"
 
 namespace isolaw::analysis {
 
 struct Sensitivity {
-  Eigen::VectorXd residuals, weights;  // of the samples that count
-  Eigen::MatrixXd jacobian;            // samples x free parameters: derivatives by coordinates of the unit box
+  num::Vector residuals, weights;  // of the samples that count
+  num::Matrix jacobian;            // samples x free parameters: derivatives by coordinates of the unit box
 };
 
 // By central differences inside the box; a column is zero where a neighbour has no finite force.

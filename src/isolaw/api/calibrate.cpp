@@ -10,10 +10,10 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/fit/kernels.hpp"
-#include "isolaw/report/build_summary.hpp"
-#include "isolaw/report/write.hpp"
+#include "isolaw/render/write.hpp"
 #include "isolaw/rules/measured.hpp"
 #include "isolaw/rules/rule_set.hpp"
+#include "isolaw/study/build_summary.hpp"
 
 namespace isolaw {
 namespace {
@@ -57,7 +57,7 @@ campaign::Contents calibrate(std::vector<campaign::NamedRecord> records, campaig
   contents.acceptance = options.acceptance;
   load_rules(contents.acceptance);
   // What the lot cannot be held to is said before the search, not after it.
-  if (contents.acceptance != campaign::Acceptance{}) report::build_summary(contents);
+  if (contents.acceptance != campaign::Acceptance{}) study::build_summary(contents);
   if (!options.directory) {
     TemporaryDirectory const directory;
     auto const file = directory.path() / store_name;
@@ -68,13 +68,13 @@ campaign::Contents calibrate(std::vector<campaign::NamedRecord> records, campaig
   make_directory(*options.directory);
   DirectoryLock const lock(*options.directory);
   auto const file = *options.directory / store_name;
-  report::remove_leftovers(*options.directory);
+  render::remove_leftovers(*options.directory);
   open_or_create(file, contents, options.fresh);
   // From the store, not from memory: what is returned is what another program would read there.
   bool const finished = campaign::run(contents, file, options.run);
   if (!finished) return contents;
   contents = campaign::Store::read(file);
-  report::write_outputs(report::build_summary(contents), *options.directory);
+  render::write_outputs(study::build_summary(contents), *options.directory);
   return contents;
 }
 

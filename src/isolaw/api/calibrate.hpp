@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "isolaw/campaign/campaign.hpp"
-#include "isolaw/report/summary.hpp"
+#include "isolaw/study/summary.hpp"
 
 namespace isolaw {
 

@@ -10,9 +10,10 @@
 #include <system_error>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/campaign/maker.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/campaign/store.hpp"
-#include "isolaw/report/write.hpp"
+#include "isolaw/render/write.hpp"
 
 namespace isolaw {
 namespace {
@@ -37,6 +38,19 @@ std::vector<std::string> differences(campaign::Contents const& stored, campaign:
       found.push_back(fmt::format("{}: its file is read in another way", b.name));
   }
   return found;
+}
+
+// Numbers of two builds may differ: what one began, it finishes.
+void require_own(std::filesystem::path const& file, std::vector<campaign::Maker> const& makers) {
+  auto const me = campaign::this_maker();
+  if (std::ranges::all_of(makers, [&](auto const& maker) { return same_build(maker, me); })) return;
+  throw Error({.where = file.string(),
+               .found = fmt::format("an unfinished campaign of isolaw {}; this is {}, whose numbers may differ",
+                                    text(std::span(makers)), text(me)),
+               .allowed = "runs of one build in a campaign",
+               .advice =
+                   "finish it with the isolaw that began it (isolaw --version tells its build), --fresh to start over, "
+                   "or another --out DIR"});
 }
 
 }  // namespace
@@ -67,7 +81,7 @@ void open_or_create(std::filesystem::path const& file, campaign::Contents& conte
   if (fresh || !std::filesystem::exists(file)) {
     // A kill between the two leaves the former store without its reports, which can be made again: never reports of one
     // campaign beside the store of another.
-    campaign::Store::create(file, contents, [&] { report::remove_outputs(file.parent_path()); });
+    campaign::Store::create(file, contents, [&] { render::remove_outputs(file.parent_path()); });
     return;
   }
   campaign::Store::remove_unfinished(file);
@@ -87,11 +101,13 @@ void open_or_create(std::filesystem::path const& file, campaign::Contents& conte
                    stored.settings.analysis == contents.settings.analysis;
   for (std::size_t d = 0; described && d < contents.devices.size(); ++d)
     described = stored.devices[d].info == contents.devices[d].info;
-  if (!described) campaign::Store::open(file).describe(contents);
   contents.runs = std::move(stored.runs);
   contents.device_analyses = std::move(stored.device_analyses);
   contents.lot_analyses = std::move(stored.lot_analyses);
   contents.left_out = std::move(stored.left_out);
+  contents.makers = std::move(stored.makers);
+  if (!contents.complete()) require_own(file, contents.makers);
+  if (!described) campaign::Store::open(file).describe(contents);
 }
 
 }  // namespace isolaw

@@ -30,6 +30,8 @@ Json json_of(laws::LawEntry const& law) {
                                   {"physical", interval_json(p.physical)},
                                   {"published", p.published ? interval_json(*p.published) : Json(nullptr)},
                                   {"fixed", p.fixed_by_default ? Json(*p.fixed_by_default) : Json(nullptr)}});
+  json["together"] = Json::array();
+  for (auto const& limit : law.joint_limits) json["together"].push_back(limit.statement);
   return json;
 }
 

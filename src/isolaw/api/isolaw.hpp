@@ -4,7 +4,7 @@
 //   laws::catalogue, laws::find_law          the laws and their parameters
 //   parameters_in_order, fitted_law          values by name, or as a campaign found them
 //   fit::LawOnMotion, fit::LawOnRecord       forces under a displacement history; the objective of a record
-//   calibrate, report::build_summary         laws fitted to records; all numbers of the reports
+//   calibrate, study::build_summary         laws fitted to records; all numbers of the reports
 // Wrong input throws one isolaw::Error. Nothing prints.
 #pragma once
 
@@ -20,6 +20,6 @@
 #include "isolaw/data/read.hpp"
 #include "isolaw/fit/objective.hpp"
 #include "isolaw/laws/catalogue.hpp"
-#include "isolaw/report/build_summary.hpp"
-#include "isolaw/report/summary_json.hpp"
-#include "isolaw/report/write.hpp"
+#include "isolaw/render/json/summary_json.hpp"
+#include "isolaw/render/write.hpp"
+#include "isolaw/study/build_summary.hpp"

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -95,41 +94,12 @@ std::vector<NamedValue> read_json(std::string const& text, std::string const& fi
   return values;
 }
 
-// What the limits of single parameters cannot say: what is wrong with all of them together, "" where nothing is.
-struct LimitTogether {
-  std::string_view law, allowed;
-  std::string (*complaint)(laws::LawEntry const& law, std::vector<double> const& values);
-};
-
-std::string without_softening(laws::LawEntry const& law, std::vector<double> const& values) {
-  double const K1 = values[law.index_of("K1")], K2 = values[law.index_of("K2")];
-  return K1 < K2 ? fmt::format("K1 = {} is below K2 = {}", K1, K2) : std::string();
-}
-
-std::string without_bounded_force(laws::LawEntry const& law, std::vector<double> const& values) {
-  double const beta = values[law.index_of("beta")], both = beta + values[law.index_of("gamma")];
-  if (!(beta > 0.0)) return fmt::format("beta = {}", beta);
-  return both > 0.0 ? std::string() : fmt::format("beta + gamma = {:.6g}", both);
-}
-
-constexpr std::array limits_together{LimitTogether{"bilinear", "K1 >= K2", without_softening},
-                                     LimitTogether{"bouc-wen", "beta > 0 and beta + gamma > 0", without_bounded_force}};
-
-void check_together(laws::LawEntry const& law, std::vector<double> const& values, std::string const& where) {
-  for (auto const& limit : limits_together) {
-    if (limit.law != law.info.id) continue;
-    if (auto found = limit.complaint(law, values); !found.empty())
-      throw Error({.where = where, .found = std::move(found), .allowed = std::string(limit.allowed)});
-  }
-}
-
 }  // namespace
 
 NamedValue parse_named_value(std::string_view text, std::string const& where) {
   auto const equals = text.find('=');
-  auto const name = data::trimmed(text.substr(0, equals));
-  auto const number =
-      equals == std::string_view::npos ? std::string() : std::string(data::trimmed(text.substr(equals + 1)));
+  auto const name = trimmed(text.substr(0, equals));
+  auto const number = equals == std::string_view::npos ? std::string() : std::string(trimmed(text.substr(equals + 1)));
   auto const cell = data::parse_cell(number, '.');
   if (name.empty() || cell.kind != data::CellKind::number)
     throw Error({.where = where, .found = in_marks(text), .allowed = "PARAMETER=NUMBER", .advice = where + " Ke=2.5"});
@@ -181,7 +151,9 @@ std::vector<double> parameters_in_order(laws::LawEntry const& law, std::vector<N
   if (!missing.empty())
     complaints.push_back({where, fmt::format("{} also needs {}", law.info.id, missing), {}, advice});
   if (!complaints.empty()) throw Error(std::move(complaints));
-  if (together == Together::checked) check_together(law, ordered, where);
+  if (together == Together::left) return ordered;
+  if (auto const beyond = law.unmet(ordered))
+    throw Error({.where = where, .found = beyond->found, .allowed = std::string(beyond->statement)});
   return ordered;
 }
 

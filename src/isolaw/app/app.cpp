@@ -16,8 +16,10 @@
 #include <vector>
 
 #include "isolaw/app/commands.hpp"
+#include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/campaign/maker.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/data/reading.hpp"
 
@@ -305,7 +307,7 @@ int dispatch(CLI::App& app, int argc, char** argv) {
 }
 
 int without_output() {
-  std::fputs("isolaw: standard output cannot be written\n", stderr);
+  say("isolaw: standard output cannot be written\n");
   return exit_internal;
 }
 
@@ -316,30 +318,27 @@ int run(int argc, char** argv) {
   try {
     CLI::App app("isolaw: from the test records of a production lot of seismic isolators to calibrated, ranked laws",
                  "isolaw");
-    app.set_version_flag("--version", ISOLAW_VERSION);
+    app.set_version_flag("--version", campaign::text(campaign::this_maker()));
     app.require_subcommand(1);
     int const code = dispatch(app, argc, argv);
     // Both: what failed while it was printed is no longer there to be flushed.
     return std::fflush(stdout) != 0 || std::ferror(stdout) != 0 ? without_output() : code;
   } catch (Error const& error) {
-    for (auto const& complaint : error.complaints()) std::fprintf(stderr, "isolaw: %s\n", to_string(complaint).c_str());
+    for (auto const& complaint : error.complaints()) say("isolaw: {}\n", to_string(complaint));
     return exit_wrong_usage;
   } catch (std::bad_alloc const&) {
-    std::fputs(
-        "isolaw: out of memory; try: fewer devices or shorter records at once, fewer --jobs, --samples-per-cycle 200, "
-        "a "
-        "smaller --population, or a machine with more memory\n",
-        stderr);
+    say("isolaw: out of memory; try: fewer devices or shorter records at once, fewer --jobs, --samples-per-cycle 200, "
+        "a smaller --population, or a machine with more memory\n");
     return exit_internal;
   } catch (std::filesystem::filesystem_error const& error) {
-    std::fprintf(stderr, "isolaw: %s: %s\n", printable(error.path1().string()).c_str(), error.code().message().c_str());
+    say("isolaw: {}: {}\n", shown(error.path1()), error.code().message());
     return exit_internal;
   } catch (std::system_error const& error) {
     if (std::ferror(stdout) != 0) return without_output();
-    std::fprintf(stderr, "isolaw: cannot write: %s\n", error.code().message().c_str());
+    say("isolaw: cannot write: {}\n", error.code().message());
     return exit_internal;
   } catch (std::exception const& error) {
-    std::fprintf(stderr, "isolaw: internal error: %s\n", printable(error.what()).c_str());
+    say("isolaw: internal error: {}\n", printable(error.what()));
     return exit_internal;
   }
 }

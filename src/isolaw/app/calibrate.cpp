@@ -23,18 +23,20 @@
 #include "isolaw/base/file.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/shell.hpp"
+#include "isolaw/base/write_file.hpp"
 #include "isolaw/campaign/campaign.hpp"
 #include "isolaw/campaign/check.hpp"
+#include "isolaw/campaign/maker.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/fit/kernels.hpp"
-#include "isolaw/report/build_summary.hpp"
-#include "isolaw/report/figures.hpp"
-#include "isolaw/report/html.hpp"
-#include "isolaw/report/run_json.hpp"
-#include "isolaw/report/summary_json.hpp"
-#include "isolaw/report/terminal.hpp"
-#include "isolaw/report/verdict.hpp"
-#include "isolaw/report/write.hpp"
+#include "isolaw/render/figures/figures.hpp"
+#include "isolaw/render/json/run_json.hpp"
+#include "isolaw/render/json/summary_json.hpp"
+#include "isolaw/render/page/html.hpp"
+#include "isolaw/render/terminal/terminal.hpp"
+#include "isolaw/render/write.hpp"
+#include "isolaw/study/build_summary.hpp"
+#include "isolaw/study/verdict.hpp"
 
 namespace isolaw::app {
 namespace {
@@ -72,8 +74,8 @@ class SignalGuard {
 };
 
 // Figures that cannot be drawn are no failure: their data and scripts are there.
-void draw_figures(report::Summary const& summary, report::FigureChoice choice, std::filesystem::path const& directory) {
-  auto const outcome = report::write_figures(summary, choice, directory);
+void draw_figures(study::Summary const& summary, render::FigureChoice choice, std::filesystem::path const& directory) {
+  auto const outcome = render::write_figures(summary, choice, directory);
   auto const folder = shown(directory / "figures");
   if (outcome.program_missing)
     say("figures: {} not drawn, {}; try: install gnuplot (Debian: gnuplot-nox) and isolaw report, or gnuplot NAME.gp "
@@ -91,22 +93,22 @@ int terminal_width() {
   return std::min<int>(size.ws_col, 120);
 }
 
-void print(report::Summary const& summary, bool json) {
-  auto text = json ? report::summary_json(summary) : report::ranking(summary, terminal_width());
-  if (auto const verdicts = report::verdict_summary(summary); !json && !verdicts.empty()) text += "\n" + verdicts;
+void print(study::Summary const& summary, bool json) {
+  auto text = json ? render::summary_json(summary) : render::ranking(summary, terminal_width());
+  if (auto const verdicts = study::verdict_summary(summary); !json && !verdicts.empty()) text += "\n" + verdicts;
   std::fwrite(text.data(), 1, text.size(), stdout);
   if (!text.ends_with('\n')) std::fputc('\n', stdout);
 }
 
 // Exit code 1 whenever a device was refused, a law could not be searched on a device, a run failed, or a limit of the
 // rule set is not kept.
-int exit_code(report::Summary const& summary) {
+int exit_code(study::Summary const& summary) {
   for (auto const& device : summary.devices)
     if (device.status != "ok") return exit_with_refusals;
   for (auto const& law : summary.laws)
     for (auto const& fit : law.devices)
       if (!fit.refusal.empty() || fit.failed_runs > 0) return exit_with_refusals;
-  if (report::acceptance_failed(summary)) return exit_with_refusals;
+  if (study::acceptance_failed(summary)) return exit_with_refusals;
   return exit_done;
 }
 
@@ -122,7 +124,7 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
   using Clock = std::chrono::steady_clock;
   auto const start = Clock::now();
   std::time_t const started_at = std::time(nullptr);
-  auto const figures = report::figure_choice(arguments.figures);
+  auto const figures = render::figure_choice(arguments.figures);
   fit::instruction_set();  // throws before anything is written, also where no run is left to do
   auto const lot = lot_of(arguments);
   warn_of_idle_overrides(lot.settings);
@@ -130,13 +132,13 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
   for (auto const& device : contents.devices)
     if (!device.usable()) say("{}: refused\n  {}\n", device.name, device.refusal);
   // What the lot cannot be held to is said before the search, not after it.
-  if (lot.acceptance != campaign::Acceptance{}) report::build_summary(contents);
+  if (lot.acceptance != campaign::Acceptance{}) study::build_summary(contents);
 
   auto const directory = output_directory(arguments, lot);
   make_directory(directory);
   DirectoryLock const lock(directory);
   auto const file = directory / store_name;
-  report::remove_leftovers(directory);
+  render::remove_leftovers(directory);
   open_or_create(file, contents, arguments.fresh);
   if (!contents.complete() && !contents.runs.empty())
     say("continuing: {} runs are there already\n", contents.runs.size());
@@ -172,14 +174,14 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
   }
   double const search_s = std::chrono::duration<double>(Clock::now() - start).count();
   // From the store, not from memory: what is printed is what `isolaw report` would print.
-  auto const summary = report::build_summary(campaign::Store::read(file));
-  report::write_outputs(summary, directory);
+  auto const summary = study::build_summary(campaign::Store::read(file));
+  render::write_outputs(summary, directory);
   // Figures are for print, and no part of the study: their time is told apart from its.
   auto const before_figures = Clock::now();
   draw_figures(summary, figures, directory);
-  report::write_file(
+  write_file(
       directory / "run.json",
-      report::run_json(
+      render::run_json(
           {.command = command,
            .directory = std::filesystem::absolute(directory).string(),
            .started_at = started_at,
@@ -194,14 +196,14 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
 
 int report(ReportArguments const& arguments) {
   auto const& directory = arguments.directory;
-  auto const figures = report::figure_choice(arguments.figures);
+  auto const figures = render::figure_choice(arguments.figures);
   auto contents = campaign::Store::read(directory / store_name);
   apply(arguments.acceptance, contents.acceptance);
-  auto const summary = report::build_summary(contents);
+  auto const summary = study::build_summary(contents);
   // What is printed does not depend on the files: a store on read-only media can be looked at as it is.
   std::optional<Error> not_written;
   try {
-    report::write_outputs(summary, arguments.out.value_or(directory));
+    render::write_outputs(summary, arguments.out.value_or(directory));
     draw_figures(summary, figures, arguments.out.value_or(directory));
   } catch (Error const& error) {
     not_written = error;
@@ -234,7 +236,7 @@ std::size_t runs_since(std::filesystem::path const& directory, std::size_t missi
     auto const text =
         read_file(directory / "summary.json",
                   {.largest_bytes = std::uintmax_t{1} << 30, .allowed = "a summary of isolaw", .when_too_large = {}});
-    auto const told = report::missing_runs_in(text).value_or(0);
+    auto const told = render::missing_runs_in(text).value_or(0);
     return told > missing_runs ? told - missing_runs : 0;
   } catch (Error const&) {
     return 0;
@@ -244,15 +246,15 @@ std::size_t runs_since(std::filesystem::path const& directory, std::size_t missi
 // `isolaw report --rules ...` holds the tests to something else than the store says; the page states to what. Whether it
 // does; `contents` and `summary` are then those of the page. What cannot be read counts as not stated.
 bool hold_to_what_the_page_states(std::filesystem::path const& directory, campaign::Contents& contents,
-                                  report::Summary& summary) {
+                                  study::Summary& summary) {
   auto const stored = contents.acceptance;
   try {
-    auto const stated = report::asked_in(
+    auto const stated = render::asked_in(
         read_file(directory / "report.html",
                   {.largest_bytes = std::uintmax_t{1} << 30, .allowed = "a page of isolaw", .when_too_large = {}}));
     if (!stated || *stated == stored) return false;
     contents.acceptance = *stated;
-    summary = report::build_summary(contents);
+    summary = study::build_summary(contents);
     return true;
   } catch (Error const&) {
     contents.acceptance = stored;
@@ -265,10 +267,10 @@ struct Outputs {
   std::vector<std::string> other;  // names of those that are not what the store gives
 };
 
-Outputs compare_outputs(std::filesystem::path const& directory, report::Summary const& summary) {
+Outputs compare_outputs(std::filesystem::path const& directory, study::Summary const& summary) {
   Outputs found;
-  auto texts = report::output_texts(summary);
-  std::ranges::move(report::figure_data(summary), std::back_inserter(texts));
+  auto texts = render::output_texts(summary);
+  std::ranges::move(render::figure_data(summary), std::back_inserter(texts));
   for (auto const& [name, text] : texts) {
     std::error_code unknown;
     if (!std::filesystem::is_regular_file(directory / name, unknown)) continue;
@@ -284,16 +286,19 @@ int check(std::filesystem::path const& directory) {
   auto const file = directory / store_name;
   auto result = campaign::check(file);
   auto contents = campaign::Store::read(file);
-  auto summary = report::build_summary(contents);
+  auto summary = study::build_summary(contents);
   bool const other_rules = hold_to_what_the_page_states(directory, contents, summary);
   auto const outputs = compare_outputs(directory, summary);
   auto const since = outputs.other.empty() ? 0 : runs_since(directory, summary.missing_runs());
   if (since == 0)
     for (auto const& name : outputs.other)
-      result.faults.push_back(
-          fmt::format("{} is not what the store gives; isolaw report {} makes it again", name, shown(directory)));
+      (result.of_another_build ? result.differences : result.faults)
+          .push_back(
+              fmt::format("{} is not what the store gives; isolaw report {} makes it again", name, shown(directory)));
   fmt::print("{}: {}\n", shown(file),
-             result.faults.empty() ? "sound" : fmt::format("{} fault(s)", result.faults.size()));
+             !result.faults.empty()       ? fmt::format("{} fault(s)", result.faults.size())
+             : result.differences.empty() ? "sound"
+                                          : fmt::format("sound, but for {} difference(s)", result.differences.size()));
   fmt::print("  {} devices, {} laws on them, {} of {} runs", result.devices, result.searches, result.runs,
              result.expected_runs);
   fmt::print("{}\n", result.expected_analyses > 0
@@ -315,8 +320,12 @@ int check(std::filesystem::path const& directory) {
   if (since > 0)
     fmt::print("  out of date: {} of them, made before the last {} runs; isolaw report {} makes them again\n",
                outputs.other.size(), since, shown(directory));
+  if (result.of_another_build)
+    fmt::print("  made by isolaw {}; this is {}, which may compute otherwise\n",
+               campaign::text(std::span(contents.makers)), campaign::text(campaign::this_maker()));
   for (auto const& fault : result.faults) fmt::print("  fault: {}\n", fault);
-  return result.faults.empty() && since == 0 ? exit_done : exit_with_refusals;
+  for (auto const& difference : result.differences) fmt::print("  difference: {}\n", difference);
+  return result.faults.empty() && result.differences.empty() && since == 0 ? exit_done : exit_with_refusals;
 }
 
 }  // namespace isolaw::app

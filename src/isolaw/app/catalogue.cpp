@@ -56,16 +56,20 @@ std::string markdown_interval(std::optional<laws::Interval> const& interval) {
   return interval ? fmt::format("{:g} to {:g}", interval->lower, interval->upper) : std::string("–");
 }
 
+std::string together(laws::LawEntry const& law) {
+  std::string text;
+  for (auto const& limit : law.joint_limits) text += fmt::format("{}{}", text.empty() ? "" : ", ", limit.statement);
+  return text;
+}
+
 // The catalogue that docs/laws.md holds.
 void print_markdown() {
   fmt::print(
       "# The laws\n\nFrom the laws' own files, by `./isolaw.sh docs`. x displacement, v velocity, F force, in the "
-      "law's own "
-      "units; a step goes from one\nsample to the next, and what is not said starts at zero. *Paper*: the box of Table "
-      "4; "
-      "`isolaw laws ID` says the same. A history that\nstarts elsewhere than at zero displacement finds the device "
-      "virgin "
-      "there, as if it had come there without history; analysis\nprograms start at zero.\n");
+      "law's "
+      "own units; a step goes from one\nsample to the next, and what is not said starts at zero. *Paper*: the box of "
+      "Table 4; `isolaw laws ID` says the same. A history that\nstarts elsewhere than at zero displacement finds the "
+      "device virgin there, as if it had come there without history; analysis\nprograms start at zero.\n");
   for (auto const& law : laws::catalogue()) {
     fmt::print("\n## {}: {}\n\n{}. Units {}, {}, s; {}.\n\n```\n{}\n```\n\n", law.info.id,
                plain_markdown(law.info.title), plain_markdown(law.info.source), law.info.force.symbol,
@@ -78,6 +82,7 @@ void print_markdown() {
       fmt::print("| {} | {} | {}{} | {} |\n", plain_markdown(p.name), p.unit, plain_markdown(p.meaning),
                  p.fixed_by_default ? fmt::format("; fixed at {:g} unless freed", *p.fixed_by_default) : "",
                  markdown_interval(p.published));
+    if (!law.joint_limits.empty()) fmt::print("\nTogether: {}.\n", plain_markdown(together(law)));
   }
 }
 
@@ -97,6 +102,7 @@ void print_law(laws::LawEntry const& law) {
                bound(&laws::Interval::upper), p.meaning,
                p.fixed_by_default ? fmt::format(" (fixed at {:g})", *p.fixed_by_default) : "");
   }
+  if (!law.joint_limits.empty()) fmt::print("  together: {}\n", together(law));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/programs/exports.hpp"
-#include "isolaw/report/build_summary.hpp"
+#include "isolaw/study/build_summary.hpp"
 
 namespace isolaw::app {
 
@@ -16,7 +16,7 @@ int export_law(ExportArguments const& a) {
   auto const& units = programs::find_unit_system(a.units.value_or("kN-mm"));
   auto contents = campaign::Store::read(a.directory / "campaign.sqlite");
   apply(a.acceptance, contents.acceptance);
-  auto const subject = programs::make_subject(contents, report::build_summary(contents), a.law, a.device, units);
+  auto const subject = programs::make_subject(contents, study::build_summary(contents), a.law, a.device, units);
   auto const text = programs::exported(subject, target, units);
   if (!a.out) {
     std::fwrite(text.data(), 1, text.size(), stdout);

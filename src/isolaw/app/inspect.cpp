@@ -12,12 +12,14 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/file.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/write_file.hpp"
 #include "isolaw/campaign/campaign.hpp"
 #include "isolaw/data/read.hpp"
 #include "isolaw/data/sheet_choice.hpp"
-#include "isolaw/report/build_summary.hpp"
-#include "isolaw/report/inspection.hpp"
-#include "isolaw/report/write.hpp"
+#include "isolaw/render/json/inspection_json.hpp"
+#include "isolaw/render/terminal/inspection_text.hpp"
+#include "isolaw/render/write.hpp"
+#include "isolaw/study/build_summary.hpp"
 
 namespace isolaw::app {
 namespace {
@@ -27,7 +29,7 @@ void print(std::string const& text) {
   if (!text.ends_with('\n')) std::fputc('\n', stdout);
 }
 
-bool refused(report::Summary const& summary) {
+bool refused(study::Summary const& summary) {
   return std::ranges::any_of(summary.devices, [](auto const& device) { return device.status != "ok"; });
 }
 
@@ -43,13 +45,13 @@ int inspect(InspectArguments const& arguments) {
     for (auto const& file : lot.devices.front().files) data::read_record(file, lot.devices.front().read);
     throw Error({.where = printable(contents.devices.front().name), .found = contents.devices.front().refusal});
   }
-  auto const summary = report::build_summary(contents);
-  print(arguments.json ? report::inspection_json(summary) : report::inspection_text(summary));
+  auto const summary = study::build_summary(contents);
+  print(arguments.json ? render::inspection_json(summary) : render::inspection_text(summary));
   if (arguments.out) {
-    report::write_inspection(summary, *arguments.out);
+    render::write_inspection(summary, *arguments.out);
     say("written: {}\n", shown(*arguments.out / "inspection.html"));
   }
-  return refused(summary) || report::acceptance_failed(summary) ? exit_with_refusals : exit_done;
+  return refused(summary) || study::acceptance_failed(summary) ? exit_with_refusals : exit_done;
 }
 
 namespace {
@@ -157,7 +159,7 @@ int init(InitArguments const& arguments) {
   } else if (size) {
     say("lot-size = {} taken over from {}: change it where this lot has another size\n", *size, shown(*arguments.like));
   }
-  report::write_file(arguments.out, campaign::lot_file_text(lot, folder));
+  write_file(arguments.out, campaign::lot_file_text(lot, folder));
   if (lot.rules_are_file && leads_outside(lot.acceptance.rules_file, folder))
     say("{}: not in the folder of {} or below it: isolaw calibrate will need --allow-outside\n",
         shown(lot.acceptance.rules_file), shown(arguments.out));

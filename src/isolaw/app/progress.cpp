@@ -29,7 +29,7 @@ std::string duration(double seconds) {
 ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0) {}
 
 ProgressLine::~ProgressLine() {
-  if (drawn_) std::fputs("\r\033[K", stderr);
+  if (drawn_) say("\r\033[K");
 }
 
 void ProgressLine::show(campaign::Progress const& progress) {
@@ -67,7 +67,6 @@ void ProgressLine::show(campaign::Progress const& progress) {
   for (auto const& [law, best] : progress.best) line += fmt::format(" {} {:.4f}", law, best);
   line.resize(std::min(line.size(), terminal_width() - 1));
   say("\r{}\033[K", line);
-  std::fflush(stderr);
 }
 
 }  // namespace isolaw::app

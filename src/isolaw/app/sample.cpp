@@ -10,9 +10,9 @@
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/lot/population.hpp"
-#include "isolaw/report/build_summary.hpp"
-#include "isolaw/report/findings.hpp"
-#include "isolaw/report/tables.hpp"
+#include "isolaw/render/tables/tables.hpp"
+#include "isolaw/study/build_summary.hpp"
+#include "isolaw/study/findings.hpp"
 
 namespace isolaw::app {
 
@@ -22,8 +22,8 @@ int sample(SampleArguments const& a) {
     throw Error({.where = "--count", .found = fmt::format("{}", a.count), .allowed = fmt::format("1 to {}", most)});
   auto const& entry = laws::find_law(a.law);
   auto const contents = campaign::Store::read(a.directory / "campaign.sqlite");
-  auto const summary = report::build_summary(contents);
-  auto const law = std::ranges::find(summary.laws, a.law, &report::LawResult::id);
+  auto const summary = study::build_summary(contents);
+  auto const law = std::ranges::find(summary.laws, a.law, &study::LawResult::id);
   auto const where = fmt::format("{}, law {}", a.directory.string(), a.law);
   if (law == summary.laws.end())
     throw Error({.where = where, .found = "the law is not in this campaign", .allowed = "one of its laws"});
@@ -46,12 +46,12 @@ int sample(SampleArguments const& a) {
   auto const drawn = lot::sample(population, static_cast<std::size_t>(a.count),
                                  stream.split(stable_hash("population")).split(stable_hash(a.law)), limits);
 
-  auto const& parameters = report::parameters_of(*law);
+  auto const& parameters = study::parameters_of(*law);
   auto const place = [&](std::string const& name) {
     return static_cast<std::size_t>(std::ranges::find(population.names, name) - population.names.begin());
   };
   std::string text = "device";
-  for (auto const& p : parameters) text += "," + report::csv_cell(fmt::format("{} [{}]", p.name, p.unit));
+  for (auto const& p : parameters) text += "," + render::csv_cell(fmt::format("{} [{}]", p.name, p.unit));
   text += '\n';
   for (std::size_t i = 0; i < drawn.values.size(); ++i) {
     text += fmt::format("{}", i + 1);

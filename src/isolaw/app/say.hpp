@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -12,10 +13,14 @@
 
 namespace isolaw::app {
 
-// Nothing is done about a failure: a terminal that was closed must not cost a campaign its orderly end.
+// Every message goes through here. What was printed before goes out first: where both streams go to one file, no message
+// stands within a line of the output. Nothing is done about a failure: a terminal that was closed must not cost a campaign
+// its orderly end.
 template <class... Args>
 void say(fmt::format_string<Args...> format, Args&&... args) {
-  auto const text = fmt::format(format, std::forward<Args>(args)...);
+  fmt::memory_buffer text;  // without an allocation for a message of usual length: memory may be what is missing
+  fmt::format_to(std::back_inserter(text), format, std::forward<Args>(args)...);
+  std::fflush(stdout);
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 

@@ -12,12 +12,12 @@
 #include "isolaw/app/lot_of.hpp"
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/write_file.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/data/clean.hpp"
 #include "isolaw/data/read.hpp"
 #include "isolaw/fit/objective.hpp"
-#include "isolaw/report/write.hpp"
 
 namespace isolaw::app {
 namespace {
@@ -56,7 +56,9 @@ FittedLaw chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
     return std::ranges::find(changes, value.name, &NamedValue::name) != changes.end();
   });
   values.insert(values.end(), changes.begin(), changes.end());
-  made.parameters = parameters_in_order(law, values, where);
+  // What a campaign fitted was accepted there: a search may end beyond a limit that its box crosses.
+  made.parameters =
+      parameters_in_order(law, values, where, a.from && changes.empty() ? Together::left : Together::checked);
   campaign::Settings how;
   how.integration = made.integration;
   how.turning_points = made.turning_points;
@@ -82,6 +84,8 @@ void say_what_it_is(laws::LawEntry const& law, FittedLaw const& chosen, data::Te
   for (std::size_t i = 0; i < law.parameters.size(); ++i)
     say(" {} = {:g}{}{}{}", law.parameters[i].name, chosen.parameters[i], law.parameters[i].unit == "1" ? "" : " ",
         law.parameters[i].unit == "1" ? "" : law.parameters[i].unit, i + 1 < law.parameters.size() ? "," : "\n");
+  if (auto const beyond = law.unmet(chosen.parameters))
+    say("  warning: {}, outside {}: no device has these parameters\n", beyond->found, beyond->statement);
   if (chosen.refinement > 1) say("  integrated in {} steps per sample\n", chosen.refinement);
   constexpr double beyond = 1.02;
   if (double const x = largest(path.disp_mm); chosen.tested_disp_mm > 0.0 && x > beyond * chosen.tested_disp_mm)
@@ -137,7 +141,7 @@ int simulate(SimulateArguments const& a) {
     std::fwrite(text.data(), 1, text.size(), stdout);
     return exit_done;
   }
-  report::write_file(*a.out, text);
+  write_file(*a.out, text);
   say("written: {}\n", shown(*a.out));
   return exit_done;
 }

@@ -3,19 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
 
 namespace isolaw {
 namespace {
 
 template <class Number>
 Json parsed(std::string const& word) {
-  Number value{};
-  auto const [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return error == std::errc() && end == word.data() + word.size() ? Json(value) : Json(word);
+  auto const value = number_in<Number>(word);
+  return value ? Json(*value) : Json(word);
 }
 
 [[noreturn]] void refuse_found(std::string found, std::string allowed) {

@@ -23,6 +23,7 @@
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/data/clean.hpp"
 #include "isolaw/data/text.hpp"
+#include "isolaw/fit/joint_limits.hpp"
 #include "isolaw/fit/objective.hpp"
 #include "isolaw/num/random.hpp"
 
@@ -82,7 +83,9 @@ Search prepare_search(std::size_t index, Device const& device, std::string const
   auto const& law = laws::find_law(law_id);
   try {
     fit::LawOnRecord const check(law, device.record, settings.integration, settings.turning_points);
-    search.box = search_box(law, device.record, settings);
+    auto box = search_box(law, device.record, settings);
+    fit::require_joint_limits(law, box, settings.overrides);
+    search.box = std::move(box);
   } catch (Error const& error) {
     search.refusal = error.what();
   }
@@ -171,6 +174,14 @@ Found search_by(Settings const& settings, Target const& target, int number, std:
              : found_by(opt::minimise_multistart(problem, stream, settings.multistart, interrupted));
 }
 
+// Keeps how the search went, and none of what it found.
+void fail(Run& run, std::string why) {
+  run.outcome = Outcome::no_finite_value;
+  run.failure = std::move(why);
+  run.objective = run.integration_shift = std::nan("");
+  run.parameters.clear();
+}
+
 Run finished(Target const& target, int number, Found const& result) {
   Run run{.device = target.search->device,
           .law = target.search->law,
@@ -184,11 +195,10 @@ Run finished(Target const& target, int number, Found const& result) {
           .failure = {},
           .parameters = {},
           .history = result.history};
-  run.objective = run.integration_shift = std::nan("");
   if (run.outcome == Outcome::no_finite_value) {
-    run.failure = result.evaluations == 1
-                      ? std::string("the one parameter set, all of it fixed, gives no finite force")
-                      : fmt::format("none of the first {} parameter sets gave a finite force", result.evaluations);
+    fail(run, result.evaluations == 1
+                  ? std::string("the one parameter set, all of it fixed, gives no finite force")
+                  : fmt::format("none of the first {} parameter sets gave a finite force", result.evaluations));
     return run;
   }
   run.parameters.resize(target.search->box.parameters.size());
@@ -201,7 +211,8 @@ Run finished(Target const& target, int number, Found const& result) {
 }
 
 // An optimum that owes more than a thousandth of its value to the step of the integration is none of the law's: the law is
-// fitted again from there in finer steps, until steps two and four times finer agree.
+// fitted again from there in finer steps, until steps two and four times finer agree. One without a finite force in finer
+// steps is the steps' alone, and no result.
 void refit_in_finer_steps(Target const& target, Run& run) {
   constexpr double tolerance = 1e-3;
   constexpr int finest = 64;
@@ -223,9 +234,14 @@ void refit_in_finer_steps(Target const& target, Run& run) {
       run.failed_evaluations += again.failed_evaluations;
       if (again.usable()) box.expand(again.best, run.parameters);
     }
+    double const coarse = run.objective;
     run.objective = finer.objective(run.parameters, work);
     run.integration_shift = finer.integration_shift(run.parameters);
-    if (!std::isfinite(run.objective)) return;  // cannot be: the start was finite in steps a quarter as fine
+    if (!std::isfinite(run.objective))
+      return fail(
+          run, fmt::format("the least objective found, {:.4g} in {} step(s) a sample, is of the steps alone: in {} a "
+                           "sample these parameters give no finite force",
+                           coarse, model.refinement(), finer.refinement()));
     model = finer;
   }
 }
@@ -295,6 +311,9 @@ Device cleaned(NamedRecord&& given, data::CleanOptions const& cleaning) {
 Contents with_searches(Contents contents, std::vector<std::string> const& laws) {
   contents.settings.laws = laws.empty() ? parse_laws("all") : laws;
   contents.settings.validate();
+  // Not in validate(): a store that was made before is read all the same.
+  for (auto const& id : contents.settings.laws)
+    fit::require_joint_limits(laws::find_law(id), contents.settings.overrides);
   if (std::ranges::none_of(contents.devices, &Device::usable)) {
     std::vector<Complaint> complaints{
         {.where = "lot", .found = fmt::format("none of {} device(s) is usable", contents.devices.size())}};

@@ -11,6 +11,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/campaign/analyse.hpp"
 #include "isolaw/campaign/campaign.hpp"
+#include "isolaw/campaign/maker.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/data/clean.hpp"
 #include "isolaw/fit/objective.hpp"
@@ -63,7 +64,8 @@ void check_box(Device const& device, Search const& search, Settings const& setti
 
 class RunChecker {
  public:
-  RunChecker(Contents const& contents, Check& result) : contents_(contents), result_(result) {}
+  RunChecker(Contents const& contents, Check& result, std::vector<std::string>& found)
+      : contents_(contents), result_(result), found_(found) {}
 
   void operator()(Search const& search, Run const& run) {
     check_course(search, run);
@@ -137,18 +139,20 @@ class RunChecker {
                fmt::format("its parameters give the integration shift {}, stored is {}", shift, run.integration_shift));
   }
   void complain(Run const& run, std::string_view what) {
-    result_.faults.push_back(
+    found_.push_back(
         fmt::format("{} on {}, run {}: {}", run.law, contents_.devices[run.device].name, run.number, what));
   }
 
   Contents const& contents_;
   Check& result_;
+  std::vector<std::string>& found_;
   std::vector<double> work_;
 };
 
 class AnalysisChecker {
  public:
-  AnalysisChecker(Contents const& contents, Check& result) : contents_(contents), result_(result) {}
+  AnalysisChecker(Contents const& contents, Check& result, std::vector<std::string>& found)
+      : contents_(contents), result_(result), found_(found) {}
 
   void operator()(DeviceAnalysis const& a) {
     auto const& found = a.determination;
@@ -188,17 +192,17 @@ class AnalysisChecker {
             std::vector<double> const& parameters, double stored) {
     constexpr double smallest = smallest_objective;
     double const again = law_on_device(contents_, device, law, refinement).objective(parameters, work_);
-    double const difference = again == stored ? 0.0 : std::abs(again - stored) / std::max(stored, smallest);
+    bool const none = std::isnan(stored) && !std::isfinite(again);  // no finite force there
+    double const difference = none || again == stored ? 0.0 : std::abs(again - stored) / std::max(stored, smallest);
     result_.largest_difference = std::max(result_.largest_difference, difference);
     if (!(difference <= fit::evaluation_tolerance))
       complain(where, fmt::format("its parameters give the objective {}, stored is {}", again, stored));
   }
-  void complain(std::string_view where, std::string_view what) {
-    result_.faults.push_back(fmt::format("{}: {}", where, what));
-  }
+  void complain(std::string_view where, std::string_view what) { found_.push_back(fmt::format("{}: {}", where, what)); }
 
   Contents const& contents_;
   Check& result_;
+  std::vector<std::string>& found_;
   std::vector<double> work_;
 };
 
@@ -213,16 +217,20 @@ Check check(std::filesystem::path const& file) {
   result.searches = contents.searches.size();
   result.runs = contents.runs.size();
   result.expected_runs = contents.expected_runs();
+  auto const me = this_maker();
+  result.of_another_build =
+      !std::ranges::all_of(contents.makers, [&](auto const& maker) { return same_build(maker, me); });
+  auto& found = result.of_another_build ? result.differences : result.faults;
   for (auto const& device : contents.devices)
-    if (device.usable()) check_record(device, contents.settings, result.faults);
+    if (device.usable()) check_record(device, contents.settings, found);
   std::map<std::pair<std::size_t, std::string_view>, Search const*> searches;
   for (auto const& search : contents.searches) {
     searches[{search.device, search.law}] = &search;
-    if (search.refusal.empty()) check_box(contents.devices[search.device], search, contents.settings, result.faults);
+    if (search.refusal.empty()) check_box(contents.devices[search.device], search, contents.settings, found);
   }
-  RunChecker check_run(contents, result);
+  RunChecker check_run(contents, result, found);
   for (auto const& run : contents.runs) check_run(*searches.at({run.device, run.law}), run);
-  AnalysisChecker check_analysis(contents, result);
+  AnalysisChecker check_analysis(contents, result, found);
   for (auto const& analysis : contents.device_analyses) check_analysis(analysis);
   for (auto const& analysis : contents.lot_analyses) check_analysis(analysis);
   for (auto const& analysis : contents.left_out) check_analysis(analysis);

@@ -12,6 +12,9 @@ struct Check {
   std::size_t devices = 0, searches = 0, runs = 0, expected_runs = 0, analyses = 0, expected_analyses = 0;
   double largest_difference = 0.0;  // of an objective computed again, relative
   std::vector<std::string> faults;  // one sentence each; empty: sound
+  // What another build computed and this one computes otherwise, which then is no fault; and whether it did.
+  std::vector<std::string> differences;
+  bool of_another_build = false;
 };
 
 // SQLite's own check of the file; that indices and lengths fit; that each device's raw record cleaned again is the

@@ -12,6 +12,22 @@ constexpr auto by_device_and_law = [](auto const& item) { return Key(item.device
 
 }  // namespace
 
+std::string_view name(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::confirmed:
+      return "confirmed";
+    case Outcome::budget_spent:
+      return "budget_spent";
+    case Outcome::all_generations:
+      return "all_generations";
+    case Outcome::stagnated:
+      return "stagnated";
+    case Outcome::no_finite_value:
+      return "no_finite_value";
+  }
+  return "";
+}
+
 std::size_t Contents::expected_runs() const {
   std::size_t expected = 0;
   for (auto const& search : searches) expected += search.refusal.empty() ? static_cast<std::size_t>(settings.runs) : 0;

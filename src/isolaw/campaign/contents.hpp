@@ -15,6 +15,15 @@
 
 namespace isolaw::campaign {
 
+// The program that computed a part of a campaign.
+struct Maker {
+  std::string version;          // of isolaw
+  std::string build;            // a hash of the sources that decide numbers; empty: not known
+  std::string instruction_set;  // of the search; empty: not known
+
+  bool operator==(Maker const&) const = default;
+};
+
 // What the lot file says about a device beside its record.
 struct DeviceInfo {
   std::string serial, lot, test_date;
@@ -59,6 +68,7 @@ struct Run {
   std::string failure;             // why the run is not usable; empty for a usable one
   std::vector<double> parameters;  // all of the law's; empty when not usable
   std::vector<double> history;     // best objective after each generation, or start
+  std::size_t maker = 0;           // place in Contents::makers; the store sets it
 
   bool usable() const { return !parameters.empty(); }
 };
@@ -70,6 +80,7 @@ struct DeviceAnalysis {
   int refinement = 1;  // as of the run it starts from
   analysis::Determination determination;
   analysis::Intervals intervals;
+  std::size_t maker = 0;
 };
 
 // One parameter vector for all devices that have a DeviceAnalysis of the law.
@@ -79,6 +90,7 @@ struct LotAnalysis {
   std::vector<std::size_t> devices;  // those that took part, rising
   analysis::OneLaw mean;             // least mean objective; objectives in the order of `devices`
   analysis::LeastWorst worst;        // least objective of the worst device
+  std::size_t maker = 0;
 };
 
 // The law of the lot without one device, judged by it.
@@ -86,6 +98,7 @@ struct LeftOutAnalysis {
   std::size_t device = 0;
   std::string law;
   analysis::LeftOut left_out;
+  std::size_t maker = 0;
 };
 
 // What the tests are held to. No law depends on it, so it may change before a campaign is continued or reported.
@@ -108,6 +121,7 @@ struct Contents {
   std::vector<DeviceAnalysis> device_analyses = {};  // by device, law
   std::vector<LotAnalysis> lot_analyses = {};        // by law
   std::vector<LeftOutAnalysis> left_out = {};        // by device, law
+  std::vector<Maker> makers = {};                    // the first read the records; empty: nobody but this program
 
   std::size_t expected_runs() const;  // of every search that was not refused
   // Analyses that are to be made, given the runs there are; 0 without analysis.

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/words.hpp"
 
 namespace isolaw::campaign {
 namespace {
@@ -53,10 +53,9 @@ Json texts_of(std::vector<fit::Override> const& overrides) {
 }
 
 void set_seed(S& s, Json const& value) {
-  auto const text = text_of(value);
-  auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), s.seed);
-  if (error != std::errc() || end != text.data() + text.size())
-    refuse(value, "a whole number from 0 to 18446744073709551615");
+  auto const seed = number_in<std::uint64_t>(text_of(value));
+  if (!seed) refuse(value, "a whole number from 0 to 18446744073709551615");
+  s.seed = *seed;
 }
 
 Setting thinning() {

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 
 namespace isolaw::campaign {
@@ -59,10 +60,7 @@ std::vector<std::string> parse_laws(std::string_view text) {
   }
   while (true) {
     auto const comma = text.find(',');
-    auto id = text.substr(0, comma);
-    while (id.starts_with(' ')) id.remove_prefix(1);
-    while (id.ends_with(' ')) id.remove_suffix(1);
-    auto const& law = laws::find_law(id);
+    auto const& law = laws::find_law(trimmed(text.substr(0, comma)));
     if (std::ranges::find(ids, law.info.id) == ids.end()) ids.emplace_back(law.info.id);
     if (comma == std::string_view::npos) return ids;
     text.remove_prefix(comma + 1);

@@ -3,21 +3,17 @@
 
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "isolaw/campaign/contents.hpp"
-
-struct sqlite3;
+#include "isolaw/campaign/sqlite.hpp"
 
 namespace isolaw::campaign {
 
 class Store {
  public:
-  static constexpr int schema_version = 4;
-
   // A new store that holds the devices and searches of `contents` and no runs; replaces a file of that name. When it
   // fails, or the program is killed, the former or the new one is there, whole. `before_replacing` is called when the
   // new one is complete and not yet in place. Throws Error: no plain file, cannot be written.
@@ -30,7 +26,7 @@ class Store {
   static Store open(std::filesystem::path const& file);
   // Whether the file stands alone, without a write-ahead log, and can be read wherever it is copied to.
   static bool is_plain(std::filesystem::path const& file);
-  // Everything in it; the file is not changed. Throws Error as above.
+  // Everything in it, also of an older schema; the file is not changed. Throws Error as above.
   static Contents read(std::filesystem::path const& file);
   // What SQLite finds wrong with the file itself; empty when it is sound. Throws Error when it cannot be read at all.
   static std::vector<std::string> integrity(std::filesystem::path const& file);
@@ -38,7 +34,7 @@ class Store {
   // series are left out, which read() holds as they are.
   static std::vector<std::string> foreign_rows(std::filesystem::path const& file, Contents const& contents);
 
-  // Each is one transaction; not thread-safe.
+  // Each is one transaction; not thread-safe. Throws std::logic_error, and writes nothing, for what read() would refuse.
   void add(Run const& run);
   void add(DeviceAnalysis const& analysis);
   void add(LotAnalysis const& analysis);
@@ -51,18 +47,14 @@ class Store {
   bool finish();
 
  private:
-  struct Close {
-    void operator()(sqlite3* db) const;
-  };
-  using Handle = std::unique_ptr<sqlite3, Close>;
-  static Handle open_handle(std::filesystem::path const& file, int flags, std::string const& uri = {});
-  static Handle open_to_read(std::filesystem::path const& file);
-  static void fill(sqlite3* db, Contents const& contents);
-  static void fold_log(std::filesystem::path const& file);
-  Store(Handle db, std::filesystem::path file) : db_(std::move(db)), file_(std::move(file)) {}
+  Store(sqlite::Connection db, Contents campaign) : db_(std::move(db)), campaign_(std::move(campaign)) {}
+  // The place of this program among those who made the campaign.
+  std::size_t own_maker();
+  template <class Result>
+  void add_result(Result result);
 
-  Handle db_;
-  std::filesystem::path file_;
+  sqlite::Connection db_;
+  Contents campaign_;  // what results are held to before they are added: without series and without results
 };
 
 }  // namespace isolaw::campaign

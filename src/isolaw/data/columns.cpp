@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <span>
 #include <utility>
 
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/data/text.hpp"
 
 namespace isolaw::data {
@@ -316,13 +316,11 @@ class Resolver {
                "a unique column", options_for(channel, *named));
       return std::nullopt;
     }
-    std::size_t number = 0;
-    auto const [end, failure] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
-    bool const is_number = failure == std::errc{} && end == wanted.data() + wanted.size();
-    if (is_number && number >= 1 && number <= count()) return number - 1;
+    auto const number = number_in<std::size_t>(wanted);
+    if (number && *number >= 1 && *number <= count()) return *number - 1;
     if (std::ranges::find(header_.complex, wanted) != header_.complex.end()) return report_complex(wanted);
-    complain(header_place(), fmt::format("no column {} for {}", is_number ? wanted : in_quotes(wanted), name(channel)),
-             is_number ? fmt::format("1 to {}; {}", count(), columns_found()) : columns_found(),
+    complain(header_place(), fmt::format("no column {} for {}", number ? wanted : in_quotes(wanted), name(channel)),
+             number ? fmt::format("1 to {}; {}", count(), columns_found()) : columns_found(),
              fmt::format("--columns {}={}", name(channel), any_column()));
     return std::nullopt;
   }

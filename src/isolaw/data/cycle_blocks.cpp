@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <span>
 
+#include "isolaw/num/statistics.hpp"
+
 namespace isolaw::data {
 namespace {
 
@@ -35,19 +37,11 @@ bool close(double value, double reference, double share) {
   return std::abs(value - reference) <= share * reference;
 }
 
-double median_of(std::vector<double> values) {
-  auto const half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, half);
-  if (values.size() % 2 == 1) return *half;
-  double const upper = *half;
-  return (*std::max_element(values.begin(), half) + upper) / 2.0;
-}
-
 template <class Property>
 double median_over(std::vector<Shape> const& shapes, Run const& run, Property property) {
   std::vector<double> values;
   for (auto i = run.begin; i < run.end; ++i) values.push_back(property(shapes[i]));
-  return median_of(std::move(values));
+  return num::median(values);
 }
 
 // The mean of the run so far stands for its middle: the median of every prefix would cost more than the rest.
@@ -245,7 +239,7 @@ double period_of(std::vector<Shape> const& shapes, std::vector<std::size_t> cons
     if (is_even(shapes[i])) even.push_back(shapes[i].period);
   }
   if (all.empty()) return 0.0;
-  double const period = median_of(even.empty() ? all : even);
+  double const period = num::median(even.empty() ? all : even);
   bool const any = std::ranges::any_of(all, [&](double other) { return same_pace(other, period, far_period); });
   return any ? period : 0.0;
 }

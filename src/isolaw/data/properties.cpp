@@ -10,6 +10,8 @@
 #include <numbers>
 #include <utility>
 
+#include "isolaw/num/statistics.hpp"
+
 namespace isolaw::data {
 namespace {
 
@@ -17,12 +19,6 @@ namespace {
 constexpr double least_samples_per_cycle = 20.0;
 constexpr std::size_t reported_cycle = 3;
 constexpr double same_shape = 0.05;  // rms of the amplitude; a sine and a triangle are 0.15 apart
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  auto const half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : values[half - 1] / 2.0 + values[half] / 2.0;
-}
 
 // Samples strictly between two fractional indices: [begin, end).
 struct Inside {
@@ -211,7 +207,7 @@ template <class Property>
 double median_over(std::vector<Cycle const*> const& cycles, Property property) {
   std::vector<double> values;
   for (auto const* cycle : cycles) values.push_back(property(*cycle));
-  return median(std::move(values));
+  return num::median(values);
 }
 
 void summarise(Block& block, CycleView const& view) {
@@ -309,7 +305,7 @@ Properties cyclic_properties(CycleView const& view) {
     if (piece.number > 0) lengths.push_back(piece.last - piece.first - piece.still_samples);
   }
   for (auto& block : properties.blocks) summarise(block, view);
-  if (!lengths.empty()) properties.samples_per_cycle = median(std::move(lengths));
+  if (!lengths.empty()) properties.samples_per_cycle = num::median(lengths);
   properties.refusal = refusal_of(cut, properties);
   if (auto const* reported = cycle_to_report(properties.blocks); reported != nullptr && properties.refusal.empty())
     properties.reported = *reported;

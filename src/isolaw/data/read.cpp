@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -15,6 +14,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/hash.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/data/checks.hpp"
 #include "isolaw/data/columns.hpp"
 #include "isolaw/data/json_table.hpp"
@@ -280,11 +280,9 @@ constexpr std::string_view displacement_needed =
 
 std::string parse_test(std::string_view text) {
   auto const word = lower(trimmed(text));
-  std::size_t number = 0;
-  auto const [end, failure] = std::from_chars(word.data(), word.data() + word.size(), number);
-  bool const is_number = failure == std::errc{} && end == word.data() + word.size() && number >= 1 && number <= 1000;
   if (word == "all") return word;
-  if (is_number) return std::to_string(number);
+  auto const number = number_in<std::size_t>(word);
+  if (number && *number >= 1 && *number <= 1000) return std::to_string(*number);
   throw Error(Complaint{
       .where = "--test", .found = in_quotes(text), .allowed = "all, or the number of a test, from 1 to 1000"});
 }

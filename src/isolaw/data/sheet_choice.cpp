@@ -4,10 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/data/text.hpp"
 
 namespace isolaw::data {
@@ -30,10 +30,8 @@ std::size_t choose_sheet(std::string const& wanted, std::vector<std::string> con
   auto const small = lower(trimmed(wanted));
   auto const alike = [&](auto const& name) { return lower(trimmed(name)) == small; };
   if (std::ranges::count_if(names, alike) == 1) return position(alike);
-  std::size_t number = 0;
-  auto const [end, failure] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
-  bool const is_number = failure == std::errc{} && end == wanted.data() + wanted.size();
-  if (is_number && number >= 1 && number <= names.size()) return number - 1;
+  auto const number = number_in<std::size_t>(wanted);
+  if (number && *number >= 1 && *number <= names.size()) return *number - 1;
   throw Error(Complaint{.where = file,
                         .found = fmt::format("no {} {}", what, in_quotes(wanted)),
                         .allowed = sheet_list(names, fmt::format("{}s", what)),

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "isolaw/num/statistics.hpp"
+
 namespace isolaw::data {
 namespace {
 
@@ -183,14 +185,9 @@ std::optional<Skew> estimate_skew(CycleView const& of, Properties const& propert
   if (static_cast<int>(phases.size()) < least_reversals) return std::nullopt;
   std::vector<double> late;
   for (std::size_t k = 0; k < phases.size(); ++k) late.push_back(phases[k] * intervals[k]);
-  auto const median = [](std::vector<double> values) {
-    std::ranges::sort(values);
-    auto const half = values.size() / 2;
-    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2.0;
-  };
   Skew found;
-  found.force_late = median(late);
-  found.phase = median(phases);
+  found.force_late = num::median(late);
+  found.phase = num::median(phases);
   found.reversals = static_cast<int>(late.size());
   auto const agrees = [&](double value) { return value / found.force_late >= 0.5; };
   found.agreement = static_cast<double>(std::ranges::count_if(late, agrees)) / static_cast<double>(late.size());

@@ -16,8 +16,8 @@ namespace isolaw::data {
 
 struct Skew {
   double force_late = 0.0;  // in s, or in samples without time; negative: the force is early
-  double uncertainty =
-      0.0;  // twice the standard error over the reversals, at least a tenth of a sampling interval, half of one with friction
+  // Twice the standard error over the reversals, at least a tenth of a sampling interval, half of one with friction.
+  double uncertainty = 0.0;
   double phase = 0.0;      // the same angle of a cycle, rad: 2 pi f force_late
   double agreement = 0.0;  // share of the reversals that show at least half of it
   int reversals = 0;       // that gave a value

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "isolaw/base/words.hpp"
+
 namespace isolaw::data {
 
 inline constexpr std::uintmax_t largest_file_bytes = std::uintmax_t{1} << 30;
@@ -37,7 +39,6 @@ std::string to_utf8(std::string_view bytes);
 std::string without_accents(std::string_view utf8);
 
 std::string lower(std::string_view text);
-std::string_view trimmed(std::string_view text);
 
 // 'text' for a message, cut to a readable length, control characters spelled out.
 std::string in_quotes(std::string_view bytes);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/data/columns.hpp"
 #include "isolaw/data/inflate_limit.hpp"
 #include "isolaw/data/sheet_choice.hpp"
@@ -24,8 +24,8 @@ namespace {
 constexpr std::size_t most_rows = 1'048'576;  // of a sheet in Excel
 constexpr std::size_t most_columns = 1000;
 constexpr std::size_t most_sheets = 1000;
-constexpr std::size_t longest_text =
-    200;  // of a cell: enough for a name, and no text said a million times fills memory
+// Of a cell: enough for a name, and no text said a million times fills memory.
+constexpr std::size_t longest_text = 200;
 
 struct Sheet {
   std::string name;
@@ -147,13 +147,6 @@ bool is_built_in_date(std::size_t format) {
          (format >= 50 && format <= 58);
 }
 
-std::optional<std::size_t> number_of(std::string_view text) {
-  std::size_t number = 0;
-  auto const [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (failure != std::errc{} || end != text.data() + text.size() || text.empty()) return std::nullopt;
-  return number;
-}
-
 // Per style of a cell: whether it shows numbers as dates.
 std::vector<bool> date_styles(ZipArchive& archive, std::string const& file, std::string const& entry) {
   std::vector<bool> styles;
@@ -164,7 +157,7 @@ std::vector<bool> date_styles(ZipArchive& archive, std::string const& file, std:
         {.start =
              [&](std::string_view name, Attributes const& attributes) {
                if (name == "cellXfs") in_cell_styles = true;
-               auto const format = number_of(attributes["numFmtId"]);
+               auto const format = number_in<std::size_t>(attributes["numFmtId"]);
                if (name == "numFmt" && format && is_date_format(attributes["formatCode"])) dates.insert(*format);
                if (name == "xf" && in_cell_styles)
                  styles.push_back(format && (is_built_in_date(*format) || dates.contains(*format)));
@@ -185,7 +178,7 @@ struct CellPlace {
 std::optional<CellPlace> parse_reference(std::string_view text) {
   auto const letters = text.substr(0, text.find_first_of("0123456789"));
   auto const column = letters_column(letters);
-  auto const row = number_of(text.substr(letters.size()));
+  auto const row = number_in<std::size_t>(text.substr(letters.size()));
   if (!column || !row || *row == 0) return std::nullopt;
   return CellPlace{*column, *row - 1};
 }
@@ -233,7 +226,7 @@ class RowWriter {
 
   // Rows may be left out, and need not say their number.
   void begin_row(std::string_view number) {
-    auto const row = number.empty() ? std::optional(next_row_ + 1) : number_of(number);
+    auto const row = number.empty() ? std::optional(next_row_ + 1) : number_in<std::size_t>(number);
     if (!row || *row == 0 || *row > most_rows)
       refuse(fmt::format("row {}", in_quotes(number)), fmt::format("1 to {}", most_rows));
     begin_row_at(*row - 1);
@@ -252,7 +245,7 @@ class RowWriter {
     value_.clear();
     formula_ = has_value_ = in_value_ = false;
     type_ = attributes["t"];
-    auto const style = number_of(attributes["s"]);
+    auto const style = number_in<std::size_t>(attributes["s"]);
     date_ = style && *style < dates_.size() && dates_[*style];
     cell_column_ = next_column_;
     if (auto const reference = attributes["r"]; !reference.empty()) {
@@ -282,7 +275,7 @@ class RowWriter {
 
   std::string cell_text() const {
     if (type_ == "s") {
-      auto const index = number_of(value_);
+      auto const index = number_in<std::size_t>(value_);
       auto const text = index ? texts_[*index] : std::nullopt;
       return one_line(text ? *text : "a text that the file lacks");
     }

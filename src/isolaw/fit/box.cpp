@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numeric>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/words.hpp"
+#include "isolaw/laws/limits.hpp"
 
 namespace isolaw::fit {
 namespace {
@@ -30,11 +31,8 @@ constexpr std::string_view override_form =
     "law.parameter=another parameter";
 
 std::optional<double> parse_number(std::string_view text) {
-  double value = 0.0;
-  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-  auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
+  auto const value = number_in<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 // Displacement decreasing or increasing through zero after the start; the force there, by linear interpolation.
@@ -71,11 +69,17 @@ double peak_to_peak_stiffness(data::FitRecord const& record) {
 }  // namespace
 
 std::string limits_text(laws::Interval const& limits, std::string_view unit) {
-  auto const zero = unit == "1" ? std::string("0") : fmt::format("0 {}", unit);
-  if (std::isinf(limits.lower) && std::isinf(limits.upper))
-    return unit == "1" ? std::string("any number") : fmt::format("any number of {}", unit);
-  if (limits.lower > 0.0) return "above " + zero;
-  return zero + (limits.lower == 0.0 ? " or more" : " or less");
+  auto const in_unit = [&](double value) {
+    return unit == "1" ? fmt::format("{}", value) : fmt::format("{} {}", value, unit);
+  };
+  // From the least of all numbers on: a strict limit.
+  bool const above = limits.lower == laws::positive.lower, from = above || std::isfinite(limits.lower);
+  bool const to = std::isfinite(limits.upper);
+  if (!from && !to) return unit == "1" ? std::string("any number") : fmt::format("any number of {}", unit);
+  if (!from) return in_unit(limits.upper) + " or less";
+  if (!to) return above ? "above " + in_unit(0.0) : in_unit(limits.lower) + " or more";
+  return above ? fmt::format("above 0, up to {}", in_unit(limits.upper))
+               : fmt::format("{} to {}", limits.lower, in_unit(limits.upper));
 }
 
 std::string Override::text() const {

@@ -7,6 +7,10 @@
 #include "isolaw/fit/kernels.hpp"
 #include "isolaw/laws/all_laws.hpp"
 
+#if defined(ISOLAW_X86_KERNELS) && !defined(ISOLAW_CPU_LEVELS)
+#include <cpuid.h>
+#endif
+
 namespace isolaw::fit {
 
 inline constexpr std::size_t law_count = std::tuple_size_v<laws::AllLaws>;
@@ -28,18 +32,40 @@ bool always() {
   return true;
 }
 
+#if defined(ISOLAW_X86_KERNELS)
+// Everything that -march=x86-64-v3 and -v4 let a compiler use, which is more than the vectors that the sets are named by.
+#if defined(ISOLAW_CPU_LEVELS)
+bool has_x86_64_v3() {
+  return __builtin_cpu_supports("x86-64-v3") != 0;
+}
+bool has_x86_64_v4() {
+  return __builtin_cpu_supports("x86-64-v4") != 0;
+}
+#else
+// A compiler that knows no levels knows neither lzcnt nor movbe nor f16c.
+bool has_x86_64_v3() {
+  unsigned a = 0, b = 0, basic = 0, extended = 0, d = 0;
+  __get_cpuid(1, &a, &b, &basic, &d);
+  __get_cpuid(0x80000001, &a, &b, &extended, &d);
+  return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0 &&
+         __builtin_cpu_supports("bmi") != 0 && __builtin_cpu_supports("bmi2") != 0 && (basic & bit_MOVBE) != 0 &&
+         (basic & bit_F16C) != 0 && (extended & bit_LZCNT) != 0;
+}
+bool has_x86_64_v4() {
+  return has_x86_64_v3() && __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
+         __builtin_cpu_supports("avx512cd") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
+         __builtin_cpu_supports("avx512vl") != 0;
+}
+#endif
+#endif
+
 // Slowest first.
 constexpr std::array candidates {
   Candidate{InstructionSet::scalar, "scalar", nullptr, always},
 #if defined(ISOLAW_X86_KERNELS)
       Candidate{InstructionSet::portable, "sse2", &kernels_portable, always},
-      Candidate{InstructionSet::avx2, "avx2", &kernels_avx2,
-                [] { return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0; }},
-      Candidate{InstructionSet::avx512, "avx512", &kernels_avx512, [] {
-                  return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
-                         __builtin_cpu_supports("avx512cd") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
-                         __builtin_cpu_supports("avx512vl") != 0;
-                }},
+      Candidate{InstructionSet::avx2, "avx2", &kernels_avx2, has_x86_64_v3},
+      Candidate{InstructionSet::avx512, "avx512", &kernels_avx512, has_x86_64_v4},
 #else
       Candidate{InstructionSet::portable, "portable", &kernels_portable, always},
 #endif

@@ -80,6 +80,13 @@ void require_something_to_fit(laws::LawInfo const& law, data::FitRecord const& r
            "a force that changes during the test");
 }
 
+std::string rate_independent_laws() {
+  std::vector<std::string_view> ids;
+  for (auto const& law : laws::catalogue())
+    if (law.info.traits.rate_independent) ids.push_back(law.info.id);
+  return fmt::format("{}", fmt::join(ids, ", "));
+}
+
 }  // namespace
 
 LawOnMotion::LawOnMotion(laws::LawEntry const& law, data::FitRecord const& motion, laws::Integration integration,
@@ -92,7 +99,7 @@ LawOnMotion::LawOnMotion(laws::LawEntry const& law, data::FitRecord const& motio
   if (!law.info.traits.rate_independent && !motion.has_time())
     throw Error({.where = "law " + std::string(law.info.id),
                  .found = "the record has no time channel, and this law depends on velocity",
-                 .allowed = "rate-independent laws (bilinear, vaiana, bouc-wen, abe, abe-y0) without time",
+                 .allowed = fmt::format("rate-independent laws ({}) without time", rate_independent_laws()),
                  .advice = "--dt SECONDS, the sampling interval of the test"});
   if (motion.size() == 0)
     throw Error({.where = "law " + std::string(law.info.id),

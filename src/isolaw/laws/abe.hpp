@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "isolaw/laws/canonical.hpp"
 #include "isolaw/laws/law.hpp"
 #include "isolaw/laws/limits.hpp"
 #include "isolaw/laws/runge_kutta.hpp"
@@ -96,6 +97,8 @@ inline constexpr ParameterInfo r_info{.name = "r",
                                       .physical = not_negative,
                                       .published = Interval{0.01, 0.2},
                                       .scaled = {0.01, 2.0, one}};
+
+inline constexpr NoForm beyond_programs{"yield force and displacement, which change with the peak so far"};
 
 template <class T>
 struct Constants {
@@ -225,6 +228,8 @@ struct Abe {
       Row<T, Params<T>>{&Params<T>::K2, abe_parts::K2_info},
       Row<T, Params<T>>{&Params<T>::r, abe_parts::r_info},
   };
+
+  static Canonical canonical(Params<double> const&) { return abe_parts::beyond_programs; }
 
   template <class T>
   struct State {

@@ -44,6 +44,8 @@ struct AbeY0 {
       Row<T, Params<T>>{&Params<T>::r, abe_parts::r_info},
   };
 
+  static Canonical canonical(Params<double> const&) { return abe_parts::beyond_programs; }
+
   template <class T>
   struct State {
     T u = T(0.0);  // F2 / Y0

@@ -3,6 +3,7 @@
 // elastic-perfectly-plastic part in parallel with K2.  Units kN, mm.  Step: exact along a straight path.
 #pragma once
 
+#include "isolaw/laws/canonical.hpp"
 #include "isolaw/laws/law.hpp"
 #include "isolaw/laws/limits.hpp"
 
@@ -53,6 +54,10 @@ struct Bilinear {
                          .published = Interval{30.0, 80.0},
                          .scaled = {0.01, 0.6, disp}}},
   };
+
+  static constexpr std::array joint_limits{
+      JointLimit<Params<double>>{"K1 >= K2", [](Params<double> const& p) { return p.K1 >= p.K2; }}};
+  static Canonical canonical(Params<double> const& p) { return BilinearForm{p.K1, p.K2, p.xy}; }
 
   template <class T>
   struct State {

@@ -7,6 +7,7 @@
 
 #include <limits>
 
+#include "isolaw/laws/canonical.hpp"
 #include "isolaw/laws/law.hpp"
 #include "isolaw/laws/limits.hpp"
 #include "isolaw/laws/runge_kutta.hpp"
@@ -27,9 +28,8 @@ struct BoucWen {
           "dz/dx = A - |z|^n (beta sgn(z dx) + gamma)",
       .note =
           "A is redundant: (Ke, A, beta, gamma, alpha) can be rescaled without changing the force, so a calibration "
-          "with A "
-          "free has no unique answer. The upper bound of alpha is lost in Table 4; 0.3 is used. Parameters must keep "
-          "beta > 0 and beta + gamma > 0; others have no bounded force and are rejected."};
+          "with A free has no unique answer. The upper bound of alpha is lost in Table 4; 0.3 is used. "
+          "Parameters must keep beta > 0 and beta + gamma > 0; others have no bounded force and are rejected."};
 
   template <class T>
   struct Params {
@@ -95,6 +95,14 @@ struct BoucWen {
             .beta = p.beta * scale,
             .n = p.n,
             .gamma = p.gamma * scale};
+  }
+
+  static constexpr std::array joint_limits{
+      JointLimit<Params<double>>{"beta > 0", [](Params<double> const& p) { return p.beta > 0.0; }},
+      JointLimit<Params<double>>{"beta + gamma > 0", [](Params<double> const& p) { return p.beta + p.gamma > 0.0; }}};
+  static Canonical canonical(Params<double> const& p) {
+    auto const r = reduced(p);
+    return BoucWenForm{r.alpha, r.Ke, r.beta, r.gamma, r.n};
   }
 
   template <class T>

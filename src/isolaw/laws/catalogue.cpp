@@ -1,8 +1,11 @@
 #include "isolaw/laws/catalogue.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/laws/all_laws.hpp"
@@ -10,15 +13,31 @@
 namespace isolaw::laws {
 namespace {
 
-template <class Law>
-concept HasReducedForm = requires(ParamsOf<Law, double> const& p) {
-  Law::reduced(p);
-};
+// The parameters that stand in the text as words of their own.
+std::vector<std::size_t> named_in(std::string_view text, std::vector<ParameterInfo> const& parameters) {
+  auto const padded = fmt::format(" {} ", text);
+  std::vector<std::size_t> named;
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    if (padded.find(fmt::format(" {} ", parameters[i].name)) != std::string::npos) named.push_back(i);
+  return named;
+}
+
+template <class Law, std::size_t I>
+bool holds(std::span<double const> values) {
+  return Law::joint_limits[I].holds(unpack<Law, double>(values));
+}
+
+template <class Law, std::size_t... I>
+std::vector<JointLimitEntry> joint_limits(std::vector<ParameterInfo> const& parameters, std::index_sequence<I...>) {
+  return {{.statement = Law::joint_limits[I].statement,
+           .parameters = named_in(Law::joint_limits[I].statement, parameters),
+           .holds = holds<Law, I>}...};
+}
 
 template <class Law>
 LawEntry entry() {
   LawEntry made{.info = Law::info, .index = 0, .parameters = {}, .evaluate = nullptr};
-  if constexpr (HasReducedForm<Law>) {
+  if constexpr (requires(ParamsOf<Law, double> const& p) { Law::reduced(p); }) {
     made.redundant = Law::redundant;
     made.redundant_with.assign(Law::redundant_with.begin(), Law::redundant_with.end());
     made.redundant_value = Law::redundant_value;
@@ -28,6 +47,13 @@ LawEntry entry() {
     };
   }
   for (auto const& row : Law::template rows<double>) made.parameters.push_back(row.info);
+  if constexpr (requires { Law::joint_limits; })
+    made.joint_limits = joint_limits<Law>(made.parameters, std::make_index_sequence<Law::joint_limits.size()>());
+  made.canonical = [](std::span<double const> parameters) -> Canonical {
+    if constexpr (requires { Law::canonical(unpack<Law, double>(parameters)); })
+      return Law::canonical(unpack<Law, double>(parameters));
+    return NoForm{};
+  };
   made.evaluate = [](std::span<double const> parameters, Path const& path, Integration integration,
                      std::span<double> force) {
     // A law may have a limit there (no yielding for an infinite yield displacement) or not meet the parameter on this
@@ -54,6 +80,15 @@ std::size_t LawEntry::index_of(std::string_view parameter) const {
                .found = "unknown parameter '" + std::string(parameter) + "'",
                .allowed = allowed,
                .advice = "isolaw laws " + std::string(info.id)});
+}
+
+std::optional<LawEntry::Unmet> LawEntry::unmet(std::span<double const> values) const {
+  auto const limit = std::ranges::find_if(joint_limits, [&](auto const& each) { return !each.holds(values); });
+  if (limit == joint_limits.end()) return std::nullopt;
+  Unmet made{.found = {}, .statement = limit->statement};
+  for (auto const i : limit->parameters)
+    made.found += fmt::format("{}{} = {:.6g}", made.found.empty() ? "" : ", ", parameters[i].name, values[i]);
+  return made;
 }
 
 std::span<LawEntry const> catalogue() {

@@ -1,14 +1,22 @@
 // The laws by name, for everything that is decided while running: command line, campaign, reports.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "isolaw/laws/canonical.hpp"
 #include "isolaw/laws/law.hpp"
 
 namespace isolaw::laws {
+
+struct JointLimitEntry {
+  std::string_view statement;
+  std::vector<std::size_t> parameters;  // those that it names
+  bool (*holds)(std::span<double const> parameters);
+};
 
 struct LawEntry {
   LawInfo info;
@@ -18,6 +26,17 @@ struct LawEntry {
   // Values that overflow come out infinite or NaN, and so do all for a parameter that is not finite; nothing is thrown.
   void (*evaluate)(std::span<double const> parameters, Path const& path, Integration integration,
                    std::span<double> force);
+
+  // The law as analysis programs know it, its parameters in its own units.
+  Canonical (*canonical)(std::span<double const> parameters) = nullptr;
+
+  // What parameters must meet together, and the first of it that these do not: "K1 = 1, K2 = 2" with the statement.
+  std::vector<JointLimitEntry> joint_limits = {};
+  struct Unmet {
+    std::string found;
+    std::string_view statement;
+  };
+  std::optional<Unmet> unmet(std::span<double const> parameters) const;
 
   // Where parameters are redundant by the law's form: the name of the one that can be fixed without loss, those it trades off
   // with, and the change to parameters of the same forces in which it has its fixed value. Empty and null elsewhere.

@@ -1,13 +1,18 @@
 // The contract of a law: what its file says about it, the record as it sees it, and how one is run over a record.
 //
 // A law is a struct with
-//   info                      LawInfo: id, title, source, units, traits, notes on how the source was read
-//   Params<T>                 its parameters, in the paper's symbols
-//   rows<T>                   one Row per parameter, in the order of reports: member, name, unit, limits, boxes,
-//   meaning State<T>                  what it remembers from sample to sample, with constants derived from the
-//   parameters start(params, first, how) the virgin state at the first sample step(params, state, step) advances the
-//   state over one step of the path, returns the force at its end step_paper(...)           optional: the same by one
-//   classical Runge-Kutta step, where that differs
+//   info                       LawInfo: id, title, source, units, traits, notes on how the source was read
+//   Params<T>                  its parameters, in the paper's symbols
+//   rows<T>                    one Row per parameter, in the order of reports: member, name, unit, limits, boxes, meaning
+//   State<T>                   what it remembers from sample to sample, with constants derived from the parameters
+//   start(params, first, how)  the virgin state at the first sample
+//   step(params, state, step)  advances the state over one step of the path, returns the force at its end
+// and, where it has them,
+//   step_paper(...)            the same by one classical Runge-Kutta step, where that differs
+//   joint_limits               what parameters must meet together: a JointLimit each
+//   reduced(params)            parameters of the same forces in which `redundant`, which trades off with `redundant_with`,
+//                              has the value `redundant_value`: where one can be fixed without loss
+//   canonical(params)          the law as analysis programs know it (canonical.hpp)
 // T is double, a derivative number or a batch of candidates. No allocation, exception or container in a step;
 // branching on what the record determines (Step) is free, on a candidate's values it is a select.
 #pragma once
@@ -34,11 +39,9 @@ using num::max;
 using num::min;
 using num::power;
 using num::rounded;
-using num::sech;
 using num::sech_squared;
 using num::select;
 using num::sqrt;
-using num::value_of;
 
 struct Interval {
   double lower = 0.0;
@@ -81,6 +84,14 @@ template <class T, class Params>
 struct Row {
   T Params::*member;
   ParameterInfo info;
+};
+
+// What the limits of single parameters cannot say. `statement` names the parameters as words of their own. Moving one of
+// them one way always helps or always harms: a box is outside where its corners are.
+template <class Params>
+struct JointLimit {
+  std::string_view statement;  // "K1 >= K2"
+  bool (*holds)(Params const&);
 };
 
 struct Traits {

@@ -51,8 +51,8 @@ inline constexpr double smallest_w = -12.0;   // |u| = 6e-6: between -6e-6 and 6
 inline constexpr double largest_w = 16.0;     // |1 - u| = 1e-7: closer to saturation u stays there
 inline constexpr double unloading_w = 14.0;   // |1 + u| = 8e-7: where unloading starts within saturation
 inline constexpr double reach_w = 4.0;        // |u| = 55: beyond, the rate is frozen at its value there
-inline constexpr double falling_origin =
-    60.0;  // keys of the falling piece, 4.4 to 59, lie above those of the rising one
+// Keys of the falling piece, 4.4 to 59, lie above those of the rising one.
+inline constexpr double falling_origin = 60.0;
 
 // Keeps what is saturated inside the last cell of its piece, where rounding would take it to the next.
 inline constexpr double just_below_one = 1.0 - 1e-15;

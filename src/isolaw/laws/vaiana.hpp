@@ -4,6 +4,7 @@
 // m.  Step: exact; a branch continued from any of its points is the same branch, so every sample serves as (xP, fP).
 #pragma once
 
+#include "isolaw/laws/canonical.hpp"
 #include "isolaw/laws/law.hpp"
 #include "isolaw/laws/limits.hpp"
 
@@ -161,6 +162,11 @@ struct Vaiana {
                          .scaled = {-1.2, 1.2, disp},
                          .fixed_by_default = 0.0}},
   };
+
+  static Canonical canonical(Params<double> const& p) {
+    return LimitCurvesForm{.loading = {p.Kb_p, p.f0_p, p.alpha_p, p.beta1_p, p.beta2_p, p.gamma1_p},
+                           .unloading = {p.Kb_m, p.f0_m, p.alpha_m, p.beta1_m, p.beta2_m, p.gamma1_m}};
+  }
 
   template <class T>
   struct State {

@@ -2,20 +2,19 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/num/linear.hpp"
 
 namespace isolaw::lot {
 namespace {
 
-using Eigen::Index;
-using Vector = Eigen::VectorXd;
-using Matrix = Eigen::MatrixXd;
-using Symmetric = Eigen::SelfAdjointEigenSolver<Matrix>;
+using num::Index;
+using num::Matrix;
+using num::Vector;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 // Of the largest eigenvalue: below it a direction is rounding of the others.
@@ -120,6 +119,11 @@ Vector or_one(Vector v) {
   return v;
 }
 
+// Each element by the factors of its row and its column.
+Matrix scaled(Matrix const& m, Vector const& factors) {
+  return factors.asDiagonal() * m * factors.asDiagonal();
+}
+
 std::vector<double> unit_direction(Vector v) {
   v.normalize();
   Index largest = 0;
@@ -132,24 +136,24 @@ std::vector<double> unit_direction(Vector v) {
 // T: outside it estimates neither differ nor err. lambda - 1 of C is 2 m - 1 of T.
 Matrix between_devices(Matrix const& S, Matrix const& C, Population& population) {
   Vector const scale = or_one((S + C).diagonal().cwiseMax(0.0).cwiseSqrt());
-  Matrix const shrink = scale.cwiseInverse().asDiagonal();
-  Matrix const s = shrink * S * shrink;
-  Symmetric const total(s + shrink * C * shrink);
-  double const largest = total.eigenvalues().maxCoeff();
+  Vector const shrink = scale.cwiseInverse();
+  Matrix const s = scaled(S, shrink);
+  auto const total = num::symmetric_eigen(s + scaled(C, shrink));
+  double const largest = total.values.maxCoeff();
   std::vector<Index> range;
-  for (Index i = 0; i < total.eigenvalues().size(); ++i)
-    if (total.eigenvalues()[i] > rounding * largest) range.push_back(i);
+  for (Index i = 0; i < total.values.size(); ++i)
+    if (total.values[i] > rounding * largest) range.push_back(i);
 
   auto const n = S.rows();
   Matrix sigma = Matrix::Zero(n, n);
   if (range.empty()) return sigma;
-  Matrix const axes = total.eigenvectors()(Eigen::all, range);
-  Vector const size = total.eigenvalues()(range).cwiseSqrt();
+  Matrix const axes = total.vectors(Eigen::all, range);
+  Vector const size = total.values(range).cwiseSqrt();
   Matrix const whiten = axes * size.cwiseInverse().asDiagonal(), colour = axes * size.asDiagonal();
-  Symmetric const shares(whiten.transpose() * s * whiten);
-  for (Index i = 0; i < shares.eigenvalues().size(); ++i) {
-    double const m = shares.eigenvalues()[i], remainder = 2.0 * m - 1.0;
-    Vector const direction = colour * shares.eigenvectors().col(i);
+  auto const shares = num::symmetric_eigen(num::product(num::transposed_product(whiten, s), whiten));
+  for (Index i = 0; i < shares.values.size(); ++i) {
+    double const m = shares.values[i], remainder = 2.0 * m - 1.0;
+    Vector const direction = num::apply(colour, shares.vectors.col(i));
     if (remainder > least_remainder) {
       ++population.directions;
       sigma += remainder * direction * direction.transpose();
@@ -157,15 +161,15 @@ Matrix between_devices(Matrix const& S, Matrix const& C, Population& population)
       population.undetermined.push_back({unit_direction(direction), std::max(0.0, m) / (1.0 - m)});
     }
   }
-  return scale.asDiagonal() * sigma * scale.asDiagonal();
+  return scaled(sigma, scale);
 }
 
 // The variance that each error would have if all other parameters were known, 1 / (C^-1)_ii; near zero where C is singular.
 Vector alone(Matrix const& C) {
   Vector const scale = or_one(C.diagonal().cwiseMax(0.0).cwiseSqrt());
-  Symmetric const parts(scale.cwiseInverse().asDiagonal() * C * scale.cwiseInverse().asDiagonal());
-  Vector const inverse = parts.eigenvalues().cwiseMax(rounding).cwiseInverse();
-  return (parts.eigenvectors().cwiseAbs2() * inverse).cwiseInverse().cwiseProduct(scale.cwiseAbs2());
+  auto const parts = num::symmetric_eigen(scaled(C, scale.cwiseInverse()));
+  Vector const inverse = parts.values.cwiseMax(rounding).cwiseInverse();
+  return num::apply(Matrix(parts.vectors.cwiseAbs2()), inverse).cwiseInverse().cwiseProduct(scale.cwiseAbs2());
 }
 
 // Takes those of `undetermined` out of S that do not act.
@@ -216,9 +220,9 @@ void describe(Matrix const& sigma, Population& population) {
 Matrix symmetric_root(Population const& population) {
   Matrix const sigma = matrix(population.covariance);
   Vector const spread = sigma.diagonal().cwiseMax(0.0).cwiseSqrt(), scale = or_one(spread);
-  Symmetric const parts(scale.cwiseInverse().asDiagonal() * sigma * scale.cwiseInverse().asDiagonal());
-  return scale.asDiagonal() * parts.eigenvectors() * parts.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() *
-         parts.eigenvectors().transpose();
+  auto const parts = num::symmetric_eigen(scaled(sigma, scale.cwiseInverse()));
+  return num::product_of_transposed(scale.asDiagonal() * parts.vectors, parts.values.cwiseMax(0.0).cwiseSqrt(),
+                                    parts.vectors);
 }
 
 bool inside(std::vector<double> const& values, std::span<Limits const> limits) {
@@ -324,7 +328,7 @@ Sample sample(Population const& population, std::size_t count, num::Stream const
     for (std::uint32_t attempt = 0; attempt < most_tries && !found; ++attempt) {
       num::Draws draws(stream, static_cast<std::uint32_t>(i), attempt);
       for (double& x : z) x = draws.normal();
-      values = physical(population, mean + root * z);
+      values = physical(population, mean + num::apply(root, z));
       found = inside(values, limits);
       made.rejected += found ? 0 : 1;
     }
@@ -332,7 +336,7 @@ Sample sample(Population const& population, std::size_t count, num::Stream const
     while (!found) {
       z *= 0.5;
       // Halved until it no longer moves a median that lies on its limit.
-      values = z.norm() > 1e-12 ? physical(population, mean + root * z) : population.medians;
+      values = z.norm() > 1e-12 ? physical(population, mean + num::apply(root, z)) : population.medians;
       found = inside(values, limits) || z.norm() <= 1e-12;
     }
     made.values.push_back(std::move(values));

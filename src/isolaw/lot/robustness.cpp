@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "isolaw/base/words.hpp"
 #include "isolaw/num/statistics.hpp"
 
 namespace isolaw::lot {
@@ -24,12 +25,6 @@ std::optional<double> reference_mean(std::span<double const> values) {
   double const mean = num::moments(values).mean;
   if (!std::isfinite(mean) || std::abs(mean) <= near_zero * largest) return std::nullopt;
   return mean;
-}
-
-std::string join(std::vector<std::string> const& names) {
-  std::string text;
-  for (auto const& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
 }
 
 }  // namespace
@@ -67,9 +62,9 @@ Robustness robustness_index(std::vector<std::string> const& names,
       (all_finite(device_means[n]) ? mean_near_zero : not_finite).push_back(names[n]);
   }
   std::string note;
-  if (!not_finite.empty()) note = "a device's mean is not finite: " + join(not_finite);
+  if (!not_finite.empty()) note = "a device's mean is not finite: " + joined(not_finite);
   if (!mean_near_zero.empty())
-    note += (note.empty() ? "" : "; ") + ("mean over devices near zero: " + join(mean_near_zero));
+    note += (note.empty() ? "" : "; ") + ("mean over devices near zero: " + joined(mean_near_zero));
   if (!note.empty()) return {.beta = {}, .note = note};
   return {.beta = sum / static_cast<double>(names.size()), .note = {}};
 }

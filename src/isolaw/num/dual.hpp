@@ -83,10 +83,6 @@ template <std::size_t N>
 Dual<N> select(bool condition, Dual<N> const& u, Dual<N> const& w) {
   return condition ? u : w;
 }
-template <std::size_t N>
-double value_of(Dual<N> const& u) {
-  return u.value;
-}
 template <std::size_t N, std::size_t Count>
 std::size_t cell_of(std::array<Dual<N>, Count> const& nodes, Dual<N> const& x) {
   std::size_t first = 0;

@@ -5,7 +5,6 @@
 //   select(condition, a, b)               a where true, b elsewhere, lane by lane; both are evaluated
 //   rounded(x)                            x, but a product is rounded before it goes into a sum: in a sum of two products
 //                                         it says which of them is not fused
-//   value_of(x)                           the value without derivatives (double), for tests and messages
 //   cell_of(nodes, x)                     index i of the cell nodes[i] <= x < nodes[i+1], clamped to 0 .. count-2
 //   at(values, index)                     values[index], lane by lane
 //   Rows8                                 a table of rows of eight values, read by an index as cell_of gives it
@@ -42,9 +41,6 @@ inline double max(double a, double b) {
 }
 inline double select(bool condition, double a, double b) {
   return condition ? a : b;
-}
-inline double value_of(double x) {
-  return x;
 }
 template <class T>
 T const& rounded(T const& x) {
@@ -94,13 +90,6 @@ T sech_squared(T const& u) {
   T const e = exp(T(-2.0) * abs(u));
   T const one_plus = T(1.0) + e;
   return T(4.0) * e / (one_plus * one_plus);
-}
-
-// 1 / cosh(u), likewise.
-template <class T>
-T sech(T const& u) {
-  T const e = exp(-abs(u));
-  return T(2.0) * e / (T(1.0) + e * e);
 }
 
 }  // namespace isolaw::num

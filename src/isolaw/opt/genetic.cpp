@@ -119,11 +119,6 @@ std::string_view name(GeneticOutcome outcome) {
   return "";
 }
 
-std::string GeneticResult::brief() const {
-  auto const value = usable() ? fmt::format("{:.4g}", best_value) : std::string("nothing found");
-  return fmt::format("{}: {} after {} generations, {} evaluations", name(outcome), value, history.size(), evaluations);
-}
-
 GeneticResult minimise_genetic(Problem const& problem, num::Stream const& stream, GeneticOptions const& options,
                                std::function<bool()> const& interrupted) {
   assert(options.population >= 4 && options.population % 2 == 0);

@@ -42,7 +42,6 @@ struct GeneticResult {
   std::vector<double> history;  // best value after each generation; never rises
 
   bool usable() const { return !best.empty(); }
-  std::string brief() const;  // "stagnated: 0.0712 after 34 generations, 3400 evaluations"
 };
 
 // Deterministic for a given stream: random numbers depend on (stream, generation, individual or pair) alone.

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -11,14 +10,83 @@
 #include <utility>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/num/linear.hpp"
 
 namespace isolaw::opt {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-using Eigen::Index;
-using Vector = Eigen::VectorXd;
-using Matrix = Eigen::MatrixXd;
+
+// What the search is tuned by, with the reason of each. "Logged": chosen by playing rules back on logged descents, with the
+// numbers in docs/performance.md, "The optimum". Gains and distances of values are relative, coordinates those of the unit box.
+namespace tuning {
+
+// --- a descent -------------------------------------------------------------------------------------------------------
+
+// A stage ends with this delta, as a share of the mean residual, or after so many iterations at the latest.
+struct Stage {
+  double smoothing;
+  int iterations;
+  double least_gain = 0.0;  // over `patience` iterations at the last delta
+};
+// Half the residuals' size: the corner of the absolute value is still rounded off, and the outline's third of the residuals
+// tells the same valley as all of them (logged).
+constexpr Stage approach{.smoothing = 0.5, .iterations = 25};
+// To the tolerance of a hit, 5e-4, and no further: the end is only counted. Its least gain is below that tolerance.
+constexpr Stage settle{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4};
+// For the digits that are reported.
+constexpr Stage polish{.smoothing = 0.003, .iterations = 60};
+constexpr std::size_t patience = 4;  // single iterations stutter where a residual crosses zero
+
+constexpr double gain_worth_staying = 3e-3;  // at a delta that is not the stage's last: less, and delta falls
+// About half a decade: the floor of the next delta lies within a few steps of this one's.
+constexpr double fall_of_delta = 0.3;
+constexpr double noise_of_gain = 1e-6;  // of one-sided differences: smaller gains are none
+
+// Curvature across a step is some 1e-6 of the slope, rounding 1e-9 of it: both far below what the damping takes off.
+constexpr double difference_step = 1e-6;
+// Of the two curvatures in the bold steps: the bold one alone is zero where no residual is near zero.
+constexpr double bold_share = 0.9, cautious_share = 0.1;
+
+constexpr std::size_t tried = 4;        // steps of an iteration; eight find the same for more evaluations (logged)
+constexpr double damping_ratio = 20.0;  // between trial steps: with the larger two a decade and more beyond the usual
+constexpr double damping_rise = 1e4;    // when all of them were in vain: past the largest of them
+constexpr int rises = 4;                // from the usual damping to the most
+constexpr double usual_damping = 1e-2;
+constexpr double most_damping = 1e8;                        // a step along the gradient, of no length to speak of
+constexpr double least_carried = 1e-9, most_carried = 1e6;  // to the next iteration: a few rises from being undone
+constexpr double least_curvature = 1e-9;  // of the largest: keeps directions solvable that no residual feels
+
+// --- a search --------------------------------------------------------------------------------------------------------
+
+constexpr double one_valley = 0.75;       // so many of the scattered ends at the best value leave no room for another
+constexpr std::ptrdiff_t many_hits = 12;  // with the next share: missed the best valley in 1 of 380 logged searches
+constexpr double agreeing = 0.4;          // of the scattered ends; three in ten of all ends missed it in 6 (logged)
+constexpr std::ptrdiff_t part_when_agreed = 3;  // of the starts: 24 of 72
+// In so many dimensions hops find a better valley at a quarter of a scattered start's cost, and both seldom (logged).
+constexpr std::size_t wide = 14;
+constexpr double more_when_wide = 2.5;  // as many starts, every other a hop: 180 of 72
+// Ends of the approach farther off are not settled: settling gains some tenths, not half.
+constexpr double promising = 1.5;
+constexpr double least_power_of_hop = -1.5, most_power_of_hop = -0.3;  // 0.03 to half the box: out of the valley
+constexpr double least_power_of_last_hop = -2.0, most_power_of_last_hop = -0.5;  // 0.01 to 0.3: along its floor
+
+// --- its last digits -------------------------------------------------------------------------------------------------
+
+constexpr double sharp = 0.2;  // of a hit's tolerance: so close to one another lie the ends on a smooth floor
+// Ends, where the floor is ragged; the best one alone stopped 0.1 % above it in 3 of 29 searches (logged).
+constexpr std::size_t polished = 6;
+constexpr double near_enough = 2.0;                    // of a hit's tolerance: ends beyond are of another floor
+constexpr double worth_polishing = 1.01;               // times the best, after the approach
+constexpr int hops_in_vain = 10, most_last_hops = 40;  // without gain in a row; in all
+constexpr double gain_of_last_hop = 0.1;               // of a hit's tolerance
+constexpr double absolute_tolerance = 1e-9;            // where the best is zero
+
+}  // namespace tuning
+
+using num::Index;
+using num::Matrix;
+using num::Vector;
 
 Eigen::Map<Vector const> vector(std::span<double const> values) {
   return {values.data(), static_cast<Index>(values.size())};
@@ -92,44 +160,35 @@ class Descent {
   std::vector<double> const& x() const { return best_.x; }
 
   void approach() {
-    Stage const stage{.smoothing = 0.5, .iterations = 25};
-    if (!problem_.has_outline()) return go(stage);
+    if (!problem_.has_outline()) return go(tuning::approach);
     Located const start = std::exchange(best_, {});
     problem_.show_outline();
     move_to(start.x);
-    if (usable()) go(stage);
+    if (usable()) go(tuning::approach);
     problem_.show_whole();
     auto const found = std::exchange(best_, start);
     move_to(found.x.empty() ? start.x : found.x);
     if (!usable()) here_ = start;
   }
-  void settle() { go({.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4}); }
-  void polish() { go({.smoothing = 0.003, .iterations = 60}); }
+  void settle() { go(tuning::settle); }
+  void polish() { go(tuning::polish); }
 
  private:
-  static constexpr std::size_t tried = 4;  // steps of an iteration, evaluated together
-
-  struct Stage {
-    double smoothing;         // the last delta, as a share of the mean residual
-    int iterations;           // at most
-    double least_gain = 0.0;  // relative, over `patience` iterations at the last delta
-  };
-  static constexpr std::size_t patience = 4;
-
-  void go(Stage const& stage) {
+  void go(tuning::Stage const& stage) {
+    using namespace tuning;
     std::vector<double> values;  // at the last delta
     for (int i = 0; i < stage.iterations; ++i) {
       double const before = problem_.smoothed(here_.residuals, delta_);
       bool const moved = iterate();
       double const after = problem_.smoothed(here_.residuals, delta_);
-      if (moved && after <= before * (1.0 - 3e-3)) continue;
+      if (moved && after <= before * (1.0 - gain_worth_staying)) continue;
       if (delta_ > stage.smoothing * here_.value) {
-        delta_ = std::max(0.3 * std::min(delta_, here_.value), 0.999 * stage.smoothing * here_.value);
+        delta_ = std::max(fall_of_delta * std::min(delta_, here_.value), 0.999 * stage.smoothing * here_.value);
         damping_ = std::min(damping_, usual_damping);
         continue;
       }
       values.push_back(after);
-      if (!moved || after > before * (1.0 - 1e-6)) return;
+      if (!moved || after > before * (1.0 - noise_of_gain)) return;
       if (values.size() > patience && after > values[values.size() - 1 - patience] * (1.0 - stage.least_gain)) return;
     }
   }
@@ -151,7 +210,7 @@ class Descent {
 
   // Derivatives of the residuals by one-sided differences into the box; zero where the neighbour has no value.
   Matrix jacobian() {
-    constexpr double step = 1e-6;
+    constexpr double step = tuning::difference_step;
     Points points(n_, n_);
     for (std::size_t k = 0; k < n_; ++k) {
       std::ranges::copy(here_.x, points[k].begin());
@@ -171,6 +230,7 @@ class Descent {
 
   // False when no step was an improvement.
   bool iterate() {
+    using namespace tuning;
     auto const J = jacobian();
     auto const r = vector(here_.residuals).array();
     // Curvature of the rounded absolute value: of the parabola that touches it here and lies above it elsewhere, and its
@@ -178,13 +238,13 @@ class Descent {
     Eigen::ArrayXd const size = (r.square() + delta_ * delta_).sqrt();
     Vector const above = vector(problem_.weights()).array() / size;
     Vector const own = above.array() * (delta_ / size).square();
-    Vector const g = J.transpose() * (above.array() * r).matrix();
-    Matrix const cautious = J.transpose() * above.asDiagonal() * J;
-    Matrix const bold = 0.1 * cautious + 0.9 * (J.transpose() * own.asDiagonal() * J);
+    Vector const g = num::apply_transposed(J, Vector(above.array() * r));
+    Matrix const cautious = num::weighted_gram(J, above);
+    Matrix const bold = cautious_share * cautious + num::weighted_gram(J, own, bold_share);
 
     double const value = problem_.smoothed(here_.residuals, delta_);
-    auto const stretch = [](std::size_t i) { return std::pow(20.0, static_cast<double>(i / 2) - 1.0); };
-    for (int attempt = 0; attempt < 4 && damping_ <= most_damping; ++attempt) {
+    auto const stretch = [](std::size_t i) { return std::pow(damping_ratio, static_cast<double>(i / 2) - 1.0); };
+    for (int attempt = 0; attempt < rises && damping_ <= most_damping; ++attempt) {
       Points points(n_, tried);
       for (std::size_t i = 0; i < tried; ++i)
         propose(i % 2 == 0 ? cautious : bold, g, damping_ * stretch(i), points[i]);
@@ -198,11 +258,11 @@ class Descent {
         best = i;
       }
       if (best < tried) {
-        damping_ = std::clamp(damping_ * stretch(best) / std::sqrt(20.0), 1e-9, 1e6);
+        damping_ = std::clamp(damping_ * stretch(best) / std::sqrt(damping_ratio), least_carried, most_carried);
         take(points[best], best);
         return true;
       }
-      damping_ *= 1e4;
+      damping_ *= damping_rise;
     }
     damping_ = usual_damping;
     return false;
@@ -217,16 +277,16 @@ class Descent {
       bool const stuck = (here_.x[k] <= 0.0 && slope >= 0.0) || (here_.x[k] >= 1.0 && slope <= 0.0);
       if (!stuck) free.push_back(static_cast<Index>(k));
     }
-    double const floor = 1e-9 * H.diagonal().maxCoeff() + 1e-300;
+    double const floor = tuning::least_curvature * H.diagonal().maxCoeff() + 1e-300;
     Vector moved = Vector::Zero(g.size());
     // Coordinates whose step ends at an edge are held there, and the others computed again.
     for (int pass = 0; pass < 3 && !free.empty(); ++pass) {
       Vector held = moved;
       held(free).setZero();
-      Vector const b = -(g + H * held)(free);
+      Vector const b = -(g + num::apply(H, held))(free);
       Matrix A = H(free, free);
       A.diagonal() += damping * A.diagonal() + Vector::Constant(A.rows(), floor);
-      Vector const step = A.ldlt().solve(b);
+      Vector const step = num::solve_symmetric(A, b);
       std::vector<Index> inside;
       for (Index i = 0; i < step.size(); ++i) {
         auto const k = static_cast<std::size_t>(free[static_cast<std::size_t>(i)]);
@@ -240,13 +300,11 @@ class Descent {
     }
   }
 
-  static constexpr double usual_damping = 1e-2, most_damping = 1e8;
-
   Counting& problem_;
   std::size_t n_;
   Located here_, best_;
   double delta_ = 0.0;
-  double damping_ = usual_damping;
+  double damping_ = tuning::usual_damping;
 };
 
 // One point in each of `count` slices of every coordinate.
@@ -295,7 +353,8 @@ class Search {
       for (int hop = 1; hop <= hops && !enough(); ++hop) {
         if (interrupted && interrupted()) return ended(MultistartOutcome::interrupted);
         num::Draws wind(stream_, round, static_cast<std::uint32_t>(hop));
-        descend(hop % 2 != 0 ? with_two_drawn_anew(result_.best, wind) : disturbed(result_.best, -1.5, -0.3, wind));
+        descend(hop % 2 != 0 ? with_two_drawn_anew(result_.best, wind)
+                             : disturbed(result_.best, tuning::least_power_of_hop, tuning::most_power_of_hop, wind));
       }
     }
     refine(interrupted);
@@ -303,7 +362,7 @@ class Search {
   }
 
  private:
-  double within(double tolerance) const { return result_.best_value * (1.0 + tolerance) + absolute_tolerance; }
+  double within(double tolerance) const { return result_.best_value * (1.0 + tolerance) + tuning::absolute_tolerance; }
   static std::ptrdiff_t count(std::vector<double> const& values, double most) {
     return std::ranges::count_if(values, [&](double value) { return value <= most; });
   }
@@ -319,14 +378,14 @@ class Search {
   std::ptrdiff_t starts_for(std::ptrdiff_t hits, double near) const {
     std::ptrdiff_t const least = options_.least_starts, starts = options_.starts;
     auto const scattered_hits = count(scattered_, near);
-    if (4 * scattered_hits >= 3 * std::ssize(scattered_)) return least;
-    if (is_wide()) return 5 * starts / 2;
-    bool const agreed = hits >= many_hits && 5 * scattered_hits >= 2 * std::ssize(scattered_);
-    return agreed ? std::max(least, starts / 3) : starts;
+    auto const share = static_cast<double>(scattered_hits) / static_cast<double>(scattered_.size());
+    if (share >= tuning::one_valley) return least;
+    if (is_wide()) return static_cast<std::ptrdiff_t>(tuning::more_when_wide * static_cast<double>(starts));
+    bool const agreed = hits >= tuning::many_hits && share >= tuning::agreeing;
+    return agreed ? std::max(least, starts / tuning::part_when_agreed) : starts;
   }
 
-  // In so many dimensions hops find a better valley at a quarter of a scattered start's cost, and both seldom.
-  bool is_wide() const { return counting_.dimension() > 14; }
+  bool is_wide() const { return counting_.dimension() > tuning::wide; }
 
   void keep(Descent const& descent) {
     if (descent.value() >= result_.best_value) return;
@@ -338,7 +397,7 @@ class Search {
     Descent descent(counting_, start);
     if (descent.usable()) {
       descent.approach();
-      if (descent.value() < promising * result_.best_value) descent.settle();
+      if (descent.value() < tuning::promising * result_.best_value) descent.settle();
       keep(descent);
     }
     ends_.push_back(descent.value());
@@ -354,26 +413,27 @@ class Search {
       Descent descent(counting_, start);
       if (!descent.usable()) return;
       descent.approach();
-      if (descent.value() < 1.01 * result_.best_value) descent.polish();
+      if (descent.value() < tuning::worth_polishing * result_.best_value) descent.polish();
       keep(descent);
     };
     auto const hits = count(ends_, within(options_.hit_tolerance));
-    auto const agreeing = count(ends_, within(0.2 * options_.hit_tolerance));
+    auto const agreeing = count(ends_, within(tuning::sharp * options_.hit_tolerance));
     bool const sharp = agreeing >= 2 * options_.hits && 2 * agreeing >= hits;
-    double const near = within(2.0 * options_.hit_tolerance);
+    double const near = within(tuning::near_enough * options_.hit_tolerance);
     std::vector<std::size_t> order(ends_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return ends_[i]; });
-    order.resize(std::min<std::size_t>(order.size(), sharp ? 1 : polished));
+    order.resize(std::min<std::size_t>(order.size(), sharp ? 1 : tuning::polished));
     for (std::size_t const i : order)
       if (ends_[i] <= near) polish(end_points_[i]);
     int without_gain = 0;
-    for (std::uint32_t hop = 0; !sharp && without_gain < 10 && hop < 40; ++hop) {
+    for (std::uint32_t hop = 0; !sharp && without_gain < tuning::hops_in_vain && hop < tuning::most_last_hops; ++hop) {
       if (interrupted && interrupted()) break;
       num::Draws wind(stream_, std::numeric_limits<std::uint32_t>::max(), hop);
       double const before = result_.best_value;
-      polish(disturbed(result_.best, -2.0, -0.5, wind));
-      without_gain = result_.best_value < before * (1.0 - 0.1 * options_.hit_tolerance) ? 0 : without_gain + 1;
+      polish(disturbed(result_.best, tuning::least_power_of_last_hop, tuning::most_power_of_last_hop, wind));
+      bool const gained = result_.best_value < before * (1.0 - tuning::gain_of_last_hop * options_.hit_tolerance);
+      without_gain = gained ? 0 : without_gain + 1;
     }
     result_.history.push_back(result_.best_value);
   }
@@ -384,11 +444,6 @@ class Search {
     result_.hits = static_cast<int>(count(ends_, within(options_.hit_tolerance)));
     return result_;
   }
-
-  static constexpr std::ptrdiff_t many_hits = 12;
-  static constexpr std::size_t polished = 6;          // ends, where they scatter
-  static constexpr double promising = 1.5;            // times the best: worth settling
-  static constexpr double absolute_tolerance = 1e-9;  // where the best is zero
 
   MultistartOptions const& options_;
   num::Stream stream_;

@@ -1,13 +1,11 @@
 // JSON: everything an export knows, for machines.
+#include "isolaw/base/json.hpp"
 #include "isolaw/programs/exports.hpp"
 #include "isolaw/programs/self_check.hpp"
 #include "isolaw/programs/text.hpp"
-#include "isolaw/report/json.hpp"
 
 namespace isolaw::programs {
 namespace {
-
-using report::JsonWriter;
 
 void write(JsonWriter& out, std::string_view key, Deviation const& d) {
   out.key(key).begin_object();
@@ -96,7 +94,8 @@ std::string export_json(Subject const& subject, Realisation const& realisation, 
   auto const check = self_check(subject, realisation, units);
   auto const& law = subject.law->info;
   JsonWriter out(JsonWriter::Layout::indented);
-  out.begin_object().member("isolaw", subject.version).member("lot", subject.title);
+  out.begin_object().member("isolaw", subject.version).member("calibrated_by", "isolaw " + subject.makers);
+  out.member("lot", subject.title);
   out.member("device", subject.device).member("of_the_lot", subject.lot);
   out.key("law").begin_object().member("id", law.id).member("title", law.title).member("source", law.source);
   out.member("force_unit", law.force.symbol).member("length_unit", law.length.symbol).end_object();

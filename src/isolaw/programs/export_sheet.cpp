@@ -36,8 +36,8 @@ std::string fitted_text(std::string_view what, Deviation const& error) {
   return fmt::format("{}: {}", what, deviation_text(error));
 }
 
-std::vector<double> parameters_of(BoucWenValues const& v) {
-  auto const& law = laws::find_law("bouc-wen");
+std::vector<double> parameters_of(laws::BoucWenForm const& v) {
+  auto const& law = laws::find_law(smooth_law);
   std::vector<double> p(law.parameters.size());
   p[law.index_of("alpha")] = v.alpha;
   p[law.index_of("Ke")] = v.Ke;
@@ -51,36 +51,36 @@ std::vector<double> parameters_of(BoucWenValues const& v) {
 constexpr double sharpest = 20.0;  // exponent of a corner
 
 // Bouc-Wen that stands for a bilinear loop.
-BoucWenValues sharp(BilinearValues const& v) {
+laws::BoucWenForm sharp(laws::BilinearForm const& v) {
   double const half = 0.5 * std::pow(v.uy, -sharpest);
   return {.alpha = v.K2 / v.K1, .Ke = v.K1, .beta = half, .gamma = half, .n = sharpest};
 }
 
-std::optional<BoucWenValues> fitted_bouc_wen(Subject const& subject, std::vector<fit::Override> const& overrides,
-                                             Deviation& error) {
-  auto const found = fit_in_place(subject, "bouc-wen", overrides);
+std::optional<laws::BoucWenForm> fitted_bouc_wen(Subject const& subject, std::vector<fit::Override> const& overrides,
+                                                 Deviation& error) {
+  auto const found = fit_in_place(subject, smooth_law, overrides);
   if (found.law == nullptr) return std::nullopt;
   error = deviation_of_law(subject, *found.law, found.parameters);
   return bouc_wen_values(*found.law, found.parameters);
 }
 
 fit::Override set(std::string_view parameter, laws::Interval interval) {
-  return {.law = "bouc-wen", .parameter = std::string(parameter), .interval = interval, .tied_to = {}};
+  return {.law = std::string(smooth_law), .parameter = std::string(parameter), .interval = interval, .tied_to = {}};
 }
 fit::Override tie_gamma() {
-  return {.law = "bouc-wen", .parameter = "gamma", .interval = std::nullopt, .tied_to = "beta"};
+  return {.law = std::string(smooth_law), .parameter = "gamma", .interval = std::nullopt, .tied_to = "beta"};
 }
 
-using WenSet = std::optional<Set<BoucWenValues>>;
+using WenSet = std::optional<Set<laws::BoucWenForm>>;
 
 // With beta = gamma and an exponent of 1 to 20.
 WenSet plastic_wen(Subject const& subject) {
   if (auto const v = bilinear_values(*subject.law, subject.parameters)) {
     auto const s = sharp(*v);
-    auto const error = deviation_of_law(subject, laws::find_law("bouc-wen"), parameters_of(s));
+    auto const error = deviation_of_law(subject, laws::find_law(smooth_law), parameters_of(s));
     return with_bounds(subject, s, fitted_text("the corner as an exponent of 20, from the law", error));
   }
-  auto const v = equivalent_bouc_wen(*subject.law, subject.parameters);
+  auto const v = bouc_wen_values(*subject.law, subject.parameters);
   if (v && std::abs(v->beta - v->gamma) <= 1e-9 * std::abs(v->beta + v->gamma) && v->n >= 1.0)
     return with_bounds(subject, *v, "exact: beta = gamma");
   Deviation error;
@@ -104,8 +104,8 @@ WenSet rubber_isolator(Subject const& subject) {
 
 // With beta and gamma free.
 WenSet free_bouc_wen(Subject const& subject, WenSet const& wen) {
-  if (subject.law->info.id == "bilinear") return wen;
-  if (auto const v = equivalent_bouc_wen(*subject.law, subject.parameters))
+  if (bilinear_values(*subject.law, subject.parameters)) return wen;
+  if (auto const v = bouc_wen_values(*subject.law, subject.parameters))
     return with_bounds(subject, *v, "the law's own equation; the program's integration comes on top");
   Deviation error;
   auto const found = fitted_bouc_wen(subject, {}, error);
@@ -113,9 +113,9 @@ WenSet free_bouc_wen(Subject const& subject, WenSet const& wen) {
   return with_bounds(subject, *found, fitted_text("re-fitted; from the law", error));
 }
 
-std::optional<Set<BilinearValues>> bilinear(Subject const& subject) {
+std::optional<Set<laws::BilinearForm>> bilinear(Subject const& subject) {
   if (auto const v = bilinear_values(*subject.law, subject.parameters)) return with_bounds(subject, *v, "exact");
-  auto const found = fit_in_place(subject, "bilinear");
+  auto const found = fit_in_place(subject, corner_law);
   if (found.law == nullptr) return std::nullopt;
   auto const error = deviation_of_law(subject, *found.law, found.parameters);
   return with_bounds(subject, *bilinear_values(*found.law, found.parameters),
@@ -167,8 +167,8 @@ class Page {
   std::string text_;
 };
 
-void wen_rows(Page& page, Set<BoucWenValues> const& set, std::string_view k, std::string_view Fy, std::string_view r,
-              std::string_view exponent) {
+void wen_rows(Page& page, Set<laws::BoucWenForm> const& set, std::string_view k, std::string_view Fy,
+              std::string_view r, std::string_view exponent) {
   page.values_header();
   page.row(
       k, 1, -1, set, [](auto const& v) { return v.Ke; }, "stiffness before yielding");
@@ -181,12 +181,12 @@ void wen_rows(Page& page, Set<BoucWenValues> const& set, std::string_view k, std
         exponent, 0, 0, set, [](auto const& v) { return v.n; }, "sharpness of yielding");
 }
 
-double share_of_beta(BoucWenValues const& v) {
+double share_of_beta(laws::BoucWenForm const& v) {
   return v.beta / (v.beta + v.gamma);
 }
 
 void csi(Page& page, Subject const& subject, WenSet const& wen, WenSet const& rubber,
-         std::optional<Set<BilinearValues>> const& corner, UnitSystem const& units) {
+         std::optional<Set<laws::BilinearForm>> const& corner, UnitSystem const& units) {
   page.heading("SAP2000, ETABS");
   if (subject.K_eff_kN_per_mm) {
     page.line(
@@ -232,7 +232,7 @@ std::string capitalised(std::string text) {
   return text;
 }
 
-void others(Page& page, WenSet const& wen, std::optional<Set<BilinearValues>> const& corner) {
+void others(Page& page, WenSet const& wen, std::optional<Set<laws::BilinearForm>> const& corner) {
   if (wen) {
     page.heading("MIDAS, general link, Hysteretic System");
     page.line(fmt::format(
@@ -309,7 +309,7 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units) {
   auto const count = cycle.disp_mm.size();
   for (std::size_t i = (count - 1) / 2; i < count; i += 10)
     page.line(fmt::format("| {:.5g} | {:.5g} |", units.from_mm(cycle.disp_mm[i]), units.from_kN(cycle.law_kN[i])));
-  page.line(fmt::format("\nisolaw {}", subject.version));
+  page.line(fmt::format("\nisolaw {}; calibrated by isolaw {}", subject.version, subject.makers));
   return page.take();
 }
 

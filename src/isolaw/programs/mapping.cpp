@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
+#include <variant>
 
 namespace isolaw::programs {
 namespace {
@@ -11,7 +13,7 @@ namespace {
 // the force. Beyond it is chance that decides, at each step, whether what is left is positive.
 constexpr double largest_exponent = 35.0;
 
-Form steel01(BilinearValues const& v) {
+Form steel01(laws::BilinearForm const& v) {
   return {.id = "material",
           .title = "uniaxialMaterial Steel01",
           .exactness = Exactness::every_step,
@@ -20,7 +22,7 @@ Form steel01(BilinearValues const& v) {
           .longest_travel_mm = {}};
 }
 
-Form bearing_plasticity(BilinearValues const& v) {
+Form bearing_plasticity(laws::BilinearForm const& v) {
   return {.id = "bearing",
           .title = "element elastomericBearingPlasticity",
           .exactness = Exactness::every_step,
@@ -35,7 +37,7 @@ Form bearing_plasticity(BilinearValues const& v) {
 }
 
 // gamma before beta, and z a length: beta and gamma are in 1/length^n.
-Form bouc_wen(BoucWenValues const& v) {
+Form bouc_wen(laws::BoucWenForm const& v) {
   return {.id = "material",
           .title = "uniaxialMaterial BoucWen",
           .exactness = Exactness::small_steps,
@@ -56,7 +58,7 @@ Form bouc_wen(BoucWenValues const& v) {
 }
 
 // beta before gamma, z without dimension: z = 1 at the yield displacement, here that of saturation.
-Form bouc_wen_original(BoucWenValues const& v) {
+Form bouc_wen_original(laws::BoucWenForm const& v) {
   double const uy = v.z_max(), scale = std::pow(uy, v.n);
   return {.id = "material_original",
           .title = "uniaxialMaterial BoucWenOriginal",
@@ -76,7 +78,7 @@ Form bouc_wen_original(BoucWenValues const& v) {
           .longest_travel_mm = {}};
 }
 
-Form bearing_bouc_wen(BoucWenValues const& v) {
+Form bearing_bouc_wen(laws::BoucWenForm const& v) {
   double const uy = v.z_max(), scale = std::pow(uy, v.n);
   return {.id = "bearing",
           .title = "element elastomericBearingBoucWen",
@@ -94,7 +96,7 @@ Form bearing_bouc_wen(BoucWenValues const& v) {
           .longest_travel_mm = {}};
 }
 
-std::vector<Form> bouc_wen_forms(BoucWenValues const& v) {
+std::vector<Form> bouc_wen_forms(laws::BoucWenForm const& v) {
   std::vector<Form> made{bouc_wen(v), bouc_wen_original(v), bearing_bouc_wen(v)};
   // |z|^n has an infinite slope at 0 then, which Newton's iteration of the program meets and bisection here does not.
   if (v.n < 1.0)
@@ -105,45 +107,58 @@ std::vector<Form> bouc_wen_forms(BoucWenValues const& v) {
   return made;
 }
 
-// One set of limit curves, in kN and mm; empty with the reason where loading and unloading differ or there is a sigmoid.
-struct VaianaValues {
-  double Kb, f0, alpha, beta1, beta2;
-};
-struct OneBranch {
-  std::optional<VaianaValues> values;
-  std::string why;
-};
-
-OneBranch one_branch(laws::LawEntry const& law, std::span<double const> p) {
-  auto const at = [&](std::string_view name) { return p[law.index_of(name)]; };
-  for (std::string_view const half : {"gamma1+", "gamma1-"})
-    if (at(half) != 0.0)
-      return {{}, "the sigmoid of the limit curves (" + std::string(half) + " is not 0) is in no material of OpenSees"};
-  bool const no_hardening = at("beta1+") == 0.0 && at("beta1-") == 0.0;
-  for (std::string_view const name : {"Kb", "f0", "alpha", "beta1", "beta2"}) {
-    if (no_hardening && name == "beta2") continue;
-    double const loading = at(std::string(name) + "+"), unloading = at(std::string(name) + "-");
-    if (loading != unloading)
-      return {{},
-              fmt::format(
-                  "loading and unloading differ ({}+ = {:.5g}, {}- = {:.5g}), and HystereticAsym has one set of "
-                  "limit curves; calibrated with --set vaiana.Kb-=Kb+, and likewise for f0, alpha, beta1 and beta2, "
-                  "the law has one set too",
-                  name, loading, name, unloading)};
-  }
+// The law's canonical form in kN and mm.
+laws::Canonical canonical(laws::LawEntry const& law, std::span<double const> parameters) {
   double const F = law.info.force.in_record_units, L = law.info.length.in_record_units;
-  VaianaValues v{.Kb = at("Kb+") * F / L,
-                 .f0 = at("f0+") * F,
-                 .alpha = at("alpha+") / L,
-                 .beta1 = at("beta1+") * F,
-                 .beta2 = at("beta2+") / L};
-  if (!(v.alpha > 0.0 && v.f0 > 0.0)) return {{}, "without hysteresis (alpha or f0 is 0) there is no such material"};
-  return {v, {}};
+  auto form = law.canonical(parameters);
+  if (auto* corner = std::get_if<laws::BilinearForm>(&form)) {
+    corner->K1 *= F / L;
+    corner->K2 *= F / L;
+    corner->uy *= L;
+  } else if (auto* smooth = std::get_if<laws::BoucWenForm>(&form)) {
+    smooth->Ke *= F / L;
+    smooth->beta *= std::pow(L, -smooth->n);
+    smooth->gamma *= std::pow(L, -smooth->n);
+  } else if (auto* curves = std::get_if<laws::LimitCurvesForm>(&form)) {
+    for (auto* curve : {&curves->loading, &curves->unloading})
+      *curve = {.Kb = curve->Kb * F / L,
+                .f0 = curve->f0 * F,
+                .alpha = curve->alpha / L,
+                .beta1 = curve->beta1 * F,
+                .beta2 = curve->beta2 / L,
+                .sigmoid = curve->sigmoid * F};
+  }
+  return form;
+}
+
+// What keeps limit curves from being one set that a material has; "" where nothing does.
+std::string no_material_of(laws::LawEntry const& law, laws::LimitCurvesForm const& v) {
+  auto const &up = v.loading, &down = v.unloading;
+  if (up.sigmoid != 0.0 || down.sigmoid != 0.0)
+    return "the sigmoid of the limit curves, which is not 0, is in no material of OpenSees";
+  bool const no_hardening = up.beta1 == 0.0 && down.beta1 == 0.0;
+  std::string differing;
+  auto const compare = [&](std::string_view name, double loading, double unloading) {
+    if (loading != unloading)
+      differing += fmt::format("{}{} {:.5g} and {:.5g}", differing.empty() ? "" : ", ", name, loading, unloading);
+  };
+  compare("Kb", up.Kb, down.Kb);
+  compare("f0", up.f0, down.f0);
+  compare("alpha", up.alpha, down.alpha);
+  compare("beta1", up.beta1, down.beta1);
+  if (!no_hardening) compare("beta2", up.beta2, down.beta2);
+  if (!differing.empty())
+    return fmt::format(
+        "loading and unloading differ (in kN and mm: {}), and HystereticAsym has one set of limit curves; calibrated "
+        "with --set {}.Kb-=Kb+, and likewise for f0, alpha, beta1 and beta2, the law has one set too",
+        differing, law.info.id);
+  if (!(up.alpha > 0.0 && up.f0 > 0.0)) return "without hysteresis (alpha or f0 is 0) there is no such material";
+  return {};
 }
 
 // The hardening's coefficient in HystereticAsym is one unit of force, whatever the units: written in units of its own
 // size and multiplied by it, the law does not change with the unit system. Without hardening there is no such trap.
-Form hysteretic_asym(VaianaValues const& v) {
+Form hysteretic_asym(laws::LimitCurve const& v) {
   Form form{.id = "material",
             .title = "uniaxialMaterial HystereticAsym",
             .exactness = Exactness::every_step,
@@ -167,51 +182,62 @@ Form hysteretic_asym(VaianaValues const& v) {
   return form;
 }
 
-BoucWenValues without_hardening(VaianaValues const& v) {
+laws::BoucWenForm without_hardening(laws::LimitCurve const& v) {
   double const Ke = v.Kb + v.alpha * v.f0;
   return {.alpha = v.Kb / Ke, .Ke = Ke, .beta = v.alpha, .gamma = 0.0, .n = 1.0};
 }
 
-Mapping map_vaiana(laws::LawEntry const& law, std::span<double const> p, BoundFactors const& scale) {
-  auto branch = one_branch(law, p);
-  if (!branch.values) return {{}, branch.why};
-  auto& v = *branch.values;
-  v.Kb *= scale.stiffness;
-  v.f0 *= scale.strength;
-  v.beta1 *= scale.stiffness;
-  Mapping made{.forms = {hysteretic_asym(v)}, .why = {}};
-  if (v.beta1 != 0.0) return made;
-  // Without hardening the branches are those of Bouc-Wen with n = 1, beta = alpha and gamma = 0, which knows no NaN.
-  for (auto& form : bouc_wen_forms(without_hardening(v))) {
-    if (form.id == "material") form.id = "material_bouc_wen";
-    made.forms.push_back(std::move(form));
+// The forms of each canonical form, and why there are none.
+struct ToForms {
+  laws::LawEntry const& law;
+  BoundFactors const& scale;
+
+  Mapping operator()(laws::BilinearForm const& v) const {
+    if (!(v.K1 > v.K2 && v.uy > 0.0))
+      return {{}, "without yielding (K1 <= K2 or xy = 0) there is no bilinear material to export"};
+    auto const s = scaled(v, scale);
+    return {{steel01(s), bearing_plasticity(s)}, {}};
   }
-  return made;
-}
+  Mapping operator()(laws::BoucWenForm const& v) const {
+    if (!(v.beta + v.gamma > 0.0)) return {{}, "beta + gamma is not positive: no bounded force"};
+    return {bouc_wen_forms(scaled(v, scale)), {}};
+  }
+  Mapping operator()(laws::LimitCurvesForm const& curves) const {
+    if (auto why = no_material_of(law, curves); !why.empty()) return {{}, std::move(why)};
+    auto v = curves.loading;
+    v.Kb *= scale.stiffness;
+    v.f0 *= scale.strength;
+    v.beta1 *= scale.stiffness;
+    Mapping made{.forms = {hysteretic_asym(v)}, .why = {}};
+    if (v.beta1 != 0.0) return made;
+    // Without hardening the branches are those of Bouc-Wen with n = 1, beta = alpha and gamma = 0, which knows no NaN.
+    for (auto& form : bouc_wen_forms(without_hardening(v))) {
+      if (form.id == "material") form.id = "material_bouc_wen";
+      made.forms.push_back(std::move(form));
+    }
+    return made;
+  }
+  Mapping operator()(laws::NoForm const& none) const {
+    if (!law.info.traits.rate_independent)
+      return {{}, "no material of OpenSees has a force that depends on displacement and velocity in this way"};
+    return {{},
+            none.lacking.empty() ? std::string("no material of OpenSees is this law")
+                                 : fmt::format("no material of OpenSees has this law's {}", none.lacking)};
+  }
+};
 
 }  // namespace
 
-BilinearValues scaled(BilinearValues v, BoundFactors const& scale) {
+laws::BilinearForm scaled(laws::BilinearForm v, BoundFactors const& scale) {
   double const z = scale.strength * (v.K1 - v.K2);
   return {.K1 = scale.stiffness * v.K2 + z, .K2 = scale.stiffness * v.K2, .uy = v.uy};
 }
 
-BoucWenValues scaled(BoucWenValues v, BoundFactors const& scale) {
+laws::BoucWenForm scaled(laws::BoucWenForm v, BoundFactors const& scale) {
   double const spring = scale.stiffness * v.alpha * v.Ke, hysteretic = scale.strength * (1.0 - v.alpha) * v.Ke;
   v.Ke = spring + hysteretic;
   v.alpha = spring / v.Ke;
   return v;
-}
-
-std::optional<BoucWenValues> equivalent_bouc_wen(laws::LawEntry const& law, std::span<double const> parameters) {
-  if (law.info.id != "vaiana") return bouc_wen_values(law, parameters);
-  auto const branch = one_branch(law, parameters);
-  if (!branch.values || branch.values->beta1 != 0.0) return std::nullopt;
-  return without_hardening(*branch.values);
-}
-
-double BoucWenValues::z_max() const {
-  return std::pow(beta + gamma, -1.0 / n);
 }
 
 std::vector<Command> in_units(Form const& form, UnitSystem const& units) {
@@ -225,39 +251,28 @@ std::vector<Command> in_units(Form const& form, UnitSystem const& units) {
   return made;
 }
 
-std::optional<BilinearValues> bilinear_values(laws::LawEntry const& law, std::span<double const> p) {
-  if (law.info.id != "bilinear") return std::nullopt;
-  return BilinearValues{p[law.index_of("K1")], p[law.index_of("K2")], p[law.index_of("xy")]};
+std::optional<laws::BilinearForm> bilinear_values(laws::LawEntry const& law, std::span<double const> parameters) {
+  auto const form = canonical(law, parameters);
+  auto const* v = std::get_if<laws::BilinearForm>(&form);
+  return v != nullptr ? std::optional(*v) : std::nullopt;
 }
 
-std::optional<BoucWenValues> bouc_wen_values(laws::LawEntry const& law, std::span<double const> p) {
-  if (law.info.id != "bouc-wen") return std::nullopt;
-  std::vector<double> reduced(p.begin(), p.end());
-  law.reduce(reduced);
-  auto const at = [&](std::string_view name) { return reduced[law.index_of(name)]; };
-  return BoucWenValues{at("alpha"), at("Ke"), at("beta"), at("gamma"), at("n")};
+std::optional<laws::BoucWenForm> bouc_wen_values(laws::LawEntry const& law, std::span<double const> parameters) {
+  auto const form = canonical(law, parameters);
+  if (auto const* v = std::get_if<laws::BoucWenForm>(&form)) return *v;
+  auto const* curves = std::get_if<laws::LimitCurvesForm>(&form);
+  if (curves == nullptr || !no_material_of(law, *curves).empty() || curves->loading.beta1 != 0.0) return std::nullopt;
+  return without_hardening(curves->loading);
 }
 
 Mapping map_law(laws::LawEntry const& law, std::span<double const> parameters, BoundFactors const& scale) {
-  if (auto const v = bilinear_values(law, parameters)) {
-    if (!(v->K1 > v->K2 && v->uy > 0.0))
-      return {{}, "without yielding (K1 <= K2 or xy = 0) there is no bilinear material to export"};
-    auto const s = scaled(*v, scale);
-    return {{steel01(s), bearing_plasticity(s)}, {}};
-  }
-  if (auto const v = bouc_wen_values(law, parameters)) {
-    if (!(v->beta + v->gamma > 0.0)) return {{}, "beta + gamma is not positive: no bounded force"};
-    return {bouc_wen_forms(scaled(*v, scale)), {}};
-  }
-  if (law.info.id == "vaiana") return map_vaiana(law, parameters, scale);
-  if (!law.info.traits.rate_independent)
-    return {{}, "no material of OpenSees has a force that depends on displacement and velocity in this way"};
-  return {{}, "no material of OpenSees has this law's yield force and displacement, which change with the peak so far"};
+  return std::visit(ToForms{law, scale}, canonical(law, parameters));
 }
 
 bool has_separate_parts(laws::LawEntry const& law, std::span<double const> parameters) {
-  if (law.info.id == "bilinear" || law.info.id == "bouc-wen") return true;
-  return law.info.id == "vaiana" && one_branch(law, parameters).values.has_value();
+  auto const form = canonical(law, parameters);
+  if (auto const* curves = std::get_if<laws::LimitCurvesForm>(&form)) return no_material_of(law, *curves).empty();
+  return !std::holds_alternative<laws::NoForm>(form);
 }
 
 }  // namespace isolaw::programs

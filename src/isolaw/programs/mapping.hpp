@@ -40,16 +40,6 @@ struct Form {
 
 std::vector<Command> in_units(Form const& form, UnitSystem const& units);
 
-// The three numbers of a bilinear loop, and Bouc-Wen with A = 1.
-struct BilinearValues {
-  double K1, K2, uy;  // kN/mm, mm
-};
-struct BoucWenValues {
-  double alpha, Ke, beta, gamma, n;  // kN/mm, 1/mm^n
-
-  double z_max() const;  // mm; the yield displacement
-};
-
 struct Mapping {
   std::vector<Form> forms;  // the first is the one to use; empty: none is exact
   std::string why;          // why there is none
@@ -62,13 +52,11 @@ Mapping map_law(laws::LawEntry const& law, std::span<double const> parameters, B
 // Whether the two factors can act on the law's parts by themselves.
 bool has_separate_parts(laws::LawEntry const& law, std::span<double const> parameters);
 
-BilinearValues scaled(BilinearValues values, BoundFactors const& scale);
-BoucWenValues scaled(BoucWenValues values, BoundFactors const& scale);
+laws::BilinearForm scaled(laws::BilinearForm values, BoundFactors const& scale);
+laws::BoucWenForm scaled(laws::BoucWenForm values, BoundFactors const& scale);
 
-// The Bouc-Wen values of the same force: of bouc-wen itself, and of vaiana without hardening and with equal branches.
-std::optional<BoucWenValues> equivalent_bouc_wen(laws::LawEntry const& law, std::span<double const> parameters);
-
-std::optional<BilinearValues> bilinear_values(laws::LawEntry const& law, std::span<double const> parameters);
-std::optional<BoucWenValues> bouc_wen_values(laws::LawEntry const& law, std::span<double const> parameters);
+// The numbers of a law that has the form by itself, in kN and mm; Bouc-Wen's also where limit curves are those of it.
+std::optional<laws::BilinearForm> bilinear_values(laws::LawEntry const& law, std::span<double const> parameters);
+std::optional<laws::BoucWenForm> bouc_wen_values(laws::LawEntry const& law, std::span<double const> parameters);
 
 }  // namespace isolaw::programs

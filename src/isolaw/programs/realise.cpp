@@ -140,7 +140,7 @@ void add_bounds(Realised& realised, std::size_t index, laws::LawEntry const& law
 
 Fitted nearest(Subject const& subject) {
   Fitted best;
-  for (std::string_view const id : {"bilinear", "bouc-wen"}) {
+  for (std::string_view const id : {corner_law, smooth_law}) {
     auto found = fit_in_place(subject, id);
     if (found.law != nullptr && (best.law == nullptr || found.objective < best.objective)) best = std::move(found);
   }
@@ -150,7 +150,7 @@ Fitted nearest(Subject const& subject) {
 Realisation refit(Subject const& subject, Realisation made) {
   auto const fitted = nearest(subject);
   if (fitted.law == nullptr) {
-    made.explanation += "; no bilinear or Bouc-Wen law could be fitted in its place either";
+    made.explanation += fmt::format("; neither {} nor {} could be fitted in its place", corner_law, smooth_law);
     return made;
   }
   auto const mapping = map_law(*fitted.law, fitted.parameters);

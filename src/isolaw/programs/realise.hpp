@@ -57,6 +57,9 @@ inline constexpr double exact_percent = 1e-7, limit_percent = 0.5;
 // A history this much longer than the tested one must still give a force.
 inline constexpr double overtravel = 1.5;
 
+// The laws that stand in where a program lacks one: that of a loop with a corner, and a smooth one.
+inline constexpr std::string_view corner_law = "bilinear", smooth_law = "bouc-wen";
+
 // The nearest parameters of another law to this law's force on the first history.
 struct Fitted {
   laws::LawEntry const* law = nullptr;  // null: none gave a force

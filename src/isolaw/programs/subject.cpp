@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/campaign/maker.hpp"
 
 namespace isolaw::programs {
 namespace {
@@ -62,7 +63,7 @@ void widen(std::optional<double>& least, std::optional<double>& most, std::optio
   if (high) most = std::max(most.value_or(*high), *high);
 }
 
-void add_tested(Tested& tested, report::DeviceResult const& device) {
+void add_tested(Tested& tested, study::DeviceResult const& device) {
   double largest = 0.0;
   for (double const x : device.record.disp_mm) largest = std::max(largest, std::abs(x));
   tested.disp_mm = std::max(tested.disp_mm, largest);
@@ -83,18 +84,17 @@ std::string list_of(std::vector<std::string> const& names) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-rules::LotQuantity const* quantity_of(report::Summary const& summary, rules::Quantity quantity) {
+rules::LotQuantity const* quantity_of(study::Summary const& summary, rules::Quantity quantity) {
   for (auto const& view : summary.acceptance.lot.quantities)
     if (view.quantity == quantity) return &view;
   return nullptr;
 }
 
 // The property that the factors are relative to: of the device in the cycle that counts, or the mean of the lot.
-std::optional<double> own_value(report::Summary const& summary, Subject const& subject,
-                                rules::LotQuantity const& view) {
+std::optional<double> own_value(study::Summary const& summary, Subject const& subject, rules::LotQuantity const& view) {
   if (subject.lot) return view.mean;
-  auto const device = std::ranges::find(summary.devices, subject.device, &report::DeviceResult::name);
-  auto const* cycle = report::counting_cycle(device->properties, device->acceptance.block);
+  auto const device = std::ranges::find(summary.devices, subject.device, &study::DeviceResult::name);
+  auto const* cycle = study::counting_cycle(device->properties, device->acceptance.block);
   if (cycle == nullptr) return std::nullopt;
   switch (view.quantity) {
     case rules::Quantity::K_d:
@@ -123,7 +123,7 @@ std::string number(double value) {
   return fmt::format("{:.4g}", value);
 }
 
-std::optional<PropertyBounds> ruled_bounds(report::Summary const& summary, Subject const& subject,
+std::optional<PropertyBounds> ruled_bounds(study::Summary const& summary, Subject const& subject,
                                            rules::Quantity quantity, UnitSystem const& units) {
   auto const* view = quantity_of(summary, quantity);
   if (view == nullptr) return std::nullopt;
@@ -152,7 +152,7 @@ BoundFactors whole(double factor) {
   return {.stiffness = factor, .strength = factor, .overall = factor, .separate = false};
 }
 
-Bounds spread_of_the_lot(report::Summary const& summary, Subject const& subject, UnitSystem const& units,
+Bounds spread_of_the_lot(study::Summary const& summary, Subject const& subject, UnitSystem const& units,
                          std::string_view why) {
   auto const* view = quantity_of(summary, rules::Quantity::K_eff);
   auto const own = view == nullptr ? std::nullopt : own_value(summary, subject, *view);
@@ -168,7 +168,7 @@ Bounds spread_of_the_lot(report::Summary const& summary, Subject const& subject,
                             units.force.symbol, units.length.symbol, text(*own))};
 }
 
-Bounds bounds_of(report::Summary const& summary, Subject const& subject, UnitSystem const& units) {
+Bounds bounds_of(study::Summary const& summary, Subject const& subject, UnitSystem const& units) {
   if (!summary.acceptance.has_rules()) return spread_of_the_lot(summary, subject, units, "no rule set was given");
   auto const& rules = summary.acceptance.rules;
   auto const K_d = ruled_bounds(summary, subject, rules::Quantity::K_d, units);
@@ -252,7 +252,7 @@ void require_finite(Subject const& subject, std::string const& where) {
        .allowed = "a law with a finite force there"});
 }
 
-void add_measured(Subject& subject, report::Summary const& summary) {
+void add_measured(Subject& subject, study::Summary const& summary) {
   std::vector<double> stiffness, damping;
   for (auto const& device : summary.devices) {
     if (std::ranges::find(subject.histories, device.name, &History::device) == subject.histories.end()) continue;
@@ -299,7 +299,7 @@ std::vector<double> law_force(laws::LawEntry const& law, std::span<double const>
   return force;
 }
 
-Subject make_subject(campaign::Contents const& contents, report::Summary const& summary, std::string_view law,
+Subject make_subject(campaign::Contents const& contents, study::Summary const& summary, std::string_view law,
                      std::string_view device, UnitSystem const& units) {
   Subject subject;
   subject.law = &laws::find_law(law);
@@ -308,6 +308,7 @@ Subject make_subject(campaign::Contents const& contents, report::Summary const& 
                  .found = "the law is not in this campaign",
                  .allowed = list_of(contents.settings.laws)});
   subject.version = summary.version;
+  subject.makers = campaign::text(std::span(summary.makers));
   subject.title = contents.title;
   subject.seed = contents.settings.seed;
   // A device that is called "lot" is that device only where there is no other meaning.

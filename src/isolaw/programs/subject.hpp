@@ -10,7 +10,7 @@
 #include "isolaw/campaign/contents.hpp"
 #include "isolaw/laws/catalogue.hpp"
 #include "isolaw/programs/unit_system.hpp"
-#include "isolaw/report/summary.hpp"
+#include "isolaw/study/summary.hpp"
 
 namespace isolaw::programs {
 
@@ -46,15 +46,17 @@ struct Bounds {
 };
 
 struct Subject {
-  std::string version, title;
+  std::string version;  // of this program
+  std::string makers;   // versions and builds that calibrated
+  std::string title;
   laws::LawEntry const* law = nullptr;
   bool lot = false;
   std::string device;  // its name; "lot" for the law of the lot
   // Where another name of the campaign has the same letters and digits: which of its devices this is, from 1; 0 elsewhere.
   std::size_t number_among_alike = 0;
   std::vector<double> parameters;  // in the law's units and order
-  std::vector<History>
-      histories;              // of the device; for a lot, of every device that takes part, the largest amplitude first
+  // Of the device; for a lot, of every device that takes part, the largest amplitude first.
+  std::vector<History> histories;
   History protocol;           // two cycles, at half and at the whole tested amplitude
   double frequency_Hz = 0.0;  // of the protocol
   std::optional<double> objective;
@@ -73,7 +75,7 @@ std::string plain_name(std::string_view name);
 // Throws Error: no such law or device in the campaign (says what there is), a law without a result there, a lot without
 // its one law.
 // The units are those that the source of the bounds is told in.
-Subject make_subject(campaign::Contents const& contents, report::Summary const& summary, std::string_view law,
+Subject make_subject(campaign::Contents const& contents, study::Summary const& summary, std::string_view law,
                      std::string_view device, UnitSystem const& units = unit_systems[0]);
 
 // Force of the law [kN] at the history's points.

@@ -152,6 +152,7 @@ std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, 
   auto const& law = subject.law->info;
   std::vector<Fact> made{
       {"Export", fmt::format("isolaw {}, for {}", subject.version, program)},
+      {"Calibrated by", "isolaw " + subject.makers},
       {"Law", fmt::format("{}: {} ({})", law.id, law.title, law.source)},
       {"Parameters of",
        (subject.lot ? std::string("the lot (one law for all its devices)") : "device " + subject.device) +

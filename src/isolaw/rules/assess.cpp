@@ -4,8 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+
+#include "isolaw/base/words.hpp"
 
 namespace isolaw::rules {
 namespace {
@@ -192,8 +193,7 @@ std::string deviation_text(double deviation_percent, std::optional<double> lower
   };
   for (int decimals = 1;; ++decimals) {
     auto text = fmt::format("{:+.{}f}", deviation_percent, decimals);
-    double shown = 0.0;
-    std::from_chars(text.data() + (text.front() == '+' ? 1 : 0), text.data() + text.size(), shown);
+    double const shown = number_in<double>(text).value_or(0.0);
     if (decimals == 12 || (on_this_side(shown, lower_percent, -1.0) && on_this_side(shown, upper_percent, 1.0)))
       return text + " %";
   }

@@ -2,50 +2,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
 
+#include "isolaw/base/embedded.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/file.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/rules/rule_set.hpp"
 
-// Defined in the assembly file that CMake makes from texts.s.in.
-extern "C" {
-extern char const isolaw_rules_aashto[];
-extern std::uint64_t const isolaw_rules_aashto_size;
-extern char const isolaw_rules_asce_7_22[];
-extern std::uint64_t const isolaw_rules_asce_7_22_size;
-extern char const isolaw_rules_en_15129[];
-extern std::uint64_t const isolaw_rules_en_15129_size;
-extern char const isolaw_rules_iso_22762_sa[];
-extern std::uint64_t const isolaw_rules_iso_22762_sa_size;
-extern char const isolaw_rules_iso_22762_sb[];
-extern std::uint64_t const isolaw_rules_iso_22762_sb_size;
-extern char const isolaw_rules_ntc_2018[];
-extern std::uint64_t const isolaw_rules_ntc_2018_size;
-extern char const isolaw_rules_template[];
-extern std::uint64_t const isolaw_rules_template_size;
-}
-
 namespace isolaw::rules {
+
+std::span<Embedded const> files();
+
 namespace {
 
 struct Text {
   std::string_view name, toml;
 };
 
-std::array<Text, 7> const& texts() {
-  static std::array<Text, 7> const all{{
-      {"aashto", {isolaw_rules_aashto, std::size_t{isolaw_rules_aashto_size}}},
-      {"asce-7-22", {isolaw_rules_asce_7_22, std::size_t{isolaw_rules_asce_7_22_size}}},
-      {"en-15129", {isolaw_rules_en_15129, std::size_t{isolaw_rules_en_15129_size}}},
-      {"iso-22762-sa", {isolaw_rules_iso_22762_sa, std::size_t{isolaw_rules_iso_22762_sa_size}}},
-      {"iso-22762-sb", {isolaw_rules_iso_22762_sb, std::size_t{isolaw_rules_iso_22762_sb_size}}},
-      {"ntc-2018", {isolaw_rules_ntc_2018, std::size_t{isolaw_rules_ntc_2018_size}}},
-      {"template", {isolaw_rules_template, std::size_t{isolaw_rules_template_size}}},
-  }};
+std::vector<Text> const& texts() {
+  static std::vector<Text> const all = [] {
+    std::vector<Text> made;
+    for (auto const& file : files()) made.push_back({file.name.substr(0, file.name.rfind('.')), file.text});
+    return made;
+  }();
   return all;
 }
 

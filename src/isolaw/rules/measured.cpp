@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
 
 namespace isolaw::rules {
 namespace {
@@ -125,18 +125,9 @@ constexpr std::array<DesignName, 8> design_names{{{"K_eff", &Design::K_eff_kN_pe
                                                   {"frequency", &Design::frequency_Hz},
                                                   {"load", &Design::load_kN}}};
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
-}
-
 std::optional<double> positive_number(std::string_view text) {
-  double value = 0.0;
-  auto const [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-  bool const whole = failure == std::errc() && end == text.data() + text.size();
-  if (!whole || !std::isfinite(value) || value <= 0.0) return std::nullopt;
-  return value;
+  auto const value = number_in<double>(text);
+  return value && std::isfinite(*value) && *value > 0.0 ? value : std::nullopt;
 }
 
 void take_design_value(std::string_view part, Design& design, std::vector<Complaint>& complaints) {

@@ -1,0 +1,26 @@
+// The page's script and its tests. What modules import and export is checked by the build (cmake/join_modules.cmake).
+import js from '@eslint/js';
+
+const names = (text) => Object.fromEntries(text.split(' ').map((name) => [name, 'readonly']));
+const browser = names(
+  'Blob Event HTMLTableCellElement IntersectionObserver KeyboardEvent Plotly ResizeObserver URL dispatchEvent document ' +
+    'getComputedStyle getSelection location navigator performance requestAnimationFrame scrollTo setTimeout window',
+);
+const node = names('Buffer console process');
+const rules = {
+  ...js.configs.recommended.rules,
+  'array-callback-return': 'error',
+  'consistent-return': 'error',
+  eqeqeq: 'error',
+  'no-control-regex': 'off', // text of the input is rid of them
+  'no-duplicate-imports': 'error',
+  'no-unused-vars': ['error', { argsIgnorePattern: '^_$' }],
+  'no-use-before-define': ['error', { functions: false, variables: false }],
+  'no-var': 'error',
+  'prefer-const': 'error',
+};
+
+export default [
+  { files: ['src/**/*.js'], languageOptions: { globals: browser }, rules },
+  { files: ['tests/browser/*.mjs', '*.mjs'], languageOptions: { globals: { ...browser, ...node } }, rules },
+];

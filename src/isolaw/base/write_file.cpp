@@ -1,0 +1,70 @@
+#include "isolaw/base/write_file.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/words.hpp"
+
+namespace isolaw {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view part_suffix = ".part";
+
+[[noreturn]] void refuse(fs::path const& path, std::string const& reason) {
+  throw Error(Complaint{
+      path.string(), "cannot be written: " + reason, {}, "another output directory, or free space in this one"});
+}
+
+}  // namespace
+
+void make_folder(fs::path const& dir) {
+  std::error_code error;
+  if (fs::is_symlink(fs::symlink_status(dir, error))) refuse(dir, "it is a symbolic link");
+  fs::create_directories(dir, error);
+  if (error) refuse(dir, error.message());
+}
+
+// Everything on disk before the name is given to it: after a power cut the old or the new file is there.
+void write_file(fs::path const& path, std::string_view text) {
+  auto aside = path;  // in the same directory, where a rename is atomic
+  aside += "." + std::to_string(::getpid()) + std::string(part_suffix);
+  int const file = ::open(aside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666);
+  bool written = file >= 0;
+  for (std::string_view rest = text; written && !rest.empty();) {
+    auto const count = ::write(file, rest.data(), rest.size());
+    if (count < 0 && errno == EINTR) continue;
+    written = count >= 0;
+    if (written) rest.remove_prefix(static_cast<std::size_t>(count));
+  }
+  written = written && (::fsync(file) == 0 || errno == EINVAL);  // EINVAL: a pipe or the like
+  std::error_code error = written ? std::error_code() : std::error_code(errno, std::generic_category());
+  if (file >= 0 && ::close(file) != 0 && !error) error = std::error_code(errno, std::generic_category());
+  if (!error) fs::rename(aside, path, error);
+  if (!error) return;
+  std::error_code ignored;
+  fs::remove(aside, ignored);
+  refuse(path, error.message());
+}
+
+void remove_unfinished_files(fs::path const& folder) {
+  std::error_code ignored;
+  for (auto const& entry : fs::directory_iterator(folder, ignored)) {
+    // NAME.PID.part, of a process that is no more.
+    auto const name = entry.path().filename().string();
+    if (!name.ends_with(part_suffix)) continue;
+    auto const stem = std::string_view(name).substr(0, name.size() - part_suffix.size());
+    auto const digits = stem.substr(stem.find_last_of('.') + 1);
+    auto const owner = number_in<pid_t>(digits);
+    if (owner && *owner > 0 && ::kill(*owner, 0) != 0 && errno == ESRCH) fs::remove(entry.path(), ignored);
+  }
+}
+
+}  // namespace isolaw

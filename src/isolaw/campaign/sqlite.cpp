@@ -1,0 +1,223 @@
+#include "isolaw/campaign/sqlite.hpp"
+
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <new>
+#include <utility>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/file.hpp"
+
+namespace isolaw::campaign::sqlite {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "series are stored as little-endian doubles");
+
+[[noreturn]] void fail(sqlite3* db, std::string_view doing) {
+  auto const* file = db == nullptr ? nullptr : sqlite3_db_filename(db, "main");
+  int const code = db == nullptr ? SQLITE_NOMEM : sqlite3_errcode(db) & 0xff;
+  if (code == SQLITE_NOMEM) throw std::bad_alloc();
+  if (code == SQLITE_NOTADB || code == SQLITE_CORRUPT)
+    refuse_damaged(file == nullptr ? "campaign store" : file, sqlite3_errmsg(db));
+  if (code == SQLITE_READONLY)
+    throw Error(
+        {.where = file == nullptr ? "campaign store" : file,
+         .found = "the program was stopped in the middle of a write, which must be undone before it can be read",
+         .advice = "the calibrate command it was started with: it does so, and continues"});
+  if (code == SQLITE_CANTOPEN && file != nullptr && has_log(file))
+    throw Error({.where = file,
+                 .found =
+                     "the program was killed, and the last finished runs are in the log beside the store, which is "
+                     "read only where files can be made beside it",
+                 .allowed = "a store in a directory that may be written, or one whose campaign ended",
+                 .advice = "a copy of the whole directory where you may write; or let its owner run the calibrate "
+                           "command it was started with, which folds the log in"});
+  throw Error({.where = file == nullptr ? "campaign store" : file,
+               .found = fmt::format("{}: {}", doing, sqlite3_errmsg(db)),
+               .advice = "check free space and permissions of the directory; finished runs in the store are kept"});
+}
+
+}  // namespace
+
+void refuse_damaged(std::string file, std::string_view what) {
+  throw Error({.where = std::move(file),
+               .found = fmt::format("not a campaign store of isolaw, or a damaged one: {}", what),
+               .allowed = "campaign.sqlite of a campaign",
+               .advice = "a copy of it, or --fresh to start over"});
+}
+
+bool has_log(std::filesystem::path const& file) {
+  std::error_code unknown;
+  return std::filesystem::exists(file.string() + "-wal", unknown) ||
+         std::filesystem::exists(file.string() + "-journal", unknown);
+}
+
+void require_plain(std::filesystem::path const& file) {
+  for (auto const* suffix : {"", beside[0], beside[1], beside[2]})
+    if (auto const kind = other_than_plain(file.string() + suffix))
+      throw Error({.where = file.string() + suffix,
+                   .found = "is " + *kind,
+                   .allowed = "campaign.sqlite of a campaign, a plain file",
+                   .advice = "another directory"});
+}
+
+void Connection::Close::operator()(sqlite3* db) const {
+  sqlite3_close_v2(db);
+}
+
+Connection Connection::open(std::string const& name, int flags, std::filesystem::path const& file) {
+  sqlite3* raw = nullptr;
+  int const status = sqlite3_open_v2(name.c_str(), &raw, flags, nullptr);
+  Connection db(raw);
+  if (status != SQLITE_OK)
+    throw Error(
+        {.where = file.string(),
+         .found = fmt::format("cannot open the store: {}", raw == nullptr ? "out of memory" : sqlite3_errmsg(raw)),
+         .advice = "check that the directory exists and may be written"});
+  sqlite3_busy_timeout(raw, 5000);
+  // Stores come from others, too: no value larger than the longest series, no functions run by the schema.
+  constexpr int largest_value_bytes = 256 << 20;
+  sqlite3_limit(raw, SQLITE_LIMIT_LENGTH, largest_value_bytes);
+  sqlite3_db_config(raw, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  sqlite3_db_config(raw, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+  return db;
+}
+
+Connection Connection::create(std::filesystem::path const& file) {
+  return open(file.string(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, file);
+}
+
+Connection Connection::to_write(std::filesystem::path const& file) {
+  require_plain(file);
+  return open(file.string(), SQLITE_OPEN_READWRITE, file);
+}
+
+Connection Connection::to_read(std::filesystem::path const& file) {
+  require_plain(file);
+  if (has_log(file)) return open(file.string(), SQLITE_OPEN_READONLY, file);
+  std::string uri = "file:";
+  for (char const c : std::filesystem::absolute(file).generic_string())
+    uri += c == '%' || c == '?' || c == '#' ? fmt::format("%{:02x}", static_cast<unsigned char>(c)) : std::string(1, c);
+  return open(uri + "?immutable=1", SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, file);
+}
+
+Connection Connection::in_memory() {
+  return open(":memory:", SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, "campaign store");
+}
+
+void Connection::execute(std::string const& sql) const {
+  if (sqlite3_exec(get(), sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail(get(), "cannot write");
+}
+
+bool Connection::try_execute(char const* sql) const noexcept {
+  return sqlite3_exec(get(), sql, nullptr, nullptr, nullptr) == SQLITE_OK;
+}
+
+Statement::Statement(Connection const& db, std::string const& sql) : db_(db.get()) {
+  if (sqlite3_prepare_v2(db_, sql.c_str(), -1, &statement_, nullptr) != SQLITE_OK) fail(db_, "cannot read");
+}
+
+Statement::~Statement() {
+  sqlite3_finalize(statement_);
+}
+
+Statement& Statement::check(int status) {
+  if (status != SQLITE_OK) fail(db_, "cannot write");
+  return *this;
+}
+
+Statement& Statement::bind(std::string_view text) {
+  return check(sqlite3_bind_text(statement_, ++bound_, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT));
+}
+Statement& Statement::bind(std::size_t value) {
+  return check(sqlite3_bind_int64(statement_, ++bound_, static_cast<sqlite3_int64>(value)));
+}
+Statement& Statement::bind(int value) {
+  return check(sqlite3_bind_int64(statement_, ++bound_, value));
+}
+Statement& Statement::bind(double value) {
+  return check(std::isnan(value) ? sqlite3_bind_null(statement_, ++bound_)
+                                 : sqlite3_bind_double(statement_, ++bound_, value));
+}
+Statement& Statement::bind(std::optional<double> value) {
+  return bind(value.value_or(std::nan("")));
+}
+Statement& Statement::bind(std::vector<double> const& values) {
+  return check(
+      sqlite3_bind_blob64(statement_, ++bound_, values.data(), values.size() * sizeof(double), SQLITE_TRANSIENT));
+}
+
+void Statement::insert() {
+  if (sqlite3_step(statement_) != SQLITE_DONE) fail(db_, "cannot write");
+  sqlite3_reset(statement_);
+  bound_ = 0;
+}
+
+bool Statement::row() {
+  int const status = sqlite3_step(statement_);
+  if (status != SQLITE_ROW && status != SQLITE_DONE) fail(db_, "cannot read");
+  next_ = 0;
+  return status == SQLITE_ROW;
+}
+
+std::string Statement::text() {
+  auto const* bytes = sqlite3_column_text(statement_, next_);
+  auto const size = static_cast<std::size_t>(sqlite3_column_bytes(statement_, next_++));
+  return bytes == nullptr ? std::string()
+                          : std::string(static_cast<char const*>(static_cast<void const*>(bytes)), size);
+}
+
+long long Statement::integer() {
+  return sqlite3_column_int64(statement_, next_++);
+}
+std::size_t Statement::index() {
+  return static_cast<std::size_t>(integer());
+}
+int Statement::whole() {
+  auto const value = integer();
+  if (!std::in_range<int>(value)) throw Error({.found = fmt::format("the number {}, which is too large", value)});
+  return static_cast<int>(value);
+}
+
+double Statement::real() {
+  bool const null = sqlite3_column_type(statement_, next_) == SQLITE_NULL;
+  double const value = sqlite3_column_double(statement_, next_++);
+  return null ? std::nan("") : value;
+}
+std::optional<double> Statement::optional_real() {
+  double const value = real();
+  return std::isnan(value) ? std::nullopt : std::optional(value);
+}
+
+std::vector<double> Statement::reals() {
+  auto const* bytes = sqlite3_column_blob(statement_, next_);
+  auto const size = static_cast<std::size_t>(sqlite3_column_bytes(statement_, next_++));
+  if (size % sizeof(double) != 0) throw Error({.found = fmt::format("a series of {} bytes", size)});
+  std::vector<double> values(size / sizeof(double));
+  if (!values.empty()) std::memcpy(values.data(), bytes, values.size() * sizeof(double));
+  return values;
+}
+
+std::string Statement::whole_row() {
+  std::string row;
+  for (int i = 0; i < sqlite3_column_count(statement_); ++i) {
+    auto const kind = sqlite3_column_type(statement_, i);
+    double const real = sqlite3_column_double(statement_, i);
+    row += fmt::format("{}:", kind);
+    if (kind == SQLITE_FLOAT) {
+      row += fmt::format("{:x}|", std::bit_cast<std::uint64_t>(real));
+      continue;
+    }
+    auto const* bytes = static_cast<char const*>(sqlite3_column_blob(statement_, i));
+    auto const size = static_cast<std::size_t>(sqlite3_column_bytes(statement_, i));
+    row += fmt::format("{}:{}|", size, size == 0 ? std::string_view() : std::string_view(bytes, size));
+  }
+  return row;
+}
+
+}  // namespace isolaw::campaign::sqlite

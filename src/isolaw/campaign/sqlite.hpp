@@ -1,0 +1,105 @@
+// SQLite's handles, closed by themselves; what goes wrong is said as of a campaign store.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace isolaw::campaign::sqlite {
+
+inline constexpr std::array beside{"-wal", "-shm", "-journal"};  // SQLite's own files beside a store
+
+[[noreturn]] void refuse_damaged(std::string file, std::string_view what);
+// Throws Error for a pipe or a device, which would be waited for, or set going.
+void require_plain(std::filesystem::path const& file);
+bool has_log(std::filesystem::path const& file);
+
+class Connection {
+ public:
+  // Each throws Error, and std::bad_alloc.
+  static Connection create(std::filesystem::path const& file);
+  static Connection to_write(std::filesystem::path const& file);
+  // Where nobody writes without locks and without files beside it, which read-only media and some network shares lack.
+  static Connection to_read(std::filesystem::path const& file);
+  static Connection in_memory();
+
+  void execute(std::string const& sql) const;
+  bool try_execute(char const* sql) const noexcept;
+  sqlite3* get() const { return db_.get(); }
+
+ private:
+  struct Close {
+    void operator()(sqlite3* db) const;
+  };
+  static Connection open(std::string const& name, int flags, std::filesystem::path const& file);
+  explicit Connection(sqlite3* db) : db_(db) {}
+
+  std::unique_ptr<sqlite3, Close> db_;
+};
+
+// A prepared statement whose values are bound in order, and whose columns are read in order.
+class Statement {
+ public:
+  Statement(Connection const& db, std::string const& sql);
+  Statement(Statement const&) = delete;
+  Statement& operator=(Statement const&) = delete;
+  ~Statement();
+
+  Statement& bind(std::string_view text);
+  Statement& bind(std::size_t value);
+  Statement& bind(int value);
+  Statement& bind(double value);  // not a number is stored as NULL
+  Statement& bind(std::optional<double> value);
+  Statement& bind(std::vector<double> const& values);
+  // Runs an INSERT or UPDATE and makes the statement ready for the next row.
+  void insert();
+
+  // The next row of a SELECT.
+  bool row();
+  std::string text();
+  long long integer();
+  std::size_t index();
+  double real();
+  // Of a column that holds a count or a number of a run. Throws Error for one too large.
+  int whole();
+  std::optional<double> optional_real();
+  std::vector<double> reals();
+  // All values of the row, with their kinds.
+  std::string whole_row();
+
+ private:
+  Statement& check(int status);
+  sqlite3* db_;
+  sqlite3_stmt* statement_ = nullptr;
+  int bound_ = 0;
+  int next_ = 0;
+};
+
+// BEGIN ... COMMIT; rolled back when left by an exception.
+class Transaction {
+ public:
+  explicit Transaction(Connection const& db) : db_(db) { db_.execute("BEGIN IMMEDIATE"); }
+  Transaction(Transaction const&) = delete;
+  Transaction& operator=(Transaction const&) = delete;
+  ~Transaction() {
+    if (!done_) db_.try_execute("ROLLBACK");
+  }
+  void commit() {
+    db_.execute("COMMIT");
+    done_ = true;
+  }
+
+ private:
+  Connection const& db_;
+  bool done_ = false;
+};
+
+}  // namespace isolaw::campaign::sqlite

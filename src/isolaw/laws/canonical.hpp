@@ -1,0 +1,39 @@
+// Hysteretic laws as analysis programs know them: plain numbers, in the law's own units. A law that is one of them for some
+// or all of its parameters says so in its file, as canonical(params); how a program takes the numbers is told in programs/.
+#pragma once
+
+#include <cmath>
+#include <string_view>
+#include <variant>
+
+namespace isolaw::laws {
+
+// F = K2 x + z, z elastic-perfectly plastic of stiffness K1 - K2, which yields at the displacement uy.
+struct BilinearForm {
+  double K1, K2, uy;
+};
+
+// F = alpha Ke x + (1 - alpha) Ke z, dz/dx = 1 - |z|^n (beta sgn(z dx) + gamma).
+struct BoucWenForm {
+  double alpha, Ke, beta, gamma, n;
+
+  double z_max() const { return std::pow(beta + gamma, -1.0 / n); }  // the yield displacement
+};
+
+// F approaches Kb x + f0 + beta1 (exp(beta2 x) - 1), with -f0 in unloading, as exp(-alpha |dx|); `sigmoid` is the size of
+// what the curve has besides.
+struct LimitCurve {
+  double Kb, f0, alpha, beta1, beta2, sigmoid;
+};
+struct LimitCurvesForm {
+  LimitCurve loading, unloading;
+};
+
+// None of them; what the law has that they lack, or nothing said.
+struct NoForm {
+  std::string_view lacking = {};
+};
+
+using Canonical = std::variant<NoForm, BilinearForm, BoucWenForm, LimitCurvesForm>;
+
+}  // namespace isolaw::laws

@@ -1,0 +1,110 @@
+#include "isolaw/render/figures/device_panels.hpp"
+
+#include <algorithm>
+
+#include "isolaw/base/json.hpp"
+#include "isolaw/render/figures/figure_script.hpp"
+
+namespace isolaw::render {
+namespace {
+
+Range range_of(DevicePanel const& panel) {
+  Range range;
+  for (auto const& point : panel.points) {
+    auto const& [mean, std, best] = point.value;
+    if (!mean) continue;
+    range.add(*mean - std.value_or(0.0));
+    range.add(*mean + std.value_or(0.0));
+  }
+  range.add(panel.reference);
+  return range.padded(0.1);
+}
+
+// Error bars are vectors: those of gnuplot leave a gap about the marker.
+void draw_panel(Script& script, std::string const& file, std::size_t index, DevicePanel const& panel,
+                DeviceAxis const& axis) {
+  auto const range = range_of(panel);
+  auto const scale = scale_for(range, panel.name, panel.unit);
+  auto const in_unit = [&](double value) { return number(value / scale.factor); };
+  script.line("set title {} noenhanced offset 0,-raise", gnuplot_string(panel.title));
+  script.line("set ylabel {} offset inward,0", scale.label);
+  script.line("set yrange [{}:{}]", in_unit(range.low), in_unit(range.high));
+  bool const has_percent = panel.reference && *panel.reference != 0.0;
+  if (has_percent) {
+    script.line("set y2range [{}:{}]", number(*percent_of(range.low, panel.reference)),
+                number(*percent_of(range.high, panel.reference)));
+    script.line("set y2tics; set ytics nomirror; set y2label 'Difference (%)' offset -inward,0");
+  } else {
+    script.line("unset y2tics; unset y2label; set ytics mirror");
+  }
+  axis.draw(script);
+  auto const column = [&](int k) {
+    return scale.factor == 1.0 ? fmt::format("(${})", k) : fmt::format("(${}/{})", k, number(scale.factor));
+  };
+  std::string plot = "plot ";
+  if (panel.reference) plot += fmt::format("{} with lines ls {} dt 3, ", in_unit(*panel.reference), black);
+  script.line("{}'{}' index {} using 1:({}-{}):(0):(2*{}) with vectors heads size 0.2,90 fixed ls {} dt 1, \\", plot,
+              file, index, column(3), column(4), column(4), blue);
+  script.line("  '' index {} using 1:{}{} with points ls {}", index, column(3), axis.using_suffix(), blue);
+}
+
+}  // namespace
+
+std::vector<std::string> device_names(Summary const& summary) {
+  std::vector<std::string> names;
+  for (auto const& device : summary.devices)
+    if (device.status == "ok") names.push_back(device.name);
+  return names;
+}
+
+DeviceFit const* fit_of(LawResult const& law, std::string const& device) {
+  auto const fit = std::ranges::find(law.devices, device, &DeviceFit::device);
+  return fit == law.devices.end() ? nullptr : &*fit;
+}
+
+MaybeNumber percent_of(MaybeNumber const& value, MaybeNumber const& reference) {
+  if (!value || !reference || *reference == 0.0) return std::nullopt;
+  return 100.0 * (*value - *reference) / *reference;
+}
+
+bool has_values(DevicePanel const& panel) {
+  return std::ranges::any_of(panel.points, [](auto const& point) { return point.value.mean.has_value(); });
+}
+
+void write_block(DataTable& table, DevicePanel const& panel) {
+  auto const what = panel.title.empty() ? panel.name : panel.title + " " + panel.name;
+  table.comment(what + " in " + panel.unit +
+                (panel.reference ? ", mean of the devices " + to_text(panel.reference) : std::string()));
+  table.comment("number device mean std difference_from_the_mean_percent");
+  for (std::size_t i = 0; i < panel.points.size(); ++i) {
+    auto const& point = panel.points[i];
+    table.cell(i + 1).cell(point.device).cell(point.value.mean).cell(point.value.std).cell(point.percent).end_row();
+  }
+  table.end_block();
+}
+
+MaybeFigure panels_figure(std::string const& name, std::string const& about, std::vector<DevicePanel> const& panels) {
+  if (panels.empty()) return std::nullopt;
+  auto const& points = panels.front().points;
+  std::vector<std::string> devices;
+  for (auto const& point : points) devices.push_back(point.device);
+  Margins margins{.left = 14.5, .right = 13.0, .bottom = 0.0, .top = 5.0};
+  int const columns = devices.size() <= 16 ? 3 : devices.size() <= 80 ? 2 : 1;
+  DeviceAxis const axis(devices, grid_of(panels.size(), 0.0, margins, columns).panel_width_mm());
+  margins.bottom = 7.5 + axis.label_mm;
+  auto const grid = grid_of(panels.size(), 30.0, margins, columns);
+
+  DataTable table;
+  table.comment(about);
+  Script script(name, about, grid.width_mm, grid.height_mm());
+  script.line("set multiplot");
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    write_block(table, panels[i]);
+    script.place(grid, i);
+    draw_panel(script, name + ".dat", i, panels[i], axis);
+  }
+  script.line("unset multiplot");
+  return Figure{name, table.take(), script.take()};
+}
+
+}  // namespace isolaw::render

@@ -1,0 +1,37 @@
+// Panels of one quantity each over the devices of the lot: values with error bars, and their difference from the mean.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "isolaw/render/figures/figures_of.hpp"
+#include "isolaw/render/figures/gnuplot.hpp"
+
+namespace isolaw::render {
+
+// Devices that were read, in the order of the summary: the same axis in every figure.
+std::vector<std::string> device_names(Summary const& summary);
+
+// nullptr where the law was not tried on the device.
+DeviceFit const* fit_of(LawResult const& law, std::string const& device);
+
+struct DevicePoint {
+  std::string device;
+  Statistic value;  // all empty: a gap
+  MaybeNumber percent;
+};
+
+struct DevicePanel {
+  std::string title;       // drawn above; may be empty
+  std::string name, unit;  // of the quantity
+  MaybeNumber reference;   // mean of the devices, which percentages are of
+  std::vector<DevicePoint> points;
+};
+
+MaybeNumber percent_of(MaybeNumber const& value, MaybeNumber const& reference);
+bool has_values(DevicePanel const& panel);
+void write_block(DataTable& table, DevicePanel const& panel);
+
+MaybeFigure panels_figure(std::string const& name, std::string const& about, std::vector<DevicePanel> const& panels);
+
+}  // namespace isolaw::render

@@ -1,0 +1,168 @@
+// Accuracy against robustness.
+#include <algorithm>
+#include <array>
+
+#include "isolaw/render/figures/figure_script.hpp"
+#include "isolaw/render/figures/figures_of.hpp"
+#include "isolaw/render/figures/gnuplot.hpp"
+
+namespace isolaw::render {
+namespace {
+
+struct FrontWords {
+  std::string name, about, x_label, y_label, columns;
+};
+
+FrontWords words_of(FrontView view) {
+  switch (view) {
+    case FrontView::published:
+      return {"front", "accuracy (mean objective) against robustness (beta), Fig. 14", "Robustness index β (-)",
+              "Mean objective {/:Italic OF} (-)", "law beta mean_OF on_front"};
+    case FrontView::converged:
+      return {"front_converged", "accuracy against robustness without the optimiser's noise",
+              "β of the least objectives (-)", "Least objective {/:Italic OF} (-)",
+              "law beta_converged least_OF on_front"};
+    case FrontView::left_out:
+      break;
+  }
+  return {"front_left_out", "least objective against the objective on devices left out",
+          "{/:Italic OF} on a device by the law of all others (-)", "Least objective {/:Italic OF} (-)",
+          "law OF_on_devices_left_out least_OF on_front"};
+}
+
+struct Box {
+  double left = 0.0, right = 0.0, low = 0.0, high = 0.0;  // mm
+};
+
+double overlap(Box const& a, Box const& b) {
+  double const wide = std::min(a.right, b.right) - std::max(a.left, b.left);
+  double const tall = std::min(a.high, b.high) - std::max(a.low, b.low);
+  return wide > 0.0 && tall > 0.0 ? wide * tall : 0.0;
+}
+
+// Where a name stands beside its marker so that it covers no marker and no other name, as far as there is such a place.
+struct NamePlace {
+  double dx_mm = 0.0, dy_mm = 0.0;
+  std::string_view align;
+};
+
+// Points of the line that joins the front, from its left to its right end.
+template <class At>
+std::vector<std::pair<double, double>> along_front(std::vector<FrontPoint> points, At const& at) {
+  constexpr int steps = 60;  // of each piece
+  std::erase_if(points, [](auto const& point) { return !point.on_front; });
+  std::ranges::stable_sort(points, {}, &FrontPoint::x);
+  std::vector<std::pair<double, double>> line;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    auto const [x0, y0] = at(points[i]);
+    auto const [x1, y1] = at(points[i + 1]);
+    for (int k = 0; k <= steps; ++k) line.emplace_back(x0 + (x1 - x0) * k / steps, y0 + (y1 - y0) * k / steps);
+  }
+  return line;
+}
+
+std::vector<NamePlace> place_names(std::vector<FrontPoint> const& points, Range const& x, Range const& y,
+                                   double width_mm, double height_mm) {
+  constexpr double letter_height_mm = 2.6, marker_mm = 1.3, line_mm = 0.4;
+  static constexpr std::array<NamePlace, 8> candidates{{{2.0, 0.0, "left"},
+                                                        {-2.0, 0.0, "right"},
+                                                        {0.0, 2.4, "center"},
+                                                        {0.0, -2.4, "center"},
+                                                        {1.6, 1.9, "left"},
+                                                        {1.6, -1.9, "left"},
+                                                        {-1.6, 1.9, "right"},
+                                                        {-1.6, -1.9, "right"}}};
+  auto const at = [&](FrontPoint const& point) {
+    return std::pair((point.x - x.low) / (x.high - x.low) * width_mm, (point.y - y.low) / (y.high - y.low) * height_mm);
+  };
+  std::vector<Box> taken;
+  for (auto const& point : points) {
+    auto const [px, py] = at(point);
+    taken.push_back({px - marker_mm, px + marker_mm, py - marker_mm, py + marker_mm});
+  }
+  for (auto const& [px, py] : along_front(points, at))
+    taken.push_back({px - line_mm, px + line_mm, py - line_mm, py + line_mm});
+  std::vector<NamePlace> chosen;
+  for (auto const& point : points) {
+    auto const [px, py] = at(point);
+    double const wide = letter_mm * static_cast<double>(point.law.size());
+    auto const box_at = [&](NamePlace const& place) {
+      double const from = px + place.dx_mm;
+      double const left = place.align == "left" ? from : place.align == "right" ? from - wide : from - wide / 2.0;
+      return Box{left, left + wide, py + place.dy_mm - letter_height_mm / 2.0,
+                 py + place.dy_mm + letter_height_mm / 2.0};
+    };
+    auto const cost = [&](NamePlace const& place) {
+      auto const box = box_at(place);
+      double sum = 0.0;
+      for (auto const& other : taken) sum += overlap(box, other);
+      bool const inside =
+          box.left >= 0.5 && box.right <= width_mm - 0.5 && box.low >= 0.5 && box.high <= height_mm - 0.5;
+      return sum + (inside ? 0.0 : 1000.0);
+    };
+    auto const best = *std::ranges::min_element(candidates, {}, cost);
+    chosen.push_back(best);
+    taken.push_back(box_at(best));
+  }
+  return chosen;
+}
+
+std::string front_data(std::vector<FrontPoint> points, FrontWords const& words) {
+  DataTable table;
+  table.comment(words.about).comment("all values are without a unit").comment(words.columns);
+  for (auto const& point : points)
+    table.cell(point.law).cell(point.x).cell(point.y).cell(std::size_t{point.on_front}).end_row();
+  table.end_block();
+  table.comment("the front, from left to right");
+  std::ranges::stable_sort(points, {}, &FrontPoint::x);
+  for (auto const& point : points)
+    if (point.on_front) table.cell(point.law).cell(point.x).cell(point.y).cell(std::size_t{1}).end_row();
+  return table.take();
+}
+
+std::string front_script(std::vector<FrontPoint> const& points, FrontWords const& words) {
+  constexpr double height_mm = 70.0, left = 14.0, right = 3.0, bottom = 9.5, top = 6.5;
+  Range x, y;
+  for (auto const& point : points) {
+    x.add(point.x);
+    y.add(point.y);
+  }
+  x = x.padded(0.14);
+  y = y.padded(0.14);
+  Script script(words.name, words.about, single_column_mm, height_mm);
+  script.margins(left, right, bottom, top);
+  script.line("set xrange [{}:{}]; set yrange [{}:{}]", number(x.low), number(x.high), number(y.low), number(y.high));
+  script.line("set xlabel '{}' offset 0,raise; set ylabel '{}' offset inward,0", words.x_label, words.y_label);
+  script.line("set key at graph 0,1.02 left bottom horizontal Left reverse samplen 1 width (kind eq 'svg' ? -2 : 1)");
+  auto const places = place_names(points, x, y, single_column_mm - left - right, height_mm - bottom - top);
+  for (std::size_t i = 0; i < points.size();
+       ++i)  // offsets in letters, 1.65 mm wide and 3.2 mm high on the average of both files
+    script.line("set label {} {} noenhanced at {},{} {} offset {},{}", i + 1, gnuplot_string(points[i].law),
+                number(points[i].x), number(points[i].y), places[i].align, number(places[i].dx_mm / 1.65),
+                number(places[i].dy_mm / 3.2));
+  auto const file = words.name + ".dat";
+  bool const has_front = std::ranges::any_of(points, &FrontPoint::on_front);
+  bool const has_dominated = !std::ranges::all_of(points, &FrontPoint::on_front);
+  std::string plot;
+  if (has_front)
+    plot += fmt::format(
+        "'{0}' index 1 using 2:3 with steps ls {1} dt 2 notitle, "
+        "'{0}' index 0 using ($4==1?$2:NaN):3 with points ls {1} pt 7 ps 0.7 title 'non-dominated'",
+        file, green);
+  if (has_dominated)
+    plot += fmt::format("{}'{}' index 0 using ($4==0?$2:NaN):3 with points ls {} pt 8 ps 0.8 lw 1.6 title 'dominated'",
+                        has_front ? ", " : "", file, vermillion);
+  script.line("plot {}", plot);
+  return script.take();
+}
+
+}  // namespace
+
+MaybeFigure front_figure(Summary const& summary, FrontView view) {
+  auto const points = front_points(summary, view);
+  if (points.empty()) return std::nullopt;
+  auto const words = words_of(view);
+  return Figure{words.name, front_data(points, words), front_script(points, words)};
+}
+
+}  // namespace isolaw::render

@@ -1,0 +1,98 @@
+// How the figures are drawn: size and fonts of print, colours that colour-blind readers tell apart (Okabe, Ito 2008),
+// markers and dashes that grey print keeps, panels on a grid, device names on an axis.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace isolaw::render {
+
+inline constexpr double single_column_mm = 84.0, double_column_mm = 174.0;
+inline constexpr double letter_mm = 1.5;  // mean width of one at 7 pt
+
+// Line styles of every script.
+inline constexpr int blue = 1, vermillion = 2, green = 3, purple = 4, orange = 5, sky = 6, black = 7, grey = 8;
+
+// First line of every script, by which isolaw knows its own.
+inline constexpr std::string_view script_mark = "# A figure of isolaw: ";
+
+struct Margins {
+  double left = 13.0, right = 3.0, bottom = 9.0, top = 3.0;  // of a panel, mm
+};
+
+// Panels of one size, row by row.
+struct Grid {
+  int columns = 1, rows = 1;
+  double width_mm = single_column_mm, panel_height_mm = 40.0;  // of all; of one within its axes
+  Margins margins;
+
+  double panel_width_mm() const { return width_mm / columns - margins.left - margins.right; }
+  double height_mm() const { return rows * (panel_height_mm + margins.top + margins.bottom); }
+};
+
+// At most so many panels to a row; one panel alone is of a single column's width, else all together of a double one's.
+Grid grid_of(std::size_t panels, double panel_height_mm, Margins const& margins, int most_columns = 3);
+
+class Script {
+ public:
+  Script(std::string_view name, std::string_view about, double width_mm, double height_mm);
+
+  template <class... Args>
+  Script& line(fmt::format_string<Args...> format, Args&&... args) {
+    text_ += "  " + fmt::format(format, std::forward<Args>(args)...) + "\n";
+    return *this;
+  }
+  // The axes of the panel at a row and a column, counted from the top left.
+  void place(Grid const& grid, std::size_t panel);
+  void margins(double left_mm, double right_mm, double bottom_mm, double top_mm);
+  std::string take();
+
+ private:
+  std::string text_;
+  double width_mm_, height_mm_;
+};
+
+// Text of a user as it is drawn: control characters spelled out, cut to what fits into a width.
+std::string shortened(std::string_view text, double width_mm);
+
+// A number in a script.
+std::string number(double value);
+
+struct Range {
+  double low = 0.0, high = 0.0;
+  bool empty = true;
+
+  void add(std::optional<double> const& value);
+  Range padded(double share) const;      // of linear axes; never without length
+  Range padded_log(double share) const;  // of logarithmic ones
+};
+
+// Large and small values are drawn as multiples of a power of ten, which the label then states.
+struct Scale {
+  double factor = 1.0;
+  std::string label;  // gnuplot's, with the unit: 'K1 (10^{3} N/m)'
+};
+Scale scale_for(Range const& range, std::string_view name, std::string_view unit);
+
+// A logarithmic y axis with decades, or as many values between as it takes to read it.
+void set_log_axis(Script& script, Range const& range);
+
+// Devices along an axis: their names where there is room, else their numbers.
+struct DeviceAxis {
+  std::size_t count = 0;
+  bool names = false, upright = false;
+  double label_mm = 0.0;  // height of the labels
+
+  DeviceAxis(std::vector<std::string> const& devices, double axis_mm);
+  // Labels come from column 2 of the data where there are names.
+  std::string using_suffix() const { return names ? ":xticlabels(2)" : ""; }
+  void draw(Script& script) const;
+};
+
+}  // namespace isolaw::render

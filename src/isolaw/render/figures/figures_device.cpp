@@ -1,0 +1,122 @@
+// The figures of single devices.
+#include <algorithm>
+#include <span>
+
+#include "isolaw/render/figures/figure_script.hpp"
+#include "isolaw/render/figures/figures_of.hpp"
+#include "isolaw/render/figures/gnuplot.hpp"
+#include "isolaw/study/drawn_samples.hpp"
+
+namespace isolaw::render {
+namespace {
+
+constexpr std::size_t most_samples = 4000;  // of one curve; more cannot be seen at this size
+
+void write_history(DataTable& table, std::string_view title, std::span<double const> time,
+                   std::span<double const> disp_mm, std::span<double const> force_kN) {
+  table.comment(title);
+  table.comment(time.empty() ? "sample disp_mm force_kN" : "time_s disp_mm force_kN");
+  for (auto const i : drawn_samples(disp_mm.size(), most_samples))
+    table.cell(time.empty() ? static_cast<double>(i) : time[i]).cell(disp_mm[i]).cell(force_kN[i]).end_row();
+  table.end_block();
+}
+
+std::string_view time_label(bool has_time) {
+  return has_time ? "Time (s)" : "Sample";
+}
+
+std::string loops_data(DeviceResult const& device, DeviceFit const& fit, std::string const& about) {
+  auto const& record = device.record;
+  DataTable table;
+  table.comment(about);
+  table.comment(record.has_time() ? "time in s, displacement in mm, forces in kN"
+                                  : "time as samples of the file, displacement in mm, forces in kN");
+  table.comment("time disp measured_force computed_force residual");
+  for (auto const i : drawn_samples(record.size(), most_samples)) {
+    double const measured = record.force_kN[i], computed = fit.force_kN[i];
+    table.cell(record.time_s[i])
+        .cell(record.disp_mm[i])
+        .cell(measured)
+        .cell(computed)
+        .cell(measured - computed)
+        .end_row();
+  }
+  return table.take();
+}
+
+std::string loops_script(std::string const& name, std::string const& about, std::string const& title, bool has_time) {
+  constexpr double height_mm = 78.0, left = 14.0, split = 80.0, top = 7.0;
+  Script script(name, about, double_column_mm, height_mm);
+  auto const file = name + ".dat";
+  script.line("set multiplot");
+  script.line("set grid lc rgb '#e2e2e2' lt 1 lw 0.5");
+  script.margins(left, double_column_mm - split, 9.5, top);
+  script.line("set label 1 {} noenhanced at graph 0,1.03", gnuplot_string(shortened(title, split + 8.0)));
+  script.line("set xlabel 'Displacement (mm)' offset 0,raise; set ylabel 'Force (kN)' offset inward,0");
+  script.line("plot '{0}' using 2:3 with lines ls {1} dt 1 lw 1.6, '{0}' using 2:4 with lines ls {2}", file, grey,
+              vermillion);
+  script.line("unset label 1");
+  script.margins(split + 16.0, 3.0, 36.0, top);
+  script.line("set key at graph 1,1.02 right bottom horizontal Left reverse width (kind eq 'svg' ? -2 : 1)");
+  script.line("set xlabel ''; set format x ''");
+  script.line(
+      "plot '{0}' using 1:3 with lines ls {1} dt 1 lw 1.6 title 'measured', "
+      "'{0}' using 1:4 with lines ls {2} title 'computed'",
+      file, grey, vermillion);
+  script.line("unset key; set format x");
+  script.margins(split + 16.0, 3.0, 9.5, height_mm - 33.5);
+  script.line("set xlabel '{}' offset 0,raise; set ylabel 'Residual (kN)' offset inward,0", time_label(has_time));
+  script.line("plot 0 with lines ls {} lw 0.6, '{}' using 1:5 with lines ls {}", black, file, blue);
+  script.line("unset multiplot");
+  return script.take();
+}
+
+std::string record_script(std::string const& name, std::string const& about, std::string const& title, bool has_time) {
+  Grid const grid{.columns = 1,
+                  .rows = 2,
+                  .width_mm = double_column_mm,
+                  .panel_height_mm = 36.0,
+                  .margins = {.left = 14.0, .right = 3.0, .bottom = 9.5, .top = 6.0}};
+  Script script(name, about, grid.width_mm, grid.height_mm());
+  script.line("set xlabel '{}' offset 0,raise", time_label(has_time));
+  script.line("set grid lc rgb '#e2e2e2' lt 1 lw 0.5");
+  script.line("set key at graph 1,1.02 right bottom horizontal Left reverse width (kind eq 'svg' ? -2 : 1)");
+  script.line("set multiplot");
+  for (std::size_t i = 0; i < 2; ++i) {
+    script.place(grid, i);
+    script.line("set ylabel '{}' offset inward,0", i == 0 ? "Displacement (mm)" : "Force (kN)");
+    if (i == 0) script.line("set label 1 {} noenhanced at graph 0,1.06", gnuplot_string(shortened(title, 100.0)));
+    script.line(
+        "plot '{0}.dat' index 0 using 1:{1} with lines ls {2} dt 1 lw 2 title 'before cleaning', "
+        "'' index 1 using 1:{1} with lines ls {3} title 'after cleaning'",
+        name, i + 2, grey, vermillion);
+    if (i == 0) script.line("unset label 1; unset key");
+  }
+  script.line("unset multiplot");
+  return script.take();
+}
+
+}  // namespace
+
+MaybeFigure loops_figure(DeviceResult const& device, LawResult const& law, std::string const& stem) {
+  auto const fit = std::ranges::find(law.devices, device.name, &DeviceFit::device);
+  auto const samples = device.record.size();
+  if (fit == law.devices.end() || samples == 0 || fit->force_kN.size() != samples) return std::nullopt;
+  auto const name = "loops_" + stem + "_" + law.id;
+  std::string const about = "measured and computed force, Fig. 5; residual is measured less computed";
+  return Figure{name, loops_data(device, *fit, about),
+                loops_script(name, about, law.id + ", " + device.name, device.record.has_time())};
+}
+
+MaybeFigure record_figure(DeviceResult const& device, std::string const& stem) {
+  if (device.raw.size() == 0 || device.record.size() == 0) return std::nullopt;
+  auto const name = "record_" + stem;
+  std::string const about = "a record before and after cleaning, Fig. 4";
+  DataTable table;
+  table.comment(about);
+  write_history(table, "before cleaning", device.raw.time_s, device.raw.disp_mm, device.raw.force_kN);
+  write_history(table, "after cleaning", device.record.time_s, device.record.disp_mm, device.record.force_kN);
+  return Figure{name, table.take(), record_script(name, about, device.name, device.record.has_time())};
+}
+
+}  // namespace isolaw::render

@@ -1,0 +1,38 @@
+// One function per figure, each from the summary to data and script. Empty where there is nothing to draw.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "isolaw/render/figures/figures.hpp"
+#include "isolaw/study/front_view.hpp"
+
+namespace isolaw::render {
+
+using MaybeFigure = std::optional<Figure>;
+using MaybeNumber = std::optional<double>;
+
+// Accuracy against robustness, Fig. 14.
+MaybeFigure front_figure(Summary const& summary, FrontView view);
+
+// Objective of every law on every device: mean, standard deviation over runs, and difference from the law's mean, Figs.
+// 6 and 7 side by side; and one panel per law with the devices' names, Fig. 7.
+MaybeFigure objective_figure(Summary const& summary);
+MaybeFigure objective_by_device_figure(Summary const& summary);
+
+// A panel per calibrated parameter over the devices, Figs. 8 to 13.
+MaybeFigure parameters_figure(Summary const& summary, LawResult const& law);
+
+// Best objective over generations, or descents: median and range over the runs.
+MaybeFigure convergence_figure(Summary const& summary, LawResult const& law);
+
+// Effective stiffness and damping of every device, with design values and limits where a rule set gives them.
+MaybeFigure properties_figure(Summary const& summary);
+
+// Measured and computed loop, force over time, residual, Fig. 5. `stem` names the device in the files.
+MaybeFigure loops_figure(DeviceResult const& device, LawResult const& law, std::string const& stem);
+
+// The record before and after cleaning, Fig. 4.
+MaybeFigure record_figure(DeviceResult const& device, std::string const& stem);
+
+}  // namespace isolaw::render

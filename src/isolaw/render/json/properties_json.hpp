@@ -1,0 +1,17 @@
+// Cyclic properties, what a rule set says of them and the view of the lot as JSON: the page and `isolaw inspect --json`
+// hold the same objects. Keys carry the units; docs/inspection-json.md describes them.
+#pragma once
+
+#include "isolaw/base/json.hpp"
+#include "isolaw/render/results.hpp"
+
+namespace isolaw::render {
+
+// Members of a device's object: blocks, reported, properties_refusal, samples_per_cycle, notes, corrections,
+// counting_block, assessments.
+void write_properties(JsonWriter& out, DeviceResult const& device);
+
+// The object of the lot: rule_set, design, lot.
+void write_acceptance(JsonWriter& out, LotAcceptance const& acceptance);
+
+}  // namespace isolaw::render

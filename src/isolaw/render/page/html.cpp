@@ -1,0 +1,120 @@
+#include "isolaw/render/page/html.hpp"
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "isolaw/base/json.hpp"
+#include "isolaw/render/page/assets.hpp"
+#include "isolaw/render/page/page_data.hpp"
+
+namespace isolaw::render {
+namespace {
+
+// Inside <script> only these two end or change the script; both stand in strings or regular expressions there, where
+// the backslash means nothing.
+std::string inline_script(std::string_view script) {
+  std::string safe;
+  safe.reserve(script.size());
+  for (std::size_t i = 0; i < script.size(); ++i) {
+    safe += script[i];
+    if (script[i] != '<') continue;
+    if (script.substr(i + 1, 3) == "!--") safe += '\\';
+    if (script.size() - i > 7 && script[i + 1] == '/' && (script[i + 2] | 0x20) == 's' && (script[i + 3] | 0x20) == 'c')
+      safe += '\\';
+  }
+  return safe;
+}
+
+std::string asked_json(campaign::Acceptance const& asked) {
+  JsonWriter out;
+  out.begin_object().member("rules_file", asked.rules_file).member("rules", asked.rules).member("design", asked.design);
+  out.key("lot_size");
+  asked.lot_size ? out.value(*asked.lot_size) : out.null();
+  out.end_object();
+  return out.take();
+}
+
+}  // namespace
+
+std::string html_escaped(std::string_view text) {
+  std::string safe;
+  for (char const c : text) {
+    switch (c) {
+      case '&':
+        safe += "&amp;";
+        break;
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      case '\'':
+        safe += "&#39;";
+        break;
+      default:
+        safe += c;
+    }
+  }
+  return safe;
+}
+
+std::string html(Summary const& summary) {
+  std::string const title = summary.title.empty() ? "isolaw report" : summary.title + " – isolaw report";
+  std::array<std::pair<std::string_view, std::string>, 6> const contents{{
+      {"{{title}}", html_escaped(title)},
+      {"{{style}}", std::string(assets::page_css())},
+      {"{{plotly}}", inline_script(assets::plotly_js())},
+      {"{{asked}}", script_safe(asked_json(summary.asked))},
+      {"{{data}}", script_safe(page_data_json(summary))},
+      {"{{script}}", inline_script(assets::page_js())},
+  }};
+  // One pass over the template, so that a placeholder's name inside a content stays what it is.
+  std::string_view rest = assets::page_html();
+  std::string page;
+  while (!rest.empty()) {
+    auto const at = rest.find("{{");
+    page += rest.substr(0, at);
+    if (at == std::string_view::npos) break;
+    rest.remove_prefix(at);
+    bool filled = false;
+    for (auto const& [name, text] : contents) {
+      if (!rest.starts_with(name)) continue;
+      page += text;
+      rest.remove_prefix(name.size());
+      filled = true;
+      break;
+    }
+    if (!filled) {
+      page += "{{";
+      rest.remove_prefix(2);
+    }
+  }
+  return page;
+}
+
+std::optional<campaign::Acceptance> asked_in(std::string_view page) {
+  constexpr std::string_view opening = R"(<script type="application/json" id="isolaw-asked">)";
+  auto const start = page.find(opening);
+  if (start == std::string_view::npos) return std::nullopt;
+  page.remove_prefix(start + opening.size());
+  auto const json = nlohmann::json::parse(page.substr(0, page.find("</script>")), nullptr, false);
+  if (!json.is_object()) return std::nullopt;
+  campaign::Acceptance asked;
+  auto const text = [&](char const* key, std::string& target) {
+    auto const found = json.find(key);
+    bool const is_text = found != json.end() && found->is_string();
+    if (is_text) target = found->get<std::string>();
+    return is_text;
+  };
+  bool const whole = text("rules_file", asked.rules_file) && text("rules", asked.rules) && text("design", asked.design);
+  if (auto const size = json.find("lot_size"); size != json.end() && size->is_number_integer())
+    asked.lot_size = size->get<int>();
+  return whole ? std::optional(asked) : std::nullopt;
+}
+
+}  // namespace isolaw::render

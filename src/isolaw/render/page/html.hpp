@@ -1,0 +1,21 @@
+// report.html: one self-contained page that opens offline and loads nothing from the network.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "isolaw/render/results.hpp"
+
+namespace isolaw::render {
+
+// The page with styles, scripts and data inlined. Text from the input reaches it only inside the data block, escaped,
+// and the title.
+std::string html(Summary const& summary);
+
+// What the tests of a page were held to, as the page itself states it; nullopt where it does not.
+std::optional<campaign::Acceptance> asked_in(std::string_view page);
+
+std::string html_escaped(std::string_view text);
+
+}  // namespace isolaw::render

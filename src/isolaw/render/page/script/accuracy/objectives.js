@@ -1,0 +1,110 @@
+import { choose, chosen } from '../choice.js';
+import { element } from '../dom.js';
+import { symbolOf } from '../plotting.js';
+import { devices, laws, lawsByObjective, usable } from '../report.js';
+import { fixed, isNumber, objectiveText, plain, short } from '../text.js';
+
+export const objectiveDevicesFigure = {
+  id: 'objective-devices',
+  title: 'Objective per law and device',
+  depends: ['grouping'],
+  wanted: () => lawsByObjective.length > 0,
+  controls: groupingControl,
+  caption: () => {
+    const best = lawsByObjective[0],
+      worst = lawsByObjective[lawsByObjective.length - 1];
+    const hardness = usable
+      .map((device) => {
+        const values = laws.map((law) => law.fitOn.get(device.index)?.objective.mean).filter(isNumber);
+        return { device, mean: values.reduce((sum, value) => sum + value, 0) / values.length };
+      })
+      .filter((entry) => isNumber(entry.mean))
+      .sort((a, b) => b.mean - a.mean);
+    let text =
+      'Mean over the runs with ± one standard deviation' +
+      (chosen.grouping === 'law' ? '; the line across is the law\u2019s mean over the devices. ' : '. ') +
+      (best === worst
+        ? ''
+        : best.id +
+          ' is closest to the records on average (' +
+          fixed(best.objective.mean, 4) + '), ' + worst.id + ' furthest (' + fixed(worst.objective.mean, 4) + '). ');
+    if (hardness.length > 1)
+      text +=
+        hardness[0].device.name +
+        ' is the hardest device to reproduce, ' + hardness[hardness.length - 1].device.name + ' the easiest.';
+    return text;
+  },
+  csv: () => ({
+    columns: [
+      'law', 'device', 'mean OF [-]', 'std OF [-]', 'best OF [-]', 'runs', 'failed runs', 'evaluations',
+      'failed evaluations',
+    ],
+    rows: laws.flatMap((law) =>
+      law.devices.map((fit) => [
+        law.id, devices[fit.device].name, fit.objective.mean, fit.objective.std, fit.objective.best, fit.runs,
+        fit.failed_runs, fit.evaluations, fit.failed_evaluations,
+      ]),
+    ),
+  }),
+  height: () => 380,
+  draw: drawObjectives,
+};
+
+function groupingControl() {
+  const option = (value, text) => element('option', { value, selected: chosen.grouping === value }, text);
+  const select = element('select', { id: 'grouping' }, option('law', 'law'), option('device', 'device'));
+  select.addEventListener('change', () => choose({ grouping: select.value }));
+  return [element('label', {}, 'Group by', select)];
+}
+
+function drawObjectives(look) {
+  const byLaw = chosen.grouping === 'law';
+  const shown = usable.filter((device) => laws.some((law) => law.fitOn.get(device.index)?.objective.mean !== null));
+  const groups = byLaw ? lawsByObjective.length : shown.length;
+  const members = byLaw ? shown.length : lawsByObjective.length;
+  const position = (group, member) => group + (members === 1 ? 0 : (member / (members - 1) - 0.5) * 0.7);
+  const traces = [];
+  lawsByObjective.forEach((law, lawPlace) => {
+    const found = shown
+      .map((device, devicePlace) => ({
+        device,
+        fit: law.fitOn.get(device.index),
+        x: byLaw ? position(lawPlace, devicePlace) : position(devicePlace, lawPlace),
+      }))
+      .filter((entry) => isNumber(entry.fit?.objective.mean));
+    traces.push({
+      name: plain(law.id),
+      mode: 'markers',
+      x: found.map((entry) => entry.x),
+      y: found.map((entry) => entry.fit.objective.mean),
+      error_y: {
+        type: 'data', array: found.map((entry) => entry.fit.objective.std ?? 0), thickness: 1.2,
+        width: members * groups > 300 ? 0 : 3, color: look.law(law),
+      },
+      marker: { color: look.law(law), symbol: symbolOf(law), size: members * groups > 300 ? 5 : 7 },
+      text: found.map((entry) => plain(entry.device.name)),
+      customdata: found.map((entry) => objectiveText(entry.fit.objective)),
+      hovertemplate: '<b>' + plain(law.id) + '</b> on %{text}<br>OF %{customdata}<extra></extra>',
+    });
+    if (byLaw) {
+      traces.push({
+        mode: 'lines', x: [lawPlace - 0.42, lawPlace + 0.42], y: [law.objective.mean, law.objective.mean],
+        hoverinfo: 'skip', showlegend: false, line: { color: look.law(law), width: 1.5 },
+      });
+    }
+  });
+  const names = byLaw ? lawsByObjective.map((law) => law.id) : shown.map((device) => short(device.name));
+  const every = Math.ceil(names.length / 24);
+  const ticks = names.map((_, i) => i).filter((i) => i % every === 0);
+  return {
+    traces,
+    layout: {
+      showlegend: !byLaw,
+      xaxis: {
+        tickmode: 'array', tickvals: ticks, ticktext: ticks.map((i) => plain(names[i])), range: [-0.6, groups - 0.4],
+        showgrid: false, zeroline: false,
+      },
+      yaxis: { title: 'objective OF [-]', rangemode: 'tozero' },
+    },
+  };
+}

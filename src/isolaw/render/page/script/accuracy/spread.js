@@ -1,0 +1,136 @@
+// How far apart the runs of a device lie, and the devices of a law.
+
+import { decadeTicks, symbolOf } from '../plotting.js';
+import { lawsByObjective, usable } from '../report.js';
+import { THIN, fixed, isNumber, plain, signed, significant } from '../text.js';
+
+export const objectiveSpreadFigure = {
+  id: 'objective-spread',
+  width: 'half',
+  title: 'Spread over the runs',
+  wanted: () => spreadEntries().length > 0,
+  caption: spreadCaption,
+  csv: () => ({
+    columns: ['law', 'device', 'std OF over the runs [-]'],
+    rows: spreadEntries().map(({ law, device, value }) => [law.id, device.name, value]),
+  }),
+  height: () => 330,
+  draw: drawSpread,
+};
+
+export const objectiveRelativeFigure = {
+  id: 'objective-relative',
+  width: 'half',
+  title: 'Each device against its law\u2019s mean',
+  wanted: () => relativeEntries().length > 0,
+  caption: relativeCaption,
+  csv: () => ({
+    columns: ['law', 'device', 'mean OF against the mean over devices [%]'],
+    rows: relativeEntries().map(({ law, device, value }) => [law.id, device.name, value]),
+  }),
+  height: () => 330,
+  draw: drawRelative,
+};
+
+// The standard deviation of a converged search is rounding; what lies below this is drawn on it.
+const LEAST_SPREAD = 1e-9;
+
+const spreadEntries = () =>
+  lawsByObjective.flatMap((law) =>
+    usable
+      .map((device) => ({ law, device, value: law.fitOn.get(device.index)?.objective.std }))
+      .filter(({ value }) => isNumber(value)),
+  );
+
+// Of the mean objectives of a law: how far a device lies from their mean, in percent of it.
+const relativeEntries = () =>
+  lawsByObjective.flatMap((law) => {
+    const entries = usable
+      .map((device) => ({ law, device, mean: law.fitOn.get(device.index)?.objective.mean }))
+      .filter(({ mean }) => isNumber(mean));
+    const mean = entries.reduce((sum, entry) => sum + entry.mean, 0) / entries.length;
+    return entries.length > 1 && mean > 0
+      ? entries.map((entry) => ({ law, device: entry.device, value: 100 * (entry.mean / mean - 1) }))
+      : [];
+  });
+
+function spreadCaption() {
+  const medians = lawsByObjective
+    .map((law) => {
+      const values = spreadEntries()
+        .filter((entry) => entry.law === law)
+        .map(({ value }) => value)
+        .sort((a, b) => a - b);
+      const middle = (values.length - 1) / 2;
+      return { law, value: (values[Math.floor(middle)] + values[Math.ceil(middle)]) / 2 };
+    })
+    .filter(({ value }) => isNumber(value))
+    .sort((a, b) => a.value - b.value);
+  const [least, most] = [medians[0], medians[medians.length - 1]];
+  return (
+    'Standard deviation of OF over the runs, a mark a device: what the search adds by itself.' +
+    (least.law === most.law
+      ? ''
+      : ' Smallest for ' + least.law.id + ' (median ' + significant(least.value, 2) + '), largest for ' + most.law.id +
+        ' (' + significant(most.value, 2) + ').')
+  );
+}
+
+function relativeCaption() {
+  const span = (law) => {
+    const values = relativeEntries()
+      .filter((entry) => entry.law === law)
+      .map(({ value }) => Math.abs(value));
+    return Math.max(...values);
+  };
+  const spans = [...new Set(relativeEntries().map(({ law }) => law))]
+    .map((law) => ({ law, value: span(law) }))
+    .sort((a, b) => a.value - b.value);
+  const [least, most] = [spans[0], spans[spans.length - 1]];
+  return (
+    'Mean OF of a device against the mean over the devices. A law whose marks lie close together suits all devices alike' +
+    (least.law === most.law
+      ? '.'
+      : ': ' + least.law.id + ' does most (within ' + fixed(least.value, 0) + THIN + '%), ' + most.law.id + ' least (' +
+        fixed(most.value, 0) + THIN + '%).')
+  );
+}
+
+// Marks of devices over the laws, side by side within a law.
+function byLaw(entries, look, text) {
+  const shownLaws = [...new Set(entries.map(({ law }) => law))];
+  const places = new Map(usable.map((device, i) => [device, usable.length === 1 ? 0 : i / (usable.length - 1) - 0.5]));
+  return {
+    traces: shownLaws.map((law, i) => {
+      const own = entries.filter((entry) => entry.law === law);
+      return {
+        name: plain(law.id), mode: 'markers', x: own.map(({ device }) => i + 0.64 * places.get(device)),
+        y: own.map(({ value }) => value), text: own.map(({ device }) => plain(device.name)), customdata: own.map(text),
+        marker: { color: look.law(law), symbol: symbolOf(law), size: entries.length > 300 ? 4 : 6 },
+        hovertemplate: '<b>' + plain(law.id) + '</b> on %{text}<br>%{customdata}<extra></extra>',
+      };
+    }),
+    xaxis: {
+      tickmode: 'array', tickvals: shownLaws.map((_, i) => i), ticktext: shownLaws.map((law) => plain(law.id)),
+      range: [-0.6, shownLaws.length - 0.4], showgrid: false, zeroline: false,
+    },
+  };
+}
+
+function drawSpread(look) {
+  const entries = spreadEntries().map((entry) => ({ ...entry, value: Math.max(entry.value, LEAST_SPREAD) }));
+  const { traces, xaxis } = byLaw(entries, look, ({ value }) => 'std of OF ' + significant(value, 2));
+  return { traces, layout: { xaxis, yaxis: { title: 'std of OF over the runs [-]', type: 'log', ...decadeTicks(entries.map(({ value }) => value)) } } };
+}
+
+function drawRelative(look) {
+  const { traces, xaxis } = byLaw(relativeEntries(), look, ({ value }) => signed(value, 1) + THIN + '%');
+  return {
+    traces,
+    layout: {
+      xaxis,
+      yaxis: { title: 'OF against the law\u2019s mean [%]', zeroline: false },
+      shapes: [{ type: 'line', xref: 'paper', x0: 0, x1: 1, y0: 0, y1: 0, line: { color: look.colour('muted'), width: 1.4, dash: 'dot' } }],
+    },
+  };
+}

@@ -1,0 +1,90 @@
+import { element } from '../dom.js';
+import { lotQuantities } from '../lot.js';
+import { report } from '../report.js';
+import { table } from '../tables.js';
+import { THIN, count, significant, unitText } from '../text.js';
+
+export const certificateBoundsFigure = {
+  id: 'certificate-bounds',
+  title: 'Lower and upper bound values',
+  wanted: () => boundRows().length > 0,
+  caption: boundsCaption,
+  csv: () => ({
+    columns: ['property', 'unit', 'design value', 'mean of the lot', 'lower bound', 'upper bound', 'of', 'from'],
+    rows: boundRows().map((b) => [b.property, b.unit, b.nominal, b.mean, b.lower, b.upper, b.of, b.from]),
+  }),
+  build: boundsTable,
+};
+
+// Bounds by property modification factors; without them the smallest and largest value of the lot.
+function boundRows() {
+  const factors = report.assessment?.lot?.factors ?? [];
+  const quantity = (name) => lotQuantities.find((q) => q.quantity === name);
+  if (factors.length > 0)
+    return factors.map((factor) => ({
+      property: factor.property,
+      unit: factor.unit,
+      nominal: quantity(factor.property)?.nominal ?? null,
+      mean: quantity(factor.property)?.mean ?? null,
+      lower: factor.lower,
+      upper: factor.upper,
+      of: boundsOf(factor.source),
+      from: [factor.source, factor.note, factor.no_lower_bound].filter(Boolean).join('; '),
+    }));
+  return lotQuantities
+    .filter((q) => q.n > 1)
+    .map((q) => ({
+      property: q.quantity,
+      unit: q.unit,
+      nominal: q.nominal,
+      mean: q.mean,
+      lower: q.min,
+      upper: q.max,
+      of: 'the devices tested',
+      from: 'smallest and largest',
+    }));
+}
+
+const boundsOf = (source) =>
+  source.startsWith('statistical, system') ? 'the isolation system' : source === 'contract band' ? 'by contract' : 'one device';
+
+function boundsCaption() {
+  if ((report.assessment?.lot?.factors?.length ?? 0) === 0)
+    return 'No rule set gives modification factors: the smallest and the largest device that was tested. A lot has others beyond them.';
+  const tested = report.assessment.lot.tested;
+  return (
+    'By property modification factors, on the design value, or on the mean where there is none. Those of one device hold 95' + THIN +
+    '% of all devices with 95' + THIN + '% confidence, or what was observed; those of the system hold the mean of all devices of the lot.' +
+    (tested < 5 ? ' From ' + count(tested, 'device') + ' alone: bounds by statistics are wide for that reason.' : '')
+  );
+}
+
+function boundsTable() {
+  const columns = [
+    { title: 'Property', pinned: true },
+    { title: 'Unit', tight: true },
+    { title: 'Design value', number: true },
+    { title: 'Mean of the lot', number: true },
+    { title: 'Lower bound', number: true },
+    { title: 'Upper bound', number: true },
+    { title: 'Bounds', tight: true },
+    { title: 'From' },
+  ];
+  const rows = boundRows().map((b, i, all) => {
+    const first = i === 0 || all[i - 1].property !== b.property;
+    return {
+      className: first ? 'group' : null,
+      cells: [
+        element('b', { class: 'strong' }, first ? b.property : ''),
+        first ? unitText(b.unit) : '',
+        first ? significant(b.nominal, 4) : '',
+        first ? significant(b.mean, 4) : '',
+        significant(b.lower, 4),
+        significant(b.upper, 4),
+        b.of,
+        element('td', { class: 'note text' }, b.from),
+      ],
+    };
+  });
+  return table(columns, rows, 'Lower and upper bound values');
+}

@@ -1,0 +1,63 @@
+// What is signed, and the records that it is of.
+
+import { element } from '../dom.js';
+import { devices, report } from '../report.js';
+import { table } from '../tables.js';
+import { count } from '../text.js';
+import { blank } from './blank.js';
+
+export const certificateSignatureFigure = {
+  id: 'certificate-signature',
+  title: '',
+  build: signatureBlock,
+};
+
+export const certificateRecordsFigure = {
+  id: 'certificate-records',
+  title: 'Records',
+  long: true,
+  caption: () => 'SHA-256 of each file as it was read: a changed file is another record.',
+  build: recordsTable,
+};
+
+function signatureBlock() {
+  const signer = (role) =>
+    element(
+      'div',
+      { class: 'signer' },
+      element('b', {}, role),
+      ...['Name', 'Place, date', 'Signature'].map((label) =>
+        element('div', {}, element('span', { class: 'muted' }, label), blank(role + ': ' + label.toLowerCase())),
+      ),
+    );
+  return element(
+    'div',
+    {},
+    element(
+      'p',
+      { class: 'bound' },
+      'Certificate ',
+      element('span', { class: 'certificate-number' }),
+      ' \u2013 ' + (report.title || 'isolation devices') + ', ' + count(devices.length, 'device'),
+    ),
+    element('div', { class: 'signers' }, signer('Tested by'), signer('Checked by'), signer('Accepted by')),
+    element(
+      'p',
+      { class: 'fine' },
+      'Values computed by isolaw ' + report.isolaw + ' from ' + count(devices.length, 'record') +
+        '. They hold for the devices named here, as they were tested.',
+    ),
+  );
+}
+
+function recordsTable() {
+  const columns = [{ title: 'Device', pinned: true }, { title: 'File' }, { title: 'SHA-256' }];
+  const rows = devices.map((device) => ({
+    cells: [
+      element('b', { class: 'strong' }, device.name),
+      device.file,
+      element('td', { class: 'hash whole' }, device.sha256),
+    ],
+  }));
+  return table(columns, rows, 'Records of the certificate');
+}

@@ -1,0 +1,19 @@
+import { devices } from '../report.js';
+import { worstVerdict } from '../verdicts.js';
+
+// The worst of a device's verdicts, with what could not be assessed of it.
+export function deviceVerdict(device) {
+  const verdict = worstVerdict(device.assessments.map((a) => a.verdict));
+  const named = (wanted) => [
+    ...new Set(device.assessments.filter((a) => a.verdict === wanted).map((a) => a.quantity)),
+  ];
+  return { verdict, failed: named('fail'), open: verdict === 'pass' ? named('not assessed') : [] };
+}
+
+// What no device could be assessed for: said once, for all of them.
+export function commonlyOpen() {
+  const judged = devices.filter((device) => device.assessments.length > 0);
+  if (judged.length === 0 || judged.every((device) => deviceVerdict(device).verdict !== 'pass')) return [];
+  const open = (device) => device.assessments.filter((a) => a.verdict === 'not assessed').map((a) => a.quantity);
+  return [...new Set(open(judged[0]))].filter((quantity) => judged.every((device) => open(device).includes(quantity)));
+}

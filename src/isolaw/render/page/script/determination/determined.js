@@ -1,0 +1,184 @@
+import { chosen } from '../choice.js';
+import { lawChooser } from '../choosers.js';
+import { element, onScreen } from '../dom.js';
+import { ROUND, icon } from '../icons.js';
+import { devices, examinedLaws, examinedPlaces, firstExamined, laws, report, usable } from '../report.js';
+import { table } from '../tables.js';
+import { DASH, count, enumerate, percentText, rangeText, unitText } from '../text.js';
+import { cellBeside, chooseCell, markChosenCell } from './cells.js';
+import { examination } from './examination.js';
+
+export const determinedFigure = {
+  id: 'determined',
+  width: 'wide',
+  title: 'Parameters by device',
+  long: true,
+  depends: ['examined'],
+  wanted: () => examinedLaws.length > 0,
+  controls: () => [lawChooser('examined', examinedLaws, (law) => ({ parameter: firstExamined(law) }))],
+  caption: determinedCaption,
+  csv: determinedData,
+  build: determinedTable,
+};
+
+// Word and shape say the same; the colour only repeats them.
+const DETERMINATIONS = {
+  determined: { tone: 'good', path: ROUND, filled: true },
+  'weakly determined': { tone: 'accent', path: ROUND, filled: false, mark: 'M6 .8 A5.2 5.2 0 0 0 6 11.2 Z' },
+  undetermined: { tone: 'poor', path: ROUND, filled: false },
+  'at its bound': { tone: 'care', path: 'M6 1.2 L10.6 8.2 H1.4 Z M1.4 11 H10.6', filled: true },
+};
+
+function determinationMark(verdict) {
+  const { tone, path, filled, mark } = DETERMINATIONS[verdict];
+  const colour = 'var(--' + tone + ')';
+  return icon([path, filled ? colour : 'none', colour], ...(mark ? [[mark, colour, 'none']] : []));
+}
+
+function determinedCaption() {
+  const law = laws[chosen.examined];
+  const fits = law.devices.filter((fit) => fit.determination);
+  const blind = examinedPlaces(law)
+    .map((place) => ({
+      name: law.parameters[place].name,
+      times: fits.filter((fit) => fit.determination[place]?.identifiability === 'undetermined').length,
+    }))
+    .filter(({ times }) => times > 0);
+  const missing = usable.filter((device) => !law.fitOn.get(device.index)?.determination).map((device) => device.name);
+  return (
+    (blind.length === 0
+      ? 'The tests determine every parameter of ' + law.id + ' that does not lie at its bound.'
+      : 'The tests leave open ' +
+        enumerate(
+          blind.map(({ name, times }) =>
+            times === fits.length ? name : name + ' (' + times + ' of ' + count(fits.length, 'device') + ')',
+          ),
+          7,
+        ) +
+        ': other values give loops that nobody can tell apart, so do not compare such values between devices.') +
+    (missing.length > 0 ? ' Not examined: ' + enumerate(missing) + '.' : '') +
+    onScreen(' Choose a cell, by the mouse or the arrow keys, for its profile.')
+  );
+}
+
+function determinedData() {
+  return {
+    columns: [
+      'law', 'device', 'parameter', 'unit', 'verdict', 'optimum', 'open from', 'open to', 'ends at the box below',
+      'ends at the box above', 'linear from', 'linear to', 'bootstrap from', 'bootstrap to',
+    ],
+    rows: examinedLaws.flatMap((law) =>
+      law.devices.flatMap((fit) =>
+        examinedPlaces(law)
+          .map((place) => examination(law, fit.device, place))
+          .filter(Boolean)
+          .map((one) => [
+            law.id,
+            devices[fit.device].name,
+            one.parameter.name,
+            one.parameter.unit,
+            one.verdict,
+            one.optimum,
+            ...one.open,
+            ...one.ends.map((end) => (end ? 'yes' : 'no')),
+            ...one.linear,
+            ...one.bootstrap,
+          ]),
+      ),
+    ),
+  };
+}
+
+function determinedTable() {
+  const law = laws[chosen.examined];
+  const places = examinedPlaces(law);
+  const fits = law.devices.filter((fit) => fit.determination);
+  const columns = [
+    { title: 'Device', pinned: true, name: true },
+    ...places.map((place) => {
+      const { name, unit } = law.parameters[place];
+      return { title: element('span', {}, name), full: name + ' [' + unitText(unit) + ']', mark: true };
+    }),
+  ];
+  const cell = (fit, place) => {
+    const one = examination(law, fit.device, place);
+    if (!one) return element('td', { class: 'mark note' }, DASH);
+    const text =
+      one.parameter.name +
+      ' on ' + devices[fit.device].name + ': ' + one.verdict + ', ' + rangeText(one.open, one.parameter.unit);
+    const button = element(
+      'button',
+      {
+        type: 'button',
+        class: DETERMINATIONS[one.verdict].tone,
+        tabindex: '-1',
+        title: text,
+        'aria-label': text,
+        'data-device': fit.device,
+        'data-parameter': place,
+      },
+      determinationMark(one.verdict),
+    );
+    return element('td', { class: 'mark' }, button);
+  };
+  const shares = places.map((place) => {
+    const verdicts = fits.map((fit) => fit.determination[place]?.identifiability).filter(Boolean);
+    return String(verdicts.filter((verdict) => verdict === 'undetermined').length);
+  });
+  const body = table(
+    columns,
+    [
+      ...fits.map((fit) => ({ cells: [devices[fit.device].name, ...places.map((place) => cell(fit, place))] })),
+      ...(fits.length > 1
+        ? [
+            {
+              className: 'group',
+              cells: [
+                element(
+                  'span',
+                  { class: 'note', title: 'devices whose test leaves it undetermined' },
+                  'open, of ' + fits.length,
+                ),
+                ...shares.map((share) => element('td', { class: 'mark note' }, share)),
+              ],
+            },
+          ]
+        : []),
+    ],
+    'Whether the tests determine the parameters of ' + law.id,
+  );
+  body.classList.add('marks');
+  body.classList.toggle('upright', places.length > 12);
+  body.addEventListener('click', (event) => chooseCell(event.target.closest('button')));
+  body.addEventListener('keydown', (event) => {
+    const next = cellBeside(event.target.closest('button'), event.key);
+    if (!next) return;
+    event.preventDefault();
+    chooseCell(next);
+    next.focus();
+  });
+  markChosenCell(body);
+  return element('div', {}, body, determinedLegend());
+}
+
+function determinedLegend() {
+  const { determined_within: near, weakly_determined_within: far } = report.thresholds;
+  const meaning = {
+    determined: 'known to ±' + percentText(near),
+    'weakly determined': 'to ±' + percentText(far) + ', or its range ends at the box',
+    undetermined: 'anything further, or all of the box',
+    'at its bound': 'the box, not the test, decides the value',
+  };
+  return element(
+    'ul',
+    { class: 'legend' },
+    ...Object.keys(DETERMINATIONS).map((verdict) =>
+      element(
+        'li',
+        {},
+        element('span', { class: 'verdict ' + DETERMINATIONS[verdict].tone }, determinationMark(verdict), verdict),
+        ' ' + meaning[verdict],
+      ),
+    ),
+  );
+}

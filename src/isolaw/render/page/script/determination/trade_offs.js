@@ -1,0 +1,52 @@
+import { chosen } from '../choice.js';
+import { element } from '../dom.js';
+import { devices, examinedLaws, laws } from '../report.js';
+import { count, isNumber, percentText, sentence } from '../text.js';
+
+export const tradeOffsFigure = {
+  id: 'trade-offs',
+  width: 'wide',
+  title: 'What changes together, and the intervals',
+  depends: ['examined', 'device'],
+  wanted: () => examinedLaws.length > 0 && chosen.device !== null,
+  build: tradeOffs,
+};
+
+function intervalSentence({ level, samples, block, replicates }) {
+  if (!isNumber(level)) return null;
+  return (
+    'The bars under the profile are intervals of ' + percentText(level) + ': by linearisation' +
+    (replicates > 0 ? ', and from ' + count(replicates, 'fit') + ' of the bootstrap' : '') +
+    ', in blocks of ' + count(block, 'sample') + ' of ' + samples +
+    ' because neighbouring residuals are alike. They say how far another record of the same device could move the fit, ' +
+    'taking the law\u2019s misfit for noise; they are no statement on whether the law is true. A parameter at its bound is held there.'
+  );
+}
+
+function tradeOffs() {
+  const law = laws[chosen.examined],
+    fit = law.fitOn.get(chosen.device);
+  const name = devices[chosen.device].name;
+  if (!fit?.determination) return element('p', { class: 'empty' }, law.id + ' on ' + name + ' was not examined.');
+  return element(
+    'div',
+    { class: 'prose' },
+    fit.trade_offs.length === 0
+      ? element('p', {}, 'On ' + name + ' no parameters of ' + law.id + ' change together unseen.')
+      : element(
+          'div',
+          {},
+          element('p', {}, 'The loops of ' + law.id + ' on ' + name + ':'),
+          element('ul', { class: 'sentences' }, ...fit.trade_offs.map((text) => element('li', {}, sentence(text)))),
+        ),
+    law.reduced_form
+      ? element(
+          'p',
+          {},
+          element('code', {}, law.reduced_form),
+          ' searches a form of the same loops without the redundant parameter.',
+        )
+      : null,
+    element('p', {}, intervalSentence(fit.intervals)),
+  );
+}

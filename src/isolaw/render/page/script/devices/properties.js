@@ -1,0 +1,114 @@
+import { counted, countedCycles, cycleData, isReported, noCycles, reportedCycle } from '../cycles.js';
+import { element, onScreen } from '../dom.js';
+import { devices } from '../report.js';
+import { table } from '../tables.js';
+import { DASH, THIN, count, fixed, isNumber, significant } from '../text.js';
+
+export const testPropertiesFigure = {
+  id: 'properties',
+  title: 'Test properties per device and block',
+  long: true,
+  caption: propertiesCaption,
+  csv: () => cycleData(devices),
+  build: propertiesTable,
+};
+
+function propertiesCaption() {
+  const cycles = devices.map(reportedCycle).filter(Boolean);
+  if (cycles.length === 0) return 'No record has a complete cycle with enough samples.';
+  const span = (key, digits) => {
+    const values = cycles.map((cycle) => cycle[key]).filter(isNumber);
+    if (values.length === 0) return DASH;
+    const low = Math.min(...values),
+      high = Math.max(...values);
+    return significant(low, digits) === significant(high, digits)
+      ? significant(low, digits)
+      : significant(low, digits) + ' to ' + significant(high, digits);
+  };
+  return (
+    'Third counted cycle of each block, or its last' +
+    (devices.some((device) => device.blocks.length > 1) ? '; in bold the reported one' : '') + '.' +
+    onScreen(' Every cycle is in the CSV.') + ' Over ' + count(cycles.length, 'device') + ': effective stiffness ' +
+    span('K_eff_kN_per_mm', 3) + THIN + 'kN/mm, equivalent viscous damping ' + span('damping_percent', 3) + THIN + '%.'
+  );
+}
+
+function propertiesTable() {
+  const some = (key) => devices.some((device) => device[key] !== null && device[key] !== '');
+  const facts = [
+    { key: 'serial', column: { title: 'Serial', screen: true }, text: (d) => d.serial },
+    { key: 'lot', column: { title: 'Lot', screen: true }, text: (d) => d.lot },
+    { key: 'test_date', column: { title: 'Tested' }, text: (d) => d.test_date },
+    {
+      key: 'temperature_C',
+      column: { title: 'Temp.', unit: '°C', number: true },
+      text: (d) => fixed(d.temperature_C, 1),
+    },
+  ].filter((fact) => some(fact.key));
+  const strained = devices.some((device) => countedCycles(device).some((cycle) => isNumber(cycle.strain_percent)));
+  const several = devices.some((device) => device.blocks.length > 1);
+  const numbers = [
+    { title: 'Block', number: true },
+    { title: 'Cycle', number: true },
+    { title: 'Amplitude', unit: 'mm', number: true },
+    ...(strained ? [{ title: 'Shear strain', unit: '%', number: true }] : []),
+    { title: 'Frequency', unit: 'Hz', number: true, screen: true },
+    { title: 'Effective stiffness', unit: 'kN/mm', number: true },
+    { title: 'Energy', unit: 'kN mm', number: true },
+    { title: 'Damping', unit: '%', number: true },
+    { title: 'Scragging', unit: 'K_eff 1st/3rd', number: true, screen: true },
+  ];
+  const columns = [
+    { title: 'Device', pinned: true },
+    ...facts.map((fact) => fact.column),
+    ...numbers,
+    { title: 'Remark' },
+  ];
+  const rows = devices.flatMap((device) => {
+    const remark = [
+      device.status !== 'ok' ? 'refused: ' + device.message : device.reported === null ? device.properties_refusal : '',
+      device.warnings.length > 0 ? count(device.warnings.length, 'warning') : '',
+      device.corrections.length > 0 ? count(device.corrections.length, 'correction') : '',
+    ]
+      .filter(Boolean)
+      .join('; ');
+    const lead = (first) => [
+      element('b', { class: 'strong' }, first ? device.name : ''),
+      ...facts.map((fact) => (first ? fact.text(device) : '')),
+    ];
+    const note = (text) => element('td', { class: 'note text' }, text);
+    const blocks = device.blocks.filter((block) => counted(block).length > 0);
+    if (blocks.length === 0)
+      return [
+        {
+          className: 'group',
+          cells: [
+            ...lead(true),
+            element('td', { class: 'note', colspan: numbers.length + 1 }, remark || noCycles(device)),
+          ],
+        },
+      ];
+    return blocks.map((block, i) => {
+      const cycle = counted(block)[Math.min(2, counted(block).length - 1)];
+      return {
+        className:
+          [i === 0 ? 'group' : '', several && isReported(device, block, cycle) ? 'strong' : ''].join(' ').trim() ||
+          null,
+        cells: [
+          ...lead(i === 0),
+          String(block.number),
+          String(cycle.number),
+          fixed(cycle.amplitude_mm, 1),
+          ...(strained ? [fixed(cycle.strain_percent, 0)] : []),
+          significant(block.frequency_Hz, 2),
+          significant(cycle.K_eff_kN_per_mm, 4),
+          fixed(cycle.energy_kN_mm, 0),
+          fixed(cycle.damping_percent, 2),
+          fixed(block.stability?.K_eff?.first_to_third, 2),
+          note(i === 0 ? remark : ''),
+        ],
+      };
+    });
+  });
+  return table(columns, rows, 'Test properties per device and block');
+}

@@ -1,0 +1,49 @@
+import { element } from '../dom.js';
+import { sampleText } from '../lot.js';
+import { report } from '../report.js';
+import { THIN, sentence } from '../text.js';
+
+export const ruleSetFigure = {
+  id: 'rule-set',
+  title: 'What the lot was held to',
+  wanted: () => report.assessment !== null,
+  build: ruleSetStatement,
+};
+
+function ruleSetStatement() {
+  const { rule_set: rules, design, lot } = report.assessment;
+  const facts = [
+    [
+      'Rule set',
+      rules ? rules.title + (rules.edition ? ', ' + rules.edition : '') : 'none chosen: values only, no limits',
+    ],
+    ...(rules?.source ? [['Source', rules.source]] : []),
+    ...(rules ? [['Verified by', rules.verified_by || 'nobody']] : []),
+    [
+      'Design values',
+      design.length > 0
+        ? design.map(({ name, value, unit }) => name + ' ' + value + THIN + unit).join(', ')
+        : 'none given: no deviation can be stated',
+    ],
+    ...(rules && lot?.sample ? [['Sample', sampleText(lot.sample)]] : []),
+    ...(lot?.note ? [['The lot', lot.note]] : []),
+    ...(lot?.mean_analysis?.sentence ? [['Mean properties', lot.mean_analysis.sentence]] : []),
+  ];
+  const unverified = rules !== null && !rules.verified_by;
+  return element(
+    'div',
+    {},
+    unverified
+      ? element(
+          'p',
+          { class: 'warnings' },
+          element('b', {}, 'The limits of this set are not verified: deviations are information, no verdict.'),
+        )
+      : null,
+    element(
+      'dl',
+      { class: 'facts-list' },
+      ...facts.flatMap(([term, text]) => [element('dt', {}, term), element('dd', {}, sentence(text))]),
+    ),
+  );
+}

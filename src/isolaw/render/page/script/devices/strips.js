@@ -1,0 +1,164 @@
+import { chosen } from '../choice.js';
+import { limitBand } from '../followed.js';
+import { spread } from '../labels.js';
+import { deviceValue, lotQuantities } from '../lot.js';
+import { LEGEND, NARROW, paddedRange } from '../plotting.js';
+import { devices, report } from '../report.js';
+import { isNumber, plain, short, unitText, withUnit } from '../text.js';
+import { VERDICTS } from '../verdicts.js';
+
+export const lotStripsFigure = {
+  id: 'lot-strips',
+  title: 'Every device of the lot',
+  depends: ['tested'],
+  wanted: () => stripRows().length > 0,
+  caption: () =>
+    'One mark a device; ringed: ' +
+    (chosen.tested === null ? 'none' : devices[chosen.tested].name) +
+    '. Solid line: mean of the lot; dashed: design value; band: limits of one device. Outliers are named.',
+  csv: stripData,
+  height: () => stripLayout().height,
+  draw: drawStrips,
+};
+
+const stripRows = () =>
+  lotQuantities
+    .map((quantity) => ({
+      quantity,
+      points: devices
+        .map((device) => ({ device, ...deviceValue(device, quantity.quantity) }))
+        .filter((point) => isNumber(point.value)),
+    }))
+    .filter(({ points }) => points.length > 0);
+
+const STRIP_HEIGHT = 62;
+const STRIP_BETWEEN = 52;
+
+function stripLayout() {
+  const rows = stripRows();
+  const margin = { l: 14, r: 14, t: 52, b: 30 };
+  const inner = rows.length * STRIP_HEIGHT + (rows.length - 1) * STRIP_BETWEEN;
+  return { rows, margin, inner, height: margin.t + inner + margin.b };
+}
+
+function stripData() {
+  return {
+    columns: ['device', 'quantity', 'unit', 'value', 'verdict', 'outlier'],
+    rows: stripRows().flatMap(({ quantity, points }) =>
+      points.map(({ device, value, verdict }) => [
+        device.name, quantity.quantity, quantity.unit, value, verdict, outlierOf(device, quantity) ? 'yes' : 'no',
+      ]),
+    ),
+  };
+}
+
+const outlierOf = (device, quantity) =>
+  report.assessment.lot.outliers.find((o) => o.device === device.name && o.quantity === quantity.quantity);
+
+function drawStrips(look, width) {
+  const { rows, margin, inner } = stripLayout();
+  const traces = [],
+    layout = { margin, shapes: [], annotations: [], showlegend: true, legend: { ...LEGEND, y: 1 + 24 / inner } };
+  const present = Object.keys(VERDICTS).filter((verdict) =>
+    rows.some(({ points }) => points.some((p) => p.verdict === verdict)),
+  );
+  rows.forEach(({ quantity, points }, i) => {
+    const suffix = i === 0 ? '' : String(i + 1);
+    const top = 1 - (i * (STRIP_HEIGHT + STRIP_BETWEEN)) / inner,
+      bottom = top - STRIP_HEIGHT / inner;
+    const band = limitBand(quantity.limit_individual, quantity.nominal);
+    const values = points.map((point) => point.value);
+    const range = paddedRange([...values, quantity.nominal, ...(band ?? [])].filter(isNumber), 0.06);
+    layout['xaxis' + suffix] = {
+      domain: [0, 1], anchor: 'y' + suffix, range, zeroline: false, nticks: width > NARROW ? 9 : 5, automargin: false,
+    };
+    layout['yaxis' + suffix] = {
+      domain: [bottom, top], anchor: 'x' + suffix, range: [-1, 1], showticklabels: false, showgrid: false,
+      zeroline: false, fixedrange: true, automargin: false,
+    };
+    layout.annotations.push({
+      xref: 'paper',
+      yref: 'paper',
+      x: 0,
+      y: top,
+      xanchor: 'left',
+      yanchor: 'bottom',
+      showarrow: false,
+      text:
+        '<b>' + plain(quantity.quantity) + '</b>' + (quantity.unit ? ' [' + plain(unitText(quantity.unit)) + ']' : ''),
+      font: { size: 12.5, color: look.colour('ink') },
+    });
+    const whole = { xref: 'x' + suffix, yref: 'y' + suffix + ' domain', y0: 0, y1: 1, layer: 'below' };
+    if (band)
+      layout.shapes.push({
+        ...whole, type: 'rect', x0: band[0] ?? range[0], x1: band[1] ?? range[1], fillcolor: look.colour('band'),
+        line: { width: 0 },
+      });
+    for (const [at, dash, colour] of [
+      [quantity.nominal, 'dash', 'good'],
+      [quantity.mean, 'solid', 'muted'],
+    ])
+      if (isNumber(at))
+        layout.shapes.push({
+          ...whole, type: 'line', x0: at, x1: at, line: { color: look.colour(colour), width: 1.4, dash },
+        });
+    // Spread over the strip's height by the golden ratio: neighbours in the list never meet.
+    const height = new Map(points.map(({ device }, k) => [device, 1.3 * ((k * 0.618034) % 1) - 0.65]));
+    for (const verdict of present) {
+      const some = points.filter((point) => point.verdict === verdict);
+      if (some.length === 0) continue;
+      const known = VERDICTS[verdict];
+      traces.push({
+        name: verdict,
+        legendgroup: verdict,
+        showlegend: !traces.some((trace) => trace.name === verdict),
+        mode: 'markers',
+        xaxis: 'x' + suffix,
+        yaxis: 'y' + suffix,
+        x: some.map((point) => point.value),
+        y: some.map((point) => height.get(point.device)),
+        text: some.map((point) => plain(point.device.name)),
+        customdata: some.map((point) => plain(withUnit(point.value, quantity.unit))),
+        marker: {
+          symbol: known.symbol, size: points.length > 60 ? 6 : 8,
+          color: look.colour(known.tone === 'muted' ? 'accent' : known.tone),
+          line: { width: known.filled ? 0 : 1.5, color: look.colour(known.tone === 'muted' ? 'accent' : known.tone) },
+        },
+        hovertemplate: '<b>%{text}</b>: %{customdata}<extra>' + verdict + '</extra>',
+      });
+    }
+    const own = points.find(({ device }) => device.index === chosen.tested);
+    if (own)
+      traces.push({
+        mode: 'markers', showlegend: false, hoverinfo: 'skip', xaxis: 'x' + suffix, yaxis: 'y' + suffix, x: [own.value],
+        y: [height.get(own.device)],
+        marker: { symbol: 'circle-open', size: 15, line: { width: 2 }, color: look.colour('ink') },
+      });
+    layout.annotations.push(
+      ...outlierLabels(points, quantity, range, width - margin.l - margin.r).map((label) => ({
+        ...label, xref: 'x' + suffix, yref: 'paper', y: top, yanchor: 'bottom', showarrow: false,
+        font: { size: 11.5, color: look.colour('care') },
+      })),
+    );
+  });
+  return { traces, layout };
+}
+
+// Names of outliers above the strip, moved apart; right of the strip's own heading.
+function outlierLabels(points, quantity, range, width) {
+  const found = points.filter(({ device }) => outlierOf(device, quantity)).sort((a, b) => a.value - b.value);
+  const pixel = (value) => ((value - range[0]) / (range[1] - range[0])) * width;
+  const names = found.map(({ device }) => '\u25be ' + short(device.name, 12));
+  const widest = Math.max(0, ...names.map((name) => 7 * name.length)) + 6;
+  const free = 110, // pixels of the heading
+    most = Math.max(1, Math.floor((width - free) / widest));
+  const some = found.slice(-most);
+  const places =
+    some.length > 0
+      ? spread(some.map((point) => pixel(point.value)), widest, free + widest / 2, width - widest / 2)
+      : [];
+  return some.map((_, i) => ({
+    x: range[0] + (places[i] / width) * (range[1] - range[0]),
+    text: plain(names[found.length - some.length + i]),
+  }));
+}

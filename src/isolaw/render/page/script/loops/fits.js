@@ -1,0 +1,63 @@
+// The chosen laws on the chosen device.
+
+import { chosen } from '../choice.js';
+import { paddedRange } from '../plotting.js';
+import { curve, devices, ranking } from '../report.js';
+import { THIN, enumerate, significant } from '../text.js';
+
+export const LOOP_HEIGHT = 400;
+
+// The chosen laws that have a curve on the chosen device, with it.
+export function fitsOn(device, among) {
+  return among
+    .map((law) => ({ law, fit: law.fitOn.get(device.index), force: curve(law.fitOn.get(device.index)?.force_kN) }))
+    .filter((entry) => entry.force);
+}
+
+export const chosenLaws = () => ranking.filter((law) => chosen.laws.has(law.index));
+
+export const record = (device) => ({
+  t: curve(device.record.time_s),
+  x: curve(device.record.disp_mm),
+  F: curve(device.record.force_kN),
+});
+
+// Whether a time of the record lies in a part the laws were judged by.
+export const isScored = (device, time) =>
+  !device.scored || device.scored.some(({ from, to }) => time >= from && time <= to);
+
+// The scale of the forces is that of the record, with half of it to spare: a law that runs away is cut off.
+export function forceRange(measured, computed) {
+  const low = Math.min(...measured),
+    high = Math.max(...measured),
+    spare = 0.5 * (high - low || 1);
+  const all = computed.flatMap((force) => [Math.min(...force), Math.max(...force)]).concat(low, high);
+  return paddedRange(all.map((force) => Math.min(Math.max(force, low - spare), high + spare)), 0.06);
+}
+
+// Laws whose force leaves the scale, and how far they go.
+export function cutOff(among) {
+  const device = devices[chosen.device],
+    { F } = record(device);
+  const fits = fitsOn(device, among),
+    [low, high] = forceRange(F, fits.map(({ force }) => force));
+  const away = fits.filter(({ force }) => force.some((f) => f < low || f > high));
+  if (away.length === 0) return '';
+  const largest = ({ law, force }) => law.id + ' to ' + significant(Math.max(...force.map(Math.abs)), 2) + THIN + 'kN';
+  return ' Off the scale: ' + enumerate(away.map(largest)) + '.';
+}
+
+export function loopData(among = chosenLaws()) {
+  const device = devices[chosen.device],
+    measured = record(device),
+    fits = fitsOn(device, among);
+  return {
+    columns: [
+      device.record.has_time ? 'time [s]' : 'sample',
+      'displacement [mm]',
+      'measured force [kN]',
+      ...fits.map(({ law }) => law.id + ' force [kN]'),
+    ],
+    rows: measured.x.map((x, i) => [measured.t[i], x, measured.F[i], ...fits.map(({ force }) => force[i])]),
+  };
+}

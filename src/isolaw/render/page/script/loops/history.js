@@ -1,0 +1,83 @@
+import { chosen } from '../choice.js';
+import { dashOf } from '../plotting.js';
+import { devices } from '../report.js';
+import { THIN, plain, significant } from '../text.js';
+import { LOOP_HEIGHT, chosenLaws, fitsOn, forceRange, isScored, loopData, record } from './fits.js';
+
+export const historyFigure = {
+  id: 'history',
+  width: 'wide',
+  title: 'Force over time, and what is left unexplained',
+  depends: ['device', 'laws'],
+  wanted: () => chosen.device !== null,
+  caption: historyCaption,
+  csv: loopData,
+  height: () => LOOP_HEIGHT,
+  draw: drawHistory,
+};
+
+function historyCaption() {
+  const device = devices[chosen.device],
+    measured = record(device);
+  const peak = Math.max(...measured.F.map(Math.abs));
+  const scored = measured.t.map((t) => isScored(device, t));
+  const worst = fitsOn(device, chosenLaws()).map(
+    ({ law, force }) =>
+      law.id + ' ' +
+      significant(Math.max(...force.map((f, i) => (scored[i] ? Math.abs(measured.F[i] - f) : 0))), 3) + THIN + 'kN',
+  );
+  return (
+    'Residual: measured minus computed force. What repeats from cycle to cycle is the law\u2019s own error, what fades is scragging the law does not know.' +
+    (worst.length > 0
+      ? ' Largest residual: ' + worst.join(', ') + '; peak force ' + significant(peak, 3) + THIN + 'kN.'
+      : '') +
+    (device.scored ? ' Shaded: the part the laws were judged by, the residuals named here among it.' : '')
+  );
+}
+
+// The part the laws were judged by, over the whole height of a plot.
+const scoredShape = (look, x0, x1) => ({
+  type: 'rect', layer: 'below', yref: 'paper', x0, x1, y0: 0, y1: 1, line: { width: 0 },
+  fillcolor: look.colour('scored'),
+});
+
+function residualAxis(measured, fits) {
+  const most = 0.75 * (Math.max(...measured) - Math.min(...measured) || 1);
+  const away = fits.some(({ force }) => force.some((f, i) => Math.abs(measured[i] - f) > most));
+  return away ? { range: [-most, most] } : {};
+}
+
+const chosenForces = () => fitsOn(devices[chosen.device], chosenLaws()).map(({ force }) => force);
+
+function drawHistory(look) {
+  const device = devices[chosen.device],
+    measured = record(device);
+  const fits = fitsOn(device, chosenLaws());
+  return {
+    traces: [
+      {
+        name: 'measured', mode: 'lines', x: measured.t, y: measured.F,
+        line: { color: look.colour('measured'), width: 3.5 }, opacity: 0.75,
+        hovertemplate: '%{y:.1f} kN<extra>measured</extra>',
+      },
+      ...fits.map(({ law, force }, place) => ({
+        name: plain(law.id), mode: 'lines', x: measured.t, y: force,
+        line: { color: look.law(law), width: 1.8, dash: dashOf(place) },
+        hovertemplate: '%{y:.1f} kN<extra>' + plain(law.id) + '</extra>',
+      })),
+      ...fits.map(({ law, force }, place) => ({
+        mode: 'lines', x: measured.t, y: force.map((f, i) => measured.F[i] - f), yaxis: 'y2', showlegend: false,
+        line: { color: look.law(law), width: 1.4, dash: dashOf(place) },
+        hovertemplate: 'residual %{y:.1f} kN<extra>' + plain(law.id) + '</extra>',
+      })),
+    ],
+    layout: {
+      showlegend: true,
+      hovermode: 'x unified',
+      shapes: (device.scored ?? []).map(({ from, to }) => scoredShape(look, from, to)),
+      xaxis: { title: device.record.has_time ? 'time [s]' : 'sample', anchor: 'y2' },
+      yaxis: { title: 'force [kN]', domain: [0.38, 1], range: forceRange(measured.F, chosenForces()) },
+      yaxis2: { title: 'residual [kN]', domain: [0, 0.3], ...residualAxis(measured.F, fits) },
+    },
+  };
+}

@@ -1,0 +1,87 @@
+import { chosen } from '../choice.js';
+import { onScreen } from '../dom.js';
+import { dashOf } from '../plotting.js';
+import { devices } from '../report.js';
+import { THIN, fixed, plain, signed } from '../text.js';
+import { LOOP_HEIGHT, chosenLaws, cutOff, fitsOn, isScored, loopData, record } from './fits.js';
+
+export const loopFigure = {
+  id: 'loop',
+  width: 'narrow',
+  title: 'Force over displacement',
+  depends: ['device', 'laws'],
+  wanted: () => chosen.device !== null,
+  caption: loopCaption,
+  csv: loopData,
+  height: () => LOOP_HEIGHT,
+  draw: drawLoop,
+};
+
+function loopCaption() {
+  const device = devices[chosen.device];
+  const missing = chosenLaws().filter((law) => !law.fitOn.get(device.index)?.force_kN);
+  const said = fitsOn(device, chosenLaws()).map(
+    ({ law, fit }) =>
+      law.id + ': OF ' + fixed(fit.objective.best, 4) +
+      ', effective stiffness ' + signed(fit.K_eff_error_percent, 1) + THIN + '%, energy ' +
+      signed(fit.energy_error_percent, 1) + THIN + '%, damping ' + signed(fit.damping_error_percent, 1) + THIN + '%',
+  );
+  const partly = device.scored
+    ? ' The laws were judged by the part of the record drawn solid; dotted, it acts on their state alone.'
+    : '';
+  const thinned =
+    device.record.drawn < device.record.samples
+      ? ' Drawn: ' + device.record.drawn + ' of ' + device.record.samples + ' samples.'
+      : '';
+  return (
+    device.name + ', measured (grey) and best fits. ' + said.join('; ') +
+    (said.length > 0 ? '.' : onScreen('Choose a law above.')) +
+    missing
+      .map(
+        (law) =>
+          ' ' + law.id + ' has no fit here' +
+          (law.fitOn.get(device.index)?.message ? ' (' + law.fitOn.get(device.index).message + ')' : '') + '.',
+      )
+      .join('') +
+    partly + cutOff(chosenLaws()) + thinned
+  );
+}
+
+// A line cut in two: where `inside` holds, and the rest; both reach the sample at which it changes.
+function parted(values, inside) {
+  const near = (i, wanted) => inside[i] === wanted || inside[i - 1] === wanted || inside[i + 1] === wanted;
+  return {
+    inside: values.map((value, i) => (near(i, true) ? value : null)),
+    outside: values.map((value, i) => (inside[i] ? null : value)),
+  };
+}
+
+function drawLoop(look) {
+  const device = devices[chosen.device],
+    measured = record(device);
+  const halves = parted(measured.F, measured.t.map((t) => isScored(device, t)));
+  return {
+    traces: [
+      ...(device.scored
+        ? [
+            {
+              name: 'measured, not judged', mode: 'lines', x: measured.x, y: halves.outside,
+              line: { color: look.colour('measured'), width: 1.6, dash: 'dot' },
+              hovertemplate: '%{x:.1f} mm, %{y:.1f} kN<extra>measured, not judged</extra>',
+            },
+          ]
+        : []),
+      {
+        name: 'measured', mode: 'lines', x: measured.x, y: halves.inside,
+        line: { color: look.colour('measured'), width: 3.5 }, opacity: 0.75,
+        hovertemplate: '%{x:.1f} mm, %{y:.1f} kN<extra>measured</extra>',
+      },
+      ...fitsOn(device, chosenLaws()).map(({ law, force }, place) => ({
+        name: plain(law.id), mode: 'lines', x: measured.x, y: force,
+        line: { color: look.law(law), width: 1.8, dash: dashOf(place) },
+        hovertemplate: '%{x:.1f} mm, %{y:.1f} kN<extra>' + plain(law.id) + '</extra>',
+      })),
+    ],
+    layout: { showlegend: true, xaxis: { title: 'displacement [mm]' }, yaxis: { title: 'force [kN]' } },
+  };
+}

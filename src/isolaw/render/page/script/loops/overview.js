@@ -1,0 +1,90 @@
+import { chosen } from '../choice.js';
+import { devices, laws } from '../report.js';
+import { fixed, plain } from '../text.js';
+import { cutOff, fitsOn, forceRange, loopData, record } from './fits.js';
+import { ORDERS, inOrder } from './table.js';
+
+export const loopOverviewFigure = {
+  id: 'loop-overview',
+  title: '',
+  depends: ['device', 'order'],
+  wanted: () => chosen.device !== null,
+  caption: () =>
+    'The best fit of each law (coloured) over the measured loop of ' + devices[chosen.device].name +
+    ' (grey), in one scale, ' + ORDERS.find((order) => order.key === chosen.order).first + ' first.' + cutOff(laws),
+  csv: () => loopData(laws),
+  height: (width) => overviewGrid(fitsOn(devices[chosen.device], laws).length, width).height,
+  draw: drawOverview,
+};
+
+// The small multiples in pixels: panels of one size under a heading each, as many beside one another as fit.
+const OVERVIEW_MARGIN = { l: 50, r: 8, t: 8, b: 44 };
+
+function overviewGrid(panels, width) {
+  const columns = Math.max(1, Math.min(panels, width > 900 ? 4 : width > 560 ? 3 : 2));
+  const rows = Math.max(1, Math.ceil(panels / columns)),
+    wide = width / columns > 240;
+  const panel = wide ? 190 : 150,
+    heading = 22,
+    between = 46;
+  return {
+    columns,
+    wide,
+    panel,
+    heading,
+    between,
+    height: OVERVIEW_MARGIN.t + heading + rows * panel + (rows - 1) * between + OVERVIEW_MARGIN.b,
+  };
+}
+
+function drawOverview(look, width) {
+  const device = devices[chosen.device],
+    measured = record(device);
+  const fits = inOrder(fitsOn(device, laws));
+  const { columns, wide, panel, heading, between, height } = overviewGrid(fits.length, width);
+  const plotHeight = height - OVERVIEW_MARGIN.t - OVERVIEW_MARGIN.b;
+  const [low, high] = forceRange(measured.F, fits.map(({ force }) => force));
+  const layout = { margin: OVERVIEW_MARGIN, annotations: [] };
+  const traces = [];
+  fits.forEach(({ law, fit, force }, i) => {
+    const column = i % columns,
+      row = Math.floor(i / columns),
+      suffix = i === 0 ? '' : String(i + 1);
+    const gap = 0.035,
+      w = (1 - gap * (columns - 1)) / columns;
+    const left = column * (w + gap),
+      h = panel / plotHeight,
+      top = 1 - (heading + row * (panel + between)) / plotHeight;
+    const lowest = i + columns >= fits.length;
+    layout['xaxis' + suffix] = {
+      domain: [left, left + w], anchor: 'y' + suffix, nticks: wide ? 6 : 4, tickangle: 0, title: lowest ? 'mm' : '',
+      matches: i > 0 ? 'x' : undefined, showticklabels: lowest,
+    };
+    layout['yaxis' + suffix] = {
+      domain: [top - h, top], anchor: 'x' + suffix, nticks: 5, range: [low, high], title: column === 0 ? 'kN' : '',
+      matches: i > 0 ? 'y' : undefined, showticklabels: column === 0,
+    };
+    layout.annotations.push({
+      xref: 'paper', yref: 'paper', x: left, y: top, xanchor: 'left', yanchor: 'bottom', showarrow: false,
+      align: 'left', text: '<b>' + plain(law.id) + '</b>  OF ' + fixed(fit.objective.best, 4),
+      font: { size: 12, color: look.colour('ink') },
+    });
+    const axes = { xaxis: 'x' + suffix, yaxis: 'y' + suffix, mode: 'lines', showlegend: false };
+    traces.push({
+      ...axes,
+      x: measured.x,
+      y: measured.F,
+      hoverinfo: 'skip',
+      opacity: 0.75,
+      line: { color: look.colour('measured'), width: 2.6 },
+    });
+    traces.push({
+      ...axes,
+      x: measured.x,
+      y: force,
+      line: { color: look.law(law), width: 1.5 },
+      hovertemplate: '%{x:.1f} mm, %{y:.1f} kN<extra>' + plain(law.id) + '</extra>',
+    });
+  });
+  return { traces, layout };
+}

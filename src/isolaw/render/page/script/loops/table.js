@@ -1,0 +1,111 @@
+import { choose, chosen } from '../choice.js';
+import { element, onScreen } from '../dom.js';
+import { lawName } from '../laws.js';
+import { devices, laws } from '../report.js';
+import { table } from '../tables.js';
+import { fixed, isNumber, objectiveText, signed, significant } from '../text.js';
+
+export const fitsFigure = {
+  id: 'fits',
+  title: 'All laws on this device',
+  depends: ['device', 'order'],
+  wanted: () => chosen.device !== null,
+  caption: () =>
+    'Best run of each law on ' + devices[chosen.device].name +
+    ': its objective, and its effective stiffness, dissipated energy and damping against the record, on the third counted cycle of the largest amplitude.' +
+    onScreen(' The heads of the columns sort; the loops below follow.'),
+  csv: fitData,
+  build: fitTable,
+};
+
+// What the laws on a device can be sorted by; `of` is smaller the better.
+export const ORDERS = [
+  { key: 'objective', title: 'best OF', unit: '-', first: 'the smallest objective', of: (fit) => fit.objective.best },
+  {
+    key: 'K_eff_error_percent',
+    title: 'stiffness error',
+    unit: '%',
+    first: 'the smallest error of stiffness',
+    of: (fit) => absolute(fit.K_eff_error_percent),
+  },
+  {
+    key: 'energy_error_percent',
+    title: 'energy error',
+    unit: '%',
+    first: 'the smallest error of energy',
+    of: (fit) => absolute(fit.energy_error_percent),
+  },
+  {
+    key: 'damping_error_percent',
+    title: 'damping error',
+    unit: '%',
+    first: 'the smallest error of damping',
+    of: (fit) => absolute(fit.damping_error_percent),
+  },
+];
+
+const absolute = (value) => (isNumber(value) ? Math.abs(value) : null);
+
+// Laws on the chosen device in the chosen order, what has no value last.
+export function inOrder(fits) {
+  const { of } = ORDERS.find((order) => order.key === chosen.order);
+  return [...fits].sort((a, b) => (of(a.fit) ?? Infinity) - (of(b.fit) ?? Infinity));
+}
+
+function sortHead(order) {
+  const current = order.key === chosen.order;
+  const button = element(
+    'button',
+    { type: 'button', class: 'sort', id: 'sort-' + order.key },
+    order.title + (current ? '\u202f\u25b4' : ''),
+  );
+  button.addEventListener('click', () => {
+    choose({ order: order.key });
+    document.getElementById('sort-' + order.key)?.focus(); // the table was built anew
+  });
+  return { title: button, unit: order.unit, number: true, sorted: current };
+}
+
+function fitTable() {
+  const device = devices[chosen.device];
+  const fits = inOrder(laws.map((law) => ({ law, fit: law.fitOn.get(device.index) })).filter(({ fit }) => fit));
+  const remarks = fits.some(({ fit }) => fit.message);
+  const columns = [
+    { title: 'Law', pinned: true, tight: true },
+    ...ORDERS.map(sortHead),
+    { title: 'mean OF \u00b1 std', unit: 'over the runs', number: true },
+    { title: 'runs', number: true },
+    { title: 'parameter sets', unit: 'tried', number: true, screen: true },
+    ...(remarks ? [{ title: 'Remark' }] : []),
+  ];
+  const rows = fits.map(({ law, fit }) => ({
+    cells: [
+      lawName(law),
+      fixed(fit.objective.best, 4),
+      signed(fit.K_eff_error_percent, 1),
+      signed(fit.energy_error_percent, 1),
+      signed(fit.damping_error_percent, 1),
+      objectiveText(fit.objective),
+      String(fit.runs) + (fit.failed_runs > 0 ? ', ' + fit.failed_runs + ' failed' : ''),
+      significant(fit.evaluations, 3),
+      ...(remarks ? [element('td', { class: 'note text' }, fit.message)] : []),
+    ],
+  }));
+  return table(columns, rows, 'All laws on the chosen device');
+}
+
+function fitData() {
+  return {
+    columns: [
+      'law', 'device', 'best OF [-]', 'mean OF [-]', 'std OF [-]', 'K_eff error [%]', 'energy error [%]',
+      'damping error [%]', 'runs', 'failed runs', 'evaluations', 'message',
+    ],
+    rows: laws.flatMap((law) =>
+      law.devices.map((fit) => [
+        law.id, devices[fit.device].name, fit.objective.best, fit.objective.mean, fit.objective.std,
+        fit.K_eff_error_percent, fit.energy_error_percent, fit.damping_error_percent, fit.runs, fit.failed_runs,
+        fit.evaluations, fit.message,
+      ]),
+    ),
+  };
+}

@@ -1,0 +1,41 @@
+// The lot as a rule set sees it.
+
+import { CYCLE_COLUMNS, isReported } from './cycles.js';
+import { report } from './report.js';
+import { count, isNumber } from './text.js';
+import { worstVerdict } from './verdicts.js';
+
+// With one verdict of the limits on the mean, none where the set has no such limit.
+export const lotQuantities = (report.assessment?.lot?.quantities ?? []).map(
+  ({ mean_limits: limits, lambda_test: test, without, ...quantity }) => ({
+    ...quantity,
+    without: without.join('; '),
+    lambda_test_min: test?.min ?? null,
+    lambda_test_min_cycle: test?.min_cycle ?? null,
+    lambda_test_max: test?.max ?? null,
+    lambda_test_max_cycle: test?.max_cycle ?? null,
+    limit_mean: limits.map(({ limit }) => limit).join('; '),
+    verdict: worstVerdict(limits.map(({ verdict }) => verdict)),
+    reason: [...new Set(limits.map(({ reason }) => reason).filter(Boolean))].join('; '),
+  }),
+);
+
+// The value of a device for a property of the lot: its assessed ones (the mean over both sides), else the reported cycle.
+export function deviceValue(device, quantity) {
+  const own = device.assessments.filter(
+    (a) => (a.quantity === quantity || a.quantity.startsWith(quantity + ',')) && isNumber(a.value),
+  );
+  if (own.length > 0) {
+    return {
+      value: own.reduce((sum, a) => sum + a.value, 0) / own.length,
+      verdict: worstVerdict(own.map((a) => a.verdict)) ?? 'not assessed',
+    };
+  }
+  const key = CYCLE_COLUMNS.find((column) => column.key.startsWith(quantity + '_'))?.key;
+  const block = device.blocks.find((b) => b.number === device.reported?.block);
+  const value = block?.cycles.find((cycle) => isReported(device, block, cycle))?.[key];
+  return isNumber(value) ? { value, verdict: 'not assessed' } : null;
+}
+
+export const sampleText = ({ value, limit, verdict, reason }) =>
+  [count(value, 'device') + ' tested', limit, verdict].filter(Boolean).join(', ') + (reason ? ': ' + reason : '');

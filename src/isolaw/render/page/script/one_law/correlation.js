@@ -1,0 +1,83 @@
+import { element } from '../dom.js';
+import { lotLaws } from '../report.js';
+import { table } from '../tables.js';
+import { DASH, fixed, isNumber } from '../text.js';
+import { ofLot } from './of_lot.js';
+
+export const lotCorrelationFigure = {
+  id: 'lot-correlation',
+  width: 'half',
+  title: 'How the parameters vary together',
+  depends: ['lotLaw'],
+  wanted: () => lotLaws.some((law) => law.population !== null),
+  caption: correlationCaption,
+  csv: correlationData,
+  build: correlationTable,
+};
+
+// Pairs of parameters with a correlation, the strongest first.
+function correlations(law) {
+  const { parameters = [], correlation = [] } = law.population ?? {};
+  return correlation
+    .flatMap((row, i) => row.slice(0, i).map((value, j) => ({ names: [parameters[j], parameters[i]], value })))
+    .filter(({ value }) => isNumber(value))
+    .sort((a, b) => Math.abs(b.value) - Math.abs(a.value));
+}
+
+function correlationCaption() {
+  const law = ofLot(),
+    strong = correlations(law).filter(({ value }) => Math.abs(value) >= 0.7);
+  if (correlations(law).length === 0) return law.id + ' has no correlation to show.';
+  return (
+    'Correlation of the parameters of ' +
+    law.id + ' between devices, blue: together, rust: against one another; \u2013: a parameter that does not vary. ' +
+    (strong.length === 0
+      ? 'No two go closely together.'
+      : 'Closest: ' +
+        strong
+          .slice(0, 3)
+          .map(({ names, value }) => names.join(' and ') + ' (' + fixed(value, 2) + ')')
+          .join(', ') +
+        '. Draw a device\u2019s parameters together, never one by one.')
+  );
+}
+
+function correlationData() {
+  return {
+    columns: ['law', 'parameter', 'with', 'correlation'],
+    rows: lotLaws.flatMap((law) => correlations(law).map(({ names, value }) => [law.id, ...names, value])),
+  };
+}
+
+function correlationTable() {
+  const law = ofLot();
+  const { parameters = [], correlation = [], note = '' } = law.population ?? {};
+  if (correlation.length === 0)
+    return element('p', { class: 'empty' }, note || 'No correlation was estimated for ' + law.id + '.');
+  const columns = [
+    { title: '', pinned: true, tight: true },
+    ...parameters.slice(0, -1).map((name) => ({ title: element('span', {}, name), full: name, mark: true })),
+  ];
+  const rows = parameters.slice(1).map((name, i) => ({
+    cells: [
+      name,
+      ...parameters.slice(0, -1).map((other, j) => {
+        if (j > i) return element('td');
+        const value = correlation[i + 1][j];
+        if (!isNumber(value)) return element('td', { class: 'mark note' }, DASH);
+        return element(
+          'td',
+          {
+            class: 'mark heat ' + (value < 0 ? 'against' : 'together'),
+            style: '--share: ' + Math.min(1, Math.abs(value)).toFixed(3),
+            title: name + ' with ' + other + ': ' + fixed(value, 3),
+          },
+          fixed(value, 2),
+        );
+      }),
+    ],
+  }));
+  const body = table(columns, rows, 'Correlation of the parameters of ' + law.id);
+  body.classList.add('marks');
+  return body;
+}

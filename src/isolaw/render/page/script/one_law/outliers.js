@@ -1,0 +1,50 @@
+import { element } from '../dom.js';
+import { report } from '../report.js';
+import { THIN, signed, withUnit } from '../text.js';
+
+export const lotOutliersFigure = {
+  id: 'lot-outliers',
+  title: 'Devices that stand apart from the lot',
+  wanted: () => report.outliers.length > 0,
+  caption: () =>
+    'Properties and misfits far from the median of the lot. Look at the test of such a device before the lot\u2019s law is built on it.',
+  csv: () => ({
+    columns: ['device', 'property', 'value', 'unit', 'median', 'difference [%]', 'score'],
+    rows: report.outliers.map((o) => [o.device, o.property, o.value, o.unit, o.median, o.percent, o.score]),
+  }),
+  build: apartList,
+};
+
+function apartList() {
+  const byDevice = new Map();
+  for (const one of report.outliers) byDevice.set(one.device, [...(byDevice.get(one.device) ?? []), one]);
+  const items = [...byDevice].map(([name, found]) =>
+    element(
+      'li',
+      {},
+      element('b', { class: 'strong' }, name),
+      ': ' +
+        found
+          .map(
+            (one) =>
+              one.property +
+              ' ' + withUnit(one.value, one.unit) + ' (' + signed(one.percent, 0) + THIN + '% from the median)',
+          )
+          .join('; '),
+    ),
+  );
+  const few = items.length <= 8 ? items.length : 6;
+  return element(
+    'div',
+    { class: 'prose' },
+    element('ul', { class: 'sentences' }, ...items.slice(0, few)),
+    few === items.length
+      ? null
+      : element(
+          'details',
+          {},
+          element('summary', {}, items.length - few + ' more'),
+          element('ul', { class: 'sentences' }, ...items.slice(few)),
+        ),
+  );
+}

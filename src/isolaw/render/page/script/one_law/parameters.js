@@ -1,0 +1,74 @@
+import { lotLaws } from '../report.js';
+import { table } from '../tables.js';
+import { DASH, fixed, isNumber, rowFormat, significant, superscript, unitText } from '../text.js';
+import { ofLot } from './of_lot.js';
+
+export const lotParametersFigure = {
+  id: 'lot-parameters',
+  width: 'half',
+  title: 'The lot\u2019s parameters',
+  depends: ['lotLaw'],
+  wanted: () => lotLaws.length > 0,
+  caption: lotParametersCaption,
+  csv: lotParametersData,
+  build: lotParametersTable,
+};
+
+// A parameter's median and relative scatter over the lot, where it was estimated.
+function inPopulation(law, name) {
+  const place = law.population?.parameters.indexOf(name) ?? -1;
+  return { median: law.population?.medians[place] ?? null, scatter: law.population?.relative_std[place] ?? null };
+}
+
+function lotParametersCaption() {
+  const law = ofLot();
+  return (
+    law.id +
+    ' as one law for all devices, and as the devices scatter: median of the lot, standard deviation between devices without the uncertainty of their fits.' +
+    (law.population?.note ? ' ' + law.population.note[0].toUpperCase() + law.population.note.slice(1) + '.' : '')
+  );
+}
+
+function lotParametersTable() {
+  const law = ofLot();
+  const columns = [
+    { title: 'Parameter', pinned: true, tight: true },
+    { title: 'Unit', tight: true },
+    { title: 'Lot\u2019s law', number: true },
+    { title: 'Least worst', number: true },
+    { title: 'Median', number: true },
+    { title: 'Scatter', unit: '%', number: true },
+  ];
+  const rows = law.parameters.map((parameter, place) => {
+    const { median, scatter } = inPopulation(law, parameter.name);
+    const values = [law.lot.parameters[place], law.lot.least_worst_parameters[place], median];
+    const sizes = values.filter((value) => isNumber(value) && value !== 0).map(Math.abs);
+    const apart = Math.max(...sizes) > 100 * Math.min(...sizes); // no factor serves both
+    const format = apart ? { factor: 1, exponent: 0 } : rowFormat(values);
+    const text = (value) => (apart ? significant(value) : fixed(value / format.factor, format.decimals));
+    return {
+      cells: [
+        parameter.name,
+        (format.exponent !== 0 ? '10' + superscript(format.exponent) + ' ' : '') + unitText(parameter.unit),
+        ...values.map((value) => (isNumber(value) ? text(value) : DASH)),
+        parameter.free ? (isNumber(scatter) ? fixed(100 * scatter, 1) : DASH) : 'fixed',
+      ],
+    };
+  });
+  return table(columns, rows, 'Parameters of the lot\u2019s law ' + law.id);
+}
+
+function lotParametersData() {
+  return {
+    columns: ['law', 'parameter', 'unit', "lot's law", 'least worst law', 'median', 'scatter [%]'],
+    rows: lotLaws.flatMap((law) =>
+      law.parameters.map((parameter, place) => {
+        const { median, scatter } = inPopulation(law, parameter.name);
+        return [
+          law.id, parameter.name, parameter.unit, law.lot.parameters[place], law.lot.least_worst_parameters[place],
+          median, isNumber(scatter) ? 100 * scatter : null,
+        ];
+      }),
+    ),
+  };
+}

@@ -1,0 +1,138 @@
+// The report page: its sections in order, and what draws them anew. The build joins these modules into one script
+// (cmake/join_modules.cmake); a folder is a section, a figure a file in it. Text of the input reaches the document through
+// textContent only, and plots through plain().
+
+import { accuracySection } from './accuracy/section.js';
+import { certificateSection } from './certificate/section.js';
+import { onChoice } from './choice.js';
+import { decisionSection } from './decision/section.js';
+import { determinationSection } from './determination/section.js';
+import { devicesSection } from './devices/section.js';
+import { element } from './dom.js';
+import { buildFigure, drawn, redraw, redrawDependents, render, reserve } from './figure.js';
+import { withBadges } from './laws.js';
+import { loopsSection } from './loops/section.js';
+import { oneLawSection } from './one_law/section.js';
+import { parametersSection } from './parameters/section.js';
+import { predictionSection } from './prediction/section.js';
+import { propertiesSection } from './properties/section.js';
+import { provenanceSection } from './provenance/section.js';
+import { devices, inspection, laws, report, usable } from './report.js';
+import { count } from './text.js';
+
+// In the order of the page.
+const SECTIONS = [
+  decisionSection, accuracySection, loopsSection, parametersSection, determinationSection, oneLawSection,
+  predictionSection, propertiesSection, devicesSection, certificateSection, provenanceSection,
+];
+
+function buildPage() {
+  const refused = devices.length - usable.length;
+  document.getElementById('title').textContent = report.title || 'Isolation devices';
+  if (inspection) document.getElementById('kind').textContent = 'Test records';
+  document.getElementById('facts').textContent = [
+    count(devices.length, 'device') + (refused > 0 ? ' (' + refused + ' refused)' : ''),
+    ...(inspection ? [] : [count(laws.length, 'law'), 'seed ' + report.seed]),
+    'isolaw ' + report.isolaw,
+  ].join(' \u00b7 ');
+  document.getElementById('colophon').textContent =
+    'Made by isolaw ' + report.isolaw +
+    (inspection ? ' from the test records' : ' from the campaign\u2019s store') + '. This file needs no network';
+  document
+    .getElementById('colophon')
+    .append(element('span', { class: 'screen' }, '; the data of every figure can be saved as CSV'), '.');
+
+  const observer = new IntersectionObserver(
+    (entries) => {
+      for (const { target, isIntersecting } of entries) {
+        const place = drawn.get(target.figure);
+        place.seen = isIntersecting;
+        if (isIntersecting && place.stale) render(target.figure);
+      }
+    },
+    { rootMargin: '300px 0px' },
+  );
+
+  const main = document.getElementById('report'),
+    contents = document.getElementById('contents');
+  for (const section of SECTIONS) {
+    const figures = section.figures.filter((figure) => figure.wanted?.() ?? true);
+    if (figures.length === 0 || (section.laws && inspection)) continue;
+    const node = element(
+      'section',
+      { id: section.id, 'aria-labelledby': section.id + '-title' },
+      element('h2', { id: section.id + '-title' }, section.title),
+    );
+    if (section.id === 'decision' && report.missing_runs + report.missing_analyses > 0)
+      node.append(element('p', { class: 'warnings' }, element('b', {}, incomplete())));
+    if (section.id === 'decision')
+      node.append(element('p', { class: 'headline' }, ...withBadges(report.findings.headline)));
+    const grid = element('div', { class: 'figures' });
+    if (section.controls) grid.append(element('div', { class: 'controls' }, ...section.controls()));
+    grid.append(...figures.map((figure) => buildFigure(figure, observer)));
+    node.append(grid);
+    main.append(node);
+    contents.append(element('a', { href: '#' + section.id }, section.title));
+  }
+  onChoice(redrawDependents);
+  for (const figure of drawn.keys()) if (figure.draw) reserve(figure);
+  markCurrentSection(main, contents);
+  if (location.hash) document.getElementById(location.hash.slice(1))?.scrollIntoView(); // now that it exists
+}
+
+// A decision on part of the campaign may change.
+const incomplete = () =>
+  'Not complete: ' +
+  [
+    report.missing_runs > 0 ? count(report.missing_runs, 'run') : '',
+    report.missing_analyses > 0 ? count(report.missing_analyses, 'analys') + (report.missing_analyses === 1 ? 'is' : '') : '',
+  ]
+    .filter(Boolean)
+    .join(' and ')
+    .replace('analyss', 'analyses') +
+  ' missing. What follows may change; the command it was started with continues the campaign.';
+
+function markCurrentSection(main, contents) {
+  const links = new Map([...contents.children].map((link) => [link.hash.slice(1), link]));
+  const inView = new Set();
+  const observer = new IntersectionObserver(
+    (entries) => {
+      for (const { target, isIntersecting } of entries)
+        isIntersecting ? inView.add(target.id) : inView.delete(target.id);
+      const current = [...links.keys()].find((id) => inView.has(id));
+      for (const [id, link] of links)
+        id === current ? link.setAttribute('aria-current', 'true') : link.removeAttribute('aria-current');
+    },
+    { rootMargin: '-22% 0px -75% 0px' },
+  );
+  for (const section of main.children) observer.observe(section);
+}
+
+// On paper: light colours, the width of the page, every figure and every table.
+window.addEventListener('beforeprint', () => {
+  document.documentElement.dataset.printing = '';
+  redraw({ everything: true });
+  for (const details of document.querySelectorAll('details.law')) details.print();
+  for (const details of document.querySelectorAll('.warnings details, .steps.warned')) details.open = true;
+});
+
+window.addEventListener('afterprint', () => {
+  delete document.documentElement.dataset.printing;
+  for (const details of document.querySelectorAll('details.law')) details.restore();
+  redraw();
+  for (const [figure, place] of drawn) if (figure.caption) place.caption.textContent = figure.caption();
+});
+
+window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => redraw());
+
+buildPage();
+
+// Plots follow the width of the page, however it changes; drawing them changes its height only.
+let drawnWidth = document.getElementById('report').clientWidth;
+
+new ResizeObserver(([entry]) => {
+  const width = Math.round(entry.contentRect.width);
+  if (width === drawnWidth) return;
+  drawnWidth = width;
+  requestAnimationFrame(() => redraw()); // not here: what is drawn changes the height that is being observed
+}).observe(document.getElementById('report'));

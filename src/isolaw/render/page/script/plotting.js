@@ -1,0 +1,100 @@
+// What all plots share.
+
+import { isNumber, plain, significant } from './text.js';
+
+export const SYMBOLS = ['circle', 'square', 'diamond', 'triangle-up', 'triangle-down', 'cross', 'x', 'star'];
+const DASHES = ['solid', 'dash', 'dashdot', 'dot', 'longdash', 'longdashdot', '6px,3px', '10px,3px,2px,3px'];
+export const NARROW = 620; // pixels: a telephone
+
+export function theme() {
+  const style = getComputedStyle(document.documentElement);
+  const colour = (name) => style.getPropertyValue('--' + name).trim();
+  return {
+    colour,
+    law: (law) => colour('law-' + ((law.index % 8) + 1)),
+    font: style.getPropertyValue('--sans').trim(),
+  };
+}
+
+export const symbolOf = (law) => SYMBOLS[law.index % SYMBOLS.length];
+export const dashOf = (place) => DASHES[place % DASHES.length]; // by the order of the chosen laws: the first one is solid
+export const LEGEND = { orientation: 'h', x: 0, y: 1.02, xanchor: 'left', yanchor: 'bottom', font: { size: 12 } };
+
+// A layout in the page's typography; axes are merged over the common axis style.
+export function styled(layout, look) {
+  const axis = {
+    gridcolor: look.colour('grid'), zerolinecolor: look.colour('rule'), linecolor: look.colour('rule'), showline: true,
+    tickfont: { size: 11.5 }, title: { standoff: 6 }, automargin: true, ticks: '',
+  };
+  const result = {
+    autosize: false, // the page gives every plot its size
+    paper_bgcolor: 'rgba(0,0,0,0)',
+    plot_bgcolor: 'rgba(0,0,0,0)',
+    font: { family: look.font, size: 12.5, color: look.colour('ink') },
+    margin: { l: 54, r: 12, t: 10, b: 44 },
+    hoverlabel: {
+      bgcolor: look.colour('paper'), bordercolor: look.colour('rule'),
+      font: { family: look.font, size: 12.5, color: look.colour('ink') }, align: 'left',
+    },
+    legend: LEGEND,
+    modebar: { bgcolor: 'rgba(0,0,0,0)', color: look.colour('muted'), activecolor: look.colour('ink') },
+    showlegend: false,
+    hovermode: 'closest',
+    dragmode: 'zoom',
+    ...layout,
+  };
+  for (const name of Object.keys(result)) {
+    if (!/^[xy]axis\d*$/.test(name)) continue;
+    const own = result[name];
+    const title =
+      typeof own.title === 'string'
+        ? { text: own.title, standoff: 6, font: { size: 12.5, color: look.colour('muted') } }
+        : own.title;
+    result[name] = { ...axis, ...own, title };
+  }
+  return result;
+}
+
+// The buttons are named one by one, and no server: Plotly's own default offers to upload the figure.
+export const PLOT_CONFIG = {
+  displaylogo: false,
+  displayModeBar: 'hover',
+  plotlyServerURL: '',
+  modeBarButtons: [['toImage', 'zoom2d', 'pan2d', 'resetScale2d']],
+  toImageButtonOptions: { format: 'svg', filename: 'isolaw-figure' },
+};
+
+// The range of some values with a share of it free on both sides.
+export function paddedRange(values, share) {
+  const low = Math.min(...values),
+    high = Math.max(...values),
+    margin = share * (high - low || Math.abs(low) || 1);
+  return [low - margin, high + margin];
+}
+
+// Ticks of a logarithmic axis at 1, 2 and 5 times powers of ten; at the powers alone where these are many.
+export function decadeTicks(values) {
+  const some = values.filter((value) => isNumber(value) && value > 0);
+  if (some.length === 0) return {};
+  const [low, high] = [Math.min(...some), Math.max(...some)].map(Math.log10);
+  const steps = high - low > 2.5 ? [1] : [1, 2, 5];
+  const tickvals = [];
+  for (let power = Math.floor(low); power <= Math.ceil(high); ++power) tickvals.push(...steps.map((step) => step * 10 ** power));
+  return { tickmode: 'array', tickvals, ticktext: tickvals.map((value) => significant(value, 1)) };
+}
+
+export function emptyPlot(look, text) {
+  return {
+    traces: [],
+    layout: {
+      xaxis: { visible: false },
+      yaxis: { visible: false },
+      annotations: [
+        {
+          xref: 'paper', yref: 'paper', x: 0.5, y: 0.5, showarrow: false, text: plain(text),
+          font: { size: 13, color: look.colour('muted') },
+        },
+      ],
+    },
+  };
+}

@@ -1,0 +1,125 @@
+import { element } from '../dom.js';
+import { devices, predictedLaws, report } from '../report.js';
+import { table } from '../tables.js';
+import { DASH, THIN, enumerate, fixed, short, significant } from '../text.js';
+
+const predictionsFigure = {
+  id: 'predictions',
+  title: 'Objective per block',
+  wanted: () => predictedLaws.length > 0,
+  caption: predictionCaption,
+  csv: predictionData,
+  build: predictionTable,
+};
+
+export const predictionSection = {
+  id: 'prediction',
+  title: 'Prediction across the record',
+  laws: true,
+  figures: [predictionsFigure],
+};
+
+// A column per block, and apart for a block that is fitted on some devices and predicted on others.
+function scoredBlocks() {
+  const found = new Map();
+  for (const law of predictedLaws)
+    for (const fit of law.devices)
+      for (const { block, fitted } of fit.blocks) {
+        const shown = devices[fit.device].blocks.find((one) => one.number === block);
+        const amplitudes = found.get(block + ' ' + fitted)?.amplitudes ?? [];
+        if (shown) amplitudes.push(shown.amplitude_mm);
+        found.set(block + ' ' + fitted, { block, fitted, amplitudes });
+      }
+  return [...found.values()].sort((a, b) => a.block - b.block || Number(b.fitted) - Number(a.fitted));
+}
+
+const scoresOf = (law, { block, fitted }) =>
+  law.devices.flatMap((fit) =>
+    fit.blocks
+      .filter((score) => score.block === block && score.fitted === fitted)
+      .map((score) => ({ device: devices[fit.device].name, objective: score.objective })),
+  );
+
+const missText = (objective) => (objective < 10 ? fixed(objective, 4) : significant(objective, 3));
+const average = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
+
+function predictionCaption() {
+  const { collapsed_objective: most, collapsed_ratio: ratio } = report.thresholds;
+  const best = [...predictedLaws].sort((a, b) => a.predicted_objective - b.predicted_objective)[0],
+    closest = [...predictedLaws].sort((a, b) => a.fitted_objective - b.fitted_objective)[0];
+  const collapsing = predictedLaws.filter((law) => law.prediction_collapses).map((law) => law.id);
+  return (
+    'Every law runs through the whole record and was fitted to the blocks so marked alone. ' +
+    (best === closest
+      ? best.id + ' is closest both to the blocks it was fitted to and to the others.'
+      : closest.id + ' is closest to the blocks it was fitted to, ' + best.id + ' to the others.') +
+    (collapsing.length > 0
+      ? ' The prediction of ' +
+        enumerate(collapsing) + ' collapses: no law for other amplitudes or frequencies than those of the fit.'
+      : ' No prediction collapses.') +
+    ' A prediction collapses that misses a block by more than ' +
+    (most === 1 ? '' : most + ' times ') + 'the standard deviation of its force (OF ' +
+    most + '), or by more than ' + ratio + ' times what the fitted blocks are missed by.'
+  );
+}
+
+function predictionTable() {
+  const blocks = scoredBlocks();
+  const columns = [
+    { title: 'Law', pinned: true, tight: true },
+    { title: 'Prediction', tight: true },
+    ...blocks.map(({ block, fitted, amplitudes }) => ({
+      title: 'Block ' + block,
+      unit:
+        (amplitudes.length > 0 ? '±' + significant(average(amplitudes), 3) + THIN + 'mm, ' : '') +
+        (fitted ? 'fitted' : 'predicted'),
+      number: true,
+    })),
+    { title: 'Fitted', unit: 'mean', number: true },
+    { title: 'Predicted', unit: 'mean', number: true },
+    { title: 'Predicted', unit: '/ fitted', number: true },
+    { title: 'Worst', unit: 'predicted', number: true },
+  ];
+  const rows = predictedLaws.map((law) => ({
+    cells: [
+      element('b', { class: 'strong' }, law.id),
+      law.prediction_collapses ? element('span', { class: 'badge' }, 'collapses') : 'does not collapse',
+      ...blocks.map((column) => {
+        const scores = scoresOf(law, column);
+        if (scores.length === 0) return element('td', { class: 'number note' }, DASH);
+        const worst = scores.reduce((a, b) => (b.objective > a.objective ? b : a));
+        return element(
+          'td',
+          { class: 'number' },
+          missText(average(scores.map(({ objective }) => objective))),
+          scores.length > 1
+            ? element(
+                'small',
+                { title: worst.device },
+                'worst ' + missText(worst.objective) + ', ' + short(worst.device),
+              )
+            : null,
+        );
+      }),
+      fixed(law.fitted_objective, 4),
+      missText(law.predicted_objective),
+      law.fitted_objective > 0 ? significant(law.predicted_objective / law.fitted_objective, 2) : DASH,
+      missText(law.worst_predicted),
+    ],
+  }));
+  return table(columns, rows, 'Objective of every law on every block');
+}
+
+function predictionData() {
+  return {
+    columns: ['law', 'device', 'block', 'fitted or predicted', 'OF [-]', 'prediction collapses'],
+    rows: predictedLaws.flatMap((law) =>
+      law.devices.flatMap((fit) =>
+        fit.blocks.map(({ block, fitted, objective }) => [
+          law.id, devices[fit.device].name, block, fitted ? 'fitted' : 'predicted', objective,
+          law.prediction_collapses ? 'yes' : 'no',
+        ]),
+      ),
+    ),
+  };
+}

@@ -1,0 +1,49 @@
+import { choose, chosen, onChoice } from '../choice.js';
+import { deviceChooser } from '../choosers.js';
+import { blockText } from '../cycles.js';
+import { takeCare } from '../decision/verdicts.js';
+import { element } from '../dom.js';
+import { devices, inspection, report, tested } from '../report.js';
+import { assessmentsFigure } from './assessments.js';
+import { cycleHistoryFigure } from './history.js';
+import { cyclesFigure } from './loops.js';
+import { stabilityFigure } from './stability.js';
+import { cycleTableFigure } from './table.js';
+
+const warningsFigure = {
+  id: 'warnings',
+  title: '', // with laws they stand under the decision
+  wanted: () => inspection && report.findings.warnings.length > 0,
+  build: takeCare,
+};
+
+export const propertiesSection = {
+  id: 'properties',
+  title: 'Properties',
+  controls: propertyControls,
+  figures: [warningsFigure, cyclesFigure, stabilityFigure, cycleHistoryFigure, cycleTableFigure, assessmentsFigure],
+};
+
+function propertyControls() {
+  const select = element('select', { id: 'block' });
+  const fill = () => {
+    const blocks = devices[chosen.tested]?.blocks ?? [];
+    select.replaceChildren(
+      element('option', { value: 'all' }, 'all'),
+      ...blocks.map((block) => element('option', { value: block.number }, blockText(block))),
+    );
+    select.value = chosen.block;
+    select.disabled = blocks.length < 2;
+  };
+  fill();
+  let shown = chosen.tested;
+  onChoice(() => {
+    if (shown !== chosen.tested) fill();
+    shown = chosen.tested;
+    select.value = chosen.block;
+  });
+  select.addEventListener('change', () => choose({ block: select.value === 'all' ? 'all' : Number(select.value) }));
+  return tested.length === 0
+    ? [element('p', { class: 'empty' }, 'No record could be read.')]
+    : [deviceChooser('tested', tested, 'tested'), element('label', {}, 'Block', select)];
+}

@@ -1,0 +1,158 @@
+import { element } from '../dom.js';
+import { devices, inspection, laws, report } from '../report.js';
+import { table } from '../tables.js';
+import { count, isNumber } from '../text.js';
+
+const settingsFigure = {
+  id: 'settings',
+  width: 'narrow',
+  title: 'Settings',
+  caption: () =>
+    inspection
+      ? 'Properties are of raw values; they depend on the files and on how these were read.'
+      : 'The same files, settings and seed give the same results, whatever the number of threads.',
+  build: settingsList,
+  csv: () => ({ columns: ['setting', 'value'], rows: settingRows() }),
+};
+
+const filesFigure = {
+  id: 'files',
+  width: 'wide',
+  title: 'Input files',
+  caption: () => 'SHA-256 of each file as it was read: a changed file is another input.',
+  csv: () => ({
+    columns: ['device', 'file', 'sha256', 'status', 'message'],
+    rows: devices.map((d) => [d.name, d.file, d.sha256, d.status, d.message]),
+  }),
+  build: filesTable,
+};
+
+const commandFigure = {
+  id: 'command',
+  title: 'The command that makes it again',
+  wanted: () => report.command !== '',
+  caption: () =>
+    report.command.includes(' LOT.toml ')
+      ? 'LOT.toml: the lot file that names these devices and says how their files are read. The name of a device is part of its seed.'
+      : 'The files as they were named, and every setting. Where columns or units were given, give them again.',
+  build: commandLine,
+};
+
+const stepsFigure = {
+  id: 'steps',
+  title: 'What was recognised and done to the records',
+  long: true,
+  build: stepsList,
+};
+
+const notesFigure = {
+  id: 'notes',
+  title: 'How the laws were read',
+  long: true,
+  wanted: () => laws.some((law) => law.notes.length > 0),
+  build: lawNotes,
+};
+
+export const provenanceSection = {
+  id: 'provenance',
+  title: 'How it was made',
+  figures: [settingsFigure, filesFigure, commandFigure, stepsFigure, notesFigure],
+};
+
+function settingRows() {
+  const text = (value) => (Array.isArray(value) ? value.join(', ') || 'none' : String(value));
+  const { rule_set: rules = null, design = [], lot = null } = report.assessment ?? {};
+  if (inspection) return [['isolaw', report.isolaw]]; // nothing was searched, and properties are of raw values
+  return [
+    ['isolaw', report.isolaw],
+    ['seed', report.seed],
+    ...Object.entries(report.settings).map(([key, value]) => [key, text(value)]),
+    ...(rules ? [['rules', rules.id]] : []),
+    ...(design.length > 0 ? [['design', design.map(({ name, value }) => name + '=' + value).join(', ')]] : []),
+    ...(isNumber(lot?.size) ? [['lot-size', lot.size]] : []),
+  ];
+}
+
+function settingsList() {
+  return element(
+    'dl',
+    { class: 'settings' },
+    ...settingRows().flatMap(([key, value]) => [element('dt', {}, key), element('dd', {}, value)]),
+  );
+}
+
+function filesTable() {
+  const columns = [{ title: 'Device', pinned: true }, { title: 'File' }, { title: 'SHA-256' }, { title: 'Status' }];
+  const rows = devices.map((device) => ({
+    cells: [
+      element('b', { class: 'strong' }, device.name),
+      device.file,
+      element(
+        'span',
+        { class: 'hash', title: device.sha256 },
+        device.sha256.slice(0, 16) + (device.sha256.length > 16 ? '\u2026' : ''),
+      ),
+      device.status === 'ok' ? 'used' : element('span', { class: 'poor' }, 'refused'),
+    ],
+  }));
+  return table(columns, rows, 'Input files');
+}
+
+function commandLine() {
+  const code = element('code', { class: 'command', tabindex: '0' }, report.command);
+  const button = element('button', { type: 'button', class: 'action screen' }, 'Copy');
+  button.addEventListener('click', () => {
+    getSelection().selectAllChildren(code);
+    // Without a secure context the selection remains, for Ctrl-C.
+    navigator.clipboard?.writeText(report.command).then(() => (button.textContent = 'Copied'), () => {});
+  });
+  return element('div', { class: 'command-line' }, code, button);
+}
+
+function stepsList() {
+  const items = devices.map((device) => {
+    const sentences = [
+      ...device.recognised,
+      ...device.warnings.map((text) => 'Take care: ' + text),
+      ...device.notes.map((text) => 'Note: ' + text),
+      ...device.corrections.map((text) => 'Corrected: ' + text),
+      ...device.cleaning,
+    ];
+    if (device.status !== 'ok') sentences.push('Refused: ' + device.message);
+    const warned = device.warnings.length > 0;
+    return element(
+      'details',
+      { class: warned ? 'steps warned' : 'steps', open: devices.length === 1 },
+      element(
+        'summary',
+        {},
+        element('b', {}, device.name),
+        ' \u2013 ' + device.file + (warned ? ', ' + count(device.warnings.length, 'warning') : ''),
+      ),
+      element(
+        'ul',
+        {},
+        ...sentences.map((text) => element('li', {}, text)),
+        element('li', {}, 'SHA-256 ', element('code', {}, device.sha256)),
+      ),
+    );
+  });
+  return element('div', {}, ...items);
+}
+
+function lawNotes() {
+  return element(
+    'div',
+    {},
+    ...laws
+      .filter((law) => law.notes.length > 0)
+      .map((law) =>
+        element(
+          'details',
+          { class: 'steps' },
+          element('summary', {}, element('b', {}, law.id), ' \u2013 ' + law.title),
+          element('ul', {}, ...law.notes.map((note) => element('li', {}, note))),
+        ),
+      ),
+  );
+}

@@ -1,0 +1,59 @@
+// What the data block holds.
+
+export const report = JSON.parse(document.getElementById('isolaw-data').textContent);
+export const devices = report.devices.map((device, index) => ({ ...device, index }));
+
+// What the data block holds as columns, as one object per parameter.
+function rowsOf(columns) {
+  const names = Object.keys(columns);
+  return columns[names[0]].map((_, i) => Object.fromEntries(names.map((name) => [name, columns[name][i]])));
+}
+
+export const laws = report.laws.map((law, index) => {
+  const fits = law.devices.map((fit) => ({
+    ...fit,
+    parameters: rowsOf(fit.parameters),
+    // Null for a parameter that was not examined.
+    determination: fit.determination && rowsOf(fit.determination).map((row) => (row.identifiability ? row : null)),
+  }));
+  return { ...law, index, devices: fits, fitOn: new Map(fits.map((fit) => [fit.device, fit])) };
+});
+
+export const usable = devices.filter((device) => device.status === 'ok');
+export const drawable = usable.filter((device) => device.record.drawn > 0); // beside the laws' loops
+export const tested = devices.filter((device) => device.raw?.samples > 0); // whose raw record can be shown
+export const inspection = laws.length === 0; // records alone, no identification
+export const ranking = report.findings.verdicts.map((verdict) => laws[verdict.law]);
+
+export const lawsByObjective = laws
+  .filter((law) => law.objective.mean !== null)
+  .sort((a, b) => a.objective.mean - b.objective.mean);
+
+export const examinedLaws = lawsByObjective.filter((law) => law.devices.some((fit) => fit.determination !== null));
+export const lotLaws = lawsByObjective.filter((law) => law.lot !== null);
+export const predictedLaws = lawsByObjective.filter((law) => law.predicted_objective !== null);
+
+// Places of the parameters that were examined on some device.
+export function examinedPlaces(law) {
+  return law.parameters
+    .map((_, place) => place)
+    .filter((place) => law.devices.some((fit) => fit.determination?.[place]));
+}
+
+export function firstExamined(law) {
+  return law ? (examinedPlaces(law)[0] ?? 0) : 0;
+}
+
+// A curve of the data block: offset + step * running sum of integers.
+const decodedCurves = new WeakMap();
+
+export function curve(coded) {
+  if (!coded) return null;
+  let values = decodedCurves.get(coded);
+  if (!values) {
+    let level = 0;
+    values = coded.d.map((difference) => coded.o + coded.s * (level += difference));
+    decodedCurves.set(coded, values);
+  }
+  return values;
+}

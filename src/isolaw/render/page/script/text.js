@@ -1,0 +1,102 @@
+// Text and numbers.
+
+export const MINUS = '\u2212';
+export const THIN = '\u202f';
+export const DASH = '\u2013';
+
+// Plotly reads markup in labels; a name from a file is text.
+export function plain(text) {
+  return String(text)
+    .replace(/[\u0000-\u001f\u007f]/g, ' ')
+    .replace(/&/g, '&amp;')
+    .replace(/</g, '&lt;')
+    .replace(/>/g, '&gt;');
+}
+
+export const short = (text, most = 14) => (text.length > most ? text.slice(0, most - 1) + '\u2026' : text);
+const typeset = (text) => text.replace('-', MINUS);
+
+export function isNumber(value) {
+  return typeof value === 'number' && Number.isFinite(value);
+}
+
+export function fixed(value, decimals) {
+  return isNumber(value) ? typeset(value.toFixed(decimals)) : DASH;
+}
+
+export function signed(value, decimals) {
+  if (!isNumber(value)) return DASH;
+  const text = fixed(value, decimals);
+  return Number(value.toFixed(decimals)) > 0 ? '+' + text : text;
+}
+
+export function superscript(exponent) {
+  return String(exponent).replace(/[-0-9]/g, (c) =>
+    c === '-' ? '\u207b' : '\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079'[c],
+  );
+}
+
+// Significant digits; very large and small values as a power of ten.
+export function significant(value, digits = 3) {
+  if (!isNumber(value)) return DASH;
+  if (value === 0) return '0';
+  const exponent = Math.floor(Math.log10(Math.abs(value)));
+  if (exponent >= 6 || exponent < -3)
+    return typeset((value / 10 ** exponent).toFixed(digits - 1)) + '\u00b710' + superscript(exponent);
+  return typeset(value.toFixed(Math.max(0, digits - 1 - exponent)));
+}
+
+export const trimmed = (value) => typeset(String(Number(value.toPrecision(4))));
+
+// "N/m^3" -> "N/m³"
+export const unitText = (unit) =>
+  (unit === '' || unit === '1' ? '-' : unit).replace(/\^\(?(-?\d+(?:\.\d+)?)\)?/g, (all, power) =>
+    power.includes('.') ? all : superscript(power),
+  );
+
+export const withUnit = (value, unit, digits = 4) =>
+  significant(value, digits) + (isNumber(value) && unit && unit !== '-' ? THIN + unit : '');
+
+export const percentText = (share) => Number((100 * share).toPrecision(3)) + THIN + '%';
+
+export const spanText = (values, decimals) => {
+  const some = values.filter(isNumber);
+  if (some.length === 0) return null;
+  const [low, high] = [Math.min(...some), Math.max(...some)].map((value) => fixed(value, decimals));
+  return low === high ? low : low + ' to ' + high;
+};
+
+// "0.15 to 0.2 kN/mm"; as many digits as tell the two apart, three at least.
+export function rangeText([low, high], unit) {
+  for (let digits = 3; digits < 7; ++digits)
+    if (low === high || significant(low, digits) !== significant(high, digits))
+      return (low === high ? '' : significant(low, digits) + ' to ') + withUnit(high, unitText(unit), digits);
+  return withUnit(high, unitText(unit), 7);
+}
+
+export const limitText = (limit) => (limit ? sentence(limit).replace(/-(?=\d)/g, MINUS) : DASH);
+export const deviation = (percent, decimals = 1) => (isNumber(percent) ? signed(percent, decimals) + THIN + '%' : DASH);
+
+export const objectiveText = (statistic) =>
+  statistic.mean === null
+    ? DASH
+    : fixed(statistic.mean, 4) + (statistic.std === null ? '' : ' \u00b1 ' + fixed(statistic.std, 4));
+
+export function enumerate(names, most = 5) {
+  if (names.length > most) return names.slice(0, most - 1).join(', ') + ' and ' + (names.length - most + 1) + ' more';
+  return names.length < 2 ? names.join('') : names.slice(0, -1).join(', ') + ' and ' + names[names.length - 1];
+}
+
+// A number and its percent sign stay on one line.
+export const sentence = (text) => text.replace(/(\d) %/g, '$1' + THIN + '%');
+export const count = (number, noun) => number + ' ' + noun + (number === 1 ? '' : 's');
+
+// One scale and one number of decimals per row, so that its numbers line up: a factor of 1000^n and three or four digits.
+export function rowFormat(values) {
+  const largest = Math.max(0, ...values.filter(isNumber).map(Math.abs));
+  if (largest === 0) return { factor: 1, exponent: 0, decimals: 2 };
+  let exponent = 3 * Math.floor(Math.log10(largest) / 3);
+  if (largest < 1e4 && largest >= 1e-2) exponent = 0;
+  const scaled = largest / 10 ** exponent;
+  return { factor: 10 ** exponent, exponent, decimals: Math.max(0, 3 - Math.max(-2, Math.floor(Math.log10(scaled)))) };
+}

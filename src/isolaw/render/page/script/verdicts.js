@@ -1,0 +1,49 @@
+// Verdicts of a rule set.
+
+import { element } from './dom.js';
+import { ROUND, icon } from './icons.js';
+import { report } from './report.js';
+
+export const isVerified = () => Boolean(report.assessment?.rule_set?.verified_by);
+
+export const worstVerdict = (verdicts) =>
+  ['fail', 'pass', 'information', 'not assessed'].find((verdict) => verdicts.includes(verdict)) ?? null;
+
+// Word and shape say the same, so that neither colour nor sight of the shape is needed.
+export const VERDICTS = {
+  pass: { tone: 'good', filled: true, path: ROUND, mark: 'M3.4 6.2 L5.3 8 L8.6 4', symbol: 'circle' },
+  fail: {
+    tone: 'poor', filled: true, path: 'M1 1 H11 V11 H1 Z', mark: 'M3.6 3.6 L8.4 8.4 M8.4 3.6 L3.6 8.4',
+    symbol: 'square',
+  },
+  information: {
+    tone: 'muted', filled: false, path: 'M6 .9 L11.1 6 L6 11.1 L.9 6 Z', mark: 'M6 5.4 V8.2 M6 3.4 V4.2',
+    symbol: 'diamond-open',
+  },
+  'not assessed': { tone: 'muted', filled: false, path: 'M1.5 6 H10.5', mark: '', symbol: 'line-ew-open' },
+};
+
+export function verdictBadge(verdict) {
+  const known = VERDICTS[verdict] ?? VERDICTS['not assessed'];
+  const colour = 'var(--' + known.tone + ')';
+  const shapes = [[known.path, known.filled ? colour : 'none', colour]];
+  if (known.mark) shapes.push([known.mark, 'none', known.filled ? 'var(--paper)' : colour]);
+  return element('span', { class: 'verdict ' + known.tone }, icon(...shapes), verdict);
+}
+
+const ASSESSMENT_COLUMNS = [
+  'device', 'quantity', 'block', 'clause', 'formula', 'value', 'unit', 'design value', 'deviation [%]', 'limits',
+  'verdict', 'reason',
+];
+
+export function assessmentData(among) {
+  return {
+    columns: ASSESSMENT_COLUMNS,
+    rows: among.flatMap((device) =>
+      device.assessments.map((a) => [
+        device.name, a.quantity, a.block, a.clause, a.formula, a.value, a.unit, a.nominal, a.deviation_percent, a.limit,
+        a.verdict, a.reason,
+      ]),
+    ),
+  };
+}

@@ -1,0 +1,45 @@
+import { laws } from './report.js';
+import { isNumber } from './text.js';
+
+// Accuracy against robustness, three ways; those that some law has both coordinates of.
+export const VIEWS = [
+  {
+    id: 'published',
+    title: 'as published',
+    robust: (law) => law.beta,
+    accurate: (law) => law.objective.mean,
+    onFront: (law) => law.on_front,
+    whyNot: (law) => law.beta_note,
+    axes: ['robustness index β [-], smaller is more robust', 'mean objective OF [-], smaller is more accurate'],
+    columns: ['beta [-]', 'mean OF [-]'],
+    says: 'lower is more accurate, further left its parameters agree better from device to device.',
+  },
+  {
+    id: 'converged',
+    title: 'without the optimiser\u2019s noise',
+    robust: (law) => law.beta_converged,
+    accurate: (law) => law.objective_converged,
+    onFront: (law) => law.on_front_converged,
+    whyNot: (law) => law.beta_converged_note,
+    axes: ['β of the least objectives [-]', 'least objective OF [-], mean over devices'],
+    columns: ['beta of the least objectives [-]', 'least OF [-]'],
+    says: 'as published, but of the least objective of every device instead of the means over runs, and without parameters that most tests do not determine.',
+  },
+  {
+    id: 'left-out',
+    title: 'device left out',
+    robust: (law) => law.loo_objective,
+    accurate: (law) => law.objective_converged,
+    onFront: (law) => law.on_front_loo,
+    whyNot: () => '',
+    axes: ['OF on a device by the law of all others [-]', 'least objective OF [-], mean over devices'],
+    columns: ['OF on devices left out [-]', 'least OF [-]'],
+    says: 'lower is more accurate on a tested device, further left better for a device that was not tested: one law, fitted to all others.',
+  },
+].filter((view) => laws.some((law) => isPlaced(view, law)));
+
+export function isPlaced(view, law) {
+  return isNumber(view.robust(law)) && isNumber(view.accurate(law));
+}
+
+export const hasFront = VIEWS.length > 0;

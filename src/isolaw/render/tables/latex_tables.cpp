@@ -1,0 +1,404 @@
+#include "isolaw/render/tables/latex_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
+#include "isolaw/render/tables/csv.hpp"
+#include "isolaw/study/findings.hpp"
+#include "isolaw/study/front_view.hpp"
+
+namespace isolaw::render {
+namespace {
+
+constexpr std::string_view packages =
+    "% Needs in the preamble: \\usepackage{booktabs}; with names beyond ASCII \\usepackage[T1]{fontenc} too.\n";
+constexpr std::string_view packages_of_long =
+    "% Needs in the preamble: \\usepackage{booktabs,longtable}; with names beyond ASCII \\usepackage[T1]{fontenc} "
+    "too.\n";
+
+// --- text ------------------------------------------------------------------------------------------------------------
+
+std::string_view latex_of_ascii(char c) {
+  switch (c) {
+    case '&':
+      return "\\&";
+    case '%':
+      return "\\%";
+    case '$':
+      return "\\$";
+    case '#':
+      return "\\#";
+    case '_':
+      return "\\_";
+    case '{':
+      return "\\{";
+    case '}':
+      return "\\}";
+    case '~':
+      return "\\textasciitilde{}";
+    case '^':
+      return "\\textasciicircum{}";
+    case '\\':
+      return "\\textbackslash{}";
+    case '<':
+      return "\\textless{}";
+    case '>':
+      return "\\textgreater{}";
+    case '|':
+      return "\\textbar{}";
+    case '"':
+      return "''{}";
+    case '`':
+      return "{}`";  // ?` would be another letter
+    case '[':
+      return "{[}";  // after a line break it would be an option
+    case ']':
+      return "{]}";
+    case '*':
+      return "{*}";
+    default:
+      return {};
+  }
+}
+
+// Letters that pdfLaTeX sets from UTF-8 without further packages, beyond those of Latin-1.
+constexpr std::string_view known_letters = "ĂăĄąĆćČčĎďĐđĘęĚěĞğİıĹĺĽľŁłŃńŇňŐőŒœŔŕŘřŚśŞşŠšŢţŤťŮůŰűŸŹźŻżŽž";
+
+std::string latex_of_letter(std::string_view sequence) {
+  auto const byte = [&](std::size_t i) { return static_cast<unsigned>(static_cast<unsigned char>(sequence[i])); };
+  unsigned code = sequence.size() == 2 ? (byte(0) & 0x1Fu) << 6 | (byte(1) & 0x3Fu)
+                  : sequence.size() == 3
+                      ? (byte(0) & 0x0Fu) << 12 | (byte(1) & 0x3Fu) << 6 | (byte(2) & 0x3Fu)
+                      : (byte(0) & 0x07u) << 18 | (byte(1) & 0x3Fu) << 12 | (byte(2) & 0x3Fu) << 6 | (byte(3) & 0x3Fu);
+  bool const is_latin_1 = code >= 0xC0 && code <= 0xFF && code != 0xD7 && code != 0xF7;
+  if (is_latin_1 || known_letters.find(sequence) != std::string_view::npos) return std::string(sequence);
+  if (code == 0xA0) return " ";
+  if (code == 0xB0) return "$^{\\circ}$";
+  if (code == 0xB5 || code == 0x3BC) return "$\\mu$";
+  if (code == 0x2013) return "--";
+  if (code == 0x2014) return "---";
+  return fmt::format("(U+{:04X})", code);
+}
+
+constexpr std::size_t longest_head = 32;
+
+// Cut to what a head of three columns holds.
+std::string device_head(std::string const& device) {
+  auto const clean = printable(device);
+  std::size_t end = 0;
+  for (std::size_t letters = 0; end < clean.size() && letters < longest_head; ++letters)
+    end += utf8_length(std::string_view(clean).substr(end));
+  return latex_text(std::string_view(clean).substr(0, end)) + (end < clean.size() ? "\\ldots" : "");
+}
+
+std::string yes(bool flag) {
+  return flag ? "yes" : "no";
+}
+
+// --- Table A.5 -------------------------------------------------------------------------------------------------------
+
+// One row of it on all devices; n: of the parameters, none for the objective.
+struct Quantity {
+  std::string name, unit;
+  bool free = true;
+  std::optional<std::size_t> n;
+};
+
+std::vector<Quantity> quantities_of(LawResult const& law) {
+  std::vector<Quantity> made{{"OF", "-", true, std::nullopt}};
+  auto const& parameters = parameters_of(law);
+  for (std::size_t n = 0; n < parameters.size(); ++n)
+    made.push_back({parameters[n].name, parameters[n].unit, parameters[n].free, n});
+  return made;
+}
+
+std::vector<std::string> devices_of(Summary const& summary) {
+  std::vector<std::string> names;
+  for (auto const& device : summary.devices)
+    if (device.status == "ok") names.push_back(device.name);
+  return names;
+}
+
+Statistic statistic_of(DeviceFit const& fit, Quantity const& quantity) {
+  if (!quantity.n) return fit.objective;
+  return *quantity.n < fit.parameters.size() ? fit.parameters[*quantity.n].value : Statistic{};
+}
+
+Statistic statistic_of(LawResult const& law, std::string const& device, Quantity const& quantity) {
+  auto const fit = std::ranges::find(law.devices, device, &DeviceFit::device);
+  return fit == law.devices.end() ? Statistic{} : statistic_of(*fit, quantity);
+}
+
+constexpr int digits_of_std = 2;
+
+// The heads of some devices, the rest of a block's columns empty.
+std::string block_head(std::vector<std::string> const& devices, std::size_t columns) {
+  std::string names = "& ", rules, words = "Law & Quantity";
+  for (std::size_t i = 0; i < columns; ++i) {
+    bool const there = i < devices.size();
+    names += there ? fmt::format("& \\multicolumn{{3}}{{c}}{{{}}} ", device_head(devices[i])) : "& & & ";
+    if (there) rules += fmt::format("\\cmidrule(lr){{{}-{}}}", 3 * i + 3, 3 * i + 5);
+    words += there ? " & $\\mu$ & $\\sigma$ & best" : " & & &";
+  }
+  return names + "\\\\*\n" + rules + "\\nopagebreak\n" + words + " \\\\*\n\\midrule\\nopagebreak\n";
+}
+
+// Large and small values stand as multiples of one power of ten, said with the unit: narrow, and easy to compare.
+int power_of(LawResult const& law, Quantity const& quantity) {
+  double largest = 0.0;
+  for (auto const& fit : law.devices) {
+    auto const mean = statistic_of(fit, quantity).mean;
+    if (mean && std::isfinite(*mean)) largest = std::max(largest, std::abs(*mean));
+  }
+  if (largest == 0.0) return 0;
+  int const decade = static_cast<int>(std::floor(std::log10(largest)));
+  return decade >= 4 || decade <= -3 ? decade : 0;
+}
+
+std::optional<double> scaled(std::optional<double> const& value, int power) {
+  return value ? std::optional(*value / std::pow(10.0, power)) : std::nullopt;
+}
+
+std::string block_row(LawResult const& law, Quantity const& quantity, std::vector<std::string> const& devices,
+                      std::size_t columns) {
+  int const power = power_of(law, quantity);
+  auto unit = latex_unit(quantity.unit);
+  if (power != 0) unit = fmt::format("$10^{{{}}}${}{}", power, unit.empty() ? "" : " ", unit);
+  std::string row = quantity.n ? "" : latex_text(law.id);
+  row += " & " + (quantity.n ? latex_text(quantity.name) : std::string("$\\mathit{OF}$"));
+  if (!unit.empty()) row += " (" + unit + ")";
+  if (!quantity.free) row += ", fixed";
+  for (std::size_t i = 0; i < columns; ++i) {
+    if (i >= devices.size()) {
+      row += " & & &";
+      continue;
+    }
+    auto const statistic = statistic_of(law, devices[i], quantity);
+    row += " & " + latex_number(scaled(statistic.mean, power)) + " & " +
+           latex_number(scaled(statistic.std, power), digits_of_std) + " & " +
+           latex_number(scaled(statistic.best, power));
+  }
+  return row;
+}
+
+// Letters that a number takes: what makes it none counts nothing.
+std::size_t visible(std::string_view number) {
+  constexpr std::string_view times = "\\times";
+  auto const hidden =
+      number.find(times) == std::string_view::npos ? 0 : times.size() - 2;  // the sign is as wide as two
+  return number.size() - hidden - static_cast<std::size_t>(std::ranges::count_if(number, [](char c) {
+           return c == '$' || c == '{' || c == '}' || c == '^';
+         }));
+}
+
+// The longest texts of the columns; one column is as wide everywhere.
+struct Letters {
+  std::size_t law = 3, quantity = 8, head = 0, value = 5, std = 5;
+};
+
+Letters longest_texts(Summary const& summary, std::vector<std::string> const& devices) {
+  Letters longest;
+  auto const raise = [](std::size_t& to, std::size_t letters) { to = std::max(to, letters); };
+  for (auto const& device : devices) raise(longest.head, std::min(printable(device).size(), longest_head));
+  for (auto const& law : summary.laws) {
+    raise(longest.law, law.id.size());
+    for (auto const& quantity : quantities_of(law)) {
+      int const power = power_of(law, quantity);
+      raise(longest.quantity, quantity.name.size() + quantity.unit.size() + 8);  // a power of ten, brackets
+      for (auto const& fit : law.devices) {
+        auto const statistic = statistic_of(fit, quantity);
+        raise(longest.value, visible(latex_number(scaled(statistic.mean, power))));
+        raise(longest.value, visible(latex_number(scaled(statistic.best, power))));
+        raise(longest.std, visible(latex_number(scaled(statistic.std, power), digits_of_std)));
+      }
+    }
+  }
+  return longest;
+}
+
+// As many devices side by side as a page of 174 mm takes in \footnotesize, three at most.
+std::size_t devices_side_by_side(Summary const& summary, std::vector<std::string> const& devices) {
+  constexpr double page_mm = 174.0, letter_mm = 1.55, head_letter_mm = 1.75, gap_mm = 2.1;
+  auto const letters = longest_texts(summary, devices);
+  double const numbers_mm = letter_mm * static_cast<double>(2 * letters.value + letters.std) + 3.0 * gap_mm;
+  double const block_mm = std::max(numbers_mm, head_letter_mm * static_cast<double>(letters.head));
+  double const left_mm = letter_mm * static_cast<double>(letters.law + letters.quantity) + 2.0 * gap_mm;
+  auto const fits = static_cast<std::size_t>(std::max(1.0, (page_mm - left_mm) / block_mm));
+  return std::min({fits, devices.size(), std::size_t{3}});
+}
+
+std::string law_block(LawResult const& law, std::vector<std::string> const& devices, std::size_t columns) {
+  auto text = block_head(devices, columns);
+  auto const quantities = quantities_of(law);
+  for (std::size_t i = 0; i < quantities.size(); ++i)
+    text += block_row(law, quantities[i], devices, columns) + (i + 1 < quantities.size() ? " \\\\*\n" : " \\\\\n");
+  return text + "\\addlinespace[6pt]\n";
+}
+
+// --- the front -------------------------------------------------------------------------------------------------------
+
+std::vector<FrontPoint> by_accuracy(Summary const& summary, FrontView view) {
+  auto points = front_points(summary, view);
+  std::ranges::stable_sort(points, {}, &FrontPoint::y);
+  return points;
+}
+
+constexpr FrontView views[] = {FrontView::published, FrontView::converged, FrontView::left_out};
+
+std::string_view head_of_x(FrontView view) {
+  return view == FrontView::left_out ? "$\\mathit{OF}$ on devices left out" : "$\\beta$";
+}
+
+}  // namespace
+
+std::string latex_text(std::string_view text) {
+  std::string made;
+  auto const clean = printable(text);
+  for (std::string_view rest = clean; !rest.empty();) {
+    auto const length = std::max<std::size_t>(1, utf8_length(rest));
+    if (length > 1) {
+      made += latex_of_letter(rest.substr(0, length));
+    } else {
+      auto const special = latex_of_ascii(rest.front());
+      // Two dashes or quotes are two: together they would be another sign.
+      bool const joins = (rest.front() == '-' || rest.front() == '\'') && made.ends_with(rest.front());
+      if (joins) made += "{}";
+      special.empty() ? made += rest.front() : made += special;
+    }
+    rest.remove_prefix(length);
+  }
+  return made;
+}
+
+std::string latex_number(std::optional<double> const& number, int digits_shown) {
+  if (!number || !std::isfinite(*number)) return "--";
+  if (*number == 0.0) return "$0$";
+  auto text = fmt::format("{:#.{}g}", *number, digits_shown);
+  auto const e = text.find('e');
+  auto digits = text.substr(0, e);
+  // What follows the point when there are digits enough before it: "1234." or, of some versions of fmt, "1234.0".
+  auto const point = digits.find('.');
+  auto const before = static_cast<int>(std::ranges::count_if(digits.substr(0, point), [](char c) { return c != '-'; }));
+  if (before >= digits_shown) digits.resize(std::min(point, digits.size()));
+  if (e == std::string::npos) return "$" + digits + "$";
+  return fmt::format("${}\\times10^{{{}}}$", digits, std::stoi(text.substr(e + 1)));
+}
+
+std::string latex_unit(std::string_view unit) {
+  if (unit == "-" || unit == "1") return {};
+  std::string text;
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    if (unit[i] != '^') {
+      text += latex_text(unit.substr(i, 1));
+      continue;
+    }
+    auto const end = std::min(unit.find_first_not_of("-0123456789", i + 1), unit.size());
+    text += fmt::format("$^{{{}}}$", unit.substr(i + 1, end - i - 1));
+    i = end - 1;
+  }
+  return text;
+}
+
+std::string table_a5_csv(Summary const& summary) {
+  CsvTable table;
+  table.cell("law").cell("quantity").cell("unit").cell("calibrated");
+  auto const devices = devices_of(summary);
+  for (auto const& device : devices) table.cell(device + " mean").cell(device + " std").cell(device + " best");
+  table.end_row();
+  for (auto const& law : summary.laws)
+    for (auto const& quantity : quantities_of(law)) {
+      table.cell(law.id).cell(quantity.name).cell(quantity.unit);
+      quantity.n ? table.yes_no(quantity.free) : table.empty(1);
+      for (auto const& device : devices) {
+        auto const statistic = statistic_of(law, device, quantity);
+        table.cell(statistic.mean).cell(statistic.std).cell(statistic.best);
+      }
+      table.end_row();
+    }
+  return table.take();
+}
+
+std::string table_a5_tex(Summary const& summary) {
+  auto const devices = devices_of(summary);
+  std::string text =
+      "% Objective and parameters of every law on every device: mean and standard deviation over the runs, best run.\n";
+  text += packages_of_long;
+  if (devices.empty() || summary.laws.empty()) return text + "% There is nothing to tabulate.\n";
+  auto const columns = devices_side_by_side(summary, devices);
+  text += "\\begingroup\\footnotesize\\setlength{\\tabcolsep}{3pt}\n";
+  text += fmt::format("\\begin{{longtable}}{{@{{}}ll*{{{}}}{{r}}@{{}}}}\n", 3 * columns);
+  text +=
+      "\\caption{Objective $\\mathit{OF}$ and parameters of every law on every device: mean $\\mu$ and standard "
+      "deviation $\\sigma$ over the runs, and best run.}\\label{tab:isolaw-a5}\\\\\n";
+  text += "\\toprule\n\\endfirsthead\n";
+  text +=
+      fmt::format("\\multicolumn{{{}}}{{@{{}}l}}{{\\tablename\\ \\thetable{{}} (continued)}}\\\\\n", 3 * columns + 2);
+  text += "\\toprule\n\\endhead\n\\bottomrule\n\\endfoot\n";
+  for (auto const& law : summary.laws)
+    for (std::size_t first = 0; first < devices.size(); first += columns) {
+      auto const last = std::min(devices.size(), first + columns);
+      text += law_block(
+          law,
+          {devices.begin() + static_cast<std::ptrdiff_t>(first), devices.begin() + static_cast<std::ptrdiff_t>(last)},
+          columns);
+    }
+  return text + "\\end{longtable}\n\\endgroup\n";
+}
+
+std::string robustness_tex(Summary const& summary) {
+  std::string text =
+      "% Accuracy (mean, standard deviation and best of the objective) and robustness (beta) of every law.\n";
+  text += packages;
+  text += "\\begin{tabular}{@{}lrrrrl@{}}\n\\toprule\n";
+  text += "Law & \\multicolumn{3}{c}{$\\mathit{OF}$} & $\\beta$ & Non-dominated \\\\\n\\cmidrule(lr){2-4}\n";
+  text += " & mean & std & best & & \\\\\n\\midrule\n";
+  for (auto const& law : summary.laws)
+    text += fmt::format("{} & {} & {} & {} & {} & {} \\\\\n", latex_text(law.id), latex_number(law.objective.mean),
+                        latex_number(law.objective.std), latex_number(law.objective.best), latex_number(law.beta),
+                        yes(law.on_front));
+  return text + "\\bottomrule\n\\end{tabular}\n";
+}
+
+std::string front_csv(Summary const& summary) {
+  CsvTable table;
+  table.cell("view").cell("law").cell("accuracy OF [-]").cell("robustness beta, or OF on devices left out [-]");
+  table.cell("on front").cell("dominated by").end_row();
+  for (auto const view : views) {
+    auto const points = by_accuracy(summary, view);
+    for (auto const& point : points) {
+      table.cell(name(view)).cell(point.law).cell(point.y).cell(point.x).yes_no(point.on_front);
+      table.cell(joined(dominating(points, point))).end_row();
+    }
+  }
+  return table.take();
+}
+
+std::string front_tex(Summary const& summary) {
+  std::string text = "% Accuracy against robustness, Fig. 14 of Cucuzza et al. 2025 in numbers, by rising objective.\n";
+  text += packages;
+  text += "\\begin{tabular}{@{}lrrll@{}}\n\\toprule\n";
+  bool first = true;
+  for (auto const view : views) {
+    auto const points = by_accuracy(summary, view);
+    if (points.empty()) continue;
+    if (!first) text += "\\midrule\n";
+    first = false;
+    text += fmt::format("\\multicolumn{{5}}{{@{{}}l}}{{\\itshape {}}} \\\\\n", latex_text(name(view)));
+    text +=
+        fmt::format("Law & $\\mathit{{OF}}$ & {} & Non-dominated & Dominated by \\\\\n\\midrule\n", head_of_x(view));
+    for (auto const& point : points) {
+      auto const others = dominating(points, point);
+      text +=
+          fmt::format("{} & {} & {} & {} & {} \\\\\n", latex_text(point.law), latex_number(point.y),
+                      latex_number(point.x), yes(point.on_front), others.empty() ? "--" : latex_text(joined(others)));
+    }
+  }
+  return text + "\\bottomrule\n\\end{tabular}\n";
+}
+
+}  // namespace isolaw::render

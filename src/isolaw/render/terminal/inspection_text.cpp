@@ -1,0 +1,237 @@
+#include "isolaw/render/terminal/inspection_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string_view>
+
+#include "isolaw/base/printable.hpp"
+#include "isolaw/study/verdict.hpp"
+
+namespace isolaw::render {
+namespace {
+
+constexpr char const* no_vertical_stiffness =
+    "vertical stiffness K_v: not assessed, a shear test under constant vertical load does not measure it";
+
+template <class... Args>
+void add(std::string& text, fmt::format_string<Args...> format, Args&&... args) {
+  fmt::format_to(std::back_inserter(text), format, std::forward<Args>(args)...);
+}
+
+void print_list(std::string& text, char const* title, std::vector<std::string> const& lines) {
+  if (lines.empty()) return;
+  add(text, "\n{}\n", title);
+  for (auto const& line : lines) add(text, "  {}\n", line);
+}
+
+void print_channel(std::string& text, char const* name, std::vector<double> const& values, char const* unit) {
+  if (values.empty()) return;
+  auto const [least, largest] = std::ranges::minmax(values);
+  add(text, "  {:<14}{:>12.4g} to {:>10.4g} {}\n", name, least, largest, unit);
+}
+
+std::string number(std::optional<double> const& value, int decimals) {
+  return value ? fmt::format("{:.{}f}", *value, decimals) : "-";
+}
+
+// Enough decimals for four significant digits of the values of one table column.
+int decimals_for(double size) {
+  if (!(size > 0.0)) return 2;
+  return std::clamp(3 - static_cast<int>(std::floor(std::log10(size))), 0, 8);
+}
+
+void print_ratios(std::string& text, char const* name, data::Stability const& s) {
+  if (s.ratio_to_third.empty()) return;
+  add(text, "  {:<8} to cycle 3:", name);
+  constexpr std::size_t shown = 12;
+  for (std::size_t i = 0; i < std::min(shown, s.ratio_to_third.size()); ++i) add(text, " {:.3f}", s.ratio_to_third[i]);
+  if (s.ratio_to_third.size() > shown) add(text, " ...");
+  if (s.min_2_10) add(text, "; cycles 2-10: {:.3f} to {:.3f}", *s.min_2_10, *s.max_2_10);
+  if (s.first_to_third) add(text, "; first to third {:.3f}", *s.first_to_third);
+  text += '\n';
+}
+
+void print_block(std::string& text, DeviceResult const& device, data::Block const& block) {
+  auto const counted = block.counted();
+  add(text, "\nBlock {}: ", block.number);
+  if (counted.empty())
+    text += "no complete cycle";
+  else
+    add(text, "{} cycle{} of {:.4g} mm", counted.size(), counted.size() == 1 ? "" : "s", block.amplitude_mm);
+  if (block.frequency_Hz) add(text, " at {:.4g} Hz", *block.frequency_Hz);
+  if (!block.waveform.empty()) add(text, ", {}", block.waveform);
+  if (block.v_max_mm_s) add(text, ", v max {:.4g} mm/s", *block.v_max_mm_s);
+  if (device.rubber_thickness_mm && !counted.empty())
+    add(text, ", shear strain {:.3g} %", 100.0 * block.amplitude_mm / *device.rubber_thickness_mm);
+  text += ", from raw values\n";
+  bool const loads = std::ranges::any_of(block.cycles, [](auto const& c) { return c.N_mean_kN.has_value(); });
+  add(text, "  {:>5} {:>9} {:>9} {:>9} {:>9} {:>10} {:>8} {:>9} {:>9}{}\n", "cycle", "amplitude", "K_eff", "K+", "K-",
+      "energy", "damping", "Q_d", "K_d", loads ? "         N" : "");
+  add(text, "  {:>5} {:>9} {:>9} {:>9} {:>9} {:>10} {:>8} {:>9} {:>9}{}\n", "", "mm", "kN/mm", "kN/mm", "kN/mm",
+      "kN mm", "%", "kN", "kN/mm", loads ? "        kN" : "");
+  auto const& reported = device.properties.reported;
+  for (auto const& c : block.cycles) {
+    int const stiffness = decimals_for(std::abs(c.K_eff_kN_per_mm));
+    add(text, "  {:>5} {:>9.2f} {:>9.{}f} {:>9} {:>9} {:>10.4g} {:>8.2f} {:>9.4g} {:>9.{}f}",
+        c.counts() ? fmt::to_string(c.number) : "-", c.amplitude_mm, c.K_eff_kN_per_mm, stiffness,
+        number(c.K_plus(), stiffness), number(c.K_minus(), stiffness), c.energy_kN_mm, c.damping_percent, c.Q_d_kN,
+        c.K_d_kN_per_mm, stiffness);
+    if (loads) add(text, " {:>9}", number(c.N_mean_kN, 1));
+    if (reported && c.counts() && reported->block == c.block && reported->number == c.number) text += "  reported";
+    if (!c.counts()) add(text, "  not counted: {}", c.not_counted);
+    text += '\n';
+  }
+  print_ratios(text, "K_eff", data::stability(block, &data::Cycle::K_eff_kN_per_mm));
+  print_ratios(text, "energy", data::stability(block, &data::Cycle::energy_kN_mm));
+  print_ratios(text, "damping", data::stability(block, &data::Cycle::damping_percent));
+}
+
+void print_rule_set(std::string& text, LotAcceptance const& acceptance) {
+  if (!acceptance.has_rules()) return;
+  auto const& rules = acceptance.rules;
+  add(text, "\nRules: {}, {}\n", printable(rules.title), printable(rules.edition));
+  if (rules.verified())
+    add(text, "  verified by {}\n", printable(rules.verified_by));
+  else
+    add(text, "  the limits of this set are not verified: deviations are information, no verdict\n");
+}
+
+void print_assessment(std::string& text, rules::Assessment const& a) {
+  std::vector<std::string> parts;
+  if (a.value)
+    parts.push_back(a.unit.empty() ? fmt::format("{:.5g}", *a.value) : fmt::format("{:.5g} {}", *a.value, a.unit));
+  if (a.nominal) parts.push_back(fmt::format("design {:.5g}", *a.nominal));
+  if (!a.deviation.empty()) parts.push_back(a.deviation);
+  if (!a.limit.empty()) parts.push_back("limit " + printable(a.limit));
+  if (!a.clause.empty()) parts.push_back(printable(a.clause));
+  add(text, "  {:<13} {:<26} {}{}{}\n", rules::name(a.verdict), printable(a.quantity), fmt::join(parts, ", "),
+      parts.empty() || a.reason.empty() ? "" : ": ", printable(a.reason));
+}
+
+void print_device_in_full(std::string& text, DeviceResult const& device) {
+  auto const& acceptance = device.acceptance;
+  add(text, "{}: {} samples, sha256 {}\n", printable(device.file), device.raw.size(), device.sha256.substr(0, 16));
+  print_list(text, "Recognised", device.raw.recognised);
+  print_list(text, "Corrected, as asked for", device.raw.corrections);
+  text += "\nChannels\n";
+  print_channel(text, "time", device.raw.time_s, "s");
+  print_channel(text, "displacement", device.raw.disp_mm, "mm");
+  print_channel(text, "force", device.raw.force_kN, "kN");
+  print_channel(text, "vertical load", device.raw.load_kN, "kN");
+  for (auto const& block : device.properties.blocks) print_block(text, device, block);
+  if (!device.properties.refusal.empty()) add(text, "\nNo cyclic properties: {}\n", device.properties.refusal);
+  if (!acceptance.assessments.empty()) {
+    add(text, "\nAssessed on block {}, {}\n", *acceptance.block, acceptance.choice);
+    for (auto const& assessment : acceptance.assessments) print_assessment(text, assessment);
+    add(text, "  device: {}\n", device_verdict(acceptance.assessments).text());
+  } else {
+    add(text, "\n{}\n", no_vertical_stiffness);
+  }
+  auto warnings = device.raw.warnings;
+  std::erase(warnings, "no cyclic properties: " + device.properties.refusal);  // said above
+  print_list(text, "Warnings", warnings);
+  print_list(text, "Notes", device.notes);
+}
+
+std::size_t longest_name(Summary const& summary) {
+  std::size_t longest = 6;
+  for (auto const& device : summary.devices) longest = std::max(longest, printable(device.name).size());
+  return std::min<std::size_t>(longest, 32);
+}
+
+void print_devices(std::string& text, Summary const& summary) {
+  auto const width = longest_name(summary);
+  add(text, "\n{:<{}} {:>5} {:>5} {:>9} {:>9} {:>10} {:>8}  {}\n", "device", width, "block", "cycle", "amplitude",
+      "K_eff", "energy", "damping", summary.acceptance.has_rules() ? "verdict" : "");
+  add(text, "{:<{}} {:>5} {:>5} {:>9} {:>9} {:>10} {:>8}\n", "", width, "", "", "mm", "kN/mm", "kN mm", "%");
+  for (auto const& device : summary.devices) {
+    auto const& acceptance = device.acceptance;
+    add(text, "{:<{}} ", printable(device.name), width);
+    auto const* cycle = counting_cycle(device.properties, acceptance.block);
+    if (device.status != "ok")
+      add(text, "refused: {}\n", printable(device.message));
+    else if (cycle == nullptr)
+      add(text, "no cyclic properties: {}\n", device.properties.refusal);
+    else
+      add(text, "{:>5} {:>5} {:>9.2f} {:>9.4f} {:>10.4g} {:>8.2f}  {}\n", cycle->block, cycle->number,
+          cycle->amplitude_mm, cycle->K_eff_kN_per_mm, cycle->energy_kN_mm, cycle->damping_percent,
+          summary.acceptance.has_rules() ? device_verdict(acceptance.assessments).text() : "");
+  }
+}
+
+void print_quantities(std::string& text, rules::LotView const& lot) {
+  add(text, "\n{:<9} {:<6} {:>3} {:>10} {:>7} {:>10} {:>10} {:>10} {:>8} {:>8}\n", "lot", "unit", "n", "mean", "CoV %",
+      "min", "max", "design", "mean %", "worst %");
+  auto const significant = [](std::optional<double> const& v) { return v ? fmt::format("{:.4g}", *v) : "-"; };
+  auto const percent = [](std::optional<double> const& v) { return v ? fmt::format("{:+.1f}", *v) : "-"; };
+  for (auto const& q : lot.quantities)
+    add(text, "{:<9} {:<6} {:>3} {:>10} {:>7} {:>10} {:>10} {:>10} {:>8} {:>8}\n", rules::name(q.quantity), q.unit,
+        q.count, significant(q.mean), number(q.cov_percent, 2), significant(q.min), significant(q.max),
+        significant(q.nominal), percent(q.mean_deviation_percent), percent(q.worst_deviation_percent));
+  for (auto const& q : lot.quantities)
+    for (auto const& outlier : q.outliers)
+      add(text, "outlier: {}: {}\n", printable(outlier.device), printable(outlier.reason));
+}
+
+void print_factors(std::string& text, rules::LotView const& lot) {
+  bool const any = std::ranges::any_of(lot.quantities, [](auto const& q) { return !q.bounds.empty(); });
+  if (!any) return;
+  add(text, "\nProperty modification factors\n  {:<9} {:<28} {:>7} {:>7} {:>10} {:>10}\n", "property", "source", "min",
+      "max", "lower", "upper");
+  for (auto const& q : lot.quantities)
+    for (auto const& b : q.bounds) {
+      add(text, "  {:<9} {:<28} {:>7} {:>7.3f} {:>10} {:>10.4g} {}", rules::name(q.quantity), b.source,
+          b.no_lower.empty() ? fmt::format("{:.3f}", b.combined.min) : "-", b.combined.max,
+          b.no_lower.empty() ? fmt::format("{:.4g}", b.lower) : "-", b.upper, q.unit);
+      if (!b.no_lower.empty()) add(text, "  {} (k = {:.4g})", b.no_lower, *q.tolerance_factor);
+      text += '\n';
+    }
+  add(text, "  lambda_test, of these the part of the test's cycles, over the mean of the first three:\n");
+  for (auto const& q : lot.quantities)
+    if (auto const& t = q.test_factors)
+      add(text, "  {:<9} {:.3f} (cycle {} of {}) to {:.3f} (cycle {} of {})\n", rules::name(q.quantity), t->min,
+          t->min_cycle, printable(q.test_min_device), t->max, t->max_cycle, printable(q.test_max_device));
+}
+
+// What the rule set says of the lot as a whole.
+void print_lot_verdicts(std::string& text, LotAcceptance const& acceptance) {
+  if (!acceptance.has_rules()) return;
+  text += "\nLot\n";
+  print_assessment(text, acceptance.lot.sample);
+  for (auto const& q : acceptance.lot.quantities)
+    for (auto const& limit : q.mean_limits) print_assessment(text, limit);
+}
+
+void print_lot(std::string& text, Summary const& summary) {
+  auto const& lot = summary.acceptance.lot;
+  print_quantities(text, lot);
+  print_lot_verdicts(text, summary.acceptance);
+  print_factors(text, lot);
+  if (!lot.note.empty()) add(text, "\n{}\n", lot.note);
+  if (auto const mean = mean_analysis(lot); !mean.sentence.empty()) add(text, "\n{}\n", mean.sentence);
+}
+
+}  // namespace
+
+std::string inspection_text(Summary const& summary) {
+  std::string text;
+  if (summary.devices.size() == 1) {
+    print_device_in_full(text, summary.devices.front());
+    print_rule_set(text, summary.acceptance);
+    print_lot_verdicts(text, summary.acceptance);
+    if (summary.acceptance.has_rules() && !summary.acceptance.lot.note.empty())
+      add(text, "\n{}\n", summary.acceptance.lot.note);
+    return text;
+  }
+  add(text, "{}: {} devices\n", printable(summary.title), summary.devices.size());
+  print_rule_set(text, summary.acceptance);
+  print_devices(text, summary);
+  print_lot(text, summary);
+  add(text, "\n{}\n", no_vertical_stiffness);
+  return text;
+}
+
+}  // namespace isolaw::render

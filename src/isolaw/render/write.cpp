@@ -1,0 +1,82 @@
+#include "isolaw/render/write.hpp"
+
+#include <string>
+#include <system_error>
+
+#include "isolaw/base/write_file.hpp"
+#include "isolaw/render/figures/figures.hpp"
+#include "isolaw/render/json/inspection_json.hpp"
+#include "isolaw/render/json/summary_json.hpp"
+#include "isolaw/render/page/html.hpp"
+#include "isolaw/render/tables/latex_tables.hpp"
+#include "isolaw/render/tables/tables.hpp"
+#include "isolaw/render/terminal/inspection_text.hpp"
+
+namespace isolaw::render {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What a campaign leaves, beside its store and figures.
+struct Output {
+  char const* name;
+  std::string (*text)(Summary const&);
+};
+constexpr Output outputs[] = {
+    {"summary.json", summary_json},
+    {"tables/parameters.csv", parameters_csv},
+    {"tables/objective.csv", objective_csv},
+    {"tables/robustness.csv", robustness_csv},
+    {"tables/converged.csv", converged_csv},
+    {"tables/identifiability.csv", identifiability_csv},
+    {"tables/lot_law.csv", lot_law_csv},
+    {"tables/prediction.csv", prediction_csv},
+    {"tables/cycles.csv", cycles_csv},
+    {"tables/tests.csv", tests_csv},
+    {"tables/lot.csv", lot_csv},
+    {"tables/lambda.csv", lambda_csv},
+    {"tables/table_a5.csv", table_a5_csv},
+    {"tables/table_a5.tex", table_a5_tex},
+    {"tables/robustness.tex", robustness_tex},
+    {"tables/front.csv", front_csv},
+    {"tables/front.tex", front_tex},
+    {"report.html", html},
+};
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> output_texts(Summary const& summary) {
+  std::vector<std::pair<std::string, std::string>> texts;
+  for (auto const& [name, text] : outputs) texts.emplace_back(name, text(summary));
+  return texts;
+}
+
+void remove_outputs(fs::path const& dir) {
+  auto const remove = [&](char const* name) {
+    std::error_code ignored;
+    if (fs::is_regular_file(dir / name, ignored)) fs::remove(dir / name, ignored);
+  };
+  for (auto const& output : outputs) remove(output.name);
+  remove("run.json");
+  remove_figures(dir);
+}
+
+void write_outputs(Summary const& summary, fs::path const& dir) {
+  make_folder(dir / "tables");
+  for (auto const& [name, text] : output_texts(summary)) write_file(dir / name, text);
+}
+
+void write_inspection(Summary const& summary, fs::path const& dir) {
+  make_folder(dir / "tables");
+  std::vector<std::pair<std::string, std::string>> const texts{
+      {"inspection.json", inspection_json(summary)}, {"tables/cycles.csv", cycles_csv(summary)},
+      {"tables/tests.csv", tests_csv(summary)},      {"tables/lot.csv", lot_csv(summary)},
+      {"tables/lambda.csv", lambda_csv(summary)},    {"inspection.html", html(summary)}};
+  for (auto const& [name, text] : texts) write_file(dir / name, text);
+}
+
+void remove_leftovers(fs::path const& dir) {
+  for (auto const& folder : {dir, dir / "tables", dir / "figures"}) remove_unfinished_files(folder);
+}
+
+}  // namespace isolaw::render

@@ -1,0 +1,175 @@
+#include "isolaw/study/acceptance.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace isolaw::study {
+namespace {
+
+rules::CycleValues values_of(data::Cycle const& cycle) {
+  return {.number = cycle.number,
+          .d_plus_mm = cycle.d_plus_mm,
+          .d_minus_mm = cycle.d_minus_mm,
+          .F_plus_kN = cycle.F_plus_kN,
+          .F_minus_kN = cycle.F_minus_kN,
+          .K_eff_kN_per_mm = cycle.K_eff_kN_per_mm,
+          .damping_percent = cycle.damping_percent,
+          .energy_kN_mm = cycle.energy_kN_mm,
+          .Q_d_kN = cycle.Q_d_kN,
+          .K_d_kN_per_mm = cycle.K_d_kN_per_mm};
+}
+
+std::optional<double> mean_load_kN(data::Block const& block) {
+  double sum = 0.0;
+  int count = 0;
+  for (auto const* cycle : block.counted())
+    if (cycle->N_mean_kN) sum += *cycle->N_mean_kN, ++count;
+  return count > 0 ? std::optional(sum / count) : std::nullopt;
+}
+
+rules::BlockValues values_of(data::Block const& block, AssessedTest const& test) {
+  rules::BlockValues values{.number = block.number,
+                            .amplitude_mm = block.amplitude_mm,
+                            .frequency_Hz = block.frequency_Hz,
+                            .shear_strain_percent = std::nullopt,
+                            .load_mean_kN = mean_load_kN(block),
+                            .cycles = {}};
+  if (test.rubber_thickness_mm) values.shear_strain_percent = 100.0 * block.amplitude_mm / *test.rubber_thickness_mm;
+  for (auto const* cycle : block.counted()) values.cycles.push_back(values_of(*cycle));
+  return values;
+}
+
+data::Block const* find_block(data::Properties const& properties, std::optional<int> number) {
+  auto const found = std::ranges::find_if(properties.blocks, [&](auto const& block) { return block.number == number; });
+  return found == properties.blocks.end() ? nullptr : &*found;
+}
+
+// Blocks of one amplitude under clearly different vertical loads, the largest and the smallest of them.
+std::optional<rules::LoadPair> load_pair(AssessedTest const& test, data::Block const& counted) {
+  constexpr double same_amplitude = 0.05, other_load = 0.10;
+  data::Block const *largest = nullptr, *smallest = nullptr;
+  for (auto const& block : test.properties->blocks) {
+    auto const load = mean_load_kN(block);
+    if (!load || std::abs(block.amplitude_mm / counted.amplitude_mm - 1.0) > same_amplitude) continue;
+    if (largest == nullptr || *load > *mean_load_kN(*largest)) largest = &block;
+    if (smallest == nullptr || *load < *mean_load_kN(*smallest)) smallest = &block;
+  }
+  if (largest == nullptr || *mean_load_kN(*largest) <= (1.0 + other_load) * *mean_load_kN(*smallest))
+    return std::nullopt;
+  return rules::LoadPair{.largest = values_of(*largest, test), .smallest = values_of(*smallest, test)};
+}
+
+}  // namespace
+
+bool any_failed(std::vector<rules::Assessment> const& assessments) {
+  return std::ranges::any_of(assessments, [](auto const& a) { return a.verdict == rules::Verdict::fail; });
+}
+
+bool lot_failed(LotAcceptance const& acceptance) {
+  auto const& lot = acceptance.lot;
+  return lot.sample.verdict == rules::Verdict::fail ||
+         std::ranges::any_of(lot.quantities, [](auto const& quantity) { return any_failed(quantity.mean_limits); });
+}
+
+DeviceAcceptance choose_block(data::Properties const& properties, rules::Design const& design) {
+  DeviceAcceptance chosen;
+  if (!properties.reported) {
+    chosen.choice = properties.refusal;
+    return chosen;
+  }
+  chosen.block = properties.reported->block;
+  if (properties.blocks.size() == 1) {
+    chosen.choice = "the only block";
+    return chosen;
+  }
+  chosen.choice = "the block of the largest amplitude; a design displacement would choose another (--design disp=...)";
+  if (!design.disp_mm) return chosen;
+  double nearest = 0.0;
+  chosen.block.reset();
+  for (auto const& block : properties.blocks) {
+    if (block.counted().empty()) continue;
+    double const distance = std::abs(block.amplitude_mm - *design.disp_mm);
+    if (chosen.block && distance >= nearest) continue;
+    nearest = distance;
+    chosen.block = block.number;
+  }
+  chosen.choice = fmt::format("the block nearest to the design displacement of {:g} mm", *design.disp_mm);
+  return chosen;
+}
+
+std::optional<ShearStrain> shear_strain(data::Cycle const& cycle, std::optional<double> rubber_thickness_mm,
+                                        std::optional<double> rubber_area_mm2) {
+  if (!rubber_thickness_mm) return std::nullopt;
+  auto const both = data::strains(cycle, *rubber_thickness_mm, rubber_area_mm2.value_or(1.0));
+  return ShearStrain{both.shear_strain_percent, rubber_area_mm2 ? std::optional(both.G_MPa) : std::nullopt};
+}
+
+std::vector<DesignValue> design_values(rules::Design const& design) {
+  std::vector<DesignValue> values;
+  auto const add = [&](char const* name, std::optional<double> value, char const* unit) {
+    if (value) values.push_back({name, *value, unit});
+  };
+  add("K_eff", design.K_eff_kN_per_mm, "kN/mm");
+  add("damping", design.damping_percent, "%");
+  add("energy", design.energy_kN_mm, "kN mm");
+  add("Q_d", design.Q_d_kN, "kN");
+  add("K_d", design.K_d_kN_per_mm, "kN/mm");
+  add("disp", design.disp_mm, "mm");
+  add("frequency", design.frequency_Hz, "Hz");
+  add("load", design.load_kN, "kN");
+  return values;
+}
+
+MeanAnalysis mean_analysis(rules::LotView const& lot) {
+  MeanAnalysis result;
+  std::string parts, open;
+  for (auto const& quantity : lot.quantities) {
+    if (!quantity.largest_from_mean_percent) continue;
+    parts += fmt::format("{}{} {:.1f} %", parts.empty() ? "" : ", ", rules::name(quantity.quantity),
+                         *quantity.largest_from_mean_percent);
+    if (quantity.mean_analysis_permitted)
+      result.permitted = result.permitted.value_or(true) && *quantity.mean_analysis_permitted;
+    if (open.empty()) open = quantity.mean_analysis_open;
+  }
+  if (parts.empty()) return result;
+  if (!open.empty() && result.permitted.value_or(true)) result.permitted.reset();
+  result.sentence = "Largest deviation of a device from the lot's mean: " + parts + ".";
+  if (result.permitted)
+    result.sentence += *result.permitted
+                           ? " As far as the variability within the supply goes, an analysis with mean properties is "
+                             "permitted; ageing, temperature and the other effects add to it."
+                           : " An analysis with mean properties alone is not permitted: upper and lower bounds are "
+                             "needed.";
+  else if (!open.empty())
+    result.sentence += " Whether an analysis with mean properties is permitted cannot be said: " + open + ".";
+  return result;
+}
+
+data::Cycle const* counting_cycle(data::Properties const& properties, std::optional<int> block) {
+  auto const* found = find_block(properties, block);
+  if (found == nullptr) return nullptr;
+  auto const counted = found->counted();
+  return counted.empty() ? nullptr : counted[std::min<std::size_t>(counted.size(), 3) - 1];
+}
+
+LotAcceptance assess_lot(rules::RuleSet const& rules, rules::Design const& design, std::optional<int> lot_size,
+                         std::vector<AssessedTest> const& tests, std::vector<DeviceAcceptance>& devices) {
+  LotAcceptance result{.rules = rules, .design = design, .lot = {}};
+  devices.clear();
+  std::vector<rules::DeviceValues> measured;
+  for (auto const& test : tests) {
+    auto device = choose_block(*test.properties, design);
+    if (auto const* block = find_block(*test.properties, device.block)) {
+      auto const values = values_of(*block, test);
+      if (result.has_rules()) device.assessments = rules::assess(rules, values, design, load_pair(test, *block));
+      measured.push_back({test.device, values});
+    }
+    devices.push_back(std::move(device));
+  }
+  result.lot = rules::lot_view(rules, measured, design, lot_size);
+  return result;
+}
+
+}  // namespace isolaw::study

@@ -1,0 +1,74 @@
+// The tests of a lot against a rule set: which block of each record counts, what the set says of every device and of the
+// lot. Without a set the statistics of the third cycles are given, and no verdict.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/data/properties.hpp"
+#include "isolaw/rules/assess.hpp"
+#include "isolaw/rules/lot_view.hpp"
+
+namespace isolaw::study {
+
+// What a device is assessed by.
+struct AssessedTest {
+  std::string device;
+  data::Properties const* properties = nullptr;
+  std::optional<double> rubber_thickness_mm, rubber_area_mm2;
+};
+
+struct DeviceAcceptance {
+  std::optional<int> block;  // the block that counts; empty where the record has no cyclic properties
+  std::string choice;        // why this block
+  std::vector<rules::Assessment> assessments;
+};
+
+struct LotAcceptance {
+  rules::RuleSet rules;  // id is empty when none was asked for
+  rules::Design design;
+  rules::LotView lot;
+
+  bool has_rules() const { return !rules.id.empty(); }
+};
+
+bool any_failed(std::vector<rules::Assessment> const& assessments);
+// Some limit of a verified set is not kept by the lot.
+bool lot_failed(LotAcceptance const& acceptance);
+
+// The block whose amplitude is nearest to the design displacement; without one, that of the largest amplitude.
+DeviceAcceptance choose_block(data::Properties const& properties, rules::Design const& design);
+
+// The third cycle of that block that counts, or its last where there are fewer; nullptr where there is none.
+data::Cycle const* counting_cycle(data::Properties const& properties, std::optional<int> block);
+
+// `devices` receives one entry for each test. Throws Error: the lot is smaller than the number of devices.
+LotAcceptance assess_lot(rules::RuleSet const& rules, rules::Design const& design, std::optional<int> lot_size,
+                         std::vector<AssessedTest> const& tests, std::vector<DeviceAcceptance>& devices);
+
+// Of a cycle of a device whose rubber thickness T_r is known: 100 D / T_r, and G = K_eff T_r / A_r with its area too.
+struct ShearStrain {
+  double shear_strain_percent = 0.0;
+  std::optional<double> G_MPa;
+};
+std::optional<ShearStrain> shear_strain(data::Cycle const& cycle, std::optional<double> rubber_thickness_mm,
+                                        std::optional<double> rubber_area_mm2);
+
+// The design values that were given, in the order of reports.
+struct DesignValue {
+  std::string name;
+  double value = 0.0;
+  std::string unit;
+};
+std::vector<DesignValue> design_values(rules::Design const& design);
+
+// Whether the analysis may use mean properties, as far as the scatter of the lot goes: every quantity's answer in one.
+struct MeanAnalysis {
+  std::optional<bool> permitted;  // empty: no verified set says
+  std::string sentence;
+};
+MeanAnalysis mean_analysis(rules::LotView const& lot);
+
+}  // namespace isolaw::study

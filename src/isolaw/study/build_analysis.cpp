@@ -1,0 +1,435 @@
+#include "isolaw/study/build_analysis.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <span>
+#include <utility>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/fit/objective.hpp"
+#include "isolaw/lot/outliers.hpp"
+#include "isolaw/lot/robustness.hpp"
+#include "isolaw/opt/pareto.hpp"
+
+namespace isolaw::study {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::infinity();
+
+// The least objective of a search's runs and of its analysis.
+double least_objective(campaign::Contents const& contents, campaign::Search const& search) {
+  double least = none;
+  if (auto const* best = contents.best_run(search.device, search.law)) least = best->objective;
+  if (auto const* a = contents.analysis_of(search.device, search.law))
+    least = std::min(least, a->determination.objective);
+  return least;
+}
+
+void add_success(DeviceFit& made, campaign::Contents const& contents, campaign::Search const& search) {
+  double const least = least_objective(contents, search);
+  int usable = 0, found = 0;
+  for (auto const& run : contents.runs) {
+    if (run.device != search.device || run.law != search.law || !run.usable()) continue;
+    ++usable;
+    found += run.objective <= least * (1.0 + found_within) + 1e-9 ? 1 : 0;
+  }
+  // One run that is compared with itself alone has found nothing.
+  if (usable < 2) return;
+  made.success_share = static_cast<double>(found) / usable;
+  made.success_reference = "best of this campaign";
+}
+
+void add_blocks(DeviceFit& made, data::FitRecord const& record) {
+  if (record.block.empty() || made.force_kN.empty()) return;
+  std::map<int, std::vector<double>> members;
+  std::map<int, bool> fitted;
+  for (std::size_t i = 0; i < record.size(); ++i) {
+    int const block = static_cast<int>(record.block[i]);
+    if (block == 0) continue;
+    auto& mask = members.try_emplace(block, record.size(), 0.0).first->second;
+    mask[i] = 1.0;
+    fitted[block] = fitted[block] || record.is_scored(i);
+  }
+  for (auto& [block, mask] : members) {
+    // Of a fitted block only what the law was judged by.
+    if (fitted[block])
+      for (std::size_t i = 0; i < mask.size(); ++i) mask[i] *= record.is_scored(i) ? 1.0 : 0.0;
+    double const objective = fit::objective_on(record, made.force_kN, std::move(mask));
+    if (!std::isnan(objective)) made.blocks.push_back({block, fitted[block], objective});
+  }
+}
+
+// Values of the free parameters over the devices that were examined, as [parameter][device], in the reduced form where the
+// redundant parameter was free.
+struct Examined {
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> values;
+  std::vector<std::vector<bool>> undetermined;
+  bool reduced = false;
+};
+
+Examined examined(LawResult const& law, laws::LawEntry const& entry) {
+  Examined made;
+  std::vector<DeviceFit const*> fits;
+  for (auto const& fit : law.devices)
+    if (fit.optimum) fits.push_back(&fit);
+  if (fits.empty()) return made;
+  auto const& parameters = fits.front()->parameters;
+  auto const is_redundant = [&](auto const& p) { return !entry.redundant.empty() && p.name == entry.redundant; };
+  made.reduced = std::ranges::any_of(parameters, [&](auto const& p) { return p.free && is_redundant(p); });
+  std::vector<std::vector<double>> all;
+  for (auto const* fit : fits) {
+    std::vector<double> values;
+    for (auto const& p : fit->parameters) values.push_back(p.analysis ? p.analysis->optimum : *p.value.best);
+    if (made.reduced) entry.reduce(values);
+    all.push_back(std::move(values));
+  }
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    auto const& p = parameters[i];
+    if (!p.free || (made.reduced && is_redundant(p))) continue;
+    bool const in_reduction =
+        made.reduced && std::ranges::find(entry.redundant_with, p.name) != entry.redundant_with.end();
+    made.names.push_back(p.name);
+    auto& values = made.values.emplace_back();
+    auto& undetermined = made.undetermined.emplace_back();
+    for (std::size_t d = 0; d < fits.size(); ++d) {
+      values.push_back(all[d][i]);
+      auto const& a = fits[d]->parameters[i].analysis;
+      auto const verdict = a ? std::string_view(a->identifiability) : std::string_view();
+      undetermined.push_back(verdict == "at its bound" || (verdict == "undetermined" && !in_reduction));
+    }
+  }
+  return made;
+}
+
+void add_converged_beta(LawResult& law, laws::LawEntry const& entry) {
+  auto const found = examined(law, entry);
+  law.reduced = found.reduced;
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> values;
+  for (std::size_t n = 0; n < found.names.size(); ++n) {
+    auto const blind = std::ranges::count(found.undetermined[n], true);
+    if (2 * blind > std::ssize(found.undetermined[n])) {
+      law.left_out_of_beta.push_back(found.names[n]);
+      continue;
+    }
+    names.push_back(found.names[n]);
+    values.push_back(found.values[n]);
+  }
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (auto const& fit : law.devices)
+    if (fit.optimum) {
+      sum += *fit.optimum;
+      ++count;
+    }
+  if (count == 0) {
+    law.beta_converged_note = "no device was examined";
+    return;
+  }
+  law.objective_converged = sum / static_cast<double>(count);
+  if (names.empty() && !found.names.empty()) {
+    law.beta_converged_note = "the tests determine no parameter inside its box";
+    return;
+  }
+  auto const robustness = lot::robustness_index(names, values);
+  law.beta_converged = robustness.beta;
+  law.beta_converged_note = robustness.note;
+}
+
+std::vector<fit::SearchParameter> parameters_of_search(campaign::Contents const& contents, std::string_view law) {
+  for (auto const& search : contents.searches)
+    if (search.law == law && search.refusal.empty()) return search.box.parameters;
+  return {};
+}
+
+// How uncertain the estimates of one device are, [parameter][parameter] over the free ones: by linearisation; where the test
+// does not determine a parameter that lies at its bound, no value in the box scatters more; never less than rounding.
+lot::SquareMatrix uncertainty(DeviceFit const& fit, campaign::DeviceAnalysis const& analysis) {
+  constexpr double rounding = 1e-6;
+  auto const& intervals = analysis.intervals;
+  auto const n = intervals.parameters.size();
+  lot::SquareMatrix made(n, std::vector<double>(n, 0.0));
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) made[i][j] = intervals.covariance[i * n + j];
+    auto const& p = fit.parameters[intervals.parameters[i].parameter];
+    double const width = p.upper - p.lower;
+    if (made[i][i] == 0.0 && p.analysis->identifiability == "undetermined") made[i][i] = width * width / 4.0;
+    made[i][i] += std::pow(rounding * std::max(std::abs(p.analysis->optimum), 1e-3 * width), 2);
+  }
+  return made;
+}
+
+// The estimate in the form without the redundant parameter, and what the free ones' covariance becomes, to first order.
+lot::DeviceEstimate reduced(laws::LawEntry const& entry, std::vector<double> const& values,
+                            std::vector<std::size_t> const& free, lot::SquareMatrix const& covariance,
+                            std::vector<std::size_t> const& kept) {
+  auto const form = [&](std::vector<double> parameters) {
+    entry.reduce(parameters);
+    return parameters;
+  };
+  auto const here = form(values);
+  std::vector<std::vector<double>> slopes;  // [free][kept]
+  for (auto const k : free) {
+    constexpr double step = 1e-6;
+    double const size = values[k] != 0.0 ? step * std::abs(values[k]) : step;
+    auto moved = values;
+    moved[k] += size;
+    auto const there = form(moved);
+    auto& row = slopes.emplace_back();
+    for (auto const i : kept) row.push_back((there[i] - here[i]) / size);
+  }
+  lot::DeviceEstimate made;
+  for (auto const i : kept) made.values.push_back(here[i]);
+  made.covariance.assign(kept.size(), std::vector<double>(kept.size(), 0.0));
+  for (std::size_t a = 0; a < free.size(); ++a)
+    for (std::size_t b = 0; b < free.size(); ++b)
+      for (std::size_t i = 0; i < kept.size(); ++i)
+        for (std::size_t j = 0; j < kept.size(); ++j)
+          made.covariance[i][j] += slopes[a][i] * covariance[a][b] * slopes[b][j];
+  return made;
+}
+
+// Of `names`, those that the test of no device determines; their places.
+std::vector<std::size_t> undetermined_everywhere(LawResult const& law, std::vector<std::string> const& names) {
+  std::vector<std::size_t> found;
+  for (std::size_t n = 0; n < names.size(); ++n)
+    if (std::ranges::all_of(law.devices, [&](DeviceFit const& fit) {
+          auto const p = std::ranges::find(fit.parameters, names[n], &ParameterFit::name);
+          return !p->analysis || p->analysis->identifiability == "undetermined";
+        }))
+      found.push_back(n);
+  return found;
+}
+
+void add_population(LawResult& law, laws::LawEntry const& entry, campaign::Contents const& contents) {
+  std::vector<std::string> names;
+  std::vector<lot::DeviceEstimate> estimates;
+  for (auto const& fit : law.devices) {
+    if (!fit.optimum) continue;
+    auto const device = std::ranges::find(contents.devices, fit.device, &campaign::Device::name);
+    auto const* a = contents.analysis_of(static_cast<std::size_t>(device - contents.devices.begin()), law.id);
+    std::vector<std::size_t> free, kept;
+    for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
+      if (!fit.parameters[i].free) continue;
+      free.push_back(i);
+      if (!law.reduced || fit.parameters[i].name != entry.redundant) kept.push_back(i);
+    }
+    auto const& values = a->determination.optimum;
+    auto covariance = uncertainty(fit, *a);
+    lot::DeviceEstimate estimate;
+    if (law.reduced) {
+      estimate = reduced(entry, values, free, covariance, kept);
+    } else {
+      for (auto const i : free) estimate.values.push_back(values[i]);
+      estimate.covariance = std::move(covariance);
+    }
+    if (names.empty())
+      for (auto const i : kept) names.push_back(fit.parameters[i].name);
+    estimates.push_back(std::move(estimate));
+  }
+  if (estimates.empty() || names.empty()) return;
+  try {
+    law.population = lot::estimate_population(names, estimates, undetermined_everywhere(law, names));
+  } catch (Error const& error) {
+    lot::Population empty;
+    empty.note = error.what();
+    law.population = std::move(empty);
+  }
+}
+
+void add_prediction(LawResult& law) {
+  double fitted = 0.0, predicted = 0.0, worst = 0.0;
+  std::size_t devices = 0;
+  for (auto const& fit : law.devices) {
+    double sums[2] = {0.0, 0.0};
+    int counts[2] = {0, 0};
+    for (auto const& score : fit.blocks) {
+      sums[score.fitted ? 0 : 1] += score.objective;
+      ++counts[score.fitted ? 0 : 1];
+      if (!score.fitted) worst = std::max(worst, score.objective);
+    }
+    if (counts[0] == 0 || counts[1] == 0) continue;
+    fitted += sums[0] / counts[0];
+    predicted += sums[1] / counts[1];
+    ++devices;
+  }
+  if (devices == 0) return;
+  law.fitted_objective = fitted / static_cast<double>(devices);
+  law.predicted_objective = predicted / static_cast<double>(devices);
+  law.worst_predicted = worst;
+  law.prediction_collapses =
+      !(worst <= collapsed_objective) || (*law.predicted_objective >= collapsed_least &&
+                                          *law.predicted_objective > collapsed_ratio * *law.fitted_objective);
+}
+
+void mark(Summary& summary, std::optional<double> LawResult::*robust, std::optional<double> LawResult::*accurate,
+          bool LawResult::*on_front) {
+  std::vector<double> x, y;
+  for (auto const& law : summary.laws) {
+    bool const both = law.*robust && law.*accurate;
+    x.push_back(both ? *(law.*robust) : none);
+    y.push_back(both ? *(law.*accurate) : none);
+  }
+  auto const front = opt::non_dominated(x, y);
+  for (std::size_t i = 0; i < summary.laws.size(); ++i) summary.laws[i].*on_front = front[i] && x[i] < none;
+}
+
+struct Property {
+  std::string name, unit;
+  std::vector<double> values;  // by device of the summary; NaN: it has none
+};
+
+std::vector<Property> properties_of(Summary const& summary) {
+  double const absent = std::nan("");
+  std::vector<Property> made{
+      {"effective stiffness", "kN/mm", {}}, {"dissipated energy", "kN mm", {}}, {"equivalent damping", "%", {}}};
+  for (auto const& device : summary.devices) {
+    auto const& cycle = device.properties.reported;
+    made[0].values.push_back(cycle ? cycle->K_eff_kN_per_mm : absent);
+    made[1].values.push_back(cycle ? cycle->energy_kN_mm : absent);
+    made[2].values.push_back(cycle ? cycle->damping_percent : absent);
+  }
+  auto const add = [&](LawResult const& law, std::string name, std::optional<double> DeviceFit::*value) {
+    Property property{std::move(name), "", std::vector<double>(summary.devices.size(), absent)};
+    for (auto const& fit : law.devices) {
+      auto const device = std::ranges::find(summary.devices, fit.device, &DeviceResult::name);
+      if (fit.*value) property.values[static_cast<std::size_t>(device - summary.devices.begin())] = *(fit.*value);
+    }
+    made.push_back(std::move(property));
+  };
+  for (auto const& law : summary.laws) {
+    add(law, fmt::format("misfit of {}", law.id), &DeviceFit::optimum);
+    add(law, fmt::format("misfit of {} as fitted to the other devices", law.id), &DeviceFit::left_out_objective);
+  }
+  return made;
+}
+
+void add_outliers(Summary& summary) {
+  auto const properties = properties_of(summary);
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> values;
+  for (auto const& property : properties) {
+    names.push_back(property.name);
+    values.push_back(property.values);
+  }
+  for (auto const& found : lot::find_outliers(names, values)) {
+    // A misfit below the others' is no fault of a device.
+    if (properties[found.property].unit.empty() && found.score < 0.0) continue;
+    summary.outliers.push_back({.device = summary.devices[found.device].name,
+                                .property = properties[found.property].name,
+                                .unit = properties[found.property].unit,
+                                .value = found.value,
+                                .median = found.median,
+                                .score = found.score,
+                                .percent = found.percent});
+  }
+}
+
+}  // namespace
+
+void add_analysis(DeviceFit& made, campaign::Contents const& contents, campaign::Search const& search) {
+  add_success(made, contents, search);
+  add_blocks(made, contents.devices[search.device].record);
+  auto const* found = contents.analysis_of(search.device, search.law);
+  if (found == nullptr) return;
+  auto const& determination = found->determination;
+  auto const& intervals = found->intervals;
+  made.optimum = determination.objective;
+  made.rise = determination.rise;
+  for (auto const& trade_off : determination.trade_offs) made.trade_offs.push_back(trade_off.sentence);
+  made.interval_level = intervals.level;
+  made.interval_samples = intervals.samples;
+  made.interval_block = intervals.block;
+  made.interval_replicates = intervals.replicates;
+  for (std::size_t i = 0; i < determination.parameters.size(); ++i) {
+    auto const& p = determination.parameters[i];
+    auto const& interval = intervals.parameters[i];
+    made.parameters[p.parameter].analysis = ParameterAnalysis{.optimum = determination.optimum[p.parameter],
+                                                              .identifiability = std::string(analysis::name(p.verdict)),
+                                                              .open_lower = p.lower,
+                                                              .open_upper = p.upper,
+                                                              .open_below = p.open_below,
+                                                              .open_above = p.open_above,
+                                                              .linear_lower = interval.linear_lower,
+                                                              .linear_upper = interval.linear_upper,
+                                                              .bootstrap_lower = interval.bootstrap_lower,
+                                                              .bootstrap_upper = interval.bootstrap_upper,
+                                                              .profile_value = p.profile.value,
+                                                              .profile_objective = p.profile.objective};
+  }
+}
+
+void add_lot_analysis(LawResult& law, campaign::Contents const& contents) {
+  auto const& entry = laws::find_law(law.id);
+  double usable = 0.0, found = 0.0;
+  for (auto const& fit : law.devices) {
+    if (!fit.success_share) continue;
+    double const runs = fit.runs - fit.failed_runs;
+    usable += runs;
+    found += runs * *fit.success_share;
+    law.success_reference = fit.success_reference;
+  }
+  if (usable > 0.0) law.success_share = found / usable;
+  add_prediction(law);
+  if (!contents.settings.analysis) {
+    law.beta_converged_note = "no analysis was asked for";
+    return;
+  }
+  if (!entry.redundant.empty())
+    for (auto const& p : parameters_of_search(contents, law.id))
+      if (p.free && p.name == entry.redundant)
+        law.reduced_form = fmt::format("--set {}.{}={}", law.id, entry.redundant, entry.redundant_value);
+  add_converged_beta(law, entry);
+  add_population(law, entry, contents);
+
+  auto const fit_of = [&](std::size_t device) {
+    return std::ranges::find(law.devices, contents.devices[device].name, &DeviceFit::device);
+  };
+  auto const lot = std::ranges::find(contents.lot_analyses, law.id, &campaign::LotAnalysis::law);
+  if (lot != contents.lot_analyses.end() && !lot->mean.parameters.empty()) {
+    LotLaw made{.parameters = lot->mean.parameters,
+                .worst_parameters = lot->worst.law.parameters,
+                .mean = lot->mean.mean,
+                .worst = lot->mean.worst,
+                .worst_device = {},
+                .least_worst = lot->worst.law.worst,
+                .least_worst_bound = lot->worst.bound};
+    for (std::size_t i = 0; i < lot->devices.size(); ++i) {
+      auto const fit = fit_of(lot->devices[i]);
+      fit->lot_objective = lot->mean.objectives[i];
+      fit->worst_objective = lot->worst.law.objectives[i];
+      if (lot->mean.objectives[i] == lot->mean.worst) made.worst_device = fit->device;
+    }
+    law.lot = std::move(made);
+  }
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (auto const& left_out : contents.left_out) {
+    if (left_out.law != law.id || !std::isfinite(left_out.left_out.objective)) continue;
+    auto const fit = fit_of(left_out.device);
+    double const objective = left_out.left_out.objective;
+    fit->left_out_objective = objective;
+    sum += objective;
+    ++count;
+    if (objective > law.loo_worst.value_or(0.0)) {
+      law.loo_worst = objective;
+      law.loo_worst_device = fit->device;
+    }
+  }
+  if (count > 0) law.loo_objective = sum / static_cast<double>(count);
+}
+
+void add_converged_views(Summary& summary) {
+  if (summary.missing_runs() > 0 || summary.missing_analyses() > 0)
+    return;  // laws would be compared on different devices
+  mark(summary, &LawResult::beta_converged, &LawResult::objective_converged, &LawResult::on_front_converged);
+  mark(summary, &LawResult::loo_objective, &LawResult::objective_converged, &LawResult::on_front_loo);
+  add_outliers(summary);
+}
+
+}  // namespace isolaw::study

@@ -1,0 +1,24 @@
+// The part of a summary that rests on the analyses: what the tests determine, the lot's law, prediction.
+#pragma once
+
+#include "isolaw/campaign/contents.hpp"
+#include "isolaw/study/summary.hpp"
+
+namespace isolaw::study {
+
+// A run this close to the least objective of its campaign, relative, has found it.
+inline constexpr double found_within = 1e-3;
+// A prediction has collapsed where a block is missed by more than its force's standard deviation, as a constant force would,
+// or by a visible part of it that is this many times what the law misses the blocks it was fitted to.
+inline constexpr double collapsed_objective = 1.0, collapsed_ratio = 10.0, collapsed_least = 0.2;
+
+// `made` is what build_summary has made of the search so far; needs its best run's forces.
+void add_analysis(DeviceFit& made, campaign::Contents const& contents, campaign::Search const& search);
+
+// After every device's fit of the law is there.
+void add_lot_analysis(LawResult& law, campaign::Contents const& contents);
+
+// After every law: the fronts without noise, and devices that stand apart.
+void add_converged_views(Summary& summary);
+
+}  // namespace isolaw::study

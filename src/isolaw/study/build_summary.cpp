@@ -1,0 +1,294 @@
+#include "isolaw/study/build_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "isolaw/campaign/maker.hpp"
+#include "isolaw/data/properties.hpp"
+#include "isolaw/fit/objective.hpp"
+#include "isolaw/lot/robustness.hpp"
+#include "isolaw/num/statistics.hpp"
+#include "isolaw/opt/pareto.hpp"
+#include "isolaw/study/acceptance.hpp"
+#include "isolaw/study/build_analysis.hpp"
+
+namespace isolaw::study {
+namespace {
+
+using Runs = std::vector<campaign::Run const*>;
+
+Statistic statistic(std::vector<double> const& values) {
+  if (values.empty()) return {};
+  auto const m = num::moments(values);
+  Statistic made{.mean = m.mean, .std = std::nullopt, .best = std::nullopt};
+  if (m.count > 1) made.std = m.std;
+  return made;
+}
+
+template <class Get>
+std::vector<double> collect(Runs const& runs, Get&& get) {
+  std::vector<double> values;
+  for (auto const* run : runs) values.push_back(get(*run));
+  return values;
+}
+
+DeviceResult device_result(campaign::Device const& device, int smooth) {
+  DeviceResult result{.name = device.name,
+                      .file = device.file,
+                      .sha256 = device.raw.sha256,
+                      .status = device.usable() ? "ok" : "refused",
+                      .message = device.refusal,
+                      .serial = device.info.serial,
+                      .lot = device.info.lot,
+                      .test_date = device.info.test_date,
+                      .temperature_C = device.info.temperature_C,
+                      .rubber_thickness_mm = device.info.rubber_thickness_mm,
+                      .rubber_area_mm2 = device.info.rubber_area_mm2,
+                      .raw = device.raw,
+                      .record = device.record,
+                      .properties = {},
+                      .notes = {},
+                      .effects = {},
+                      .acceptance = {}};
+  if (!device.usable()) {
+    result.properties.refusal = device.refusal;
+    return result;
+  }
+  result.properties = data::cyclic_properties(device.raw);
+  auto budget = data::error_budget(device.raw, result.properties, smooth);
+  result.notes = std::move(budget.notes);
+  result.effects = std::move(budget.effects);
+  // What reading the record has warned of knew of no moving average: it belongs to what the laws are fitted to.
+  if (smooth > 1) {
+    auto const read = data::error_budget(device.raw, result.properties).warnings;
+    for (auto const& warning : budget.warnings)
+      if (std::ranges::find(read, warning) == read.end()) result.raw.warnings.push_back(warning);
+  }
+  return result;
+}
+
+ParameterFit parameter_fit(fit::SearchParameter const& searched, std::size_t index, Runs const& usable,
+                           campaign::Run const* best) {
+  ParameterFit made{.name = searched.name,
+                    .unit = searched.unit,
+                    .free = searched.free,
+                    .lower = searched.lower,
+                    .upper = searched.upper,
+                    .value = {},
+                    .percent_of_lot = std::nullopt,
+                    .at_bound = "",
+                    .tied_to = "",
+                    .analysis = std::nullopt};
+  made.value = statistic(collect(usable, [&](campaign::Run const& run) { return run.parameters[index]; }));
+  if (best == nullptr) return made;
+  made.value.best = best->parameters[index];
+  auto const bound = fit::at_bound(searched, *made.value.best);
+  made.at_bound = bound == fit::AtBound::lower ? "lower" : bound == fit::AtBound::upper ? "upper" : "";
+  return made;
+}
+
+// The cycle on which a fit is compared: the reported one; where laws are judged by a part of the record, the third of
+// the cycles in it (the last where there are fewer), of the block of largest amplitude.
+std::optional<data::Cycle> compared_cycle(data::Properties const& measured, data::FitRecord const& record) {
+  if (record.scored.empty() || !measured.reported) return measured.reported;
+  auto const is_scored = [&](data::Cycle const& cycle) {
+    return record.is_scored(std::min(record.size() - 1, static_cast<std::size_t>((cycle.first + cycle.last) / 2.0)));
+  };
+  std::optional<data::Cycle> chosen;
+  double largest = 0.0;
+  for (auto const& block : measured.blocks) {
+    std::vector<data::Cycle const*> scored;
+    for (auto const* cycle : block.counted())
+      if (is_scored(*cycle)) scored.push_back(cycle);
+    if (scored.empty() || block.amplitude_mm <= largest) continue;
+    largest = block.amplitude_mm;
+    chosen = *scored[std::min<std::size_t>(scored.size(), 3) - 1];
+  }
+  return chosen;
+}
+
+// Errors of the best fit against the record the law saw.
+void compare_properties(DeviceFit& made, data::FitRecord const& record) {
+  auto const time = record.has_time() ? std::span<double const>(record.time_s) : std::span<double const>();
+  auto const cycle =
+      compared_cycle(data::cyclic_properties(data::CycleView{record.disp_mm, record.force_kN, time, {}}), record);
+  if (!cycle) return;
+  auto const& reference = *cycle;
+  auto const computed = data::properties_on(reference, record.disp_mm, made.force_kN);
+  auto const error = [](double value, double truth) {
+    return truth != 0.0 ? std::optional(100.0 * (value - truth) / truth) : std::nullopt;
+  };
+  made.K_eff_error_percent = error(computed.K_eff_kN_per_mm, reference.K_eff_kN_per_mm);
+  made.energy_error_percent = error(computed.energy_kN_mm, reference.energy_kN_mm);
+  made.damping_error_percent = error(computed.damping_percent, reference.damping_percent);
+}
+
+DeviceFit device_fit(campaign::Contents const& contents, campaign::Search const& search, Runs const& runs) {
+  auto const& device = contents.devices[search.device];
+  DeviceFit made;
+  made.device = device.name;
+  made.refusal = search.refusal;
+  if (!search.refusal.empty()) return made;
+
+  Runs usable;
+  for (auto const* run : runs) {
+    if (run->usable()) usable.push_back(run);
+    made.histories.push_back(run->history);
+  }
+  made.runs = static_cast<int>(runs.size());
+  made.missing_runs = contents.settings.runs - made.runs;
+  made.failed_runs = static_cast<int>(runs.size() - usable.size());
+  if (runs.empty()) made.failure = "no run has finished yet";
+  for (auto const* run : runs) {
+    made.evaluations += static_cast<std::uint64_t>(run->evaluations);
+    made.failed_evaluations += static_cast<std::uint64_t>(run->failed_evaluations);
+    if (made.failure.empty()) made.failure = run->failure;
+  }
+  campaign::Run const* best = nullptr;
+  for (auto const* run : usable)
+    if (best == nullptr || run->objective < best->objective) best = run;
+
+  made.objective = statistic(collect(usable, [](campaign::Run const& run) { return run.objective; }));
+  for (std::size_t i = 0; i < search.box.parameters.size(); ++i)
+    made.parameters.push_back(parameter_fit(search.box.parameters[i], i, usable, best));
+  for (std::size_t i = 0; i < search.box.parameters.size(); ++i)
+    if (auto const other = search.box.parameters[i].tied_to)
+      made.parameters[i].tied_to = search.box.parameters[*other].name;
+  if (best == nullptr) return made;
+
+  made.objective.best = best->objective;
+  made.integration_shift = best->integration_shift;
+  fit::LawOnRecord const model(laws::find_law(search.law), device.record, contents.settings.integration,
+                               contents.settings.turning_points, best->refinement);
+  made.force_kN = model.force_kN(best->parameters);
+  made.refinement = best->refinement;
+  compare_properties(made, device.record);
+  add_analysis(made, contents, search);
+  return made;
+}
+
+// Device means of one parameter, in the order of the fits that have one.
+std::vector<double> means_of(LawResult const& law, std::size_t parameter) {
+  std::vector<double> means;
+  for (auto const& fit : law.devices)
+    if (fit.objective.mean) means.push_back(*fit.parameters[parameter].value.mean);
+  return means;
+}
+
+void add_lot_statistics(LawResult& law) {
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> device_means;
+  auto const first = std::ranges::find_if(law.devices, [](auto const& fit) { return fit.objective.mean.has_value(); });
+  if (first == law.devices.end()) {
+    law.beta_note = "no device was identified";
+    return;
+  }
+  for (std::size_t i = 0; i < first->parameters.size(); ++i) {
+    auto const means = means_of(law, i);
+    bool const compared = first->parameters[i].free && means.size() > 1;
+    auto const differences = compared ? lot::percent_differences(means) : std::vector<double>{};
+    for (std::size_t d = 0, k = 0; d < law.devices.size(); ++d)
+      if (law.devices[d].objective.mean && k < differences.size())
+        law.devices[d].parameters[i].percent_of_lot = differences[k++];
+    if (!first->parameters[i].free) continue;
+    names.push_back(first->parameters[i].name);
+    device_means.push_back(means);
+  }
+  auto const robustness = lot::robustness_index(names, device_means);
+  law.beta = robustness.beta;
+  law.beta_note = robustness.note;
+}
+
+// Accuracy of a law: mean over devices of the mean over runs; its spread is over all runs.
+void add_accuracy(LawResult& law, std::vector<double> const& all_objectives) {
+  std::vector<double> means;
+  for (auto const& fit : law.devices)
+    if (fit.objective.mean) means.push_back(*fit.objective.mean);
+  if (means.empty()) return;
+  law.objective = statistic(all_objectives);
+  law.objective.mean = num::moments(means).mean;
+  law.objective.best = *std::ranges::min_element(all_objectives);
+}
+
+void mark_front(std::vector<LawResult>& laws) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  std::vector<double> robustness, accuracy;
+  for (auto const& law : laws) {
+    robustness.push_back(law.beta.value_or(none));
+    accuracy.push_back(law.objective.mean.value_or(none));
+  }
+  auto const on_front = opt::non_dominated(robustness, accuracy);
+  for (std::size_t i = 0; i < laws.size(); ++i) laws[i].on_front = on_front[i];
+}
+
+}  // namespace
+
+bool acceptance_failed(Summary const& summary) {
+  return lot_failed(summary.acceptance) || std::ranges::any_of(summary.devices, [](auto const& device) {
+           return any_failed(device.acceptance.assessments);
+         });
+}
+
+void add_acceptance(Summary& summary, rules::RuleSet const& rules, rules::Design const& design,
+                    std::optional<int> lot_size) {
+  std::vector<AssessedTest> tests;
+  for (auto const& device : summary.devices)
+    tests.push_back({device.name, &device.properties, device.rubber_thickness_mm, device.rubber_area_mm2});
+  std::vector<DeviceAcceptance> devices;
+  summary.acceptance = assess_lot(rules, design, lot_size, tests, devices);
+  for (std::size_t d = 0; d < devices.size(); ++d) summary.devices[d].acceptance = std::move(devices[d]);
+}
+
+Summary build_summary(campaign::Contents const& contents) {
+  Summary summary;
+  summary.version = ISOLAW_VERSION;
+  summary.makers = campaign::builds(contents.makers);
+  summary.title = contents.title;
+  summary.seed = contents.settings.seed;
+  summary.runs = contents.runs.size();
+  summary.expected_runs = contents.expected_runs();
+  summary.analyses = contents.analyses();
+  summary.expected_analyses = contents.expected_analyses();
+  for (auto const& [key, json] : campaign::to_pairs(contents.settings))
+    if (key != "seed") summary.settings.push_back({key, json});
+  for (auto const& device : contents.devices)
+    summary.devices.push_back(device_result(device, contents.settings.clean.smooth));
+
+  for (auto const& id : contents.settings.laws) {
+    auto const& entry = laws::find_law(id);
+    LawResult law;
+    law.id = id;
+    law.title = std::string(entry.info.title);
+    if (!entry.info.note.empty()) law.notes.emplace_back(entry.info.note);
+    std::vector<double> all_objectives;
+    for (auto const& search : contents.searches) {
+      if (search.law != id) continue;
+      Runs runs;
+      auto const key = [](campaign::Run const& run) { return std::pair(run.device, std::string_view(run.law)); };
+      std::pair const wanted(search.device, std::string_view(id));
+      for (auto run = std::ranges::lower_bound(contents.runs, wanted, {}, key);
+           run != contents.runs.end() && key(*run) == wanted; ++run) {
+        runs.push_back(&*run);
+        if (run->usable()) all_objectives.push_back(run->objective);
+      }
+      law.devices.push_back(device_fit(contents, search, runs));
+    }
+    add_accuracy(law, all_objectives);
+    add_lot_statistics(law);
+    add_lot_analysis(law, contents);
+    summary.laws.push_back(std::move(law));
+  }
+  mark_front(summary.laws);
+  add_converged_views(summary);
+  auto const& asked = summary.asked = contents.acceptance;
+  add_acceptance(summary, asked.rules.empty() ? rules::RuleSet{} : rules::read_rule_text(asked.rules, asked.rules_file),
+                 asked.design.empty() ? rules::Design{} : rules::parse_design(asked.design), asked.lot_size);
+  return summary;
+}
+
+}  // namespace isolaw::study

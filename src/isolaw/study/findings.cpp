@@ -1,0 +1,425 @@
+#include "isolaw/study/findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "isolaw/study/analysis_findings.hpp"
+
+namespace isolaw::study {
+namespace {
+
+using Names = std::vector<std::string>;
+
+double objective_or_infinity(LawResult const& law) {
+  return law.objective.mean.value_or(std::numeric_limits<double>::infinity());
+}
+
+// Nobody reads three hundred digits.
+std::string with_decimals(double value, int decimals) {
+  constexpr double largest = 1e6;
+  return std::abs(value) < largest ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.3g}", value);
+}
+
+// A fraction as a percentage a person says aloud: two significant digits below ten, none behind the point above.
+std::string percent(double fraction) {
+  double const value = 100.0 * fraction;
+  return with_decimals(value, std::abs(value) < 9.95 ? 1 : 0) + " %";
+}
+
+// Objectives differ in their third digit, so they keep one decimal.
+std::string error_percent(LawResult const& law) {
+  return with_decimals(100.0 * *law.objective.mean, 1) + " %";
+}
+
+bool ranked(LawResult const& law) {
+  return law.objective.mean && law.beta;
+}
+
+bool dominates(LawResult const& a, LawResult const& b) {
+  bool const no_worse = *a.objective.mean <= *b.objective.mean && *a.beta <= *b.beta;
+  return no_worse && (*a.objective.mean < *b.objective.mean || *a.beta < *b.beta);
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty() && text.front() >= 'a' && text.front() <= 'z') text.front() = static_cast<char>(text.front() - 32);
+  return text;
+}
+
+// What the objective and beta say of a law, in words.
+std::string accuracy(LawResult const& law) {
+  return fmt::format("misses the measured force by {} of its standard deviation on average", error_percent(law));
+}
+
+std::string scatter(LawResult const& law) {
+  return fmt::format("parameters lie up to {} from the lot's mean, averaged over the parameters", percent(*law.beta));
+}
+
+// Whoever is told to take a law must know that it holds only where it was fitted.
+std::string caution(LawResult const& law) {
+  return law.prediction_collapses ? " Its prediction collapses: only for the blocks it was fitted to." : "";
+}
+
+// Of the laws between the ends of the front, the place of the one nearest to having the best of both, each measured by the
+// front's extent; the front's size where there is none. No compromise is a law whose prediction collapses, or that leaves the
+// front with the optimiser's noise.
+std::size_t compromise(Summary const& summary, std::vector<std::size_t> const& front) {
+  auto const& laws = summary.laws;
+  bool const analysed = std::ranges::any_of(laws, &LawResult::on_front_converged);
+  auto best = front.size();
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t place = 1; place + 1 < front.size(); ++place) {
+    auto const &law = laws[front[place]], &accurate = laws[front.front()], &robust = laws[front.back()];
+    double const error =
+        (*law.objective.mean - *accurate.objective.mean) / (*robust.objective.mean - *accurate.objective.mean);
+    double const scatter = (*law.beta - *robust.beta) / (*accurate.beta - *robust.beta);
+    double const distance = std::hypot(error, scatter);
+    if (law.prediction_collapses || (analysed && !law.on_front_converged) || !(distance < least)) continue;
+    least = distance;
+    best = place;
+  }
+  return best;
+}
+
+Verdict front_verdict(Summary const& summary, std::vector<std::size_t> const& front, std::size_t place) {
+  auto const& laws = summary.laws;
+  auto const& law = laws[front[place]];
+  Verdict verdict{front[place], Role::between, {}, {}};
+  if (front.size() == 1) {
+    verdict.role = Role::best_of_both;
+    verdict.sentence =
+        fmt::format("No law is more accurate and none is more robust: it {}, and its {}.", accuracy(law), scatter(law));
+  } else if (place == 0) {
+    verdict.role = Role::most_accurate;
+    verdict.sentence = fmt::format("{}; its {}.", capitalised(accuracy(law)), scatter(law));
+  } else if (place + 1 == front.size()) {
+    auto const& accurate = laws[front.front()];
+    verdict.role = Role::most_robust;
+    verdict.sentence = fmt::format("Its {}, the least of all; the price is an error of {} against {} for {}.",
+                                   scatter(law), error_percent(law), error_percent(accurate), accurate.id);
+  } else {
+    auto const& accurate = laws[front[place - 1]];
+    auto const& robust = laws[front[place + 1]];
+    if (place == compromise(summary, front)) verdict.role = Role::compromise;
+    verdict.sentence =
+        fmt::format("Scatters less than {} ({} against {}) and errs less than {} ({} against {}).", accurate.id,
+                    percent(*law.beta), percent(*accurate.beta), robust.id, error_percent(law), error_percent(robust));
+  }
+  verdict.sentence += caution(law);
+  return verdict;
+}
+
+Verdict dominated_verdict(Summary const& summary, std::vector<std::size_t> const& front, std::size_t index) {
+  auto const& law = summary.laws[index];
+  Verdict verdict{index, Role::dominated, {}, {}};
+  for (std::size_t const other : front)
+    if (dominates(summary.laws[other], law)) verdict.dominated_by.push_back(summary.laws[other].id);
+  auto const numbers = fmt::format("error {}, scatter {}", error_percent(law), percent(*law.beta));
+  verdict.sentence = verdict.dominated_by.empty()
+                         ? fmt::format("is not on the front ({}).", numbers)
+                         : fmt::format("is dominated by {} ({}).", enumerate(verdict.dominated_by), numbers);
+  return verdict;
+}
+
+Verdict unranked_verdict(LawResult const& law, std::size_t index, LawResult const& best) {
+  Verdict verdict{index, Role::unranked, {}, {}};
+  if (!law.objective.mean) {
+    verdict.sentence = "was not identified on any device.";
+  } else if (&law == &best) {
+    verdict.sentence = fmt::format("{}, the least of all.{}", accuracy(law), caution(law));
+  } else {
+    verdict.sentence = fmt::format("has a mean error of {}, {} times that of {}.", error_percent(law),
+                                   with_decimals(*law.objective.mean / *best.objective.mean, 2), best.id);
+  }
+  return verdict;
+}
+
+std::string headline(Summary const& summary, std::vector<std::size_t> const& front,
+                     std::vector<std::size_t> const& ranking) {
+  auto const& laws = summary.laws;
+  auto const flagged = [&](std::size_t index) {
+    return laws[index].id + (laws[index].prediction_collapses ? ", whose prediction collapses" : "");
+  };
+  if (front.size() == 1)
+    return fmt::format("{} is both the most accurate and the most robust law.{}", laws[front[0]].id,
+                       caution(laws[front[0]]));
+  if (front.size() > 1) {
+    auto const middle = compromise(summary, front);
+    return fmt::format(
+        "{} of {} laws are worth considering: the choice lies between accuracy ({}) and robustness ({}){}.",
+        front.size(), laws.size(), flagged(front.front()), flagged(front.back()),
+        middle < front.size() ? fmt::format("; the best compromise is {}", laws[front[middle]].id)
+        : front.size() > 2
+            ? "; none between them holds up (off the front without the optimiser's noise, or its prediction collapses)"
+            : "");
+  }
+  if (ranking.empty() || !laws[ranking.front()].objective.mean) return "No law could be identified.";
+  return fmt::format("{} is the most accurate law; how robust it is cannot be said.{}", laws[ranking.front()].id,
+                     caution(laws[ranking.front()]));
+}
+
+void warn_of_missing_runs(Summary const& summary, std::vector<Warning>& warnings) {
+  if (summary.missing_runs() > 0)
+    warnings.push_back(
+        {"not complete", fmt::format("not complete: {} of {} runs are there; every number and the choice "
+                                     "of a law may still change",
+                                     summary.runs, summary.expected_runs)});
+  else if (summary.missing_analyses() > 0)
+    warnings.push_back({"not complete", fmt::format("not complete: {} of {} analyses are there", summary.analyses,
+                                                    summary.expected_analyses)});
+}
+
+// A record under two names counts twice, and makes parameters look less scattered than they are.
+void warn_of_copies(Summary const& summary, std::vector<Warning>& warnings) {
+  std::vector<std::vector<DeviceResult const*>> groups;  // devices of one record each
+  for (auto const& device : summary.devices) {
+    if (device.status != "ok" || device.raw.size() == 0) continue;
+    auto const same = [&](auto const& group) {
+      auto const& other = group.front()->raw;
+      return other.disp_mm == device.raw.disp_mm && other.force_kN == device.raw.force_kN;
+    };
+    auto found = std::find_if(groups.begin(), groups.end(), same);
+    if (found == groups.end()) found = groups.insert(groups.end(), {{}});
+    found->push_back(&device);
+  }
+  for (auto const& group : groups) {
+    if (group.size() < 2) continue;
+    Names names;
+    for (auto const* device : group) names.push_back(device->name);
+    warnings.push_back({"copies", fmt::format("{} hold the same record, which counts {} times in every mean and spread "
+                                              "over the devices",
+                                              enumerate(names), group.size())});
+  }
+}
+
+void warn_of_devices(Summary const& summary, std::vector<Warning>& warnings) {
+  for (auto const& device : summary.devices)
+    if (device.status != "ok")
+      warnings.push_back({"refused", fmt::format("{} was refused: {}", device.name, device.message)});
+}
+
+void warn_of_refused_laws(LawResult const& law, std::vector<Warning>& warnings) {
+  std::vector<std::pair<std::string, Names>> reasons;  // in order of first appearance
+  for (auto const& fit : law.devices) {
+    if (fit.refusal.empty()) continue;
+    auto const same = [&](auto const& reason) { return reason.first == fit.refusal; };
+    auto found = std::find_if(reasons.begin(), reasons.end(), same);
+    if (found == reasons.end()) found = reasons.insert(reasons.end(), {fit.refusal, {}});
+    found->second.push_back(fit.device);
+  }
+  for (auto const& [reason, devices] : reasons) {
+    auto text = fmt::format("{} was not identified on {}: {}", law.id, enumerate(devices), reason);
+    if (law.objective.mean) text += fmt::format("; its mean and beta cover the other devices only");
+    warnings.push_back({"law not identified", std::move(text)});
+  }
+}
+
+void warn_of_failed_runs(LawResult const& law, std::vector<Warning>& warnings) {
+  int failed = 0, runs = 0;
+  std::string first;
+  for (auto const& fit : law.devices) {
+    runs += fit.runs;
+    failed += fit.failed_runs;
+    if (first.empty() && fit.failed_runs > 0) first = fmt::format("{}: {}", fit.device, fit.failure);
+  }
+  if (failed > 0)
+    warnings.push_back(
+        {"failed runs", fmt::format("{}: {} of {} runs failed, the first on {}", law.id, failed, runs, first)});
+}
+
+// What an optimiser tried in vain is no fault of the result, but it belongs to how the result was found.
+void warn_of_failed_evaluations(LawResult const& law, std::vector<Warning>& warnings) {
+  std::uint64_t failed = 0, evaluations = 0;
+  for (auto const& fit : law.devices) {
+    evaluations += fit.evaluations;
+    failed += fit.failed_evaluations;
+  }
+  if (failed > 0)
+    warnings.push_back(
+        {"failed evaluations",
+         fmt::format("{}: {} of {} parameter sets tried ({}) gave no finite force and were passed over", law.id, failed,
+                     evaluations, percent(static_cast<double>(failed) / static_cast<double>(evaluations)))});
+}
+
+void warn_of_bounds(LawResult const& law, std::vector<Warning>& warnings) {
+  std::size_t fitted = 0;
+  std::vector<std::pair<std::pair<std::string, std::string>, Names>> at_bound;  // (parameter, side) and its devices
+  for (auto const& fit : law.devices) {
+    if (fit_status(fit) == "ok") ++fitted;
+    for (auto const& parameter : fit.parameters) {
+      if (parameter.at_bound.empty()) continue;
+      std::pair const edge{parameter.name, parameter.at_bound};
+      auto found =
+          std::find_if(at_bound.begin(), at_bound.end(), [&](auto const& entry) { return entry.first == edge; });
+      if (found == at_bound.end()) found = at_bound.insert(at_bound.end(), {edge, {}});
+      found->second.push_back(fit.device);
+    }
+  }
+  if (at_bound.empty()) return;
+  Names parts;
+  for (auto const& [edge, devices] : at_bound) {
+    auto const where = devices.size() == fitted && fitted > 1 ? fmt::format("all {} devices", fitted)
+                       : devices.size() > 3                   ? fmt::format("{} of {} devices", devices.size(), fitted)
+                                                              : enumerate(devices);
+    parts.push_back(fmt::format("{} at its {} bound on {}", edge.first, edge.second, where));
+  }
+  auto const shown = std::min<std::size_t>(parts.size(), 6);
+  std::string text =
+      fmt::format("{}: {}", law.id, fmt::join(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(shown), "; "));
+  if (shown < parts.size()) text += fmt::format("; and {} more", parts.size() - shown);
+  warnings.push_back({"at bound", std::move(text)});
+}
+
+void warn_of_integration(LawResult const& law, std::vector<Warning>& warnings) {
+  Names devices;
+  double largest = 0.0;
+  for (auto const& fit : law.devices) {
+    if (std::abs(fit.integration_shift.value_or(0.0)) <= large_integration_shift) continue;
+    devices.push_back(fit.device);
+    largest = std::max(largest, std::abs(*fit.integration_shift));
+  }
+  if (!devices.empty())
+    warnings.push_back(
+        {"integration",
+         std::isfinite(largest)
+             ? fmt::format("{}: a finer integration step would move the objective by up to {:.2g} on {}", law.id,
+                           largest, enumerate(devices))
+             : fmt::format("{}: its force is not finite in finer integration steps on {}: the result is of "
+                           "the steps, not of the law",
+                           law.id, enumerate(devices))});
+}
+
+void warn_of_records(Summary const& summary, std::vector<Warning>& warnings) {
+  for (auto const& device : summary.devices) {
+    if (device.status != "ok") continue;
+    bool told = false;  // reading the record may have said already that it has no cyclic properties
+    for (auto const& warning : device.raw.warnings) {
+      told = told || warning.starts_with("no cyclic properties");
+      warnings.push_back({"record", fmt::format("{}: {}", device.name, warning)});
+    }
+    if (!told && !device.properties.reported && !device.properties.refusal.empty())
+      warnings.push_back(
+          {"record", fmt::format("{}: no cyclic properties: {}", device.name, device.properties.refusal)});
+  }
+}
+
+std::vector<Warning> all_warnings(Summary const& summary) {
+  std::vector<Warning> warnings;
+  warn_of_missing_runs(summary, warnings);
+  warn_of_devices(summary, warnings);
+  warn_of_copies(summary, warnings);
+  for (auto const warn : {warn_of_refused_laws, warn_of_failed_runs, warn_of_failed_evaluations})
+    for (auto const& law : summary.laws) warn(law, warnings);
+  warn_of_analysis(summary, warnings);
+  for (auto const warn : {warn_of_bounds, warn_of_integration})
+    for (auto const& law : summary.laws) warn(law, warnings);
+  warn_of_records(summary, warnings);
+  return warnings;
+}
+
+std::string note_on_beta(Summary const& summary) {
+  if (std::any_of(summary.laws.begin(), summary.laws.end(), [](auto const& law) { return law.beta.has_value(); }))
+    return {};
+  for (auto const& law : summary.laws)
+    if (!law.beta_note.empty()) return law.beta_note;
+  return "no law has a robustness index";
+}
+
+}  // namespace
+
+std::string_view name(Role role) {
+  switch (role) {
+    case Role::best_of_both:
+      return "most accurate and most robust";
+    case Role::most_accurate:
+      return "most accurate";
+    case Role::most_robust:
+      return "most robust";
+    case Role::compromise:
+      return "best compromise";
+    case Role::between:
+      return "in between";
+    case Role::dominated:
+      return "dominated";
+    case Role::unranked:
+      break;
+  }
+  return "not ranked";
+}
+
+Findings findings(Summary const& summary) {
+  auto const ranking = by_objective(summary);
+  std::vector<std::size_t> front, dominated, unranked;
+  for (std::size_t const index : ranking) {
+    auto const& law = summary.laws[index];
+    (!ranked(law) ? unranked : law.on_front ? front : dominated).push_back(index);
+  }
+  Findings all;
+  all.headline = headline(summary, front, ranking);
+  for (std::size_t place = 0; place < front.size(); ++place)
+    all.verdicts.push_back(front_verdict(summary, front, place));
+  for (std::size_t const index : dominated) all.verdicts.push_back(dominated_verdict(summary, front, index));
+  for (std::size_t const index : unranked) {
+    auto verdict = unranked_verdict(summary.laws[index], index, summary.laws[ranking.front()]);
+    auto const& note = summary.laws[index].beta_note;
+    if (!front.empty() && !note.empty()) verdict.sentence += fmt::format(" No beta: {}.", note);
+    all.verdicts.push_back(std::move(verdict));
+  }
+  all.converged = converged_sentences(summary);
+  all.warnings = all_warnings(summary);
+  all.beta_note = note_on_beta(summary);
+  return all;
+}
+
+std::optional<double> largest_difference(LawResult const& law, std::size_t parameter) {
+  std::optional<double> largest;
+  for (auto const& fit : law.devices) {
+    if (parameter >= fit.parameters.size() || !fit.parameters[parameter].free) continue;
+    if (auto const& percent_of_lot = fit.parameters[parameter].percent_of_lot)
+      largest = std::max(largest.value_or(0.0), std::abs(*percent_of_lot) / 100.0);
+  }
+  return largest;
+}
+
+std::optional<double> mean_magnitude(LawResult const& law, std::optional<double> DeviceFit::*error) {
+  double sum = 0.0;
+  int count = 0;
+  for (auto const& fit : law.devices) {
+    if (!(fit.*error)) continue;
+    sum += std::abs(*(fit.*error));
+    ++count;
+  }
+  return count > 0 ? std::optional(sum / count) : std::nullopt;
+}
+
+std::vector<std::size_t> by_objective(Summary const& summary) {
+  std::vector<std::size_t> order(summary.laws.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return objective_or_infinity(summary.laws[a]) < objective_or_infinity(summary.laws[b]);
+  });
+  return order;
+}
+
+std::vector<ParameterFit> const& parameters_of(LawResult const& law) {
+  static std::vector<ParameterFit> const none;
+  for (auto const& fit : law.devices)
+    if (!fit.parameters.empty()) return fit.parameters;
+  return none;
+}
+
+std::string enumerate(std::vector<std::string> const& names, std::size_t most) {
+  std::string text;
+  std::size_t const shown = names.size() <= most ? names.size() : std::max<std::size_t>(most, 2) - 1;
+  for (std::size_t i = 0; i < shown; ++i) {
+    if (i > 0) text += i + 1 == names.size() ? " and " : ", ";
+    text += names[i];
+  }
+  if (shown < names.size()) text += fmt::format(" and {} more", names.size() - shown);
+  return text;
+}
+
+}  // namespace isolaw::study

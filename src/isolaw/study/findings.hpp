@@ -1,0 +1,69 @@
+// What the numbers of a campaign mean, in sentences: which law to take and why, and what a careful reader must know
+// before trusting it. The page and the terminal print the same findings.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/study/summary.hpp"
+
+namespace isolaw::study {
+
+// A finer integration step moving the objective by more than this is worth a warning.
+inline constexpr double large_integration_shift = 1e-3;
+
+enum class Role {
+  best_of_both,   // the only law on the front
+  most_accurate,  // the front's end of smallest objective
+  most_robust,    // the front's end of smallest beta
+  compromise,     // between them, nearest to the best of both in terms of the front's extent
+  between,        // also between them
+  dominated,
+  unranked  // without beta, or never identified
+};
+
+std::string_view name(Role role);  // "most accurate", "dominated", ...
+
+struct Verdict {
+  std::size_t law = 0;  // index into Summary::laws
+  Role role = Role::unranked;
+  std::string sentence;                   // starts in lower case when it continues after the law's name
+  std::vector<std::string> dominated_by;  // ids of laws on the front
+};
+
+struct Warning {
+  // "not complete", "refused", "copies", "law not identified", "failed runs", "prediction", "search", "undetermined",
+  // "outlier", "at bound", "integration", "record"
+  std::string topic;
+  std::string sentence;
+};
+
+struct Findings {
+  std::string headline;                // the decision in one sentence
+  std::vector<Verdict> verdicts;       // the front from accurate to robust, then dominated, then unranked laws
+  std::vector<Warning> warnings;       // most serious topic first
+  std::vector<std::string> converged;  // what changes without the optimiser's noise, and what an engineer meets
+  std::string beta_note;               // why no law has a beta; "" when one has
+};
+
+Findings findings(Summary const& summary);
+
+// Delta_n of the law's n-th parameter over the devices, as a fraction; empty when undefined or not calibrated.
+std::optional<double> largest_difference(LawResult const& law, std::size_t parameter);
+
+// Mean over devices of the magnitude of an error, `error` being a member such as &DeviceFit::K_eff_error_percent.
+std::optional<double> mean_magnitude(LawResult const& law, std::optional<double> DeviceFit::*error);
+
+// Indices of the laws by rising mean objective; laws without one come last, in their order.
+std::vector<std::size_t> by_objective(Summary const& summary);
+
+// A law's parameters as its first identified device lists them; empty when there is none.
+std::vector<ParameterFit> const& parameters_of(LawResult const& law);
+
+// "A, B and C"; beyond `most` names "A, B and 5 more".
+std::string enumerate(std::vector<std::string> const& names, std::size_t most = 5);
+
+}  // namespace isolaw::study

@@ -1,0 +1,173 @@
+// The campaign in numbers: everything that summary.json, the tables, the page and the terminal print. Plain data;
+// who prints it decides nothing.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/campaign/contents.hpp"
+#include "isolaw/data/error_budget.hpp"
+#include "isolaw/data/properties.hpp"
+#include "isolaw/data/record.hpp"
+#include "isolaw/lot/population.hpp"
+#include "isolaw/study/acceptance.hpp"
+
+namespace isolaw::study {
+
+struct Statistic {
+  std::optional<double> mean, std, best;  // empty: no usable run (std is empty below two runs)
+};
+
+// What the test of one device determines of a parameter, about the least objective.
+struct ParameterAnalysis {
+  double optimum = 0.0;
+  std::string identifiability;                  // "determined", "weakly determined", "undetermined", "at its bound"
+  double open_lower = 0.0, open_upper = 0.0;    // where the objective, all others fitted again, stays within the rise
+  bool open_below = false, open_above = false;  // that range ends at the box
+  double linear_lower = 0.0, linear_upper = 0.0;
+  std::optional<double> bootstrap_lower, bootstrap_upper;
+  std::vector<double> profile_value, profile_objective;
+};
+
+// A law on one block of a device's record.
+struct BlockScore {
+  int block = 0;
+  bool fitted = false;  // false: predicted
+  double objective = 0.0;
+};
+
+struct ParameterFit {
+  std::string name;
+  std::string unit;
+  bool free = true;  // false: fixed by default or by the user; then mean = best = the value, std = 0
+  double lower = 0.0, upper = 0.0;
+  Statistic value;
+  std::optional<double> percent_of_lot;  // difference of the mean from the mean over devices, percent
+  std::string at_bound;                  // "", "lower" or "upper": of the best run
+  std::string tied_to;                   // the parameter whose value it takes; "" for none
+  std::optional<ParameterAnalysis> analysis;
+};
+
+// One law on one device.
+struct DeviceFit {
+  std::string device;
+  std::string refusal;  // why the law was not identified here ("" when it was)
+  int runs = 0, failed_runs = 0, missing_runs = 0;
+  std::string failure;                                    // reason of the first failed run
+  std::uint64_t evaluations = 0, failed_evaluations = 0;  // parameter sets tried; of them, without a finite force
+  Statistic objective;
+  std::optional<double> K_eff_error_percent, energy_error_percent, damping_error_percent;
+  std::optional<double> integration_shift;
+  int refinement = 1;                   // integration steps per sample, of the best run
+  std::optional<double> success_share;  // of the usable runs: within 0.1 % of the least objective of the campaign
+  std::string success_reference;        // whose objective that is
+  std::optional<double> optimum;        // least objective of the analysis
+  std::optional<double> rise;           // of the objective, by which ranges of parameters are judged
+  std::vector<std::string> trade_offs;  // sentences
+  std::optional<double> interval_level;
+  std::size_t interval_samples = 0, interval_block = 0;
+  int interval_replicates = 0;
+  std::optional<double> lot_objective;       // with the one law of the lot, of least mean objective
+  std::optional<double> worst_objective;     // with the law that is least bad for the worst device
+  std::optional<double> left_out_objective;  // with the law of all other devices
+  std::vector<BlockScore> blocks;
+  std::vector<ParameterFit> parameters;        // in the law's order
+  std::vector<double> force_kN;                // computed by the best run at the samples of the device's FitRecord
+  std::vector<std::vector<double>> histories;  // per run: best objective after each generation
+};
+
+// "ok", "refused" (the law does not apply to the device) or "failed" (it was tried, and no run was usable).
+inline std::string_view fit_status(DeviceFit const& fit) {
+  if (!fit.refusal.empty()) return "refused";
+  return fit.objective.mean ? "ok" : "failed";
+}
+
+// One parameter vector for all devices, all of the law's parameters in its order.
+struct LotLaw {
+  std::vector<double> parameters, worst_parameters;
+  double mean = 0.0, worst = 0.0;  // objective with the former
+  std::string worst_device;
+  double least_worst = 0.0, least_worst_bound = 0.0;  // of the latter, and what no law can go below
+};
+
+struct LawResult {
+  std::string id, title;
+  Statistic objective;  // mean and best over devices and runs
+  std::optional<double> beta;
+  std::string beta_note;  // why beta is empty
+  bool on_front = false;
+  // Without the optimiser's noise: of the least objectives, see docs/method.md.
+  std::optional<double> success_share;
+  std::string success_reference;
+  std::optional<double> objective_converged, beta_converged;
+  std::string beta_converged_note;            // why it is empty
+  std::vector<std::string> left_out_of_beta;  // parameters that most tests do not determine
+  bool reduced = false;                       // beta_converged is of the form without the redundant parameter
+  bool on_front_converged = false;
+  std::optional<LotLaw> lot;
+  std::optional<double> loo_objective, loo_worst;  // mean and largest over the devices left out
+  std::string loo_worst_device;
+  bool on_front_loo = false;  // in accuracy against loo_objective
+  std::optional<lot::Population> population;
+  std::optional<double> fitted_objective, predicted_objective, worst_predicted;  // over blocks, then devices
+  bool prediction_collapses = false;
+  std::string reduced_form;  // how to search the form without the redundant parameter; "" where there is none to offer
+  std::vector<std::string> notes;  // how the law was read where the source is ambiguous
+  std::vector<DeviceFit> devices;
+};
+
+struct DeviceResult {
+  std::string name, file, sha256;
+  std::string status;   // "ok" or "refused"
+  std::string message;  // reason of a refusal
+  std::string serial, lot, test_date;
+  std::optional<double> temperature_C, rubber_thickness_mm, rubber_area_mm2;
+  data::TestRecord raw;            // empty when refused
+  data::FitRecord record;          // what the laws were fitted to
+  data::Properties properties;     // from raw values
+  std::vector<std::string> notes;  // numbers of the error budget that are worth knowing, beside the record's warnings
+  std::vector<data::Effect> effects;  // all of the error budget, for machines
+  DeviceAcceptance acceptance;
+};
+
+// A device that stands apart from its lot, and by what.
+struct OutlyingDevice {
+  std::string device, property, unit;
+  double value = 0.0, median = 0.0, score = 0.0, percent = 0.0;
+};
+
+struct Setting {
+  std::string key;
+  std::string json;  // its value as JSON text
+};
+
+struct Summary {
+  std::string version;                  // of this program
+  std::vector<campaign::Maker> makers;  // the builds that computed the campaign
+  std::string title;                    // of the lot
+  std::uint64_t seed = 0;
+  std::vector<Setting> settings;
+  std::vector<DeviceResult> devices;
+  std::vector<LawResult> laws;  // in the order asked for; none for an inspection
+  campaign::Acceptance asked;   // what `acceptance` was made from
+  LotAcceptance acceptance;
+  std::vector<OutlyingDevice> outliers;
+  std::size_t analyses = 0, expected_analyses = 0;
+  std::size_t runs = 0, expected_runs = 0;  // stored, and of a campaign that is complete
+
+  std::size_t missing_runs() const { return expected_runs > runs ? expected_runs - runs : 0; }
+  std::size_t missing_analyses() const { return expected_analyses > analyses ? expected_analyses - analyses : 0; }
+};
+
+// Some limit of a verified rule set is not kept, by a device or by the lot.
+bool acceptance_failed(Summary const& summary);
+
+// Fills in what rules and statistics say of the devices. Throws Error: the lot is smaller than the number of devices.
+void add_acceptance(Summary& summary, rules::RuleSet const& rules, rules::Design const& design,
+                    std::optional<int> lot_size);
+
+}  // namespace isolaw::study

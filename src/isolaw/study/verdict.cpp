@@ -1,0 +1,119 @@
+#include "isolaw/study/verdict.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "isolaw/base/printable.hpp"
+
+namespace isolaw::study {
+namespace {
+
+using rules::Verdict;
+
+void add_once(std::vector<std::string>& names, std::string const& name) {
+  if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+}
+
+// "K_eff" of "K_eff, positive side".
+std::string property_of(rules::Assessment const& a) {
+  return printable(a.quantity.substr(0, a.quantity.find(',')));
+}
+
+std::string failure(rules::Assessment const& a) {
+  if (!a.deviation.empty()) return fmt::format("{} {}", property_of(a), a.deviation);
+  if (!a.value) return property_of(a);
+  return fmt::format("{} {:.4g}{}{}", property_of(a), *a.value, a.unit.empty() ? "" : " ", a.unit);
+}
+
+// The part of a set's title that people call it by: "NTC 2018" of "NTC 2018, elastomeric isolators: ...".
+std::string short_title(rules::RuleSet const& rules) {
+  return printable(rules.title.substr(0, rules.title.find_first_of(",:")));
+}
+
+void add_lot(std::vector<std::string>& failures, LotAcceptance const& acceptance) {
+  auto const& lot = acceptance.lot;
+  auto const add = [&](rules::Assessment const& a) {
+    if (a.verdict == Verdict::fail)
+      failures.push_back(fmt::format("{}, limit {}", a.deviation.empty() ? failure(a) : a.quantity + " " + a.deviation,
+                                     printable(a.limit)));
+  };
+  add(lot.sample);
+  for (auto const& quantity : lot.quantities)
+    for (auto const& limit : quantity.mean_limits) add(limit);
+}
+
+}  // namespace
+
+std::string DeviceVerdict::text() const {
+  if (verdict == Verdict::fail) return "fail: " + worst;
+  if (verdict != Verdict::pass || not_assessed.empty()) return std::string(rules::name(verdict));
+  return fmt::format("pass ({}; not assessed: {})", fmt::join(passed, ", "), fmt::join(not_assessed, ", "));
+}
+
+DeviceVerdict device_verdict(std::vector<rules::Assessment> const& assessments) {
+  DeviceVerdict made;
+  double farthest = -1.0;
+  bool limits = false, information = false;
+  for (auto const& a : assessments) {
+    // A quantity without a limit asks for nothing.
+    if (a.limit.empty()) continue;
+    limits = true;
+    information = information || a.verdict == Verdict::information;
+    if (a.verdict == Verdict::pass) add_once(made.passed, property_of(a));
+    if (a.verdict == Verdict::not_assessed) add_once(made.not_assessed, property_of(a));
+    if (a.verdict != Verdict::fail) continue;
+    add_once(made.failed, property_of(a));
+    double const off = std::abs(a.deviation_percent.value_or(0.0));
+    if (off > farthest) made.worst = failure(a);
+    farthest = std::max(farthest, off);
+  }
+  if (!limits)
+    information = std::ranges::any_of(assessments, [](auto const& a) { return a.verdict == Verdict::information; });
+  // Of a quantity with two sides, one of which could not be compared, none is said to pass.
+  std::erase_if(made.passed, [&](auto const& name) {
+    return std::ranges::find(made.not_assessed, name) != made.not_assessed.end();
+  });
+  made.verdict = !made.failed.empty()   ? Verdict::fail
+                 : !made.passed.empty() ? Verdict::pass
+                 : information          ? Verdict::information
+                                        : Verdict::not_assessed;
+  return made;
+}
+
+std::string verdict_summary(Summary const& summary) {
+  auto const& acceptance = summary.acceptance;
+  if (!acceptance.has_rules()) return {};
+  auto const title = short_title(acceptance.rules);
+  if (!acceptance.rules.verified())
+    return fmt::format("{}: no verdict, the limits of this set are not verified\n", title);
+  std::size_t passed = 0, usable = 0;
+  std::vector<std::string> failures, missing, lot;
+  for (auto const& device : summary.devices) {
+    if (device.status != "ok") continue;
+    ++usable;
+    auto const verdict = device_verdict(device.acceptance.assessments);
+    passed += verdict.verdict == Verdict::pass ? 1u : 0u;
+    if (verdict.verdict == Verdict::fail)
+      failures.push_back(fmt::format("{} {}", printable(device.name), verdict.worst));
+    if (verdict.verdict == Verdict::pass)
+      for (auto const& name : verdict.not_assessed) add_once(missing, name);
+  }
+  auto text = fmt::format("{}: {} of {} devices pass", title, passed, usable);
+  if (!missing.empty()) text += fmt::format(" as far as assessed (not assessed: {})", fmt::join(missing, ", "));
+  auto const count = failures.size();
+  if (count > 0) {
+    constexpr std::size_t shown = 10;
+    failures.resize(std::min(count, shown));
+    text += fmt::format(", {} fail{}: {}{}", count, count == 1 ? "s" : "", fmt::join(failures, ", "),
+                        count > shown ? fmt::format(" and {} more", count - shown) : "");
+  }
+  if (passed + count < usable) text += fmt::format(", {} not assessed", usable - passed - count);
+  add_lot(lot, acceptance);
+  if (!lot.empty()) text += fmt::format("; the lot fails: {}", fmt::join(lot, "; "));
+  return text + "\n";
+}
+
+}  // namespace isolaw::study

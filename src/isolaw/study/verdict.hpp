@@ -1,0 +1,27 @@
+// What the assessments of a device come to, in a word and a sentence. A pass says what passed and what nobody compared:
+// half of a standard's requirements kept is no pass of the standard.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "isolaw/study/summary.hpp"
+
+namespace isolaw::study {
+
+struct DeviceVerdict {
+  rules::Verdict verdict = rules::Verdict::not_assessed;
+  // Of the lines with a limit, what is compared once each: "K_eff" for both sides.
+  std::vector<std::string> passed, failed, not_assessed;
+  std::string worst;  // the failed line farthest off the design value: "K_eff +23.0 %"
+
+  // "pass (K_eff; not assessed: damping)", "fail: K_eff +23.0 %"
+  std::string text() const;
+};
+DeviceVerdict device_verdict(std::vector<rules::Assessment> const& assessments);
+
+// "NTC 2018: 8 of 10 devices pass, 2 fail: D03 K_eff +23.0 %, D07 damping -16.2 %", and what of the lot itself fails;
+// empty without a rule set.
+std::string verdict_summary(Summary const& summary);
+
+}  // namespace isolaw::study

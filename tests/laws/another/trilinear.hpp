@@ -1,0 +1,93 @@
+// Trilinear: two elastic-perfectly-plastic elements and a spring in parallel. A law that no release has: it is added to the
+// list of laws for the tests of this folder alone, as CONTRIBUTING tells to add one.
+// Source: Eq. (1) of Cucuzza et al. 2025 with one element more (Iwan 1966). Units kN, mm.  Step: exact along a straight path.
+#pragma once
+
+#include "isolaw/laws/law.hpp"
+#include "isolaw/laws/limits.hpp"
+
+namespace isolaw::laws {
+
+struct Trilinear {
+  static constexpr LawInfo info{.id = "trilinear",
+                                .title = "Trilinear, two elements in parallel",
+                                .source = "Cucuzza et al. 2025, Eq. (1), with one element more",
+                                .force = kN,
+                                .length = mm,
+                                .traits = {.rate_independent = true, .odd = true},
+                                .formula =
+                                    "F = K x + z1 + z2\n"
+                                    "z1 -> z1 + k1 dx, kept within +-k1 x1;   z2 -> z2 + k2 dx, within +-k2 x2"};
+
+  template <class T>
+  struct Params {
+    T K, k1, x1, k2, x2;
+  };
+
+  template <class T>
+  static constexpr std::array rows{
+      Row<T, Params<T>>{&Params<T>::K,
+                        {.name = "K",
+                         .unit = "kN/mm",
+                         .meaning = "last stiffness",
+                         .physical = not_negative,
+                         .published = std::nullopt,
+                         .scaled = {0.05, 1.0, stiffness}}},
+      Row<T, Params<T>>{&Params<T>::k1,
+                        {.name = "k1",
+                         .unit = "kN/mm",
+                         .meaning = "stiffness of the first element",
+                         .physical = not_negative,
+                         .published = std::nullopt,
+                         .scaled = {0.1, 5.0, stiffness}}},
+      Row<T, Params<T>>{&Params<T>::x1,
+                        {.name = "x1",
+                         .unit = "mm",
+                         .meaning = "its yield displacement",
+                         .physical = not_negative,
+                         .published = std::nullopt,
+                         .scaled = {0.01, 0.3, disp}}},
+      Row<T, Params<T>>{&Params<T>::k2,
+                        {.name = "k2",
+                         .unit = "kN/mm",
+                         .meaning = "stiffness of the second element",
+                         .physical = not_negative,
+                         .published = std::nullopt,
+                         .scaled = {0.1, 5.0, stiffness}}},
+      Row<T, Params<T>>{&Params<T>::x2,
+                        {.name = "x2",
+                         .unit = "mm",
+                         .meaning = "its yield displacement",
+                         .physical = not_negative,
+                         .published = std::nullopt,
+                         .scaled = {0.05, 0.9, disp}}},
+  };
+
+  static constexpr std::array joint_limits{
+      JointLimit<Params<double>>{"x1 <= x2", [](Params<double> const& p) { return p.x1 <= p.x2; }}};
+
+  template <class T>
+  struct State {
+    T z1 = T(0.0), z2 = T(0.0);
+  };
+
+  template <class T>
+  static State<T> start(Params<T> const&, Step const&, Integration) {
+    return {};
+  }
+
+  template <class T>
+  static T step(Params<T> const& p, State<T>& state, Step const& step) {
+    state.z1 = within(p.k1 * p.x1, state.z1 + p.k1 * T(step.dx));
+    state.z2 = within(p.k2 * p.x2, state.z2 + p.k2 * T(step.dx));
+    return p.K * T(step.x1) + state.z1 + state.z2;
+  }
+
+ private:
+  template <class T>
+  static T within(T const& strength, T const& trial) {
+    return min(strength, max(-strength, trial));
+  }
+};
+
+}  // namespace isolaw::laws

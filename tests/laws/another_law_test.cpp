@@ -1,0 +1,108 @@
+// A law that was added by its file and its name in the list, in everything that the program makes of a law.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "cli/records.hpp"
+#include "cli/run.hpp"
+#include "isolaw/fit/objective.hpp"
+#include "laws/records.hpp"
+
+namespace isolaw::law_tests {
+namespace {
+
+using cli_test::Json;
+using cli_test::Words;
+
+constexpr char const* law = "trilinear";
+
+TEST(AnotherLaw, IsComputedInLanes) {
+  auto const& entry = laws::find_law(law);
+  auto const record = record_of(irregular(3, 208.0, 3, 40), 0.05, 0.67, 45.0);
+  auto const box = fit::make_box(entry, fit::BoxKind::scaled, fit::scales_of(record, entry.info), {});
+  fit::LawOnRecord const model(entry, record, laws::Integration::converged);
+  std::vector<double> lanes(41), work;
+  model.objectives(
+      lanes.size(),
+      [&](std::size_t i, std::span<double> values) {
+        std::ranges::copy(candidate_in(box, static_cast<std::uint32_t>(i)), values.begin());
+      },
+      lanes, fit::InstructionSet::portable);
+  for (std::size_t i = 0; i < lanes.size(); ++i) {
+    double const alone = model.objective(candidate_in(box, static_cast<std::uint32_t>(i)), work);
+    EXPECT_NEAR(lanes[i], alone, fit::block_tolerance * alone);
+  }
+}
+
+// Two devices that are trilinear themselves, the second a tenth stronger.
+class AnotherLawInTheProgram : public cli_test::InFreshDirectory {
+ protected:
+  void SetUp() override {
+    InFreshDirectory::SetUp();
+    write("motion.csv", cli_test::csv(cli_test::record()));
+    for (auto const& [file, stiffness] : {std::pair{"a.csv", "2"}, std::pair{"b.csv", "2.2"}}) {
+      auto const o = isolaw({"simulate", law, "--set", "K=0.5", "--set", std::string("k1=") + stiffness, "--set",
+                             "x1=4", "--set", "k2=0.6", "--set", "x2=30", "--motion", "motion.csv", "--out", file});
+      ASSERT_EQ(o.code, 0) << o;
+    }
+  }
+  cli_test::Outcome calibrated(Words const& more = {}) {
+    Words words{"calibrate", "a.csv", "b.csv", "--laws", "trilinear,bilinear", "--runs", "2", "--out", "C"};
+    words.insert(words.end(), more.begin(), more.end());
+    return isolaw(words);
+  }
+};
+
+TEST_F(AnotherLawInTheProgram, IsListedWithItsParameters) {
+  EXPECT_NE(isolaw({"laws"}).out.find("\ntrilinear   5 parameters"), std::string::npos);
+  auto const o = isolaw({"laws", law});
+  for (auto const* part :
+       {"Trilinear, two elements in parallel", "z1 -> z1 + k1 dx", "stiffness of the second element"})
+    EXPECT_NE(o.out.find(part), std::string::npos) << part << " is missing in " << o;
+}
+
+TEST_F(AnotherLawInTheProgram, FindsItsOwnParametersAndIsReported) {
+  auto const o = calibrated({"--analysis", "full", "--replicates", "20"});
+  ASSERT_EQ(o.code, 0) << o;
+  auto const found = json("C/summary.json")["laws"][0];
+  ASSERT_EQ(found["id"], law);
+  EXPECT_LT(found["objective"]["mean"].get<double>(), 1e-3);
+  EXPECT_NEAR(found["devices"][0]["parameters"]["k2"]["best"].get<double>(), 0.6, 1e-2);
+  EXPECT_NEAR(found["devices"][1]["parameters"]["k1"]["best"].get<double>(), 2.2, 1e-2);
+  for (auto const* file : {"C/report.html", "C/tables/objective.csv", "C/tables/parameters.csv"})
+    EXPECT_NE(read(file).find(law), std::string::npos) << file;
+  EXPECT_EQ(isolaw({"check", "C"}).code, 0);
+  auto const again = isolaw({"simulate", law, "--from", "C", "--device", "a", "--motion", "motion.csv"});
+  EXPECT_EQ(again.code, 0) << again;
+}
+
+TEST_F(AnotherLawInTheProgram, IsHeldToItsJointLimit) {
+  auto const o = calibrated({"--set", "trilinear.x1=50", "--set", "trilinear.x2=40"});
+  EXPECT_EQ(o.code, 2) << o;
+  EXPECT_NE(o.err.find("x1 = 50, x2 = 40; allowed: x1 <= x2"), std::string::npos) << o;
+}
+
+// To programs that have no such material by the nearest law that they have; as C++ once its header is written.
+TEST_F(AnotherLawInTheProgram, IsExported) {
+  ASSERT_EQ(calibrated().code, 0);
+  auto const to = [&](char const* target) {
+    return isolaw({"export", "C", "--law", law, "--device", "a", "--to", target});
+  };
+  for (auto const* target : {"opensees", "openseespy", "json", "sheet"}) {
+    auto const o = to(target);
+    EXPECT_EQ(o.code, 0) << target << o;
+    EXPECT_NE(o.out.find(law), std::string::npos) << target;
+  }
+  auto const made = Json::parse(to("json").out);
+  EXPECT_EQ(made["fidelity"], "re-fitted");
+  EXPECT_NE(to("opensees").out.find("no material of OpenSees is this law"), std::string::npos);
+  auto const refused = to("cpp");
+  EXPECT_EQ(refused.code, 2) << refused;
+  EXPECT_NE(refused.err.find("law trilinear: no C++ form of it; allowed: another target"), std::string::npos)
+      << refused;
+}
+
+}  // namespace
+}  // namespace isolaw::law_tests

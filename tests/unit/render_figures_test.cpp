@@ -1,0 +1,429 @@
+// The figures: what their data say, that names of users are never commands, and what gnuplot makes of them.
+#include <expat.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/write_file.hpp"
+#include "isolaw/render/figures/figures.hpp"
+#include "isolaw/render/figures/gnuplot.hpp"
+#include "isolaw/render/write.hpp"
+#include "unit/analysed_fixture.hpp"
+#include "unit/study_fixture.hpp"
+
+namespace isolaw::render {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::map<std::string, Figure> figures_of(Summary const& summary, FigureChoice choice = FigureChoice::lot) {
+  std::map<std::string, Figure> made;
+  for_each_figure(summary, choice, [&](Figure const& figure) { made[figure.name] = figure; });
+  return made;
+}
+
+using Row = std::vector<std::string>;
+using Blocks = std::vector<std::vector<Row>>;
+
+// Words and quoted words of a line, as gnuplot takes them apart.
+Row cells(std::string const& line) {
+  Row row;
+  for (std::size_t i = 0; i < line.size();) {
+    auto const end = line[i] == '"' ? line.find('"', i + 1) : std::min(line.find(' ', i), line.size());
+    row.push_back(line[i] == '"' ? line.substr(i + 1, end - i - 1) : line.substr(i, end - i));
+    i = end + (line[i] == '"' ? 2 : 1);
+  }
+  return row;
+}
+
+Blocks blocks(std::string const& data) {
+  Blocks made{{}};
+  std::istringstream lines(data);
+  int empty = 0;
+  for (std::string line; std::getline(lines, line);) {
+    empty = line.empty() ? empty + 1 : 0;
+    if (empty == 2) made.emplace_back();
+    if (!line.empty() && line.front() != '#') made.back().push_back(cells(line));
+  }
+  return made;
+}
+
+double value(std::string const& cell) {
+  return std::stod(cell);
+}
+
+TEST(Gnuplot, StringsEndWhereTheyEnd) {
+  EXPECT_EQ(gnuplot_string("D1"), "'D1'");
+  EXPECT_EQ(gnuplot_string("it's"), "'it''s'");
+  EXPECT_EQ(gnuplot_string("a\n'; system 'x'"), "'a\\n''; system ''x'''");
+  EXPECT_EQ(gnuplot_string("`x` @y {z} \\"), "'`x` @y {z} \\'");
+}
+
+TEST(Gnuplot, LabelsRaiseExponentsAndPrintTheRest) {
+  EXPECT_EQ(gnuplot_label("K_1 (N/m^3)"), "'K\\_1 (N/m^{3})'");
+  EXPECT_EQ(gnuplot_label("beta (1/mm^n)"), "'beta (1/mm^{n})'");
+  EXPECT_EQ(gnuplot_label("a9 (10^-6 N/cm^3)"), "'a9 (10^{-6} N/cm^{3})'");
+}
+
+TEST(Gnuplot, DataKeepOneRowToALine) {
+  DataTable table;
+  table.comment("two\nlines").cell("say \"x\"\n# \\n").cell(0.1).cell(std::optional<double>()).end_row();
+  EXPECT_EQ(table.take(), "# two\\nlines\n\"say 'x'\\\\n# \\\\n\" 0.1 NaN\n");
+}
+
+TEST(FileStems, AreSafeAndDifferent) {
+  auto const stems = file_stems({"D1", "d1", "../x", "a/b", "a b", "", ".hidden", std::string(300, 'x'), "é\n"});
+  EXPECT_EQ(stems[0], "D1");
+  EXPECT_EQ(stems[1], "d1_2");  // where case does not count
+  EXPECT_EQ(stems[2], "_._x");
+  std::set<std::string> different;
+  for (auto const& stem : stems) {
+    EXPECT_EQ(stem.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-"),
+              std::string::npos);
+    EXPECT_NE(stem.front(), '.');
+    EXPECT_LE(stem.size(), 64u);
+    EXPECT_TRUE(different.insert(stem).second) << stem;
+  }
+}
+
+TEST(FileStems, AnInventedNumberTakesNoName) {
+  auto const stems = file_stems({"a", "a", "a_2"});
+  EXPECT_EQ(std::set<std::string>(stems.begin(), stems.end()).size(), 3u);
+}
+
+TEST(FigureChoice, IsOneOfThree) {
+  EXPECT_EQ(figure_choice("all"), FigureChoice::all);
+  EXPECT_THROW(figure_choice("some"), Error);
+}
+
+TEST(Figures, FrontHoldsEveryLawAndTheFrontInOrder) {
+  auto const summary = fixture::lot(3, 7);
+  auto const data = blocks(figures_of(summary).at("front").data);
+  ASSERT_EQ(data.size(), 2u);
+  ASSERT_EQ(data[0].size(), summary.laws.size());
+  for (std::size_t i = 0; i < summary.laws.size(); ++i) {
+    auto const& law = summary.laws[i];
+    EXPECT_EQ(data[0][i][0], law.id);
+    EXPECT_EQ(value(data[0][i][1]), *law.beta);
+    EXPECT_EQ(value(data[0][i][2]), *law.objective.mean);
+    EXPECT_EQ(data[0][i][3], law.on_front ? "1" : "0");
+  }
+  Row front;
+  for (auto const& row : data[1]) front.push_back(row[0]);
+  EXPECT_EQ(front, (Row{"bilinear", "vaiana", "abe", "jankowski"}));  // by rising beta
+}
+
+TEST(Figures, FrontsOfAnalysesAreThereWithThem) {
+  auto summary = fixture::lot();
+  EXPECT_FALSE(figures_of(summary).contains("front_converged"));
+  EXPECT_FALSE(figures_of(summary).contains("front_left_out"));
+  summary.laws[0].objective_converged = 0.12;
+  summary.laws[0].beta_converged = 0.3;
+  summary.laws[0].loo_objective = 0.2;
+  auto const made = figures_of(summary);
+  EXPECT_EQ(blocks(made.at("front_converged").data)[0], (std::vector<Row>{{"bilinear", "0.3", "0.12", "0"}}));
+  EXPECT_EQ(blocks(made.at("front_left_out").data)[0], (std::vector<Row>{{"bilinear", "0.2", "0.12", "0"}}));
+}
+
+TEST(Figures, ObjectiveOfEveryDeviceAndGapsWhereThereIsNone) {
+  auto summary = fixture::lot();
+  auto& refused = summary.laws[1].devices[1];
+  refused = DeviceFit{};
+  refused.device = "D2";
+  refused.refusal = "not for it";
+  auto const data = blocks(figures_of(summary).at("objective").data);
+  ASSERT_EQ(data.size(), 3u);
+  for (std::size_t law = 0; law < 3; ++law) {
+    ASSERT_EQ(data[law].size(), 3u);  // the device that could not be read has no place
+    for (std::size_t d = 0; d < 3; ++d) {
+      auto const& row = data[law][d];
+      auto const& objective = summary.laws[law].devices[d].objective;
+      EXPECT_EQ(row[1], summary.devices[d].name);
+      if (!objective.mean) {
+        EXPECT_EQ(Row(row.begin() + 2, row.end()), (Row{"NaN", "NaN", "NaN"}));
+        continue;
+      }
+      double const mean = *summary.laws[law].objective.mean;
+      EXPECT_EQ(value(row[2]), *objective.mean);
+      EXPECT_EQ(value(row[3]), *objective.std);
+      EXPECT_NEAR(value(row[4]), 100.0 * (*objective.mean / mean - 1.0), 1e-9);
+    }
+  }
+}
+
+TEST(Figures, ParametersPanelByPanel) {
+  auto summary = fixture::lot();
+  summary.laws[0].devices[0].parameters[1].free = false;  // K2: fixed, so it has no panel
+  auto const figure = figures_of(summary).at("parameters_bilinear");
+  auto const data = blocks(figure.data);
+  ASSERT_EQ(data.size(), 2u);
+  for (std::size_t d = 0; d < 3; ++d) {
+    auto const& parameter = summary.laws[0].devices[d].parameters[0];
+    EXPECT_EQ(value(data[0][d][2]), *parameter.value.mean);
+    EXPECT_EQ(value(data[0][d][3]), *parameter.value.std);
+    EXPECT_EQ(value(data[0][d][4]), *parameter.percent_of_lot);
+    EXPECT_EQ(value(data[1][d][2]), *summary.laws[0].devices[d].parameters[2].value.mean);
+  }
+  EXPECT_NE(figure.script.find("K1 (kN/mm)"), std::string::npos);
+  EXPECT_EQ(figure.script.find("K2 (kN/mm)"), std::string::npos);
+}
+
+TEST(Figures, LargeValuesAreDrawnInPowersOfTenWithTheirUnit) {
+  auto const figure = figures_of(fixture::lot()).at("parameters_vaiana");
+  EXPECT_NE(figure.script.find("'kb+ (10^{3} N/m)'"), std::string::npos);
+  EXPECT_NE(figure.script.find("($3/1000)"), std::string::npos);
+}
+
+TEST(Figures, ConvergenceIsMedianAndRangeAndKeepsWhatEarlyEndsFound) {
+  auto summary = fixture::lot();
+  summary.laws[0].devices[0].histories = {{0.5, 0.2, 0.1}, {0.4}, {0.9, 0.3, 0.3}, {}};
+  auto const data = blocks(figures_of(summary).at("convergence_bilinear").data);
+  ASSERT_EQ(data.size(), 1u);
+  EXPECT_EQ(data[0],
+            (std::vector<Row>{{"1", "0.5", "0.4", "0.9"}, {"2", "0.3", "0.2", "0.4"}, {"3", "0.3", "0.1", "0.4"}}));
+  EXPECT_FALSE(figures_of(summary).contains("convergence_vaiana"));
+}
+
+TEST(Figures, ManyDevicesConvergeInOnePanel) {
+  auto summary = fixture::lot(20, 1);
+  for (auto& fit : summary.laws[0].devices) fit.histories = {{0.5, 0.2}, {0.4, 0.3}};
+  summary.laws[0].devices[3].histories = {{0.9, 0.1}};
+  auto const figure = figures_of(summary).at("convergence_bilinear");
+  auto const data = blocks(figure.data);
+  ASSERT_EQ(data.size(), 21u);  // and all together
+  EXPECT_EQ(Row(data.back()[0].begin() + 2, data.back()[0].end()), (Row{"0.4", "0.9"}));
+  EXPECT_EQ(Row(data.back()[1].begin() + 2, data.back()[1].end()), (Row{"0.1", "0.3"}));
+  EXPECT_EQ(figure.script.find("multiplot"), std::string::npos);
+}
+
+TEST(Figures, PropertiesWithDesignValueAndLimits) {
+  auto summary = fixture::lot();
+  auto const with_rules = blocks(figures_of(summary).at("properties").data);
+  ASSERT_EQ(with_rules.size(), 2u);
+  EXPECT_EQ(value(with_rules[0][0][4]), 0.6);
+  EXPECT_EQ(value(with_rules[1][0][4]), 18.0);
+  for (auto const& limit : summary.acceptance.rules.limits)
+    if (limit.quantity == rules::Quantity::K_eff && limit.scope == rules::Scope::each && limit.upper_percent) {
+      EXPECT_NEAR(value(with_rules[0][0][6]), 0.6 * (1.0 + *limit.upper_percent / 100.0), 1e-12);
+    }
+  add_acceptance(summary, {}, {}, std::nullopt);
+  auto const without = blocks(figures_of(summary).at("properties").data);
+  for (std::size_t d = 0; d < 3; ++d)
+    EXPECT_EQ(value(without[0][d][2]), summary.devices[d].properties.reported->K_eff_kN_per_mm);
+  EXPECT_EQ(without[0][0][4], "NaN");
+}
+
+TEST(Figures, LoopsAndRecordsOfEveryDevice) {
+  auto summary = fixture::lot();
+  auto const made = figures_of(summary, FigureChoice::all);
+  auto const& record = summary.devices[1].record;
+  auto const& fit = summary.laws[2].devices[1];
+  auto const loops = blocks(made.at("loops_D2_hwang-wu").data);
+  ASSERT_EQ(loops[0].size(), record.size());
+  for (std::size_t i : {std::size_t{0}, record.size() / 2, record.size() - 1}) {
+    EXPECT_EQ(value(loops[0][i][0]), record.time_s[i]);
+    EXPECT_EQ(value(loops[0][i][1]), record.disp_mm[i]);
+    EXPECT_EQ(value(loops[0][i][2]), record.force_kN[i]);
+    EXPECT_EQ(value(loops[0][i][3]), fit.force_kN[i]);
+    EXPECT_EQ(value(loops[0][i][4]), record.force_kN[i] - fit.force_kN[i]);
+  }
+  auto const cleaned = blocks(made.at("record_D2").data);
+  ASSERT_EQ(cleaned.size(), 2u);
+  EXPECT_EQ(value(cleaned[0][7][1]), summary.devices[1].raw.disp_mm[7]);
+  EXPECT_EQ(value(cleaned[1][7][1]), record.disp_mm[7]);
+  EXPECT_EQ(std::ranges::count_if(made, [](auto const& named) { return named.first.starts_with("loops_"); }), 9);
+}
+
+// --- drawn -----------------------------------------------------------------------------------------------------------
+
+// Names that a script, a shell, gnuplot's markup or a file system could take for something else.
+std::vector<std::string> const hostile{"it's `touch drawn_by_a_name`; set output", "a/b\\c\n\"d\"  #e",
+                                       "</text><script>alert(1)</script> _^@&~{}"};
+
+Summary hostile_lot() {
+  auto summary = fixture::lot();
+  for (std::size_t d = 0; d < hostile.size(); ++d) {
+    summary.devices[d].name = hostile[d];
+    for (auto& law : summary.laws) {
+      law.devices[d].device = hostile[d];
+      law.devices[d].histories = {{0.5, 0.2}, {0.4, 0.3}};
+    }
+  }
+  return summary;
+}
+
+std::string content(fs::path const& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::string without_spaces(std::string text) {
+  std::erase_if(text, [](char c) { return c == ' ' || c == '\n' || c == '\t'; });
+  return text;
+}
+
+// Text of an SVG; throws where it is no well-formed XML.
+std::string text_of_svg(std::string const& svg) {
+  std::string text;
+  auto* parser = XML_ParserCreate(nullptr);
+  XML_SetUserData(parser, &text);
+  XML_SetCharacterDataHandler(parser, [](void* to, char const* from, int length) {
+    static_cast<std::string*>(to)->append(from, static_cast<std::size_t>(length));
+  });
+  bool const is_xml = XML_Parse(parser, svg.data(), static_cast<int>(svg.size()), 1) == XML_STATUS_OK;
+  XML_ParserFree(parser);
+  if (!is_xml) throw std::runtime_error("not well-formed: " + svg.substr(0, 200));
+  return text;
+}
+
+class Drawn : public testing::Test {
+ protected:
+  Drawn() : dir_(fs::temp_directory_path() / ("isolaw-figures-test-" + std::to_string(::getpid()))) {
+    fs::remove_all(dir_);
+  }
+  ~Drawn() override {
+    fs::remove_all(dir_);
+    ::unsetenv("ISOLAW_GNUPLOT");
+  }
+
+  // A report is whole without gnuplot, so its drawings are tested where it is; `./isolaw.sh test` brings it.
+  static bool has_gnuplot() { return run_gnuplot({}, fs::temp_directory_path(), std::chrono::seconds(20)).started; }
+  static void hide_gnuplot() { ::setenv("ISOLAW_GNUPLOT", "/nonexistent/gnuplot", 1); }
+
+  fs::path figure(std::string const& name) const { return dir_ / "figures" / name; }
+  std::map<std::string, std::string> contents() const {
+    std::map<std::string, std::string> files;
+    for (auto const& entry : fs::directory_iterator(dir_ / "figures"))
+      files[entry.path().filename().string()] = content(entry.path());
+    return files;
+  }
+
+  fs::path dir_;
+};
+
+TEST_F(Drawn, EveryFigureTwice) {
+  if (!has_gnuplot()) GTEST_SKIP() << "gnuplot is not installed: nothing can be drawn";
+  auto const summary = hostile_lot();
+  auto const outcome = write_figures(summary, FigureChoice::all, dir_);
+  EXPECT_EQ(outcome.reason, "");
+  EXPECT_EQ(outcome.drawn, outcome.figures);
+  auto const made = figures_of(summary, FigureChoice::all);
+  EXPECT_EQ(outcome.figures, made.size());
+  EXPECT_EQ(contents().size(), 4 * made.size());
+  for (auto const& [name, _] : made) {
+    SCOPED_TRACE(name);
+    EXPECT_NO_THROW(text_of_svg(content(figure(name + ".svg"))));
+    EXPECT_TRUE(content(figure(name + ".pdf")).starts_with("%PDF"));
+  }
+  EXPECT_FALSE(fs::exists("drawn_by_a_name"));
+}
+
+TEST_F(Drawn, NamesArePrintedAsTheyAre) {
+  if (!has_gnuplot()) GTEST_SKIP() << "gnuplot is not installed: nothing can be drawn";
+  auto const summary = hostile_lot();
+  write_figures(summary, FigureChoice::lot, dir_);
+  auto const front = text_of_svg(content(figure("front.svg")));
+  for (auto const& law : summary.laws) EXPECT_NE(front.find(law.id), std::string::npos) << law.id;
+  auto const convergence = text_of_svg(content(figure("convergence_bilinear.svg")));
+  EXPECT_NE(convergence.find("it's `touch drawn_by_a_nam"), std::string::npos);
+  EXPECT_NE(convergence.find("a/b\\c\\n\"d\"  #e"), std::string::npos);
+}
+
+TEST_F(Drawn, SameSummarySameBytes) {
+  if (!has_gnuplot()) GTEST_SKIP() << "gnuplot is not installed: nothing can be drawn";
+  write_figures(hostile_lot(), FigureChoice::lot, dir_);
+  auto const first = contents();
+  fs::remove_all(dir_);
+  write_figures(hostile_lot(), FigureChoice::lot, dir_);
+  EXPECT_EQ(contents(), first);
+}
+
+TEST_F(Drawn, AScriptByHandGivesTheFigureAgain) {
+  if (!has_gnuplot()) GTEST_SKIP() << "gnuplot is not installed: nothing can be drawn";
+  write_figures(fixture::lot(), FigureChoice::lot, dir_);
+  auto const before = without_spaces(text_of_svg(content(figure("objective.svg"))));
+  fs::remove(figure("objective.svg"));
+  fs::remove(figure("objective.pdf"));
+  EXPECT_EQ(run_gnuplot({"objective.gp"}, dir_ / "figures", std::chrono::seconds(60)).reason, "");
+  EXPECT_EQ(without_spaces(text_of_svg(content(figure("objective.svg")))),
+            before);  // bytes also depend on what was drawn before it
+  EXPECT_TRUE(content(figure("objective.pdf")).starts_with("%PDF"));
+}
+
+TEST_F(Drawn, AFaultInOneScriptLeavesTheOthers) {
+  if (!has_gnuplot()) GTEST_SKIP() << "gnuplot is not installed: nothing can be drawn";
+  fs::create_directories(dir_);
+  write_file(dir_ / "bad.gp", "plot 'no such file.dat'\n");
+  auto const end = run_gnuplot({"bad.gp"}, dir_, std::chrono::seconds(60));
+  EXPECT_TRUE(end.started);
+  EXPECT_NE(end.reason, "");
+}
+
+TEST_F(Drawn, TimeIsLimited) {
+  if (!has_gnuplot()) GTEST_SKIP() << "gnuplot is not installed: nothing can be drawn";
+  fs::create_directories(dir_);
+  write_file(dir_ / "endless.gp", "while (1) { a = 1 }\n");
+  EXPECT_EQ(run_gnuplot({"endless.gp"}, dir_, std::chrono::seconds(1)).reason, "takes longer than 1 s");
+}
+
+TEST_F(Drawn, WithoutGnuplotDataAndScriptsAreThere) {
+  hide_gnuplot();
+  auto const summary = fixture::lot();
+  auto const outcome = write_figures(summary, FigureChoice::lot, dir_);
+  EXPECT_TRUE(outcome.program_missing);
+  EXPECT_EQ(outcome.drawn, 0u);
+  auto const made = figures_of(summary);
+  EXPECT_EQ(contents().size(), 2 * made.size());
+  for (auto const& [name, one] : made) {
+    EXPECT_EQ(content(figure(name + ".dat")), one.data);
+    EXPECT_EQ(content(figure(name + ".gp")), one.script);
+  }
+}
+
+TEST_F(Drawn, NoDrawingOutlivesItsData) {
+  hide_gnuplot();
+  auto summary = fixture::lot();
+  write_figures(summary, FigureChoice::lot, dir_);
+  for (auto const* name : {"front.svg", "front.pdf", "properties.svg", "properties.pdf"})
+    write_file(figure(name), "old");
+  summary.laws[0].beta = 0.9;
+  auto const outcome = write_figures(summary, FigureChoice::lot, dir_);
+  EXPECT_FALSE(fs::exists(figure("front.svg")));
+  EXPECT_FALSE(fs::exists(figure("front.pdf")));
+  EXPECT_TRUE(fs::exists(figure("properties.svg")));  // of the same data
+  EXPECT_EQ(outcome.drawn, 1u);
+}
+
+TEST_F(Drawn, OnlyOwnFiguresAreRemoved) {
+  hide_gnuplot();
+  write_figures(fixture::lot(3, 3), FigureChoice::lot, dir_);
+  write_file(figure("mine.gp"), "plot x\n");
+  write_file(figure("mine.pdf"), "mine");
+  ASSERT_TRUE(fs::exists(figure("parameters_hwang-wu.gp")));
+  write_figures(fixture::lot(3, 2), FigureChoice::lot, dir_);
+  EXPECT_FALSE(fs::exists(figure("parameters_hwang-wu.gp")));
+  EXPECT_FALSE(fs::exists(figure("parameters_hwang-wu.dat")));
+  remove_figures(dir_);
+  EXPECT_EQ(contents(), (std::map<std::string, std::string>{{"mine.gp", "plot x\n"}, {"mine.pdf", "mine"}}));
+}
+
+TEST_F(Drawn, NoneWritesNothing) {
+  EXPECT_EQ(write_figures(fixture::lot(), FigureChoice::none, dir_).figures, 0u);
+  EXPECT_FALSE(fs::exists(dir_));
+}
+
+}  // namespace
+}  // namespace isolaw::render
