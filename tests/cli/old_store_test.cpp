@@ -91,7 +91,8 @@ TEST_P(Old, is_not_continued_and_says_what_to_do) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Stores, Old,
-                         testing::Values(OldStore{"schema-3-ga", 3, "ga"}, OldStore{"schema-3-best", 3, "best"},
+                         testing::Values(OldStore{"schema-1", 1, "ga"}, OldStore{"schema-2", 2, "ga"},
+                                         OldStore{"schema-3-ga", 3, "ga"}, OldStore{"schema-3-best", 3, "best"},
                                          OldStore{"schema-4", 4, "best"}),
                          [](auto const& info) {
                            auto name = info.param.name;
