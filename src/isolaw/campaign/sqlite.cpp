@@ -148,6 +148,7 @@ Statement& Statement::bind(std::optional<double> value) {
   return bind(value.value_or(std::nan("")));
 }
 Statement& Statement::bind(std::vector<double> const& values) {
+  if (values.empty()) return check(sqlite3_bind_zeroblob(statement_, ++bound_, 0));  // no address would be NULL
   return check(
       sqlite3_bind_blob64(statement_, ++bound_, values.data(), values.size() * sizeof(double), SQLITE_TRANSIENT));
 }
