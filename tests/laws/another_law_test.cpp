@@ -41,7 +41,7 @@ class AnotherLawInTheProgram : public cli_test::InFreshDirectory {
  protected:
   void SetUp() override {
     InFreshDirectory::SetUp();
-    write("motion.csv", cli_test::csv(cli_test::record()));
+    write("motion.csv", cli_test::csv(cli_test::record({.samples = 181, .per_cycle = 60, .interval_s = 0.03})));
     for (auto const& [file, stiffness] : {std::pair{"a.csv", "2"}, std::pair{"b.csv", "2.2"}}) {
       auto const o = isolaw({"simulate", law, "--set", "K=0.5", "--set", std::string("k1=") + stiffness, "--set",
                              "x1=4", "--set", "k2=0.6", "--set", "x2=30", "--motion", "motion.csv", "--out", file});
@@ -64,7 +64,7 @@ TEST_F(AnotherLawInTheProgram, IsListedWithItsParameters) {
 }
 
 TEST_F(AnotherLawInTheProgram, FindsItsOwnParametersAndIsReported) {
-  auto const o = calibrated({"--analysis", "full", "--replicates", "20"});
+  auto const o = calibrated({"--analysis", "full", "--replicates", "40"});
   ASSERT_EQ(o.code, 0) << o;
   auto const found = json("C/summary.json")["laws"][0];
   ASSERT_EQ(found["id"], law);
