@@ -58,8 +58,7 @@ void search(std::string const& file, std::string const& id, std::string const& i
   double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   double const cpu = static_cast<double>(std::clock() - start_cpu) / CLOCKS_PER_SEC;
   std::printf(
-      "{\"seconds\": %.6f, \"cpu\": %.6f, \"evaluations\": %llu, \"samples\": %zu, \"best\": %.17g, \"objective\": "
-      "%.17g}\n",
+      "{\"seconds\": %.6f, \"cpu\": %.6f, \"evaluations\": %llu, \"samples\": %zu, \"best\": %.17g, \"objective\": %.17g}\n",
       seconds, cpu, last.get_problem().get_fevals(), record.size(), last.champion_f().front(), middle);
 }
 

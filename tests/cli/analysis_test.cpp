@@ -263,11 +263,12 @@ TEST_F(Analysis, what_is_not_complete_gives_no_front) {
   ASSERT_EQ(isolaw(campaign("O")).code, 0);
   sqlite3* db = nullptr;
   ASSERT_EQ(sqlite3_open(path("O/campaign.sqlite").c_str(), &db), SQLITE_OK);
-  EXPECT_EQ(sqlite3_exec(db,
-                         "DELETE FROM device_analysis WHERE law = 'vaiana' AND device > 0; DELETE FROM lot_analysis; "
-                         "DELETE FROM left_out",
-                         nullptr, nullptr, nullptr),
-            SQLITE_OK);
+  EXPECT_EQ(
+      sqlite3_exec(
+          db,
+          "DELETE FROM device_analysis WHERE law = 'vaiana' AND device > 0; DELETE FROM lot_analysis; DELETE FROM left_out",
+          nullptr, nullptr, nullptr),
+      SQLITE_OK);
   sqlite3_close(db);
   auto const o = isolaw({"report", "O"});
   expect_message(o, 1, {"not complete: 10 analyses are missing"});

@@ -372,8 +372,7 @@ TEST_F(BadInput, a_law_without_any_finite_force_is_a_failed_law_not_a_failed_cam
   EXPECT_EQ(failed["evaluations"], 16);
   EXPECT_EQ(failed["failed_evaluations"], 16);
   EXPECT_EQ(query(path("O/campaign.sqlite"),
-                  "SELECT message, evaluations, failed_evaluations FROM run WHERE law = "
-                  "'vaiana' AND number = 1"),
+                  "SELECT message, evaluations, failed_evaluations FROM run WHERE law = 'vaiana' AND number = 1"),
             Words{"none of the first 8 parameter sets gave a finite force|8|8"});
   EXPECT_EQ(isolaw({"report", "O"}).code, 1);
 }

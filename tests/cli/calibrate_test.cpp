@@ -377,10 +377,8 @@ TEST_F(Calibrate, another_seed_gives_other_numbers) {
 TEST_F(Calibrate, tables_have_units_in_their_headers_and_every_device_and_law) {
   ASSERT_EQ(calibrate("O").code, 0);
   auto const objective = read("O/tables/objective.csv");
-  EXPECT_TRUE(
-      objective.starts_with("law,device,mean OF [-],std OF [-],best OF [-],runs,failed runs,evaluations,"
-                            "failed evaluations,K_eff error [%],"
-                            "energy error [%],damping error [%]"));
+  EXPECT_TRUE(objective.starts_with(
+      "law,device,mean OF [-],std OF [-],best OF [-],runs,failed runs,evaluations,failed evaluations,K_eff error [%],energy error [%],damping error [%]"));
   EXPECT_EQ(count_of("\n", objective), 71u);
   auto const properties = read("O/tables/cycles.csv");
   EXPECT_TRUE(properties.starts_with("device,block,cycle,counts,why not,reported,strain [%],frequency [Hz]"));

@@ -54,8 +54,7 @@ TEST_F(Check, a_changed_objective) {
 
 TEST_F(Check, a_changed_parameter) {
   change(
-      "UPDATE run_parameter SET value = value * 1.0001 WHERE device = 0 AND law = 'bouc-wen' AND number = 1 AND "
-      "position = 1");
+      "UPDATE run_parameter SET value = value * 1.0001 WHERE device = 0 AND law = 'bouc-wen' AND number = 1 AND position = 1");
   expect_fault("bouc-wen on a, run 1: its parameters give the objective 0.");
 }
 
@@ -67,15 +66,13 @@ TEST_F(Check, a_parameter_outside_its_box) {
 
 TEST_F(Check, a_changed_raw_record) {
   change(
-      "UPDATE series SET \"values\" = zeroblob(length(\"values\")) WHERE device = 0 AND kind = 'raw' AND channel = "
-      "'force_kN'");
+      "UPDATE series SET \"values\" = zeroblob(length(\"values\")) WHERE device = 0 AND kind = 'raw' AND channel = 'force_kN'");
   expect_fault("a: the record the laws saw is not the one its raw record gives");
 }
 
 TEST_F(Check, a_changed_record_of_the_laws) {
   change(
-      "UPDATE series SET \"values\" = (SELECT \"values\" FROM series WHERE device = 1 AND kind = 'fit' AND channel = "
-      "'force_kN') WHERE device = 0 AND kind = 'fit' AND channel = 'force_kN'");
+      "UPDATE series SET \"values\" = (SELECT \"values\" FROM series WHERE device = 1 AND kind = 'fit' AND channel = 'force_kN') WHERE device = 0 AND kind = 'fit' AND channel = 'force_kN'");
   expect_fault("a: the record the laws saw is not the one its raw record gives");
 }
 
@@ -86,8 +83,7 @@ TEST_F(Check, a_changed_history) {
 
 TEST_F(Check, a_changed_integration_shift) {
   change(
-      "UPDATE run SET integration_shift = integration_shift + 1e-6 WHERE device = 0 AND law = 'bouc-wen' AND number = "
-      "2");
+      "UPDATE run SET integration_shift = integration_shift + 1e-6 WHERE device = 0 AND law = 'bouc-wen' AND number = 2");
   expect_fault("bouc-wen on a, run 2: its parameters give the integration shift ");
 }
 
@@ -150,8 +146,7 @@ TEST_F(Check, what_isolaw_does_not_make_is_refused) {
 
 TEST_F(Check, removed_runs_are_missing_and_the_reports_tell_of_them) {
   change(
-      "DELETE FROM run_parameter WHERE device = 1 AND law = 'bilinear' AND number = 2;"
-      "DELETE FROM run WHERE device = 1 AND law = 'bilinear' AND number = 2");
+      "DELETE FROM run_parameter WHERE device = 1 AND law = 'bilinear' AND number = 2;DELETE FROM run WHERE device = 1 AND law = 'bilinear' AND number = 2");
   auto const o = isolaw({"check", "O"});
   EXPECT_EQ(o.code, 1) << o;
   for (auto const* part : {"7 of 8 runs", "not complete: 1 runs are missing", "18 files beside it compared",

@@ -48,10 +48,10 @@ TEST_F(Hostile, file_name_with_quotes_and_html_goes_through_a_lot_file) {
 
 TEST_F(Hostile, title_and_device_name_that_close_tags_stay_text_in_the_page) {
   write("a.csv", csv(record()));
-  write("lot.toml",
-        "title = \"</title><script>alert(2)</script>{{data}}\"\n[[device]]\nname = "
-        "\"</script><script>alert(1)</script>\"\n"
-        "file = \"a.csv\"\nserial = \"<!--<script>\"\n");
+  write(
+      "lot.toml",
+      "title = \"</title><script>alert(2)</script>{{data}}\"\n[[device]]\nname = \"</script><script>alert(1)</script>\"\n"
+      "file = \"a.csv\"\nserial = \"<!--<script>\"\n");
   auto const o = isolaw(Words{"calibrate", "lot.toml", "--out", "O"} + small);
   EXPECT_EQ(o.code, 0) << o;
   auto const page = read("O/report.html");

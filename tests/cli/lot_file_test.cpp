@@ -74,8 +74,7 @@ TEST_F(LotFile, what_it_says_of_a_device_lands_in_the_store) {
   EXPECT_EQ(
       query(
           store,
-          "SELECT name, file, serial, lot, test_date, CAST(temperature_C AS TEXT), CAST(rubber_thickness_mm AS TEXT), "
-          "CAST(rubber_area_mm2 AS TEXT) FROM device ORDER BY id"),
+          "SELECT name, file, serial, lot, test_date, CAST(temperature_C AS TEXT), CAST(rubber_thickness_mm AS TEXT), CAST(rubber_area_mm2 AS TEXT) FROM device ORDER BY id"),
       (Words{"a|a.csv|S 1|L7|2024-03-01|21.5|208.0|282743.0", "b|b.csv|||spring 2024|NULL|NULL|NULL"}));
 }
 
@@ -143,10 +142,10 @@ TEST_F(LotFile, unknown_key_names_line_and_allowed_keys) {
                   "temperature-C, test, test-date"});
   expect_refused(run("foo = 1\n" + std::string(device)),
                  {"lot.toml:1: unknown key 'foo'", "allowed: acceptance, calibrate, device, read, title"});
-  expect_refused(run("[read]\nskip = 1\n" + std::string(device)),
-                 {"lot.toml:2: unknown key 'skip' in [read]",
-                  "columns, dt, flip-force, force-factor, moving-mass, rig-friction, rig-friction-coefficient, sheet, "
-                  "skew-ms, test, units"});
+  expect_refused(
+      run("[read]\nskip = 1\n" + std::string(device)),
+      {"lot.toml:2: unknown key 'skip' in [read]",
+       "columns, dt, flip-force, force-factor, moving-mass, rig-friction, rig-friction-coefficient, sheet, skew-ms, test, units"});
 }
 
 TEST_F(LotFile, wrong_type_names_the_line) {
@@ -157,8 +156,7 @@ TEST_F(LotFile, wrong_type_names_the_line) {
   expect_refused(run("[calibrate]\nbox = 3\n" + std::string(device)), {"lot.toml:2: box: 3; allowed: published, auto"});
   expect_refused(run("[calibrate]\ncenter = \"yes\"\n" + std::string(device)),
                  {"lot.toml:2: center: 'yes'; allowed: true or false"});
-  expect_refused(run("[calibrate]\nset = 3\n" + std::string(device)),
-                 {"lot.toml:2: set: 3 is no text"});
+  expect_refused(run("[calibrate]\nset = 3\n" + std::string(device)), {"lot.toml:2: set: 3 is no text"});
   expect_refused(run("calibrate = 3\n" + std::string(device)),
                  {"lot.toml:1: 'calibrate' is not a table", "[calibrate]"});
   expect_refused(run(std::string(device) + "temperature-C = \"warm\"\n"),
@@ -239,10 +237,10 @@ TEST_F(LotFile, missing_record_is_refused_by_its_name_in_the_lot_file) {
 }
 
 TEST_F(LotFile, with_byte_order_mark_and_windows_line_ends_is_read) {
-  EXPECT_EQ(run("\xEF\xBB\xBF[calibrate]\r\nlaws = \"bilinear\"\r\nruns = 1\r\npopulation = 4\r\ngenerations = "
-                "1\r\n[[device]]\r\nfile = \"a.csv\"\r\n")
-                .code,
-            0);
+  EXPECT_EQ(
+      run("\xEF\xBB\xBF[calibrate]\r\nlaws = \"bilinear\"\r\nruns = 1\r\npopulation = 4\r\ngenerations = 1\r\n[[device]]\r\nfile = \"a.csv\"\r\n")
+          .code,
+      0);
 }
 
 }  // namespace

@@ -216,9 +216,9 @@ TEST_F(Simulate, takes_every_campaign_that_calibrate_made) {
 
 // Accelerations are no displacements; a header that says so is believed.
 TEST_F(Simulate, a_record_of_acceleration_is_refused_with_what_is_needed) {
-  write("g.txt",
-        "STATION\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 10, DT= .01 SEC\n 0.1 0.2 0.1 0.3 0.2\n 0.1 0.2 0.1 "
-        "0.3 0.2\n");
+  write(
+      "g.txt",
+      "STATION\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 10, DT= .01 SEC\n 0.1 0.2 0.1 0.3 0.2\n 0.1 0.2 0.1 0.3 0.2\n");
   write("h.csv", "time [s],acceleration [m/s2]\n0,0\n0.1,1\n0.2,0\n0.3,-1\n");
   for (auto const* file : {"g.txt", "h.csv"})
     expect_refused(

@@ -163,8 +163,7 @@ TEST(Settings, WhatOneMethodAloneHasChoosesItUnlessAnotherOneIsNamed) {
       refusal([&] {
         apply({{"population", 40}, {"method", "best"}}, made);
       }),
-      "--population: belongs to method ga, and the method is best; allowed: with method ga, which it also chooses "
-      "where no method is named");
+      "--population: belongs to method ga, and the method is best; allowed: with method ga, which it also chooses where no method is named");
 }
 
 TEST(Settings, EverythingWrongIsSaidAtOnce) {

@@ -101,9 +101,9 @@ TEST(Clean, AveragesDisplacementAndForceAlike) {
   auto const record = clean(raw, {.smooth = 5});
   EXPECT_EQ(record.disp_mm, moving_average(raw.disp_mm, 5));
   EXPECT_EQ(record.force_kN, moving_average(raw.force_kN, 5));
-  EXPECT_EQ(record.cleaning.front(),
-            "displacement and force averaged over 5 samples, fewer at the ends: takes 0.39 % from a sine of the test's "
-            "frequency, 3.5 % from its third harmonic");
+  EXPECT_EQ(
+      record.cleaning.front(),
+      "displacement and force averaged over 5 samples, fewer at the ends: takes 0.39 % from a sine of the test's frequency, 3.5 % from its third harmonic");
 }
 
 TEST(Clean, ThinsAfterAveragingOverWhatIsDropped) {

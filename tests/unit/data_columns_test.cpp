@@ -123,49 +123,41 @@ TEST_F(ColumnsTest, UnitsOfEveryKind) {
 TEST_F(ColumnsTest, SeveralForcesAreAskedFor) {
   EXPECT_EQ(
       refusal(three_forces),
-      "FILE:1: column 3 'Force 1 [kN]', column 4 'Force 2 [N]', column 5 'force 2' may each be the horizontal force; "
-      "allowed: one column for force; try: --columns force=3 or --columns force=4 or --columns force=5");
+      "FILE:1: column 3 'Force 1 [kN]', column 4 'Force 2 [N]', column 5 'force 2' may each be the horizontal force; allowed: one column for force; try: --columns force=3 or --columns force=4 or --columns force=5");
 }
 
 TEST_F(ColumnsTest, MissingColumnListsWhatThereIs) {
   EXPECT_EQ(
       refusal("Time [s];Disp [mm];Temp [C]\n0;1;2\n1;2;3\n2;3;1\n"),
-      "FILE:1: no column is recognised as the horizontal force; allowed: columns 1 'Time [s]', 2 'Disp [mm]', 3 'Temp "
-      "[C]'; try: --columns force=NUMBER");
+      "FILE:1: no column is recognised as the horizontal force; allowed: columns 1 'Time [s]', 2 'Disp [mm]', 3 'Temp [C]'; try: --columns force=NUMBER");
 }
 
 TEST_F(ColumnsTest, ALoneLoadMayBeEither) {
-  EXPECT_EQ(refusal("Disp [mm];Load [kN]\n1;2\n2;3\n3;1\n"),
-            "FILE:1: no column is recognised as the horizontal force (column 2 'Load [kN]' may be the horizontal force "
-            "or the "
-            "vertical load); allowed: columns 1 'Disp [mm]', 2 'Load [kN]'; try: --columns force=2");
+  EXPECT_EQ(
+      refusal("Disp [mm];Load [kN]\n1;2\n2;3\n3;1\n"),
+      "FILE:1: no column is recognised as the horizontal force (column 2 'Load [kN]' may be the horizontal force or the vertical load); allowed: columns 1 'Disp [mm]', 2 'Load [kN]'; try: --columns force=2");
 }
 
 TEST_F(ColumnsTest, ColumnsWithoutNamesAreNotGuessed) {
   EXPECT_EQ(
       refusal("0.0,1.5,2\n0.1,2.5,3\n0.2,3.5,1\n"),
-      "FILE: no line names the 3 columns, so which is the displacement and which the force cannot be told; allowed: "
-      "column numbers 1 to 3; try: --columns time=1,disp=2,force=3 --units time=s,disp=mm,force=kN, with your numbers "
-      "and units");
-  EXPECT_EQ(refusal("1.5 2\n2.5 3\n3.5 1\n", with("disp=1", "disp=mm")),
-            "FILE: no line names the 2 columns, so which is the horizontal force cannot be told; allowed: column "
-            "numbers 1 to "
-            "2; try: --columns force=NUMBER");
+      "FILE: no line names the 3 columns, so which is the displacement and which the force cannot be told; allowed: column numbers 1 to 3; try: --columns time=1,disp=2,force=3 --units time=s,disp=mm,force=kN, with your numbers and units");
+  EXPECT_EQ(
+      refusal("1.5 2\n2.5 3\n3.5 1\n", with("disp=1", "disp=mm")),
+      "FILE: no line names the 2 columns, so which is the horizontal force cannot be told; allowed: column numbers 1 to 2; try: --columns force=NUMBER");
 }
 
 TEST_F(ColumnsTest, MissingAndUnknownUnitsAreAskedForTogether) {
-  EXPECT_EQ(refusal("Time [s];Disp;Force [kNm]\n0;1;2\n1;2;3\n2;3;1\n"),
-            "FILE:1: column 2 'Disp' (disp) has no unit; allowed: mm, cm, m, in; try: --units disp=mm\n"
-            "FILE:1: unknown unit 'kNm' of column 3 'Force [kNm]' (force); allowed: kN, N, MN, tonf, kgf, daN, kip, "
-            "lbf; try: "
-            "--units force=kN");
+  EXPECT_EQ(
+      refusal("Time [s];Disp;Force [kNm]\n0;1;2\n1;2;3\n2;3;1\n"),
+      "FILE:1: column 2 'Disp' (disp) has no unit; allowed: mm, cm, m, in; try: --units disp=mm\n"
+      "FILE:1: unknown unit 'kNm' of column 3 'Force [kNm]' (force); allowed: kN, N, MN, tonf, kgf, daN, kip, lbf; try: --units force=kN");
 }
 
 TEST_F(ColumnsTest, UnknownUnitInTheRowOfUnits) {
   EXPECT_EQ(
       refusal("Time;Disp;Force\ns;mm;kNN\n0;1;2\n1;2;3\n2;3;1\n"),
-      "FILE:2: unknown unit 'kNN' of column 3 'Force' (force); allowed: kN, N, MN, tonf, kgf, daN, kip, lbf; try: "
-      "--units force=kN");
+      "FILE:2: unknown unit 'kNN' of column 3 'Force' (force); allowed: kN, N, MN, tonf, kgf, daN, kip, lbf; try: --units force=kN");
 }
 
 TEST_F(ColumnsTest, UnitOfAnotherQuantity) {
@@ -177,23 +169,20 @@ TEST_F(ColumnsTest, UnitOfAnotherQuantity) {
 TEST_F(ColumnsTest, UnitsThatContradictEachOther) {
   EXPECT_EQ(
       refusal("Disp [mm];Force [kN]\ncm;kN\n1;2\n2;3\n3;1\n"),
-      "FILE:2: column 1 'Disp [mm]' is in mm by its name and in cm by the row of units; allowed: mm, cm, m, in; try: "
-      "--units disp=mm");
+      "FILE:2: column 1 'Disp [mm]' is in mm by its name and in cm by the row of units; allowed: mm, cm, m, in; try: --units disp=mm");
 }
 
 TEST_F(ColumnsTest, AskedForColumnsThatDoNotExist) {
-  EXPECT_EQ(refusal("Disp [mm];Force [kN]\n1;2\n2;3\n3;1\n", with("disp=4,force=Taglio")),
-            "FILE:1: no column 4 for disp; allowed: 1 to 2; columns 1 'Disp [mm]', 2 'Force [kN]'; try: --columns "
-            "disp=NUMBER\n"
-            "FILE:1: no column 'Taglio' for force; allowed: columns 1 'Disp [mm]', 2 'Force [kN]'; try: --columns "
-            "force=NUMBER");
+  EXPECT_EQ(
+      refusal("Disp [mm];Force [kN]\n1;2\n2;3\n3;1\n", with("disp=4,force=Taglio")),
+      "FILE:1: no column 4 for disp; allowed: 1 to 2; columns 1 'Disp [mm]', 2 'Force [kN]'; try: --columns disp=NUMBER\n"
+      "FILE:1: no column 'Taglio' for force; allowed: columns 1 'Disp [mm]', 2 'Force [kN]'; try: --columns force=NUMBER");
 }
 
 TEST_F(ColumnsTest, OneColumnForTwoChannels) {
-  EXPECT_EQ(refusal("Disp [mm];Force [kN]\n1;2\n2;3\n3;1\n", with("disp=2,force=2", "disp=mm")),
-            "FILE:1: column 2 'Force [kN]' is asked for as disp and as force; allowed: one column per channel; try: "
-            "--columns "
-            "disp=NUMBER,force=NUMBER");
+  EXPECT_EQ(
+      refusal("Disp [mm];Force [kN]\n1;2\n2;3\n3;1\n", with("disp=2,force=2", "disp=mm")),
+      "FILE:1: column 2 'Force [kN]' is asked for as disp and as force; allowed: one column per channel; try: --columns disp=NUMBER,force=NUMBER");
 }
 
 TEST_F(ColumnsTest, NameThatIsNotUnique) {

@@ -199,9 +199,9 @@ TEST(ErrorBudget, ALongRestIsNoted) {
   auto const rested =
       Motion().sine(150.0, 0.5, 1).hold(0.0, 3.0).sine(150.0, 0.5, 1).hold(0.0, 4.0).sine(150.0, 0.5, 1);
   auto const budget = budget_of(Motion(rested).end().loop());
-  EXPECT_TRUE(says(budget.notes,
-                   "the device stands still for 4 s in cycle 3 of block 1, longer than its period, and for "
-                   "longer than a period in 1 more"));
+  EXPECT_TRUE(says(
+      budget.notes,
+      "the device stands still for 4 s in cycle 3 of block 1, longer than its period, and for longer than a period in 1 more"));
   EXPECT_NEAR(find(budget, "longest rest or hold")->value, 4.0, 0.03);
   EXPECT_FALSE(says(budget_of(plain()).notes, "stands still"));
 }

@@ -47,9 +47,7 @@ TEST_F(Json, AnArrayOfRows) {
   EXPECT_EQ(record.layout.columns.at(Channel::disp), "2");
   EXPECT_EQ(
       refusal("[" + three_rows + "]"),
-      "FILE: no row names the 3 columns, so which is the displacement and which the force cannot be told; allowed: "
-      "column numbers 1 to 3; try: --columns time=1,disp=2,force=3 --units time=s,disp=mm,force=kN, with your "
-      "numbers and units");
+      "FILE: no row names the 3 columns, so which is the displacement and which the force cannot be told; allowed: column numbers 1 to 3; try: --columns time=1,disp=2,force=3 --units time=s,disp=mm,force=kN, with your numbers and units");
 }
 
 TEST_F(Json, NamesAndUnitsBesideTheRows) {
@@ -66,13 +64,13 @@ TEST_F(Json, NamesAndUnitsBesideTheRows) {
 }
 
 TEST_F(Json, AUnitIsNeverAssumed) {
-  EXPECT_EQ(refusal(R"({"disp": [0, 1, 2], "force": [1, 2, 1]})"),
-            "FILE: column 1 'disp' (disp) has no unit; allowed: mm, cm, m, in; try: --units disp=mm\n"
-            "FILE: column 2 'force' (force) has no unit; allowed: kN, N, MN, tonf, kgf, daN, kip, lbf; "
-            "try: --units force=kN");
-  EXPECT_EQ(refusal(R"({"disp_mm": [0, 1, 2], "force": [1, 2, 1], "units": {"force": "furlong"}})"),
-            "FILE: unknown unit 'furlong' of column 2 'force' (force); allowed: kN, N, MN, tonf, kgf, daN, kip, lbf; "
-            "try: --units force=kN");
+  EXPECT_EQ(
+      refusal(R"({"disp": [0, 1, 2], "force": [1, 2, 1]})"),
+      "FILE: column 1 'disp' (disp) has no unit; allowed: mm, cm, m, in; try: --units disp=mm\n"
+      "FILE: column 2 'force' (force) has no unit; allowed: kN, N, MN, tonf, kgf, daN, kip, lbf; try: --units force=kN");
+  EXPECT_EQ(
+      refusal(R"({"disp_mm": [0, 1, 2], "force": [1, 2, 1], "units": {"force": "furlong"}})"),
+      "FILE: unknown unit 'furlong' of column 2 'force' (force); allowed: kN, N, MN, tonf, kgf, daN, kip, lbf; try: --units force=kN");
 }
 
 TEST_F(Json, SeveralTablesAreChosenByTheirKey) {
@@ -111,9 +109,9 @@ TEST_F(Json, AListOfTestsHoldsAsManyTests) {
     EXPECT_EQ(read(text, told).size(), 6u);
   }
   auto const text = R"({"tests": )" + list + "}";
-  EXPECT_EQ(refusal(text, units),
-            "FILE: 2 tests in one file: tests(1) 'A', tests(2) 'B'; allowed: one of them, or all as one history; try: "
-            "--test all, or --test 2");
+  EXPECT_EQ(
+      refusal(text, units),
+      "FILE: 2 tests in one file: tests(1) 'A', tests(2) 'B'; allowed: one of them, or all as one history; try: --test all, or --test 2");
   auto told = units;
   told.test = "3";
   EXPECT_EQ(refusal(text, told), "FILE: no test 3; allowed: 1 to 2: tests(1) 'A', tests(2) 'B'; try: --test 1");
@@ -141,9 +139,9 @@ TEST_F(Json, TestsOfAListSpeakForThemselvesAlone) {
                            second);
   expect_three_rows(record);
   EXPECT_TRUE(says(record.recognised, "element 'tests(2)' of the list holds no table of numbers, is passed over"));
-  EXPECT_EQ(refusal("[" + one("mm", arrays) + R"(, {"a": 1, "b": 2}, {"a": 1, "b": 3}, {"a": 1, "b": 2}])", second),
-            "FILE: a list of rows of numbers and of tests; allowed: elements of one kind; try: a list of the tests "
-            "alone");
+  EXPECT_EQ(
+      refusal("[" + one("mm", arrays) + R"(, {"a": 1, "b": 2}, {"a": 1, "b": 3}, {"a": 1, "b": 2}])", second),
+      "FILE: a list of rows of numbers and of tests; allowed: elements of one kind; try: a list of the tests alone");
 }
 
 // Arrays inside rows make no tests of them.
@@ -161,30 +159,24 @@ TEST_F(Json, RowsMayHoldShortArrays) {
 TEST_F(Json, WhatIsNoNumberIsAtItsRow) {
   EXPECT_EQ(
       refusal(R"({"disp_mm": [0, null, 2, "3"], "force_kN": [1, 2, 3, 4]})"),
-      "FILE:2: 'null' in column 1 'disp_mm' is not a number; allowed: a number; try: correct the value, or leave it "
-      "out in every channel\n"
-      "FILE:4: '3' in column 1 'disp_mm' is not a number; allowed: a number; try: correct the value, or leave it "
-      "out in every channel");
-  EXPECT_EQ(refusal(R"({"a": [[0, 1], [1, 2], [2], [3, 4]]})", with("disp=1,force=2", "disp=mm,force=kN")),
-            "FILE:a:3: 1 values, not 2 as in the first row; allowed: one number for each column in every row; try: "
-            "correct the row, or export the test again");
+      "FILE:2: 'null' in column 1 'disp_mm' is not a number; allowed: a number; try: correct the value, or leave it out in every channel\n"
+      "FILE:4: '3' in column 1 'disp_mm' is not a number; allowed: a number; try: correct the value, or leave it out in every channel");
+  EXPECT_EQ(
+      refusal(R"({"a": [[0, 1], [1, 2], [2], [3, 4]]})", with("disp=1,force=2", "disp=mm,force=kN")),
+      "FILE:a:3: 1 values, not 2 as in the first row; allowed: one number for each column in every row; try: correct the row, or export the test again");
   EXPECT_EQ(
       refusal(R"([{"disp_mm": 0, "force_kN": 1}, {"disp_mm": 1}, {"disp_mm": 2, "force_kN": 2}])"),
-      "FILE:2: 'a key that is not there' in column 2 'force_kN' is not a number; allowed: a number; try: correct the "
-      "value, or leave it out in every channel");
-  EXPECT_EQ(refusal(R"({"disp_mm": [0, 1, 2], "force_kN": [1, 2, 1, 4]})"),
-            "FILE: the channels differ in length: column 1 'disp_mm' has 3 values, column 2 'force_kN' has 4 values; "
-            "allowed: columns of equal length; try: --columns time=...,disp=...,force=... with columns that belong "
-            "together");
+      "FILE:2: 'a key that is not there' in column 2 'force_kN' is not a number; allowed: a number; try: correct the value, or leave it out in every channel");
+  EXPECT_EQ(
+      refusal(R"({"disp_mm": [0, 1, 2], "force_kN": [1, 2, 1, 4]})"),
+      "FILE: the channels differ in length: column 1 'disp_mm' has 3 values, column 2 'force_kN' has 4 values; allowed: columns of equal length; try: --columns time=...,disp=...,force=... with columns that belong together");
 }
 
 TEST_F(Json, ChecksOfTheValuesAreThoseOfText) {
   EXPECT_EQ(
       refusal(R"({"time_s": [0, 1, 1], "disp_mm": [0, 1, 2], "force_kN": [1, 1, 1]})"),
-      "FILE:3: time 1 s is repeated; allowed: time that increases from row to row; try: keep one test per file, or "
-      "leave time out with --columns time=none and give --dt\n"
-      "FILE: force is constant: column 3 'force_kN' holds 1 kN in all 3 samples; allowed: a channel that moves; "
-      "try: --columns force=NUMBER with the column that was measured");
+      "FILE:3: time 1 s is repeated; allowed: time that increases from row to row; try: keep one test per file, or leave time out with --columns time=none and give --dt\n"
+      "FILE: force is constant: column 3 'force_kN' holds 1 kN in all 3 samples; allowed: a channel that moves; try: --columns force=NUMBER with the column that was measured");
 }
 
 TEST_F(Json, WhatIsNoTable) {

@@ -66,15 +66,12 @@ TEST_P(Matlab, VariablesAskedFor) {
   });
   EXPECT_EQ(
       refusal(text),
-      "FILE: no variable is recognised as the horizontal displacement, none as the horizontal force; allowed: "
-      "variables " +
-          std::string(GetParam() == Form::v73 || GetParam() == Form::v73_packed
-                          ? "Kx (1 x 1 double, no channel), Tout (4 x 1 double), dist (4 x 1 double), forc (4 x 1 "
-                            "double), note (1 x 10 char), x_F:1 to x_F:3 (4 x 3 double)"
-                          : "Tout (4 x 1 double), dist (4 x 1 double), forc (4 x 1 double), x_F:1 to x_F:3 (4 x 3 "
-                            "double), Kx (1 x 1 double, no channel), note (1 x 10 char)") +
-          "; try: --columns time=NAME,disp=NAME,force=NAME --units time=s,disp=mm,force=kN, with your names and "
-          "units");
+      "FILE: no variable is recognised as the horizontal displacement, none as the horizontal force; allowed: variables " +
+          std::string(
+              GetParam() == Form::v73 || GetParam() == Form::v73_packed
+                  ? "Kx (1 x 1 double, no channel), Tout (4 x 1 double), dist (4 x 1 double), forc (4 x 1 double), note (1 x 10 char), x_F:1 to x_F:3 (4 x 3 double)"
+                  : "Tout (4 x 1 double), dist (4 x 1 double), forc (4 x 1 double), x_F:1 to x_F:3 (4 x 3 double), Kx (1 x 1 double, no channel), note (1 x 10 char)") +
+          "; try: --columns time=NAME,disp=NAME,force=NAME --units time=s,disp=mm,force=kN, with your names and units");
   auto options = units;
   for (auto const* columns : {"time=Tout,disp=dist,force=forc", "time=x_F:1,disp=x_F:2,force=x_F:3"}) {
     options.columns = parse_columns(columns);
@@ -137,20 +134,17 @@ TEST_P(Matlab, FaultsAreAtTheirVariableAndElement) {
   bad[1].second[2] = std::nan("");
   EXPECT_EQ(
       refusal(made([&](MatWriter& w) { w.all(bad); })),
-      "FILE:disp_mm:3: 'nan' in variable 'disp_mm' is not a finite number; allowed: a finite number; try: cut the "
-      "record before this element, or test again");
+      "FILE:disp_mm:3: 'nan' in variable 'disp_mm' is not a finite number; allowed: a finite number; try: cut the record before this element, or test again");
   bad = named;
   bad[0].second[3] = 0.1;
   EXPECT_EQ(
       refusal(made([&](MatWriter& w) { w.structure("s", {bad}); })),
-      "FILE:s.time_s:4: time goes back from 0.2 to 0.1 s; allowed: time that increases from row to row; try: keep one "
-      "test per file, or leave time out with --columns time=none and give --dt");
+      "FILE:s.time_s:4: time goes back from 0.2 to 0.1 s; allowed: time that increases from row to row; try: keep one test per file, or leave time out with --columns time=none and give --dt");
   bad = named;
   bad[2].second.pop_back();
-  EXPECT_EQ(refusal(made([&](MatWriter& w) { w.all(bad); })),
-            "FILE: the channels differ in length: variable 'time_s' has 4 values, variable 'disp_mm' has 4 values, "
-            "variable 'force_kN' has 3 values; allowed: columns of equal length; try: --columns "
-            "time=...,disp=...,force=... with columns that belong together");
+  EXPECT_EQ(
+      refusal(made([&](MatWriter& w) { w.all(bad); })),
+      "FILE: the channels differ in length: variable 'time_s' has 4 values, variable 'disp_mm' has 4 values, variable 'force_kN' has 3 values; allowed: columns of equal length; try: --columns time=...,disp=...,force=... with columns that belong together");
 }
 
 TEST_P(Matlab, AUnitIsNeverAssumed) {
@@ -159,17 +153,15 @@ TEST_P(Matlab, AUnitIsNeverAssumed) {
 }
 
 TEST_P(Matlab, AChannelThatIsNotThere) {
-  EXPECT_EQ(refusal(made([](MatWriter& w) { w.array("disp_mm", disp); })),
-            "FILE: no variable is recognised as the horizontal force; allowed: variables disp_mm (4 x 1 double); try: "
-            "--columns force=NAME");
+  EXPECT_EQ(
+      refusal(made([](MatWriter& w) { w.array("disp_mm", disp); })),
+      "FILE: no variable is recognised as the horizontal force; allowed: variables disp_mm (4 x 1 double); try: --columns force=NAME");
 }
 
 TEST_P(Matlab, NoArrays) {
   EXPECT_EQ(
       refusal(made([](MatWriter& w) { w.array("Kx", {3.0}).text("note", "first test"); })),
-      "FILE: no arrays of numbers; variables Kx (1 x 1 double, no channel), note (1 x 10 char); allowed: real "
-      "vectors or matrices of 3 rows or more, at the top or in structs one level deep; try: save time, displacement "
-      "and force as vectors, or export them as CSV");
+      "FILE: no arrays of numbers; variables Kx (1 x 1 double, no channel), note (1 x 10 char); allowed: real vectors or matrices of 3 rows or more, at the top or in structs one level deep; try: save time, displacement and force as vectors, or export them as CSV");
 }
 
 // Cut anywhere, a file is read as far as it goes or refused; every byte that differs is survived.
@@ -350,8 +342,8 @@ TEST_F(Mat73, LinksAndDataElsewhereLeadNowhere) {
     H5Lcreate_soft("/force_kN", file, "disp_cm", H5P_DEFAULT, H5P_DEFAULT);
   });
   EXPECT_NE(
-      refusal(text).find("no variable is recognised as the horizontal displacement; allowed: variables force_kN (4 x 1 "
-                         "double); try"),
+      refusal(text).find(
+          "no variable is recognised as the horizontal displacement; allowed: variables force_kN (4 x 1 double); try"),
       std::string::npos)
       << refusal(text);
   auto const kept_elsewhere = made([&](hid_t file) {

@@ -219,10 +219,10 @@ TEST_F(FrictionDamper, InInchesAndKips) {
       "time [s],displacement [in],friction force [kip],velocity [in/s],actuator force 1 [lb],actuator force 2 [lb]\n" +
       rows_of(json);
 
-  EXPECT_NE(refusal(table).find(
-                "column 3 'friction force [kip]', column 5 'actuator force 1 [lb]', column 6 'actuator force 2 "
-                "[lb]' may each be the horizontal force"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal(table).find(
+          "column 3 'friction force [kip]', column 5 'actuator force 1 [lb]', column 6 'actuator force 2 [lb]' may each be the horizontal force"),
+      std::string::npos);
   auto const record = read(table, with("force=3"));
   ASSERT_EQ(record.size(), 7169u);
   EXPECT_DOUBLE_EQ(record.time_s[1], 0.0009765625);

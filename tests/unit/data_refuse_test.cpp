@@ -56,10 +56,10 @@ TEST_F(Refuse, WhatIsNotText) {
 TEST_F(Refuse, AFileAboveOneGiB) {
   auto const file = write("x");
   std::filesystem::resize_file(file, (std::uintmax_t{3} << 29));  // a hole: takes no space
-  EXPECT_EQ(thrown_for(file), file.generic_string() +
-                                  ": is 1.50 GiB large, above 1 GiB; allowed: delimited text (UTF-8, ASCII or "
-                                  "Windows-1252), .xlsx, .mat or JSON; "
-                                  "try: export one test per file, or fewer samples per second");
+  EXPECT_EQ(
+      thrown_for(file),
+      file.generic_string() +
+          ": is 1.50 GiB large, above 1 GiB; allowed: delimited text (UTF-8, ASCII or Windows-1252), .xlsx, .mat or JSON; try: export one test per file, or fewer samples per second");
 }
 
 TEST_F(Refuse, WhatIsNoPlainFile) {
@@ -72,23 +72,23 @@ TEST_F(Refuse, WhatIsNoPlainFile) {
 }
 
 TEST_F(Refuse, MoreRowsThanAnyTestHas) {
-  EXPECT_EQ(refusal(std::string(most_lines + 1, '\n')),
-            "FILE: 10000001 rows; allowed: 10000000 or fewer; try: thin the record, every tenth row for example, or "
-            "export one test per file");
+  EXPECT_EQ(
+      refusal(std::string(most_lines + 1, '\n')),
+      "FILE: 10000001 rows; allowed: 10000000 or fewer; try: thin the record, every tenth row for example, or export one test per file");
 }
 
 TEST_F(Refuse, ALineWithoutEnd) {
-  EXPECT_EQ(refusal("1,2\n" + std::string(longest_line + 1, '1') + "\r\n3,4"),
-            "FILE:2: a line of 32769 characters; allowed: 32768 or fewer; try: export the channels as CSV, one sample "
-            "a line");
+  EXPECT_EQ(
+      refusal("1,2\n" + std::string(longest_line + 1, '1') + "\r\n3,4"),
+      "FILE:2: a line of 32769 characters; allowed: 32768 or fewer; try: export the channels as CSV, one sample a line");
 }
 
 TEST_F(Refuse, MoreColumnsThanAnyTestHas) {
   std::string row = "1";
   for (int i = 1; i < 1001; ++i) row += ";" + std::to_string(i % 10);
-  EXPECT_EQ(refusal(row + "\n" + row + "\n" + row + "\n"),
-            "FILE: 1001 columns separated by semicolons; allowed: 1000 or fewer; try: export time, displacement and "
-            "force alone, one sample a line");
+  EXPECT_EQ(
+      refusal(row + "\n" + row + "\n" + row + "\n"),
+      "FILE: 1001 columns separated by semicolons; allowed: 1000 or fewer; try: export time, displacement and force alone, one sample a line");
 }
 
 TEST_F(Refuse, ControlCharactersAreSpelledOut) {
@@ -99,13 +99,11 @@ TEST_F(Refuse, ControlCharactersAreSpelledOut) {
 
 TEST_F(Refuse, NoNumbers) {
   std::string const rest =
-      "; allowed: two or more columns of numbers, separated by commas, semicolons, tabs or blanks; try: "
-      "export displacement and force as CSV";
+      "; allowed: two or more columns of numbers, separated by commas, semicolons, tabs or blanks; try: export displacement and force as CSV";
   EXPECT_EQ(refusal("Time;Disp;Force\ns;mm;kN\n"), "FILE: no rows of numbers in 2 lines" + rest);
   EXPECT_EQ(refusal("\n \n"), "FILE: no rows of numbers in 2 lines" + rest);
   std::string const one =
-      "FILE: one column of numbers; allowed: two or more columns of numbers, separated by commas, semicolons, tabs or "
-      "blanks; try: write time beside displacement for a motion, displacement beside force for a test";
+      "FILE: one column of numbers; allowed: two or more columns of numbers, separated by commas, semicolons, tabs or blanks; try: write time beside displacement for a motion, displacement beside force for a test";
   EXPECT_EQ(refusal("1.5\n2.5\n3.5\n"), one);
   EXPECT_EQ(refusal("Displacement [mm]\n1.5\n2.5e1\n-3\n+4\n"), one);
 }
@@ -119,12 +117,10 @@ TEST_F(Refuse, FewerThanThreeSamples) {
 TEST_F(Refuse, DecimalCommasBetweenCommas) {
   EXPECT_EQ(
       refusal("Disp [mm],Force [kN]\n1,5,2,0\n2,5,3,0\n3,5,1,0\n", with("disp=1,force=3", "disp=mm,force=kN")),
-      "FILE:1: 2 names, but the rows have 4 columns: commas seem to be both delimiter and decimal separator; allowed: "
-      "one name per column; try: export with semicolons or tabs between the columns");
+      "FILE:1: 2 names, but the rows have 4 columns: commas seem to be both delimiter and decimal separator; allowed: one name per column; try: export with semicolons or tabs between the columns");
   EXPECT_EQ(
       refusal("1,5,2,0\n2,5,3,0\n3,5,1,0\n", with("disp=1,force=3", "disp=mm,force=kN")),
-      "FILE:1: 4 columns of whole numbers, or 2 of numbers with a decimal comma: nothing tells; allowed: a delimiter "
-      "that is not the decimal separator, or a line of names; try: export with semicolons or tabs between the columns");
+      "FILE:1: 4 columns of whole numbers, or 2 of numbers with a decimal comma: nothing tells; allowed: a delimiter that is not the decimal separator, or a line of names; try: export with semicolons or tabs between the columns");
 }
 
 TEST_F(Refuse, NamesAndColumnsThatDoNotMatch) {
@@ -134,14 +130,12 @@ TEST_F(Refuse, NamesAndColumnsThatDoNotMatch) {
 }
 
 TEST_F(Refuse, ThousandsSeparators) {
-  EXPECT_EQ(refusal("Disp [mm];Force [kN]\n1,5;1.234,56\n2,5;3,0\n3,5;1,0\n"),
-            "FILE:2: '1.234,56' in column 2 'Force [kN]' has thousands separators; allowed: a number with a decimal "
-            "comma and "
-            "no other separator; try: export without digit grouping");
-  EXPECT_EQ(refusal("Disp [mm];Force [N]\n1.5;1,234.56\n2.5;3.0\n3.5;1.0\n"),
-            "FILE:2: '1,234.56' in column 2 'Force [N]' has thousands separators; allowed: a number with a decimal "
-            "point and no "
-            "other separator; try: export without digit grouping");
+  EXPECT_EQ(
+      refusal("Disp [mm];Force [kN]\n1,5;1.234,56\n2,5;3,0\n3,5;1,0\n"),
+      "FILE:2: '1.234,56' in column 2 'Force [kN]' has thousands separators; allowed: a number with a decimal comma and no other separator; try: export without digit grouping");
+  EXPECT_EQ(
+      refusal("Disp [mm];Force [N]\n1.5;1,234.56\n2.5;3.0\n3.5;1.0\n"),
+      "FILE:2: '1,234.56' in column 2 'Force [N]' has thousands separators; allowed: a number with a decimal point and no other separator; try: export without digit grouping");
 }
 
 // --- rows -----------------------------------------------------------------------------------------------------------
@@ -150,24 +144,18 @@ TEST_F(Refuse, CellsThatAreNoNumbersAllAtOnce) {
   EXPECT_EQ(
       refusal(names + "0;1;2\n1;NaN;3\n2;3;-inf\n3;x;1\n4;;1\n5;1,5;1\n6;1;1;9\n7;#N/A;1\n8;2;3\n9;2.5;4\n"),
       "FILE:8: 4 columns: '6;1;1;9'; allowed: 3 columns, as in most rows; try: remove the line, or put '#' before it\n"
-      "FILE:3: 'NaN' in column 2 'Disp [mm]' is not a finite number; allowed: a finite number; try: cut the record "
-      "before "
-      "this line, or test again\n"
-      "FILE:4: '-inf' in column 3 'Force [kN]' is not a finite number; allowed: a finite number; try: cut the record "
-      "before this line, or test again\n"
-      "FILE:5: 'x' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: correct the "
-      "cell, or put '#' before the line\n"
+      "FILE:3: 'NaN' in column 2 'Disp [mm]' is not a finite number; allowed: a finite number; try: cut the record before this line, or test again\n"
+      "FILE:4: '-inf' in column 3 'Force [kN]' is not a finite number; allowed: a finite number; try: cut the record before this line, or test again\n"
+      "FILE:5: 'x' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: correct the cell, or put '#' before the line\n"
       "FILE:6: column 2 'Disp [mm]' is empty; allowed: a number; try: remove the line, or put '#' before it\n"
-      "FILE:7: '1,5' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: correct the "
-      "cell, or put '#' before the line\n"
+      "FILE:7: '1,5' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: correct the cell, or put '#' before the line\n"
       "FILE: and 1 more cells that are no number");
 }
 
 TEST_F(Refuse, ABrokenFirstRowIsNoHeader) {
   EXPECT_EQ(
       refusal(names + "0;x;2\n1;2;3\n2;3;1\n3;1;2\n"),
-      "FILE:2: 'x' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: correct the "
-      "cell, or put '#' before the line");
+      "FILE:2: 'x' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: correct the cell, or put '#' before the line");
 }
 
 TEST_F(Refuse, LinesAreCountedAlikeForEveryLineEnd) {
@@ -179,23 +167,19 @@ TEST_F(Refuse, LinesAreCountedAlikeForEveryLineEnd) {
 }
 
 TEST_F(Refuse, ProblemsOfColumnsAndRowsTogether) {
-  EXPECT_EQ(refusal("Time [s];Disp;Force [kN]\n0;1;2\n1;x;3\n2;3;1\n3;4;2\n"),
-            "FILE:1: column 2 'Disp' (disp) has no unit; allowed: mm, cm, m, in; try: --units disp=mm\n"
-            "FILE:3: 'x' in column 2 'Disp' is not a number; allowed: a number with a decimal point; try: correct the "
-            "cell, or "
-            "put '#' before the line");
+  EXPECT_EQ(
+      refusal("Time [s];Disp;Force [kN]\n0;1;2\n1;x;3\n2;3;1\n3;4;2\n"),
+      "FILE:1: column 2 'Disp' (disp) has no unit; allowed: mm, cm, m, in; try: --units disp=mm\n"
+      "FILE:3: 'x' in column 2 'Disp' is not a number; allowed: a number with a decimal point; try: correct the cell, or put '#' before the line");
 }
 
 // --- values ---------------------------------------------------------------------------------------------------------
 
 TEST_F(Refuse, TimeThatDoesNotIncrease) {
-  EXPECT_EQ(refusal(names + "0;1;2\n1;2;3\n1;3;1\n0.5;3;2\n2;1;1\n"),
-            "FILE:4: time 1 s is repeated; allowed: time that increases from row to row; try: keep one test per file, "
-            "or leave "
-            "time out with --columns time=none and give --dt\n"
-            "FILE:5: time goes back from 1 to 0.5 s; allowed: time that increases from row to row; try: keep one test "
-            "per file, "
-            "or leave time out with --columns time=none and give --dt");
+  EXPECT_EQ(
+      refusal(names + "0;1;2\n1;2;3\n1;3;1\n0.5;3;2\n2;1;1\n"),
+      "FILE:4: time 1 s is repeated; allowed: time that increases from row to row; try: keep one test per file, or leave time out with --columns time=none and give --dt\n"
+      "FILE:5: time goes back from 1 to 0.5 s; allowed: time that increases from row to row; try: keep one test per file, or leave time out with --columns time=none and give --dt");
 }
 
 TEST_F(Refuse, IntervalBesideATimeColumn) {
@@ -203,8 +187,7 @@ TEST_F(Refuse, IntervalBesideATimeColumn) {
   options.dt_s = 0.01;
   EXPECT_EQ(
       refusal(names + "0;1;2\n1;2;3\n2;3;1\n", options),
-      "FILE: --dt 0.01 is given, but column 1 'Time [s]' is the time; allowed: --dt for a file without a time column; "
-      "try: leave --dt out, or leave the column out with --columns time=none");
+      "FILE: --dt 0.01 is given, but column 1 'Time [s]' is the time; allowed: --dt for a file without a time column; try: leave --dt out, or leave the column out with --columns time=none");
   options.columns[Channel::time] = "none";
   EXPECT_EQ(refusal(names + "0;1;2\n1;2;3\n2;3;1\n", options), "");
   options.dt_s = -1.0;
@@ -215,10 +198,8 @@ TEST_F(Refuse, IntervalBesideATimeColumn) {
 TEST_F(Refuse, ChannelsThatDoNotMove) {
   EXPECT_EQ(
       refusal(names + "0;1.5;2\n1;1.5;2\n2;1.5;2\n"),
-      "FILE: disp is constant: column 2 'Disp [mm]' holds 1.5 mm in all 3 samples; allowed: a channel that moves; try: "
-      "--columns disp=NUMBER with the column that was measured\n"
-      "FILE: force is constant: column 3 'Force [kN]' holds 2 kN in all 3 samples; allowed: a channel that moves; try: "
-      "--columns force=NUMBER with the column that was measured");
+      "FILE: disp is constant: column 2 'Disp [mm]' holds 1.5 mm in all 3 samples; allowed: a channel that moves; try: --columns disp=NUMBER with the column that was measured\n"
+      "FILE: force is constant: column 3 'Force [kN]' holds 2 kN in all 3 samples; allowed: a channel that moves; try: --columns force=NUMBER with the column that was measured");
 }
 
 // The rows of a clean loop with some forces replaced.
@@ -235,11 +216,10 @@ std::string loop_with(std::vector<std::pair<int, std::string>> const& replaced, 
 
 TEST_F(Refuse, Overloads) {
   std::string const rest = "; allowed: measured values; try: cut the record before the overload, or test again";
-  EXPECT_EQ(refusal(loop_with({{10, "1e30"}})),
-            "FILE:12: 1e+30 kN in column 3 'Force [kN]' looks like an overload of the sensor (99.9 % of the values "
-            "stay within "
-            "77.62)" +
-                rest);
+  EXPECT_EQ(
+      refusal(loop_with({{10, "1e30"}})),
+      "FILE:12: 1e+30 kN in column 3 'Force [kN]' looks like an overload of the sensor (99.9 % of the values stay within 77.62)" +
+          rest);
   EXPECT_NE(refusal(loop_with({{10, "-9999"}, {11, "-9999"}})).find("FILE:13: -9999 kN"), std::string::npos);
   EXPECT_NE(refusal(loop_with({{10, "999.9"}})).find("FILE:12: 999.9 kN"), std::string::npos);
   EXPECT_NE(refusal(loop_with({{10, "4321"}})).find("FILE:12: 4321 kN"), std::string::npos);  // 56 times the others

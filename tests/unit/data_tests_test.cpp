@@ -23,9 +23,9 @@ std::string two_tests() {
 }
 
 TEST_F(SeveralTests, AreRefusedWithoutAWord) {
-  EXPECT_EQ(refusal(two_tests()),
-            "FILE: 2 tests in one file: they start at lines 2, 206; allowed: one of them, or all as one history; "
-            "try: --test all, or --test 2");
+  EXPECT_EQ(
+      refusal(two_tests()),
+      "FILE: 2 tests in one file: they start at lines 2, 206; allowed: one of them, or all as one history; try: --test all, or --test 2");
 }
 
 TEST_F(SeveralTests, OneIsReadByItsNumber) {
@@ -84,15 +84,15 @@ TEST_F(SeveralTests, UnitRowsAndCommentedNames) {
 
 // Rows of text among the numbers that name no channels stay an error at their line.
 TEST_F(SeveralTests, AreNotMadeOfOtherText) {
-  EXPECT_EQ(refusal(names + "0;1;2\n1;2;3\nstop;stop;stop\n2;3;1\n"),
-            "FILE:4: 'stop' in column 1 'Time [s]' is not a number; allowed: a number with a decimal point; "
-            "try: correct the cell, or put '#' before the line");
+  EXPECT_EQ(
+      refusal(names + "0;1;2\n1;2;3\nstop;stop;stop\n2;3;1\n"),
+      "FILE:4: 'stop' in column 1 'Time [s]' is not a number; allowed: a number with a decimal point; try: correct the cell, or put '#' before the line");
 }
 
 TEST_F(SeveralTests, FaultsAreAtTheirLineOfTheFile) {
-  EXPECT_EQ(refusal(names + "0;1;2\n1;2;3\n2;3;1\n" + names + "0;1;2\n1;x;3\n2;3;1\n", test("2")),
-            "FILE:7: 'x' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; "
-            "try: correct the cell, or put '#' before the line");
+  EXPECT_EQ(
+      refusal(names + "0;1;2\n1;2;3\n2;3;1\n" + names + "0;1;2\n1;x;3\n2;3;1\n", test("2")),
+      "FILE:7: 'x' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: correct the cell, or put '#' before the line");
 }
 
 TEST_F(SeveralTests, BeyondAnyNumberOfThem) {
@@ -172,8 +172,7 @@ TEST_F(SeveralTests, SheetsAreNotForText) {
   options.sheet = "1";
   EXPECT_EQ(
       refusal(names + rows(loop, ";"), options),
-      "--sheet: '1', but FILE is delimited text; allowed: a sheet of a workbook, a struct of a .mat file, a key of "
-      "JSON; try: leave --sheet out");
+      "--sheet: '1', but FILE is delimited text; allowed: a sheet of a workbook, a struct of a .mat file, a key of JSON; try: leave --sheet out");
 }
 
 TEST(History, TimeChannelsOfAllPartsOrNone) {

@@ -73,11 +73,7 @@ TEST_F(Workbook, FormulasSharedTextsTitlesAndUnitRows) {
 
 TEST_F(Workbook, RowsAndCellsMayBeLeftOut) {
   auto const text = book_with(
-      "<row r=\"3\"><c r=\"B3\" t=\"inlineStr\"><is><t>Disp [mm]</t></is></c>"
-      "<c r=\"D3\" t=\"inlineStr\"><is><r><t>Force</t></r><r><t> [kN]</t></r></is></c></row>"
-      "<row r=\"5\"><c r=\"B5\"><v>1</v></c><c r=\"D5\"><v>2</v></c></row>"
-      "<row r=\"8\"><c r=\"B8\"><v>2</v></c><c r=\"D8\"><v>3</v></c></row>"
-      "<row r=\"9\"><c r=\"B9\"><v>1</v></c><c r=\"D9\"><v>0</v></c></row>");
+      "<row r=\"3\"><c r=\"B3\" t=\"inlineStr\"><is><t>Disp [mm]</t></is></c><c r=\"D3\" t=\"inlineStr\"><is><r><t>Force</t></r><r><t> [kN]</t></r></is></c></row><row r=\"5\"><c r=\"B5\"><v>1</v></c><c r=\"D5\"><v>2</v></c></row><row r=\"8\"><c r=\"B8\"><v>2</v></c><c r=\"D8\"><v>3</v></c></row><row r=\"9\"><c r=\"B9\"><v>1</v></c><c r=\"D9\"><v>0</v></c></row>");
   auto const record = read(text);
   EXPECT_EQ(record.disp_mm, (std::vector{1.0, 2.0, 1.0}));
   EXPECT_EQ(record.force_kN, (std::vector{2.0, 3.0, 0.0}));
@@ -108,9 +104,9 @@ TEST_F(Workbook, SheetsAreChosenByNameOrNumber) {
             "FILE: no sheet 'Test 3'; allowed: sheets 'Info', 'Test 1', 'Test 2'; try: --sheet NAME, or its number");
   options.sheet = "Info";
   EXPECT_EQ(refusal(text, options), "FILE:Info: no rows of numbers; allowed: sheets 'Info', 'Test 1', 'Test 2'");
-  EXPECT_EQ(refusal(book({{"Info", {{"Device", {}}}}})),
-            "FILE: no rows of numbers in sheets 'Info'; allowed: two or more columns of numbers; try: a sheet with "
-            "displacement and force");
+  EXPECT_EQ(
+      refusal(book({{"Info", {{"Device", {}}}}})),
+      "FILE: no rows of numbers in sheets 'Info'; allowed: two or more columns of numbers; try: a sheet with displacement and force");
 }
 
 TEST_F(Workbook, SheetsOfOtherNumbersArePassedOverBesideATest) {
@@ -162,9 +158,9 @@ TEST_F(Workbook, ALetterIsTheColumnUnlessANameReadsJustSo) {
 
 TEST_F(Workbook, SeveralTestsInOneSheet) {
   auto const text = book_with(names + three + names + three + row(cell("5") + cell("5")));
-  EXPECT_EQ(refusal(text),
-            "FILE:Test: 2 tests in one file: they start at rows 1, 5; allowed: one of them, or all as one history; "
-            "try: --test all, or --test 2");
+  EXPECT_EQ(
+      refusal(text),
+      "FILE:Test: 2 tests in one file: they start at rows 1, 5; allowed: one of them, or all as one history; try: --test all, or --test 2");
   ReadOptions options;
   options.test = "2";
   EXPECT_EQ(read(text, options).size(), 4u);
@@ -195,9 +191,7 @@ TEST_F(Workbook, FaultsAreAtTheirSheetAndRow) {
 
 TEST_F(Workbook, DatesAndTimesOfDayAreNoSeconds) {
   std::string const styles =
-      "<styleSheet><numFmts><numFmt numFmtId=\"170\" formatCode=\"[Red]0.00;&quot;day&quot;0\"/>"
-      "<numFmt numFmtId=\"171\" formatCode=\"mm:ss.0\"/></numFmts><cellXfs><xf numFmtId=\"0\"/><xf numFmtId=\"22\"/>"
-      "<xf numFmtId=\"170\"/><xf numFmtId=\"171\"/><xf numFmtId=\"11\"/></cellXfs></styleSheet>";
+      "<styleSheet><numFmts><numFmt numFmtId=\"170\" formatCode=\"[Red]0.00;&quot;day&quot;0\"/><numFmt numFmtId=\"171\" formatCode=\"mm:ss.0\"/></numFmts><cellXfs><xf numFmtId=\"0\"/><xf numFmtId=\"22\"/><xf numFmtId=\"170\"/><xf numFmtId=\"171\"/><xf numFmtId=\"11\"/></cellXfs></styleSheet>";
   auto const head = row(text_cell("Time [s]") + text_cell("Disp [mm]") + text_cell("Force [kN]"));
   auto const styled = [&](int style) {
     std::string rows = head;
@@ -215,13 +209,12 @@ TEST_F(Workbook, DatesAndTimesOfDayAreNoSeconds) {
 }
 
 TEST_F(Workbook, AColumnThatIsNotThere) {
-  EXPECT_EQ(refusal(book_with(names + three), with("disp=D,force=Force")),
-            "FILE:Test:1: no column 'D' for disp; allowed: columns A 'Disp [mm]', B 'Force [kN]'; try: --columns "
-            "disp=LETTER");
+  EXPECT_EQ(
+      refusal(book_with(names + three), with("disp=D,force=Force")),
+      "FILE:Test:1: no column 'D' for disp; allowed: columns A 'Disp [mm]', B 'Force [kN]'; try: --columns disp=LETTER");
   EXPECT_EQ(
       refusal(book_with(three)),
-      "FILE:Test: no row names the 2 columns, so which is the displacement and which the force cannot be told; "
-      "allowed: columns A to B; try: --columns disp=1,force=2 --units disp=mm,force=kN, with your numbers and units");
+      "FILE:Test: no row names the 2 columns, so which is the displacement and which the force cannot be told; allowed: columns A to B; try: --columns disp=1,force=2 --units disp=mm,force=kN, with your numbers and units");
 }
 
 // --- hostile ----------------------------------------------------------------------------------------------------------

@@ -213,8 +213,7 @@ TEST(Population, OfFewerDevicesThanParametersSaysWhatTheyCanShow) {
   expect_near(found.covariance, found.estimates, 1e-12);
   EXPECT_EQ(
       found.note,
-      "the devices differ by more than the uncertainty of their fits in 2 of 4 directions; 3 devices can show 2 at "
-      "most");
+      "the devices differ by more than the uncertainty of their fits in 2 of 4 directions; 3 devices can show 2 at most");
 }
 
 TEST(Population, OfEqualDevicesHasNoVariance) {

@@ -39,15 +39,14 @@ TEST(Findings, PublishedLotHasThePublishedFront) {
                                                               {"hwang-wu", Role::dominated}}));
   EXPECT_EQ(found.verdicts[4].dominated_by, std::vector<std::string>{"vaiana"});
   EXPECT_EQ(found.verdicts[5].dominated_by, (std::vector<std::string>{"jankowski", "abe", "vaiana"}));
-  EXPECT_EQ(found.verdicts[0].sentence,
-            "Misses the measured force by 7.9 % of its standard deviation on average; its parameters lie up to 30 % "
-            "from the lot's mean, averaged over the parameters.");
+  EXPECT_EQ(
+      found.verdicts[0].sentence,
+      "Misses the measured force by 7.9 % of its standard deviation on average; its parameters lie up to 30 % from the lot's mean, averaged over the parameters.");
   EXPECT_EQ(found.verdicts[2].sentence,
             "Scatters less than abe (22 % against 26 %) and errs less than bilinear (8.8 % against 13.7 %).");
   EXPECT_EQ(
       found.headline,
-      "4 of 6 laws are worth considering: the choice lies between accuracy (jankowski) and robustness (bilinear); "
-      "the best compromise is vaiana.");
+      "4 of 6 laws are worth considering: the choice lies between accuracy (jankowski) and robustness (bilinear); the best compromise is vaiana.");
 }
 
 // A law that is on the front by the optimiser's noise alone is no compromise.

@@ -290,8 +290,7 @@ TEST(Spread, ThePredictionOfTheSystemHolds95PercentOfLots) {
 
 TEST(Bounds, AreLabelledBySource) {
   auto const rules = rules_of(fmt::format(
-      "{}[factors]\nsystem_factor = 0.75\n[[factor]]\nquantity = \"K_eff\"\nenvironment_min = 0.9\nenvironment_max = "
-      "1.3\nspec_min = 0.85\nspec_max = 1.15\n",
+      "{}[factors]\nsystem_factor = 0.75\n[[factor]]\nquantity = \"K_eff\"\nenvironment_min = 0.9\nenvironment_max = 1.3\nspec_min = 0.85\nspec_max = 1.15\n",
       limits));
   // Design 1.2, the same mean; CoV 8.16497 %, cycles all alike except the third.
   auto const lot = lot_view(rules, lot_of({0.9, 1.0, 1.1, 1.0}), parse_design("K_eff=1.2"), 28);

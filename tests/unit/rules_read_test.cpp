@@ -192,12 +192,12 @@ TEST(ReadRules, RefusesWhatIsHalfGiven) {
   expect_parts(with("[[factor]]\nquantity = \"K_d\"\nspec_min = 0.9\n"), {"half a contract band"});
   expect_parts(with("[[factor]]\nquantity = \"K_d\"\nenvironment_max = 0.9\n"), {"0.9 is out of range"});
   expect_parts(with("[[factor]]\nquantity = \"K_d\"\n[[factor]]\nquantity = \"K_d\"\n"), {"a second [[factor]]"});
-  expect_parts(with("[[stability]]\nquantity = \"K_eff\"\nmeasure = \"min_over_max\"\ncycles = [10, 2]\nat_least = "
-                    "0.7\n"),
-               {"not a range of cycles"});
-  expect_parts(with("[[stability]]\nquantity = \"K_v\"\nmeasure = \"min_over_max\"\ncycles = [2, 10]\nat_most_percent "
-                    "= 7\n"),
-               {"'at_least' is missing", "unknown key 'at_most_percent'", "K_v is not measured in cycles"});
+  expect_parts(
+      with("[[stability]]\nquantity = \"K_eff\"\nmeasure = \"min_over_max\"\ncycles = [10, 2]\nat_least = 0.7\n"),
+      {"not a range of cycles"});
+  expect_parts(
+      with("[[stability]]\nquantity = \"K_v\"\nmeasure = \"min_over_max\"\ncycles = [2, 10]\nat_most_percent = 7\n"),
+      {"'at_least' is missing", "unknown key 'at_most_percent'", "K_v is not measured in cycles"});
 }
 
 TEST(ReadRules, CountsCyclesInExactlyOneWay) {

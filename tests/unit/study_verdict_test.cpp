@@ -87,8 +87,7 @@ TEST(VerdictSummary, CountsDevicesAndNamesFailures) {
   sample.unit = "devices";
   EXPECT_EQ(
       verdict_summary(summary),
-      "NTC 2018: 3 of 5 devices pass as far as assessed (not assessed: damping), 1 fails: D03 K_eff +23.0 %, 1 not "
-      "assessed; the lot fails: sample size 5 devices, limit 6 or more of 28\n");
+      "NTC 2018: 3 of 5 devices pass as far as assessed (not assessed: damping), 1 fails: D03 K_eff +23.0 %, 1 not assessed; the lot fails: sample size 5 devices, limit 6 or more of 28\n");
   for (int i = 0; i < 20; ++i) add("X", {line("K_eff", Verdict::fail, 23.0)});
   EXPECT_NE(verdict_summary(summary).find(", 21 fail: D03"), std::string::npos) << verdict_summary(summary);
   EXPECT_NE(verdict_summary(summary).find(" and 11 more, 1 not assessed"), std::string::npos);

@@ -1,7 +1,6 @@
 // How the residuals at an optimum answer to small changes of the free parameters. Internal to this module.
 #pragma once
 
-#include <cstddef>
 #include <span>
 #include <vector>
 

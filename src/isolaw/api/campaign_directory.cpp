@@ -44,13 +44,13 @@ std::vector<std::string> differences(campaign::Contents const& stored, campaign:
 void require_own(std::filesystem::path const& file, std::vector<campaign::Maker> const& makers) {
   auto const me = campaign::this_maker();
   if (std::ranges::all_of(makers, [&](auto const& maker) { return same_build(maker, me); })) return;
-  throw Error({.where = file.string(),
-               .found = fmt::format("an unfinished campaign of isolaw {}; this is {}, whose numbers may differ",
-                                    text(std::span(makers)), text(me)),
-               .allowed = "runs of one build in a campaign",
-               .advice =
-                   "finish it with the isolaw that began it (isolaw --version tells its build), --fresh to start over, "
-                   "or another --out DIR"});
+  throw Error(
+      {.where = file.string(),
+       .found = fmt::format("an unfinished campaign of isolaw {}; this is {}, whose numbers may differ",
+                            text(std::span(makers)), text(me)),
+       .allowed = "runs of one build in a campaign",
+       .advice =
+           "finish it with the isolaw that began it (isolaw --version tells its build), --fresh to start over, or another --out DIR"});
 }
 
 }  // namespace

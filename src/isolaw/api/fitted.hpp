@@ -1,7 +1,6 @@
 // A law as a campaign fitted it, taken from what its store holds.
 #pragma once
 
-#include <string>
 #include <string_view>
 #include <vector>
 

@@ -327,8 +327,7 @@ int run(int argc, char** argv) {
     for (auto const& complaint : error.complaints()) say("isolaw: {}\n", to_string(complaint));
     return exit_wrong_usage;
   } catch (std::bad_alloc const&) {
-    say("isolaw: out of memory; try: fewer devices or shorter records at once, fewer --jobs, --samples-per-cycle 200, "
-        "a smaller --population, or a machine with more memory\n");
+    say("isolaw: out of memory; try: fewer devices or shorter records at once, fewer --jobs, --samples-per-cycle 200, a smaller --population, or a machine with more memory\n");
     return exit_internal;
   } catch (std::filesystem::filesystem_error const& error) {
     say("isolaw: {}: {}\n", shown(error.path1()), error.code().message());

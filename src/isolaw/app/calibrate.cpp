@@ -78,9 +78,7 @@ void draw_figures(study::Summary const& summary, render::FigureChoice choice, st
   auto const outcome = render::write_figures(summary, choice, directory);
   auto const folder = shown(directory / "figures");
   if (outcome.program_missing)
-    say("figures: {} not drawn, {}; try: install gnuplot (Debian: gnuplot-nox) and isolaw report, or gnuplot NAME.gp "
-        "in "
-        "{}, which holds data and scripts\n",
+    say("figures: {} not drawn, {}; try: install gnuplot (Debian: gnuplot-nox) and isolaw report, or gnuplot NAME.gp in {}, which holds data and scripts\n",
         outcome.figures - outcome.drawn, printable(outcome.reason), folder);
   else if (outcome.drawn < outcome.figures)
     say("figures: {} of {} not drawn: {}; data and scripts are in {}\n", outcome.figures - outcome.drawn,
@@ -210,8 +208,7 @@ int report(ReportArguments const& arguments) {
   }
   print(summary, arguments.json);
   if (!contents.complete() && summary.missing_runs() == 0)
-    say("the campaign is not complete: {} analyses are missing; the calibrate command it was started with continues "
-        "it\n",
+    say("the campaign is not complete: {} analyses are missing; the calibrate command it was started with continues it\n",
         summary.missing_analyses());
   else if (!contents.complete())
     say("the campaign is not complete: {} runs are missing; the calibrate command it was started with continues it\n",
@@ -315,8 +312,7 @@ int check(std::filesystem::path const& directory) {
   if (outputs.compared > 0) fmt::print("  {} files beside it compared with what the store gives\n", outputs.compared);
   if (other_rules && outputs.compared > 0)
     fmt::print(
-        "  they were made with other rules, design values or lot size than the store holds, and compared with "
-        "these\n");
+        "  they were made with other rules, design values or lot size than the store holds, and compared with these\n");
   if (since > 0)
     fmt::print("  out of date: {} of them, made before the last {} runs; isolaw report {} makes them again\n",
                outputs.other.size(), since, shown(directory));

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -65,11 +64,7 @@ std::string together(laws::LawEntry const& law) {
 // The catalogue that docs/laws.md holds.
 void print_markdown() {
   fmt::print(
-      "# The laws\n\nFrom the laws' own files, by `./isolaw.sh docs`. x displacement, v velocity, F force, in the "
-      "law's "
-      "own units; a step goes from one\nsample to the next, and what is not said starts at zero. *Paper*: the box of "
-      "Table 4; `isolaw laws ID` says the same. A history that\nstarts elsewhere than at zero displacement finds the "
-      "device virgin there, as if it had come there without history; analysis\nprograms start at zero.\n");
+      "# The laws\n\nFrom the laws' own files, by `./isolaw.sh docs`. x displacement, v velocity, F force, in the law's own units; a step goes from one\nsample to the next, and what is not said starts at zero. *Paper*: the box of Table 4; `isolaw laws ID` says the same. A history that\nstarts elsewhere than at zero displacement finds the device virgin there, as if it had come there without history; analysis\nprograms start at zero.\n");
   for (auto const& law : laws::catalogue()) {
     fmt::print("\n## {}: {}\n\n{}. Units {}, {}, s; {}.\n\n```\n{}\n```\n\n", law.info.id,
                plain_markdown(law.info.title), plain_markdown(law.info.source), law.info.force.symbol,

@@ -100,8 +100,7 @@ std::vector<Dialect> dialects() {
   constexpr double N_ = 1e-3, tonf = 9.80665, kip = 4.4482216152605, kgf = 9.80665e-3, inch = 25.4;
   return {
       {"Time [s],Displacement [mm],Force [kN],Vertical load [kN]\n", ",", false, "\n", plain(1, 1, 1, 3, 3)},
-      {"Prova di taglio ciclico\r\nDispositivo;ISI-S 600/208 n\xb0 02\r\nTempo [s];Spostamento [mm];Forza [kN];Carico "
-       "verticale [kN]\r\n",
+      {"Prova di taglio ciclico\r\nDispositivo;ISI-S 600/208 n\xb0 02\r\nTempo [s];Spostamento [mm];Forza [kN];Carico verticale [kN]\r\n",
        ";", true, "\r\n", plain(1, 1, 1, 3, 3)},
       {"Time\tDisplacement\tForce\tVertical load\ns\tmm\tkN\tkN\n", "\t", false, "\n", plain(1, 1, 1, 3, 3)},
       {"# Cyclic shear test, device 04\ntime_s displacement_mm force_kN load_kN\n", "  ", false, "\n",

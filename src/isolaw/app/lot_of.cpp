@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "isolaw/api/calibrate.hpp"
 #include "isolaw/app/say.hpp"

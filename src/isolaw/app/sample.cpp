@@ -65,8 +65,7 @@ int sample(SampleArguments const& a) {
   say("{} devices of a population estimated from {}; {} of {} directions have scatter\n", a.count, population.devices,
       population.directions, population.names.size());
   if (drawn.rejected > 0)
-    say("{} draws outside the physical limits were drawn again, {} pulled back to the median: the limits shape the "
-        "sample\n",
+    say("{} draws outside the physical limits were drawn again, {} pulled back to the median: the limits shape the sample\n",
         drawn.rejected, drawn.pulled_back);
   if (!population.note.empty()) say("{}\n", population.note);
   return exit_done;

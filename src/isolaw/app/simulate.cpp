@@ -97,8 +97,7 @@ void say_what_it_is(laws::LawEntry const& law, FittedLaw const& chosen, data::Te
         chosen.tested_vel_mm_s);
   constexpr double at_zero = 1e-6;  // of the largest displacement
   if (double const x = path.disp_mm.front(); std::abs(x) > at_zero * largest(path.disp_mm))
-    say("  warning: the motion starts at {:.4g} mm: the device is taken as virgin there, its force as if it had come "
-        "there without history; an analysis program starts at 0: put a path from 0 in front to compare\n",
+    say("  warning: the motion starts at {:.4g} mm: the device is taken as virgin there, its force as if it had come there without history; an analysis program starts at 0: put a path from 0 in front to compare\n",
         x);
 }
 

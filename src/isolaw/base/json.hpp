@@ -2,10 +2,8 @@
 // everything that is not a finite number. A page of 160 devices holds a million numbers: no document tree is built.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>

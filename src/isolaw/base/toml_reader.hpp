@@ -5,7 +5,6 @@
 #include <toml++/toml.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>

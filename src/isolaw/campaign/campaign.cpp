@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <exception>
 #include <latch>
 #include <mutex>
 #include <new>
 #include <optional>
 #include <set>
-#include <system_error>
 #include <thread>
 #include <tuple>
 
@@ -239,9 +237,10 @@ void refit_in_finer_steps(Target const& target, Run& run) {
     run.integration_shift = finer.integration_shift(run.parameters);
     if (!std::isfinite(run.objective))
       return fail(
-          run, fmt::format("the least objective found, {:.4g} in {} step(s) a sample, is of the steps alone: in {} a "
-                           "sample these parameters give no finite force",
-                           coarse, model.refinement(), finer.refinement()));
+          run,
+          fmt::format(
+              "the least objective found, {:.4g} in {} step(s) a sample, is of the steps alone: in {} a sample these parameters give no finite force",
+              coarse, model.refinement(), finer.refinement()));
     model = finer;
   }
 }

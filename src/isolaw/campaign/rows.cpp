@@ -96,8 +96,7 @@ void read_settings(Connection const& db, Contents& contents) {
 void read_devices(Connection const& db, Contents& contents) {
   Statement device(
       db,
-      "SELECT name, file, sha256, status, message, serial, lot, test_date, temperature_C, "
-      "rubber_thickness_mm, rubber_area_mm2, recognised, corrections, warnings, cleaning FROM device ORDER BY id");
+      "SELECT name, file, sha256, status, message, serial, lot, test_date, temperature_C, rubber_thickness_mm, rubber_area_mm2, recognised, corrections, warnings, cleaning FROM device ORDER BY id");
   while (device.row()) {
     Device d;
     d.name = device.text();
@@ -148,9 +147,9 @@ void read_searches(Connection const& db, Contents& contents) {
     s.refusal = search.text();
     found[{s.device, s.law}] = s;
   }
-  Statement parameter(db,
-                      "SELECT device, law, name, unit, free, value, lower, upper, scale, tied_to FROM search_parameter "
-                      "ORDER BY device, law, position");
+  Statement parameter(
+      db,
+      "SELECT device, law, name, unit, free, value, lower, upper, scale, tied_to FROM search_parameter ORDER BY device, law, position");
   while (parameter.row()) {
     auto const device = parameter.index();
     auto const owner = found.find({device, parameter.text()});
@@ -190,9 +189,9 @@ void read_runs(Connection const& db, Contents& contents) {
     auto const number = parameter.whole();
     values[{device, std::move(law), number}].push_back(parameter.real());
   }
-  Statement run(db,
-                "SELECT device, law, number, outcome, objective, integration_shift, refinement, evaluations, "
-                "failed_evaluations, message, history, maker FROM run ORDER BY device, law, number");
+  Statement run(
+      db,
+      "SELECT device, law, number, outcome, objective, integration_shift, refinement, evaluations, failed_evaluations, message, history, maker FROM run ORDER BY device, law, number");
   while (run.row()) {
     Run r;
     r.device = run.index();
@@ -280,9 +279,9 @@ void write_descriptions(Connection const& db, Contents const& contents) {
   for (auto const& [key, value] : descriptions(contents)) meta.bind(value).bind(key).insert();
   Statement analysis(db, "UPDATE setting SET json = ? WHERE key = 'analysis'");
   analysis.bind(contents.settings.analysis ? "\"full\"" : "\"none\"").insert();
-  Statement device(db,
-                   "UPDATE device SET serial = ?, lot = ?, test_date = ?, temperature_C = ?, rubber_thickness_mm = ?, "
-                   "rubber_area_mm2 = ? WHERE id = ?");
+  Statement device(
+      db,
+      "UPDATE device SET serial = ?, lot = ?, test_date = ?, temperature_C = ?, rubber_thickness_mm = ?, rubber_area_mm2 = ? WHERE id = ?");
   for (std::size_t id = 0; id < contents.devices.size(); ++id) {
     auto const& info = contents.devices[id].info;
     device.bind(info.serial).bind(info.lot).bind(info.test_date);

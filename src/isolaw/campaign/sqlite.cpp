@@ -30,13 +30,13 @@ static_assert(std::endian::native == std::endian::little, "series are stored as 
          .found = "the program was stopped in the middle of a write, which must be undone before it can be read",
          .advice = "the calibrate command it was started with: it does so, and continues"});
   if (code == SQLITE_CANTOPEN && file != nullptr && has_log(file))
-    throw Error({.where = file,
-                 .found =
-                     "the program was killed, and the last finished runs are in the log beside the store, which is "
-                     "read only where files can be made beside it",
-                 .allowed = "a store in a directory that may be written, or one whose campaign ended",
-                 .advice = "a copy of the whole directory where you may write; or let its owner run the calibrate "
-                           "command it was started with, which folds the log in"});
+    throw Error(
+        {.where = file,
+         .found =
+             "the program was killed, and the last finished runs are in the log beside the store, which is read only where files can be made beside it",
+         .allowed = "a store in a directory that may be written, or one whose campaign ended",
+         .advice =
+             "a copy of the whole directory where you may write; or let its owner run the calibrate command it was started with, which folds the log in"});
   throw Error({.where = file == nullptr ? "campaign store" : file,
                .found = fmt::format("{}: {}", doing, sqlite3_errmsg(db)),
                .advice = "check free space and permissions of the directory; finished runs in the store are kept"});

@@ -157,11 +157,10 @@ void warn_about_magnitude(TestRecord& record) {
     auto const found = record.layout.units.find(channel);
     return found == record.layout.units.end() ? std::string("?") : found->second;
   };
-  record.warnings.push_back(
-      fmt::format("{:.4g} kN over {:.4g} mm is a stiffness of {:.4g} kN/mm, {} than any isolator's: are displacements "
-                  "really in {} and forces in {}? (--units disp=UNIT,force=UNIT)",
-                  largest_F - least_F, largest_x - least_x, stiffness,
-                  stiffness > stiffest_kN_per_mm ? "stiffer" : "softer", unit(Channel::disp), unit(Channel::force)));
+  record.warnings.push_back(fmt::format(
+      "{:.4g} kN over {:.4g} mm is a stiffness of {:.4g} kN/mm, {} than any isolator's: are displacements really in {} and forces in {}? (--units disp=UNIT,force=UNIT)",
+      largest_F - least_F, largest_x - least_x, stiffness, stiffness > stiffest_kN_per_mm ? "stiffer" : "softer",
+      unit(Channel::disp), unit(Channel::force)));
 }
 
 }  // namespace

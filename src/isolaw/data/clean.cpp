@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <span>
 #include <string>
-#include <utility>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/data/error_budget.hpp"
@@ -209,11 +208,10 @@ FitRecord clean(TestRecord const& raw, CleanOptions const& options) {
   }
   if (step >= 2) {
     drop_samples(record, step);
-    record.cleaning.push_back(
-        fmt::format("thinned from {:.1f} to {:.1f} samples per cycle: every {}th of {} samples kept ({}), each the "
-                    "average of {}",
-                    *properties.samples_per_cycle, *properties.samples_per_cycle / static_cast<double>(step), step,
-                    raw.size(), record.size(), window));
+    record.cleaning.push_back(fmt::format(
+        "thinned from {:.1f} to {:.1f} samples per cycle: every {}th of {} samples kept ({}), each the average of {}",
+        *properties.samples_per_cycle, *properties.samples_per_cycle / static_cast<double>(step), step, raw.size(),
+        record.size(), window));
   }
   return record;
 }

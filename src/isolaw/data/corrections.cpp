@@ -66,10 +66,12 @@ void remove_skew(TestRecord& record, double skew_s) {
   auto const dropped = record.size() - (end - begin);
   record.force_kN = std::move(moved);
   for (auto* channel : {&record.time_s, &record.disp_mm, &record.force_kN, &record.load_kN}) keep(*channel, begin, end);
-  note(record, fmt::format("force moved {} by {:.6g} ms, between samples by interpolation; {} sample{} without a force "
-                           "dropped at the {}",
-                           skew_s > 0.0 ? "back" : "forward", 1000.0 * std::abs(skew_s), dropped,
-                           dropped == 1 ? "" : "s", skew_s > 0.0 ? "end" : "start"));
+  note(
+      record,
+      fmt::format(
+          "force moved {} by {:.6g} ms, between samples by interpolation; {} sample{} without a force dropped at the {}",
+          skew_s > 0.0 ? "back" : "forward", 1000.0 * std::abs(skew_s), dropped, dropped == 1 ? "" : "s",
+          skew_s > 0.0 ? "end" : "start"));
 }
 
 // +1, -1 or 0: the motion at each sample, from reversal to reversal. At the reversal itself the neighbours tell whether
@@ -131,9 +133,11 @@ void remove_inertia(TestRecord& record, double mass_kg) {
     inertia[i] = kN_per_kg_mm_s2 * mass_kg * second_difference(smooth, record.time_s, i, reach);
   for (std::size_t i = 0; i < record.size(); ++i) record.force_kN[i] -= inertia[i];
   auto const [least, largest] = std::ranges::minmax(inertia);
-  note(record, fmt::format("inertia of a moving mass of {:.6g} kg taken off: {:.3g} to {:.3g} kN, from displacement "
-                           "averaged three times over {} samples",
-                           mass_kg, least, largest, window));
+  note(
+      record,
+      fmt::format(
+          "inertia of a moving mass of {:.6g} kg taken off: {:.3g} to {:.3g} kN, from displacement averaged three times over {} samples",
+          mass_kg, least, largest, window));
 }
 
 void require_channels(TestRecord const& record, Corrections const& corrections) {

@@ -246,9 +246,7 @@ std::string too_short(std::span<double const> x, Motion const& motion, Segmentat
   auto const crossings =
       std::count_if(first, motion.lobes.end(), [&](Lobe const& lobe) { return lobe.positive == first->positive; });
   return fmt::format(
-      "less than one complete cycle: displacement runs from {:.4g} to {:.4g} mm and {} crossings of {} in the "
-      "direction of the first motion were found, 2 with a swing to each side between them are needed (swings of less "
-      "than {:.3g} mm are taken for noise)",
+      "less than one complete cycle: displacement runs from {:.4g} to {:.4g} mm and {} crossings of {} in the direction of the first motion were found, 2 with a swing to each side between them are needed (swings of less than {:.3g} mm are taken for noise)",
       least, largest, crossings,
       made.centre_mm == 0.0 ? "zero" : fmt::format("its centre at {:.4g} mm", made.centre_mm), 2.0 * made.band_mm);
 }
@@ -294,8 +292,7 @@ std::string not_cyclic(std::vector<Shape> const& shapes, double share) {
       std::ranges::minmax(shapes, {}, [](Shape const& shape) { return shape.largest - shape.least; });
   auto const regular = std::ranges::count_if(shapes, &Shape::regular);
   return fmt::format(
-      "not cyclic: {} of {} swings to and fro repeat an amplitude or are symmetric within 5 %, {:.0f} % of the travel "
-      "where a cyclic test has {:.0f} % or more; amplitudes run from {:.3g} to {:.3g} mm",
+      "not cyclic: {} of {} swings to and fro repeat an amplitude or are symmetric within 5 %, {:.0f} % of the travel where a cyclic test has {:.0f} % or more; amplitudes run from {:.3g} to {:.3g} mm",
       regular, shapes.size(), 100.0 * share, 100.0 * least_regular_share, (least.largest - least.least) / 2.0,
       (largest.largest - largest.least) / 2.0);
 }

@@ -101,9 +101,10 @@ class Assessment {
     auto const by_amplitude = [](Cycle const* c) { return c->amplitude_mm; };
     auto const [least, largest] = std::ranges::minmax(counted, {}, by_amplitude);
     if (largest->amplitude_mm < 1.1 * least->amplitude_mm) return;
-    say(true, fmt::format("cycles of several amplitudes, {:.4g} to {:.4g} mm: the reported stiffness, energy and "
-                          "damping are those of {} at {:.4g} mm",
-                          least->amplitude_mm, largest->amplitude_mm, where(), cycle().amplitude_mm));
+    say(true,
+        fmt::format(
+            "cycles of several amplitudes, {:.4g} to {:.4g} mm: the reported stiffness, energy and damping are those of {} at {:.4g} mm",
+            least->amplitude_mm, largest->amplitude_mm, where(), cycle().amplitude_mm));
   }
 
   void sampling() {
@@ -133,11 +134,10 @@ class Assessment {
     bool const biased = add("extremes moved by noise", beyond, "%", most_noise_bias);
     bool const scattered = add("scatter of stiffness by noise", scatter, "%", most_noise_scatter);
     if (biased || scattered)
-      say(true, fmt::format(
-                    "noise of {:.2g} mm in displacement ({:.2g} % of the amplitude) and {:.2g} kN in force ({:.2g} "
-                    "%): the extremes of {} lie about {:.2g} % too far out and K_eff comes out at least as much too "
-                    "small; K_eff of one cycle is uncertain by {:.2g} % besides (one standard deviation)",
-                    disp, percent(disp, amplitude), force, percent(force, force_amplitude), where(), beyond, scatter));
+      say(true,
+          fmt::format(
+              "noise of {:.2g} mm in displacement ({:.2g} % of the amplitude) and {:.2g} kN in force ({:.2g} %): the extremes of {} lie about {:.2g} % too far out and K_eff comes out at least as much too small; K_eff of one cycle is uncertain by {:.2g} % besides (one standard deviation)",
+              disp, percent(disp, amplitude), force, percent(force, force_amplitude), where(), beyond, scatter));
   }
 
   // Rests and holds between the cuts of cycles that count, other than before the first motion.
@@ -152,11 +152,11 @@ class Assessment {
     }
     if (longest == nullptr) return;
     add("longest rest or hold", *longest->still_s, "s");
-    say(false, fmt::format(
-                   "the device stands still for {:.3g} s in cycle {} of block {}, longer than its period{}: no part of "
-                   "period, frequency and samples per cycle, but rubber recovers and cools meanwhile",
-                   *longest->still_s, longest->number, longest->block,
-                   count > 1 ? fmt::format(", and for longer than a period in {} more", count - 1) : std::string()));
+    say(false,
+        fmt::format(
+            "the device stands still for {:.3g} s in cycle {} of block {}, longer than its period{}: no part of period, frequency and samples per cycle, but rubber recovers and cools meanwhile",
+            *longest->still_s, longest->number, longest->block,
+            count > 1 ? fmt::format(", and for longer than a period in {} more", count - 1) : std::string()));
   }
 
   void skew(Jump const& jump) {
@@ -175,15 +175,16 @@ class Assessment {
                                    scale * found->uncertainty, found->reversals);
     auto const beside = jump.said ? std::string(", its jump there taken off") : std::string();
     if (is_late)
-      say(true, fmt::format("force turns {} after displacement{}: no device does so, a channel is late; damping comes "
-                            "out about {:.2g} points too small (pi f dt){}",
-                            times, beside, points,
-                            timed ? fmt::format("; --skew-ms {:.3g} moves the force back", late) : std::string()));
+      say(true,
+          fmt::format(
+              "force turns {} after displacement{}: no device does so, a channel is late; damping comes out about {:.2g} points too small (pi f dt){}",
+              times, beside, points,
+              timed ? fmt::format("; --skew-ms {:.3g} moves the force back", late) : std::string()));
     else if (found->significant())
       say(false,
-          fmt::format("force turns {} before displacement{}: viscosity of the device, or an early channel{}; if it is "
-                      "the channel, damping comes out about {:.2g} points too large (pi f dt)",
-                      times, beside, jump.said ? "" : ", or friction too small to be named", points));
+          fmt::format(
+              "force turns {} before displacement{}: viscosity of the device, or an early channel{}; if it is the channel, damping comes out about {:.2g} points too large (pi f dt)",
+              times, beside, jump.said ? "" : ", or friction too small to be named", points));
   }
 
   void rig_friction() {
@@ -191,9 +192,10 @@ class Assessment {
     double const friction = assumed_friction * std::abs(*cycle().N_mean_kN);
     double const points = friction_damping_points(friction, cycle().K_eff_kN_per_mm, cycle().amplitude_mm);
     add("damping by rig friction of 0.5 % of the vertical load", points, "points");
-    say(false, fmt::format("rig friction of 0.5 % of the vertical load of {:.4g} kN would be {:.3g} kN and add {:.2g} "
-                           "points of damping (2 F_f / (pi K D))",
-                           *cycle().N_mean_kN, friction, points));
+    say(false,
+        fmt::format(
+            "rig friction of 0.5 % of the vertical load of {:.4g} kN would be {:.3g} kN and add {:.2g} points of damping (2 F_f / (pi K D))",
+            *cycle().N_mean_kN, friction, points));
   }
 
   // Force lost within 0.2 % of the amplitude of a reversal, beyond what the slope after it explains.
@@ -239,9 +241,9 @@ class Assessment {
     double const points = friction_damping_points(typical / 2.0, cycle().K_eff_kN_per_mm, cycle().amplitude_mm);
     bool const exceeds = add("damping by the jump", points, "points", most_friction_points);
     say(exceeds,
-        fmt::format("force drops by {:.3g} kN at once where motion reverses, as friction of {:.3g} kN does: if "
-                    "that is the rig's, it adds {:.2g} points of damping (--rig-friction {:.3g} takes it off)",
-                    typical, typical / 2.0, points, typical / 2.0));
+        fmt::format(
+            "force drops by {:.3g} kN at once where motion reverses, as friction of {:.3g} kN does: if that is the rig's, it adds {:.2g} points of damping (--rig-friction {:.3g} takes it off)",
+            typical, typical / 2.0, points, typical / 2.0));
     return found;
   }
 
@@ -249,9 +251,10 @@ class Assessment {
     if (!block_->frequency_Hz) return;
     double const stiffness = mass_stiffness_kN_per_mm(1000.0, *block_->frequency_Hz);
     add("stiffness taken by a tonne of moving mass", stiffness, "kN/mm");
-    say(false, fmt::format("each tonne that moves between the device and the load cell takes {:.2g} kN/mm from the "
-                           "stiffness at {:.3g} Hz, {:.2g} % of it (m w^2)",
-                           stiffness, *block_->frequency_Hz, std::abs(percent(stiffness, cycle().K_eff_kN_per_mm))));
+    say(false,
+        fmt::format(
+            "each tonne that moves between the device and the load cell takes {:.2g} kN/mm from the stiffness at {:.3g} Hz, {:.2g} % of it (m w^2)",
+            stiffness, *block_->frequency_Hz, std::abs(percent(stiffness, cycle().K_eff_kN_per_mm))));
   }
 
   // How far the middle of the extremes moves through a block. The first cycle is left out: the force of a device that
@@ -266,10 +269,10 @@ class Assessment {
       largest = std::max(largest, middle(*counted[k]));
     }
     if (add("drift of " + what, percent(largest - least, 2.0 * amplitude), "%", most_drift))
-      say(true, fmt::format("{} drifts: the middle of its cycles moves by {:.3g} {} through block {}, {:.2g} % of the "
-                            "whole travel (limit {:.0f} %)",
-                            what, largest - least, unit, block_->number, percent(largest - least, 2.0 * amplitude),
-                            most_drift));
+      say(true,
+          fmt::format(
+              "{} drifts: the middle of its cycles moves by {:.3g} {} through block {}, {:.2g} % of the whole travel (limit {:.0f} %)",
+              what, largest - least, unit, block_->number, percent(largest - least, 2.0 * amplitude), most_drift));
   }
 
   void drift() {
@@ -285,10 +288,11 @@ class Assessment {
   void closure() {
     double const open = percent(cycle().closure_mm, 2.0 * cycle().amplitude_mm);
     if (add("closure of the loop", open, "%", most_closure))
-      say(true, fmt::format("{} ends {:.3g} mm from where it starts, {:.2g} % of the whole travel (limit {:.0f} %): "
-                            "energy may be wrong by force times that, {:.3g} kN mm",
-                            where(), cycle().closure_mm, std::abs(open), most_closure,
-                            std::abs(cycle().closure_mm * value_at(view_.force_kN, cycle().first))));
+      say(true,
+          fmt::format(
+              "{} ends {:.3g} mm from where it starts, {:.2g} % of the whole travel (limit {:.0f} %): energy may be wrong by force times that, {:.3g} kN mm",
+              where(), cycle().closure_mm, std::abs(open), most_closure,
+              std::abs(cycle().closure_mm * value_at(view_.force_kN, cycle().first))));
   }
 
   std::pair<double, double> range(std::span<double const> values, Cycle const& of) const {
@@ -305,10 +309,9 @@ class Assessment {
     double const share = percent(offset, (largest - least) / 2.0);
     if (add("offset of " + what, share, "%", limit))
       say(true,
-          fmt::format("{} is off centre by {:.4g} {} in {}, {:.0f} % of its amplitude: peak to peak stiffness and "
-                      "energy do not feel it, F/d of one side and the laws do; nothing is removed unless "
-                      "--center is given",
-                      what, offset, unit, where(), std::abs(share)));
+          fmt::format(
+              "{} is off centre by {:.4g} {} in {}, {:.0f} % of its amplitude: peak to peak stiffness and energy do not feel it, F/d of one side and the laws do; nothing is removed unless --center is given",
+              what, offset, unit, where(), std::abs(share)));
   }
 
   void offsets() {
@@ -341,10 +344,9 @@ class Assessment {
     bool const exceeds = add("taken by the moving average", first, "%", most_average_loss);
     add("taken by the moving average from the third harmonic", third, "%");
     say(exceeds,
-        fmt::format("the moving average over {} of {:.1f} samples takes {:.2g} % from the motion at the test's "
-                    "frequency and {:.2g} % from its third harmonic: from what the laws are fitted to, the properties "
-                    "are of raw values{}",
-                    window, samples, first, third, exceeds ? "; a smaller --smooth takes less" : ""));
+        fmt::format(
+            "the moving average over {} of {:.1f} samples takes {:.2g} % from the motion at the test's frequency and {:.2g} % from its third harmonic: from what the laws are fitted to, the properties are of raw values{}",
+            window, samples, first, third, exceeds ? "; a smaller --smooth takes less" : ""));
   }
 
   CycleView const& view_;

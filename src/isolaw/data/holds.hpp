@@ -4,7 +4,6 @@
 // the motion takes to pass the band there: a sine lingers at its peaks without standing still.
 #pragma once
 
-#include <cstddef>
 #include <span>
 
 namespace isolaw::data {

@@ -546,12 +546,11 @@ Tests json_tests(std::string_view bytes, std::string const& file, std::optional<
   Document document(std::move(handler));
   auto const names = document.tables();
   if (names.empty())
-    throw Error(Complaint{.where = file,
-                          .found = "JSON without a table of numbers",
-                          .allowed =
-                              "an object of arrays, an array of objects or an array of rows, at the top or under "
-                              "one key",
-                          .advice = "{\"time\": [...], \"disp\": [...], \"force\": [...]}"});
+    throw Error(Complaint{
+        .where = file,
+        .found = "JSON without a table of numbers",
+        .allowed = "an object of arrays, an array of objects or an array of rows, at the top or under one key",
+        .advice = "{\"time\": [...], \"disp\": [...], \"force\": [...]}"});
   auto const index = key ? choose_sheet(*key, names, file, "table") : 0;
   Tests tests;
   if (names.size() > 1) tests.sheet = sheet_key(names, index);

@@ -192,13 +192,12 @@ Tests mat_tests(std::string_view bytes, std::string const& file, std::optional<s
   auto found = columns_of(mat->variables());
   auto all = listing(mat->variables(), found);
   if (found.columns.empty())
-    throw Error(
-        Complaint{.where = file,
-                  .found = "no arrays of numbers; " + all,
-                  .allowed = fmt::format("real vectors or matrices of {} rows or more, at the top or in structs "
-                                         "one level deep",
-                                         fewest_values),
-                  .advice = "save time, displacement and force as vectors, or export them as CSV"});
+    throw Error(Complaint{
+        .where = file,
+        .found = "no arrays of numbers; " + all,
+        .allowed = fmt::format("real vectors or matrices of {} rows or more, at the top or in structs one level deep",
+                               fewest_values),
+        .advice = "save time, displacement and force as vectors, or export them as CSV"});
   Tests tests;
   std::string chosen;
   if (owner) {

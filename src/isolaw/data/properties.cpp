@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <iterator>
 #include <numbers>
-#include <utility>
 
 #include "isolaw/num/statistics.hpp"
 

@@ -315,8 +315,7 @@ TestRecord read_motion_text(std::string_view bytes, std::string const& name, Rea
          .found = fmt::format("a record of acceleration ({})", in_quotes(*acceleration)),
          .allowed = std::string(displacement_needed),
          .advice =
-             "the response of the isolated structure to it, from an analysis with this law; or --columns disp=..., "
-             "where the file holds that displacement too"}};
+             "the response of the isolated structure to it, from an analysis with this law; or --columns disp=..., where the file holds that displacement too"}};
     if (options.columns.contains(Channel::disp))
       complaints.insert(complaints.end(), error.complaints().begin(), error.complaints().end());
     throw Error(std::move(complaints));

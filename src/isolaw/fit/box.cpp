@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/words.hpp"
@@ -27,8 +26,7 @@ struct AcrossZero {
 };
 
 constexpr std::string_view override_form =
-    "law.parameter=value, law.parameter=lower:upper, law.parameter=free, "
-    "law.parameter=another parameter";
+    "law.parameter=value, law.parameter=lower:upper, law.parameter=free, law.parameter=another parameter";
 
 std::optional<double> parse_number(std::string_view text) {
   auto const value = number_in<double>(text);

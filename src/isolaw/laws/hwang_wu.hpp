@@ -15,20 +15,19 @@
 namespace isolaw::laws {
 
 struct HwangWu {
-  static constexpr LawInfo info{.id = "hwang-wu",
-                                .title = "Hwang-Wu, degrading spring and dashpot",
-                                .source = "Cucuzza et al. 2025, Eqs. (22)-(24)",
-                                .force = N,
-                                .length = cm,
-                                .traits = {.odd = true, .path_integrated = true},
-                                .formula =
-                                    "F = K x + C v,   W = integral of F dx from the start\n"
-                                    "K = a1 + a2 x^2 + a3 x^4 + a4 exp(a9 W) / cosh^2(a5 v)\n"
-                                    "C = (a6 + a7 x^2) / sqrt(a8^2 + v^2) (1 + exp(a10 W))",
-                                .note =
-                                    "W is all the work done since the start, elastic part included, in N cm; the "
-                                    "authors' unit of W is open. The upper bound of "
-                                    "a1 is lost in Table 4; 6e3 N/cm is used."};
+  static constexpr LawInfo info{
+      .id = "hwang-wu",
+      .title = "Hwang-Wu, degrading spring and dashpot",
+      .source = "Cucuzza et al. 2025, Eqs. (22)-(24)",
+      .force = N,
+      .length = cm,
+      .traits = {.odd = true, .path_integrated = true},
+      .formula =
+          "F = K x + C v,   W = integral of F dx from the start\n"
+          "K = a1 + a2 x^2 + a3 x^4 + a4 exp(a9 W) / cosh^2(a5 v)\n"
+          "C = (a6 + a7 x^2) / sqrt(a8^2 + v^2) (1 + exp(a10 W))",
+      .note =
+          "W is all the work done since the start, elastic part included, in N cm; the authors' unit of W is open. The upper bound of a1 is lost in Table 4; 6e3 N/cm is used."};
 
   template <class T>
   struct Params {

@@ -10,11 +10,9 @@
 //   Rows8                                 a table of rows of eight values, read by an index as cell_of gives it
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <span>
 
 namespace isolaw::num {
 

@@ -12,11 +12,9 @@
 // Points are not screened by their value before a descent: in the laws' boxes the low ones lie in the wrong valleys.
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <limits>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 

@@ -112,14 +112,11 @@ std::string cpp_header(Subject const& subject, UnitSystem const& units) {
   for (auto const& line : fact_lines(all)) text += "// " + line + "\n";
   text += fmt::format(
       "//\n// To use, in a user material: {0}::Material m(nominal, or lower or upper);\n"
-      "//   setTrialStrain(u, v): m.trial(u, v)   getStress: m.force()   getTangent: m.tangent()   getDampTangent: "
-      "m.damping()\n"
-      "//   commitState: m.commit()   revertToLastCommit: m.revert()   revertToStart: m.revert_to_start()   copy: by "
-      "value\n"
+      "//   setTrialStrain(u, v): m.trial(u, v)   getStress: m.force()   getTangent: m.tangent()   getDampTangent: m.damping()\n"
+      "//   commitState: m.commit()   revertToLastCommit: m.revert()   revertToStart: m.revert_to_start()   copy: by value\n"
       "//   {1}\n"
       "// To check: c++ -std=c++17 -DISOLAW_SELF_CHECK -x c++ this-file -o check && ./check\n"
-      "#ifndef {2}_HPP\n#define {2}_HPP\n\n#include <algorithm>\n#include <cmath>\n#include <cstddef>\n#include "
-      "<vector>\n\n"
+      "#ifndef {2}_HPP\n#define {2}_HPP\n\n#include <algorithm>\n#include <cmath>\n#include <cstddef>\n#include <vector>\n\n"
       "namespace {0} {{\n\n",
       space,
       subject.law->info.traits.rate_independent ? "The law does not depend on the velocity."

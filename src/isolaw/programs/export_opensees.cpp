@@ -52,8 +52,7 @@ std::string procedure(CheckedForm const& form) {
         "  proc bearing {tag i j variant args} {\n";
   else if (inner)
     text += fmt::format(
-        "  # uses the tag after the given one too\n  proc {} {{tag {{variant nominal}}}} {{\n    set inner [expr "
-        "{{$tag + 1}}]\n",
+        "  # uses the tag after the given one too\n  proc {} {{tag {{variant nominal}}}} {{\n    set inner [expr {{$tag + 1}}]\n",
         form.function);
   else
     text += fmt::format("  proc {} {{tag {{variant nominal}}}} {{\n", form.function);
@@ -138,8 +137,7 @@ std::string opensees_script(Subject const& subject, Realisation const& realisati
   for (auto const& form : check.forms) text += procedure(form);
   text += check_procedure(check) + "}\n\n";
   text += fmt::format(
-      "if {{[info exists argv] && [lindex $argv 0] eq \"check\"}} {{\n  model basic -ndm 1 -ndf 1\n  "
-      "{}::self_check\n}}\n",
+      "if {{[info exists argv] && [lindex $argv 0] eq \"check\"}} {{\n  model basic -ndm 1 -ndf 1\n  {}::self_check\n}}\n",
       space);
   return text;
 }

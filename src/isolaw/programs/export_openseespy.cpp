@@ -60,12 +60,10 @@ std::string openseespy_script(Subject const& subject, Realisation const& realisa
       check.forms.front().function);
   for (auto const& form : check.forms) text += function(form);
   text += fmt::format(
-      "# Displacements of the self-check, and the force of the law itself along them.\nDISP = [\n{}\n]\nLAW = "
-      "[\n{}\n]\n",
+      "# Displacements of the self-check, and the force of the law itself along them.\nDISP = [\n{}\n]\nLAW = [\n{}\n]\n",
       wrapped(check.disp, ", ", "    "), wrapped(check.law, ", ", "    "));
   text +=
-      "# Force that the program must give, computed by isolaw from its algorithm: function, variant, tolerance, "
-      "force.\n"
+      "# Force that the program must give, computed by isolaw from its algorithm: function, variant, tolerance, force.\n"
       "EXPECTED = [\n";
   for (auto const& form : check.forms) {
     if (form.is_element) continue;

@@ -88,8 +88,7 @@ WenSet plastic_wen(Subject const& subject) {
   if (!found) return std::nullopt;
   auto const what =
       v ? fmt::format(
-              "re-fitted with beta = gamma and an exponent of 1 or more, since the law has beta = {}, "
-              "gamma = {} of beta + gamma = 1 and n = {}; from the law",
+              "re-fitted with beta = gamma and an exponent of 1 or more, since the law has beta = {}, gamma = {} of beta + gamma = 1 and n = {}; from the law",
               briefly(v->beta / (v->beta + v->gamma)), briefly(v->gamma / (v->beta + v->gamma)), briefly(v->n))
         : std::string("re-fitted; from the law");
   return with_bounds(subject, *found, fitted_text(what, error));
@@ -189,19 +188,17 @@ void csi(Page& page, Subject const& subject, WenSet const& wen, WenSet const& ru
          std::optional<Set<laws::BilinearForm>> const& corner, UnitSystem const& units) {
   page.heading("SAP2000, ETABS");
   if (subject.K_eff_kN_per_mm) {
-    page.line(
-        fmt::format("Linear properties of every link, for modal and response spectrum analyses: TransKE = {:.5g} {}/{} "
-                    "(measured, {} at {:.4g} {}), TransCE = 0 in a non-linear run. Measured damping {:.3g} %.",
-                    units.convert(*subject.K_eff_kN_per_mm, 1, -1), units.force.symbol, units.length.symbol,
-                    subject.lot ? "mean of the lot" : "peak to peak", units.from_mm(subject.design_disp_mm),
-                    units.length.symbol, *subject.damping_percent));
+    page.line(fmt::format(
+        "Linear properties of every link, for modal and response spectrum analyses: TransKE = {:.5g} {}/{} (measured, {} at {:.4g} {}), TransCE = 0 in a non-linear run. Measured damping {:.3g} %.",
+        units.convert(*subject.K_eff_kN_per_mm, 1, -1), units.force.symbol, units.length.symbol,
+        subject.lot ? "mean of the lot" : "peak to peak", units.from_mm(subject.design_disp_mm), units.length.symbol,
+        *subject.damping_percent));
     page.line("");
   }
   if (wen) {
-    page.line(
-        fmt::format("**Plastic (Wen)**, one direction: {}. Its equation has beta = gamma: other loops are only "
-                    "approached.\n",
-                    wen->how));
+    page.line(fmt::format(
+        "**Plastic (Wen)**, one direction: {}. Its equation has beta = gamma: other loops are only approached.\n",
+        wen->how));
     wen_rows(page, *wen, "TransK", "TransYield", "Ratio", "YieldExp");
   }
   if (rubber) {
@@ -209,10 +206,9 @@ void csi(Page& page, Subject const& subject, WenSet const& wen, WenSet const& ru
     wen_rows(page, *rubber, "TransK", "TransYield", "Ratio", "");
   }
   if (corner) {
-    page.line(
-        fmt::format("\n**MultiLinear Plastic, kinematic**: {}. Points mirrored through zero; the last one lies on the "
-                    "line after yielding.\n",
-                    corner->how));
+    page.line(fmt::format(
+        "\n**MultiLinear Plastic, kinematic**: {}. Points mirrored through zero; the last one lies on the line after yielding.\n",
+        corner->how));
     page.values_header();
     double const far = 2.0 * subject.tested.disp_mm;
     page.row("Displ 1", 0, 1, *corner, [](auto const& v) { return v.uy; });
@@ -222,9 +218,7 @@ void csi(Page& page, Subject const& subject, WenSet const& wen, WenSet const& ru
     page.row("Force 2", 1, 0, *corner, [&](auto const& v) { return v.K1 * v.uy + v.K2 * (far - v.uy); });
   }
   page.line(
-      "\n**High Damping Rubber Isolator**: not available. Its control strains and strengths were not compared with "
-      "this "
-      "law; use one of the links above.");
+      "\n**High Damping Rubber Isolator**: not available. Its control strains and strengths were not compared with this law; use one of the links above.");
 }
 
 std::string capitalised(std::string text) {
@@ -236,8 +230,7 @@ void others(Page& page, WenSet const& wen, std::optional<Set<laws::BilinearForm>
   if (wen) {
     page.heading("MIDAS, general link, Hysteretic System");
     page.line(fmt::format(
-        "{}. PA + PB = 1; which of the two multiplies the sign was not verified: where they differ, compare "
-        "one loop before use, and see whether the program takes a negative one.\n",
+        "{}. PA + PB = 1; which of the two multiplies the sign was not verified: where they differ, compare one loop before use, and see whether the program takes a negative one.\n",
         capitalised(wen->how)));
     wen_rows(page, *wen, "STIFF", "YSTR", "PYS_RATIO", "YEXP");
     page.row("PA or PB", 0, 0, *wen, share_of_beta, "beta / (beta + gamma), the one with the sign");
@@ -276,10 +269,9 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units) {
   Page page(subject, units);
   auto const& law = subject.law->info;
   page.line(fmt::format("# {}: values for analysis programs", harmless_markdown(subject.device)));
-  page.line(
-      fmt::format("\nUnits {}, {}, s. Typed by hand, these values are not checked by the program: run one cycle at the "
-                  "tested amplitude and compare with the last table.\n",
-                  units.force.symbol, units.length.symbol));
+  page.line(fmt::format(
+      "\nUnits {}, {}, s. Typed by hand, these values are not checked by the program: run one cycle at the tested amplitude and compare with the last table.\n",
+      units.force.symbol, units.length.symbol));
   page.line("| | |\n|---|---|");
   auto const fact = [&](std::string_view label, std::string_view text) {
     page.line(fmt::format("| {} | {} |", label, harmless_markdown(text)));
@@ -290,9 +282,9 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units) {
   fact("Parameters", parameter_text(*subject.law, subject.parameters));
   for (auto const& f : validity(subject, units)) fact(f.label, f.text);
   for (auto const& f : bound_facts(subject, false)) fact(f.label, f.text);
-  fact("Errors below",
-       "of the model's exact force, in percent of the peak force, on the calibration records; a program's own "
-       "integration error comes on top");
+  fact(
+      "Errors below",
+      "of the model's exact force, in percent of the peak force, on the calibration records; a program's own integration error comes on top");
   for (auto const& note : subject.notes) fact("Note", note);
   if (!law.traits.rate_independent)
     fact("Rate", "no model below depends on the rate; they hold for the frequency tested");

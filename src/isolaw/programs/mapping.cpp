@@ -149,8 +149,7 @@ std::string no_material_of(laws::LawEntry const& law, laws::LimitCurvesForm cons
   if (!no_hardening) compare("beta2", up.beta2, down.beta2);
   if (!differing.empty())
     return fmt::format(
-        "loading and unloading differ (in kN and mm: {}), and HystereticAsym has one set of limit curves; calibrated "
-        "with --set {}.Kb-=Kb+, and likewise for f0, alpha, beta1 and beta2, the law has one set too",
+        "loading and unloading differ (in kN and mm: {}), and HystereticAsym has one set of limit curves; calibrated with --set {}.Kb-=Kb+, and likewise for f0, alpha, beta1 and beta2, the law has one set too",
         differing, law.info.id);
   if (!(up.alpha > 0.0 && up.f0 > 0.0)) return "without hysteresis (alpha or f0 is 0) there is no such material";
   return {};

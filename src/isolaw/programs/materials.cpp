@@ -167,10 +167,11 @@ std::unique_ptr<Material> make_one(Command const& command, std::unique_ptr<Mater
     return expect(8, 8), std::make_unique<DimensionlessBoucWen>(bearing_bouc_wen(a));
   if (command.name == "Multiplier" && before)
     return expect(1, 1), std::make_unique<Multiplier>(std::move(before), a[0]);
-  throw Error({.where = command.name,
-               .found = "no material that is replayed here",
-               .allowed = "Steel01, BoucWen, BoucWenOriginal, HystereticAsym, Multiplier of one before it, "
-                          "elastomericBearingPlasticity, elastomericBearingBoucWen"});
+  throw Error(
+      {.where = command.name,
+       .found = "no material that is replayed here",
+       .allowed =
+           "Steel01, BoucWen, BoucWenOriginal, HystereticAsym, Multiplier of one before it, elastomericBearingPlasticity, elastomericBearingBoucWen"});
 }
 
 }  // namespace

@@ -226,10 +226,10 @@ std::string failure_of(Form const& form, Subject const& subject, Realised& reali
   if (breaks_beyond_the_test(form, subject, realised.longest_travel_mm))
     return fmt::format(
         "its force may be no number (NaN) where the isolator moves {} times as far as in the tests{}", overtravel,
-        form.longest_travel_mm ? fmt::format(": it stands no travel beyond about {:.4g} mm in one direction, "
-                                             "the tests have {:.4g} mm",
-                                             *form.longest_travel_mm, realised.longest_travel_mm)
-                               : std::string());
+        form.longest_travel_mm
+            ? fmt::format(": it stands no travel beyond about {:.4g} mm in one direction, the tests have {:.4g} mm",
+                          *form.longest_travel_mm, realised.longest_travel_mm)
+            : std::string());
   if (form.exactness == Exactness::every_step)
     return found.largest <= exact_percent
                ? std::string()
@@ -237,8 +237,7 @@ std::string failure_of(Form const& form, Subject const& subject, Realised& reali
   bool const converges = realised.finer->largest <= std::max(0.25 * found.largest, 1e-3);
   if (converges && realised.finer->largest <= limit_percent) return {};
   return fmt::format(
-      "its replay differs from the law by {:.3g} % of the peak force, with steps {} times smaller still "
-      "by {:.3g} %",
+      "its replay differs from the law by {:.3g} % of the peak force, with steps {} times smaller still by {:.3g} %",
       found.largest, finer_steps, realised.finer->largest);
 }
 

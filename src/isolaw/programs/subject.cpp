@@ -162,10 +162,10 @@ Bounds spread_of_the_lot(study::Summary const& summary, Subject const& subject, 
   return {
       .lower = whole(*view->min / *own),
       .upper = whole(*view->max / *own),
-      .source = fmt::format("{}: the spread of the {} devices tested, smallest and largest K_eff {} ({}) and {} ({}) "
-                            "{}/{} over this one's {}; ageing, temperature and rate are not in it",
-                            why, view->count, text(*view->min), view->min_device, text(*view->max), view->max_device,
-                            units.force.symbol, units.length.symbol, text(*own))};
+      .source = fmt::format(
+          "{}: the spread of the {} devices tested, smallest and largest K_eff {} ({}) and {} ({}) {}/{} over this one's {}; ageing, temperature and rate are not in it",
+          why, view->count, text(*view->min), view->min_device, text(*view->max), view->max_device, units.force.symbol,
+          units.length.symbol, text(*own))};
 }
 
 Bounds bounds_of(study::Summary const& summary, Subject const& subject, UnitSystem const& units) {
@@ -220,13 +220,13 @@ void add_device_parameters(Subject& subject, campaign::Contents const& contents,
 void add_lot_parameters(Subject& subject, campaign::Contents const& contents, std::string const& where) {
   auto const lot = std::ranges::find(contents.lot_analyses, subject.law->info.id, &campaign::LotAnalysis::law);
   if (lot == contents.lot_analyses.end())
-    throw Error({.where = where,
-                 .found = contents.settings.analysis
-                              ? "the one law of the lot is not there: it needs two devices on which "
-                                "the law was analysed"
-                              : "no analysis was made, and with it no one law of the lot",
-                 .allowed = "a law that was analysed on two devices or more, or the name of a device",
-                 .advice = "isolaw calibrate ... --analysis full"});
+    throw Error(
+        {.where = where,
+         .found = contents.settings.analysis
+                      ? "the one law of the lot is not there: it needs two devices on which the law was analysed"
+                      : "no analysis was made, and with it no one law of the lot",
+         .allowed = "a law that was analysed on two devices or more, or the name of a device",
+         .advice = "isolaw calibrate ... --analysis full"});
   subject.parameters = lot->mean.parameters;
   subject.refinement = lot->refinement;
   subject.objective = lot->mean.mean;
@@ -247,8 +247,8 @@ void require_finite(Subject const& subject, std::string const& where) {
   if (std::ranges::all_of(subject.histories, finite) && finite(subject.protocol)) return;
   throw Error(
       {.where = where,
-       .found = "from zero displacement the law has no finite force on the calibration record, or on two cycles at the "
-                "tested amplitude",
+       .found =
+           "from zero displacement the law has no finite force on the calibration record, or on two cycles at the tested amplitude",
        .allowed = "a law with a finite force there"});
 }
 
@@ -333,8 +333,7 @@ Subject make_subject(campaign::Contents const& contents, study::Summary const& s
     add_device_parameters(subject, contents, static_cast<std::size_t>(named - contents.devices.begin()), where);
   if (contents.settings.integration == laws::Integration::paper)
     subject.notes.emplace_back(
-        "The campaign integrated with one Runge-Kutta step per sample; the export is of the law itself, integrated to "
-        "convergence with the same parameters.");
+        "The campaign integrated with one Runge-Kutta step per sample; the export is of the law itself, integrated to convergence with the same parameters.");
   add_measured(subject, summary);
   subject.frequency_Hz = subject.tested.highest_Hz.value_or(0.5);
   subject.protocol = protocol_of(subject.tested.disp_mm, subject.frequency_Hz);

@@ -141,9 +141,9 @@ std::vector<Fact> bound_facts(Subject const& subject, bool one_factor) {
       {"Lower bound", text(bounds.lower)}, {"Upper bound", text(bounds.upper)}, {"Bounds from", bounds.source}};
   auto const separate = [](auto const& factors) { return factors && factors->separate; };
   if (one_factor && (separate(bounds.lower) || separate(bounds.upper)))
-    made.push_back({"Bounds act",
-                    "as one factor on the whole force, which at the amplitude of the cycle that counts is that "
-                    "of K_d and Q_d together; the law's parameters do not tell the two apart"});
+    made.push_back(
+        {"Bounds act",
+         "as one factor on the whole force, which at the amplitude of the cycle that counts is that of K_d and Q_d together; the law's parameters do not tell the two apart"});
   return made;
 }
 
@@ -160,10 +160,9 @@ std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, 
       {"Parameters", fmt::format("{} (units of the law: {}, {}, s)", parameter_text(*subject.law, subject.parameters),
                                  law.force.symbol, law.length.symbol)}};
   if (subject.objective)
-    made.push_back(
-        {"Fitted to the tests with", fmt::format("objective {:.4g}{} (mean deviation over the standard "
-                                                 "deviation of the force)",
-                                                 *subject.objective, subject.lot ? ", mean of the devices" : "")});
+    made.push_back({"Fitted to the tests with",
+                    fmt::format("objective {:.4g}{} (mean deviation over the standard deviation of the force)",
+                                *subject.objective, subject.lot ? ", mean of the devices" : "")});
   made.push_back({"Units of this file", fmt::format("{}, {}, s", units.force.symbol, units.length.symbol)});
   made.push_back({"Fidelity", fmt::format("{}: {}", name(realisation.fidelity), realisation.explanation)});
   if (!realisation.substitute.empty())

@@ -132,8 +132,7 @@ std::optional<double> positive_number(std::string_view text) {
 
 void take_design_value(std::string_view part, Design& design, std::vector<Complaint>& complaints) {
   constexpr std::string_view form =
-      "K_eff=..., K_d=... in kN/mm, damping=... in percent, energy=... in kN mm, Q_d=..., load=... in kN, disp=... in "
-      "mm, frequency=... in Hz";
+      "K_eff=..., K_d=... in kN/mm, damping=... in percent, energy=... in kN mm, Q_d=..., load=... in kN, disp=... in mm, frequency=... in Hz";
   auto const equals = part.find('=');
   auto const key = trimmed(part.substr(0, equals));
   auto const* known = std::ranges::find(design_names, key, &DesignName::name);
@@ -263,9 +262,9 @@ std::vector<std::string> unmet_conditions(RuleSet const& rules, BlockValues cons
   }
   if (test.load_tolerance_percent) {
     if (!design.load_kN || !block.load_mean_kN)
-      note(design.load_kN ? "vertical load of the test not known: its record needs a load channel"
-                          : "vertical load at which the design values hold not known: give load=KN among the design "
-                            "values");
+      note(design.load_kN
+               ? "vertical load of the test not known: its record needs a load channel"
+               : "vertical load at which the design values hold not known: give load=KN among the design values");
     else if (!is_near(*block.load_mean_kN, *design.load_kN, *test.load_tolerance_percent))
       note(fmt::format("mean vertical load {:.4g} kN, design values hold under {:.4g} kN within {:g} %",
                        *block.load_mean_kN, *design.load_kN, *test.load_tolerance_percent));

@@ -137,11 +137,10 @@ MeanAnalysis mean_analysis(rules::LotView const& lot) {
   if (!open.empty() && result.permitted.value_or(true)) result.permitted.reset();
   result.sentence = "Largest deviation of a device from the lot's mean: " + parts + ".";
   if (result.permitted)
-    result.sentence += *result.permitted
-                           ? " As far as the variability within the supply goes, an analysis with mean properties is "
-                             "permitted; ageing, temperature and the other effects add to it."
-                           : " An analysis with mean properties alone is not permitted: upper and lower bounds are "
-                             "needed.";
+    result.sentence +=
+        *result.permitted
+            ? " As far as the variability within the supply goes, an analysis with mean properties is permitted; ageing, temperature and the other effects add to it."
+            : " An analysis with mean properties alone is not permitted: upper and lower bounds are needed.";
   else if (!open.empty())
     result.sentence += " Whether an analysis with mean properties is permitted cannot be said: " + open + ".";
   return result;

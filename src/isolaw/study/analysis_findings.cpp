@@ -93,8 +93,7 @@ void say_what_an_engineer_meets(Summary const& summary, Names& sentences) {
       best = &law;
   if (best == nullptr) return;
   auto text = fmt::format(
-      "Taken for a device that was not tested, the lot's one law is {} wrong on average with {}, the least of all, and "
-      "{} at worst ({})",
+      "Taken for a device that was not tested, the lot's one law is {} wrong on average with {}, the least of all, and {} at worst ({})",
       error_percent(*best->loo_objective), best->id, error_percent(*best->loo_worst), best->loo_worst_device);
   if (best->objective_converged)
     text += fmt::format("; fitted to each device itself it would be {}", error_percent(*best->objective_converged));
@@ -118,8 +117,7 @@ void say_what_is_predicted(Summary const& summary, Names& sentences) {
     return;
   }
   auto text = fmt::format(
-      "Of the laws fitted to some blocks, {} predicts the others best (OF {:.3g} against {:.3g} where it "
-      "was fitted)",
+      "Of the laws fitted to some blocks, {} predicts the others best (OF {:.3g} against {:.3g} where it was fitted)",
       best->id, *best->predicted_objective, *best->fitted_objective);
   if (!collapsed.empty()) text += fmt::format("; the prediction of {} collapses", enumerate(collapsed));
   sentences.push_back(text + ".");
@@ -147,11 +145,10 @@ void warn_of_collapse(LawResult const& law, std::vector<Warning>& warnings) {
   if (!law.prediction_collapses) return;
   warnings.push_back(
       {"prediction",
-       fmt::format("{}: its prediction collapses: blocks it was not fitted to are missed {} times as far "
-                   "as those it was fitted to (OF {:.3g} against {:.3g}, {:.3g} at worst); it is no law for "
-                   "other amplitudes or frequencies than those it was fitted to",
-                   law.id, plain(std::round(*law.predicted_objective / *law.fitted_objective)),
-                   *law.predicted_objective, *law.fitted_objective, *law.worst_predicted)});
+       fmt::format(
+           "{}: its prediction collapses: blocks it was not fitted to are missed {} times as far as those it was fitted to (OF {:.3g} against {:.3g}, {:.3g} at worst); it is no law for other amplitudes or frequencies than those it was fitted to",
+           law.id, plain(std::round(*law.predicted_objective / *law.fitted_objective)), *law.predicted_objective,
+           *law.fitted_objective, *law.worst_predicted)});
 }
 
 void warn_of_success(Summary const& summary, std::vector<Warning>& warnings) {
@@ -227,8 +224,7 @@ void warn_of_analysis(Summary const& summary, std::vector<Warning>& warnings) {
   if (several_blocks && !predicted && !summary.laws.empty())
     warnings.push_back(
         {"prediction",
-         "the records hold several blocks; whether a law fitted to one holds for the others is not asked: "
-         "--fit-blocks with the numbers of some predicts the rest"});
+         "the records hold several blocks; whether a law fitted to one holds for the others is not asked: --fit-blocks with the numbers of some predicts the rest"});
   warn_of_outliers(summary, warnings);
 }
 

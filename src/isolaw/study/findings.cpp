@@ -164,9 +164,9 @@ std::string headline(Summary const& summary, std::vector<std::size_t> const& fro
 void warn_of_missing_runs(Summary const& summary, std::vector<Warning>& warnings) {
   if (summary.missing_runs() > 0)
     warnings.push_back(
-        {"not complete", fmt::format("not complete: {} of {} runs are there; every number and the choice "
-                                     "of a law may still change",
-                                     summary.runs, summary.expected_runs)});
+        {"not complete",
+         fmt::format("not complete: {} of {} runs are there; every number and the choice of a law may still change",
+                     summary.runs, summary.expected_runs)});
   else if (summary.missing_analyses() > 0)
     warnings.push_back({"not complete", fmt::format("not complete: {} of {} analyses are there", summary.analyses,
                                                     summary.expected_analyses)});
@@ -189,9 +189,10 @@ void warn_of_copies(Summary const& summary, std::vector<Warning>& warnings) {
     if (group.size() < 2) continue;
     Names names;
     for (auto const* device : group) names.push_back(device->name);
-    warnings.push_back({"copies", fmt::format("{} hold the same record, which counts {} times in every mean and spread "
-                                              "over the devices",
-                                              enumerate(names), group.size())});
+    warnings.push_back(
+        {"copies",
+         fmt::format("{} hold the same record, which counts {} times in every mean and spread over the devices",
+                     enumerate(names), group.size())});
   }
 }
 
@@ -287,9 +288,9 @@ void warn_of_integration(LawResult const& law, std::vector<Warning>& warnings) {
          std::isfinite(largest)
              ? fmt::format("{}: a finer integration step would move the objective by up to {:.2g} on {}", law.id,
                            largest, enumerate(devices))
-             : fmt::format("{}: its force is not finite in finer integration steps on {}: the result is of "
-                           "the steps, not of the law",
-                           law.id, enumerate(devices))});
+             : fmt::format(
+                   "{}: its force is not finite in finer integration steps on {}: the result is of the steps, not of the law",
+                   law.id, enumerate(devices))});
 }
 
 void warn_of_records(Summary const& summary, std::vector<Warning>& warnings) {

@@ -81,12 +81,10 @@ inline std::string_view fit_message(DeviceFit const& fit) {
 inline constexpr Result<LawResult> law_results[]{
     {"id", "", "law", "short name, as on the command line", get<&LawResult::id>},
     {"objective", "-", "OF",
-     "`mean`: of the device means; `std`, `best`: standard deviation and smallest value over "
-     "devices and runs",
+     "`mean`: of the device means; `std`, `best`: standard deviation and smallest value over devices and runs",
      get<&LawResult::objective>},
     {"beta", "-", "beta",
-     "robustness index, Eq. (31) of Cucuzza et al. 2025: mean over the calibrated parameters of the "
-     "largest relative difference of a device from the lot's mean; smaller is more robust",
+     "robustness index, Eq. (31) of Cucuzza et al. 2025: mean over the calibrated parameters of the largest relative difference of a device from the lot's mean; smaller is more robust",
      get<&LawResult::beta>},
     {"on_front", "", "on front",
      "no other law is at least as good in both `objective.mean` and `beta` and better in one",
@@ -96,8 +94,7 @@ inline constexpr Result<LawResult> law_results[]{
     {"title", "", "", "of the law", get<&LawResult::title>},
     {"notes", "", "", "how its source was read where it is incomplete", get<&LawResult::notes>},
     {"success_share", "-", "success share",
-     "usable runs that ended within 0.1 % of the least objective of the campaign (of its runs and their analysis), 0 "
-     "to 1",
+     "usable runs that ended within 0.1 % of the least objective of the campaign (of its runs and their analysis), 0 to 1",
      get<&LawResult::success_share>},
     {"success_reference", "", "success refers to",
      "whose objective that is: best of this campaign; empty where `success_share` is null",
@@ -127,12 +124,10 @@ inline constexpr Result<LawResult> law_results[]{
      get<&LawResult::predicted_objective>},
     {"worst_predicted", "-", "", "the largest of these", get<&LawResult::worst_predicted>},
     {"prediction_collapses", "", "prediction collapses",
-     "a predicted block is missed by more than its force's spread, or "
-     "the mean is 0.2 or more and ten times that of the fitted",
+     "a predicted block is missed by more than its force's spread, or the mean is 0.2 or more and ten times that of the fitted",
      get<&LawResult::prediction_collapses>},
     {"reduced_form", "", "",
-     "the `--set` that searches the form without the redundant parameter; empty where there is "
-     "none",
+     "the `--set` that searches the form without the redundant parameter; empty where there is none",
      get<&LawResult::reduced_form>},
 };
 
@@ -152,35 +147,28 @@ inline constexpr Result<DeviceFit> fit_results[]{
     {"name", "", "device", "of the device", get<&DeviceFit::device>},
     {"objective", "-", "OF", "over the usable runs", get<&DeviceFit::objective>},
     {"K_eff_error_percent", "%", "K_eff error",
-     "effective stiffness of the best fit less that of the record it was "
-     "fitted to, relative to the latter, on the reported cycle; where laws are judged by a part of the record "
-     "(`fit-blocks`, `fit-cycles`), on the third counted cycle within that part, or its last, of the block of largest "
-     "amplitude",
+     "effective stiffness of the best fit less that of the record it was fitted to, relative to the latter, on the reported cycle; where laws are judged by a part of the record (`fit-blocks`, `fit-cycles`), on the third counted cycle within that part, or its last, of the block of largest amplitude",
      get<&DeviceFit::K_eff_error_percent>},
     {"energy_error_percent", "%", "energy error", "the same for the dissipated energy",
      get<&DeviceFit::energy_error_percent>},
     {"damping_error_percent", "%", "damping error", "the same for the equivalent viscous damping",
      get<&DeviceFit::damping_error_percent>},
     {"integration_shift", "-", "integration shift of OF",
-     "estimate of how far a finer integration step would still move "
-     "the best objective",
+     "estimate of how far a finer integration step would still move the best objective",
      get<&DeviceFit::integration_shift>},
     {"parameters", "", "", "by name, in the law's order; empty when there is no fit", nested<DeviceFit>},
     {"status", "", "status",
      "refused: the law does not apply to the record; failed: it was tried, and no run was usable", get<fit_status>},
     {"message", "", "message",
-     "why it was refused, the reason of the first failed run, or that no run has finished yet; "
-     "empty otherwise",
+     "why it was refused, the reason of the first failed run, or that no run has finished yet; empty otherwise",
      get<fit_message>},
     {"runs", "", "runs", "independent searches that have finished", get<&DeviceFit::runs>},
     {"failed_runs", "", "failed runs", "those without a usable result", get<&DeviceFit::failed_runs>},
     {"evaluations", "", "evaluations",
-     "parameter sets tried in all runs; one tried on a share of the samples counts as "
-     "that share",
+     "parameter sets tried in all runs; one tried on a share of the samples counts as that share",
      get<&DeviceFit::evaluations>},
     {"failed_evaluations", "", "failed evaluations",
-     "those that gave no finite force (the law has none there, or it "
-     "overflowed) and were passed over",
+     "those that gave no finite force (the law has none there, or it overflowed) and were passed over",
      get<&DeviceFit::failed_evaluations>},
     {"refinement", "", "", "integration steps per sample of the best run", get<&DeviceFit::refinement>},
     {"success_share", "-", "success share", "as of the law", get<&DeviceFit::success_share>},
@@ -208,16 +196,14 @@ inline constexpr Result<ParameterFit> parameter_results[]{
      get<&ParameterFit::value, &Statistic::std>},
     {"best", own_unit, "best", "of the run with the smallest objective", get<&ParameterFit::value, &Statistic::best>},
     {"at_bound", "", "",
-     "`best` lies within 0.1 % of the search box's width of that bound: the box, not the record, "
-     "decided the value",
+     "`best` lies within 0.1 % of the search box's width of that bound: the box, not the record, decided the value",
      word<&ParameterFit::at_bound>},
     {"free", "", "calibrated", "false: fixed by default or by the user, not calibrated", get<&ParameterFit::free>},
     {"lower", own_unit, "lower bound", "of the search box; the value of a fixed parameter, or as the law declares it",
      get<&ParameterFit::lower>},
     {"upper", own_unit, "upper bound", "the same", get<&ParameterFit::upper>},
     {"percent_of_lot", "%", "",
-     "difference of `mean` from the mean of the device means, relative to the magnitude `beta` "
-     "uses",
+     "difference of `mean` from the mean of the device means, relative to the magnitude `beta` uses",
      get<&ParameterFit::percent_of_lot>},
     {"tied_to", "", "", "the parameter whose value it takes", word<&ParameterFit::tied_to>},
 };

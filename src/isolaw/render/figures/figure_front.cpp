@@ -146,8 +146,7 @@ std::string front_script(std::vector<FrontPoint> const& points, FrontWords const
   std::string plot;
   if (has_front)
     plot += fmt::format(
-        "'{0}' index 1 using 2:3 with steps ls {1} dt 2 notitle, "
-        "'{0}' index 0 using ($4==1?$2:NaN):3 with points ls {1} pt 7 ps 0.7 title 'non-dominated'",
+        "'{0}' index 1 using 2:3 with steps ls {1} dt 2 notitle, '{0}' index 0 using ($4==1?$2:NaN):3 with points ls {1} pt 7 ps 0.7 title 'non-dominated'",
         file, green);
   if (has_dominated)
     plot += fmt::format("{}'{}' index 0 using ($4==0?$2:NaN):3 with points ls {} pt 8 ps 0.8 lw 1.6 title 'dominated'",

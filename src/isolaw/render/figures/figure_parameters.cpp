@@ -36,11 +36,11 @@ MaybeFigure parameters_figure(Summary const& summary, LawResult const& law) {
     if (panels.size() < 26) panel.title = fmt::format("({})", static_cast<char>('a' + panels.size()));
     panels.push_back(std::move(panel));
   }
-  return panels_figure("parameters_" + law.id,
-                       "parameters of " + law.id +
-                           " on every device: mean and standard deviation over runs, difference from the mean of the "
-                           "devices, Figs. 8 to 13",
-                       panels);
+  return panels_figure(
+      "parameters_" + law.id,
+      "parameters of " + law.id +
+          " on every device: mean and standard deviation over runs, difference from the mean of the devices, Figs. 8 to 13",
+      panels);
 }
 
 }  // namespace isolaw::render

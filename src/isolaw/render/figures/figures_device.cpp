@@ -60,8 +60,7 @@ std::string loops_script(std::string const& name, std::string const& about, std:
   script.line("set key at graph 1,1.02 right bottom horizontal Left reverse width (kind eq 'svg' ? -2 : 1)");
   script.line("set xlabel ''; set format x ''");
   script.line(
-      "plot '{0}' using 1:3 with lines ls {1} dt 1 lw 1.6 title 'measured', "
-      "'{0}' using 1:4 with lines ls {2} title 'computed'",
+      "plot '{0}' using 1:3 with lines ls {1} dt 1 lw 1.6 title 'measured', '{0}' using 1:4 with lines ls {2} title 'computed'",
       file, grey, vermillion);
   script.line("unset key; set format x");
   script.margins(split + 16.0, 3.0, 9.5, height_mm - 33.5);
@@ -87,8 +86,7 @@ std::string record_script(std::string const& name, std::string const& about, std
     script.line("set ylabel '{}' offset inward,0", i == 0 ? "Displacement (mm)" : "Force (kN)");
     if (i == 0) script.line("set label 1 {} noenhanced at graph 0,1.06", gnuplot_string(shortened(title, 100.0)));
     script.line(
-        "plot '{0}.dat' index 0 using 1:{1} with lines ls {2} dt 1 lw 2 title 'before cleaning', "
-        "'' index 1 using 1:{1} with lines ls {3} title 'after cleaning'",
+        "plot '{0}.dat' index 0 using 1:{1} with lines ls {2} dt 1 lw 2 title 'before cleaning', '' index 1 using 1:{1} with lines ls {3} title 'after cleaning'",
         name, i + 2, grey, vermillion);
     if (i == 0) script.line("unset label 1; unset key");
   }

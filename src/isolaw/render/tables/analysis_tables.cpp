@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include "isolaw/render/tables/csv.hpp"
 #include "isolaw/render/tables/tables.hpp"

@@ -18,8 +18,7 @@ namespace {
 constexpr std::string_view packages =
     "% Needs in the preamble: \\usepackage{booktabs}; with names beyond ASCII \\usepackage[T1]{fontenc} too.\n";
 constexpr std::string_view packages_of_long =
-    "% Needs in the preamble: \\usepackage{booktabs,longtable}; with names beyond ASCII \\usepackage[T1]{fontenc} "
-    "too.\n";
+    "% Needs in the preamble: \\usepackage{booktabs,longtable}; with names beyond ASCII \\usepackage[T1]{fontenc} too.\n";
 
 // --- text ------------------------------------------------------------------------------------------------------------
 
@@ -333,8 +332,7 @@ std::string table_a5_tex(Summary const& summary) {
   text += "\\begingroup\\footnotesize\\setlength{\\tabcolsep}{3pt}\n";
   text += fmt::format("\\begin{{longtable}}{{@{{}}ll*{{{}}}{{r}}@{{}}}}\n", 3 * columns);
   text +=
-      "\\caption{Objective $\\mathit{OF}$ and parameters of every law on every device: mean $\\mu$ and standard "
-      "deviation $\\sigma$ over the runs, and best run.}\\label{tab:isolaw-a5}\\\\\n";
+      "\\caption{Objective $\\mathit{OF}$ and parameters of every law on every device: mean $\\mu$ and standard deviation $\\sigma$ over the runs, and best run.}\\label{tab:isolaw-a5}\\\\\n";
   text += "\\toprule\n\\endfirsthead\n";
   text +=
       fmt::format("\\multicolumn{{{}}}{{@{{}}l}}{{\\tablename\\ \\thetable{{}} (continued)}}\\\\\n", 3 * columns + 2);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <string_view>
 
 #include "isolaw/base/printable.hpp"
 #include "isolaw/study/verdict.hpp"

@@ -142,11 +142,11 @@ std::string converged_table(Summary const& summary, int width) {
     for (std::size_t i = 1; i < row.size(); ++i) line += padded(row[i], widths[i], true);
     text += line + '\n';
   }
-  return text + wrapped("",
-                        "found: runs that reached the least OF known, of a named record or of this campaign; left out: "
-                        "OF on a device by the law of all others, "
-                        "mean and worst; open: parameters that the tests do not determine",
-                        5, width);
+  return text +
+         wrapped(
+             "",
+             "found: runs that reached the least OF known, of a named record or of this campaign; left out: OF on a device by the law of all others, mean and worst; open: parameters that the tests do not determine",
+             5, width);
 }
 
 // Objectives on each block, means over the devices that have it.
