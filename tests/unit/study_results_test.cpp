@@ -66,11 +66,11 @@ TEST(Results, AreDocumentedInTheirOrderWithTheirUnitsAndMeaning) {
 }
 
 TEST(Results, UndefinedIsNoValue) {
-  EXPECT_TRUE(std::holds_alternative<std::monostate>(result(law_results, "beta").of(LawResult{})));
-  EXPECT_TRUE(std::holds_alternative<std::monostate>(result(parameter_results, "tied_to").of(ParameterFit{})));
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(columns(law_results, {"beta"})[0].of(LawResult{})));
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(columns(parameter_results, {"tied_to"})[0].of(ParameterFit{})));
   ParameterFit fit;
   fit.at_bound = "upper";
-  EXPECT_EQ(std::get<std::string_view>(result(parameter_results, "at_bound").of(fit)), "upper");
+  EXPECT_EQ(std::get<std::string_view>(columns(parameter_results, {"at_bound"})[0].of(fit)), "upper");
 }
 
 }  // namespace

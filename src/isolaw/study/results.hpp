@@ -2,6 +2,7 @@
 // of the page and the tables are written from these rows, in their order; docs/summary-json.md is checked against them.
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -70,7 +71,7 @@ template <class Of>
 struct Result {
   // unit: "-" of a number without one, "" of what is none; heading: "" of what no table holds.
   std::string_view key, unit, heading, meaning;
-  Value (*of)(Of const&);
+  Value (*of)(Of const&) = nullptr;
   int digits = 9;  // significant ones on the page, where numbers are drawn rather than computed with
 };
 
@@ -224,18 +225,18 @@ inline constexpr Result<ParameterAnalysis> analysis_results[]{
     {"profile", "", "", "`value`, `objective`: least objective with the parameter held", nested<ParameterAnalysis>, 6},
 };
 
-// The row of a key; a key that is not there does not compile.
-template <class Of, std::size_t count>
-consteval Result<Of> result(Result<Of> const (&rows)[count], std::string_view key) {
-  for (auto const& row : rows)
-    if (row.key == key) return row;
-  throw "no result of this name";
-}
-
-template <class Of>
-consteval Result<Of> as(Result<Of> row, std::string_view heading) {
-  row.heading = heading;
-  return row;
+// The rows of some keys, in their order; "key: heading" gives one another heading. A key that is not there does not compile.
+template <class Of, std::size_t all, std::size_t count>
+consteval std::array<Result<Of>, count> columns(Result<Of> const (&rows)[all], std::string_view const (&keys)[count]) {
+  std::array<Result<Of>, count> chosen;
+  for (std::size_t i = 0; i < count; ++i) {
+    auto const colon = keys[i].find(": ");
+    std::size_t row = 0;
+    while (rows[row].key != keys[i].substr(0, colon)) ++row;
+    chosen[i] = rows[row];
+    if (colon != std::string_view::npos) chosen[i].heading = keys[i].substr(colon + 2);
+  }
+  return chosen;
 }
 
 }  // namespace isolaw::study

@@ -6,11 +6,8 @@
 namespace isolaw::render {
 
 std::string identifiability_csv(Summary const& summary) {
-  constexpr auto of = [](std::string_view key) consteval {
-    return result(analysis_results, key);
-  };
-  static constexpr Result<ParameterAnalysis> range[]{of("optimum"), of("identifiability"), of("open_range")};
-  static constexpr Result<ParameterAnalysis> intervals[]{of("linear_interval"), of("bootstrap_interval")};
+  constexpr auto range = columns(analysis_results, {"optimum", "identifiability", "open_range"});
+  constexpr auto intervals = columns(analysis_results, {"linear_interval", "bootstrap_interval"});
   CsvTable table;
   table.cell("law").cell("device").cell("parameter").cell("unit").head(range);
   table.cell("range ends at the box").head(intervals).end_row();
@@ -27,38 +24,23 @@ std::string identifiability_csv(Summary const& summary) {
 }
 
 std::string converged_csv(Summary const& summary) {
-  constexpr auto of = [](std::string_view key) consteval {
-    return result(law_results, key);
-  };
-  constexpr auto of_lot = [](std::string_view key) consteval {
-    return result(lot_law_results, key);
-  };
-  static constexpr Result<LawResult> columns[]{of("id"),
-                                               of("objective_converged"),
-                                               of("beta_converged"),
-                                               of("on_front_converged"),
-                                               as(of("beta"), "beta, as published"),
-                                               as(of("on_front"), "on front, as published"),
-                                               of("success_share"),
-                                               of("success_reference"),
-                                               of("loo_objective"),
-                                               of("loo_worst"),
-                                               of("loo_worst_device"),
-                                               of("on_front_loo")};
-  static constexpr Result<LotLaw> of_the_lot[]{of_lot("mean_objective"), of_lot("worst_objective"),
-                                               of_lot("least_worst_objective"), of_lot("least_worst_bound")};
-  static constexpr Result<LawResult> blocks[]{of("left_out_of_beta"), of("fitted_objective"),
-                                              of("predicted_objective")};
-  static constexpr Result<LawResult> ends[]{of("prediction_collapses")}, notes[]{of("beta_converged_note")};
+  constexpr auto of_law =
+      columns(law_results, {"id", "objective_converged", "beta_converged", "on_front_converged",
+                            "beta: beta, as published", "on_front: on front, as published", "success_share",
+                            "success_reference", "loo_objective", "loo_worst", "loo_worst_device", "on_front_loo"});
+  constexpr auto of_lot =
+      columns(lot_law_results, {"mean_objective", "worst_objective", "least_worst_objective", "least_worst_bound"});
+  constexpr auto blocks = columns(law_results, {"left_out_of_beta", "fitted_objective", "predicted_objective"});
+  constexpr auto collapse = columns(law_results, {"prediction_collapses"});
+  constexpr auto note = columns(law_results, {"beta_converged_note"});
   CsvTable table;
-  table.head(columns).head(of_the_lot).head(blocks).head(ends);
-  table.head(notes).end_row();
+  table.head(of_law).head(of_lot).head(blocks).head(collapse).head(note).end_row();
   for (auto const& law : summary.laws) {
-    table.cells(columns, law);
-    law.lot ? table.cells(of_the_lot, *law.lot) : table.empty(std::size(of_the_lot));
+    table.cells(of_law, law);
+    law.lot ? table.cells(of_lot, *law.lot) : table.empty(of_lot.size());
     table.cells(blocks, law);
-    law.predicted_objective ? table.cells(ends, law) : table.empty(1);
-    table.cells(notes, law).end_row();
+    law.predicted_objective ? table.cells(collapse, law) : table.empty(1);
+    table.cells(note, law).end_row();
   }
   return table.take();
 }

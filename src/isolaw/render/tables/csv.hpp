@@ -1,6 +1,7 @@
 // One table as CSV, cell by cell: RFC 4180, numbers with six significant digits.
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <optional>
@@ -24,7 +25,7 @@ class CsvTable {
   CsvTable& value(Value const& value);  // a statistic takes three cells, the ends of a range two
   // The headings of rows of study/results.hpp, and an object's cells under them.
   template <class Of, std::size_t count>
-  CsvTable& head(Result<Of> const (&columns)[count]) {
+  CsvTable& head(std::array<Result<Of>, count> const& columns) {
     for (auto const& column : columns) {
       if constexpr (std::default_initializable<Of>)
         head(column.heading, column.unit, column.of(Of{}));
@@ -34,7 +35,7 @@ class CsvTable {
     return *this;
   }
   template <class Of, std::size_t count>
-  CsvTable& cells(Result<Of> const (&columns)[count], Of const& of) {
+  CsvTable& cells(std::array<Result<Of>, count> const& columns, Of const& of) {
     for (auto const& column : columns) value(column.of(of));
     return *this;
   }

@@ -16,35 +16,32 @@ void header(CsvTable& table, std::initializer_list<char const*> names) {
   table.end_row();
 }
 
-consteval Result<CycleOf> of_cycle(std::string_view key) {
-  return result(cycle_results, key);
-}
 // What of a cycle stands before the frequency of its block, and after it.
-constexpr Result<CycleOf> strain[]{of_cycle("strain_percent")};
-constexpr Result<CycleOf> of_cycles[]{of_cycle("period_s"),
-                                      of_cycle("amplitude_mm"),
-                                      of_cycle("d_plus_mm"),
-                                      of_cycle("d_minus_mm"),
-                                      of_cycle("F_plus_kN"),
-                                      of_cycle("F_minus_kN"),
-                                      of_cycle("K_eff_kN_per_mm"),
-                                      of_cycle("K_plus_kN_per_mm"),
-                                      of_cycle("K_minus_kN_per_mm"),
-                                      of_cycle("G_MPa"),
-                                      of_cycle("energy_kN_mm"),
-                                      of_cycle("damping_percent"),
-                                      of_cycle("Q_d_kN"),
-                                      of_cycle("K_d_kN_per_mm"),
-                                      of_cycle("D_y_mm"),
-                                      of_cycle("K_1_kN_per_mm"),
-                                      of_cycle("v_max_mm_s"),
-                                      of_cycle("N_mean_kN"),
-                                      of_cycle("N_min_kN"),
-                                      of_cycle("N_max_kN"),
-                                      of_cycle("closure_mm"),
-                                      of_cycle("closure_kN"),
-                                      of_cycle("first"),
-                                      of_cycle("last")};
+constexpr auto strain = columns(cycle_results, {"strain_percent"});
+constexpr auto of_cycles = columns(cycle_results, {"period_s",
+                                                   "amplitude_mm",
+                                                   "d_plus_mm",
+                                                   "d_minus_mm",
+                                                   "F_plus_kN",
+                                                   "F_minus_kN",
+                                                   "K_eff_kN_per_mm",
+                                                   "K_plus_kN_per_mm",
+                                                   "K_minus_kN_per_mm",
+                                                   "G_MPa",
+                                                   "energy_kN_mm",
+                                                   "damping_percent",
+                                                   "Q_d_kN",
+                                                   "K_d_kN_per_mm",
+                                                   "D_y_mm",
+                                                   "K_1_kN_per_mm",
+                                                   "v_max_mm_s",
+                                                   "N_mean_kN",
+                                                   "N_min_kN",
+                                                   "N_max_kN",
+                                                   "closure_mm",
+                                                   "closure_kN",
+                                                   "first",
+                                                   "last"});
 
 void cycle_row(CsvTable& table, DeviceResult const& device, data::Block const& block, data::Cycle const& c) {
   auto const& reported = device.properties.reported;
@@ -69,13 +66,13 @@ std::string cycles_csv(Summary const& summary) {
   CsvTable table;
   for (auto const* name : {"device", "block", "cycle", "counts", "why not", "reported"}) table.cell(name);
   table.head(strain).cell("frequency [Hz]").head(of_cycles).cell("no properties").end_row();
-  constexpr std::size_t columns = 9 + std::size(of_cycles);
+  constexpr std::size_t width = 9 + of_cycles.size();
   for (auto const& device : summary.devices) {
     for (auto const& block : device.properties.blocks)
       for (auto const& cycle : block.cycles) cycle_row(table, device, block, cycle);
     if (device.properties.blocks.empty())
       table.cell(device.name)
-          .empty(columns - 2)
+          .empty(width - 2)
           .cell(device.status == "ok" ? device.properties.refusal : device.message)
           .end_row();
   }

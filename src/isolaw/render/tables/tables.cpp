@@ -78,40 +78,25 @@ std::string parameters_csv(Summary const& summary) {
 }
 
 std::string objective_csv(Summary const& summary) {
-  constexpr auto of = [](std::string_view key) consteval {
-    return result(fit_results, key);
-  };
-  static constexpr Result<DeviceFit> columns[]{of("name"),
-                                               as(of("objective"), "OF"),
-                                               of("runs"),
-                                               of("failed_runs"),
-                                               of("evaluations"),
-                                               of("failed_evaluations"),
-                                               of("K_eff_error_percent"),
-                                               of("energy_error_percent"),
-                                               of("damping_error_percent"),
-                                               of("integration_shift"),
-                                               of("status"),
-                                               of("message")};
+  constexpr auto of_fit = columns(fit_results, {"name", "objective", "runs", "failed_runs", "evaluations",
+                                                "failed_evaluations", "K_eff_error_percent", "energy_error_percent",
+                                                "damping_error_percent", "integration_shift", "status", "message"});
   CsvTable table;
-  table.cell("law").head(columns).cell("missing runs").end_row();
+  table.cell("law").head(of_fit).cell("missing runs").end_row();
   for (auto const& law : summary.laws) {
     for (auto const& device : summary.devices)
       if (device.status != "ok")
         table.cell(law.id).cell(device.name).empty(11).cell("refused").cell(device.message).cell(0).end_row();
-    for (auto const& fit : law.devices) table.cell(law.id).cells(columns, fit).cell(fit.missing_runs).end_row();
+    for (auto const& fit : law.devices) table.cell(law.id).cells(of_fit, fit).cell(fit.missing_runs).end_row();
   }
   return table.take();
 }
 
 std::string robustness_csv(Summary const& summary) {
-  constexpr auto of = [](std::string_view key) consteval {
-    return result(law_results, key);
-  };
-  static constexpr Result<LawResult> columns[]{of("id"), of("objective"), of("beta"), of("on_front"), of("beta_note")};
+  constexpr auto of_law = columns(law_results, {"id", "objective", "beta", "on_front", "beta_note"});
   CsvTable table;
-  table.head(columns).end_row();
-  for (auto const& law : summary.laws) table.cells(columns, law).end_row();
+  table.head(of_law).end_row();
+  for (auto const& law : summary.laws) table.cells(of_law, law).end_row();
   return table.take();
 }
 
