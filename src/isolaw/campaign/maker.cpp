@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "isolaw/base/version.hpp"
 #include "isolaw/fit/kernels.hpp"
 
 namespace isolaw::campaign {
@@ -11,7 +12,7 @@ namespace isolaw::campaign {
 extern char const* const sources_hash;  // made while building, see CMakeLists.txt
 
 Maker this_maker() {
-  return {.version = ISOLAW_VERSION,
+  return {.version = std::string(version()),
           .build = sources_hash,
           .instruction_set = std::string(fit::name(fit::instruction_set()))};
 }
@@ -26,7 +27,7 @@ std::vector<Maker> builds(std::span<Maker const> makers) {
     Maker const plain{.version = maker.version, .build = maker.build, .instruction_set = {}};
     if (std::ranges::find(found, plain) == found.end()) found.push_back(plain);
   }
-  if (found.empty()) found.push_back({.version = ISOLAW_VERSION, .build = sources_hash, .instruction_set = {}});
+  if (found.empty()) found.push_back({.version = std::string(version()), .build = sources_hash, .instruction_set = {}});
   return found;
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "isolaw/base/version.hpp"
 #include "isolaw/campaign/maker.hpp"
 #include "isolaw/data/properties.hpp"
 #include "isolaw/fit/objective.hpp"
@@ -245,7 +246,7 @@ void add_acceptance(Summary& summary, rules::RuleSet const& rules, rules::Design
 
 Summary build_summary(campaign::Contents const& contents) {
   Summary summary;
-  summary.version = ISOLAW_VERSION;
+  summary.version = version();
   summary.makers = campaign::builds(contents.makers);
   summary.title = contents.title;
   summary.seed = contents.settings.seed;
