@@ -161,7 +161,7 @@ int checked_version(Connection const& db, std::filesystem::path const& file) {
     throw Error(
         {.where = file.string(),
          .found = fmt::format("written by a newer isolaw, {}, as schema {}", in_quotes(meta(db, "isolaw")), version),
-         .allowed = fmt::format("schema 1 to {}, which isolaw {} reads", schema_version, version()),
+         .allowed = fmt::format("schema 1 to {}, which isolaw {} reads", schema_version, isolaw::version()),
          .advice = "the isolaw that wrote it, or a newer one"});
   auto const ours = declarations_of(version);
   for (auto const& [name, declaration] : ours)
