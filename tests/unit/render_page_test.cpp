@@ -6,7 +6,6 @@
 #include <regex>
 #include <string>
 
-#include "isolaw/render/page/assets.hpp"
 #include "isolaw/render/page/html.hpp"
 #include "isolaw/render/page/page_data.hpp"
 #include "isolaw/study/drawn_samples.hpp"
@@ -98,8 +97,8 @@ TEST(Page, LoadsNothing) {
 
 TEST(Page, EveryPlaceholderIsFilled) {
   auto const page = html(fixture::lot());
-  EXPECT_EQ(count(page, "{{"),
-            count(std::string(assets::plotly_js()), "{{") + count(std::string(assets::page_js()), "{{"));
+  EXPECT_EQ(count(page, "{{"), count(std::string(embedded_text(page_files(), "plotly-basic.min.js")), "{{") +
+                                   count(std::string(embedded_text(page_files(), "page.js")), "{{"));
 }
 
 TEST(Page, SameSummarySamePage) {

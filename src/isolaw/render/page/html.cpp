@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "isolaw/base/json.hpp"
-#include "isolaw/render/page/assets.hpp"
 #include "isolaw/render/page/page_data.hpp"
 
 namespace isolaw::render {
@@ -67,14 +66,14 @@ std::string html(Summary const& summary) {
   std::string const title = summary.title.empty() ? "isolaw report" : summary.title + " – isolaw report";
   std::array<std::pair<std::string_view, std::string>, 6> const contents{{
       {"{{title}}", html_escaped(title)},
-      {"{{style}}", std::string(assets::page_css())},
-      {"{{plotly}}", inline_script(assets::plotly_js())},
+      {"{{style}}", std::string(embedded_text(page_files(), "page.css"))},
+      {"{{plotly}}", inline_script(embedded_text(page_files(), "plotly-basic.min.js"))},
       {"{{asked}}", script_safe(asked_json(summary.asked))},
       {"{{data}}", script_safe(page_data_json(summary))},
-      {"{{script}}", inline_script(assets::page_js())},
+      {"{{script}}", inline_script(embedded_text(page_files(), "page.js"))},
   }};
   // One pass over the template, so that a placeholder's name inside a content stays what it is.
-  std::string_view rest = assets::page_html();
+  std::string_view rest = embedded_text(page_files(), "page.html");
   std::string page;
   while (!rest.empty()) {
     auto const at = rest.find("{{");

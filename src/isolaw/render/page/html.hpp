@@ -2,9 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
+#include "isolaw/base/embedded.hpp"
 #include "isolaw/render/results.hpp"
 
 namespace isolaw::render {
@@ -15,6 +17,9 @@ std::string html(Summary const& summary);
 
 // What the tests of a page were held to, as the page itself states it; nullopt where it does not.
 std::optional<campaign::Acceptance> asked_in(std::string_view page);
+
+// page.html, with the placeholders that html() fills, page.css, page.js and plotly-basic.min.js.
+std::span<Embedded const> page_files();
 
 std::string html_escaped(std::string_view text);
 
