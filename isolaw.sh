@@ -9,7 +9,8 @@
 #   ./isolaw.sh fuzz [SECONDS]  every fuzz target for so long (60), with clang; fails at a finding
 #   ./isolaw.sh bench        setup, build and run the benchmarks
 #   ./isolaw.sh study [--quick]  time the published study, its scaling and other programs; see docs/performance.md
-#   ./isolaw.sh lint         clang-format, clang-tidy, eslint for the page's script, without changing files (lint --fix formats)
+#   ./isolaw.sh format       clang-format, without changing files (format --fix formats)
+#   ./isolaw.sh lint         format, clang-tidy, eslint for the page's script
 #   ./isolaw.sh compilers    other compilers and processors against this one: the largest differences of any result
 #   ./isolaw.sh docs         the pages that the program writes of itself: docs/laws.md, docs/cli.md
 set -euo pipefail
@@ -43,6 +44,18 @@ setup() {
   if [ ! -e node_modules/plotly.js-basic-dist-min/plotly-basic.min.js ]; then
     echo "installing: plotly.js-basic-dist-min (npm, into node_modules/)" >&2
     step npm ci --omit=dev --no-audit --no-fund --loglevel=error
+  fi
+}
+
+# Every file, or --fix.
+format() {
+  install_missing clang-format
+  mapfile -t sources < <(find src cli python examples tests bench fuzz -name '*.[ch]pp' | sort)
+  if [ "${1:-}" = --fix ]; then
+    step clang-format -i "${sources[@]}"
+  else
+    printf '+ clang-format --dry-run --Werror (%d files)\n' "${#sources[@]}" >&2
+    clang-format --dry-run --Werror "${sources[@]}" || { echo "isolaw.sh: run ./isolaw.sh format --fix" >&2; exit 1; }
   fi
 }
 
@@ -98,20 +111,15 @@ case "${1:-help}" in
     step cmake --build --preset bench
     step bench/study "${@:2}"
     ;;
+  format) format "${@:2}" ;;
   lint)
-    install_missing clang-format clang-tidy npm
+    install_missing clang-tidy npm
     [ -e node_modules/eslint ] || step npm ci --no-audit --no-fund --loglevel=error
-    mapfile -t sources < <(git ls-files 'src/*.cpp' 'src/*.hpp' 'cli/*.cpp' 'python/*.cpp' 'examples/*.cpp' 'tests/*.cpp' 'tests/*.hpp' 'bench/*.cpp' 'bench/*.hpp'
-      'fuzz/*.cpp' 'fuzz/*.hpp')
-    if [ "${2:-}" = --fix ]; then
-      step clang-format -i "${sources[@]}"
-    else
-      step node_modules/.bin/eslint src tests/browser eslint.config.mjs
-      step clang-format --dry-run --Werror "${sources[@]}"
-      mapfile -t units < <(git ls-files 'src/*.cpp' 'cli/*.cpp')
-      step cmake --preset developer
-      step clang-tidy -p build/developer --quiet "${units[@]}"
-    fi
+    format
+    step node_modules/.bin/eslint src tests/browser eslint.config.mjs
+    mapfile -t units < <(find src cli -name '*.cpp' | sort)
+    step cmake --preset developer
+    step clang-tidy -p build/developer --quiet "${units[@]}"
     ;;
   compilers)
     install_missing "${build_packages[@]}" clang
@@ -123,9 +131,9 @@ case "${1:-help}" in
     step tools/reference.sh "build/$preset/cli/isolaw" docs
     echo "written: docs/laws.md, docs/cli.md" >&2
     ;;
-  help | -h | --help) sed -n '2,15s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
+  help | -h | --help) sed -n '2,16s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
   *)
-    echo "isolaw.sh: unknown command '$1'; allowed: setup, build, run, test, sanitize, fuzz, bench, study, lint, compilers, docs" >&2
+    echo "isolaw.sh: unknown command '$1'; allowed: setup, build, run, test, sanitize, fuzz, bench, study, format, lint, compilers, docs" >&2
     exit 2
     ;;
 esac

@@ -14,7 +14,7 @@ using VectorView = Eigen::Ref<Vector const>;
 
 Vector apply(MatrixView const& A, VectorView const& v);
 Matrix product(MatrixView const& A, MatrixView const& B);
-Vector apply_transposed(MatrixView const& A, VectorView const& v);  // Aᵀ v
+Vector apply_transposed(MatrixView const& A, VectorView const& v);    // Aᵀ v
 Matrix transposed_product(MatrixView const& A, MatrixView const& B);  // Aᵀ B
 // A diag(d) Bᵀ
 Matrix product_of_transposed(Matrix const& A, Vector const& d, Matrix const& B);
