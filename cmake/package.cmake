@@ -2,7 +2,30 @@
 include(CMakePackageConfigHelpers)
 install(TARGETS isolaw EXPORT isolaw-targets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/isolaw DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
+
+# The public headers: api/isolaw.hpp, and what it includes.
+function(isolaw_public_headers made)
+  set(open isolaw/api/isolaw.hpp)
+  set(known "")
+  while(open)
+    list(POP_FRONT open header)
+    list(APPEND known ${header})
+    set(file ${PROJECT_SOURCE_DIR}/src/${header})
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    file(STRINGS ${file} lines REGEX "^#include \"isolaw/")
+    list(TRANSFORM lines REPLACE "^#include \"([^\"]*)\".*" "\\1")
+    list(APPEND open ${lines})
+    list(REMOVE_DUPLICATES open)
+    list(REMOVE_ITEM open ${known})
+  endwhile()
+  set(${made} ${known} PARENT_SCOPE)
+endfunction()
+isolaw_public_headers(headers)
+foreach(header IN LISTS headers)
+  cmake_path(GET header PARENT_PATH folder)
+  install(FILES ${PROJECT_SOURCE_DIR}/src/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder})
+endforeach()
+
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/rules DESTINATION ${CMAKE_INSTALL_DATADIR}/isolaw FILES_MATCHING PATTERN "*.toml")
 install(EXPORT isolaw-targets NAMESPACE isolaw:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/isolaw)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/isolaw-config.cmake.in

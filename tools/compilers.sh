@@ -7,7 +7,8 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 folder=build/compilers
 mkdir -p "$folder"
-sources=(tests/regression/sweep.cpp src/isolaw/{base,num,laws}/*.cpp
+sources=(tests/regression/sweep.cpp src/isolaw/{base,laws}/*.cpp
+  src/isolaw/num/{random,statistics,tolerance_factor}.cpp
   src/isolaw/fit/{box,instruction_set,kernels,objective}.cpp)
 
 # name: compiler and flags
