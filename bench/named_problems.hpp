@@ -17,6 +17,7 @@
 #include "isolaw/base/hash.hpp"
 #include "isolaw/campaign/campaign.hpp"
 #include "isolaw/campaign/lot_file.hpp"
+#include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/fit/objective.hpp"
 
 namespace isolaw::bench {
@@ -41,10 +42,10 @@ struct NamedProblem {
     auto const& record = contents.devices[search.device].record;
     stream = num::Stream(settings.seed).split(stable_hash(device)).split(stable_hash(search.law));
     entry.record = fmt::format("{}, {}", name, device);
-    entry.settings =
-        fmt::format("box {}, integration {}", campaign::name(settings.box), campaign::name(settings.integration));
+    auto const word = [&](char const* key) { return text_of(campaign::find_setting(key)->get(settings)); };
+    entry.settings = fmt::format("box {}, integration {}", word("box"), word("integration"));
     if (settings.turning_points != laws::TurningPoints::as_sampled)
-      entry.settings += fmt::format(", turning points {}", campaign::name(settings.turning_points));
+      entry.settings += fmt::format(", turning points {}", word("turning-points"));
     entry.law = search.law;
     entry.key = problem_key(model.law(), settings.integration, settings.turning_points, record, box);
   }

@@ -19,6 +19,8 @@
 #include "isolaw/api/isolaw.hpp"
 #include "isolaw/base/hash.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/campaign/setting_table.hpp"
+#include "isolaw/data/reading.hpp"
 #include "isolaw/render/json/inspection_json.hpp"
 
 namespace py = pybind11;
@@ -59,49 +61,76 @@ struct Record {
 };
 using RecordPtr = std::shared_ptr<Record>;
 
-using Assignments = std::map<std::string, py::object>;
+// --- options, given as keywords -----------------------------------------------------------------------------------------
 
-// {"disp": 2, "force": "F [kN]"} or the text of the option.
-std::string option_text(py::object const& given) {
-  if (given.is_none()) return {};
-  if (py::isinstance<py::str>(given)) return given.cast<std::string>();
-  std::string text;
-  for (auto const& [channel, value] : given.cast<Assignments>())
-    text += (text.empty() ? "" : ",") + channel + "=" + std::string(py::str(value));
-  return text;
-}
-
-std::optional<std::string> text_or_number(py::object const& given) {
-  if (given.is_none()) return std::nullopt;
-  return std::string(py::str(given));
-}
-
-struct Reading {
-  py::object columns, units, sheet, test;
-  std::optional<double> dt, skew_ms, rig_friction_kN, rig_friction_coefficient, moving_mass_kg, force_factor;
-  bool flip_force = false;
-
-  data::ReadOptions options() const {
-    data::ReadOptions made;
-    if (auto const text = option_text(columns); !text.empty()) made.columns = data::parse_columns(text);
-    if (auto const text = option_text(units); !text.empty()) made.units = data::parse_units(text);
-    made.dt_s = dt;
-    made.flip_force = flip_force;
-    made.sheet = text_or_number(sheet);
-    if (auto const text = text_or_number(test)) made.test = data::parse_test(*text);
-    if (skew_ms) made.corrections.skew_s = *skew_ms / 1000.0;
-    made.corrections.friction_kN = rig_friction_kN;
-    made.corrections.friction_coefficient = rig_friction_coefficient;
-    made.corrections.moving_mass_kg = moving_mass_kg;
-    made.corrections.force_factor = force_factor;
-    made.corrections.validate();
+Json json_of(py::handle value) {
+  if (value.is_none()) return {};
+  if (py::isinstance<py::bool_>(value)) return value.cast<bool>();
+  if (py::isinstance<py::str>(value)) return value.cast<std::string>();
+  if (py::isinstance<py::float_>(value)) return value.cast<double>();
+  if (PyIndex_Check(value.ptr()) != 0) {
+    auto const whole = py::reinterpret_steal<py::int_>(PyNumber_Index(value.ptr()));
+    auto const text = std::string(py::str(py::handle(whole)));
+    auto const number = Json::parse(text);  // beyond 64 bits it would be another number
+    return number.is_number_integer() ? number : Json(text);
+  }
+  if (py::isinstance<py::dict>(value)) {
+    Json made = Json::object();
+    for (auto const& [key, item] : value.cast<py::dict>()) made[std::string(py::str(key))] = json_of(item);
     return made;
   }
-};
+  if (!py::isinstance<py::list>(value) && !py::isinstance<py::tuple>(value)) return std::string(py::str(value));
+  Json made = Json::array();
+  for (auto const& item : value) made.push_back(json_of(item));
+  return made;
+}
 
-RecordPtr read(std::filesystem::path const& file, std::optional<std::string> const& name, Reading const& how,
-               bool motion) {
-  auto const options = how.options();
+// What is given of a table, by its keywords; None is nothing.
+template <class Rows>
+Values given_of(Rows const& rows, py::dict const& given) {
+  Values values;
+  for (auto const& row : rows)
+    if (py::str const keyword(row.python()); given.contains(keyword))
+      if (auto value = json_of(given[keyword]); !value.is_null()) values.emplace(row.key, std::move(value));
+  return values;
+}
+
+campaign::Settings settings_of(py::dict const& given) {
+  campaign::Settings settings;
+  campaign::apply(given_of(campaign::setting_table(), given), settings);
+  settings.complete();
+  settings.validate();
+  return settings;
+}
+
+// A table for Python: rows by their keywords.
+template <class Rows>
+Json described(Rows const& rows) {
+  using Row = std::remove_cvref_t<decltype(rows.front())>;
+  Json made = Json::object();
+  for (auto const& row : rows) {
+    auto& one = made[row.python()];
+    one["option"] = row.option();
+    one["help"] = row.help;
+    one["default"] = row.get({});
+    one["words"] = row.words;
+    one["limits"] = row.limits ? Json{row.limits->least, row.limits->most} : Json();
+    if constexpr (std::is_same_v<Row, data::Reading>) one["of_force"] = row.of_force;
+    if constexpr (std::is_same_v<Row, campaign::Setting>) {
+      campaign::Settings of;
+      of.method = row.of.value_or(of.method);
+      one["method"] = row.of ? campaign::find_setting("method")->get(of) : Json();
+      one["stored_only"] = row.stored_only;
+    }
+  }
+  return made;
+}
+
+RecordPtr record_of_file(std::filesystem::path const& file, bool motion, std::optional<std::string> const& name,
+                         py::dict const& how) {
+  data::ReadOptions options;
+  lay_over(data::reading_table(), given_of(data::reading_table(), how), options);
+  options.corrections.validate();
   py::gil_scoped_release const released;
   return std::make_shared<Record>(
       Record{.name = name.value_or(printable(file.stem().string())),
@@ -123,19 +152,12 @@ std::string inspected(Record const& record) {
 
 // --- laws ---------------------------------------------------------------------------------------------------------------
 
-struct Evaluation {
-  std::string integration = "converged", turning_points = "sampled";
-  int refinement = 1;
-
-  laws::Integration method() const { return campaign::parse_integration(integration); }
-  laws::TurningPoints turning() const { return campaign::parse_turning_points(turning_points); }
-  int steps() const {
-    if (refinement < 1 || refinement > 1000)
-      throw Error(
-          {.where = "refinement", .found = fmt::format("{}", refinement), .allowed = "1 to 1000 steps per sample"});
-    return refinement;
-  }
-};
+int steps(int refinement) {
+  if (refinement < 1 || refinement > 1000)
+    throw Error(
+        {.where = "refinement", .found = fmt::format("{}", refinement), .allowed = "1 to 1000 steps per sample"});
+  return refinement;
+}
 
 std::string shown(py::handle value) {
   return printable(std::string(py::repr(value)).substr(0, 100));
@@ -200,17 +222,17 @@ Array result_array(std::optional<Array> const& out, std::size_t size) {
   return *out;
 }
 
-Array force_of(std::string const& law_id, py::object const& parameters, Record const& motion, Evaluation const& how,
-               std::optional<Array> const& out) {
+Array force_of(std::string const& law_id, py::object const& parameters, Record const& motion, py::dict const& how,
+               int refinement, std::optional<Array> const& out) {
   auto const& law = laws::find_law(law_id);
   auto const values = parameters_of(law, parameters);
   auto result = result_array(out, motion.raw.size());
   auto* target = result.mutable_data();
-  auto const method = how.method();
-  auto const turning = how.turning();
-  int const steps = how.steps();
+  auto const settings = settings_of(how);
+  steps(refinement);
   py::gil_scoped_release const released;
-  fit::LawOnMotion const model(law, data::motion_of(motion.raw), method, turning, steps);
+  fit::LawOnMotion const model(law, data::motion_of(motion.raw), settings.integration, settings.turning_points,
+                               refinement);
   model.force_kN(values, std::span(target, motion.raw.size()));
   return result;
 }
@@ -218,9 +240,9 @@ Array force_of(std::string const& law_id, py::object const& parameters, Record c
 // A law on a record as calibrate() sees it.
 class Model {
  public:
-  Model(std::string const& law, RecordPtr record, Evaluation const& how, data::CleanOptions const& cleaning)
-      : record_(std::make_shared<data::FitRecord>(data::clean(record->raw, cleaning))),
-        model_(laws::find_law(law), *record_, how.method(), how.turning(), how.steps()) {}
+  Model(std::string const& law, RecordPtr record, campaign::Settings const& how, int refinement)
+      : record_(std::make_shared<data::FitRecord>(data::clean(record->raw, how.clean))),
+        model_(laws::find_law(law), *record_, how.integration, how.turning_points, steps(refinement)) {}
 
   laws::LawEntry const& law() const { return model_.law(); }
   data::FitRecord const& record() const { return *record_; }
@@ -332,50 +354,12 @@ py::dict runs_of(Campaign const& campaign, std::string const& law, std::string c
   return made;
 }
 
-// What calibrate() was asked for, in the words of the command line.
-struct CalibrateArguments {
-  std::string laws, method, box, integration, turning_points;
-  std::vector<std::string> set;
-  std::optional<int> runs, population, generations, replicates;
-  std::optional<double> stagnation_tolerance;
-  std::uint64_t seed = 1;
-  data::CleanOptions clean;
-  bool analysis = true;
-  int jobs = 0;
-  std::optional<std::filesystem::path> out;
-  bool fresh = false;
-  std::string title;
-
-  campaign::Settings settings() const {
-    campaign::Settings s;
-    s.laws = campaign::parse_laws(laws);
-    s.method = campaign::parse_method(method);
-    if (s.method != campaign::Method::genetic && (population || generations || stagnation_tolerance))
-      throw Error({.where = "population, generations, stagnation_tolerance",
-                   .found = "given with method='best'",
-                   .allowed = "with method='ga'"});
-    s.integration = campaign::parse_integration(integration);
-    s.turning_points = campaign::parse_turning_points(turning_points);
-    s.box = campaign::parse_box(box);
-    for (auto const& text : set) s.overrides.push_back(fit::parse_override(text));
-    if (runs) s.runs = campaign::checked_runs(*runs);
-    s.complete();
-    if (population) s.genetic.population = *population;
-    if (generations) s.genetic.generations = *generations;
-    if (stagnation_tolerance) s.genetic.stagnation_tolerance = *stagnation_tolerance;
-    s.seed = seed;
-    s.clean = clean;
-    s.analysis = analysis;
-    if (replicates) s.replicates = campaign::checked_replicates(*replicates);
-    s.validate();
-    return s;
-  }
-};
-
 // The campaign runs in a thread of its own, without the interpreter's lock; the caller's thread waits, hands progress to
 // Python and listens for signals, which Python delivers to its main thread alone. An exception of either stops the search.
-CampaignPtr calibrated(std::vector<RecordPtr> const& records, CalibrateArguments const& a, py::object const& progress) {
-  auto const settings = a.settings();
+CampaignPtr calibrated(std::vector<RecordPtr> const& records, py::dict const& given, CalibrateOptions options,
+                       py::object const& progress) {
+  auto const settings = settings_of(given);
+  lay_over(campaign::acceptance_table(), given_of(campaign::acceptance_table(), given), options.acceptance);
   std::vector<campaign::NamedRecord> named;
   for (auto const& record : records) {
     if (record == nullptr) throw Error({.where = "records", .found = "None", .allowed = "records"});
@@ -391,18 +375,12 @@ CampaignPtr calibrated(std::vector<RecordPtr> const& records, CalibrateArguments
   std::atomic<bool> stop = false;
   std::exception_ptr failure;
   std::optional<Contents> contents;
-  CalibrateOptions const options{.run = {.jobs = a.jobs,
-                                         .progress =
-                                             [&](campaign::Progress const& now) {
-                                               std::scoped_lock const lock(mutex);
-                                               latest = now;
-                                               changed.notify_one();
-                                             },
-                                         .interrupted = [&] { return stop.load(); },
-                                         .short_of_threads = {}},
-                                 .directory = a.out,
-                                 .fresh = a.fresh,
-                                 .title = a.title};
+  options.run.progress = [&](campaign::Progress const& now) {
+    std::scoped_lock const lock(mutex);
+    latest = now;
+    changed.notify_one();
+  };
+  options.run.interrupted = [&] { return stop.load(); };
   std::exception_ptr asked;  // by Python: a signal, or an exception of `progress`
   {
     std::jthread const worker([&] {
@@ -452,7 +430,23 @@ CampaignPtr loaded(std::filesystem::path const& directory) {
 // Of the package, never released: exceptions outlive its modules.
 py::handle error_type;
 
-void raise_error(Error const& error) {
+// The command line's options as the keywords that they are here.
+std::vector<Complaint> in_keywords(std::vector<Complaint> complaints) {
+  auto const rename = [](auto const& rows, std::string& where) {
+    auto const end = std::min(where.find(' '), where.size());
+    for (auto const& row : rows)
+      if (where.substr(0, end) == "--" + row.option()) return void(where.replace(0, end, row.python()));
+  };
+  for (auto& complaint : complaints) {
+    rename(campaign::setting_table(), complaint.where);
+    rename(campaign::acceptance_table(), complaint.where);
+    rename(data::reading_table(), complaint.where);
+  }
+  return complaints;
+}
+
+void raise_error(Error const& thrown) {
+  Error const error(in_keywords(thrown.complaints()));
   py::list complaints;
   for (auto const& c : error.complaints()) {
     py::dict one;
@@ -465,15 +459,6 @@ void raise_error(Error const& error) {
   py::object made = py::reinterpret_borrow<py::object>(error_type)(py::str(error.what()));
   made.attr("complaints") = complaints;
   PyErr_SetObject(error_type.ptr(), made.ptr());
-}
-
-data::CleanOptions cleaning(py::object const& samples_per_cycle, int smooth, bool center) {
-  data::CleanOptions made{.smooth = smooth, .center = center};
-  made.samples_per_cycle = samples_per_cycle.is_none()
-                               ? std::nullopt
-                               : campaign::parse_samples_per_cycle(std::string(py::str(samples_per_cycle)));
-  made.validate();
-  return made;
 }
 
 }  // namespace
@@ -523,30 +508,7 @@ PYBIND11_MODULE(_core, m) {
       .def(
           "_inspection_json", [](Record const& r) { return inspected(r); }, py::call_guard<py::gil_scoped_release>());
 
-  m.def(
-      "read",
-      [](std::filesystem::path const& file, bool motion, std::optional<std::string> const& name, py::object columns,
-         py::object units, std::optional<double> dt, bool flip_force, py::object sheet, py::object test,
-         std::optional<double> skew_ms, std::optional<double> rig_friction_kN,
-         std::optional<double> rig_friction_coefficient, std::optional<double> moving_mass_kg,
-         std::optional<double> force_factor) {
-        return read(file, name,
-                    {.columns = columns,
-                     .units = units,
-                     .sheet = sheet,
-                     .test = test,
-                     .dt = dt,
-                     .skew_ms = skew_ms,
-                     .rig_friction_kN = rig_friction_kN,
-                     .rig_friction_coefficient = rig_friction_coefficient,
-                     .moving_mass_kg = moving_mass_kg,
-                     .force_factor = force_factor,
-                     .flip_force = flip_force},
-                    motion);
-      },
-      py::arg("file"), py::arg("motion"), py::arg("name"), py::arg("columns"), py::arg("units"), py::arg("dt"),
-      py::arg("flip_force"), py::arg("sheet"), py::arg("test"), py::arg("skew_ms"), py::arg("rig_friction_kN"),
-      py::arg("rig_friction_coefficient"), py::arg("moving_mass_kg"), py::arg("force_factor"));
+  m.def("read", &record_of_file, py::arg("file"), py::arg("motion"), py::arg("name"), py::arg("how"));
 
   m.def(
       "record",
@@ -562,14 +524,17 @@ PYBIND11_MODULE(_core, m) {
       py::arg("name"), py::arg("disp_mm"), py::arg("force_kN"), py::arg("time_s"), py::arg("load_kN"));
 
   m.def("catalogue_json", &catalogue_json);
+  m.def("options_json", [] {
+    return Json{{"settings", described(campaign::setting_table())},
+                {"reading", described(data::reading_table())},
+                {"acceptance", described(campaign::acceptance_table())}}
+        .dump();
+  });
 
   m.def(
       "box",
-      [](std::string const& law_id, Record const& record, std::string const& kind, std::string const& method) {
-        campaign::Settings settings;
-        settings.box = campaign::parse_box(kind);
-        settings.method = campaign::parse_method(method);
-        auto const box = campaign::search_box(laws::find_law(law_id), data::clean(record.raw, {}), settings);
+      [](std::string const& law_id, Record const& record, py::dict const& how) {
+        auto const box = campaign::search_box(laws::find_law(law_id), data::clean(record.raw, {}), settings_of(how));
         py::dict made;
         for (auto const& p : box.parameters) {
           py::dict one;
@@ -583,26 +548,16 @@ PYBIND11_MODULE(_core, m) {
         }
         return made;
       },
-      py::arg("law"), py::arg("record"), py::arg("kind"), py::arg("method"));
+      py::arg("law"), py::arg("record"), py::arg("how"));
 
-  m.def(
-      "force",
-      [](std::string const& law, py::object const& parameters, Record const& motion, std::string const& integration,
-         std::string const& turning_points, int refinement, std::optional<Array> const& out) {
-        return force_of(law, parameters, motion, {integration, turning_points, refinement}, out);
-      },
-      py::arg("law"), py::arg("parameters"), py::arg("motion"), py::arg("integration"), py::arg("turning_points"),
-      py::arg("refinement"), py::arg("out").noconvert());
+  m.def("force", &force_of, py::arg("law"), py::arg("parameters"), py::arg("motion"), py::arg("how"),
+        py::arg("refinement"), py::arg("out").noconvert());
 
   py::class_<Model, std::shared_ptr<Model>>(m, "Model", "A law on a record; see isolaw.Model.")
-      .def(py::init([](std::string const& law, RecordPtr record, std::string const& integration,
-                       std::string const& turning_points, int refinement, py::object samples_per_cycle, int smooth,
-                       bool center) {
-             return std::make_shared<Model>(law, std::move(record), Evaluation{integration, turning_points, refinement},
-                                            cleaning(samples_per_cycle, smooth, center));
+      .def(py::init([](std::string const& law, RecordPtr record, py::dict const& how, int refinement) {
+             return std::make_shared<Model>(law, std::move(record), settings_of(how), refinement);
            }),
-           py::arg("law"), py::arg("record"), py::arg("integration"), py::arg("turning_points"), py::arg("refinement"),
-           py::arg("samples_per_cycle"), py::arg("smooth"), py::arg("center"))
+           py::arg("law"), py::arg("record"), py::arg("how"), py::arg("refinement"))
       .def_property_readonly("disp_mm",
                              [](py::object self) { return view(self.cast<Model&>().record().disp_mm, self); })
       .def_property_readonly("force_kN",
@@ -656,38 +611,14 @@ PYBIND11_MODULE(_core, m) {
   m.def("load", &loaded, py::arg("directory"));
   m.def(
       "calibrate",
-      [](std::vector<RecordPtr> const& records, std::string laws, std::string method, std::optional<int> runs,
-         std::uint64_t seed, std::string box, std::string integration, std::string turning_points,
-         std::vector<std::string> set, std::optional<int> population, std::optional<int> generations,
-         std::optional<double> stagnation_tolerance, py::object samples_per_cycle, int smooth, bool center,
-         bool analysis, std::optional<int> replicates, int jobs, std::optional<std::filesystem::path> out, bool fresh,
-         std::string title, py::object progress) {
+      [](std::vector<RecordPtr> const& records, py::dict const& given, int jobs,
+         std::optional<std::filesystem::path> out, bool fresh, std::string title, py::object const& progress) {
         if (jobs < 0 || jobs > 4096)
           throw Error({.where = "jobs", .found = fmt::format("{}", jobs), .allowed = "0 to 4096"});
-        return calibrated(records,
-                          {.laws = std::move(laws),
-                           .method = std::move(method),
-                           .box = std::move(box),
-                           .integration = std::move(integration),
-                           .turning_points = std::move(turning_points),
-                           .set = std::move(set),
-                           .runs = runs,
-                           .population = population,
-                           .generations = generations,
-                           .replicates = replicates,
-                           .stagnation_tolerance = stagnation_tolerance,
-                           .seed = seed,
-                           .clean = cleaning(samples_per_cycle, smooth, center),
-                           .analysis = analysis,
-                           .jobs = jobs,
-                           .out = std::move(out),
-                           .fresh = fresh,
-                           .title = std::move(title)},
-                          progress);
+        CalibrateOptions options{.directory = std::move(out), .fresh = fresh, .title = std::move(title)};
+        options.run.jobs = jobs;
+        return calibrated(records, given, std::move(options), progress);
       },
-      py::arg("records"), py::arg("laws"), py::arg("method"), py::arg("runs"), py::arg("seed"), py::arg("box"),
-      py::arg("integration"), py::arg("turning_points"), py::arg("set"), py::arg("population"), py::arg("generations"),
-      py::arg("stagnation_tolerance"), py::arg("samples_per_cycle"), py::arg("smooth"), py::arg("center"),
-      py::arg("analysis"), py::arg("replicates"), py::arg("jobs"), py::arg("out"), py::arg("fresh"), py::arg("title"),
+      py::arg("records"), py::arg("given"), py::arg("jobs"), py::arg("out"), py::arg("fresh"), py::arg("title"),
       py::arg("progress"));
 }

@@ -10,6 +10,8 @@ Arrays of records and results are read-only views of what the library holds, wit
 calls release the interpreter's lock; ``calibrate`` can be interrupted by Ctrl-C.
 """
 
+import functools as _functools
+import inspect as _inspect
 import json as _json
 import os as _os
 
@@ -35,30 +37,69 @@ __all__ = [
     "read_motion",
     "read_record",
     "record",
+    "settings",
 ]
 
 Record.__module__ = "isolaw"
+
+_OPTIONS = _json.loads(_core.options_json())
+
+
+def _takes(options):
+    """Keywords of a table in place of a function's own ``**`` parameter: its signature has them, with their defaults."""
+
+    def default(option):
+        value, limits = option["default"], option["limits"]
+        left_to_others = limits is not None and value is not None and value < limits[0] and value == 0
+        return None if left_to_others else tuple(value) if isinstance(value, list) else value
+
+    def decorate(function):
+        own = _inspect.signature(function)
+        kept = [p for p in own.parameters.values() if p.kind is not p.VAR_KEYWORD]
+        added = [
+            _inspect.Parameter(name, _inspect.Parameter.KEYWORD_ONLY, default=default(option))
+            for name, option in options.items()
+            if name not in own.parameters
+        ]
+        signature = own.replace(parameters=kept + added)
+
+        @_functools.wraps(function)
+        def checked(*args, **kwargs):
+            signature.bind(*args, **kwargs)
+            return function(*args, **kwargs)
+
+        checked.__signature__ = signature
+        return checked
+
+    return decorate
+
+
+def _settings(*names):
+    return {name: _OPTIONS["settings"][name] for name in names}
+
+
+def _of_motion():
+    return {name: option for name, option in _OPTIONS["reading"].items() if not option["of_force"]}
+
+
+def settings():
+    """What calibrate can be told: a dict by keyword.
+
+    Each value holds the option of the command line, help, default, the words it may be one of, the limits of a number
+    (least, most; None without), and the method that alone has it (None: both).
+    """
+    return {
+        name: {key: value for key, value in one.items() if key != "stored_only"}
+        for name, one in _OPTIONS["settings"].items()
+        if not one["stored_only"]
+    }
 
 
 # --- records ----------------------------------------------------------------------------------------------------------
 
 
-def read_record(
-    path,
-    *,
-    name=None,
-    columns=None,
-    units=None,
-    dt=None,
-    flip_force=False,
-    sheet=None,
-    test=None,
-    skew_ms=None,
-    rig_friction_kN=None,
-    rig_friction_coefficient=None,
-    moving_mass_kg=None,
-    force_factor=None,
-):
+@_takes(_OPTIONS["reading"])
+def read_record(path, *, name=None, **reading):
     """Reads a test record: delimited text, Excel, MATLAB or JSON; dialect, columns and units are recognised.
 
     path: the file. name: of the device, by default the file's without its ending.
@@ -70,18 +111,16 @@ def read_record(
 
     Returns a Record; ``record.recognised`` says what was recognised and why. Raises Error with every problem found.
     """
-    return _core.read(
-        path, False, name, columns, units, dt, flip_force, sheet, test, skew_ms, rig_friction_kN,
-        rig_friction_coefficient, moving_mass_kg, force_factor,
-    )  # fmt: skip
+    return _core.read(path, False, name, reading)
 
 
-def read_motion(path, *, name=None, columns=None, units=None, dt=None, sheet=None, test=None):
+@_takes(_of_motion())
+def read_motion(path, *, name=None, **reading):
     """Reads a displacement history, cyclic or seismic, from a file as read_record does; it needs no force.
 
     Returns a Record whose ``force_kN`` is None. Raises Error, also for a record of acceleration.
     """
-    return _core.read(path, True, name, columns, units, dt, False, sheet, test, None, None, None, None, None)
+    return _core.read(path, True, name, reading)
 
 
 def record(disp_mm, force_kN, time_s=None, load_kN=None, *, name="record"):
@@ -130,10 +169,11 @@ def box(law, record, *, kind="auto", method="best"):
     kind: "auto", scaled from the record, or "published", Table 4 of Cucuzza et al. 2025. method as in calibrate.
     Each value holds unit, free, value (of one that is not free, else None), lower, upper and scale. Raises Error.
     """
-    return _core.box(law, record, kind, method)
+    return _core.box(law, record, {"box": kind, "method": method})
 
 
-def force(law, parameters, motion, *, integration="converged", turning_points="sampled", refinement=1, out=None):
+@_takes(_settings("integration", "turning_points"))
+def force(law, parameters, motion, *, refinement=1, out=None, **how):
     """Force of a law under a displacement history, in kN: a float64 array of shape (samples,).
 
     law: an id. parameters: a dict by name or the values in the law's order, in its units.
@@ -146,34 +186,23 @@ def force(law, parameters, motion, *, integration="converged", turning_points="s
     """
     if not isinstance(motion, Record):
         motion = _core.record("motion", motion, None, None, None)
-    return _core.force(law, parameters, motion, integration, turning_points, refinement, out)
+    return _core.force(law, parameters, motion, how, refinement, out)
 
 
 class Model:
     """A law on a record as calibrate sees it, for optimisers and studies of one's own.
 
     law: an id. record: a Record with force. The record is cleaned as calibrate cleans it: thinned to
-    ``samples_per_cycle`` (None: not at all), averaged over ``smooth`` samples, centred where ``center`` says so.
-    integration, turning_points, refinement as in force. Raises Error.
+    ``samples_per_cycle`` (None: not at all), averaged over ``smooth`` samples, centred where ``center`` says so; the
+    objective is that of ``fit_blocks`` and ``fit_cycles``. integration, turning_points, refinement as in force. Raises
+    Error.
     """
 
-    def __init__(
-        self,
-        law,
-        record,
-        *,
-        integration="converged",
-        turning_points="sampled",
-        refinement=1,
-        samples_per_cycle=200,
-        smooth=1,
-        center=False,
-    ):
-        if samples_per_cycle is None:
-            samples_per_cycle = "all"
-        self._core = _core.Model(
-            law, record, integration, turning_points, refinement, samples_per_cycle, smooth, center
-        )
+    @_takes(
+        _settings("integration", "turning_points", "samples_per_cycle", "smooth", "center", "fit_blocks", "fit_cycles")
+    )
+    def __init__(self, law, record, *, refinement=1, **how):
+        self._core = _core.Model(law, record, _all_samples(how), refinement)
         self._law = law
         self._names = [p["name"] for p in laws()[law]["parameters"]]
 
@@ -320,41 +349,27 @@ class Campaign:
         self._core.write(_os.fspath(directory))
 
 
-def calibrate(
-    records,
-    laws="all",
-    *,
-    method="best",
-    runs=None,
-    seed=1,
-    box="auto",
-    integration="converged",
-    turning_points="sampled",
-    set=(),
-    population=None,
-    generations=None,
-    stagnation_tolerance=None,
-    samples_per_cycle=200,
-    smooth=1,
-    center=False,
-    analysis=True,
-    replicates=100,
-    jobs=0,
-    out=None,
-    fresh=False,
-    title="",
-    progress=None,
-):
+def _all_samples(how):
+    """None samples per cycle, which would otherwise mean the default, as the option has it."""
+    return how | {"samples_per_cycle": "all"} if how.get("samples_per_cycle", 0) is None else how
+
+
+@_takes(settings() | _OPTIONS["acceptance"])
+def calibrate(records, laws="all", *, jobs=0, out=None, fresh=False, title="", progress=None, **given):
     """Fits laws to records, as ``isolaw calibrate`` does: with the same settings and seed the numbers are the same.
 
     records: a Record or a path, or a list of them; each is a device of the lot, under its name.
     laws: "all", an id, or a list of ids. method: "best", to the least objective there is, or "ga", the paper's.
     runs: independent runs per law and device (3; ga: 20). seed: 0 to 2**64 - 1. set: texts "law.parameter=value",
-    "=lower:upper", "=free" or "=other parameter". population, generations, stagnation_tolerance: of "ga".
-    samples_per_cycle (None: all), smooth, center: how records are cleaned. analysis: what the tests determine,
-    intervals, one law for the lot; takes longer than the fits. replicates: of its bootstrap. jobs: threads, 0 for one
-    per core; the numbers do not depend on it. out: a directory for store and reports, where an interrupted campaign is
-    continued by the same call; fresh starts over there. title: of the lot.
+    "=lower:upper", "=free" or "=other parameter". population, generations, stagnation_tolerance: of "ga", which they
+    choose where no method is given. samples_per_cycle (None: all), smooth, center: how records are cleaned. fit_blocks,
+    fit_cycles, score_blocks: which part of the tests laws are judged by and tried on, as texts: "2", "1-3", "2-".
+    analysis: what the tests determine, intervals, one law for the lot; takes longer than the fits. replicates: of its
+    bootstrap. settings() lists all of these with their limits.
+    rules: a rule set the tests are held to, by name or a file. design: design values, as a dict or as text:
+    ``{"K_eff": 1.2, "damping": 15}``. lot_size: devices of the production lot, tested or not.
+    jobs: threads, 0 for one per core; the numbers do not depend on it. out: a directory for store and reports, where an
+    interrupted campaign is continued by the same call; fresh starts over there. title: of the lot.
     progress: called as progress(done, total, analysis, best) from the calling thread; best is a dict of the least
     objective so far by law; an exception it raises ends the search and is raised here.
 
@@ -367,19 +382,10 @@ def calibrate(
         if isinstance(one, (str, _os.PathLike)) and _os.fspath(one).endswith(".toml"):
             raise Error(f"{one}: a lot file; allowed: records; try: isolaw calibrate {one} --out DIR, then isolaw.load(DIR)")
     devices = [one if isinstance(one, Record) else read_record(one) for one in records]
-    if not isinstance(laws, str):
-        laws = ",".join(laws)
-    if samples_per_cycle is None:
-        samples_per_cycle = "all"
-    if isinstance(set, str):
-        set = [set]
-    return Campaign(
-        _core.calibrate(
-            devices, laws, method, runs, seed, box, integration, turning_points, list(set), population, generations,
-            stagnation_tolerance, samples_per_cycle, smooth, center, analysis, replicates, jobs, out, fresh, title,
-            progress,
-        )
-    )  # fmt: skip
+    given = _all_samples(given) | {"laws": laws if isinstance(laws, str) else list(laws)}
+    if not isinstance(given.get("set", ""), str):
+        given["set"] = list(given["set"])
+    return Campaign(_core.calibrate(devices, given, jobs, out, fresh, title, progress))
 
 
 def load(directory):

@@ -72,6 +72,7 @@ def record(
 ) -> Record: ...
 def motion(disp_mm: ArrayLike, time_s: ArrayLike | None = None, *, name: str = "motion") -> Record: ...
 def properties(record: Record) -> dict[str, Any]: ...
+def settings() -> dict[str, dict[str, Any]]: ...
 def laws() -> dict[str, dict[str, Any]]: ...
 def box(
     law: str, record: Record, *, kind: Literal["auto", "published"] = "auto", method: Literal["best", "ga"] = "best"
@@ -99,6 +100,8 @@ class Model:
         samples_per_cycle: int | None = 200,
         smooth: int = 1,
         center: bool = False,
+        fit_blocks: str = "all",
+        fit_cycles: str = "all",
     ) -> None: ...
     @property
     def law(self) -> str: ...
@@ -151,14 +154,20 @@ def calibrate(
     integration: _Integration = "converged",
     turning_points: _TurningPoints = "sampled",
     set: str | Sequence[str] = (),
-    population: int | None = None,
-    generations: int | None = None,
-    stagnation_tolerance: float | None = None,
-    samples_per_cycle: int | None = 200,
+    population: int = 100,
+    generations: int = 50,
+    stagnation_tolerance: float = 0.0,
+    samples_per_cycle: int | Literal["all"] | None = 200,
     smooth: int = 1,
     center: bool = False,
-    analysis: bool = True,
+    fit_blocks: str = "all",
+    fit_cycles: str = "all",
+    score_blocks: str = "all",
+    analysis: bool | Literal["full", "none"] = "full",
     replicates: int = 100,
+    rules: _Path | None = None,
+    design: str | Mapping[str, float] | None = None,
+    lot_size: int | None = None,
     jobs: int = 0,
     out: _Path | None = None,
     fresh: bool = False,

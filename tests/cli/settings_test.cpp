@@ -1,9 +1,11 @@
 // Options that decide the numbers: what they do, and what is refused with which message.
 #include <cmath>
+#include <sstream>
 
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 #include "cli/store.hpp"
+#include "setting_samples.hpp"
 
 namespace isolaw::cli_test {
 namespace {
@@ -189,7 +191,7 @@ TEST_F(Settings, unknown_words_are_refused_with_the_known_ones) {
   expect_refused(run({}, "nope"), {"'nope'", "no such law", "bilinear, jankowski"});
   expect_refused(run({}, "bilinear,nope"), {"'nope'", "no such law"});
   expect_refused(run({}, ""), {"''", "no such law"});
-  expect_refused(run({"--samples-per-cycle", "some"}), {"--samples-per-cycle", "'some'", "at least 20, or all"});
+  expect_refused(run({"--samples-per-cycle", "some"}), {"--samples-per-cycle", "'some'", "20 or more, or all"});
   expect_nothing_written();
 }
 
@@ -233,6 +235,67 @@ TEST_F(Settings, cleaning_is_done_and_recorded) {
   EXPECT_TRUE(contains(cleaning, "every 8th of 2401 samples kept (301)"));
   EXPECT_EQ(query(path("P/campaign.sqlite"), "SELECT kind, count FROM series WHERE channel = 'disp_mm' ORDER BY kind"),
             (Words{"fit|301", "raw|2401"}));
+}
+
+// Three cycles of 100 mm and three of 60 mm.
+std::vector<Sample> two_blocks() {
+  auto samples = record();
+  auto const block = record({.amplitude_mm = 60.0});
+  auto const end = samples.back().time_s;
+  for (std::size_t i = 1; i < block.size(); ++i)
+    samples.push_back({end + block[i].time_s, block[i].disp_mm, block[i].force_kN});
+  return samples;
+}
+
+// Every row of the table with a value of its own, at once.
+TEST_F(Settings, every_setting_comes_by_command_line_and_lot_file_and_makes_the_campaign_again) {
+  write("one.csv", csv(two_blocks()));
+  Words words{"calibrate", "one.csv", "--out", "O"};
+  Json expected;
+  std::string lot = "title = \"one\"\n[[device]]\nfile = \"one.csv\"\n[calibrate]\n";
+  for (auto const& setting : campaign::setting_table()) {
+    if (setting.stored_only) continue;
+    auto const value = testing::another(setting);
+    words = words + words_of(setting, value);
+    lot += fmt::format("{} = {}\n", setting.option(),
+                       setting.key == "seed" ? fmt::format("'{}'", text_of(value)) : value.dump());
+    expected[std::string(setting.key)] = Json::parse(value.dump());
+  }
+  auto const once = isolaw(words);
+  ASSERT_EQ(once.code, 0) << once;
+  auto const summary = json("O/summary.json");
+  EXPECT_EQ(summary["seed"], expected["seed"]);
+  expected.erase("seed");
+  for (auto const& [key, value] : expected.items()) EXPECT_EQ(summary["settings"][key], value) << key;
+
+  write("lot.toml", lot);
+  auto const from_file = isolaw({"calibrate", "lot.toml", "--out", "L"});
+  EXPECT_EQ(from_file.code, 0) << from_file;
+  EXPECT_EQ(json("L/summary.json")["laws"], summary["laws"]);
+  EXPECT_EQ(json("L/summary.json")["settings"], summary["settings"]);
+
+  auto const page = read("O/report.html");
+  auto const start = page.find("\"command\":\"isolaw ") + 18;
+  std::istringstream command(page.substr(start, page.find('"', start) - start));
+  Words again;
+  for (std::string word; command >> word;) again.push_back(word);
+  auto const repeated = isolaw(again + Words{"--out", "P"});
+  EXPECT_EQ(repeated.code, 0) << repeated;
+  EXPECT_EQ(read("P/summary.json"), read("O/summary.json"));
+}
+
+TEST_F(Settings, every_setting_refuses_what_it_may_not_be_by_its_name) {
+  for (auto const& setting : campaign::setting_table()) {
+    if (setting.stored_only || setting.kind == Kind::flag) continue;
+    for (auto const& value : testing::not_allowed(setting)) {
+      auto const option = "--" + setting.option();
+      auto const o = isolaw({"calibrate", "one.csv", "--out", "O", option, text_of(value)});
+      expect_refused(
+          o, {"isolaw: " + option, setting.kind == Kind::repeated ? text_of(value) : shown(value), "; allowed: "});
+      EXPECT_EQ(count_of("\n", o.err), 1u) << o;
+    }
+  }
+  expect_nothing_written();
 }
 
 TEST_F(Settings, columns_by_name_and_by_number_and_units_read_a_file_without_names) {

@@ -95,7 +95,12 @@ class Campaigns(unittest.TestCase):
             ({"laws": "abx"}, "no such law"),
             ({"runs": 0}, "runs"),
             ({"method": "newton"}, "newton"),
-            ({"population": 20}, "method='ga'"),
+            ({"population": 20, "method": "best"}, "population: belongs to method ga, and the method is best"),
+            ({"fit_blocks": "two"}, "^fit_blocks: 'two'"),
+            ({"score_blocks": "2"}, "^score_blocks: '2'; allowed: together with"),
+            ({"rules": "nowhere.toml"}, "nowhere.toml"),
+            ({"design": {"K_eff": "soft"}}, "^design: design.K_eff is no number"),
+            ({"lot_size": 0}, "^lot_size: 0"),
             ({"set": "bilinear.K9=1"}, "K9"),
             ({"jobs": -1}, "jobs"),
             ({"samples_per_cycle": 3}, "samples"),
@@ -108,6 +113,54 @@ class Campaigns(unittest.TestCase):
             isolaw.calibrate("lot.toml")
         with self.assertRaisesRegex(isolaw.Error, "there are none"):
             isolaw.calibrate([], "bilinear")
+
+    # Of a setting that is neither a number, a flag nor one of several words.
+    TEXTS = {
+        "laws": ["abe", "bilinear"],
+        "set": ["bilinear.K1=1.5"],
+        "seed": 2**64 - 2,
+        "samples_per_cycle": 50,
+        "fit_blocks": "1",
+        "fit_cycles": "2-",
+        "score_blocks": "2",
+    }
+
+    def another(self, name, setting):
+        """A value that it may have and that is not its default."""
+        if setting["words"]:
+            return next(word for word in setting["words"] if word != setting["default"])
+        if isinstance(setting["default"], bool):
+            return not setting["default"]
+        if setting["limits"]:
+            least = setting["limits"][0]
+            return 0.25 if isinstance(setting["default"], float) else int(least) + 2
+        return self.TEXTS[name]
+
+    def test_every_setting_is_a_keyword_that_is_stored_and_refused_by_its_name(self):
+        t, x, f = arrays()
+        t, x, f = np.append(t, t[-1] + t[1:]), np.append(x, 0.6 * x[1:]), np.append(f, 0.7 * f[1:])
+        given = {name: self.another(name, setting) for name, setting in isolaw.settings().items()}
+        made = isolaw.calibrate(isolaw.record(x, f, t, name="one"), **given).summary
+        self.assertEqual(made["seed"], given["seed"])
+        for name, setting in isolaw.settings().items():
+            key = next((k for k in made["settings"] if k.replace("-", "_") == name), None)
+            self.assertEqual(made["settings"][key] if key else made["seed"], given[name], name)
+            wrong = ["?"] + ([setting["limits"][0] - 1] if setting["limits"] else [])
+            for value in wrong:
+                with self.assertRaisesRegex(isolaw.Error, f"^{name}[: ]"):
+                    isolaw.calibrate(self.files[0], **{name: value})
+        with self.assertRaisesRegex(TypeError, "populaton"):
+            isolaw.calibrate(self.files[0], populaton=20)
+
+    def test_tests_are_held_to_rules_as_by_the_program(self):
+        how = {"runs": 1, "analysis": False, "title": "r"}
+        design = {"K_eff": 0.7, "damping": 15}
+        made = isolaw.calibrate(self.files, "bilinear", rules="ntc-2018", design=design, lot_size=28, **how)
+        program("calibrate", "r", "--laws", "bilinear", "--runs", "1", "--analysis", "none", "--rules", "ntc-2018",
+                "--design", "K_eff=0.7,damping=15", "--lot-size", "28", "--out", "R", cwd=self.path)  # fmt: skip
+        made.write(self.path / "V")
+        for table in ("tests.csv", "lot.csv", "lambda.csv"):
+            self.assertEqual((self.path / "V/tables" / table).read_bytes(), (self.path / "R/tables" / table).read_bytes())
 
     def test_progress_comes_in_the_callers_thread_and_its_exception_ends_the_search(self):
         seen = []

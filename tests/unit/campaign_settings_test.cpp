@@ -1,8 +1,11 @@
 // What decides a campaign's numbers: written as pairs, read back, and the words of the command line.
 #include "isolaw/campaign/settings.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <set>
@@ -11,10 +14,14 @@
 
 #include "campaign_fixture.hpp"
 #include "isolaw/base/error.hpp"
+#include "setting_samples.hpp"
 
 namespace isolaw::campaign {
 namespace {
 
+using isolaw::testing::another;
+using isolaw::testing::not_allowed;
+using isolaw::testing::with;
 using testing::expect_same;
 
 Settings unusual() {
@@ -59,33 +66,111 @@ TEST(Settings, PairsReadBack) {
   expect_same(settings_from_pairs(to_pairs(other)), other);
 }
 
-// Two campaigns that could differ in their numbers differ in their pairs: this is what decides whether one is resumed.
-TEST(Settings, EveryChangeShowsInThePairs) {
-  std::vector<std::function<void(Settings&)>> const changes{
-      [](Settings& s) { s.laws.pop_back(); },
-      [](Settings& s) { s.method = Method::best; },
-      [](Settings& s) { s.integration = laws::Integration::converged; },
-      [](Settings& s) { s.runs = 8; },
-      [](Settings& s) { s.genetic.population = 38; },
-      [](Settings& s) { s.genetic.generations = 12; },
-      [](Settings& s) { s.genetic.mutation_rate = 0.3; },  // 0.1 + 0.2 is another number
-      [](Settings& s) { s.genetic.stagnation = 6; },
-      [](Settings& s) { s.genetic.stagnation_tolerance = 2e-7; },
-      [](Settings& s) { s.genetic.selection_pressure = 3.4; },
-      [](Settings& s) { s.seed += 1; },
-      [](Settings& s) { s.box = fit::BoxKind::scaled; },
-      [](Settings& s) { s.overrides.pop_back(); },
-      [](Settings& s) { s.overrides[1] = fit::parse_override("bilinear.K1=1.7000000000000002"); },
-      [](Settings& s) { s.clean.smooth = 7; },
-      [](Settings& s) { s.clean.samples_per_cycle = 200; },
-      [](Settings& s) { s.clean.center = false; },
-  };
-  auto const before = to_pairs(unusual());
-  for (std::size_t i = 0; i < changes.size(); ++i) {
-    auto changed = unusual();
-    changes[i](changed);
-    EXPECT_NE(to_pairs(changed), before) << "change " << i;
+std::string refusal(std::function<void()> const& action) {
+  try {
+    action();
+  } catch (Error const& error) {
+    return error.what();
   }
+  return "";
+}
+
+bool holds(std::string const& text, std::string const& part) {
+  return text.find(part) != std::string::npos;
+}
+
+// --- every setting ----------------------------------------------------------------------------------------------------
+
+TEST(EverySetting, HasADefaultThatItMayHaveAndHelpWhereItIsAnOption) {
+  for (auto const& setting : setting_table()) {
+    SCOPED_TRACE(setting.key);
+    Settings usual;
+    usual.complete();
+    EXPECT_EQ(refusal([&] { setting.set(usual, setting.get(usual)); }), "");
+    EXPECT_NE(setting.get(usual), another(setting));
+    EXPECT_TRUE(setting.stored_only || !setting.help.empty());
+    for (auto const word : setting.words) EXPECT_TRUE(holds(setting.help, std::string(word))) << setting.help;
+  }
+}
+
+// Two campaigns that could differ in their numbers differ in their pairs: this is what decides whether one is resumed.
+TEST(EverySetting, IsStoredReadBackAndComparedByItsKey) {
+  for (auto const& setting : setting_table()) {
+    SCOPED_TRACE(setting.key);
+    auto const after = with(setting, another(setting));
+    Settings usual;
+    usual.complete();
+    auto before = after;
+    setting.set(before, setting.get(usual));
+    expect_same(settings_from_pairs(to_pairs(after)), after);
+    EXPECT_EQ(setting.get(after), another(setting));
+    EXPECT_NE(to_pairs(after), to_pairs(before));
+    auto const said = differences(before, after);
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_TRUE(said[0].starts_with(std::string(setting.key) + ": ")) << said[0];
+    EXPECT_TRUE(said[0].ends_with(" there, " + text_of(another(setting)) + " now")) << said[0];
+  }
+}
+
+TEST(EverySetting, ComesBackFromTheWordsOfTheCommandLine) {
+  for (auto const& setting : setting_table()) {
+    if (setting.stored_only) continue;
+    SCOPED_TRACE(setting.key);
+    auto const words = words_of(setting, another(setting));
+    std::vector<std::string> values;
+    for (auto const& word : words)
+      if (word != "--" + setting.option()) values.push_back(word);
+    EXPECT_LT(values.size(), words.size());
+    Settings made;
+    apply({{std::string(setting.key), value_of(setting.kind, values)}}, made);
+    EXPECT_EQ(setting.get(made), another(setting));
+    EXPECT_EQ(made.method, setting.of.value_or(setting.key == "method" ? Method::genetic : Method::best));
+  }
+}
+
+TEST(EverySetting, RefusesWhatItMayNotBeByItsName) {
+  for (auto const& setting : setting_table())
+    for (auto const& value : not_allowed(setting)) {
+      SCOPED_TRACE(fmt::format("{} {}", setting.key, value.dump()));
+      auto const given = refusal([&] {
+        Settings made;
+        apply({{std::string(setting.key), value}}, made);
+      });
+      EXPECT_TRUE(given.starts_with(setting.where())) << given;
+      EXPECT_TRUE(holds(given, shown(value)) || setting.key == "set") << given;
+      EXPECT_TRUE(holds(given, "; allowed: ")) << given;
+      auto pairs = to_pairs(with(setting, another(setting)));
+      std::ranges::find(pairs, setting.key, &std::pair<std::string, std::string>::first)->second = value.dump();
+      auto const stored = refusal([&] { settings_from_pairs(pairs); });
+      EXPECT_TRUE(value == setting.get({}) || stored.starts_with(setting.where())) << stored;
+    }
+}
+
+TEST(EverySetting, IsMissedWhereAStoreLacksIt) {
+  for (auto const& setting : setting_table()) {
+    auto pairs = to_pairs(with(setting, another(setting)));
+    std::erase_if(pairs, [&](auto const& pair) { return pair.first == setting.key; });
+    EXPECT_TRUE(holds(refusal([&] { settings_from_pairs(pairs); }), setting.where() + ": is missing"));
+  }
+}
+
+TEST(Settings, WhatOneMethodAloneHasChoosesItUnlessAnotherOneIsNamed) {
+  Settings made;
+  apply({{"population", 40}}, made);
+  EXPECT_EQ(made.method, Method::genetic);
+  EXPECT_EQ(made.genetic.population, 40);
+  EXPECT_EQ(
+      refusal([&] {
+        apply({{"population", 40}, {"method", "best"}}, made);
+      }),
+      "--population: belongs to method ga, and the method is best; allowed: with method ga, which it also chooses "
+      "where no method is named");
+}
+
+TEST(Settings, EverythingWrongIsSaidAtOnce) {
+  Settings made;
+  auto const said = refusal([&] { apply({{"runs", 0}, {"smooth", 4}}, made); });
+  EXPECT_EQ(said, "--runs: 0; allowed: 1 to 100000\n--smooth: 4; allowed: an odd number of samples, 1 for none");
 }
 
 TEST(Settings, PairsHaveDistinctKeysInAFixedOrder) {
@@ -128,37 +213,29 @@ TEST(Settings, Defaults) {  // of the genetic algorithm: the paper's
   EXPECT_FALSE(s.clean.center);
 }
 
-std::string refusal(std::function<void()> const& action) {
-  try {
-    action();
-  } catch (Error const& error) {
-    return error.what();
-  }
-  return "";
-}
-
-bool holds(std::string const& text, std::string const& part) {
-  return text.find(part) != std::string::npos;
-}
-
-TEST(Settings, ValidateRefusesWhatIsOutOfRange) {
-  auto const with = [](std::function<void(Settings&)> const& change) {
+TEST(Settings, ValidateRefusesWhatIsOutOfRangeOrDoesNotGoTogether) {
+  auto const with_change = [](std::function<void(Settings&)> const& change) {
     Settings s;
-    s.method = Method::genetic;
-    s.runs = 20;
     change(s);
     return refusal([&] { s.validate(); });
   };
-  EXPECT_EQ(with([](Settings&) {}), "");
-  auto const method = refusal([] { parse_method("pso"); });
-  EXPECT_TRUE(holds(method, "--method") && holds(method, "'pso'") && holds(method, "allowed: best, ga")) << method;
-  auto const runs = with([](Settings& s) { s.runs = -1; });
+  auto const ga = [](Settings& s) -> opt::GeneticOptions& {
+    s.method = Method::genetic;
+    return s.genetic;
+  };
+  EXPECT_EQ(with_change([](Settings&) {}), "");
+  auto const runs = with_change([](Settings& s) { s.runs = -1; });
   EXPECT_TRUE(holds(runs, "--runs") && holds(runs, "-1") && holds(runs, "1 to 100000")) << runs;
-  EXPECT_TRUE(holds(with([](Settings& s) { s.genetic.population = 3; }), "--population"));
-  EXPECT_TRUE(holds(with([](Settings& s) { s.genetic.generations = 0; }), "--generations"));
-  EXPECT_TRUE(holds(with([](Settings& s) { s.clean.smooth = 4; }), "smooth"));
-  EXPECT_TRUE(holds(with([](Settings& s) { s.clean.samples_per_cycle = 19; }), "samples"));
-  EXPECT_TRUE(holds(with([](Settings& s) { s.laws = {"bilinear", "nope"}; }), "'nope'"));
+  EXPECT_TRUE(holds(with_change([&](Settings& s) { ga(s).population = 3; }), "--population"));
+  EXPECT_TRUE(holds(with_change([&](Settings& s) { ga(s).mutation_rate = 1.5; }), "mutation_rate"));
+  EXPECT_TRUE(holds(with_change([](Settings& s) { s.multistart.hit_tolerance = std::nan(""); }), "hit_tolerance"));
+  EXPECT_TRUE(holds(with_change([](Settings& s) { s.multistart.starts = 15; }), "starts: 15"));
+  EXPECT_TRUE(holds(with_change([](Settings& s) { s.multistart.hits = 17; }), "hits: 17"));
+  EXPECT_TRUE(holds(with_change([](Settings& s) { s.clean.smooth = 4; }), "--smooth"));
+  EXPECT_TRUE(holds(with_change([](Settings& s) { s.clean.samples_per_cycle = 19; }), "--samples-per-cycle"));
+  EXPECT_TRUE(holds(with_change([](Settings& s) { s.clean.scored.predicted = data::parse_numbers("", "2"); }),
+                    "--score-blocks: '2'; allowed: together with --fit-blocks"));
+  EXPECT_TRUE(holds(with_change([](Settings& s) { s.laws = {"bilinear", "nope"}; }), "'nope'"));
 }
 
 TEST(Words, Laws) {
@@ -173,24 +250,17 @@ TEST(Words, Laws) {
   }
 }
 
-TEST(Words, BoxIntegrationAndThinning) {
-  EXPECT_EQ(parse_box("published"), fit::BoxKind::published);
-  EXPECT_EQ(parse_box("auto"), fit::BoxKind::scaled);
-  EXPECT_EQ(parse_integration("converged"), laws::Integration::converged);
-  EXPECT_EQ(parse_integration("paper"), laws::Integration::paper);
-  EXPECT_EQ(parse_samples_per_cycle("all"), std::nullopt);
-  EXPECT_EQ(parse_samples_per_cycle("150"), 150);
-  for (auto const kind : {fit::BoxKind::published, fit::BoxKind::scaled}) EXPECT_EQ(parse_box(name(kind)), kind);
-  for (auto const how : {laws::Integration::converged, laws::Integration::paper})
-    EXPECT_EQ(parse_integration(name(how)), how);
-  auto const box = refusal([] { parse_box("scaled"); });
-  EXPECT_TRUE(holds(box, "--box") && holds(box, "'scaled'") && holds(box, "published, auto")) << box;
-  auto const how = refusal([] { parse_integration("rk4"); });
-  EXPECT_TRUE(holds(how, "--integration") && holds(how, "'rk4'") && holds(how, "converged, paper")) << how;
-  for (auto const* text : {"", "many", "200.5", "200 ", "1e2", "99999999999"}) {
-    auto const said = refusal([&] { parse_samples_per_cycle(text); });
-    EXPECT_TRUE(holds(said, "--samples-per-cycle") && holds(said, "all")) << "'" << text << "': " << said;
+TEST(Words, ThinningIsANumberOrAll) {
+  auto const& thinning = *find_setting("samples-per-cycle");
+  Settings made;
+  thinning.set(made, "all");
+  EXPECT_EQ(made.clean.samples_per_cycle, std::nullopt);
+  for (Json const& number : {Json(150), Json("150")}) {
+    thinning.set(made, number);
+    EXPECT_EQ(made.clean.samples_per_cycle, 150);
   }
+  for (auto const* text : {"", "many", "200.5", "200 ", "1e2", "99999999999", "19"})
+    EXPECT_TRUE(holds(refusal([&] { thinning.set(made, text); }), "20 or more, or all")) << text;
 }
 
 }  // namespace

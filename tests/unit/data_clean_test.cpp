@@ -15,15 +15,6 @@ namespace {
 using std::numbers::pi;
 using Values = std::vector<double>;
 
-std::string refusal(CleanOptions const& options) {
-  try {
-    options.validate();
-  } catch (Error const& error) {
-    return error.what();
-  }
-  return {};
-}
-
 // --- moving average -------------------------------------------------------------------------------------------------
 
 TEST(MovingAverage, ShrinksAtTheEnds) {
@@ -219,17 +210,6 @@ TEST(Clean, KeepsTheChosenPartThroughSmoothingAndThinning) {
     }
   }
   EXPECT_TRUE(clean(raw, {}).scored.empty());
-}
-
-TEST(Clean, OptionsAreChecked) {
-  EXPECT_EQ(refusal({}), "");
-  EXPECT_EQ(refusal({.smooth = 1, .samples_per_cycle = 20}), "");
-  EXPECT_EQ(refusal({.smooth = 4, .samples_per_cycle = 19}),
-            "--smooth: 4; allowed: an odd number of samples, 1 for none; try: 5\n"
-            "--samples-per-cycle: 19; allowed: 20 or more, or all; try: 200");
-  EXPECT_NE(refusal({.smooth = 0}), "");
-  EXPECT_NE(refusal({.smooth = -3}), "");
-  EXPECT_THROW(clean(sine(100), {.smooth = 2}), Error);
 }
 
 }  // namespace

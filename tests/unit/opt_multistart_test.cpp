@@ -219,24 +219,7 @@ TEST(Multistart, SpendsItsBudgetWhereTheBestIsNotConfirmed) {
   EXPECT_LT(found.evaluations, 20'000);
 }
 
-TEST(Multistart, OptionsOutOfRangeAreRefused) {
-  auto const refused = [](MultistartOptions const& options) {
-    try {
-      options.validate();
-    } catch (Error const&) {
-      return true;
-    }
-    return false;
-  };
-  EXPECT_FALSE(refused({}));
-  EXPECT_TRUE(refused({.least_starts = 0}));
-  EXPECT_TRUE(refused({.least_starts = 16, .starts = 15}));
-  EXPECT_TRUE(refused({.hits = 0}));
-  EXPECT_TRUE(refused({.hits = 17}));
-  EXPECT_TRUE(refused({.hit_tolerance = nan}));
-  EXPECT_TRUE(refused({.most_evaluations = 0}));
-  EXPECT_TRUE(refused({.scattered = 0}));
-  EXPECT_TRUE(refused({.hops = -1}));
+TEST(Multistart, AProblemWithoutDimensionsIsRefused) {
   EXPECT_THROW(minimise_multistart(Residuals(0, 1, [](Point, std::size_t) { return 1.0; }), stream), Error);
 }
 

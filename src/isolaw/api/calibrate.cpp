@@ -11,6 +11,8 @@
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/fit/kernels.hpp"
 #include "isolaw/render/write.hpp"
+#include "isolaw/rules/measured.hpp"
+#include "isolaw/rules/rule_set.hpp"
 #include "isolaw/study/build_summary.hpp"
 
 namespace isolaw {
@@ -41,10 +43,21 @@ class TemporaryDirectory {
 
 }  // namespace
 
+void load_rules(campaign::Acceptance& acceptance) {
+  auto& [text, name, design, size] = acceptance;
+  if (text.empty() && !name.empty()) text = rules::load_rule_text(name).toml;
+  if (!text.empty()) rules::read_rule_text(text, name);
+  if (!design.empty()) rules::parse_design(design);
+}
+
 campaign::Contents calibrate(std::vector<campaign::NamedRecord> records, campaign::Settings const& settings,
                              CalibrateOptions const& options) {
   fit::instruction_set();  // throws before anything is written
   auto contents = campaign::prepare(std::move(records), settings, options.title);
+  contents.acceptance = options.acceptance;
+  load_rules(contents.acceptance);
+  // What the lot cannot be held to is said before the search, not after it.
+  if (contents.acceptance != campaign::Acceptance{}) study::build_summary(contents);
   if (!options.directory) {
     TemporaryDirectory const directory;
     auto const file = directory.path() / store_name;

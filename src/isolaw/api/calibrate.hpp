@@ -16,7 +16,11 @@ struct CalibrateOptions {
   std::optional<std::filesystem::path> directory = {};  // where store and reports are kept; empty: nowhere
   bool fresh = false;                                   // start over where the directory holds another campaign
   std::string title = {};                               // of the lot, in its reports
+  campaign::Acceptance acceptance = {};                 // what the tests are held to, see load_rules()
 };
+
+// Loads the rule set that is named and not yet there, and checks it and the design values. Throws Error.
+void load_rules(campaign::Acceptance& acceptance);
 
 // Fits `settings.laws` (all where empty) to every record, as `isolaw calibrate` does: the same settings, records, names
 // and seed give the same numbers, whatever the number of threads. A campaign that was interrupted is incomplete

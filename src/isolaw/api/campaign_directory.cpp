@@ -7,44 +7,22 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <map>
-#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/campaign/maker.hpp"
+#include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/render/write.hpp"
 
 namespace isolaw {
 namespace {
 
-std::string in_words(std::string const& json) {
-  auto const value = nlohmann::json::parse(json);
-  if (value.is_string()) return value.get<std::string>();
-  if (!value.is_array()) return json;
-  std::string words;
-  for (auto const& item : value) words += (words.empty() ? "" : ",") + item.get<std::string>();
-  return words.empty() ? "none" : words;
-}
-
-// By key. What one method has and the other has not is said by the method alone.
-std::vector<std::string> differences(campaign::Settings const& stored, campaign::Settings const& asked) {
-  std::vector<std::string> found;
-  auto const pairs = to_pairs(stored);
-  std::map<std::string, std::string> const before(pairs.begin(), pairs.end());
-  bool const adds_analysis = !stored.analysis && asked.analysis;
-  for (auto const& [key, now] : to_pairs(asked)) {
-    auto const there = before.find(key);
-    if (there == before.end() || there->second == now || (adds_analysis && key == "analysis")) continue;
-    found.push_back(fmt::format("{}: {} there, {} now", key, in_words(there->second), in_words(now)));
-  }
-  return found;
-}
-
 // What makes the stored campaign another one than the one asked for; empty when it can be continued.
 std::vector<std::string> differences(campaign::Contents const& stored, campaign::Contents const& asked) {
-  auto found = differences(stored.settings, asked.settings);
+  auto settings = stored.settings;
+  if (asked.settings.analysis) settings.analysis = true;  // can be added
+  auto found = differences(settings, asked.settings);
   if (stored.devices.size() != asked.devices.size())
     found.push_back(fmt::format("{} devices there, {} now", stored.devices.size(), asked.devices.size()));
   for (std::size_t d = 0; d < std::min(stored.devices.size(), asked.devices.size()); ++d) {

@@ -20,34 +20,40 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/campaign/maker.hpp"
+#include "isolaw/campaign/setting_table.hpp"
+#include "isolaw/data/reading.hpp"
 
 namespace isolaw::app {
 namespace {
 
-void add_layout(CLI::App& command, ReadArguments& read) {
-  command.add_option("--columns", read.columns,
-                     "time=...,disp=...,force=...,load=...: column names or 1-based numbers");
-  command.add_option("--units", read.units, "disp=cm,force=tonf,time=s: units the files do not state");
-  command.add_option("--dt", read.dt_s, "sampling interval in seconds of files without a time column");
-  command.add_option("--sheet", read.sheet, "sheet of a workbook, struct of a .mat file, key of JSON: name or number");
-  command.add_option("--test", read.test, "of files that hold several tests: a number, or all, one after the other");
+using Words = std::vector<std::string>;
+
+void add_option(CLI::App& command, OptionInfo const& option, Values& given) {
+  auto const name = "--" + option.option();
+  auto const take = [&given, name, key = std::string(option.key), kind = option.kind](Words const& words) {
+    given[key] = value_of(kind, words);
+    bool const number = kind == Kind::whole || kind == Kind::real;
+    if (number && given[key].is_string()) throw CLI::ConversionError(name, words);
+  };
+  auto const take_word = [take](std::string const& word) { take({word}); };
+  auto const type = option.kind == Kind::whole ? "INT" : option.kind == Kind::real ? "FLOAT" : "TEXT";
+  if (option.kind == Kind::flag)
+    command.add_flag_callback(
+        name, [take] { take({}); }, option.help);
+  else if (option.kind == Kind::repeated)
+    command.add_option_function<Words>(name, take, option.help)->allow_extra_args(false);
+  else
+    command.add_option_function<std::string>(name, take_word, option.help)->type_name(type);
 }
 
-void add_reading(CLI::App& command, ReadArguments& read) {
-  add_layout(command, read);
-  command.add_flag("--flip-force", read.flip_force, "reverse the sign of the force");
-  command.add_option("--skew-ms", read.skew_ms, "correct: the force comes later than displacement by this");
-  command.add_option("--rig-friction", read.rig_friction_kN, "correct: friction of the rig in the force, kN");
-  command.add_option("--rig-friction-coefficient", read.rig_friction_coefficient,
-                     "correct: the same as a share of the vertical load");
-  command.add_option("--moving-mass", read.moving_mass_kg, "correct: mass between device and load cell, kg");
-  command.add_option("--force-factor", read.force_factor, "correct: 0.5 where the rig shears two devices");
+// Of a motion, which has no force: `of_force` is false.
+void add_reading(CLI::App& command, Values& read, bool of_force = true) {
+  for (auto const& option : data::reading_table())
+    if (of_force || !option.of_force) add_option(command, option, read);
 }
 
-void add_acceptance(CLI::App& command, AcceptanceArguments& acceptance) {
-  command.add_option("--rules", acceptance.rules, "rule set the tests are held to: a name (isolaw rules) or a file");
-  command.add_option("--design", acceptance.design, "design values: K_eff=1.2,damping=15,disp=150,frequency=0.5,...");
-  command.add_option("--lot-size", acceptance.lot_size, "devices of the production lot, tested or not");
+void add_acceptance(CLI::App& command, Values& acceptance) {
+  for (auto const& option : campaign::acceptance_table()) add_option(command, option, acceptance);
 }
 
 void add_figures(CLI::App& command, std::string& figures) {
@@ -58,33 +64,8 @@ void add_figures(CLI::App& command, std::string& figures) {
 void add_calibrate(CLI::App& app, CalibrateArguments& a) {
   auto& c = *app.add_subcommand("calibrate", "Identify every law on every device; statistics, ranking, report");
   c.add_option("inputs", a.inputs, "a lot file (.toml), test records, or a directory of them")->required();
-  c.add_option("--laws", a.laws, "all, or ids separated by commas (isolaw laws lists them)");
-  c.add_option("--method", a.method,
-               "best (default): to the least objective there is; ga: the paper's genetic algorithm");
-  c.add_option("--integration", a.integration, "converged (default), or paper: one Runge-Kutta step per sample");
-  c.add_option("--turning-points", a.turning_points,
-               "sampled (default), or interpolated: the path turns between samples, for smooth records");
-  c.add_option("--runs", a.runs, "independent runs per law and device, 1 to 100000 (3; ga: 20)");
-  c.add_option("--population", a.population, "of ga: individuals, an even number from 4 to 100000 (100)");
-  c.add_option("--generations", a.generations, "of ga: generations, the initial one included, 1 to 20000 (50)");
-  c.add_option("--stagnation-tolerance", a.stagnation_tolerance,
-               "of ga: relative improvement that counts as none; 20 generations without improvement end a run (0)");
-  c.add_option("--seed", a.seed, "seed of the campaign (1)");
-  c.add_option("--box", a.box,
-               "search box: auto, scaled from each record (default), or published, Table 4 of the paper");
-  c.add_option("--set", a.set,
-               "law.parameter=value | lower:upper | free | another parameter, to tie it; may be repeated")
-      ->allow_extra_args(false);
-  c.add_option("--smooth", a.smooth, "window of the centred moving average, odd (1: none)");
-  c.add_option("--samples-per-cycle", a.samples_per_cycle, "thin records to this many samples per cycle, or all (200)");
-  c.add_flag("--center", a.center, "remove the offset of displacement and force");
-  c.add_option("--fit-blocks", a.fit_blocks, "judge laws by these blocks of the test alone: 2, 1-3, 2- (all)");
-  c.add_option("--fit-cycles", a.fit_cycles, "and by these cycles of each: 2- leaves out scragging (all)");
-  c.add_option("--score-blocks", a.score_blocks,
-               "with --fit-blocks: predict these blocks by the laws fitted to those (all others)");
-  c.add_option("--analysis", a.analysis,
-               "what the tests determine, intervals, one law for the lot, devices left out: full (default), or none");
-  c.add_option("--replicates", a.replicates, "fits of the bootstrap for intervals, 0 for none (100)");
+  for (auto const& setting : campaign::setting_table())
+    if (!setting.stored_only) add_option(c, setting, a.settings);
   add_reading(c, a.read);
   add_acceptance(c, a.acceptance);
   c.add_option("--jobs", a.jobs, "threads, 0 to 4096 (one per core); the results do not depend on it")
@@ -108,11 +89,12 @@ void add_simulate(CLI::App& app, SimulateArguments& a) {
       ->allow_extra_args(false);
   c.add_option("--motion", a.motion, "file of the displacement history, read as a record is; force is not needed")
       ->required();
-  add_layout(c, a.read);
-  c.add_option("--integration", a.integration,
-               "converged (default, or as the campaign had it), or paper: one Runge-Kutta step per sample");
-  c.add_option("--turning-points", a.turning_points,
-               "sampled (default, or as the campaign had it), or interpolated: the path turns between samples");
+  add_reading(c, a.read, false);
+  for (auto const* key : {"integration", "turning-points"}) {
+    auto option = *campaign::find_setting(key);
+    option.help += "; with --from, as the campaign had it";
+    add_option(c, option, a.how);
+  }
   c.add_option("--refinement", a.refinement, "steps per sample (1, or as the campaign had it)");
   c.add_option("--out", a.out, "file to write, instead of standard output");
 }
@@ -257,7 +239,9 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   sample_command.add_option("directory", sample_arguments.directory, "the campaign's directory")->required();
   sample_command.add_option("--law", sample_arguments.law, "id of the law")->required();
   sample_command.add_option("--count", sample_arguments.count, "devices to draw (100)");
-  sample_command.add_option("--seed", sample_arguments.seed, "seed of the draws (the campaign's)");
+  auto seed = *campaign::find_setting("seed");
+  seed.help = "seed of the draws (the campaign's)";
+  add_option(sample_command, seed, sample_arguments.seed);
 
   ExportArguments export_arguments;
   auto& export_command = *app.add_subcommand("export", "A law of a campaign for an analysis program, with its check");

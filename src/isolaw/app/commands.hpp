@@ -7,35 +7,17 @@
 #include <string>
 #include <vector>
 
+#include "isolaw/base/option.hpp"
+
 namespace isolaw::app {
 
 inline constexpr int exit_done = 0, exit_with_refusals = 1, exit_wrong_usage = 2, exit_internal = 3;
 
-// Options that say how records are read; what is given overrides the lot file.
-struct ReadArguments {
-  std::optional<std::string> columns, units;
-  std::optional<double> dt_s;
-  bool flip_force = false;
-  std::optional<std::string> sheet, test;
-  std::optional<double> skew_ms, rig_friction_kN, rig_friction_coefficient, moving_mass_kg, force_factor;
-};
-
-// What the tests are held to; what is given overrides the lot file, or what a campaign's store says.
-struct AcceptanceArguments {
-  std::optional<std::string> rules, design;
-  std::optional<int> lot_size;
-};
-
+// Values are what is given of the options of a table: of data::reading_table() how records are read, of
+// campaign::acceptance_table() what the tests are held to. They override a lot file, or what a campaign's store says.
 struct CalibrateArguments {
   std::vector<std::filesystem::path> inputs;  // one lot file, or records
-  ReadArguments read;
-  AcceptanceArguments acceptance;
-  std::optional<std::string> laws, method, integration, turning_points, box, samples_per_cycle, seed, fit_blocks,
-      fit_cycles, score_blocks, analysis;
-  std::vector<std::string> set;
-  std::optional<int> runs, population, generations, smooth, replicates;
-  std::optional<double> stagnation_tolerance;
-  bool center = false;
+  Values settings, read, acceptance;
   std::optional<std::filesystem::path> out;
   std::optional<int> jobs;
   std::string figures = "lot";
@@ -47,8 +29,7 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
 
 struct InspectArguments {
   std::vector<std::filesystem::path> inputs;  // one lot file, or records
-  ReadArguments read;
-  AcceptanceArguments acceptance;
+  Values read, acceptance;
   std::optional<std::filesystem::path> out;  // writes page, tables and JSON there
   bool allow_outside = false;
   bool json = false;
@@ -57,7 +38,7 @@ int inspect(InspectArguments const& arguments);
 
 struct InitArguments {
   std::vector<std::filesystem::path> files;
-  ReadArguments read;
+  Values read;
   std::optional<std::filesystem::path> like;  // a lot file whose way of reading is taken over
   std::filesystem::path out = "lot.toml";
   bool force = false;
@@ -67,7 +48,7 @@ int init(InitArguments const& arguments);
 struct ReportArguments {
   std::filesystem::path directory;
   std::optional<std::filesystem::path> out;  // of the results; empty: the campaign's directory
-  AcceptanceArguments acceptance;
+  Values acceptance;
   std::string figures = "lot";
   bool json = false;
 };
@@ -77,7 +58,7 @@ struct SampleArguments {
   std::filesystem::path directory;
   std::string law;
   int count = 100;
-  std::optional<std::string> seed;
+  Values seed;  // of campaign::setting_table()
 };
 // Devices of a lot's population as CSV, a row for each.
 int sample(SampleArguments const& arguments);
@@ -85,7 +66,7 @@ int sample(SampleArguments const& arguments);
 struct ExportArguments {
   std::filesystem::path directory;
   std::string law, device, to;
-  AcceptanceArguments acceptance;  // of the bounds; what is given overrides what the store says
+  Values acceptance;  // of the bounds; what is given overrides what the store says
   std::optional<std::string> units;
   std::optional<std::filesystem::path> out;  // empty: standard output
 };
@@ -99,8 +80,7 @@ struct SimulateArguments {
   std::optional<std::string> device;
   std::vector<std::string> set;
   std::filesystem::path motion;
-  ReadArguments read;
-  std::optional<std::string> integration, turning_points;
+  Values read, how;  // of campaign::setting_table(): integration and turning points
   std::optional<int> refinement;
   std::optional<std::filesystem::path> out;
 };

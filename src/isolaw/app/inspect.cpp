@@ -145,7 +145,7 @@ int init(InitArguments const& arguments) {
       for (auto const& line : record.recognised) fmt::print("  {}\n", line);
     } catch (Error const& error) {
       complaints.insert(complaints.end(), error.complaints().begin(), error.complaints().end());
-      if (!arguments.read.sheet && device.read.sheet) of_sheets.push_back(device.files.front());
+      if (!arguments.read.contains("sheet") && device.read.sheet) of_sheets.push_back(device.files.front());
     }
   }
   for (auto const& file : std::set(of_sheets.begin(), of_sheets.end())) complaints.push_back(about_sheets(file, lot));

@@ -6,9 +6,12 @@
 #include <array>
 #include <utility>
 
+#include "isolaw/api/calibrate.hpp"
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/campaign/setting_table.hpp"
+#include "isolaw/data/reading.hpp"
 #include "isolaw/rules/measured.hpp"
 #include "isolaw/rules/rule_set.hpp"
 
@@ -75,47 +78,39 @@ std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path>
 
 namespace {
 
-template <class T>
-void override_with(std::optional<T> const& given, T& target) {
-  if (given) target = *given;
+// What may be repeated adds to what is there; the last word on a parameter counts.
+Json added(Json const& there, Json const& given) {
+  auto const parameter = [](std::string const& text) { return text.substr(0, text.find('=')); };
+  auto texts = there.get<std::vector<std::string>>();
+  for (auto const& text : given.get<std::vector<std::string>>()) {
+    std::erase_if(texts, [&](auto const& other) { return parameter(other) == parameter(text); });
+    texts.push_back(text);
+  }
+  return texts;
+}
+
+void lay_over(Values given, campaign::Settings& settings) {
+  for (auto& [key, value] : given)
+    if (auto const& setting = *campaign::find_setting(key); setting.kind == Kind::repeated)
+      value = added(setting.get(settings), value);
+  campaign::apply(given, settings);
 }
 
 }  // namespace
 
-void apply(ReadArguments const& arguments, data::ReadOptions& options) {
-  if (arguments.columns)
-    for (auto const& [channel, column] : data::parse_columns(*arguments.columns)) options.columns[channel] = column;
-  if (arguments.units)
-    for (auto const& [channel, unit] : data::parse_units(*arguments.units)) options.units[channel] = unit;
-  if (arguments.dt_s) options.dt_s = arguments.dt_s;
-  if (arguments.flip_force) options.flip_force = true;
-  auto& corrections = options.corrections;
-  if (arguments.skew_ms) corrections.skew_s = *arguments.skew_ms / 1000.0;
-  if (arguments.rig_friction_kN) corrections.friction_kN = arguments.rig_friction_kN;
-  if (arguments.rig_friction_coefficient) corrections.friction_coefficient = arguments.rig_friction_coefficient;
-  if (arguments.moving_mass_kg) corrections.moving_mass_kg = arguments.moving_mass_kg;
-  if (arguments.force_factor) corrections.force_factor = arguments.force_factor;
-  corrections.validate();
-  if (arguments.sheet) options.sheet = arguments.sheet;
-  if (arguments.test) options.test = data::parse_test(*arguments.test);
+void apply(Values const& given, data::ReadOptions& options) {
+  lay_over(data::reading_table(), given, options);
+  options.corrections.validate();
 }
 
-void apply(AcceptanceArguments const& arguments, campaign::Acceptance& acceptance) {
-  if (arguments.rules) acceptance.rules_file = *arguments.rules;
-  if (arguments.rules || (!acceptance.rules_file.empty() && acceptance.rules.empty())) {
-    auto text = rules::load_rule_text(acceptance.rules_file);
-    acceptance.rules = std::move(text.toml);
-  }
-  if (!acceptance.rules.empty()) rules::read_rule_text(acceptance.rules, acceptance.rules_file);
-  if (arguments.design) acceptance.design = *arguments.design;
-  if (!acceptance.design.empty()) {
-    auto const damping = rules::parse_design(acceptance.design).damping_percent;
-    if (damping && *damping < 1.0)
-      say("--design damping={:g}: damping is in percent, and below 1 % is no damping of an isolator; try: "
-          "damping={:g}\n",
-          *damping, 100.0 * *damping);
-  }
-  if (arguments.lot_size) acceptance.lot_size = campaign::parse_lot_size(std::to_string(*arguments.lot_size));
+void apply(Values const& given, campaign::Acceptance& acceptance) {
+  lay_over(campaign::acceptance_table(), given, acceptance);
+  load_rules(acceptance);
+  if (acceptance.design.empty()) return;
+  auto const damping = rules::parse_design(acceptance.design).damping_percent;
+  if (damping && *damping < 1.0)
+    say("--design damping={:g}: damping is in percent, and below 1 % is no damping of an isolator; try: damping={:g}\n",
+        *damping, 100.0 * *damping);
 }
 
 campaign::Lot lot_of_file(std::filesystem::path const& file, campaign::LotFileOptions options) {
@@ -148,42 +143,12 @@ campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, ca
 }
 
 campaign::Lot lot_of(CalibrateArguments const& a) {
-  std::uint64_t const seed = a.seed ? campaign::parse_seed(*a.seed) : 0;  // wrong usage is said before files are read
+  campaign::Settings unused;
+  lay_over(a.settings, unused);  // wrong usage is said before files are read
   auto lot = lot_of_inputs(a.inputs, {.allow_outside = a.allow_outside, .other_out = a.out.has_value()});
   auto& s = lot.settings;
-  if (a.laws) s.laws = campaign::parse_laws(*a.laws);
-  if (a.method) s.method = campaign::parse_method(*a.method);
-  if (a.population || a.generations || a.stagnation_tolerance) {
-    if (a.method && s.method != campaign::Method::genetic)
-      throw Error({.where = a.population    ? "--population"
-                            : a.generations ? "--generations"
-                                            : "--stagnation-tolerance",
-                   .found = fmt::format("an option of the genetic algorithm, with --method {}", *a.method),
-                   .allowed = "with --method ga, which it also chooses where --method is not given"});
-    s.method = campaign::Method::genetic;
-  }
-  if (a.integration) s.integration = campaign::parse_integration(*a.integration);
-  if (a.turning_points) s.turning_points = campaign::parse_turning_points(*a.turning_points);
-  if (a.box) s.box = campaign::parse_box(*a.box);
-  for (auto const& text : a.set) {
-    auto const change = fit::parse_override(text);
-    std::erase_if(s.overrides, [&](auto const& o) { return o.law == change.law && o.parameter == change.parameter; });
-    s.overrides.push_back(change);
-  }
-  if (a.runs) s.runs = campaign::checked_runs(*a.runs);
+  lay_over(a.settings, s);
   s.complete();
-  override_with(a.population, s.genetic.population);
-  override_with(a.generations, s.genetic.generations);
-  override_with(a.stagnation_tolerance, s.genetic.stagnation_tolerance);
-  if (a.seed) s.seed = seed;
-  override_with(a.smooth, s.clean.smooth);
-  if (a.samples_per_cycle) s.clean.samples_per_cycle = campaign::parse_samples_per_cycle(*a.samples_per_cycle);
-  if (a.center) s.clean.center = true;
-  if (a.fit_blocks) s.clean.scored.blocks = data::parse_numbers("--fit-blocks", *a.fit_blocks);
-  if (a.fit_cycles) s.clean.scored.cycles = data::parse_numbers("--fit-cycles", *a.fit_cycles);
-  if (a.score_blocks) s.clean.scored.predicted = data::parse_numbers("--score-blocks", *a.score_blocks);
-  if (a.analysis) s.analysis = campaign::parse_analysis(*a.analysis);
-  override_with(a.replicates, s.replicates);
   if (a.out) lot.out = a.out;
   if (a.jobs) lot.jobs = a.jobs;
   for (auto& device : lot.devices) apply(a.read, device.read);

@@ -20,10 +20,10 @@ campaign::Lot lot_of_file(std::filesystem::path const& file, campaign::LotFileOp
 campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, campaign::LotFileOptions const& options);
 
 // Lays what is given over `acceptance`, whose rule set is then loaded and everything checked. Throws Error.
-void apply(AcceptanceArguments const& arguments, campaign::Acceptance& acceptance);
+void apply(Values const& given, campaign::Acceptance& acceptance);
 
 // Options given on the command line win over those in `options`.
-void apply(ReadArguments const& arguments, data::ReadOptions& options);
+void apply(Values const& given, data::ReadOptions& options);
 
 // The directory of the results: --out, the lot file's `out`, or out/<name of the lot file's directory or of the first
 // record>.

@@ -7,6 +7,7 @@
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/hash.hpp"
+#include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/lot/population.hpp"
 #include "isolaw/render/tables/tables.hpp"
@@ -39,7 +40,9 @@ int sample(SampleArguments const& a) {
     auto const& physical = entry.parameters[entry.index_of(name)].physical;
     limits.push_back({physical.lower, physical.upper});
   }
-  num::Stream const stream(a.seed ? campaign::parse_seed(*a.seed) : contents.settings.seed);
+  auto settings = contents.settings;
+  campaign::apply(a.seed, settings);
+  num::Stream const stream(settings.seed);
   auto const drawn = lot::sample(population, static_cast<std::size_t>(a.count),
                                  stream.split(stable_hash("population")).split(stable_hash(a.law)), limits);
 

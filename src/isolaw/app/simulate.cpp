@@ -13,6 +13,7 @@
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/write_file.hpp"
+#include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/data/clean.hpp"
 #include "isolaw/data/read.hpp"
@@ -58,8 +59,12 @@ FittedLaw chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
   // What a campaign fitted was accepted there: a search may end beyond a limit that its box crosses.
   made.parameters =
       parameters_in_order(law, values, where, a.from && changes.empty() ? Together::left : Together::checked);
-  if (a.integration) made.integration = campaign::parse_integration(*a.integration);
-  if (a.turning_points) made.turning_points = campaign::parse_turning_points(*a.turning_points);
+  campaign::Settings how;
+  how.integration = made.integration;
+  how.turning_points = made.turning_points;
+  campaign::apply(a.how, how);
+  made.integration = how.integration;
+  made.turning_points = how.turning_points;
   if (a.refinement) made.refinement = *a.refinement;
   if (made.refinement < 1 || made.refinement > finest)
     throw Error({.where = "--refinement",

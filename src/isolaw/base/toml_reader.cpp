@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
+#include "isolaw/base/option.hpp"
 #include "isolaw/base/printable.hpp"
 
 namespace isolaw {
@@ -121,28 +123,50 @@ std::string TomlTable::where(toml::node const& node) const {
   return fmt::format("{}:{}", file_, node.source().begin.line);
 }
 
-void TomlTable::set(std::string_view key, std::optional<double>& target) {
-  value<double>(key, "a number", [&](double v) { target = v; });
-}
-
 void TomlTable::strings(std::string_view key, std::function<void(std::string const&)> const& take,
                         std::size_t longest) {
-  known_.emplace(key);
-  auto const* node = table_.get(key);
-  if (node == nullptr) return;
-  if (auto const one = node->value<std::string>(); one && node->is_string()) {
-    if (accept_text(*node, key, *one, longest)) guarded(*node, key, [&] { take(*one); });
-    return;
+  auto const last = [&](Json const& value) { take(text_in(value.is_array() ? value.back() : value)); };
+  json(key, last, longest);
+}
+
+std::optional<Json> TomlTable::scalar(toml::node const& node, std::string_view key, std::size_t longest) {
+  if (auto const* text = node.as_string()) {
+    if (!accept_text(node, key, text->get(), longest)) return std::nullopt;
+    return text->get();
   }
-  auto const* array = node->as_array();
-  if (array == nullptr || !array->is_homogeneous(toml::node_type::string))
-    return complain(*node, fmt::format("'{}' is not text or a list of texts", key), "\"...\" or [\"...\", \"...\"]");
-  if (array->size() > most_items)
-    return complain(*node, fmt::format("'{}' lists {} texts", key, array->size()),
-                    fmt::format("{} or fewer", most_items));
-  for (auto const& item : *array) {
-    auto const text = *item.value<std::string>();
-    if (accept_text(item, key, text, longest)) guarded(item, key, [&] { take(text); });
+  if (auto const* whole = node.as_integer()) return whole->get();
+  if (auto const* real = node.as_floating_point()) return real->get();
+  if (auto const* truth = node.as_boolean()) return truth->get();
+  if (auto const* date = node.as_date()) return (std::ostringstream() << *date).str();
+  complain(node, fmt::format("'{}' holds a time, or a list or table within another", key),
+           "text, a number, true or false");
+  return std::nullopt;
+}
+
+void TomlTable::json(std::string_view key, std::function<void(Json const&)> const& take, std::size_t longest) {
+  auto const* node = find(key);
+  if (node == nullptr) return;
+  if (auto const* array = node->as_array()) {
+    if (array->size() > most_items)
+      return complain(*node, fmt::format("'{}' lists {} values", key, array->size()),
+                      fmt::format("{} or fewer", most_items));
+    Json taken = Json::array();
+    for (auto const& item : *array) {
+      auto const value = scalar(item, key, longest);
+      if (!value) continue;
+      taken.push_back(*value);
+      if (!guarded(item, key, [&] { take(taken); })) taken.erase(taken.size() - 1);
+    }
+  } else if (auto const* table = node->as_table()) {
+    for (auto const& [name, item] : *table) {
+      auto const value = scalar(item, key, longest);
+      if (!value) continue;
+      Json entry;
+      entry[printable(name.str())] = *value;
+      guarded(item, key, [&] { take(entry); });
+    }
+  } else if (auto const value = scalar(*node, key, longest)) {
+    guarded(*node, key, [&] { take(*value); });
   }
 }
 
@@ -194,18 +218,20 @@ bool TomlTable::accept_text(toml::node const& node, std::string_view key, std::s
   return false;
 }
 
-void TomlTable::guarded(toml::node const& node, std::string_view key, std::function<void()> const& action) {
+bool TomlTable::guarded(toml::node const& node, std::string_view key, std::function<void()> const& action) {
   try {
     action();
+    return true;
   } catch (Error const& error) {
     for (auto complaint : error.complaints()) {
-      if (complaints_.size() > most_complaints) return;
+      if (complaints_.size() > most_complaints) break;
       bool const names_option = complaint.where.empty() || complaint.where.starts_with("--");
       complaint.found = names_option ? fmt::format("{}: {}", key, complaint.found)
                                      : fmt::format("{}: {}: {}", key, complaint.where, complaint.found);
       complaint.where = where(node);
       complaints_.push_back(std::move(complaint));
     }
+    return false;
   }
 }
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <set>
 #include <string>
@@ -18,6 +19,8 @@
 #include "isolaw/base/error.hpp"
 
 namespace isolaw {
+
+using Json = nlohmann::ordered_json;
 
 // What a message about the whole file says.
 struct TomlMessages {
@@ -63,10 +66,12 @@ class TomlTable {
   void set(std::string_view key, std::string_view expected, T& target) {
     value<T>(key, expected, [&](T const& v) { target = v; });
   }
-  void set(std::string_view key, std::optional<double>& target);
   // A text or a list of texts, one take() each.
   void strings(std::string_view key, std::function<void(std::string const&)> const& take,
                std::size_t longest = longest_text);
+  // Calls take() with the value of the key, when it is there: of a list once for each item, with those before it that were
+  // taken; of a table once for each entry. What take() refuses is said at the line of the item.
+  void json(std::string_view key, std::function<void(Json const&)> const& take, std::size_t longest = longest_text);
   // A sub-table; nullptr when there is none.
   toml::table const* table(std::string_view key);
   // The node of a key, which counts as known; nullptr when there is none.
@@ -82,7 +87,8 @@ class TomlTable {
  protected:
   // Names go to terminals, tables and pages.
   bool accept_text(toml::node const& node, std::string_view key, std::string const& text, std::size_t longest);
-  void guarded(toml::node const& node, std::string_view key, std::function<void()> const& action);
+  // Whether the action refused nothing.
+  bool guarded(toml::node const& node, std::string_view key, std::function<void()> const& action);
 
  private:
   // No conversions: true is no number, and 1 is not true.
@@ -97,6 +103,8 @@ class TomlTable {
     else
       return node.is_string();
   }
+  // Of text, a number, true and false, or a date, which is text; no value of what is none of these, or not accepted.
+  std::optional<Json> scalar(toml::node const& node, std::string_view key, std::size_t longest);
   void complain_kind(toml::node const& node, std::string_view key, std::string_view expected);
   // A whole number beyond those of its type.
   void complain_range(toml::node const& node, std::string_view key, std::string_view expected);

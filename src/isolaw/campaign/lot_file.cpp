@@ -4,18 +4,18 @@
 
 #include <toml++/toml.h>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
-#include <map>
 #include <set>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/file.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/toml_reader.hpp"
+#include "isolaw/campaign/setting_table.hpp"
+#include "isolaw/data/reading.hpp"
 
 namespace isolaw::campaign {
 namespace {
@@ -23,186 +23,71 @@ namespace {
 constexpr std::size_t longest_path = 4096;
 constexpr int most_jobs = 4096;
 
-// The lot file's own kind of value beside those of every TOML file of others.
-class TableReader : public TomlTable {
- public:
-  using TomlTable::TomlTable;
-
-  // A sub-table of text by channel, or the command line's text "time=...,disp=...".
-  void channels(std::string_view key,
-                std::function<std::map<data::Channel, std::string>(std::string_view)> const& parse,
-                std::map<data::Channel, std::string>& target) {
-    auto const* node = find(key);
-    if (node == nullptr) return;
-    if (node->is_string()) {
-      if (!accept_text(*node, key, *node->value<std::string>(), longest_name)) return;
-      guarded(*node, key, [&] {
-        for (auto const& [channel, name] : parse(*node->value<std::string>())) target[channel] = name;
-      });
-      return;
-    }
-    auto const* sub = node->as_table();
-    if (sub == nullptr)
-      return complain(*node, fmt::format("'{}' is neither a table nor text", key),
-                      "{ time = \"...\", disp = \"...\", force = \"...\" }");
-    for (auto const& [key_of_item, item] : *sub) {
-      auto const channel = printable(key_of_item.str());
-      auto const number = item.is_integer() ? item.value<std::int64_t>() : std::nullopt;
-      auto const name = item.is_string() ? *item.value<std::string>()
-                        : number         ? std::to_string(*number)
-                                         : std::string();
-      if (name.empty()) {
-        complain(item, fmt::format("'{}.{}' is neither text nor a number", key, channel), "a name or a 1-based number");
-        continue;
-      }
-      if (!accept_text(item, key, name, longest_name)) continue;
-      // A column's name may hold a comma, which the command line's form could not carry.
-      bool const comma = name.find(',') != std::string::npos;
-      guarded(item, key, [&] {
-        for (auto const& [known, value] : parse(fmt::format("{}={}", channel, comma ? "1" : name)))
-          target[known] = comma ? name : value;
-      });
-    }
-  }
-};
-
-void read_settings(TableReader& table, Settings& s) {
-  table.strings("laws", [&](std::string const& text) {
-    for (auto const& id : parse_laws(text))
-      if (std::ranges::find(s.laws, id) == s.laws.end()) s.laws.push_back(id);
-  });
-  bool named = false;
-  table.value<std::string>("method", "text", [&](auto const& v) {
-    s.method = parse_method(v);
-    named = true;
-  });
-  table.value<std::string>("integration", "text", [&](auto const& v) { s.integration = parse_integration(v); });
-  table.value<std::string>("turning-points", "text",
-                           [&](auto const& v) { s.turning_points = parse_turning_points(v); });
-  table.value<int>("runs", "a whole number from 1 to 100000", [&](int v) { s.runs = checked_runs(v); });
-  // What only the genetic algorithm has also chooses it.
-  auto const of_genetic = [&]<class T>(std::string_view key, std::string_view allowed, T& target) {
-    table.value<T>(key, allowed, [&](T v) {
-      if (named && s.method != Method::genetic)
-        throw Error({.where = {},
-                     .found = fmt::format("{} of the genetic algorithm, with method = \"{}\"", key, name(s.method)),
-                     .allowed = "with method = \"ga\" alone"});
-      s.method = Method::genetic;
-      target = v;
+void read_settings(TomlTable& table, Settings& settings) {
+  bool method_given = false;
+  for (auto const& setting : setting_table()) {
+    if (setting.stored_only) continue;
+    table.json(setting.option(), [&](Json const& value) {
+      take(setting, value, method_given, settings);
+      method_given = method_given || setting.key == "method";
     });
-  };
-  of_genetic("population", "an even number from 4 to 100000", s.genetic.population);
-  of_genetic("generations", "a whole number from 1 to 20000", s.genetic.generations);
-  of_genetic("stagnation-tolerance", "a number", s.genetic.stagnation_tolerance);
-  table.value<std::int64_t>("seed", "a whole number", [&](std::int64_t v) { s.seed = parse_seed(std::to_string(v)); });
-  table.value<std::string>("box", "text", [&](auto const& v) { s.box = parse_box(v); });
-  table.strings("set", [&](std::string const& text) {
-    auto const change = fit::parse_override(text);
-    for (auto const& other : s.overrides)
-      if (other.law == change.law && other.parameter == change.parameter)
-        throw Error({.where = {},
-                     .found = fmt::format("{}.{} is set twice: {} and {}", change.law, change.parameter, other.text(),
-                                          change.text()),
-                     .allowed = "each parameter once"});
-    s.overrides.push_back(change);
-  });
-  table.set<int>("smooth", "an odd number of samples, 1 for none, below 2147483648", s.clean.smooth);
-  table.set<bool>("center", "true or false", s.clean.center);
-  table.value<std::string>("fit-blocks", "text",
-                           [&](auto const& v) { s.clean.scored.blocks = data::parse_numbers("--fit-blocks", v); });
-  table.value<std::string>("fit-cycles", "text",
-                           [&](auto const& v) { s.clean.scored.cycles = data::parse_numbers("--fit-cycles", v); });
-  table.value<std::string>("score-blocks", "text",
-                           [&](auto const& v) { s.clean.scored.predicted = data::parse_numbers("--score-blocks", v); });
-  table.value<std::string>("analysis", "\"full\" or \"none\"", [&](auto const& v) { s.analysis = parse_analysis(v); });
-  table.value<int>("replicates", "a whole number, 0 for no bootstrap",
-                   [&](int v) { s.replicates = checked_replicates(v); });
+  }
 }
 
-// samples-per-cycle is a number or the word "all".
-void read_thinning(TableReader& table, toml::table const& source, data::CleanOptions& clean) {
-  auto const* node = source.get("samples-per-cycle");
-  if (node != nullptr && node->is_string())
-    table.value<std::string>("samples-per-cycle", "a whole number or \"all\"",
-                             [&](auto const& v) { clean.samples_per_cycle = parse_samples_per_cycle(v); });
-  else
-    table.value<int>("samples-per-cycle", "a whole number from 20 to 2147483647, or \"all\"",
-                     [&](int v) { clean.samples_per_cycle = v; });
-}
-
-// A name, or a number without quotes.
-void read_choice(TableReader& table, toml::table const& source, std::string_view key, std::string_view expected,
-                 std::function<void(std::string const&)> const& take) {
-  auto const* node = source.get(key);
-  if (node != nullptr && node->is_integer())
-    table.value<std::int64_t>(key, expected, [&](std::int64_t v) { take(std::to_string(v)); });
-  else
-    table.value<std::string>(key, expected, take);
-}
-
-void read_reading(TableReader& table, toml::table const& source, data::ReadOptions& options) {
-  table.channels("columns", data::parse_columns, options.columns);
-  table.channels("units", data::parse_units, options.units);
-  table.set("dt", options.dt_s);
-  table.set<bool>("flip-force", "true or false", options.flip_force);
-  auto& corrections = options.corrections;
-  std::optional<double> skew_ms;
-  table.set("skew-ms", skew_ms);
-  if (skew_ms) corrections.skew_s = *skew_ms / 1000.0;
-  table.set("rig-friction", corrections.friction_kN);
-  table.set("rig-friction-coefficient", corrections.friction_coefficient);
-  table.set("moving-mass", corrections.moving_mass_kg);
-  table.set("force-factor", corrections.force_factor);
+void read_reading(TomlTable& table, data::ReadOptions& options) {
+  for (auto const& option : data::reading_table())
+    table.json(option.option(), [&](Json const& value) { option.set(options, value); });
   try {
-    corrections.validate();
+    options.corrections.validate();
   } catch (Error const& error) {
     for (auto const& complaint : error.complaints())
       table.complain(fmt::format("{}: {}", complaint.where.substr(2), complaint.found), complaint.allowed);
   }
-  read_choice(table, source, "sheet", "a name or a whole number", [&](auto const& v) { options.sheet = v; });
-  read_choice(table, source, "test", "a whole number or \"all\"",
-              [&](auto const& v) { options.test = data::parse_test(v); });
 }
 
 // What the tests are held to: a built-in rule set by its name or a file beside the lot file, design values, lot size.
-void read_acceptance(TableReader& table, toml::table const& source, std::filesystem::path const& directory,
-                     LotFileOptions const& options, Lot& lot) {
+void read_acceptance(TomlTable& table, std::filesystem::path const& directory, LotFileOptions const& options,
+                     Lot& lot) {
   auto& acceptance = lot.acceptance;
-  table.value<std::string>(
-      "rules", "text",
-      [&](std::string const& name) {
-        constexpr char const* allowed = "a built-in rule set, or a file in the folder of the lot file or below it";
-        if (name.empty()) throw Error({.where = {}, .found = "empty", .allowed = allowed});
-        lot.rules_are_file = !options.is_built_in_rules || !options.is_built_in_rules(name);
-        acceptance.rules_file = lot.rules_are_file ? (directory / name).string() : name;
-        if (!lot.rules_are_file || options.allow_outside) return;
-        // Also of a file that is not there: what the name would lead to must not be told apart from what is there.
-        if (auto const outside = leads_outside(directory / name, directory))
-          throw Error({.where = {},
-                       .found = fmt::format("{} leads outside, to {}", in_quotes(name), outside->generic_string()),
-                       .allowed = allowed,
-                       .advice = "copying the file there, or --allow-outside on the command line"});
-      },
-      longest_path);
-  table.value<std::int64_t>("lot-size", "a whole number",
-                            [&](std::int64_t v) { acceptance.lot_size = parse_lot_size(std::to_string(v)); });
-  auto const* design = source.get("design");
-  if (design == nullptr || !design->is_table()) {
-    table.set<std::string>("design", "a table of numbers, or text", acceptance.design);
-    return;
-  }
-  table.know("design");
-  for (auto const& [key, node] : *design->as_table()) {
-    auto const value = node.is_number() ? node.value<double>() : std::nullopt;
-    if (!value) {
-      table.complain(node, fmt::format("design.{} is no number", printable(key.str())), "K_eff = 1.2, damping = 15.0");
-      continue;
-    }
-    acceptance.design += fmt::format("{}{}={}", acceptance.design.empty() ? "" : ",", printable(key.str()), *value);
-  }
+  for (auto const& option : acceptance_table())
+    table.json(
+        option.option(), [&](Json const& value) { option.set(acceptance, value); }, longest_path);
+  auto const* rules = table.find("rules");
+  if (rules == nullptr || acceptance.rules_file.empty()) return;
+  auto const name = std::exchange(acceptance.rules_file, {});
+  lot.rules_are_file = !options.is_built_in_rules || !options.is_built_in_rules(name);
+  acceptance.rules_file = lot.rules_are_file ? (directory / name).string() : name;
+  if (!lot.rules_are_file || options.allow_outside) return;
+  // Also of a file that is not there: what the name would lead to must not be told apart from what is there.
+  if (auto const outside = leads_outside(directory / name, directory))
+    table.complain(*rules, fmt::format("rules: {} leads outside, to {}", in_quotes(name), outside->generic_string()),
+                   "a built-in rule set, or a file in the folder of the lot file or below it",
+                   "copying the file there, or --allow-outside on the command line");
 }
 
-DeviceInput read_device(TableReader& table, toml::table const& source, std::filesystem::path const& directory,
+// What the table of a device says of it.
+std::vector<Option<DeviceInfo>> const& info_table() {
+  using I = DeviceInfo;
+  auto const text = [](std::string_view key, std::string I::*member) -> Option<I> {
+    return {{.key = key},
+            [=](I const& info) { return (info.*member).empty() ? Json() : Json(info.*member); },
+            [=](I& info, Json const& value) { info.*member = text_in(value); }};
+  };
+  auto const above = [](std::string_view key, double limit, std::string words, std::optional<double> I::*member) {
+    constexpr double largest = std::numeric_limits<double>::max();
+    return number<I>(key, {}, at(member), {std::nextafter(limit, largest), largest, std::move(words)});
+  };
+  static std::vector<Option<I>> const table{
+      text("serial", &I::serial),
+      text("lot", &I::lot),
+      text("test-date", &I::test_date),
+      above("temperature-C", -273.15, "degrees Celsius, above -273.15", &I::temperature_C),
+      above("rubber-thickness-mm", 0.0, "total thickness of the rubber in mm, above 0", &I::rubber_thickness_mm),
+      above("rubber-area-mm2", 0.0, "area of the rubber in mm2, above 0", &I::rubber_area_mm2)};
+  return table;
+}
+
+DeviceInput read_device(TomlTable& table, toml::table const& source, std::filesystem::path const& directory,
                         data::ReadOptions const& defaults, LotFileOptions const& options) {
   DeviceInput device;
   device.read = defaults;
@@ -223,28 +108,9 @@ DeviceInput read_device(TableReader& table, toml::table const& source, std::file
   });
   table.strings("file", take_file, longest_path);
   table.strings("files", take_file, longest_path);
-  table.set<std::string>("serial", "text", device.info.serial);
-  table.set<std::string>("lot", "text", device.info.lot);
-  if (auto const* date = source.get("test-date"); date != nullptr && date->is_date()) {
-    std::ostringstream text;
-    text << *date->as_date();
-    device.info.test_date = text.str();
-    table.know("test-date");
-  } else {
-    table.set<std::string>("test-date", "a date or text", device.info.test_date);
-  }
-  auto const above = [&](std::string_view key, double limit, std::string_view allowed, std::optional<double>& target) {
-    table.value<double>(key, "a number", [&](double v) {
-      if (!std::isfinite(v) || v <= limit)
-        throw Error({.where = {}, .found = fmt::format("{}", v), .allowed = std::string(allowed)});
-      target = v;
-    });
-  };
-  constexpr double absolute_zero_C = -273.15;
-  above("temperature-C", absolute_zero_C, "degrees Celsius, above -273.15", device.info.temperature_C);
-  above("rubber-thickness-mm", 0.0, "total thickness of the rubber in mm, above 0", device.info.rubber_thickness_mm);
-  above("rubber-area-mm2", 0.0, "area of the rubber in mm2, above 0", device.info.rubber_area_mm2);
-  read_reading(table, source, device.read);
+  for (auto const& option : info_table())
+    table.json(option.option(), [&](Json const& value) { option.set(device.info, value); });
+  read_reading(table, device.read);
   table.refuse_unknown();
   if (device.files.empty()) table.complain(source, "a device without a file", "file = \"...\" or files = [...]");
   if (device.name.empty() && !device.files.empty()) device.name = device.files.front().stem().string();
@@ -252,7 +118,7 @@ DeviceInput read_device(TableReader& table, toml::table const& source, std::file
 }
 
 // Values that each read well but are not allowed: at the line of their key, named as in the file.
-void refuse_settings(TableReader const& reader, toml::table const& table, Settings const& settings,
+void refuse_settings(TomlTable const& reader, toml::table const& table, Settings const& settings,
                      std::vector<Complaint>& complaints) {
   try {
     settings.validate();
@@ -291,69 +157,55 @@ std::string relative_name(std::filesystem::path const& file, std::filesystem::pa
   return (below ? inside : std::filesystem::absolute(file).lexically_normal()).generic_string();
 }
 
-toml::table channel_table(std::map<data::Channel, std::string> const& channels) {
-  toml::table table;
-  for (auto const& [channel, value] : channels) table.insert(data::name(channel), value);
-  table.is_inline(true);
-  return table;
+// Null, and a list of nothing, stay out. TOML has no whole numbers above half of 64 bits: such a one is text.
+void insert(toml::table& table, std::string const& key, Json const& value) {
+  if (value.is_array()) {
+    toml::array items;
+    for (auto const& item : value) items.push_back(item.get<std::string>());
+    if (!items.empty()) table.insert(key, std::move(items));
+  } else if (value.is_object()) {
+    toml::table inside;
+    for (auto const& [name, item] : value.items()) insert(inside, name, item);
+    inside.is_inline(true);
+    table.insert(key, std::move(inside));
+  } else if (value.is_boolean()) {
+    table.insert(key, value.get<bool>());
+  } else if (value.is_number_float()) {
+    table.insert(key, value.get<double>());
+  } else if (value.is_number() && std::in_range<std::int64_t>(value.get<std::uint64_t>())) {
+    table.insert(key, value.get<std::int64_t>());
+  } else if (!value.is_null()) {
+    table.insert(key, text_of(value));
+  }
 }
 
 // What all devices are read by, key by key: one that a single device lacks stays out, since the device could not take
 // it back.
-data::ReadOptions shared_reading(Lot const& lot) {
-  data::ReadOptions shared;
-  if (lot.devices.empty()) return shared;
-  auto const share = [&](auto const& key_of) {
-    auto const& value = key_of(lot.devices.front().read);
-    auto const same = [&](DeviceInput const& device) { return key_of(device.read) == value; };
-    if (std::ranges::all_of(lot.devices, same)) key_of(shared) = value;
-  };
-  share([](auto& read) -> auto& { return read.columns; });
-  share([](auto& read) -> auto& { return read.units; });
-  share([](auto& read) -> auto& { return read.dt_s; });
-  share([](auto& read) -> auto& { return read.flip_force; });
-  share([](auto& read) -> auto& { return read.sheet; });
-  share([](auto& read) -> auto& { return read.test; });
-  share([](auto& read) -> auto& { return read.corrections.skew_s; });
-  share([](auto& read) -> auto& { return read.corrections.friction_kN; });
-  share([](auto& read) -> auto& { return read.corrections.friction_coefficient; });
-  share([](auto& read) -> auto& { return read.corrections.moving_mass_kg; });
-  share([](auto& read) -> auto& { return read.corrections.force_factor; });
+Json shared_reading(Lot const& lot) {
+  Json shared = Json::object();
+  for (auto const& option : data::reading_table()) {
+    if (lot.devices.empty()) break;
+    auto const value = option.get(lot.devices.front().read);
+    auto const same = [&](DeviceInput const& device) { return option.get(device.read) == value; };
+    if (std::ranges::all_of(lot.devices, same)) shared[option.option()] = value;
+  }
   return shared;
 }
 
 // The keys in which `read` differs from what [read] says already.
-void insert_reading(toml::table& table, data::ReadOptions const& read, data::ReadOptions const& said) {
-  auto const number = [&](char const* key, std::optional<double> value, std::optional<double> there,
-                          double unit = 1.0) {
-    if (value && value != there) table.insert(key, *value / unit);
-  };
-  number("dt", read.dt_s, said.dt_s);
-  if (read.flip_force && !said.flip_force) table.insert("flip-force", true);
-  if (read.sheet && read.sheet != said.sheet) table.insert("sheet", *read.sheet);
-  if (read.test && read.test != said.test) {
-    if (*read.test == "all")
-      table.insert("test", "all");
-    else
-      table.insert("test", static_cast<std::int64_t>(std::stol(*read.test)));
+void insert_reading(toml::table& table, data::ReadOptions const& read, Json const& said) {
+  for (auto const& option : data::reading_table()) {
+    auto const key = option.option();
+    auto const value = option.get(read);
+    if (value != said.value(key, option.get({}))) insert(table, key, value);
   }
-  auto const &made = read.corrections, &before = said.corrections;
-  number("skew-ms", made.skew_s, before.skew_s, 1e-3);
-  number("rig-friction", made.friction_kN, before.friction_kN);
-  number("rig-friction-coefficient", made.friction_coefficient, before.friction_coefficient);
-  number("moving-mass", made.moving_mass_kg, before.moving_mass_kg);
-  number("force-factor", made.force_factor, before.force_factor);
-  if (read.columns != said.columns) table.insert("columns", channel_table(read.columns));
-  if (read.units != said.units) table.insert("units", channel_table(read.units));
 }
 
-toml::table acceptance_table(Lot const& lot, std::filesystem::path const& directory) {
-  auto const& asked = lot.acceptance;
+toml::table written_acceptance(Lot const& lot, std::filesystem::path const& directory) {
+  auto asked = lot.acceptance;
+  if (lot.rules_are_file && !asked.rules_file.empty()) asked.rules_file = relative_name(asked.rules_file, directory);
   toml::table table;
-  if (!asked.rules_file.empty())
-    table.insert("rules", lot.rules_are_file ? relative_name(asked.rules_file, directory) : asked.rules_file);
-  if (!asked.design.empty()) table.insert("design", asked.design);
-  if (asked.lot_size) table.insert("lot-size", *asked.lot_size);
+  for (auto const& option : acceptance_table()) insert(table, option.option(), option.get(asked));
   return table;
 }
 
@@ -373,13 +225,12 @@ Lot read_lot_text(std::string_view text, std::filesystem::path const& path, LotF
   std::vector<Complaint> complaints;
   Lot lot;
   data::ReadOptions defaults;
-  TableReader top(root, file, "", complaints);
+  TomlTable top(root, file, "", complaints);
   top.set<std::string>("title", "text", lot.title);
   if (auto const* table = top.table("calibrate")) {
-    TableReader reader(*table, file, "[calibrate]", complaints);
+    TomlTable reader(*table, file, "[calibrate]", complaints);
     read_settings(reader, lot.settings);
-    read_thinning(reader, *table, lot.settings.clean);
-    read_reading(reader, *table, defaults);
+    read_reading(reader, defaults);
     reader.value<std::string>(
         "out", "text", [&](auto const& v) { take_out(lot, v, options); }, longest_path);
     reader.value<int>("jobs", fmt::format("a whole number from 0 to {}", most_jobs), [&](int v) {
@@ -391,13 +242,13 @@ Lot read_lot_text(std::string_view text, std::filesystem::path const& path, LotF
     refuse_settings(reader, *table, lot.settings, complaints);
   }
   if (auto const* table = top.table("acceptance")) {
-    TableReader reader(*table, file, "[acceptance]", complaints);
-    read_acceptance(reader, *table, path.parent_path(), options, lot);
+    TomlTable reader(*table, file, "[acceptance]", complaints);
+    read_acceptance(reader, path.parent_path(), options, lot);
     reader.refuse_unknown();
   }
   if (auto const* table = top.table("read")) {
-    TableReader reader(*table, file, "[read]", complaints);
-    read_reading(reader, *table, defaults);
+    TomlTable reader(*table, file, "[read]", complaints);
+    read_reading(reader, defaults);
     reader.refuse_unknown();
   }
   lot.read = defaults;
@@ -416,7 +267,7 @@ Lot read_lot_text(std::string_view text, std::filesystem::path const& path, LotF
                    .advice = "a lot file of its own for each production lot"});
     std::set<std::string> names;
     for (auto const& node : tables) {
-      TableReader reader(*node.as_table(), file, "[[device]]", complaints);
+      TomlTable reader(*node.as_table(), file, "[[device]]", complaints);
       auto device = read_device(reader, *node.as_table(), path.parent_path(), defaults, options);
       if (!names.insert(device.name).second)
         reader.complain(node, fmt::format("two devices are named '{}'", printable(device.name)),
@@ -450,33 +301,9 @@ Lot lot_of_files(std::vector<std::filesystem::path> const& files) {
 std::string lot_file_text(Lot const& lot, std::filesystem::path const& directory) {
   auto s = lot.settings;
   s.complete();
-  toml::array laws, sets;
-  for (auto const& id : s.laws) laws.push_back(id);
-  for (auto const& change : s.overrides) sets.push_back(change.text());
-  toml::table calibrate{{"method", name(s.method)},
-                        {"integration", name(s.integration)},
-                        {"turning-points", name(s.turning_points)},
-                        {"box", name(s.box)},
-                        {"seed", static_cast<std::int64_t>(s.seed)},
-                        {"smooth", s.clean.smooth},
-                        {"center", s.clean.center},
-                        {"fit-blocks", s.clean.scored.blocks.text()},
-                        {"fit-cycles", s.clean.scored.cycles.text()},
-                        {"score-blocks", s.clean.scored.predicted.text()},
-                        {"analysis", s.analysis ? "full" : "none"},
-                        {"replicates", s.replicates}};
-  calibrate.insert("runs", s.runs);
-  if (s.method == Method::genetic) {
-    calibrate.insert("population", s.genetic.population);
-    calibrate.insert("generations", s.genetic.generations);
-    calibrate.insert("stagnation-tolerance", s.genetic.stagnation_tolerance);
-  }
-  if (!laws.empty()) calibrate.insert("laws", std::move(laws));
-  if (!sets.empty()) calibrate.insert("set", std::move(sets));
-  if (s.clean.samples_per_cycle)
-    calibrate.insert("samples-per-cycle", *s.clean.samples_per_cycle);
-  else
-    calibrate.insert("samples-per-cycle", "all");
+  toml::table calibrate;
+  for (auto const& setting : setting_table())
+    if (!setting.stored_only && setting.belongs_to(s.method)) insert(calibrate, setting.option(), setting.get(s));
   auto const shared = shared_reading(lot);
   toml::array devices;
   for (auto const& input : lot.devices) {
@@ -488,25 +315,15 @@ std::string lot_file_text(Lot const& lot, std::filesystem::path const& directory
       for (auto const& file : input.files) files.push_back(relative_name(file, directory));
       device.insert("files", std::move(files));
     }
-    auto const text = [&](char const* key, std::string const& value) {
-      if (!value.empty()) device.insert(key, value);
-    };
-    auto const number = [&](char const* key, std::optional<double> value) {
-      if (value) device.insert(key, *value);
-    };
-    text("serial", input.info.serial);
-    text("lot", input.info.lot);
-    text("test-date", input.info.test_date);
-    number("temperature-C", input.info.temperature_C);
-    number("rubber-thickness-mm", input.info.rubber_thickness_mm);
-    number("rubber-area-mm2", input.info.rubber_area_mm2);
+    for (auto const& option : info_table()) insert(device, option.option(), option.get(input.info));
     insert_reading(device, input.read, shared);
     devices.push_back(std::move(device));
   }
   toml::table read;
-  insert_reading(read, shared, {});
+  for (auto const& [key, value] : shared.items())
+    if (value != false) insert(read, key, value);
   toml::table root{{"title", lot.title}, {"calibrate", std::move(calibrate)}};
-  if (auto acceptance = acceptance_table(lot, directory); !acceptance.empty())
+  if (auto acceptance = written_acceptance(lot, directory); !acceptance.empty())
     root.insert("acceptance", std::move(acceptance));
   if (!read.empty()) root.insert("read", std::move(read));
   root.insert("device", std::move(devices));

@@ -146,19 +146,6 @@ std::vector<double> sample_numbers(std::size_t size) {
 
 }  // namespace
 
-void CleanOptions::validate() const {
-  std::vector<Complaint> complaints;
-  if (smooth < 1 || smooth % 2 == 0)
-    complaints.push_back({"--smooth", std::to_string(smooth), "an odd number of samples, 1 for none",
-                          std::to_string(std::max(1, smooth + 1))});
-  if (samples_per_cycle && *samples_per_cycle < 20)
-    complaints.push_back({"--samples-per-cycle", std::to_string(*samples_per_cycle), "20 or more, or all", "200"});
-  if (scored.blocks.all() && !scored.predicted.all())
-    complaints.push_back({"--score-blocks", scored.predicted.text(), "together with --fit-blocks",
-                          "--fit-blocks, with the numbers of the blocks that laws are fitted to"});
-  if (!complaints.empty()) throw Error(std::move(complaints));
-}
-
 std::vector<double> moving_average(std::vector<double> const& values, int window) {
   assert(window >= 1 && window % 2 == 1);
   if (window <= 1 || values.size() < 3) return values;
@@ -194,7 +181,6 @@ std::vector<double> central_difference(std::vector<double> const& time_s, std::v
 }
 
 FitRecord clean(TestRecord const& raw, CleanOptions const& options) {
-  options.validate();
   if (raw.size() == 0)
     throw Error({.where = raw.file, .found = "a record of 0 samples", .allowed = "a record with samples"});
   FitRecord record;

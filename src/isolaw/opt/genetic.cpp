@@ -105,24 +105,6 @@ GeneticOutcome outcome_of(std::span<double const> history, GeneticOptions const&
                                                              : GeneticOutcome::interrupted;
 }
 
-void GeneticOptions::validate() const {
-  std::vector<Complaint> complaints;
-  auto const require = [&](bool holds, char const* option, auto found, char const* allowed) {
-    if (!holds) complaints.push_back({option, fmt::format("found {}", found), allowed, {}});
-  };
-  // The upper limits keep the count of evaluations an int; that of the pressure keeps every weight above zero.
-  require(population >= 4 && population <= 100'000 && population % 2 == 0, "--population", population,
-          "an even number from 4 to 100000");
-  require(generations >= 1 && generations <= 20'000, "--generations", generations, "1 to 20000");
-  require(mutation_rate >= 0.0 && mutation_rate <= 1.0, "--mutation-rate", mutation_rate, "0 to 1");
-  require(stagnation >= 1, "--stagnation", stagnation, "at least 1 generation");
-  require(stagnation_tolerance >= 0.0 && stagnation_tolerance < 1.0, "--stagnation-tolerance", stagnation_tolerance,
-          "0 or more, below 1");
-  require(selection_pressure >= 0.0 && selection_pressure <= 100.0, "--selection-pressure", selection_pressure,
-          "0 to 100");
-  if (!complaints.empty()) throw Error(std::move(complaints));
-}
-
 std::string_view name(GeneticOutcome outcome) {
   switch (outcome) {
     case GeneticOutcome::all_generations:
@@ -139,7 +121,7 @@ std::string_view name(GeneticOutcome outcome) {
 
 GeneticResult minimise_genetic(Problem const& problem, num::Stream const& stream, GeneticOptions const& options,
                                std::function<bool()> const& interrupted) {
-  options.validate();
+  assert(options.population >= 4 && options.population % 2 == 0);
   auto const dimension = problem.dimension();
   if (dimension == 0)
     throw Error({"genetic algorithm", "a problem with no free parameter", "at least one",

@@ -461,22 +461,6 @@ void require_dimension(DeviationProblem const& problem) {
 
 }  // namespace
 
-void MultistartOptions::validate() const {
-  std::vector<Complaint> complaints;
-  auto const require = [&](bool holds, char const* option, auto found, char const* allowed) {
-    if (!holds) complaints.push_back({option, fmt::format("found {}", found), allowed, {}});
-  };
-  require(least_starts >= 1 && least_starts <= 10'000, "least starts", least_starts, "1 to 10000");
-  require(starts >= least_starts && starts <= 10'000, "starts", starts, "the least starts to 10000");
-  require(hits >= 1 && hits <= least_starts, "hits", hits, "1 to the least starts");
-  require(hit_tolerance > 0.0 && hit_tolerance < 1.0, "hit tolerance", hit_tolerance, "above 0, below 1");
-  require(most_evaluations >= 1 && most_evaluations <= 1'000'000'000, "evaluations", most_evaluations,
-          "1 to 1000000000");
-  require(scattered >= 1 && scattered <= 10'000, "scattered points", scattered, "1 to 10000");
-  require(hops >= 0 && hops <= 10'000, "hops", hops, "0 to 10000");
-  if (!complaints.empty()) throw Error(std::move(complaints));
-}
-
 std::string_view name(MultistartOutcome outcome) {
   switch (outcome) {
     case MultistartOutcome::confirmed:
@@ -493,7 +477,6 @@ std::string_view name(MultistartOutcome outcome) {
 
 MultistartResult minimise_multistart(DeviationProblem const& problem, num::Stream const& stream,
                                      MultistartOptions const& options, std::function<bool()> const& interrupted) {
-  options.validate();
   require_dimension(problem);
   return Search(problem, stream, options).run(interrupted);
 }

@@ -1,0 +1,166 @@
+// An option of the program as one row of a table: what it is called, what it may be, where it is kept. A way in (command
+// line, lot file, store, Python) makes a JSON value of what it was given; the row alone judges it.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "isolaw/base/error.hpp"
+
+namespace isolaw {
+
+using Json = nlohmann::ordered_json;
+
+// list: "a,b" on the command line. repeated: the option once for each. assignments: "a=1,b=2", or a table.
+enum class Kind { flag, whole, real, text, list, repeated, assignments };
+
+// What a number may be.
+struct Limits {
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+  std::string words = {};  // for messages and help, where "least to most" is not what to say
+  int step = 1;            // of whole numbers, from the least
+  bool or_zero = false;    // which then stands for none
+
+  bool allow(double value) const;
+  std::string text() const;
+};
+
+struct OptionInfo {
+  std::string_view key;  // as stored and reported
+  Kind kind = Kind::text;
+  std::string help = {};
+  std::optional<Limits> limits = {};
+  std::vector<std::string_view> words = {};  // where it is one of these
+  std::string_view keyword = {};             // in Python, where that is not the key with underscores
+
+  std::string option() const;  // on the command line, without its dashes, and in a lot file
+  std::string python() const;
+  std::string where() const { return "--" + option(); }  // of a complaint
+};
+
+template <class Target>
+struct Option : OptionInfo {
+  std::function<Json(Target const&)> get;         // null: not given
+  std::function<void(Target&, Json const&)> set;  // throws Error, which leaves `where` to the way in
+};
+
+// --- ways in and out ---------------------------------------------------------------------------------------------------
+
+// What a way in was given, by key.
+using Values = std::map<std::string, Json, std::less<>>;
+
+// What the command line gives: a number where the words are one.
+Json value_of(Kind kind, std::vector<std::string> const& words);
+// As the command line takes it back; of a list: by commas.
+std::string text_of(Json const& value);
+// The words of the command line that give an option its value: none for null, false and a list of nothing.
+std::vector<std::string> words_of(OptionInfo const& option, Json const& value);
+// For messages: 'text', 12, true.
+std::string shown(Json const& value);
+
+// Calls judge() and says of its complaints that they are about `where`, if they do not name an option themselves.
+void about(std::string const& where, std::vector<Complaint>& complaints, std::function<void()> const& judge);
+
+// Calls judge(row) for every row of a table; throws one Error of all complaints.
+template <class Rows, class Judge>
+void judge_each(Rows const& rows, Judge const& judge) {
+  std::vector<Complaint> complaints;
+  for (auto const& row : rows) about(row.where(), complaints, [&] { judge(row); });
+  if (!complaints.empty()) throw Error(std::move(complaints));
+}
+
+template <class Rows, class Target>
+void lay_over(Rows const& rows, Values const& given, Target& target) {
+  judge_each(rows, [&](auto const& row) {
+    if (auto const found = given.find(row.key); found != given.end()) row.set(target, found->second);
+  });
+}
+
+// --- judges: throw Error -----------------------------------------------------------------------------------------------
+
+int whole_of(Json const& value, Limits const& limits);
+double real_of(Json const& value, Limits const& limits);
+bool flag_of(Json const& value);
+std::string text_in(Json const& value);
+[[noreturn]] void refuse(Json const& value, std::string allowed);
+
+// --- rows --------------------------------------------------------------------------------------------------------------
+
+// The place of a member, or of a member's member.
+constexpr auto at(auto... path) {
+  return [=](auto& from) -> auto& {
+    return (from.*....*path);
+  };
+}
+
+template <class T>
+Json or_null(std::optional<T> const& value) {
+  return value ? Json(*value) : Json();
+}
+
+// "help, limits (usual)"
+std::string help_of(std::string help, std::string const& limits, std::string const& usual);
+
+// Of an int or a double, optional or not.
+template <class Target, class Place>
+Option<Target> number(std::string_view key, std::string help, Place place, Limits limits = {}, std::string usual = {}) {
+  using Value = std::remove_cvref_t<decltype(place(std::declval<Target&>()))>;
+  constexpr bool optional = !std::is_arithmetic_v<Value>;
+  constexpr bool whole = std::is_same_v<Value, int> || std::is_same_v<Value, std::optional<int>>;
+  auto const get = [place](Target const& from) -> Json {
+    if constexpr (optional)
+      return or_null(place(from));
+    else
+      return place(from);
+  };
+  auto const set = [place, limits](Target& to, Json const& value) {
+    if constexpr (whole)
+      place(to) = whole_of(value, limits);
+    else
+      place(to) = real_of(value, limits);
+  };
+  help = help_of(std::move(help), limits.text(), usual.empty() ? text_of(get({})) : usual);
+  return {{.key = key, .kind = whole ? Kind::whole : Kind::real, .help = help, .limits = limits}, get, set};
+}
+
+template <class Target, class Place>
+Option<Target> flag(std::string_view key, std::string help, Place place) {
+  return {{.key = key, .kind = Kind::flag, .help = std::move(help)},
+          [place](Target const& from) -> Json { return place(from); },
+          [place](Target& to, Json const& value) { place(to) = flag_of(value); }};
+}
+
+// One of several words, each of which stands for a value. A flag of two words may also be true or false.
+template <class Target, class Place, class T, std::size_t N>
+Option<Target> word(std::string_view key, std::string help, Place place,
+                    std::pair<std::string_view, T> const (&words)[N]) {
+  std::vector<std::pair<std::string_view, T>> const all(std::begin(words), std::end(words));
+  Option<Target> made{{.key = key, .help = std::move(help)}, {}, {}};
+  std::string allowed;
+  for (auto const& [text, meant] : all) {
+    made.words.push_back(text);
+    allowed += (allowed.empty() ? "" : ", ") + std::string(text);
+  }
+  made.get = [=](Target const& from) -> Json {
+    return std::ranges::find(all, place(from), [](auto& w) { return w.second; })->first;
+  };
+  made.set = [=](Target& to, Json const& value) {
+    for (auto const& [text, meant] : all)
+      if (value == Json(text) || (std::is_same_v<T, bool> && value == Json(meant))) return void(place(to) = meant);
+    refuse(value, allowed);
+  };
+  return made;
+}
+
+}  // namespace isolaw

@@ -1,0 +1,249 @@
+#include "isolaw/campaign/setting_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/words.hpp"
+
+namespace isolaw::campaign {
+namespace {
+
+using S = Settings;
+using Ga = opt::GeneticOptions;
+using Best = opt::MultistartOptions;
+using Clean = data::CleanOptions;
+
+constexpr std::pair<std::string_view, Method> methods[]{{"best", Method::best}, {"ga", Method::genetic}};
+constexpr std::pair<std::string_view, fit::BoxKind> boxes[]{{"published", fit::BoxKind::published},
+                                                            {"auto", fit::BoxKind::scaled}};
+constexpr std::pair<std::string_view, laws::Integration> integrations[]{{"converged", laws::Integration::converged},
+                                                                        {"paper", laws::Integration::paper}};
+constexpr std::pair<std::string_view, laws::TurningPoints> turnings[]{
+    {"sampled", laws::TurningPoints::as_sampled}, {"interpolated", laws::TurningPoints::interpolated}};
+constexpr std::pair<std::string_view, bool> analyses[]{{"full", true}, {"none", false}};
+
+void set_laws(S& s, Json const& value) {
+  s.laws.clear();
+  for (auto const& item : value.is_array() ? value : Json::array({value}))
+    for (auto& id : parse_laws(text_in(item)))
+      if (std::ranges::find(s.laws, id) == s.laws.end()) s.laws.push_back(std::move(id));
+}
+
+void set_overrides(Settings& s, Json const& value) {
+  std::vector<fit::Override> overrides;
+  for (auto const& item : value.is_array() ? value : Json::array({value})) {
+    auto const change = fit::parse_override(text_in(item));
+    for (auto const& other : overrides)
+      if (other.law == change.law && other.parameter == change.parameter)
+        throw Error({.where = {},
+                     .found = fmt::format("{}.{} is set twice: {} and {}", change.law, change.parameter, other.text(),
+                                          change.text()),
+                     .allowed = "each parameter once"});
+    overrides.push_back(change);
+  }
+  s.overrides = std::move(overrides);
+}
+
+Json texts_of(std::vector<fit::Override> const& overrides) {
+  Json texts = Json::array();
+  for (auto const& change : overrides) texts.push_back(change.text());
+  return texts;
+}
+
+void set_seed(S& s, Json const& value) {
+  auto const seed = number_in<std::uint64_t>(text_of(value));
+  if (!seed) refuse(value, "a whole number from 0 to 18446744073709551615");
+  s.seed = *seed;
+}
+
+Setting thinning() {
+  Limits const limits{.least = 20, .most = std::numeric_limits<int>::max(), .words = "20 or more, or all"};
+  auto const place = at(&S::clean, &Clean::samples_per_cycle);
+  auto made = number<S>("samples-per-cycle", "thin records to this many samples per cycle", place, limits);
+  made.kind = Kind::text;
+  made.get = [place](S const& s) { return place(s) ? Json(*place(s)) : Json("all"); };
+  made.set = [place, limits](S& s, Json const& value) {
+    if (value == "all")
+      place(s).reset();
+    else
+      place(s) = whole_of(value.is_string() ? value_of(Kind::whole, {value.get<std::string>()}) : value, limits);
+  };
+  return {made};
+}
+
+Setting blocks(std::string_view key, std::string help, data::Numbers data::Selection::*numbers) {
+  auto const place = at(&S::clean, &Clean::scored, numbers);
+  return {{{.key = key, .help = std::move(help)},
+           [place](S const& s) -> Json { return place(s).text(); },
+           [place, key](S& s, Json const& value) {
+             place(s) = data::parse_numbers("--" + std::string(key), text_in(value));
+           }}};
+}
+
+// A constant of the genetic algorithm, or of the default search.
+template <class T>
+Setting constant(std::string_view key, T Ga::*member, Limits limits) {
+  return {number<S>(key, {}, at(&S::genetic, member), std::move(limits)), Method::genetic, true};
+}
+template <class T>
+Setting constant(std::string_view key, T Best::*member, Limits limits) {
+  return {number<S>(key, {}, at(&S::multistart, member), std::move(limits)), Method::best, true};
+}
+
+std::vector<Setting> make_settings() {
+  constexpr double below_1 = 1.0 - 0x1p-53, above_0 = std::numeric_limits<double>::min();
+  constexpr double largest = std::numeric_limits<int>::max();
+  constexpr auto ga = Method::genetic;
+  return {
+      {{{.key = "laws", .kind = Kind::list, .help = "all, or ids separated by commas (isolaw laws lists them)"},
+        [](S const& s) -> Json { return s.laws; },
+        set_laws}},
+      {word<S>("method", "best (default): to the least objective there is; ga: the paper's genetic algorithm",
+               at(&S::method), methods)},
+      {word<S>("integration", "converged (default), or paper: one Runge-Kutta step per sample", at(&S::integration),
+               integrations)},
+      {word<S>("turning-points",
+               "sampled (default), or interpolated: the path turns between samples, for smooth records",
+               at(&S::turning_points), turnings)},
+      {number<S>("runs", "independent runs per law and device", at(&S::runs), {.least = 1, .most = 1e5}, "3; ga: 20")},
+      // The upper limits keep the count of evaluations an int; that of the pressure keeps every weight above zero.
+      {number<S>("population", "of ga: individuals", at(&S::genetic, &Ga::population),
+                 {.least = 4, .most = 1e5, .words = "an even number from 4 to 100000", .step = 2}),
+       ga},
+      {number<S>("generations", "of ga: generations, the initial one included", at(&S::genetic, &Ga::generations),
+                 {.least = 1, .most = 20'000}),
+       ga},
+      constant("mutation_rate", &Ga::mutation_rate, {.least = 0, .most = 1}),
+      constant("stagnation", &Ga::stagnation, {.least = 1, .most = largest, .words = "at least 1 generation"}),
+      {number<S>("stagnation_tolerance",
+                 "of ga: relative improvement that counts as none; 20 generations without improvement end a run",
+                 at(&S::genetic, &Ga::stagnation_tolerance),
+                 {.least = 0, .most = below_1, .words = "0 or more, below 1"}),
+       ga},
+      constant("selection_pressure", &Ga::selection_pressure, {.least = 0, .most = 100}),
+      constant("least_starts", &Best::least_starts, {.least = 1, .most = 10'000}),
+      constant("starts", &Best::starts, {.least = 1, .most = 10'000}),
+      constant("hits", &Best::hits, {.least = 1, .most = 10'000}),
+      constant("hit_tolerance", &Best::hit_tolerance, {.least = above_0, .most = below_1, .words = "above 0, below 1"}),
+      constant("most_evaluations", &Best::most_evaluations, {.least = 1, .most = 1e9}),
+      constant("scattered", &Best::scattered, {.least = 1, .most = 10'000}),
+      constant("hops", &Best::hops, {.least = 0, .most = 10'000}),
+      {{{.key = "seed", .help = "seed of the campaign (1)"}, [](S const& s) -> Json { return s.seed; }, set_seed}},
+      {word<S>("box", "search box: auto, scaled from each record (default), or published, Table 4 of the paper",
+               at(&S::box), boxes)},
+      {{{.key = "set",
+         .kind = Kind::repeated,
+         .help = "law.parameter=value | lower:upper | free | another parameter, to tie it; may be repeated"},
+        [](S const& s) { return texts_of(s.overrides); },
+        set_overrides}},
+      {number<S>("smooth", "window of the centred moving average", at(&S::clean, &Clean::smooth),
+                 {.least = 1, .most = largest, .words = "an odd number of samples, 1 for none", .step = 2})},
+      thinning(),
+      {flag<S>("center", "remove the offset of displacement and force", at(&S::clean, &Clean::center))},
+      blocks("fit-blocks", "judge laws by these blocks of the test alone: 2, 1-3, 2- (all)", &data::Selection::blocks),
+      blocks("fit-cycles", "and by these cycles of each: 2- leaves out scragging (all)", &data::Selection::cycles),
+      blocks("score-blocks", "with --fit-blocks: predict these blocks by the laws fitted to those (all others)",
+             &data::Selection::predicted),
+      {word<S>("analysis",
+               "what the tests determine, intervals, one law for the lot, devices left out: full (default), or none",
+               at(&S::analysis), analyses)},
+      // A quantile of 2.5 % is that of one replicate in forty.
+      {number<S>("replicates", "fits of the bootstrap for intervals", at(&S::replicates),
+                 {.least = 40, .most = 1e5, .words = "0 for none, or 40 to 100000", .or_zero = true})},
+  };
+}
+
+// {"K_eff": 1.2, "damping": 15} adds to what is there; text takes its place.
+void set_design(Acceptance& to, Json const& value) {
+  if (!value.is_object()) return void(to.design = text_in(value));
+  for (auto const& [key, item] : value.items()) {
+    if (!item.is_number())
+      throw Error(
+          {.where = {}, .found = fmt::format("design.{} is no number", key), .allowed = "K_eff = 1.2, damping = 15.0"});
+    to.design += fmt::format("{}{}={}", to.design.empty() ? "" : ",", key, item.get<double>());
+  }
+}
+
+void set_rules(Acceptance& to, Json const& value) {
+  if (text_in(value).empty()) refuse(value, "a built-in rule set, or a file");
+  to.rules_file = text_in(value);
+  to.rules.clear();
+}
+
+std::vector<Option<Acceptance>> make_acceptance() {
+  auto const unless_empty = [](std::string const& text) { return text.empty() ? Json() : Json(text); };
+  return {
+      {{.key = "rules", .help = "rule set the tests are held to: a name (isolaw rules) or a file"},
+       [=](Acceptance const& a) { return unless_empty(a.rules_file); },
+       set_rules},
+      {{.key = "design",
+        .kind = Kind::assignments,
+        .help = "design values: K_eff=1.2,damping=15,disp=150,frequency=0.5,..."},
+       [=](Acceptance const& a) { return unless_empty(a.design); },
+       set_design},
+      number<Acceptance>("lot-size", "devices of the production lot, tested or not", at(&Acceptance::lot_size),
+                         {.least = 1, .most = 1e7}),
+  };
+}
+
+}  // namespace
+
+std::span<Setting const> setting_table() {
+  static std::vector<Setting> const table = make_settings();
+  return table;
+}
+
+Setting const* find_setting(std::string_view key) {
+  auto const table = setting_table();
+  auto const found = std::ranges::find(table, key, &Setting::key);
+  return found == table.end() ? nullptr : &*found;
+}
+
+void take(Setting const& setting, Json const& value, bool method_given, Settings& settings) {
+  if (!setting.belongs_to(settings.method)) {
+    auto const own = methods[setting.of == Method::genetic].first,
+               chosen = methods[settings.method == Method::genetic].first;
+    if (method_given)
+      throw Error({.where = {},
+                   .found = fmt::format("belongs to method {}, and the method is {}", own, chosen),
+                   .allowed = fmt::format("with method {}, which it also chooses where no method is named", own)});
+    settings.method = *setting.of;
+  }
+  setting.set(settings, value);
+}
+
+void apply(Values const& given, Settings& settings) {
+  judge_each(setting_table(), [&](Setting const& setting) {
+    auto const found = given.find(setting.key);
+    if (found != given.end()) take(setting, found->second, given.contains("method"), settings);
+  });
+}
+
+std::vector<std::string> differences(Settings const& there, Settings const& now) {
+  auto const words = [](Json const& value) {
+    auto text = text_of(value);
+    return text.empty() ? std::string("none") : text;
+  };
+  std::vector<std::string> found;
+  for (auto const& setting : setting_table()) {
+    if (!setting.belongs_to(there.method) || !setting.belongs_to(now.method)) continue;
+    auto const a = setting.get(there), b = setting.get(now);
+    if (a != b) found.push_back(fmt::format("{}: {} there, {} now", setting.key, words(a), words(b)));
+  }
+  return found;
+}
+
+std::span<Option<Acceptance> const> acceptance_table() {
+  static std::vector<Option<Acceptance>> const table = make_acceptance();
+  return table;
+}
+
+int parse_lot_size(std::string_view text) {
+  Acceptance made;
+  acceptance_table().back().set(made, value_of(Kind::whole, {std::string(text)}));
+  return *made.lot_size;
+}
+
+}  // namespace isolaw::campaign

@@ -1,0 +1,93 @@
+#include "isolaw/data/reading.hpp"
+
+#include <fmt/format.h>
+
+namespace isolaw::data {
+namespace {
+
+// "disp=2,force=F", or {"disp": 2, "force": "F"}.
+Reading by_channel(std::string_view key, std::string help, std::map<Channel, std::string> ReadOptions::*values,
+                   std::map<Channel, std::string> (*parse)(std::string_view)) {
+  auto const write = [values](ReadOptions const& from) {
+    Json made;
+    for (auto const& [channel, value] : from.*values) made[std::string(name(channel))] = value;
+    return made;
+  };
+  auto const read = [parse, values](ReadOptions& to, Json const& value) {
+    if (value.is_string()) {
+      for (auto& [channel, text] : parse(value.get<std::string>())) (to.*values)[channel] = text;
+      return;
+    }
+    if (!value.is_object()) refuse(value, "a table, or text: disp=...,force=...");
+    for (auto const& [channel, item] : value.items()) {
+      if (!item.is_string() && !item.is_number_integer())
+        throw Error({.where = {},
+                     .found = fmt::format("{}: {} is neither text nor a number", channel, shown(item)),
+                     .allowed = "a name or a 1-based number"});
+      // A column's name may hold a comma, which the command line's form could not carry.
+      auto const text = text_of(item);
+      bool const comma = text.find(',') != std::string::npos;
+      for (auto& [known, parsed] : parse(fmt::format("{}={}", channel, comma ? "1" : text)))
+        (to.*values)[known] = comma ? text : parsed;
+    }
+  };
+  return {{{.key = key, .kind = Kind::assignments, .help = std::move(help)}, write, read}};
+}
+
+// A name, or a number without quotes. `written`: as which of them a lot file has it.
+Reading name_or_number(std::string_view key, std::string help, Kind written,
+                       std::optional<std::string> ReadOptions::*choice, std::string (*parse)(std::string const&)) {
+  auto const write = [=](ReadOptions const& from) {
+    return from.*choice ? value_of(written, {*(from.*choice)}) : Json();
+  };
+  auto const read = [=](ReadOptions& to, Json const& value) {
+    if (!value.is_string() && !value.is_number_integer()) refuse(value, "a name or a whole number");
+    to.*choice = parse(text_of(value));
+  };
+  return {{{.key = key, .help = std::move(help)}, write, read}};
+}
+
+Reading correction(std::string_view key, std::string help, std::optional<double> Corrections::*value,
+                   std::string_view keyword = {}) {
+  Reading made{number<ReadOptions>(key, "correct: " + help, at(&ReadOptions::corrections, value)), true};
+  made.keyword = keyword;
+  return made;
+}
+
+Reading skew() {
+  auto const place = at(&ReadOptions::corrections, &Corrections::skew_s);
+  auto made = correction("skew-ms", "the force comes later than displacement by this", &Corrections::skew_s);
+  made.get = [place](ReadOptions const& from) { return place(from) ? Json(*place(from) / 1e-3) : Json(); };
+  made.set = [place](ReadOptions& to, Json const& value) { place(to) = real_of(value, {}) / 1000.0; };
+  return made;
+}
+
+std::vector<Reading> make_table() {
+  using R = ReadOptions;
+  using C = Corrections;
+  return {
+      by_channel("columns", "time=...,disp=...,force=...,load=...: column names or 1-based numbers", &R::columns,
+                 parse_columns),
+      by_channel("units", "disp=cm,force=tonf,time=s: units the files do not state", &R::units, parse_units),
+      {number<R>("dt", "sampling interval in seconds of files without a time column", at(&R::dt_s))},
+      name_or_number("sheet", "sheet of a workbook, struct of a .mat file, key of JSON: name or number", Kind::text,
+                     &R::sheet, [](std::string const& name) { return name; }),
+      name_or_number("test", "of files that hold several tests: a number, or all, one after the other", Kind::whole,
+                     &R::test, [](std::string const& text) { return parse_test(text); }),
+      {flag<R>("flip-force", "reverse the sign of the force", at(&R::flip_force)), true},
+      skew(),
+      correction("rig-friction", "friction of the rig in the force, kN", &C::friction_kN, "rig_friction_kN"),
+      correction("rig-friction-coefficient", "the same as a share of the vertical load", &C::friction_coefficient),
+      correction("moving-mass", "mass between device and load cell, kg", &C::moving_mass_kg, "moving_mass_kg"),
+      correction("force-factor", "0.5 where the rig shears two devices", &C::force_factor),
+  };
+}
+
+}  // namespace
+
+std::span<Reading const> reading_table() {
+  static std::vector<Reading> const table = make_table();
+  return table;
+}
+
+}  // namespace isolaw::data

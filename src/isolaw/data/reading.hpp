@@ -1,0 +1,19 @@
+// How records are read, option by option: command line, lot file and Python are made from this table.
+#pragma once
+
+#include <span>
+
+#include "isolaw/base/option.hpp"
+#include "isolaw/data/read.hpp"
+
+namespace isolaw::data {
+
+struct Reading : Option<ReadOptions> {
+  bool of_force = false;  // says nothing of a motion, which has none
+};
+
+// Columns and units add to those that are there, channel by channel; every other value takes the place of what was there.
+// Limits of corrections are those of Corrections::validate().
+std::span<Reading const> reading_table();
+
+}  // namespace isolaw::data

@@ -1,0 +1,60 @@
+// Values for tests that iterate over the table of settings: a new setting is tested by its row.
+#pragma once
+
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "isolaw/campaign/setting_table.hpp"
+
+namespace isolaw::testing {
+
+// A value that it may have and that is not its default. A setting of free text stands in the list below.
+inline Json another(campaign::Setting const& setting) {
+  auto const usual = setting.get({});
+  for (auto const word : setting.words)
+    if (word != usual) return word;
+  if (setting.kind == Kind::flag) return !usual.get<bool>();
+  static std::map<std::string_view, Json> const texts{{"laws", {"abe", "bilinear"}},
+                                                      {"set", {"bilinear.K1=1.5", "bilinear.K2=0.25:0.75"}},
+                                                      {"seed", 18446744073709551614U},
+                                                      {"samples-per-cycle", 50},
+                                                      {"fit-blocks", "1"},
+                                                      {"fit-cycles", "2-"},
+                                                      {"score-blocks", "2"}};
+  if (auto const found = texts.find(setting.key); found != texts.end()) return found->second;
+  if (!setting.limits) throw std::logic_error("give an example of " + std::string(setting.key));
+  if (setting.kind == Kind::real) return setting.limits->allow(0.25) ? 0.25 : setting.limits->least;
+  return static_cast<int>(setting.limits->least) + setting.limits->step;
+}
+
+// Values that it may not have.
+inline std::vector<Json> not_allowed(campaign::Setting const& setting) {
+  std::vector<Json> values{"?"};
+  if (!setting.limits) return values;
+  auto const& [least, most, words, step, or_zero] = *setting.limits;
+  auto const add = [&](double value) {
+    if (setting.kind == Kind::real)
+      values.push_back(value);
+    else
+      values.push_back(static_cast<std::int64_t>(value));
+  };
+  add(least - 1.0);
+  add(most + 1.0);
+  if (step > 1) add(least + 1.0);
+  return values;
+}
+
+// With everything that the setting needs beside it.
+inline campaign::Settings with(campaign::Setting const& setting, Json const& value) {
+  campaign::Settings settings;
+  settings.laws = campaign::parse_laws("all");
+  if (setting.key == "score-blocks") campaign::find_setting("fit-blocks")->set(settings, "1");
+  if (setting.of) settings.method = *setting.of;
+  setting.set(settings, value);
+  settings.complete();
+  return settings;
+}
+
+}  // namespace isolaw::testing
