@@ -160,8 +160,8 @@ TEST_F(LotFile, wrong_type_names_the_line) {
   expect_refused(run("calibrate = 3\n" + std::string(device)),
                  {"lot.toml:1: 'calibrate' is not a table", "[calibrate]"});
   expect_refused(run(std::string(device) + "temperature-C = \"warm\"\n"),
-                 {"lot.toml:4: 'temperature-C' is not a number"});
-  expect_refused(run(std::string(device) + "test-date = 3\n"), {"lot.toml:4: 'test-date' is not a date or text"});
+                 {"lot.toml:4: temperature-C: 'warm' is no number"});
+  expect_refused(run(std::string(device) + "test-date = 3\n"), {"lot.toml:4: test-date: 3 is no text"});
   expect_refused(run(std::string(device) + "columns = 3\n"), {"lot.toml:4: columns: 3; allowed: a table, or text"});
 }
 

@@ -197,8 +197,8 @@ TEST_F(LotFileTest, WrongTypesHaveTheirLine) {
   expect_parts(calibrate("laws = 3"), {"lot.toml:3: laws: 3 is no text"});
   expect_parts(calibrate("laws = [\"abe\",\n3]"), {"lot.toml:4: laws: 3 is no text"});
   expect_parts(calibrate("samples-per-cycle = [200]"), {"lot.toml:3: samples-per-cycle: [200]", "all"});
-  expect_parts(device("temperature-C = \"cold\""), {"lot.toml:4", "'temperature-C'", "a number"});
-  expect_parts(device("serial = 17"), {"lot.toml:4", "'serial'", "text"});
+  expect_parts(device("temperature-C = \"cold\""), {"lot.toml:4: temperature-C: 'cold' is no number"});
+  expect_parts(device("serial = 17"), {"lot.toml:4: serial: 17 is no text"});
   expect_parts(device("columns = 3"), {"lot.toml:4: columns: 3;", "a table, or text"});
   expect_parts(device("columns = { time = true }"), {"lot.toml:4: columns: time: true is neither"});
   expect_parts(complaints("calibrate = 3\n[[device]]\nfile = \"a.csv\"\n"), {"lot.toml:1", "'calibrate'", "table"});
@@ -281,7 +281,7 @@ TEST_F(LotFileTest, RulesOutsideTheFolderHaveTheirLine) {
   EXPECT_FALSE(known.rules_are_file);
   EXPECT_EQ(known.acceptance.rules_file, "known");
   EXPECT_EQ(read(lot("../x.toml"), {.allow_outside = true}).acceptance.rules_file, (folder / "../x.toml").string());
-  expect_parts(complaints(lot("")), {"lot.toml:2: rules: empty"});
+  expect_parts(complaints(lot("")), {"lot.toml:2: rules: ''"});
 }
 
 TEST_F(LotFileTest, ValuesOfADeviceThatCannotBeAreRefused) {

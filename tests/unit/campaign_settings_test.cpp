@@ -142,7 +142,7 @@ TEST(EverySetting, RefusesWhatItMayNotBeByItsName) {
       auto pairs = to_pairs(with(setting, another(setting)));
       std::ranges::find(pairs, setting.key, &std::pair<std::string, std::string>::first)->second = value.dump();
       auto const stored = refusal([&] { settings_from_pairs(pairs); });
-      EXPECT_TRUE(holds(stored, std::string(setting.key))) << stored;
+      EXPECT_TRUE(value == setting.get({}) || stored.starts_with(setting.where())) << stored;
     }
 }
 

@@ -90,7 +90,11 @@ void add_simulate(CLI::App& app, SimulateArguments& a) {
   c.add_option("--motion", a.motion, "file of the displacement history, read as a record is; force is not needed")
       ->required();
   add_reading(c, a.read, false);
-  for (auto const* key : {"integration", "turning-points"}) add_option(c, *campaign::find_setting(key), a.how);
+  for (auto const* key : {"integration", "turning-points"}) {
+    auto option = *campaign::find_setting(key);
+    option.help += "; with --from, as the campaign had it";
+    add_option(c, option, a.how);
+  }
   c.add_option("--refinement", a.refinement, "steps per sample (1, or as the campaign had it)");
   c.add_option("--out", a.out, "file to write, instead of standard output");
 }

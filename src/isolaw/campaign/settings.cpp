@@ -47,7 +47,8 @@ Settings settings_from_pairs(std::vector<std::pair<std::string, std::string>> co
     if (!setting.belongs_to(settings.method)) return;
     auto const found = stored.find(setting.key);
     if (found == stored.end()) throw Error({.where = {}, .found = "is missing in the store"});
-    setting.set(settings, Json::parse(found->second));
+    // Runs that nobody chose are stored as the default, which nobody may give.
+    if (auto const value = Json::parse(found->second); value != setting.get(settings)) setting.set(settings, value);
   });
   return settings;
 }
