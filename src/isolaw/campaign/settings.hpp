@@ -37,25 +37,13 @@ struct Settings {
   void validate() const;  // throws Error
 };
 
-// Every setting with its value as JSON text, in a fixed order; and back.
+// Every setting of the method with its value as JSON text, in a fixed order; and back. Throws Error: one that is missing,
+// or not what it may be.
 std::vector<std::pair<std::string, std::string>> to_pairs(Settings const& settings);
 Settings settings_from_pairs(std::vector<std::pair<std::string, std::string>> const& pairs);
 
 // "all" or "id,id": the ids of known laws without repetition. Throws Error that lists the laws.
 std::vector<std::string> parse_laws(std::string_view text);
-int parse_lot_size(std::string_view text);                          // 1 to 10,000,000
-std::uint64_t parse_seed(std::string_view text);                    // 0 to 2^64 - 1
-fit::BoxKind parse_box(std::string_view text);                      // "published" or "auto"
-laws::Integration parse_integration(std::string_view text);         // "converged" or "paper"
-std::optional<int> parse_samples_per_cycle(std::string_view text);  // a number or "all"
-int checked_runs(int runs);                                         // 1 to 100000
-bool parse_analysis(std::string_view text);                         // "full" or "none"
-int checked_replicates(int replicates);                             // 0 to 100000
-Method parse_method(std::string_view text);                         // "best" or "ga"
-std::string_view name(Method method);
-std::string_view name(fit::BoxKind kind);
-laws::TurningPoints parse_turning_points(std::string_view text);  // "sampled" or "interpolated"
-std::string_view name(laws::Integration integration);
-std::string_view name(laws::TurningPoints turning_points);
+int parse_lot_size(std::string_view text);  // 1 to 10,000,000
 
 }  // namespace isolaw::campaign

@@ -8,13 +8,12 @@
 
 namespace isolaw::data {
 
+// What each may be says campaign::setting_table().
 struct CleanOptions {
   int smooth = 1;                              // window of the centred moving average, odd; 1 = none
   std::optional<int> samples_per_cycle = 200;  // thinning to at least this many, 20 or more; nullopt = all samples
   bool center = false;                         // remove the mean of the extremes of displacement and force
   Selection scored = {};                       // blocks and cycles that laws are judged by
-
-  void validate() const;  // throws Error
 };
 
 // Centred moving average of `window` (odd) samples; the window shrinks symmetrically at the ends. Cost does not grow

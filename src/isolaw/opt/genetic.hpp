@@ -16,6 +16,7 @@
 
 namespace isolaw::opt {
 
+// What each may be says campaign::setting_table().
 struct GeneticOptions {
   int population = 100;             // even, at least 4
   int generations = 50;             // at most this many; the initial population is generation 1
@@ -23,8 +24,6 @@ struct GeneticOptions {
   int stagnation = 20;              // generations without improvement before stopping
   double stagnation_tolerance = 0;  // relative improvement that counts as none
   double selection_pressure = 8;    // roulette weight exp(-pressure * value / worst finite value)
-
-  void validate() const;  // throws Error with every option that is out of range
 };
 
 // interrupted: best is the best so far, if a generation was finished. no_finite_value: the whole initial population
@@ -49,7 +48,7 @@ struct GeneticResult {
 // `interrupted`, when given, is asked once per generation, before it. A generation counts as without improvement when
 // the best value is not below (1 - tolerance) times the best at the last improvement (for positive values); a flat
 // problem thus stops after 1 + stagnation generations.
-// Throws Error for options out of range and for a problem without dimensions.
+// Throws Error for a problem without dimensions.
 GeneticResult minimise_genetic(Problem const& problem, num::Stream const& stream, GeneticOptions const& options = {},
                                std::function<bool()> const& interrupted = {});
 

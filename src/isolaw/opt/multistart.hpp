@@ -23,6 +23,7 @@
 
 namespace isolaw::opt {
 
+// What each may be says campaign::setting_table().
 struct MultistartOptions {
   int least_starts = 16;  // descents, where three quarters of the scattered ones end at the best value
   int starts = 72;  // elsewhere; a third of these where a dozen ended there, among them two fifths of the scattered
@@ -31,8 +32,6 @@ struct MultistartOptions {
   int most_evaluations = 200'000;  // no round begins after these
   int scattered = 12;              // starts of a round, over the box
   int hops = 4;                    // of a round, about the best point
-
-  void validate() const;  // throws Error
 };
 
 // interrupted: best is the best so far. no_finite_value: none of the first scattered points had a value.
@@ -53,7 +52,7 @@ struct MultistartResult {
 };
 
 // Deterministic for a given stream. `interrupted`, when given, is asked before each start.
-// Throws Error for options out of range and for a problem without dimensions.
+// Throws Error for a problem without dimensions.
 MultistartResult minimise_multistart(DeviationProblem const& problem, num::Stream const& stream,
                                      MultistartOptions const& options = {},
                                      std::function<bool()> const& interrupted = {});
