@@ -5,11 +5,8 @@
 #include "harness.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/render/figures/figures.hpp"
-#include "isolaw/render/json/summary_json.hpp"
-#include "isolaw/render/page/html.hpp"
-#include "isolaw/render/tables/latex_tables.hpp"
-#include "isolaw/render/tables/tables.hpp"
 #include "isolaw/render/terminal/terminal.hpp"
+#include "isolaw/render/write.hpp"
 #include "isolaw/study/build_summary.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
@@ -27,20 +24,10 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
   }
   try {
     auto const summary = study::build_summary(campaign::Store::read(file));
-    fuzz::require(nlohmann::json::accept(render::summary_json(summary)), "summary.json is JSON");
-    fuzz::require(render::html(summary).find("</html>") != std::string::npos, "the page is whole");
-    render::parameters_csv(summary);
-    render::objective_csv(summary);
-    render::robustness_csv(summary);
-    render::cycles_csv(summary);
-    render::tests_csv(summary);
-    render::lot_csv(summary);
-    render::lambda_csv(summary);
-    render::table_a5_csv(summary);
-    render::table_a5_tex(summary);
-    render::robustness_tex(summary);
-    render::front_csv(summary);
-    render::front_tex(summary);
+    for (auto const& [name, text] : render::output_texts(summary)) {
+      if (name.ends_with(".json")) fuzz::require(nlohmann::json::accept(text), name.c_str());
+      if (name.ends_with(".html")) fuzz::require(text.find("</html>") != std::string::npos, "the page is whole");
+    }
     render::for_each_figure(summary, render::FigureChoice::all, [](render::Figure const&) {});
     render::ranking(summary, 80);
   } catch (Error const& error) {

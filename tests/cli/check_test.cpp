@@ -14,11 +14,12 @@ class Check : public InFreshDirectory {
     InFreshDirectory::SetUp();
     write("a.csv", csv(record()));
     write("b.csv", csv(record({.amplitude_mm = 90.0})));
-    ASSERT_EQ(isolaw({"calibrate", "a.csv", "b.csv", "--laws", "bilinear,bouc-wen", "--runs", "2", "--population", "6",
-                      "--generations", "3", "--out", "O"})
+    ASSERT_EQ(isolaw(Words{"calibrate", "a.csv", "b.csv", "--laws", "bilinear,bouc-wen", "--runs", "2", "--out", "O"} +
+                     search())
                   .code,
               0);
   }
+  virtual Words search() const { return {"--population", "6", "--generations", "3"}; }
   void change(std::string const& sql) {
     sqlite3* db = nullptr;
     ASSERT_EQ(sqlite3_open(path("O/campaign.sqlite").c_str(), &db), SQLITE_OK);
@@ -105,6 +106,36 @@ TEST_F(Check, how_a_search_went) {
     change(std::string(sql) + " WHERE device = 0 AND law = 'bilinear' AND number = 1");
     SCOPED_TRACE(sql);
     expect_fault("bilinear on a, run 1: its history does not end as the settings and its outcome say");
+  }
+}
+
+class CheckOfDefaultSearch : public Check {
+  Words search() const override { return {}; }
+};
+
+TEST_F(CheckOfDefaultSearch, a_campaign_as_it_was_made_is_sound) {
+  auto const o = isolaw({"check", "O"});
+  EXPECT_EQ(o.code, 0) << o;
+  for (auto const* part : {"sound", "8 of 8 runs", "largest relative difference 0"}) EXPECT_TRUE(contains(o.out, part));
+}
+
+TEST_F(CheckOfDefaultSearch, what_was_changed_is_found) {
+  auto const sound = read("O/campaign.sqlite");
+  struct Change {
+    char const *sql, *fault;
+  };
+  for (auto const& [sql, fault] : std::vector<Change>{
+           {"UPDATE run SET objective = objective * (1 + 1e-7)", "its parameters give the objective 0."},
+           {"UPDATE run SET history = zeroblob(length(history))", "its history ends elsewhere"},
+           {"UPDATE run SET evaluations = 0", "its count of evaluations is impossible"},
+           {"UPDATE run SET outcome = 'no_finite_value'",
+            "its history does not end as the settings and its outcome say"},
+           {"UPDATE run SET integration_shift = integration_shift + 1e-6",
+            "its parameters give the integration shift "}}) {
+    write("O/campaign.sqlite", sound);
+    change(std::string(sql) + " WHERE device = 0 AND law = 'bilinear' AND number = 1");
+    SCOPED_TRACE(sql);
+    expect_fault(std::string("bilinear on a, run 1: ") + fault);
   }
 }
 

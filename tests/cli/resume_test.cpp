@@ -20,11 +20,11 @@ class Resume : public InFreshDirectory {
            more;
   }
   // Starts the campaign and sends the signal once some runs, but not all 40, are stored.
-  Outcome stopped(Words const& words, std::string const& out, int signal) {
+  Outcome stopped(Words const& words, std::string const& out, int signal, std::string const& law = "abe") {
     auto process = start(words);
     Outcome result;
     auto const end = std::chrono::steady_clock::now() + 60s;
-    while (stored_runs(path(out) / "campaign.sqlite", "abe") < 3 && std::chrono::steady_clock::now() < end) {
+    while (stored_runs(path(out) / "campaign.sqlite", law) < 3 && std::chrono::steady_clock::now() < end) {
       if (process.ended(result)) return result;
       std::this_thread::sleep_for(5ms);
     }
@@ -53,6 +53,30 @@ TEST_F(Resume, interrupted_campaign_keeps_its_runs_continues_and_ends_as_if_neve
   EXPECT_EQ(read("O/summary.json"), read("P/summary.json"));
   EXPECT_EQ(all_rows(path("O/campaign.sqlite")), all_rows(path("P/campaign.sqlite")));
   EXPECT_EQ(continued.out, whole.out);
+}
+
+// What people type: the default search, and the analyses after it.
+TEST_F(Resume, of_the_default_search_and_its_analyses_ends_as_if_never_stopped) {
+  auto const campaign = [](std::string const& out) {
+    return Words{"calibrate",
+                 "ex/lot.toml",
+                 "--laws",
+                 "bilinear,hwang-wu",
+                 "--method",
+                 "best",
+                 "--runs",
+                 "2",
+                 "--samples-per-cycle",
+                 "40",
+                 "--out",
+                 out};
+  };
+  auto const o = stopped(campaign("O"), "O", SIGKILL, "hwang-wu");
+  ASSERT_EQ(o.code, 128 + SIGKILL) << o;
+  expect_message(isolaw(campaign("O")), 0, {"continuing: "});
+  ASSERT_EQ(isolaw(campaign("P")).code, 0);
+  EXPECT_EQ(read("O/summary.json"), read("P/summary.json"));
+  EXPECT_EQ(all_rows(path("O/campaign.sqlite")), all_rows(path("P/campaign.sqlite")));
 }
 
 TEST_F(Resume, killed_campaign_continues_too) {
