@@ -214,7 +214,7 @@ TEST_F(Acceptance, what_is_asked_for_is_checked_before_anything_is_read_or_writt
   expect_refused(inspect({"--rules", "ntc"}), {"ntc: no such file", "ntc-2018", "isolaw rules template"});
   expect_refused(inspect({"--design", "K_eff"}), {"--design"});
   expect_refused(inspect({"--design", "K_eff=-1"}), {"--design", "-1"});
-  expect_refused(inspect({"--lot-size", "0"}), {"--lot-size: '0'", "1 to 10000000"});
+  expect_refused(inspect({"--lot-size", "0"}), {"--lot-size: 0", "1 to 10000000"});
   expect_refused(inspect({"--lot-size", "3"}), {"--lot-size: 3 with 4 devices tested"});
   expect_refused(calibrate({"--lot-size", "3"}), {"--lot-size: 3 with 4 devices tested"});
   EXPECT_FALSE(exists("O"));

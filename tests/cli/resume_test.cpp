@@ -112,7 +112,8 @@ TEST_F(Resume, a_closed_terminal_stops_like_ctrl_c) {
 // nohup.
 TEST_F(Resume, a_closed_terminal_is_ignored_where_it_is_to_be) {
   Process process(Words{"sh", "-c", "trap '' HUP; exec \"$0\" \"$@\"", ISOLAW_BINARY} +
-                      Words{"calibrate", "ex/lot.toml", "--laws", "abe", "--runs", "2", "--out", "O"},
+                      Words{"calibrate", "ex/lot.toml", "--laws", "abe", "--runs", "2", "--samples-per-cycle", "40",
+                            "--analysis", "none", "--out", "O"},
                   directory(), path("out"), path("err"));
   Outcome result;
   while (stored_runs(path("O/campaign.sqlite"), "abe") < 1 && !process.ended(result)) std::this_thread::sleep_for(5ms);

@@ -31,7 +31,8 @@ std::string with(std::string_view key, char from, char to) {
 
 bool Limits::allow(double value) const {
   if (or_zero && value == 0.0) return true;
-  return value >= least && value <= most && (step == 1 || std::fmod(value - least, step) == 0.0);
+  return std::isfinite(value) && value >= least && value <= most &&
+         (step == 1 || std::fmod(value - least, step) == 0.0);
 }
 
 std::string Limits::text() const {
@@ -101,8 +102,9 @@ int whole_of(Json const& value, Limits const& limits) {
 }
 
 double real_of(Json const& value, Limits const& limits) {
-  if (!value.is_number()) refuse_found(shown(value) + " is no number", limits.text());
-  if (!limits.allow(value.get<double>())) refuse(value, limits.text());
+  auto const allowed = limits.text().empty() ? std::string("a finite number") : limits.text();
+  if (!value.is_number()) refuse_found(shown(value) + " is no number", allowed);
+  if (!limits.allow(value.get<double>())) refuse(value, allowed);
   return value.get<double>();
 }
 

@@ -1,6 +1,7 @@
 #include "isolaw/data/reading.hpp"
 
 #include <fmt/format.h>
+#include <limits>
 
 namespace isolaw::data {
 namespace {
@@ -69,7 +70,8 @@ std::vector<Reading> make_table() {
       by_channel("columns", "time=...,disp=...,force=...,load=...: column names or 1-based numbers", &R::columns,
                  parse_columns),
       by_channel("units", "disp=cm,force=tonf,time=s: units the files do not state", &R::units, parse_units),
-      {number<R>("dt", "sampling interval in seconds of files without a time column", at(&R::dt_s))},
+      {number<R>("dt", "sampling interval in seconds of files without a time column", at(&R::dt_s),
+                 {.least = std::numeric_limits<double>::min(), .words = "a positive number of seconds"})},
       name_or_number("sheet", "sheet of a workbook, struct of a .mat file, key of JSON: name or number", Kind::text,
                      &R::sheet, [](std::string const& name) { return name; }),
       name_or_number("test", "of files that hold several tests: a number, or all, one after the other", Kind::whole,
