@@ -19,6 +19,7 @@
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/campaign/maker.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/data/reading.hpp"
@@ -125,12 +126,6 @@ std::string nearest(std::string_view word, std::vector<std::string> const& known
       furthest = distance - 1;
     }
   return near;
-}
-
-std::string joined(std::vector<std::string> const& words) {
-  std::string text;
-  for (auto const& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
 }
 
 std::vector<std::string> names_of_options(CLI::App const& command) {
