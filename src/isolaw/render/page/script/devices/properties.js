@@ -2,7 +2,7 @@ import { counted, countedCycles, cycleData, isReported, noCycles, reportedCycle 
 import { element, onScreen } from '../dom.js';
 import { devices } from '../report.js';
 import { table } from '../tables.js';
-import { DASH, THIN, count, fixed, isNumber, significant } from '../text.js';
+import { DASH, THIN, count, fixed, isNumber, significant, spanText } from '../text.js';
 
 export const testPropertiesFigure = {
   id: 'properties',
@@ -16,20 +16,12 @@ export const testPropertiesFigure = {
 function propertiesCaption() {
   const cycles = devices.map(reportedCycle).filter(Boolean);
   if (cycles.length === 0) return 'No record has a complete cycle with enough samples.';
-  const span = (key, digits) => {
-    const values = cycles.map((cycle) => cycle[key]).filter(isNumber);
-    if (values.length === 0) return DASH;
-    const low = Math.min(...values),
-      high = Math.max(...values);
-    return significant(low, digits) === significant(high, digits)
-      ? significant(low, digits)
-      : significant(low, digits) + ' to ' + significant(high, digits);
-  };
+  const span = (key) => spanText(cycles.map((cycle) => cycle[key]), 3, significant) ?? DASH;
   return (
     'Third counted cycle of each block, or its last' +
     (devices.some((device) => device.blocks.length > 1) ? '; in bold the reported one' : '') + '.' +
     onScreen(' Every cycle is in the CSV.') + ' Over ' + count(cycles.length, 'device') + ': effective stiffness ' +
-    span('K_eff_kN_per_mm', 3) + THIN + 'kN/mm, equivalent viscous damping ' + span('damping_percent', 3) + THIN + '%.'
+    span('K_eff_kN_per_mm') + THIN + 'kN/mm, equivalent viscous damping ' + span('damping_percent') + THIN + '%.'
   );
 }
 
