@@ -68,19 +68,12 @@ export function framePanel(layout, look, i, { nominal, band }, values) {
   const whole = { xref: 'x' + suffix + ' domain', yref: 'y' + suffix, x0: 0, x1: 1, layer: 'below' };
   if (band)
     layout.shapes.push({
-      ...whole,
-      type: 'rect',
-      y0: band[0] ?? low,
-      y1: band[1] ?? high,
-      fillcolor: look.colour('band'),
+      ...whole, type: 'rect', y0: band[0] ?? low, y1: band[1] ?? high, fillcolor: look.colour('band'),
       line: { width: 0 },
     });
   if (isNumber(nominal))
     layout.shapes.push({
-      ...whole,
-      type: 'line',
-      y0: nominal,
-      y1: nominal,
+      ...whole, type: 'line', y0: nominal, y1: nominal,
       line: { color: look.colour('good'), width: 1.2, dash: 'dash' },
     });
 }

@@ -1,5 +1,5 @@
 import { choose, chosen } from '../choice.js';
-import { element } from '../dom.js';
+import { chooser } from '../choosers.js';
 import { namedAxis, symbolOf } from '../plotting.js';
 import { devices, laws, lawsByObjective, usable } from '../report.js';
 import { fixed, isNumber, mean, objectiveText, plain, short } from '../text.js';
@@ -9,7 +9,9 @@ export const objectiveDevicesFigure = {
   title: 'Objective per law and device',
   depends: ['grouping'],
   wanted: () => lawsByObjective.length > 0,
-  controls: groupingControl,
+  controls: () => [
+    chooser('grouping', 'Group by', [['law', 'law'], ['device', 'device']], chosen.grouping, (grouping) => choose({ grouping })),
+  ],
   caption: () => {
     const best = lawsByObjective[0],
       worst = lawsByObjective[lawsByObjective.length - 1];
@@ -49,13 +51,6 @@ export const objectiveDevicesFigure = {
   height: () => 380,
   draw: drawObjectives,
 };
-
-function groupingControl() {
-  const option = (value, text) => element('option', { value, selected: chosen.grouping === value }, text);
-  const select = element('select', { id: 'grouping' }, option('law', 'law'), option('device', 'device'));
-  select.addEventListener('change', () => choose({ grouping: select.value }));
-  return [element('label', {}, 'Group by', select)];
-}
 
 function drawObjectives(look) {
   const byLaw = chosen.grouping === 'law';
