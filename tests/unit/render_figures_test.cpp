@@ -78,7 +78,7 @@ TEST(Gnuplot, LabelsRaiseExponentsAndPrintTheRest) {
 
 TEST(Gnuplot, DataKeepOneRowToALine) {
   DataTable table;
-  table.comment("two\nlines").cell("say \"x\"\n# \\n").cell(0.1).cell(std::optional<double>()).end_row();
+  table.comment("two\nlines").row("say \"x\"\n# \\n", 0.1, std::optional<double>());
   EXPECT_EQ(table.take(), "# two\\nlines\n\"say 'x'\\\\n# \\\\n\" 0.1 NaN\n");
 }
 

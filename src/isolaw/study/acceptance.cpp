@@ -61,18 +61,7 @@ std::optional<rules::LoadPair> load_pair(AssessedTest const& test, data::Block c
   return rules::LoadPair{.largest = values_of(*largest, test), .smallest = values_of(*smallest, test)};
 }
 
-}  // namespace
-
-bool any_failed(std::vector<rules::Assessment> const& assessments) {
-  return std::ranges::any_of(assessments, [](auto const& a) { return a.verdict == rules::Verdict::fail; });
-}
-
-bool lot_failed(LotAcceptance const& acceptance) {
-  auto const& lot = acceptance.lot;
-  return lot.sample.verdict == rules::Verdict::fail ||
-         std::ranges::any_of(lot.quantities, [](auto const& quantity) { return any_failed(quantity.mean_limits); });
-}
-
+// The block whose amplitude is nearest to the design displacement; without one, that of the largest amplitude.
 DeviceAcceptance choose_block(data::Properties const& properties, rules::Design const& design) {
   DeviceAcceptance chosen;
   if (!properties.reported) {
@@ -99,11 +88,16 @@ DeviceAcceptance choose_block(data::Properties const& properties, rules::Design 
   return chosen;
 }
 
-std::optional<ShearStrain> shear_strain(data::Cycle const& cycle, std::optional<double> rubber_thickness_mm,
-                                        std::optional<double> rubber_area_mm2) {
-  if (!rubber_thickness_mm) return std::nullopt;
-  auto const both = data::strains(cycle, *rubber_thickness_mm, rubber_area_mm2.value_or(1.0));
-  return ShearStrain{both.shear_strain_percent, rubber_area_mm2 ? std::optional(both.G_MPa) : std::nullopt};
+}  // namespace
+
+bool any_failed(std::vector<rules::Assessment> const& assessments) {
+  return std::ranges::any_of(assessments, [](auto const& a) { return a.verdict == rules::Verdict::fail; });
+}
+
+bool lot_failed(LotAcceptance const& acceptance) {
+  auto const& lot = acceptance.lot;
+  return lot.sample.verdict == rules::Verdict::fail ||
+         std::ranges::any_of(lot.quantities, [](auto const& quantity) { return any_failed(quantity.mean_limits); });
 }
 
 std::vector<DesignValue> design_values(rules::Design const& design) {

@@ -37,23 +37,12 @@ bool any_failed(std::vector<rules::Assessment> const& assessments);
 // Some limit of a verified set is not kept by the lot.
 bool lot_failed(LotAcceptance const& acceptance);
 
-// The block whose amplitude is nearest to the design displacement; without one, that of the largest amplitude.
-DeviceAcceptance choose_block(data::Properties const& properties, rules::Design const& design);
-
 // The third cycle of that block that counts, or its last where there are fewer; nullptr where there is none.
 data::Cycle const* counting_cycle(data::Properties const& properties, std::optional<int> block);
 
 // `devices` receives one entry for each test. Throws Error: the lot is smaller than the number of devices.
 LotAcceptance assess_lot(rules::RuleSet const& rules, rules::Design const& design, std::optional<int> lot_size,
                          std::vector<AssessedTest> const& tests, std::vector<DeviceAcceptance>& devices);
-
-// Of a cycle of a device whose rubber thickness T_r is known: 100 D / T_r, and G = K_eff T_r / A_r with its area too.
-struct ShearStrain {
-  double shear_strain_percent = 0.0;
-  std::optional<double> G_MPa;
-};
-std::optional<ShearStrain> shear_strain(data::Cycle const& cycle, std::optional<double> rubber_thickness_mm,
-                                        std::optional<double> rubber_area_mm2);
 
 // The design values that were given, in the order of reports.
 struct DesignValue {

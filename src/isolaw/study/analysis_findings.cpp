@@ -158,9 +158,7 @@ void warn_of_success(Summary const& summary, std::vector<Warning>& warnings) {
     auto const text =
         fmt::format("{} of the runs ended within 0.1 % of the least objective ({})",
                     *law.success_share == 0.0 ? "none" : percent(*law.success_share), law.success_reference);
-    auto found = std::ranges::find(missed, text, &std::pair<std::string, Names>::first);
-    if (found == missed.end()) found = missed.insert(missed.end(), {text, {}});
-    found->second.push_back(law.id);
+    beside(missed, text).push_back(law.id);
   }
   for (auto const& [text, laws] : missed)
     warnings.push_back({"search", fmt::format("{}: {}", enumerate(laws, 20), text)});
@@ -171,12 +169,8 @@ void warn_of_undetermined(LawResult const& law, std::vector<Warning>& warnings) 
   int devices = 0;
   for (auto const& fit : law.devices) {
     devices += fit.optimum ? 1 : 0;
-    for (auto const& p : fit.parameters) {
-      if (!p.analysis || p.analysis->identifiability != "undetermined") continue;
-      auto found = std::ranges::find(blind, p.name, &std::pair<std::string, int>::first);
-      if (found == blind.end()) found = blind.insert(blind.end(), {p.name, 0});
-      ++found->second;
-    }
+    for (auto const& p : fit.parameters)
+      if (p.analysis && p.analysis->identifiability == "undetermined") ++beside(blind, p.name);
   }
   if (blind.empty()) return;
   Names parts;
@@ -191,11 +185,10 @@ void warn_of_undetermined(LawResult const& law, std::vector<Warning>& warnings) 
 void warn_of_outliers(Summary const& summary, std::vector<Warning>& warnings) {
   std::vector<std::pair<std::string, Names>> devices;
   for (auto const& outlier : summary.outliers) {
-    auto found = std::ranges::find(devices, outlier.device, &std::pair<std::string, Names>::first);
-    if (found == devices.end()) found = devices.insert(devices.end(), {outlier.device, {}});
     auto const unit = outlier.unit.empty() ? std::string() : " " + outlier.unit;
-    found->second.push_back(fmt::format("{} {}{} ({:+.0f} % from the median)", outlier.property, plain(outlier.value),
-                                        unit, outlier.percent));
+    beside(devices, outlier.device)
+        .push_back(fmt::format("{} {}{} ({:+.0f} % from the median)", outlier.property, plain(outlier.value), unit,
+                               outlier.percent));
   }
   for (auto const& [device, properties] : devices)
     warnings.push_back({"outlier", fmt::format("{} stands apart from its lot: {}", device, enumerate(properties, 4))});

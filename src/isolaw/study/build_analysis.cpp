@@ -13,6 +13,7 @@
 #include "isolaw/lot/outliers.hpp"
 #include "isolaw/lot/robustness.hpp"
 #include "isolaw/opt/pareto.hpp"
+#include "isolaw/study/findings.hpp"
 
 namespace isolaw::study {
 namespace {
@@ -63,79 +64,65 @@ void add_blocks(DeviceFit& made, data::FitRecord const& record) {
 }
 
 // Values of the free parameters over the devices that were examined, as [parameter][device], in the reduced form where the
-// redundant parameter was free.
+// redundant parameter was free; without those that most tests leave undetermined or whose box decides.
 struct Examined {
-  std::vector<std::string> names;
+  std::vector<std::string> names, left_out;
   std::vector<std::vector<double>> values;
-  std::vector<std::vector<bool>> undetermined;
   bool reduced = false;
 };
 
-Examined examined(LawResult const& law, laws::LawEntry const& entry) {
+Examined examined(std::vector<DeviceFit const*> const& fits, laws::LawEntry const& entry) {
   Examined made;
-  std::vector<DeviceFit const*> fits;
-  for (auto const& fit : law.devices)
-    if (fit.optimum) fits.push_back(&fit);
-  if (fits.empty()) return made;
   auto const& parameters = fits.front()->parameters;
   auto const is_redundant = [&](auto const& p) { return !entry.redundant.empty() && p.name == entry.redundant; };
   made.reduced = std::ranges::any_of(parameters, [&](auto const& p) { return p.free && is_redundant(p); });
   std::vector<std::vector<double>> all;
   for (auto const* fit : fits) {
-    std::vector<double> values;
+    auto& values = all.emplace_back();
     for (auto const& p : fit->parameters) values.push_back(p.analysis ? p.analysis->optimum : *p.value.best);
     if (made.reduced) entry.reduce(values);
-    all.push_back(std::move(values));
   }
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     auto const& p = parameters[i];
     if (!p.free || (made.reduced && is_redundant(p))) continue;
     bool const in_reduction =
         made.reduced && std::ranges::find(entry.redundant_with, p.name) != entry.redundant_with.end();
+    auto const blind = std::ranges::count_if(fits, [&](DeviceFit const* fit) {
+      auto const& a = fit->parameters[i].analysis;
+      return a && (a->identifiability == "at its bound" || (a->identifiability == "undetermined" && !in_reduction));
+    });
+    if (2 * blind > std::ssize(fits)) {
+      made.left_out.push_back(p.name);
+      continue;
+    }
     made.names.push_back(p.name);
     auto& values = made.values.emplace_back();
-    auto& undetermined = made.undetermined.emplace_back();
-    for (std::size_t d = 0; d < fits.size(); ++d) {
-      values.push_back(all[d][i]);
-      auto const& a = fits[d]->parameters[i].analysis;
-      auto const verdict = a ? std::string_view(a->identifiability) : std::string_view();
-      undetermined.push_back(verdict == "at its bound" || (verdict == "undetermined" && !in_reduction));
-    }
+    for (auto const& of_device : all) values.push_back(of_device[i]);
   }
   return made;
 }
 
 void add_converged_beta(LawResult& law, laws::LawEntry const& entry) {
-  auto const found = examined(law, entry);
-  law.reduced = found.reduced;
-  std::vector<std::string> names;
-  std::vector<std::vector<double>> values;
-  for (std::size_t n = 0; n < found.names.size(); ++n) {
-    auto const blind = std::ranges::count(found.undetermined[n], true);
-    if (2 * blind > std::ssize(found.undetermined[n])) {
-      law.left_out_of_beta.push_back(found.names[n]);
-      continue;
-    }
-    names.push_back(found.names[n]);
-    values.push_back(found.values[n]);
-  }
+  std::vector<DeviceFit const*> fits;
   double sum = 0.0;
-  std::size_t count = 0;
-  for (auto const& fit : law.devices)
-    if (fit.optimum) {
-      sum += *fit.optimum;
-      ++count;
-    }
-  if (count == 0) {
+  for (auto const& fit : law.devices) {
+    if (!fit.optimum) continue;
+    fits.push_back(&fit);
+    sum += *fit.optimum;
+  }
+  if (fits.empty()) {
     law.beta_converged_note = "no device was examined";
     return;
   }
-  law.objective_converged = sum / static_cast<double>(count);
-  if (names.empty() && !found.names.empty()) {
+  auto const found = examined(fits, entry);
+  law.reduced = found.reduced;
+  law.left_out_of_beta = found.left_out;
+  law.objective_converged = sum / static_cast<double>(fits.size());
+  if (found.names.empty() && !found.left_out.empty()) {
     law.beta_converged_note = "the tests determine no parameter inside its box";
     return;
   }
-  auto const robustness = lot::robustness_index(names, values);
+  auto const robustness = lot::robustness_index(found.names, found.values);
   law.beta_converged = robustness.beta;
   law.beta_converged_note = robustness.note;
 }
@@ -267,62 +254,41 @@ void add_prediction(LawResult& law) {
                                           *law.predicted_objective > collapsed_ratio * *law.fitted_objective);
 }
 
-void mark(Summary& summary, std::optional<double> LawResult::*robust, std::optional<double> LawResult::*accurate,
-          bool LawResult::*on_front) {
-  std::vector<double> x, y;
-  for (auto const& law : summary.laws) {
-    bool const both = law.*robust && law.*accurate;
-    x.push_back(both ? *(law.*robust) : none);
-    y.push_back(both ? *(law.*accurate) : none);
-  }
-  auto const front = opt::non_dominated(x, y);
-  for (std::size_t i = 0; i < summary.laws.size(); ++i) summary.laws[i].*on_front = front[i] && x[i] < none;
-}
-
-struct Property {
-  std::string name, unit;
-  std::vector<double> values;  // by device of the summary; NaN: it has none
-};
-
-std::vector<Property> properties_of(Summary const& summary) {
-  double const absent = std::nan("");
-  std::vector<Property> made{
-      {"effective stiffness", "kN/mm", {}}, {"dissipated energy", "kN mm", {}}, {"equivalent damping", "%", {}}};
-  for (auto const& device : summary.devices) {
-    auto const& cycle = device.properties.reported;
-    made[0].values.push_back(cycle ? cycle->K_eff_kN_per_mm : absent);
-    made[1].values.push_back(cycle ? cycle->energy_kN_mm : absent);
-    made[2].values.push_back(cycle ? cycle->damping_percent : absent);
-  }
-  auto const add = [&](LawResult const& law, std::string name, std::optional<double> DeviceFit::*value) {
-    Property property{std::move(name), "", std::vector<double>(summary.devices.size(), absent)};
-    for (auto const& fit : law.devices) {
-      auto const device = std::ranges::find(summary.devices, fit.device, &DeviceResult::name);
-      if (fit.*value) property.values[static_cast<std::size_t>(device - summary.devices.begin())] = *(fit.*value);
-    }
-    made.push_back(std::move(property));
-  };
-  for (auto const& law : summary.laws) {
-    add(law, fmt::format("misfit of {}", law.id), &DeviceFit::optimum);
-    add(law, fmt::format("misfit of {} as fitted to the other devices", law.id), &DeviceFit::left_out_objective);
-  }
-  return made;
-}
-
 void add_outliers(Summary& summary) {
-  auto const properties = properties_of(summary);
-  std::vector<std::string> names;
-  std::vector<std::vector<double>> values;
-  for (auto const& property : properties) {
-    names.push_back(property.name);
-    values.push_back(property.values);
+  std::vector<std::string> names, units;
+  std::vector<std::vector<double>> values;  // [property][device]; NaN: it has none
+  auto const add = [&](std::string name, std::string unit, auto const& of) {
+    names.push_back(std::move(name));
+    units.push_back(std::move(unit));
+    auto& row = values.emplace_back();
+    for (auto const& device : summary.devices) row.push_back(of(device).value_or(std::nan("")));
+  };
+  auto const reported = [](double data::Cycle::*member) {
+    return [member](DeviceResult const& device) {
+      auto const& cycle = device.properties.reported;
+      return cycle ? std::optional((*cycle).*member) : std::nullopt;
+    };
+  };
+  add("effective stiffness", "kN/mm", reported(&data::Cycle::K_eff_kN_per_mm));
+  add("dissipated energy", "kN mm", reported(&data::Cycle::energy_kN_mm));
+  add("equivalent damping", "%", reported(&data::Cycle::damping_percent));
+  for (auto const& law : summary.laws) {
+    auto const misfit = [&](std::optional<double> DeviceFit::*member) {
+      return [&law, member](DeviceResult const& device) {
+        auto const* fit = fit_of(law, device.name);
+        return fit != nullptr ? fit->*member : std::nullopt;
+      };
+    };
+    add(fmt::format("misfit of {}", law.id), "", misfit(&DeviceFit::optimum));
+    add(fmt::format("misfit of {} as fitted to the other devices", law.id), "", misfit(&DeviceFit::left_out_objective));
   }
   for (auto const& found : lot::find_outliers(names, values)) {
+    auto const& unit = units[found.property];
     // A misfit below the others' is no fault of a device.
-    if (properties[found.property].unit.empty() && found.score < 0.0) continue;
+    if (unit.empty() && found.score < 0.0) continue;
     summary.outliers.push_back({.device = summary.devices[found.device].name,
-                                .property = properties[found.property].name,
-                                .unit = properties[found.property].unit,
+                                .property = names[found.property],
+                                .unit = unit,
                                 .value = found.value,
                                 .median = found.median,
                                 .score = found.score,
@@ -364,6 +330,16 @@ void add_analysis(DeviceFit& made, campaign::Contents const& contents, campaign:
   }
 }
 
+void mark_front(std::vector<LawResult>& laws, Coordinate robust, Coordinate accurate, bool LawResult::*on_front) {
+  std::vector<double> x, y;
+  for (auto const& law : laws) {
+    x.push_back(robust(law).value_or(none));
+    y.push_back(accurate(law).value_or(none));
+  }
+  auto const front = opt::non_dominated(x, y);
+  for (std::size_t i = 0; i < laws.size(); ++i) laws[i].*on_front = front[i];
+}
+
 void add_lot_analysis(LawResult& law, campaign::Contents const& contents) {
   auto const& entry = laws::find_law(law.id);
   double usable = 0.0, found = 0.0;
@@ -387,7 +363,7 @@ void add_lot_analysis(LawResult& law, campaign::Contents const& contents) {
   add_converged_beta(law, entry);
   add_population(law, entry, contents);
 
-  auto const fit_of = [&](std::size_t device) {
+  auto const on_device = [&](std::size_t device) {
     return std::ranges::find(law.devices, contents.devices[device].name, &DeviceFit::device);
   };
   auto const lot = std::ranges::find(contents.lot_analyses, law.id, &campaign::LotAnalysis::law);
@@ -400,7 +376,7 @@ void add_lot_analysis(LawResult& law, campaign::Contents const& contents) {
                 .least_worst = lot->worst.law.worst,
                 .least_worst_bound = lot->worst.bound};
     for (std::size_t i = 0; i < lot->devices.size(); ++i) {
-      auto const fit = fit_of(lot->devices[i]);
+      auto const fit = on_device(lot->devices[i]);
       fit->lot_objective = lot->mean.objectives[i];
       fit->worst_objective = lot->worst.law.objectives[i];
       if (lot->mean.objectives[i] == lot->mean.worst) made.worst_device = fit->device;
@@ -411,7 +387,7 @@ void add_lot_analysis(LawResult& law, campaign::Contents const& contents) {
   std::size_t count = 0;
   for (auto const& left_out : contents.left_out) {
     if (left_out.law != law.id || !std::isfinite(left_out.left_out.objective)) continue;
-    auto const fit = fit_of(left_out.device);
+    auto const fit = on_device(left_out.device);
     double const objective = left_out.left_out.objective;
     fit->left_out_objective = objective;
     sum += objective;
@@ -427,8 +403,11 @@ void add_lot_analysis(LawResult& law, campaign::Contents const& contents) {
 void add_converged_views(Summary& summary) {
   if (summary.missing_runs() > 0 || summary.missing_analyses() > 0)
     return;  // laws would be compared on different devices
-  mark(summary, &LawResult::beta_converged, &LawResult::objective_converged, &LawResult::on_front_converged);
-  mark(summary, &LawResult::loo_objective, &LawResult::objective_converged, &LawResult::on_front_loo);
+  auto const accurate = [](LawResult const& law) { return law.objective_converged; };
+  mark_front(
+      summary.laws, [](auto const& law) { return law.beta_converged; }, accurate, &LawResult::on_front_converged);
+  mark_front(
+      summary.laws, [](auto const& law) { return law.loo_objective; }, accurate, &LawResult::on_front_loo);
   add_outliers(summary);
 }
 

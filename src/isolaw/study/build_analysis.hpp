@@ -18,6 +18,10 @@ void add_analysis(DeviceFit& made, campaign::Contents const& contents, campaign:
 // After every device's fit of the law is there.
 void add_lot_analysis(LawResult& law, campaign::Contents const& contents);
 
+// Which laws no other law beats in both; one without a value of either is never among them.
+using Coordinate = std::optional<double> (*)(LawResult const&);
+void mark_front(std::vector<LawResult>& laws, Coordinate robust, Coordinate accurate, bool LawResult::*on_front);
+
 // After every law: the fronts without noise, and devices that stand apart.
 void add_converged_views(Summary& summary);
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <span>
 #include <utility>
 
@@ -13,7 +12,6 @@
 #include "isolaw/fit/objective.hpp"
 #include "isolaw/lot/robustness.hpp"
 #include "isolaw/num/statistics.hpp"
-#include "isolaw/opt/pareto.hpp"
 #include "isolaw/study/acceptance.hpp"
 #include "isolaw/study/build_analysis.hpp"
 
@@ -38,23 +36,20 @@ std::vector<double> collect(Runs const& runs, Get&& get) {
 }
 
 DeviceResult device_result(campaign::Device const& device, int smooth) {
-  DeviceResult result{.name = device.name,
-                      .file = device.file,
-                      .sha256 = device.raw.sha256,
-                      .status = device.usable() ? "ok" : "refused",
-                      .message = device.refusal,
-                      .serial = device.info.serial,
-                      .lot = device.info.lot,
-                      .test_date = device.info.test_date,
-                      .temperature_C = device.info.temperature_C,
-                      .rubber_thickness_mm = device.info.rubber_thickness_mm,
-                      .rubber_area_mm2 = device.info.rubber_area_mm2,
-                      .raw = device.raw,
-                      .record = device.record,
-                      .properties = {},
-                      .notes = {},
-                      .effects = {},
-                      .acceptance = {}};
+  DeviceResult result;
+  result.name = device.name;
+  result.file = device.file;
+  result.sha256 = device.raw.sha256;
+  result.status = device.usable() ? "ok" : "refused";
+  result.message = device.refusal;
+  result.serial = device.info.serial;
+  result.lot = device.info.lot;
+  result.test_date = device.info.test_date;
+  result.temperature_C = device.info.temperature_C;
+  result.rubber_thickness_mm = device.info.rubber_thickness_mm;
+  result.rubber_area_mm2 = device.info.rubber_area_mm2;
+  result.raw = device.raw;
+  result.record = device.record;
   if (!device.usable()) {
     result.properties.refusal = device.refusal;
     return result;
@@ -74,16 +69,12 @@ DeviceResult device_result(campaign::Device const& device, int smooth) {
 
 ParameterFit parameter_fit(fit::SearchParameter const& searched, std::size_t index, Runs const& usable,
                            campaign::Run const* best) {
-  ParameterFit made{.name = searched.name,
-                    .unit = searched.unit,
-                    .free = searched.free,
-                    .lower = searched.lower,
-                    .upper = searched.upper,
-                    .value = {},
-                    .percent_of_lot = std::nullopt,
-                    .at_bound = "",
-                    .tied_to = "",
-                    .analysis = std::nullopt};
+  ParameterFit made;
+  made.name = searched.name;
+  made.unit = searched.unit;
+  made.free = searched.free;
+  made.lower = searched.lower;
+  made.upper = searched.upper;
   made.value = statistic(collect(usable, [&](campaign::Run const& run) { return run.parameters[index]; }));
   if (best == nullptr) return made;
   made.value.best = best->parameters[index];
@@ -215,17 +206,6 @@ void add_accuracy(LawResult& law, std::vector<double> const& all_objectives) {
   law.objective.best = *std::ranges::min_element(all_objectives);
 }
 
-void mark_front(std::vector<LawResult>& laws) {
-  constexpr double none = std::numeric_limits<double>::infinity();
-  std::vector<double> robustness, accuracy;
-  for (auto const& law : laws) {
-    robustness.push_back(law.beta.value_or(none));
-    accuracy.push_back(law.objective.mean.value_or(none));
-  }
-  auto const on_front = opt::non_dominated(robustness, accuracy);
-  for (std::size_t i = 0; i < laws.size(); ++i) laws[i].on_front = on_front[i];
-}
-
 }  // namespace
 
 bool acceptance_failed(Summary const& summary) {
@@ -283,7 +263,9 @@ Summary build_summary(campaign::Contents const& contents) {
     add_lot_analysis(law, contents);
     summary.laws.push_back(std::move(law));
   }
-  mark_front(summary.laws);
+  mark_front(
+      summary.laws, [](auto const& law) { return law.beta; }, [](auto const& law) { return law.objective.mean; },
+      &LawResult::on_front);
   add_converged_views(summary);
   auto const& asked = summary.asked = contents.acceptance;
   add_acceptance(summary, asked.rules.empty() ? rules::RuleSet{} : rules::read_rule_text(asked.rules, asked.rules_file),

@@ -10,10 +10,6 @@ namespace isolaw::study {
 struct CycleOf {
   data::Cycle const& cycle;
   DeviceResult const& device;
-
-  std::optional<ShearStrain> strain() const {
-    return shear_strain(cycle, device.rubber_thickness_mm, device.rubber_area_mm2);
-  }
 };
 
 template <auto member>
@@ -56,14 +52,23 @@ inline constexpr Result<CycleOf> cycle_results[]{
     {"closure_kN", "kN", "closure", "the same of the force", of_cycle<&data::Cycle::closure_kN>},
     {"strain_percent", "%", "strain", "shear strain",
      [](CycleOf const& of) {
-       auto const strain = of.strain();
-       return strain ? Value(strain->shear_strain_percent) : Value();
+       auto const& thickness = of.device.rubber_thickness_mm;
+       return thickness ? Value(data::strains(of.cycle, *thickness, 1.0).shear_strain_percent) : Value();
      }},
     {"G_MPa", "MPa", "G", "shear modulus",
      [](CycleOf const& of) {
-       auto const strain = of.strain();
-       return strain ? value_of(strain->G_MPa) : Value();
+       auto const &thickness = of.device.rubber_thickness_mm, &area = of.device.rubber_area_mm2;
+       return thickness && area ? Value(data::strains(of.cycle, *thickness, *area).G_MPa) : Value();
      }},
 };
+
+// The properties that are followed from cycle to cycle of a block, by their short names.
+struct FollowedProperty {
+  std::string_view name;
+  double data::Cycle::*of;
+};
+inline constexpr FollowedProperty followed_properties[]{{"K_eff", &data::Cycle::K_eff_kN_per_mm},
+                                                        {"energy", &data::Cycle::energy_kN_mm},
+                                                        {"damping", &data::Cycle::damping_percent}};
 
 }  // namespace isolaw::study

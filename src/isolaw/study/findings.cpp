@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "isolaw/study/analysis_findings.hpp"
@@ -13,10 +14,6 @@ namespace isolaw::study {
 namespace {
 
 using Names = std::vector<std::string>;
-
-double objective_or_infinity(LawResult const& law) {
-  return law.objective.mean.value_or(std::numeric_limits<double>::infinity());
-}
 
 // Nobody reads three hundred digits.
 std::string with_decimals(double value, int decimals) {
@@ -181,7 +178,7 @@ void warn_of_copies(Summary const& summary, std::vector<Warning>& warnings) {
       auto const& other = group.front()->raw;
       return other.disp_mm == device.raw.disp_mm && other.force_kN == device.raw.force_kN;
     };
-    auto found = std::find_if(groups.begin(), groups.end(), same);
+    auto found = std::ranges::find_if(groups, same);
     if (found == groups.end()) found = groups.insert(groups.end(), {{}});
     found->push_back(&device);
   }
@@ -204,13 +201,8 @@ void warn_of_devices(Summary const& summary, std::vector<Warning>& warnings) {
 
 void warn_of_refused_laws(LawResult const& law, std::vector<Warning>& warnings) {
   std::vector<std::pair<std::string, Names>> reasons;  // in order of first appearance
-  for (auto const& fit : law.devices) {
-    if (fit.refusal.empty()) continue;
-    auto const same = [&](auto const& reason) { return reason.first == fit.refusal; };
-    auto found = std::find_if(reasons.begin(), reasons.end(), same);
-    if (found == reasons.end()) found = reasons.insert(reasons.end(), {fit.refusal, {}});
-    found->second.push_back(fit.device);
-  }
+  for (auto const& fit : law.devices)
+    if (!fit.refusal.empty()) beside(reasons, fit.refusal).push_back(fit.device);
   for (auto const& [reason, devices] : reasons) {
     auto text = fmt::format("{} was not identified on {}: {}", law.id, enumerate(devices), reason);
     if (law.objective.mean) text += fmt::format("; its mean and beta cover the other devices only");
@@ -250,14 +242,9 @@ void warn_of_bounds(LawResult const& law, std::vector<Warning>& warnings) {
   std::vector<std::pair<std::pair<std::string, std::string>, Names>> at_bound;  // (parameter, side) and its devices
   for (auto const& fit : law.devices) {
     if (fit_status(fit) == "ok") ++fitted;
-    for (auto const& parameter : fit.parameters) {
-      if (parameter.at_bound.empty()) continue;
-      std::pair const edge{parameter.name, parameter.at_bound};
-      auto found =
-          std::find_if(at_bound.begin(), at_bound.end(), [&](auto const& entry) { return entry.first == edge; });
-      if (found == at_bound.end()) found = at_bound.insert(at_bound.end(), {edge, {}});
-      found->second.push_back(fit.device);
-    }
+    for (auto const& parameter : fit.parameters)
+      if (!parameter.at_bound.empty())
+        beside(at_bound, std::pair(parameter.name, parameter.at_bound)).push_back(fit.device);
   }
   if (at_bound.empty()) return;
   Names parts;
@@ -267,11 +254,12 @@ void warn_of_bounds(LawResult const& law, std::vector<Warning>& warnings) {
                                                               : enumerate(devices);
     parts.push_back(fmt::format("{} at its {} bound on {}", edge.first, edge.second, where));
   }
-  auto const shown = std::min<std::size_t>(parts.size(), 6);
-  std::string text =
-      fmt::format("{}: {}", law.id, fmt::join(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(shown), "; "));
-  if (shown < parts.size()) text += fmt::format("; and {} more", parts.size() - shown);
-  warnings.push_back({"at bound", std::move(text)});
+  constexpr std::size_t most = 6;
+  if (auto const more = parts.size(); more > most) {
+    parts.resize(most);
+    parts.push_back(fmt::format("and {} more", more - most));
+  }
+  warnings.push_back({"at bound", fmt::format("{}: {}", law.id, fmt::join(parts, "; "))});
 }
 
 void warn_of_integration(LawResult const& law, std::vector<Warning>& warnings) {
@@ -322,8 +310,7 @@ std::vector<Warning> all_warnings(Summary const& summary) {
 }
 
 std::string note_on_beta(Summary const& summary) {
-  if (std::any_of(summary.laws.begin(), summary.laws.end(), [](auto const& law) { return law.beta.has_value(); }))
-    return {};
+  if (std::ranges::any_of(summary.laws, [](auto const& law) { return law.beta.has_value(); })) return {};
   for (auto const& law : summary.laws)
     if (!law.beta_note.empty()) return law.beta_note;
   return "no law has a robustness index";
@@ -332,23 +319,14 @@ std::string note_on_beta(Summary const& summary) {
 }  // namespace
 
 std::string_view name(Role role) {
-  switch (role) {
-    case Role::best_of_both:
-      return "most accurate and most robust";
-    case Role::most_accurate:
-      return "most accurate";
-    case Role::most_robust:
-      return "most robust";
-    case Role::compromise:
-      return "best compromise";
-    case Role::between:
-      return "in between";
-    case Role::dominated:
-      return "dominated";
-    case Role::unranked:
-      break;
-  }
-  return "not ranked";
+  constexpr std::string_view names[]{"most accurate and most robust",
+                                     "most accurate",
+                                     "most robust",
+                                     "best compromise",
+                                     "in between",
+                                     "dominated",
+                                     "not ranked"};
+  return names[static_cast<std::size_t>(role)];
 }
 
 Findings findings(Summary const& summary) {
@@ -398,11 +376,23 @@ std::optional<double> mean_magnitude(LawResult const& law, std::optional<double>
 
 std::vector<std::size_t> by_objective(Summary const& summary) {
   std::vector<std::size_t> order(summary.laws.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return objective_or_infinity(summary.laws[a]) < objective_or_infinity(summary.laws[b]);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t law) {
+    return summary.laws[law].objective.mean.value_or(std::numeric_limits<double>::infinity());
   });
   return order;
+}
+
+std::vector<std::string> device_names(Summary const& summary) {
+  std::vector<std::string> names;
+  for (auto const& device : summary.devices)
+    if (device.status == "ok") names.push_back(device.name);
+  return names;
+}
+
+DeviceFit const* fit_of(LawResult const& law, std::string_view device) {
+  auto const fit = std::ranges::find(law.devices, device, &DeviceFit::device);
+  return fit == law.devices.end() ? nullptr : &*fit;
 }
 
 std::vector<ParameterFit> const& parameters_of(LawResult const& law) {

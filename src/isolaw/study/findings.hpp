@@ -60,6 +60,12 @@ std::optional<double> mean_magnitude(LawResult const& law, std::optional<double>
 // Indices of the laws by rising mean objective; laws without one come last, in their order.
 std::vector<std::size_t> by_objective(Summary const& summary);
 
+// Devices that were read, in the order of the summary.
+std::vector<std::string> device_names(Summary const& summary);
+
+// nullptr where the law was not tried on the device.
+DeviceFit const* fit_of(LawResult const& law, std::string_view device);
+
 // A law's parameters as its first identified device lists them; empty when there is none.
 std::vector<ParameterFit> const& parameters_of(LawResult const& law);
 

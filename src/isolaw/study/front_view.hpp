@@ -11,6 +11,7 @@ namespace isolaw::study {
 
 // Fig. 14 as published; of the least objectives; against the objective on devices left out.
 enum class FrontView { published, converged, left_out };
+inline constexpr FrontView front_views[]{FrontView::published, FrontView::converged, FrontView::left_out};
 
 std::string_view name(FrontView view);  // "as published", ...
 

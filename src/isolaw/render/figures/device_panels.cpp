@@ -50,18 +50,6 @@ void draw_panel(Script& script, std::string const& file, std::size_t index, Devi
 
 }  // namespace
 
-std::vector<std::string> device_names(Summary const& summary) {
-  std::vector<std::string> names;
-  for (auto const& device : summary.devices)
-    if (device.status == "ok") names.push_back(device.name);
-  return names;
-}
-
-DeviceFit const* fit_of(LawResult const& law, std::string const& device) {
-  auto const fit = std::ranges::find(law.devices, device, &DeviceFit::device);
-  return fit == law.devices.end() ? nullptr : &*fit;
-}
-
 MaybeNumber percent_of(MaybeNumber const& value, MaybeNumber const& reference) {
   if (!value || !reference || *reference == 0.0) return std::nullopt;
   return 100.0 * (*value - *reference) / *reference;
@@ -78,7 +66,7 @@ void write_block(DataTable& table, DevicePanel const& panel) {
   table.comment("number device mean std difference_from_the_mean_percent");
   for (std::size_t i = 0; i < panel.points.size(); ++i) {
     auto const& point = panel.points[i];
-    table.cell(i + 1).cell(point.device).cell(point.value.mean).cell(point.value.std).cell(point.percent).end_row();
+    table.row(i + 1, point.device, point.value.mean, point.value.std, point.percent);
   }
   table.end_block();
 }

@@ -6,14 +6,9 @@
 
 #include "isolaw/render/figures/figures_of.hpp"
 #include "isolaw/render/figures/gnuplot.hpp"
+#include "isolaw/study/findings.hpp"
 
 namespace isolaw::render {
-
-// Devices that were read, in the order of the summary: the same axis in every figure.
-std::vector<std::string> device_names(Summary const& summary);
-
-// nullptr where the law was not tried on the device.
-DeviceFit const* fit_of(LawResult const& law, std::string const& device);
 
 struct DevicePoint {
   std::string device;

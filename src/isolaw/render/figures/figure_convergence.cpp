@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "isolaw/num/statistics.hpp"
 #include "isolaw/render/figures/figure_script.hpp"
 #include "isolaw/render/figures/figures_of.hpp"
 #include "isolaw/render/figures/gnuplot.hpp"
@@ -17,11 +18,10 @@ struct Spread {
   MaybeNumber median, least, greatest;
 };
 
-Spread spread_of(std::vector<double> values) {
+Spread spread_of(std::vector<double> const& values) {
   if (values.empty()) return {};
-  std::ranges::sort(values);
-  auto const n = values.size();
-  return {0.5 * (values[(n - 1) / 2] + values[n / 2]), values.front(), values.back()};
+  auto const [least, greatest] = std::ranges::minmax(values);
+  return {num::median(values), least, greatest};
 }
 
 // What the runs had found by a step; one that ended before keeps what it had.
@@ -41,7 +41,7 @@ std::vector<Spread> spreads(std::span<DeviceFit const* const> fits) {
   for (std::size_t step = 0; step < steps; ++step) {
     std::vector<double> found;
     for (auto const* fit : fits) add_found(found, *fit, step);
-    made.push_back(spread_of(std::move(found)));
+    made.push_back(spread_of(found));
   }
   return made;
 }
@@ -49,8 +49,7 @@ std::vector<Spread> spreads(std::span<DeviceFit const* const> fits) {
 void write_block(DataTable& table, std::string const& title, std::vector<Spread> const& steps) {
   table.comment(title);
   table.comment("step median least greatest");
-  for (std::size_t i = 0; i < steps.size(); ++i)
-    table.cell(i + 1).cell(steps[i].median).cell(steps[i].least).cell(steps[i].greatest).end_row();
+  for (std::size_t i = 0; i < steps.size(); ++i) table.row(i + 1, steps[i].median, steps[i].least, steps[i].greatest);
   table.end_block();
 }
 

@@ -110,13 +110,12 @@ std::vector<NamePlace> place_names(std::vector<FrontPoint> const& points, Range 
 std::string front_data(std::vector<FrontPoint> points, FrontWords const& words) {
   DataTable table;
   table.comment(words.about).comment("all values are without a unit").comment(words.columns);
-  for (auto const& point : points)
-    table.cell(point.law).cell(point.x).cell(point.y).cell(std::size_t{point.on_front}).end_row();
+  for (auto const& point : points) table.row(point.law, point.x, point.y, std::size_t{point.on_front});
   table.end_block();
   table.comment("the front, from left to right");
   std::ranges::stable_sort(points, {}, &FrontPoint::x);
   for (auto const& point : points)
-    if (point.on_front) table.cell(point.law).cell(point.x).cell(point.y).cell(std::size_t{1}).end_row();
+    if (point.on_front) table.row(point.law, point.x, point.y, std::size_t{1});
   return table.take();
 }
 

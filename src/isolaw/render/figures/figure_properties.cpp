@@ -61,8 +61,7 @@ void write_block(DataTable& table, PropertyPanel const& panel, std::vector<std::
   for (std::size_t i = 0; i < devices.size(); ++i) {
     auto const& values = panel.values[i];
     auto const at = [&](std::size_t k) { return k < values.size() ? MaybeNumber(values[k]) : std::nullopt; };
-    table.cell(i + 1).cell(devices[i]).cell(at(0)).cell(at(1));
-    table.cell(limits.design).cell(limits.lower).cell(limits.upper).end_row();
+    table.row(i + 1, devices[i], at(0), at(1), limits.design, limits.lower, limits.upper);
   }
   table.end_block();
 }

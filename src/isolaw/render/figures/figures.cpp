@@ -20,8 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void for_each_lot_figure(Summary const& summary, std::function<void(MaybeFigure const&)> const& use) {
-  for (auto const view : {FrontView::published, FrontView::converged, FrontView::left_out})
-    use(front_figure(summary, view));
+  for (auto const view : front_views) use(front_figure(summary, view));
   use(objective_figure(summary));
   use(objective_by_device_figure(summary));
   for (auto const& law : summary.laws) {

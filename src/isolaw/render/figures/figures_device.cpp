@@ -1,11 +1,11 @@
 // The figures of single devices.
-#include <algorithm>
 #include <span>
 
 #include "isolaw/render/figures/figure_script.hpp"
 #include "isolaw/render/figures/figures_of.hpp"
 #include "isolaw/render/figures/gnuplot.hpp"
 #include "isolaw/study/drawn_samples.hpp"
+#include "isolaw/study/findings.hpp"
 
 namespace isolaw::render {
 namespace {
@@ -17,7 +17,7 @@ void write_history(DataTable& table, std::string_view title, std::span<double co
   table.comment(title);
   table.comment(time.empty() ? "sample disp_mm force_kN" : "time_s disp_mm force_kN");
   for (auto const i : drawn_samples(disp_mm.size(), most_samples))
-    table.cell(time.empty() ? static_cast<double>(i) : time[i]).cell(disp_mm[i]).cell(force_kN[i]).end_row();
+    table.row(time.empty() ? static_cast<double>(i) : time[i], disp_mm[i], force_kN[i]);
   table.end_block();
 }
 
@@ -34,12 +34,7 @@ std::string loops_data(DeviceResult const& device, DeviceFit const& fit, std::st
   table.comment("time disp measured_force computed_force residual");
   for (auto const i : drawn_samples(record.size(), most_samples)) {
     double const measured = record.force_kN[i], computed = fit.force_kN[i];
-    table.cell(record.time_s[i])
-        .cell(record.disp_mm[i])
-        .cell(measured)
-        .cell(computed)
-        .cell(measured - computed)
-        .end_row();
+    table.row(record.time_s[i], record.disp_mm[i], measured, computed, measured - computed);
   }
   return table.take();
 }
@@ -97,9 +92,9 @@ std::string record_script(std::string const& name, std::string const& about, std
 }  // namespace
 
 MaybeFigure loops_figure(DeviceResult const& device, LawResult const& law, std::string const& stem) {
-  auto const fit = std::ranges::find(law.devices, device.name, &DeviceFit::device);
+  auto const* fit = fit_of(law, device.name);
   auto const samples = device.record.size();
-  if (fit == law.devices.end() || samples == 0 || fit->force_kN.size() != samples) return std::nullopt;
+  if (fit == nullptr || samples == 0 || fit->force_kN.size() != samples) return std::nullopt;
   auto const name = "loops_" + stem + "_" + law.id;
   std::string const about = "measured and computed force, Fig. 5; residual is measured less computed";
   return Figure{name, loops_data(device, *fit, about),

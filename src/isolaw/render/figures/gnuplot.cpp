@@ -67,6 +67,12 @@ std::string error_in(std::string const& messages) {
   return printable(line.substr(0, line.find('\n')));
 }
 
+// gnuplot, or what ISOLAW_GNUPLOT names.
+std::string gnuplot_program() {
+  char const* const named = std::getenv("ISOLAW_GNUPLOT");
+  return named != nullptr && *named != '\0' ? named : "gnuplot";
+}
+
 std::string ending(int status, std::string const& messages) {
   if (WIFSIGNALED(status)) return fmt::format("ended by signal {}", WTERMSIG(status));
   if (WEXITSTATUS(status) == 0) return {};
@@ -101,52 +107,23 @@ DataTable& DataTable::comment(std::string_view text) {
   return *this;
 }
 
-void DataTable::separate() {
-  if (!at_start_) text_ += ' ';
-  at_start_ = false;
-}
-
-DataTable& DataTable::cell(std::string_view text) {
-  separate();
+void DataTable::cell(std::string_view text) {
   text_ += '"';
   for (char const c : printable(text)) {
     if (c == '\\') text_ += '\\';  // else \n would be a line break in what is drawn
     text_ += c == '"' ? '\'' : c;
   }
-  text_ += '"';
-  return *this;
+  text_ += "\" ";
 }
 
-DataTable& DataTable::cell(std::optional<double> const& number) {
-  separate();
+void DataTable::cell(std::optional<double> const& number) {
   auto const digits = to_text(number);
-  text_ += digits.empty() ? "NaN" : digits;
-  return *this;
-}
-
-DataTable& DataTable::cell(std::size_t number) {
-  separate();
-  text_ += std::to_string(number);
-  return *this;
-}
-
-void DataTable::end_row() {
-  text_ += '\n';
-  at_start_ = true;
-}
-
-void DataTable::end_block() {
-  text_ += "\n\n";
+  text_ += (digits.empty() ? "NaN" : digits) + ' ';
 }
 
 std::string DataTable::take() {
   while (text_.ends_with("\n\n")) text_.pop_back();
   return std::exchange(text_, {});
-}
-
-std::string gnuplot_program() {
-  char const* const named = std::getenv("ISOLAW_GNUPLOT");
-  return named != nullptr && *named != '\0' ? named : "gnuplot";
 }
 
 GnuplotEnd run_gnuplot(std::vector<std::string> const& scripts, std::filesystem::path const& directory,

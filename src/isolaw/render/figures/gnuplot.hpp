@@ -22,22 +22,22 @@ std::string gnuplot_label(std::string_view text);
 class DataTable {
  public:
   DataTable& comment(std::string_view text);
-  DataTable& cell(std::string_view text);                // in double quotes; one in the text becomes a single quote
-  DataTable& cell(std::optional<double> const& number);  // all its digits; NaN where there is none
-  DataTable& cell(double number) { return cell(std::optional(number)); }
-  DataTable& cell(std::size_t number);
-  void end_row();
-  void end_block();
+  template <class... Of>
+  void row(Of const&... cells) {
+    (cell(cells), ...);
+    text_.back() = '\n';
+  }
+  void end_block() { text_ += "\n\n"; }
   std::string take();
 
  private:
-  void separate();
+  // Each with a blank after it.
+  void cell(std::string_view text);                // in double quotes; one in the text becomes a single quote
+  void cell(std::optional<double> const& number);  // all its digits; NaN where there is none
+  void cell(double number) { cell(std::optional(number)); }
+  void cell(std::size_t number) { text_ += std::to_string(number) + ' '; }
   std::string text_;
-  bool at_start_ = true;
 };
-
-// gnuplot, or what ISOLAW_GNUPLOT names.
-std::string gnuplot_program();
 
 struct GnuplotEnd {
   bool started = false;

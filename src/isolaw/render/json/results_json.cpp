@@ -32,6 +32,12 @@ void write_value(JsonWriter& out, Value const& value, std::optional<int> digits)
   std::visit(Writer{out, digits}, value);
 }
 
+void write_values(JsonWriter& out, std::span<double const> values, std::optional<int> digits) {
+  out.begin_array();
+  for (double const value : values) write_value(out, value, digits);
+  out.end_array();
+}
+
 void write_intervals(JsonWriter& out, DeviceFit const& fit) {
   out.begin_object();
   out.member("level", fit.interval_level).member("samples", std::uint64_t{fit.interval_samples});
@@ -42,7 +48,7 @@ void write_blocks(JsonWriter& out, std::vector<BlockScore> const& blocks, Digits
   out.begin_array();
   for (auto const& score : blocks) {
     out.begin_object().member("block", score.block).member("fitted", score.fitted).key("objective");
-    write_value(out, score.objective, digits == Digits::all ? std::nullopt : std::optional(9));
+    write_value(out, score.objective, digits == Digits::all ? std::nullopt : std::optional(shown_digits));
     out.end_object();
   }
   out.end_array();

@@ -1,6 +1,11 @@
 // The rows of study/results.hpp as members of a JSON object.
 #pragma once
 
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
 #include "isolaw/base/json.hpp"
 #include "isolaw/render/results.hpp"
 #include "isolaw/study/results.hpp"
@@ -10,7 +15,18 @@ namespace isolaw::render {
 // all: numbers read back as the same doubles; shown: what is drawn, with the digits of the row.
 enum class Digits { all, shown };
 
+inline constexpr int shown_digits = 9;
+
 void write_value(JsonWriter& out, Value const& value, std::optional<int> digits);
+// Without digits: all of them.
+void write_values(JsonWriter& out, std::span<double const> values, std::optional<int> digits = std::nullopt);
+
+// Members of the open object, key after key, as they are shown: numbers with nine digits, null for what is undefined.
+template <class T, class... Rest>
+void write_members(JsonWriter& out, std::string_view key, T const& value, Rest const&... rest) {
+  write_value(out.key(key), study::value_of(value), shown_digits);
+  if constexpr (sizeof...(rest) > 0) write_members(out, rest...);
+}
 
 // `nested` writes the objects and arrays that a row leaves to it; it is given the key, which is written already.
 template <class Of, std::size_t count, class Nested>

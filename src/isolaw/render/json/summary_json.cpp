@@ -10,17 +10,10 @@ namespace {
 
 constexpr int schema = 1;
 
-void write_array(JsonWriter& out, std::string_view key, std::vector<double> const& values) {
-  out.key(key).begin_array();
-  for (double const value : values) out.value(value);
-  out.end_array();
-}
-
 void write_analysis(JsonWriter& out, ParameterAnalysis const& analysis) {
   write_results(out, analysis_results, analysis, Digits::all, [&](std::string_view) {
-    out.begin_object();
-    write_array(out, "value", analysis.profile_value);
-    write_array(out, "objective", analysis.profile_objective);
+    write_values(out.begin_object().key("value"), analysis.profile_value);
+    write_values(out.key("objective"), analysis.profile_objective);
     out.end_object();
   });
 }
@@ -54,11 +47,7 @@ void write(JsonWriter& out, DeviceFit const& fit) {
 
 void write_matrix(JsonWriter& out, std::string_view key, lot::SquareMatrix const& rows) {
   out.key(key).begin_array();
-  for (auto const& row : rows) {
-    out.begin_array();
-    for (double const value : row) out.value(value);
-    out.end_array();
-  }
+  for (auto const& row : rows) write_values(out, row);
   out.end_array();
 }
 
@@ -68,12 +57,12 @@ void write(JsonWriter& out, lot::Population const& population) {
   std::vector<std::string> transforms;
   for (auto const transform : population.transforms) transforms.emplace_back(lot::name(transform));
   out.member("transforms", transforms);
-  write_array(out, "mean", population.mean);
-  write_array(out, "medians", population.medians);
+  write_values(out.key("mean"), population.mean);
+  write_values(out.key("medians"), population.medians);
   write_matrix(out, "covariance", population.covariance);
   write_matrix(out, "covariance_of_estimates", population.estimates);
   write_matrix(out, "uncertainty", population.uncertainty);
-  write_array(out, "relative_std", population.relative_std);
+  write_values(out.key("relative_std"), population.relative_std);
   write_matrix(out, "correlation", population.correlation);
   out.member("directions", std::uint64_t{population.directions}).member("note", population.note);
   out.end_object();
@@ -110,8 +99,8 @@ void write(JsonWriter& out, LawResult const& law) {
 
 void write(JsonWriter& out, DeviceResult const& device) {
   out.begin_object();
-  out.member("name", device.name).member("file", device.file).member("sha256", device.sha256);
-  out.member("status", device.status).member("message", device.message);
+  write_members(out, "name", device.name, "file", device.file, "sha256", device.sha256, "status", device.status,
+                "message", device.message);
   out.end_object();
 }
 
@@ -139,17 +128,14 @@ std::string summary_json(Summary const& summary) {
   out.member("title", summary.title);
   out.key("outliers").begin_array();
   for (auto const& outlier : summary.outliers) {
-    out.begin_object()
-        .member("device", outlier.device)
-        .member("property", outlier.property)
-        .member("unit", outlier.unit);
+    out.begin_object();
+    write_members(out, "device", outlier.device, "property", outlier.property, "unit", outlier.unit);
     out.member("value", outlier.value).member("median", outlier.median).member("score", outlier.score);
     out.member("percent", outlier.percent).end_object();
   }
   out.end_array();
-  out.member("complete", summary.missing_runs() == 0 && summary.missing_analyses() == 0)
-      .member("missing_runs", std::uint64_t{summary.missing_runs()});
-  out.member("missing_analyses", std::uint64_t{summary.missing_analyses()});
+  auto const runs = summary.missing_runs(), analyses = summary.missing_analyses();
+  write_members(out, "complete", runs == 0 && analyses == 0, "missing_runs", runs, "missing_analyses", analyses);
   out.end_object();
   return out.take() + "\n";
 }

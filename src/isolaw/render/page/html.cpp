@@ -1,10 +1,9 @@
 #include "isolaw/render/page/html.hpp"
 
-#include <array>
+#include <map>
 #include <nlohmann/json.hpp>
-#include <utility>
 
-#include "isolaw/base/json.hpp"
+#include "isolaw/render/json/results_json.hpp"
 #include "isolaw/render/page/page_data.hpp"
 
 namespace isolaw::render {
@@ -25,75 +24,48 @@ std::string inline_script(std::string_view script) {
   return safe;
 }
 
+std::string html_escaped(std::string_view text) {
+  constexpr std::string_view signs = "&<>\"'";
+  constexpr std::string_view escaped[]{"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};
+  std::string safe;
+  for (char const c : text) {
+    auto const sign = signs.find(c);
+    sign == std::string_view::npos ? safe += c : safe += escaped[sign];
+  }
+  return safe;
+}
+
 std::string asked_json(campaign::Acceptance const& asked) {
   JsonWriter out;
-  out.begin_object().member("rules_file", asked.rules_file).member("rules", asked.rules).member("design", asked.design);
-  out.key("lot_size");
-  asked.lot_size ? out.value(*asked.lot_size) : out.null();
+  out.begin_object();
+  write_members(out, "rules_file", asked.rules_file, "rules", asked.rules, "design", asked.design, "lot_size",
+                asked.lot_size);
   out.end_object();
   return out.take();
 }
 
 }  // namespace
 
-std::string html_escaped(std::string_view text) {
-  std::string safe;
-  for (char const c : text) {
-    switch (c) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      case '\'':
-        safe += "&#39;";
-        break;
-      default:
-        safe += c;
-    }
-  }
-  return safe;
-}
-
 std::string html(Summary const& summary) {
   std::string const title = summary.title.empty() ? "isolaw report" : summary.title + " – isolaw report";
-  std::array<std::pair<std::string_view, std::string>, 6> const contents{{
-      {"{{title}}", html_escaped(title)},
-      {"{{style}}", std::string(embedded_text(page_files(), "page.css"))},
-      {"{{plotly}}", inline_script(embedded_text(page_files(), "plotly-basic.min.js"))},
-      {"{{asked}}", script_safe(asked_json(summary.asked))},
-      {"{{data}}", script_safe(page_data_json(summary))},
-      {"{{script}}", inline_script(embedded_text(page_files(), "page.js"))},
-  }};
+  std::map<std::string_view, std::string> const contents{
+      {"title", html_escaped(title)},
+      {"style", std::string(embedded_text(page_files(), "page.css"))},
+      {"plotly", inline_script(embedded_text(page_files(), "plotly-basic.min.js"))},
+      {"asked", script_safe(asked_json(summary.asked))},
+      {"data", script_safe(page_data_json(summary))},
+      {"script", inline_script(embedded_text(page_files(), "page.js"))},
+  };
   // One pass over the template, so that a placeholder's name inside a content stays what it is.
   std::string_view rest = embedded_text(page_files(), "page.html");
   std::string page;
-  while (!rest.empty()) {
-    auto const at = rest.find("{{");
+  for (auto at = rest.find("{{"); at != std::string_view::npos; at = rest.find("{{")) {
+    auto const end = rest.find("}}", at);
     page += rest.substr(0, at);
-    if (at == std::string_view::npos) break;
-    rest.remove_prefix(at);
-    bool filled = false;
-    for (auto const& [name, text] : contents) {
-      if (!rest.starts_with(name)) continue;
-      page += text;
-      rest.remove_prefix(name.size());
-      filled = true;
-      break;
-    }
-    if (!filled) {
-      page += "{{";
-      rest.remove_prefix(2);
-    }
+    page += contents.at(rest.substr(at + 2, end - at - 2));
+    rest.remove_prefix(end + 2);
   }
-  return page;
+  return page += rest;
 }
 
 std::optional<campaign::Acceptance> asked_in(std::string_view page) {

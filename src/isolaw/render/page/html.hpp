@@ -21,6 +21,4 @@ std::optional<campaign::Acceptance> asked_in(std::string_view page);
 // page.html, with the placeholders that html() fills, page.css, page.js and plotly-basic.min.js.
 std::span<Embedded const> page_files();
 
-std::string html_escaped(std::string_view text);
-
 }  // namespace isolaw::render

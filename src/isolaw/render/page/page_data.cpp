@@ -5,6 +5,7 @@
 
 #include "isolaw/analysis/determination.hpp"
 #include "isolaw/campaign/maker.hpp"
+#include "isolaw/num/statistics.hpp"
 #include "isolaw/render/json/properties_json.hpp"
 #include "isolaw/render/json/results_json.hpp"
 #include "isolaw/study/build_analysis.hpp"
@@ -15,13 +16,13 @@
 namespace isolaw::render {
 namespace {
 
-constexpr int digits = 9;
 constexpr int profile_digits = 6;
 constexpr double curve_levels = 20000.0;
 constexpr std::size_t convergence_points = 120;
 
 // Integer differences of the quantised values; the steps do not add up to a drift. Not finite: the value before.
-void write_curve(JsonWriter& out, std::vector<double> const& values, std::vector<std::size_t> const& samples) {
+void write_curve(JsonWriter& out, std::string_view key, std::vector<double> const& values,
+                 std::vector<std::size_t> const& samples) {
   double lower = 0.0, upper = 0.0;
   bool first = true;
   for (std::size_t const i : samples) {
@@ -31,8 +32,8 @@ void write_curve(JsonWriter& out, std::vector<double> const& values, std::vector
     first = false;
   }
   double const step = upper > lower ? (upper - lower) / curve_levels : 1.0;
-  out.begin_object();
-  out.key("o").rounded(lower, digits).key("s").rounded(step, digits);
+  out.key(key).begin_object();
+  write_members(out, "o", lower, "s", step);
   out.key("d").begin_array();
   int before = 0;
   for (std::size_t const i : samples) {
@@ -49,22 +50,25 @@ std::size_t points_per_curve(Summary const& summary) {
   return std::clamp<std::size_t>(2'000'000 / curves, 300, 2400);
 }
 
+std::size_t stride_of(std::vector<std::size_t> const& drawn) {
+  return drawn.size() > 1 ? drawn[1] - drawn[0] : 1;
+}
+
+// What a record has of time, displacement and force.
+template <class Record>
+void write_curves(JsonWriter& out, Record const& record, std::vector<std::size_t> const& drawn) {
+  if (drawn.empty()) return;
+  if (!record.time_s.empty()) write_curve(out, "time_s", record.time_s, drawn);
+  write_curve(out, "disp_mm", record.disp_mm, drawn);
+  write_curve(out, "force_kN", record.force_kN, drawn);
+}
+
 // The raw loop, thinned: sample k of the curves is raw sample min(k stride, samples - 1).
 void write_raw(JsonWriter& out, data::TestRecord const& raw, std::size_t most) {
   auto const drawn = drawn_samples(raw.size(), most);
   out.key("raw").begin_object();
-  out.member("samples", std::uint64_t{raw.size()});
-  out.member("stride", std::uint64_t{drawn.size() > 1 ? drawn[1] - drawn[0] : 1});
-  if (!drawn.empty()) {
-    if (raw.has_time()) {
-      out.key("time_s");
-      write_curve(out, raw.time_s, drawn);
-    }
-    out.key("disp_mm");
-    write_curve(out, raw.disp_mm, drawn);
-    out.key("force_kN");
-    write_curve(out, raw.force_kN, drawn);
-  }
+  write_members(out, "samples", raw.size(), "stride", stride_of(drawn));
+  write_curves(out, raw, drawn);
   out.end_object();
 }
 
@@ -80,8 +84,9 @@ void write_scored(JsonWriter& out, data::FitRecord const& record) {
     auto const first = i;
     while (i < record.size() && record.is_scored(i)) ++i;
     if (i > first) {
-      out.begin_object().key("from").rounded(record.time_s[first], digits);
-      out.key("to").rounded(record.time_s[i - 1], digits).end_object();
+      out.begin_object();
+      write_members(out, "from", record.time_s[first], "to", record.time_s[i - 1]);
+      out.end_object();
     } else {
       ++i;
     }
@@ -91,59 +96,41 @@ void write_scored(JsonWriter& out, data::FitRecord const& record) {
 
 void write_device(JsonWriter& out, DeviceResult const& device, std::vector<std::size_t> const& drawn,
                   std::size_t most) {
+  auto const& record = device.record;
   out.begin_object();
-  out.member("name", device.name).member("file", device.file).member("sha256", device.sha256);
-  out.member("status", device.status).member("message", device.message);
-  out.member("serial", device.serial).member("lot", device.lot).member("test_date", device.test_date);
+  write_members(out, "name", device.name, "file", device.file, "sha256", device.sha256, "status", device.status,
+                "message", device.message, "serial", device.serial, "lot", device.lot, "test_date", device.test_date);
   out.member("temperature_C", device.temperature_C).member("rubber_thickness_mm", device.rubber_thickness_mm);
   out.member("rubber_area_mm2", device.rubber_area_mm2);
   write_properties(out, device);
   write_raw(out, device.raw, most);
-  out.member("recognised", device.raw.recognised).member("warnings", device.raw.warnings);
-  out.member("cleaning", device.record.cleaning);
-  auto const& record = device.record;
+  write_members(out, "recognised", device.raw.recognised, "warnings", device.raw.warnings, "cleaning", record.cleaning);
   write_scored(out, record);
   out.key("record").begin_object();
-  out.member("samples", std::uint64_t{record.size()}).member("drawn", std::uint64_t{drawn.size()});
-  out.member("has_time", record.has_time());
-  if (!drawn.empty()) {
-    out.key("time_s");
-    write_curve(out, record.time_s, drawn);
-    out.key("disp_mm");
-    write_curve(out, record.disp_mm, drawn);
-    out.key("force_kN");
-    write_curve(out, record.force_kN, drawn);
-  }
+  write_members(out, "samples", record.size(), "drawn", drawn.size(), "has_time", record.has_time());
+  write_curves(out, record, drawn);
   out.end_object().end_object();
 }
 
-void write_values(JsonWriter& out, std::vector<double> const& values, int to_digits) {
-  out.begin_array();
-  for (double const value : values) out.rounded(value, to_digits);
-  out.end_array();
-}
-
 // A property of all parameters of a fit; their names stand once, in the law.
-template <class Of>
-void write_column(JsonWriter& out, std::string_view name, std::vector<ParameterFit> const& parameters, Of const& of) {
+using Parameters = std::vector<ParameterFit>;
+void write_column(JsonWriter& out, std::string_view name, Parameters const& parameters,
+                  Value (*of)(ParameterFit const&)) {
   out.key(name).begin_array();
-  for (auto const& parameter : parameters) of(parameter);
+  for (auto const& parameter : parameters) write_value(out, of(parameter), shown_digits);
   out.end_array();
 }
 
 // Columns, not rows: the names of the properties stand once a fit.
-void write_parameters(JsonWriter& out, std::vector<ParameterFit> const& parameters) {
-  auto const column = [&](std::string_view name, auto const& of) {
-    write_column(out, name, parameters, [&](ParameterFit const& parameter) { out.rounded(of(parameter), digits); });
-  };
+void write_parameters(JsonWriter& out, Parameters const& parameters) {
   out.begin_object();
-  column("mean", [](auto const& p) { return p.value.mean; });
-  column("std", [](auto const& p) { return p.value.std; });
-  column("best", [](auto const& p) { return p.value.best; });
-  column("percent_of_lot", [](auto const& p) { return p.percent_of_lot; });
-  write_column(out, "at_bound", parameters, [&](auto const& p) { out.value(p.at_bound); });
-  column("lower", [](auto const& p) { return p.lower; });
-  column("upper", [](auto const& p) { return p.upper; });
+  write_column(out, "mean", parameters, get<&ParameterFit::value, &Statistic::mean>);
+  write_column(out, "std", parameters, get<&ParameterFit::value, &Statistic::std>);
+  write_column(out, "best", parameters, get<&ParameterFit::value, &Statistic::best>);
+  write_column(out, "percent_of_lot", parameters, get<&ParameterFit::percent_of_lot>);
+  write_column(out, "at_bound", parameters, get<&ParameterFit::at_bound>);
+  write_column(out, "lower", parameters, get<&ParameterFit::lower>);
+  write_column(out, "upper", parameters, get<&ParameterFit::upper>);
   out.end_object();
 }
 
@@ -154,30 +141,31 @@ void write_determination(JsonWriter& out, DeviceFit const& fit) {
     out.null();
     return;
   }
-  auto const column = [&](std::string_view name, auto const& write) {
-    write_column(out, name, fit.parameters, [&](ParameterFit const& parameter) {
-      parameter.analysis ? write(*parameter.analysis) : static_cast<void>(out.null());
-    });
-  };
-  auto const number = [&](std::string_view name, auto member, int to_digits) {
-    column(name, [&](ParameterAnalysis const& a) { out.rounded(a.*member, to_digits); });
-  };
-  auto const curve = [&](std::string_view name, auto member) {
-    column(name, [&](ParameterAnalysis const& a) { write_values(out, a.*member, profile_digits); });
+  auto const column = [&](std::string_view name, auto member, int digits = profile_digits) {
+    out.key(name).begin_array();
+    for (auto const& parameter : fit.parameters) {
+      if (!parameter.analysis)
+        out.null();
+      else if constexpr (std::same_as<decltype(member), std::vector<double> ParameterAnalysis::*>)
+        write_values(out, (*parameter.analysis).*member, digits);
+      else
+        write_value(out, value_of((*parameter.analysis).*member), digits);
+    }
+    out.end_array();
   };
   out.begin_object();
-  column("identifiability", [&](auto const& a) { out.value(a.identifiability); });
-  number("optimum", &ParameterAnalysis::optimum, digits);
-  number("open_lower", &ParameterAnalysis::open_lower, profile_digits);
-  number("open_upper", &ParameterAnalysis::open_upper, profile_digits);
-  column("open_below", [&](auto const& a) { out.value(a.open_below); });
-  column("open_above", [&](auto const& a) { out.value(a.open_above); });
-  number("linear_lower", &ParameterAnalysis::linear_lower, profile_digits);
-  number("linear_upper", &ParameterAnalysis::linear_upper, profile_digits);
-  number("bootstrap_lower", &ParameterAnalysis::bootstrap_lower, profile_digits);
-  number("bootstrap_upper", &ParameterAnalysis::bootstrap_upper, profile_digits);
-  curve("profile_value", &ParameterAnalysis::profile_value);
-  curve("profile_objective", &ParameterAnalysis::profile_objective);
+  column("identifiability", &ParameterAnalysis::identifiability);
+  column("optimum", &ParameterAnalysis::optimum, shown_digits);
+  column("open_lower", &ParameterAnalysis::open_lower);
+  column("open_upper", &ParameterAnalysis::open_upper);
+  column("open_below", &ParameterAnalysis::open_below);
+  column("open_above", &ParameterAnalysis::open_above);
+  column("linear_lower", &ParameterAnalysis::linear_lower);
+  column("linear_upper", &ParameterAnalysis::linear_upper);
+  column("bootstrap_lower", &ParameterAnalysis::bootstrap_lower);
+  column("bootstrap_upper", &ParameterAnalysis::bootstrap_upper);
+  column("profile_value", &ParameterAnalysis::profile_value);
+  column("profile_objective", &ParameterAnalysis::profile_objective);
   out.end_object();
 }
 
@@ -200,22 +188,17 @@ void write_convergence(JsonWriter& out, DeviceFit const& fit) {
   for (std::size_t i = 0; i < steps; ++i) {
     std::vector<double> values;
     for (auto const& run : runs) values.push_back(run[std::min(i, run.size() - 1)]);
-    std::ranges::sort(values);
-    auto const n = values.size();
-    lowest.push_back(std::log10(values.front()));
-    median.push_back(std::log10(0.5 * (values[(n - 1) / 2] + values[n / 2])));
-    highest.push_back(std::log10(values.back()));
+    auto const [least, most] = std::ranges::minmax(values);
+    lowest.push_back(std::log10(least));
+    median.push_back(std::log10(num::median(values)));
+    highest.push_back(std::log10(most));
   }
   auto const drawn = drawn_samples(steps, convergence_points);
-  out.begin_object().member("steps", std::uint64_t{steps});
-  out.member("stride", std::uint64_t{drawn.size() > 1 ? drawn[1] - drawn[0] : 1});
-  out.member("runs", std::uint64_t{runs.size()});
-  out.key("lowest");
-  write_curve(out, lowest, drawn);
-  out.key("median");
-  write_curve(out, median, drawn);
-  out.key("highest");
-  write_curve(out, highest, drawn);
+  out.begin_object();
+  write_members(out, "steps", steps, "stride", stride_of(drawn), "runs", runs.size());
+  write_curve(out, "lowest", lowest, drawn);
+  write_curve(out, "median", median, drawn);
+  write_curve(out, "highest", highest, drawn);
   out.end_object();
 }
 
@@ -231,13 +214,10 @@ void write_fit(JsonWriter& out, DeviceFit const& fit, int device, std::vector<st
   });
   write_determination(out, fit);
   write_convergence(out, fit);
-  out.key("force_kN");
-  bool const has_curve = !drawn.empty() && drawn.back() < fit.force_kN.size();
-  if (has_curve) {
-    write_curve(out, fit.force_kN, drawn);
-  } else {
-    out.null();
-  }
+  if (!drawn.empty() && drawn.back() < fit.force_kN.size())
+    write_curve(out, "force_kN", fit.force_kN, drawn);
+  else
+    out.key("force_kN").null();
   out.end_object();
 }
 
@@ -245,7 +225,7 @@ void write_fit(JsonWriter& out, DeviceFit const& fit, int device, std::vector<st
 void write_lot_law(JsonWriter& out, LotLaw const& lot) {
   out.begin_object();
   write_results(out, lot_law_results, lot, Digits::shown, [&](std::string_view key) {
-    write_values(out, key == "parameters" ? lot.parameters : lot.worst_parameters, digits);
+    write_values(out, key == "parameters" ? lot.parameters : lot.worst_parameters, shown_digits);
   });
   out.end_object();
 }
@@ -253,15 +233,12 @@ void write_lot_law(JsonWriter& out, LotLaw const& lot) {
 // What is shown of it: not its covariances.
 void write_population(JsonWriter& out, lot::Population const& population) {
   out.begin_object().member("devices", std::uint64_t{population.devices}).member("parameters", population.names);
-  out.key("medians");
-  write_values(out, population.medians, digits);
-  out.key("relative_std");
-  write_values(out, population.relative_std, profile_digits);
+  write_values(out.key("medians"), population.medians, shown_digits);
+  write_values(out.key("relative_std"), population.relative_std, profile_digits);
   out.key("correlation").begin_array();
   for (auto const& row : population.correlation) write_values(out, row, profile_digits);
   out.end_array();
-  out.member("note", population.note);
-  out.end_object();
+  out.member("note", population.note).end_object();
 }
 
 void write_fits(JsonWriter& out, Summary const& summary, LawResult const& law,
@@ -289,14 +266,14 @@ void write_law(JsonWriter& out, Summary const& summary, LawResult const& law,
     else
       out.null();
   });
-  out.key("K_eff_error_percent").rounded(mean_magnitude(law, &DeviceFit::K_eff_error_percent), digits);
-  out.key("energy_error_percent").rounded(mean_magnitude(law, &DeviceFit::energy_error_percent), digits);
+  write_members(out, "K_eff_error_percent", mean_magnitude(law, &DeviceFit::K_eff_error_percent),
+                "energy_error_percent", mean_magnitude(law, &DeviceFit::energy_error_percent));
   out.key("parameters").begin_array();
   auto const& parameters = parameters_of(law);
   for (std::size_t n = 0; n < parameters.size(); ++n) {
     out.begin_object();
-    out.member("name", parameters[n].name).member("unit", parameters[n].unit).member("free", parameters[n].free);
-    out.key("delta").rounded(largest_difference(law, n), digits);
+    write_members(out, "name", parameters[n].name, "unit", parameters[n].unit, "free", parameters[n].free, "delta",
+                  largest_difference(law, n));
     out.end_object();
   }
   out.end_array().end_object();
@@ -309,8 +286,8 @@ void write_findings(JsonWriter& out, Summary const& summary) {
   out.key("verdicts").begin_array();
   for (auto const& verdict : found.verdicts) {
     out.begin_object();
-    out.member("law", static_cast<int>(verdict.law)).member("role", name(verdict.role));
-    out.member("sentence", verdict.sentence).member("dominated_by", verdict.dominated_by);
+    write_members(out, "law", verdict.law, "role", verdict.role, "sentence", verdict.sentence, "dominated_by",
+                  verdict.dominated_by);
     out.end_object();
   }
   out.end_array();
@@ -333,9 +310,8 @@ void write_outliers(JsonWriter& out, Summary const& summary) {
   out.key("outliers").begin_array();
   for (auto const& outlier : summary.outliers) {
     out.begin_object();
-    out.member("device", outlier.device).member("property", outlier.property).member("unit", outlier.unit);
-    out.key("value").rounded(outlier.value, digits).key("median").rounded(outlier.median, digits);
-    out.key("score").rounded(outlier.score, digits).key("percent").rounded(outlier.percent, digits);
+    write_members(out, "device", outlier.device, "property", outlier.property, "unit", outlier.unit, "value",
+                  outlier.value, "median", outlier.median, "score", outlier.score, "percent", outlier.percent);
     out.end_object();
   }
   out.end_array();
@@ -350,10 +326,10 @@ std::string page_data_json(Summary const& summary) {
 
   JsonWriter out;
   out.begin_object();
-  out.member("isolaw", campaign::text(std::span(summary.makers))).member("title", summary.title);
-  out.member("seed", std::to_string(summary.seed));  // as text: 64 bits do not fit a JavaScript number
-  out.member("runs", std::uint64_t{summary.runs}).member("missing_runs", std::uint64_t{summary.missing_runs()});
-  out.member("missing_analyses", std::uint64_t{summary.missing_analyses()}).member("command", command_again(summary));
+  auto const seed = std::to_string(summary.seed);  // as text: 64 bits do not fit a JavaScript number
+  write_members(out, "isolaw", campaign::text(std::span(summary.makers)), "title", summary.title, "seed", seed, "runs",
+                summary.runs, "missing_runs", summary.missing_runs(), "missing_analyses", summary.missing_analyses(),
+                "command", command_again(summary));
   out.key("settings").begin_object();
   for (auto const& setting : summary.settings) out.key(setting.key).json(setting.json);
   out.end_object();

@@ -1,4 +1,3 @@
-
 #include "isolaw/render/tables/csv.hpp"
 #include "isolaw/render/tables/tables.hpp"
 #include "isolaw/study/findings.hpp"
@@ -9,15 +8,14 @@ std::string identifiability_csv(Summary const& summary) {
   constexpr auto range = columns(analysis_results, {"optimum", "identifiability", "open_range"});
   constexpr auto intervals = columns(analysis_results, {"linear_interval", "bootstrap_interval"});
   CsvTable table;
-  table.cell("law").cell("device").cell("parameter").cell("unit").head(range);
-  table.cell("range ends at the box").head(intervals).end_row();
+  table.add("law", "device", "parameter", "unit").head(range).add("range ends at the box").head(intervals).end_row();
   for (auto const& law : summary.laws)
     for (auto const& fit : law.devices)
       for (auto const& p : fit.parameters) {
         if (!p.analysis) continue;
         auto const& a = *p.analysis;
-        table.cell(law.id).cell(fit.device).cell(p.name).cell(p.unit).cells(range, a);
-        table.cell(a.open_below && a.open_above ? "both" : a.open_below ? "below" : a.open_above ? "above" : "no");
+        table.add(law.id, fit.device, p.name, p.unit).cells(range, a);
+        table.add(a.open_below && a.open_above ? "both" : a.open_below ? "below" : a.open_above ? "above" : "no");
         table.cells(intervals, a).end_row();
       }
   return table.take();
@@ -47,18 +45,17 @@ std::string converged_csv(Summary const& summary) {
 
 std::string lot_law_csv(Summary const& summary) {
   CsvTable table;
-  table.cell("law").cell("parameter").cell("unit").cell("calibrated").cell("lot, least mean OF");
-  table.cell("lot, least worst OF").cell("population median").cell("relative scatter [-]").end_row();
+  table.row("law", "parameter", "unit", "calibrated", "lot, least mean OF", "lot, least worst OF", "population median",
+            "relative scatter [-]");
   for (auto const& law : summary.laws) {
     if (!law.lot) continue;
     auto const& parameters = parameters_of(law);
     for (std::size_t n = 0; n < parameters.size(); ++n) {
       auto const& p = parameters[n];
-      table.cell(law.id).cell(p.name).cell(p.unit).yes_no(p.free);
-      table.cell(law.lot->parameters[n]).cell(law.lot->worst_parameters[n]);
+      table.add(law.id, p.name, p.unit, p.free, law.lot->parameters[n], law.lot->worst_parameters[n]);
       auto const place = law.population ? place_of(*law.population, p.name) : std::nullopt;
-      place ? table.cell(law.population->medians[*place]) : table.empty(1);
-      place&& law.population->has_covariance() ? table.cell(law.population->relative_std[*place]) : table.empty(1);
+      place ? table.add(law.population->medians[*place]) : table.empty(1);
+      place&& law.population->has_covariance() ? table.add(law.population->relative_std[*place]) : table.empty(1);
       table.end_row();
     }
   }
@@ -67,11 +64,11 @@ std::string lot_law_csv(Summary const& summary) {
 
 std::string prediction_csv(Summary const& summary) {
   CsvTable table;
-  table.cell("law").cell("device").cell("judged on").cell("law of").cell("OF [-]").end_row();
+  table.row("law", "device", "judged on", "law of", "OF [-]");
   for (auto const& law : summary.laws)
     for (auto const& fit : law.devices) {
       auto const row = [&](std::string_view judged, std::string_view of, std::optional<double> const& objective) {
-        if (objective) table.cell(law.id).cell(fit.device).cell(judged).cell(of).cell(objective).end_row();
+        if (objective) table.row(law.id, fit.device, judged, of, objective);
       };
       row("fitted part", "the device itself", fit.optimum);
       row("fitted part", "the lot, least mean", fit.lot_objective);

@@ -1,21 +1,25 @@
 #include "isolaw/render/tables/csv.hpp"
 
+#include "isolaw/base/json.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/study/findings.hpp"
 
 namespace isolaw::render {
 namespace {
 
+// The cells of a value, several of them with commas between.
 struct Cells {
-  CsvTable& table;
-
-  void operator()(std::monostate) const { table.empty(1); }
-  void operator()(bool flag) const { table.yes_no(flag); }
-  void operator()(std::vector<std::string> const* texts) const { table.cell(enumerate(*texts, 99)); }
-  void operator()(Statistic const& of) const { table.cell(of.mean).cell(of.std).cell(of.best); }
-  void operator()(Ends const& of) const { table.cell(of.lower).cell(of.upper); }
-  void operator()(study::Nested) const {}
-  void operator()(auto const& value) const { table.cell(value); }
+  std::string operator()(std::monostate) const { return {}; }
+  std::string operator()(bool flag) const { return flag ? "yes" : "no"; }
+  std::string operator()(std::integral auto number) const { return std::to_string(number); }
+  std::string operator()(double number) const { return to_text(number, 6); }
+  std::string operator()(std::string_view text) const { return csv_cell(text); }
+  std::string operator()(std::vector<std::string> const* texts) const { return csv_cell(enumerate(*texts, 99)); }
+  std::string operator()(Statistic const& of) const {
+    return to_text(of.mean, 6) + ',' + to_text(of.std, 6) + ',' + to_text(of.best, 6);
+  }
+  std::string operator()(Ends const& of) const { return to_text(of.lower, 6) + ',' + to_text(of.upper, 6); }
+  std::string operator()(study::Nested) const { return {}; }
 };
 
 }  // namespace
@@ -35,20 +39,21 @@ std::string csv_cell(std::string_view text) {
   return quoted + '"';
 }
 
-CsvTable& CsvTable::value(Value const& value) {
-  std::visit(Cells{*this}, value);
-  return *this;
+void CsvTable::put(Value const& value) {
+  if (!at_start_) text_ += ',';
+  at_start_ = false;
+  text_ += std::visit(Cells{}, value);
 }
 
 void CsvTable::head(std::string_view heading, std::string_view unit, Value const& of_kind) {
   auto const name = std::string(heading);
   auto const in_unit = unit.empty() || unit == own_unit ? std::string() : " [" + std::string(unit) + "]";
   if (std::holds_alternative<Statistic>(of_kind))
-    for (auto const* what : {"mean ", "std ", "best "}) cell(what + name + in_unit);
+    for (auto const* what : {"mean ", "std ", "best "}) add(what + name + in_unit);
   else if (std::holds_alternative<Ends>(of_kind))
-    for (auto const* which : {" lower", " upper"}) cell(name + which + in_unit);
+    for (auto const* which : {" lower", " upper"}) add(name + which + in_unit);
   else
-    cell(name + in_unit);
+    add(name + in_unit);
 }
 
 }  // namespace isolaw::render

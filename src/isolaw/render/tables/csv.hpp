@@ -4,12 +4,10 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
-#include "isolaw/base/json.hpp"
 #include "isolaw/render/tables/tables.hpp"
 #include "isolaw/study/results.hpp"
 
@@ -17,12 +15,16 @@ namespace isolaw::render {
 
 class CsvTable {
  public:
-  CsvTable& cell(std::string_view text) { return put(csv_cell(text)); }
-  CsvTable& cell(std::optional<double> const& number) { return put(to_text(number, 6)); }
-  CsvTable& cell(double number) { return cell(std::optional(number)); }
-  CsvTable& cell(std::integral auto number) { return put(std::to_string(number)); }
-  CsvTable& yes_no(bool flag) { return put(flag ? "yes" : "no"); }
-  CsvTable& value(Value const& value);  // a statistic takes three cells, the ends of a range two
+  // Cells of what study/results.hpp holds: a statistic takes three, the ends of a range two; empty: undefined.
+  template <class... Of>
+  CsvTable& add(Of const&... cells) {
+    (put(study::value_of(cells)), ...);
+    return *this;
+  }
+  template <class... Of>
+  void row(Of const&... cells) {
+    add(cells...).end_row();
+  }
   // The headings of rows of study/results.hpp, and an object's cells under them.
   template <class Of, std::size_t count>
   CsvTable& head(std::array<Result<Of>, count> const& columns) {
@@ -36,11 +38,11 @@ class CsvTable {
   }
   template <class Of, std::size_t count>
   CsvTable& cells(std::array<Result<Of>, count> const& columns, Of const& of) {
-    for (auto const& column : columns) value(column.of(of));
+    for (auto const& column : columns) put(column.of(of));
     return *this;
   }
   CsvTable& empty(std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) put("");
+    for (std::size_t i = 0; i < count; ++i) put(Value());
     return *this;
   }
   void end_row() {
@@ -51,12 +53,7 @@ class CsvTable {
 
  private:
   void head(std::string_view heading, std::string_view unit, Value const& of_kind);
-  CsvTable& put(std::string_view cell) {
-    if (!at_start_) text_ += ',';
-    at_start_ = false;
-    text_ += cell;
-    return *this;
-  }
+  void put(Value const& value);
 
   std::string text_;
   bool at_start_ = true;

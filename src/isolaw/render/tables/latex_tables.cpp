@@ -22,48 +22,19 @@ constexpr std::string_view packages_of_long =
 
 // --- text ------------------------------------------------------------------------------------------------------------
 
-std::string_view latex_of_ascii(char c) {
-  switch (c) {
-    case '&':
-      return "\\&";
-    case '%':
-      return "\\%";
-    case '$':
-      return "\\$";
-    case '#':
-      return "\\#";
-    case '_':
-      return "\\_";
-    case '{':
-      return "\\{";
-    case '}':
-      return "\\}";
-    case '~':
-      return "\\textasciitilde{}";
-    case '^':
-      return "\\textasciicircum{}";
-    case '\\':
-      return "\\textbackslash{}";
-    case '<':
-      return "\\textless{}";
-    case '>':
-      return "\\textgreater{}";
-    case '|':
-      return "\\textbar{}";
-    case '"':
-      return "''{}";
-    case '`':
-      return "{}`";  // ?` would be another letter
-    case '[':
-      return "{[}";  // after a line break it would be an option
-    case ']':
-      return "{]}";
-    case '*':
-      return "{*}";
-    default:
-      return {};
-  }
-}
+constexpr std::string_view after_backslash = "&%$#_{}";
+// A quote before ? would be another letter, a bracket or star after a line break an option.
+constexpr std::pair<char, std::string_view> signs[]{{'~', "\\textasciitilde{}"},
+                                                    {'^', "\\textasciicircum{}"},
+                                                    {'\\', "\\textbackslash{}"},
+                                                    {'<', "\\textless{}"},
+                                                    {'>', "\\textgreater{}"},
+                                                    {'|', "\\textbar{}"},
+                                                    {'"', "''{}"},
+                                                    {'`', "{}`"},
+                                                    {'[', "{[}"},
+                                                    {']', "{]}"},
+                                                    {'*', "{*}"}};
 
 // Letters that pdfLaTeX sets from UTF-8 without further packages, beyond those of Latin-1.
 constexpr std::string_view known_letters = "ĂăĄąĆćČčĎďĐđĘęĚěĞğİıĹĺĽľŁłŃńŇňŐőŒœŔŕŘřŚśŞşŠšŢţŤťŮůŰűŸŹźŻżŽž";
@@ -116,21 +87,14 @@ std::vector<Quantity> quantities_of(LawResult const& law) {
   return made;
 }
 
-std::vector<std::string> devices_of(Summary const& summary) {
-  std::vector<std::string> names;
-  for (auto const& device : summary.devices)
-    if (device.status == "ok") names.push_back(device.name);
-  return names;
-}
-
 Statistic statistic_of(DeviceFit const& fit, Quantity const& quantity) {
   if (!quantity.n) return fit.objective;
   return *quantity.n < fit.parameters.size() ? fit.parameters[*quantity.n].value : Statistic{};
 }
 
 Statistic statistic_of(LawResult const& law, std::string const& device, Quantity const& quantity) {
-  auto const fit = std::ranges::find(law.devices, device, &DeviceFit::device);
-  return fit == law.devices.end() ? Statistic{} : statistic_of(*fit, quantity);
+  auto const* fit = fit_of(law, device);
+  return fit == nullptr ? Statistic{} : statistic_of(*fit, quantity);
 }
 
 constexpr int digits_of_std = 2;
@@ -247,8 +211,6 @@ std::vector<FrontPoint> by_accuracy(Summary const& summary, FrontView view) {
   return points;
 }
 
-constexpr FrontView views[] = {FrontView::published, FrontView::converged, FrontView::left_out};
-
 std::string_view head_of_x(FrontView view) {
   return view == FrontView::left_out ? "$\\mathit{OF}$ on devices left out" : "$\\beta$";
 }
@@ -263,11 +225,12 @@ std::string latex_text(std::string_view text) {
     if (length > 1) {
       made += latex_of_letter(rest.substr(0, length));
     } else {
-      auto const special = latex_of_ascii(rest.front());
+      auto const special = std::ranges::find(signs, rest.front(), &std::pair<char, std::string_view>::first);
       // Two dashes or quotes are two: together they would be another sign.
       bool const joins = (rest.front() == '-' || rest.front() == '\'') && made.ends_with(rest.front());
       if (joins) made += "{}";
-      special.empty() ? made += rest.front() : made += special;
+      if (after_backslash.find(rest.front()) != std::string_view::npos) made += '\\';
+      special == std::end(signs) ? made += rest.front() : made += special->second;
     }
     rest.remove_prefix(length);
   }
@@ -305,25 +268,22 @@ std::string latex_unit(std::string_view unit) {
 
 std::string table_a5_csv(Summary const& summary) {
   CsvTable table;
-  table.cell("law").cell("quantity").cell("unit").cell("calibrated");
-  auto const devices = devices_of(summary);
-  for (auto const& device : devices) table.cell(device + " mean").cell(device + " std").cell(device + " best");
+  table.add("law", "quantity", "unit", "calibrated");
+  auto const devices = device_names(summary);
+  for (auto const& device : devices) table.add(device + " mean", device + " std", device + " best");
   table.end_row();
   for (auto const& law : summary.laws)
     for (auto const& quantity : quantities_of(law)) {
-      table.cell(law.id).cell(quantity.name).cell(quantity.unit);
-      quantity.n ? table.yes_no(quantity.free) : table.empty(1);
-      for (auto const& device : devices) {
-        auto const statistic = statistic_of(law, device, quantity);
-        table.cell(statistic.mean).cell(statistic.std).cell(statistic.best);
-      }
+      table.add(law.id, quantity.name, quantity.unit);
+      quantity.n ? table.add(quantity.free) : table.empty(1);
+      for (auto const& device : devices) table.add(statistic_of(law, device, quantity));
       table.end_row();
     }
   return table.take();
 }
 
 std::string table_a5_tex(Summary const& summary) {
-  auto const devices = devices_of(summary);
+  auto const devices = device_names(summary);
   std::string text =
       "% Objective and parameters of every law on every device: mean and standard deviation over the runs, best run.\n";
   text += packages_of_long;
@@ -364,14 +324,12 @@ std::string robustness_tex(Summary const& summary) {
 
 std::string front_csv(Summary const& summary) {
   CsvTable table;
-  table.cell("view").cell("law").cell("accuracy OF [-]").cell("robustness beta, or OF on devices left out [-]");
-  table.cell("on front").cell("dominated by").end_row();
-  for (auto const view : views) {
+  table.row("view", "law", "accuracy OF [-]", "robustness beta, or OF on devices left out [-]", "on front",
+            "dominated by");
+  for (auto const view : front_views) {
     auto const points = by_accuracy(summary, view);
-    for (auto const& point : points) {
-      table.cell(name(view)).cell(point.law).cell(point.y).cell(point.x).yes_no(point.on_front);
-      table.cell(joined(dominating(points, point))).end_row();
-    }
+    for (auto const& point : points)
+      table.row(view, point.law, point.y, point.x, point.on_front, joined(dominating(points, point)));
   }
   return table.take();
 }
@@ -381,7 +339,7 @@ std::string front_tex(Summary const& summary) {
   text += packages;
   text += "\\begin{tabular}{@{}lrrll@{}}\n\\toprule\n";
   bool first = true;
-  for (auto const view : views) {
+  for (auto const view : front_views) {
     auto const points = by_accuracy(summary, view);
     if (points.empty()) continue;
     if (!first) text += "\\midrule\n";

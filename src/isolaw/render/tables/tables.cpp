@@ -1,9 +1,9 @@
 #include "isolaw/render/tables/tables.hpp"
 
-#include <algorithm>
 #include <optional>
 #include <vector>
 
+#include "isolaw/base/words.hpp"
 #include "isolaw/render/tables/csv.hpp"
 #include "isolaw/study/findings.hpp"
 
@@ -12,66 +12,52 @@ namespace {
 
 // "D3 upper; D5 lower"
 std::string devices_at_bound(LawResult const& law, std::size_t parameter) {
-  std::string text;
-  for (auto const& fit : law.devices) {
-    if (parameter >= fit.parameters.size() || fit.parameters[parameter].at_bound.empty()) continue;
-    if (!text.empty()) text += "; ";
-    text += fit.device + " " + fit.parameters[parameter].at_bound;
-  }
-  return text;
+  std::vector<std::string> devices;
+  for (auto const& fit : law.devices)
+    if (parameter < fit.parameters.size() && !fit.parameters[parameter].at_bound.empty())
+      devices.push_back(fit.device + " " + fit.parameters[parameter].at_bound);
+  return joined(devices, "; ");
 }
 
 // A bound of the search box; boxes scaled from the record differ between devices.
-void bound_cell(CsvTable& table, LawResult const& law, std::size_t parameter, double ParameterFit::*bound) {
+Value common_bound(LawResult const& law, std::size_t parameter, double ParameterFit::*bound) {
   std::optional<double> common;
   for (auto const& fit : law.devices) {
     if (parameter >= fit.parameters.size()) continue;
     double const value = fit.parameters[parameter].*bound;
-    if (common && *common != value) {
-      table.cell("per device");
-      return;
-    }
+    if (common && *common != value) return "per device";
     common = value;
   }
-  table.cell(common);
+  return study::value_of(common);
 }
 
 }  // namespace
 
 std::string parameters_csv(Summary const& summary) {
   CsvTable table;
-  table.cell("law").cell("quantity").cell("unit").cell("lower bound").cell("upper bound").cell("calibrated");
-  std::vector<std::string> devices;
-  for (auto const& device : summary.devices) {
-    if (device.status != "ok") continue;
-    devices.push_back(device.name);
-    table.cell(device.name + " mean").cell(device.name + " std");
-  }
-  table.cell("Delta_n [-]").cell("best at bound").end_row();
+  table.add("law", "quantity", "unit", "lower bound", "upper bound", "calibrated");
+  auto const devices = device_names(summary);
+  for (auto const& device : devices) table.add(device + " mean", device + " std");
+  table.row("Delta_n [-]", "best at bound");
 
   for (auto const& law : summary.laws) {
-    // The fits in the order of the header; a device the law was not tried on leaves its cells empty.
-    std::vector<DeviceFit const*> fits;
+    // A device the law was not tried on leaves its cells empty.
+    table.add(law.id, "OF", "-").empty(3);
     for (auto const& device : devices) {
-      auto const fit =
-          std::find_if(law.devices.begin(), law.devices.end(), [&](auto const& f) { return f.device == device; });
-      fits.push_back(fit == law.devices.end() ? nullptr : &*fit);
+      auto const* fit = fit_of(law, device);
+      fit ? table.add(fit->objective.mean, fit->objective.std) : table.empty(2);
     }
-    table.cell(law.id).cell("OF").cell("-").empty(3);
-    for (auto const* fit : fits) fit ? table.cell(fit->objective.mean).cell(fit->objective.std) : table.empty(2);
     table.empty(2).end_row();
     auto const& parameters = parameters_of(law);
     for (std::size_t n = 0; n < parameters.size(); ++n) {
-      table.cell(law.id).cell(parameters[n].name).cell(parameters[n].unit);
-      bound_cell(table, law, n, &ParameterFit::lower);
-      bound_cell(table, law, n, &ParameterFit::upper);
-      table.yes_no(parameters[n].free);
-      for (auto const* fit : fits) {
-        bool const there = fit && n < fit->parameters.size();
-        there ? table.cell(fit->parameters[n].value.mean).cell(fit->parameters[n].value.std) : table.empty(2);
+      table.add(law.id, parameters[n].name, parameters[n].unit, common_bound(law, n, &ParameterFit::lower),
+                common_bound(law, n, &ParameterFit::upper), parameters[n].free);
+      for (auto const& device : devices) {
+        auto const* fit = fit_of(law, device);
+        bool const there = fit != nullptr && n < fit->parameters.size();
+        there ? table.add(fit->parameters[n].value.mean, fit->parameters[n].value.std) : table.empty(2);
       }
-      table.cell(parameters[n].free ? largest_difference(law, n) : std::nullopt);
-      table.cell(devices_at_bound(law, n)).end_row();
+      table.row(parameters[n].free ? largest_difference(law, n) : std::nullopt, devices_at_bound(law, n));
     }
   }
   return table.take();
@@ -82,12 +68,11 @@ std::string objective_csv(Summary const& summary) {
                                                 "failed_evaluations", "K_eff_error_percent", "energy_error_percent",
                                                 "damping_error_percent", "integration_shift", "status", "message"});
   CsvTable table;
-  table.cell("law").head(of_fit).cell("missing runs").end_row();
+  table.add("law").head(of_fit).row("missing runs");
   for (auto const& law : summary.laws) {
     for (auto const& device : summary.devices)
-      if (device.status != "ok")
-        table.cell(law.id).cell(device.name).empty(11).cell("refused").cell(device.message).cell(0).end_row();
-    for (auto const& fit : law.devices) table.cell(law.id).cells(of_fit, fit).cell(fit.missing_runs).end_row();
+      if (device.status != "ok") table.add(law.id, device.name).empty(11).row("refused", device.message, 0);
+    for (auto const& fit : law.devices) table.add(law.id).cells(of_fit, fit).row(fit.missing_runs);
   }
   return table.take();
 }

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "isolaw/base/printable.hpp"
+#include "isolaw/study/cycle_results.hpp"
 #include "isolaw/study/verdict.hpp"
 
 namespace isolaw::render {
@@ -42,7 +43,7 @@ int decimals_for(double size) {
   return std::clamp(3 - static_cast<int>(std::floor(std::log10(size))), 0, 8);
 }
 
-void print_ratios(std::string& text, char const* name, data::Stability const& s) {
+void print_ratios(std::string& text, std::string_view name, data::Stability const& s) {
   if (s.ratio_to_third.empty()) return;
   add(text, "  {:<8} to cycle 3:", name);
   constexpr std::size_t shown = 12;
@@ -83,9 +84,7 @@ void print_block(std::string& text, DeviceResult const& device, data::Block cons
     if (!c.counts()) add(text, "  not counted: {}", c.not_counted);
     text += '\n';
   }
-  print_ratios(text, "K_eff", data::stability(block, &data::Cycle::K_eff_kN_per_mm));
-  print_ratios(text, "energy", data::stability(block, &data::Cycle::energy_kN_mm));
-  print_ratios(text, "damping", data::stability(block, &data::Cycle::damping_percent));
+  for (auto const& [name, property] : followed_properties) print_ratios(text, name, data::stability(block, property));
 }
 
 void print_rule_set(std::string& text, LotAcceptance const& acceptance) {

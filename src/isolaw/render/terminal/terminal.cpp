@@ -70,51 +70,55 @@ std::string fixed(std::optional<double> const& value, int decimals) {
   return value && std::isfinite(*value) ? bounded(*value, decimals) : "–";
 }
 
-std::string law_table(Summary const& summary) {
-  auto const order = by_objective(summary);
-  int id_width = 3;
-  for (auto const& law : summary.laws) id_width = std::max(id_width, columns(printable(law.id)));
-  using Cells = std::array<std::string, 6>;
-  struct Row {
-    std::string number, id;
-    Cells cells;
-  };
-  std::vector<Row> rows{{"", "law", {"mean OF ± std", "best", "beta", "front", "|dK| %", "|dE| %"}}};
-  std::array widths{18, 8, 7, 7, 9, 9};
-  auto const add = [&](std::string number, std::string id, Cells cells) {
-    for (std::size_t i = 0; i < cells.size(); ++i) widths[i] = std::max(widths[i], columns(cells[i]) + 2);
-    rows.push_back({std::move(number), std::move(id), std::move(cells)});
-  };
-  auto const line_of = [&](Row const& row) {
-    auto const& [number, id, cells] = row;
-    std::string line = padded(number, 3, true) + "  " + padded(id, id_width);
-    for (std::size_t i = 0; i < cells.size(); ++i) line += padded(cells[i], widths[i], true);
-    while (line.ends_with(' ')) line.pop_back();
-    return line + '\n';
-  };
-  int place = 0;
-  for (std::size_t const index : order) {
-    auto const& law = summary.laws[index];
-    bool const ranked = law.objective.mean && law.beta;
-    auto const objective =
-        law.objective.mean ? fixed(law.objective.mean, 4) + " ± " + fixed(law.objective.std, 4) : "–";
-    add(law.objective.mean ? std::to_string(++place) : "–", printable(law.id),
-        {objective, fixed(law.objective.best, 4), fixed(law.beta, 3),
-         !ranked        ? "–"
-         : law.on_front ? "●"
-                        : "○",
-         fixed(mean_magnitude(law, &DeviceFit::K_eff_error_percent), 1),
-         fixed(mean_magnitude(law, &DeviceFit::energy_error_percent), 1)});
+// A law in a table: its place, its name, cells aligned to the right, what stands after them.
+struct Row {
+  std::string place, id;
+  std::vector<std::string> cells;
+  std::string remark = {};
+};
+
+// Every column as wide as its texts and two blanks, the names as they are and `id_gap` blanks; none narrower than what is
+// given.
+std::string table(std::vector<Row> const& rows, std::vector<int> widths, int id_width, int id_gap = 0) {
+  widths.resize(rows.front().cells.size());
+  for (auto const& row : rows) {
+    id_width = std::max(id_width, columns(row.id) + id_gap);
+    for (std::size_t i = 0; i < row.cells.size(); ++i) widths[i] = std::max(widths[i], columns(row.cells[i]) + 2);
   }
   std::string text;
-  for (auto const& row : rows) text += line_of(row);
+  for (auto const& row : rows) {
+    std::string line = padded(row.place, 3, true) + "  " + padded(row.id, id_width);
+    for (std::size_t i = 0; i < row.cells.size(); ++i) line += padded(row.cells[i], widths[i], true);
+    line += row.remark;
+    while (line.ends_with(' ')) line.pop_back();
+    text += line + '\n';
+  }
   return text;
+}
+
+std::string front_mark(bool has_place, bool on_front) {
+  return !has_place ? "–" : on_front ? "●" : "○";
+}
+
+std::string law_table(Summary const& summary) {
+  std::vector<Row> rows{{"", "law", {"mean OF ± std", "best", "beta", "front", "|dK| %", "|dE| %"}}};
+  int place = 0;
+  for (std::size_t const index : by_objective(summary)) {
+    auto const& law = summary.laws[index];
+    bool const found = law.objective.mean.has_value();
+    rows.push_back({found ? std::to_string(++place) : "–",
+                    printable(law.id),
+                    {found ? fixed(law.objective.mean, 4) + " ± " + fixed(law.objective.std, 4) : "–",
+                     fixed(law.objective.best, 4), fixed(law.beta, 3), front_mark(found && law.beta, law.on_front),
+                     fixed(mean_magnitude(law, &DeviceFit::K_eff_error_percent), 1),
+                     fixed(mean_magnitude(law, &DeviceFit::energy_error_percent), 1)}});
+  }
+  return table(rows, {18, 8, 7, 7, 9, 9}, 3);
 }
 
 // The laws without the optimiser's noise.
 std::string converged_table(Summary const& summary, int width) {
-  std::vector<std::array<std::string, 8>> rows{
-      {"law", "found", "least OF", "beta", "front", "left out", "worst", "open"}};
+  std::vector<Row> rows{{"", "law", {"found", "least OF", "beta", "front", "left out", "worst", "open"}}};
   for (std::size_t const index : by_objective(summary)) {
     auto const& law = summary.laws[index];
     if (!law.objective_converged) continue;
@@ -124,25 +128,15 @@ std::string converged_table(Summary const& summary, int width) {
         free += p.analysis ? 1 : 0;
         open += p.analysis && p.analysis->identifiability == "undetermined" ? 1 : 0;
       }
-    rows.push_back({printable(law.id), law.success_share ? fmt::format("{:.0f} %", 100.0 * *law.success_share) : "–",
-                    fixed(law.objective_converged, 4), fixed(law.beta_converged, 3),
-                    !law.beta_converged      ? "–"
-                    : law.on_front_converged ? "●"
-                                             : "○",
-                    fixed(law.loo_objective, 4), fixed(law.loo_worst, 4),
-                    free > 0 ? fmt::format("{:.0f} %", 100.0 * open / free) : "–"});
+    rows.push_back({"",
+                    printable(law.id),
+                    {law.success_share ? fmt::format("{:.0f} %", 100.0 * *law.success_share) : "–",
+                     fixed(law.objective_converged, 4), fixed(law.beta_converged, 3),
+                     front_mark(law.beta_converged.has_value(), law.on_front_converged), fixed(law.loo_objective, 4),
+                     fixed(law.loo_worst, 4), free > 0 ? fmt::format("{:.0f} %", 100.0 * open / free) : "–"}});
   }
   if (rows.size() == 1 || summary.missing_runs() > 0 || summary.missing_analyses() > 0) return {};
-  std::array<int, 8> widths{};
-  for (auto const& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], columns(row[i]) + 2);
-  std::string text = "Without the optimiser's noise\n";
-  for (auto const& row : rows) {
-    std::string line = "     " + padded(row[0], widths[0]);
-    for (std::size_t i = 1; i < row.size(); ++i) line += padded(row[i], widths[i], true);
-    text += line + '\n';
-  }
-  return text +
+  return "Without the optimiser's noise\n" + table(rows, {}, 0, 2) +
          wrapped(
              "",
              "found: runs that reached the least OF known, of a named record or of this campaign; left out: OF on a device by the law of all others, mean and worst; open: parameters that the tests do not determine",
@@ -156,17 +150,17 @@ std::string prediction_table(Summary const& summary) {
     for (auto const& fit : law.devices)
       for (auto const& score : fit.blocks) blocks[score.block] = score.fitted;
   if (blocks.empty()) return {};
-  std::vector<std::vector<std::string>> rows{{"law"}};
+  std::vector<Row> rows{{"", "law", {}}};
   constexpr std::size_t most = 6;
   std::size_t shown = 0;
   for (auto const& [block, fitted] : blocks)
-    if (shown++ < most) rows.front().push_back(fmt::format("block {}{}", block, fitted ? ", fitted" : ""));
+    if (shown++ < most) rows.front().cells.push_back(fmt::format("block {}{}", block, fitted ? ", fitted" : ""));
   for (std::size_t const index : by_objective(summary)) {
     auto const& law = summary.laws[index];
     if (!law.predicted_objective) continue;
-    std::vector<std::string> row{printable(law.id)};
+    Row row{"", printable(law.id), {}, law.prediction_collapses ? "  collapses" : ""};
     for (auto const& [block, fitted] : blocks) {
-      if (row.size() > most) break;
+      if (row.cells.size() == most) break;
       double sum = 0.0;
       int count = 0;
       for (auto const& fit : law.devices)
@@ -175,63 +169,44 @@ std::string prediction_table(Summary const& summary) {
             sum += score.objective;
             ++count;
           }
-      row.push_back(count > 0 ? bounded(sum / count, 4) : "–");
+      row.cells.push_back(count > 0 ? bounded(sum / count, 4) : "–");
     }
-    if (law.prediction_collapses) row.back() += "  collapses";
     rows.push_back(std::move(row));
   }
   if (rows.size() == 1) return {};
-  std::string text = "OF on blocks, predicted where not fitted\n";
-  for (auto const& row : rows) {
-    std::string line = "     " + padded(row[0], 10);
-    for (std::size_t i = 1; i < row.size(); ++i) {
-      auto const collapse = row[i].find("  collapses");
-      line += padded(row[i].substr(0, collapse), std::max(12, columns(rows[0][i]) + 2), true);
-      if (collapse != std::string::npos) line += "  collapses";
-    }
-    text += line + '\n';
-  }
+  auto text =
+      "OF on blocks, predicted where not fitted\n" + table(rows, std::vector(rows.front().cells.size(), 12), 10);
   if (blocks.size() > most)
     text += fmt::format("     and {} more blocks: tables/prediction.csv\n", blocks.size() - most);
   return text;
 }
 
-// A character raster addressed by column and row, of code points.
+// A raster of characters, each one column wide, addressed by column and row.
 class Canvas {
  public:
   Canvas(int width, int height)
-      : width_(width), height_(height), cells_(static_cast<std::size_t>(width * height), U' ') {}
+      : width_(width), height_(height), cells_(static_cast<std::size_t>(width * height), " ") {}
 
   bool is_free(int column, int row, int length) const {
     if (row < 0 || row >= height_ || column < 0 || column + length > width_) return false;
     for (int i = 0; i < length; ++i)
-      if (cells_[index(column + i, row)] != U' ') return false;
+      if (cells_[index(column + i, row)] != " ") return false;
     return true;
   }
-  void put(int column, int row, char32_t c) { cells_[index(column, row)] = c; }
+  void put(int column, int row, std::string_view character) { cells_[index(column, row)] = character; }
   int width() const { return width_; }
   std::string line(int row) const {
     std::string text;
-    for (int column = 0; column < width_; ++column) append(text, cells_[index(column, row)]);
+    for (int column = 0; column < width_; ++column) text += cells_[index(column, row)];
     while (text.ends_with(' ')) text.pop_back();
     return text;
-  }
-  static void append(std::string& text, char32_t c) {
-    auto const byte = [](char32_t bits) { return static_cast<char>(static_cast<unsigned char>(bits)); };
-    if (c < 0x80) {
-      text += byte(c);
-    } else if (c < 0x800) {
-      text += {byte(0xC0 | c >> 6), byte(0x80 | (c & 0x3F))};
-    } else {
-      text += {byte(0xE0 | c >> 12), byte(0x80 | (c >> 6 & 0x3F)), byte(0x80 | (c & 0x3F))};
-    }
   }
 
  private:
   std::size_t index(int column, int row) const { return static_cast<std::size_t>(row * width_ + column); }
 
   int width_, height_;
-  std::vector<char32_t> cells_;
+  std::vector<std::string> cells_;
 };
 
 // Beside, above or below the point, wherever there is room; a label without room is left out (the table has it).
@@ -243,7 +218,7 @@ void put_label(Canvas& canvas, int column, int row, std::string_view id) {
   for (auto const& [x, y] : places) {
     int const after = x + length < canvas.width() ? 1 : 0;  // a blank on both sides keeps it apart from its neighbours
     if (!canvas.is_free(x - 1, y, 1 + length + after)) continue;
-    for (int i = 0; i < length; ++i) canvas.put(x + i, y, static_cast<char32_t>(id[static_cast<std::size_t>(i)]));
+    for (int i = 0; i < length; ++i) canvas.put(x + i, y, id.substr(static_cast<std::size_t>(i), 1));
     return;
   }
 }
@@ -285,7 +260,7 @@ std::string front_plot(Summary const& summary, int width) {
   Canvas canvas(plot_width, height);
   auto const column = [&](LawResult const& law) { return x.cell(*law.beta, plot_width); };
   auto const row = [&](LawResult const& law) { return height - 1 - y.cell(*law.objective.mean, height); };
-  for (auto const* law : laws) canvas.put(column(*law), row(*law), law->on_front ? U'●' : U'○');
+  for (auto const* law : laws) canvas.put(column(*law), row(*law), law->on_front ? "●" : "○");
   for (auto const* law : laws) put_label(canvas, column(*law), row(*law), printable(law->id));
 
   std::string text = "  mean OF, lower is more accurate\n";
@@ -315,6 +290,7 @@ std::string objective_bars(Summary const& summary, int width) {
   }
   std::string text = "  mean OF, shorter is more accurate\n";
   int const room = width - id_width - 12;
+  constexpr std::array<std::string_view, 8> parts{"", "▏", "▎", "▍", "▌", "▋", "▊", "▉"};
   for (std::size_t const index : by_objective(summary)) {
     auto const& law = summary.laws[index];
     text += "  " + padded(printable(law.id), id_width) + ' ';
@@ -324,7 +300,7 @@ std::string objective_bars(Summary const& summary, int width) {
     }
     int const eighths = largest > 0.0 ? static_cast<int>(std::lround(8.0 * room * (*law.objective.mean / largest))) : 0;
     for (int i = 0; i < eighths / 8; ++i) text += "█";
-    if (eighths % 8 > 0) Canvas::append(text, U'█' + static_cast<char32_t>(8 - eighths % 8));
+    text += parts[static_cast<std::size_t>(eighths % 8)];
     text += ' ' + fixed(law.objective.mean, 4) + '\n';
   }
   return text;

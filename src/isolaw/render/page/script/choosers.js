@@ -4,28 +4,22 @@ import { choose, chooseDevice, chosen, onChoice } from './choice.js';
 import { element } from './dom.js';
 import { laws } from './report.js';
 
-export function deviceChooser(id, among, key) {
-  const select = element(
-    'select',
-    { id },
-    ...among.map((device) =>
-      element('option', { value: device.index, selected: device.index === chosen[key] }, device.name),
-    ),
-  );
-  select.addEventListener('change', () => chooseDevice(Number(select.value)));
-  onChoice(() => (select.value = chosen[key]));
-  return element('label', {}, 'Device', select);
+// A choice of [value, text]; `follow` is called with what is chosen.
+export function chooser(id, title, options, current, follow) {
+  const option = ([value, text]) => element('option', { value, selected: value === current }, text);
+  const select = element('select', { id }, ...options.map(option));
+  select.addEventListener('change', () => follow(select.value));
+  return element('label', {}, title, select);
 }
 
-export function lawChooser(key, among, changes = () => ({})) {
-  const select = element(
-    'select',
-    { id: key },
-    ...among.map((law) => element('option', { value: law.index, selected: law.index === chosen[key] }, law.id)),
-  );
-  select.addEventListener('change', () => {
-    const law = laws[Number(select.value)];
-    choose({ [key]: law.index, ...changes(law) });
-  });
-  return element('label', {}, 'Law', select);
+export function deviceChooser(id, among, key) {
+  const options = among.map((device) => [device.index, device.name]);
+  const label = chooser(id, 'Device', options, chosen[key], (index) => chooseDevice(Number(index)));
+  onChoice(() => (label.lastChild.value = chosen[key]));
+  return label;
 }
+
+export const lawChooser = (key, among, changes = () => ({})) =>
+  chooser(key, 'Law', among.map((law) => [law.index, law.id]), chosen[key], (index) =>
+    choose({ [key]: Number(index), ...changes(laws[index]) }),
+  );

@@ -70,15 +70,7 @@ export const noCycles = (device) => device.properties_refusal || device.message 
 export function cycleData(among) {
   return {
     columns: [
-      'device',
-      'block',
-      'waveform',
-      'frequency [Hz]',
-      'cycle',
-      'counts',
-      'reason',
-      'reported',
-      'first sample',
+      'device', 'block', 'waveform', 'frequency [Hz]', 'cycle', 'counts', 'reason', 'reported', 'first sample',
       'last sample',
       ...CYCLE_COLUMNS.map(
         (column) => column.key.replace(/_(mm|kN|s|percent|kN_per_mm|kN_mm|mm_s|MPa)$/, '') + ' [' + column.unit + ']',
@@ -88,15 +80,8 @@ export function cycleData(among) {
     rows: among.flatMap((device) =>
       device.blocks.flatMap((block) =>
         block.cycles.map((cycle) => [
-          device.name,
-          block.number,
-          block.waveform,
-          block.frequency_Hz,
-          cycle.counts ? cycle.number : null,
-          cycle.counts ? 'yes' : 'no',
-          cycle.reason,
-          isReported(device, block, cycle) ? 'yes' : 'no',
-          cycle.first,
+          device.name, block.number, block.waveform, block.frequency_Hz, cycle.counts ? cycle.number : null,
+          cycle.counts ? 'yes' : 'no', cycle.reason, isReported(device, block, cycle) ? 'yes' : 'no', cycle.first,
           cycle.last,
           ...CYCLE_COLUMNS.map((column) => cycle[column.key]),
           ...FOLLOWED.map((property) =>

@@ -9,6 +9,19 @@ export function element(tag, attributes = {}, ...children) {
   return node;
 }
 
+// Terms and what they are.
+export const termList = (className, facts) =>
+  element('dl', { class: className }, ...facts.flatMap(([term, text]) => [element('dt', {}, term), element('dd', {}, text)]));
+
+// All of the items where they are no more than `most`, else `few` of them and the rest behind a click.
+export function shortList(items, most, few, className = null) {
+  const shown = items.length <= most ? items.length : few;
+  const list = (some) => element('ul', { class: className }, ...some);
+  if (shown === items.length) return [list(items)];
+  const rest = element('details', {}, element('summary', {}, items.length - shown + ' more'), list(items.slice(shown)));
+  return [list(items.slice(0, shown)), rest];
+}
+
 export const isPrinting = () => 'printing' in document.documentElement.dataset;
 
 // What a caption says of controls, columns and downloads that paper does not have.

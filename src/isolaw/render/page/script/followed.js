@@ -4,6 +4,7 @@ import { FOLLOWED } from './cycles.js';
 import { lotQuantities } from './lot.js';
 import { paddedRange } from './plotting.js';
 import { fixed, isNumber } from './text.js';
+import { concerns } from './verdicts.js';
 
 // Three panels beside one another, below one another where there is no room, with cycle numbers along their abscissa.
 export function followedPanels(stacked, largest) {
@@ -43,9 +44,7 @@ export function limitBand(limit, nominal) {
 
 // Design value and limits of a followed property: of one device's assessments, else of the lot.
 export function designOf(name, assessments) {
-  const own = assessments.find(
-    (a) => (a.quantity === name || a.quantity.startsWith(name + ',')) && isNumber(a.nominal),
-  );
+  const own = assessments.find((a) => concerns(a, name) && isNumber(a.nominal));
   const lot = lotQuantities.find((quantity) => quantity.quantity === name);
   const nominal = own?.nominal ?? lot?.nominal ?? null;
   return { nominal, band: limitBand(own?.limit || lot?.limit_individual, nominal) };
@@ -69,19 +68,12 @@ export function framePanel(layout, look, i, { nominal, band }, values) {
   const whole = { xref: 'x' + suffix + ' domain', yref: 'y' + suffix, x0: 0, x1: 1, layer: 'below' };
   if (band)
     layout.shapes.push({
-      ...whole,
-      type: 'rect',
-      y0: band[0] ?? low,
-      y1: band[1] ?? high,
-      fillcolor: look.colour('band'),
+      ...whole, type: 'rect', y0: band[0] ?? low, y1: band[1] ?? high, fillcolor: look.colour('band'),
       line: { width: 0 },
     });
   if (isNumber(nominal))
     layout.shapes.push({
-      ...whole,
-      type: 'line',
-      y0: nominal,
-      y1: nominal,
+      ...whole, type: 'line', y0: nominal, y1: nominal,
       line: { color: look.colour('good'), width: 1.2, dash: 'dash' },
     });
 }

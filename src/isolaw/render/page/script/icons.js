@@ -17,16 +17,10 @@ export function icon(...shapes) {
 
 // The front's markers, as in the plot: filled circle, or open diamond for a dominated law.
 export function marker(role) {
-  const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-  svg.setAttribute('viewBox', '0 0 12 12');
-  svg.setAttribute('aria-hidden', 'true');
-  const shape = document.createElementNS('http://www.w3.org/2000/svg', 'path');
   const dominated = role === 'dominated';
-  shape.setAttribute('d', dominated ? 'M6 1 L11 6 L6 11 L1 6 Z' : 'M6 1 A5 5 0 1 1 5.99 1 Z');
-  shape.setAttribute('stroke-width', '1.8');
   const colour = 'var(--' + (dominated ? 'poor' : role === 'not ranked' ? 'muted' : 'good') + ')';
-  shape.style.stroke = colour;
-  shape.style.fill = dominated || role === 'not ranked' ? 'none' : colour;
-  svg.append(shape);
+  const path = dominated ? 'M6 1 L11 6 L6 11 L1 6 Z' : 'M6 1 A5 5 0 1 1 5.99 1 Z';
+  const svg = icon([path, dominated || role === 'not ranked' ? 'none' : colour, colour]);
+  svg.firstChild.setAttribute('stroke-width', '1.8');
   return svg;
 }

@@ -1,9 +1,9 @@
 // The lot as a rule set sees it.
 
-import { CYCLE_COLUMNS, isReported } from './cycles.js';
+import { CYCLE_COLUMNS, reportedCycle } from './cycles.js';
 import { report } from './report.js';
-import { count, isNumber } from './text.js';
-import { worstVerdict } from './verdicts.js';
+import { count, isNumber, mean } from './text.js';
+import { concerns, worstVerdict } from './verdicts.js';
 
 // With one verdict of the limits on the mean, none where the set has no such limit.
 export const lotQuantities = (report.assessment?.lot?.quantities ?? []).map(
@@ -22,18 +22,14 @@ export const lotQuantities = (report.assessment?.lot?.quantities ?? []).map(
 
 // The value of a device for a property of the lot: its assessed ones (the mean over both sides), else the reported cycle.
 export function deviceValue(device, quantity) {
-  const own = device.assessments.filter(
-    (a) => (a.quantity === quantity || a.quantity.startsWith(quantity + ',')) && isNumber(a.value),
-  );
-  if (own.length > 0) {
+  const own = device.assessments.filter((a) => concerns(a, quantity) && isNumber(a.value));
+  if (own.length > 0)
     return {
-      value: own.reduce((sum, a) => sum + a.value, 0) / own.length,
+      value: mean(own.map((a) => a.value)),
       verdict: worstVerdict(own.map((a) => a.verdict)) ?? 'not assessed',
     };
-  }
   const key = CYCLE_COLUMNS.find((column) => column.key.startsWith(quantity + '_'))?.key;
-  const block = device.blocks.find((b) => b.number === device.reported?.block);
-  const value = block?.cycles.find((cycle) => isReported(device, block, cycle))?.[key];
+  const value = reportedCycle(device)?.[key];
   return isNumber(value) ? { value, verdict: 'not assessed' } : null;
 }
 

@@ -35,12 +35,12 @@ function buildPage() {
     ...(inspection ? [] : [count(laws.length, 'law'), 'seed ' + report.seed]),
     'isolaw ' + report.isolaw,
   ].join(' \u00b7 ');
-  document.getElementById('colophon').textContent =
+  document.getElementById('colophon').append(
     'Made by isolaw ' + report.isolaw +
-    (inspection ? ' from the test records' : ' from the campaign\u2019s store') + '. This file needs no network';
-  document
-    .getElementById('colophon')
-    .append(element('span', { class: 'screen' }, '; the data of every figure can be saved as CSV'), '.');
+      (inspection ? ' from the test records' : ' from the campaign\u2019s store') + '. This file needs no network',
+    element('span', { class: 'screen' }, '; the data of every figure can be saved as CSV'),
+    '.',
+  );
 
   const observer = new IntersectionObserver(
     (entries) => {
@@ -83,13 +83,10 @@ function buildPage() {
 // A decision on part of the campaign may change.
 const incomplete = () =>
   'Not complete: ' +
-  [
-    report.missing_runs > 0 ? count(report.missing_runs, 'run') : '',
-    report.missing_analyses > 0 ? count(report.missing_analyses, 'analys') + (report.missing_analyses === 1 ? 'is' : '') : '',
-  ]
-    .filter(Boolean)
-    .join(' and ')
-    .replace('analyss', 'analyses') +
+  [[report.missing_runs, 'run', 'runs'], [report.missing_analyses, 'analysis', 'analyses']]
+    .filter(([missing]) => missing > 0)
+    .map(([missing, one, several]) => missing + ' ' + (missing === 1 ? one : several))
+    .join(' and ') +
   ' missing. What follows may change; the command it was started with continues the campaign.';
 
 function markCurrentSection(main, contents) {

@@ -72,6 +72,22 @@ export function paddedRange(values, share) {
   return [low - margin, high + margin];
 }
 
+// Places of equal width with names below, as many as there is room for.
+export function namedAxis(names, most) {
+  const every = Math.ceil(names.length / most);
+  const tickvals = names.map((_, i) => i).filter((i) => i % every === 0);
+  return {
+    tickmode: 'array', tickvals, ticktext: tickvals.map((i) => plain(names[i])), range: [-0.6, names.length - 0.4],
+    showgrid: false, zeroline: false,
+  };
+}
+
+// The heading of a panel, above its left end in shares of the plot.
+export const panelHeading = (look, x, y, text, size = 12) => ({
+  xref: 'paper', yref: 'paper', x, y, xanchor: 'left', yanchor: 'bottom', showarrow: false, text,
+  font: { size, color: look.colour('ink') },
+});
+
 // Ticks of a logarithmic axis at 1, 2 and 5 times powers of ten; at the powers alone where these are many.
 export function decadeTicks(values) {
   const some = values.filter((value) => isNumber(value) && value > 0);

@@ -5,36 +5,30 @@ import { curve, devices } from './report.js';
 
 export const rawIndex = (raw, k) => Math.min(k * raw.stride, raw.samples - 1);
 
-// The samples of a curve of the raw record from one fractional sample index to another, the ends interpolated.
-export function slice(raw, values, first, last) {
-  const at = (index) => {
-    const k = Math.min(Math.max(0, Math.floor(index / raw.stride)), values.length - 2);
-    const from = rawIndex(raw, k),
-      to = rawIndex(raw, k + 1);
-    return values[k] + ((index - from) / (to - from || 1)) * (values[k + 1] - values[k]);
-  };
-  if (values.length < 2) return [...values];
-  const inside = values.filter((_, k) => rawIndex(raw, k) > first && rawIndex(raw, k) < last);
-  return [at(first), ...inside, at(last)];
+// A curve of the raw record at a fractional sample index.
+function valueAt(raw, values, index) {
+  const k = Math.min(Math.max(0, Math.floor(index / raw.stride)), values.length - 2);
+  const from = rawIndex(raw, k),
+    to = rawIndex(raw, k + 1);
+  return values[k] + ((index - from) / (to - from || 1)) * (values[k + 1] - values[k]);
 }
 
-// From raw sample indices to what the record's time_s holds and back. Evenly sampled, as recording machines do.
+// The samples of a curve from one fractional sample index to another, the ends interpolated.
+export function slice(raw, values, first, last) {
+  if (values.length < 2) return [...values];
+  const inside = values.filter((_, k) => rawIndex(raw, k) > first && rawIndex(raw, k) < last);
+  return [valueAt(raw, values, first), ...inside, valueAt(raw, values, last)];
+}
+
 // Where a raw sample lies on the time axis; without time the axis counts samples, as the record the laws saw does.
 export function rawTime(device) {
   const { raw } = device;
   const t = raw?.time_s ? curve(raw.time_s) : null;
   const timed = t !== null && t.length > 1;
-  const between = (index) => {
-    const k = Math.min(Math.floor(index / raw.stride), t.length - 2);
-    const from = rawIndex(raw, k),
-      to = rawIndex(raw, k + 1);
-    return t[k] + ((index - from) / (to - from)) * (t[k + 1] - t[k]);
-  };
   return {
     timed,
     title: timed ? 'time [s]' : 'sample',
-    of: (index) => (timed ? between(index) : index),
-    fromRecord: (time) => time,
+    of: (index) => (timed ? valueAt(raw, t, index) : index),
   };
 }
 

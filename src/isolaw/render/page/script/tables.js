@@ -34,3 +34,12 @@ export function table(columns, rows, label) {
     element('table', {}, element('thead', {}, element('tr', {}, ...head)), element('tbody', {}, ...body)),
   );
 }
+
+// One row an item; each column has its `cell` of it. `className` gives the class of an item's row.
+export function tableOf(columns, items, label, className = () => null) {
+  const rows = items.map((item, i) => ({
+    className: className(item, i),
+    cells: columns.map(({ cell }) => cell(item, i)),
+  }));
+  return table(columns, rows, label);
+}

@@ -59,10 +59,12 @@ export const withUnit = (value, unit, digits = 4) =>
 
 export const percentText = (share) => Number((100 * share).toPrecision(3)) + THIN + '%';
 
-export const spanText = (values, decimals) => {
+export const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
+
+export const spanText = (values, digits, text = fixed) => {
   const some = values.filter(isNumber);
   if (some.length === 0) return null;
-  const [low, high] = [Math.min(...some), Math.max(...some)].map((value) => fixed(value, decimals));
+  const [low, high] = [Math.min(...some), Math.max(...some)].map((value) => text(value, digits));
   return low === high ? low : low + ' to ' + high;
 };
 

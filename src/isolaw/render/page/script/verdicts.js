@@ -9,6 +9,10 @@ export const isVerified = () => Boolean(report.assessment?.rule_set?.verified_by
 export const worstVerdict = (verdicts) =>
   ['fail', 'pass', 'information', 'not assessed'].find((verdict) => verdicts.includes(verdict)) ?? null;
 
+// Of the quantity, or of one of its two sides.
+export const concerns = (assessment, quantity) =>
+  assessment.quantity === quantity || assessment.quantity.startsWith(quantity + ',');
+
 // Word and shape say the same, so that neither colour nor sight of the shape is needed.
 export const VERDICTS = {
   pass: { tone: 'good', filled: true, path: ROUND, mark: 'M3.4 6.2 L5.3 8 L8.6 4', symbol: 'circle' },

@@ -1,23 +1,25 @@
 import { choose, chosen } from '../choice.js';
-import { element } from '../dom.js';
-import { symbolOf } from '../plotting.js';
+import { chooser } from '../choosers.js';
+import { namedAxis, symbolOf } from '../plotting.js';
 import { devices, laws, lawsByObjective, usable } from '../report.js';
-import { fixed, isNumber, objectiveText, plain, short } from '../text.js';
+import { fixed, isNumber, mean, objectiveText, plain, short } from '../text.js';
 
 export const objectiveDevicesFigure = {
   id: 'objective-devices',
   title: 'Objective per law and device',
   depends: ['grouping'],
   wanted: () => lawsByObjective.length > 0,
-  controls: groupingControl,
+  controls: () => [
+    chooser('grouping', 'Group by', [['law', 'law'], ['device', 'device']], chosen.grouping, (grouping) => choose({ grouping })),
+  ],
   caption: () => {
     const best = lawsByObjective[0],
       worst = lawsByObjective[lawsByObjective.length - 1];
     const hardness = usable
-      .map((device) => {
-        const values = laws.map((law) => law.fitOn.get(device.index)?.objective.mean).filter(isNumber);
-        return { device, mean: values.reduce((sum, value) => sum + value, 0) / values.length };
-      })
+      .map((device) => ({
+        device,
+        mean: mean(laws.map((law) => law.fitOn.get(device.index)?.objective.mean).filter(isNumber)),
+      }))
       .filter((entry) => isNumber(entry.mean))
       .sort((a, b) => b.mean - a.mean);
     let text =
@@ -49,13 +51,6 @@ export const objectiveDevicesFigure = {
   height: () => 380,
   draw: drawObjectives,
 };
-
-function groupingControl() {
-  const option = (value, text) => element('option', { value, selected: chosen.grouping === value }, text);
-  const select = element('select', { id: 'grouping' }, option('law', 'law'), option('device', 'device'));
-  select.addEventListener('change', () => choose({ grouping: select.value }));
-  return [element('label', {}, 'Group by', select)];
-}
 
 function drawObjectives(look) {
   const byLaw = chosen.grouping === 'law';
@@ -94,16 +89,11 @@ function drawObjectives(look) {
     }
   });
   const names = byLaw ? lawsByObjective.map((law) => law.id) : shown.map((device) => short(device.name));
-  const every = Math.ceil(names.length / 24);
-  const ticks = names.map((_, i) => i).filter((i) => i % every === 0);
   return {
     traces,
     layout: {
       showlegend: !byLaw,
-      xaxis: {
-        tickmode: 'array', tickvals: ticks, ticktext: ticks.map((i) => plain(names[i])), range: [-0.6, groups - 0.4],
-        showgrid: false, zeroline: false,
-      },
+      xaxis: namedAxis(names, 24),
       yaxis: { title: 'objective OF [-]', rangemode: 'tozero' },
     },
   };

@@ -1,8 +1,8 @@
 // How far apart the runs of a device lie, and the devices of a law.
 
-import { decadeTicks, symbolOf } from '../plotting.js';
+import { decadeTicks, namedAxis, symbolOf } from '../plotting.js';
 import { lawsByObjective, usable } from '../report.js';
-import { THIN, fixed, isNumber, plain, signed, significant } from '../text.js';
+import { THIN, fixed, isNumber, mean, plain, signed, significant } from '../text.js';
 
 export const objectiveSpreadFigure = {
   id: 'objective-spread',
@@ -46,27 +46,32 @@ const spreadEntries = () =>
 const relativeEntries = () =>
   lawsByObjective.flatMap((law) => {
     const entries = usable
-      .map((device) => ({ law, device, mean: law.fitOn.get(device.index)?.objective.mean }))
-      .filter(({ mean }) => isNumber(mean));
-    const mean = entries.reduce((sum, entry) => sum + entry.mean, 0) / entries.length;
-    return entries.length > 1 && mean > 0
-      ? entries.map((entry) => ({ law, device: entry.device, value: 100 * (entry.mean / mean - 1) }))
+      .map((device) => ({ law, device, objective: law.fitOn.get(device.index)?.objective.mean }))
+      .filter(({ objective }) => isNumber(objective));
+    const ofLaw = mean(entries.map(({ objective }) => objective));
+    return entries.length > 1 && ofLaw > 0
+      ? entries.map(({ device, objective }) => ({ law, device, value: 100 * (objective / ofLaw - 1) }))
       : [];
   });
 
-function spreadCaption() {
-  const medians = lawsByObjective
-    .map((law) => {
-      const values = spreadEntries()
-        .filter((entry) => entry.law === law)
-        .map(({ value }) => value)
-        .sort((a, b) => a - b);
-      const middle = (values.length - 1) / 2;
-      return { law, value: (values[Math.floor(middle)] + values[Math.ceil(middle)]) / 2 };
-    })
-    .filter(({ value }) => isNumber(value))
+const lawsOf = (entries) => [...new Set(entries.map(({ law }) => law))];
+
+// The laws with the smallest and the largest of what `of` makes of their values.
+function extremes(entries, of) {
+  const found = lawsOf(entries)
+    .map((law) => ({ law, value: of(entries.filter((entry) => entry.law === law).map(({ value }) => value)) }))
     .sort((a, b) => a.value - b.value);
-  const [least, most] = [medians[0], medians[medians.length - 1]];
+  return [found[0], found[found.length - 1]];
+}
+
+function median(values) {
+  const sorted = values.sort((a, b) => a - b),
+    middle = (values.length - 1) / 2;
+  return (sorted[Math.floor(middle)] + sorted[Math.ceil(middle)]) / 2;
+}
+
+function spreadCaption() {
+  const [least, most] = extremes(spreadEntries(), median);
   return (
     'Standard deviation of OF over the runs, a mark a device: what the search adds by itself.' +
     (least.law === most.law
@@ -77,16 +82,7 @@ function spreadCaption() {
 }
 
 function relativeCaption() {
-  const span = (law) => {
-    const values = relativeEntries()
-      .filter((entry) => entry.law === law)
-      .map(({ value }) => Math.abs(value));
-    return Math.max(...values);
-  };
-  const spans = [...new Set(relativeEntries().map(({ law }) => law))]
-    .map((law) => ({ law, value: span(law) }))
-    .sort((a, b) => a.value - b.value);
-  const [least, most] = [spans[0], spans[spans.length - 1]];
+  const [least, most] = extremes(relativeEntries(), (values) => Math.max(...values.map(Math.abs)));
   return (
     'Mean OF of a device against the mean over the devices. A law whose marks lie close together suits all devices alike' +
     (least.law === most.law
@@ -98,7 +94,7 @@ function relativeCaption() {
 
 // Marks of devices over the laws, side by side within a law.
 function byLaw(entries, look, text) {
-  const shownLaws = [...new Set(entries.map(({ law }) => law))];
+  const shownLaws = lawsOf(entries);
   const places = new Map(usable.map((device, i) => [device, usable.length === 1 ? 0 : i / (usable.length - 1) - 0.5]));
   return {
     traces: shownLaws.map((law, i) => {
@@ -110,10 +106,7 @@ function byLaw(entries, look, text) {
         hovertemplate: '<b>' + plain(law.id) + '</b> on %{text}<br>%{customdata}<extra></extra>',
       };
     }),
-    xaxis: {
-      tickmode: 'array', tickvals: shownLaws.map((_, i) => i), ticktext: shownLaws.map((law) => plain(law.id)),
-      range: [-0.6, shownLaws.length - 0.4], showgrid: false, zeroline: false,
-    },
+    xaxis: namedAxis(shownLaws.map((law) => law.id), shownLaws.length),
   };
 }
 

@@ -1,7 +1,7 @@
 import { element } from '../dom.js';
 import { lotQuantities } from '../lot.js';
 import { report } from '../report.js';
-import { table } from '../tables.js';
+import { tableOf } from '../tables.js';
 import { THIN, count, significant, unitText } from '../text.js';
 
 export const certificateBoundsFigure = {
@@ -60,31 +60,17 @@ function boundsCaption() {
 }
 
 function boundsTable() {
+  const bounds = boundRows();
+  const first = (i) => i === 0 || bounds[i - 1].property !== bounds[i].property;
   const columns = [
-    { title: 'Property', pinned: true },
-    { title: 'Unit', tight: true },
-    { title: 'Design value', number: true },
-    { title: 'Mean of the lot', number: true },
-    { title: 'Lower bound', number: true },
-    { title: 'Upper bound', number: true },
-    { title: 'Bounds', tight: true },
-    { title: 'From' },
+    { title: 'Property', pinned: true, cell: (b, i) => element('b', { class: 'strong' }, first(i) ? b.property : '') },
+    { title: 'Unit', tight: true, cell: (b, i) => (first(i) ? unitText(b.unit) : '') },
+    { title: 'Design value', number: true, cell: (b, i) => (first(i) ? significant(b.nominal, 4) : '') },
+    { title: 'Mean of the lot', number: true, cell: (b, i) => (first(i) ? significant(b.mean, 4) : '') },
+    { title: 'Lower bound', number: true, cell: (b) => significant(b.lower, 4) },
+    { title: 'Upper bound', number: true, cell: (b) => significant(b.upper, 4) },
+    { title: 'Bounds', tight: true, cell: (b) => b.of },
+    { title: 'From', cell: (b) => element('td', { class: 'note text' }, b.from) },
   ];
-  const rows = boundRows().map((b, i, all) => {
-    const first = i === 0 || all[i - 1].property !== b.property;
-    return {
-      className: first ? 'group' : null,
-      cells: [
-        element('b', { class: 'strong' }, first ? b.property : ''),
-        first ? unitText(b.unit) : '',
-        first ? significant(b.nominal, 4) : '',
-        first ? significant(b.mean, 4) : '',
-        significant(b.lower, 4),
-        significant(b.upper, 4),
-        b.of,
-        element('td', { class: 'note text' }, b.from),
-      ],
-    };
-  });
-  return table(columns, rows, 'Lower and upper bound values');
+  return tableOf(columns, bounds, 'Lower and upper bound values', (_, i) => (first(i) ? 'group' : null));
 }

@@ -2,7 +2,7 @@ import { reportedBlock, reportedCycle } from '../cycles.js';
 import { element } from '../dom.js';
 import { deviceValue, lotQuantities } from '../lot.js';
 import { devices, report } from '../report.js';
-import { table } from '../tables.js';
+import { tableOf } from '../tables.js';
 import { DASH, enumerate, fixed, significant, unitText } from '../text.js';
 import { verdictBadge } from '../verdicts.js';
 import { commonlyOpen, deviceVerdict } from './verdict.js';
@@ -60,54 +60,40 @@ function certificateColumns() {
   const known = (key) => new Set(devices.map((device) => device[key]).filter((value) => value !== null && value !== '')).size > 1;
   const given = (key) => devices.some((device) => device[key] !== null && device[key] !== '');
   return [
-    { key: 'serial', column: { title: 'Serial' }, text: (d) => d.serial },
-    { key: 'lot', column: { title: 'Lot' }, text: (d) => d.lot },
-    { key: 'test_date', column: { title: 'Tested', tight: true }, text: (d) => d.test_date },
-    { key: 'temperature_C', column: { title: 'Temp.', unit: '\u00b0C', number: true }, text: (d) => fixed(d.temperature_C, 1) },
+    { key: 'serial', title: 'Serial', cell: (d) => d.serial },
+    { key: 'lot', title: 'Lot', cell: (d) => d.lot },
+    { key: 'test_date', title: 'Tested', tight: true, cell: (d) => d.test_date },
+    { key: 'temperature_C', title: 'Temp.', unit: '\u00b0C', number: true, cell: (d) => fixed(d.temperature_C, 1) },
   ].filter((fact) => given(fact.key) && (fact.key === 'serial' || known(fact.key)));
 }
 
 function certificateTable() {
-  const facts = certificateColumns(),
-    properties = certificateProperties(),
-    common = commonlyOpen();
+  const common = commonlyOpen();
   const same = (digits) => (key) => new Set(devices.map((device) => fixed(reportedBlock(device)?.[key], digits))).size === 1;
   const sameAmplitude = same(1)('amplitude_mm'), // then it stands in the head
     sameFrequency = same(2)('frequency_Hz');
-  const columns = [
-    { title: 'Device', pinned: true },
-    ...facts.map((fact) => fact.column),
-    { title: 'Amplitude', unit: 'mm', number: true, screen: sameAmplitude },
-    { title: 'Frequency', unit: 'Hz', number: true, screen: sameFrequency },
-    ...properties.map(({ title, unit }) => ({ title, unit: unitText(unit), number: true })),
-    { title: 'Verdict' },
-    { title: 'File', screen: true },
-  ];
-  const rows = devices.map((device) => {
-    const block = reportedBlock(device);
+  const judged = (device) => {
     const { verdict, failed, open } = deviceVerdict(device),
       outlying = apart(device),
       missing = open.filter((quantity) => !common.includes(quantity));
     const remark =
       device.status !== 'ok' ? 'refused: ' + device.message : [enumerate(failed), missing.length > 0 ? 'not assessed: ' + enumerate(missing) : '', outlying.length > 0 ? '\u25be ' + enumerate(outlying, 3) : ''].filter(Boolean).join('; ');
-    return {
-      cells: [
-        element('b', { class: 'strong' }, device.name),
-        ...facts.map((fact) => fact.text(device)),
-        fixed(block?.amplitude_mm, 1),
-        significant(block?.frequency_Hz, 2),
-        ...properties.map(({ value }) => significant(value(device), 4)),
-        element(
-          'td',
-          { class: 'reasoned' },
-          verdict ? verdictBadge(verdict) : DASH,
-          remark ? element('small', {}, remark) : null,
-        ),
-        element('span', { class: 'hash', title: device.sha256 }, device.sha256.slice(0, 8)),
-      ],
-    };
-  });
-  return table(columns, rows, 'The certificate: devices');
+    const below = remark ? element('small', {}, remark) : null;
+    return element('td', { class: 'reasoned' }, verdict ? verdictBadge(verdict) : DASH, below);
+  };
+  const hash = ({ sha256 }) => element('span', { class: 'hash', title: sha256 }, sha256.slice(0, 8));
+  const columns = [
+    { title: 'Device', pinned: true, cell: (device) => element('b', { class: 'strong' }, device.name) },
+    ...certificateColumns(),
+    { title: 'Amplitude', unit: 'mm', number: true, screen: sameAmplitude, cell: (device) => fixed(reportedBlock(device)?.amplitude_mm, 1) },
+    { title: 'Frequency', unit: 'Hz', number: true, screen: sameFrequency, cell: (device) => significant(reportedBlock(device)?.frequency_Hz, 2) },
+    ...certificateProperties().map(({ title, unit, value }) => ({
+      title, unit: unitText(unit), number: true, cell: (device) => significant(value(device), 4),
+    })),
+    { title: 'Verdict', cell: judged },
+    { title: 'File', screen: true, cell: hash },
+  ];
+  return tableOf(columns, devices, 'The certificate: devices');
 }
 
 function certificateData() {

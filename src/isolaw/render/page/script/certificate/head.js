@@ -1,9 +1,9 @@
 import { reportedBlock, reportedCycle } from '../cycles.js';
-import { element } from '../dom.js';
+import { element, termList } from '../dom.js';
 import { lotQuantities, sampleText } from '../lot.js';
 import { devices, report } from '../report.js';
 import { THIN, count, enumerate, isNumber, limitText, sentence, significant, spanText, trimmed } from '../text.js';
-import { verdictBadge, worstVerdict } from '../verdicts.js';
+import { concerns, verdictBadge, worstVerdict } from '../verdicts.js';
 import { blank } from './blank.js';
 import { commonlyOpen, deviceVerdict } from './verdict.js';
 
@@ -75,14 +75,7 @@ function certificateHead() {
     'div',
     {},
     element('p', { class: 'certificate-title' }, 'Test certificate: ' + (report.title || 'isolation devices')),
-    element(
-      'dl',
-      { class: 'facts-list' },
-      ...facts.flatMap(([term, text]) => [
-        element('dt', {}, term),
-        element('dd', {}, typeof text === 'string' ? sentence(text) : text),
-      ]),
-    ),
+    termList('facts-list', facts.map(([term, said]) => [term, typeof said === 'string' ? sentence(said) : said])),
   );
 }
 
@@ -100,11 +93,8 @@ const listOf = (sentences) =>
 
 // Limits with their clauses, each said once.
 function limitSentences() {
-  // Of a device, or of its two sides.
   const clauseOf = (quantity) =>
-    devices
-      .flatMap((device) => device.assessments)
-      .find((a) => a.clause && (a.quantity === quantity || a.quantity.startsWith(quantity + ',')))?.clause;
+    devices.flatMap((device) => device.assessments).find((a) => a.clause && concerns(a, quantity))?.clause;
   return lotQuantities
     .filter((quantity) => quantity.limit_individual || quantity.limit_mean)
     .map(
@@ -123,21 +113,18 @@ function limitSentences() {
 // What a reader of the sheet must know of the records: doubts, corrections, what the program was told of them.
 function certificateRemarks() {
   const topics = new Set(['copies', 'record', 'refused']);
-  const grouped = (key) => {
+  // 'all devices' is said of `fewest` devices or more.
+  const withDevices = (textsOf, fewest) => {
+    const all = (names) => names.length === devices.length && names.length >= fewest;
     const found = new Map();
-    for (const device of devices) for (const text of device[key]) found.set(text, [...(found.get(text) ?? []), device.name]);
-    return [...found].map(
-      ([text, names]) => (names.length === devices.length && names.length > 1 ? 'all devices' : enumerate(names)) + ': ' + text,
-    );
+    for (const device of devices) for (const text of textsOf(device)) found.set(text, [...(found.get(text) ?? []), device.name]);
+    return [...found].map(([text, names]) => (all(names) ? 'all devices' : enumerate(names)) + ': ' + text);
   };
-  const told = new Map();
-  for (const device of devices)
-    for (const text of device.recognised.filter((line) => /--dt|--units|as asked for|as given/.test(line)))
-      told.set(text, [...(told.get(text) ?? []), device.name]);
+  const told = (device) => device.recognised.filter((line) => /--dt|--units|as asked for|as given/.test(line));
   return [
     ...report.findings.warnings.filter((warning) => topics.has(warning.topic)).map((warning) => warning.sentence),
-    ...grouped('corrections').map((text) => 'corrected, ' + text),
-    ...[...told].map(([text, names]) => (names.length === devices.length ? 'all devices' : enumerate(names)) + ': ' + text),
+    ...withDevices(({ corrections }) => corrections, 2).map((text) => 'corrected, ' + text),
+    ...withDevices(told, 1),
   ];
 }
 

@@ -2,7 +2,7 @@
 
 import { element } from '../dom.js';
 import { devices, report } from '../report.js';
-import { table } from '../tables.js';
+import { tableOf } from '../tables.js';
 import { count } from '../text.js';
 import { blank } from './blank.js';
 
@@ -51,13 +51,10 @@ function signatureBlock() {
 }
 
 function recordsTable() {
-  const columns = [{ title: 'Device', pinned: true }, { title: 'File' }, { title: 'SHA-256' }];
-  const rows = devices.map((device) => ({
-    cells: [
-      element('b', { class: 'strong' }, device.name),
-      device.file,
-      element('td', { class: 'hash whole' }, device.sha256),
-    ],
-  }));
-  return table(columns, rows, 'Records of the certificate');
+  const columns = [
+    { title: 'Device', pinned: true, cell: (device) => element('b', { class: 'strong' }, device.name) },
+    { title: 'File', cell: (device) => device.file },
+    { title: 'SHA-256', cell: (device) => element('td', { class: 'hash whole' }, device.sha256) },
+  ];
+  return tableOf(columns, devices, 'Records of the certificate');
 }

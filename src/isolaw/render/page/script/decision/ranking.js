@@ -1,7 +1,7 @@
 import { element, onScreen } from '../dom.js';
 import { lawName } from '../laws.js';
 import { laws, lawsByObjective, report } from '../report.js';
-import { table } from '../tables.js';
+import { tableOf } from '../tables.js';
 import { DASH, fixed, isNumber, objectiveText, percentText } from '../text.js';
 
 export const rankingFigure = {
@@ -32,36 +32,21 @@ export const rankingFigure = {
 
 function rankingTable() {
   const searched = laws.some((law) => isNumber(law.success_share));
-  const columns = [
-    { title: 'Law', pinned: true, tight: true },
-    { title: 'mean OF ± std', unit: '-', number: true },
-    { title: 'best OF', unit: '-', number: true },
-    { title: 'β', unit: '-', number: true },
-    { title: 'Verdict', tight: true },
-    { title: 'stiffness error', unit: '%', number: true },
-    { title: 'energy error', unit: '%', number: true },
-    ...(searched ? [{ title: 'found', unit: '% of runs', number: true, screen: true }] : []),
-    { title: 'parameters', unit: 'calibrated', number: true },
-    { title: 'Description', screen: true },
-  ];
   const roles = new Map(report.findings.verdicts.map((verdict) => [verdict.law, verdict.role]));
-  const rows = [...lawsByObjective, ...laws.filter((law) => law.objective.mean === null)].map((law) => {
-    const role = roles.get(law.index);
-    const tone = role === 'dominated' ? 'poor' : role === 'not ranked' ? 'note' : 'good';
-    return {
-      cells: [
-        lawName(law),
-        objectiveText(law.objective),
-        fixed(law.objective.best, 4),
-        fixed(law.beta, 3),
-        element('span', { class: tone }, role),
-        fixed(law.K_eff_error_percent, 1),
-        fixed(law.energy_error_percent, 1),
-        ...(searched ? [isNumber(law.success_share) ? fixed(100 * law.success_share, 0) : DASH] : []),
-        String(law.parameters.filter((p) => p.free).length || DASH),
-        element('td', { class: 'note text screen' }, law.title),
-      ],
-    };
-  });
-  return table(columns, rows, 'Ranking of the laws');
+  const tone = (role) => (role === 'dominated' ? 'poor' : role === 'not ranked' ? 'note' : 'good');
+  const found = (law) => (isNumber(law.success_share) ? fixed(100 * law.success_share, 0) : DASH);
+  const verdict = (role) => element('span', { class: tone(role) }, role);
+  const columns = [
+    { title: 'Law', pinned: true, tight: true, cell: lawName },
+    { title: 'mean OF ± std', unit: '-', number: true, cell: (law) => objectiveText(law.objective) },
+    { title: 'best OF', unit: '-', number: true, cell: (law) => fixed(law.objective.best, 4) },
+    { title: 'β', unit: '-', number: true, cell: (law) => fixed(law.beta, 3) },
+    { title: 'Verdict', tight: true, cell: (law) => verdict(roles.get(law.index)) },
+    { title: 'stiffness error', unit: '%', number: true, cell: (law) => fixed(law.K_eff_error_percent, 1) },
+    { title: 'energy error', unit: '%', number: true, cell: (law) => fixed(law.energy_error_percent, 1) },
+    ...(searched ? [{ title: 'found', unit: '% of runs', number: true, screen: true, cell: found }] : []),
+    { title: 'parameters', unit: 'calibrated', number: true, cell: (law) => String(law.parameters.filter((p) => p.free).length || DASH) },
+    { title: 'Description', screen: true, cell: (law) => element('td', { class: 'note text screen' }, law.title) },
+  ];
+  return tableOf(columns, [...lawsByObjective, ...laws.filter((law) => law.objective.mean === null)], 'Ranking of the laws');
 }

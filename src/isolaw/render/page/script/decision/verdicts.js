@@ -1,4 +1,4 @@
-import { element } from '../dom.js';
+import { element, shortList } from '../dom.js';
 import { marker } from '../icons.js';
 import { lawName, withBadges } from '../laws.js';
 import { laws, report } from '../report.js';
@@ -46,19 +46,5 @@ function verdictList() {
 
 export function takeCare() {
   const warnings = report.findings.warnings.map((warning) => element('li', {}, warning.sentence));
-  const few = warnings.length <= 5 ? warnings.length : 4;
-  return element(
-    'div',
-    { class: 'warnings' },
-    element('h3', {}, 'Take care'),
-    element('ul', {}, ...warnings.slice(0, few)),
-    few === warnings.length
-      ? null
-      : element(
-          'details',
-          {},
-          element('summary', {}, warnings.length - few + ' more'),
-          element('ul', {}, ...warnings.slice(few)),
-        ),
-  );
+  return element('div', { class: 'warnings' }, element('h3', {}, 'Take care'), ...shortList(warnings, 5, 4));
 }

@@ -73,16 +73,8 @@ function determinedData() {
           .map((place) => examination(law, fit.device, place))
           .filter(Boolean)
           .map((one) => [
-            law.id,
-            devices[fit.device].name,
-            one.parameter.name,
-            one.parameter.unit,
-            one.verdict,
-            one.optimum,
-            ...one.open,
-            ...one.ends.map((end) => (end ? 'yes' : 'no')),
-            ...one.linear,
-            ...one.bootstrap,
+            law.id, devices[fit.device].name, one.parameter.name, one.parameter.unit, one.verdict, one.optimum,
+            ...one.open, ...one.ends.map((end) => (end ? 'yes' : 'no')), ...one.linear, ...one.bootstrap,
           ]),
       ),
     ),

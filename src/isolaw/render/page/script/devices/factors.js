@@ -1,7 +1,7 @@
 import { element } from '../dom.js';
 import { lotQuantities } from '../lot.js';
 import { report } from '../report.js';
-import { table } from '../tables.js';
+import { tableOf } from '../tables.js';
 import { DASH, fixed, isNumber, significant, unitText } from '../text.js';
 
 export const factorsFigure = {
@@ -32,38 +32,24 @@ function factorCaption() {
 }
 
 function factorTable() {
-  const columns = [
-    { title: 'Property', pinned: true },
-    { title: 'Source', tight: true },
-    { title: 'Spread of', tight: true },
-    { title: '\u03bb min', number: true },
-    { title: '\u03bb max', number: true },
-    { title: 'Lower bound', number: true },
-    { title: 'Upper bound', number: true },
-    { title: 'Unit', tight: true },
-    { title: 'Note' },
-  ];
   const { factors } = report.assessment.lot;
-  const spreadOf = (source) =>
+  const first = (i) => i === 0 || factors[i - 1].property !== factors[i].property;
+  const spreadOf = ({ source }) =>
     source.startsWith('statistical, system') ? 'the system' : source === 'contract band' ? DASH : 'one device';
-  const rows = factors.map((factor, i) => {
-    const first = i === 0 || factors[i - 1].property !== factor.property;
-    return {
-      className: first ? 'group' : null,
-      cells: [
-        element('b', { class: 'strong' }, first ? factor.property : ''),
-        factor.source,
-        spreadOf(factor.source),
-        fixed(factor.lambda_min, 3),
-        fixed(factor.lambda_max, 3),
-        significant(factor.lower, 4),
-        significant(factor.upper, 4),
-        unitText(factor.unit),
-        element('td', { class: 'note text' }, [factor.note, factor.no_lower_bound].filter(Boolean).join('; ')),
-      ],
-    };
-  });
-  return table(columns, rows, 'Property modification factors');
+  const note = (factor) =>
+    element('td', { class: 'note text' }, [factor.note, factor.no_lower_bound].filter(Boolean).join('; '));
+  const columns = [
+    { title: 'Property', pinned: true, cell: (factor, i) => element('b', { class: 'strong' }, first(i) ? factor.property : '') },
+    { title: 'Source', tight: true, cell: (factor) => factor.source },
+    { title: 'Spread of', tight: true, cell: spreadOf },
+    { title: '\u03bb min', number: true, cell: (factor) => fixed(factor.lambda_min, 3) },
+    { title: '\u03bb max', number: true, cell: (factor) => fixed(factor.lambda_max, 3) },
+    { title: 'Lower bound', number: true, cell: (factor) => significant(factor.lower, 4) },
+    { title: 'Upper bound', number: true, cell: (factor) => significant(factor.upper, 4) },
+    { title: 'Unit', tight: true, cell: (factor) => unitText(factor.unit) },
+    { title: 'Note', cell: note },
+  ];
+  return tableOf(columns, factors, 'Property modification factors', (_, i) => (first(i) ? 'group' : null));
 }
 
 function factorData() {

@@ -1,7 +1,7 @@
 import { element, onScreen } from '../dom.js';
 import { lotQuantities } from '../lot.js';
 import { devices, report } from '../report.js';
-import { table } from '../tables.js';
+import { tableOf } from '../tables.js';
 import {
   DASH, count, deviation, enumerate, fixed, isNumber, limitText, short, significant, unitText,
 } from '../text.js';
@@ -32,20 +32,6 @@ function lotCaption() {
 }
 
 function lotTable() {
-  const columns = [
-    { title: 'Property', pinned: true },
-    { title: 'Verdict' },
-    { title: 'n', number: true },
-    { title: 'Mean', number: true },
-    { title: 'CoV', unit: '%', number: true },
-    { title: 'Smallest', unit: 'device', number: true },
-    { title: 'Largest', unit: 'device', number: true },
-    { title: 'Design value', number: true },
-    { title: 'Deviation', unit: 'mean; worst', number: true },
-    { title: 'Limits', unit: 'each device; mean' },
-    { title: '5 to 95 %', unit: 'fractiles', number: true, screen: true },
-    { title: 'Tolerance', unit: '95/95, k', number: true, screen: true },
-  ];
   const extreme = (value, device) =>
     element(
       'td',
@@ -55,46 +41,48 @@ function lotTable() {
     );
   const range = (low, high) =>
     isNumber(high) ? (isNumber(low) ? significant(low, 3) + ' \u2013 ' : 'to ') + significant(high, 3) : DASH;
-  const rows = lotQuantities.map((q) => ({
-    cells: [
-      element('span', {}, element('b', { class: 'strong' }, q.quantity), q.unit ? ' ' + unitText(q.unit) : ''),
-      element(
-        'td',
-        { class: 'reasoned' },
-        q.verdict ? verdictBadge(q.verdict) : DASH,
-        q.reason ? element('small', {}, q.reason) : null,
-      ),
-      isNumber(q.n) ? String(q.n) : DASH,
-      significant(q.mean, 4),
-      fixed(q.cov_percent, 1),
-      extreme(q.min, q.min_device),
-      extreme(q.max, q.max_device),
-      significant(q.nominal, 4),
-      element(
-        'td',
-        { class: 'number' },
-        deviation(q.deviation_of_mean_percent),
-        isNumber(q.worst_deviation_percent)
-          ? element('small', {}, 'worst ' + deviation(q.worst_deviation_percent))
-          : null,
-      ),
-      element(
-        'td',
-        { class: 'tight' },
-        limitText(q.limit_individual),
-        q.limit_mean ? element('small', {}, 'mean: ' + limitText(q.limit_mean)) : null,
-      ),
-      range(q.fractile_5, q.fractile_95),
-      element(
-        'td',
-        { class: 'number screen' },
-        range(q.tolerance_lower, q.tolerance_upper),
-        isNumber(q.tolerance_k) ? element('small', {}, 'k ' + fixed(q.tolerance_k, 3)) : null,
-        q.no_lower_bound ? element('small', {}, q.no_lower_bound.split(':')[0]) : null,
-      ),
-    ],
-  }));
-  return table(columns, rows, 'The lot, one row a property');
+  const below = (text) => (text ? element('small', {}, text) : null);
+  const property = (q) =>
+    element('span', {}, element('b', { class: 'strong' }, q.quantity), q.unit ? ' ' + unitText(q.unit) : '');
+  const verdict = (q) =>
+    element('td', { class: 'reasoned' }, q.verdict ? verdictBadge(q.verdict) : DASH, below(q.reason));
+  const deviations = (q) =>
+    element(
+      'td',
+      { class: 'number' },
+      deviation(q.deviation_of_mean_percent),
+      below(isNumber(q.worst_deviation_percent) && 'worst ' + deviation(q.worst_deviation_percent)),
+    );
+  const limits = (q) =>
+    element(
+      'td',
+      { class: 'tight' },
+      limitText(q.limit_individual),
+      below(q.limit_mean && 'mean: ' + limitText(q.limit_mean)),
+    );
+  const tolerance = (q) =>
+    element(
+      'td',
+      { class: 'number screen' },
+      range(q.tolerance_lower, q.tolerance_upper),
+      below(isNumber(q.tolerance_k) && 'k ' + fixed(q.tolerance_k, 3)),
+      below(q.no_lower_bound?.split(':')[0]),
+    );
+  const columns = [
+    { title: 'Property', pinned: true, cell: property },
+    { title: 'Verdict', cell: verdict },
+    { title: 'n', number: true, cell: (q) => (isNumber(q.n) ? String(q.n) : DASH) },
+    { title: 'Mean', number: true, cell: (q) => significant(q.mean, 4) },
+    { title: 'CoV', unit: '%', number: true, cell: (q) => fixed(q.cov_percent, 1) },
+    { title: 'Smallest', unit: 'device', number: true, cell: (q) => extreme(q.min, q.min_device) },
+    { title: 'Largest', unit: 'device', number: true, cell: (q) => extreme(q.max, q.max_device) },
+    { title: 'Design value', number: true, cell: (q) => significant(q.nominal, 4) },
+    { title: 'Deviation', unit: 'mean; worst', number: true, cell: deviations },
+    { title: 'Limits', unit: 'each device; mean', cell: limits },
+    { title: '5 to 95 %', unit: 'fractiles', number: true, screen: true, cell: (q) => range(q.fractile_5, q.fractile_95) },
+    { title: 'Tolerance', unit: '95/95, k', number: true, screen: true, cell: tolerance },
+  ];
+  return tableOf(columns, lotQuantities, 'The lot, one row a property');
 }
 
 function lotData() {

@@ -1,7 +1,7 @@
 import { element } from '../dom.js';
 import { lotQuantities } from '../lot.js';
 import { report } from '../report.js';
-import { table } from '../tables.js';
+import { tableOf } from '../tables.js';
 import { withUnit } from '../text.js';
 
 export const outliersFigure = {
@@ -17,18 +17,10 @@ export const outliersFigure = {
 
 function outlierTable() {
   const columns = [
-    { title: 'Device', pinned: true },
-    { title: 'Property' },
-    { title: 'Value', number: true },
-    { title: 'Why' },
+    { title: 'Device', pinned: true, cell: (outlier) => element('b', { class: 'strong' }, outlier.device) },
+    { title: 'Property', cell: (outlier) => outlier.quantity },
+    { title: 'Value', number: true, cell: (outlier) => withUnit(outlier.value, outlier.unit) },
+    { title: 'Why', cell: (outlier) => element('td', { class: 'note text' }, outlier.why) },
   ];
-  const rows = report.assessment.lot.outliers.map((outlier) => ({
-    cells: [
-      element('b', { class: 'strong' }, outlier.device),
-      outlier.quantity,
-      withUnit(outlier.value, outlier.unit),
-      element('td', { class: 'note text' }, outlier.why),
-    ],
-  }));
-  return table(columns, rows, 'Outliers');
+  return tableOf(columns, report.assessment.lot.outliers, 'Outliers');
 }

@@ -2,7 +2,7 @@ import { counted, countedCycles, cycleData, isReported, noCycles, reportedCycle 
 import { element, onScreen } from '../dom.js';
 import { devices } from '../report.js';
 import { table } from '../tables.js';
-import { DASH, THIN, count, fixed, isNumber, significant } from '../text.js';
+import { DASH, THIN, count, fixed, isNumber, significant, spanText } from '../text.js';
 
 export const testPropertiesFigure = {
   id: 'properties',
@@ -16,54 +16,39 @@ export const testPropertiesFigure = {
 function propertiesCaption() {
   const cycles = devices.map(reportedCycle).filter(Boolean);
   if (cycles.length === 0) return 'No record has a complete cycle with enough samples.';
-  const span = (key, digits) => {
-    const values = cycles.map((cycle) => cycle[key]).filter(isNumber);
-    if (values.length === 0) return DASH;
-    const low = Math.min(...values),
-      high = Math.max(...values);
-    return significant(low, digits) === significant(high, digits)
-      ? significant(low, digits)
-      : significant(low, digits) + ' to ' + significant(high, digits);
-  };
+  const span = (key) => spanText(cycles.map((cycle) => cycle[key]), 3, significant) ?? DASH;
   return (
     'Third counted cycle of each block, or its last' +
     (devices.some((device) => device.blocks.length > 1) ? '; in bold the reported one' : '') + '.' +
     onScreen(' Every cycle is in the CSV.') + ' Over ' + count(cycles.length, 'device') + ': effective stiffness ' +
-    span('K_eff_kN_per_mm', 3) + THIN + 'kN/mm, equivalent viscous damping ' + span('damping_percent', 3) + THIN + '%.'
+    span('K_eff_kN_per_mm') + THIN + 'kN/mm, equivalent viscous damping ' + span('damping_percent') + THIN + '%.'
   );
 }
 
 function propertiesTable() {
   const some = (key) => devices.some((device) => device[key] !== null && device[key] !== '');
   const facts = [
-    { key: 'serial', column: { title: 'Serial', screen: true }, text: (d) => d.serial },
-    { key: 'lot', column: { title: 'Lot', screen: true }, text: (d) => d.lot },
-    { key: 'test_date', column: { title: 'Tested' }, text: (d) => d.test_date },
-    {
-      key: 'temperature_C',
-      column: { title: 'Temp.', unit: '°C', number: true },
-      text: (d) => fixed(d.temperature_C, 1),
-    },
+    { key: 'serial', title: 'Serial', screen: true, text: (d) => d.serial },
+    { key: 'lot', title: 'Lot', screen: true, text: (d) => d.lot },
+    { key: 'test_date', title: 'Tested', text: (d) => d.test_date },
+    { key: 'temperature_C', title: 'Temp.', unit: '°C', number: true, text: (d) => fixed(d.temperature_C, 1) },
   ].filter((fact) => some(fact.key));
   const strained = devices.some((device) => countedCycles(device).some((cycle) => isNumber(cycle.strain_percent)));
   const several = devices.some((device) => device.blocks.length > 1);
   const numbers = [
-    { title: 'Block', number: true },
-    { title: 'Cycle', number: true },
-    { title: 'Amplitude', unit: 'mm', number: true },
-    ...(strained ? [{ title: 'Shear strain', unit: '%', number: true }] : []),
-    { title: 'Frequency', unit: 'Hz', number: true, screen: true },
-    { title: 'Effective stiffness', unit: 'kN/mm', number: true },
-    { title: 'Energy', unit: 'kN mm', number: true },
-    { title: 'Damping', unit: '%', number: true },
-    { title: 'Scragging', unit: 'K_eff 1st/3rd', number: true, screen: true },
+    { title: 'Block', number: true, of: (block) => String(block.number) },
+    { title: 'Cycle', number: true, of: (_, cycle) => String(cycle.number) },
+    { title: 'Amplitude', unit: 'mm', number: true, of: (_, cycle) => fixed(cycle.amplitude_mm, 1) },
+    ...(strained
+      ? [{ title: 'Shear strain', unit: '%', number: true, of: (_, cycle) => fixed(cycle.strain_percent, 0) }]
+      : []),
+    { title: 'Frequency', unit: 'Hz', number: true, screen: true, of: (block) => significant(block.frequency_Hz, 2) },
+    { title: 'Effective stiffness', unit: 'kN/mm', number: true, of: (_, cycle) => significant(cycle.K_eff_kN_per_mm, 4) },
+    { title: 'Energy', unit: 'kN mm', number: true, of: (_, cycle) => fixed(cycle.energy_kN_mm, 0) },
+    { title: 'Damping', unit: '%', number: true, of: (_, cycle) => fixed(cycle.damping_percent, 2) },
+    { title: 'Scragging', unit: 'K_eff 1st/3rd', number: true, screen: true, of: (block) => fixed(block.stability?.K_eff?.first_to_third, 2) },
   ];
-  const columns = [
-    { title: 'Device', pinned: true },
-    ...facts.map((fact) => fact.column),
-    ...numbers,
-    { title: 'Remark' },
-  ];
+  const columns = [{ title: 'Device', pinned: true }, ...facts, ...numbers, { title: 'Remark' }];
   const rows = devices.flatMap((device) => {
     const remark = [
       device.status !== 'ok' ? 'refused: ' + device.message : device.reported === null ? device.properties_refusal : '',
@@ -76,18 +61,11 @@ function propertiesTable() {
       element('b', { class: 'strong' }, first ? device.name : ''),
       ...facts.map((fact) => (first ? fact.text(device) : '')),
     ];
-    const note = (text) => element('td', { class: 'note text' }, text);
     const blocks = device.blocks.filter((block) => counted(block).length > 0);
-    if (blocks.length === 0)
-      return [
-        {
-          className: 'group',
-          cells: [
-            ...lead(true),
-            element('td', { class: 'note', colspan: numbers.length + 1 }, remark || noCycles(device)),
-          ],
-        },
-      ];
+    if (blocks.length === 0) {
+      const none = element('td', { class: 'note', colspan: numbers.length + 1 }, remark || noCycles(device));
+      return [{ className: 'group', cells: [...lead(true), none] }];
+    }
     return blocks.map((block, i) => {
       const cycle = counted(block)[Math.min(2, counted(block).length - 1)];
       return {
@@ -96,16 +74,8 @@ function propertiesTable() {
           null,
         cells: [
           ...lead(i === 0),
-          String(block.number),
-          String(cycle.number),
-          fixed(cycle.amplitude_mm, 1),
-          ...(strained ? [fixed(cycle.strain_percent, 0)] : []),
-          significant(block.frequency_Hz, 2),
-          significant(cycle.K_eff_kN_per_mm, 4),
-          fixed(cycle.energy_kN_mm, 0),
-          fixed(cycle.damping_percent, 2),
-          fixed(block.stability?.K_eff?.first_to_third, 2),
-          note(i === 0 ? remark : ''),
+          ...numbers.map(({ of }) => of(block, cycle)),
+          element('td', { class: 'note text' }, i === 0 ? remark : ''),
         ],
       };
     });

@@ -1,4 +1,4 @@
-import { element } from '../dom.js';
+import { element, termList } from '../dom.js';
 import { sampleText } from '../lot.js';
 import { report } from '../report.js';
 import { THIN, sentence } from '../text.js';
@@ -40,10 +40,6 @@ function ruleSetStatement() {
           element('b', {}, 'The limits of this set are not verified: deviations are information, no verdict.'),
         )
       : null,
-    element(
-      'dl',
-      { class: 'facts-list' },
-      ...facts.flatMap(([term, text]) => [element('dt', {}, term), element('dd', {}, sentence(text))]),
-    ),
+    termList('facts-list', facts.map(([term, text]) => [term, sentence(text)])),
   );
 }

@@ -2,7 +2,7 @@ import { chosen } from '../choice.js';
 import { limitBand } from '../followed.js';
 import { spread } from '../labels.js';
 import { deviceValue, lotQuantities } from '../lot.js';
-import { LEGEND, NARROW, paddedRange } from '../plotting.js';
+import { LEGEND, NARROW, paddedRange, panelHeading } from '../plotting.js';
 import { devices, report } from '../report.js';
 import { isNumber, plain, short, unitText, withUnit } from '../text.js';
 import { VERDICTS } from '../verdicts.js';
@@ -76,18 +76,8 @@ function drawStrips(look, width) {
       domain: [bottom, top], anchor: 'x' + suffix, range: [-1, 1], showticklabels: false, showgrid: false,
       zeroline: false, fixedrange: true, automargin: false,
     };
-    layout.annotations.push({
-      xref: 'paper',
-      yref: 'paper',
-      x: 0,
-      y: top,
-      xanchor: 'left',
-      yanchor: 'bottom',
-      showarrow: false,
-      text:
-        '<b>' + plain(quantity.quantity) + '</b>' + (quantity.unit ? ' [' + plain(unitText(quantity.unit)) + ']' : ''),
-      font: { size: 12.5, color: look.colour('ink') },
-    });
+    const unit = quantity.unit ? ' [' + plain(unitText(quantity.unit)) + ']' : '';
+    layout.annotations.push(panelHeading(look, 0, top, '<b>' + plain(quantity.quantity) + '</b>' + unit, 12.5));
     const whole = { xref: 'x' + suffix, yref: 'y' + suffix + ' domain', y0: 0, y1: 1, layer: 'below' };
     if (band)
       layout.shapes.push({

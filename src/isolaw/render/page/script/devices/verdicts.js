@@ -32,17 +32,10 @@ function verdictTable() {
   const rows = [...devices.filter(failing), ...devices.filter((device) => !failing(device))].map((device) => {
     const own = new Map(device.assessments.map((a) => [key(a), a]));
     const name = element('b', { class: 'strong' }, device.name);
-    if (own.size === 0)
-      return {
-        cells: [
-          name,
-          element(
-            'td',
-            { class: 'note text', colspan: quantities.length },
-            device.status !== 'ok' ? 'refused: ' + device.message : noCycles(device),
-          ),
-        ],
-      };
+    if (own.size === 0) {
+      const why = device.status !== 'ok' ? 'refused: ' + device.message : noCycles(device);
+      return { cells: [name, element('td', { class: 'note text', colspan: quantities.length }, why)] };
+    }
     return {
       cells: [
         name,

@@ -34,7 +34,7 @@ function cleaningData() {
     columns: ['series', axis.timed ? 'time [s]' : 'sample', 'displacement [mm]'],
     rows: [
       ...raw.map((x, k) => ['as recorded', axis.of(rawIndex(device.raw, k)), x]),
-      ...measured.x.map((x, k) => ['as the laws saw it', axis.fromRecord(measured.t[k]), x]),
+      ...measured.x.map((x, k) => ['as the laws saw it', measured.t[k], x]),
     ],
   };
 }
@@ -53,7 +53,7 @@ function drawCleaning(look) {
         hovertemplate: hover + '<extra>as recorded</extra>',
       },
       {
-        name: 'as the laws saw it', mode: 'lines', x: measured.t.map((t) => axis.fromRecord(t)), y: measured.x,
+        name: 'as the laws saw it', mode: 'lines', x: measured.t, y: measured.x,
         line: { color: look.colour('accent'), width: 1.2 }, hovertemplate: hover + '<extra>as the laws saw it</extra>',
       },
     ],

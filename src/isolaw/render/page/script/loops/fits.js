@@ -1,9 +1,9 @@
 // The chosen laws on the chosen device.
 
 import { chosen } from '../choice.js';
-import { paddedRange } from '../plotting.js';
+import { dashOf, paddedRange } from '../plotting.js';
 import { curve, devices, ranking } from '../report.js';
-import { THIN, enumerate, significant } from '../text.js';
+import { THIN, enumerate, plain, significant } from '../text.js';
 
 export const LOOP_HEIGHT = 400;
 
@@ -21,6 +21,18 @@ export const record = (device) => ({
   x: curve(device.record.disp_mm),
   F: curve(device.record.force_kN),
 });
+
+// The curves of the record and of laws, over displacement or time; `hover` says of a point where it lies.
+export const measuredCurve = (look, x, y, hover) => ({
+  name: 'measured', mode: 'lines', x, y, line: { color: look.colour('measured'), width: 3.5 }, opacity: 0.75,
+  hovertemplate: hover + '<extra>measured</extra>',
+});
+
+export const fitCurves = (look, fits, x, hover) =>
+  fits.map(({ law, force }, place) => ({
+    name: plain(law.id), mode: 'lines', x, y: force, line: { color: look.law(law), width: 1.8, dash: dashOf(place) },
+    hovertemplate: hover + '<extra>' + plain(law.id) + '</extra>',
+  }));
 
 // Whether a time of the record lies in a part the laws were judged by.
 export const isScored = (device, time) =>

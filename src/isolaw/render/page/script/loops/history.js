@@ -2,7 +2,7 @@ import { chosen } from '../choice.js';
 import { dashOf } from '../plotting.js';
 import { devices } from '../report.js';
 import { THIN, plain, significant } from '../text.js';
-import { LOOP_HEIGHT, chosenLaws, fitsOn, forceRange, isScored, loopData, record } from './fits.js';
+import { LOOP_HEIGHT, chosenLaws, fitCurves, fitsOn, forceRange, isScored, loopData, measuredCurve, record } from './fits.js';
 
 export const historyFigure = {
   id: 'history',
@@ -47,24 +47,14 @@ function residualAxis(measured, fits) {
   return away ? { range: [-most, most] } : {};
 }
 
-const chosenForces = () => fitsOn(devices[chosen.device], chosenLaws()).map(({ force }) => force);
-
 function drawHistory(look) {
   const device = devices[chosen.device],
     measured = record(device);
   const fits = fitsOn(device, chosenLaws());
   return {
     traces: [
-      {
-        name: 'measured', mode: 'lines', x: measured.t, y: measured.F,
-        line: { color: look.colour('measured'), width: 3.5 }, opacity: 0.75,
-        hovertemplate: '%{y:.1f} kN<extra>measured</extra>',
-      },
-      ...fits.map(({ law, force }, place) => ({
-        name: plain(law.id), mode: 'lines', x: measured.t, y: force,
-        line: { color: look.law(law), width: 1.8, dash: dashOf(place) },
-        hovertemplate: '%{y:.1f} kN<extra>' + plain(law.id) + '</extra>',
-      })),
+      measuredCurve(look, measured.t, measured.F, '%{y:.1f} kN'),
+      ...fitCurves(look, fits, measured.t, '%{y:.1f} kN'),
       ...fits.map(({ law, force }, place) => ({
         mode: 'lines', x: measured.t, y: force.map((f, i) => measured.F[i] - f), yaxis: 'y2', showlegend: false,
         line: { color: look.law(law), width: 1.4, dash: dashOf(place) },
@@ -76,7 +66,7 @@ function drawHistory(look) {
       hovermode: 'x unified',
       shapes: (device.scored ?? []).map(({ from, to }) => scoredShape(look, from, to)),
       xaxis: { title: device.record.has_time ? 'time [s]' : 'sample', anchor: 'y2' },
-      yaxis: { title: 'force [kN]', domain: [0.38, 1], range: forceRange(measured.F, chosenForces()) },
+      yaxis: { title: 'force [kN]', domain: [0.38, 1], range: forceRange(measured.F, fits.map(({ force }) => force)) },
       yaxis2: { title: 'residual [kN]', domain: [0, 0.3], ...residualAxis(measured.F, fits) },
     },
   };

@@ -1,9 +1,8 @@
 import { chosen } from '../choice.js';
 import { onScreen } from '../dom.js';
-import { dashOf } from '../plotting.js';
 import { devices } from '../report.js';
-import { THIN, fixed, plain, signed } from '../text.js';
-import { LOOP_HEIGHT, chosenLaws, cutOff, fitsOn, isScored, loopData, record } from './fits.js';
+import { THIN, fixed, signed } from '../text.js';
+import { LOOP_HEIGHT, chosenLaws, cutOff, fitCurves, fitsOn, isScored, loopData, measuredCurve, record } from './fits.js';
 
 export const loopFigure = {
   id: 'loop',
@@ -59,6 +58,7 @@ function parted(values, inside) {
 function drawLoop(look) {
   const device = devices[chosen.device],
     measured = record(device);
+  const hover = '%{x:.1f} mm, %{y:.1f} kN';
   const halves = parted(measured.F, measured.t.map((t) => isScored(device, t)));
   return {
     traces: [
@@ -67,20 +67,12 @@ function drawLoop(look) {
             {
               name: 'measured, not judged', mode: 'lines', x: measured.x, y: halves.outside,
               line: { color: look.colour('measured'), width: 1.6, dash: 'dot' },
-              hovertemplate: '%{x:.1f} mm, %{y:.1f} kN<extra>measured, not judged</extra>',
+              hovertemplate: hover + '<extra>measured, not judged</extra>',
             },
           ]
         : []),
-      {
-        name: 'measured', mode: 'lines', x: measured.x, y: halves.inside,
-        line: { color: look.colour('measured'), width: 3.5 }, opacity: 0.75,
-        hovertemplate: '%{x:.1f} mm, %{y:.1f} kN<extra>measured</extra>',
-      },
-      ...fitsOn(device, chosenLaws()).map(({ law, force }, place) => ({
-        name: plain(law.id), mode: 'lines', x: measured.x, y: force,
-        line: { color: look.law(law), width: 1.8, dash: dashOf(place) },
-        hovertemplate: '%{x:.1f} mm, %{y:.1f} kN<extra>' + plain(law.id) + '</extra>',
-      })),
+      measuredCurve(look, measured.x, halves.inside, hover),
+      ...fitCurves(look, fitsOn(device, chosenLaws()), measured.x, hover),
     ],
     layout: { showlegend: true, xaxis: { title: 'displacement [mm]' }, yaxis: { title: 'force [kN]' } },
   };

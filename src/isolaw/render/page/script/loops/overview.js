@@ -1,4 +1,5 @@
 import { chosen } from '../choice.js';
+import { panelHeading } from '../plotting.js';
 import { devices, laws } from '../report.js';
 import { fixed, plain } from '../text.js';
 import { cutOff, fitsOn, forceRange, loopData, record } from './fits.js';
@@ -27,14 +28,8 @@ function overviewGrid(panels, width) {
   const panel = wide ? 190 : 150,
     heading = 22,
     between = 46;
-  return {
-    columns,
-    wide,
-    panel,
-    heading,
-    between,
-    height: OVERVIEW_MARGIN.t + heading + rows * panel + (rows - 1) * between + OVERVIEW_MARGIN.b,
-  };
+  const height = OVERVIEW_MARGIN.t + heading + rows * panel + (rows - 1) * between + OVERVIEW_MARGIN.b;
+  return { columns, wide, panel, heading, between, height };
 }
 
 function drawOverview(look, width) {
@@ -64,27 +59,18 @@ function drawOverview(look, width) {
       domain: [top - h, top], anchor: 'x' + suffix, nticks: 5, range: [low, high], title: column === 0 ? 'kN' : '',
       matches: i > 0 ? 'y' : undefined, showticklabels: column === 0,
     };
-    layout.annotations.push({
-      xref: 'paper', yref: 'paper', x: left, y: top, xanchor: 'left', yanchor: 'bottom', showarrow: false,
-      align: 'left', text: '<b>' + plain(law.id) + '</b>  OF ' + fixed(fit.objective.best, 4),
-      font: { size: 12, color: look.colour('ink') },
-    });
+    layout.annotations.push(panelHeading(look, left, top, '<b>' + plain(law.id) + '</b>  OF ' + fixed(fit.objective.best, 4)));
     const axes = { xaxis: 'x' + suffix, yaxis: 'y' + suffix, mode: 'lines', showlegend: false };
-    traces.push({
-      ...axes,
-      x: measured.x,
-      y: measured.F,
-      hoverinfo: 'skip',
-      opacity: 0.75,
-      line: { color: look.colour('measured'), width: 2.6 },
-    });
-    traces.push({
-      ...axes,
-      x: measured.x,
-      y: force,
-      line: { color: look.law(law), width: 1.5 },
-      hovertemplate: '%{x:.1f} mm, %{y:.1f} kN<extra>' + plain(law.id) + '</extra>',
-    });
+    traces.push(
+      {
+        ...axes, x: measured.x, y: measured.F, hoverinfo: 'skip', opacity: 0.75,
+        line: { color: look.colour('measured'), width: 2.6 },
+      },
+      {
+        ...axes, x: measured.x, y: force, line: { color: look.law(law), width: 1.5 },
+        hovertemplate: '%{x:.1f} mm, %{y:.1f} kN<extra>' + plain(law.id) + '</extra>',
+      },
+    );
   });
   return { traces, layout };
 }

@@ -2,7 +2,7 @@ import { choose, chosen } from '../choice.js';
 import { element, onScreen } from '../dom.js';
 import { lawName } from '../laws.js';
 import { devices, laws } from '../report.js';
-import { table } from '../tables.js';
+import { tableOf } from '../tables.js';
 import { fixed, isNumber, objectiveText, signed, significant } from '../text.js';
 
 export const fitsFigure = {
@@ -21,30 +21,14 @@ export const fitsFigure = {
 // What the laws on a device can be sorted by; `of` is smaller the better.
 export const ORDERS = [
   { key: 'objective', title: 'best OF', unit: '-', first: 'the smallest objective', of: (fit) => fit.objective.best },
-  {
-    key: 'K_eff_error_percent',
-    title: 'stiffness error',
-    unit: '%',
-    first: 'the smallest error of stiffness',
-    of: (fit) => absolute(fit.K_eff_error_percent),
-  },
-  {
-    key: 'energy_error_percent',
-    title: 'energy error',
-    unit: '%',
-    first: 'the smallest error of energy',
-    of: (fit) => absolute(fit.energy_error_percent),
-  },
-  {
-    key: 'damping_error_percent',
-    title: 'damping error',
-    unit: '%',
-    first: 'the smallest error of damping',
-    of: (fit) => absolute(fit.damping_error_percent),
-  },
+  ...[['K_eff', 'stiffness'], ['energy', 'energy'], ['damping', 'damping']].map(([name, title]) => {
+    const key = name + '_error_percent';
+    return {
+      key, title: title + ' error', unit: '%', first: 'the smallest error of ' + title,
+      of: (fit) => (isNumber(fit[key]) ? Math.abs(fit[key]) : null),
+    };
+  }),
 ];
-
-const absolute = (value) => (isNumber(value) ? Math.abs(value) : null);
 
 // Laws on the chosen device in the chosen order, what has no value last.
 export function inOrder(fits) {
@@ -63,35 +47,25 @@ function sortHead(order) {
     choose({ order: order.key });
     document.getElementById('sort-' + order.key)?.focus(); // the table was built anew
   });
-  return { title: button, unit: order.unit, number: true, sorted: current };
+  const { key, unit } = order;
+  const cell = ({ fit }) => (key === 'objective' ? fixed(fit.objective.best, 4) : signed(fit[key], 1));
+  return { title: button, unit, number: true, sorted: current, cell };
 }
 
 function fitTable() {
   const device = devices[chosen.device];
   const fits = inOrder(laws.map((law) => ({ law, fit: law.fitOn.get(device.index) })).filter(({ fit }) => fit));
   const remarks = fits.some(({ fit }) => fit.message);
+  const runs = ({ fit }) => String(fit.runs) + (fit.failed_runs > 0 ? ', ' + fit.failed_runs + ' failed' : '');
   const columns = [
-    { title: 'Law', pinned: true, tight: true },
+    { title: 'Law', pinned: true, tight: true, cell: ({ law }) => lawName(law) },
     ...ORDERS.map(sortHead),
-    { title: 'mean OF \u00b1 std', unit: 'over the runs', number: true },
-    { title: 'runs', number: true },
-    { title: 'parameter sets', unit: 'tried', number: true, screen: true },
-    ...(remarks ? [{ title: 'Remark' }] : []),
+    { title: 'mean OF \u00b1 std', unit: 'over the runs', number: true, cell: ({ fit }) => objectiveText(fit.objective) },
+    { title: 'runs', number: true, cell: runs },
+    { title: 'parameter sets', unit: 'tried', number: true, screen: true, cell: ({ fit }) => significant(fit.evaluations, 3) },
+    ...(remarks ? [{ title: 'Remark', cell: ({ fit }) => element('td', { class: 'note text' }, fit.message) }] : []),
   ];
-  const rows = fits.map(({ law, fit }) => ({
-    cells: [
-      lawName(law),
-      fixed(fit.objective.best, 4),
-      signed(fit.K_eff_error_percent, 1),
-      signed(fit.energy_error_percent, 1),
-      signed(fit.damping_error_percent, 1),
-      objectiveText(fit.objective),
-      String(fit.runs) + (fit.failed_runs > 0 ? ', ' + fit.failed_runs + ' failed' : ''),
-      significant(fit.evaluations, 3),
-      ...(remarks ? [element('td', { class: 'note text' }, fit.message)] : []),
-    ],
-  }));
-  return table(columns, rows, 'All laws on the chosen device');
+  return tableOf(columns, fits, 'All laws on the chosen device');
 }
 
 function fitData() {

@@ -1,7 +1,7 @@
 import { element } from '../dom.js';
 import { lawName } from '../laws.js';
 import { lotLaws } from '../report.js';
-import { table } from '../tables.js';
+import { tableOf } from '../tables.js';
 import { DASH, THIN, fixed, isNumber, short } from '../text.js';
 
 export const lotLawsFigure = {
@@ -28,38 +28,27 @@ function lotLawsCaption() {
 }
 
 function lotLawsTable() {
-  const columns = [
-    { title: 'Law', pinned: true, tight: true },
-    { title: 'Own law', unit: 'mean', number: true },
-    { title: 'Lot\u2019s law', unit: 'mean', number: true },
-    { title: 'Lot\u2019s law', unit: 'worst', number: true },
-    { title: 'Least worst', unit: 'bound', number: true },
-    { title: 'Left out', unit: 'mean', number: true },
-    { title: 'Left out', unit: 'worst', number: true },
-    { title: 'β', unit: 'of own laws', number: true },
-    { title: 'Runs at the least OF', number: true },
-  ];
   const below = (value, text) =>
     element('td', { class: 'number' }, value, text ? element('small', { title: text }, short(text, 16)) : null);
-  const rows = lotLaws.map((law) => ({
-    cells: [
-      lawName(law),
-      fixed(law.objective_converged, 4),
-      fixed(law.lot.mean_objective, 4),
-      below(fixed(law.lot.worst_objective, 4), law.lot.worst_device),
-      below(fixed(law.lot.least_worst_objective, 4), fixed(law.lot.least_worst_bound, 4)),
-      fixed(law.loo_objective, 4),
-      below(fixed(law.loo_worst, 4), law.loo_worst_device),
-      fixed(law.beta_converged, 3),
-      element(
-        'td',
-        { class: 'number' },
-        isNumber(law.success_share) ? fixed(100 * law.success_share, 0) + THIN + '%' : DASH,
-        law.success_reference ? element('small', {}, law.success_reference) : null,
-      ),
-    ],
-  }));
-  return table(columns, rows, 'One law for all devices');
+  const found = (law) =>
+    element(
+      'td',
+      { class: 'number' },
+      isNumber(law.success_share) ? fixed(100 * law.success_share, 0) + THIN + '%' : DASH,
+      law.success_reference ? element('small', {}, law.success_reference) : null,
+    );
+  const columns = [
+    { title: 'Law', pinned: true, tight: true, cell: lawName },
+    { title: 'Own law', unit: 'mean', number: true, cell: (law) => fixed(law.objective_converged, 4) },
+    { title: 'Lot\u2019s law', unit: 'mean', number: true, cell: ({ lot }) => fixed(lot.mean_objective, 4) },
+    { title: 'Lot\u2019s law', unit: 'worst', number: true, cell: ({ lot }) => below(fixed(lot.worst_objective, 4), lot.worst_device) },
+    { title: 'Least worst', unit: 'bound', number: true, cell: ({ lot }) => below(fixed(lot.least_worst_objective, 4), fixed(lot.least_worst_bound, 4)) },
+    { title: 'Left out', unit: 'mean', number: true, cell: (law) => fixed(law.loo_objective, 4) },
+    { title: 'Left out', unit: 'worst', number: true, cell: (law) => below(fixed(law.loo_worst, 4), law.loo_worst_device) },
+    { title: 'β', unit: 'of own laws', number: true, cell: (law) => fixed(law.beta_converged, 3) },
+    { title: 'Runs at the least OF', number: true, cell: found },
+  ];
+  return tableOf(columns, lotLaws, 'One law for all devices');
 }
 
 function lotLawsData() {

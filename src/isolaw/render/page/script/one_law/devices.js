@@ -1,4 +1,5 @@
 import { lawChooser } from '../choosers.js';
+import { namedAxis } from '../plotting.js';
 import { devices, lotLaws } from '../report.js';
 import { fixed, isNumber, plain, short } from '../text.js';
 import { fitsInLot, ofLot } from './of_lot.js';
@@ -54,9 +55,7 @@ function drawLotDevices(look, width) {
     { name: 'the lot\u2019s law', key: 'lot_objective', symbol: 'square', colour: 'law-5' },
     { name: 'left out', key: 'left_out_objective', symbol: 'diamond', colour: 'law-2' },
   ];
-  const names = fits.map((fit) => short(devices[fit.device].name)),
-    every = Math.ceil(names.length / Math.max(4, Math.min(24, Math.floor(width / 60)))),
-    ticks = names.map((_, i) => i).filter((i) => i % every === 0);
+  const names = fits.map((fit) => short(devices[fit.device].name));
   const spans = fits.flatMap((fit, i) => {
     const values = kinds.map(({ key }) => fit[key]).filter(isNumber);
     return [
@@ -79,10 +78,7 @@ function drawLotDevices(look, width) {
     ],
     layout: {
       showlegend: true,
-      xaxis: {
-        tickmode: 'array', tickvals: ticks, ticktext: ticks.map((i) => plain(names[i])),
-        range: [-0.6, fits.length - 0.4], showgrid: false, zeroline: false,
-      },
+      xaxis: namedAxis(names, Math.max(4, Math.min(24, Math.floor(width / 60)))),
       yaxis: { title: 'objective OF [-]', rangemode: 'tozero' },
     },
   };

@@ -1,4 +1,4 @@
-import { element } from '../dom.js';
+import { element, shortList } from '../dom.js';
 import { report } from '../report.js';
 import { THIN, signed, withUnit } from '../text.js';
 
@@ -33,18 +33,5 @@ function apartList() {
           .join('; '),
     ),
   );
-  const few = items.length <= 8 ? items.length : 6;
-  return element(
-    'div',
-    { class: 'prose' },
-    element('ul', { class: 'sentences' }, ...items.slice(0, few)),
-    few === items.length
-      ? null
-      : element(
-          'details',
-          {},
-          element('summary', {}, items.length - few + ' more'),
-          element('ul', { class: 'sentences' }, ...items.slice(few)),
-        ),
-  );
+  return element('div', { class: 'prose' }, ...shortList(items, 8, 6, 'sentences'));
 }

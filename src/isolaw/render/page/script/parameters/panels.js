@@ -2,10 +2,10 @@
 
 import { chosen } from '../choice.js';
 import { isPrinting } from '../dom.js';
-import { NARROW, paddedRange } from '../plotting.js';
+import { NARROW, namedAxis, paddedRange, panelHeading } from '../plotting.js';
 import { laws, usable } from '../report.js';
 import {
-  THIN, enumerate, fixed, isNumber, plain, rowFormat, signed, significant, superscript, unitText,
+  THIN, enumerate, fixed, isNumber, mean, plain, rowFormat, signed, significant, superscript, unitText,
 } from '../text.js';
 import { parameterData } from './tables.js';
 
@@ -44,8 +44,7 @@ function overDevices(law, place) {
   const entries = usable
     .map((device, x) => ({ device, x, row: law.fitOn.get(device.index)?.parameters[place] }))
     .filter(({ row }) => isNumber(row?.mean));
-  const lot = entries.reduce((sum, { row }) => sum + row.mean, 0) / entries.length;
-  return { entries, lot };
+  return { entries, lot: mean(entries.map(({ row }) => row.mean)) };
 }
 
 function panelsCaption() {
@@ -74,9 +73,8 @@ function drawPanels(look, width) {
   const { columns, panel, heading, between, inner } = panelGrid(places.length, width);
   const layout = { margin: PANEL_MARGIN, annotations: [], shapes: [] },
     traces = [];
-  const every = Math.ceil(usable.length / (columns === 1 ? 12 : 11)),
-    ticks = usable.map((_, i) => i).filter((i) => i % every === 0);
   const named = usable.every((device) => device.name.length <= 6); // else numbers, in the order of the lot
+  const abscissa = namedAxis(usable.map((device, i) => (named ? device.name : String(i + 1))), columns === 1 ? 12 : 11);
   const gap = columns === 1 ? 0 : 118 / (width - PANEL_MARGIN.l - PANEL_MARGIN.r),
     wide = (1 - gap * (columns - 1)) / columns;
   places.forEach((place, i) => {
@@ -90,32 +88,19 @@ function drawPanels(look, width) {
     const range = paddedRange([...values, lot / factor], 0.08);
     const percent = (value) => (lot !== 0 ? 100 * ((value * factor) / lot - 1) : 0); // of a negative mean falling upwards
     layout['xaxis' + x] = {
-      domain: [left, left + wide], anchor: 'y' + y, range: [-0.6, usable.length - 0.4], tickmode: 'array',
-      tickvals: ticks, ticktext: ticks.map((k) => plain(named ? usable[k].name : String(k + 1))),
-      tickfont: { size: 10.5 }, showgrid: false, zeroline: false, automargin: false,
+      ...abscissa, domain: [left, left + wide], anchor: 'y' + y, tickfont: { size: 10.5 }, automargin: false,
     };
     layout['yaxis' + y] = { domain: [top - panel / inner, top], anchor: 'x' + x, range, nticks: 5, zeroline: false, automargin: false };
     if (lot !== 0)
       layout['yaxis' + right] = {
-        domain: [top - panel / inner, top],
-        anchor: 'x' + x,
-        overlaying: 'y' + y,
-        side: 'right',
-        range: range.map(percent),
-        tickmode: 'auto', // not in step with the left axis
-        nticks: 5,
-        ticksuffix: THIN + '%',
-        showgrid: false,
-        zeroline: false,
-        automargin: false,
+        domain: [top - panel / inner, top], anchor: 'x' + x, overlaying: 'y' + y, side: 'right',
+        range: range.map(percent), nticks: 5, ticksuffix: THIN + '%', showgrid: false, zeroline: false,
+        automargin: false, tickmode: 'auto', // not in step with the left axis
       };
     const { unit } = law.parameters[place];
     const scale = [exponent !== 0 ? '10' + superscript(exponent) : '', unit && unit !== '1' ? unitText(unit) : ''].filter(Boolean).join(' ');
-    layout.annotations.push({
-      xref: 'paper', yref: 'paper', x: left, y: top, xanchor: 'left', yanchor: 'bottom', showarrow: false,
-      text: '<b>' + plain(law.parameters[place].name) + '</b>' + (scale ? ' [' + plain(scale) + ']' : ''),
-      font: { size: 12, color: look.colour('ink') },
-    });
+    const title = '<b>' + plain(law.parameters[place].name) + '</b>';
+    layout.annotations.push(panelHeading(look, left, top, title + (scale ? ' [' + plain(scale) + ']' : '')));
     layout.shapes.push({
       type: 'line', xref: 'x' + x + ' domain', x0: 0, x1: 1, yref: 'y' + y, y0: lot / factor, y1: lot / factor,
       line: { color: look.colour('muted'), width: 1.3, dash: 'dot' },
@@ -144,7 +129,7 @@ function drawPanels(look, width) {
           (isNumber(row.percent_of_lot) ? ', ' + signed(row.percent_of_lot, 1) + THIN + '%' : '') +
           (row.at_bound ? '<br>best run at the ' + row.at_bound + ' bound' : ''),
       ),
-      hovertemplate: '<b>' + plain(law.parameters[place].name) + '</b> on %{text}<br>%{customdata}<extra></extra>',
+      hovertemplate: title + ' on %{text}<br>%{customdata}<extra></extra>',
     });
     // An axis without a trace is not drawn.
     if (lot !== 0)

@@ -2,7 +2,7 @@ import { element } from '../dom.js';
 import { devices, laws, ranking, usable } from '../report.js';
 import { table } from '../tables.js';
 import {
-  DASH, THIN, count, fixed, isNumber, rowFormat, signed, significant, superscript, trimmed, unitText,
+  DASH, THIN, count, fixed, isNumber, mean, rowFormat, signed, significant, superscript, trimmed, unitText,
 } from '../text.js';
 
 export const parameterTablesFigure = {
@@ -33,12 +33,12 @@ function parameterTable(law, shown) {
     { title: 'Δ', unit: '%', number: true },
     ...shown.map((device) => ({ title: device.name, full: device.name, name: true, number: true })),
   ];
-  const cell = (mean, std, difference, bound, format, best) => {
+  const cell = (value, std, difference, bound, format, best) => {
     const text = [
       element(
         'span',
         { class: 'cell-mean', 'data-mark': bound === 'upper' ? '▲' : '▼' },
-        fixed(mean / format.factor, format.decimals),
+        fixed(value / format.factor, format.decimals),
       ),
       std === null ? null : element('span', { class: 'cell-std' }, '± ' + fixed(std / format.factor, format.decimals)),
       difference === null ? null : element('span', { class: 'cell-difference' }, signed(difference, 1) + THIN + '%'),
@@ -47,10 +47,6 @@ function parameterTable(law, shown) {
     return element('td', { class: 'number' + (bound ? ' at-bound' : ''), title }, ...text);
   };
   const none = (fit) => element('td', { class: 'number note', title: fit?.message || null }, DASH);
-  const meanOf = (values) => {
-    const some = values.filter(isNumber);
-    return some.length > 0 ? some.reduce((sum, v) => sum + v, 0) / some.length : null;
-  };
 
   const objective = {
     cells: [
@@ -71,7 +67,7 @@ function parameterTable(law, shown) {
     const means = usable.map((device) => law.fitOn.get(device.index)?.parameters[place]?.mean);
     const format = rowFormat(means);
     const box = bounds(law, place),
-      lot = meanOf(means);
+      lot = mean(means.filter(isNumber));
     return {
       cells: [
         parameter.name,

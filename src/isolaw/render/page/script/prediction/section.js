@@ -1,7 +1,7 @@
 import { element } from '../dom.js';
 import { devices, predictedLaws, report } from '../report.js';
-import { table } from '../tables.js';
-import { DASH, THIN, enumerate, fixed, short, significant } from '../text.js';
+import { tableOf } from '../tables.js';
+import { DASH, THIN, enumerate, fixed, mean, short, significant } from '../text.js';
 
 const predictionsFigure = {
   id: 'predictions',
@@ -41,7 +41,6 @@ const scoresOf = (law, { block, fitted }) =>
   );
 
 const missText = (objective) => (objective < 10 ? fixed(objective, 4) : significant(objective, 3));
-const average = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
 
 function predictionCaption() {
   const { collapsed_objective: most, collapsed_ratio: ratio } = report.thresholds;
@@ -65,49 +64,40 @@ function predictionCaption() {
 
 function predictionTable() {
   const blocks = scoredBlocks();
+  const score = (law, block) => {
+    const scores = scoresOf(law, block);
+    if (scores.length === 0) return element('td', { class: 'number note' }, DASH);
+    const worst = scores.reduce((a, b) => (b.objective > a.objective ? b : a));
+    return element(
+      'td',
+      { class: 'number' },
+      missText(mean(scores.map(({ objective }) => objective))),
+      scores.length > 1
+        ? element('small', { title: worst.device }, 'worst ' + missText(worst.objective) + ', ' + short(worst.device))
+        : null,
+    );
+  };
+  const verdict = (law) =>
+    law.prediction_collapses ? element('span', { class: 'badge' }, 'collapses') : 'does not collapse';
+  const ratio = (law) =>
+    law.fitted_objective > 0 ? significant(law.predicted_objective / law.fitted_objective, 2) : DASH;
   const columns = [
-    { title: 'Law', pinned: true, tight: true },
-    { title: 'Prediction', tight: true },
-    ...blocks.map(({ block, fitted, amplitudes }) => ({
-      title: 'Block ' + block,
+    { title: 'Law', pinned: true, tight: true, cell: (law) => element('b', { class: 'strong' }, law.id) },
+    { title: 'Prediction', tight: true, cell: verdict },
+    ...blocks.map((block) => ({
+      title: 'Block ' + block.block,
       unit:
-        (amplitudes.length > 0 ? '±' + significant(average(amplitudes), 3) + THIN + 'mm, ' : '') +
-        (fitted ? 'fitted' : 'predicted'),
+        (block.amplitudes.length > 0 ? '±' + significant(mean(block.amplitudes), 3) + THIN + 'mm, ' : '') +
+        (block.fitted ? 'fitted' : 'predicted'),
       number: true,
+      cell: (law) => score(law, block),
     })),
-    { title: 'Fitted', unit: 'mean', number: true },
-    { title: 'Predicted', unit: 'mean', number: true },
-    { title: 'Predicted', unit: '/ fitted', number: true },
-    { title: 'Worst', unit: 'predicted', number: true },
+    { title: 'Fitted', unit: 'mean', number: true, cell: (law) => fixed(law.fitted_objective, 4) },
+    { title: 'Predicted', unit: 'mean', number: true, cell: (law) => missText(law.predicted_objective) },
+    { title: 'Predicted', unit: '/ fitted', number: true, cell: ratio },
+    { title: 'Worst', unit: 'predicted', number: true, cell: (law) => missText(law.worst_predicted) },
   ];
-  const rows = predictedLaws.map((law) => ({
-    cells: [
-      element('b', { class: 'strong' }, law.id),
-      law.prediction_collapses ? element('span', { class: 'badge' }, 'collapses') : 'does not collapse',
-      ...blocks.map((column) => {
-        const scores = scoresOf(law, column);
-        if (scores.length === 0) return element('td', { class: 'number note' }, DASH);
-        const worst = scores.reduce((a, b) => (b.objective > a.objective ? b : a));
-        return element(
-          'td',
-          { class: 'number' },
-          missText(average(scores.map(({ objective }) => objective))),
-          scores.length > 1
-            ? element(
-                'small',
-                { title: worst.device },
-                'worst ' + missText(worst.objective) + ', ' + short(worst.device),
-              )
-            : null,
-        );
-      }),
-      fixed(law.fitted_objective, 4),
-      missText(law.predicted_objective),
-      law.fitted_objective > 0 ? significant(law.predicted_objective / law.fitted_objective, 2) : DASH,
-      missText(law.worst_predicted),
-    ],
-  }));
-  return table(columns, rows, 'Objective of every law on every block');
+  return tableOf(columns, predictedLaws, 'Objective of every law on every block');
 }
 
 function predictionData() {

@@ -1,7 +1,7 @@
 import { chosen } from '../choice.js';
 import { element } from '../dom.js';
 import { devices } from '../report.js';
-import { table } from '../tables.js';
+import { tableOf } from '../tables.js';
 import { DASH, deviation, isNumber, limitText, withUnit } from '../text.js';
 import { assessmentData, isVerified, verdictBadge } from '../verdicts.js';
 
@@ -26,29 +26,18 @@ function assessmentTable() {
       { class: 'empty' },
       device.name + ' was not assessed' + (device.properties_refusal ? ': ' + device.properties_refusal : '.'),
     );
+  const verdict = (a) =>
+    element('td', { class: 'reasoned' }, verdictBadge(a.verdict), a.reason ? element('small', {}, a.reason) : null);
   const columns = [
-    { title: 'Quantity', pinned: true },
-    { title: 'Verdict' },
-    { title: 'Block', number: true, screen: true },
-    { title: 'Value', number: true },
-    { title: 'Design value', number: true },
-    { title: 'Deviation', number: true },
-    { title: 'Limits' },
-    { title: 'Formula', screen: true },
-    { title: 'Clause' },
+    { title: 'Quantity', pinned: true, cell: (a) => element('b', { class: 'strong' }, a.quantity) },
+    { title: 'Verdict', cell: verdict },
+    { title: 'Block', number: true, screen: true, cell: (a) => (isNumber(a.block) && a.block > 0 ? String(a.block) : DASH) },
+    { title: 'Value', number: true, cell: (a) => withUnit(a.value, a.unit) },
+    { title: 'Design value', number: true, cell: (a) => withUnit(a.nominal, a.unit) },
+    { title: 'Deviation', number: true, cell: (a) => deviation(a.deviation_percent) },
+    { title: 'Limits', cell: (a) => element('td', { class: 'tight' }, limitText(a.limit)) },
+    { title: 'Formula', screen: true, cell: (a) => a.formula },
+    { title: 'Clause', cell: (a) => element('td', { class: 'note clause' }, a.clause) },
   ];
-  const rows = device.assessments.map((a) => ({
-    cells: [
-      element('b', { class: 'strong' }, a.quantity),
-      element('td', { class: 'reasoned' }, verdictBadge(a.verdict), a.reason ? element('small', {}, a.reason) : null),
-      isNumber(a.block) && a.block > 0 ? String(a.block) : DASH,
-      withUnit(a.value, a.unit),
-      withUnit(a.nominal, a.unit),
-      deviation(a.deviation_percent),
-      element('td', { class: 'tight' }, limitText(a.limit)),
-      a.formula,
-      element('td', { class: 'note clause' }, a.clause),
-    ],
-  }));
-  return table(columns, rows, 'Assessment of the chosen device');
+  return tableOf(columns, device.assessments, 'Assessment of the chosen device');
 }

@@ -84,7 +84,7 @@ function drawCycleHistory(look, width) {
   }
   for (const { from, to } of (!inspection && device.scored) || [])
     shapes.push({
-      type: 'rect', yref: 'y domain', x0: axis.fromRecord(from), x1: axis.fromRecord(to), y0: BOTTOM, y1: 0.03,
+      type: 'rect', yref: 'y domain', x0: from, x1: to, y0: BOTTOM, y1: 0.03,
       fillcolor: look.colour('accent'), line: { width: 0 },
     });
   return {

@@ -53,26 +53,15 @@ function stabilityData() {
   const columns = ['first_to_third', 'first_to_mean_1_3', 'min_2_10', 'max_2_10', 'min_1_10', 'max_1_10'];
   return {
     columns: [
-      'device',
-      'block',
-      'property',
-      'cycle',
-      'value',
-      'ratio to cycle 3',
-      ...columns.map((c) => c + ' of the block'),
+      'device', 'block', 'property', 'cycle', 'value', 'ratio to cycle 3', ...columns.map((c) => c + ' of the block'),
     ],
     rows: devices[chosen.tested].blocks.flatMap((block) =>
       FOLLOWED.flatMap((property) =>
         counted(block).map((cycle, k) => {
           const stability = block.stability?.[property.name];
           return [
-            devices[chosen.tested].name,
-            block.number,
-            property.title,
-            cycle.number,
-            cycle[property.key],
-            stability?.ratio_to_third?.[k],
-            ...columns.map((c) => stability?.[c]),
+            devices[chosen.tested].name, block.number, property.title, cycle.number, cycle[property.key],
+            stability?.ratio_to_third?.[k], ...columns.map((c) => stability?.[c]),
           ];
         }),
       ),

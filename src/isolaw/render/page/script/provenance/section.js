@@ -1,7 +1,7 @@
-import { element } from '../dom.js';
+import { element, termList } from '../dom.js';
 import { devices, inspection, laws, report } from '../report.js';
-import { table } from '../tables.js';
-import { count, isNumber } from '../text.js';
+import { tableOf } from '../tables.js';
+import { count, isNumber, short } from '../text.js';
 
 const settingsFigure = {
   id: 'settings',
@@ -11,7 +11,7 @@ const settingsFigure = {
     inspection
       ? 'Properties are of raw values; they depend on the files and on how these were read.'
       : 'The same files, settings and seed give the same results, whatever the number of threads.',
-  build: settingsList,
+  build: () => termList('settings', settingRows()),
   csv: () => ({ columns: ['setting', 'value'], rows: settingRows() }),
 };
 
@@ -73,29 +73,16 @@ function settingRows() {
   ];
 }
 
-function settingsList() {
-  return element(
-    'dl',
-    { class: 'settings' },
-    ...settingRows().flatMap(([key, value]) => [element('dt', {}, key), element('dd', {}, value)]),
-  );
-}
-
 function filesTable() {
-  const columns = [{ title: 'Device', pinned: true }, { title: 'File' }, { title: 'SHA-256' }, { title: 'Status' }];
-  const rows = devices.map((device) => ({
-    cells: [
-      element('b', { class: 'strong' }, device.name),
-      device.file,
-      element(
-        'span',
-        { class: 'hash', title: device.sha256 },
-        device.sha256.slice(0, 16) + (device.sha256.length > 16 ? '\u2026' : ''),
-      ),
-      device.status === 'ok' ? 'used' : element('span', { class: 'poor' }, 'refused'),
-    ],
-  }));
-  return table(columns, rows, 'Input files');
+  const hash = ({ sha256 }) => element('span', { class: 'hash', title: sha256 }, short(sha256, 17));
+  const status = (device) => (device.status === 'ok' ? 'used' : element('span', { class: 'poor' }, 'refused'));
+  const columns = [
+    { title: 'Device', pinned: true, cell: (device) => element('b', { class: 'strong' }, device.name) },
+    { title: 'File', cell: (device) => device.file },
+    { title: 'SHA-256', cell: hash },
+    { title: 'Status', cell: status },
+  ];
+  return tableOf(columns, devices, 'Input files');
 }
 
 function commandLine() {
