@@ -56,10 +56,6 @@ class TomlTable {
       if (!accept_text(*node, key, *found, longest)) return;
     guarded(*node, key, [&] { take(*found); });
   }
-  template <class T>
-  void set(std::string_view key, std::string_view expected, T& target) {
-    value<T>(key, expected, [&](T const& v) { target = v; });
-  }
   // A text or a list of texts, one take() each.
   void strings(std::string_view key, std::function<void(std::string const&)> const& take,
                std::size_t longest = longest_text);

@@ -226,7 +226,7 @@ Lot read_lot_text(std::string_view text, std::filesystem::path const& path, LotF
   Lot lot;
   data::ReadOptions defaults;
   TomlTable top(root, file, "", complaints);
-  top.set<std::string>("title", "text", lot.title);
+  top.value<std::string>("title", "text", [&](std::string const& title) { lot.title = title; });
   if (auto const* table = top.table("calibrate")) {
     TomlTable reader(*table, file, "[calibrate]", complaints);
     read_settings(reader, lot.settings);

@@ -78,6 +78,8 @@ struct Swings {
   std::vector<double> middle;
   std::size_t begin = 0;  // of those whose two ends are reversals, not ends of the record, where there are enough
   std::size_t end = 0;
+
+  double largest() const { return std::ranges::max(std::span(half).subspan(begin, end - begin)); }
 };
 
 Swings swings_of(std::span<double const> x, std::vector<std::size_t> const& at) {
@@ -97,8 +99,7 @@ Swings swings_of(std::span<double const> x, std::vector<std::size_t> const& at) 
 // Weighted median of the swings' middles. The weight makes the largest stage decide, where an offset shows least and
 // matters most, and lets no swing from one stage to the next outweigh the stages.
 double middle_of(Swings const& swings) {
-  double largest = 0.0;
-  for (auto k = swings.begin; k < swings.end; ++k) largest = std::max(largest, swings.half[k]);
+  double const largest = swings.largest();
   std::vector<std::pair<double, double>> weighted;
   double total = 0.0;
   for (auto k = swings.begin; k < swings.end; ++k) {
@@ -123,8 +124,7 @@ std::size_t swings_across(Swings const& swings, double level, double margin) {
 // Zero wherever that serves: the centre of a noisy history is less certain than the zero of a test.
 double centre_of(std::span<double const> x, Swings const& swings, double band) {
   double const middle = middle_of(swings);
-  double const amplitude = *std::max_element(swings.half.begin() + static_cast<std::ptrdiff_t>(swings.begin),
-                                             swings.half.begin() + static_cast<std::ptrdiff_t>(swings.end));
+  double const amplitude = swings.largest();
   bool const zero_serves = swings_across(swings, 0.0, band) >= swings_across(swings, middle, band);
   if (std::abs(middle) <= off_centre * amplitude && zero_serves) return 0.0;
   bool const ends_where_it_starts = std::abs(x.back() - x.front()) <= rest * amplitude;

@@ -129,11 +129,11 @@ void list(std::string_view bytes, Write const& write) {
       root, [&](hid_t object, std::string const& name) { describe(object, name, write); },
       [&](hid_t group, std::string const& name) {
         bool const sparse = H5Aexists(group, "MATLAB_sparse") > 0;
-        write(fmt::format("0\t{}\t{}\t\t1\t1\n", name, sparse ? "sparse" : "struct"));
+        write(fmt::format("0\t{}\t{}\t\t1\t1\t\n", name, sparse ? "sparse" : "struct"));
         if (sparse) return;
         each(
             group, [&](hid_t object, std::string const& field) { describe(object, name + '.' + field, write); },
-            [&](hid_t, std::string const& field) { write(fmt::format("0\t{}.{}\tstruct\t\t1\t1\n", name, field)); });
+            [&](hid_t, std::string const& field) { write(fmt::format("0\t{}.{}\tstruct\t\t1\t1\t\n", name, field)); });
       });
 }
 
