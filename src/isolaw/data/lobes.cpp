@@ -142,16 +142,9 @@ class Finder {
   std::vector<Lobe> lobes_;
 };
 
-bool same_reach(Lobe const& a, Lobe const& b) {
-  return std::abs(a.reach_mm - b.reach_mm) <= alike * std::max(a.reach_mm, b.reach_mm);
-}
-
-bool same_fall(Lobe const& a, Lobe const& b) {
-  return b.ends_open || (a.fall <= same_pace * b.fall && b.fall <= same_pace * a.fall);
-}
-
 bool like(Lobe const& a, Lobe const& b) {
-  return same_reach(a, b) && same_fall(a, b);
+  bool const same_reach = std::abs(a.reach_mm - b.reach_mm) <= alike * std::max(a.reach_mm, b.reach_mm);
+  return same_reach && (b.ends_open || (a.fall <= same_pace * b.fall && b.fall <= same_pace * a.fall));
 }
 
 bool starts(std::vector<Lobe> const& lobes, std::size_t i) {

@@ -98,10 +98,6 @@ double strength(Cycle const& cycle, Peaks const& peaks, std::span<double const> 
   return std::abs(height) <= rounding * (std::abs(outer) + std::abs(*inner)) ? 0.0 : height / 2.0;
 }
 
-double ratio_or_zero(double force, double displacement) {
-  return displacement != 0.0 ? force / displacement : 0.0;
-}
-
 // Of a cycle that hardly leaves zero on one side, force over displacement is no stiffness of that side.
 constexpr double least_excursion = 0.01;  // of the amplitude
 
@@ -120,7 +116,7 @@ void derive(Cycle& cycle, Peaks const& peaks) {
 }
 
 void idealise(Cycle& cycle) {
-  cycle.K_d_kN_per_mm = cycle.K_eff_kN_per_mm - ratio_or_zero(cycle.Q_d_kN, cycle.amplitude_mm);
+  cycle.K_d_kN_per_mm = cycle.K_eff_kN_per_mm - (cycle.amplitude_mm != 0.0 ? cycle.Q_d_kN / cycle.amplitude_mm : 0.0);
   cycle.D_y_mm.reset();
   cycle.K_1_kN_per_mm.reset();
   double const yield = cycle.amplitude_mm - cycle.energy_kN_mm / (4.0 * cycle.Q_d_kN);
