@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "isolaw/num/statistics.hpp"
 #include "isolaw/opt/multistart.hpp"
 #include "twins.hpp"
 
@@ -23,6 +24,10 @@ std::vector<double> series(std::size_t length, double correlation, std::uint32_t
     value = correlation * value + std::sqrt(1.0 - correlation * correlation) * draws.normal();
   }
   return made;
+}
+
+double block_length(std::vector<double> const& series) {
+  return serial(series, num::moments(series).mean).block;
 }
 
 double mean_block_length(std::size_t length, double correlation) {
@@ -49,7 +54,7 @@ TEST(BlockLength, OfCorrelatedValuesIsThatOfTheirTheory) {
 
 TEST(BlockLength, OfShortAndOfConstantSeriesIsOne) {
   EXPECT_EQ(block_length({}), 1.0);
-  EXPECT_EQ(block_length(std::vector{3.0}), 1.0);
+  EXPECT_EQ(block_length({3.0}), 1.0);
   EXPECT_EQ(block_length(std::vector{1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0}), 1.0);
   EXPECT_EQ(block_length(std::vector<double>(100, 0.0)), 1.0);
   EXPECT_EQ(block_length(std::vector<double>(100, 4.0)), 1.0);

@@ -101,7 +101,7 @@ TEST(GeneticOptions, DefaultsAreThePapers) {
 TEST(GeneticOptions, TheSmallestAllowedRun) {
   GeneticOptions const options{.population = 4, .generations = 1};
   auto const result = minimise_genetic(FunctionProblem(3, sphere), num::Stream(1), options);
-  EXPECT_EQ(result.outcome, GeneticOutcome::all_generations);
+  EXPECT_EQ(result.outcome, Outcome::all_generations);
   EXPECT_EQ(result.evaluations, 4);
 }
 
@@ -116,7 +116,7 @@ TEST(Genetic, EvaluatesOnePopulationPerGenerationInsideTheBox) {
   FunctionProblem const problem(4, sphere);
   GeneticOptions const options{.population = 40, .generations = 30, .mutation_rate = 0.2, .stagnation = 30};
   auto const result = minimise_genetic(problem, num::Stream(1), options);
-  EXPECT_EQ(result.outcome, GeneticOutcome::all_generations);
+  EXPECT_EQ(result.outcome, Outcome::all_generations);
   EXPECT_EQ(result.evaluations, 40 * 30);
   EXPECT_EQ(result.history.size(), 30u);
   ASSERT_EQ(problem.batches.size(), 30u);
@@ -196,7 +196,7 @@ TEST(Genetic, OneFiniteValueInTheInitialPopulationIsEnough) {
 TEST(Genetic, NothingFiniteIsAnOutcomeOfItsOwn) {
   for (double const failure : {nan, infinity, -infinity}) {
     auto const result = minimise_genetic(flat(failure), num::Stream(1));
-    EXPECT_EQ(result.outcome, GeneticOutcome::no_finite_value);
+    EXPECT_EQ(result.outcome, Outcome::no_finite_value);
     EXPECT_FALSE(result.usable());
     EXPECT_EQ(result.best_value, infinity);  // never a number that looks like a perfect fit
     EXPECT_EQ(result.evaluations, 100);
@@ -208,15 +208,15 @@ TEST(Genetic, NothingFiniteIsAnOutcomeOfItsOwn) {
 TEST(Genetic, AFlatProblemStopsAfterTheFirstGenerationAndTheStagnation) {
   for (double const value : {0.0, 1.0, -1.0}) {
     auto const result = minimise_genetic(flat(value), num::Stream(1));
-    EXPECT_EQ(result.outcome, GeneticOutcome::stagnated);
+    EXPECT_EQ(result.outcome, Outcome::stagnated);
     EXPECT_EQ(result.history, std::vector<double>(21, value));
     EXPECT_EQ(result.evaluations, 2100);
   }
 }
 
 TEST(Genetic, StagnationInTheLastGenerationIsNoEarlyStop) {
-  EXPECT_EQ(minimise_genetic(flat(1.0), num::Stream(1), {.generations = 21}).outcome, GeneticOutcome::all_generations);
-  EXPECT_EQ(minimise_genetic(flat(1.0), num::Stream(1), {.generations = 22}).outcome, GeneticOutcome::stagnated);
+  EXPECT_EQ(minimise_genetic(flat(1.0), num::Stream(1), {.generations = 21}).outcome, Outcome::all_generations);
+  EXPECT_EQ(minimise_genetic(flat(1.0), num::Stream(1), {.generations = 22}).outcome, Outcome::stagnated);
 }
 
 // A value that falls by 1 % of its start in each generation, whatever the points are.
@@ -241,7 +241,7 @@ TEST(Genetic, AnInterruptionKeepsWhatWasFound) {
   auto const whole = minimise_genetic(problem, num::Stream(1));
   int asked = 0;
   auto const part = minimise_genetic(problem, num::Stream(1), {}, [&] { return ++asked > 7; });
-  EXPECT_EQ(part.outcome, GeneticOutcome::interrupted);
+  EXPECT_EQ(part.outcome, Outcome::interrupted);
   EXPECT_EQ(asked, 8);
   EXPECT_EQ(part.evaluations, 700);
   EXPECT_EQ(part.history, std::vector<double>(whole.history.begin(), whole.history.begin() + 7));
@@ -251,7 +251,7 @@ TEST(Genetic, AnInterruptionKeepsWhatWasFound) {
 
 TEST(Genetic, AnInterruptionBeforeTheFirstGenerationFindsNothing) {
   auto const result = minimise_genetic(FunctionProblem(4, sphere), num::Stream(1), {}, [] { return true; });
-  EXPECT_EQ(result.outcome, GeneticOutcome::interrupted);
+  EXPECT_EQ(result.outcome, Outcome::interrupted);
   EXPECT_FALSE(result.usable());
   EXPECT_EQ(result.evaluations, 0);
 }
@@ -339,13 +339,13 @@ TEST(Outcome, FollowsFromTheHistory) {
         auto shorter = result.history, longer = result.history;
         shorter.pop_back();
         longer.push_back(longer.back());
-        EXPECT_EQ(outcome_of(shorter, options), GeneticOutcome::interrupted);
-        EXPECT_EQ(outcome_of(longer, options), GeneticOutcome::interrupted);
+        EXPECT_EQ(outcome_of(shorter, options), Outcome::interrupted);
+        EXPECT_EQ(outcome_of(longer, options), Outcome::interrupted);
       }
     }
   }
-  EXPECT_EQ(outcome_of(std::vector{infinity}, {}), GeneticOutcome::no_finite_value);
-  EXPECT_EQ(outcome_of(std::vector{infinity, 1.0}, {}), GeneticOutcome::interrupted);
+  EXPECT_EQ(outcome_of(std::vector{infinity}, {}), Outcome::no_finite_value);
+  EXPECT_EQ(outcome_of(std::vector{infinity, 1.0}, {}), Outcome::interrupted);
 }
 
 }  // namespace

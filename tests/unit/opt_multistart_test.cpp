@@ -55,7 +55,7 @@ TEST(Multistart, FindsTheMedianNotTheMean) {
   std::vector<double> const numbers{0.1, 0.2, 0.3, 0.9, 1.0};
   Residuals const problem(1, 5, [&](Point x, std::size_t j) { return x[0] - numbers[j]; });
   auto const found = minimise_multistart(problem, stream);
-  EXPECT_EQ(found.outcome, MultistartOutcome::confirmed);
+  EXPECT_EQ(found.outcome, Outcome::confirmed);
   EXPECT_NEAR(found.best.at(0), 0.3, 1e-3);
   EXPECT_NEAR(found.best_value, (0.2 + 0.1 + 0.0 + 0.6 + 0.7) / 5.0, 1e-4);
 }
@@ -146,7 +146,7 @@ TEST(Multistart, ApproachesByTheOutlineAndCountsItsShare) {
   Outlined const problem([](Point x, std::size_t j) { return line(x, static_cast<double>(j) / 39.0); },
                          [](Point x, std::size_t j) { return line(x, static_cast<double>(j) / 9.0); });
   auto const found = minimise_multistart(problem, stream);
-  EXPECT_EQ(found.outcome, MultistartOutcome::confirmed);
+  EXPECT_EQ(found.outcome, Outcome::confirmed);
   EXPECT_NEAR(found.best.at(0), 0.2, 1e-2);
   EXPECT_NEAR(found.best.at(1), 0.5, 1e-2);
   EXPECT_EQ(found.best_value, problem.value(found.best));
@@ -161,7 +161,7 @@ TEST(Multistart, IsNotMisledByABadOutline) {
   Outlined const nowhere(whole, [](Point, std::size_t) { return nan; });
   for (auto const* problem : {&elsewhere, &nowhere}) {
     auto const found = minimise_multistart(*problem, stream);
-    EXPECT_EQ(found.outcome, MultistartOutcome::confirmed);
+    EXPECT_EQ(found.outcome, Outcome::confirmed);
     EXPECT_NEAR(found.best.at(0), 0.2, 1e-2);
     EXPECT_NEAR(found.best.at(1), 0.5, 1e-2);
     EXPECT_EQ(found.best_value, problem->value(found.best));
@@ -175,7 +175,7 @@ TEST(Multistart, PassesOverPointsWithoutAValue) {
     return x[0] < 0.5 ? nan : x[0] - 0.5 + std::abs(x[1] - 0.25 * static_cast<double>(j));
   });
   auto const found = minimise_multistart(problem, stream);
-  EXPECT_EQ(found.outcome, MultistartOutcome::confirmed);
+  EXPECT_EQ(found.outcome, Outcome::confirmed);
   EXPECT_NEAR(found.best.at(0), 0.5, 2e-3);
   EXPECT_GT(found.failed_evaluations, 0);
   EXPECT_LT(found.failed_evaluations, found.evaluations);
@@ -184,7 +184,7 @@ TEST(Multistart, PassesOverPointsWithoutAValue) {
 TEST(Multistart, WithoutAnyValueSaysSo) {
   Residuals const problem(3, 4, [](Point, std::size_t) { return nan; });
   auto const found = minimise_multistart(problem, stream);
-  EXPECT_EQ(found.outcome, MultistartOutcome::no_finite_value);
+  EXPECT_EQ(found.outcome, Outcome::no_finite_value);
   EXPECT_FALSE(found.usable());
   EXPECT_EQ(found.failed_evaluations, found.evaluations);
 }
@@ -192,12 +192,12 @@ TEST(Multistart, WithoutAnyValueSaysSo) {
 // Flat problems and exact fits have no relative tolerance to go by.
 TEST(Multistart, EndsOnAFlatProblemAndOnAnExactFit) {
   auto const flat = minimise_multistart(Residuals(3, 2, [](Point, std::size_t) { return 1.0; }), stream);
-  EXPECT_EQ(flat.outcome, MultistartOutcome::confirmed);
+  EXPECT_EQ(flat.outcome, Outcome::confirmed);
   EXPECT_EQ(flat.best_value, 1.0);
   auto const exact = minimise_multistart(
       Residuals(2, 9, [](Point x, std::size_t j) { return (x[0] - 0.4) + static_cast<double>(j) * (x[1] - 0.6); }),
       stream);
-  EXPECT_EQ(exact.outcome, MultistartOutcome::confirmed);
+  EXPECT_EQ(exact.outcome, Outcome::confirmed);
   EXPECT_LT(exact.best_value, 1e-6);
 }
 
@@ -205,7 +205,7 @@ TEST(Multistart, StopsWhenItIsAsked) {
   Residuals const problem(2, 3, [](Point x, std::size_t j) { return x[j % 2] - 0.2 * static_cast<double>(j); });
   int asked = 0;
   auto const found = minimise_multistart(problem, stream, {}, [&] { return ++asked > 4; });
-  EXPECT_EQ(found.outcome, MultistartOutcome::interrupted);
+  EXPECT_EQ(found.outcome, Outcome::interrupted);
   EXPECT_EQ(found.starts, 4);
   EXPECT_TRUE(found.usable());
 }
@@ -214,7 +214,7 @@ TEST(Multistart, SpendsItsBudgetWhereTheBestIsNotConfirmed) {
   // As many valleys as starts, each of another depth.
   Residuals const problem(1, 1, [](Point x, std::size_t) { return 2.0 + std::sin(900.0 * x[0]) + x[0]; });
   auto const found = minimise_multistart(problem, stream, {.hits = 16, .most_evaluations = 3000});
-  EXPECT_EQ(found.outcome, MultistartOutcome::budget_spent);
+  EXPECT_EQ(found.outcome, Outcome::budget_spent);
   EXPECT_GE(found.evaluations, 3000);
   EXPECT_LT(found.evaluations, 20'000);
 }

@@ -112,7 +112,6 @@ double shift_in_points(Loop const& loop) {
 }
 
 TEST(Skew, InTheLimitOfLowDampingIsPiFDt) {
-  EXPECT_NEAR(skew_damping_points(f, skew_s), 1.5708, 1e-4);
   EXPECT_NEAR(shift_in_points(ellipse(0.6, 0.005)), 1.5708, 0.002);
   EXPECT_NEAR(measured(ellipse(0.6, 0.005), 4000, skew_s).damping_percent - 0.5, -1.5708, 0.002);
 }

@@ -20,18 +20,9 @@ TEST(ToleranceFactor, IsExact) {
     EXPECT_NEAR(tolerance_factor(n), k, 1.01e-4) << n;
 }
 
-// The tables of most handbooks, which are Wald's and Wolfowitz's approximation, to their three digits.
-TEST(TabulatedToleranceFactor, IsThatOfHandbooks) {
-  for (auto const& [n, k] :
-       Table{{2, 37.674}, {3, 9.916}, {4, 6.370}, {5, 5.079}, {6, 4.414}, {10, 3.379}, {20, 2.752}, {30, 2.549}})
-    EXPECT_NEAR(tabulated_tolerance_factor(n), k, 1e-3) << n;
-}
-
 TEST(ToleranceFactor, TendsToTheNormalQuantile) {
   EXPECT_NEAR(tolerance_factor(1'000'000), 1.959964, 3e-3);
-  EXPECT_NEAR(tabulated_tolerance_factor(1'000'000), 1.959964, 3e-3);
   EXPECT_TRUE(std::isnan(tolerance_factor(1)));
-  EXPECT_TRUE(std::isnan(tabulated_tolerance_factor(0)));
 }
 
 // What the factor promises, by drawing samples: the interval holds 95 % of the distribution in 95 % of the samples.

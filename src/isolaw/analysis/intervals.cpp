@@ -24,49 +24,6 @@ double quantile(std::vector<double> sorted, double probability) {
   return std::lerp(sorted[below], sorted[above], at - static_cast<double>(below));
 }
 
-// What is known of a series from its autocovariance (Politis and White 2004): block length, and the correlations of
-// neighbours up to where they have died out, tapered.
-struct Serial {
-  double block = 1.0;
-  std::vector<double> correlation = {1.0};  // by lag
-};
-
-Serial serial(std::span<double const> series, double mean) {
-  std::size_t const n = series.size();
-  auto const covariance = [&](std::size_t lag) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i + lag < n; ++i) sum += (series[i] - mean) * (series[i + lag] - mean);
-    return sum / static_cast<double>(n);
-  };
-  Serial made;
-  double const size = static_cast<double>(n), variance = covariance(0);
-  constexpr double rounding = 1e-20;
-  if (n < 12 || !(variance > rounding * mean * mean)) return made;
-  // The lag from which on the correlation is no more than that of independent values, for a few lags in a row.
-  auto const in_a_row = static_cast<std::size_t>(std::max(5.0, std::sqrt(std::log10(size))));
-  auto const most = static_cast<std::size_t>(std::ceil(std::sqrt(size))) + in_a_row;
-  double const threshold = 2.0 * std::sqrt(std::log10(size) / size);
-  std::size_t quiet = 0, last = 0;
-  for (std::size_t lag = 1; lag < std::min(most, n) && quiet < in_a_row; ++lag) {
-    bool const correlated = std::abs(covariance(lag) / variance) >= threshold;
-    quiet = correlated ? 0 : quiet + 1;
-    if (correlated) last = lag;
-  }
-  if (last == 0) return made;
-  std::size_t const reach = std::min(2 * last, n - 1);
-  double g = 0.0, total = variance;
-  for (std::size_t k = 1; k <= reach; ++k) {
-    double const place = static_cast<double>(k) / static_cast<double>(reach);
-    double const c = (place <= 0.5 ? 1.0 : 2.0 * (1.0 - place)) * covariance(k);
-    g += 2.0 * static_cast<double>(k) * c;
-    total += 2.0 * c;
-    made.correlation.push_back(c / variance);
-  }
-  double const d = 4.0 / 3.0 * total * total;
-  if (d > 0.0) made.block = std::max(1.0, std::cbrt(2.0 * g * g / d * size));
-  return made;
-}
-
 // Mean size of the residuals about each sample, over an eighth of the record: misfits differ from one part of it to
 // another. A narrower window would find the samples that the fit passes through, a tenth of the usual size is the least.
 Vector local_size(Vector const& residuals) {
@@ -175,10 +132,40 @@ std::vector<double> drawn(std::span<double const> weights, std::size_t samples, 
 
 }  // namespace
 
-double block_length(std::span<double const> series) {
-  double mean = 0.0;
-  for (double const value : series) mean += value / static_cast<double>(series.size());
-  return serial(series, mean).block;
+Serial serial(std::span<double const> series, double mean) {
+  std::size_t const n = series.size();
+  auto const covariance = [&](std::size_t lag) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i + lag < n; ++i) sum += (series[i] - mean) * (series[i + lag] - mean);
+    return sum / static_cast<double>(n);
+  };
+  Serial made;
+  double const size = static_cast<double>(n), variance = covariance(0);
+  constexpr double rounding = 1e-20;
+  if (n < 12 || !(variance > rounding * mean * mean)) return made;
+  // The lag from which on the correlation is no more than that of independent values, for a few lags in a row.
+  auto const in_a_row = static_cast<std::size_t>(std::max(5.0, std::sqrt(std::log10(size))));
+  auto const most = static_cast<std::size_t>(std::ceil(std::sqrt(size))) + in_a_row;
+  double const threshold = 2.0 * std::sqrt(std::log10(size) / size);
+  std::size_t quiet = 0, last = 0;
+  for (std::size_t lag = 1; lag < std::min(most, n) && quiet < in_a_row; ++lag) {
+    bool const correlated = std::abs(covariance(lag) / variance) >= threshold;
+    quiet = correlated ? 0 : quiet + 1;
+    if (correlated) last = lag;
+  }
+  if (last == 0) return made;
+  std::size_t const reach = std::min(2 * last, n - 1);
+  double g = 0.0, total = variance;
+  for (std::size_t k = 1; k <= reach; ++k) {
+    double const place = static_cast<double>(k) / static_cast<double>(reach);
+    double const c = (place <= 0.5 ? 1.0 : 2.0 * (1.0 - place)) * covariance(k);
+    g += 2.0 * static_cast<double>(k) * c;
+    total += 2.0 * c;
+    made.correlation.push_back(c / variance);
+  }
+  double const d = 4.0 / 3.0 * total * total;
+  if (d > 0.0) made.block = std::max(1.0, std::cbrt(2.0 * g * g / d * size));
+  return made;
 }
 
 std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox const& box,
@@ -186,11 +173,9 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
                                    IntervalOptions const& options, Interrupted const& interrupted) {
   // Parameters at a bound are held: a box in which they are not free.
   auto inner = box;
-  std::vector<bool> held(box.parameters.size(), false);
   for (std::size_t i = 0; i < box.parameters.size(); ++i) {
     auto& p = inner.parameters[i];
     if (fit::at_bound(p, optimum[i]) == fit::AtBound::no) continue;
-    held[i] = true;
     p.free = false;
     p.value = optimum[i];
   }
@@ -198,10 +183,6 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
   std::size_t const n = start.size();
 
   Intervals made{.level = options.level};
-  auto const place = [&](std::size_t i) {  // of a parameter among those of `inner`
-    return static_cast<std::size_t>(
-        std::ranges::count_if(std::span(inner.parameters).first(i), [](auto const& p) { return p.free; }));
-  };
   fit::IdentificationProblem const problem(model, inner);
   Matrix covariance = Matrix::Zero(static_cast<Index>(n), static_cast<Index>(n));
   for (double const weight : model.residual_weights()) made.samples += weight > 0.0 ? 1 : 0;
@@ -241,11 +222,10 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
     auto const& p = box.parameters[i];
     if (!p.free) continue;
     ParameterInterval found{.parameter = i, .linear_lower = optimum[i], .linear_upper = optimum[i]};
-    if (held[i]) {
-      found.bootstrap_lower = found.bootstrap_upper = optimum[i];
-      if (options.replicates == 0) found.bootstrap_lower = found.bootstrap_upper = std::nullopt;
+    if (!inner.parameters[i].free) {
+      if (options.replicates > 0) found.bootstrap_lower = found.bootstrap_upper = optimum[i];
     } else {
-      auto const k = place(i);
+      auto const k = inside.size();  // place among the free ones of `inner`
       double const reach = z * std::sqrt(covariance(static_cast<Index>(k), static_cast<Index>(k)));
       found.linear_lower = p.at(start[k] - reach);
       found.linear_upper = p.at(start[k] + reach);

@@ -56,8 +56,13 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
                                    std::span<double const> optimum, num::Stream const& stream,
                                    IntervalOptions const& options = {}, Interrupted const& interrupted = {});
 
-// Length of blocks for a series, in samples, 1 or more: where its autocorrelation has died out. The circular form of the
-// rule, for series of a dozen values or more; 1 for shorter ones.
-double block_length(std::span<double const> series);
+// What is known of a series from its autocovariance, by the circular form of the rule: the length of its blocks in samples, 1
+// or more, and the correlations of neighbours up to where they have died out, tapered. For series of a dozen values or more;
+// shorter ones count as independent.
+struct Serial {
+  double block = 1.0;
+  std::vector<double> correlation = {1.0};  // by lag
+};
+Serial serial(std::span<double const> series, double mean);
 
 }  // namespace isolaw::analysis

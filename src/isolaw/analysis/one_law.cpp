@@ -96,7 +96,7 @@ std::optional<OneLaw> least_mean(std::span<fit::LawOnRecord const* const> models
   std::size_t const used = std::min(most_starts, points.size());
   for (std::size_t i = 0; i < used; ++i) starts.push_back(points[i * points.size() / used]);
 
-  opt::DescentResult best;
+  opt::Found best;
   int evaluations = 0;
   for (auto const& start : starts) {
     if (interrupted && interrupted()) return std::nullopt;
@@ -155,7 +155,7 @@ std::optional<LeftOut> leave_out(std::span<fit::LawOnRecord const* const> models
   shares[device] = 0.0;
   if (box.free_count() > 0) {
     Joint const problem(models, box, shares);
-    opt::DescentResult best;
+    opt::Found best;
     int evaluations = 0;
     for (auto const& start : starts_without(problem, box, parameters_of_all, optima, device)) {
       auto found = opt::descend(problem, start, 0.3);

@@ -133,13 +133,7 @@ int init(InitArguments const& arguments) {
     }
     try {
       auto const record = data::read_record(device.files.front(), device.read);
-      device.read.columns = record.layout.columns;
-      device.read.units = record.layout.units;
-      device.read.dt_s = record.layout.dt_s;
-      device.read.flip_force = record.layout.flip_force;
-      device.read.sheet = record.layout.sheet;
-      device.read.test = record.layout.test;
-      device.read.corrections = record.layout.corrections;
+      device.read = record.layout;
       fmt::print("{}: {} samples\n", device.name == device.files.front().stem() ? device.shown_file : device.name,
                  record.size());
       for (auto const& line : record.recognised) fmt::print("  {}\n", line);

@@ -1,8 +1,10 @@
 #include "isolaw/base/hash.hpp"
 
+#include <fmt/ranges.h>
 #include <openssl/evp.h>
 
 #include <array>
+#include <span>
 
 #include "isolaw/base/error.hpp"
 
@@ -13,13 +15,7 @@ std::string sha256(std::string_view bytes) {
   unsigned int length = 0;
   if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1)
     throw Error({.where = "SHA-256", .found = "the cryptographic library refused to compute a digest"});
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string text;
-  for (unsigned int i = 0; i < length; ++i) {
-    text += digits[digest[i] >> 4];
-    text += digits[digest[i] & 15];
-  }
-  return text;
+  return fmt::format("{:02x}", fmt::join(std::span(digest).first(length), ""));
 }
 
 }  // namespace isolaw

@@ -31,34 +31,11 @@ JsonWriter& JsonWriter::key(std::string_view name) {
 }
 
 JsonWriter& JsonWriter::value(std::string_view text) {
-  start_value();
-  text_ += quoted(text);
-  return *this;
-}
-
-JsonWriter& JsonWriter::value(bool flag) {
-  start_value();
-  text_ += flag ? "true" : "false";
-  return *this;
-}
-
-JsonWriter& JsonWriter::value(int number) {
-  start_value();
-  text_ += std::to_string(number);
-  return *this;
-}
-
-JsonWriter& JsonWriter::value(std::uint64_t number) {
-  start_value();
-  text_ += std::to_string(number);
-  return *this;
+  return put(quoted(text));
 }
 
 JsonWriter& JsonWriter::value(double number) {
-  if (!std::isfinite(number)) return null();
-  start_value();
-  text_ += number_text(number);
-  return *this;
+  return std::isfinite(number) ? put(number_text(number)) : null();
 }
 
 JsonWriter& JsonWriter::value(std::optional<double> const& number) {
@@ -66,27 +43,16 @@ JsonWriter& JsonWriter::value(std::optional<double> const& number) {
 }
 
 JsonWriter& JsonWriter::rounded(std::optional<double> const& number, int digits) {
-  if (!number || !std::isfinite(*number)) return null();
-  start_value();
-  text_ += to_text(number, digits);
-  return *this;
-}
-
-JsonWriter& JsonWriter::null() {
-  start_value();
-  text_ += "null";
-  return *this;
+  auto const text = to_text(number, digits);
+  return text.empty() ? null() : put(text);
 }
 
 JsonWriter& JsonWriter::json(std::string_view text) {
   auto const document = nlohmann::ordered_json::parse(text, nullptr, false);
   if (document.is_discarded()) return value(text);
-  start_value();
   auto const replace = nlohmann::json::error_handler_t::replace;
-  if (!indented_) {
-    text_ += document.dump(-1, ' ', false, replace);
-    return *this;
-  }
+  if (!indented_) return put(document.dump(-1, ' ', false, replace));
+  start_value();
   std::string const indent(2 * filled_.size(), ' ');
   for (char const c : document.dump(2, ' ', false, replace)) {  // line breaks in strings are escaped: these are layout
     text_ += c;
@@ -107,9 +73,14 @@ std::string JsonWriter::take() {
   return std::exchange(text_, {});
 }
 
-JsonWriter& JsonWriter::open(char bracket) {
+JsonWriter& JsonWriter::put(std::string_view json) {
   start_value();
-  text_ += bracket;
+  text_ += json;
+  return *this;
+}
+
+JsonWriter& JsonWriter::open(char bracket) {
+  put({&bracket, 1});
   filled_.push_back(false);
   return *this;
 }

@@ -25,14 +25,14 @@ class JsonWriter {
   JsonWriter& value(std::string_view text);
   JsonWriter& value(char const* text) { return value(std::string_view(text)); }
   JsonWriter& value(std::string const& text) { return value(std::string_view(text)); }
-  JsonWriter& value(bool flag);
-  JsonWriter& value(int number);
-  JsonWriter& value(std::uint64_t number);
+  JsonWriter& value(bool flag) { return put(flag ? "true" : "false"); }
+  JsonWriter& value(int number) { return put(std::to_string(number)); }
+  JsonWriter& value(std::uint64_t number) { return put(std::to_string(number)); }
   JsonWriter& value(double number);  // null when not finite
   JsonWriter& value(std::optional<double> const& number);
   // Rounded to `digits` significant digits: for numbers that are drawn rather than computed with.
   JsonWriter& rounded(std::optional<double> const& number, int digits);
-  JsonWriter& null();
+  JsonWriter& null() { return put("null"); }
   // Text that is JSON already. What does not parse is written as a string: a setting is never lost.
   JsonWriter& json(std::string_view text);
   JsonWriter& value(std::vector<std::string> const& texts);
@@ -45,6 +45,7 @@ class JsonWriter {
   std::string take();  // the document; the writer is empty afterwards
 
  private:
+  JsonWriter& put(std::string_view json);  // a value
   JsonWriter& open(char bracket);
   JsonWriter& close(char bracket);
   void start_value();

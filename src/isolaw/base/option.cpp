@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "isolaw/base/printable.hpp"
-#include "isolaw/base/words.hpp"
 
 namespace isolaw {
 namespace {
@@ -59,9 +58,9 @@ std::string text_of(Json const& value) {
   if (value.is_null()) return {};
   if (value.is_string()) return value.get<std::string>();
   if (!value.is_array()) return value.dump();
-  std::string joined;
-  for (auto const& item : value) joined += (joined.empty() ? "" : ",") + text_of(item);
-  return joined;
+  std::vector<std::string> items;
+  for (auto const& item : value) items.push_back(text_of(item));
+  return joined(items, ",");
 }
 
 std::vector<std::string> words_of(OptionInfo const& option, Json const& value) {

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/words.hpp"
 
 namespace isolaw {
 
@@ -105,6 +106,10 @@ constexpr auto at(auto... path) {
 }
 
 template <class T>
+Json or_null(T const& value) {
+  return value;
+}
+template <class T>
 Json or_null(std::optional<T> const& value) {
   return value ? Json(*value) : Json();
 }
@@ -116,14 +121,8 @@ std::string help_of(std::string help, std::string const& limits, std::string con
 template <class Target, class Place>
 Option<Target> number(std::string_view key, std::string help, Place place, Limits limits = {}, std::string usual = {}) {
   using Value = std::remove_cvref_t<decltype(place(std::declval<Target&>()))>;
-  constexpr bool optional = !std::is_arithmetic_v<Value>;
   constexpr bool whole = std::is_same_v<Value, int> || std::is_same_v<Value, std::optional<int>>;
-  auto const get = [place](Target const& from) -> Json {
-    if constexpr (optional)
-      return or_null(place(from));
-    else
-      return place(from);
-  };
+  auto const get = [place](Target const& from) { return or_null(place(from)); };
   auto const set = [place, limits](Target& to, Json const& value) {
     if constexpr (whole)
       place(to) = whole_of(value, limits);
@@ -147,15 +146,11 @@ Option<Target> word(std::string_view key, std::string help, Place place,
                     std::pair<std::string_view, T> const (&words)[N]) {
   std::vector<std::pair<std::string_view, T>> const all(std::begin(words), std::end(words));
   Option<Target> made{{.key = key, .help = std::move(help)}, {}, {}};
-  std::string allowed;
-  for (auto const& [text, meant] : all) {
-    made.words.push_back(text);
-    allowed += (allowed.empty() ? "" : ", ") + std::string(text);
-  }
+  for (auto const& [text, meant] : all) made.words.push_back(text);
   made.get = [=](Target const& from) -> Json {
     return std::ranges::find(all, place(from), [](auto& w) { return w.second; })->first;
   };
-  made.set = [=](Target& to, Json const& value) {
+  made.set = [=, allowed = joined(made.words)](Target& to, Json const& value) {
     for (auto const& [text, meant] : all)
       if (value == Json(text) || (std::is_same_v<T, bool> && value == Json(meant))) return void(place(to) = meant);
     refuse(value, allowed);

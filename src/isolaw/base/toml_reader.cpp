@@ -186,9 +186,8 @@ void TomlTable::refuse_unknown() {
   for (auto const& [key, item] : table_) {
     if (known_.contains(std::string(key.str()))) continue;
     if (complaints_.size() > most_complaints) return;
-    std::string allowed;
-    for (auto const& k : known_) allowed += (allowed.empty() ? "" : ", ") + k;
-    complain(item, fmt::format("unknown key {}{}", in_quotes(key.str()), name_.empty() ? "" : " in " + name_), allowed);
+    complain(item, fmt::format("unknown key {}{}", in_quotes(key.str()), name_.empty() ? "" : " in " + name_),
+             joined(known_));
   }
 }
 
@@ -198,12 +197,10 @@ void TomlTable::complain(toml::node const& node, std::string found, std::string 
       {.where = where(node), .found = std::move(found), .allowed = std::move(allowed), .advice = std::move(advice)});
 }
 
-void TomlTable::complain_kind(toml::node const& node, std::string_view key, std::string_view expected) {
-  complain(node, fmt::format("'{}' is not {}", key, expected), std::string(expected));
-}
-
-void TomlTable::complain_range(toml::node const& node, std::string_view key, std::string_view expected) {
-  complain(node, fmt::format("'{}' is {}, out of range", key, node.value<std::int64_t>().value_or(0)),
+void TomlTable::complain_value(toml::node const& node, std::string_view key, std::string_view expected, bool of_kind) {
+  complain(node,
+           of_kind ? fmt::format("'{}' is {}, out of range", key, node.value<std::int64_t>().value_or(0))
+                   : fmt::format("'{}' is not {}", key, expected),
            std::string(expected));
 }
 

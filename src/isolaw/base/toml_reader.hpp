@@ -45,25 +45,16 @@ class TomlTable {
 
   std::string where(toml::node const& node) const;
 
-  // A key that is read elsewhere.
-  void know(std::string_view key) { known_.emplace(key); }
-
   // Calls take(value) when the key is there and of type T; an Error of take() becomes complaints at the key's line.
   template <class T, class Take>
   void value(std::string_view key, std::string_view expected, Take&& take, std::size_t longest = longest_text) {
-    known_.emplace(key);
-    auto const* node = table_.get(key);
+    auto const* node = find(key);
     if (node == nullptr) return;
     auto const found = node->value<T>();
-    if (!found && is_kind<T>(*node)) return complain_range(*node, key, expected);
-    if (!found || !is_kind<T>(*node)) return complain_kind(*node, key, expected);
+    if (!found || !is_kind<T>(*node)) return complain_value(*node, key, expected, is_kind<T>(*node));
     if constexpr (std::is_same_v<T, std::string>)
       if (!accept_text(*node, key, *found, longest)) return;
     guarded(*node, key, [&] { take(*found); });
-  }
-  template <class T>
-  void set(std::string_view key, std::string_view expected, T& target) {
-    value<T>(key, expected, [&](T const& v) { target = v; });
   }
   // A text or a list of texts, one take() each.
   void strings(std::string_view key, std::function<void(std::string const&)> const& take,
@@ -104,9 +95,8 @@ class TomlTable {
   }
   // Of text, a number, true and false, or a date, which is text; no value of what is none of these, or not accepted.
   std::optional<Json> scalar(toml::node const& node, std::string_view key, std::size_t longest);
-  void complain_kind(toml::node const& node, std::string_view key, std::string_view expected);
-  // A whole number beyond those of its type.
-  void complain_range(toml::node const& node, std::string_view key, std::string_view expected);
+  // Of another kind, or of that kind, but a whole number beyond those of its type.
+  void complain_value(toml::node const& node, std::string_view key, std::string_view expected, bool of_kind);
 
   toml::table const& table_;
   std::string file_, name_;

@@ -1,8 +1,9 @@
 #include "isolaw/base/units.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
+#include <vector>
+
+#include "isolaw/base/words.hpp"
 
 namespace isolaw {
 namespace {
@@ -35,12 +36,6 @@ constexpr std::array aliases{
     Alias{"seconds", "s"}, Alias{"msec", "ms"}, Alias{"kilonewton", "kN"}, Alias{"newton", "N"}, Alias{"kg", "kgf"},
 };
 
-std::string lower(std::string_view text) {
-  std::string out(text);
-  std::ranges::transform(out, out.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return out;
-}
-
 }  // namespace
 
 std::optional<Unit> parse_unit(std::string_view text) {
@@ -60,25 +55,15 @@ std::optional<Unit> parse_unit(std::string_view text) {
 }
 
 std::string known_units(Dimension dimension) {
-  std::string text;
-  for (auto const& unit : known) {
-    if (unit.dimension != dimension) continue;
-    if (!text.empty()) text += ", ";
-    text += unit.symbol;
-  }
-  return text;
+  std::vector<std::string_view> symbols;
+  for (auto const& unit : known)
+    if (unit.dimension == dimension) symbols.push_back(unit.symbol);
+  return joined(symbols);
 }
 
 std::string_view name(Dimension dimension) {
-  switch (dimension) {
-    case Dimension::force:
-      return "force";
-    case Dimension::length:
-      return "length";
-    case Dimension::time:
-      return "time";
-  }
-  return "";
+  if (dimension == Dimension::force) return "force";
+  return dimension == Dimension::length ? "length" : "time";
 }
 
 }  // namespace isolaw

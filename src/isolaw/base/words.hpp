@@ -1,11 +1,13 @@
-// Words of a person or a file: blanks around them, the number one is, a list of them.
+// Words of a person or a file: blanks around them, their case, the number one is, a list of them.
 #pragma once
 
 #include <charconv>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 namespace isolaw {
 
@@ -14,6 +16,21 @@ constexpr std::string_view trimmed(std::string_view text) {
   auto const first = text.find_first_not_of(" \t");
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+// ASCII letters in lower case, all else as it is.
+inline std::string lower(std::string_view text) {
+  std::string out(text);
+  for (char& c : out)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return out;
+}
+
+// What stands before the first separator, or all; both are taken off the text.
+constexpr std::string_view take_part(std::string_view& text, char separator) {
+  auto const part = text.substr(0, text.find(separator));
+  text.remove_prefix(part.size() == text.size() ? part.size() : part.size() + 1);
+  return part;
 }
 
 // The number that the whole text is, with a decimal point and in the range of T; a '+' before it is let through.
@@ -35,6 +52,14 @@ std::string joined(Words const& words, std::string_view separator = ", ") {
     text += word;
   }
   return text;
+}
+
+// "a, b, and 3 more": the first `shown` of the words.
+inline std::string shortened(std::vector<std::string> words, std::size_t shown) {
+  auto const left_out = words.size() > shown ? words.size() - shown : 0;
+  words.resize(words.size() - left_out);
+  if (left_out > 0) words.push_back("and " + std::to_string(left_out) + " more");
+  return joined(words);
 }
 
 }  // namespace isolaw

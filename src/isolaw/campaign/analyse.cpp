@@ -75,7 +75,7 @@ class Analysis {
       // The runs end where the method of the paper does; what a test determines is asked about the least objective.
       fit::IdentificationProblem const problem(model, box);
       auto const found = opt::minimise_multistart(problem, stream, contents_.settings.multistart, options_.interrupted);
-      if (found.outcome == opt::MultistartOutcome::interrupted) return std::nullopt;
+      if (found.outcome == Outcome::interrupted) return std::nullopt;
       evaluations = found.evaluations;
       if (found.usable() && found.best_value < best.objective) box.expand(found.best, optimum);
     }

@@ -102,54 +102,9 @@ struct Task {
   int number;
 };
 
-// What a search of either method found.
-struct Found {
-  std::optional<Outcome> outcome;  // none: interrupted
-  std::vector<double> best;        // in the unit box
-  int evaluations = 0, failed_evaluations = 0;
-  std::vector<double> history;
-};
-
-std::optional<Outcome> outcome_of(opt::GeneticOutcome outcome) {
-  switch (outcome) {
-    case opt::GeneticOutcome::all_generations:
-      return Outcome::all_generations;
-    case opt::GeneticOutcome::stagnated:
-      return Outcome::stagnated;
-    case opt::GeneticOutcome::no_finite_value:
-      return Outcome::no_finite_value;
-    case opt::GeneticOutcome::interrupted:
-      break;
-  }
-  return std::nullopt;
-}
-
-std::optional<Outcome> outcome_of(opt::MultistartOutcome outcome) {
-  switch (outcome) {
-    case opt::MultistartOutcome::confirmed:
-      return Outcome::confirmed;
-    case opt::MultistartOutcome::budget_spent:
-      return Outcome::budget_spent;
-    case opt::MultistartOutcome::no_finite_value:
-      return Outcome::no_finite_value;
-    case opt::MultistartOutcome::interrupted:
-      break;
-  }
-  return std::nullopt;
-}
-
-template <class Result>
-Found found_by(Result result) {
-  return {.outcome = outcome_of(result.outcome),
-          .best = std::move(result.best),
-          .evaluations = result.evaluations,
-          .failed_evaluations = result.failed_evaluations,
-          .history = std::move(result.history)};
-}
-
 // Nothing is searched when every parameter is fixed: the one point is the answer.
-Found evaluate_fixed(Target const& target, Method method) {
-  Found result;
+opt::SearchResult evaluate_fixed(Target const& target, Method method) {
+  opt::SearchResult result;
   std::vector<double> parameters(target.search->box.parameters.size()), work;
   target.search->box.expand({}, parameters);
   double const value = target.model.objective(parameters, work);
@@ -163,13 +118,14 @@ Found evaluate_fixed(Target const& target, Method method) {
   return result;
 }
 
-Found search_by(Settings const& settings, Target const& target, int number, std::function<bool()> const& interrupted) {
+opt::SearchResult search_by(Settings const& settings, Target const& target, int number,
+                            std::function<bool()> const& interrupted) {
   if (target.search->box.free_count() == 0) return evaluate_fixed(target, settings.method);
   fit::IdentificationProblem const problem(target.model, target.search->box);
   auto const stream = target.stream.split(static_cast<std::uint64_t>(number));
   return settings.method == Method::genetic
-             ? found_by(opt::minimise_genetic(problem, stream, settings.genetic, interrupted))
-             : found_by(opt::minimise_multistart(problem, stream, settings.multistart, interrupted));
+             ? opt::minimise_genetic(problem, stream, settings.genetic, interrupted)
+             : opt::minimise_multistart(problem, stream, settings.multistart, interrupted);
 }
 
 // Keeps how the search went, and none of what it found.
@@ -180,11 +136,11 @@ void fail(Run& run, std::string why) {
   run.parameters.clear();
 }
 
-Run finished(Target const& target, int number, Found const& result) {
+Run finished(Target const& target, int number, opt::SearchResult const& result) {
   Run run{.device = target.search->device,
           .law = target.search->law,
           .number = number,
-          .outcome = *result.outcome,
+          .outcome = result.outcome,
           .objective = {},
           .integration_shift = {},
           .refinement = 1,
@@ -379,7 +335,7 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
     if (asked_to_stop()) return;
     auto const& target = targets[task.target];
     auto const result = search_by(contents.settings, target, task.number, asked_to_stop);
-    if (!result.outcome) return;
+    if (result.outcome == Outcome::interrupted) return;
     auto run = finished(target, task.number, result);
     if (run.usable() && contents.settings.method == Method::best &&
         contents.settings.integration == laws::Integration::converged)

@@ -95,7 +95,7 @@ class RunChecker {
         run.failed_evaluations > run.evaluations || (run.usable() && run.failed_evaluations == run.evaluations) ||
         (!run.usable() && run.failed_evaluations != run.evaluations))
       complain(run, "its count of evaluations is impossible");
-    bool const ended = searched ? opt::outcome_of(run.history, genetic) == as_searched(run.outcome)
+    bool const ended = searched ? opt::outcome_of(run.history, genetic) == run.outcome
                                 : generations == 1 && run.outcome != Outcome::stagnated;
     if (!ended || run.usable() != (run.outcome != Outcome::no_finite_value))
       complain(run, "its history does not end as the settings and its outcome say");
@@ -114,11 +114,6 @@ class RunChecker {
                                                               : run.outcome == Outcome::no_finite_value;
     if (!ended || run.usable() != (run.outcome != Outcome::no_finite_value))
       complain(run, "its history does not end as the settings and its outcome say");
-  }
-  static opt::GeneticOutcome as_searched(Outcome outcome) {
-    return outcome == Outcome::stagnated         ? opt::GeneticOutcome::stagnated
-           : outcome == Outcome::no_finite_value ? opt::GeneticOutcome::no_finite_value
-                                                 : opt::GeneticOutcome::all_generations;
   }
   void check_objective(Search const& search, Run const& run) {
     auto const model = law_on_device(contents_, search.device, search.law, run.refinement);

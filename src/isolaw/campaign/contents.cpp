@@ -24,6 +24,8 @@ std::string_view name(Outcome outcome) {
       return "stagnated";
     case Outcome::no_finite_value:
       return "no_finite_value";
+    case Outcome::interrupted:
+      return "interrupted";
   }
   return "";
 }

@@ -52,7 +52,7 @@ struct Search {
 };
 
 // confirmed, budget_spent: of the method `best`; all_generations, stagnated: of the genetic algorithm.
-enum class Outcome { confirmed, budget_spent, all_generations, stagnated, no_finite_value };
+using opt::Outcome;  // an interrupted run is not kept
 std::string_view name(Outcome outcome);
 
 struct Run {

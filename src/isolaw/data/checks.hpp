@@ -20,7 +20,6 @@ class Findings {
   // `rest` names the kind for the count, "cells that are no number".
   Findings(std::string file, std::string_view rest) : file_(std::move(file)), rest_(rest) {}
   void add(std::size_t line, std::string found, std::string allowed, std::string advice);
-  bool empty() const { return count_ == 0; }
   void append_to(std::vector<Complaint>& complaints) const;
 
  private:

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <span>
 #include <string>
 
@@ -102,12 +103,9 @@ std::vector<double> every(std::vector<double> const& values, std::size_t step) {
 }
 
 void drop_samples(FitRecord& record, std::size_t step) {
-  record.time_s = every(record.time_s, step);
-  record.disp_mm = every(record.disp_mm, step);
-  record.vel_mm_s = every(record.vel_mm_s, step);
-  record.force_kN = every(record.force_kN, step);
-  record.scored = every(record.scored, step);
-  record.block = every(record.block, step);
+  for (auto* values :
+       {&record.time_s, &record.disp_mm, &record.vel_mm_s, &record.force_kN, &record.scored, &record.block})
+    *values = every(*values, step);
 }
 
 void choose_scored(FitRecord& record, TestRecord const& raw, Selection const& selection) {
@@ -139,7 +137,7 @@ std::string attenuation(int window, Properties const& properties) {
 
 std::vector<double> sample_numbers(std::size_t size) {
   std::vector<double> numbers(size);
-  for (std::size_t i = 0; i < size; ++i) numbers[i] = static_cast<double>(i);
+  std::iota(numbers.begin(), numbers.end(), 0.0);
   return numbers;
 }
 

@@ -1,7 +1,6 @@
 #include "isolaw/data/columns.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -185,32 +184,20 @@ std::optional<ColumnName> split_last_word(std::string_view name) {
 
 constexpr Channel motion_channels[] = {Channel::time, Channel::disp};
 
+struct ChannelInfo {
+  std::string_view name, meaning;
+  Dimension dimension;
+};
+
+ChannelInfo const& info_of(Channel channel) {
+  static constexpr ChannelInfo table[]{{"time", "time", Dimension::time},
+                                       {"disp", "horizontal displacement", Dimension::length},
+                                       {"force", "horizontal force", Dimension::force},
+                                       {"load", "vertical load", Dimension::force}};
+  return table[static_cast<std::size_t>(channel)];
+}
+
 // --- resolution ------------------------------------------------------------------------------------------------
-
-std::string unit_example(Channel channel) {
-  switch (dimension(channel)) {
-    case Dimension::force:
-      return "kN";
-    case Dimension::length:
-      return "mm";
-    default:
-      return "s";
-  }
-}
-
-std::string_view meaning_text(Channel channel) {
-  switch (channel) {
-    case Channel::time:
-      return "time";
-    case Channel::disp:
-      return "horizontal displacement";
-    case Channel::force:
-      return "horizontal force";
-    case Channel::load:
-      return "vertical load";
-  }
-  return "";
-}
 
 class Resolver {
  public:
@@ -233,7 +220,6 @@ class Resolver {
   }
 
  private:
-  std::size_t count() const { return count_; }
   bool has_names() const { return !header_.names.empty(); }
   bool asked_for(Channel channel) const { return options_.columns.contains(channel); }
 
@@ -246,13 +232,11 @@ class Resolver {
 
   std::string columns_found() const {
     if (!header_.listing.empty()) return header_.listing;
-    if (!has_names()) return fmt::format("{} columns without names", count());
-    constexpr std::size_t shown = 30;
+    if (!has_names()) return fmt::format("{} columns without names", count_);
     std::vector<std::string> texts;
-    for (std::size_t i = 0; i < std::min(count(), shown); ++i)
+    for (std::size_t i = 0; i < count_; ++i)
       texts.push_back(fmt::format("{} {}", label(i), in_quotes(header_.names[i])));
-    if (count() > shown) texts.push_back(fmt::format("and {} more", count() - shown));
-    return fmt::format("columns {}", fmt::join(texts, ", "));
+    return "columns " + shortened(std::move(texts), 30);
   }
 
   void complain(std::string place, std::string found, std::string allowed, std::string advice) {
@@ -262,7 +246,7 @@ class Resolver {
   void complain_about_mismatch() {
     auto const& [line, names, commas] = *header_.mismatch;
     complain(fmt::format("{}:{}", file_, line + 1),
-             fmt::format("{} names, but the rows have {} columns{}", names, count(),
+             fmt::format("{} names, but the rows have {} columns{}", names, count_,
                          commas ? ": commas seem to be both delimiter and decimal separator" : ""),
              "one name per column",
              commas ? "export with semicolons or tabs between the columns" : "give every column one name");
@@ -293,7 +277,7 @@ class Resolver {
 
   std::optional<std::size_t> lettered(std::string_view wanted) const {
     auto const index = header_.lettered ? letters_column(trimmed(wanted)) : std::nullopt;
-    return index && *index < count() ? index : std::nullopt;
+    return index && *index < count_ ? index : std::nullopt;
   }
 
   std::optional<std::vector<std::size_t>> find_named(std::string_view wanted) const {
@@ -317,10 +301,10 @@ class Resolver {
       return std::nullopt;
     }
     auto const number = number_in<std::size_t>(wanted);
-    if (number && *number >= 1 && *number <= count()) return *number - 1;
+    if (number && *number >= 1 && *number <= count_) return *number - 1;
     if (std::ranges::find(header_.complex, wanted) != header_.complex.end()) return report_complex(wanted);
     complain(header_place(), fmt::format("no column {} for {}", number ? wanted : in_quotes(wanted), name(channel)),
-             number ? fmt::format("1 to {}; {}", count(), columns_found()) : columns_found(),
+             number ? fmt::format("1 to {}; {}", count_, columns_found()) : columns_found(),
              fmt::format("--columns {}={}", name(channel), any_column()));
     return std::nullopt;
   }
@@ -337,10 +321,9 @@ class Resolver {
   std::string options_for(Channel channel, std::vector<std::size_t> const& candidates) const {
     std::vector<std::string> texts;
     constexpr std::size_t shown = 10;
-    for (auto const index : candidates)
-      if (texts.size() < shown)
-        texts.push_back(fmt::format("--columns {}={}", name(channel), option_key(index, header_)));
-    return fmt::format("{}", fmt::join(texts, " or "));
+    for (auto const index : std::span(candidates).first(std::min(candidates.size(), shown)))
+      texts.push_back(fmt::format("--columns {}={}", name(channel), option_key(index, header_)));
+    return joined(texts, " or ");
   }
 
   bool is_taken(std::size_t index) const {
@@ -372,12 +355,9 @@ class Resolver {
   }
 
   void report_ambiguity(Channel channel, std::vector<std::size_t> const& found) {
-    constexpr std::size_t shown = 10;
     std::vector<std::string> texts;
-    for (auto const index : found)
-      if (texts.size() < shown) texts.push_back(column_text(index, header_));
-    if (found.size() > shown) texts.push_back(fmt::format("and {} more", found.size() - shown));
-    auto const text = fmt::format("{} may each be the {}", fmt::join(texts, ", "), meaning_text(channel));
+    for (auto const index : found) texts.push_back(column_text(index, header_));
+    auto const text = fmt::format("{} may each be the {}", shortened(std::move(texts), 10), info_of(channel).meaning);
     if (channel == Channel::load) {
       result_.warnings.push_back(fmt::format("{}: none is read ({} says which)", text, options_for(channel, found)));
       return;
@@ -399,7 +379,7 @@ class Resolver {
       report_variables(channel);
       return;
     }
-    std::string found = fmt::format("no column is recognised as the {}", meaning_text(channel));
+    std::string found = fmt::format("no column is recognised as the {}", info_of(channel).meaning);
     auto const loads = columns_where([](auto const& text) { return meaning_of(text).plain_load; });
     if (channel == Channel::force && !loads.empty())
       found +=
@@ -415,8 +395,8 @@ class Resolver {
     bool const both = !motion_ && no_disp && candidates_of_any(Channel::force).empty();
     if (both && channel == Channel::force) return;  // said with the displacement
     complain(header_place(),
-             fmt::format("no variable is recognised as the {}{}", meaning_text(channel),
-                         both ? fmt::format(", none as the {}", meaning_text(Channel::force)) : ""),
+             fmt::format("no variable is recognised as the {}{}", info_of(channel).meaning,
+                         both ? fmt::format(", none as the {}", info_of(Channel::force).meaning) : ""),
              columns_found(),
              both
                  ? "--columns time=NAME,disp=NAME,force=NAME --units time=s,disp=mm,force=kN, with your names and units"
@@ -432,14 +412,14 @@ class Resolver {
   void report_nameless(Channel channel) {
     bool const both = !motion_ && !asked_for(Channel::disp) && !asked_for(Channel::force);
     if (both && channel == Channel::force) return;  // said with the displacement
-    auto const what = both ? std::string("displacement and which the force") : std::string(meaning_text(channel));
+    auto const what = both ? std::string("displacement and which the force") : std::string(info_of(channel).meaning);
     complain(
-        file_, fmt::format("no {} names the {} columns, so which is the {} cannot be told", header_.row, count(), what),
-        header_.lettered ? fmt::format("columns A to {}", label(count() - 1))
-                         : fmt::format("column numbers 1 to {}", count()),
-        !both          ? fmt::format("--columns {}={}", name(channel), any_column())
-        : count() >= 3 ? "--columns time=1,disp=2,force=3 --units time=s,disp=mm,force=kN, with your numbers and units"
-                       : "--columns disp=1,force=2 --units disp=mm,force=kN, with your numbers and units");
+        file_, fmt::format("no {} names the {} columns, so which is the {} cannot be told", header_.row, count_, what),
+        header_.lettered ? fmt::format("columns A to {}", label(count_ - 1))
+                         : fmt::format("column numbers 1 to {}", count_),
+        !both         ? fmt::format("--columns {}={}", name(channel), any_column())
+        : count_ >= 3 ? "--columns time=1,disp=2,force=3 --units time=s,disp=mm,force=kN, with your numbers and units"
+                      : "--columns disp=1,force=2 --units disp=mm,force=kN, with your numbers and units");
   }
 
   void refuse_shared_columns() {
@@ -488,7 +468,7 @@ class Resolver {
   void resolve_unit(Channel channel, Column& column) {
     auto const text = column_text(column.index, header_);
     auto const allowed = known_units(dimension(channel));
-    auto const advice = fmt::format("--units {}={}", name(channel), unit_example(channel));
+    auto const advice = fmt::format("--units {}={}", name(channel), allowed.substr(0, allowed.find(',')));
     auto const written = written_units(channel, column.index);
     bool const may_be_left = channel == Channel::load && !asked_for(channel) && !options_.units.contains(channel);
     auto const refuse = [&](std::string place, std::string found) {
@@ -531,9 +511,7 @@ std::map<Channel, std::string> parse_assignments(std::string const& where, std::
   std::map<Channel, std::string> values;
   std::vector<Complaint> complaints;
   while (!text.empty()) {
-    auto const part = trimmed(text.substr(0, text.find(',')));
-    text.remove_prefix(std::min(text.size(), text.find(',')));
-    if (!text.empty()) text.remove_prefix(1);
+    auto const part = trimmed(take_part(text, ','));
     auto const equals = part.find('=');
     auto const key = lower(trimmed(part.substr(0, equals)));
     auto const channel = std::ranges::find_if(all_channels, [&](Channel c) { return name(c) == key; });
@@ -552,8 +530,7 @@ std::map<Channel, std::string> parse_assignments(std::string const& where, std::
 }  // namespace
 
 Dimension dimension(Channel channel) {
-  if (channel == Channel::time) return Dimension::time;
-  return channel == Channel::disp ? Dimension::length : Dimension::force;
+  return info_of(channel).dimension;
 }
 
 ColumnName dissect_name(std::string_view name) {
@@ -621,17 +598,7 @@ Columns recognise_columns(std::string const& where, Header const& header, std::s
 }
 
 std::string_view name(Channel channel) {
-  switch (channel) {
-    case Channel::time:
-      return "time";
-    case Channel::disp:
-      return "disp";
-    case Channel::force:
-      return "force";
-    case Channel::load:
-      return "load";
-  }
-  return "";
+  return info_of(channel).name;
 }
 
 std::map<Channel, std::string> parse_columns(std::string_view text) {

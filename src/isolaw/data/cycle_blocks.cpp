@@ -37,35 +37,18 @@ bool close(double value, double reference, double share) {
   return std::abs(value - reference) <= share * reference;
 }
 
-template <class Property>
-double median_over(std::vector<Shape> const& shapes, Run const& run, Property property) {
-  std::vector<double> values;
-  for (auto i = run.begin; i < run.end; ++i) values.push_back(property(shapes[i]));
-  return num::median(values);
-}
-
-// The mean of the run so far stands for its middle: the median of every prefix would cost more than the rest.
-class RunningMean {
- public:
-  void add(double value) { sum_ += value, ++count_; }
-  double value() const { return sum_ / static_cast<double>(count_); }
-  std::size_t count() const { return count_; }
-
- private:
-  double sum_ = 0.0;
-  std::size_t count_ = 0;
-};
-
 std::vector<Run> runs_of_amplitude(std::vector<Shape> const& shapes) {
   std::vector<Run> runs;
-  RunningMean mean;
+  double sum =
+      0.0;  // of the run's amplitudes: their mean stands for its middle, a median of every prefix would cost more
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    bool const joins = !runs.empty() && close(shapes[i].amplitude(), mean.value(), nominal);
+    bool const joins =
+        !runs.empty() && close(shapes[i].amplitude(), sum / static_cast<double>(runs.back().size()), nominal);
     if (!joins) {
       runs.push_back({.begin = i, .end = i});
-      mean = {};
+      sum = 0.0;
     }
-    mean.add(shapes[i].amplitude());
+    sum += shapes[i].amplitude();
     runs.back().end = i + 1;
   }
   return runs;
@@ -77,7 +60,7 @@ bool same_pace(double period, double other, double factor) {
 
 // Whether the swing from tip to tip goes at the pace of the whole cycle: not where one starts or ends slowly.
 bool is_even(Shape const& shape) {
-  return same_pace(shape.rise_and_fall, shape.period + shape.still.time, far_period);
+  return same_pace(shape.rise_and_fall, shape.period + shape.still_time, far_period);
 }
 
 // Whether the periods of [begin, at) and the two from `after` on are two frequencies. A lone one before stands only for
@@ -117,8 +100,9 @@ std::vector<Run> split_by_frequency(std::vector<Shape> const& shapes, Run const&
     if (clear) split_at(i);
   }
   for (auto& part : parts) {
-    part.amplitude = median_over(shapes, part, [](Shape const& s) { return s.amplitude(); });
-    part.period = median_over(shapes, part, [](Shape const& s) { return s.period; });
+    auto const cycles = std::span(shapes).subspan(part.begin, part.size());
+    part.amplitude = num::median_over(cycles, &Shape::amplitude);
+    part.period = num::median_over(cycles, &Shape::period);
   }
   return parts;
 }
@@ -262,14 +246,8 @@ std::vector<CycleCut> number_cycles(std::vector<Shape>& shapes, std::string_view
     double const period = period_of(shapes, nominal_cycles);
     for (auto i = draft.begin; i < draft.end; ++i) {
       auto const& shape = shapes[i];
-      CycleCut cut;
+      CycleCut cut = shape;
       cut.block = block;
-      cut.first = shape.first;
-      cut.last = shape.last;
-      cut.turns_at_start = shape.turns_at_start;
-      cut.turns_at_end = shape.turns_at_end;
-      cut.still_samples = shape.still.samples;
-      cut.still_time = shape.still.time;
       bool const builds_up = i < draft.core.begin && shape.amplitude() < draft.core.amplitude;
       if (!close(shape.amplitude(), draft.core.amplitude, nominal))
         cut.not_counted = (builds_up ? "build-up: " : "") + of_amplitude(shape, draft.core.amplitude);

@@ -5,23 +5,18 @@
 #include <vector>
 
 #include "isolaw/data/cycles.hpp"
-#include "isolaw/data/holds.hpp"
 
 namespace isolaw::data {
 
-// What numbering needs of one cut cycle.
-struct Shape {
-  double first = 0.0;  // fractional sample indices
-  double last = 0.0;
+// One cut cycle, and what numbering needs of it.
+struct Shape : CycleCut {
   double least = 0.0;  // mm
   double largest = 0.0;
   double period = 0.0;         // from cut to cut in s or in samples, without the time in which the device stands still
   double rise_and_fall = 0.0;  // twice the time between the tips, stops included, in the same unit
-  StillTime still;
-  bool turns_at_start = false, turns_at_end = false;
-  double unevenness = 0.0;  // |distance of the middle from the centre| over the amplitude
-  bool regular = false;     // set by number_cycles: it repeats a neighbour's amplitude, or is symmetric
-  bool taper = false;       // set by number_cycles: it grows into a run of cycles, or fades out of one
+  double unevenness = 0.0;     // |distance of the middle from the centre| over the amplitude
+  bool regular = false;        // set by number_cycles: it repeats a neighbour's amplitude, or is symmetric
+  bool taper = false;          // set by number_cycles: it grows into a run of cycles, or fades out of one
 
   double amplitude() const { return largest / 2.0 - least / 2.0; }
 };

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -79,6 +78,8 @@ struct Swings {
   std::vector<double> middle;
   std::size_t begin = 0;  // of those whose two ends are reversals, not ends of the record, where there are enough
   std::size_t end = 0;
+
+  double largest() const { return std::ranges::max(std::span(half).subspan(begin, end - begin)); }
 };
 
 Swings swings_of(std::span<double const> x, std::vector<std::size_t> const& at) {
@@ -98,8 +99,7 @@ Swings swings_of(std::span<double const> x, std::vector<std::size_t> const& at) 
 // Weighted median of the swings' middles. The weight makes the largest stage decide, where an offset shows least and
 // matters most, and lets no swing from one stage to the next outweigh the stages.
 double middle_of(Swings const& swings) {
-  double largest = 0.0;
-  for (auto k = swings.begin; k < swings.end; ++k) largest = std::max(largest, swings.half[k]);
+  double const largest = swings.largest();
   std::vector<std::pair<double, double>> weighted;
   double total = 0.0;
   for (auto k = swings.begin; k < swings.end; ++k) {
@@ -124,8 +124,7 @@ std::size_t swings_across(Swings const& swings, double level, double margin) {
 // Zero wherever that serves: the centre of a noisy history is less certain than the zero of a test.
 double centre_of(std::span<double const> x, Swings const& swings, double band) {
   double const middle = middle_of(swings);
-  double const amplitude = *std::max_element(swings.half.begin() + static_cast<std::ptrdiff_t>(swings.begin),
-                                             swings.half.begin() + static_cast<std::ptrdiff_t>(swings.end));
+  double const amplitude = swings.largest();
   bool const zero_serves = swings_across(swings, 0.0, band) >= swings_across(swings, middle, band);
   if (std::abs(middle) <= off_centre * amplitude && zero_serves) return 0.0;
   bool const ends_where_it_starts = std::abs(x.back() - x.front()) <= rest * amplitude;
@@ -135,25 +134,9 @@ double centre_of(std::span<double const> x, Swings const& swings, double band) {
   return middle;
 }
 
-std::string pre_load(std::span<double const> x, Lobe const& lobe) {
-  return fmt::format("pre-load: to {:.4g} mm and back, no part of the cycles after it", x[lobe.tip]);
-}
-
-std::string half_cycle(std::span<double const> x, Lobe const& lobe) {
-  return fmt::format("half a cycle: to {:.4g} mm and back, then the motion starts anew", x[lobe.tip]);
-}
-
 // What no transducer resolves is zero, and zero has no sign.
 double or_zero(double disp_mm) {
   return std::abs(disp_mm) < 1e-6 ? 0.0 : disp_mm;
-}
-
-std::string open_start(std::span<double const> x) {
-  return fmt::format("partial: the record starts at {:.4g} mm, within a cycle", or_zero(x.front()));
-}
-
-std::string open_end(std::span<double const> x) {
-  return fmt::format("partial: the record ends at {:.4g} mm, before the cycle is closed", or_zero(x.back()));
 }
 
 // The lobes of a history, in groups, and what the cycles among them are.
@@ -187,20 +170,36 @@ Shape Motion::shape(Group const& group) const {
     shape.largest = std::max(shape.largest, x[i]);
   }
   shape.unevenness = std::abs((shape.largest - centre) + (shape.least - centre)) / (shape.largest - shape.least);
-  shape.still = still_time(x, time,
-                           {.first = shape.first,
-                            .last = shape.last,
-                            .amplitude = shape.amplitude(),
-                            .middle = shape.largest / 2.0 + shape.least / 2.0},
-                           noise);
+  auto const still = still_time(x, time,
+                                {.first = shape.first,
+                                 .last = shape.last,
+                                 .amplitude = shape.amplitude(),
+                                 .middle = shape.largest / 2.0 + shape.least / 2.0},
+                                noise);
+  shape.still_samples = still.samples;
+  shape.still_time = still.time;
   auto const at = [&](double index) { return time.empty() ? index : value_at(time, index); };
-  shape.period = at(shape.last) - at(shape.first) - shape.still.time;
+  shape.period = at(shape.last) - at(shape.first) - shape.still_time;
   auto const& one = lobes[group.begin];
   auto const& other = lobes[group.begin + 1];
   shape.rise_and_fall = 2.0 * (at(static_cast<double>(other.tip)) - at(static_cast<double>(one.tip)));
   shape.turns_at_start = one.turns;
   shape.turns_at_end = turns_after(group);
   return shape;
+}
+
+std::string why_partial(Motion const& motion, Group const& group) {
+  double const tip = motion.x[motion.lobes[group.begin].tip];
+  switch (group.part) {
+    case Part::pre_load:
+      return fmt::format("pre-load: to {:.4g} mm and back, no part of the cycles after it", tip);
+    case Part::half:
+      return fmt::format("half a cycle: to {:.4g} mm and back, then the motion starts anew", tip);
+    case Part::open_start:
+      return fmt::format("partial: the record starts at {:.4g} mm, within a cycle", or_zero(motion.x.front()));
+    default:
+      return fmt::format("partial: the record ends at {:.4g} mm, before the cycle is closed", or_zero(motion.x.back()));
+  }
 }
 
 // All groups in order: the numbered cycles, and what is less than a cycle with its reason.
@@ -212,28 +211,14 @@ std::vector<CycleCut> with_parts(std::vector<CycleCut> cycles, Motion const& mot
       all.push_back(std::move(cycles[next++]));
       continue;
     }
-    auto const& lobe = motion.lobes[group.begin];
     bool const leads = group.part == Part::pre_load || group.part == Part::open_start || all.empty();
     CycleCut part;
     part.block = leads && next < cycles.size() ? cycles[next].block : all.empty() ? 1 : all.back().block;
     part.partial = true;
     part.first = motion.first(group);
     part.last = motion.last(group);
-    switch (group.part) {
-      case Part::pre_load:
-        part.not_counted = pre_load(motion.x, lobe);
-        break;
-      case Part::half:
-        part.not_counted = half_cycle(motion.x, lobe);
-        break;
-      case Part::open_start:
-        part.not_counted = open_start(motion.x);
-        break;
-      default:
-        part.not_counted = open_end(motion.x);
-    }
     bool const one_side = group.part == Part::pre_load || group.part == Part::half;
-    if (!cyclic && one_side) part.not_counted = not_cyclic_cycle;
+    part.not_counted = !cyclic && one_side ? not_cyclic_cycle : why_partial(motion, group);
     all.push_back(std::move(part));
   }
   return all;
@@ -317,10 +302,6 @@ double value_at(std::span<double const> values, double index) {
   auto const i = std::min(static_cast<std::size_t>(index), values.size() - 1);
   double const part = index - static_cast<double>(i);
   return part > 0.0 && i + 1 < values.size() ? values[i] + part * (values[i + 1] - values[i]) : values[i];
-}
-
-std::size_t Segmentation::complete() const {
-  return static_cast<std::size_t>(std::ranges::count_if(cycles, [](CycleCut const& cut) { return !cut.partial; }));
 }
 
 PeakPositions peak_positions(std::span<double const> disp_mm, double first, double last) {

@@ -17,7 +17,7 @@ namespace isolaw::data {
 
 struct CycleCut {
   int block = 0;            // number of its block, from 1
-  int number = 0;           // nominal cycles of the block, from 1; 0 for one that does not count
+  int number = 0;           // among the nominal cycles of its block, which count, from 1; 0 for one that does not
   std::string not_counted;  // why it does not count; empty when it does
   bool partial = false;     // less than a cycle: the record starts or ends within it, or it goes to one side alone
   double first = 0.0;       // start and end as fractional sample indices
@@ -35,8 +35,6 @@ struct Segmentation {
   double centre_mm = 0.0;        // level of the cuts: 0 unless the record is clearly off zero
   double regular_share = 0.0;    // of the travel: in cycles that repeat an amplitude or are symmetric
   std::vector<CycleCut> cycles;  // in order, partial start and end ones included; complete ones even when not cyclic
-
-  std::size_t complete() const;  // cycles from cut to cut, counted or not
 };
 
 // disp_mm and time_s in mm and s; time_s of equal length, or empty: periods are then compared in samples. Never throws;

@@ -220,16 +220,7 @@ bool is_blank(std::string_view line, char delimiter) {
 }
 
 std::string_view delimiter_name(char delimiter) {
-  switch (delimiter) {
-    case ',':
-      return "commas";
-    case ';':
-      return "semicolons";
-    case '\t':
-      return "tabs";
-    default:
-      return "blanks";
-  }
+  return delimiter == ',' ? "commas" : delimiter == ';' ? "semicolons" : delimiter == '\t' ? "tabs" : "blanks";
 }
 
 std::string_view decimal_name(char decimal) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <ranges>
 #include <utility>
 
 #include "isolaw/data/skew.hpp"
@@ -262,12 +263,9 @@ class Assessment {
   void drift_of(std::string const& what, std::string const& unit, double amplitude, auto middle) {
     auto const counted = block_->counted();
     if (counted.size() < 3) return;
-    double least = middle(*counted[1]);
-    double largest = least;
-    for (std::size_t k = 2; k < counted.size(); ++k) {
-      least = std::min(least, middle(*counted[k]));
-      largest = std::max(largest, middle(*counted[k]));
-    }
+    std::vector<double> middles;
+    for (auto const* cycle : counted | std::views::drop(1)) middles.push_back(middle(*cycle));
+    auto const [least, largest] = std::ranges::minmax(middles);
     if (add("drift of " + what, percent(largest - least, 2.0 * amplitude), "%", most_drift))
       say(true,
           fmt::format(
@@ -391,10 +389,6 @@ double peak_gain_mm(double noise_mm, double amplitude_mm, double samples_per_cyc
 double average_loss_percent(int window, double samples_per_cycle) {
   double const half_angle = std::numbers::pi / samples_per_cycle;
   return 100.0 * (1.0 - std::sin(window * half_angle) / (window * std::sin(half_angle)));
-}
-
-double skew_damping_points(double frequency_Hz, double skew_s) {
-  return 100.0 * std::numbers::pi * frequency_Hz * skew_s;
 }
 
 double friction_damping_points(double friction_kN, double K_eff_kN_per_mm, double amplitude_mm) {

@@ -35,9 +35,8 @@ double average_loss_percent(int window, double samples_per_cycle);
 // How far beyond the peak of a sine the largest of its samples lies on average, with white noise of a standard deviation.
 double peak_gain_mm(double noise_mm, double amplitude_mm, double samples_per_cycle);
 
-// Points of equivalent damping. Of a skew, to first order: the loop of a sine turns by 2 pi f dt, half of it counts.
-double skew_damping_points(double frequency_Hz, double skew_s);                                   // 100 pi f dt
-double friction_damping_points(double friction_kN, double K_eff_kN_per_mm, double amplitude_mm);  // 200 F_f / (pi K D)
+// Points of equivalent damping: 200 F_f / (pi K D)
+double friction_damping_points(double friction_kN, double K_eff_kN_per_mm, double amplitude_mm);
 // Stiffness that a mass moved by a sine takes off, in kN/mm: m (2 pi f)^2
 double mass_stiffness_kN_per_mm(double mass_kg, double frequency_Hz);
 

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "isolaw/base/printable.hpp"
-#include "isolaw/base/units.hpp"
 #include "isolaw/data/number_table.hpp"
 #include "isolaw/data/sheet_choice.hpp"
 #include "isolaw/data/text.hpp"
@@ -68,19 +67,6 @@ bool is_table(Part const& part) {
   return filled >= 2;
 }
 
-class Budget {
- public:
-  explicit Budget(std::size_t file_bytes) : left_(file_bytes + (std::size_t{1} << 20)) {}
-  bool take(std::size_t cells) {
-    if (cells > left_) return false;
-    left_ -= cells;
-    return true;
-  }
-
- private:
-  std::size_t left_;  // a cell takes two bytes of the file at least
-};
-
 void put(NumberColumn& column, Value const& value) {
   if (std::isnan(value.number) && column.odd_cells.size() < most_odd_cells && !value.text.empty())
     column.odd_cells.emplace(column.values.size(), value.text.substr(0, longest_text));
@@ -90,7 +76,7 @@ void put(NumberColumn& column, Value const& value) {
 // Takes the document as nlohmann's parser meets it; nothing of it is kept but numbers and a few texts.
 class Handler {
  public:
-  explicit Handler(std::size_t file_bytes) : budget_(file_bytes) {}
+  explicit Handler(std::size_t file_bytes) : left_(file_bytes + (std::size_t{1} << 20)) {}
 
   std::map<std::string, Part> parts;                          // by path
   std::map<std::pair<std::string, std::string>, Word> words;  // by path and key
@@ -276,7 +262,7 @@ class Handler {
       flawed(part_at(frame.path), "single values among the rows");
       return true;
     }
-    if (!budget_.take(1)) return over_budget();
+    if (!afford(1)) return false;
     put(values_, value);
     return true;
   }
@@ -318,10 +304,7 @@ class Handler {
       part.rows = 0;
       return;
     }
-    if (!budget_.take(row_.size())) {
-      over_budget();
-      return;
-    }
+    if (!afford(row_.size())) return;
     for (std::size_t i = 0; i < row_.size(); ++i) put(part.columns[i], row_[i]);
   }
 
@@ -336,10 +319,7 @@ class Handler {
       }
       auto& column = part.columns[found->second];
       if (column.values.size() > part.rows) continue;  // a key twice: the first counts
-      if (!budget_.take(part.rows + 1 - column.values.size())) {
-        over_budget();
-        return;
-      }
+      if (!afford(part.rows + 1 - column.values.size())) return;
       while (column.values.size() < part.rows) put(column, {.number = missing, .text = "a key that is not there"});
       put(column, row_[i]);
     }
@@ -365,12 +345,14 @@ class Handler {
     part.flaw = std::move(what);
     part.flaw_row = part.rows;
   }
-  bool over_budget() {
-    refusal = "keys that most rows lack: the table would be far larger than the file";
-    return false;
+  bool afford(std::size_t cells) {
+    bool const enough = cells <= left_;
+    if (!enough) refusal = "keys that most rows lack: the table would be far larger than the file";
+    left_ -= enough ? cells : 0;
+    return enough;
   }
 
-  Budget budget_;
+  std::size_t left_;  // cells: each takes two bytes of the file at least
   std::size_t tests_ = 0;
   std::vector<Frame> stack_;
   NumberColumn values_;  // the array of single values being read
@@ -441,22 +423,11 @@ class Document {
                             .found = part.flaw,
                             .allowed = "one number for each column in every row",
                             .advice = "correct the row, or export the test again"});
-    class JsonTable : public NumberTable {
-     public:
-      JsonTable(std::string at, Part& source, std::string layout, std::string title)
-          : NumberTable(std::move(at), std::move(source.columns), source.of_rows ? "row" : "element"),
-            layout_(std::move(layout)) {
-        title_ = std::move(title);
-      }
-      std::vector<std::string> recognised() const override { return {layout_}; }
-
-     private:
-      std::string layout_;
-    };
     auto layout =
         fmt::format("JSON: {}{}", part.of_rows ? "an array whose elements are rows" : "arrays that are columns",
                     path.empty() ? "" : fmt::format(", under {}", in_quotes(path)));
-    return std::make_unique<JsonTable>(place, part, std::move(layout), std::move(title));
+    return std::make_unique<NumberTable>(place, std::move(part.columns), part.of_rows ? "row" : "element",
+                                         std::move(layout), std::move(title));
   }
 
   // Names and units from beside the columns.

@@ -34,6 +34,8 @@ class Finder {
 
  private:
   double y(std::size_t i) const { return x_[i] - centre_; }
+  // Distance from the centre to the lobe's side.
+  double out(Lobe const& lobe, std::size_t i) const { return lobe.positive ? y(i) : -y(i); }
   double reach(std::size_t k) const { return std::abs(y(at_[k])); }
   double time(double index) const { return time_.empty() ? index : value_at(time_, index); }
 
@@ -78,11 +80,10 @@ class Finder {
   // Where displacement first crosses the centre after a lobe's tip and before sample `to`; where it does not, the
   // sample nearest to the centre: three exact cycles of a sine end at the centre without crossing it.
   double boundary(Lobe const& lobe, std::size_t to, bool crosses) const {
-    double const side = lobe.positive ? 1.0 : -1.0;
     std::size_t nearest = lobe.tip;
     for (auto i = lobe.tip + 1; i <= to; ++i) {
-      double const before = side * y(i - 1);
-      double const after = side * y(i);
+      double const before = out(lobe, i - 1);
+      double const after = out(lobe, i);
       if (before > 0.0 && after <= 0.0) {
         double const part = before / (before - after);  // not finite where a damaged store's values are not
         return static_cast<double>(i - 1) + (std::isfinite(part) ? part : 0.0);
@@ -94,9 +95,8 @@ class Finder {
 
   void finish(Lobe& lobe) const {
     auto const end = x_.size() - 1;
-    double const side = lobe.positive ? 1.0 : -1.0;
     bool crossed = false;
-    for (auto i = lobe.tip + 1; i <= end && !crossed; ++i) crossed = side * y(i) <= 0.0;
+    for (auto i = lobe.tip + 1; i <= end && !crossed; ++i) crossed = out(lobe, i) <= 0.0;
     bool const comes_to_rest = std::abs(y(end)) <= level(lobe.reach_mm);
     lobe.ends_open = !crossed && !comes_to_rest;
     lobe.last = lobe.ends_open ? static_cast<double>(end) : boundary(lobe, end, false);
@@ -104,35 +104,35 @@ class Finder {
 
   // Samples of a lobe where it is first seen beyond a level, and last.
   std::size_t first_beyond(Lobe const& lobe, double part) const {
-    double const side = lobe.positive ? 1.0 : -1.0;
     auto i = static_cast<std::size_t>(std::ceil(lobe.first));
-    while (i < lobe.tip && side * y(i) < part * lobe.reach_mm) ++i;
+    while (i < lobe.tip && out(lobe, i) < part * lobe.reach_mm) ++i;
     return i;
   }
   std::size_t last_beyond(Lobe const& lobe, double part) const {
-    double const side = lobe.positive ? 1.0 : -1.0;
     auto i = static_cast<std::size_t>(std::floor(lobe.last));
-    while (i > lobe.tip && side * y(i) < part * lobe.reach_mm) --i;
+    while (i > lobe.tip && out(lobe, i) < part * lobe.reach_mm) --i;
     return i;
   }
 
-  double fall(Lobe const& lobe) const {
-    // The first sample below the low level after the last one beyond the high one: a rest that follows counts nothing.
-    double const side = lobe.positive ? 1.0 : -1.0;
-    auto const from = last_beyond(lobe, high);
-    auto to = from;
-    auto const end = static_cast<std::size_t>(std::floor(lobe.last));
-    while (to < end && side * y(to) > low * lobe.reach_mm) ++to;
+  double duration(std::size_t from, std::size_t to) const {
     return time(static_cast<double>(to)) - time(static_cast<double>(from));
+  }
+  // The first sample from `from` to `end` where the lobe is below the low level.
+  std::size_t first_below(Lobe const& lobe, std::size_t from, std::size_t end) const {
+    while (from < end && out(lobe, from) > low * lobe.reach_mm) ++from;
+    return from;
+  }
+
+  // From the last sample beyond the high level to the first below the low one: a rest that follows counts nothing.
+  double fall(Lobe const& lobe) const {
+    auto const from = last_beyond(lobe, high);
+    return duration(from, first_below(lobe, from, static_cast<std::size_t>(std::floor(lobe.last))));
   }
 
   // Between two lobes the motion stays near the centre for longer than it takes to get there.
   bool rests_between(Lobe const& before, Lobe const& after) const {
-    double const side = before.positive ? 1.0 : -1.0;
-    auto from = last_beyond(before, high);
     auto const to = first_beyond(after, low);
-    while (from < to && side * y(from) > low * before.reach_mm) ++from;
-    return time(static_cast<double>(to)) - time(static_cast<double>(from)) > before.fall;
+    return duration(first_below(before, last_beyond(before, high), to), to) > before.fall;
   }
 
   std::span<double const> x_, time_;
@@ -142,16 +142,9 @@ class Finder {
   std::vector<Lobe> lobes_;
 };
 
-bool same_reach(Lobe const& a, Lobe const& b) {
-  return std::abs(a.reach_mm - b.reach_mm) <= alike * std::max(a.reach_mm, b.reach_mm);
-}
-
-bool same_fall(Lobe const& a, Lobe const& b) {
-  return b.ends_open || (a.fall <= same_pace * b.fall && b.fall <= same_pace * a.fall);
-}
-
 bool like(Lobe const& a, Lobe const& b) {
-  return same_reach(a, b) && same_fall(a, b);
+  bool const same_reach = std::abs(a.reach_mm - b.reach_mm) <= alike * std::max(a.reach_mm, b.reach_mm);
+  return same_reach && (b.ends_open || (a.fall <= same_pace * b.fall && b.fall <= same_pace * a.fall));
 }
 
 bool starts(std::vector<Lobe> const& lobes, std::size_t i) {

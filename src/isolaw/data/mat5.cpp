@@ -13,7 +13,6 @@
 #include <span>
 #include <utility>
 
-#include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/data/inflate_limit.hpp"
 #include "isolaw/data/mat_file.hpp"
@@ -41,27 +40,6 @@ constexpr std::uint32_t struct_class = 2, first_numeric_class = 6, last_numeric_
 constexpr std::array<std::string_view, 18> class_names{
     "unknown", "cell",  "struct", "object", "char",   "sparse", "double", "single",   "int8",
     "uint8",   "int16", "uint16", "int32",  "uint32", "int64",  "uint64", "function", "table or object"};
-
-std::size_t bytes_of(std::uint32_t type) {
-  switch (type) {
-    case mi_int8:
-    case mi_uint8:
-      return 1;
-    case mi_int16:
-    case mi_uint16:
-      return 2;
-    case mi_int32:
-    case mi_uint32:
-    case mi_single:
-      return 4;
-    case mi_double:
-    case mi_int64:
-    case mi_uint64:
-      return 8;
-    default:
-      return 0;
-  }
-}
 
 struct Damaged {
   std::string what;
@@ -207,6 +185,30 @@ class Reader {
   std::uint64_t available_;
 };
 
+// A type of numbers: its size, and how one is read.
+struct Stored {
+  Type type;
+  std::size_t bytes;
+  double (*read)(Reader const& reader, char const* at);
+};
+
+template <class T>
+constexpr Stored stored_as(Type type) {
+  return {type, sizeof(T),
+          [](Reader const& reader, char const* at) { return static_cast<double>(reader.number<T>(at)); }};
+}
+
+// Of a type that is no number: nullptr.
+Stored const* stored(std::uint32_t type) {
+  static constexpr std::array table{stored_as<std::int8_t>(mi_int8),   stored_as<std::uint8_t>(mi_uint8),
+                                    stored_as<std::int16_t>(mi_int16), stored_as<std::uint16_t>(mi_uint16),
+                                    stored_as<std::int32_t>(mi_int32), stored_as<std::uint32_t>(mi_uint32),
+                                    stored_as<std::int64_t>(mi_int64), stored_as<std::uint64_t>(mi_uint64),
+                                    stored_as<float>(mi_single),       stored_as<double>(mi_double)};
+  auto const found = std::ranges::find(table, type, [](Stored const& row) { return std::uint32_t{row.type}; });
+  return found == table.end() ? nullptr : &*found;
+}
+
 // Asked for every array of numbers: what is wanted of it, if anything.
 using Wanted = std::function<std::optional<MatSlice>(MatVariable const&)>;
 
@@ -300,20 +302,20 @@ class Walk {
 
   static Tag values_tag(Reader& reader, MatVariable const& variable) {
     auto const tag = reader.tag();
-    auto const size = bytes_of(tag.type);
+    auto const* form = stored(tag.type);
     auto const stated = elements(variable);
-    if (size == 0) damaged(fmt::format("values of {} in a form that is no number", in_quotes(variable.name)));
-    if (tag.size != stated * size)
+    if (form == nullptr) damaged(fmt::format("values of {} in a form that is no number", in_quotes(variable.name)));
+    if (tag.size != stated * form->bytes)
       damaged(fmt::format("{} values stated for {}, {} bytes stored", stated, in_quotes(variable.name), tag.size));
     return tag;
   }
 
   void read_values(Reader& reader, Tag const& tag, MatSlice const& slice, std::uint64_t stated) {
-    auto const size = bytes_of(tag.type);
+    auto const [type, size, read] = *stored(tag.type);
     values_.reserve(static_cast<std::size_t>(slice.count));  // bounded by who asks
     if (tag.small) {
       for (std::uint64_t i = 0; i < slice.count; ++i)
-        values_.push_back(value(reader, tag.type, tag.data.data() + (slice.first + i * slice.stride) * size));
+        values_.push_back(read(reader, tag.data.data() + (slice.first + i * slice.stride) * size));
       return;
     }
     std::array<char, 1 << 14> buffer;
@@ -323,32 +325,7 @@ class Walk {
       reader.bytes(std::span(buffer).first(count * size));
       auto next = slice.first + values_.size() * slice.stride;
       for (; next < at + count && values_.size() < slice.count; next += slice.stride)
-        values_.push_back(value(reader, tag.type, buffer.data() + static_cast<std::size_t>(next - at) * size));
-    }
-  }
-
-  static double value(Reader const& reader, std::uint32_t type, char const* at) {
-    switch (type) {
-      case mi_int8:
-        return static_cast<double>(reader.number<std::int8_t>(at));
-      case mi_uint8:
-        return static_cast<double>(reader.number<std::uint8_t>(at));
-      case mi_int16:
-        return static_cast<double>(reader.number<std::int16_t>(at));
-      case mi_uint16:
-        return static_cast<double>(reader.number<std::uint16_t>(at));
-      case mi_int32:
-        return static_cast<double>(reader.number<std::int32_t>(at));
-      case mi_uint32:
-        return static_cast<double>(reader.number<std::uint32_t>(at));
-      case mi_single:
-        return static_cast<double>(reader.number<float>(at));
-      case mi_int64:
-        return static_cast<double>(reader.number<std::int64_t>(at));
-      case mi_uint64:
-        return static_cast<double>(reader.number<std::uint64_t>(at));
-      default:
-        return reader.number<double>(at);
+        values_.push_back(read(reader, buffer.data() + static_cast<std::size_t>(next - at) * size));
     }
   }
 
@@ -358,7 +335,7 @@ class Walk {
 
 class Mat5File : public MatFile {
  public:
-  Mat5File(std::string_view bytes, std::string file) : bytes_(bytes), file_(std::move(file)) {
+  Mat5File(std::string_view bytes, std::string const& file) : MatFile(bytes, file) {
     guarded([&] {
       std::vector<double> none;
       walk(
@@ -396,10 +373,7 @@ class Mat5File : public MatFile {
     try {
       action();
     } catch (Damaged const& reason) {
-      throw Error(Complaint{.where = file_,
-                            .found = "the .mat file cannot be read: " + reason.what,
-                            .allowed = "a file as MATLAB's save writes it",
-                            .advice = "save time, displacement and force alone, or export them as CSV"});
+      refuse(reason.what);
     }
   }
 
@@ -433,9 +407,6 @@ class Mat5File : public MatFile {
       if (tag.type != mi_compressed) rest.remove_prefix(std::min<std::size_t>((8 - tag.size % 8) % 8, rest.size()));
     }
   }
-
-  std::string_view bytes_;
-  std::string file_;
 };
 
 }  // namespace

@@ -2,7 +2,6 @@
 // structs as groups, the class in an attribute. The HDF5 library is no match for files made to break it, so it works in a
 // confined process of its own, on the bytes alone: links to other files and data kept elsewhere lead nowhere.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <hdf5.h>
 #include <hdf5_hl.h>
 
@@ -13,8 +12,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/data/confined.hpp"
 #include "isolaw/data/inflate_limit.hpp"
 #include "isolaw/data/mat_file.hpp"
@@ -94,7 +93,7 @@ std::string kind_of(hid_t object, hid_t type) {
   return kind;
 }
 
-// One line for each variable: numeric, name, kind, unit, sizes, separated by tabs.
+// One line for each variable: numeric, name, kind, unit, sizes, a tab after each.
 void describe(hid_t data_set, std::string const& name, Write const& write) {
   Handle const type(H5Dget_type(data_set), H5Tclose);
   Handle const space(H5Dget_space(data_set), H5Sclose);
@@ -108,8 +107,8 @@ void describe(hid_t data_set, std::string const& name, Write const& write) {
   bool const numeric = (stored == H5T_FLOAT || stored == H5T_INTEGER) && kind != "char" && kind != "cell" && !empty;
   auto unit = attribute(data_set, "units");
   if (unit.empty()) unit = attribute(data_set, "unit");
-  auto line = fmt::format("{}\t{}\t{}\t{}", numeric ? 1 : 0, name, printable(kind), is_printable(unit) ? unit : "");
-  for (int i = rank; i > 0; --i) line += fmt::format("\t{}", empty ? 0 : sizes[static_cast<std::size_t>(i) - 1]);
+  auto line = fmt::format("{}\t{}\t{}\t{}\t", numeric ? 1 : 0, name, printable(kind), is_printable(unit) ? unit : "");
+  for (int i = rank; i > 0; --i) line += fmt::format("{}\t", empty ? 0 : sizes[static_cast<std::size_t>(i) - 1]);
   write(line + '\n');
 }
 
@@ -130,11 +129,11 @@ void list(std::string_view bytes, Write const& write) {
       root, [&](hid_t object, std::string const& name) { describe(object, name, write); },
       [&](hid_t group, std::string const& name) {
         bool const sparse = H5Aexists(group, "MATLAB_sparse") > 0;
-        write(fmt::format("0\t{}\t{}\t\t1\t1\n", name, sparse ? "sparse" : "struct"));
+        write(fmt::format("0\t{}\t{}\t\t1\t1\t\n", name, sparse ? "sparse" : "struct"));
         if (sparse) return;
         each(
             group, [&](hid_t object, std::string const& field) { describe(object, name + '.' + field, write); },
-            [&](hid_t, std::string const& field) { write(fmt::format("0\t{}.{}\tstruct\t\t1\t1\n", name, field)); });
+            [&](hid_t, std::string const& field) { write(fmt::format("0\t{}.{}\tstruct\t\t1\t1\t\n", name, field)); });
       });
 }
 
@@ -168,22 +167,18 @@ void read(std::string_view bytes, MatVariable const& variable, MatSlice const& s
 
 class Mat73File : public MatFile {
  public:
-  Mat73File(std::string_view bytes, std::string file) : bytes_(bytes), file_(std::move(file)) {
+  Mat73File(std::string_view bytes, std::string const& file) : MatFile(bytes, file) {
     constexpr std::size_t longest_list = std::size_t{16} << 20;
     auto const text = confined([&](Write const& write) { list(bytes_, write); }, longest_list);
-    for (std::string_view rest = text; !rest.empty() && variables_.size() < most_variables;) {
-      auto const end = std::min(rest.find('\n'), rest.size());
-      add(rest.substr(0, end));
-      rest.remove_prefix(std::min(end + 1, rest.size()));
-    }
+    for (std::string_view rest = text; !rest.empty() && variables_.size() < most_variables;) add(take_part(rest, '\n'));
   }
 
   std::vector<double> values(MatVariable const& variable, MatSlice const& slice) const override {
     auto const expected = slice.count * sizeof(double);
     if (expected > unpacked_limit(bytes_.size()))
-      refuse(fmt::format("{} values of {} come to far more than the file", slice.count, in_quotes(variable.name)));
+      damaged(fmt::format("{} values of {} come to far more than the file", slice.count, in_quotes(variable.name)));
     auto const output = confined([&](Write const& write) { read(bytes_, variable, slice, write); }, expected);
-    if (output.size() != expected) refuse("is damaged");
+    if (output.size() != expected) damaged("is damaged");
     std::vector<double> values(slice.count);
     std::memcpy(values.data(), output.data(), output.size());
     return values;
@@ -197,25 +192,15 @@ class Mat73File : public MatFile {
     auto result = run_confined(work, {.memory_bytes = (std::uint64_t{128} << 20) + 2 * unpacked_limit(bytes_.size()),
                                       .seconds = static_cast<unsigned>(10 + mebibytes / 16),
                                       .output_bytes = output_bytes});
-    if (!result.failure.empty()) refuse(result.failure);
+    if (!result.failure.empty()) damaged(result.failure);
     return std::move(result.output);
   }
 
-  [[noreturn]] void refuse(std::string const& found) const {
-    throw Error(Complaint{.where = file_,
-                          .found = "the .mat file cannot be read: it " + found,
-                          .allowed = "a file as MATLAB's save writes it",
-                          .advice = "save time, displacement and force alone with -v7, or export them as CSV"});
-  }
+  [[noreturn]] void damaged(std::string const& what) const { refuse("it " + what, "alone with -v7"); }
 
   void add(std::string_view line) {
     std::vector<std::string_view> fields;
-    for (bool more = true; more;) {
-      auto const tab = line.find('\t');
-      more = tab != std::string_view::npos;
-      fields.push_back(line.substr(0, tab));
-      if (more) line.remove_prefix(tab + 1);
-    }
+    while (!line.empty()) fields.push_back(take_part(line, '\t'));
     if (fields.size() < 4 || !is_printable(fields[1]) || !is_printable(fields[2]) || !is_printable(fields[3])) return;
     MatVariable variable{.name = std::string(fields[1]),
                          .kind = std::string(fields[2]),
@@ -223,19 +208,12 @@ class Mat73File : public MatFile {
                          .numeric = fields[0] == "1",
                          .unit = std::string(fields[3])};
     for (std::size_t i = 4; i < fields.size(); ++i) {
-      std::uint64_t size = 0;
-      for (char const c : fields[i]) {
-        bool const digit = c >= '0' && c <= '9';
-        if (!digit || size > (std::uint64_t{1} << 40)) return;
-        size = 10 * size + static_cast<std::uint64_t>(c - '0');
-      }
-      variable.size.push_back(size);
+      auto const size = number_in<std::uint64_t>(fields[i]);
+      if (!size || *size > std::uint64_t{1} << 40) return;
+      variable.size.push_back(*size);
     }
     variables_.push_back(std::move(variable));
   }
-
-  std::string_view bytes_;
-  std::string file_;
 };
 
 }  // namespace

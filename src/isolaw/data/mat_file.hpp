@@ -1,12 +1,16 @@
 // What a MATLAB file holds, whatever its version: arrays of numbers, at the top or in structs one level deep.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "isolaw/base/error.hpp"
 
 namespace isolaw::data {
 
@@ -30,7 +34,7 @@ class MatFile {
   static constexpr std::size_t most_variables = 10'000;
   static constexpr std::size_t longest_name = 200;
 
-  MatFile() = default;
+  MatFile(std::string_view bytes, std::string const& file) : bytes_(bytes), file_(file) {}
   virtual ~MatFile() = default;
   MatFile(MatFile const&) = delete;
   MatFile& operator=(MatFile const&) = delete;
@@ -42,6 +46,15 @@ class MatFile {
   virtual std::string_view version() const = 0;
 
  protected:
+  [[noreturn]] void refuse(std::string_view found, std::string_view how = "alone") const {
+    throw Error({.where = file_,
+                 .found = fmt::format("the .mat file cannot be read: {}", found),
+                 .allowed = "a file as MATLAB's save writes it",
+                 .advice = fmt::format("save time, displacement and force {}, or export them as CSV", how)});
+  }
+
+  std::string_view bytes_;
+  std::string file_;
   std::vector<MatVariable> variables_;
 };
 

@@ -126,22 +126,19 @@ std::vector<std::string> complex_of(std::vector<MatVariable> const& variables, s
 class MatTable : public NumberTable {
  public:
   MatTable(std::string const& file, std::shared_ptr<MatFile const> mat, MatColumns found, std::string all,
-           std::string owner, std::uint64_t longest)
-      : NumberTable(owner.empty() ? file : fmt::format("{}:{}", file, owner), std::move(found.columns), "element"),
+           std::string const& owner, std::uint64_t longest)
+      : NumberTable(owner.empty() ? file : fmt::format("{}:{}", file, owner), std::move(found.columns), "element",
+                    fmt::format("{}{}", mat->version(), owner.empty() ? "" : fmt::format(", {}", in_quotes(owner)))),
         name_(file),
         file_(std::move(mat)),
         origins_(std::move(found.origins)),
-        owner_(std::move(owner)),
         longest_(longest) {
     header_.by_name = true;
     header_.listing = std::move(all);
-    header_.complex = complex_of(file_->variables(), owner_);
+    header_.complex = complex_of(file_->variables(), owner);
   }
 
   std::string place_of(std::size_t column) const override { return fmt::format("{}:{}", name_, origins_[column].name); }
-  std::vector<std::string> recognised() const override {
-    return {fmt::format("{}{}", file_->version(), owner_.empty() ? "" : fmt::format(", {}", in_quotes(owner_)))};
-  }
 
  protected:
   std::vector<double> values(std::size_t column) const override {
@@ -163,7 +160,6 @@ class MatTable : public NumberTable {
   std::string name_;
   std::shared_ptr<MatFile const> file_;
   std::vector<Origin> origins_;
-  std::string owner_;
   std::uint64_t longest_;
 };
 
@@ -210,7 +206,7 @@ Tests mat_tests(std::string_view bytes, std::string const& file, std::optional<s
     tests.sheets = owners(found, true);
     if (tests.sheets.size() < 2) tests.sheets.clear();
   }
-  tests.tables.push_back(std::make_unique<MatTable>(file, mat, std::move(found), std::move(all), std::move(chosen),
+  tests.tables.push_back(std::make_unique<MatTable>(file, mat, std::move(found), std::move(all), chosen,
                                                     unpacked_limit(bytes.size()) / bytes_per_sample));
   return tests;
 }

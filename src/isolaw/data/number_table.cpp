@@ -10,8 +10,10 @@
 
 namespace isolaw::data {
 
-NumberTable::NumberTable(std::string place, std::vector<NumberColumn> columns, std::string_view row)
-    : Table(std::move(place)), list_(std::move(columns)) {
+NumberTable::NumberTable(std::string place, std::vector<NumberColumn> columns, std::string_view row,
+                         std::string recognised, std::string title)
+    : Table(std::move(place)), list_(std::move(columns)), recognised_(std::move(recognised)) {
+  title_ = std::move(title);
   columns_ = list_.size();
   header_.row = row;
   bool const named = std::ranges::any_of(list_, [](auto const& column) { return !column.name.empty(); });

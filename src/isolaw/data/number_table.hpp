@@ -20,9 +20,11 @@ struct NumberColumn {
 
 class NumberTable : public Table {
  public:
-  // `row` is what a row is called in messages: "row", "element".
-  NumberTable(std::string place, std::vector<NumberColumn> columns, std::string_view row);
+  // `row` is what a row is called in messages: "row", "element"; `recognised` what led to the table.
+  NumberTable(std::string place, std::vector<NumberColumn> columns, std::string_view row, std::string recognised,
+              std::string title = {});
 
+  std::vector<std::string> recognised() const override { return {recognised_}; }
   Rows read(Columns const& columns, std::vector<Complaint>& complaints) const override;
 
  protected:
@@ -34,6 +36,8 @@ class NumberTable : public Table {
  private:
   void report_odd(std::size_t column, RawChannel const& raw, std::vector<Complaint>& complaints) const;
   void check_lengths(Columns const& columns, std::vector<Complaint>& complaints) const;
+
+  std::string recognised_;
 };
 
 }  // namespace isolaw::data

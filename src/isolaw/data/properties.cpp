@@ -98,10 +98,6 @@ double strength(Cycle const& cycle, Peaks const& peaks, std::span<double const> 
   return std::abs(height) <= rounding * (std::abs(outer) + std::abs(*inner)) ? 0.0 : height / 2.0;
 }
 
-double ratio_or_zero(double force, double displacement) {
-  return displacement != 0.0 ? force / displacement : 0.0;
-}
-
 // Of a cycle that hardly leaves zero on one side, force over displacement is no stiffness of that side.
 constexpr double least_excursion = 0.01;  // of the amplitude
 
@@ -120,7 +116,7 @@ void derive(Cycle& cycle, Peaks const& peaks) {
 }
 
 void idealise(Cycle& cycle) {
-  cycle.K_d_kN_per_mm = cycle.K_eff_kN_per_mm - ratio_or_zero(cycle.Q_d_kN, cycle.amplitude_mm);
+  cycle.K_d_kN_per_mm = cycle.K_eff_kN_per_mm - (cycle.amplitude_mm != 0.0 ? cycle.Q_d_kN / cycle.amplitude_mm : 0.0);
   cycle.D_y_mm.reset();
   cycle.K_1_kN_per_mm.reset();
   double const yield = cycle.amplitude_mm - cycle.energy_kN_mm / (4.0 * cycle.Q_d_kN);
@@ -161,15 +157,7 @@ void add_load(Cycle& cycle, std::span<double const> load) {
 
 Cycle measure(CycleCut const& cut, CycleView const& view) {
   Cycle plain;
-  plain.block = cut.block;
-  plain.number = cut.number;
-  plain.not_counted = cut.not_counted;
-  plain.partial = cut.partial;
-  plain.first = cut.first;
-  plain.last = cut.last;
-  plain.turns_at_start = cut.turns_at_start;
-  plain.turns_at_end = cut.turns_at_end;
-  plain.still_samples = cut.still_samples;
+  static_cast<CycleCut&>(plain) = cut;
   auto cycle = properties_on(plain, view.disp_mm, view.force_kN);
   if (!view.time_s.empty()) {
     cycle.still_s = cut.still_time;
@@ -202,21 +190,14 @@ std::string waveform(Cycle const& cycle, CycleView const& view) {
   return count > 0.0 && from_triangle <= limit ? "triangle" : "other";
 }
 
-template <class Property>
-double median_over(std::vector<Cycle const*> const& cycles, Property property) {
-  std::vector<double> values;
-  for (auto const* cycle : cycles) values.push_back(property(*cycle));
-  return num::median(values);
-}
-
 void summarise(Block& block, CycleView const& view) {
   auto const counted = block.counted();
   if (counted.empty()) return;
-  block.amplitude_mm = median_over(counted, [](Cycle const& c) { return c.amplitude_mm; });
+  block.amplitude_mm = num::median_over(counted, &Cycle::amplitude_mm);
   if (view.time_s.empty()) return;
-  double const period = median_over(counted, [](Cycle const& c) { return *c.period_s; });
+  double const period = num::median_over(counted, [](Cycle const* c) { return *c->period_s; });
   if (period > 0.0) block.frequency_Hz = 1.0 / period;
-  block.v_max_mm_s = median_over(counted, [](Cycle const& c) { return *c.v_max_mm_s; });
+  block.v_max_mm_s = num::median_over(counted, [](Cycle const* c) { return *c->v_max_mm_s; });
   // Of the cycle in the middle, of those without a hold where there are any.
   std::vector<Cycle const*> unheld;
   std::ranges::copy_if(counted, std::back_inserter(unheld), [](Cycle const* c) { return c->still_samples == 0.0; });

@@ -15,18 +15,9 @@
 namespace isolaw::data {
 
 // One closed cycle, cut as segment() cuts. A partial one holds what its samples give, and never counts.
-struct Cycle {
-  int block = 0;            // number of its block, from 1
-  int number = 0;           // among the cycles of its block that count, from 1; 0 for one that does not
-  std::string not_counted;  // why it does not count
-  bool partial = false;     // less than a cycle: the record starts or ends within it, or it goes to one side alone
-  double first = 0.0;       // start and end as fractional sample indices
-  double last = 0.0;
-  bool turns_at_start = false;  // the motion comes back to the centre and turns there, or starts from rest
-  bool turns_at_end = false;
-  double still_samples = 0.0;  // in which the device stands still
-  double amplitude_mm = 0.0;   // D = (largest - smallest displacement) / 2, of samples
-  double d_plus_mm = 0.0;      // largest and smallest displacement, and the forces there
+struct Cycle : CycleCut {
+  double amplitude_mm = 0.0;  // D = (largest - smallest displacement) / 2, of samples
+  double d_plus_mm = 0.0;     // largest and smallest displacement, and the forces there
   double d_minus_mm = 0.0;
   double F_plus_kN = 0.0;
   double F_minus_kN = 0.0;

@@ -61,16 +61,16 @@ void check_interval(std::string const& file, ReadOptions const& options, Header 
          "--dt for a file without a time column", "leave --dt out, or leave the column out with --columns time=none"});
 }
 
-Layout resolved_layout(Columns const& columns, Header const& header, ReadOptions const& options) {
-  Layout layout;
-  layout.dt_s = options.dt_s;
-  layout.flip_force = options.flip_force;
+ReadOptions resolved_layout(Columns const& columns, Header const& header, ReadOptions const& options,
+                            std::optional<std::string> const& sheet) {
+  ReadOptions layout = options;
+  layout.units.clear();
+  layout.sheet = sheet;
+  layout.test.reset();
   for (auto const& [channel, column] : columns.channels) {
     layout.columns[channel] = column_key(column.index, header);
     if (column.unit) layout.units[channel] = column.unit->symbol;
   }
-  for (auto const& [channel, wanted] : options.columns)  // "none"
-    if (!columns.channels.contains(channel)) layout.columns[channel] = wanted;
   return layout;
 }
 
@@ -82,28 +82,24 @@ std::string exchange_advice(Columns const& columns, Header const& header) {
                      force.unit->symbol);
 }
 
-std::vector<double> in_record_units(std::vector<double> values, double factor) {
-  for (double& value : values) value *= factor;
-  return values;
+std::vector<double>& values_of(TestRecord& record, Channel channel) {
+  switch (channel) {
+    case Channel::time:
+      return record.time_s;
+    case Channel::disp:
+      return record.disp_mm;
+    case Channel::force:
+      return record.force_kN;
+    default:
+      return record.load_kN;
+  }
 }
 
 void store_channels(Rows& rows, Columns const& columns, TestRecord& record) {
   for (auto& raw : rows.channels) {
-    auto values = in_record_units(std::move(raw.values), columns.channels.at(raw.channel).unit->in_record_units);
-    switch (raw.channel) {
-      case Channel::time:
-        record.time_s = std::move(values);
-        break;
-      case Channel::disp:
-        record.disp_mm = std::move(values);
-        break;
-      case Channel::force:
-        record.force_kN = std::move(values);
-        break;
-      case Channel::load:
-        record.load_kN = std::move(values);
-        break;
-    }
+    double const factor = columns.channels.at(raw.channel).unit->in_record_units;
+    for (double& value : raw.values) value *= factor;
+    values_of(record, raw.channel) = std::move(raw.values);
   }
   if (record.layout.dt_s)
     for (std::size_t i = 0; i < record.size(); ++i)
@@ -214,8 +210,7 @@ TestRecord read_table(Tests const& tests, Table const& table, TestRecord record,
     check_channel(table.place_of(columns.channels.at(raw.channel).index), raw, rows.numbers, complaints);
   if (!complaints.empty()) throw Error(std::move(complaints));
 
-  record.layout = resolved_layout(columns, table.header(), options);
-  record.layout.sheet = tests.sheet;
+  record.layout = resolved_layout(columns, table.header(), options, tests.sheet);
   append(record.recognised, tests.recognised);
   append(record.recognised, table.recognised());
   append(record.recognised, columns.recognised);
@@ -224,7 +219,6 @@ TestRecord read_table(Tests const& tests, Table const& table, TestRecord record,
   describe_rows(rows, table.header().row, record, record.recognised);
   if (wanted == Wanted::motion) return record;
   correct(record, options.corrections);
-  record.layout.corrections = options.corrections;
   check_physics(record, exchange_advice(columns, table.header()), complaints);
   if (!complaints.empty()) throw Error(std::move(complaints));
   add_warnings(record);
@@ -357,13 +351,7 @@ TestRecord record_of_values(std::string const& name, Values values) {
   record.file = name;
   record.sha256 = sha256(bytes);
   record.recognised.push_back(fmt::format("{} samples given as values, in mm, kN and s", samples));
-  for (auto& channel : channels) {
-    auto& target = channel.channel == Channel::disp    ? record.disp_mm
-                   : channel.channel == Channel::force ? record.force_kN
-                   : channel.channel == Channel::time  ? record.time_s
-                                                       : record.load_kN;
-    target = std::move(channel.values);
-  }
+  for (auto& channel : channels) values_of(record, channel.channel) = std::move(channel.values);
   if (record.force_kN.empty()) return record;
   check_physics(record, "displacement and force the other way round", complaints);
   if (!complaints.empty()) throw Error(std::move(complaints));
@@ -374,28 +362,24 @@ TestRecord record_of_values(std::string const& name, Values values) {
 std::vector<TestChoice> list_tests(std::filesystem::path const& file, ReadOptions const& options) {
   auto const bytes = load_text(file);
   auto const name = file.generic_string();
+  auto const tests = open_tests(bytes, name, options.sheet);
+  auto const asked = options.test ? std::optional(parse_test(*options.test)) : std::nullopt;
   std::vector<TestChoice> choices;
-  auto const add = [&](Tests const& tests) {
-    for (std::size_t i = 0; i < tests.tables.size(); ++i) {
-      auto const& table = *tests.tables[i];
-      auto const number = std::to_string(i + 1);
-      bool const wanted = !options.test || parse_test(*options.test) == number;
-      if (wanted || (i == 0 && parse_test(*options.test) == "all"))
-        choices.push_back({.sheet = tests.sheet,
-                           .test = tests.tables.size() == 1 ? std::nullopt
-                                   : options.test           ? std::optional(parse_test(*options.test))
-                                                            : std::optional(number),
+  auto const add = [&](Tests const& found) {
+    for (std::size_t i = 0; i < found.tables.size(); ++i) {
+      auto const& table = *found.tables[i];
+      auto const test = asked.value_or(std::to_string(i + 1));
+      if (test == std::to_string(i + 1) || (i == 0 && test == "all"))
+        choices.push_back({.sheet = found.sheet,
+                           .test = found.tables.size() == 1 ? std::nullopt : std::optional(test),
                            .place = fmt::format("{}:{}", table.place(), table.start())});
     }
   };
-  auto const tests = open_tests(bytes, name, options.sheet);
   if (options.sheet || tests.sheets.size() < 2 ||
-      (columns_are_told(options, Wanted::test) && tests.tables.front()->header().by_name)) {
+      (columns_are_told(options, Wanted::test) && tests.tables.front()->header().by_name))
     add(tests);
-    if (!choices.empty()) choices.front().passed_over = tests.sheets_passed_over;
-    return choices;
-  }
-  for (auto const& sheet : tests.sheets) add(open_tests(bytes, name, sheet));
+  else
+    for (auto const& sheet : tests.sheets) add(open_tests(bytes, name, sheet));
   if (!choices.empty()) choices.front().passed_over = tests.sheets_passed_over;
   return choices;
 }

@@ -15,18 +15,6 @@ namespace isolaw::data {
 
 std::string_view name(Channel channel);
 
-struct ReadOptions {
-  std::map<Channel, std::string> columns;  // name or 1-based number; what is missing is recognised; "none": not read
-  std::map<Channel, std::string> units;    // "cm", "tonf", ...; what is missing is read from the header
-  std::optional<double> dt_s;              // sampling interval of a file without a time column
-  bool flip_force = false;                 // multiply the force by -1 (option --flip-force)
-  std::optional<std::string> sheet;        // sheet of a workbook, struct of a .mat file, key of JSON: name or number
-  std::optional<std::string> test;  // of a file that holds several: 1-based number, or "all", one after the other
-  Corrections corrections;          // of what the rig did to the record (options --skew-ms and so on)
-
-  bool operator==(ReadOptions const&) const = default;
-};
-
 // Parses "time=1,disp=Displacement,force=3" (option --columns); throws Error on an unknown channel.
 // "none" leaves out a time or load column that the header names.
 std::map<Channel, std::string> parse_columns(std::string_view text);
@@ -58,7 +46,7 @@ TestRecord record_of_values(std::string const& name, Values values);
 
 // One of the tests of a file, and the options that read it.
 struct TestChoice {
-  std::optional<std::string> sheet;  // as Layout has it
+  std::optional<std::string> sheet;  // as TestRecord::layout has it
   std::optional<std::string> test;
   std::string place;                          // "d01.csv:204", "d01.xlsx:Sheet 2:1"
   std::vector<std::string> passed_over = {};  // sheets of the file that are no test; with its first test alone

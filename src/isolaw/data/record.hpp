@@ -13,15 +13,17 @@ namespace isolaw::data {
 
 enum class Channel { time, disp, force, load };
 
-// The choices that reading one file came to. Given back through ReadOptions they read the file the same way.
-struct Layout {
-  std::map<Channel, std::string> columns;  // the column's name where it is unique, else its 1-based number
-  std::map<Channel, std::string> units;    // symbols of base/units
-  std::optional<double> dt_s;              // sampling interval, only where it was given
-  bool flip_force = false;                 // the force was multiplied by -1
-  std::optional<std::string> sheet;        // part of the file, only where it has several
-  std::optional<std::string> test;         // "all" or a 1-based number, only where the file holds several tests
-  Corrections corrections;                 // that were asked for
+// How to read a file. What is missing is recognised.
+struct ReadOptions {
+  std::map<Channel, std::string> columns;  // name or 1-based number; "none": not read
+  std::map<Channel, std::string> units;    // "cm", "tonf", ...; what is missing is read from the header
+  std::optional<double> dt_s;              // sampling interval of a file without a time column
+  bool flip_force = false;                 // multiply the force by -1 (option --flip-force)
+  std::optional<std::string> sheet;        // sheet of a workbook, struct of a .mat file, key of JSON: name or number
+  std::optional<std::string> test;  // of a file that holds several: 1-based number, or "all", one after the other
+  Corrections corrections;          // of what the rig did to the record (options --skew-ms and so on)
+
+  bool operator==(ReadOptions const&) const = default;
 };
 
 // What a laboratory's file holds after reading: raw values, only converted to record units. Equal lengths;
@@ -33,7 +35,9 @@ struct TestRecord {
   std::vector<double> disp_mm;
   std::vector<double> force_kN;
   std::vector<double> load_kN;
-  Layout layout;                         // columns and units as resolved
+  // The choices that reading came to, which read the file the same way: a column's name where it is unique, else its number;
+  // sheet and test only where the file holds several.
+  ReadOptions layout;
   std::vector<std::string> recognised;   // one sentence per decision: dialect, columns, units, sampling, and why
   std::vector<std::string> corrections;  // one sentence per correction asked for, also in `recognised`
   std::vector<std::string> warnings;     // what a careful reader would want to know

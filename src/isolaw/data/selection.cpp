@@ -3,30 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <optional>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
 
 namespace isolaw::data {
 namespace {
 
-std::string_view trim(std::string_view text) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  return text;
-}
-
 std::optional<int> whole_number(std::string_view text) {
-  int value = 0;
-  text = trim(text);
-  auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || value < 1 || value > Numbers::largest)
-    return std::nullopt;
-  return value;
+  text = trimmed(text);
+  auto const value = text.starts_with('+') ? std::nullopt : number_in<int>(text);
+  return value && *value >= 1 && *value <= Numbers::largest ? value : std::nullopt;
 }
 
 std::optional<Numbers::Range> parse_range(std::string_view text) {
@@ -34,7 +25,7 @@ std::optional<Numbers::Range> parse_range(std::string_view text) {
   auto const first = whole_number(text.substr(0, dash));
   if (!first) return std::nullopt;
   if (dash == std::string_view::npos) return Numbers::Range{*first, *first};
-  auto const rest = trim(text.substr(dash + 1));
+  auto const rest = trimmed(text.substr(dash + 1));
   auto const last = rest.empty() ? std::optional(Numbers::largest) : whole_number(rest);
   if (!last || *last < *first) return std::nullopt;
   return Numbers::Range{*first, *last};
@@ -83,7 +74,7 @@ std::string Numbers::text() const {
 
 Numbers parse_numbers(std::string_view option, std::string_view text) {
   Numbers numbers;
-  if (trim(text) == "all") return numbers;
+  if (trimmed(text) == "all") return numbers;
   constexpr std::size_t most_ranges = 1000;
   auto rest = text;
   while (true) {

@@ -1,9 +1,9 @@
 #include "isolaw/data/sheet_choice.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
@@ -13,11 +13,9 @@
 namespace isolaw::data {
 
 std::string sheet_list(std::vector<std::string> const& names, std::string_view what) {
-  constexpr std::size_t shown = 30;
   std::vector<std::string> texts;
-  for (std::size_t i = 0; i < std::min(shown, names.size()); ++i) texts.push_back(in_quotes(names[i]));
-  if (names.size() > shown) texts.push_back(fmt::format("and {} more", names.size() - shown));
-  return names.empty() ? fmt::format("no {}", what) : fmt::format("{} {}", what, fmt::join(texts, ", "));
+  for (auto const& name : names) texts.push_back(in_quotes(name));
+  return names.empty() ? fmt::format("no {}", what) : fmt::format("{} {}", what, shortened(std::move(texts), 30));
 }
 
 std::size_t choose_sheet(std::string const& wanted, std::vector<std::string> const& names, std::string const& file,

@@ -55,6 +55,15 @@ void refuse_binary(std::string const& where, std::string_view bytes) {
     refuse(where, fmt::format("is a binary file (byte {} is 0)", null + 1), export_text);
 }
 
+// The first line, which is taken off with its end.
+std::string_view take_line(std::string_view& bytes) {
+  auto const ends_line = [](char c) { return c == '\n' || c == '\r'; };
+  auto const line = bytes.substr(0, static_cast<std::size_t>(std::ranges::find_if(bytes, ends_line) - bytes.begin()));
+  bytes.remove_prefix(line.size());
+  bytes.remove_prefix(bytes.starts_with("\r\n") ? 2 : std::min<std::size_t>(1, bytes.size()));
+  return line;
+}
+
 bool is_utf8(std::string_view bytes) {
   while (!bytes.empty()) {
     auto const length = utf8_length(bytes);
@@ -102,19 +111,14 @@ std::string load_text(std::filesystem::path const& file) {
 void check_text(std::string const& where, std::string_view bytes) {
   if (bytes.empty()) refuse(where, "is empty");
   refuse_binary(where, bytes);
-  auto const ends_line = [](char c) { return c == '\n' || c == '\r'; };
-  std::size_t lines = 0;
-  std::size_t line_of_longest = 0;
-  std::size_t longest = 0;
-  for (std::size_t begin = 0; begin < bytes.size();) {
-    auto const rest = bytes.substr(begin);
-    auto const end = begin + static_cast<std::size_t>(std::ranges::find_if(rest, ends_line) - rest.begin());
+  std::size_t lines = 0, line_of_longest = 0, longest = 0;
+  while (!bytes.empty()) {
+    auto const length = take_line(bytes).size();
     ++lines;
-    if (end - begin > longest) {
-      longest = end - begin;
+    if (length > longest) {
+      longest = length;
       line_of_longest = lines;
     }
-    begin = end + (bytes.substr(end).starts_with("\r\n") ? 2 : 1);
   }
   std::vector<Complaint> complaints;
   if (lines > most_lines)
@@ -132,13 +136,7 @@ Lines split_lines(std::string_view bytes) {
   if (text.byte_order_mark) bytes.remove_prefix(3);
   if (bytes.ends_with('\x1A')) bytes.remove_suffix(1);  // end-of-file mark of old acquisition programs
   text.windows_1252 = !is_utf8(bytes);
-  auto const ends_line = [](char c) { return c == '\n' || c == '\r'; };
-  while (!bytes.empty()) {
-    auto const end = static_cast<std::size_t>(std::ranges::find_if(bytes, ends_line) - bytes.begin());
-    text.lines.push_back(bytes.substr(0, end));
-    if (end == bytes.size()) break;
-    bytes.remove_prefix(end + (bytes.substr(end).starts_with("\r\n") ? 2 : 1));
-  }
+  while (!bytes.empty()) text.lines.push_back(take_line(bytes));
   return text;
 }
 
@@ -163,13 +161,6 @@ std::string without_accents(std::string_view utf8) {
     utf8.remove_prefix(length);
   }
   return text;
-}
-
-std::string lower(std::string_view text) {
-  std::string out(text);
-  for (char& c : out)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return out;
 }
 
 std::string in_quotes(std::string_view bytes) {

@@ -38,8 +38,6 @@ std::string to_utf8(std::string_view bytes);
 // ASCII only: accents dropped ("Déplacement" -> "Deplacement"), other characters replaced by blanks. Keeps case.
 std::string without_accents(std::string_view utf8);
 
-std::string lower(std::string_view text);
-
 // 'text' for a message, cut to a readable length, control characters spelled out.
 std::string in_quotes(std::string_view bytes);
 

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "isolaw/data/dialect.hpp"
+#include "isolaw/data/text.hpp"
 
 namespace isolaw::data {
 namespace {
@@ -203,19 +204,14 @@ bool is_one_column(std::span<std::string_view const> lines) {
 }
 
 Dialect require_dialect(std::string const& file, std::span<std::string_view const> lines) {
-  auto dialect = recognise_dialect(lines);
-  if (!dialect && is_one_column(lines))
-    throw Error(
-        Complaint{.where = file,
-                  .found = "one column of numbers",
-                  .allowed = "two or more columns of numbers, separated by commas, semicolons, tabs or blanks",
-                  .advice = "write time beside displacement for a motion, displacement beside force for a test"});
-  if (!dialect)
-    throw Error(Complaint{.where = file,
-                          .found = fmt::format("no rows of numbers in {} lines", lines.size()),
-                          .allowed = "two or more columns of numbers, separated by commas, semicolons, tabs or blanks",
-                          .advice = "export displacement and force as CSV"});
-  return *std::move(dialect);
+  if (auto dialect = recognise_dialect(lines)) return *std::move(dialect);
+  bool const one_column = is_one_column(lines);
+  throw Error(Complaint{
+      .where = file,
+      .found = one_column ? "one column of numbers" : fmt::format("no rows of numbers in {} lines", lines.size()),
+      .allowed = "two or more columns of numbers, separated by commas, semicolons, tabs or blanks",
+      .advice = one_column ? "write time beside displacement for a motion, displacement beside force for a test"
+                           : "export displacement and force as CSV"});
 }
 
 void refuse_width(std::string const& file, Dialect const& dialect) {

@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "isolaw/data/table.hpp"
-#include "isolaw/data/text.hpp"
 
 namespace isolaw::data {
 

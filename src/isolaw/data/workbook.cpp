@@ -29,20 +29,11 @@ constexpr std::size_t longest_text = 200;
 
 struct Sheet {
   std::string name;
-  std::string relation;
   std::string entry;
 };
 
-void parse(ZipArchive& archive, std::string const& file, std::string const& entry, XmlHandlers handlers) {
-  if (!handlers.start) handlers.start = [](auto, auto const&) {};
-  if (!handlers.end) handlers.end = [](auto) {};
-  if (!handlers.text) handlers.text = [](auto) {};
-  XmlReader reader(fmt::format("{}:{}", file, entry), std::move(handlers));
-  archive.read(entry, [&](std::string_view piece) {
-    reader.take(piece);
-    return true;
-  });
-  reader.finish();
+void parse(ZipArchive& archive, std::string const& file, std::string const& entry, XmlHandlers const& handlers) {
+  read_xml(fmt::format("{}:{}", file, entry), handlers, [&](auto const& take) { archive.read(entry, take); });
 }
 
 // "xl/workbook.xml" and "worksheets/sheet1.xml" are "xl/worksheets/sheet1.xml"; "/xl/x.xml" counts from the top.
@@ -63,17 +54,13 @@ std::map<std::string, std::string> relations(ZipArchive& archive, std::string co
   auto const entry = part.substr(0, slash) + "_rels/" + part.substr(slash) + ".rels";
   std::map<std::string, std::string> targets;
   if (!archive.has(entry)) return targets;
-  parse(archive, file, entry,
-        {.start =
-             [&](std::string_view name, Attributes const& attributes) {
-               if (name != "Relationship" || attributes["TargetMode"] == "External") return;
-               auto const target = resolved(part, attributes["Target"]);
-               auto const type = attributes["Type"];
-               targets[std::string(attributes["Id"])] = target;
-               targets["/" + std::string(type.substr(type.rfind('/') + 1))] = target;
-             },
-         .end = {},
-         .text = {}});
+  parse(archive, file, entry, {[&](std::string_view name, Attributes const& attributes) {
+          if (name != "Relationship" || attributes["TargetMode"] == "External") return;
+          auto const target = resolved(part, attributes["Target"]);
+          auto const type = attributes["Type"];
+          targets[std::string(attributes["Id"])] = target;
+          targets["/" + std::string(type.substr(type.rfind('/') + 1))] = target;
+        }});
   return targets;
 }
 
@@ -165,8 +152,7 @@ std::vector<bool> date_styles(ZipArchive& archive, std::string const& file, std:
          .end =
              [&](std::string_view name) {
                if (name == "cellXfs") in_cell_styles = false;
-             },
-         .text = {}});
+             }});
   return styles;
 }
 
@@ -345,24 +331,17 @@ class Workbook {
 
  private:
   void list_sheets(std::string const& main, std::map<std::string, std::string> const& targets) {
-    parse(archive_, file_, main,
-          {.start =
-               [&](std::string_view name, Attributes const& attributes) {
-                 if (name != "sheet") return;
-                 Sheet sheet{
-                     .name = std::string(attributes["name"]), .relation = std::string(attributes["id"]), .entry = {}};
-                 auto const target = targets.find(sheet.relation);
-                 if (target == targets.end() || !archive_.has(target->second)) return;
-                 sheet.entry = target->second;
-                 if (sheet.entry.find("worksheets/") == std::string::npos) return;  // a chart of its own
-                 if (sheets_.size() >= most_sheets)
-                   throw Error(Complaint{.where = file_,
-                                         .found = fmt::format("more than {} sheets", most_sheets),
-                                         .allowed = "a workbook with the tests alone"});
-                 sheets_.push_back(std::move(sheet));
-               },
-           .end = {},
-           .text = {}});
+    parse(archive_, file_, main, {[&](std::string_view name, Attributes const& attributes) {
+            if (name != "sheet") return;
+            auto const target = targets.find(std::string(attributes["id"]));
+            if (target == targets.end() || !archive_.has(target->second)) return;
+            if (target->second.find("worksheets/") == std::string::npos) return;  // a chart of its own
+            if (sheets_.size() >= most_sheets)
+              throw Error(Complaint{.where = file_,
+                                    .found = fmt::format("more than {} sheets", most_sheets),
+                                    .allowed = "a workbook with the tests alone"});
+            sheets_.push_back({.name = std::string(attributes["name"]), .entry = target->second});
+          }});
   }
 
   [[noreturn]] void refuse_other_archive(std::string const& main) {

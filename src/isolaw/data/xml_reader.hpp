@@ -19,29 +19,16 @@ class Attributes {
   char const** list_;
 };
 
-// Element names come without their prefix.
+// Element names come without their prefix. Those that are empty are not called.
 struct XmlHandlers {
   std::function<void(std::string_view name, Attributes const& attributes)> start;
-  std::function<void(std::string_view name)> end;
-  std::function<void(std::string_view text)> text;
+  std::function<void(std::string_view name)> end = {};
+  std::function<void(std::string_view text)> text = {};
 };
 
-class XmlReader {
- public:
-  // `place` is the document in messages.
-  XmlReader(std::string place, XmlHandlers handlers);
-  ~XmlReader();
-  XmlReader(XmlReader const&) = delete;
-  XmlReader& operator=(XmlReader const&) = delete;
-
-  // The next piece of the document. Throws Error when it is no XML, or what a handler throws.
-  void take(std::string_view piece);
-  void finish();
-
- private:
-  struct State;
-  void parse(std::string_view piece, bool last);
-  State* state_;
-};
+// Reads the document that `source` passes on piece by piece; `place` is its name in messages. Throws Error when it is no
+// XML, or what a handler throws.
+void read_xml(std::string const& place, XmlHandlers const& handlers,
+              std::function<void(std::function<void(std::string_view piece)> const& take)> const& source);
 
 }  // namespace isolaw::data

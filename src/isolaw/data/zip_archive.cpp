@@ -10,21 +10,15 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/data/inflate_limit.hpp"
-#include "isolaw/data/text.hpp"
 
 namespace isolaw::data {
-
-struct ZipArchive::Memory {
-  std::string_view bytes;
-  std::size_t at = 0;
-};
-
 namespace {
+
+using Memory = ZipArchive::Memory;
 
 constexpr std::string_view damaged = "the archive is damaged";
 
 // minizip reads through these; the "stream" is the archive's bytes.
-template <class Memory>
 zlib_filefunc64_def functions_on(Memory* memory) {
   static constexpr auto to_memory = [](voidpf stream) -> Memory& { return *static_cast<Memory*>(stream); };
   return {.zopen64_file = [](voidpf opaque, void const*, int) { return opaque; },
@@ -55,10 +49,9 @@ zlib_filefunc64_def functions_on(Memory* memory) {
 }  // namespace
 
 ZipArchive::ZipArchive(std::string_view bytes, std::string file)
-    : file_(std::move(file)), memory_(std::make_unique<Memory>()), limit_(unpacked_limit(bytes.size())) {
+    : file_(std::move(file)), memory_{.bytes = bytes}, limit_(unpacked_limit(bytes.size())) {
   constexpr ZPOS64_T most_entries = 10'000;
-  memory_->bytes = bytes;
-  auto functions = functions_on(memory_.get());
+  auto functions = functions_on(&memory_);
   handle_ = unzOpen2_64("", &functions);
   if (handle_ == nullptr) refuse({}, std::string(damaged), "save it again");
   unz_global_info64 info{};
@@ -97,7 +90,7 @@ void ZipArchive::open(std::string const& entry) {
   if (unzOpenCurrentFile(handle_) != UNZ_OK) refuse(entry, std::string(damaged));
 }
 
-void ZipArchive::read(std::string const& entry, std::function<bool(std::string_view)> const& take) {
+void ZipArchive::read(std::string const& entry, std::function<void(std::string_view)> const& take) {
   open(entry);
   std::array<char, 1 << 16> buffer;
   while (true) {
@@ -112,13 +105,10 @@ void ZipArchive::read(std::string const& entry, std::function<bool(std::string_v
       unzCloseCurrentFile(handle_);
       refuse(entry,
              fmt::format("grows beyond {} MiB when unpacked, from a file of {:.3g} MiB", limit_ >> 20,
-                         static_cast<double>(memory_->bytes.size()) / 1048576.0),
+                         static_cast<double>(memory_.bytes.size()) / 1048576.0),
              "a file with the test alone");
     }
-    if (!take({buffer.data(), static_cast<std::size_t>(count)})) {
-      unzCloseCurrentFile(handle_);
-      return;
-    }
+    take({buffer.data(), static_cast<std::size_t>(count)});
   }
   if (unzCloseCurrentFile(handle_) == UNZ_CRCERROR) refuse(entry, std::string(damaged), "save it again");
 }

@@ -1,9 +1,9 @@
 // A zip archive in memory, read with minizip. Everything taken out of it counts against one limit.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <string>
 #include <string_view>
 
@@ -11,6 +11,12 @@ namespace isolaw::data {
 
 class ZipArchive {
  public:
+  // What minizip takes for a file.
+  struct Memory {
+    std::string_view bytes;
+    std::size_t at = 0;
+  };
+
   // `bytes` must outlive the archive; `file` is its name in messages. Throws Error when the archive is damaged or holds
   // more than 10 000 entries.
   ZipArchive(std::string_view bytes, std::string file);
@@ -19,19 +25,16 @@ class ZipArchive {
   ZipArchive& operator=(ZipArchive const&) = delete;
 
   bool has(std::string const& entry) const;
-  // Passes on what the entry holds, piece by piece, as long as `take` returns true. Throws Error: no such entry, damaged,
-  // encrypted, compressed by another method than deflate, beyond the limit of unpacked bytes.
-  void read(std::string const& entry, std::function<bool(std::string_view)> const& take);
-  // Bytes taken out so far.
-  std::uint64_t unpacked() const { return unpacked_; }
+  // Passes on what the entry holds, piece by piece. Throws Error: no such entry, damaged, encrypted, compressed by another
+  // method than deflate, beyond the limit of unpacked bytes.
+  void read(std::string const& entry, std::function<void(std::string_view)> const& take);
 
  private:
-  struct Memory;
   [[noreturn]] void refuse(std::string const& entry, std::string found, std::string advice = {}) const;
   void open(std::string const& entry);
 
   std::string file_;
-  std::unique_ptr<Memory> memory_;
+  Memory memory_;
   void* handle_ = nullptr;
   std::uint64_t limit_;
   std::uint64_t unpacked_ = 0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,12 @@ double population_std(std::span<double const> values);
 
 // The middle value, the mean of the two middle ones for an even count. NaN when there are no values, or one is NaN.
 double median(std::span<double const> values);
+template <class Items, class Property>
+double median_over(Items const& items, Property property) {
+  std::vector<double> values;
+  for (auto const& item : items) values.push_back(std::invoke(property, item));
+  return median(values);
+}
 
 // Distance of each value from the median in standard deviations estimated from the median absolute deviation, signed:
 // (x - median) / max(1.4826 MAD, least_scale * |median|) (Iglewicz and Hoaglin 1993, where it is 0.6745 (x - median) /

@@ -54,11 +54,4 @@ double tolerance_factor(std::size_t count, double coverage, double confidence) {
   return root([&](double k) { return reached(k) - confidence; }, 1e-3, upper);
 }
 
-double tabulated_tolerance_factor(std::size_t count, double coverage, double confidence) {
-  if (count < 2) return std::numeric_limits<double>::quiet_NaN();
-  auto const n = static_cast<double>(count);
-  double const chi_square = 2.0 * boost::math::gamma_p_inv(0.5 * (n - 1.0), 1.0 - confidence);
-  return half_width(1.0 / std::sqrt(n), coverage) * std::sqrt((n - 1.0) / chi_square);
-}
-
 }  // namespace isolaw::num

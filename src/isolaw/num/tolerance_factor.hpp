@@ -9,8 +9,4 @@ namespace isolaw::num {
 // the distribution of the sample's mean (Odeh, Owen 1980; ISO 16269-6). NaN for fewer than two values.
 double tolerance_factor(std::size_t count, double coverage = 0.95, double confidence = 0.95);
 
-// The approximation of Wald and Wolfowitz (1946), which many printed tables hold: within 0.5 % of the exact factor from
-// four values up, above it below six and under it from six. NaN for fewer than two values.
-double tabulated_tolerance_factor(std::size_t count, double coverage = 0.95, double confidence = 0.95);
-
 }  // namespace isolaw::num

@@ -1,7 +1,5 @@
 #include "isolaw/opt/genetic.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -94,33 +92,18 @@ class Progress {
 
 }  // namespace
 
-GeneticOutcome outcome_of(std::span<double const> history, GeneticOptions const& options) {
+Outcome outcome_of(std::span<double const> history, GeneticOptions const& options) {
   Progress progress(options);
   for (std::size_t i = 0; i < history.size(); ++i) {
     bool const last = i + 1 == history.size();
-    if (rank_key(history[i]) == infinity) return last ? GeneticOutcome::no_finite_value : GeneticOutcome::interrupted;
-    if (progress.stagnates(history[i])) return last ? GeneticOutcome::stagnated : GeneticOutcome::interrupted;
+    if (rank_key(history[i]) == infinity) return last ? Outcome::no_finite_value : Outcome::interrupted;
+    if (progress.stagnates(history[i])) return last ? Outcome::stagnated : Outcome::interrupted;
   }
-  return std::cmp_equal(history.size(), options.generations) ? GeneticOutcome::all_generations
-                                                             : GeneticOutcome::interrupted;
+  return std::cmp_equal(history.size(), options.generations) ? Outcome::all_generations : Outcome::interrupted;
 }
 
-std::string_view name(GeneticOutcome outcome) {
-  switch (outcome) {
-    case GeneticOutcome::all_generations:
-      return "all generations";
-    case GeneticOutcome::stagnated:
-      return "stagnated";
-    case GeneticOutcome::interrupted:
-      return "interrupted";
-    case GeneticOutcome::no_finite_value:
-      return "no finite value";
-  }
-  return "";
-}
-
-GeneticResult minimise_genetic(Problem const& problem, num::Stream const& stream, GeneticOptions const& options,
-                               std::function<bool()> const& interrupted) {
+SearchResult minimise_genetic(Problem const& problem, num::Stream const& stream, GeneticOptions const& options,
+                              std::function<bool()> const& interrupted) {
   assert(options.population >= 4 && options.population % 2 == 0);
   auto const dimension = problem.dimension();
   if (dimension == 0)
@@ -128,14 +111,15 @@ GeneticResult minimise_genetic(Problem const& problem, num::Stream const& stream
                  "freeing a parameter, or evaluating the single point directly"});
 
   auto const size = static_cast<std::size_t>(options.population);
-  GeneticResult result;
+  SearchResult result;
+  auto const ended = [&](Outcome outcome) {
+    result.outcome = outcome;
+    return result;
+  };
   Population parents;  // empty at first: all of the initial population survives generation 1
   Progress progress(options);
   for (int generation = 1; generation <= options.generations; ++generation) {
-    if (interrupted && interrupted()) {
-      result.outcome = GeneticOutcome::interrupted;
-      return result;
-    }
+    if (interrupted && interrupted()) return ended(Outcome::interrupted);
     Population children{
         generation == 1 ? initial_points(dimension, size, stream) : breed(parents, stream, generation, options),
         std::vector<double>(size, infinity)};
@@ -147,23 +131,15 @@ GeneticResult minimise_genetic(Problem const& problem, num::Stream const& stream
     parents = select(parents, children, size);
     double const best = rank_key(parents.values.front());
     result.history.push_back(best);
-    if (best == infinity) {
-      result.outcome = GeneticOutcome::no_finite_value;
-      return result;
-    }
+    if (best == infinity) return ended(Outcome::no_finite_value);
     if (best < result.best_value) {
       auto const point = parents.points[0];
       result.best.assign(point.begin(), point.end());
       result.best_value = best;
     }
-
-    if (progress.stagnates(best)) {
-      result.outcome = GeneticOutcome::stagnated;
-      return result;
-    }
+    if (progress.stagnates(best)) return ended(Outcome::stagnated);
   }
-  result.outcome = GeneticOutcome::all_generations;
-  return result;
+  return ended(Outcome::all_generations);
 }
 
 std::vector<double> roulette_weights(std::span<double const> values, double pressure) {

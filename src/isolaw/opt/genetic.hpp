@@ -6,9 +6,7 @@
 
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "isolaw/num/random.hpp"
@@ -26,22 +24,9 @@ struct GeneticOptions {
   double selection_pressure = 8;    // roulette weight exp(-pressure * value / worst finite value)
 };
 
-// interrupted: best is the best so far, if a generation was finished. no_finite_value: the whole initial population
-// failed and left nothing to breed from. When the last generation is also the one that stagnates: all_generations.
-enum class GeneticOutcome { all_generations, stagnated, interrupted, no_finite_value };
-std::string_view name(GeneticOutcome outcome);
-
-struct GeneticResult {
-  GeneticOutcome outcome = GeneticOutcome::no_finite_value;
-  std::vector<double> best;  // in the unit box; empty when no point was finite
-  double best_value = std::numeric_limits<double>::infinity();
-  int evaluations = 0;          // population x generations done
-  int failed_evaluations = 0;   // of them, points whose value was not finite
-  std::vector<double> history;  // best value after each generation; never rises
-
-  bool usable() const { return !best.empty(); }
-};
-
+// Outcomes: all_generations, also when the last generation is the one that stagnates; stagnated; no_finite_value where the
+// whole initial population failed and left nothing to breed from; interrupted, with a best point if a generation was
+// finished. Evaluations: population x generations done.
 // Deterministic for a given stream: random numbers depend on (stream, generation, individual or pair) alone.
 // Values that are not finite mark failed points; they survive only where nothing better exists. Best over values >= 0;
 // see roulette_weights for others.
@@ -49,11 +34,11 @@ struct GeneticResult {
 // the best value is not below (1 - tolerance) times the best at the last improvement (for positive values); a flat
 // problem thus stops after 1 + stagnation generations.
 // Throws Error for a problem without dimensions.
-GeneticResult minimise_genetic(Problem const& problem, num::Stream const& stream, GeneticOptions const& options = {},
-                               std::function<bool()> const& interrupted = {});
+SearchResult minimise_genetic(Problem const& problem, num::Stream const& stream, GeneticOptions const& options = {},
+                              std::function<bool()> const& interrupted = {});
 
 // How a search whose best values after each generation are `history` ended under these options; interrupted: not yet.
-GeneticOutcome outcome_of(std::span<double const> history, GeneticOptions const& options);
+Outcome outcome_of(std::span<double const> history, GeneticOptions const& options);
 
 // The operators, each usable and tested alone -------------------------------------------------------------------
 

@@ -1,7 +1,5 @@
 #include "isolaw/opt/multistart.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -102,8 +100,7 @@ struct Located {
 // The problem, or its outline, with what it has cost.
 class Counting {
  public:
-  Counting(DeviationProblem const& problem, MultistartResult& result)
-      : problem_(&problem), whole_(problem), result_(result) {}
+  Counting(DeviationProblem const& problem, Found& result) : problem_(&problem), whole_(problem), result_(result) {}
 
   bool has_outline() const { return whole_.outline() != nullptr; }
   void show_outline() { problem_ = whole_.outline(); }
@@ -140,7 +137,7 @@ class Counting {
 
   DeviationProblem const* problem_;
   DeviationProblem const& whole_;
-  MultistartResult& result_;
+  Found& result_;
   std::vector<double> room_;
   std::size_t computed_ = 0, failed_ = 0;  // residuals
 };
@@ -341,24 +338,24 @@ class Search {
 
   MultistartResult run(std::function<bool()> const& interrupted) {
     for (std::uint32_t round = 0; !enough(); ++round) {
-      if (result_.evaluations >= options_.most_evaluations) return ended(MultistartOutcome::budget_spent);
+      if (result_.evaluations >= options_.most_evaluations) return ended(Outcome::budget_spent);
       num::Draws draws(stream_, round, 0);
       auto const points = latin_hypercube(counting_.dimension(), static_cast<std::size_t>(options_.scattered), draws);
       for (std::size_t i = 0; i < points.size() && !enough(); ++i) {
-        if (interrupted && interrupted()) return ended(MultistartOutcome::interrupted);
+        if (interrupted && interrupted()) return ended(Outcome::interrupted);
         scattered_.push_back(descend(points[i]));
       }
-      if (!result_.usable()) return ended(MultistartOutcome::no_finite_value);
+      if (!result_.usable()) return ended(Outcome::no_finite_value);
       int const hops = is_wide() ? options_.scattered : options_.hops;
       for (int hop = 1; hop <= hops && !enough(); ++hop) {
-        if (interrupted && interrupted()) return ended(MultistartOutcome::interrupted);
+        if (interrupted && interrupted()) return ended(Outcome::interrupted);
         num::Draws wind(stream_, round, static_cast<std::uint32_t>(hop));
         descend(hop % 2 != 0 ? with_two_drawn_anew(result_.best, wind)
                              : disturbed(result_.best, tuning::least_power_of_hop, tuning::most_power_of_hop, wind));
       }
     }
     refine(interrupted);
-    return ended(interrupted && interrupted() ? MultistartOutcome::interrupted : MultistartOutcome::confirmed);
+    return ended(interrupted && interrupted() ? Outcome::interrupted : Outcome::confirmed);
   }
 
  private:
@@ -438,7 +435,7 @@ class Search {
     result_.history.push_back(result_.best_value);
   }
 
-  MultistartResult ended(MultistartOutcome outcome) {
+  MultistartResult ended(Outcome outcome) {
     result_.outcome = outcome;
     result_.starts = static_cast<int>(ends_.size());
     result_.hits = static_cast<int>(count(ends_, within(options_.hit_tolerance)));
@@ -461,36 +458,18 @@ void require_dimension(DeviationProblem const& problem) {
 
 }  // namespace
 
-std::string_view name(MultistartOutcome outcome) {
-  switch (outcome) {
-    case MultistartOutcome::confirmed:
-      return "confirmed";
-    case MultistartOutcome::budget_spent:
-      return "budget spent";
-    case MultistartOutcome::interrupted:
-      return "interrupted";
-    case MultistartOutcome::no_finite_value:
-      return "no finite value";
-  }
-  return "";
-}
-
 MultistartResult minimise_multistart(DeviationProblem const& problem, num::Stream const& stream,
                                      MultistartOptions const& options, std::function<bool()> const& interrupted) {
   require_dimension(problem);
   return Search(problem, stream, options).run(interrupted);
 }
 
-DescentResult descend(DeviationProblem const& problem, std::span<double const> start, double rounding, bool brief) {
+Found descend(DeviationProblem const& problem, std::span<double const> start, double rounding, bool brief) {
   require_dimension(problem);
-  MultistartResult counts;
-  Counting counting(problem, counts);
+  Found result;
+  Counting counting(problem, result);
   Descent descent(counting, start, rounding);
   if (descent.usable()) brief ? descent.settle() : descent.polish();
-  DescentResult result{.best = {},
-                       .best_value = infinity,
-                       .evaluations = counts.evaluations,
-                       .failed_evaluations = counts.failed_evaluations};
   if (!descent.usable()) return result;
   result.best = descent.x();
   result.best_value = descent.value();

@@ -13,9 +13,7 @@
 #pragma once
 
 #include <functional>
-#include <limits>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "isolaw/num/random.hpp"
@@ -34,42 +32,24 @@ struct MultistartOptions {
   int hops = 4;                    // of a round, about the best point
 };
 
-// interrupted: best is the best so far. no_finite_value: none of the first scattered points had a value.
-enum class MultistartOutcome { confirmed, budget_spent, interrupted, no_finite_value };
-std::string_view name(MultistartOutcome outcome);
-
-struct MultistartResult {
-  MultistartOutcome outcome = MultistartOutcome::no_finite_value;
-  std::vector<double> best;  // in the unit box; empty when no point was finite
-  double best_value = std::numeric_limits<double>::infinity();
-  int evaluations = 0;          // points whose residuals were computed; by the outline: as its share of residuals
-  int failed_evaluations = 0;   // of them, those that were not finite
-  std::vector<double> history;  // best value after each descent, and after the last refinement; never rises
-  int starts = 0;               // descents
-  int hits = 0;                 // of them, those that ended within the tolerance of the best value
-
-  bool usable() const { return !best.empty(); }
+struct MultistartResult : SearchResult {
+  int starts = 0;  // descents
+  int hits = 0;    // of them, those that ended within the tolerance of the best value
 };
 
+// Outcomes: confirmed; budget_spent; interrupted; no_finite_value where none of the first scattered points had a value.
+// Evaluations by the outline count as its share of the residuals; the history ends with the value after the last refinement.
 // Deterministic for a given stream. `interrupted`, when given, is asked before each start.
 // Throws Error for a problem without dimensions.
 MultistartResult minimise_multistart(DeviationProblem const& problem, num::Stream const& stream,
                                      MultistartOptions const& options = {},
                                      std::function<bool()> const& interrupted = {});
 
-// One descent from a point near a minimum, to its last digits: after the problem has changed a little.
-struct DescentResult {
-  std::vector<double> best;                                     // in the unit box; empty when the start has no value
-  double best_value = std::numeric_limits<double>::infinity();  // never above that of the start
-  int evaluations = 0, failed_evaluations = 0;
-
-  bool usable() const { return !best.empty(); }
-};
-
-// `rounding` is the first delta, as a share of the value at the start: small keeps the descent in its valley. `brief`: to
+// One descent from a point near a minimum, to its last digits: after the problem has changed a little. Nothing usable when
+// the start has no value, and never a value above its. `rounding` is the first delta, as a share of the value at the start: small keeps the descent in its valley. `brief`: to
 // about a ten-thousandth of the value, for many descents of which none is reported by itself.
 // Throws Error for a problem without dimensions.
-DescentResult descend(DeviationProblem const& problem, std::span<double const> start, double rounding = 0.3,
-                      bool brief = false);
+Found descend(DeviationProblem const& problem, std::span<double const> start, double rounding = 0.3,
+              bool brief = false);
 
 }  // namespace isolaw::opt

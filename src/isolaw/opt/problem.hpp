@@ -1,7 +1,8 @@
-// The contract between an optimiser and what it minimises: a box and the evaluation of a batch of points.
+// The contract between an optimiser and what it minimises: a box and the evaluation of a batch of points; what it finds.
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -39,6 +40,24 @@ class DeviationProblem : public Problem {
   virtual void residuals(Points const& points, std::span<double> values) const = 0;
   // The same problem by fewer residuals, good enough to find a valley by; null where there is none.
   virtual DeviationProblem const* outline() const { return nullptr; }
+};
+
+// The best point found, and what it cost.
+struct Found {
+  std::vector<double> best;  // in the unit box; empty when no point was finite
+  double best_value = std::numeric_limits<double>::infinity();
+  int evaluations = 0;         // points that were computed
+  int failed_evaluations = 0;  // of them, those whose value was not finite
+
+  bool usable() const { return !best.empty(); }
+};
+
+// How a search ended. interrupted: best is the best so far. The others are said with the search that ends so.
+enum class Outcome { confirmed, budget_spent, all_generations, stagnated, no_finite_value, interrupted };
+
+struct SearchResult : Found {
+  Outcome outcome = Outcome::no_finite_value;
+  std::vector<double> history;  // best value after each generation or descent; never rises
 };
 
 }  // namespace isolaw::opt
