@@ -204,10 +204,10 @@ void show_as_present(Connection const& db, int version) {
       "CREATE TEMP TABLE setting AS SELECT * FROM main.setting; CREATE TEMP TABLE meta AS SELECT * FROM main.meta");
   Statement setting(db, "INSERT INTO temp.setting SELECT max(position) + 1, ?, ? FROM temp.setting");
   for (auto const& [since, key, json] : added_settings)
-    if (version < since) setting.bind(std::string_view(key)).bind(std::string_view(json)).insert();
+    if (version < since) setting.bind(key, json).insert();
   Statement described(db, "INSERT INTO temp.meta VALUES (?, '')");
   for (auto const* key : acceptance_keys)
-    if (version < describes_acceptance) described.bind(std::string_view(key)).insert();
+    if (version < describes_acceptance) described.bind(key).insert();
 }
 
 }  // namespace
