@@ -136,9 +136,9 @@ int list_rules(std::string const& name) {
     std::fwrite(text.data(), 1, text.size(), stdout);
     return exit_done;
   }
-  for (auto const* set : rules::built_in_rule_sets())
-    fmt::print("{:<14} {}{}\n", set->id, set->title,
-               set->verified() ? "" : "; limits not verified: information, no verdict");
+  for (auto const& set : rules::built_in_rule_sets())
+    fmt::print("{:<14} {}{}\n", set.id, set.title,
+               set.verified() ? "" : "; limits not verified: information, no verdict");
   fmt::print("{:<14} {}\n", "template", "a commented file to write the contract's own from: isolaw rules template");
   return exit_done;
 }

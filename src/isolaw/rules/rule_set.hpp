@@ -7,6 +7,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -129,7 +130,7 @@ inline constexpr std::size_t largest_rule_file = 256 << 10;  // bytes
 RuleSet read_rule_text(std::string_view text, std::string const& file);
 
 // The sets that come with the program, in alphabetical order. The template is not one of them.
-std::vector<RuleSet const*> built_in_rule_sets();
+std::span<RuleSet const> built_in_rule_sets();
 
 bool is_built_in(std::string_view name);
 
