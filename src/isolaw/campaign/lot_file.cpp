@@ -252,7 +252,7 @@ Lot read_lot_text(std::string_view text, std::filesystem::path const& path, LotF
     reader.refuse_unknown();
   }
   lot.read = defaults;
-  auto const* devices = root.get("device");
+  auto const* devices = top.find("device");
   if (devices == nullptr || !devices->is_array_of_tables()) {
     complaints.push_back({.where = file,
                           .found = "no devices",
@@ -275,7 +275,6 @@ Lot read_lot_text(std::string_view text, std::filesystem::path const& path, LotF
       lot.devices.push_back(std::move(device));
     }
   }
-  top.know("device");
   top.refuse_unknown();
   throw_complaints(std::move(complaints), file);
   return lot;

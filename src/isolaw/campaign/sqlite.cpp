@@ -19,17 +19,17 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "series are stored as little-endian doubles");
 
 [[noreturn]] void fail(sqlite3* db, std::string_view doing) {
-  auto const* file = db == nullptr ? nullptr : sqlite3_db_filename(db, "main");
+  auto const* name = db == nullptr ? nullptr : sqlite3_db_filename(db, "main");
+  std::string const file = name == nullptr ? "campaign store" : name;
   int const code = db == nullptr ? SQLITE_NOMEM : sqlite3_errcode(db) & 0xff;
   if (code == SQLITE_NOMEM) throw std::bad_alloc();
-  if (code == SQLITE_NOTADB || code == SQLITE_CORRUPT)
-    refuse_damaged(file == nullptr ? "campaign store" : file, sqlite3_errmsg(db));
+  if (code == SQLITE_NOTADB || code == SQLITE_CORRUPT) refuse_damaged(file, sqlite3_errmsg(db));
   if (code == SQLITE_READONLY)
     throw Error(
-        {.where = file == nullptr ? "campaign store" : file,
+        {.where = file,
          .found = "the program was stopped in the middle of a write, which must be undone before it can be read",
          .advice = "the calibrate command it was started with: it does so, and continues"});
-  if (code == SQLITE_CANTOPEN && file != nullptr && has_log(file))
+  if (code == SQLITE_CANTOPEN && name != nullptr && has_log(file))
     throw Error(
         {.where = file,
          .found =
@@ -37,7 +37,7 @@ static_assert(std::endian::native == std::endian::little, "series are stored as 
          .allowed = "a store in a directory that may be written, or one whose campaign ended",
          .advice =
              "a copy of the whole directory where you may write; or let its owner run the calibrate command it was started with, which folds the log in"});
-  throw Error({.where = file == nullptr ? "campaign store" : file,
+  throw Error({.where = file,
                .found = fmt::format("{}: {}", doing, sqlite3_errmsg(db)),
                .advice = "check free space and permissions of the directory; finished runs in the store are kept"});
 }

@@ -48,24 +48,21 @@ bool is_built_in(std::string_view name) {
   return name != template_name && std::ranges::find(texts(), name, &Embedded::name) != texts().end();
 }
 
-RuleText load_rule_text(std::string_view name_or_file) {
-  if (is_built_in(name_or_file)) return {std::string(name_or_file), std::string(rule_set_text(name_or_file))};
+std::string load_rule_text(std::string_view name_or_file) {
+  if (is_built_in(name_or_file)) return std::string(rule_set_text(name_or_file));
   auto const allowed =
       fmt::format("{}, or a rule file", joined(built_in_rule_sets() | std::views::transform(&RuleSet::id)));
-  return {
-      std::string(name_or_file),
-      read_file(std::string(name_or_file),
-                {.largest_bytes = largest_rule_file,
-                 .allowed = allowed,
-                 .when_too_large = "a rule file holds one set of limits, not data",
-                 .when_missing = "isolaw rules lists the sets, isolaw rules template prints a file to start from"})};
+  return read_file(std::string(name_or_file),
+                   {.largest_bytes = largest_rule_file,
+                    .allowed = allowed,
+                    .when_too_large = "a rule file holds one set of limits, not data",
+                    .when_missing = "isolaw rules lists the sets, isolaw rules template prints a file to start from"});
 }
 
 RuleSet find_rule_set(std::string_view name_or_file) {
   for (auto const& set : built_in_rule_sets())
     if (set.id == name_or_file) return set;
-  auto const text = load_rule_text(name_or_file);
-  return read_rule_text(text.toml, text.name);
+  return read_rule_text(load_rule_text(name_or_file), std::string(name_or_file));
 }
 
 std::string_view rule_set_text(std::string_view name) {

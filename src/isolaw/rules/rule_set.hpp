@@ -135,11 +135,7 @@ std::span<RuleSet const> built_in_rule_sets();
 bool is_built_in(std::string_view name);
 
 // The TOML of a built-in set by its name, else of the file of that name, unread.
-struct RuleText {
-  std::string name;  // as given
-  std::string toml;
-};
-RuleText load_rule_text(std::string_view name_or_file);
+std::string load_rule_text(std::string_view name_or_file);
 
 // A built-in set by its name, else the file of that name. Throws Error as read_rule_text, and for a file that is not
 // there, with the names of the built-in sets.
