@@ -1,9 +1,9 @@
 #include "isolaw/rules/assess.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "isolaw/base/words.hpp"
@@ -45,15 +45,10 @@ void assess_limit(RuleSet const& rules, Limit const& limit, BlockValues const& b
 }
 
 std::string_view measure_text(Measure measure) {
-  switch (measure) {
-    case Measure::min_over_max:
-      return "lowest over highest";
-    case Measure::change_from_first:
-      return "largest change from the first";
-    case Measure::loss_from_first:
-      break;
-  }
-  return "largest loss from the first";
+  // In the order of Measure.
+  static constexpr std::array<std::string_view, 3> texts{"lowest over highest", "largest change from the first",
+                                                         "largest loss from the first"};
+  return texts.at(static_cast<std::size_t>(measure));
 }
 
 // nullopt where a cycle is missing or no positive number.
@@ -140,17 +135,9 @@ bool has_limit(RuleSet const& rules, Quantity quantity) {
 }  // namespace
 
 std::string_view name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::pass:
-      return "pass";
-    case Verdict::fail:
-      return "fail";
-    case Verdict::information:
-      return "information";
-    case Verdict::not_assessed:
-      break;
-  }
-  return "not assessed";
+  // In the order of Verdict.
+  static constexpr std::array<std::string_view, 4> names{"pass", "fail", "information", "not assessed"};
+  return names.at(static_cast<std::size_t>(verdict));
 }
 
 bool is_within(double value, double nominal, std::optional<double> lower_percent, std::optional<double> upper_percent) {
