@@ -24,11 +24,6 @@
 namespace isolaw::app {
 namespace {
 
-void print(std::string const& text) {
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  if (!text.ends_with('\n')) std::fputc('\n', stdout);
-}
-
 bool refused(study::Summary const& summary) {
   return std::ranges::any_of(summary.devices, [](auto const& device) { return device.status != "ok"; });
 }
