@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <latch>
 #include <mutex>
-#include <new>
 #include <optional>
 #include <set>
 #include <thread>
