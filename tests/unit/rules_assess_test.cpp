@@ -224,8 +224,8 @@ TEST(Verdicts, NeedStrainAndLoadWhereTheSetAsksForThem) {
 // Whatever was measured and however good the conditions: nobody compared these limits with their text.
 TEST(Verdicts, AreNeverGivenByASetThatIsNotVerified) {
   std::vector<RuleSet> sets{read_rule_text(rule_set_text("template"), "template.toml")};
-  for (auto const* set : built_in_rule_sets())
-    if (!set->verified()) sets.push_back(*set);
+  for (auto const& set : built_in_rule_sets())
+    if (!set.verified()) sets.push_back(set);
   ASSERT_EQ(sets.size(), 6u);
   auto const d = parse_design("K_eff=1.2,damping=15,energy=11309.7,Q_d=30,K_d=0.9,disp=100,load=1000");
   for (auto const& set : sets)
@@ -257,8 +257,8 @@ TEST(Verdicts, AreNeverGivenByASetThatIsNotVerified) {
 }
 
 TEST(Verdicts, NeverConcernVerticalStiffness) {
-  for (auto const* set : built_in_rule_sets()) {
-    auto const line = find(assess(*set, block(), design()), "K_v");
+  for (auto const& set : built_in_rule_sets()) {
+    auto const line = find(assess(set, block(), design()), "K_v");
     EXPECT_EQ(line.verdict, Verdict::not_assessed);
     EXPECT_EQ(line.reason, "vertical stiffness needs a vertical displacement channel");
   }

@@ -48,16 +48,16 @@ TEST(BuiltInRules, AreTheFilesOfTheProject) {
     EXPECT_EQ(rule_set_text(stem), bytes_of(entry.path())) << stem;
   }
   EXPECT_TRUE(files.erase("template"));
-  for (auto const* set : built_in_rule_sets()) {
-    EXPECT_TRUE(files.erase(set->id)) << set->id;
-    EXPECT_EQ(set->origin, "built in");
-    EXPECT_EQ(find_rule_set(set->id).title, set->title);
+  for (auto const& set : built_in_rule_sets()) {
+    EXPECT_TRUE(files.erase(set.id)) << set.id;
+    EXPECT_EQ(set.origin, "built in");
+    EXPECT_EQ(find_rule_set(set.id).title, set.title);
   }
   EXPECT_TRUE(files.empty());
 }
 
 TEST(BuiltInRules, OnlyTheOneThatWasReadIsVerified) {
-  for (auto const* set : built_in_rule_sets()) EXPECT_EQ(set->verified(), set->id == "ntc-2018") << set->id;
+  for (auto const& set : built_in_rule_sets()) EXPECT_EQ(set.verified(), set.id == "ntc-2018") << set.id;
 }
 
 TEST(BuiltInRules, NtcIsTable_11_9_IV) {

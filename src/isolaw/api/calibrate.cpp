@@ -45,7 +45,7 @@ class TemporaryDirectory {
 
 void load_rules(campaign::Acceptance& acceptance) {
   auto& [text, name, design, size] = acceptance;
-  if (text.empty() && !name.empty()) text = rules::load_rule_text(name).toml;
+  if (text.empty() && !name.empty()) text = rules::load_rule_text(name);
   if (!text.empty()) rules::read_rule_text(text, name);
   if (!design.empty()) rules::parse_design(design);
 }

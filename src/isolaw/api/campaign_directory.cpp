@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/campaign/maker.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/campaign/store.hpp"
@@ -89,18 +90,15 @@ void open_or_create(std::filesystem::path const& file, campaign::Contents& conte
   if (!campaign::Store::is_plain(file)) campaign::Store::open(file).finish();
   auto stored = campaign::Store::read(file);
   auto const changed = differences(stored, contents);
-  if (!changed.empty()) {
-    std::string list;
-    for (auto const& line : changed) list += (list.empty() ? "" : "; ") + line;
+  if (!changed.empty())
     throw Error({.where = file.string(),
-                 .found = "the campaign there differs: " + list,
+                 .found = "the campaign there differs: " + joined(changed, "; "),
                  .allowed = "the same settings and records, to continue it",
                  .advice = "--fresh to start over, or another --out DIR"});
-  }
-  bool described = stored.title == contents.title && stored.acceptance == contents.acceptance &&
-                   stored.settings.analysis == contents.settings.analysis;
-  for (std::size_t d = 0; described && d < contents.devices.size(); ++d)
-    described = stored.devices[d].info == contents.devices[d].info;
+  bool const described =
+      stored.title == contents.title && stored.acceptance == contents.acceptance &&
+      stored.settings.analysis == contents.settings.analysis &&
+      std::ranges::equal(stored.devices, contents.devices, {}, &campaign::Device::info, &campaign::Device::info);
   contents.runs = std::move(stored.runs);
   contents.device_analyses = std::move(stored.device_analyses);
   contents.lot_analyses = std::move(stored.lot_analyses);

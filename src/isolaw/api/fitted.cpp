@@ -4,20 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/words.hpp"
 
 namespace isolaw {
 namespace {
 
-template <class Names>
-std::string listed(Names const& names) {
+std::string listed(std::vector<std::string> const& names) {
   constexpr std::size_t shown = 30;
-  std::string text;
-  std::size_t count = 0;
-  for (auto const& name : names)
-    if (++count <= shown) text += (text.empty() ? "" : ", ") + std::string(name);
-  return count > shown ? fmt::format("{} and {} more", text, count - shown) : text;
+  auto const text = joined(names | std::views::take(shown));
+  return names.size() > shown ? fmt::format("{} and {} more", text, names.size() - shown) : text;
 }
 
 void note_tested(data::FitRecord const& record, FittedLaw& law) {

@@ -6,12 +6,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <ranges>
 #include <set>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/file.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/toml_reader.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/data/dialect.hpp"
 #include "isolaw/data/text.hpp"
 #include "isolaw/fit/box.hpp"
@@ -25,17 +27,16 @@ std::string in_marks(std::string_view text) {
   return "'" + printable(text.substr(0, 100)) + "'";
 }
 
-std::string in_brackets(laws::ParameterInfo const& parameter) {
-  return parameter.unit == "1" ? std::string() : fmt::format(" [{}]", parameter.unit);
+std::string with_unit(laws::ParameterInfo const& p) {
+  return p.unit == "1" ? std::string(p.name) : fmt::format("{} [{}]", p.name, p.unit);
 }
 
 std::string all_of(laws::LawEntry const& law) {
-  std::string text;
-  for (auto const& p : law.parameters) {
-    text += fmt::format("{}{}{}", text.empty() ? "" : ", ", p.name, in_brackets(p));
-    if (p.fixed_by_default) text += fmt::format(" ({:g} where it is left out)", *p.fixed_by_default);
-  }
-  return text;
+  return joined(law.parameters | std::views::transform([](laws::ParameterInfo const& p) {
+                  return with_unit(p) + (p.fixed_by_default
+                                             ? fmt::format(" ({:g} where it is left out)", *p.fixed_by_default)
+                                             : std::string());
+                }));
 }
 
 std::vector<NamedValue> read_toml(std::string const& text, std::string const& file, laws::LawEntry const& law) {
@@ -141,15 +142,15 @@ std::vector<double> parameters_in_order(laws::LawEntry const& law, std::vector<N
                             {}});
   }
   std::vector<double> ordered;
-  std::string missing;
+  std::vector<std::string> missing;
   for (std::size_t i = 0; i < found.size(); ++i) {
     auto const& info = law.parameters[i];
     auto const value = found[i] ? found[i] : info.fixed_by_default;
-    if (!value) missing += fmt::format("{}{}{}", missing.empty() ? "" : ", ", info.name, in_brackets(info));
+    if (!value) missing.push_back(with_unit(info));
     ordered.push_back(value.value_or(0.0));
   }
   if (!missing.empty())
-    complaints.push_back({where, fmt::format("{} also needs {}", law.info.id, missing), {}, advice});
+    complaints.push_back({where, fmt::format("{} also needs {}", law.info.id, joined(missing)), {}, advice});
   if (!complaints.empty()) throw Error(std::move(complaints));
   if (together == Together::left) return ordered;
   if (auto const beyond = law.unmet(ordered))

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <new>
 #include <string>
 #include <string_view>
@@ -62,8 +63,7 @@ void add_figures(CLI::App& command, std::string& figures) {
                      "for print, with data and gnuplot scripts: lot (default), all (of every device too), none");
 }
 
-void add_calibrate(CLI::App& app, CalibrateArguments& a) {
-  auto& c = *app.add_subcommand("calibrate", "Identify every law on every device; statistics, ranking, report");
+void add_calibrate(CLI::App& c, CalibrateArguments& a) {
   c.add_option("inputs", a.inputs, "a lot file (.toml), test records, or a directory of them")->required();
   for (auto const& setting : campaign::setting_table())
     if (!setting.stored_only) add_option(c, setting, a.settings);
@@ -78,9 +78,7 @@ void add_calibrate(CLI::App& app, CalibrateArguments& a) {
   c.add_flag("--json", a.json, "print summary.json instead of the ranking");
 }
 
-void add_simulate(CLI::App& app, SimulateArguments& a) {
-  auto& c =
-      *app.add_subcommand("simulate", "The force of a law under any displacement history, cyclic or seismic, as CSV");
+void add_simulate(CLI::App& c, SimulateArguments& a) {
   c.add_option("law", a.law, "a law (isolaw laws lists them)")->required();
   c.add_option("--parameters", a.parameters,
                "file of its parameters, name = value in TOML or JSON, in the law's units");
@@ -194,11 +192,21 @@ std::vector<Complaint> usage_complaints(CLI::App& app, CLI::ParseError const& er
 }
 
 int dispatch(CLI::App& app, int argc, char** argv) {
+  std::vector<std::pair<CLI::App*, std::function<int()>>> commands;
+  auto const add = [&](char const* name, char const* description, std::function<int()> run) -> CLI::App& {
+    return *commands.emplace_back(app.add_subcommand(name, description), std::move(run)).first;
+  };
+
   CalibrateArguments calibrate_arguments;
-  add_calibrate(app, calibrate_arguments);
+  add_calibrate(add("calibrate", "Identify every law on every device; statistics, ranking, report",
+                    [&] {
+                      return calibrate(calibrate_arguments, {argv, argv + argc});
+                    }),
+                calibrate_arguments);
 
   InitArguments init_arguments;
-  auto& init_command = *app.add_subcommand("init", "Recognise records and write them down as a lot file");
+  auto& init_command =
+      add("init", "Recognise records and write them down as a lot file", [&] { return init(init_arguments); });
   init_command.add_option("files", init_arguments.files, "test records, or a directory of them")->required();
   add_reading(init_command, init_arguments.read);
   init_command.add_option("--like", init_arguments.like, "a lot file whose way of reading these records share");
@@ -206,8 +214,9 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   init_command.add_flag("--force", init_arguments.force, "overwrite it");
 
   InspectArguments inspect_arguments;
-  auto& inspect_command = *app.add_subcommand(
-      "inspect", "What records hold, what was recognised and why; cycles, properties, verdicts, the lot");
+  auto& inspect_command =
+      add("inspect", "What records hold, what was recognised and why; cycles, properties, verdicts, the lot",
+          [&] { return inspect(inspect_arguments); });
   inspect_command.add_option("inputs", inspect_arguments.inputs, "test records, a directory, or a lot file")
       ->required();
   add_reading(inspect_command, inspect_arguments.read);
@@ -221,7 +230,8 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   ReportArguments report_arguments;
   std::filesystem::path directory;
   bool json = false;
-  auto& report_command = *app.add_subcommand("report", "Make summary, tables and page again from a campaign's store");
+  auto& report_command = add("report", "Make summary, tables and page again from a campaign's store",
+                             [&] { return report(report_arguments); });
   report_command.add_option("directory", report_arguments.directory, "the campaign's directory")->required();
   add_acceptance(report_command, report_arguments.acceptance);
   report_command.add_option("--out", report_arguments.out, "directory of the results (the campaign's)");
@@ -229,8 +239,8 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   report_command.add_flag("--json", report_arguments.json, "print summary.json instead of the ranking");
 
   SampleArguments sample_arguments;
-  auto& sample_command =
-      *app.add_subcommand("sample", "Draw devices from a lot's population of a law's parameters, as CSV");
+  auto& sample_command = add("sample", "Draw devices from a lot's population of a law's parameters, as CSV",
+                             [&] { return sample(sample_arguments); });
   sample_command.add_option("directory", sample_arguments.directory, "the campaign's directory")->required();
   sample_command.add_option("--law", sample_arguments.law, "id of the law")->required();
   sample_command.add_option("--count", sample_arguments.count, "devices to draw (100)");
@@ -239,7 +249,8 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   add_option(sample_command, seed, sample_arguments.seed);
 
   ExportArguments export_arguments;
-  auto& export_command = *app.add_subcommand("export", "A law of a campaign for an analysis program, with its check");
+  auto& export_command = add("export", "A law of a campaign for an analysis program, with its check",
+                             [&] { return export_law(export_arguments); });
   export_command.add_option("directory", export_arguments.directory, "the campaign's directory")->required();
   export_command.add_option("--law", export_arguments.law, "id of the law")->required();
   export_command.add_option("--device", export_arguments.device, "name of the device, or lot: the one law of the lot")
@@ -249,34 +260,37 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   export_command.add_option("--units", export_arguments.units, "kN-mm, N-m, or kip-in (kN-mm)");
   export_command.add_option("--out", export_arguments.out, "file to write (standard output)");
   SimulateArguments simulate_arguments;
-  add_simulate(app, simulate_arguments);
+  add_simulate(add("simulate", "The force of a law under any displacement history, cyclic or seismic, as CSV",
+                   [&] { return simulate(simulate_arguments); }),
+               simulate_arguments);
 
   std::string rule_set;
-  auto& rules_command = *app.add_subcommand("rules", "The rule sets, or the file of one; template to write your own");
+  auto& rules_command = add("rules", "The rule sets, or the file of one; template to write your own",
+                            [&] { return list_rules(rule_set); });
   rules_command.add_option("name", rule_set, "a rule set, or template");
 
   auto& bench_command =
-      *app.add_subcommand("bench", "A signature of what is computed, and the speed of every law here");
+      add("bench", "A signature of what is computed, and the speed of every law here", [&] { return bench(json); });
   bench_command.add_flag("--json", json, "for machines");
 
-  auto& check_command =
-      *app.add_subcommand("check", "Whether a campaign's store is sound: its file, and every number computed again");
+  auto& check_command = add("check", "Whether a campaign's store is sound: its file, and every number computed again",
+                            [&] { return check(directory); });
   check_command.add_option("directory", directory, "the campaign's directory")->required();
 
   std::string law;
-  auto& laws_command = *app.add_subcommand("laws", "The catalogue of laws, or one law with its parameters");
+  bool markdown = false;
+  auto& laws_command = add("laws", "The catalogue of laws, or one law with its parameters",
+                           [&] { return list_laws(law, json, markdown); });
   laws_command.add_option("id", law, "a law");
   laws_command.add_flag("--json", json, "for machines");
-  bool markdown = false;
   laws_command.add_flag("--markdown", markdown, "all of them as a page");
 
-  auto& example_command = *app.add_subcommand("example", "Write the built-in example lot");
+  auto& example_command = add("example", "Write the built-in example lot", [&] { return example(directory); });
   example_command.add_option("directory", directory, "where to")->required();
 
   if (argc > 1 && argv[1][0] != '-') {
-    auto const names = app.get_subcommands([&](CLI::App* command) { return command->get_name() == argv[1]; });
-    if (names.empty()) {
-      auto const known = names_of_commands(app);
+    auto const known = names_of_commands(app);
+    if (std::ranges::find(known, argv[1]) == known.end()) {
       auto const word = std::string(argv[1]).substr(0, 100);
       auto const near = nearest(word, known, 2);
       throw Error({.where = "isolaw " + word,
@@ -291,18 +305,7 @@ int dispatch(CLI::App& app, int argc, char** argv) {
     if (error.get_exit_code() == 0) return app.exit(error);  // help, version
     throw Error(usage_complaints(app, error));
   }
-  if (app.got_subcommand("calibrate")) return calibrate(calibrate_arguments, {argv, argv + argc});
-  if (app.got_subcommand("init")) return init(init_arguments);
-  if (app.got_subcommand("inspect")) return inspect(inspect_arguments);
-  if (app.got_subcommand("report")) return report(report_arguments);
-  if (app.got_subcommand("sample")) return sample(sample_arguments);
-  if (app.got_subcommand("export")) return export_law(export_arguments);
-  if (app.got_subcommand("simulate")) return simulate(simulate_arguments);
-  if (app.got_subcommand("rules")) return list_rules(rule_set);
-  if (app.got_subcommand("bench")) return bench(json);
-  if (app.got_subcommand("check")) return check(directory);
-  if (app.got_subcommand("laws")) return list_laws(law, json, markdown);
-  return example(directory);
+  return std::ranges::find_if(commands, [](auto const& each) { return each.first->parsed(); })->second();
 }
 
 int without_output() {

@@ -3,10 +3,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <ctime>
 #include <exception>
 #include <fstream>
@@ -50,17 +50,13 @@ class SignalGuard {
  public:
   SignalGuard() {
     interrupted = false;
-    previous_int_ = std::signal(SIGINT, on_signal);
-    previous_term_ = std::signal(SIGTERM, on_signal);
-    previous_hup_ = std::signal(SIGHUP, on_signal);
-    if (previous_hup_ == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+    for (std::size_t i = 0; i < signals.size(); ++i) previous_[i] = std::signal(signals[i], on_signal);
+    if (previous_.back() == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
   }
   SignalGuard(SignalGuard const&) = delete;
   SignalGuard& operator=(SignalGuard const&) = delete;
   ~SignalGuard() {
-    std::signal(SIGINT, previous_int_);
-    std::signal(SIGTERM, previous_term_);
-    std::signal(SIGHUP, previous_hup_);
+    for (std::size_t i = 0; i < signals.size(); ++i) std::signal(signals[i], previous_[i]);
   }
 
  private:
@@ -68,9 +64,8 @@ class SignalGuard {
     interrupted = true;
     std::signal(number, SIG_DFL);
   }
-  void (*previous_int_)(int) = nullptr;
-  void (*previous_term_)(int) = nullptr;
-  void (*previous_hup_)(int) = nullptr;
+  static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
+  std::array<void (*)(int), signals.size()> previous_{};
 };
 
 // Figures that cannot be drawn are no failure: their data and scripts are there.
@@ -94,8 +89,7 @@ int terminal_width() {
 void print(study::Summary const& summary, bool json) {
   auto text = json ? render::summary_json(summary) : render::ranking(summary, terminal_width());
   if (auto const verdicts = study::verdict_summary(summary); !json && !verdicts.empty()) text += "\n" + verdicts;
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  if (!text.ends_with('\n')) std::fputc('\n', stdout);
+  app::print(text);
 }
 
 // Exit code 1 whenever a device was refused, a law could not be searched on a device, a run failed, or a limit of the
@@ -106,8 +100,13 @@ int exit_code(study::Summary const& summary) {
   for (auto const& law : summary.laws)
     for (auto const& fit : law.devices)
       if (!fit.refusal.empty() || fit.failed_runs > 0) return exit_with_refusals;
-  if (study::acceptance_failed(summary)) return exit_with_refusals;
-  return exit_done;
+  return study::acceptance_failed(summary) ? exit_with_refusals : exit_done;
+}
+
+std::string what_is_missing(study::Summary const& summary) {
+  auto const runs = summary.missing_runs();
+  return fmt::format("{} {} are missing; the calibrate command it was started with continues it",
+                     runs > 0 ? runs : summary.missing_analyses(), runs > 0 ? "runs" : "analyses");
 }
 
 void warn_of_idle_overrides(campaign::Settings const& settings) {
@@ -207,12 +206,7 @@ int report(ReportArguments const& arguments) {
     not_written = error;
   }
   print(summary, arguments.json);
-  if (!contents.complete() && summary.missing_runs() == 0)
-    say("the campaign is not complete: {} analyses are missing; the calibrate command it was started with continues it\n",
-        summary.missing_analyses());
-  else if (!contents.complete())
-    say("the campaign is not complete: {} runs are missing; the calibrate command it was started with continues it\n",
-        summary.missing_runs());
+  if (!contents.complete()) say("the campaign is not complete: {}\n", what_is_missing(summary));
   if (not_written) throw *not_written;
   return contents.complete() ? exit_code(summary) : exit_with_refusals;
 }
@@ -301,12 +295,8 @@ int check(std::filesystem::path const& directory) {
   fmt::print("{}\n", result.expected_analyses > 0
                          ? fmt::format(", {} of {} analyses", result.analyses, result.expected_analyses)
                          : std::string());
-  if (summary.missing_runs() > 0)
-    fmt::print("  not complete: {} runs are missing; the calibrate command it was started with continues it\n",
-               summary.missing_runs());
-  else if (summary.missing_analyses() > 0)
-    fmt::print("  not complete: {} analyses are missing; the calibrate command it was started with continues it\n",
-               summary.missing_analyses());
+  if (summary.missing_runs() > 0 || summary.missing_analyses() > 0)
+    fmt::print("  not complete: {}\n", what_is_missing(summary));
   fmt::print("  records cleaned and objectives computed again: largest relative difference {:.2g}\n",
              result.largest_difference);
   if (outputs.compared > 0) fmt::print("  {} files beside it compared with what the store gives\n", outputs.compared);

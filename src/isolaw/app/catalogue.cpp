@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <optional>
-#include <vector>
+#include <ranges>
 
 #include "isolaw/api/catalogue_json.hpp"
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/example_lot.hpp"
 #include "isolaw/app/say.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/laws/catalogue.hpp"
 #include "isolaw/rules/rule_set.hpp"
 
@@ -19,26 +20,15 @@ namespace {
 std::string wrapped(std::string_view text, std::size_t indent, std::size_t width) {
   std::string out, line;
   while (!text.empty()) {
-    auto const space = text.find(' ');
-    auto const word = text.substr(0, space);
+    auto const word = text.substr(0, text.find(' '));
     if (!line.empty() && indent + line.size() + 1 + word.size() > width) {
       out += std::string(indent, ' ') + line + '\n';
       line.clear();
     }
     line += (line.empty() ? "" : " ") + std::string(word);
-    text = space == std::string_view::npos ? std::string_view() : text.substr(space + 1);
+    text.remove_prefix(std::min(word.size() + 1, text.size()));
   }
   return out + std::string(indent, ' ') + line + '\n';
-}
-
-std::vector<std::string_view> lines_of(std::string_view text) {
-  std::vector<std::string_view> lines;
-  for (std::size_t start = 0; start <= text.size();) {
-    auto const end = std::min(text.find('\n', start), text.size());
-    lines.push_back(text.substr(start, end - start));
-    start = end + 1;
-  }
-  return lines;
 }
 
 // What Markdown would read as markup in prose or a cell of a table.
@@ -56,9 +46,7 @@ std::string markdown_interval(std::optional<laws::Interval> const& interval) {
 }
 
 std::string together(laws::LawEntry const& law) {
-  std::string text;
-  for (auto const& limit : law.joint_limits) text += fmt::format("{}{}", text.empty() ? "" : ", ", limit.statement);
-  return text;
+  return joined(law.joint_limits | std::views::transform(&laws::JointLimitEntry::statement));
 }
 
 // The catalogue that docs/laws.md holds.
@@ -86,7 +74,8 @@ void print_law(laws::LawEntry const& law) {
              law.info.force.symbol, law.info.length.symbol,
              law.info.traits.rate_independent ? "displacement" : "displacement and time");
   fmt::print("  formula\n");
-  for (auto const line : lines_of(law.info.formula)) fmt::print("    {}\n", line);
+  for (auto const line : law.info.formula | std::views::split('\n'))
+    fmt::print("    {}\n", std::string_view(line.begin(), line.end()));
   if (!law.info.note.empty()) fmt::print("  reading\n{}", wrapped(law.info.note, 4, 96));
   fmt::print("\n  {:<10} {:<10} {:>12} {:>12}  {}\n", "parameter", "unit", "paper from", "to", "meaning");
   for (auto const& p : law.parameters) {
@@ -136,9 +125,9 @@ int list_rules(std::string const& name) {
     std::fwrite(text.data(), 1, text.size(), stdout);
     return exit_done;
   }
-  for (auto const* set : rules::built_in_rule_sets())
-    fmt::print("{:<14} {}{}\n", set->id, set->title,
-               set->verified() ? "" : "; limits not verified: information, no verdict");
+  for (auto const& set : rules::built_in_rule_sets())
+    fmt::print("{:<14} {}{}\n", set.id, set.title,
+               set.verified() ? "" : "; limits not verified: information, no verdict");
   fmt::print("{:<14} {}\n", "template", "a commented file to write the contract's own from: isolaw rules template");
   return exit_done;
 }

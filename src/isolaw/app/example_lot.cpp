@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <functional>
@@ -14,7 +15,8 @@
 
 #include "isolaw/app/published_means.hpp"
 #include "isolaw/base/error.hpp"
-#include "isolaw/laws/catalogue.hpp"
+#include "isolaw/base/words.hpp"
+#include "isolaw/fit/objective.hpp"
 #include "isolaw/num/random.hpp"
 
 namespace isolaw::app {
@@ -37,15 +39,8 @@ std::vector<double> force_of(std::string_view law_id, std::span<PublishedMean co
   for (auto const& info : law.parameters) parameters.push_back(info.fixed_by_default.value_or(0.0));
   for (auto const& mean : means) parameters[law.index_of(mean.parameter)] = mean.value[device];
 
-  auto const in_law_units = [&](std::vector<double> values) {
-    for (double& v : values) v /= law.info.length.in_record_units;
-    return values;
-  };
-  auto const path = laws::make_path(in_law_units(disp_mm), in_law_units(vel_mm_s));
-  std::vector<double> force(disp_mm.size());
-  law.evaluate(parameters, path, laws::Integration::converged, force);
-  for (double& f : force) f *= law.info.force.in_record_units;
-  return force;
+  data::FitRecord const motion{.time_s = {}, .disp_mm = disp_mm, .vel_mm_s = vel_mm_s, .force_kN = {}, .cleaning = {}};
+  return fit::LawOnMotion(law, motion, laws::Integration::converged).force_kN(parameters);
 }
 
 std::vector<Sample> record_of(std::size_t device) {
@@ -124,11 +119,8 @@ std::vector<Dialect> dialects() {
 std::string record_text(Dialect const& dialect, std::vector<Sample> const& samples) {
   std::string text = dialect.head;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    std::string row;
-    for (auto const& cell : dialect.cells(samples[i], i)) row += (row.empty() ? "" : dialect.separator) + cell;
-    if (dialect.decimal_comma)
-      for (char& c : row)
-        if (c == '.') c = ',';
+    auto row = joined(dialect.cells(samples[i], i), dialect.separator);
+    if (dialect.decimal_comma) std::ranges::replace(row, '.', ',');
     text += row + dialect.end;
   }
   return text;

@@ -24,11 +24,6 @@
 namespace isolaw::app {
 namespace {
 
-void print(std::string const& text) {
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  if (!text.ends_with('\n')) std::fputc('\n', stdout);
-}
-
 bool refused(study::Summary const& summary) {
   return std::ranges::any_of(summary.devices, [](auto const& device) { return device.status != "ok"; });
 }
@@ -154,13 +149,13 @@ int init(InitArguments const& arguments) {
     say("lot-size = {} taken over from {}: change it where this lot has another size\n", *size, shown(*arguments.like));
   }
   write_file(arguments.out, campaign::lot_file_text(lot, folder));
-  if (lot.rules_are_file && leads_outside(lot.acceptance.rules_file, folder))
-    say("{}: not in the folder of {} or below it: isolaw calibrate will need --allow-outside\n",
-        shown(lot.acceptance.rules_file), shown(arguments.out));
-  for (auto const& device : lot.devices)
-    if (leads_outside(device.files.front(), folder))
-      say("{}: not in the folder of {} or below it: isolaw calibrate will need --allow-outside\n",
-          shown(device.files.front()), shown(arguments.out));
+  auto const say_if_outside = [&](std::filesystem::path const& file) {
+    if (leads_outside(file, folder))
+      say("{}: not in the folder of {} or below it: isolaw calibrate will need --allow-outside\n", shown(file),
+          shown(arguments.out));
+  };
+  if (lot.rules_are_file) say_if_outside(lot.acceptance.rules_file);
+  for (auto const& device : lot.devices) say_if_outside(device.files.front());
   fmt::print("\nwritten: {}; next: isolaw calibrate {}\n", shown(arguments.out), shown(arguments.out));
   return exit_done;
 }

@@ -1,4 +1,4 @@
-// Messages to standard error, and names in them.
+// Messages to standard error, and names in them; outputs.
 #pragma once
 
 #include <fmt/format.h>
@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <iterator>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "isolaw/base/printable.hpp"
@@ -22,6 +23,12 @@ void say(fmt::format_string<Args...> format, Args&&... args) {
   fmt::format_to(std::back_inserter(text), format, std::forward<Args>(args)...);
   std::fflush(stdout);
   std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+// A whole output, which ends with its line.
+inline void print(std::string_view text) {
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  if (!text.ends_with('\n')) std::fputc('\n', stdout);
 }
 
 // A file's name as a message shows it, control characters spelled out.

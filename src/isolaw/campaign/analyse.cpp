@@ -126,8 +126,7 @@ class Analysis {
 
   // nullopt when interrupted. Without parameters where no start has a finite force on every device.
   std::optional<LotAnalysis> fitted(LawOnLot const& lot) const {
-    LotAnalysis made{
-        .law = std::string(lot.law), .refinement = lot.refinement, .devices = lot.devices, .mean = {}, .worst = {}};
+    LotAnalysis made{.law = std::string(lot.law), .refinement = lot.refinement, .devices = lot.devices};
     auto const models = lot.pointers();
     auto mean = analysis::least_mean(models, lot.box, lot.optima, options_.interrupted);
     if (interrupted()) return std::nullopt;
@@ -150,7 +149,7 @@ class Analysis {
       }
     each(tasks.size(), contents_.left_out, [&](std::size_t i) {
       auto const& [lot, place] = tasks[i];
-      LeftOutAnalysis found{.device = lot->devices[place], .law = std::string(lot->law), .left_out = {}};
+      LeftOutAnalysis found{.device = lot->devices[place], .law = std::string(lot->law)};
       found.left_out.objective = std::nan("");
       auto const& of_all = lot_analysis_of(lot->law)->mean.parameters;
       auto left_out =

@@ -1,8 +1,11 @@
 #include "isolaw/campaign/analysis_json.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <concepts>
 #include <nlohmann/json.hpp>
-#include <utility>
+#include <type_traits>
 
 #include "isolaw/base/error.hpp"
 
@@ -12,183 +15,145 @@ namespace {
 using Json = nlohmann::ordered_json;
 using analysis::Verdict;
 
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
+template <class T, class Of>
+concept A = std::same_as<std::remove_const_t<T>, Of>;
+
+// What of each struct is stored: `each(key, member)` writes a member, or reads it; several of one key are a list.
+void members(auto const& each, A<analysis::Profile> auto& of) {
+  each("value", of.value)("objective", of.objective);
 }
-Json number(std::optional<double> const& value) {
-  return value ? number(*value) : Json(nullptr);
+void members(auto const& each, A<analysis::ParameterDetermination> auto& of) {
+  each("parameter", of.parameter)("verdict", of.verdict)("lower", of.lower)("upper", of.upper);
+  each("open_below", of.open_below)("open_above", of.open_above)("profile", of.profile);
 }
-Json numbers(std::vector<double> const& values) {
+void members(auto const& each, A<analysis::TradeOff> auto& of) {
+  each("parameters", of.parameters)("change", of.change)("force_change", of.force_change)("sentence", of.sentence);
+}
+void members(auto const& each, A<analysis::Determination> auto& of) {
+  each("optimum", of.optimum)("objective", of.objective)("rise", of.rise)("singular_values", of.singular_values);
+  each("parameters", of.parameters)("trade_offs", of.trade_offs)("evaluations", of.evaluations);
+}
+void members(auto const& each, A<analysis::ParameterInterval> auto& of) {
+  each("parameter", of.parameter)("linear", of.linear_lower, of.linear_upper);
+  each("bootstrap", of.bootstrap_lower, of.bootstrap_upper);
+}
+void members(auto const& each, A<analysis::Intervals> auto& of) {
+  each("level", of.level)("samples", of.samples)("block", of.block)("replicates", of.replicates);
+  each("parameters", of.parameters)("covariance", of.covariance)("evaluations", of.evaluations);
+}
+void members(auto const& each, A<analysis::OneLaw> auto& of) {
+  each("parameters", of.parameters)("objectives", of.objectives);
+  each("mean", of.mean)("worst", of.worst)("evaluations", of.evaluations);
+}
+void members(auto const& each, A<DeviceAnalysis> auto& of) {
+  each("refinement", of.refinement)("determination", of.determination)("intervals", of.intervals);
+}
+void members(auto const& each, A<LotAnalysis> auto& of) {
+  each("refinement", of.refinement)("devices", of.devices);
+  each("mean", of.mean)("worst", of.worst.law)("bound", of.worst.bound);
+}
+void members(auto const& each, A<LeftOutAnalysis> auto& of) {
+  auto& left_out = of.left_out;
+  each("parameters", left_out.parameters)("objective", left_out.objective)("evaluations", left_out.evaluations);
+}
+
+template <class T>
+concept Plain = std::integral<T> || std::same_as<T, std::string>;
+
+template <Plain T>
+Json written(T const& value) {
+  return value;
+}
+Json written(double value) {
+  return std::isfinite(value) ? Json(value) : Json();
+}
+Json written(std::optional<double> const& value) {
+  return value ? written(*value) : Json();
+}
+Json written(Verdict verdict) {
+  return name(verdict);
+}
+template <class T>
+Json written(T const& of);
+template <class T>
+Json written(std::vector<T> const& values) {
   Json made = Json::array();
-  for (double const value : values) made.push_back(number(value));
+  for (auto const& value : values) made.push_back(written(value));
   return made;
 }
-double to_double(Json const& json) {
-  return json.is_null() ? std::nan("") : json.get<double>();
-}
-std::optional<double> to_optional(Json const& json) {
-  return json.is_null() ? std::nullopt : std::optional(json.get<double>());
-}
-std::vector<double> to_doubles(Json const& json) {
-  std::vector<double> made;
-  for (auto const& value : json) made.push_back(to_double(value));
-  return made;
-}
-
-Verdict verdict_from(std::string const& text) {
-  for (auto const verdict : {Verdict::determined, Verdict::weakly_determined, Verdict::undetermined, Verdict::at_bound})
-    if (name(verdict) == text) return verdict;
-  throw Error({.where = "stored analysis", .found = "'" + text + "'", .allowed = "a verdict on a parameter"});
-}
-
-Json json_of(analysis::ParameterDetermination const& p) {
-  return {{"parameter", p.parameter},
-          {"verdict", name(p.verdict)},
-          {"lower", number(p.lower)},
-          {"upper", number(p.upper)},
-          {"open_below", p.open_below},
-          {"open_above", p.open_above},
-          {"profile", {{"value", numbers(p.profile.value)}, {"objective", numbers(p.profile.objective)}}}};
-}
-analysis::ParameterDetermination determination_from(Json const& json) {
-  analysis::ParameterDetermination made;
-  made.parameter = json.at("parameter").get<std::size_t>();
-  made.verdict = verdict_from(json.at("verdict").get<std::string>());
-  made.lower = to_double(json.at("lower"));
-  made.upper = to_double(json.at("upper"));
-  made.open_below = json.at("open_below").get<bool>();
-  made.open_above = json.at("open_above").get<bool>();
-  made.profile.value = to_doubles(json.at("profile").at("value"));
-  made.profile.objective = to_doubles(json.at("profile").at("objective"));
+struct Writer {
+  Json& json;
+  Writer const& operator()(char const* key, auto const&... member) const {
+    if constexpr (sizeof...(member) == 1)
+      json[key] = (written(member), ...);
+    else
+      json[key] = Json::array({written(member)...});
+    return *this;
+  }
+};
+template <class T>
+Json written(T const& of) {
+  Json made;
+  members(Writer{made}, of);
   return made;
 }
 
-Json json_of(analysis::Determination const& d) {
-  Json parameters = Json::array(), trade_offs = Json::array();
-  for (auto const& p : d.parameters) parameters.push_back(json_of(p));
-  for (auto const& t : d.trade_offs)
-    trade_offs.push_back({{"parameters", t.parameters},
-                          {"change", numbers(t.change)},
-                          {"force_change", number(t.force_change)},
-                          {"sentence", t.sentence}});
-  return {{"optimum", numbers(d.optimum)}, {"objective", number(d.objective)},
-          {"rise", number(d.rise)},        {"singular_values", numbers(d.singular_values)},
-          {"parameters", parameters},      {"trade_offs", trade_offs},
-          {"evaluations", d.evaluations}};
+template <Plain T>
+void read(Json const& json, T& value) {
+  value = json.get<T>();
 }
-analysis::Determination whole_determination_from(Json const& json) {
-  analysis::Determination made;
-  made.optimum = to_doubles(json.at("optimum"));
-  made.objective = to_double(json.at("objective"));
-  made.rise = to_double(json.at("rise"));
-  made.singular_values = to_doubles(json.at("singular_values"));
-  for (auto const& p : json.at("parameters")) made.parameters.push_back(determination_from(p));
-  for (auto const& t : json.at("trade_offs"))
-    made.trade_offs.push_back({.parameters = t.at("parameters").get<std::vector<std::size_t>>(),
-                               .change = to_doubles(t.at("change")),
-                               .force_change = to_double(t.at("force_change")),
-                               .sentence = t.at("sentence").get<std::string>()});
-  made.evaluations = json.at("evaluations").get<int>();
-  return made;
+void read(Json const& json, double& value) {
+  value = json.is_null() ? std::nan("") : json.get<double>();
 }
-
-Json json_of(analysis::Intervals const& i) {
-  Json parameters = Json::array();
-  for (auto const& p : i.parameters)
-    parameters.push_back({{"parameter", p.parameter},
-                          {"linear", {number(p.linear_lower), number(p.linear_upper)}},
-                          {"bootstrap", {number(p.bootstrap_lower), number(p.bootstrap_upper)}}});
-  return {{"level", i.level},
-          {"samples", i.samples},
-          {"block", i.block},
-          {"replicates", i.replicates},
-          {"parameters", parameters},
-          {"covariance", numbers(i.covariance)},
-          {"evaluations", i.evaluations}};
+void read(Json const& json, std::optional<double>& value) {
+  value = json.is_null() ? std::nullopt : std::optional(json.get<double>());
 }
-analysis::Intervals intervals_from(Json const& json) {
-  analysis::Intervals made;
-  made.level = json.at("level").get<double>();
-  made.samples = json.at("samples").get<std::size_t>();
-  made.block = json.at("block").get<std::size_t>();
-  made.replicates = json.at("replicates").get<int>();
-  for (auto const& p : json.at("parameters"))
-    made.parameters.push_back({.parameter = p.at("parameter").get<std::size_t>(),
-                               .linear_lower = to_double(p.at("linear").at(0)),
-                               .linear_upper = to_double(p.at("linear").at(1)),
-                               .bootstrap_lower = to_optional(p.at("bootstrap").at(0)),
-                               .bootstrap_upper = to_optional(p.at("bootstrap").at(1))});
-  made.covariance = to_doubles(json.at("covariance"));
-  made.evaluations = json.at("evaluations").get<int>();
-  return made;
+void read(Json const& json, Verdict& verdict) {
+  auto const& text = json.get_ref<std::string const&>();
+  constexpr std::array all{Verdict::determined, Verdict::weakly_determined, Verdict::undetermined, Verdict::at_bound};
+  auto const found = std::ranges::find(all, text, analysis::name);
+  if (found == all.end())
+    throw Error({.where = "stored analysis", .found = "'" + text + "'", .allowed = "a verdict on a parameter"});
+  verdict = *found;
 }
-
-Json json_of(analysis::OneLaw const& law) {
-  return {{"parameters", numbers(law.parameters)},
-          {"objectives", numbers(law.objectives)},
-          {"mean", number(law.mean)},
-          {"worst", number(law.worst)},
-          {"evaluations", law.evaluations}};
+template <class T>
+void read(Json const& json, T& of);
+template <class T>
+void read(Json const& json, std::vector<T>& values) {
+  values.clear();
+  for (auto const& item : json.get_ref<Json::array_t const&>()) read(item, values.emplace_back());
 }
-analysis::OneLaw one_law_from(Json const& json) {
-  return {.parameters = to_doubles(json.at("parameters")),
-          .objectives = to_doubles(json.at("objectives")),
-          .mean = to_double(json.at("mean")),
-          .worst = to_double(json.at("worst")),
-          .evaluations = json.at("evaluations").get<int>()};
+struct Reader {
+  Json const& json;
+  Reader const& operator()(char const* key, auto&... member) const {
+    std::size_t place = 0;
+    auto const& found = json.at(key);
+    (read(sizeof...(member) == 1 ? found : found.at(place++), member), ...);
+    return *this;
+  }
+};
+template <class T>
+void read(Json const& json, T& of) {
+  members(Reader{json}, of);
 }
 
 }  // namespace
 
-std::string analysis_json(DeviceAnalysis const& analysis) {
-  return Json{{"refinement", analysis.refinement},
-              {"determination", json_of(analysis.determination)},
-              {"intervals", json_of(analysis.intervals)}}
-      .dump();
+template <class Analysis>
+std::string analysis_json(Analysis const& analysis) {
+  return written(analysis).dump();
 }
 
-std::string analysis_json(LotAnalysis const& analysis) {
-  return Json{{"refinement", analysis.refinement},
-              {"devices", analysis.devices},
-              {"mean", json_of(analysis.mean)},
-              {"worst", json_of(analysis.worst.law)},
-              {"bound", number(analysis.worst.bound)}}
-      .dump();
+template <class Analysis>
+void read_analysis(std::string_view json, Analysis& analysis) {
+  read(Json::parse(json), analysis);
 }
 
-std::string analysis_json(LeftOutAnalysis const& analysis) {
-  auto const& left_out = analysis.left_out;
-  return Json{{"parameters", numbers(left_out.parameters)},
-              {"objective", number(left_out.objective)},
-              {"evaluations", left_out.evaluations}}
-      .dump();
-}
-
-DeviceAnalysis device_analysis(std::size_t device, std::string law, std::string_view text) {
-  auto const json = Json::parse(text);
-  return {.device = device,
-          .law = std::move(law),
-          .refinement = json.at("refinement").get<int>(),
-          .determination = whole_determination_from(json.at("determination")),
-          .intervals = intervals_from(json.at("intervals"))};
-}
-
-LotAnalysis lot_analysis(std::string law, std::string_view text) {
-  auto const json = Json::parse(text);
-  return {.law = std::move(law),
-          .refinement = json.at("refinement").get<int>(),
-          .devices = json.at("devices").get<std::vector<std::size_t>>(),
-          .mean = one_law_from(json.at("mean")),
-          .worst = {.law = one_law_from(json.at("worst")), .bound = to_double(json.at("bound"))}};
-}
-
-LeftOutAnalysis left_out_analysis(std::size_t device, std::string law, std::string_view text) {
-  auto const json = Json::parse(text);
-  return {.device = device,
-          .law = std::move(law),
-          .left_out = {.parameters = to_doubles(json.at("parameters")),
-                       .objective = to_double(json.at("objective")),
-                       .evaluations = json.at("evaluations").get<int>()}};
-}
+template std::string analysis_json(DeviceAnalysis const&);
+template std::string analysis_json(LotAnalysis const&);
+template std::string analysis_json(LeftOutAnalysis const&);
+template void read_analysis(std::string_view, DeviceAnalysis&);
+template void read_analysis(std::string_view, LotAnalysis&);
+template void read_analysis(std::string_view, LeftOutAnalysis&);
 
 }  // namespace isolaw::campaign

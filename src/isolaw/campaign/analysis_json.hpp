@@ -1,4 +1,5 @@
-// Analyses as the store holds them: JSON text, numbers to their last digit, null for what is not a finite number.
+// Analyses as the store holds them: JSON text, numbers to their last digit, null for what is not a finite number. Of a
+// DeviceAnalysis, LotAnalysis or LeftOutAnalysis, without its device, law and maker, which are columns of their own.
 #pragma once
 
 #include <string>
@@ -8,13 +9,11 @@
 
 namespace isolaw::campaign {
 
-std::string analysis_json(DeviceAnalysis const& analysis);
-std::string analysis_json(LotAnalysis const& analysis);
-std::string analysis_json(LeftOutAnalysis const& analysis);
+template <class Analysis>
+std::string analysis_json(Analysis const& analysis);
 
-// Of `device` and `law`, which the text does not say. Throws nlohmann::json::exception, or Error for what is no analysis.
-DeviceAnalysis device_analysis(std::size_t device, std::string law, std::string_view json);
-LotAnalysis lot_analysis(std::string law, std::string_view json);
-LeftOutAnalysis left_out_analysis(std::size_t device, std::string law, std::string_view json);
+// Throws nlohmann::json::exception, or Error for what is no analysis.
+template <class Analysis>
+void read_analysis(std::string_view json, Analysis& analysis);
 
 }  // namespace isolaw::campaign

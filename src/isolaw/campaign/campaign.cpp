@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <latch>
 #include <mutex>
-#include <new>
 #include <optional>
 #include <set>
 #include <thread>
@@ -61,15 +59,13 @@ std::string hash_of_files(DeviceInput const& input) {
 }
 
 Device prepare_device(DeviceInput const& input, data::CleanOptions const& cleaning) {
-  Device device{
-      .name = input.name, .file = input.shown_file, .info = input.info, .refusal = {}, .raw = {}, .record = {}};
+  Device device{.name = input.name, .file = input.shown_file, .info = input.info};
   try {
     device.raw = read_history(input);
     device.record = data::clean(device.raw, cleaning);
   } catch (Error const& error) {
     device.refusal = with_shown_files(error.what(), input.directory);
     device.raw = {};
-    device.record = {};
     device.raw.sha256 = hash_of_files(input);
   }
   device.raw.file = input.shown_file;
@@ -77,7 +73,7 @@ Device prepare_device(DeviceInput const& input, data::CleanOptions const& cleani
 }
 
 Search prepare_search(std::size_t index, Device const& device, std::string const& law_id, Settings const& settings) {
-  Search search{.device = index, .law = law_id, .refusal = {}, .box = {}};
+  Search search{.device = index, .law = law_id};
   auto const& law = laws::find_law(law_id);
   try {
     fit::LawOnRecord const check(law, device.record, settings.integration, settings.turning_points);
@@ -141,13 +137,8 @@ Run finished(Target const& target, int number, opt::SearchResult const& result) 
           .law = target.search->law,
           .number = number,
           .outcome = result.outcome,
-          .objective = {},
-          .integration_shift = {},
-          .refinement = 1,
           .evaluations = result.evaluations,
           .failed_evaluations = result.failed_evaluations,
-          .failure = {},
-          .parameters = {},
           .history = result.history};
   if (run.outcome == Outcome::no_finite_value) {
     fail(run, result.evaluations == 1
@@ -221,8 +212,7 @@ fit::SearchBox search_box(laws::LawEntry const& law, data::FitRecord const& reco
 namespace {
 
 Contents without_devices(std::string const& title, Acceptance const& acceptance, Settings const& settings) {
-  Contents contents{
-      .title = title, .acceptance = acceptance, .settings = settings, .devices = {}, .searches = {}, .runs = {}};
+  Contents contents{.title = title, .acceptance = acceptance, .settings = settings};
   contents.settings.laws.clear();
   contents.settings.complete();
   contents.settings.validate();
@@ -248,17 +238,15 @@ Device cleaned(NamedRecord&& given, data::CleanOptions const& cleaning) {
   Device device{.name = std::move(given.name),
                 .file = given.record.file,
                 .info = std::move(given.info),
-                .refusal = {},
-                .raw = std::move(given.record),
-                .record = {}};
+                .raw = std::move(given.record)};
   try {
     device.record = data::clean(device.raw, cleaning);
   } catch (Error const& error) {
     device.refusal = error.what();
-    data::TestRecord refused;
-    refused.file = device.file;
-    refused.sha256 = device.raw.sha256;
-    device.raw = std::move(refused);
+    auto const sha256 = device.raw.sha256;
+    device.raw = {};
+    device.raw.file = device.file;
+    device.raw.sha256 = sha256;
   }
   return device;
 }

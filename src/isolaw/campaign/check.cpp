@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <utility>
@@ -62,96 +63,39 @@ void check_box(Device const& device, Search const& search, Settings const& setti
     faults.push_back(fmt::format("{} on {}: the search box is not that of its record", search.law, device.name));
 }
 
-class RunChecker {
+class Checker {
  public:
-  RunChecker(Contents const& contents, Check& result, std::vector<std::string>& found)
+  Checker(Contents const& contents, Check& result, std::vector<std::string>& found)
       : contents_(contents), result_(result), found_(found) {}
 
   void operator()(Search const& search, Run const& run) {
-    check_course(search, run);
-    if (!std::ranges::is_sorted(run.history, std::ranges::greater())) complain(run, "its history rises");
+    auto const where = fmt::format("{} on {}, run {}", run.law, name_of(run.device), run.number);
+    check_course(where, search, run);
+    if (!std::ranges::is_sorted(run.history, std::ranges::greater())) complain(where, "its history rises");
     if (!run.usable()) return;
     if (run.history.empty() || (run.refinement == 1 && !ends_at(run.history.back(), run.objective)))
-      complain(run, "its history ends elsewhere");
+      complain(where, "its history ends elsewhere");
     for (std::size_t i = 0; i < run.parameters.size(); ++i) {
       auto const& p = search.box.parameters[i];
       double const slack = fit::evaluation_tolerance * std::max(std::abs(p.lower), std::abs(p.upper));
       bool const inside = p.free ? run.parameters[i] >= p.lower - slack && run.parameters[i] <= p.upper + slack
                                  : close(run.parameters[i], p.tied_to ? run.parameters[*p.tied_to] : p.value);
-      if (!inside) complain(run, fmt::format("{} = {} lies outside its box", p.name, run.parameters[i]));
+      if (!inside) complain(where, fmt::format("{} = {} lies outside its box", p.name, run.parameters[i]));
     }
-    check_objective(search, run);
-  }
-
- private:
-  // How the search went: what the settings and the history leave no choice in.
-  void check_course(Search const& search, Run const& run) {
-    if (contents_.settings.method == Method::best) return check_descents(search, run);
-    auto const& genetic = contents_.settings.genetic;
-    auto const generations = run.history.size();
-    bool const searched = search.box.free_count() > 0;
-    auto const evaluations = searched ? static_cast<std::size_t>(genetic.population) * generations : std::size_t{1};
-    if (!std::cmp_equal(run.evaluations, evaluations) || run.failed_evaluations < 0 ||
-        run.failed_evaluations > run.evaluations || (run.usable() && run.failed_evaluations == run.evaluations) ||
-        (!run.usable() && run.failed_evaluations != run.evaluations))
-      complain(run, "its count of evaluations is impossible");
-    bool const ended = searched ? opt::outcome_of(run.history, genetic) == run.outcome
-                                : generations == 1 && run.outcome != Outcome::stagnated;
-    if (!ended || run.usable() != (run.outcome != Outcome::no_finite_value))
-      complain(run, "its history does not end as the settings and its outcome say");
-  }
-  // A history has a value for each start, and one for the refinement that ends a confirmed search.
-  void check_descents(Search const& search, Run const& run) {
-    auto const& options = contents_.settings.multistart;
-    bool const searched = search.box.free_count() > 0;
-    auto const least = static_cast<std::size_t>(searched && run.usable() ? options.least_starts : 1);
-    if (run.failed_evaluations < 0 || run.failed_evaluations > run.evaluations ||
-        std::cmp_less(run.evaluations, searched ? run.history.size() : std::size_t{1}) ||
-        (!searched && run.evaluations != 1) || (run.usable() && run.failed_evaluations == run.evaluations))
-      complain(run, "its count of evaluations is impossible");
-    bool const ended = run.outcome == Outcome::confirmed      ? run.history.size() >= least
-                       : run.outcome == Outcome::budget_spent ? run.evaluations >= options.most_evaluations
-                                                              : run.outcome == Outcome::no_finite_value;
-    if (!ended || run.usable() != (run.outcome != Outcome::no_finite_value))
-      complain(run, "its history does not end as the settings and its outcome say");
-  }
-  void check_objective(Search const& search, Run const& run) {
-    auto const model = law_on_device(contents_, search.device, search.law, run.refinement);
-    double const again = model.objective(run.parameters, work_);
-    constexpr double smallest = smallest_objective;
-    double const difference =
-        again == run.objective ? 0.0 : std::abs(again - run.objective) / std::max(run.objective, smallest);
-    result_.largest_difference = std::max(result_.largest_difference, difference);
-    if (!(difference <= fit::evaluation_tolerance))
-      complain(run, fmt::format("its parameters give the objective {}, stored is {}", again, run.objective));
+    hold(where, run.device, run.law, run.refinement, run.parameters, run.objective);
     // The difference of two objectives, each as exact as an objective is.
-    double const shift = model.integration_shift(run.parameters);
+    double const shift =
+        law_on_device(contents_, run.device, run.law, run.refinement).integration_shift(run.parameters);
     bool const same = shift == run.integration_shift ||
                       std::abs(shift - run.integration_shift) <=
-                          2.0 * fit::evaluation_tolerance * std::max({run.objective, shift, smallest});
+                          2.0 * fit::evaluation_tolerance * std::max({run.objective, shift, smallest_objective});
     if (!same)
-      complain(run,
+      complain(where,
                fmt::format("its parameters give the integration shift {}, stored is {}", shift, run.integration_shift));
   }
-  void complain(Run const& run, std::string_view what) {
-    found_.push_back(
-        fmt::format("{} on {}, run {}: {}", run.law, contents_.devices[run.device].name, run.number, what));
-  }
-
-  Contents const& contents_;
-  Check& result_;
-  std::vector<std::string>& found_;
-  std::vector<double> work_;
-};
-
-class AnalysisChecker {
- public:
-  AnalysisChecker(Contents const& contents, Check& result, std::vector<std::string>& found)
-      : contents_(contents), result_(result), found_(found) {}
-
   void operator()(DeviceAnalysis const& a) {
     auto const& found = a.determination;
-    auto const where = fmt::format("{} on {}", a.law, contents_.devices[a.device].name);
+    auto const where = fmt::format("{} on {}", a.law, name_of(a.device));
     hold(where + ", its optimum", a.device, a.law, a.refinement, found.optimum, found.objective);
     auto const* best = contents_.best_run(a.device, a.law);
     if (best == nullptr || best->refinement != a.refinement)
@@ -167,7 +111,7 @@ class AnalysisChecker {
   }
   void operator()(LotAnalysis const& a) {
     for (std::size_t i = 0; i < a.devices.size() && !a.mean.parameters.empty(); ++i) {
-      auto const where = fmt::format("{} for the lot, on {}", a.law, contents_.devices[a.devices[i]].name);
+      auto const where = fmt::format("{} for the lot, on {}", a.law, name_of(a.devices[i]));
       hold(where, a.devices[i], a.law, a.refinement, a.mean.parameters, a.mean.objectives[i]);
       hold(where + ", worst device", a.devices[i], a.law, a.refinement, a.worst.law.parameters,
            a.worst.law.objectives[i]);
@@ -175,7 +119,7 @@ class AnalysisChecker {
   }
   void operator()(LeftOutAnalysis const& a) {
     auto const lot = std::ranges::find(contents_.lot_analyses, a.law, &LotAnalysis::law);
-    auto const where = fmt::format("{} without {}", a.law, contents_.devices[a.device].name);
+    auto const where = fmt::format("{} without {}", a.law, name_of(a.device));
     if (lot == contents_.lot_analyses.end())
       complain(where, "there is no law of the lot");
     else if (!a.left_out.parameters.empty())
@@ -183,17 +127,57 @@ class AnalysisChecker {
   }
 
  private:
+  // How the search went: what the settings and the history leave no choice in.
+  void check_course(std::string const& where, Search const& search, Run const& run) {
+    bool const searched = search.box.free_count() > 0;
+    auto const [evaluations, end] =
+        contents_.settings.method == Method::best ? descents(searched, run) : generations(searched, run);
+    bool const all_failed = run.failed_evaluations == run.evaluations;
+    if (!evaluations || run.failed_evaluations < 0 || run.failed_evaluations > run.evaluations ||
+        (run.usable() && all_failed))
+      complain(where, "its count of evaluations is impossible");
+    if (!end || run.usable() != (run.outcome != Outcome::no_finite_value))
+      complain(where, "its history does not end as the settings and its outcome say");
+  }
+  struct Possible {
+    bool evaluations, end;
+  };
+  Possible generations(bool searched, Run const& run) const {
+    auto const& genetic = contents_.settings.genetic;
+    auto const count = run.history.size();
+    auto const evaluations = searched ? static_cast<std::size_t>(genetic.population) * count : std::size_t{1};
+    return {.evaluations = std::cmp_equal(run.evaluations, evaluations) &&
+                           (run.usable() || run.failed_evaluations == run.evaluations),
+            .end = searched ? opt::outcome_of(run.history, genetic) == run.outcome
+                            : count == 1 && run.outcome != Outcome::stagnated};
+  }
+  // A history has a value for each start, and one for the refinement that ends a confirmed search.
+  Possible descents(bool searched, Run const& run) const {
+    auto const& options = contents_.settings.multistart;
+    auto const least = static_cast<std::size_t>(searched && run.usable() ? options.least_starts : 1);
+    return {
+        .evaluations = searched ? std::cmp_greater_equal(run.evaluations, run.history.size()) : run.evaluations == 1,
+        .end = run.outcome == Outcome::confirmed      ? run.history.size() >= least
+               : run.outcome == Outcome::budget_spent ? run.evaluations >= options.most_evaluations
+                                                      : run.outcome == Outcome::no_finite_value};
+  }
+  static opt::GeneticOutcome as_searched(Outcome outcome) {
+    return outcome == Outcome::stagnated         ? opt::GeneticOutcome::stagnated
+           : outcome == Outcome::no_finite_value ? opt::GeneticOutcome::no_finite_value
+                                                 : opt::GeneticOutcome::all_generations;
+  }
   void hold(std::string const& where, std::size_t device, std::string const& law, int refinement,
             std::vector<double> const& parameters, double stored) {
-    constexpr double smallest = smallest_objective;
     double const again = law_on_device(contents_, device, law, refinement).objective(parameters, work_);
     bool const none = std::isnan(stored) && !std::isfinite(again);  // no finite force there
-    double const difference = none || again == stored ? 0.0 : std::abs(again - stored) / std::max(stored, smallest);
+    double const difference =
+        none || again == stored ? 0.0 : std::abs(again - stored) / std::max(stored, smallest_objective);
     result_.largest_difference = std::max(result_.largest_difference, difference);
     if (!(difference <= fit::evaluation_tolerance))
       complain(where, fmt::format("its parameters give the objective {}, stored is {}", again, stored));
   }
   void complain(std::string_view where, std::string_view what) { found_.push_back(fmt::format("{}: {}", where, what)); }
+  std::string const& name_of(std::size_t device) const { return contents_.devices[device].name; }
 
   Contents const& contents_;
   Check& result_;
@@ -223,12 +207,11 @@ Check check(std::filesystem::path const& file) {
     searches[{search.device, search.law}] = &search;
     if (search.refusal.empty()) check_box(contents.devices[search.device], search, contents.settings, found);
   }
-  RunChecker check_run(contents, result, found);
-  for (auto const& run : contents.runs) check_run(*searches.at({run.device, run.law}), run);
-  AnalysisChecker check_analysis(contents, result, found);
-  for (auto const& analysis : contents.device_analyses) check_analysis(analysis);
-  for (auto const& analysis : contents.lot_analyses) check_analysis(analysis);
-  for (auto const& analysis : contents.left_out) check_analysis(analysis);
+  Checker checked(contents, result, found);
+  for (auto const& run : contents.runs) checked(*searches.at({run.device, run.law}), run);
+  std::ranges::for_each(contents.device_analyses, std::ref(checked));
+  std::ranges::for_each(contents.lot_analyses, std::ref(checked));
+  std::ranges::for_each(contents.left_out, std::ref(checked));
   result.analyses = contents.analyses();
   result.expected_analyses = contents.expected_analyses();
   return result;

@@ -1,6 +1,7 @@
 #include "isolaw/campaign/contents.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <tuple>
 
@@ -13,21 +14,10 @@ constexpr auto by_device_and_law = [](auto const& item) { return Key(item.device
 }  // namespace
 
 std::string_view name(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::confirmed:
-      return "confirmed";
-    case Outcome::budget_spent:
-      return "budget_spent";
-    case Outcome::all_generations:
-      return "all_generations";
-    case Outcome::stagnated:
-      return "stagnated";
-    case Outcome::no_finite_value:
-      return "no_finite_value";
-    case Outcome::interrupted:
-      return "interrupted";
-  }
-  return "";
+  // In the order of Outcome.
+  static constexpr std::array<std::string_view, 6> names{"confirmed", "budget_spent",    "all_generations",
+                                                         "stagnated", "no_finite_value", "interrupted"};
+  return names.at(static_cast<std::size_t>(outcome));
 }
 
 std::size_t Contents::expected_runs() const {

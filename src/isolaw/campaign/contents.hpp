@@ -36,9 +36,9 @@ struct Device {
   std::string name;
   std::string file;  // as given, relative to the lot file
   DeviceInfo info;
-  std::string refusal;  // why the device takes no part; empty for a usable one
-  data::TestRecord raw;
-  data::FitRecord record;  // what the laws are fitted to
+  std::string refusal = {};  // why the device takes no part; empty for a usable one
+  data::TestRecord raw = {};
+  data::FitRecord record = {};  // what the laws are fitted to
 
   bool usable() const { return refusal.empty(); }
 };
@@ -47,8 +47,8 @@ struct Device {
 struct Search {
   std::size_t device = 0;
   std::string law;
-  std::string refusal;
-  fit::SearchBox box;
+  std::string refusal = {};
+  fit::SearchBox box = {};
 };
 
 // confirmed, budget_spent: of the method `best`; all_generations, stagnated: of the genetic algorithm.
@@ -64,11 +64,11 @@ struct Run {
   double integration_shift = 0.0;  // of the objective, against a much finer path
   int refinement = 1;              // steps per sample of the path that the law was integrated on in the end
   int evaluations = 0;
-  int failed_evaluations = 0;      // parameter sets tried that gave no finite force
-  std::string failure;             // why the run is not usable; empty for a usable one
-  std::vector<double> parameters;  // all of the law's; empty when not usable
-  std::vector<double> history;     // best objective after each generation, or start
-  std::size_t maker = 0;           // place in Contents::makers; the store sets it
+  int failed_evaluations = 0;           // parameter sets tried that gave no finite force
+  std::string failure = {};             // why the run is not usable; empty for a usable one
+  std::vector<double> parameters = {};  // all of the law's; empty when not usable
+  std::vector<double> history = {};     // best objective after each generation, or start
+  std::size_t maker = 0;                // place in Contents::makers; the store sets it
 
   bool usable() const { return !parameters.empty(); }
 };
@@ -88,8 +88,8 @@ struct LotAnalysis {
   std::string law;
   int refinement = 1;                // the finest of the devices'
   std::vector<std::size_t> devices;  // those that took part, rising
-  analysis::OneLaw mean;             // least mean objective; objectives in the order of `devices`
-  analysis::LeastWorst worst;        // least objective of the worst device
+  analysis::OneLaw mean = {};        // least mean objective; objectives in the order of `devices`
+  analysis::LeastWorst worst = {};   // least objective of the worst device
   std::size_t maker = 0;
 };
 
@@ -97,7 +97,7 @@ struct LotAnalysis {
 struct LeftOutAnalysis {
   std::size_t device = 0;
   std::string law;
-  analysis::LeftOut left_out;
+  analysis::LeftOut left_out = {};
   std::size_t maker = 0;
 };
 
@@ -115,9 +115,9 @@ struct Contents {
   std::string title;
   Acceptance acceptance;
   Settings settings;
-  std::vector<Device> devices;
-  std::vector<Search> searches;                      // by device, then in the order of the settings' laws
-  std::vector<Run> runs;                             // by device, law, number
+  std::vector<Device> devices = {};
+  std::vector<Search> searches = {};                 // by device, then in the order of the settings' laws
+  std::vector<Run> runs = {};                        // by device, law, number
   std::vector<DeviceAnalysis> device_analyses = {};  // by device, law
   std::vector<LotAnalysis> lot_analyses = {};        // by law
   std::vector<LeftOutAnalysis> left_out = {};        // by device, law

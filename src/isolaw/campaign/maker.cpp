@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 
 #include "isolaw/base/version.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/fit/kernels.hpp"
 
 namespace isolaw::campaign {
@@ -36,9 +38,7 @@ std::string text(Maker const& maker) {
 }
 
 std::string text(std::span<Maker const> makers) {
-  std::string joined;
-  for (auto const& build : builds(makers)) joined += (joined.empty() ? "" : " and ") + text(build);
-  return joined;
+  return joined(builds(makers) | std::views::transform([](Maker const& maker) { return text(maker); }), " and ");
 }
 
 }  // namespace isolaw::campaign

@@ -40,18 +40,22 @@ void for_each_series(auto& device, Visit&& visit) {
   visit("fit", "block", device.record.block);
 }
 
+Statement& bind(Statement& row, DeviceInfo const& info) {
+  return row.bind(info.serial, info.lot, info.test_date, info.temperature_C, info.rubber_thickness_mm,
+                  info.rubber_area_mm2);
+}
+
 void write_devices(Connection const& db, Contents const& contents) {
   Statement device(db, "INSERT INTO device VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   Statement series(db, "INSERT INTO series VALUES (?, ?, ?, ?, ?)");
   for (std::size_t id = 0; id < contents.devices.size(); ++id) {
     auto const& d = contents.devices[id];
-    device.bind(id).bind(d.name).bind(d.file).bind(d.raw.sha256).bind(d.usable() ? "ok" : "refused").bind(d.refusal);
-    device.bind(d.info.serial).bind(d.info.lot).bind(d.info.test_date);
-    device.bind(d.info.temperature_C).bind(d.info.rubber_thickness_mm).bind(d.info.rubber_area_mm2);
-    device.bind(to_json(d.raw.recognised)).bind(to_json(d.raw.corrections)).bind(to_json(d.raw.warnings));
+    device.bind(id, d.name, d.file, d.raw.sha256, d.usable() ? "ok" : "refused", d.refusal);
+    bind(device, d.info);
+    device.bind(to_json(d.raw.recognised), to_json(d.raw.corrections), to_json(d.raw.warnings));
     device.bind(to_json(d.record.cleaning)).insert();
     for_each_series(d, [&](char const* kind, char const* channel, std::vector<double> const& values) {
-      if (!values.empty()) series.bind(id).bind(kind).bind(channel).bind(values.size()).bind(values).insert();
+      if (!values.empty()) series.bind(id, kind, channel, values.size(), values).insert();
     });
   }
 }
@@ -60,11 +64,10 @@ void write_searches(Connection const& db, Contents const& contents) {
   Statement search(db, "INSERT INTO search VALUES (?, ?, ?)");
   Statement parameter(db, "INSERT INTO search_parameter VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (auto const& s : contents.searches) {
-    search.bind(s.device).bind(s.law).bind(s.refusal).insert();
+    search.bind(s.device, s.law, s.refusal).insert();
     for (std::size_t i = 0; i < s.box.parameters.size(); ++i) {
       auto const& p = s.box.parameters[i];
-      parameter.bind(s.device).bind(s.law).bind(i).bind(p.name).bind(p.unit).bind(p.free ? 1 : 0);
-      parameter.bind(p.value).bind(p.lower).bind(p.upper);
+      parameter.bind(s.device, s.law, i, p.name, p.unit, p.free, p.value, p.lower, p.upper);
       parameter.bind(p.scale == laws::Scale::logarithmic ? "logarithmic" : "linear");
       parameter.bind(p.tied_to ? std::optional(static_cast<double>(*p.tied_to)) : std::nullopt).insert();
     }
@@ -75,9 +78,7 @@ void read_makers(Connection const& db, Contents& contents) {
   Statement maker(db, "SELECT version, build, instruction_set FROM maker ORDER BY id");
   while (maker.row()) {
     auto& made = contents.makers.emplace_back();
-    made.version = maker.text();
-    made.build = maker.text();
-    made.instruction_set = maker.text();
+    maker.read(made.version, made.build, made.instruction_set);
   }
   if (contents.makers.empty()) throw Error({.found = "no word on the isolaw that made it"});
 }
@@ -86,8 +87,8 @@ void read_settings(Connection const& db, Contents& contents) {
   std::vector<std::pair<std::string, std::string>> pairs;
   Statement setting(db, "SELECT key, json FROM setting ORDER BY position");
   while (setting.row()) {
-    auto key = setting.text();
-    pairs.emplace_back(std::move(key), setting.text());
+    auto& [key, json] = pairs.emplace_back();
+    setting.read(key, json);
   }
   contents.settings = settings_from_pairs(pairs);
   contents.settings.validate();
@@ -98,24 +99,18 @@ void read_devices(Connection const& db, Contents& contents) {
       db,
       "SELECT name, file, sha256, status, message, serial, lot, test_date, temperature_C, rubber_thickness_mm, rubber_area_mm2, recognised, corrections, warnings, cleaning FROM device ORDER BY id");
   while (device.row()) {
-    Device d;
-    d.name = device.text();
-    d.file = d.raw.file = device.text();
-    d.raw.sha256 = device.text();
-    bool const refused = device.text() == "refused";
-    auto const message = device.text();
-    if (refused) d.refusal = message.empty() ? "refused" : message;
-    d.info.serial = device.text();
-    d.info.lot = device.text();
-    d.info.test_date = device.text();
-    d.info.temperature_C = device.optional_real();
-    d.info.rubber_thickness_mm = device.optional_real();
-    d.info.rubber_area_mm2 = device.optional_real();
-    d.raw.recognised = lines_of(device.text());
-    d.raw.corrections = lines_of(device.text());
-    d.raw.warnings = lines_of(device.text());
-    d.record.cleaning = lines_of(device.text());
-    contents.devices.push_back(std::move(d));
+    auto& d = contents.devices.emplace_back();
+    auto& info = d.info;
+    std::string status, message, recognised, corrections, warnings, cleaning;
+    device.read(d.name, d.file, d.raw.sha256, status, message, info.serial, info.lot, info.test_date);
+    device.read(info.temperature_C, info.rubber_thickness_mm, info.rubber_area_mm2);
+    device.read(recognised, corrections, warnings, cleaning);
+    d.raw.file = d.file;
+    if (status == "refused") d.refusal = message.empty() ? status : message;
+    d.raw.recognised = lines_of(recognised);
+    d.raw.corrections = lines_of(corrections);
+    d.raw.warnings = lines_of(warnings);
+    d.record.cleaning = lines_of(cleaning);
   }
 }
 
@@ -123,10 +118,11 @@ void read_series(Connection const& db, Contents& contents) {
   std::map<std::tuple<std::size_t, std::string, std::string>, std::vector<double>> stored;
   Statement series(db, "SELECT device, kind, channel, count, \"values\" FROM series");
   while (series.row()) {
-    auto const id = series.index();
-    auto kind = series.text(), channel = series.text();
-    auto const count = series.integer();
-    auto values = series.reals();
+    std::size_t id = 0;
+    std::string kind, channel;
+    long long count = 0;
+    std::vector<double> values;
+    series.read(id, kind, channel, count, values);
     if (!std::cmp_equal(count, values.size()))
       throw Error({.found = fmt::format("a series of {} values where {} are counted", values.size(), count)});
     stored[{id, std::move(kind), std::move(channel)}] = std::move(values);
@@ -142,29 +138,25 @@ void read_searches(Connection const& db, Contents& contents) {
   std::map<std::pair<std::size_t, std::string>, Search> found;
   while (search.row()) {
     Search s;
-    s.device = search.index();
-    s.law = search.text();
-    s.refusal = search.text();
+    search.read(s.device, s.law, s.refusal);
     found[{s.device, s.law}] = s;
   }
   Statement parameter(
       db,
       "SELECT device, law, name, unit, free, value, lower, upper, scale, tied_to FROM search_parameter ORDER BY device, law, position");
   while (parameter.row()) {
-    auto const device = parameter.index();
-    auto const owner = found.find({device, parameter.text()});
-    if (owner == found.end()) continue;
-    auto& box = owner->second.box;
+    std::size_t device = 0;
+    std::string law, scale;
     fit::SearchParameter p;
-    p.name = parameter.text();
-    p.unit = parameter.text();
-    p.free = parameter.integer() != 0;
-    p.value = parameter.real();
-    p.lower = parameter.real();
-    p.upper = parameter.real();
-    p.scale = parameter.text() == "logarithmic" ? laws::Scale::logarithmic : laws::Scale::linear;
-    if (auto const other = parameter.optional_real()) p.tied_to = static_cast<std::size_t>(std::max(0.0, *other));
-    box.parameters.push_back(std::move(p));
+    long long free = 0;
+    std::optional<double> other;
+    parameter.read(device, law, p.name, p.unit, free, p.value, p.lower, p.upper, scale, other);
+    auto const owner = found.find({device, law});
+    if (owner == found.end()) continue;
+    p.free = free != 0;
+    if (scale == "logarithmic") p.scale = laws::Scale::logarithmic;
+    if (other) p.tied_to = static_cast<std::size_t>(std::max(0.0, *other));
+    owner->second.box.parameters.push_back(std::move(p));
   }
   for (std::size_t d = 0; d < contents.devices.size(); ++d)
     for (auto const& law : contents.settings.laws)
@@ -184,55 +176,44 @@ void read_runs(Connection const& db, Contents& contents) {
   Statement parameter(db,
                       "SELECT device, law, number, value FROM run_parameter ORDER BY device, law, number, position");
   while (parameter.row()) {
-    auto const device = parameter.index();
-    auto law = parameter.text();
-    auto const number = parameter.whole();
-    values[{device, std::move(law), number}].push_back(parameter.real());
+    std::size_t device = 0;
+    std::string law;
+    int number = 0;
+    double value = 0.0;
+    parameter.read(device, law, number, value);
+    values[{device, std::move(law), number}].push_back(value);
   }
   Statement run(
       db,
       "SELECT device, law, number, outcome, objective, integration_shift, refinement, evaluations, failed_evaluations, message, history, maker FROM run ORDER BY device, law, number");
   while (run.row()) {
-    Run r;
-    r.device = run.index();
-    r.law = run.text();
-    r.number = run.whole();
-    r.outcome = outcome_from(run.text());
-    r.objective = run.real();
-    r.integration_shift = run.real();
-    r.refinement = run.whole();
-    r.evaluations = run.whole();
-    r.failed_evaluations = run.whole();
-    r.failure = run.text();
-    r.history = run.reals();
-    r.maker = run.index();
+    auto& r = contents.runs.emplace_back();
+    std::string outcome;
+    run.read(r.device, r.law, r.number, outcome, r.objective, r.integration_shift, r.refinement);
+    run.read(r.evaluations, r.failed_evaluations, r.failure, r.history, r.maker);
+    r.outcome = outcome_from(outcome);
     if (auto const found = values.find({r.device, r.law, r.number}); found != values.end())
       r.parameters = std::move(found->second);
-    contents.runs.push_back(std::move(r));
   }
 }
 
-void read_analyses(Connection const& db, Contents& contents) {
-  Statement device(db, "SELECT device, law, json, maker FROM device_analysis ORDER BY device, law");
-  while (device.row()) {
-    auto const index = device.index();
-    auto law = device.text();
-    contents.device_analyses.push_back(device_analysis(index, std::move(law), device.text()));
-    contents.device_analyses.back().maker = device.index();
+template <class Analysis>
+void read_analyses(Connection const& db, char const* select, std::vector<Analysis>& analyses) {
+  Statement row(db, select);
+  while (row.row()) {
+    auto& made = analyses.emplace_back();
+    std::string json;
+    if constexpr (requires { made.device; }) row.read(made.device);
+    row.read(made.law, json, made.maker);
+    read_analysis(json, made);
   }
-  Statement lot(db, "SELECT law, json, maker FROM lot_analysis ORDER BY law");
-  while (lot.row()) {
-    auto law = lot.text();
-    contents.lot_analyses.push_back(lot_analysis(std::move(law), lot.text()));
-    contents.lot_analyses.back().maker = lot.index();
-  }
-  Statement left_out(db, "SELECT device, law, json, maker FROM left_out ORDER BY device, law");
-  while (left_out.row()) {
-    auto const index = left_out.index();
-    auto law = left_out.text();
-    contents.left_out.push_back(left_out_analysis(index, std::move(law), left_out.text()));
-    contents.left_out.back().maker = left_out.index();
-  }
+}
+
+template <class Analysis>
+void write_analysis(Connection const& db, char const* insert, Analysis const& analysis) {
+  Statement row(db, insert);
+  if constexpr (requires { analysis.device; }) row.bind(analysis.device);
+  row.bind(analysis.law, analysis_json(analysis), analysis.maker).insert();
 }
 
 // What describe() may change.
@@ -258,17 +239,17 @@ void read_descriptions(Connection const& db, Contents& contents) {
 
 void write_row(Connection const& db, std::size_t id, Maker const& maker) {
   Statement row(db, "INSERT INTO maker VALUES (?, ?, ?, ?)");
-  row.bind(id).bind(maker.version).bind(maker.build).bind(maker.instruction_set).insert();
+  row.bind(id, maker.version, maker.build, maker.instruction_set).insert();
 }
 
 void write_campaign(Connection const& db, Contents const& contents, std::vector<Maker> const& makers) {
   Statement meta(db, "INSERT INTO meta VALUES (?, ?)");
-  meta.bind("schema").bind(std::to_string(schema_version)).insert();
-  meta.bind("isolaw").bind(makers.front().version).insert();
-  for (auto const& [key, value] : descriptions(contents)) meta.bind(key).bind(value).insert();
+  meta.bind("schema", std::to_string(schema_version)).insert();
+  meta.bind("isolaw", makers.front().version).insert();
+  for (auto const& [key, value] : descriptions(contents)) meta.bind(key, value).insert();
   Statement setting(db, "INSERT INTO setting VALUES (?, ?, ?)");
   std::size_t position = 0;
-  for (auto const& [key, json] : to_pairs(contents.settings)) setting.bind(position++).bind(key).bind(json).insert();
+  for (auto const& [key, json] : to_pairs(contents.settings)) setting.bind(position++, key, json).insert();
   for (std::size_t id = 0; id < makers.size(); ++id) write_row(db, id, makers[id]);
   write_devices(db, contents);
   write_searches(db, contents);
@@ -276,44 +257,33 @@ void write_campaign(Connection const& db, Contents const& contents, std::vector<
 
 void write_descriptions(Connection const& db, Contents const& contents) {
   Statement meta(db, "UPDATE meta SET value = ? WHERE key = ?");
-  for (auto const& [key, value] : descriptions(contents)) meta.bind(value).bind(key).insert();
+  for (auto const& [key, value] : descriptions(contents)) meta.bind(value, key).insert();
   Statement analysis(db, "UPDATE setting SET json = ? WHERE key = 'analysis'");
   analysis.bind(contents.settings.analysis ? "\"full\"" : "\"none\"").insert();
   Statement device(
       db,
       "UPDATE device SET serial = ?, lot = ?, test_date = ?, temperature_C = ?, rubber_thickness_mm = ?, rubber_area_mm2 = ? WHERE id = ?");
-  for (std::size_t id = 0; id < contents.devices.size(); ++id) {
-    auto const& info = contents.devices[id].info;
-    device.bind(info.serial).bind(info.lot).bind(info.test_date);
-    device.bind(info.temperature_C).bind(info.rubber_thickness_mm).bind(info.rubber_area_mm2).bind(id).insert();
-  }
+  for (std::size_t id = 0; id < contents.devices.size(); ++id)
+    bind(device, contents.devices[id].info).bind(id).insert();
 }
 
 void write_row(Connection const& db, Run const& run) {
   Statement row(db, "INSERT INTO run VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
-  row.bind(run.device).bind(run.law).bind(run.number).bind(name(run.outcome)).bind(run.objective);
-  row.bind(run.integration_shift)
-      .bind(run.refinement)
-      .bind(run.evaluations)
-      .bind(run.failed_evaluations)
-      .bind(run.failure);
-  row.bind(run.history).bind(run.maker).insert();
+  row.bind(run.device, run.law, run.number, name(run.outcome), run.objective, run.integration_shift, run.refinement);
+  row.bind(run.evaluations, run.failed_evaluations, run.failure, run.history, run.maker).insert();
   Statement parameter(db, "INSERT INTO run_parameter VALUES (?, ?, ?, ?, ?)");
   for (std::size_t i = 0; i < run.parameters.size(); ++i)
-    parameter.bind(run.device).bind(run.law).bind(run.number).bind(i).bind(run.parameters[i]).insert();
+    parameter.bind(run.device, run.law, run.number, i, run.parameters[i]).insert();
 }
 
 void write_row(Connection const& db, DeviceAnalysis const& analysis) {
-  Statement row(db, "INSERT INTO device_analysis VALUES (?, ?, ?, ?)");
-  row.bind(analysis.device).bind(analysis.law).bind(analysis_json(analysis)).bind(analysis.maker).insert();
+  write_analysis(db, "INSERT INTO device_analysis VALUES (?, ?, ?, ?)", analysis);
 }
 void write_row(Connection const& db, LotAnalysis const& analysis) {
-  Statement row(db, "INSERT INTO lot_analysis VALUES (?, ?, ?)");
-  row.bind(analysis.law).bind(analysis_json(analysis)).bind(analysis.maker).insert();
+  write_analysis(db, "INSERT INTO lot_analysis VALUES (?, ?, ?)", analysis);
 }
 void write_row(Connection const& db, LeftOutAnalysis const& analysis) {
-  Statement row(db, "INSERT INTO left_out VALUES (?, ?, ?, ?)");
-  row.bind(analysis.device).bind(analysis.law).bind(analysis_json(analysis)).bind(analysis.maker).insert();
+  write_analysis(db, "INSERT INTO left_out VALUES (?, ?, ?, ?)", analysis);
 }
 
 Contents read_campaign(Connection const& db) {
@@ -330,7 +300,10 @@ Contents read_contents(Connection const& db) {
   auto contents = read_campaign(db);
   read_series(db, contents);
   read_runs(db, contents);
-  read_analyses(db, contents);
+  read_analyses(db, "SELECT device, law, json, maker FROM device_analysis ORDER BY device, law",
+                contents.device_analyses);
+  read_analyses(db, "SELECT law, json, maker FROM lot_analysis ORDER BY law", contents.lot_analyses);
+  read_analyses(db, "SELECT device, law, json, maker FROM left_out ORDER BY device, law", contents.left_out);
   return contents;
 }
 

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <map>
 #include <utility>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/version.hpp"
+#include "isolaw/base/words.hpp"
 
 namespace isolaw::campaign {
 namespace {
@@ -153,10 +153,8 @@ int checked_version(Connection const& db, std::filesystem::path const& file) {
     return found != theirs.end() && found->second == declaration;
   };
   if (!same("meta", present.at("meta"))) refuse_foreign(file);
-  auto const text = meta(db, "schema");
-  int version = 0;
-  auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), version);
-  if (error != std::errc() || end != text.data() + text.size() || version < 1) refuse_foreign(file);
+  int const version = number_in<int>(meta(db, "schema")).value_or(0);
+  if (version < 1) refuse_foreign(file);
   if (version > schema_version)
     throw Error(
         {.where = file.string(),
@@ -204,10 +202,10 @@ void show_as_present(Connection const& db, int version) {
       "CREATE TEMP TABLE setting AS SELECT * FROM main.setting; CREATE TEMP TABLE meta AS SELECT * FROM main.meta");
   Statement setting(db, "INSERT INTO temp.setting SELECT max(position) + 1, ?, ? FROM temp.setting");
   for (auto const& [since, key, json] : added_settings)
-    if (version < since) setting.bind(std::string_view(key)).bind(std::string_view(json)).insert();
+    if (version < since) setting.bind(key, json).insert();
   Statement described(db, "INSERT INTO temp.meta VALUES (?, '')");
   for (auto const* key : acceptance_keys)
-    if (version < describes_acceptance) described.bind(std::string_view(key)).insert();
+    if (version < describes_acceptance) described.bind(key).insert();
 }
 
 }  // namespace

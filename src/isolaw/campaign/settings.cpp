@@ -1,7 +1,5 @@
 #include "isolaw/campaign/settings.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 

@@ -19,17 +19,17 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "series are stored as little-endian doubles");
 
 [[noreturn]] void fail(sqlite3* db, std::string_view doing) {
-  auto const* file = db == nullptr ? nullptr : sqlite3_db_filename(db, "main");
+  auto const* name = db == nullptr ? nullptr : sqlite3_db_filename(db, "main");
+  std::string const file = name == nullptr ? "campaign store" : name;
   int const code = db == nullptr ? SQLITE_NOMEM : sqlite3_errcode(db) & 0xff;
   if (code == SQLITE_NOMEM) throw std::bad_alloc();
-  if (code == SQLITE_NOTADB || code == SQLITE_CORRUPT)
-    refuse_damaged(file == nullptr ? "campaign store" : file, sqlite3_errmsg(db));
+  if (code == SQLITE_NOTADB || code == SQLITE_CORRUPT) refuse_damaged(file, sqlite3_errmsg(db));
   if (code == SQLITE_READONLY)
     throw Error(
-        {.where = file == nullptr ? "campaign store" : file,
+        {.where = file,
          .found = "the program was stopped in the middle of a write, which must be undone before it can be read",
          .advice = "the calibrate command it was started with: it does so, and continues"});
-  if (code == SQLITE_CANTOPEN && file != nullptr && has_log(file))
+  if (code == SQLITE_CANTOPEN && name != nullptr && has_log(file))
     throw Error(
         {.where = file,
          .found =
@@ -37,7 +37,7 @@ static_assert(std::endian::native == std::endian::little, "series are stored as 
          .allowed = "a store in a directory that may be written, or one whose campaign ended",
          .advice =
              "a copy of the whole directory where you may write; or let its owner run the calibrate command it was started with, which folds the log in"});
-  throw Error({.where = file == nullptr ? "campaign store" : file,
+  throw Error({.where = file,
                .found = fmt::format("{}: {}", doing, sqlite3_errmsg(db)),
                .advice = "check free space and permissions of the directory; finished runs in the store are kept"});
 }
@@ -126,31 +126,28 @@ Statement::~Statement() {
   sqlite3_finalize(statement_);
 }
 
-Statement& Statement::check(int status) {
+void Statement::check(int status) {
   if (status != SQLITE_OK) fail(db_, "cannot write");
-  return *this;
 }
 
-Statement& Statement::bind(std::string_view text) {
-  return check(sqlite3_bind_text(statement_, ++bound_, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT));
+void Statement::put(std::string_view text) {
+  check(sqlite3_bind_text(statement_, ++bound_, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT));
 }
-Statement& Statement::bind(std::size_t value) {
-  return check(sqlite3_bind_int64(statement_, ++bound_, static_cast<sqlite3_int64>(value)));
+void Statement::put(std::size_t value) {
+  check(sqlite3_bind_int64(statement_, ++bound_, static_cast<sqlite3_int64>(value)));
 }
-Statement& Statement::bind(int value) {
-  return check(sqlite3_bind_int64(statement_, ++bound_, value));
+void Statement::put(int value) {
+  check(sqlite3_bind_int64(statement_, ++bound_, value));
 }
-Statement& Statement::bind(double value) {
-  return check(std::isnan(value) ? sqlite3_bind_null(statement_, ++bound_)
-                                 : sqlite3_bind_double(statement_, ++bound_, value));
+void Statement::put(double value) {
+  check(std::isnan(value) ? sqlite3_bind_null(statement_, ++bound_) : sqlite3_bind_double(statement_, ++bound_, value));
 }
-Statement& Statement::bind(std::optional<double> value) {
-  return bind(value.value_or(std::nan("")));
+void Statement::put(std::optional<double> value) {
+  put(value.value_or(std::nan("")));
 }
-Statement& Statement::bind(std::vector<double> const& values) {
+void Statement::put(std::vector<double> const& values) {
   if (values.empty()) return check(sqlite3_bind_zeroblob(statement_, ++bound_, 0));  // no address would be NULL
-  return check(
-      sqlite3_bind_blob64(statement_, ++bound_, values.data(), values.size() * sizeof(double), SQLITE_TRANSIENT));
+  check(sqlite3_bind_blob64(statement_, ++bound_, values.data(), values.size() * sizeof(double), SQLITE_TRANSIENT));
 }
 
 void Statement::insert() {
@@ -167,41 +164,44 @@ bool Statement::row() {
 }
 
 std::string Statement::text() {
+  std::string text;
+  take(text);
+  return text;
+}
+
+void Statement::take(std::string& text) {
   auto const* bytes = sqlite3_column_text(statement_, next_);
   auto const size = static_cast<std::size_t>(sqlite3_column_bytes(statement_, next_++));
-  return bytes == nullptr ? std::string()
-                          : std::string(static_cast<char const*>(static_cast<void const*>(bytes)), size);
+  text =
+      bytes == nullptr ? std::string() : std::string(static_cast<char const*>(static_cast<void const*>(bytes)), size);
 }
-
-long long Statement::integer() {
-  return sqlite3_column_int64(statement_, next_++);
+void Statement::take(long long& value) {
+  value = sqlite3_column_int64(statement_, next_++);
 }
-std::size_t Statement::index() {
-  return static_cast<std::size_t>(integer());
+void Statement::take(std::size_t& value) {
+  value = static_cast<std::size_t>(sqlite3_column_int64(statement_, next_++));
 }
-int Statement::whole() {
-  auto const value = integer();
-  if (!std::in_range<int>(value)) throw Error({.found = fmt::format("the number {}, which is too large", value)});
-  return static_cast<int>(value);
+void Statement::take(int& value) {
+  auto const stored = sqlite3_column_int64(statement_, next_++);
+  if (!std::in_range<int>(stored)) throw Error({.found = fmt::format("the number {}, which is too large", stored)});
+  value = static_cast<int>(stored);
 }
-
-double Statement::real() {
+void Statement::take(double& value) {
   bool const null = sqlite3_column_type(statement_, next_) == SQLITE_NULL;
-  double const value = sqlite3_column_double(statement_, next_++);
-  return null ? std::nan("") : value;
+  double const stored = sqlite3_column_double(statement_, next_++);
+  value = null ? std::nan("") : stored;
 }
-std::optional<double> Statement::optional_real() {
-  double const value = real();
-  return std::isnan(value) ? std::nullopt : std::optional(value);
+void Statement::take(std::optional<double>& value) {
+  double stored = 0.0;
+  take(stored);
+  value = std::isnan(stored) ? std::nullopt : std::optional(stored);
 }
-
-std::vector<double> Statement::reals() {
+void Statement::take(std::vector<double>& values) {
   auto const* bytes = sqlite3_column_blob(statement_, next_);
   auto const size = static_cast<std::size_t>(sqlite3_column_bytes(statement_, next_++));
   if (size % sizeof(double) != 0) throw Error({.found = fmt::format("a series of {} bytes", size)});
-  std::vector<double> values(size / sizeof(double));
-  if (!values.empty()) std::memcpy(values.data(), bytes, values.size() * sizeof(double));
-  return values;
+  values.resize(size / sizeof(double));
+  if (!values.empty()) std::memcpy(values.data(), bytes, size);
 }
 
 std::string Statement::whole_row() {

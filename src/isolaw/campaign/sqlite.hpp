@@ -53,30 +53,38 @@ class Statement {
   Statement& operator=(Statement const&) = delete;
   ~Statement();
 
-  Statement& bind(std::string_view text);
-  Statement& bind(std::size_t value);
-  Statement& bind(int value);
-  Statement& bind(double value);  // not a number is stored as NULL
-  Statement& bind(std::optional<double> value);
-  Statement& bind(std::vector<double> const& values);
+  // The next values, in order; not a number is stored as NULL.
+  Statement& bind(auto const&... values) {
+    (put(values), ...);
+    return *this;
+  }
   // Runs an INSERT or UPDATE and makes the statement ready for the next row.
   void insert();
 
   // The next row of a SELECT.
   bool row();
-  std::string text();
-  long long integer();
-  std::size_t index();
-  double real();
-  // Of a column that holds a count or a number of a run. Throws Error for one too large.
-  int whole();
-  std::optional<double> optional_real();
-  std::vector<double> reals();
+  // The next columns, in order. Throws Error for what does not fit: a count too large for an int, half a number.
+  void read(auto&... values) { (take(values), ...); }
+  std::string text();  // the next column
   // All values of the row, with their kinds.
   std::string whole_row();
 
  private:
-  Statement& check(int status);
+  void check(int status);
+  void put(std::string_view text);
+  void put(std::size_t value);
+  void put(int value);
+  void put(double value);
+  void put(std::optional<double> value);
+  void put(std::vector<double> const& values);
+  void take(std::string& text);
+  void take(long long& value);
+  void take(std::size_t& value);
+  void take(int& value);
+  void take(double& value);
+  void take(std::optional<double>& value);
+  void take(std::vector<double>& values);
+
   sqlite3* db_;
   sqlite3_stmt* statement_ = nullptr;
   int bound_ = 0;

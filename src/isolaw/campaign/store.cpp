@@ -56,14 +56,11 @@ void require_readable(Require&& require) {
 Run const& stored(Run const& run) {
   return run;
 }
-DeviceAnalysis stored(DeviceAnalysis const& a) {
-  return device_analysis(a.device, a.law, analysis_json(a));
-}
-LotAnalysis stored(LotAnalysis const& a) {
-  return lot_analysis(a.law, analysis_json(a));
-}
-LeftOutAnalysis stored(LeftOutAnalysis const& a) {
-  return left_out_analysis(a.device, a.law, analysis_json(a));
+template <class Analysis>
+Analysis stored(Analysis const& analysis) {
+  Analysis read = analysis;
+  read_analysis(analysis_json(analysis), read);
+  return read;
 }
 
 template <class Read>

@@ -87,6 +87,14 @@ std::string Override::text() const {
   return fmt::format("{}.{}={}:{}", law, parameter, interval->lower, interval->upper);
 }
 
+Override const* last_override(std::span<Override const> overrides, laws::LawEntry const& law,
+                              std::string_view parameter) {
+  auto const found = std::ranges::find_if(overrides.rbegin(), overrides.rend(), [&](Override const& each) {
+    return each.law == law.info.id && each.parameter == parameter;
+  });
+  return found == overrides.rend() ? nullptr : &*found;
+}
+
 Override parse_override(std::string_view text) {
   auto const where = fmt::format("--set {}", text);
   auto const equals = text.find('='), dot = text.find('.');
@@ -246,10 +254,7 @@ SearchBox make_box(laws::LawEntry const& law, BoxKind kind, laws::RecordScales c
                          .lower = interval.lower,
                          .upper = interval.upper,
                          .scale = from_paper ? laws::Scale::linear : info.scaled_search};
-    // The last word on a parameter counts.
-    Override const* change = nullptr;
-    for (auto const& candidate : overrides)
-      if (candidate.law == law.info.id && candidate.parameter == info.name) change = &candidate;
+    auto const* change = last_override(overrides, law, info.name);
     if (change != nullptr && !change->tied_to.empty()) {
       made.free = false;
       made.tied_to = law.index_of(change->tied_to);

@@ -27,6 +27,10 @@ struct Override {
   std::string text() const;  // as the user would type it
 };
 
+// Of the parameter, the last, which counts; nullptr: none.
+Override const* last_override(std::span<Override const> overrides, laws::LawEntry const& law,
+                              std::string_view parameter);
+
 // What a parameter may be, "above 0 kN/mm".
 std::string limits_text(laws::Interval const& limits, std::string_view unit);
 

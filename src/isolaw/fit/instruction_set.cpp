@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <ranges>
 #include <tuple>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/fit/kernels.hpp"
 #include "isolaw/laws/all_laws.hpp"
 
@@ -90,16 +92,13 @@ std::vector<InstructionSet> available_instruction_sets() {
 }
 
 InstructionSet parse_instruction_set(std::string_view text) {
-  std::string allowed;
-  for (auto const set : available_instruction_sets()) {
-    if (name(set) == text) return set;
-    allowed += (allowed.empty() ? "" : ", ") + std::string(name(set));
-  }
+  auto const sets = available_instruction_sets();
+  if (auto const found = std::ranges::find(sets, text, name); found != sets.end()) return *found;
   bool const known = std::ranges::find(candidates, text, &Candidate::name) != candidates.end();
   throw Error({.where = "ISOLAW_SIMD",
                .found = "'" + std::string(text) + "', " +
                         (known ? "which this processor cannot run" : "which is no instruction set"),
-               .allowed = allowed,
+               .allowed = joined(sets | std::views::transform(name)),
                .advice = "leave it unset: the fastest is chosen"});
 }
 

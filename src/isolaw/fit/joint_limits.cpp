@@ -7,14 +7,6 @@
 namespace isolaw::fit {
 namespace {
 
-// The last word on a parameter counts.
-Override const* change_of(std::span<Override const> overrides, laws::LawEntry const& law, std::string_view parameter) {
-  Override const* last = nullptr;
-  for (auto const& each : overrides)
-    if (each.law == law.info.id && each.parameter == parameter) last = &each;
-  return last;
-}
-
 // Whether a point of the box meets the limit: one of its corners does where any does.
 bool met_somewhere(laws::JointLimitEntry const& limit, SearchBox const& box) {
   std::vector<double> values;
@@ -43,7 +35,7 @@ void require_joint_limits(laws::LawEntry const& law, SearchBox const& box, std::
                          : p.free  ? fmt::format(" from {:.6g} to {:.6g}", p.lower, p.upper)
                                    : fmt::format(" = {:.6g}", p.value);
       found += (found.empty() ? "" : ", ") + p.name + value;
-      if (auto const* change = change_of(overrides, law, p.name)) asked += ' ' + change->text();
+      if (auto const* change = last_override(overrides, law, p.name)) asked += ' ' + change->text();
     }
     throw Error({.where = asked.empty() ? fmt::format("law {}", law.info.id) : "--set" + asked,
                  .found = std::move(found),
@@ -56,7 +48,7 @@ void require_joint_limits(laws::LawEntry const& law, std::span<Override const> o
   auto box = make_box(law, BoxKind::scaled, {1.0, 1.0, 1.0, 1.0, 1.0, 1.0}, overrides);
   for (std::size_t i = 0; i < box.parameters.size(); ++i) {
     auto& p = box.parameters[i];
-    auto const* change = change_of(overrides, law, p.name);
+    auto const* change = last_override(overrides, law, p.name);
     if (!p.free || (change != nullptr && change->interval)) continue;
     p.lower = law.parameters[i].physical.lower;
     p.upper = law.parameters[i].physical.upper;

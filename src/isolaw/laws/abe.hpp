@@ -21,82 +21,31 @@ namespace isolaw::laws {
 namespace abe_parts {
 
 // What the two laws' parameters have in common, by the parameter's name.
-inline constexpr ParameterInfo K1_info{.name = "K1",
-                                       .unit = "kN/mm",
-                                       .meaning = "initial elastic stiffness",
-                                       .physical = any_value,
-                                       .published = Interval{5.0, 10.0},
-                                       .scaled = {0.5, 20.0, stiffness}};
-inline constexpr ParameterInfo alpha_info{.name = "alpha",
-                                          .unit = "mm",
-                                          .meaning = "peak displacement over which it decays",
-                                          .physical = not_negative,
-                                          .published = Interval{0.0, 10.0},
-                                          .scaled = {0.001, 1.0, disp},
-                                          .scaled_search = Scale::logarithmic};
-inline constexpr ParameterInfo beta_info{.name = "beta",
-                                         .unit = "1",
-                                         .meaning = "share of it that remains",
-                                         .physical = any_value,
-                                         .published = Interval{0.01, 1.0},
-                                         .scaled = {0.01, 1.0, one}};
-inline constexpr ParameterInfo a_info{.name = "a",
-                                      .unit = "kN",
-                                      .meaning = "force of the rounded step at zero displacement",
-                                      .physical = any_value,
-                                      .published = Interval{0.5, 1.0},
-                                      .scaled = {0.0, 0.2, force}};
-inline constexpr ParameterInfo b_info{.name = "b",
-                                      .unit = "1/mm",
-                                      .meaning = "rate of that step",
-                                      .physical = not_negative,
-                                      .published = Interval{5.0, 10.0},
-                                      .scaled = {2.0, 2000.0, per_disp},
-                                      .scaled_search = Scale::logarithmic};
-inline constexpr ParameterInfo n_info{.name = "n",
-                                      .unit = "1",
-                                      .meaning = "sharpness of yielding",
-                                      .physical = positive,
-                                      .published = Interval{0.01, 0.5},
-                                      .scaled = {0.01, 1.0, one}};
-inline constexpr ParameterInfo Y0_info{.name = "Y0",
-                                       .unit = "kN",
-                                       .meaning = "yield force",
-                                       .physical = positive,
-                                       .published = Interval{10.0, 70.0},
-                                       .scaled = {0.02, 0.8, force}};
-inline constexpr ParameterInfo Uh_info{.name = "Uh",
-                                       .unit = "mm",
-                                       .meaning = "displacement at which hardening begins",
-                                       .physical = positive,
-                                       .published = Interval{50.0, 150.0},
-                                       .scaled = {0.2, 4.0, disp}};
-inline constexpr ParameterInfo U0_info{.name = "U0",
-                                       .unit = "mm",
-                                       .meaning = "yield displacement",
-                                       .physical = positive,
-                                       .published = Interval{2.0, 6.0},
-                                       .scaled = {0.005, 0.3, disp},
-                                       .scaled_search = Scale::logarithmic};
-inline constexpr ParameterInfo Us_info{.name = "Us",
-                                       .unit = "mm",
-                                       .meaning = "peak displacement over which it grows",
-                                       .physical = positive,
-                                       .published = Interval{5.0, 50.0},
-                                       .scaled = {0.01, 3.0, disp},
-                                       .scaled_search = Scale::logarithmic};
-inline constexpr ParameterInfo K2_info{.name = "K2",
-                                       .unit = "kN/mm",
-                                       .meaning = "hardening stiffness",
-                                       .physical = any_value,
-                                       .published = Interval{0.01, 0.5},
-                                       .scaled = {0.0, 1.2, stiffness}};
-inline constexpr ParameterInfo r_info{.name = "r",
-                                      .unit = "1",
-                                      .meaning = "exponent of the hardening force",
-                                      .physical = not_negative,
-                                      .published = Interval{0.01, 0.2},
-                                      .scaled = {0.01, 2.0, one}};
+inline constexpr ParameterInfo K1_info =
+    parameter("K1", "kN/mm", "initial elastic stiffness", any_value, Interval{5.0, 10.0}, {0.5, 20.0, stiffness});
+inline constexpr ParameterInfo alpha_info =
+    parameter("alpha", "mm", "peak displacement over which it decays", not_negative, Interval{0.0, 10.0},
+              {0.001, 1.0, disp}, Scale::logarithmic);
+inline constexpr ParameterInfo beta_info =
+    parameter("beta", "1", "share of it that remains", any_value, Interval{0.01, 1.0}, {0.01, 1.0, one});
+inline constexpr ParameterInfo a_info = parameter("a", "kN", "force of the rounded step at zero displacement",
+                                                  any_value, Interval{0.5, 1.0}, {0.0, 0.2, force});
+inline constexpr ParameterInfo b_info = parameter("b", "1/mm", "rate of that step", not_negative, Interval{5.0, 10.0},
+                                                  {2.0, 2000.0, per_disp}, Scale::logarithmic);
+inline constexpr ParameterInfo n_info =
+    parameter("n", "1", "sharpness of yielding", positive, Interval{0.01, 0.5}, {0.01, 1.0, one});
+inline constexpr ParameterInfo Y0_info =
+    parameter("Y0", "kN", "yield force", positive, Interval{10.0, 70.0}, {0.02, 0.8, force});
+inline constexpr ParameterInfo Uh_info =
+    parameter("Uh", "mm", "displacement at which hardening begins", positive, Interval{50.0, 150.0}, {0.2, 4.0, disp});
+inline constexpr ParameterInfo U0_info =
+    parameter("U0", "mm", "yield displacement", positive, Interval{2.0, 6.0}, {0.005, 0.3, disp}, Scale::logarithmic);
+inline constexpr ParameterInfo Us_info = parameter("Us", "mm", "peak displacement over which it grows", positive,
+                                                   Interval{5.0, 50.0}, {0.01, 3.0, disp}, Scale::logarithmic);
+inline constexpr ParameterInfo K2_info =
+    parameter("K2", "kN/mm", "hardening stiffness", any_value, Interval{0.01, 0.5}, {0.0, 1.2, stiffness});
+inline constexpr ParameterInfo r_info =
+    parameter("r", "1", "exponent of the hardening force", not_negative, Interval{0.01, 0.2}, {0.01, 2.0, one});
 
 inline constexpr NoForm beyond_programs{"yield force and displacement, which change with the peak so far"};
 
@@ -206,27 +155,22 @@ struct Abe {
   };
 
   template <class T>
-  static constexpr std::array rows{
-      Row<T, Params<T>>{&Params<T>::K1, abe_parts::K1_info},
-      Row<T, Params<T>>{&Params<T>::alpha, abe_parts::alpha_info},
-      Row<T, Params<T>>{&Params<T>::beta, abe_parts::beta_info},
-      Row<T, Params<T>>{&Params<T>::a, abe_parts::a_info},
-      Row<T, Params<T>>{&Params<T>::b, abe_parts::b_info},
-      Row<T, Params<T>>{&Params<T>::n, abe_parts::n_info},
-      Row<T, Params<T>>{&Params<T>::Y0, abe_parts::Y0_info},
-      Row<T, Params<T>>{&Params<T>::Uh, abe_parts::Uh_info},
-      Row<T, Params<T>>{&Params<T>::p,
-                        {.name = "p",
-                         .unit = "1",
-                         .meaning = "exponent of the growth of the yield force",
-                         .physical = not_negative,
-                         .published = Interval{0.01, 2.0},
-                         .scaled = {0.01, 3.0, one}}},
-      Row<T, Params<T>>{&Params<T>::U0, abe_parts::U0_info},
-      Row<T, Params<T>>{&Params<T>::Us, abe_parts::Us_info},
-      Row<T, Params<T>>{&Params<T>::K2, abe_parts::K2_info},
-      Row<T, Params<T>>{&Params<T>::r, abe_parts::r_info},
-  };
+  static constexpr auto rows = std::to_array<Row<T, Params<T>>>({
+      {&Params<T>::K1, abe_parts::K1_info},
+      {&Params<T>::alpha, abe_parts::alpha_info},
+      {&Params<T>::beta, abe_parts::beta_info},
+      {&Params<T>::a, abe_parts::a_info},
+      {&Params<T>::b, abe_parts::b_info},
+      {&Params<T>::n, abe_parts::n_info},
+      {&Params<T>::Y0, abe_parts::Y0_info},
+      {&Params<T>::Uh, abe_parts::Uh_info},
+      {&Params<T>::p, parameter("p", "1", "exponent of the growth of the yield force", not_negative,
+                                Interval{0.01, 2.0}, {0.01, 3.0, one})},
+      {&Params<T>::U0, abe_parts::U0_info},
+      {&Params<T>::Us, abe_parts::Us_info},
+      {&Params<T>::K2, abe_parts::K2_info},
+      {&Params<T>::r, abe_parts::r_info},
+  });
 
   static Canonical canonical(Params<double> const&) { return abe_parts::beyond_programs; }
 

@@ -29,20 +29,20 @@ struct AbeY0 {
   };
 
   template <class T>
-  static constexpr std::array rows{
-      Row<T, Params<T>>{&Params<T>::K1, abe_parts::K1_info},
-      Row<T, Params<T>>{&Params<T>::alpha, abe_parts::alpha_info},
-      Row<T, Params<T>>{&Params<T>::beta, abe_parts::beta_info},
-      Row<T, Params<T>>{&Params<T>::a, abe_parts::a_info},
-      Row<T, Params<T>>{&Params<T>::b, abe_parts::b_info},
-      Row<T, Params<T>>{&Params<T>::n, abe_parts::n_info},
-      Row<T, Params<T>>{&Params<T>::Y0, abe_parts::Y0_info},
-      Row<T, Params<T>>{&Params<T>::Uh, abe_parts::Uh_info},
-      Row<T, Params<T>>{&Params<T>::U0, abe_parts::U0_info},
-      Row<T, Params<T>>{&Params<T>::Us, abe_parts::Us_info},
-      Row<T, Params<T>>{&Params<T>::K2, abe_parts::K2_info},
-      Row<T, Params<T>>{&Params<T>::r, abe_parts::r_info},
-  };
+  static constexpr auto rows = std::to_array<Row<T, Params<T>>>({
+      {&Params<T>::K1, abe_parts::K1_info},
+      {&Params<T>::alpha, abe_parts::alpha_info},
+      {&Params<T>::beta, abe_parts::beta_info},
+      {&Params<T>::a, abe_parts::a_info},
+      {&Params<T>::b, abe_parts::b_info},
+      {&Params<T>::n, abe_parts::n_info},
+      {&Params<T>::Y0, abe_parts::Y0_info},
+      {&Params<T>::Uh, abe_parts::Uh_info},
+      {&Params<T>::U0, abe_parts::U0_info},
+      {&Params<T>::Us, abe_parts::Us_info},
+      {&Params<T>::K2, abe_parts::K2_info},
+      {&Params<T>::r, abe_parts::r_info},
+  });
 
   static Canonical canonical(Params<double> const&) { return abe_parts::beyond_programs; }
 

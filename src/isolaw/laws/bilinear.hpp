@@ -29,29 +29,14 @@ struct Bilinear {
   };
 
   template <class T>
-  static constexpr std::array rows{
-      Row<T, Params<T>>{&Params<T>::K1,
-                        {.name = "K1",
-                         .unit = "kN/mm",
-                         .meaning = "elastic stiffness",
-                         .physical = positive,
-                         .published = Interval{1.0, 1.9},
-                         .scaled = {1.0, 10.0, stiffness}}},
-      Row<T, Params<T>>{&Params<T>::K2,
-                        {.name = "K2",
-                         .unit = "kN/mm",
-                         .meaning = "post-elastic stiffness",
-                         .physical = any_value,
-                         .published = Interval{0.35, 0.95},
-                         .scaled = {0.05, 1.0, stiffness}}},
-      Row<T, Params<T>>{&Params<T>::xy,
-                        {.name = "xy",
-                         .unit = "mm",
-                         .meaning = "yield displacement",
-                         .physical = not_negative,
-                         .published = Interval{30.0, 80.0},
-                         .scaled = {0.01, 0.6, disp}}},
-  };
+  static constexpr auto rows = std::to_array<Row<T, Params<T>>>({
+      {&Params<T>::K1,
+       parameter("K1", "kN/mm", "elastic stiffness", positive, Interval{1.0, 1.9}, {1.0, 10.0, stiffness})},
+      {&Params<T>::K2,
+       parameter("K2", "kN/mm", "post-elastic stiffness", any_value, Interval{0.35, 0.95}, {0.05, 1.0, stiffness})},
+      {&Params<T>::xy,
+       parameter("xy", "mm", "yield displacement", not_negative, Interval{30.0, 80.0}, {0.01, 0.6, disp})},
+  });
 
   static constexpr std::array joint_limits{
       JointLimit<Params<double>>{"K1 >= K2", [](Params<double> const& p) { return p.K1 >= p.K2; }}};

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 #include <utility>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/laws/all_laws.hpp"
 
 namespace isolaw::laws {
@@ -71,14 +73,11 @@ LawEntry entry() {
 }  // namespace
 
 std::size_t LawEntry::index_of(std::string_view parameter) const {
-  std::string allowed;
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    if (parameters[i].name == parameter) return i;
-    allowed += (i == 0 ? "" : ", ") + std::string(parameters[i].name);
-  }
+  auto const found = std::ranges::find(parameters, parameter, &ParameterInfo::name);
+  if (found != parameters.end()) return static_cast<std::size_t>(found - parameters.begin());
   throw Error({.where = "law " + std::string(info.id),
                .found = "unknown parameter '" + std::string(parameter) + "'",
-               .allowed = allowed,
+               .allowed = joined(parameters | std::views::transform(&ParameterInfo::name)),
                .advice = "isolaw laws " + std::string(info.id)});
 }
 
@@ -104,13 +103,13 @@ std::span<LawEntry const> catalogue() {
 }
 
 LawEntry const& find_law(std::string_view id) {
-  std::string allowed;
-  for (auto const& law : catalogue()) {
-    if (law.info.id == id) return law;
-    allowed += (allowed.empty() ? "" : ", ") + std::string(law.info.id);
-  }
-  throw Error(
-      {.where = "law '" + std::string(id) + "'", .found = "no such law", .allowed = allowed, .advice = "isolaw laws"});
+  auto const id_of = [](LawEntry const& law) { return law.info.id; };
+  auto const found = std::ranges::find(catalogue(), id, id_of);
+  if (found != catalogue().end()) return *found;
+  throw Error({.where = "law '" + std::string(id) + "'",
+               .found = "no such law",
+               .allowed = joined(catalogue() | std::views::transform(id_of)),
+               .advice = "isolaw laws"});
 }
 
 }  // namespace isolaw::laws

@@ -80,6 +80,13 @@ struct ParameterInfo {
   std::optional<double> fixed_by_default = {};  // the value of a parameter that is not calibrated unless freed
 };
 
+// The same as a line of a law's table.
+constexpr ParameterInfo parameter(std::string_view name, std::string_view unit, std::string_view meaning,
+                                  Interval physical, std::optional<Interval> published, ScaledInterval scaled,
+                                  Scale scaled_search = Scale::linear, std::optional<double> fixed_by_default = {}) {
+  return {name, unit, meaning, physical, published, scaled, scaled_search, fixed_by_default};
+}
+
 template <class T, class Params>
 struct Row {
   T Params::*member;

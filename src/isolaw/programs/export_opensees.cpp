@@ -2,6 +2,9 @@
 // nothing; the check adds materials of its own and leaves the model as it is.
 #include <fmt/format.h>
 
+#include <ranges>
+
+#include "isolaw/base/words.hpp"
 #include "isolaw/programs/exports.hpp"
 #include "isolaw/programs/self_check.hpp"
 #include "isolaw/programs/text.hpp"
@@ -9,38 +12,17 @@
 namespace isolaw::programs {
 namespace {
 
-std::string numbers(Command const& command) {
-  std::string text;
-  for (std::size_t i = 0; i < command.arguments.size(); ++i) {
-    // maxIter is read as an integer.
-    bool const count = i == 10 && command.name == "BoucWen";
-    bool const count_original = i == 9 && command.name == "BoucWenOriginal";
-    text +=
-        " " + (count || count_original ? fmt::format("{:.0f}", command.arguments[i]) : exactly(command.arguments[i]));
-  }
-  return text;
-}
-
-std::string argument_names(Form const& form) {
-  std::string text;
-  for (auto const& command : form.commands) {
-    text += text.empty() ? "" : "; ";
-    text += command.name;
-    for (auto const& a : command.arguments) text += " " + a.name;
-  }
-  return text;
-}
-
 std::string body(CheckedForm const& form, CheckedVariant const& variant) {
   if (form.is_element) {
     auto const& c = variant.commands.back();
-    return fmt::format("      element {} $tag $i $j{} {{*}}$args\n", c.name, numbers(c));
+    return fmt::format("      element {} $tag $i $j{} {{*}}$args\n", c.name, argument_values(c, " "));
   }
   if (variant.commands.size() == 1)
-    return fmt::format("      uniaxialMaterial {} $tag{}\n", variant.commands[0].name, numbers(variant.commands[0]));
+    return fmt::format("      uniaxialMaterial {} $tag{}\n", variant.commands[0].name,
+                       argument_values(variant.commands[0], " "));
   return fmt::format("      uniaxialMaterial {} $inner{}\n      uniaxialMaterial {} $tag $inner{}\n",
-                     variant.commands[0].name, numbers(variant.commands[0]), variant.commands[1].name,
-                     numbers(variant.commands[1]));
+                     variant.commands[0].name, argument_values(variant.commands[0], " "), variant.commands[1].name,
+                     argument_values(variant.commands[1], " "));
 }
 
 std::string procedure(CheckedForm const& form) {
@@ -57,13 +39,10 @@ std::string procedure(CheckedForm const& form) {
   else
     text += fmt::format("  proc {} {{tag {{variant nominal}}}} {{\n", form.function);
   text += "    switch -- $variant {\n";
-  std::string names;
-  for (auto const& variant : form.variants) {
+  for (auto const& variant : form.variants)
     text += fmt::format("      {} {{\n  {}      }}\n", variant.name, body(form, variant));
-    names += (names.empty() ? "" : ", ") + variant.name;
-  }
-  text += fmt::format("      default {{ error \"no variant $variant; there is: {}\" }}\n    }}\n  }}\n\n", names);
-  return text;
+  return text + fmt::format("      default {{ error \"no variant $variant; there is: {}\" }}\n    }}\n  }}\n\n",
+                            joined(form.variants | std::views::transform(&CheckedVariant::name)));
 }
 
 std::string check_procedure(SelfCheck const& check) {

@@ -1,6 +1,9 @@
 // OpenSeesPy: a module with the same functions as the Tcl export; run as a program it checks itself.
 #include <fmt/format.h>
 
+#include <ranges>
+
+#include "isolaw/base/words.hpp"
 #include "isolaw/programs/exports.hpp"
 #include "isolaw/programs/self_check.hpp"
 #include "isolaw/programs/text.hpp"
@@ -8,43 +11,29 @@
 namespace isolaw::programs {
 namespace {
 
-std::string numbers(Command const& command) {
-  std::string text;
-  for (std::size_t i = 0; i < command.arguments.size(); ++i) {
-    bool const count = (i == 10 && command.name == "BoucWen") || (i == 9 && command.name == "BoucWenOriginal");
-    text += ", " + (count ? fmt::format("{:.0f}", command.arguments[i]) : exactly(command.arguments[i]));
-  }
-  return text;
-}
-
 std::string function(CheckedForm const& form) {
-  std::string names;
-  for (auto const& command : form.form->commands) {
-    names += (names.empty() ? "" : "; ") + command.name;
-    for (auto const& a : command.arguments) names += " " + a.name;
-  }
   std::string text = form.is_element ? std::string("def bearing(tag, i, j, variant, *rest):\n")
                                      : fmt::format("def {}(tag, variant=\"nominal\"):\n", form.function);
-  text += fmt::format("    \"\"\"{}: {}{}\"\"\"\n", form.form->title, names,
+  text += fmt::format("    \"\"\"{}: {}{}\"\"\"\n", form.form->title, argument_names(*form.form),
                       form.is_element                  ? "; rest: '-P', 1, '-Mz', 2 and so on"
                       : form.form->commands.size() > 1 ? "; uses tag + 1 too"
                                                        : "");
-  std::string known;
   for (auto const& variant : form.variants) {
     auto const& c = variant.commands;
     text += fmt::format("    if variant == \"{}\":\n", variant.name);
     if (form.is_element)
-      text += fmt::format("        ops.element(\"{}\", tag, i, j{}, *rest)\n", c.back().name, numbers(c.back()));
+      text += fmt::format("        ops.element(\"{}\", tag, i, j{}, *rest)\n", c.back().name,
+                          argument_values(c.back(), ", "));
     else if (c.size() == 1)
-      text += fmt::format("        ops.uniaxialMaterial(\"{}\", tag{})\n", c[0].name, numbers(c[0]));
+      text += fmt::format("        ops.uniaxialMaterial(\"{}\", tag{})\n", c[0].name, argument_values(c[0], ", "));
     else
       text += fmt::format(
           "        ops.uniaxialMaterial(\"{}\", tag + 1{})\n        ops.uniaxialMaterial(\"{}\", tag, tag + 1{})\n",
-          c[0].name, numbers(c[0]), c[1].name, numbers(c[1]));
+          c[0].name, argument_values(c[0], ", "), c[1].name, argument_values(c[1], ", "));
     text += "        return\n";
-    known += (known.empty() ? "" : ", ") + variant.name;
   }
-  return text + fmt::format("    raise ValueError(f\"no variant {{variant!r}}; there is: {}\")\n\n\n", known);
+  return text + fmt::format("    raise ValueError(f\"no variant {{variant!r}}; there is: {}\")\n\n\n",
+                            joined(form.variants | std::views::transform(&CheckedVariant::name)));
 }
 
 }  // namespace

@@ -9,12 +9,16 @@
 
 #include <cctype>
 #include <cmath>
+#include <functional>
 
 #include "isolaw/programs/exports.hpp"
 #include "isolaw/programs/text.hpp"
 
 namespace isolaw::programs {
 namespace {
+
+using Wen = laws::BoucWenForm;
+using Corner = laws::BilinearForm;
 
 // A substitute with the values of its three variants.
 template <class Values>
@@ -36,7 +40,7 @@ std::string fitted_text(std::string_view what, Deviation const& error) {
   return fmt::format("{}: {}", what, deviation_text(error));
 }
 
-std::vector<double> parameters_of(laws::BoucWenForm const& v) {
+std::vector<double> parameters_of(Wen const& v) {
   auto const& law = laws::find_law(smooth_law);
   std::vector<double> p(law.parameters.size());
   p[law.index_of("alpha")] = v.alpha;
@@ -51,13 +55,13 @@ std::vector<double> parameters_of(laws::BoucWenForm const& v) {
 constexpr double sharpest = 20.0;  // exponent of a corner
 
 // Bouc-Wen that stands for a bilinear loop.
-laws::BoucWenForm sharp(laws::BilinearForm const& v) {
+Wen sharp(Corner const& v) {
   double const half = 0.5 * std::pow(v.uy, -sharpest);
   return {.alpha = v.K2 / v.K1, .Ke = v.K1, .beta = half, .gamma = half, .n = sharpest};
 }
 
-std::optional<laws::BoucWenForm> fitted_bouc_wen(Subject const& subject, std::vector<fit::Override> const& overrides,
-                                                 Deviation& error) {
+std::optional<Wen> fitted_bouc_wen(Subject const& subject, std::vector<fit::Override> const& overrides,
+                                   Deviation& error) {
   auto const found = fit_in_place(subject, smooth_law, overrides);
   if (found.law == nullptr) return std::nullopt;
   error = deviation_of_law(subject, *found.law, found.parameters);
@@ -71,7 +75,8 @@ fit::Override tie_gamma() {
   return {.law = std::string(smooth_law), .parameter = "gamma", .interval = std::nullopt, .tied_to = "beta"};
 }
 
-using WenSet = std::optional<Set<laws::BoucWenForm>>;
+using WenSet = std::optional<Set<Wen>>;
+using CornerSet = std::optional<Set<Corner>>;
 
 // With beta = gamma and an exponent of 1 to 20.
 WenSet plastic_wen(Subject const& subject) {
@@ -112,7 +117,7 @@ WenSet free_bouc_wen(Subject const& subject, WenSet const& wen) {
   return with_bounds(subject, *found, fitted_text("re-fitted; from the law", error));
 }
 
-std::optional<Set<laws::BilinearForm>> bilinear(Subject const& subject) {
+CornerSet bilinear(Subject const& subject) {
   if (auto const v = bilinear_values(*subject.law, subject.parameters)) return with_bounds(subject, *v, "exact");
   auto const found = fit_in_place(subject, corner_law);
   if (found.law == nullptr) return std::nullopt;
@@ -137,13 +142,13 @@ class Page {
     text_ += "|---|---|---:|";
     text_ += std::string(subject_.bounds.lower ? "---:|" : "") + (subject_.bounds.upper ? "---:|" : "") + "---|\n";
   }
-  // `get` makes a number in kN^force mm^length of a variant's values.
+  // `get`, a member or a function of a variant's values, is a number in kN^force mm^length.
   template <class Values, class Get>
   void row(std::string_view symbol, double force, double length, Set<Values> const& set, Get&& get,
            std::string_view note = {}) {
     text_ += fmt::format("| {} | {} |", symbol, unit(force, length));
     auto const cell = [&](Values const& v) {
-      text_ += fmt::format(" {:.6g} |", units_.convert(get(v), force, length));
+      text_ += fmt::format(" {:.6g} |", units_.convert(std::invoke(get, v), force, length));
     };
     cell(set.nominal);
     if (set.lower) cell(*set.lower);
@@ -166,26 +171,22 @@ class Page {
   std::string text_;
 };
 
-void wen_rows(Page& page, Set<laws::BoucWenForm> const& set, std::string_view k, std::string_view Fy,
-              std::string_view r, std::string_view exponent) {
+void wen_rows(Page& page, Set<Wen> const& set, std::string_view k, std::string_view Fy, std::string_view r,
+              std::string_view exponent) {
   page.values_header();
-  page.row(
-      k, 1, -1, set, [](auto const& v) { return v.Ke; }, "stiffness before yielding");
+  page.row(k, 1, -1, set, &Wen::Ke, "stiffness before yielding");
   page.row(
       Fy, 1, 0, set, [](auto const& v) { return v.Ke * v.z_max(); }, "yield force");
-  page.row(
-      r, 0, 0, set, [](auto const& v) { return v.alpha; }, "stiffness after over before yielding");
-  if (!exponent.empty())
-    page.row(
-        exponent, 0, 0, set, [](auto const& v) { return v.n; }, "sharpness of yielding");
+  page.row(r, 0, 0, set, &Wen::alpha, "stiffness after over before yielding");
+  if (!exponent.empty()) page.row(exponent, 0, 0, set, &Wen::n, "sharpness of yielding");
 }
 
-double share_of_beta(laws::BoucWenForm const& v) {
+double share_of_beta(Wen const& v) {
   return v.beta / (v.beta + v.gamma);
 }
 
-void csi(Page& page, Subject const& subject, WenSet const& wen, WenSet const& rubber,
-         std::optional<Set<laws::BilinearForm>> const& corner, UnitSystem const& units) {
+void csi(Page& page, Subject const& subject, WenSet const& wen, WenSet const& rubber, CornerSet const& corner,
+         UnitSystem const& units) {
   page.heading("SAP2000, ETABS");
   if (subject.K_eff_kN_per_mm) {
     page.line(fmt::format(
@@ -211,7 +212,7 @@ void csi(Page& page, Subject const& subject, WenSet const& wen, WenSet const& ru
         corner->how));
     page.values_header();
     double const far = 2.0 * subject.tested.disp_mm;
-    page.row("Displ 1", 0, 1, *corner, [](auto const& v) { return v.uy; });
+    page.row("Displ 1", 0, 1, *corner, &Corner::uy);
     page.row("Force 1", 1, 0, *corner, [](auto const& v) { return v.K1 * v.uy; });
     page.row(
         "Displ 2", 0, 1, *corner, [&](auto const&) { return far; }, "twice the tested displacement");
@@ -226,7 +227,7 @@ std::string capitalised(std::string text) {
   return text;
 }
 
-void others(Page& page, WenSet const& wen, std::optional<Set<laws::BilinearForm>> const& corner) {
+void others(Page& page, WenSet const& wen, CornerSet const& corner) {
   if (wen) {
     page.heading("MIDAS, general link, Hysteretic System");
     page.line(fmt::format(
@@ -239,14 +240,14 @@ void others(Page& page, WenSet const& wen, std::optional<Set<laws::BilinearForm>
     page.heading("SeismoStruct, elastomeric bearing (Bouc-Wen)");
     page.line(fmt::format("{}. Arguments as in OpenSees elastomericBearingBoucWen.\n", capitalised(wen->how)));
     page.values_header();
-    page.row("kInit", 1, -1, *wen, [](auto const& v) { return v.Ke; });
+    page.row("kInit", 1, -1, *wen, &Wen::Ke);
     page.row(
         "qd", 1, 0, *wen, [](auto const& v) { return (1.0 - v.alpha) * v.Ke * v.z_max(); }, "characteristic strength");
-    page.row("alpha1", 0, 0, *wen, [](auto const& v) { return v.alpha; });
+    page.row("alpha1", 0, 0, *wen, &Wen::alpha);
     page.row("alpha2", 0, 0, *wen, [](auto const&) { return 0.0; });
     page.row(
         "mu", 0, 0, *wen, [](auto const&) { return 2.0; }, "of no effect with alpha2 = 0");
-    page.row("eta", 0, 0, *wen, [](auto const& v) { return v.n; });
+    page.row("eta", 0, 0, *wen, &Wen::n);
     page.row("beta", 0, 0, *wen, share_of_beta, "multiplies the sign");
     page.row("gamma", 0, 0, *wen, [](auto const& v) { return 1.0 - share_of_beta(v); });
   }
@@ -255,7 +256,7 @@ void others(Page& page, WenSet const& wen, std::optional<Set<laws::BilinearForm>
     page.line(fmt::format("{}. Kinematic hardening, linear: force at yield against plastic motion.\n",
                           capitalised(corner->how)));
     page.values_header();
-    page.row("elasticity", 1, -1, *corner, [](auto const& v) { return v.K1; });
+    page.row("elasticity", 1, -1, *corner, &Corner::K1);
     page.row("yield force at plastic motion 0", 1, 0, *corner, [](auto const& v) { return v.K1 * v.uy; });
     page.row(
         "hardening slope", 1, -1, *corner, [](auto const& v) { return v.K1 * v.K2 / (v.K1 - v.K2); },

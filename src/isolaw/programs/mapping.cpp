@@ -6,6 +6,8 @@
 #include <utility>
 #include <variant>
 
+#include "isolaw/base/words.hpp"
+
 namespace isolaw::programs {
 namespace {
 
@@ -17,9 +19,7 @@ Form steel01(laws::BilinearForm const& v) {
   return {.id = "material",
           .title = "uniaxialMaterial Steel01",
           .exactness = Exactness::every_step,
-          .commands = {{"Steel01", {{"Fy", v.K1 * v.uy, 1, 0}, {"E0", v.K1, 1, -1}, {"b", v.K2 / v.K1, 0, 0}}}},
-          .condition = {},
-          .longest_travel_mm = {}};
+          .commands = {{"Steel01", {{"Fy", v.K1 * v.uy, 1, 0}, {"E0", v.K1, 1, -1}, {"b", v.K2 / v.K1, 0, 0}}}}};
 }
 
 Form bearing_plasticity(laws::BilinearForm const& v) {
@@ -32,8 +32,7 @@ Form bearing_plasticity(laws::BilinearForm const& v) {
                          {"alpha1", v.K2 / v.K1, 0, 0},
                          {"alpha2", 0.0, 0, 0},
                          {"mu", 2.0, 0, 0}}}},
-          .condition = "coupled in the bearing's plane; checked here along one axis",
-          .longest_travel_mm = {}};
+          .condition = "coupled in the bearing's plane; checked here along one axis"};
 }
 
 // gamma before beta, and z a length: beta and gamma are in 1/length^n.
@@ -52,9 +51,7 @@ Form bouc_wen(laws::BoucWenForm const& v) {
                          {"deltaNu", 0.0, 0, 0},
                          {"deltaEta", 0.0, 0, 0},
                          {"tol", 1e-9 * v.z_max(), 0, 1},
-                         {"maxIter", 100.0, 0, 0}}}},
-          .condition = {},
-          .longest_travel_mm = {}};
+                         {"maxIter", 100.0, 0, 0}}}}};
 }
 
 // beta before gamma, z without dimension: z = 1 at the yield displacement, here that of saturation.
@@ -73,9 +70,7 @@ Form bouc_wen_original(laws::BoucWenForm const& v) {
                          {"beta", v.beta * scale, 0, 0},
                          {"gamma", v.gamma * scale, 0, 0},
                          {"tol", 1e-9, 0, 0},
-                         {"maxIter", 100.0, 0, 0}}}},
-          .condition = {},
-          .longest_travel_mm = {}};
+                         {"maxIter", 100.0, 0, 0}}}}};
 }
 
 Form bearing_bouc_wen(laws::BoucWenForm const& v) {
@@ -92,8 +87,7 @@ Form bearing_bouc_wen(laws::BoucWenForm const& v) {
                          {"eta", v.n, 0, 0},
                          {"beta", v.beta * scale, 0, 0},
                          {"gamma", v.gamma * scale, 0, 0}}}},
-          .condition = "coupled in the bearing's plane; checked here along one axis",
-          .longest_travel_mm = {}};
+          .condition = "coupled in the bearing's plane; checked here along one axis"};
 }
 
 std::vector<Form> bouc_wen_forms(laws::BoucWenForm const& v) {
@@ -137,10 +131,9 @@ std::string no_material_of(laws::LawEntry const& law, laws::LimitCurvesForm cons
   if (up.sigmoid != 0.0 || down.sigmoid != 0.0)
     return "the sigmoid of the limit curves, which is not 0, is in no material of OpenSees";
   bool const no_hardening = up.beta1 == 0.0 && down.beta1 == 0.0;
-  std::string differing;
+  std::vector<std::string> differing;
   auto const compare = [&](std::string_view name, double loading, double unloading) {
-    if (loading != unloading)
-      differing += fmt::format("{}{} {:.5g} and {:.5g}", differing.empty() ? "" : ", ", name, loading, unloading);
+    if (loading != unloading) differing.push_back(fmt::format("{} {:.5g} and {:.5g}", name, loading, unloading));
   };
   compare("Kb", up.Kb, down.Kb);
   compare("f0", up.f0, down.f0);
@@ -150,7 +143,7 @@ std::string no_material_of(laws::LawEntry const& law, laws::LimitCurvesForm cons
   if (!differing.empty())
     return fmt::format(
         "loading and unloading differ (in kN and mm: {}), and HystereticAsym has one set of limit curves; calibrated with --set {}.Kb-=Kb+, and likewise for f0, alpha, beta1 and beta2, the law has one set too",
-        differing, law.info.id);
+        joined(differing), law.info.id);
   if (!(up.alpha > 0.0 && up.f0 > 0.0)) return "without hysteresis (alpha or f0 is 0) there is no such material";
   return {};
 }
@@ -242,10 +235,9 @@ laws::BoucWenForm scaled(laws::BoucWenForm v, BoundFactors const& scale) {
 std::vector<Command> in_units(Form const& form, UnitSystem const& units) {
   std::vector<Command> made;
   for (auto const& command : form.commands) {
-    Command converted{.name = command.name, .arguments = {}};
+    auto& converted = made.emplace_back(Command{.name = command.name, .arguments = {}});
     for (auto const& a : command.arguments)
       converted.arguments.push_back(units.convert(a.value, a.force_power, a.length_power));
-    made.push_back(std::move(converted));
   }
   return made;
 }
@@ -266,12 +258,6 @@ std::optional<laws::BoucWenForm> bouc_wen_values(laws::LawEntry const& law, std:
 
 Mapping map_law(laws::LawEntry const& law, std::span<double const> parameters, BoundFactors const& scale) {
   return std::visit(ToForms{law, scale}, canonical(law, parameters));
-}
-
-bool has_separate_parts(laws::LawEntry const& law, std::span<double const> parameters) {
-  auto const form = canonical(law, parameters);
-  if (auto const* curves = std::get_if<laws::LimitCurvesForm>(&form)) return no_material_of(law, *curves).empty();
-  return !std::holds_alternative<laws::NoForm>(form);
 }
 
 }  // namespace isolaw::programs

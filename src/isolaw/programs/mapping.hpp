@@ -33,9 +33,9 @@ struct Form {
   std::string title;
   Exactness exactness = Exactness::every_step;
   std::vector<MappedCommand> commands;
-  std::string condition;  // where it holds, beyond the records; "" for everywhere
+  std::string condition = {};  // where it holds, beyond the records; "" for everywhere
   // The longest travel in one direction that it stands, in mm; empty: any.
-  std::optional<double> longest_travel_mm;
+  std::optional<double> longest_travel_mm = {};
 };
 
 std::vector<Command> in_units(Form const& form, UnitSystem const& units);
@@ -48,9 +48,6 @@ struct Mapping {
 // The exact forms of a law, its parameters in its own units. `scale` multiplies the part of the force that grows with
 // displacement and the hysteretic part; laws whose parameters cannot tell them apart take `stiffness` for all.
 Mapping map_law(laws::LawEntry const& law, std::span<double const> parameters, BoundFactors const& scale = {});
-
-// Whether the two factors can act on the law's parts by themselves.
-bool has_separate_parts(laws::LawEntry const& law, std::span<double const> parameters);
 
 laws::BilinearForm scaled(laws::BilinearForm values, BoundFactors const& scale);
 laws::BoucWenForm scaled(laws::BoucWenForm values, BoundFactors const& scale);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -174,17 +175,10 @@ Realisation refit(Subject const& subject, Realisation made) {
 }  // namespace
 
 std::string_view name(Fidelity fidelity) {
-  switch (fidelity) {
-    case Fidelity::exact:
-      return "exact";
-    case Fidelity::exact_in_limit:
-      return "exact as the step goes to zero";
-    case Fidelity::refitted:
-      return "re-fitted";
-    case Fidelity::not_available:
-      return "not available";
-  }
-  return "";
+  // In the order of Fidelity.
+  static constexpr std::array<std::string_view, 4> names{"exact", "exact as the step goes to zero", "re-fitted",
+                                                         "not available"};
+  return names.at(static_cast<std::size_t>(fidelity));
 }
 
 Deviation deviation(History const& history, std::span<double const> force, std::span<double const> other) {

@@ -1,7 +1,6 @@
 #include "isolaw/programs/subject.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -10,7 +9,9 @@
 #include <numbers>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/campaign/maker.hpp"
+#include "isolaw/fit/objective.hpp"
 
 namespace isolaw::programs {
 namespace {
@@ -78,10 +79,6 @@ void add_tested(Tested& tested, study::DeviceResult const& device) {
     widen(tested.load_min_kN, tested.load_max_kN, low, high);
   }
   widen(tested.temperature_min_C, tested.temperature_max_C, device.temperature_C, device.temperature_C);
-}
-
-std::string list_of(std::vector<std::string> const& names) {
-  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 rules::LotQuantity const* quantity_of(study::Summary const& summary, rules::Quantity quantity) {
@@ -288,15 +285,14 @@ std::string plain_name(std::string_view name) {
 }
 
 std::vector<double> law_force(laws::LawEntry const& law, std::span<double const> parameters, History const& history) {
-  auto const in_law_units = [&](std::vector<double> values) {
-    for (double& v : values) v /= law.info.length.in_record_units;
-    return values;
-  };
-  auto const path = laws::make_path(in_law_units(history.disp_mm), in_law_units(history.vel_mm_s), history.refinement);
-  std::vector<double> force(history.disp_mm.size());
-  law.evaluate(parameters, path, laws::Integration::converged, force);
-  for (double& f : force) f *= law.info.force.in_record_units;
-  return force;
+  data::FitRecord const motion{.time_s = history.time_s,
+                               .disp_mm = history.disp_mm,
+                               .vel_mm_s = history.vel_mm_s,
+                               .force_kN = {},
+                               .cleaning = {}};
+  return fit::LawOnMotion(law, motion, laws::Integration::converged, laws::TurningPoints::as_sampled,
+                          history.refinement)
+      .force_kN(parameters);
 }
 
 Subject make_subject(campaign::Contents const& contents, study::Summary const& summary, std::string_view law,
@@ -306,7 +302,7 @@ Subject make_subject(campaign::Contents const& contents, study::Summary const& s
   if (std::ranges::find(contents.settings.laws, law) == contents.settings.laws.end())
     throw Error({.where = "law " + std::string(law),
                  .found = "the law is not in this campaign",
-                 .allowed = list_of(contents.settings.laws)});
+                 .allowed = joined(contents.settings.laws)});
   subject.version = summary.version;
   subject.makers = campaign::text(std::span(summary.makers));
   subject.title = contents.title;
@@ -325,7 +321,7 @@ Subject make_subject(campaign::Contents const& contents, study::Summary const& s
     std::vector<std::string> names;
     for (auto const& other : contents.devices) names.push_back(other.name);
     names.emplace_back("lot");
-    throw Error({.where = where, .found = "no such device in this campaign", .allowed = list_of(names)});
+    throw Error({.where = where, .found = "no such device in this campaign", .allowed = joined(names)});
   }
   if (subject.lot)
     add_lot_parameters(subject, contents, where);

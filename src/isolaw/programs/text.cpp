@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
 
 namespace isolaw::programs {
 namespace {
@@ -94,18 +96,36 @@ std::string exactly(double value) {
   return text;
 }
 
+std::string argument_values(Command const& command, std::string_view separator) {
+  std::string text;
+  for (std::size_t i = 0; i < command.arguments.size(); ++i) {
+    // maxIter is read as an integer.
+    bool const count = (i == 10 && command.name == "BoucWen") || (i == 9 && command.name == "BoucWenOriginal");
+    text += separator;
+    text += count ? fmt::format("{:.0f}", command.arguments[i]) : exactly(command.arguments[i]);
+  }
+  return text;
+}
+
+std::string argument_names(Form const& form) {
+  return joined(form.commands | std::views::transform([](MappedCommand const& command) {
+                  return command.name + " " + joined(command.arguments | std::views::transform(&Argument::name), " ");
+                }),
+                "; ");
+}
+
 std::string briefly(double value) {
   return fmt::format("{:.5g}", value);
 }
 
 std::string parameter_text(laws::LawEntry const& law, std::span<double const> parameters) {
-  std::string text;
+  std::vector<std::string> texts;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     auto const& p = law.parameters[i];
-    text += fmt::format("{}{} = {}{}", i == 0 ? "" : ", ", p.name, exactly(parameters[i]),
-                        p.unit == "1" ? "" : " " + std::string(p.unit));
+    texts.push_back(fmt::format("{} = {}{}{}", p.name, exactly(parameters[i]), p.unit == "1" ? "" : " ",
+                                p.unit == "1" ? "" : p.unit));
   }
-  return text;
+  return joined(texts);
 }
 
 std::string deviation_text(Deviation const& d) {

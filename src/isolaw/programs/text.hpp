@@ -20,6 +20,10 @@ std::string identifier(Subject const& subject);
 
 // Shortest text that reads back as the same number.
 std::string exactly(double value);
+// The arguments of a command in a script, each behind the separator.
+std::string argument_values(Command const& command, std::string_view separator);
+// "Command argument argument; Command ...".
+std::string argument_names(Form const& form);
 // For people: five significant digits.
 std::string briefly(double value);
 

@@ -1,9 +1,9 @@
 #include "isolaw/rules/assess.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "isolaw/base/words.hpp"
@@ -18,12 +18,6 @@ bool is_at_least(double value, double bound) {
 }
 bool is_at_most(double value, double bound) {
   return value <= bound + slack * std::abs(bound);
-}
-
-// What may be said of values that cannot be compared: nothing.
-void leave_out(Assessment& assessment, std::string reason) {
-  assessment.verdict = Verdict::not_assessed;
-  assessment.reason = std::move(reason);
 }
 
 std::string missing_design(Quantity quantity) {
@@ -45,30 +39,16 @@ void assess_limit(RuleSet const& rules, Limit const& limit, BlockValues const& b
                   std::vector<std::string> const& unmet, std::vector<Assessment>& out) {
   for (auto const& derived : derive(rules, limit.quantity, block)) {
     auto made = compared(derived, limit.quantity, design);
-    made.clause = limit.clause;
-    made.limit = limit_text(limit.lower_percent, limit.upper_percent);
-    if (made.deviation_percent)
-      made.deviation = deviation_text(*made.deviation_percent, limit.lower_percent, limit.upper_percent);
-    if (!made.value)
-      leave_out(made, derived.reason);
-    else if (!made.nominal)
-      leave_out(made, missing_design(limit.quantity));
-    else
-      give_verdict(made, rules, is_within(*made.value, *made.nominal, limit.lower_percent, limit.upper_percent), unmet);
+    hold_to(made, rules, limit, derived.reason, unmet);
     out.push_back(std::move(made));
   }
 }
 
 std::string_view measure_text(Measure measure) {
-  switch (measure) {
-    case Measure::min_over_max:
-      return "lowest over highest";
-    case Measure::change_from_first:
-      return "largest change from the first";
-    case Measure::loss_from_first:
-      break;
-  }
-  return "largest loss from the first";
+  // In the order of Measure.
+  static constexpr std::array<std::string_view, 3> texts{"lowest over highest", "largest change from the first",
+                                                         "largest loss from the first"};
+  return texts.at(static_cast<std::size_t>(measure));
 }
 
 // nullopt where a cycle is missing or no positive number.
@@ -101,8 +81,8 @@ Assessment assess_stability(RuleSet const& rules, StabilityLimit const& limit, B
     give_verdict(made, rules, is_ratio ? is_at_least(*made.value, limit.bound) : is_at_most(*made.value, limit.bound),
                  unmet);
   else
-    leave_out(made, fmt::format("cycles {} to {} needed; block {} holds {} counted", limit.first, limit.last,
-                                block.number, block.cycles.size()));
+    made.reason = fmt::format("cycles {} to {} needed; block {} holds {} counted", limit.first, limit.last,
+                              block.number, block.cycles.size());
   return made;
 }
 
@@ -120,11 +100,11 @@ void assess_load(RuleSet const& rules, LoadVariation const& limit, Design const&
     auto const at_largest = loads ? device_value(rules, quantity, loads->largest) : std::nullopt;
     auto const at_smallest = loads ? device_value(rules, quantity, loads->smallest) : std::nullopt;
     if (!loads) {
-      leave_out(made, "needs the same test at the largest and at the smallest vertical load");
+      made.reason = "needs the same test at the largest and at the smallest vertical load";
     } else if (!at_largest || !at_smallest) {
-      leave_out(made, "the cycles that count are missing at one of the loads");
+      made.reason = "the cycles that count are missing at one of the loads";
     } else if (!nominal) {
-      leave_out(made, missing_design(quantity));
+      made.reason = missing_design(quantity);
     } else {
       made.value = 100.0 * std::abs(*at_largest - *at_smallest) / *nominal;
       give_verdict(made, rules, is_at_most(*made.value, limit.largest_percent), unmet);
@@ -155,17 +135,9 @@ bool has_limit(RuleSet const& rules, Quantity quantity) {
 }  // namespace
 
 std::string_view name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::pass:
-      return "pass";
-    case Verdict::fail:
-      return "fail";
-    case Verdict::information:
-      return "information";
-    case Verdict::not_assessed:
-      break;
-  }
-  return "not assessed";
+  // In the order of Verdict.
+  static constexpr std::array<std::string_view, 4> names{"pass", "fail", "information", "not assessed"};
+  return names.at(static_cast<std::size_t>(verdict));
 }
 
 bool is_within(double value, double nominal, std::optional<double> lower_percent, std::optional<double> upper_percent) {
@@ -203,12 +175,26 @@ void give_verdict(Assessment& assessment, RuleSet const& rules, bool holds, std:
   if (!rules.verified()) {
     assessment.verdict = Verdict::information;
     assessment.reason = fmt::format("the limits of {} are not verified", rules.id);
-    if (!unmet.empty()) assessment.reason += fmt::format("; {}", fmt::join(unmet, "; "));
+    if (!unmet.empty()) assessment.reason += "; " + joined(unmet, "; ");
   } else if (!unmet.empty()) {
-    leave_out(assessment, fmt::format("{}", fmt::join(unmet, "; ")));
+    assessment.reason = joined(unmet, "; ");
   } else {
     assessment.verdict = holds ? Verdict::pass : Verdict::fail;
   }
+}
+
+void hold_to(Assessment& assessment, RuleSet const& rules, Limit const& limit, std::string_view without,
+             std::vector<std::string> const& unmet) {
+  auto const &lower = limit.lower_percent, &upper = limit.upper_percent;
+  assessment.clause = limit.clause;
+  assessment.limit = limit_text(lower, upper);
+  if (assessment.deviation_percent) assessment.deviation = deviation_text(*assessment.deviation_percent, lower, upper);
+  if (!assessment.value)
+    assessment.reason = without;
+  else if (!assessment.nominal)
+    assessment.reason = missing_design(limit.quantity);
+  else
+    give_verdict(assessment, rules, is_within(*assessment.value, *assessment.nominal, lower, upper), unmet);
 }
 
 std::vector<Assessment> assess(RuleSet const& rules, BlockValues const& block, Design const& design,

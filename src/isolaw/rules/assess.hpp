@@ -57,4 +57,8 @@ std::string deviation_text(double deviation_percent, std::optional<double> lower
 // information or not assessed with the reason.
 void give_verdict(Assessment& assessment, RuleSet const& rules, bool holds, std::vector<std::string> const& unmet);
 
+// The same of value and design value held to a limit, with its clause and texts; `without` says why there is no value.
+void hold_to(Assessment& assessment, RuleSet const& rules, Limit const& limit, std::string_view without,
+             std::vector<std::string> const& unmet);
+
 }  // namespace isolaw::rules

@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 
 #include "isolaw/base/embedded.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/file.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/rules/rule_set.hpp"
 
 namespace isolaw::rules {
@@ -15,13 +17,10 @@ std::span<Embedded const> files();
 
 namespace {
 
-struct Text {
-  std::string_view name, toml;
-};
-
-std::vector<Text> const& texts() {
-  static std::vector<Text> const all = [] {
-    std::vector<Text> made;
+// Named without the extension.
+std::vector<Embedded> const& texts() {
+  static std::vector<Embedded> const all = [] {
+    std::vector<Embedded> made;
     for (auto const& file : files()) made.push_back({file.name.substr(0, file.name.rfind('.')), file.text});
     return made;
   }();
@@ -30,14 +29,9 @@ std::vector<Text> const& texts() {
 
 constexpr std::string_view template_name = "template";
 
-std::string names(bool with_template) {
-  std::string list;
-  for (auto const& text : texts())
-    if (with_template || text.name != template_name) list += (list.empty() ? "" : ", ") + std::string(text.name);
-  return list;
-}
+}  // namespace
 
-std::vector<RuleSet> const& parsed() {
+std::span<RuleSet const> built_in_rule_sets() {
   static std::vector<RuleSet> const all = [] {
     std::vector<RuleSet> sets;
     for (auto const& [name, toml] : texts()) {
@@ -50,42 +44,34 @@ std::vector<RuleSet> const& parsed() {
   return all;
 }
 
-}  // namespace
-
-std::vector<RuleSet const*> built_in_rule_sets() {
-  std::vector<RuleSet const*> sets;
-  for (auto const& set : parsed()) sets.push_back(&set);
-  return sets;
-}
-
 bool is_built_in(std::string_view name) {
-  return name != template_name && std::ranges::find(texts(), name, &Text::name) != texts().end();
+  return name != template_name && std::ranges::find(texts(), name, &Embedded::name) != texts().end();
 }
 
-RuleText load_rule_text(std::string_view name_or_file) {
-  if (is_built_in(name_or_file)) return {std::string(name_or_file), std::string(rule_set_text(name_or_file))};
-  auto const allowed = fmt::format("{}, or a rule file", names(false));
-  return {
-      std::string(name_or_file),
-      read_file(std::string(name_or_file),
-                {.largest_bytes = largest_rule_file,
-                 .allowed = allowed,
-                 .when_too_large = "a rule file holds one set of limits, not data",
-                 .when_missing = "isolaw rules lists the sets, isolaw rules template prints a file to start from"})};
+std::string load_rule_text(std::string_view name_or_file) {
+  if (is_built_in(name_or_file)) return std::string(rule_set_text(name_or_file));
+  auto const allowed =
+      fmt::format("{}, or a rule file", joined(built_in_rule_sets() | std::views::transform(&RuleSet::id)));
+  return read_file(std::string(name_or_file),
+                   {.largest_bytes = largest_rule_file,
+                    .allowed = allowed,
+                    .when_too_large = "a rule file holds one set of limits, not data",
+                    .when_missing = "isolaw rules lists the sets, isolaw rules template prints a file to start from"});
 }
 
 RuleSet find_rule_set(std::string_view name_or_file) {
-  for (auto const& set : parsed())
+  for (auto const& set : built_in_rule_sets())
     if (set.id == name_or_file) return set;
-  auto const text = load_rule_text(name_or_file);
-  return read_rule_text(text.toml, text.name);
+  return read_rule_text(load_rule_text(name_or_file), std::string(name_or_file));
 }
 
 std::string_view rule_set_text(std::string_view name) {
-  auto const found = std::ranges::find(texts(), name, &Text::name);
+  auto const found = std::ranges::find(texts(), name, &Embedded::name);
   if (found == texts().end())
-    throw Error({.where = "", .found = fmt::format("no rule set {}", in_quotes(name)), .allowed = names(true)});
-  return found->toml;
+    throw Error({.where = "",
+                 .found = fmt::format("no rule set {}", in_quotes(name)),
+                 .allowed = joined(texts() | std::views::transform(&Embedded::name))});
+  return found->text;
 }
 
 }  // namespace isolaw::rules

@@ -50,10 +50,6 @@ CombinedFactors combine(FactorRule const& rule, FactorPair const& environment, F
   return made;
 }
 
-double device_half_width_percent(double cov_percent) {
-  return normal_97_5 * cov_percent;
-}
-
 double system_half_width_percent(double cov_percent, int installed, int tested) {
   auto const N = static_cast<double>(installed), n = static_cast<double>(std::min(tested, installed));
   // With none tested the devices are drawn from the production at large, which has no end.

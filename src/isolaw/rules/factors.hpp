@@ -41,8 +41,6 @@ CombinedFactors combine(FactorRule const& rule, FactorPair const& environment, F
 
 // Half widths in percent of the mean, two-sided 95 % of the normal distribution (1.960 standard deviations), for a known
 // coefficient of variation `cov_percent` between devices.
-//   One device: 1.960 CoV. CoV 7 %: 13.7 %.
-double device_half_width_percent(double cov_percent);
 //   The mean over all `installed` devices: the mean of N independent ones scatters by CoV/sqrt(N). N = 28, CoV 7 %:
 //   2.6 %. Where `tested` of them were measured, only the others are still unknown, which the factor of a finite
 //   population, sqrt((N - n)/(N - 1)), takes into account: 2.3 % with 6 tested, nothing with all.

@@ -74,7 +74,6 @@ void compare_with_design(Design const& design, LotQuantity& view) {
   if (!view.nominal || !view.mean) return;
   auto const deviation = [&](double value) { return 100.0 * (value - *view.nominal) / *view.nominal; };
   view.mean_deviation_percent = deviation(*view.mean);
-  view.observed_mean_factor = *view.mean / *view.nominal;
   double const low = deviation(*view.min), high = deviation(*view.max);
   bool const below = std::abs(low) > std::abs(high);
   view.worst_deviation_percent = below ? low : high;
@@ -110,22 +109,12 @@ void assess_mean(RuleSet const& rules, LotView const& lot, std::span<DeviceValue
     if (limit.quantity != view.quantity || limit.scope != Scope::mean) continue;
     Assessment made;
     made.quantity = fmt::format("{}, mean of {} devices", name(view.quantity), view.count);
-    made.clause = limit.clause;
     made.formula = "mean over the devices";
     made.value = view.mean;
     made.unit = view.unit;
     made.nominal = view.nominal;
     made.deviation_percent = view.mean_deviation_percent;
-    made.limit = limit_text(limit.lower_percent, limit.upper_percent);
-    if (made.deviation_percent)
-      made.deviation = deviation_text(*made.deviation_percent, limit.lower_percent, limit.upper_percent);
-    if (!view.mean)
-      made.reason = "no device has a value";
-    else if (!view.nominal)
-      made.reason = fmt::format("no design value: give {}=... among the design values", name(view.quantity));
-    else
-      give_verdict(made, rules, is_within(*view.mean, *view.nominal, limit.lower_percent, limit.upper_percent),
-                   unmet_of_lot(rules, lot, view, devices, design));
+    hold_to(made, rules, limit, "no device has a value", unmet_of_lot(rules, lot, view, devices, design));
     view.mean_limits.push_back(std::move(made));
   }
 }
@@ -167,8 +156,6 @@ void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& 
     view.bounds.push_back({.source = std::move(source),
                            .spec = spec,
                            .combined = combined,
-                           .supply_lower = base * spec.min,
-                           .supply_upper = base * spec.max,
                            .lower = base * combined.min,
                            .upper = base * combined.max,
                            .note = std::move(note),

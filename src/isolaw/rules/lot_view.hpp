@@ -37,10 +37,9 @@ struct Bound {
   std::string source;        // "contract band", "observed", "statistical, each device", "statistical, system", ...
   FactorPair spec;           // lambda_spec of this source; min NaN where it gives no lower bound, and so all lower ones
   CombinedFactors combined;  // with the defaults of the set where it has a [[factor]] of the property
-  double supply_lower = 0.0, supply_upper = 0.0;  // base value x spec: the supply alone, in the quantity's unit
-  double lower = 0.0, upper = 0.0;                // base value x combined, in the quantity's unit
-  std::string note;                               // what the source means
-  std::string no_lower;                           // why there is no lower bound
+  double lower = 0.0, upper = 0.0;  // base value x combined, in the quantity's unit
+  std::string note;                 // what the source means
+  std::string no_lower;             // why there is no lower bound
 };
 
 struct LotQuantity {
@@ -60,10 +59,9 @@ struct LotQuantity {
   std::optional<double> tolerance_low, tolerance_high;  // mean +- factor x std
   std::string no_lower;                                 // why fractile_5 or tolerance_low is not there
   std::vector<Outlier> outliers;
-  std::string outlier_note;                    // why none could be named: too few devices
-  std::vector<Assessment> mean_limits;         // limits on the lot's mean, of the rule set
-  std::optional<double> observed_mean_factor;  // mean/design value
-  std::optional<TestFactors> test_factors;     // extremes of lambda_test over the devices
+  std::string outlier_note;                 // why none could be named: too few devices
+  std::vector<Assessment> mean_limits;      // limits on the lot's mean, of the rule set
+  std::optional<TestFactors> test_factors;  // extremes of lambda_test over the devices
   std::string test_min_device, test_max_device;
   std::vector<Bound> bounds;
   // Largest deviation of a device from the lot's mean, in percent, and whether a verified set lets an analysis use mean

@@ -151,21 +151,11 @@ void take_design_value(std::string_view part, Design& design, std::vector<Compla
 }  // namespace
 
 double CycleValues::of(Quantity quantity) const {
-  switch (quantity) {
-    case Quantity::K_eff:
-      return K_eff_kN_per_mm;
-    case Quantity::damping:
-      return damping_percent;
-    case Quantity::energy:
-      return energy_kN_mm;
-    case Quantity::Q_d:
-      return Q_d_kN;
-    case Quantity::K_d:
-      return K_d_kN_per_mm;
-    case Quantity::K_v:
-      break;
-  }
-  return std::numeric_limits<double>::quiet_NaN();
+  // In the order of Quantity, without K_v.
+  static constexpr std::array members{&CycleValues::K_eff_kN_per_mm, &CycleValues::damping_percent,
+                                      &CycleValues::energy_kN_mm, &CycleValues::Q_d_kN, &CycleValues::K_d_kN_per_mm};
+  auto const place = static_cast<std::size_t>(quantity);
+  return place < members.size() ? this->*members[place] : std::numeric_limits<double>::quiet_NaN();
 }
 
 CycleValues const* BlockValues::find(int cycle) const {

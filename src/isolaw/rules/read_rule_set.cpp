@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/toml_reader.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/rules/rule_set.hpp"
 
 namespace isolaw::rules {
@@ -99,13 +101,9 @@ class RuleTable : public TomlTable {
   void choice(std::string_view key, Choices<Value> const& choices, Value& target) {
     value<std::string>(key, "text", [&](std::string const& found) {
       auto const chosen = std::ranges::find(choices, found, &std::pair<std::string_view, Value>::first);
-      if (chosen != choices.end()) {
-        target = chosen->second;
-        return;
-      }
-      std::string allowed;
-      for (auto const& [word, meaning] : choices) allowed += fmt::format("{}\"{}\"", allowed.empty() ? "" : ", ", word);
-      throw Error({.where = "", .found = in_quotes(found), .allowed = allowed});
+      if (chosen != choices.end()) return void(target = chosen->second);
+      auto const quoted = [](auto const& choice) { return fmt::format("\"{}\"", choice.first); };
+      throw Error({.where = "", .found = in_quotes(found), .allowed = joined(choices | std::views::transform(quoted))});
     });
   }
   // Each table of [[key]].
@@ -136,16 +134,16 @@ class Reader {
     RuleTable top(root, file_, "", complaints_);
     set_.origin = file_;
     identity(top);
-    section(top, "formulas", [&](RuleTable& table) { formulas(table); });
-    section(top, "cycles", [&](RuleTable& table) { cycles(table); });
-    section(top, "test", [&](RuleTable& table) { conditions(table); });
-    section(top, "sample", [&](RuleTable& table) { sample(table); });
-    section(top, "load_variation", [&](RuleTable& table) { load_variation(table); });
-    section(top, "mean_analysis", [&](RuleTable& table) { mean_analysis(table); });
-    section(top, "factors", [&](RuleTable& table) { factors(table); });
-    top.tables("limit", [&](toml::table const& table) { limit(table); });
-    top.tables("stability", [&](toml::table const& table) { stability(table); });
-    top.tables("factor", [&](toml::table const& table) { property_factors(table); });
+    section(top, "formulas", &Reader::formulas);
+    section(top, "cycles", &Reader::cycles);
+    section(top, "test", &Reader::conditions);
+    section(top, "sample", &Reader::sample);
+    section(top, "load_variation", &Reader::load_variation);
+    section(top, "mean_analysis", &Reader::mean_analysis);
+    section(top, "factors", &Reader::factors);
+    sections(top, "limit", &Reader::limit);
+    sections(top, "stability", &Reader::stability);
+    sections(top, "factor", &Reader::property_factors);
     for (auto const key : {"formulas", "cycles"}) top.require(key, fmt::format("[{}]", key));
     if (!top.has("limit")) top.complain("no limits", "one [[limit]] table for each limit");
     top.refuse_unknown();
@@ -154,12 +152,16 @@ class Reader {
   }
 
  private:
-  template <class Read>
-  void section(RuleTable& top, std::string_view key, Read&& read) {
-    auto const* found = top.table(key);
-    if (found == nullptr) return;
-    RuleTable table(*found, file_, fmt::format("[{}]", key), complaints_);
-    read(table);
+  using Read = void (Reader::*)(RuleTable&);
+  void section(RuleTable& top, std::string_view key, Read fill) {
+    if (auto const* found = top.table(key)) read_table(*found, fmt::format("[{}]", key), fill);
+  }
+  void sections(RuleTable& top, std::string_view key, Read fill) {
+    top.tables(key, [&](toml::table const& found) { read_table(found, fmt::format("[[{}]]", key), fill); });
+  }
+  void read_table(toml::table const& found, std::string const& name, Read fill) {
+    RuleTable table(found, file_, name, complaints_);
+    (this->*fill)(table);
     table.refuse_unknown();
   }
 
@@ -227,19 +229,17 @@ class Reader {
   }
 
   void load_variation(RuleTable& table) {
-    LoadVariation rule;
-    table.number("largest_percent", percent, rule.largest_percent);
-    table.text("clause", rule.clause, longest_note);
-    table.require("largest_percent", "largest_percent");
-    set_.load_variation = rule;
+    one_number(table, "largest_percent", &LoadVariation::largest_percent, set_.load_variation);
   }
-
   void mean_analysis(RuleTable& table) {
-    MeanAnalysisRule rule;
-    table.number("within_percent", percent, rule.within_percent);
-    table.text("clause", rule.clause, longest_note);
-    table.require("within_percent", "within_percent");
-    set_.mean_analysis = rule;
+    one_number(table, "within_percent", &MeanAnalysisRule::within_percent, set_.mean_analysis);
+  }
+  template <class Rule>
+  static void one_number(RuleTable& table, char const* key, double Rule::*number, std::optional<Rule>& rule) {
+    rule.emplace();
+    table.number(key, percent, (*rule).*number);
+    table.text("clause", rule->clause, longest_note);
+    table.require(key, key);
   }
 
   void factors(RuleTable& table) {
@@ -250,8 +250,7 @@ class Reader {
     table.text("clause", rule.clause, longest_note);
   }
 
-  void limit(toml::table const& source) {
-    RuleTable table(source, file_, "[[limit]]", complaints_);
+  void limit(RuleTable& table) {
     Limit made;
     std::optional<double> within;
     table.choice("quantity", quantities(), made.quantity);
@@ -277,12 +276,10 @@ class Reader {
         table.complain(fmt::format("a second limit of {} for {}", name(made.quantity),
                                    made.scope == Scope::each ? "each device" : "the mean"),
                        "one limit, with both ends where it has two");
-    table.refuse_unknown();
     set_.limits.push_back(std::move(made));
   }
 
-  void stability(toml::table const& source) {
-    RuleTable table(source, file_, "[[stability]]", complaints_);
+  void stability(RuleTable& table) {
     StabilityLimit made;
     table.choice("quantity", quantities(), made.quantity);
     table.choice("measure",
@@ -298,12 +295,10 @@ class Reader {
     for (auto const needed : {"quantity", "measure", "cycles"}) table.require(needed, "quantity, measure and cycles");
     table.require(key, "at_least for min_over_max, at_most_percent for the others");
     if (made.quantity == Quantity::K_v) table.complain("K_v is not measured in cycles", "another quantity");
-    table.refuse_unknown();
     set_.stability.push_back(std::move(made));
   }
 
-  void property_factors(toml::table const& source) {
-    RuleTable table(source, file_, "[[factor]]", complaints_);
+  void property_factors(RuleTable& table) {
     PropertyFactors made;
     Range const below{factor.lower, 1.0}, above{1.0, factor.upper};
     table.choice("quantity", quantities(), made.quantity);
@@ -316,7 +311,6 @@ class Reader {
       table.complain("half a contract band", "spec_min and spec_max, or neither");
     if (set_.factors_of(made.quantity) != nullptr)
       table.complain(fmt::format("a second [[factor]] of {}", name(made.quantity)), "one for each quantity");
-    table.refuse_unknown();
     set_.factors.properties.push_back(made);
   }
 

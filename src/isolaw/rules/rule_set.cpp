@@ -1,42 +1,28 @@
 #include "isolaw/rules/rule_set.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace isolaw::rules {
 
+namespace {
+
+struct Names {
+  std::string_view name, unit;
+};
+// In the order of Quantity.
+constexpr std::array<Names, 6> names{
+    {{"K_eff", "kN/mm"}, {"damping", "%"}, {"energy", "kN mm"}, {"Q_d", "kN"}, {"K_d", "kN/mm"}, {"K_v", "kN/mm"}}};
+
+}  // namespace
+
 std::string_view name(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::K_eff:
-      return "K_eff";
-    case Quantity::damping:
-      return "damping";
-    case Quantity::energy:
-      return "energy";
-    case Quantity::Q_d:
-      return "Q_d";
-    case Quantity::K_d:
-      return "K_d";
-    case Quantity::K_v:
-      break;
-  }
-  return "K_v";
+  return names.at(static_cast<std::size_t>(quantity)).name;
 }
 
 std::string_view unit(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::damping:
-      return "%";
-    case Quantity::energy:
-      return "kN mm";
-    case Quantity::Q_d:
-      return "kN";
-    case Quantity::K_eff:
-    case Quantity::K_d:
-    case Quantity::K_v:
-      break;
-  }
-  return "kN/mm";
+  return names.at(static_cast<std::size_t>(quantity)).unit;
 }
 
 std::vector<Quantity> const& measured_quantities() {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -129,16 +130,12 @@ inline constexpr std::size_t largest_rule_file = 256 << 10;  // bytes
 RuleSet read_rule_text(std::string_view text, std::string const& file);
 
 // The sets that come with the program, in alphabetical order. The template is not one of them.
-std::vector<RuleSet const*> built_in_rule_sets();
+std::span<RuleSet const> built_in_rule_sets();
 
 bool is_built_in(std::string_view name);
 
 // The TOML of a built-in set by its name, else of the file of that name, unread.
-struct RuleText {
-  std::string name;  // as given
-  std::string toml;
-};
-RuleText load_rule_text(std::string_view name_or_file);
+std::string load_rule_text(std::string_view name_or_file);
 
 // A built-in set by its name, else the file of that name. Throws Error as read_rule_text, and for a file that is not
 // there, with the names of the built-in sets.
