@@ -161,11 +161,6 @@ class Checker {
                : run.outcome == Outcome::budget_spent ? run.evaluations >= options.most_evaluations
                                                       : run.outcome == Outcome::no_finite_value};
   }
-  static opt::GeneticOutcome as_searched(Outcome outcome) {
-    return outcome == Outcome::stagnated         ? opt::GeneticOutcome::stagnated
-           : outcome == Outcome::no_finite_value ? opt::GeneticOutcome::no_finite_value
-                                                 : opt::GeneticOutcome::all_generations;
-  }
   void hold(std::string const& where, std::size_t device, std::string const& law, int refinement,
             std::vector<double> const& parameters, double stored) {
     double const again = law_on_device(contents_, device, law, refinement).objective(parameters, work_);
