@@ -317,7 +317,7 @@ TEST(Bounds, TakeTheDefaultsOnlyOfPropertiesTheSetNames) {
   EXPECT_NEAR(named.upper, 0.9 * 1.8, 1e-12);
   EXPECT_NEAR(named.lower, 0.9 * 0.6, 1e-12);
   EXPECT_TRUE(named.combined.max_is_default && named.combined.min_is_default);
-  EXPECT_NEAR(named.supply_upper, 0.9 * 1.15, 1e-12);
+  EXPECT_NEAR(named.spec.max, 1.15, 1e-12);
   EXPECT_NEAR(bound(of(lot, Quantity::K_eff), "observed").upper, 1.2, 1e-12);
 }
 
