@@ -94,8 +94,8 @@ INSTANTIATE_TEST_SUITE_P(Stores, Old,
                          testing::Values(OldStore{"schema-1", 1, "ga"}, OldStore{"schema-2", 2, "ga"},
                                          OldStore{"schema-3-ga", 3, "ga"}, OldStore{"schema-3-best", 3, "best"},
                                          OldStore{"schema-4", 4, "best"}),
-                         [](auto const& info) {
-                           auto name = info.param.name;
+                         [](auto const& instance) {
+                           auto name = instance.param.name;
                            std::ranges::replace(name, '-', '_');
                            return name;
                          });
