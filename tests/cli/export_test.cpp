@@ -6,6 +6,7 @@
 
 #include "cli/run.hpp"
 #include "isolaw/laws/catalogue.hpp"
+#include "isolaw/programs/exports.hpp"
 
 namespace isolaw::cli_test {
 namespace {
@@ -44,7 +45,8 @@ TEST_F(Export, gives_every_law_to_every_target) {
   ASSERT_EQ(calibrate("all").code, 0);
   for (auto const& entry : laws::catalogue()) {
     std::string const law(entry.info.id);
-    for (std::string const to : {"opensees", "openseespy", "cpp", "json", "sheet"}) {
+    for (auto const& target : programs::targets()) {
+      std::string const to(target.name);
       SCOPED_TRACE(law + " " + to);
       auto const o = exported(law, "a", to);
       ASSERT_EQ(o.code, 0) << o;
@@ -174,7 +176,7 @@ TEST_F(Export, says_what_there_is_when_asked_wrongly) {
   expect_refused(exported("abe", "a", "opensees"), {"law abe", "not in this campaign", "bilinear, bouc-wen"});
   expect_refused(exported("bilinear", "c", "opensees"), {"'c'", "no such device", "a, b, lot"});
   expect_refused(exported("bilinear", "lot", "opensees"), {"the lot", "no analysis was made", "--analysis full"});
-  expect_refused(exported("bilinear", "a", "sap"), {"--to", "sap", "opensees, openseespy, cpp, json, sheet"});
+  expect_refused(exported("bilinear", "a", "sap"), {"--to", "sap", "opensees, openseespy, "});
   expect_refused(exported("bilinear", "a", "json", {"--units", "MN-m"}), {"--units", "MN-m", "kN-mm, N-m, kip-in"});
   expect_refused(exported("bilinear", "a", "json", {"--out", "none/such.json"}),
                  {"none/such.json", "cannot be written"});
@@ -202,7 +204,9 @@ TEST_F(Export, of_devices_with_hostile_names_stays_a_comment) {
         "title = 'T [exec rm] \\'\n[[device]]\nname = 'x\"\"\"; } {$a`b` [exec touch HACKED] \\'\nfile = 'a.csv'\n");
   auto const made = isolaw({"calibrate", "lot.toml", "--laws", "bilinear", "--runs", "1", "--out", "C"});
   ASSERT_EQ(made.code, 0) << made;
-  for (std::string const to : {"opensees", "openseespy", "cpp"}) {
+  for (auto const& target : programs::targets()) {
+    std::string const to(target.name);
+    if (to == "json" || to == "sheet") continue;  // have no comments
     auto const o = exported("bilinear", "x\"\"\"; } {$a`b` [exec touch HACKED] \\", to);
     ASSERT_EQ(o.code, 0) << o;
     std::istringstream lines(o.out);
