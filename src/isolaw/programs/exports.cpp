@@ -27,7 +27,8 @@ constexpr std::array all{
            [](Subject const& s, UnitSystem const& units) { return openseespy_script(s, realised(s), units); }},
     Target{"cpp", cpp_header},
     Target{"json", [](Subject const& s, UnitSystem const& units) { return export_json(s, realise(s), units); }},
-    Target{"sheet", value_sheet}};
+    Target{"sheet", value_sheet},
+    Target{"csv", protocol_csv}};
 
 }  // namespace
 

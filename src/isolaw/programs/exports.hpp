@@ -23,5 +23,6 @@ std::string openseespy_script(Subject const& subject, Realisation const& realisa
 std::string cpp_header(Subject const& subject, UnitSystem const& units);
 std::string export_json(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string value_sheet(Subject const& subject, UnitSystem const& units);
+std::string protocol_csv(Subject const& subject, UnitSystem const& units);
 
 }  // namespace isolaw::programs
