@@ -102,6 +102,11 @@ TEST(FileStems, AnInventedNumberTakesNoName) {
   EXPECT_EQ(std::set<std::string>(stems.begin(), stems.end()).size(), 3u);
 }
 
+TEST(FileStems, AnEndingMakesNoOtherName) {
+  auto const stems = file_stems({"a_abe", "a", "b", "B_Abe-y0", "b_x"}, {"abe", "abe-y0"});
+  EXPECT_EQ(stems, (std::vector<std::string>{"a_abe", "a_2", "b", "B_Abe-y0_2", "b_x"}));
+}
+
 TEST(FigureChoice, IsOneOfThree) {
   EXPECT_EQ(figure_choice("all"), FigureChoice::all);
   EXPECT_THROW(figure_choice("some"), Error);
@@ -242,7 +247,45 @@ TEST(Figures, LoopsAndRecordsOfEveryDevice) {
   ASSERT_EQ(cleaned.size(), 2u);
   EXPECT_EQ(value(cleaned[0][7][1]), summary.devices[1].raw.disp_mm[7]);
   EXPECT_EQ(value(cleaned[1][7][1]), record.disp_mm[7]);
-  EXPECT_EQ(std::ranges::count_if(made, [](auto const& named) { return named.first.starts_with("loops_"); }), 9);
+  EXPECT_EQ(std::ranges::count_if(made, [](auto const& named) { return named.first.starts_with("loops_"); }), 9 + 3);
+}
+
+TEST(Figures, LoopsOfAllLawsOfTheFirstDeviceAlone) {
+  auto summary = fixture::lot();
+  auto& refused = summary.laws[1].devices[0];
+  refused = DeviceFit{};
+  refused.device = "D1";
+  refused.refusal = "it's not for this record";
+  auto const of_lot = figures_of(summary);
+  auto const& figure = of_lot.at("loops_D1");
+  EXPECT_FALSE(of_lot.contains("loops_D2"));
+  auto const data = blocks(figure.data);
+  auto const& record = summary.devices[0].record;
+  ASSERT_EQ(data[0].size(), record.size());
+  for (std::size_t const i : {std::size_t{0}, record.size() / 2, record.size() - 1}) {
+    EXPECT_EQ(value(data[0][i][1]), record.disp_mm[i]);
+    EXPECT_EQ(value(data[0][i][2]), record.force_kN[i]);
+    EXPECT_EQ(value(data[0][i][3]), summary.laws[0].devices[0].force_kN[i]);
+    EXPECT_EQ(data[0][i][4], "NaN");
+    EXPECT_EQ(value(data[0][i][5]), summary.laws[2].devices[0].force_kN[i]);
+  }
+  EXPECT_NE(figure.script.find("refused: it''s not for this"), std::string::npos);
+  // Of the first device that there is one of.
+  summary.devices[0].record = {};
+  EXPECT_TRUE(figures_of(summary).contains("loops_D2"));
+  EXPECT_FALSE(figures_of(summary).contains("loops_D1"));
+}
+
+TEST(Figures, ALawThatRunsAwayLeavesTheOthersTheirScale) {
+  auto summary = fixture::lot();
+  auto const highest = [&] {
+    auto const script = figures_of(summary).at("loops_D1").script;
+    auto const from = script.find(':', script.find("set yrange [")) + 1;
+    return std::stod(script.substr(from, script.find(']', from) - from));
+  };
+  double const peak = std::ranges::max(summary.devices[0].record.force_kN);
+  for (double& f : summary.laws[1].devices[0].force_kN) f *= 1e4;
+  EXPECT_LT(highest(), 2.5 * peak);
 }
 
 // --- drawn -----------------------------------------------------------------------------------------------------------

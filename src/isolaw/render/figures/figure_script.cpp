@@ -114,7 +114,7 @@ void Script::place(Grid const& grid, std::size_t panel) {
   auto const columns = static_cast<std::size_t>(grid.columns);
   double const column = static_cast<double>(panel % columns), row = static_cast<double>(panel / columns);
   double const left = column * grid.width_mm / grid.columns + grid.margins.left;
-  double const top = row * grid.height_mm() / grid.rows + grid.margins.top;
+  double const top = grid.head_mm + row * grid.row_mm() + grid.margins.top;
   margins(left, grid.width_mm - left - grid.panel_width_mm(), grid.height_mm() - top - grid.panel_height_mm, top);
 }
 
