@@ -167,6 +167,21 @@ TEST(Figures, ObjectiveOfEveryDeviceAndGapsWhereThereIsNone) {
   }
 }
 
+TEST(Figures, AxesHaveALengthWhereDevicesAgreeToSixDigits) {
+  auto summary = fixture::lot();
+  for (std::size_t d = 0; d < 3; ++d)
+    summary.laws[0].devices[d].objective = {0.03 + 1.6e-8 * static_cast<double>(d), {}, {}};
+  summary.laws[0].objective.mean = 0.03;
+  auto const script = figures_of(summary).at("objective_by_device").script;
+  std::size_t axes = 0;
+  for (auto at = script.find("set yrange ["); at != std::string::npos;
+       at = script.find("set yrange [", at + 1), ++axes) {
+    auto const low = at + 12, colon = script.find(':', low), end = script.find(']', low);
+    EXPECT_NE(script.substr(low, colon - low), script.substr(colon + 1, end - colon - 1));
+  }
+  EXPECT_EQ(axes, 3u);
+}
+
 TEST(Figures, ParametersPanelByPanel) {
   auto summary = fixture::lot();
   summary.laws[0].devices[0].parameters[1].free = false;  // K2: fixed, so it has no panel

@@ -146,7 +146,8 @@ void Range::add(std::optional<double> const& value) {
 
 Range Range::padded(double share) const {
   double const length = high - low;
-  double const least = 1e-6 * std::max(std::abs(low), std::abs(high));
+  // Shorter ones end in the same six digits, and gnuplot draws no axis without length.
+  double const least = 1e-4 * std::max(std::abs(low), std::abs(high));
   double const by = length > least ? share * length : low != 0.0 ? 0.05 * std::max(std::abs(low), std::abs(high)) : 1.0;
   return {low - by, high + by, false};
 }
