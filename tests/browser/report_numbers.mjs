@@ -50,6 +50,9 @@ async function drawn() {
     objective: await plot('objective-devices'),
     spread: await plot('objective-spread'),
     relative: await plot('objective-relative'),
+    energy: document.getElementById('figure-loop-energy') ? await plot('loop-energy') : [],
+    cycles: JSON.parse(document.getElementById('isolaw-data').textContent)
+      .devices[document.getElementById('device')?.value]?.blocks.flatMap((block) => block.cycles.filter((cycle) => cycle.counts)) ?? [],
     panels: {},
     convergence: {},
     table: {},
@@ -130,6 +133,12 @@ function compareFront(name, seen, expected) {
   }
 }
 
+// Bars are areas of the points that the page has, cleaned and thinned: near to the energies of the raw record's cycles.
+function compareEnergies(name, { energy, cycles }) {
+  same(`${name}, cycles`, energy[0]?.y.length ?? 0, cycles.length);
+  cycles.forEach((cycle, i) => near(`${name}, energy of cycle ${i + 1}`, energy[0].y[i], cycle.energy_kN_mm, 0.02));
+}
+
 function compareObjectives(name, seen, expected) {
   for (const [law, { devices, mean }] of Object.entries(expected)) {
     const trace = seen.objective.find((t) => t.name === law),
@@ -195,6 +204,7 @@ async function check(browser, name, directory) {
   const seen = await page.evaluate(`(${drawn})()`);
   same(`${name}, errors`, [seen.errors, page.errors, page.requests], ['', [], []]);
   compareFront(name, seen, expected);
+  compareEnergies(name, seen);
   compareObjectives(name, seen, expected);
   compareParameters(name, seen, expected);
   compareHover(name, seen);

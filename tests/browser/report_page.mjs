@@ -524,6 +524,31 @@ async function look_at_order() {
   return seen;
 }
 
+// Runs in the page: the areas of the loops, and the cycles of the record. report_numbers.mjs compares them.
+async function look_at_energy() {
+  const wait = (ms) => new Promise((done) => setTimeout(done, ms));
+  const report = JSON.parse(document.getElementById('isolaw-data').textContent);
+  const figure = document.getElementById('figure-loop-energy');
+  figure.scrollIntoView();
+  await wait(300);
+  const device = report.devices[document.getElementById('device').value];
+  const cycles = device.blocks.flatMap((block) => block.cycles.filter((cycle) => cycle.counts));
+  const [measured, ...computed] = figure.querySelector('.plot').data;
+  return {
+    cycles: cycles.length,
+    bars: measured.y.length,
+    laws: computed.map(({ name, y }) => ({ name, energies: [...y] })),
+    chosen: [...document.querySelectorAll('#loops input:checked')].map((box) => box.parentNode.textContent),
+  };
+}
+
+function check_energy(name, { cycles, bars, laws, chosen }) {
+  expect(cycles > 0 && bars === cycles, name, `${cycles} cycles, energies of ${bars}`);
+  expect(JSON.stringify(laws.map((law) => law.name).sort()) === JSON.stringify(chosen.sort()), name, 'energies of ' + laws.map((law) => law.name));
+  for (const law of laws)
+    expect(law.energies.length === bars && law.energies.every(Number.isFinite), name, `energies of ${law.name}: ${law.energies}`);
+}
+
 function check_order(name, seen) {
   expect(seen.length === 4, name, `${seen.length} heads sort`);
   for (const { head, focused, values, laws, loops } of seen) {
@@ -626,7 +651,7 @@ async function check(browser, directory, one) {
   expect(page.errors.length === 0 && seen.errors === '', name, 'errors: ' + [...page.errors, seen.errors].join('; '));
   expect(page.requests.length === 0, name, 'requested ' + page.requests.join(', '));
   const { laws: identified = true } = records || {}; // as written: with the rules of make_page.cpp
-  const expected = (identified ? (devices > 1 ? 10 : 9) : 0) + 5 + (one.analysed ? (devices > 1 ? 2 : 1) : 0);
+  const expected = (identified ? (devices > 1 ? 11 : 10) : 0) + 5 + (one.analysed ? (devices > 1 ? 2 : 1) : 0);
   expect(
     seen.plots === expected && seen.drawn === expected,
     name,
@@ -643,6 +668,7 @@ async function check(browser, directory, one) {
   const megabytes = readFileSync(file).length / 1e6;
   expect(megabytes < 30, name, `${megabytes.toFixed(1)} MB`);
   if (identified) check_order(name, await page.evaluate(`(${look_at_order})()`));
+  if (identified) check_energy(name, await page.evaluate(`(${look_at_energy})()`));
 
   if (one.analysed) check_analysis(name, await page.evaluate(`(${look_at_analysis})()`), one);
   if (records) check_records(name, await page.evaluate(`(${look_at_records})()`), records);

@@ -409,9 +409,15 @@ export function extend(report, { tests = {}, verified = true, assessed = true, l
       device.counting_block = largest.number;
     }
     const t = device.record.time_s;
+    if (t) {
+      // The laws saw what the cycles are of: samples of a raw record that has no time here.
+      const steps = t.d.reduce((sum, difference) => sum + difference, 0);
+      device.record.time_s = { o: 0, s: (test.disp.length - 1) / steps, d: t.d };
+    }
     if (scored && laws && d === 1 && t) {
-      const end = t.o + t.s * t.d.reduce((sum, difference) => sum + difference, 0);
-      device.scored = [{ from: t.o + 0.5 * (end - t.o), to: t.o + 0.9 * (end - t.o) }];
+      const { o, s, d: steps } = device.record.time_s;
+      const length = s * steps.reduce((sum, difference) => sum + difference, 0);
+      device.scored = [{ from: o + 0.5 * length, to: o + 0.9 * length }];
     }
   });
   const first = report.devices.find((device) => device.reported);

@@ -5,6 +5,7 @@
 
 #include "cli/records.hpp"
 #include "cli/run.hpp"
+#include "isolaw/programs/exports.hpp"
 
 namespace isolaw::cli_test {
 namespace {
@@ -56,8 +57,10 @@ TEST_F(Outputs, EveryWriterOnAllLawsWithDefaultOptions) {
     bool const has_population = !law["population"]["covariance"].empty();
     EXPECT_NE(sound({"sample", "O", "--law", id}).out.empty(), has_population) << id;
     for (auto const* device : {"a", "lot"})
-      for (auto const* target : {"opensees", "openseespy", "cpp", "json", "sheet"})
-        sound({"export", "O", "--law", id, "--device", device, "--to", target, "--out", id + device + target});
+      for (auto const& target : programs::targets()) {
+        std::string const to(target.name);
+        sound({"export", "O", "--law", id, "--device", device, "--to", to, "--out", id + device + to});
+      }
   }
   sound(Words{"inspect", "a.csv", "b.csv", "c.csv", "--out", "I"} + tests);
   sound(Words{"inspect", "a.csv", "--json"} + tests);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "unit/programs_fixture.hpp"
 
@@ -174,6 +175,59 @@ TEST(Refits, say_their_error_and_are_the_same_again) {
   auto const force = of_script(script, "material", "nominal", unit_systems[2], subject.histories[0]);
   EXPECT_NEAR(100.0 * largest_difference(force, subject.histories[0].law_kN) / peak_of(subject.histories[0].law_kN),
               error.largest, 1e-6);
+}
+
+// A row of numbers for each line below the head; the head and what is commented are taken off.
+std::vector<std::vector<double>> rows_of(std::string const& csv, std::string& head) {
+  std::vector<std::vector<double>> rows;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("# ")) continue;
+    if (head.empty()) {
+      head = line;
+      continue;
+    }
+    std::istringstream cells(line);
+    rows.emplace_back();
+    for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(std::stod(cell));
+  }
+  return rows;
+}
+
+// In a second cycle of amplitude D a bilinear law has K_eff = K2 + Qd / D, Qd = (K1 - K2) xy.
+TEST(Tables, hold_the_protocol_and_the_force_in_every_unit_system) {
+  auto const subject = subject_of("bilinear", bilinear_parameters);
+  for (auto const& units : unit_systems) {
+    SCOPED_TRACE(units.id);
+    std::string head;
+    auto const rows = rows_of(protocol_csv(subject, units), head);
+    EXPECT_EQ(head, "time [s],displacement [" + std::string(units.length.symbol) + "],velocity [" +
+                        std::string(units.length.symbol) + "/s],force [" + std::string(units.force.symbol) + "]");
+    ASSERT_EQ(rows.size(), 161u);
+    double const D = 150.0 / units.length.in_record_units, omega = std::numbers::pi;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      ASSERT_EQ(rows[i].size(), 4u);
+      double const phase = std::numbers::pi / 40.0 * static_cast<double>(i), size = i <= 80 ? 0.5 * D : D;
+      EXPECT_NEAR(rows[i][0], phase / omega, 1e-9);
+      EXPECT_NEAR(rows[i][1], size * std::sin(phase), 1e-9 * D);
+      EXPECT_NEAR(rows[i][2], size * omega * std::cos(phase), 1e-8 * D);
+    }
+    double const K_eff = (rows[100][3] - rows[140][3]) / (rows[100][1] - rows[140][1]);
+    EXPECT_NEAR(K_eff * units.force.in_record_units / units.length.in_record_units, 0.4 + 2.1 * 18.0 / 150.0, 1e-9);
+  }
+}
+
+TEST(Tables, say_in_their_head_what_they_hold) {
+  auto subject = subject_of("jankowski", {4e5, 6e6, -2e8, -9e5, 18.0, 1.3e6, 23.0, 6.8, 3e4, 5e5, 0.33});
+  subject.objective = 0.0123;
+  auto const text = protocol_csv(subject, unit_systems[2]);
+  auto const head = text.substr(0, text.find("\ntime "));
+  for (auto const* part : {"# Law: jankowski: ", "# Parameters: ", "# Fitted to the tests with: objective 0.0123",
+                           "# Units of this file: kip, in, s", "# Protocol: two sine cycles at 0.5 Hz",
+                           "with its velocity, on which the law depends", "# Upper bound: force x 1.15"})
+    EXPECT_NE(head.find(part), std::string::npos) << part << " is missing in\n" << head;
+  EXPECT_EQ(protocol_csv(subject_of("bilinear", bilinear_parameters), unit_systems[0]).find("with its velocity"),
+            std::string::npos);
 }
 
 // The way from zero to the first sample and the turning points are driven through, and are no samples.

@@ -102,6 +102,11 @@ TEST(FileStems, AnInventedNumberTakesNoName) {
   EXPECT_EQ(std::set<std::string>(stems.begin(), stems.end()).size(), 3u);
 }
 
+TEST(FileStems, AnEndingMakesNoOtherName) {
+  auto const stems = file_stems({"a_abe", "a", "b", "B_Abe-y0", "b_x"}, {"abe", "abe-y0"});
+  EXPECT_EQ(stems, (std::vector<std::string>{"a_abe", "a_2", "b", "B_Abe-y0_2", "b_x"}));
+}
+
 TEST(FigureChoice, IsOneOfThree) {
   EXPECT_EQ(figure_choice("all"), FigureChoice::all);
   EXPECT_THROW(figure_choice("some"), Error);
@@ -160,6 +165,21 @@ TEST(Figures, ObjectiveOfEveryDeviceAndGapsWhereThereIsNone) {
       EXPECT_NEAR(value(row[4]), 100.0 * (*objective.mean / mean - 1.0), 1e-9);
     }
   }
+}
+
+TEST(Figures, AxesHaveALengthWhereDevicesAgreeToSixDigits) {
+  auto summary = fixture::lot();
+  for (std::size_t d = 0; d < 3; ++d)
+    summary.laws[0].devices[d].objective = {0.03 + 1.6e-8 * static_cast<double>(d), {}, {}};
+  summary.laws[0].objective.mean = 0.03;
+  auto const script = figures_of(summary).at("objective_by_device").script;
+  std::size_t axes = 0;
+  for (auto at = script.find("set yrange ["); at != std::string::npos;
+       at = script.find("set yrange [", at + 1), ++axes) {
+    auto const low = at + 12, colon = script.find(':', low), end = script.find(']', low);
+    EXPECT_NE(script.substr(low, colon - low), script.substr(colon + 1, end - colon - 1));
+  }
+  EXPECT_EQ(axes, 3u);
 }
 
 TEST(Figures, ParametersPanelByPanel) {
@@ -242,7 +262,45 @@ TEST(Figures, LoopsAndRecordsOfEveryDevice) {
   ASSERT_EQ(cleaned.size(), 2u);
   EXPECT_EQ(value(cleaned[0][7][1]), summary.devices[1].raw.disp_mm[7]);
   EXPECT_EQ(value(cleaned[1][7][1]), record.disp_mm[7]);
-  EXPECT_EQ(std::ranges::count_if(made, [](auto const& named) { return named.first.starts_with("loops_"); }), 9);
+  EXPECT_EQ(std::ranges::count_if(made, [](auto const& named) { return named.first.starts_with("loops_"); }), 9 + 3);
+}
+
+TEST(Figures, LoopsOfAllLawsOfTheFirstDeviceAlone) {
+  auto summary = fixture::lot();
+  auto& refused = summary.laws[1].devices[0];
+  refused = DeviceFit{};
+  refused.device = "D1";
+  refused.refusal = "it's not for this record";
+  auto const of_lot = figures_of(summary);
+  auto const& figure = of_lot.at("loops_D1");
+  EXPECT_FALSE(of_lot.contains("loops_D2"));
+  auto const data = blocks(figure.data);
+  auto const& record = summary.devices[0].record;
+  ASSERT_EQ(data[0].size(), record.size());
+  for (std::size_t const i : {std::size_t{0}, record.size() / 2, record.size() - 1}) {
+    EXPECT_EQ(value(data[0][i][1]), record.disp_mm[i]);
+    EXPECT_EQ(value(data[0][i][2]), record.force_kN[i]);
+    EXPECT_EQ(value(data[0][i][3]), summary.laws[0].devices[0].force_kN[i]);
+    EXPECT_EQ(data[0][i][4], "NaN");
+    EXPECT_EQ(value(data[0][i][5]), summary.laws[2].devices[0].force_kN[i]);
+  }
+  EXPECT_NE(figure.script.find("refused: it''s not for this"), std::string::npos);
+  // Of the first device that there is one of.
+  summary.devices[0].record = {};
+  EXPECT_TRUE(figures_of(summary).contains("loops_D2"));
+  EXPECT_FALSE(figures_of(summary).contains("loops_D1"));
+}
+
+TEST(Figures, ALawThatRunsAwayLeavesTheOthersTheirScale) {
+  auto summary = fixture::lot();
+  auto const highest = [&] {
+    auto const script = figures_of(summary).at("loops_D1").script;
+    auto const from = script.find(':', script.find("set yrange [")) + 1;
+    return std::stod(script.substr(from, script.find(']', from) - from));
+  };
+  double const peak = std::ranges::max(summary.devices[0].record.force_kN);
+  for (double& f : summary.laws[1].devices[0].force_kN) f *= 1e4;
+  EXPECT_LT(highest(), 2.5 * peak);
 }
 
 // --- drawn -----------------------------------------------------------------------------------------------------------

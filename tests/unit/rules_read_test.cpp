@@ -77,6 +77,16 @@ TEST(BuiltInRules, NtcIsTable_11_9_IV) {
   EXPECT_EQ(set.mean_analysis->within_percent, 20);
 }
 
+TEST(BuiltInRules, OfElevenCyclesTheMeanWithoutTheFirstIsHeldToTheSameLimits) {
+  auto const eleven = find_rule_set("iso-22762-sa-11"), third = find_rule_set("iso-22762-sa");
+  EXPECT_EQ(eleven.cycles.counting, Counting::mean);
+  EXPECT_EQ(eleven.cycles.first, 2);
+  EXPECT_EQ(eleven.cycles.last, 11);
+  ASSERT_EQ(eleven.limits.size(), third.limits.size());
+  for (auto const& limit : third.limits)
+    expect_limit(eleven, limit.quantity, limit.scope, limit.lower_percent, limit.upper_percent);
+}
+
 TEST(BuiltInRules, TheOthersHoldWhatIsCommonlyQuoted) {
   auto const sa = find_rule_set("iso-22762-sa"), sb = find_rule_set("iso-22762-sb"), en = find_rule_set("en-15129"),
              asce = find_rule_set("asce-7-22"), aashto = find_rule_set("aashto");

@@ -148,6 +148,8 @@ inline DeviceResult device(std::string name, double scatter, int samples_per_cyc
     data::Cycle cycle;
     cycle.block = 1;
     cycle.number = number;
+    cycle.first = static_cast<std::size_t>((number - 1) * samples_per_cycle);
+    cycle.last = static_cast<std::size_t>(number * samples_per_cycle);
     cycle.amplitude_mm = 208.0;
     cycle.K_eff_kN_per_mm = (1.0 + scatter) * (0.66 - 0.02 * number);
     cycle.energy_kN_mm = (1.0 + 0.5 * scatter) * (29500.0 - 250.0 * number);

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <functional>
 #include <new>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -24,6 +25,7 @@
 #include "isolaw/campaign/maker.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/data/reading.hpp"
+#include "isolaw/programs/exports.hpp"
 
 namespace isolaw::app {
 namespace {
@@ -255,9 +257,15 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   export_command.add_option("--law", export_arguments.law, "id of the law")->required();
   export_command.add_option("--device", export_arguments.device, "name of the device, or lot: the one law of the lot")
       ->required();
-  export_command.add_option("--to", export_arguments.to, "opensees, openseespy, cpp, json, or sheet")->required();
+  export_command
+      .add_option("--to", export_arguments.to,
+                  joined(programs::targets() | std::views::transform(&programs::Target::name)))
+      ->required();
   add_acceptance(export_command, export_arguments.acceptance);
-  export_command.add_option("--units", export_arguments.units, "kN-mm, N-m, or kip-in (kN-mm)");
+  export_command.add_option(
+      "--units", export_arguments.units,
+      fmt::format("{} ({})", joined(programs::unit_systems | std::views::transform(&programs::UnitSystem::id)),
+                  programs::unit_systems[0].id));
   export_command.add_option("--out", export_arguments.out, "file to write (standard output)");
   SimulateArguments simulate_arguments;
   add_simulate(add("simulate", "The force of a law under any displacement history, cyclic or seismic, as CSV",

@@ -125,10 +125,13 @@ int list_rules(std::string const& name) {
     std::fwrite(text.data(), 1, text.size(), stdout);
     return exit_done;
   }
-  for (auto const& set : rules::built_in_rule_sets())
-    fmt::print("{:<14} {}{}\n", set.id, set.title,
+  auto const sets = rules::built_in_rule_sets();
+  auto const longest = std::ranges::max(sets, {}, [](auto const& set) { return set.id.size(); }).id.size();
+  for (auto const& set : sets)
+    fmt::print("{:<{}} {}{}\n", set.id, longest, set.title,
                set.verified() ? "" : "; limits not verified: information, no verdict");
-  fmt::print("{:<14} {}\n", "template", "a commented file to write the contract's own from: isolaw rules template");
+  fmt::print("{:<{}} {}\n", "template", longest,
+             "a commented file to write the contract's own from: isolaw rules template");
   return exit_done;
 }
 

@@ -12,12 +12,12 @@
 namespace isolaw::app {
 
 int export_law(ExportArguments const& a) {
-  auto const target = programs::parse_target(a.to);
-  auto const& units = programs::find_unit_system(a.units.value_or("kN-mm"));
+  auto const& target = programs::find_target(a.to);
+  auto const& units = a.units ? programs::find_unit_system(*a.units) : programs::unit_systems[0];
   auto contents = campaign::Store::read(a.directory / "campaign.sqlite");
   apply(a.acceptance, contents.acceptance);
   auto const subject = programs::make_subject(contents, study::build_summary(contents), a.law, a.device, units);
-  auto const text = programs::exported(subject, target, units);
+  auto const text = target.write(subject, units);
   if (!a.out) {
     std::fwrite(text.data(), 1, text.size(), stdout);
     return exit_done;

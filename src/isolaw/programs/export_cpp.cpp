@@ -99,14 +99,9 @@ std::string cpp_header(Subject const& subject, UnitSystem const& units) {
                  .found = "no C++ form of it",
                  .allowed = "another target"});
   auto const space = identifier(subject);
-  Realisation itself;
-  itself.fidelity = Fidelity::exact;
-  itself.explanation = "the law itself, computed as isolaw computes it, one step for each step of the analysis";
-  auto all = facts(subject, itself, units, "C++17");
-  std::erase_if(all, [](Fact const& fact) {
-    return fact.label == "Lower bound" || fact.label == "Upper bound" || fact.label == "Bounds from";
-  });
-  for (auto& fact : bound_facts(subject, true)) all.push_back(std::move(fact));
+  auto const all =
+      facts_of_the_law(subject, units, "C++17",
+                       "the law itself, computed as isolaw computes it, one step for each step of the analysis");
 
   std::string text;
   for (auto const& line : fact_lines(all)) text += "// " + line + "\n";

@@ -1,39 +1,46 @@
 #include "isolaw/programs/exports.hpp"
 
 #include <array>
-#include <utility>
+#include <ranges>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/words.hpp"
 
 namespace isolaw::programs {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Target>, 5> targets{{{"opensees", Target::opensees},
-                                                                      {"openseespy", Target::openseespy},
-                                                                      {"cpp", Target::cpp},
-                                                                      {"json", Target::json},
-                                                                      {"sheet", Target::sheet}}};
+// Where the program's materials can give the law, or one near to it.
+Realisation realised(Subject const& subject) {
+  auto made = realise(subject);
+  if (made.forms.empty())
+    throw Error({.where = "law " + std::string(subject.law->info.id),
+                 .found = made.explanation,
+                 .allowed = "a law that the program's materials can give",
+                 .advice = "--to cpp, the law itself as a C++ header"});
+  return made;
+}
+
+constexpr std::array all{
+    Target{"opensees",
+           [](Subject const& s, UnitSystem const& units) { return opensees_script(s, realised(s), units); }},
+    Target{"openseespy",
+           [](Subject const& s, UnitSystem const& units) { return openseespy_script(s, realised(s), units); }},
+    Target{"cpp", cpp_header},
+    Target{"json", [](Subject const& s, UnitSystem const& units) { return export_json(s, realise(s), units); }},
+    Target{"sheet", value_sheet},
+    Target{"csv", protocol_csv}};
 
 }  // namespace
 
-Target parse_target(std::string_view text) {
-  for (auto const& [name, target] : targets)
-    if (name == text) return target;
-  throw Error({.where = "--to", .found = std::string(text), .allowed = "opensees, openseespy, cpp, json, sheet"});
+std::span<Target const> targets() {
+  return all;
 }
 
-std::string exported(Subject const& subject, Target target, UnitSystem const& units) {
-  if (target == Target::cpp) return cpp_header(subject, units);
-  if (target == Target::sheet) return value_sheet(subject, units);
-  auto const realisation = realise(subject);
-  if (target == Target::json) return export_json(subject, realisation, units);
-  if (realisation.forms.empty())
-    throw Error({.where = "law " + std::string(subject.law->info.id),
-                 .found = realisation.explanation,
-                 .allowed = "a law that the program's materials can give",
-                 .advice = "--to cpp, the law itself as a C++ header"});
-  return target == Target::opensees ? opensees_script(subject, realisation, units)
-                                    : openseespy_script(subject, realisation, units);
+Target const& find_target(std::string_view name) {
+  for (auto const& target : all)
+    if (target.name == name) return target;
+  throw Error(
+      {.where = "--to", .found = std::string(name), .allowed = joined(all | std::views::transform(&Target::name))});
 }
 
 }  // namespace isolaw::programs

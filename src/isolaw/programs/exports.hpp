@@ -1,6 +1,7 @@
 // The exported texts, one function per target. Each throws Error where the target cannot express the law at all.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -10,15 +11,18 @@
 
 namespace isolaw::programs {
 
-enum class Target { opensees, openseespy, cpp, json, sheet };
-Target parse_target(std::string_view text);  // throws Error that lists them
+struct Target {
+  std::string_view name;
+  std::string (*write)(Subject const& subject, UnitSystem const& units);
+};
+std::span<Target const> targets();
+Target const& find_target(std::string_view name);  // throws Error that lists them
 
 std::string opensees_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string openseespy_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string cpp_header(Subject const& subject, UnitSystem const& units);
 std::string export_json(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string value_sheet(Subject const& subject, UnitSystem const& units);
-
-std::string exported(Subject const& subject, Target target, UnitSystem const& units);
+std::string protocol_csv(Subject const& subject, UnitSystem const& units);
 
 }  // namespace isolaw::programs

@@ -198,6 +198,19 @@ std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, 
   return made;
 }
 
+std::vector<Fact> facts_of_the_law(Subject const& subject, UnitSystem const& units, std::string_view program,
+                                   std::string explanation) {
+  Realisation itself;
+  itself.fidelity = Fidelity::exact;
+  itself.explanation = std::move(explanation);
+  auto made = facts(subject, itself, units, program);
+  std::erase_if(made, [](Fact const& fact) {
+    return fact.label == "Lower bound" || fact.label == "Upper bound" || fact.label == "Bounds from";
+  });
+  for (auto& fact : bound_facts(subject, true)) made.push_back(std::move(fact));
+  return made;
+}
+
 std::vector<std::string> fact_lines(std::vector<Fact> const& facts) {
   constexpr std::size_t width = 110;
   std::vector<std::string> lines;

@@ -33,7 +33,10 @@ struct Fact {
 // Law, parameters, units, fidelity, errors, validity, bounds. `program` is the target's name.
 std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
                         std::string_view program);
-// The same facts as lines no wider than 110 characters, harmless, for comments.
+// The same of an export that holds the law itself: exact, and bounds by one factor on the force.
+std::vector<Fact> facts_of_the_law(Subject const& subject, UnitSystem const& units, std::string_view program,
+                                   std::string explanation);
+// Facts as lines no wider than 110 characters, harmless, for comments.
 std::vector<std::string> fact_lines(std::vector<Fact> const& facts);
 
 // "law's parameter = value unit, ...".

@@ -4,11 +4,13 @@
 
 #include <array>
 #include <cmath>
+#include <ranges>
 #include <string>
 #include <string_view>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/units.hpp"
+#include "isolaw/base/words.hpp"
 
 namespace isolaw::programs {
 
@@ -35,7 +37,9 @@ inline constexpr std::array unit_systems{UnitSystem{"kN-mm", kN, mm}, UnitSystem
 inline UnitSystem const& find_unit_system(std::string_view id) {
   for (auto const& system : unit_systems)
     if (system.id == id) return system;
-  throw Error({.where = "--units", .found = std::string(id), .allowed = "kN-mm, N-m, kip-in"});
+  throw Error({.where = "--units",
+               .found = std::string(id),
+               .allowed = joined(unit_systems | std::views::transform(&UnitSystem::id))});
 }
 
 }  // namespace isolaw::programs

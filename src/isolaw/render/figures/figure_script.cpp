@@ -114,7 +114,7 @@ void Script::place(Grid const& grid, std::size_t panel) {
   auto const columns = static_cast<std::size_t>(grid.columns);
   double const column = static_cast<double>(panel % columns), row = static_cast<double>(panel / columns);
   double const left = column * grid.width_mm / grid.columns + grid.margins.left;
-  double const top = row * grid.height_mm() / grid.rows + grid.margins.top;
+  double const top = grid.head_mm + row * grid.row_mm() + grid.margins.top;
   margins(left, grid.width_mm - left - grid.panel_width_mm(), grid.height_mm() - top - grid.panel_height_mm, top);
 }
 
@@ -146,7 +146,8 @@ void Range::add(std::optional<double> const& value) {
 
 Range Range::padded(double share) const {
   double const length = high - low;
-  double const least = 1e-6 * std::max(std::abs(low), std::abs(high));
+  // Shorter ones end in the same six digits, and gnuplot draws no axis without length.
+  double const least = 1e-4 * std::max(std::abs(low), std::abs(high));
   double const by = length > least ? share * length : low != 0.0 ? 0.05 * std::max(std::abs(low), std::abs(high)) : 1.0;
   return {low - by, high + by, false};
 }

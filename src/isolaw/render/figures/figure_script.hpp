@@ -14,7 +14,8 @@
 namespace isolaw::render {
 
 inline constexpr double single_column_mm = 84.0, double_column_mm = 174.0;
-inline constexpr double letter_mm = 1.5;  // mean width of one at 7 pt
+inline constexpr double letter_mm = 1.5;           // mean width of one at 7 pt
+inline constexpr std::size_t most_samples = 4000;  // of one curve; more cannot be seen at this size
 
 // Line styles of every script.
 inline constexpr int blue = 1, vermillion = 2, green = 3, purple = 4, orange = 5, sky = 6, black = 7, grey = 8;
@@ -31,9 +32,11 @@ struct Grid {
   int columns = 1, rows = 1;
   double width_mm = single_column_mm, panel_height_mm = 40.0;  // of all; of one within its axes
   Margins margins;
+  double head_mm = 0.0;  // above all panels
 
   double panel_width_mm() const { return width_mm / columns - margins.left - margins.right; }
-  double height_mm() const { return rows * (panel_height_mm + margins.top + margins.bottom); }
+  double row_mm() const { return panel_height_mm + margins.top + margins.bottom; }
+  double height_mm() const { return head_mm + rows * row_mm(); }
 };
 
 // At most so many panels to a row; one panel alone is of a single column's width, else all together of a double one's.

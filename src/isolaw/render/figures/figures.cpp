@@ -30,12 +30,27 @@ void for_each_lot_figure(Summary const& summary, std::function<void(MaybeFigure 
   use(properties_figure(summary));
 }
 
-void for_each_device_figure(Summary const& summary, std::function<void(MaybeFigure const&)> const& use) {
-  std::vector<std::string> names;
+// In file names; those of a device's figures may end in a law.
+std::vector<std::string> device_stems(Summary const& summary) {
+  std::vector<std::string> names, laws;
   for (auto const& device : summary.devices) names.push_back(device.name);
-  auto const stems = file_stems(names);
+  for (auto const& law : summary.laws) laws.push_back(law.id);
+  return file_stems(names, laws);
+}
+
+// Of the first device that has one.
+MaybeFigure loops_of_one_device(Summary const& summary) {
+  auto const stems = device_stems(summary);
+  for (std::size_t d = 0; d < summary.devices.size(); ++d)
+    if (auto figure = loops_of_laws_figure(summary, summary.devices[d], stems[d])) return figure;
+  return std::nullopt;
+}
+
+void for_each_device_figure(Summary const& summary, std::function<void(MaybeFigure const&)> const& use) {
+  auto const stems = device_stems(summary);
   for (std::size_t d = 0; d < summary.devices.size(); ++d) {
     use(record_figure(summary.devices[d], stems[d]));
+    use(loops_of_laws_figure(summary, summary.devices[d], stems[d]));
     for (auto const& law : summary.laws) use(loops_figure(summary.devices[d], law, stems[d]));
   }
 }
@@ -207,14 +222,20 @@ FigureChoice figure_choice(std::string_view name) {
                .advice = "--figures lot"});
 }
 
-std::vector<std::string> file_stems(std::vector<std::string> const& names) {
+std::vector<std::string> file_stems(std::vector<std::string> const& names, std::vector<std::string> const& endings) {
   std::vector<std::string> stems;
   std::set<std::string> taken;
   for (auto const& name : names) {
     auto const stem = safe_stem(name);
     auto unique = stem;
-    for (int number = 2; !taken.insert(lower_case(unique)).second; ++number)
-      unique = stem + "_" + std::to_string(number);
+    auto const all = [&] {
+      std::vector<std::string> made{lower_case(unique)};
+      for (auto const& ending : endings) made.push_back(lower_case(unique + "_" + ending));
+      return made;
+    };
+    auto const is_taken = [&](std::string const& one) { return taken.contains(one); };
+    for (int number = 2; std::ranges::any_of(all(), is_taken); ++number) unique = stem + "_" + std::to_string(number);
+    for (auto const& one : all()) taken.insert(one);
     stems.push_back(unique);
   }
   return stems;
@@ -225,6 +246,7 @@ void for_each_figure(Summary const& summary, FigureChoice choice, std::function<
     if (figure) use(*figure);
   };
   if (choice != FigureChoice::none) for_each_lot_figure(summary, use_if_any);
+  if (choice == FigureChoice::lot) use_if_any(loops_of_one_device(summary));
   if (choice == FigureChoice::all) for_each_device_figure(summary, use_if_any);
 }
 

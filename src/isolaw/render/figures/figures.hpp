@@ -13,7 +13,7 @@
 
 namespace isolaw::render {
 
-enum class FigureChoice { none, lot, all };  // all: those of every device too
+enum class FigureChoice { none, lot, all };  // lot: one of a device too, as an example; all: those of every device
 
 // Throws Error: none of the names "none", "lot", "all".
 FigureChoice figure_choice(std::string_view name);
@@ -27,8 +27,10 @@ struct Figure {
 // out.
 void for_each_figure(Summary const& summary, FigureChoice choice, std::function<void(Figure const&)> const& use);
 
-// Letters, digits, '.', '-' and '_', no longer than a file system takes, different even where case does not count.
-std::vector<std::string> file_stems(std::vector<std::string> const& names);
+// Letters, digits, '.', '-' and '_', no longer than a file system takes, different even where case does not count, and
+// so that none is another one with an underscore and one of the endings behind it.
+std::vector<std::string> file_stems(std::vector<std::string> const& names,
+                                    std::vector<std::string> const& endings = {});
 
 struct FigureOutcome {
   std::size_t figures = 0, drawn = 0;  // drawn: or drawn before from the same data

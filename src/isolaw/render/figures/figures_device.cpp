@@ -10,8 +10,6 @@
 namespace isolaw::render {
 namespace {
 
-constexpr std::size_t most_samples = 4000;  // of one curve; more cannot be seen at this size
-
 void write_history(DataTable& table, std::string_view title, std::span<double const> time,
                    std::span<double const> disp_mm, std::span<double const> force_kN) {
   table.comment(title);

@@ -32,6 +32,9 @@ MaybeFigure properties_figure(Summary const& summary);
 // Measured and computed loop, force over time, residual, Fig. 5. `stem` names the device in the files.
 MaybeFigure loops_figure(DeviceResult const& device, LawResult const& law, std::string const& stem);
 
+// A panel per law with the measured and the computed loop of a device, Fig. 5.
+MaybeFigure loops_of_laws_figure(Summary const& summary, DeviceResult const& device, std::string const& stem);
+
 // The record before and after cleaning, Fig. 4.
 MaybeFigure record_figure(DeviceResult const& device, std::string const& stem);
 

@@ -35,6 +35,9 @@ class DataTable {
   void cell(std::string_view text);                // in double quotes; one in the text becomes a single quote
   void cell(std::optional<double> const& number);  // all its digits; NaN where there is none
   void cell(double number) { cell(std::optional(number)); }
+  void cell(std::vector<std::optional<double>> const& numbers) {
+    for (auto const& number : numbers) cell(number);
+  }
   void cell(std::size_t number) { text_ += std::to_string(number) + ' '; }
   std::string text_;
 };

@@ -4,6 +4,7 @@ import { element } from '../dom.js';
 import { lawKey } from '../laws.js';
 import { drawable, ranking } from '../report.js';
 import { cleaningFigure } from './cleaning.js';
+import { energyFigure } from './energy.js';
 import { historyFigure } from './history.js';
 import { loopFigure } from './loop.js';
 import { loopOverviewFigure } from './overview.js';
@@ -14,7 +15,7 @@ export const loopsSection = {
   title: 'Loops',
   controls: loopControls,
   laws: true,
-  figures: [loopFigure, historyFigure, fitsFigure, loopOverviewFigure, cleaningFigure],
+  figures: [loopFigure, historyFigure, fitsFigure, loopOverviewFigure, energyFigure, cleaningFigure],
 };
 
 function loopControls() {
