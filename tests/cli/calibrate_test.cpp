@@ -113,8 +113,8 @@ TEST_F(Calibrate, ranks_every_law_on_the_terminal_best_first) {
     EXPECT_TRUE(
         contains(o.out.substr(found + 1, o.out.find('\n', found + 1) - found), fmt::format(" {:.4f} ", objective)));
   }
-  EXPECT_EQ(rank, 7);
-  EXPECT_TRUE(contains(o.out, "10 devices, 7 laws, seed 1"));
+  EXPECT_EQ(static_cast<std::size_t>(rank), laws::catalogue().size());
+  EXPECT_TRUE(contains(o.out, fmt::format("10 devices, {} laws, seed 1", rank)));
   EXPECT_TRUE(contains(o.out, "lower is more accurate"));
 }
 
@@ -268,7 +268,7 @@ TEST_F(Calibrate, report_makes_the_same_outputs_from_the_store_alone_and_does_no
   fs::remove_all(path("ex"));
   auto const o = isolaw({"report", "O"});
   EXPECT_EQ(o.code, 0) << o;
-  EXPECT_TRUE(contains(o.out, "10 devices, 7 laws"));
+  EXPECT_TRUE(contains(o.out, fmt::format("10 devices, {} laws", laws::catalogue().size())));
   for (auto const& [name, bytes] : before) EXPECT_EQ(read(fs::path("O") / name), bytes) << name;
   EXPECT_EQ(read("O/campaign.sqlite"), store);
   EXPECT_EQ(isolaw({"report", "O", "--json"}).out, before["summary.json"]);
