@@ -30,6 +30,7 @@ struct Case {
 
 std::vector<Case> exact_cases() {
   return {{"bilinear", bilinear_parameters, {"material", "bearing"}, 1e-12},
+          {"menegotto-pinto", menegotto_pinto_parameters, {"material"}, 1e-12},
           {"vaiana", vaiana_parameters(), {"material"}, 1e-9},
           {"vaiana", vaiana_parameters(800.0, 12.0), {"material"}, 1e-9},
           // One backward Euler step to a sample, 200 to a cycle.
@@ -75,8 +76,8 @@ TEST(Scripts, bounds_scale_stiffness_and_strength) {
     auto const subject = subject_of(c.law, c.parameters);
     auto const script = opensees_script(subject, realise(subject), unit_systems[0]);
     auto const& history = subject.histories[0];
-    bool const bilinear = c.law == "bilinear";
-    double const K = bilinear ? c.parameters[1] : c.parameters[0] * 1e-6;
+    auto const& p = c.parameters;
+    double const K = c.law == "bilinear" ? p[1] : c.law == "menegotto-pinto" ? p[2] * p[0] : p[0] * 1e-6;
     for (auto const& [variant, factors] :
          {std::pair{"lower", *subject.bounds.lower}, {"upper", *subject.bounds.upper}}) {
       auto const force = of_script(script, "material", variant, unit_systems[0], history);

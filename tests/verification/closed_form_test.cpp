@@ -21,6 +21,7 @@ using laws::BoucWen;
 using laws::HwangWu;
 using laws::Integration;
 using laws::Jankowski;
+using laws::MenegottoPinto;
 using laws::Vaiana;
 
 // Energy of the last of three triangular cycles between +D and -D, in units of the law.
@@ -57,6 +58,19 @@ TEST(ClosedForm, BilinearBranches) {
   std::vector<double> const expected{0.0, 16.0, 20.0, 30.0, 10.0, -10.0, -15.0, -30.0, 0.0, 10.0, 15.0};
   auto const force = forces<Bilinear>(values, motion);
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(force[i], expected[i], 1e-12) << motion.disp_mm[i];
+}
+
+// The steel model of the 1983 report as others compute it, from the (x0, F0) of each branch: to the digits printed.
+TEST(ClosedForm, MenegottoPintoBranches) {
+  auto const values =
+      named<MenegottoPinto>({{"E", 1.0}, {"Fy", 1.0}, {"b", 0.1}, {"R0", 20.0}, {"cR1", 0.925}, {"cR2", 0.15}});
+  Motion motion;
+  motion.disp_mm = {0.0, 1.0, 5.0, -5.0, 5.0, 2.0, 5.0, 6.0};
+  motion.velocity_mm_s.assign(motion.disp_mm.size(), 0.0);
+  std::vector<double> const expected{0.0,         0.969342696,  1.4,         -1.375243036,
+                                     1.353082051, -0.378071558, 1.345535478, 1.478107786};
+  auto const force = forces<MenegottoPinto>(values, motion);
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(force[i], expected[i], 5.1e-10) << i;
 }
 
 // No exponential, no sigmoid, equal branches: K_eff = kb + f0 tanh(alpha D) / D and energy 4 f0 [D - tanh(alpha D) /

@@ -109,7 +109,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"bouc-wen", {"A=1"}},
                     Case{"abe", {"alpha=20", "beta=0.5", "a=0", "b=1", "Uh=300", "p=1", "K2=0.4", "r=0.5"}},
                     Case{"abe-y0", {"alpha=20", "beta=0.5", "a=0", "b=1", "Uh=300", "K2=0.4", "r=0.5"}},
-                    Case{"hwang-wu"}, Case{"bilinear", {}, correlated}, Case{"bouc-wen", {"A=1"}, correlated}),
+                    Case{"hwang-wu"}, Case{"menegotto-pinto"}, Case{"bilinear", {}, correlated},
+                    Case{"bouc-wen", {"A=1"}, correlated}),
     [](auto const& instance) { return named(instance.param); });
 
 INSTANTIATE_TEST_SUITE_P(Bootstrap, Coverage,

@@ -42,6 +42,15 @@ TEST(Replay, bilinear_materials_have_the_closed_form) {
   }
 }
 
+// Values of another implementation, and f at 1 by hand: 0.1 + 0.9 / 2^(1/20).
+TEST(Replay, steel02_has_the_branches_of_menegotto_and_pinto) {
+  Command const command{"Steel02", {1.0, 1.0, 0.1, 20.0, 0.925, 0.15}};
+  auto const f = replay({&command, 1}, std::vector<double>{1, 5, -5, 5, 2, 5, 6});
+  std::vector<double> const expected{0.969342696,  1.4,         -1.375243036, 1.353082051,
+                                     -0.378071558, 1.345535478, 1.478107786};
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(f[i], expected[i], 5.1e-10) << i;
+}
+
 // Without hardening: K_eff = kb + f0 tanh(alpha D) / D, EDC = 4 f0 (D - tanh(alpha D) / alpha); kb 0.6, f0 25, alpha 0.08,
 // D 150 give 0.766667 kN/mm and 13750.00 kN mm.
 TEST(Replay, asymmetric_material_without_hardening_has_the_closed_form) {

@@ -59,7 +59,8 @@ TEST_P(Twin, IsFoundAgain) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, Twin,
-                         testing::Values("bilinear", "jankowski", "vaiana", "bouc-wen", "abe", "abe-y0", "hwang-wu"),
+                         testing::Values("bilinear", "jankowski", "vaiana", "bouc-wen", "abe", "abe-y0", "hwang-wu",
+                                         "menegotto-pinto"),
                          [](auto const& instance) {
                            auto name = instance.param;
                            for (char& c : name)

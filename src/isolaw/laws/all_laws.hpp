@@ -1,4 +1,4 @@
-// The list of laws. Adding one: its header, one line here, one folder of reference data in tests/verification.
+// The list of laws. Adding one: its header, its name and its file here.
 #pragma once
 
 #include <tuple>
@@ -9,11 +9,12 @@
 #include "isolaw/laws/bouc_wen.hpp"
 #include "isolaw/laws/hwang_wu.hpp"
 #include "isolaw/laws/jankowski.hpp"
+#include "isolaw/laws/menegotto_pinto.hpp"
 #include "isolaw/laws/vaiana.hpp"
 
 namespace isolaw::laws {
 
-using AllLaws = std::tuple<Bilinear, Jankowski, Vaiana, BoucWen, Abe, AbeY0, HwangWu>;
+using AllLaws = std::tuple<Bilinear, Jankowski, Vaiana, BoucWen, Abe, AbeY0, HwangWu, MenegottoPinto>;
 
 // Calls visit.template operator()<Law>() for every law, in order.
 template <class Visitor>

@@ -20,6 +20,11 @@ struct BoucWenForm {
   double z_max() const { return std::pow(beta + gamma, -1.0 / n); }  // the yield displacement
 };
 
+// F = b E x + (1 - b) z, the branches of Menegotto and Pinto between reversals; sharpness R0, less by cR1 and cR2.
+struct MenegottoPintoForm {
+  double E, Fy, b, R0, cR1, cR2;
+};
+
 // F approaches Kb x + f0 + beta1 (exp(beta2 x) - 1), with -f0 in unloading, as exp(-alpha |dx|); `sigmoid` is the size of
 // what the curve has besides.
 struct LimitCurve {
@@ -34,6 +39,6 @@ struct NoForm {
   std::string_view lacking = {};
 };
 
-using Canonical = std::variant<NoForm, BilinearForm, BoucWenForm, LimitCurvesForm>;
+using Canonical = std::variant<NoForm, BilinearForm, BoucWenForm, MenegottoPintoForm, LimitCurvesForm>;
 
 }  // namespace isolaw::laws

@@ -35,6 +35,19 @@ Form bearing_plasticity(laws::BilinearForm const& v) {
           .condition = "coupled in the bearing's plane; checked here along one axis"};
 }
 
+Form steel02(laws::MenegottoPintoForm const& v) {
+  return {.id = "material",
+          .title = "uniaxialMaterial Steel02",
+          .exactness = Exactness::every_step,
+          .commands = {{"Steel02",
+                        {{"Fy", v.Fy, 1, 0},
+                         {"E0", v.E, 1, -1},
+                         {"b", v.b, 0, 0},
+                         {"R0", v.R0, 0, 0},
+                         {"cR1", v.cR1, 0, 0},
+                         {"cR2", v.cR2, 0, 0}}}}};
+}
+
 // gamma before beta, and z a length: beta and gamma are in 1/length^n.
 Form bouc_wen(laws::BoucWenForm const& v) {
   return {.id = "material",
@@ -113,6 +126,9 @@ laws::Canonical canonical(laws::LawEntry const& law, std::span<double const> par
     smooth->Ke *= F / L;
     smooth->beta *= std::pow(L, -smooth->n);
     smooth->gamma *= std::pow(L, -smooth->n);
+  } else if (auto* steel = std::get_if<laws::MenegottoPintoForm>(&form)) {
+    steel->E *= F / L;
+    steel->Fy *= F;
   } else if (auto* curves = std::get_if<laws::LimitCurvesForm>(&form)) {
     for (auto* curve : {&curves->loading, &curves->unloading})
       *curve = {.Kb = curve->Kb * F / L,
@@ -194,6 +210,11 @@ struct ToForms {
     if (!(v.beta + v.gamma > 0.0)) return {{}, "beta + gamma is not positive: no bounded force"};
     return {bouc_wen_forms(scaled(v, scale)), {}};
   }
+  Mapping operator()(laws::MenegottoPintoForm const& v) const {
+    if (!(v.E > 0.0 && v.Fy > 0.0 && v.b < 1.0))
+      return {{}, "without yielding (E or Fy is 0, or b is 1) there is no such material to export"};
+    return {{steel02(scaled(v, scale))}, {}};
+  }
   Mapping operator()(laws::LimitCurvesForm const& curves) const {
     if (auto why = no_material_of(law, curves); !why.empty()) return {{}, std::move(why)};
     auto v = curves.loading;
@@ -230,6 +251,11 @@ laws::BoucWenForm scaled(laws::BoucWenForm v, BoundFactors const& scale) {
   v.Ke = spring + hysteretic;
   v.alpha = spring / v.Ke;
   return v;
+}
+
+laws::MenegottoPintoForm scaled(laws::MenegottoPintoForm v, BoundFactors const& scale) {
+  double const spring = scale.stiffness * v.b * v.E, E = spring + scale.strength * (1.0 - v.b) * v.E;
+  return {.E = E, .Fy = v.Fy * E / v.E, .b = spring / E, .R0 = v.R0, .cR1 = v.cR1, .cR2 = v.cR2};
 }
 
 std::vector<Command> in_units(Form const& form, UnitSystem const& units) {

@@ -51,6 +51,7 @@ Mapping map_law(laws::LawEntry const& law, std::span<double const> parameters, B
 
 laws::BilinearForm scaled(laws::BilinearForm values, BoundFactors const& scale);
 laws::BoucWenForm scaled(laws::BoucWenForm values, BoundFactors const& scale);
+laws::MenegottoPintoForm scaled(laws::MenegottoPintoForm values, BoundFactors const& scale);
 
 // The numbers of a law that has the form by itself, in kN and mm; Bouc-Wen's also where limit curves are those of it.
 std::optional<laws::BilinearForm> bilinear_values(laws::LawEntry const& law, std::span<double const> parameters);

@@ -30,6 +30,38 @@ class Steel01 final : public Material {
   double Fy_, E0_, b_, x_ = 0.0, force_ = 0.0;
 };
 
+// Fy E0 b R0 cR1 cR2: a curve from each reversal (xr, fr) to the point (x0, f0) where its elastic line meets the asymptote.
+class Steel02 final : public Material {
+ public:
+  explicit Steel02(std::span<double const> a)
+      : Fy_(a[0]), E0_(a[1]), b_(a[2]), R0_(a[3]), cR1_(a[4]), cR2_(a[5]), highest_(Fy_ / E0_), lowest_(-highest_) {}
+  double force(double x) override {
+    if (x == x_) return f_;
+    if (double const direction = sign(x - x_); direction != direction_) turn(direction);
+    double const e = (x - xr_) / (x0_ - xr_);
+    double const curve = b_ * e + (1.0 - b_) * e / std::pow(1.0 + std::pow(std::abs(e), R_), 1.0 / R_);
+    x_ = x;
+    return f_ = fr_ + (f0_ - fr_) * curve;
+  }
+
+ private:
+  void turn(double direction) {
+    double const xy = Fy_ / E0_, hardening = b_ * E0_;
+    if (direction_ > 0.0) highest_ = std::max(highest_, x_);
+    if (direction_ < 0.0) lowest_ = std::min(lowest_, x_);
+    direction_ = direction;
+    xr_ = x_;
+    fr_ = f_;
+    x0_ = (direction * (Fy_ - hardening * xy) - fr_ + E0_ * xr_) / (E0_ - hardening);
+    f0_ = direction * Fy_ + hardening * (x0_ - direction * xy);
+    double const xi = std::abs((direction > 0.0 ? highest_ : lowest_) - x0_) / xy;
+    R_ = R0_ * (1.0 - cR1_ * xi / (cR2_ + xi));
+  }
+
+  double Fy_, E0_, b_, R0_, cR1_, cR2_, highest_, lowest_;
+  double x_ = 0.0, f_ = 0.0, direction_ = 0.0, xr_ = 0.0, fr_ = 0.0, x0_ = 0.0, f0_ = 0.0, R_ = 0.0;
+};
+
 // kInit qd alpha1 alpha2 mu, in one direction: an elastic-plastic part beside a spring and a hardening one.
 class BearingPlasticity final : public Material {
  public:
@@ -158,6 +190,7 @@ std::unique_ptr<Material> make_one(Command const& command, std::unique_ptr<Mater
                    .allowed = least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most)});
   };
   if (command.name == "Steel01") return expect(3, 3), std::make_unique<Steel01>(a);
+  if (command.name == "Steel02") return expect(6, 6), std::make_unique<Steel02>(a);
   if (command.name == "BoucWen") return expect(9, 11), std::make_unique<BoucWen>(a);
   if (command.name == "BoucWenOriginal")
     return expect(8, 10), std::make_unique<DimensionlessBoucWen>(bouc_wen_original(a));
@@ -171,7 +204,7 @@ std::unique_ptr<Material> make_one(Command const& command, std::unique_ptr<Mater
       {.where = command.name,
        .found = "no material that is replayed here",
        .allowed =
-           "Steel01, BoucWen, BoucWenOriginal, HystereticAsym, Multiplier of one before it, elastomericBearingPlasticity, elastomericBearingBoucWen"});
+           "Steel01, Steel02, BoucWen, BoucWenOriginal, HystereticAsym, Multiplier of one before it, elastomericBearingPlasticity, elastomericBearingBoucWen"});
 }
 
 }  // namespace

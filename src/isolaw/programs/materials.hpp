@@ -2,7 +2,8 @@
 // displacements: our own stepping from the published formulas, with the arguments in the order of the command. What an
 // export is called is decided by these, not by the formulas it was derived from.
 //
-// Sources: Steel01, OpenSees command manual (kinematic hardening without its optional isotropic part). BoucWen: Wen 1976
+// Sources: Steel01, OpenSees command manual (kinematic hardening without its optional isotropic part). Steel02:
+// Filippou et al. 1983 as in that manual, likewise. BoucWen: Wen 1976
 // as in Haukaas and Der Kiureghian 2003, z by backward Euler. BoucWenOriginal and elastomericBearingBoucWen: Park, Wen and
 // Ang 1986, z dimensionless, backward Euler. elastomericBearingPlasticity: return mapping. HystereticAsym: Vaiana et al.
 // 2018/2021, algebraic. Multiplier: a factor on the force.

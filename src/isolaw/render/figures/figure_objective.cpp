@@ -52,7 +52,7 @@ void plot_laws(Script& script, std::string const& file, std::vector<DevicePanel>
                bool with_bars) {
   for (std::size_t i = 0; i < laws.size(); ++i) {
     auto const x = place_in_law(i, laws[i].points.size());
-    int const style = static_cast<int>(i % 7) + 1;
+    int const style = static_cast<int>(i % 8) + 1;
     std::string const start = i == 0 ? "plot " : "  ";
     if (with_bars)
       script.line(

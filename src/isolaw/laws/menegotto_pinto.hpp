@@ -1,0 +1,96 @@
+// Menegotto-Pinto: a smooth curve from each reversal, tangent to the elastic line there, to the asymptote of the other side.
+// Source: Menegotto and Pinto 1973 with the R of Filippou et al. 1983, without isotropic hardening. Written here without the
+// intersection (x0, F0): F = b E x + (1 - b) z, where z leaves its value zr at the reversal towards +-Fy, a distance D, as
+// (D^-R + t^-R)^(-1/R) of the elastic travel t = E |x - xr|; then E (x0 - xr) = +-D.  Units kN, mm.  Step: exact.
+#pragma once
+
+#include "isolaw/laws/canonical.hpp"
+#include "isolaw/laws/law.hpp"
+#include "isolaw/laws/limits.hpp"
+
+namespace isolaw::laws {
+
+struct MenegottoPinto {
+  static constexpr LawInfo info{
+      .id = "menegotto-pinto",
+      .title = "Menegotto-Pinto, smooth branches to asymptotes",
+      .source = "Menegotto and Pinto 1973, the Equation of a branch; Filippou et al. 1983, that of R",
+      .force = kN,
+      .length = mm,
+      .traits = {.rate_independent = true, .odd = true},
+      .formula =
+          "f* = b e* + (1 - b) e* / (1 + |e*|^R)^(1/R),   e* = (x - xr) / (x0 - xr),   f* = (F - Fr) / (F0 - Fr)\n"
+          "(xr, Fr) the last reversal, (x0, F0) where its line of slope E meets b E x +- (1 - b) Fy, the side ahead\n"
+          "R = R0 (1 - cR1 xi / (cR2 + xi)),   xi = |xm - x0| E / Fy,   xm the farthest reversal ahead, at least +-Fy / E",
+      .note =
+          "Without isotropic hardening. A branch knows the last reversal alone: after a small unloading it does not return to the branch that it left, as a real device does, but starts anew from there and overshoots it."};
+
+  template <class T>
+  struct Params {
+    T E, Fy, b, R0, cR1, cR2;
+  };
+
+  template <class T>
+  static constexpr auto rows = std::to_array<Row<T, Params<T>>>({
+      {&Params<T>::E, parameter("E", "kN/mm", "initial stiffness", not_negative, std::nullopt, {1.0, 15.0, stiffness})},
+      {&Params<T>::Fy, parameter("Fy", "kN", "force at which the elastic line meets the asymptote", not_negative,
+                                 std::nullopt, {0.5, 5.0, strength})},
+      {&Params<T>::b, parameter("b", "1", "ratio of post-yield to initial stiffness", Interval{0.0, 1.0}, std::nullopt,
+                                {0.05, 0.3, one})},
+      {&Params<T>::R0, parameter("R0", "1", "sharpness of yielding of the first branch", positive, std::nullopt,
+                                 {0.5, 20.0, one}, Scale::logarithmic)},
+      {&Params<T>::cR1, parameter("cR1", "1", "share of it that plastic excursions take", Interval{0.0, 1.0},
+                                  std::nullopt, {0.5, 0.99, one}, Scale::linear, 0.925)},
+      {&Params<T>::cR2, parameter("cR2", "1", "excursion, in yield displacements, that takes half of that share",
+                                  positive, std::nullopt, {0.05, 0.5, one}, Scale::linear, 0.15)},
+  });
+
+  static Canonical canonical(Params<double> const& p) { return MenegottoPintoForm{p.E, p.Fy, p.b, p.R0, p.cR1, p.cR2}; }
+
+  template <class T>
+  struct State {
+    T z = T(0.0);
+    T top = T(0.0), bottom = T(0.0);                           // E xm to both sides
+    T turn_z = T(0.0), distance = T(0.0), sharpness = T(0.0);  // zr, D and R of the branch
+    double turn_x = 0.0;
+  };
+
+  template <class T>
+  static State<T> start(Params<T> const& p, Step const& first, Integration) {
+    T const elastic = p.E * T(first.x1);
+    return {.top = elastic + p.Fy, .bottom = elastic - p.Fy};
+  }
+
+  template <class T>
+  static T step(Params<T> const& p, State<T>& state, Step const& step) {
+    if (step.reversal) turn(p, state, step);
+    if (step.length > 0.0) {
+      T const travel = p.E * T(step.direction * (step.x1 - state.turn_x));
+      // In this order what is not a number stays so.
+      T const less = min(state.distance, travel), more = max(state.distance, travel);
+      T const ratio = less / max(more, T(num::smallest_power_base));
+      T const rounding = exp2(-log2(T(1.0) + power(ratio, state.sharpness)) / state.sharpness);
+      state.z = state.turn_z + T(step.direction) * less * rounding;
+    }
+    return rounded(p.b * p.E * T(step.x1)) + (T(1.0) - p.b) * state.z;
+  }
+
+ private:
+  template <class T>
+  static void turn(Params<T> const& p, State<T>& state, Step const& step) {
+    T const tiny(num::smallest_power_base), direction(step.direction), elastic = p.E * T(step.x0);
+    bool const rising = step.direction > 0.0;
+    if (rising)
+      state.bottom = min(state.bottom, elastic);
+    else
+      state.top = max(state.top, elastic);
+    state.turn_x = step.x0;
+    state.turn_z = state.z;
+    state.distance = max(p.Fy - direction * state.z, T(0.0));
+    T const ahead = (rising ? state.top : state.bottom) - elastic;
+    T const excursion = abs(ahead - direction * state.distance) / max(p.Fy, tiny);
+    state.sharpness = p.R0 * (T(1.0) - p.cR1 * excursion / max(p.cR2 + excursion, tiny));
+  }
+};
+
+}  // namespace isolaw::laws
