@@ -249,6 +249,14 @@ TEST(FindRules, NamesWhatThereIs) {
   expect_parts(complaints([] { find_rule_set("/dev"); }), {"is a directory"});
 }
 
+// An empty text is that of a campaign that is held to nothing.
+TEST(FindRules, AnEmptyFileIsNoRuleSet) {
+  auto const path = std::filesystem::temp_directory_path() / "isolaw-empty-rules.toml";
+  std::ofstream(path).close();
+  expect_parts(complaints([&] { load_rule_text(path.string()); }), {"an empty file", "isolaw rules template"});
+  std::filesystem::remove(path);
+}
+
 TEST(RequiredSample, IsTheShareWithinItsBounds) {
   SampleRule const ntc{.share_percent = 20, .least = 4, .clause = {}};
   // min(N, max(4, ceil(0.2 N))): 28 -> 5.6 -> 6; 35 -> 7 to the last bit of 0.2; 3 and 4 -> all.

@@ -52,11 +52,19 @@ std::string load_rule_text(std::string_view name_or_file) {
   if (is_built_in(name_or_file)) return std::string(rule_set_text(name_or_file));
   auto const allowed =
       fmt::format("{}, or a rule file", joined(built_in_rule_sets() | std::views::transform(&RuleSet::id)));
-  return read_file(std::string(name_or_file),
-                   {.largest_bytes = largest_rule_file,
-                    .allowed = allowed,
-                    .when_too_large = "a rule file holds one set of limits, not data",
-                    .when_missing = "isolaw rules lists the sets, isolaw rules template prints a file to start from"});
+  auto text =
+      read_file(std::string(name_or_file),
+                {.largest_bytes = largest_rule_file,
+                 .allowed = allowed,
+                 .when_too_large = "a rule file holds one set of limits, not data",
+                 .when_missing = "isolaw rules lists the sets, isolaw rules template prints a file to start from"});
+  // A campaign that is held to nothing has an empty text.
+  if (text.empty())
+    throw Error({.where = std::string(name_or_file),
+                 .found = "an empty file",
+                 .allowed = allowed,
+                 .advice = "isolaw rules template prints a file to start from"});
+  return text;
 }
 
 RuleSet find_rule_set(std::string_view name_or_file) {
