@@ -147,9 +147,16 @@ inline double yield_mm(laws::LawEntry const& law, std::span<double const> p) {
 }
 
 // Laws that give no force where all parameters are 0: bouc-wen is inadmissible then, and abe divides by its zero yield force
-// and displacement.
+// and displacement, ramberg-osgood by its force.
 inline bool needs_parameters(std::string_view law) {
-  return law == "bouc-wen" || law == "abe" || law == "abe-y0";
+  return law == "bouc-wen" || law == "abe" || law == "abe-y0" || law == "ramberg-osgood";
+}
+
+// Laws whose loops do not settle: hwang-wu degrades with the work of all cycles, power-masing and power-scragging with their
+// travel; a mean force of menegotto-pinto dies out over tens of cycles where R0 is low, since its branches end off their
+// asymptotes.
+inline bool changes_over_cycles(std::string_view law) {
+  return law == "hwang-wu" || law == "menegotto-pinto" || law == "power-masing" || law == "power-scragging";
 }
 
 // What the sampling may leave in the force anywhere in the published box, relative to the peak, at 50 samples a cycle.

@@ -1,6 +1,7 @@
 // The best objectives known: what makes a problem another one, the file, and that it is never raised.
 #include "bench/best_known.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -128,7 +129,7 @@ TEST(ProblemKey, IsTheSameOnEveryScaleAndDespiteRounding) {
 TEST(BestKnown, TextReadsBackForEveryLaw) {
   std::vector<BestKnown> entries;
   for (auto const& law : laws::catalogue()) {
-    auto made = entry(std::string(1, static_cast<char>('0' + law.index)), 0.1 + 0.2);
+    auto made = entry(fmt::format("{:x}", law.index), 0.1 + 0.2);
     made.law = law.info.id;
     made.parameters.clear();
     for (std::size_t i = 0; i < law.parameters.size(); ++i)

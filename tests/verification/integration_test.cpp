@@ -82,9 +82,10 @@ bool without_bounded_force(laws::LawEntry const& law, Values const& p) {
   return law.info.id == "bouc-wen" && p[law.index_of("beta")] + p[law.index_of("gamma")] <= 0.0;
 }
 
-// Adds the shifts of one law on one record to `found`.
-void measure(laws::LawEntry const& law, data::FitRecord const& record, BoxKind kind, std::uint64_t stream_number,
+// Adds the shifts of one law on one record to `found`. Without the record's dead band, which is no matter of steps.
+void measure(laws::LawEntry const& law, data::FitRecord record, BoxKind kind, std::uint64_t stream_number,
              Shift& found) {
+  record.dead_band_mm = 0.0;
   auto const box = make_box(law, kind, scales_of(record, law.info), {});
   LawOnRecord const model(law, record, laws::Integration::converged);
   Refined const fine(law, record, finer);

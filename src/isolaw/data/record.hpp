@@ -55,6 +55,7 @@ struct FitRecord {
   std::vector<double> force_kN;
   std::vector<double> scored = {};  // 1 where a law is judged, 0 where it only runs along; empty: everywhere
   std::vector<double> block = {};  // number of the block that a sample belongs to, where some are predicted; else empty
+  double dead_band_mm = 0.0;  // displacement is followed with this much play by laws that remember its turning points
   std::vector<std::string> cleaning;  // one sentence per step applied, with its numbers
 
   bool has_time() const { return !vel_mm_s.empty(); }

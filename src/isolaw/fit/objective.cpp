@@ -105,7 +105,8 @@ LawOnMotion::LawOnMotion(laws::LawEntry const& law, data::FitRecord const& motio
     throw Error({.where = "law " + std::string(law.info.id),
                  .found = "a history of 0 samples",
                  .allowed = "a history with samples"});
-  x_ = in_unit(motion.disp_mm, law.info.length.in_record_units);
+  x_ = in_unit(law.info.traits.remembers ? laws::followed(motion.disp_mm, motion.dead_band_mm) : motion.disp_mm,
+               law.info.length.in_record_units);
   v_ = in_unit(motion.vel_mm_s, law.info.length.in_record_units);
   path_ = path(refinement_);
 }
@@ -119,8 +120,8 @@ LawOnMotion LawOnMotion::refined(int refinement) const {
 
 laws::Path LawOnMotion::path(int refinement) const {
   return turning_points_ == laws::TurningPoints::interpolated
-             ? laws::make_path_with_turning_points(x_, v_, time_s_, refinement)
-             : laws::make_path(x_, v_, refinement);
+             ? laws::make_path_with_turning_points(x_, v_, time_s_, refinement, law_->info.traits.remembers)
+             : laws::make_path(x_, v_, refinement, law_->info.traits.remembers);
 }
 
 std::vector<std::size_t> LawOnMotion::outline() const {

@@ -32,7 +32,8 @@ inline constexpr double block_tolerance = 1e-11;
 class LawOnMotion {
  public:
   // Throws Error when the law needs velocities and the history has no time, and for one without samples. The history may
-  // be discarded afterwards. Every interval between samples is cut into `refinement` equal steps.
+  // be discarded afterwards. Every interval between samples is cut into `refinement` equal steps. A law that remembers its
+  // path follows the displacement with the record's dead band.
   LawOnMotion(laws::LawEntry const& law, data::FitRecord const& motion, laws::Integration integration,
               laws::TurningPoints turning_points = laws::TurningPoints::as_sampled, int refinement = 1);
   // The same law and history integrated in finer steps; `refinement` counts from the samples, not from this one's.

@@ -10,11 +10,15 @@
 #include "isolaw/laws/hwang_wu.hpp"
 #include "isolaw/laws/jankowski.hpp"
 #include "isolaw/laws/menegotto_pinto.hpp"
+#include "isolaw/laws/power_masing.hpp"
+#include "isolaw/laws/power_scragging.hpp"
+#include "isolaw/laws/ramberg_osgood.hpp"
 #include "isolaw/laws/vaiana.hpp"
 
 namespace isolaw::laws {
 
-using AllLaws = std::tuple<Bilinear, Jankowski, Vaiana, BoucWen, Abe, AbeY0, HwangWu, MenegottoPinto>;
+using AllLaws = std::tuple<Bilinear, Jankowski, Vaiana, BoucWen, Abe, AbeY0, HwangWu, MenegottoPinto, PowerMasing,
+                           PowerScragging, RambergOsgood>;
 
 // Calls visit.template operator()<Law>() for every law, in order.
 template <class Visitor>

@@ -90,6 +90,11 @@ std::optional<LawEntry::Unmet> LawEntry::unmet(std::span<double const> values) c
   return made;
 }
 
+std::string_view memory_of(LawInfo const& law) {
+  if (law.traits.masing) return "turning points";
+  return law.traits.remembers ? "peaks and travel of each side" : "its own state, or none";
+}
+
 std::span<LawEntry const> catalogue() {
   static std::vector<LawEntry> const all = [] {
     std::vector<LawEntry> made;

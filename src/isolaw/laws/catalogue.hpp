@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "isolaw/laws/canonical.hpp"
@@ -50,6 +51,16 @@ struct LawEntry {
 };
 
 std::span<LawEntry const> catalogue();
+
+// The words for several laws: the least of them that has a law is its own.
+inline constexpr std::pair<std::string_view, LawSet> law_sets[]{
+    {"paper", LawSet::paper}, {"usual", LawSet::usual}, {"all", LawSet::further}};
+inline std::string_view name(LawSet set) {
+  return law_sets[static_cast<std::size_t>(set)].first;
+}
+
+// What a law remembers of its path, in words.
+std::string_view memory_of(LawInfo const& law);
 
 // Throws Error that lists the laws.
 LawEntry const& find_law(std::string_view id);

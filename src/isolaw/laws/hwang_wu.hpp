@@ -27,7 +27,8 @@ struct HwangWu {
           "K = a1 + a2 x^2 + a3 x^4 + a4 exp(a9 W) / cosh^2(a5 v)\n"
           "C = (a6 + a7 x^2) / sqrt(a8^2 + v^2) (1 + exp(a10 W))",
       .note =
-          "W is all the work done since the start, elastic part included, in N cm; the authors' unit of W is open. The upper bound of a1 is lost in Table 4; 6e3 N/cm is used."};
+          "W is all the work done since the start, elastic part included, in N cm; the authors' unit of W is open. The upper bound of a1 is lost in Table 4; 6e3 N/cm is used.",
+      .set = LawSet::paper};
 
   template <class T>
   struct Params {

@@ -21,7 +21,8 @@ struct Jankowski {
           "K = a1 + a2 x^2 + a3 x^4 + a4 / cosh^2(a5 v) + a6 / (cosh(a7 v) cosh(a8 x))\n"
           "C = (a9 + a10 x^2) / sqrt(a11^2 + v^2)",
       .note =
-          "The velocity appears once in F = K x + C v (printed twice in Eq. 3). Without motion the damping force is 0, also for a11 = 0."};
+          "The velocity appears once in F = K x + C v (printed twice in Eq. 3). Without motion the damping force is 0, also for a11 = 0.",
+      .set = LawSet::paper};
 
   template <class T>
   struct Params {

@@ -3,10 +3,11 @@
 // A law is a struct with
 //   info                       LawInfo: id, title, source, units, traits, notes on how the source was read
 //   Params<T>                  its parameters, in the paper's symbols
-//   rows<T>                    one Row per parameter, in the order of reports: member, name, unit, limits, boxes, meaning
+//   rows<T>                    one Row per parameter, in the order of reports: member, name, unit, meaning, limits, boxes
 //   State<T>                   what it remembers from sample to sample, with constants derived from the parameters
 //   start(params, first, how)  the virgin state at the first sample
 //   step(params, state, step)  advances the state over one step of the path, returns the force at its end
+//   or, for a law that reads what the path remembers (traits.remembers), start(params, path) and step(params, state, step, memory)
 // and, where it has them,
 //   step_paper(...)            the same by one classical Runge-Kutta step, where that differs
 //   joint_limits               what parameters must meet together: a JointLimit each
@@ -105,7 +106,12 @@ struct Traits {
   bool rate_independent = false;  // the velocity does not matter
   bool odd = false;               // F(-x) = -F(x) for the mirrored history
   bool path_integrated = false;   // a differential law: the integration method matters
+  bool remembers = false;         // its step reads what the path remembers (Memory)
+  bool masing = false;            // branches close where they began, small loops leave nothing behind
 };
+
+// paper: of Cucuzza et al. 2025. usual: runs besides where nothing is said. further: runs where it is asked for.
+enum class LawSet { paper, usual, further };
 
 struct LawInfo {
   std::string_view id;
@@ -114,7 +120,8 @@ struct LawInfo {
   Unit force, length;  // time is always in seconds
   Traits traits;
   std::string_view formula;    // lines of plain text with the parameters' names; x, v and F in the units above
-  std::string_view note = "";  // how the source was read where it is incomplete
+  std::string_view note = "";  // how the source was read where it is incomplete, what the law was made for
+  LawSet set = LawSet::further;
 };
 
 enum class Integration { converged, paper };
@@ -133,23 +140,50 @@ struct Step {
   double log2_abs_x0, log2_abs_x1;  // of |x| clamped to num::smallest_power_base
 };
 
+// What the displacement alone decides for a law that remembers turning points and the travel of each side, at the end of a
+// step (memory.cpp). The side of x is that of its sign. A first sample away from 0 is a motion from 0.
+struct Memory {
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::size_t kept = none;    // the step began at a turning point: the force there goes to this place of the stack
+  std::size_t branch = none;  // the turning point that the branch began at; none: on the skeleton
+  double branch_x = 0.0;      // its displacement
+  double direction = 0.0;     // +1, -1; 0 before the first motion
+  double peak0 = 0.0;         // largest |x| before the step
+  double peak = 0.0;          // and after it
+  double inside = 0.0;        // length of the step within peak0
+  double side_peak = 0.0;     // the same on the side of x
+  double travel = 0.0;        // N of that side: relative to its peak inside it, forgotten as the peak grows
+  double virgin = 1.0;        // (1 + N)^(-1/3)
+  std::size_t side = 0;       // 0: x >= 0, 1: x < 0
+  bool peak_grows = false, side_peak_grows = false;  // in this step
+};
+
 // The record as a piecewise linear path. The first step has no length: its force is that of the first sample.
 struct Path {
   std::vector<Step> steps;
   std::size_t sample_count = 0;
+  std::vector<Memory> memory = {};  // of every step; empty where it was not asked for
+  std::size_t deepest = 0;          // turning points remembered at once
 
   std::size_t samples() const { return sample_count; }
 };
 
 // x and v in the law's units; v empty for a record without time. Needs at least one sample and refinement >= 1.
 // With `refinement` > 1 every interval is cut into that many equal steps, displacement and velocity interpolated.
-Path make_path(std::span<double const> x, std::span<double const> v, int refinement = 1);
+Path make_path(std::span<double const> x, std::span<double const> v, int refinement = 1, bool with_memory = true);
 
 // The same through the turning points as well, which lie between the samples: at each reversal the vertex of the
 // parabola through its three samples is inserted, at rest. For smooth records; on a noisy one it follows the noise.
 // `time` of the samples, increasing.
 Path make_path_with_turning_points(std::span<double const> x, std::span<double const> v, std::span<double const> time,
-                                   int refinement = 1);
+                                   int refinement = 1, bool with_memory = true);
+
+// Fills in what the path remembers.
+void remember(Path& path);
+
+// The motion without what stays within `dead_band` to both sides, in the unit of x: after a turn it rests for twice the band
+// and catches up over the next four; elsewhere it is x.
+std::vector<double> followed(std::span<double const> x, double dead_band);
 
 template <class Law, class T>
 using ParamsOf = typename Law::template Params<T>;
@@ -172,11 +206,19 @@ concept HasPaperStep = requires(ParamsOf<Law, double> const& p, typename Law::te
   Law::step_paper(p, s, k);
 };
 
+template <class Law, class T>
+auto first_state(ParamsOf<Law, T> const& params, Path const& path, Integration integration) {
+  if constexpr (Law::info.traits.remembers)
+    return Law::template start<T>(params, path);
+  else
+    return Law::template start<T>(params, path.steps.front(), integration);
+}
+
 // Force at every sample of the path: force(i) is called with the sample's index and the force there.
 template <class Law, class T, class Sink>
 void run(ParamsOf<Law, T> const& params, Path const& path, Integration integration, Sink&& sink) {
   if (path.steps.empty()) return;
-  auto state = Law::template start<T>(params, path.steps.front(), integration);
+  auto state = first_state<Law, T>(params, path, integration);
   auto const walk = [&](auto&& advance) {
     std::size_t sample = 0;
     for (Step const& step : path.steps) {
@@ -190,7 +232,12 @@ void run(ParamsOf<Law, T> const& params, Path const& path, Integration integrati
       return;
     }
   }
-  walk([&](Step const& step) { return Law::template step<T>(params, state, step); });
+  if constexpr (Law::info.traits.remembers) {
+    auto memory = path.memory.begin();
+    walk([&](Step const& step) { return Law::template step<T>(params, state, step, *memory++); });
+  } else {
+    walk([&](Step const& step) { return Law::template step<T>(params, state, step); });
+  }
 }
 
 template <class Law, class T>

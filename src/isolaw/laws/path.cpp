@@ -15,7 +15,7 @@ struct Point {
   bool sample;
 };
 
-Path through(std::vector<Point> const& points, int refinement) {
+Path through(std::vector<Point> const& points, int refinement, bool with_memory) {
   Path path;
   if (points.empty()) return path;
   path.steps.reserve((points.size() - 1) * static_cast<std::size_t>(refinement) + 1);
@@ -60,6 +60,7 @@ Path through(std::vector<Point> const& points, int refinement) {
     }
   }
   for (auto const& step : path.steps) path.sample_count += step.sample ? 1 : 0;
+  if (with_memory) remember(path);
   return path;
 }
 
@@ -84,15 +85,15 @@ Vertex vertex(std::span<double const, 3> t, std::span<double const, 3> x) {
 
 }  // namespace
 
-Path make_path(std::span<double const> x, std::span<double const> v, int refinement) {
+Path make_path(std::span<double const> x, std::span<double const> v, int refinement, bool with_memory) {
   std::vector<Point> points;
   points.reserve(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) points.push_back(sample_at(x, v, i));
-  return through(points, refinement);
+  return through(points, refinement, with_memory);
 }
 
 Path make_path_with_turning_points(std::span<double const> x, std::span<double const> v, std::span<double const> time,
-                                   int refinement) {
+                                   int refinement, bool with_memory) {
   std::vector<Point> points;
   for (std::size_t i = 0; i < x.size(); ++i) {
     bool const inside = i > 0 && i + 1 < x.size();
@@ -105,7 +106,7 @@ Path make_path_with_turning_points(std::span<double const> x, std::span<double c
     points.push_back(sample_at(x, v, i));
     if (turn.time > time[i]) points.push_back({turn.x, 0.0, false});
   }
-  return through(points, refinement);
+  return through(points, refinement, with_memory);
 }
 
 }  // namespace isolaw::laws

@@ -234,7 +234,7 @@ struct ToForms {
     if (!law.info.traits.rate_independent)
       return {{}, "no material of OpenSees has a force that depends on displacement and velocity in this way"};
     return {{},
-            none.lacking.empty() ? std::string("no material of OpenSees is this law")
+            none.lacking.empty() ? std::string("no material of OpenSees is known to be this law")
                                  : fmt::format("no material of OpenSees has this law's {}", none.lacking)};
   }
 };

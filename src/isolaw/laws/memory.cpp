@@ -1,0 +1,112 @@
+// What a path remembers: turning points by Masing's rules, and of each side its peak and the travel since it grew.
+// Source: docs/laws.md, power-masing.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "isolaw/laws/law.hpp"
+
+namespace isolaw::laws {
+namespace {
+
+// Travel is forgotten with this power of the growth of the peak: dN = |dx|/m - 60 N dm/m, so that a first motion has 1/60.
+constexpr int forgetting = 60;
+
+// How much faster than x the motion that is followed moves after a turn, until it is x again.
+constexpr double catching_up = 0.5;
+
+struct Side {
+  double peak = 0.0, travel = 0.0;
+
+  // From 0 or from anywhere on this side to `x` of it, |x0| before.
+  void move(double x0, double x1) {
+    double const from = std::abs(x0), to = std::abs(x1);
+    if (peak > 0.0) travel += std::abs(std::min(to, peak) - std::min(from, peak)) / peak;
+    if (to <= peak) return;
+    constexpr double virgin = 1.0 / forgetting;
+    travel = virgin + (travel - virgin) * std::pow(peak / to, forgetting);
+    peak = to;
+  }
+};
+
+class Walk {
+ public:
+  Memory to(double x0, double x1) {
+    Memory now;
+    double const direction = x1 > x0 ? 1.0 : x1 < x0 ? -1.0 : direction_;
+    if (direction != direction_ && direction_ != 0.0) {
+      now.kept = turned_.size();
+      turned_.push_back(x0);
+    }
+    direction_ = direction;
+    if (x1 != x0) close(x1);
+    if (!turned_.empty()) {
+      now.branch = turned_.size() - 1;
+      now.branch_x = turned_.back();
+    }
+    now.side = x1 < 0.0 ? 1 : 0;
+    auto& side = sides_[now.side];
+    double const side_peak = side.peak;
+    if (x0 * x1 < 0.0) {
+      sides_[1 - now.side].move(x0, 0.0);
+      side.move(0.0, x1);
+    } else if (x0 < 0.0 || x1 < 0.0) {
+      sides_[1].move(x0, x1);
+    } else {
+      sides_[0].move(x0, x1);
+    }
+    now.direction = direction;
+    now.peak0 = peak_;
+    now.peak = peak_ = std::max(peak_, std::abs(x1));
+    now.inside = std::abs(x1 - x0) - (now.peak - now.peak0);
+    now.side_peak = side.peak;
+    now.travel = side.travel;
+    now.virgin = 1.0 / std::cbrt(1.0 + side.travel);
+    now.peak_grows = now.peak > now.peak0;
+    now.side_peak_grows = side.peak > side_peak;
+    return now;
+  }
+
+ private:
+  // A branch that comes to where the one before it began closes with it; the last one, on the skeleton's other side.
+  void close(double x) {
+    auto const passes = [&](double target) { return direction_ * (x - target) >= 0.0; };
+    while (turned_.size() >= 2 && passes(turned_[turned_.size() - 2])) turned_.resize(turned_.size() - 2);
+    if (turned_.size() == 1 && passes(-turned_.front())) turned_.clear();
+  }
+
+  std::vector<double> turned_;
+  Side sides_[2];
+  double direction_ = 0.0, peak_ = 0.0;
+};
+
+}  // namespace
+
+std::vector<double> followed(std::span<double const> x, double dead_band) {
+  std::vector<double> made;
+  made.reserve(x.size());
+  double behind = 0.0, lead = 0.0;  // a point that x pulls along, and how far ahead of it the motion is taken to be
+  for (double const to : x) {
+    double const before = std::exchange(behind, std::clamp(behind, to - dead_band, to + dead_band));
+    double const moved = std::abs(behind - before);
+    lead += std::clamp((behind > before ? dead_band : -dead_band) - lead, -catching_up * moved, catching_up * moved);
+    made.push_back(behind + lead);
+  }
+  return made;
+}
+
+void remember(Path& path) {
+  Walk walk;
+  path.memory.clear();
+  path.memory.reserve(path.steps.size());
+  path.deepest = 0;
+  for (auto const& step : path.steps) {
+    bool const first = path.memory.empty();
+    path.memory.push_back(walk.to(first ? 0.0 : step.x0, step.x1));
+    if (auto const kept = path.memory.back().kept; kept != Memory::none)
+      path.deepest = std::max(path.deepest, kept + 1);
+  }
+}
+
+}  // namespace isolaw::laws

@@ -1,0 +1,106 @@
+// The smooth relative of power-masing: two fading memories of the motion in place of its turning points, for programs whose
+// materials keep none. It relaxes under tremor, and loops of unloading and reloading below 1 mm give out work: prefer
+// power-masing wherever turning points can be kept.
+// Source: this project; docs/laws.md. Units kN, mm. Step: exact along a straight path.
+#pragma once
+
+#include "isolaw/laws/law.hpp"
+#include "isolaw/laws/limits.hpp"
+#include "isolaw/laws/scragging.hpp"
+
+namespace isolaw::laws {
+
+struct PowerScragging {
+  static constexpr LawInfo info{
+      .id = "power-scragging",
+      .title = "Power law with fading memory and scragging",
+      .source = "isolaw, Eqs. below; found by a search over some 145 structures",
+      .force = kN,
+      .length = mm,
+      .traits = {.rate_independent = true, .odd = true, .remembers = true},
+      .formula =
+          "F = Fh + (x/100) (K (m/100)^(g-1) + W H (m/100) (|x|/m)^6 + W^2 C (1 + N)^(-1/3)),   W = (1 + sgn(x) w)/2\n"
+          "Fh = Y (M/100)^g w,   w = (1 - s) w1 + s w2\n"
+          "dw1 = (dx - w1 |dx|) / (U (M/100)^h),   dw2 = (dx - w2 |dx|) / (u U (M/100)^h)\n"
+          "M the largest |x| so far, m that of the side of x, N its travel as for power-masing",
+      .note =
+          "The structure was found on one measured device. The force relaxes under tremor, and loops of unloading and reloading below 1 mm give out work."};
+
+  template <class T>
+  struct Params {
+    T Y, g, K, H, C, U, h, s, u;
+  };
+
+  template <class T>
+  static constexpr auto rows = std::to_array<Row<T, Params<T>>>({
+      {&Params<T>::Y,
+       parameter("Y", "kN", "hysteretic force at 100 mm", not_negative, std::nullopt, {0.02, 1.0, force_at_reference})},
+      scragging_rows<T, Params<T>>[0],
+      scragging_rows<T, Params<T>>[1],
+      scragging_rows<T, Params<T>>[2],
+      scragging_rows<T, Params<T>>[3],
+      {
+        &Params<T>::U, parameter("U", "mm", "length of the slow memory after 100 mm", positive, std::nullopt,
+                                 {0.01, 1.0, disp}, Scale::logarithmic)
+      },
+      {
+        &Params<T>::h, parameter("h", "1", "how it grows with amplitude", not_negative, std::nullopt, {0.0, 1.6, one})
+      },
+      {
+        &Params<T>::s,
+            parameter("s", "1", "share of the quick memory", Interval{0.0, 1.0}, std::nullopt, {0.0, 0.8, one})
+      },
+      {
+        &Params<T>::u, parameter("u", "1", "length of the quick memory in that of the slow one", positive, std::nullopt,
+                                 {0.005, 0.5, one}, Scale::logarithmic)
+      },
+  });
+
+  template <class T>
+  struct State {
+    T slow = T(0.0), quick = T(0.0);  // w1, w2
+    T strength = T(0.0);              // Y (M/100)^g
+    T per_length = T(0.0);            // 1 / (U (M/100)^h), in powers of two
+    Scragging<T> scragging;
+  };
+
+  template <class T>
+  static State<T> start(Params<T> const&, Path const&) {
+    return {};
+  }
+
+  template <class T>
+  static T step(Params<T> const& p, State<T>& state, Step const& step, Memory const& memory) {
+    if (memory.peak <= 0.0) return T(0.0);
+    T way = T(memory.inside) * state.per_length;
+    if (memory.peak_grows) {
+      way = way + T(num::log2_e) * growth(p, memory);
+      state.strength = p.Y * power(T(memory.peak / reference_mm), p.g);
+      T const memory_length = p.U * power(T(memory.peak / reference_mm), p.h);
+      state.per_length = T(num::log2_e) / max(memory_length, T(num::smallest_power_base));
+    }
+    T const towards(memory.direction);
+    state.slow = towards + (state.slow - towards) * exp2(-way);
+    state.quick = towards + (state.quick - towards) * exp2(-way / p.u);
+    T const share = state.slow + p.s * (state.quick - state.slow);
+    return state.strength * share + state.scragging.force(p, step, memory, share);
+  }
+
+ private:
+  // The way along which M grows, in lengths of the slow memory: the integral of dM / (U (M/100)^h).
+  template <class T>
+  static T growth(Params<T> const& p, Memory const& memory) {
+    T const a = T(1.0) - p.h, after = power(T(memory.peak / reference_mm), a), lengths = T(reference_mm) / p.U;
+    // From 0 with h >= 1 there is no bound: all is forgotten after the first motion.
+    if (memory.peak0 <= 0.0) return select(a > T(0.0), lengths * after / max(a, T(1e-300)), T(1e3));
+    double const ratio = std::log(memory.peak / memory.peak0);
+    T const before = power(T(memory.peak0 / reference_mm), a), small = a * T(ratio);
+    // Near h = 1 the difference of the powers loses its digits; its series, to 1e-14 there.
+    T const series =
+        T(ratio) * before *
+        (T(1.0) + small * (T(1.0 / 2) + small * (T(1.0 / 6) + small * (T(1.0 / 24) + small * T(1.0 / 120)))));
+    return lengths * select(abs(small) < T(0.005), series, (after - before) / select(abs(a) < T(1e-300), T(1.0), a));
+  }
+};
+
+}  // namespace isolaw::laws

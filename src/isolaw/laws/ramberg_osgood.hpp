@@ -1,0 +1,85 @@
+// Ramberg-Osgood with Masing's rules, and a spring beside it.
+// Source: Ramberg and Osgood 1943, Jennings 1964; docs/laws.md. Units kN, mm. Step: exact; the force on a branch solves one equation
+// of one unknown, to the last digits.
+#pragma once
+
+#include "isolaw/laws/law.hpp"
+#include "isolaw/laws/limits.hpp"
+#include "isolaw/laws/masing.hpp"
+
+namespace isolaw::laws {
+
+struct RambergOsgood {
+  static constexpr LawInfo info{
+      .id = "ramberg-osgood",
+      .title = "Ramberg-Osgood with Masing's rules",
+      .source = "Ramberg and Osgood 1943, Eq. of the skeleton; Jennings 1964",
+      .force = kN,
+      .length = mm,
+      .traits = {.rate_independent = true, .odd = true, .remembers = true, .masing = true},
+      .formula =
+          "F = K2 x + sk(x) from the start, K2 x + fb + 2 sk((x - xb)/2) from a turning point (xb, fb)\n"
+          "sk solves x = (sk/K) (1 + a |sk/Fy|^(r-1)); Masing's rules close branches",
+      .note = "Made for steel and soils. a and Fy say the same: a is fixed at 1 unless it is freed."};
+
+  template <class T>
+  struct Params {
+    T K, Fy, a, r, K2;
+  };
+
+  template <class T>
+  static constexpr auto rows = std::to_array<Row<T, Params<T>>>({
+      {&Params<T>::K, parameter("K", "kN/mm", "first stiffness of the hysteretic part", positive, std::nullopt,
+                                {0.5, 20.0, stiffness}, Scale::logarithmic)},
+      {&Params<T>::Fy, parameter("Fy", "kN", "its force where it moves by (1 + a) times Fy/K", positive, std::nullopt,
+                                 {0.01, 1.5, force}, Scale::logarithmic)},
+      {&Params<T>::a, parameter("a", "1", "share of the power in the displacement at Fy", positive, std::nullopt,
+                                {0.1, 5.0, one}, Scale::linear, 1.0)},
+      {&Params<T>::r, parameter("r", "1", "exponent", Interval{1.0, infinity}, std::nullopt, {1.2, 12.0, one})},
+      {&Params<T>::K2,
+       parameter("K2", "kN/mm", "stiffness of the spring beside it", any_value, std::nullopt, {0.0, 1.0, stiffness})},
+  });
+
+  static constexpr std::string_view redundant = "a";
+  static constexpr std::array<std::string_view, 1> redundant_with{"Fy"};
+  static constexpr double redundant_value = 1.0;
+  static Params<double> reduced(Params<double> p) {
+    if (p.r > 1.0) p.Fy *= std::pow(p.a, -1.0 / (p.r - 1.0)), p.a = 1.0;
+    return p;
+  }
+
+  template <class T>
+  struct State {
+    MasingBranches<T> branches;
+    T per_yield = T(0.0);  // K/Fy
+    T root = T(0.0);       // a^(-1/r)
+  };
+
+  template <class T>
+  static State<T> start(Params<T> const& p, Path const& path) {
+    return {.branches = MasingBranches<T>(path), .per_yield = p.K / p.Fy, .root = power(p.a, T(-1.0) / p.r)};
+  }
+
+  template <class T>
+  static T step(Params<T> const& p, State<T>& state, Step const& step, Memory const& memory) {
+    return p.K2 * T(step.x1) + state.branches.force(step, memory, [&](double x) { return skeleton(p, state, x); });
+  }
+
+ private:
+  // f + a f^r = u: falling on the root by Newton's rule from above, where the sum is convex. Both terms alone are above; the
+  // smaller is at most twice the root, from where six steps leave the rounding.
+  template <class T>
+  static T skeleton(Params<T> const& p, State<T> const& state, double x) {
+    if (x == 0.0) return T(0.0);
+    T const u = T(std::abs(x)) * state.per_yield;
+    T f = min(u, state.root * power(u, T(1.0) / p.r));
+    for (int i = 0; i < 6; ++i) {
+      T const steep = p.a * power(f, p.r - T(1.0));
+      // In this order what is not a number stays so.
+      f = max(f - (f * (T(1.0) + steep) - u) / (T(1.0) + p.r * steep), T(0.0));
+    }
+    return T(x < 0.0 ? -1.0 : 1.0) * p.Fy * f;
+  }
+};
+
+}  // namespace isolaw::laws

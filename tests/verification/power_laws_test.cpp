@@ -1,0 +1,189 @@
+// power-masing and power-scragging against values of two other implementations, along a path with inner loops; and what their
+// definitions say of paths without asking for numbers.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "laws/candidates.hpp"
+
+namespace isolaw::law_tests {
+namespace {
+
+using laws::PowerMasing;
+using laws::PowerScragging;
+
+std::vector<double> const corners{0, 20, 50, 10, -40, -60, 30, 20, 45, 80};
+constexpr std::array<std::size_t, 5> asked{2, 4, 5, 8, 9};  // corners of which the force is known
+
+std::vector<double> through(std::vector<double> const& corner, int steps) {
+  std::vector<double> x{corner.front()};
+  for (std::size_t i = 1; i < corner.size(); ++i)
+    for (int k = 1; k <= steps; ++k)
+      x.push_back(k == steps ? corner[i] : corner[i - 1] + (corner[i] - corner[i - 1]) * k / steps);
+  return x;
+}
+
+template <class Law>
+void expect_at_corners(Values<Law> const& values, std::array<double, 5> const& expected) {
+  for (int const steps : {1, 7, 1000}) {
+    auto const force = forces<Law>(values, laws::make_path(through(corners, steps), {}));
+    for (std::size_t i = 0; i < asked.size(); ++i)
+      // The values are printed to 1e-6; a step cut in a thousand is the same step.
+      EXPECT_NEAR(force[asked[i] * static_cast<std::size_t>(steps)], expected[i], 6e-7) << steps << " steps a leg";
+  }
+}
+
+// Parameters and forces: two implementations in Python that share nothing with this one.
+TEST(PowerLaws, Masing) {
+  expect_at_corners<PowerMasing>({80, 0.36, 45, 10, 60, 0.25},
+                                 {129.532082, -113.471661, -143.227964, 109.233601, 169.340264});
+  expect_at_corners<PowerMasing>({80, 0.36, 45, 20, 0, 0.1},
+                                 {102.315917, -93.038822, -111.131762, 94.065205, 128.092278});
+}
+
+TEST(PowerLaws, Scragging) {
+  expect_at_corners<PowerScragging>({50, 0.36, 80, 10, 60, 35, 1.05, 0.25, 0.05},
+                                    {133.626557, -121.483364, -147.377735, 106.630371, 170.597619});
+}
+
+// The closed form of the branches at integers: f (1 + f^4) = x/xy, and the energy 4 a xy Fy f^(r+1) (r-1)/(r+1) of a cycle.
+TEST(PowerLaws, RambergOsgood) {
+  double const K = 2.0, Fy = 30.0, xy = Fy / K;
+  Values<laws::RambergOsgood> const values{K, Fy, 1.0, 5.0, 0.0};
+  struct Case {
+    double at, force, at_zero;
+  };
+  for (auto const& [at, force, at_zero] : {Case{1, 0.754877666247, -0.196427820833}, Case{2, 1.0, -0.509755332493},
+                                           Case{5, 1.299152792190, -0.848071973786}}) {
+    double const D = at * xy;
+    constexpr int steps = 20000;
+    auto const x = through({0, D, 0, -D, 0, D}, steps);
+    auto const found = forces<laws::RambergOsgood>(values, laws::make_path(x, {}));
+    EXPECT_NEAR(found[steps] / Fy, force, 1e-12);
+    EXPECT_NEAR(found[2 * steps] / Fy, at_zero, 1e-12);
+    double energy = 0.0;
+    for (std::size_t i = steps; i + 1 < x.size(); ++i) energy += 0.5 * (found[i] + found[i + 1]) * (x[i + 1] - x[i]);
+    // The trapezoidal rule on steps of a twenty-thousandth of the amplitude.
+    EXPECT_NEAR(energy, 4.0 * xy * Fy * std::pow(force, 6.0) * 4.0 / 6.0, 1e-7 * D * Fy);
+  }
+}
+
+// The length of the memory has a logarithm at h = 1, which the powers beside it tend to.
+TEST(PowerLaws, ScraggingIsContinuousInItsExponent) {
+  auto const path = laws::make_path(through(corners, 3), {});
+  auto const at = [&](double h) { return forces<PowerScragging>({50, 0.36, 80, 10, 60, 35, h, 0.25, 0.05}, path); };
+  auto const middle = at(1.0);
+  for (double const d : {1e-12, 1e-6, 1e-4, 2e-3, 1e-2})
+    for (double const h : {1.0 - d, 1.0 + d})
+      // The force changes by 17 kN per unit of h here.
+      EXPECT_LT(largest_difference(at(h), middle), 20.0 * d + 1e-11) << h;
+}
+
+// A loop of unloading and reloading that closes leaves nothing behind in the hysteretic force: without scragging and
+// hardening the rest of the path has the same force, to the rounding of the sums of branches.
+TEST(PowerLaws, MasingLoopsClose) {
+  Values<PowerMasing> const values{80, 0.36, 45, 0, 0, 0.25};
+  auto const plain = forces<PowerMasing>(values, laws::make_path(std::vector<double>{0, 50, -60, 40, 80}, {}));
+  auto const looped = forces<PowerMasing>(
+      values,
+      laws::make_path(std::vector<double>{0, 30, 10, 25, 12, 30, 50, 20, 35, 21, 50, -60, -30, -60, 40, 80}, {}));
+  EXPECT_NEAR(looped[10], plain[1], 1e-12);
+  EXPECT_NEAR(looped[13], plain[2], 1e-12);
+  EXPECT_NEAR(looped[15], plain[4], 1e-12);
+}
+
+// Every loop of a decaying sine stays open: the memory is as deep as the path has turning points, whatever their number.
+TEST(PowerLaws, MemoryIsAsDeepAsThePath) {
+  constexpr int turns = 3287;
+  std::vector<double> x{0.0};
+  for (int i = 0; i < turns; ++i) x.push_back((i % 2 == 0 ? 100.0 : -100.0) * std::pow(0.999, i));
+  auto path = laws::make_path(x, {});
+  EXPECT_EQ(path.deepest, static_cast<std::size_t>(turns - 1));
+  // Back through all of them, by which every branch closes at the force that it began with.
+  auto const inwards = forces<PowerMasing>({80, 0.36, 45, 0, 0, 0.25}, path);
+  x.push_back(-100.0);
+  auto const outwards = forces<PowerMasing>({80, 0.36, 45, 0, 0, 0.25}, laws::make_path(x, {}));
+  EXPECT_NEAR(outwards.back(), -inwards[1], 1e-9);
+}
+
+// Halving a step takes the change of the force to 0: as d^g where a branch begins, on a virgin side too.
+TEST(PowerLaws, MasingIsContinuous) {
+  Values<PowerMasing> const values{80, 0.36, 45, 10, 60, 0.25};
+  std::vector<std::vector<double>> const histories{
+      {0}, {0, 50}, {0, 50, 10}, {0, 50, -50, 0}, {0, 50, -30, 50}, {0, 20, 5, 20}};
+  for (auto const& history : histories)
+    for (double const sign : {1.0, -1.0})
+      for (double d = 1.0; d > 1e-12; d *= 0.5) {
+        auto x = history;
+        x.push_back(x.back() + sign * d);
+        auto const force = forces<PowerMasing>(values, laws::make_path(x, {}));
+        // sk'(0) of the branch, the elastic force of a virgin side, and what C and H change along d.
+        double const bound = 2.0 * 80.0 * std::pow(d / 100.0, 0.36) + 45.0 * std::pow(d / 100.0, 0.36) + 1.5 * d;
+        EXPECT_LE(std::abs(force.back() - force[force.size() - 2]), bound) << d << " from " << history.back();
+      }
+}
+
+Values<PowerMasing> const bearing{87.1, 0.370, 46.4, 9.8, 65.5, 0.27};  // of the measured one
+
+// Noise, normal and white.
+std::vector<double> with_noise(std::vector<double> x, double deviation) {
+  num::Draws draws(num::Stream(7), 0, 0);
+  for (double& value : x) value += deviation * draws.normal();
+  return x;
+}
+
+// A dead band of three deviations of noise costs a noise-free path little: noise of 0.1 % of the amplitude, 0.5 % of the peak
+// force in the mean over the samples (0.31 % here; next to reversals more, where the branches are steepest).
+TEST(PowerLaws, DeadBandKeepsThePath) {
+  std::vector<double> x;
+  for (double const amplitude : {38.0, 76.0, 152.0})
+    for (int i = 0; i < 7 * 200; ++i) x.push_back(amplitude * std::sin(i * std::numbers::pi / 100.0));
+  double const noise = 1e-3 * 152.0;
+  auto const exact = forces<PowerMasing>(bearing, laws::make_path(x, {}));
+  for (auto const& motion : {x, with_noise(x, noise)}) {
+    auto const read = forces<PowerMasing>(bearing, laws::make_path(laws::followed(motion, 3.0 * noise), {}));
+    double sum = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i) sum += std::abs(read[i] - exact[i]);
+    EXPECT_LT(sum / static_cast<double>(x.size()), 0.005 * largest_magnitude(exact));
+  }
+  EXPECT_EQ(laws::followed(x, 0.0), x);
+}
+
+// At rest with a tremor of 0.01 mm over ten thousand samples: 9 % of the force are lost to travel that is none; behind the
+// band less than 1 %.
+TEST(PowerLaws, TremorIsNoTravel) {
+  auto x = through({0.0, 50.0}, 100);
+  x.resize(x.size() + 10000, 50.0);
+  auto trembling = with_noise(x, 0.01);
+  std::copy_n(x.begin(), 101, trembling.begin());
+  auto const bare = forces<PowerMasing>(bearing, laws::make_path(trembling, {}));
+  auto const behind = forces<PowerMasing>(bearing, laws::make_path(laws::followed(trembling, 0.03), {}));
+  EXPECT_LT(bare.back(), 0.95 * bare[100]);
+  EXPECT_GT(behind.back(), 0.99 * behind[100]);
+}
+
+// The energy of a cycle from rest to rest is positive anywhere in the box. From peak to peak it need not be: what was stored
+// on the way up at a stiffness that travel removes is given back there.
+TEST(PowerLaws, CyclesDissipate) {
+  for (double const amplitude : {2.0, 50.0, 208.0})
+    for (std::uint32_t i = 0; i < 200; ++i) {
+      auto const x = through({0.0, amplitude, 0.0, -amplitude, 0.0, amplitude, 0.0, -amplitude, 0.0}, 100);
+      auto const path = laws::make_path(x, {});
+      auto const energy = [&](std::vector<double> const& force) {
+        double sum = 0.0;
+        for (std::size_t k = x.size() - 401; k + 1 < x.size(); ++k)
+          sum += 0.5 * (force[k] + force[k + 1]) * (x[k + 1] - x[k]);
+        return sum;
+      };
+      EXPECT_GT(energy(forces<PowerMasing>(scaled_candidate<PowerMasing>(i), path)), 0.0) << amplitude << " mm, " << i;
+      EXPECT_GT(energy(forces<PowerScragging>(scaled_candidate<PowerScragging>(i), path)), 0.0)
+          << amplitude << " mm, " << i;
+    }
+}
+
+}  // namespace
+}  // namespace isolaw::law_tests
