@@ -20,6 +20,7 @@ inline Json another(campaign::Setting const& setting) {
                                                       {"set", {"bilinear.K1=1.5", "bilinear.K2=0.25:0.75"}},
                                                       {"seed", 18446744073709551614U},
                                                       {"samples-per-cycle", 50},
+                                                      {"dead-band", 0.25},
                                                       {"fit-blocks", "1"},
                                                       {"fit-cycles", "2-"},
                                                       {"score-blocks", "2"}};

@@ -50,7 +50,7 @@ def _takes(options):
 
     def default(option):
         value, limits = option["default"], option["limits"]
-        left_to_others = limits is not None and value is not None and value < limits[0] and value == 0
+        left_to_others = limits is not None and value == 0 and value < limits[0]
         return None if left_to_others else tuple(value) if isinstance(value, list) else value
 
     def decorate(function):
@@ -199,7 +199,7 @@ class Model:
     """
 
     @_takes(
-        _settings("integration", "turning_points", "samples_per_cycle", "smooth", "center", "fit_blocks", "fit_cycles")
+        _settings("integration", "turning_points", "samples_per_cycle", "smooth", "center", "dead_band", "fit_blocks", "fit_cycles")
     )
     def __init__(self, law, record, *, refinement=1, **how):
         self._core = _core.Model(law, record, _all_samples(how), refinement)
@@ -355,11 +355,11 @@ def _all_samples(how):
 
 
 @_takes(settings() | _OPTIONS["acceptance"])
-def calibrate(records, laws="all", *, jobs=0, out=None, fresh=False, title="", progress=None, **given):
+def calibrate(records, laws="usual", *, jobs=0, out=None, fresh=False, title="", progress=None, **given):
     """Fits laws to records, as ``isolaw calibrate`` does: with the same settings and seed the numbers are the same.
 
     records: a Record or a path, or a list of them; each is a device of the lot, under its name.
-    laws: "all", an id, or a list of ids. method: "best", to the least objective there is, or "ga", the paper's.
+    laws: "paper", "usual", "all", an id, or a list of them. method: "best", to the least objective there is, or "ga", the paper's.
     runs: independent runs per law and device (3; ga: 20). seed: 0 to 2**64 - 1. set: texts "law.parameter=value",
     "=lower:upper", "=free" or "=other parameter". population, generations, stagnation_tolerance: of "ga", which they
     choose where no method is given. samples_per_cycle (None: all), smooth, center: how records are cleaned. fit_blocks,

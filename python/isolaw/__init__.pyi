@@ -100,6 +100,7 @@ class Model:
         samples_per_cycle: int | None = 200,
         smooth: int = 1,
         center: bool = False,
+        dead_band: float | Literal["auto"] = "auto",
         fit_blocks: str = "all",
         fit_cycles: str = "all",
     ) -> None: ...
@@ -145,7 +146,7 @@ class Campaign:
 
 def calibrate(
     records: Record | _Path | Iterable[Record | _Path],
-    laws: str | Sequence[str] = "all",
+    laws: str | Sequence[str] = "usual",
     *,
     method: Literal["best", "ga"] = "best",
     runs: int | None = None,
@@ -160,6 +161,7 @@ def calibrate(
     samples_per_cycle: int | Literal["all"] | None = 200,
     smooth: int = 1,
     center: bool = False,
+    dead_band: float | Literal["auto"] = "auto",
     fit_blocks: str = "all",
     fit_cycles: str = "all",
     score_blocks: str = "all",

@@ -120,6 +120,7 @@ class Campaigns(unittest.TestCase):
         "set": ["bilinear.K1=1.5"],
         "seed": 2**64 - 2,
         "samples_per_cycle": 50,
+        "dead_band": 0.25,
         "fit_blocks": "1",
         "fit_cycles": "2-",
         "score_blocks": "2",

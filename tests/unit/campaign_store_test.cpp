@@ -411,26 +411,28 @@ TEST_F(StoreTest, RefusesWhatIsNotAStore) {
 
 TEST_F(StoreTest, RefusesANewerSchemaAndChangesNothing) {
   make();
-  sql(file(), "UPDATE meta SET value = '6' WHERE key = 'schema'");
+  sql(file(), fmt::format("UPDATE meta SET value = '{}' WHERE key = 'schema'", schema_version + 1));
   auto const before = bytes_of(file());
   auto const said = refusal(file());
-  for (auto const* part : {"campaign.sqlite", "newer isolaw", "schema 6", "schema 1 to 5"})
+  for (auto const& part : {std::string("campaign.sqlite"), std::string("newer isolaw"),
+                           fmt::format("schema {}", schema_version + 1), fmt::format("schema 1 to {}", schema_version)})
     EXPECT_NE(said.find(part), std::string::npos) << said;
   EXPECT_EQ(bytes_of(file()), before);
 }
 
 // Stores that lack it could not be read: see tests/stores/README.md before changing this.
-TEST(Schema, OfTheseSettingsIsFive) {
+TEST(Schema, OfTheseSettingsIsSix) {
   std::set<std::string> keys;
   for (auto const method : {Method::best, Method::genetic}) {
     Settings settings;
     settings.method = method;
     for (auto const& [key, value] : to_pairs(settings)) keys.insert(key);
   }
-  EXPECT_EQ(schema_version, 5);
+  EXPECT_EQ(schema_version, 6);
   EXPECT_EQ(keys, (std::set<std::string>{"analysis",
                                          "box",
                                          "center",
+                                         "dead-band",
                                          "fit-blocks",
                                          "fit-cycles",
                                          "generations",

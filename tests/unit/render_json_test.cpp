@@ -82,7 +82,8 @@ TEST(SummaryJson, ExactText) {
       "file": "d1.csv",
       "sha256": "00ff",
       "status": "ok",
-      "message": ""
+      "message": "",
+      "dead_band_mm": 0
     }
   ],
   "laws": [

@@ -18,7 +18,8 @@ std::string listed(std::vector<std::string> const& names) {
   return names.size() > shown ? fmt::format("{} and {} more", text, names.size() - shown) : text;
 }
 
-void note_tested(data::FitRecord const& record, FittedLaw& law) {
+void note_record(data::FitRecord const& record, FittedLaw& law) {
+  law.dead_band_mm = std::max(law.dead_band_mm, record.dead_band_mm);
   for (double const x : record.disp_mm) law.tested_disp_mm = std::max(law.tested_disp_mm, std::abs(x));
   for (double const v : record.vel_mm_s) law.tested_vel_mm_s = std::max(law.tested_vel_mm_s, std::abs(v));
 }
@@ -32,7 +33,7 @@ FittedLaw law_of_lot(campaign::Contents const& contents, std::string_view law, F
                  .advice = "the name of a device"});
   made.parameters = found->mean.parameters;
   made.refinement = found->refinement;
-  for (auto const device : found->devices) note_tested(contents.devices[device].record, made);
+  for (auto const device : found->devices) note_record(contents.devices[device].record, made);
   return made;
 }
 
@@ -62,7 +63,7 @@ FittedLaw fitted_law(campaign::Contents const& contents, std::string_view law, s
                  .allowed = "a device that the law was fitted to"});
   made.parameters = run->parameters;
   made.refinement = run->refinement;
-  note_tested(found->record, made);
+  note_record(found->record, made);
   return made;
 }
 

@@ -13,6 +13,7 @@ struct FittedLaw {
   laws::Integration integration = laws::Integration::converged;
   laws::TurningPoints turning_points = laws::TurningPoints::as_sampled;
   int refinement = 1;            // steps per sample that the law was integrated in
+  double dead_band_mm = 0.0;     // FitRecord::dead_band_mm; of a lot the largest
   double tested_disp_mm = 0.0;   // the largest that it was fitted to
   double tested_vel_mm_s = 0.0;  // 0 without time
 };

@@ -91,7 +91,7 @@ void add_simulate(CLI::App& c, SimulateArguments& a) {
   c.add_option("--motion", a.motion, "file of the displacement history, read as a record is; force is not needed")
       ->required();
   add_reading(c, a.read, false);
-  for (auto const* key : {"integration", "turning-points"}) {
+  for (auto const* key : {"integration", "turning-points", "dead-band"}) {
     auto option = *campaign::find_setting(key);
     option.help += "; with --from, as the campaign had it";
     add_option(c, option, a.how);

@@ -65,6 +65,7 @@ FittedLaw chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
   campaign::apply(a.how, how);
   made.integration = how.integration;
   made.turning_points = how.turning_points;
+  made.dead_band_mm = how.clean.dead_band_mm.value_or(made.dead_band_mm);
   if (a.refinement) made.refinement = *a.refinement;
   if (made.refinement < 1 || made.refinement > finest)
     throw Error({.where = "--refinement",
@@ -122,7 +123,8 @@ int simulate(SimulateArguments const& a) {
   data::ReadOptions options;
   apply(a.read, options);
   auto const motion = data::read_motion(a.motion, options);
-  auto const path = data::motion_of(motion);
+  auto path = data::motion_of(motion);
+  path.dead_band_mm = chosen.dead_band_mm;
   fit::LawOnMotion const model(law, path, chosen.integration, chosen.turning_points, chosen.refinement);
   auto const force_kN = model.force_kN(chosen.parameters);
   say_what_it_is(law, chosen, motion, path);

@@ -46,14 +46,14 @@ Statement& bind(Statement& row, DeviceInfo const& info) {
 }
 
 void write_devices(Connection const& db, Contents const& contents) {
-  Statement device(db, "INSERT INTO device VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  Statement device(db, "INSERT INTO device VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   Statement series(db, "INSERT INTO series VALUES (?, ?, ?, ?, ?)");
   for (std::size_t id = 0; id < contents.devices.size(); ++id) {
     auto const& d = contents.devices[id];
     device.bind(id, d.name, d.file, d.raw.sha256, d.usable() ? "ok" : "refused", d.refusal);
     bind(device, d.info);
     device.bind(to_json(d.raw.recognised), to_json(d.raw.corrections), to_json(d.raw.warnings));
-    device.bind(to_json(d.record.cleaning)).insert();
+    device.bind(to_json(d.record.cleaning), d.record.dead_band_mm).insert();
     for_each_series(d, [&](char const* kind, char const* channel, std::vector<double> const& values) {
       if (!values.empty()) series.bind(id, kind, channel, values.size(), values).insert();
     });
@@ -97,14 +97,14 @@ void read_settings(Connection const& db, Contents& contents) {
 void read_devices(Connection const& db, Contents& contents) {
   Statement device(
       db,
-      "SELECT name, file, sha256, status, message, serial, lot, test_date, temperature_C, rubber_thickness_mm, rubber_area_mm2, recognised, corrections, warnings, cleaning FROM device ORDER BY id");
+      "SELECT name, file, sha256, status, message, serial, lot, test_date, temperature_C, rubber_thickness_mm, rubber_area_mm2, recognised, corrections, warnings, cleaning, dead_band_mm FROM device ORDER BY id");
   while (device.row()) {
     auto& d = contents.devices.emplace_back();
     auto& info = d.info;
     std::string status, message, recognised, corrections, warnings, cleaning;
     device.read(d.name, d.file, d.raw.sha256, status, message, info.serial, info.lot, info.test_date);
     device.read(info.temperature_C, info.rubber_thickness_mm, info.rubber_area_mm2);
-    device.read(recognised, corrections, warnings, cleaning);
+    device.read(recognised, corrections, warnings, cleaning, d.record.dead_band_mm);
     d.raw.file = d.file;
     if (status == "refused") d.refusal = message.empty() ? status : message;
     d.raw.recognised = lines_of(recognised);

@@ -28,7 +28,7 @@ CREATE TABLE device (
   status TEXT NOT NULL CHECK (status IN ('ok', 'refused')), message TEXT NOT NULL,
   serial TEXT NOT NULL, lot TEXT NOT NULL, test_date TEXT NOT NULL,
   temperature_C REAL, rubber_thickness_mm REAL, rubber_area_mm2 REAL,
-  recognised TEXT NOT NULL, corrections TEXT NOT NULL, warnings TEXT NOT NULL, cleaning TEXT NOT NULL);
+  recognised TEXT NOT NULL, corrections TEXT NOT NULL, warnings TEXT NOT NULL, cleaning TEXT NOT NULL, dead_band_mm REAL NOT NULL);
 CREATE TABLE series (  -- values: little-endian 8-byte floats; kind: as read, or as the laws saw it
   device INTEGER NOT NULL REFERENCES device(id), kind TEXT NOT NULL CHECK (kind IN ('raw', 'fit')),
   channel TEXT NOT NULL, count INTEGER NOT NULL, "values" BLOB NOT NULL,
@@ -73,6 +73,7 @@ constexpr std::array additions{
     Addition{5, "device_analysis", "maker", " maker INTEGER NOT NULL REFERENCES maker(id),", "0"},
     Addition{5, "lot_analysis", "maker", ", maker INTEGER NOT NULL REFERENCES maker(id)", "0"},
     Addition{5, "left_out", "maker", " maker INTEGER NOT NULL REFERENCES maker(id),", "0"},
+    Addition{6, "device", "dead_band_mm", ", dead_band_mm REAL NOT NULL", "0.0"},
 };
 
 // A table that a schema added; an older store reads as if it held these rows.
@@ -96,7 +97,8 @@ struct AddedSetting {
 constexpr std::array added_settings{
     AddedSetting{2, "turning-points", "\"sampled\""}, AddedSetting{3, "fit-blocks", "\"all\""},
     AddedSetting{3, "fit-cycles", "\"all\""},         AddedSetting{4, "score-blocks", "\"all\""},
-    AddedSetting{4, "analysis", "\"none\""},          AddedSetting{4, "replicates", "0"}};
+    AddedSetting{4, "analysis", "\"none\""},          AddedSetting{4, "replicates", "0"},
+    AddedSetting{6, "dead-band", "0.0"}};
 
 // Keys of meta that schema 3 added, empty before.
 constexpr int describes_acceptance = 3;

@@ -73,6 +73,22 @@ Setting thinning() {
   return {made};
 }
 
+Setting dead_band() {
+  Limits const limits{.least = 0, .most = 1e4, .words = "0 to 10000, or auto: three deviations of each record's noise"};
+  auto const place = at(&S::clean, &Clean::dead_band_mm);
+  auto made =
+      number<S>("dead-band", "tremor in mm that is no motion to laws that remember turning points", place, limits);
+  made.kind = Kind::text;
+  made.get = [place](S const& s) { return place(s) ? Json(*place(s)) : Json("auto"); };
+  made.set = [place, limits](S& s, Json const& value) {
+    if (value == "auto")
+      place(s).reset();
+    else
+      place(s) = real_of(value.is_string() ? value_of(Kind::real, {value.get<std::string>()}) : value, limits);
+  };
+  return {made};
+}
+
 Setting blocks(std::string_view key, std::string help, data::Numbers data::Selection::*numbers) {
   auto const place = at(&S::clean, &Clean::scored, numbers);
   return {{{.key = key, .help = std::move(help)},
@@ -97,7 +113,10 @@ std::vector<Setting> make_settings() {
   constexpr double largest = std::numeric_limits<int>::max();
   constexpr auto ga = Method::genetic;
   return {
-      {{{.key = "laws", .kind = Kind::list, .help = "all, or ids separated by commas (isolaw laws lists them)"},
+      {{{.key = "laws",
+         .kind = Kind::list,
+         .help =
+             "paper, usual (default: those and what predicts better), all, or ids separated by commas (isolaw laws lists them)"},
         [](S const& s) -> Json { return s.laws; },
         set_laws}},
       {word<S>("method", "best (default): to the least objective there is; ga: the paper's genetic algorithm",
@@ -142,6 +161,7 @@ std::vector<Setting> make_settings() {
                  {.least = 1, .most = largest, .words = "an odd number of samples, 1 for none", .step = 2})},
       thinning(),
       {flag<S>("center", "remove the offset of displacement and force", at(&S::clean, &Clean::center))},
+      dead_band(),
       blocks("fit-blocks", "judge laws by these blocks of the test alone: 2, 1-3, 2- (all)", &data::Selection::blocks),
       blocks("fit-cycles", "and by these cycles of each: 2- leaves out scragging (all)", &data::Selection::cycles),
       blocks("score-blocks", "with --fit-blocks: predict these blocks by the laws fitted to those (all others)",

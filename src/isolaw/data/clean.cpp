@@ -211,7 +211,15 @@ FitRecord clean(TestRecord const& raw, CleanOptions const& options) {
         *properties.samples_per_cycle, *properties.samples_per_cycle / static_cast<double>(step), step, raw.size(),
         record.size(), window));
   }
+  record.dead_band_mm = options.dead_band_mm.value_or(dead_band_of(record.disp_mm));
   return record;
+}
+
+double dead_band_of(std::vector<double> const& disp_mm) {
+  auto const [least, most] = std::ranges::minmax(disp_mm);
+  double const band = 3.0 * noise_deviation(disp_mm);
+  // What is left of rounding is no noise: a computed record has none.
+  return band > 1e-6 * (most - least) ? band : 0.0;
 }
 
 FitRecord motion_of(TestRecord const& record) {

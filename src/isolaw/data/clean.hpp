@@ -13,6 +13,7 @@ struct CleanOptions {
   int smooth = 1;                              // window of the centred moving average, odd; 1 = none
   std::optional<int> samples_per_cycle = 200;  // thinning to at least this many, 20 or more; nullopt = all samples
   bool center = false;                         // remove the mean of the extremes of displacement and force
+  std::optional<double> dead_band_mm = {};     // FitRecord::dead_band_mm; nullopt = from the record's noise
   Selection scored = {};                       // blocks and cycles that laws are judged by
 };
 
@@ -29,6 +30,9 @@ std::vector<double> central_difference(std::vector<double> const& time_s, std::v
 // every k-th sample, from the first. Velocity is taken before samples are dropped, so that thinning costs it nothing.
 // Thinning needs cycles: a record that is not cyclic, or has no complete one, keeps all samples. Throws Error for a record without samples.
 FitRecord clean(TestRecord const& raw, CleanOptions const& options);
+
+// The play that hides noise of the displacement: three of its standard deviations, beyond which one sample in 400 lies.
+double dead_band_of(std::vector<double> const& disp_mm);
 
 // What a law needs of a history whose force is not looked at: every sample as it is, velocity by central_difference().
 // The result has no force.

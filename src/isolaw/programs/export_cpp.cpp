@@ -40,6 +40,9 @@ std::string constants(Subject const& subject, UnitSystem const& units) {
       exactly(units.length.in_record_units / law.length.in_record_units), law.length.symbol, units.length.symbol,
       exactly(law.force.in_record_units / units.force.in_record_units), units.force.symbol, law.force.symbol,
       subject.refinement);
+  if (law.traits.remembers)
+    text += fmt::format("inline constexpr double dead_band = {};  // {}: motion within it to both sides is none\n",
+                        exactly(subject.dead_band_mm / law.length.in_record_units), law.length.symbol);
   if (subject.bounds.lower)
     text += fmt::format("inline constexpr double lower = {};\n", exactly(subject.bounds.lower->overall));
   if (subject.bounds.upper)

@@ -27,6 +27,7 @@ History history_of(campaign::Device const& device, laws::TurningPoints turning_p
                         : laws::make_path(record.disp_mm, record.vel_mm_s);
   History made;
   made.device = device.name;
+  made.dead_band_mm = record.dead_band_mm;
   auto const add = [&](double t, double x, double v, double force) {
     made.time_s.push_back(t);
     made.disp_mm.push_back(x);
@@ -289,6 +290,7 @@ std::vector<double> law_force(laws::LawEntry const& law, std::span<double const>
                                .disp_mm = history.disp_mm,
                                .vel_mm_s = history.vel_mm_s,
                                .force_kN = {},
+                               .dead_band_mm = history.dead_band_mm,
                                .cleaning = {}};
   return fit::LawOnMotion(law, motion, laws::Integration::converged, laws::TurningPoints::as_sampled,
                           history.refinement)
@@ -333,8 +335,14 @@ Subject make_subject(campaign::Contents const& contents, study::Summary const& s
   add_measured(subject, summary);
   subject.frequency_Hz = subject.tested.highest_Hz.value_or(0.5);
   subject.protocol = protocol_of(subject.tested.disp_mm, subject.frequency_Hz);
-  for (auto& history : subject.histories) history.refinement = subject.refinement;
-  subject.protocol.refinement = subject.refinement;
+  for (auto const& history : subject.histories)
+    subject.dead_band_mm = std::max(subject.dead_band_mm, history.dead_band_mm);
+  auto const as_fitted = [&](History& history) {
+    history.refinement = subject.refinement;
+    history.dead_band_mm = subject.dead_band_mm;
+  };
+  std::ranges::for_each(subject.histories, as_fitted);
+  as_fitted(subject.protocol);
   for (auto& history : subject.histories) history.law_kN = law_force(*subject.law, subject.parameters, history);
   subject.protocol.law_kN = law_force(*subject.law, subject.parameters, subject.protocol);
   require_finite(subject, where);

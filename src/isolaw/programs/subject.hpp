@@ -21,6 +21,7 @@ struct History {
   std::vector<double> measured_kN;  // empty for a protocol; NaN at points that are no samples
   std::vector<double> law_kN;       // the law from the virgin state at the first point
   int refinement = 1;               // steps of the law in each interval
+  double dead_band_mm = 0.0;        // FitRecord::dead_band_mm
 };
 
 // How far the tests went, over all histories. Empty: not stated by the records or the lot file.
@@ -64,6 +65,7 @@ struct Subject {
   Bounds bounds;
   std::uint64_t seed = 1;
   int refinement = 1;
+  double dead_band_mm = 0.0;  // of the device's record; of a lot the largest
   std::optional<double> K_eff_kN_per_mm, damping_percent;  // measured: of the device, or the mean of the lot
   double design_disp_mm = 0.0;                             // amplitude of the reported cycle
   std::vector<std::string> notes;

@@ -100,7 +100,7 @@ void write(JsonWriter& out, LawResult const& law) {
 void write(JsonWriter& out, DeviceResult const& device) {
   out.begin_object();
   write_members(out, "name", device.name, "file", device.file, "sha256", device.sha256, "status", device.status,
-                "message", device.message);
+                "message", device.message, "dead_band_mm", device.record.dead_band_mm);
   out.end_object();
 }
 
