@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "cli/run.hpp"
-#include "isolaw/laws/catalogue.hpp"
+#include "isolaw/campaign/settings.hpp"
 
 namespace isolaw::cli_test {
 namespace {
@@ -14,7 +14,7 @@ class RealInput : public InFreshDirectory {
  protected:
   void expect_finite_objectives(std::string const& device, double most) {
     auto const summary = json("O/summary.json");
-    ASSERT_EQ(summary["laws"].size(), laws::catalogue().size());
+    ASSERT_EQ(summary["laws"].size(), campaign::parse_laws(campaign::usual_laws).size());
     for (auto const& law : summary["laws"]) {
       auto const& fit = law["devices"].at(0);
       EXPECT_EQ(fit["name"], device);

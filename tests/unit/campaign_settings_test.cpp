@@ -243,7 +243,15 @@ TEST(Words, Laws) {
   EXPECT_EQ(parse_laws("all"), all);
   EXPECT_EQ(parse_laws("abe,bilinear"), (std::vector<std::string>{"abe", "bilinear"}));
   EXPECT_EQ(parse_laws("abe, bilinear ,abe"), (std::vector<std::string>{"abe", "bilinear"}));
-  for (auto const* text : {"", "bilinear,", "bilinear;abe", "Bilinear", "all,abe"}) {
+  std::vector<std::string> const paper{"bilinear", "jankowski", "vaiana", "bouc-wen", "abe", "abe-y0", "hwang-wu"};
+  EXPECT_EQ(parse_laws("paper"), paper);
+  auto usual = paper;
+  usual.emplace_back("power-masing");
+  EXPECT_EQ(parse_laws("usual"), usual);
+  EXPECT_EQ(parse_laws("all,abe"), all);
+  EXPECT_EQ(parse_laws("abe,paper").size(), paper.size());
+  EXPECT_EQ(parse_laws("abe,paper").front(), "abe");
+  for (auto const* text : {"", "bilinear,", "bilinear;abe", "Bilinear", "Paper"}) {
     auto const said = refusal([&] { parse_laws(text); });
     EXPECT_TRUE(holds(said, "hwang-wu")) << "'" << text << "' must be refused with the list of laws: " << said;
   }

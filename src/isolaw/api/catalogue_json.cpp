@@ -20,6 +20,8 @@ Json json_of(laws::LawEntry const& law) {
   json["source"] = law.info.source;
   json["units"] = {law.info.force.symbol, law.info.length.symbol, "s"};
   json["rate_independent"] = law.info.traits.rate_independent;
+  json["memory"] = laws::memory_of(law.info);
+  json["set"] = laws::name(law.info.set);
   json["formula"] = law.info.formula;
   json["note"] = law.info.note;
   json["parameters"] = Json::array();

@@ -6,7 +6,7 @@
 //   fit::LawOnMotion, fit::LawOnRecord       forces under a displacement history; the objective of a record
 //   calibrate, study::build_summary         laws fitted to records; all numbers of the reports
 // Wrong input throws one isolaw::Error. Nothing prints.
-// Stable within a minor version (0.1.*): what is named here, and the keys of summary.json. The other headers are installed
+// Stable within a minor version: what is named here, and the keys of summary.json. The other headers are installed
 // because this one needs them; what they hold besides may change with any version. Headers that it does not need are
 // internal and are not installed.
 #pragma once

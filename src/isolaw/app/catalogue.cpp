@@ -54,11 +54,12 @@ void print_markdown() {
   fmt::print(
       "# The laws\n\nFrom the laws' own files, by `./isolaw.sh docs`. x displacement, v velocity, F force, in the law's own units; a step goes from one\nsample to the next, and what is not said starts at zero. *Paper*: the box of Table 4; `isolaw laws ID` says the same. A history that\nstarts elsewhere than at zero displacement finds the device virgin there, as if it had come there without history; analysis\nprograms start at zero.\n");
   for (auto const& law : laws::catalogue()) {
-    fmt::print("\n## {}: {}\n\n{}. Units {}, {}, s; {}.\n\n```\n{}\n```\n\n", law.info.id,
+    fmt::print("\n## {}: {}\n\n{}. Units {}, {}, s; {}{}; of `--laws {}`.\n\n```\n{}\n```\n\n", law.info.id,
                plain_markdown(law.info.title), plain_markdown(law.info.source), law.info.force.symbol,
                law.info.length.symbol,
                law.info.traits.rate_independent ? "needs displacement alone" : "needs displacement and time",
-               law.info.formula);
+               law.info.traits.remembers ? fmt::format("; remembers {}", laws::memory_of(law.info)) : "",
+               laws::name(law.info.set), law.info.formula);
     if (!law.info.note.empty()) fmt::print("{}\n", wrapped(plain_markdown(law.info.note), 0, 120));
     fmt::print("| parameter | unit | meaning | paper |\n|---|---|---|---|\n");
     for (auto const& p : law.parameters)
@@ -70,9 +71,10 @@ void print_markdown() {
 }
 
 void print_law(laws::LawEntry const& law) {
-  fmt::print("{}: {}\n  source  {}\n  units   {}, {}, s\n  needs   {}\n", law.info.id, law.info.title, law.info.source,
-             law.info.force.symbol, law.info.length.symbol,
-             law.info.traits.rate_independent ? "displacement" : "displacement and time");
+  fmt::print("{}: {}\n  source  {}\n  units   {}, {}, s\n  needs   {}\n  memory  {}\n  runs    with --laws {}\n",
+             law.info.id, law.info.title, law.info.source, law.info.force.symbol, law.info.length.symbol,
+             law.info.traits.rate_independent ? "displacement" : "displacement and time", laws::memory_of(law.info),
+             laws::name(law.info.set));
   fmt::print("  formula\n");
   for (auto const line : law.info.formula | std::views::split('\n'))
     fmt::print("    {}\n", std::string_view(line.begin(), line.end()));
@@ -109,7 +111,8 @@ int list_laws(std::string const& id, bool json, bool markdown) {
     return exit_done;
   }
   for (auto const& law : laws::catalogue())
-    fmt::print("{:<10} {:>2} parameters  {}\n", law.info.id, law.parameters.size(), law.info.title);
+    fmt::print("{:<16} {:<5} {:>2} parameters  {}\n", law.info.id, laws::name(law.info.set), law.parameters.size(),
+               law.info.title);
   return exit_done;
 }
 

@@ -135,7 +135,7 @@ std::string lot_text() {
 title = "Example lot: rebuilt from Table A.5, not measured"
 
 [calibrate]              # the same keys as the options of `isolaw calibrate`
-laws = "all"
+laws = "paper"
 box = "published"        # Table 4 of the paper
 method = "ga"
 runs = 20

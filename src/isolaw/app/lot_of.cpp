@@ -152,7 +152,7 @@ campaign::Lot lot_of(CalibrateArguments const& a) {
   if (a.jobs) lot.jobs = a.jobs;
   for (auto& device : lot.devices) apply(a.read, device.read);
   apply(a.acceptance, lot.acceptance);
-  if (s.laws.empty()) s.laws = campaign::parse_laws("all");
+  if (s.laws.empty()) s.laws = campaign::parse_laws(campaign::usual_laws);
   s.validate();
   refuse_endless(lot);
   return lot;

@@ -252,7 +252,7 @@ Device cleaned(NamedRecord&& given, data::CleanOptions const& cleaning) {
 }
 
 Contents with_searches(Contents contents, std::vector<std::string> const& laws) {
-  contents.settings.laws = laws.empty() ? parse_laws("all") : laws;
+  contents.settings.laws = laws.empty() ? parse_laws(usual_laws) : laws;
   contents.settings.validate();
   // Not in validate(): a store that was made before is read all the same.
   for (auto const& id : contents.settings.laws)

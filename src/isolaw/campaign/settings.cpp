@@ -53,14 +53,19 @@ Settings settings_from_pairs(std::vector<std::pair<std::string, std::string>> co
 
 std::vector<std::string> parse_laws(std::string_view text) {
   std::vector<std::string> ids;
-  if (text == "all") {
-    for (auto const& law : laws::catalogue()) ids.emplace_back(law.info.id);
-    return ids;
-  }
+  auto const add = [&](std::string_view id) {
+    if (std::ranges::find(ids, id) == ids.end()) ids.emplace_back(id);
+  };
   while (true) {
     auto const comma = text.find(',');
-    auto const& law = laws::find_law(trimmed(text.substr(0, comma)));
-    if (std::ranges::find(ids, law.info.id) == ids.end()) ids.emplace_back(law.info.id);
+    auto const word = trimmed(text.substr(0, comma));
+    if (auto const set = std::ranges::find(laws::law_sets, word, [](auto& s) { return s.first; });
+        set != std::end(laws::law_sets)) {
+      for (auto const& law : laws::catalogue())
+        if (law.info.set <= set->second) add(law.info.id);
+    } else {
+      add(laws::find_law(word).info.id);
+    }
     if (comma == std::string_view::npos) return ids;
     text.remove_prefix(comma + 1);
   }

@@ -9,6 +9,7 @@
 
 #include "isolaw/data/clean.hpp"
 #include "isolaw/fit/box.hpp"
+#include "isolaw/laws/catalogue.hpp"
 #include "isolaw/opt/genetic.hpp"
 #include "isolaw/opt/multistart.hpp"
 
@@ -18,7 +19,7 @@ namespace isolaw::campaign {
 enum class Method { best, genetic };
 
 struct Settings {
-  std::vector<std::string> laws;  // ids, in the order of reports; empty: all
+  std::vector<std::string> laws;  // ids, in the order of reports; empty: the usual ones
   Method method = Method::best;
   laws::Integration integration = laws::Integration::converged;
   laws::TurningPoints turning_points = laws::TurningPoints::as_sampled;
@@ -42,7 +43,10 @@ struct Settings {
 std::vector<std::pair<std::string, std::string>> to_pairs(Settings const& settings);
 Settings settings_from_pairs(std::vector<std::pair<std::string, std::string>> const& pairs);
 
-// "all" or "id,id": the ids of known laws without repetition. Throws Error that lists the laws.
+// What runs where no laws are asked for.
+inline constexpr std::string_view usual_laws = laws::law_sets[1].first;
+
+// "paper", "usual", "all" or ids, by commas: the ids of known laws without repetition. Throws Error that lists the laws.
 std::vector<std::string> parse_laws(std::string_view text);
 int parse_lot_size(std::string_view text);  // 1 to 10,000,000
 
