@@ -94,11 +94,13 @@ struct AddedSetting {
   int since;
   char const *key, *json;
 };
-constexpr std::array added_settings{
-    AddedSetting{2, "turning-points", "\"sampled\""}, AddedSetting{3, "fit-blocks", "\"all\""},
-    AddedSetting{3, "fit-cycles", "\"all\""},         AddedSetting{4, "score-blocks", "\"all\""},
-    AddedSetting{4, "analysis", "\"none\""},          AddedSetting{4, "replicates", "0"},
-    AddedSetting{6, "dead-band", "0.0"}};
+constexpr std::array added_settings{AddedSetting{2, "turning-points", "\"sampled\""},
+                                    AddedSetting{3, "fit-blocks", "\"all\""},
+                                    AddedSetting{3, "fit-cycles", "\"all\""},
+                                    AddedSetting{4, "score-blocks", "\"all\""},
+                                    AddedSetting{4, "analysis", "\"none\""},
+                                    AddedSetting{4, "replicates", "0"},
+                                    AddedSetting{6, "dead-band", "0.0"}};
 
 // Keys of meta that schema 3 added, empty before.
 constexpr int describes_acceptance = 3;
