@@ -113,7 +113,8 @@ std::vector<Case> linearised() {
       {"abe-y0", abe}};
   narrowed["abe"].emplace_back("p=1");
   std::vector<Case> cases;
-  for (auto const& law : laws::catalogue()) cases.push_back({.law = std::string(law.info.id), .set = narrowed[law.info.id]});
+  for (auto const& law : laws::catalogue())
+    cases.push_back({.law = std::string(law.info.id), .set = narrowed[law.info.id]});
   cases.push_back({.law = "bilinear", .noise = correlated});
   cases.push_back({.law = "bouc-wen", .set = narrowed["bouc-wen"], .noise = correlated});
   return cases;

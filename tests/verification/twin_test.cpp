@@ -64,13 +64,12 @@ std::vector<std::string> every_law() {
   return ids;
 }
 
-INSTANTIATE_TEST_SUITE_P(Every, Twin, testing::ValuesIn(every_law()),
-                         [](auto const& instance) {
-                           auto name = instance.param;
-                           for (char& c : name)
-                             if (c == '-') c = '_';
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Every, Twin, testing::ValuesIn(every_law()), [](auto const& instance) {
+  auto name = instance.param;
+  for (char& c : name)
+    if (c == '-') c = '_';
+  return name;
+});
 
 }  // namespace
 }  // namespace isolaw::fit

@@ -65,7 +65,7 @@ struct Subject {
   Bounds bounds;
   std::uint64_t seed = 1;
   int refinement = 1;
-  double dead_band_mm = 0.0;  // of the device's record; of a lot the largest
+  double dead_band_mm = 0.0;                               // of the device's record; of a lot the largest
   std::optional<double> K_eff_kN_per_mm, damping_percent;  // measured: of the device, or the mean of the lot
   double design_disp_mm = 0.0;                             // amplitude of the reported cycle
   std::vector<std::string> notes;
