@@ -58,35 +58,33 @@ void set_seed(S& s, Json const& value) {
   s.seed = *seed;
 }
 
-Setting thinning() {
-  Limits const limits{.least = 20, .most = std::numeric_limits<int>::max(), .words = "20 or more, or all"};
-  auto const place = at(&S::clean, &Clean::samples_per_cycle);
-  auto made = number<S>("samples-per-cycle", "thin records to this many samples per cycle", place, limits);
-  made.kind = Kind::text;
-  made.get = [place](S const& s) { return place(s) ? Json(*place(s)) : Json("all"); };
-  made.set = [place, limits](S& s, Json const& value) {
-    if (value == "all")
+// The number of a row, or a word that stands for none.
+template <class Place>
+Setting number_or(std::string_view word, Place place, Option<S> row) {
+  row.get = [=](S const& s) { return place(s) ? Json(*place(s)) : Json(word); };
+  row.set = [=, judge = row.set, kind = row.kind](S& s, Json const& value) {
+    if (value == Json(word))
       place(s).reset();
     else
-      place(s) = whole_of(value.is_string() ? value_of(Kind::whole, {value.get<std::string>()}) : value, limits);
+      judge(s, value.is_string() ? value_of(kind, {value.get<std::string>()}) : value);
   };
-  return {made};
+  row.kind = Kind::text;
+  return {row};
+}
+
+Setting thinning() {
+  auto const place = at(&S::clean, &Clean::samples_per_cycle);
+  return number_or("all", place,
+                   number<S>("samples-per-cycle", "thin records to this many samples per cycle", place,
+                             {.least = 20, .most = std::numeric_limits<int>::max(), .words = "20 or more, or all"}));
 }
 
 Setting dead_band() {
-  Limits const limits{.least = 0, .most = 1e4, .words = "0 to 10000, or auto: three deviations of each record's noise"};
   auto const place = at(&S::clean, &Clean::dead_band_mm);
-  auto made =
-      number<S>("dead-band", "tremor in mm that is no motion to laws that remember turning points", place, limits);
-  made.kind = Kind::text;
-  made.get = [place](S const& s) { return place(s) ? Json(*place(s)) : Json("auto"); };
-  made.set = [place, limits](S& s, Json const& value) {
-    if (value == "auto")
-      place(s).reset();
-    else
-      place(s) = real_of(value.is_string() ? value_of(Kind::real, {value.get<std::string>()}) : value, limits);
-  };
-  return {made};
+  return number_or(
+      "auto", place,
+      number<S>("dead-band", "tremor in mm that is no motion to laws that remember turning points", place,
+                {.least = 0, .most = 1e4, .words = "0 to 10000, or auto: three deviations of each record's noise"}));
 }
 
 Setting blocks(std::string_view key, std::string help, data::Numbers data::Selection::*numbers) {
