@@ -26,13 +26,11 @@ for part in "${parts[@]}"; do
     faults)
       ./isolaw.sh build
       ISOLAW_FAULTS=all run build/release/tests/cli/cli_fault
-      run build/release/tests/cli/cli_check
+      run build/release/tests/cli/cli --gtest_filter='Check*'
       ;;
     draws)
       ./isolaw.sh build
-      for program in build/release/tests/laws/laws_*; do
-        [ -x "$program" ] && [ -f "$program" ] && run "$program"
-      done
+      run build/release/tests/laws/laws
       ;;
     compilers) run ./isolaw.sh compilers ;;
     sanitize | sanitize-thread)

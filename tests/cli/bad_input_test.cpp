@@ -7,7 +7,7 @@
 namespace isolaw::cli_test {
 namespace {
 
-Words const small{"--laws", "bilinear", "--runs", "1", "--population", "4", "--generations", "1", "--out", "O"};
+Words const small_into_O{"--laws", "bilinear", "--runs", "1", "--population", "4", "--generations", "1", "--out", "O"};
 
 class BadInput : public InFreshDirectory {
  protected:
@@ -16,13 +16,13 @@ class BadInput : public InFreshDirectory {
   void expect_refusal(std::string const& file, std::vector<std::string> const& parts, Words const& options = {}) {
     SCOPED_TRACE(file);
     expect_refused(isolaw(Words{"inspect", file} + options), parts);
-    auto const o = isolaw(Words{"calibrate", file} + small + options);
+    auto const o = isolaw(Words{"calibrate", file} + small_into_O + options);
     expect_refused(o, parts);
     EXPECT_TRUE(contains(o.err, "none of 1 device"));
     EXPECT_FALSE(exists("O"));
   }
   Outcome calibrate(Words const& files, Words const& more = {}) {
-    return isolaw(Words{"calibrate"} + files + small + more);
+    return isolaw(Words{"calibrate"} + files + small_into_O + more);
   }
 };
 

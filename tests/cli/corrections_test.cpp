@@ -76,8 +76,6 @@ class Corrections : public InFreshDirectory {
   }
 };
 
-Words const search{"--laws", "bilinear", "--runs", "1", "--population", "4", "--generations", "1"};
-
 TEST_F(Corrections, an_undisturbed_record_needs_none) {
   write("true.csv", rig_record({}));
   auto const device = inspected({"true.csv"});
@@ -103,7 +101,7 @@ TEST_F(Corrections, calibrate_keeps_them_in_store_and_report) {
   for (auto const& c : cases()) {
     SCOPED_TRACE(c.option + " " + c.value);
     write("rig.csv", rig_record(c.rig));
-    auto const o = isolaw(Words{"calibrate", "rig.csv", "--out", "O", "--fresh", c.option, c.value} + search);
+    auto const o = isolaw(Words{"calibrate", "rig.csv", "--out", "O", "--fresh", c.option, c.value} + smallest_search);
     EXPECT_EQ(o.code, 0) << o;
     auto const stored = query(path("O/campaign.sqlite"), "SELECT corrections FROM device").at(0);
     EXPECT_TRUE(contains(stored, c.sentence));
@@ -111,7 +109,7 @@ TEST_F(Corrections, calibrate_keeps_them_in_store_and_report) {
     auto const device = page_data(read("P/report.html"))["devices"][0];
     expect_device(device);
     EXPECT_TRUE(contains(device["corrections"].dump(), c.sentence));
-    auto const other = isolaw(Words{"calibrate", "rig.csv", "--out", "O"} + search);
+    auto const other = isolaw(Words{"calibrate", "rig.csv", "--out", "O"} + smallest_search);
     expect_refused(other, {"rig: its file is read in another way", "--fresh"});
   }
 }
@@ -124,11 +122,12 @@ TEST_F(Corrections, init_writes_them_and_calibrate_reads_them_back) {
     EXPECT_EQ(made.code, 0) << made;
     EXPECT_TRUE(contains(read("lot.toml"), c.key + " = " + c.value)) << read("lot.toml");
     expect_device(inspected({"lot.toml"}));
-    EXPECT_EQ(isolaw(Words{"calibrate", "lot.toml", "--out", "L", "--fresh"} + search).code, 0);
-    EXPECT_EQ(isolaw(Words{"calibrate", "rig.csv", "--out", "C", "--fresh", c.option, c.value} + search).code, 0);
+    EXPECT_EQ(isolaw(Words{"calibrate", "lot.toml", "--out", "L", "--fresh"} + smallest_search).code, 0);
+    EXPECT_EQ(isolaw(Words{"calibrate", "rig.csv", "--out", "C", "--fresh", c.option, c.value} + smallest_search).code,
+              0);
     for (auto const* rows : {"SELECT * FROM series", "SELECT name, file, sha256, corrections, cleaning FROM device"})
       EXPECT_EQ(query(path("L/campaign.sqlite"), rows), query(path("C/campaign.sqlite"), rows)) << rows;
-    auto const again = isolaw(Words{"calibrate", "lot.toml", "--out", "C"} + search);
+    auto const again = isolaw(Words{"calibrate", "lot.toml", "--out", "C"} + smallest_search);
     EXPECT_EQ(again.code, 0) << "the same campaign, continued: " << again;
   }
 }

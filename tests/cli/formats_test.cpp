@@ -140,8 +140,6 @@ TEST_F(Formats, json_is_read) {
   EXPECT_TRUE(contains(o.out, "JSON: arrays that are columns")) << o;
 }
 
-Words const search{"--laws", "bilinear", "--runs", "1", "--population", "4", "--generations", "1"};
-
 // What init writes reads the very series that the file itself gives, device by device.
 TEST_F(Formats, init_of_a_directory_calibrates_as_the_directory_does) {
   for (int d = 1; d <= 3; ++d) {
@@ -162,8 +160,8 @@ TEST_F(Formats, init_of_a_directory_calibrates_as_the_directory_does) {
         }));
   auto const o = isolaw({"init", "lot", "--out", "lot/lot.toml"});
   ASSERT_EQ(o.code, 0) << o;
-  ASSERT_EQ(isolaw(Words{"calibrate", "lot/lot.toml", "--out", "L"} + search).code, 0);
-  ASSERT_EQ(isolaw(Words{"calibrate", "lot", "--out", "D"} + search).code, 0);
+  ASSERT_EQ(isolaw(Words{"calibrate", "lot/lot.toml", "--out", "L"} + smallest_search).code, 0);
+  ASSERT_EQ(isolaw(Words{"calibrate", "lot", "--out", "D"} + smallest_search).code, 0);
   for (auto const* rows : {"SELECT * FROM series", "SELECT id, name, file, sha256 FROM device", "SELECT * FROM run",
                            "SELECT * FROM setting"})
     EXPECT_EQ(query(path("L/campaign.sqlite"), rows), query(path("D/campaign.sqlite"), rows)) << rows;
@@ -211,7 +209,7 @@ TEST_F(Formats, init_like_reads_a_folder_as_another_lot_file_does) {
 TEST_F(Formats, every_test_of_several_files_comes_back_as_its_own_device) {
   write_book("book.xlsx");
   ASSERT_EQ(isolaw({"init", "several.csv", "book.xlsx"}).code, 0);
-  ASSERT_EQ(isolaw(Words{"calibrate", "lot.toml", "--out", "O"} + search).code, 0);
+  ASSERT_EQ(isolaw(Words{"calibrate", "lot.toml", "--out", "O"} + smallest_search).code, 0);
   auto const devices = page_data(read("O/report.html"))["devices"];
   ASSERT_EQ(devices.size(), 4u);
   for (std::size_t d = 0; d < 4; ++d) {
@@ -219,7 +217,8 @@ TEST_F(Formats, every_test_of_several_files_comes_back_as_its_own_device) {
     SCOPED_TRACE(devices[d]["name"].get<std::string>());
     expect_loop(cycle_of(devices[d], 1, 3), loop_of(samples, 400, 600), d < 2 ? 1e-5 : 1e-8);
   }
-  EXPECT_EQ(isolaw(Words{"calibrate", "lot.toml", "--out", "O"} + search).code, 0) << "the same campaign again";
+  EXPECT_EQ(isolaw(Words{"calibrate", "lot.toml", "--out", "O"} + smallest_search).code, 0)
+      << "the same campaign again";
 }
 
 }  // namespace

@@ -11,8 +11,6 @@
 namespace isolaw::cli_test {
 namespace {
 
-Words const small{"--laws", "bilinear", "--runs", "1", "--population", "4", "--generations", "1"};
-
 class Hostile : public InFreshDirectory {};
 
 // But for the ends of lines.
@@ -27,7 +25,7 @@ void expect_no_control_characters(Outcome const& o) {
 TEST_F(Hostile, file_name_with_quotes_blanks_and_html_is_read_and_ends_escaped_in_the_page) {
   std::string const stem = "it's \"q\" <img src=x onerror=alert(1)> &amp; \xC3\xA9";
   write(stem + ".csv", csv(record()));
-  auto const o = isolaw(Words{"calibrate", stem + ".csv", "--out", "O"} + small);
+  auto const o = isolaw(Words{"calibrate", stem + ".csv", "--out", "O"} + smallest_search);
   EXPECT_EQ(o.code, 0) << o;
   EXPECT_EQ(json("O/summary.json")["devices"][0]["name"], stem);
   EXPECT_EQ(json("O/summary.json")["devices"][0]["file"], stem + ".csv");
@@ -42,7 +40,7 @@ TEST_F(Hostile, file_name_with_quotes_and_html_goes_through_a_lot_file) {
   std::string const name = "it's \"q\" <b>.csv";
   write(name, csv(record()));
   ASSERT_EQ(isolaw({"init", name}).code, 0);
-  auto const o = isolaw(Words{"calibrate", "lot.toml", "--out", "O"} + small);
+  auto const o = isolaw(Words{"calibrate", "lot.toml", "--out", "O"} + smallest_search);
   EXPECT_EQ(o.code, 0) << o;
   EXPECT_EQ(json("O/summary.json")["devices"][0]["file"], name);
 }
@@ -53,7 +51,7 @@ TEST_F(Hostile, title_and_device_name_that_close_tags_stay_text_in_the_page) {
       "lot.toml",
       "title = \"</title><script>alert(2)</script>{{data}}\"\n[[device]]\nname = \"</script><script>alert(1)</script>\"\n"
       "file = \"a.csv\"\nserial = \"<!--<script>\"\n");
-  auto const o = isolaw(Words{"calibrate", "lot.toml", "--out", "O"} + small);
+  auto const o = isolaw(Words{"calibrate", "lot.toml", "--out", "O"} + smallest_search);
   EXPECT_EQ(o.code, 0) << o;
   auto const page = read("O/report.html");
   EXPECT_EQ(page.find("<script>alert"), std::string::npos);
@@ -66,7 +64,7 @@ TEST_F(Hostile, title_and_device_name_that_close_tags_stay_text_in_the_page) {
 TEST_F(Hostile, refusal_quotes_the_files_text_escaped) {
   write("a.csv", csv(record()));
   write("b.csv", csv_with_line(50, "0.4800,<script>alert(3)</script>,1"));
-  auto const o = isolaw(Words{"calibrate", "a.csv", "b.csv", "--out", "O"} + small);
+  auto const o = isolaw(Words{"calibrate", "a.csv", "b.csv", "--out", "O"} + smallest_search);
   EXPECT_EQ(o.code, 1) << o;
   EXPECT_TRUE(contains(json("O/summary.json")["devices"][1]["message"].get<std::string>(), "<script>alert(3)"));
   EXPECT_EQ(read("O/report.html").find("<script>alert(3)"), std::string::npos);
@@ -75,7 +73,7 @@ TEST_F(Hostile, refusal_quotes_the_files_text_escaped) {
 TEST_F(Hostile, names_that_spreadsheets_would_calculate_are_text_in_the_tables) {
   write("=1+2.csv", csv(record()));
   write("@x.csv", csv(record()));
-  auto const o = isolaw(Words{"calibrate", "=1+2.csv", "@x.csv", "--out", "O"} + small);
+  auto const o = isolaw(Words{"calibrate", "=1+2.csv", "@x.csv", "--out", "O"} + smallest_search);
   EXPECT_EQ(o.code, 0) << o;
   auto const table = read("O/tables/objective.csv");
   EXPECT_TRUE(contains(table, "bilinear,'=1+2,"));
@@ -84,20 +82,20 @@ TEST_F(Hostile, names_that_spreadsheets_would_calculate_are_text_in_the_tables) 
 
 TEST_F(Hostile, file_name_that_looks_like_an_option_is_read_after_two_dashes) {
   write("-x.csv", csv(record()));
-  EXPECT_EQ(isolaw(Words{"calibrate", "--out", "O"} + small + Words{"--", "-x.csv"}).code, 0);
+  EXPECT_EQ(isolaw(Words{"calibrate", "--out", "O"} + smallest_search + Words{"--", "-x.csv"}).code, 0);
   EXPECT_EQ(isolaw({"inspect", "./-x.csv"}).code, 0);
 }
 
 TEST_F(Hostile, file_name_that_is_no_utf8_gives_valid_json) {
   write("bad\xff.csv", csv(record()));
-  auto const o = isolaw(Words{"calibrate", "bad\xff.csv", "--out", "O", "--json"} + small);
+  auto const o = isolaw(Words{"calibrate", "bad\xff.csv", "--out", "O", "--json"} + smallest_search);
   EXPECT_EQ(o.code, 0) << o;
   EXPECT_TRUE(Json::accept(o.out)) << o;
 }
 
 TEST_F(Hostile, equal_names_in_two_folders_are_told_apart) {
   for (auto const* folder : {"one", "two"}) write(fs::path(folder) / "test.csv", csv(record()));
-  auto const o = isolaw(Words{"calibrate", "one/test.csv", "two/test.csv", "--out", "O"} + small);
+  auto const o = isolaw(Words{"calibrate", "one/test.csv", "two/test.csv", "--out", "O"} + smallest_search);
   EXPECT_EQ(o.code, 0) << o;
   EXPECT_EQ(json("O/summary.json")["devices"][0]["name"], "test");
   EXPECT_EQ(json("O/summary.json")["devices"][1]["name"], "two/test");
@@ -106,32 +104,33 @@ TEST_F(Hostile, equal_names_in_two_folders_are_told_apart) {
 TEST_F(Hostile, output_into_a_file_is_refused_and_the_file_kept) {
   write("a.csv", csv(record()));
   write("taken", "mine");
-  expect_refused(isolaw(Words{"calibrate", "a.csv", "--out", "taken"} + small),
+  expect_refused(isolaw(Words{"calibrate", "a.csv", "--out", "taken"} + smallest_search),
                  {"taken", "cannot make the directory", "--out DIR"});
-  expect_refused(isolaw(Words{"calibrate", "a.csv", "--out", "taken/deeper"} + small),
+  expect_refused(isolaw(Words{"calibrate", "a.csv", "--out", "taken/deeper"} + smallest_search),
                  {"taken/deeper", "cannot make the directory"});
   EXPECT_EQ(read("taken"), "mine");
 }
 
 TEST_F(Hostile, output_of_no_name_is_refused) {
   write("a.csv", csv(record()));
-  expect_refused(isolaw(Words{"calibrate", "a.csv", "--out", ""} + small), {"--out DIR"});
+  expect_refused(isolaw(Words{"calibrate", "a.csv", "--out", ""} + smallest_search), {"--out DIR"});
 }
 
 TEST_F(Hostile, output_that_is_in_the_way_is_named) {
   write("a.csv", csv(record()));
   fs::create_directories(path("O/summary.json"));
-  expect_message(isolaw(Words{"calibrate", "a.csv", "--out", "O"} + small), 2,
+  expect_message(isolaw(Words{"calibrate", "a.csv", "--out", "O"} + smallest_search), 2,
                  {"O/summary.json", "cannot be written", "another output directory"});
   write("P/tables", "mine");
-  expect_message(isolaw(Words{"calibrate", "a.csv", "--out", "P"} + small), 2, {"P/tables", "cannot be written"});
+  expect_message(isolaw(Words{"calibrate", "a.csv", "--out", "P"} + smallest_search), 2,
+                 {"P/tables", "cannot be written"});
   EXPECT_EQ(read("P/tables"), "mine");
 }
 
 TEST_F(Hostile, store_that_cannot_be_opened_is_named) {
   write("a.csv", csv(record()));
   fs::create_directories(path("O/campaign.sqlite"));
-  expect_message(isolaw(Words{"calibrate", "a.csv", "--out", "O"} + small), 2, {"O/campaign.sqlite"});
+  expect_message(isolaw(Words{"calibrate", "a.csv", "--out", "O"} + smallest_search), 2, {"O/campaign.sqlite"});
 }
 
 TEST_F(Hostile, read_only_output_directory_is_refused) {
@@ -139,14 +138,14 @@ TEST_F(Hostile, read_only_output_directory_is_refused) {
   write("a.csv", csv(record()));
   fs::create_directory(path("O"));
   fs::permissions(path("O"), fs::perms::owner_read | fs::perms::owner_exec);
-  auto const o = isolaw(Words{"calibrate", "a.csv", "--out", "O"} + small);
+  auto const o = isolaw(Words{"calibrate", "a.csv", "--out", "O"} + smallest_search);
   expect_message(o, 2, {"O/campaign.sqlite", "permissions"});
   fs::permissions(path("O"), fs::perms::owner_all);
 }
 
 TEST_F(Hostile, output_directories_are_made_as_deep_as_asked) {
   write("a.csv", csv(record()));
-  EXPECT_EQ(isolaw(Words{"calibrate", "a.csv", "--out", "x/y z/O"} + small).code, 0);
+  EXPECT_EQ(isolaw(Words{"calibrate", "a.csv", "--out", "x/y z/O"} + smallest_search).code, 0);
   EXPECT_TRUE(exists("x/y z/O/report.html"));
 }
 
@@ -157,7 +156,7 @@ TEST_F(Hostile, device_name_with_quotes_html_and_sql_is_kept_and_shown_as_text) 
   std::string const name = "'; DROP TABLE run; -- \"<b onclick=x>\" ,;|{{data}}";
   write("lot.toml",
         "[[device]]\nname = " + Json(name).dump() + "\nfile = 'a.csv'\nserial = \"'); DELETE FROM device; --\"\n");
-  auto const o = isolaw(Words{"calibrate", "lot.toml", "--out", "O"} + small);
+  auto const o = isolaw(Words{"calibrate", "lot.toml", "--out", "O"} + smallest_search);
   EXPECT_EQ(o.code, 0) << o;
   auto const store = path("O/campaign.sqlite");
   EXPECT_EQ(query(store, "SELECT name, serial FROM device"), Words{name + "|'); DELETE FROM device; --"});
@@ -171,7 +170,7 @@ TEST_F(Hostile, device_name_with_quotes_html_and_sql_is_kept_and_shown_as_text) 
 TEST_F(Hostile, control_characters_in_a_lot_file_are_refused) {
   write("a.csv", csv(record()));
   write("lot.toml", "title = \"T\\u0007\"\n[[device]]\nname = \"a\\u001b[2J\"\nfile = \"a.csv\"\nserial = \"1\\n2\"\n");
-  auto const o = isolaw(Words{"calibrate", "lot.toml", "--out", "O"} + small);
+  auto const o = isolaw(Words{"calibrate", "lot.toml", "--out", "O"} + smallest_search);
   expect_refused(o, {"lot.toml:1: title: 'T\\x07' holds control characters", "lot.toml:3: name: 'a\\x1b[2J'",
                      "lot.toml:5: serial: '1\\n2'", "allowed: printable text"});
   expect_no_control_characters(o);
@@ -184,7 +183,7 @@ TEST_F(Hostile, control_characters_in_a_record_or_its_name_do_not_reach_the_term
     auto const inspected = isolaw({"inspect", name});
     EXPECT_EQ(inspected.code, 0) << inspected;
     expect_no_control_characters(inspected);
-    auto const o = isolaw(Words{"calibrate", name, "--out", "O", "--fresh"} + small);
+    auto const o = isolaw(Words{"calibrate", name, "--out", "O", "--fresh"} + smallest_search);
     EXPECT_EQ(o.code, 0) << o;
     expect_no_control_characters(o);
     expect_no_control_characters(isolaw({"report", "O"}));
@@ -214,12 +213,12 @@ TEST_F(Hostile, lot_file_cannot_read_outside_its_folder) {
   fs::create_directory_symlink("..", path("lot/up"));
   for (auto const& file : Words{"../secret.csv", "link.csv", "up/secret.csv", path("secret.csv").string()}) {
     write("lot/lot.toml", "[[device]]\nname = \"a\"\nfile = \"" + file + "\"\n");
-    expect_refused(isolaw(Words{"calibrate", "lot/lot.toml", "--out", "O"} + small),
+    expect_refused(isolaw(Words{"calibrate", "lot/lot.toml", "--out", "O"} + smallest_search),
                    {"lot/lot.toml:3: file: '", "leads outside, to " + fs::canonical(path("secret.csv")).string(),
                     "allowed: files in the folder of the lot file or below it", "--allow-outside"});
     EXPECT_FALSE(exists("O"));
   }
-  EXPECT_EQ(isolaw(Words{"calibrate", "lot/lot.toml", "--out", "O", "--allow-outside"} + small).code, 0);
+  EXPECT_EQ(isolaw(Words{"calibrate", "lot/lot.toml", "--out", "O", "--allow-outside"} + smallest_search).code, 0);
   write("lot/lot.toml", "[calibrate]\nallow-outside = true\n[[device]]\nfile = \"a.csv\"\n");
   expect_refused(isolaw({"calibrate", "lot/lot.toml"}), {"unknown key 'allow-outside'"});
 }
@@ -232,12 +231,12 @@ TEST_F(Hostile, lot_file_cannot_write_outside_the_current_directory) {
   auto const in_work = [&](Words const& words) { return isolaw_in(path("work"), words); };
   for (std::string const out : {"../elsewhere", "/tmp/isolaw-x", "link", "link/deep", "dangling", "."}) {
     write("work/lot.toml", "[calibrate]\nout = \"" + out + "\"\n[[device]]\nfile = \"a.csv\"\n");
-    expect_refused(in_work(Words{"calibrate", "lot.toml"} + small),
+    expect_refused(in_work(Words{"calibrate", "lot.toml"} + smallest_search),
                    {"lot.toml:2: out: '" + out + "'", "a directory below the current one", "--out DIR"});
   }
   EXPECT_TRUE(fs::is_empty(path("elsewhere")));
   EXPECT_FALSE(exists("not-yet"));
-  EXPECT_EQ(in_work(Words{"calibrate", "lot.toml", "--out", "../elsewhere"} + small).code, 0);
+  EXPECT_EQ(in_work(Words{"calibrate", "lot.toml", "--out", "../elsewhere"} + smallest_search).code, 0);
 }
 
 TEST_F(Hostile, init_of_files_elsewhere_says_what_calibrate_will_need) {
@@ -247,8 +246,8 @@ TEST_F(Hostile, init_of_files_elsewhere_says_what_calibrate_will_need) {
   EXPECT_EQ(o.code, 0) << o;
   EXPECT_TRUE(contains(o.err, "data/a.csv: not in the folder of lots/lot.toml or below it"));
   EXPECT_TRUE(contains(o.err, "--allow-outside"));
-  expect_refused(isolaw(Words{"calibrate", "lots/lot.toml", "--out", "O"} + small), {"leads outside"});
-  EXPECT_EQ(isolaw(Words{"calibrate", "lots/lot.toml", "--out", "O", "--allow-outside"} + small).code, 0);
+  expect_refused(isolaw(Words{"calibrate", "lots/lot.toml", "--out", "O"} + smallest_search), {"leads outside"});
+  EXPECT_EQ(isolaw(Words{"calibrate", "lots/lot.toml", "--out", "O", "--allow-outside"} + smallest_search).code, 0);
   EXPECT_EQ(isolaw({"init", "data/a.csv"}).err, "");
 }
 
@@ -336,7 +335,7 @@ TEST_F(Hostile, want_of_memory_is_said_plainly) {
 
 TEST_F(Hostile, report_opens_nothing_on_the_network) {
   write("a.csv", csv(record()));
-  ASSERT_EQ(isolaw(Words{"calibrate", "a.csv", "--out", "O"} + small).code, 0);
+  ASSERT_EQ(isolaw(Words{"calibrate", "a.csv", "--out", "O"} + smallest_search).code, 0);
   auto const page = read("O/report.html");
   for (auto const* part : {"<script src", "<link", "<iframe", "@import"})
     EXPECT_EQ(page.find(part), std::string::npos) << part;

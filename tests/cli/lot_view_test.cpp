@@ -5,8 +5,6 @@
 namespace isolaw::cli_test {
 namespace {
 
-fs::path const data = ISOLAW_DATA_DIR;
-
 class HeldTo : public InFreshDirectory {
  protected:
   void SetUp() override {

@@ -7,8 +7,7 @@
 namespace isolaw::cli_test {
 namespace {
 
-fs::path const data = ISOLAW_DATA_DIR;
-Words const reduced{"--runs", "1", "--population", "20", "--generations", "4", "--out", "O"};
+Words const reduced_into_O{"--runs", "1", "--population", "20", "--generations", "4", "--out", "O"};
 
 class RealInput : public InFreshDirectory {
  protected:
@@ -55,14 +54,14 @@ TEST_F(Bearing, inspect_recognises_columns_units_and_cycles_and_says_that_time_i
 
 TEST_F(Bearing, calibrates_with_all_laws) {
   if (!fs::exists(file)) GTEST_SKIP() << "measured data are not here: " << file;
-  auto const o = isolaw(Words{"calibrate", file, "--laws", "all", "--dt", "0.00214823"} + reduced);
+  auto const o = isolaw(Words{"calibrate", file, "--laws", "all", "--dt", "0.00214823"} + reduced_into_O);
   EXPECT_EQ(o.code, 0) << o;
   expect_finite_objectives("cyclic-24-49-98pct", 1.0);
 }
 
 TEST_F(Bearing, without_a_sampling_interval_the_two_laws_that_need_velocity_are_refused) {
   if (!fs::exists(file)) GTEST_SKIP() << "measured data are not here: " << file;
-  auto const o = isolaw(Words{"calibrate", file} + reduced);
+  auto const o = isolaw(Words{"calibrate", file} + reduced_into_O);
   EXPECT_EQ(o.code, 1) << o;
   auto const summary = json("O/summary.json");
   for (auto const& law : summary["laws"]) {
@@ -114,7 +113,7 @@ TEST_F(FrictionDamper, inspects_and_calibrates_after_a_plain_conversion) {
       EXPECT_NEAR(cycle["amplitude_mm"].get<double>(), 25.4, 0.5);  // 1 in, after the ramp
     }
   EXPECT_EQ(counted, 3);
-  auto const o = isolaw(Words{"calibrate", "damper.csv"} + reduced);
+  auto const o = isolaw(Words{"calibrate", "damper.csv"} + reduced_into_O);
   EXPECT_EQ(o.code, 0) << o;
   expect_finite_objectives("damper", 2.0);
 }

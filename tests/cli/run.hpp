@@ -30,6 +30,9 @@ using Json = nlohmann::ordered_json;
 using Words = std::vector<std::string>;
 using namespace std::chrono_literals;
 
+inline fs::path const data = ISOLAW_DATA_DIR;  // measured; tests skip without it
+inline Words const smallest_search{"--laws", "bilinear", "--runs", "1", "--population", "4", "--generations", "1"};
+
 inline std::string read_file(fs::path const& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw std::runtime_error("cannot read " + path.string());

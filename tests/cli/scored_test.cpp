@@ -7,8 +7,8 @@
 namespace isolaw::cli_test {
 namespace {
 
-constexpr int per_cycle = 200, cycles = 3;
-constexpr std::size_t block_samples = per_cycle * cycles;
+constexpr int samples_of_cycle = 200, cycles = 3;
+constexpr std::size_t block_samples = samples_of_cycle * cycles;
 
 // Bilinear, K1 = 2.5, K2 = 0.5 kN/mm, xy = 10 mm, through three cycles of 60 mm and three of 100 mm. In the block
 // `disturbed` the force is a third larger than the law's; 0 for none, 3 for the second half of the second block.
@@ -18,7 +18,8 @@ std::vector<Sample> two_blocks(int disturbed) {
   for (std::size_t i = 0; i <= 2 * block_samples; ++i) {
     double const amplitude = i < block_samples ? 60.0 : 100.0;
     double const x =
-        std::round(1e5 * amplitude * std::sin(2.0 * std::numbers::pi * static_cast<double>(i) / per_cycle)) / 1e5;
+        std::round(1e5 * amplitude * std::sin(2.0 * std::numbers::pi * static_cast<double>(i) / samples_of_cycle)) /
+        1e5;
     z = std::clamp(z + x - before, -10.0, 10.0);
     before = x;
     bool const in_block = disturbed == 1 ? i < block_samples : disturbed == 2 && i > block_samples;
@@ -70,7 +71,7 @@ TEST_F(Scored, only_the_chosen_block_is_judged_and_the_state_comes_from_the_one_
   EXPECT_NEAR(objective(calibrated({})), all, 1e-4);
   EXPECT_NEAR(objective(calibrated({"--fit-blocks", "all", "--fit-cycles", "all"})), all, 1e-4);
   EXPECT_NEAR(objective(calibrated({"--fit-cycles", "3", "--fit-blocks", "1"})),
-              objective_of(measured, law, 2 * per_cycle, block_samples), 1e-4);
+              objective_of(measured, law, 2 * samples_of_cycle, block_samples), 1e-4);
 }
 
 TEST_F(Scored, the_other_way_round) {

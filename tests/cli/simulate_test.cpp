@@ -227,7 +227,6 @@ TEST_F(Simulate, a_record_of_acceleration_is_refused_with_what_is_needed) {
 }
 
 TEST_F(Simulate, measured_motions) {
-  fs::path const data = ISOLAW_DATA_DIR;
   auto const orbit = data / "hdrb-gallardo-device/biaxial_input_Fig8b.txt";
   auto const ground = data / "ground-motions/peer/RSN763_LOMAP_GIL067.AT2";
   // Measured data lie beside the checkout and are never part of it.

@@ -17,10 +17,10 @@ namespace {
 using cli_test::Json;
 using cli_test::Words;
 
-constexpr char const* law = "trilinear";
+constexpr char const* another_law = "trilinear";
 
 TEST(AnotherLaw, IsComputedInLanes) {
-  auto const& entry = laws::find_law(law);
+  auto const& entry = laws::find_law(another_law);
   auto const record = record_of(irregular(3, 208.0, 3, 40), 0.05, 0.67, 45.0);
   auto const box = fit::make_box(entry, fit::BoxKind::scaled, fit::scales_of(record, entry.info), {});
   fit::LawOnRecord const model(entry, record, laws::Integration::converged);
@@ -44,8 +44,9 @@ class AnotherLawInTheProgram : public cli_test::InFreshDirectory {
     InFreshDirectory::SetUp();
     write("motion.csv", cli_test::csv(cli_test::record({.samples = 181, .per_cycle = 60, .interval_s = 0.03})));
     for (auto const& [file, stiffness] : {std::pair{"a.csv", "2"}, std::pair{"b.csv", "2.2"}}) {
-      auto const o = isolaw({"simulate", law, "--set", "K=0.5", "--set", std::string("k1=") + stiffness, "--set",
-                             "x1=4", "--set", "k2=0.6", "--set", "x2=30", "--motion", "motion.csv", "--out", file});
+      auto const o =
+          isolaw({"simulate", another_law, "--set", "K=0.5", "--set", std::string("k1=") + stiffness, "--set", "x1=4",
+                  "--set", "k2=0.6", "--set", "x2=30", "--motion", "motion.csv", "--out", file});
       ASSERT_EQ(o.code, 0) << o;
     }
   }
@@ -58,7 +59,7 @@ class AnotherLawInTheProgram : public cli_test::InFreshDirectory {
 
 TEST_F(AnotherLawInTheProgram, IsListedWithItsParameters) {
   EXPECT_NE(isolaw({"laws"}).out.find("\ntrilinear        all    5 parameters"), std::string::npos);
-  auto const o = isolaw({"laws", law});
+  auto const o = isolaw({"laws", another_law});
   for (auto const* part :
        {"Trilinear, two elements in parallel", "z1 -> z1 + k1 dx", "stiffness of the second element"})
     EXPECT_NE(o.out.find(part), std::string::npos) << part << " is missing in " << o;
@@ -68,14 +69,14 @@ TEST_F(AnotherLawInTheProgram, FindsItsOwnParametersAndIsReported) {
   auto const o = calibrated({"--analysis", "full", "--replicates", "40"});
   ASSERT_EQ(o.code, 0) << o;
   auto const found = json("C/summary.json")["laws"][0];
-  ASSERT_EQ(found["id"], law);
+  ASSERT_EQ(found["id"], another_law);
   EXPECT_LT(found["objective"]["mean"].get<double>(), 1e-3);
   EXPECT_NEAR(found["devices"][0]["parameters"]["k2"]["best"].get<double>(), 0.6, 1e-2);
   EXPECT_NEAR(found["devices"][1]["parameters"]["k1"]["best"].get<double>(), 2.2, 1e-2);
   for (auto const* file : {"C/report.html", "C/tables/objective.csv", "C/tables/parameters.csv"})
-    EXPECT_NE(read(file).find(law), std::string::npos) << file;
+    EXPECT_NE(read(file).find(another_law), std::string::npos) << file;
   EXPECT_EQ(isolaw({"check", "C"}).code, 0);
-  auto const again = isolaw({"simulate", law, "--from", "C", "--device", "a", "--motion", "motion.csv"});
+  auto const again = isolaw({"simulate", another_law, "--from", "C", "--device", "a", "--motion", "motion.csv"});
   EXPECT_EQ(again.code, 0) << again;
 }
 
@@ -89,13 +90,13 @@ TEST_F(AnotherLawInTheProgram, IsHeldToItsJointLimit) {
 TEST_F(AnotherLawInTheProgram, IsExported) {
   ASSERT_EQ(calibrated().code, 0);
   auto const to = [&](std::string_view target) {
-    return isolaw({"export", "C", "--law", law, "--device", "a", "--to", std::string(target)});
+    return isolaw({"export", "C", "--law", another_law, "--device", "a", "--to", std::string(target)});
   };
   for (auto const& target : programs::targets()) {
     if (target.name == "cpp") continue;
     auto const o = to(target.name);
     EXPECT_EQ(o.code, 0) << target.name << o;
-    EXPECT_NE(o.out.find(law), std::string::npos) << target.name;
+    EXPECT_NE(o.out.find(another_law), std::string::npos) << target.name;
   }
   auto const made = Json::parse(to("json").out);
   EXPECT_EQ(made["fidelity"], "re-fitted");

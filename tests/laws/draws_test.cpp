@@ -14,12 +14,12 @@
 
 #include "laws/paper.hpp"
 #include "laws/records.hpp"
+#include "not_finite.hpp"
 
 namespace isolaw::law_tests {
 namespace {
 
 using laws::Integration;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Box {
   std::string name;

@@ -20,14 +20,13 @@
 #include "isolaw/data/clean.hpp"
 #include "laws/paper.hpp"
 #include "laws/records.hpp"
+#include "not_finite.hpp"
 
 namespace isolaw::law_tests {
 namespace {
 
 using laws::Integration;
 using Numbers = std::vector<double>;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array both{Integration::converged, Integration::paper};
 
 data::FitRecord published_record() {

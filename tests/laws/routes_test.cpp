@@ -18,6 +18,7 @@
 #include "isolaw/laws/catalogue.hpp"
 #include "laws/motion.hpp"
 #include "laws/paper.hpp"
+#include "not_finite.hpp"
 
 namespace isolaw::law_tests {
 namespace {
@@ -31,7 +32,6 @@ using Lanes = num::Batch<width>;
 // Of the peak force. Batches have their own exp, exp2 and log2, one or two units in the last place from those of the
 // library, and write a power as one operation; the largest difference seen is 5e-14 (vaiana).
 constexpr double lane_tolerance = 1e-11;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 template <class Law>
 class Routes : public ::testing::Test {};

@@ -19,13 +19,13 @@ template <class Law>
 class Traits : public ::testing::Test {};
 TYPED_TEST_SUITE(Traits, EveryLaw, LawName);
 
-Motion some_motion() {
+Motion slower_motion() {
   return irregular(3, 150.0, 4, 60);
 }
 
 // The same displacements run through faster: the same bits, or a force that differs visibly (1 % of the peak).
 TYPED_TEST(Traits, RateIndependence) {
-  auto const motion = some_motion();
+  auto const motion = slower_motion();
   for (auto const integration : both_integrations)
     for (std::uint32_t index = 0; index < 10; ++index) {
       auto const values = candidate<TypeParam>(index);
@@ -44,7 +44,7 @@ TYPED_TEST(Traits, RateIndependence) {
 
 // A rate-independent law needs no velocity at all; another is not itself without.
 TYPED_TEST(Traits, ARecordWithoutTimeServesARateIndependentLaw) {
-  auto const motion = scaled(some_motion(), 1.0 / TypeParam::info.length.in_record_units, 1.0);
+  auto const motion = scaled(slower_motion(), 1.0 / TypeParam::info.length.in_record_units, 1.0);
   auto const values = candidate<TypeParam>(0);
   auto const without = forces<TypeParam>(values, laws::make_path(motion.disp_mm, {}));
   auto const with = forces<TypeParam>(values, laws::make_path(motion.disp_mm, motion.velocity_mm_s));
@@ -53,7 +53,7 @@ TYPED_TEST(Traits, ARecordWithoutTimeServesARateIndependentLaw) {
 
 // Every operation commutes with the sign, so the mirrored force is exact. A law that is not odd differs visibly.
 TYPED_TEST(Traits, OddSymmetry) {
-  auto const motion = some_motion(), mirrored = scaled(motion, -1.0, -1.0);
+  auto const motion = slower_motion(), mirrored = scaled(motion, -1.0, -1.0);
   for (auto const integration : both_integrations)
     for (std::uint32_t index = 0; index < 10; ++index) {
       auto const values = candidate<TypeParam>(index);
@@ -75,7 +75,7 @@ TYPED_TEST(Traits, OddSymmetry) {
 // -gamma3).
 TEST(TraitsOfVaiana, MirroredWithItsBranchesExchanged) {
   using laws::Vaiana;
-  auto const motion = some_motion(), mirrored = scaled(motion, -1.0, -1.0);
+  auto const motion = slower_motion(), mirrored = scaled(motion, -1.0, -1.0);
   for (std::uint32_t index = 0; index < 20; ++index) {
     auto const values = candidate<Vaiana>(index);
     auto exchanged = values;
@@ -97,7 +97,7 @@ TEST(TraitsOfVaiana, MirroredWithItsBranchesExchanged) {
 // A law without a differential equation knows one integration only, at any refinement of the path. One with it moves with
 // the refinement, be it by Runge-Kutta steps of the paper or, where it has none of its own, by those that it always takes.
 TYPED_TEST(Traits, IntegrationMattersToPathIntegratedLawsOnly) {
-  auto const motion = some_motion();
+  auto const motion = slower_motion();
   auto const values = candidate<TypeParam>(1);
   auto const converged = forces<TypeParam>(values, motion),
              paper = forces<TypeParam>(values, motion, 1, Integration::paper);
@@ -141,7 +141,7 @@ TYPED_TEST(Traits, RestElsewhereKeepsTheForce) {
     for (std::uint32_t index = 0; index < 10; ++index) {
       auto const values = candidate<TypeParam>(index);
       for (std::size_t moved : {std::size_t{1}, std::size_t{37}, std::size_t{150}}) {
-        auto motion = some_motion();
+        auto motion = slower_motion();
         motion.disp_mm.resize(moved);
         motion.velocity_mm_s.resize(moved);
         motion.disp_mm.resize(moved + 20, motion.disp_mm.back());
@@ -158,7 +158,7 @@ TYPED_TEST(Traits, RestElsewhereKeepsTheForce) {
 
 // A hold in the middle of a motion leaves no trace afterwards.
 TYPED_TEST(Traits, AHoldLeavesNoTrace) {
-  auto const motion = some_motion();
+  auto const motion = slower_motion();
   for (auto const integration : both_integrations)
     for (std::size_t hold : {std::size_t{0}, std::size_t{37}, std::size_t{75}}) {
       auto held = motion;

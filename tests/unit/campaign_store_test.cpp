@@ -17,12 +17,12 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/hash.hpp"
 #include "isolaw/campaign/schema.hpp"
+#include "not_finite.hpp"
 
 namespace isolaw::campaign {
 namespace {
 
 using testing::expect_same;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::string const attack = "O'Brien\"; DROP TABLE run; -- <script>alert('1')</script>\nsecond line\t\\ `x` %s {}";
 std::string const unicode = "Prüfling № 試験 🙂 e\u0301";

@@ -28,11 +28,11 @@ TEST(ColumnNames, AreTakenApart) {
   EXPECT_EQ(parts("mm"), "mm|");
 }
 
-struct Named {
+struct NamedCase {
   std::string header;  // four columns: time, displacement, force, load
 };
 
-class Languages : public Files, public ::testing::WithParamInterface<Named> {};
+class Languages : public Files, public ::testing::WithParamInterface<NamedCase> {};
 
 TEST_P(Languages, NameTheChannels) {
   auto const record = read(GetParam().header + "\n0;1;2;1632\n1;2;3;1631\n2;3;1;1633\n");
@@ -44,17 +44,19 @@ TEST_P(Languages, NameTheChannels) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, Languages,
-    ::testing::Values(
-        Named{"Time [s];Displacement [mm];Force [kN];Vertical load [kN]"},
-        Named{"TIME (s);HORIZ. DISP. (mm);SHEAR FORCE (kN);AXIAL LOAD (kN)"},
-        Named{"Tempo [s];Spostamento orizzontale [mm];Forza orizzontale [kN];Carico verticale [kN]"},
-        Named{"Tempo [s];Spost. [mm];Taglio [kN];Carico [kN]"}, Named{"Zeit [s];Weg [mm];Kraft [kN];Vertikallast [kN]"},
-        Named{"Zeit in s;Verschiebung in mm;Horizontalkraft in kN;Normalkraft in kN"},
-        Named{"Temps [s];D\xC3\xA9placement [mm];Force [kN];Charge verticale [kN]"},
-        Named{"Temps [s];D\xE9placement [mm];Effort tranchant [kN];Charge [kN]"},
-        Named{"Tiempo [s];Desplazamiento [mm];Fuerza [kN];Carga vertical [kN]"}, Named{"t [s];x [mm];F [kN];N [kN]"},
-        Named{"t [s];u [mm];H [kN];V [kN]"}, Named{"t_s;d_mm;F_kN;N_kN"}, Named{"T [s];dx [mm];Fx [kN];Fz [kN]"},
-        Named{"Time s;DispH mm;ForceH kN;ForceV kN"}, Named{"time_s;disp_mm;load horizontal kN;load kN"}));
+    ::testing::Values(NamedCase{"Time [s];Displacement [mm];Force [kN];Vertical load [kN]"},
+                      NamedCase{"TIME (s);HORIZ. DISP. (mm);SHEAR FORCE (kN);AXIAL LOAD (kN)"},
+                      NamedCase{"Tempo [s];Spostamento orizzontale [mm];Forza orizzontale [kN];Carico verticale [kN]"},
+                      NamedCase{"Tempo [s];Spost. [mm];Taglio [kN];Carico [kN]"},
+                      NamedCase{"Zeit [s];Weg [mm];Kraft [kN];Vertikallast [kN]"},
+                      NamedCase{"Zeit in s;Verschiebung in mm;Horizontalkraft in kN;Normalkraft in kN"},
+                      NamedCase{"Temps [s];D\xC3\xA9placement [mm];Force [kN];Charge verticale [kN]"},
+                      NamedCase{"Temps [s];D\xE9placement [mm];Effort tranchant [kN];Charge [kN]"},
+                      NamedCase{"Tiempo [s];Desplazamiento [mm];Fuerza [kN];Carga vertical [kN]"},
+                      NamedCase{"t [s];x [mm];F [kN];N [kN]"}, NamedCase{"t [s];u [mm];H [kN];V [kN]"},
+                      NamedCase{"t_s;d_mm;F_kN;N_kN"}, NamedCase{"T [s];dx [mm];Fx [kN];Fz [kN]"},
+                      NamedCase{"Time s;DispH mm;ForceH kN;ForceV kN"},
+                      NamedCase{"time_s;disp_mm;load horizontal kN;load kN"}));
 
 TEST_F(ColumnsTest, VerticalAndCommandedMotionIsNotTheDisplacement) {
   auto const record = read(

@@ -18,6 +18,8 @@
 
 namespace isolaw::data::testing {
 
+inline std::string const header_row = "Time [s];Disp [mm];Force [kN]\n";
+
 class Files : public ::testing::Test {
  protected:
   // The file named `name` with these bytes, in a folder of this test's own.

@@ -57,21 +57,21 @@ TEST_P(Traps, AreReadAsMeant) {
   EXPECT_EQ(record.force_kN, GetParam().force);
 }
 
-Values const first{1.5, 2.5, -3.25};
-Values const second{2.0, 4.5, 1.0};
+Values const read_disp{1.5, 2.5, -3.25};
+Values const read_force{2.0, 4.5, 1.0};
 
 INSTANTIATE_TEST_SUITE_P(
     All, Traps,
-    ::testing::Values(Trap{"1,5;2,0\n2,5;4,5\n-3,25;1,0\n", first, second},
-                      Trap{"1.5,2.0\n2.5,4.5\n-3.25,1.0\n", first, second},
-                      Trap{"1,5\t2,0\n2,5\t4,5\n-3,25\t1,0\n", first, second},
-                      Trap{"1,5 2,0\n2,5 4,5\n-3,25 1,0\n", first, second},
-                      Trap{"1.5 2.0\n2.5 4.5\n-3.25 1.0\n", first, second},
-                      Trap{"\"1,5\",\"2,0\"\n\"2,5\",\"4,5\"\n\"-3,25\",\"1,0\"\n", first, second},
-                      Trap{"\"1,5\";\"2,0\"\n\"2,5\";\"4,5\"\n\"-3,25\";\"1,0\"\n", first, second},
-                      Trap{"1,5;2\n2,5;4,5\n-3,25;1\n", first, second},     // whole numbers among decimals
-                      Trap{"1.5;2;\n2.5;4.5;\n-3.25;1;\n", first, second},  // trailing empty column
-                      Trap{"+1.5,2\r\n+25e-1,4.5\r\n-3.25,1E0\r\n", first, second},
+    ::testing::Values(Trap{"1,5;2,0\n2,5;4,5\n-3,25;1,0\n", read_disp, read_force},
+                      Trap{"1.5,2.0\n2.5,4.5\n-3.25,1.0\n", read_disp, read_force},
+                      Trap{"1,5\t2,0\n2,5\t4,5\n-3,25\t1,0\n", read_disp, read_force},
+                      Trap{"1,5 2,0\n2,5 4,5\n-3,25 1,0\n", read_disp, read_force},
+                      Trap{"1.5 2.0\n2.5 4.5\n-3.25 1.0\n", read_disp, read_force},
+                      Trap{"\"1,5\",\"2,0\"\n\"2,5\",\"4,5\"\n\"-3,25\",\"1,0\"\n", read_disp, read_force},
+                      Trap{"\"1,5\";\"2,0\"\n\"2,5\";\"4,5\"\n\"-3,25\";\"1,0\"\n", read_disp, read_force},
+                      Trap{"1,5;2\n2,5;4,5\n-3,25;1\n", read_disp, read_force},     // whole numbers among decimals
+                      Trap{"1.5;2;\n2.5;4.5;\n-3.25;1;\n", read_disp, read_force},  // trailing empty column
+                      Trap{"+1.5,2\r\n+25e-1,4.5\r\n-3.25,1E0\r\n", read_disp, read_force},
                       Trap{"1.234;5\n5.678;6\n9.123;4\n", {1.234, 5.678, 9.123}, {5, 6, 4}},  // no thousands
                       Trap{"1,234;5\n5,678;6\n9,123;4\n", {1.234, 5.678, 9.123}, {5, 6, 4}}));
 

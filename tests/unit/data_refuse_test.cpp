@@ -12,8 +12,6 @@ namespace {
 using Refuse = Files;
 using namespace std::string_literals;
 
-std::string const names = "Time [s];Disp [mm];Force [kN]\n";
-
 std::string thrown_for(std::filesystem::path const& file) {
   try {
     read_record(file);
@@ -109,7 +107,7 @@ TEST_F(Refuse, NoNumbers) {
 }
 
 TEST_F(Refuse, FewerThanThreeSamples) {
-  EXPECT_EQ(refusal(names + "0;1;2\n1;2;3\n"), "FILE: 2 samples; allowed: 3 or more");
+  EXPECT_EQ(refusal(header_row + "0;1;2\n1;2;3\n"), "FILE: 2 samples; allowed: 3 or more");
 }
 
 // --- commas ---------------------------------------------------------------------------------------------------------
@@ -142,7 +140,7 @@ TEST_F(Refuse, ThousandsSeparators) {
 
 TEST_F(Refuse, CellsThatAreNoNumbersAllAtOnce) {
   EXPECT_EQ(
-      refusal(names + "0;1;2\n1;NaN;3\n2;3;-inf\n3;x;1\n4;;1\n5;1,5;1\n6;1;1;9\n7;#N/A;1\n8;2;3\n9;2.5;4\n"),
+      refusal(header_row + "0;1;2\n1;NaN;3\n2;3;-inf\n3;x;1\n4;;1\n5;1,5;1\n6;1;1;9\n7;#N/A;1\n8;2;3\n9;2.5;4\n"),
       "FILE:8: 4 columns: '6;1;1;9'; allowed: 3 columns, as in most rows; try: remove the line, or put '#' before it\n"
       "FILE:3: 'NaN' in column 2 'Disp [mm]' is not a finite number; allowed: a finite number; try: cut the record before this line, or test again\n"
       "FILE:4: '-inf' in column 3 'Force [kN]' is not a finite number; allowed: a finite number; try: cut the record before this line, or test again\n"
@@ -154,7 +152,7 @@ TEST_F(Refuse, CellsThatAreNoNumbersAllAtOnce) {
 
 TEST_F(Refuse, ABrokenFirstRowIsNoHeader) {
   EXPECT_EQ(
-      refusal(names + "0;x;2\n1;2;3\n2;3;1\n3;1;2\n"),
+      refusal(header_row + "0;x;2\n1;2;3\n2;3;1\n3;1;2\n"),
       "FILE:2: 'x' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: correct the cell, or put '#' before the line");
 }
 
@@ -177,7 +175,7 @@ TEST_F(Refuse, ProblemsOfColumnsAndRowsTogether) {
 
 TEST_F(Refuse, TimeThatDoesNotIncrease) {
   EXPECT_EQ(
-      refusal(names + "0;1;2\n1;2;3\n1;3;1\n0.5;3;2\n2;1;1\n"),
+      refusal(header_row + "0;1;2\n1;2;3\n1;3;1\n0.5;3;2\n2;1;1\n"),
       "FILE:4: time 1 s is repeated; allowed: time that increases from row to row; try: keep one test per file, or leave time out with --columns time=none and give --dt\n"
       "FILE:5: time goes back from 1 to 0.5 s; allowed: time that increases from row to row; try: keep one test per file, or leave time out with --columns time=none and give --dt");
 }
@@ -186,25 +184,25 @@ TEST_F(Refuse, IntervalBesideATimeColumn) {
   ReadOptions options;
   options.dt_s = 0.01;
   EXPECT_EQ(
-      refusal(names + "0;1;2\n1;2;3\n2;3;1\n", options),
+      refusal(header_row + "0;1;2\n1;2;3\n2;3;1\n", options),
       "FILE: --dt 0.01 is given, but column 1 'Time [s]' is the time; allowed: --dt for a file without a time column; try: leave --dt out, or leave the column out with --columns time=none");
   options.columns[Channel::time] = "none";
-  EXPECT_EQ(refusal(names + "0;1;2\n1;2;3\n2;3;1\n", options), "");
+  EXPECT_EQ(refusal(header_row + "0;1;2\n1;2;3\n2;3;1\n", options), "");
   options.dt_s = -1.0;
-  EXPECT_EQ(refusal(names + "0;1;2\n1;2;3\n2;3;1\n", options),
+  EXPECT_EQ(refusal(header_row + "0;1;2\n1;2;3\n2;3;1\n", options),
             "--dt: -1; allowed: a positive number of seconds, 1e-9 to 1e6");
 }
 
 TEST_F(Refuse, ChannelsThatDoNotMove) {
   EXPECT_EQ(
-      refusal(names + "0;1.5;2\n1;1.5;2\n2;1.5;2\n"),
+      refusal(header_row + "0;1.5;2\n1;1.5;2\n2;1.5;2\n"),
       "FILE: disp is constant: column 2 'Disp [mm]' holds 1.5 mm in all 3 samples; allowed: a channel that moves; try: --columns disp=NUMBER with the column that was measured\n"
       "FILE: force is constant: column 3 'Force [kN]' holds 2 kN in all 3 samples; allowed: a channel that moves; try: --columns force=NUMBER with the column that was measured");
 }
 
 // The rows of a clean loop with some forces replaced.
 std::string loop_with(std::vector<std::pair<int, std::string>> const& replaced, Ellipse const& loop = {}) {
-  std::string text = names;
+  std::string text = header_row;
   for (int i = 0; i < loop.size(); ++i) {
     auto force = fmt::format("{:.4f}", loop.force(i));
     for (auto const& [at, value] : replaced)
@@ -259,26 +257,26 @@ TEST_F(Refuse, SwappedForceAndDisplacement) {
 }
 
 TEST_F(Refuse, FlippedForce) {
-  auto const table = names + rows({.K = -0.75, .C = -0.2}, ";");
+  auto const table = header_row + rows({.K = -0.75, .C = -0.2}, ";");
   EXPECT_EQ(refusal(table), "FILE: the force's sign is flipped: energy per cycle -6282 kN mm, stiffness -0.75 kN/mm" +
                                 positive + "--flip-force");
   ReadOptions options;
   options.flip_force = true;
   EXPECT_EQ(refusal(table, options), "");
-  EXPECT_NE(refusal(names + rows({}, ";"), options).find("try: leave --flip-force out"), std::string::npos);
+  EXPECT_NE(refusal(header_row + rows({}, ";"), options).find("try: leave --flip-force out"), std::string::npos);
 }
 
 TEST_F(Refuse, PureFrictionWithTheWrongSignMayBeEither) {
-  auto const text = refusal(names + rows({.K = 0.0, .C = -0.2}, ";"));
+  auto const text = refusal(header_row + rows({.K = 0.0, .C = -0.2}, ";"));
   EXPECT_NE(text.find("the force's sign is flipped, or force and displacement are swapped"), std::string::npos) << text;
 }
 
 TEST_F(Refuse, NoPhysicsWithoutACompleteCycle) {
-  EXPECT_EQ(refusal(names + "0;0;0\n1;1;-2\n2;2;-3\n3;3;-3\n"), "");
+  EXPECT_EQ(refusal(header_row + "0;0;0\n1;1;-2\n2;2;-3\n3;3;-3\n"), "");
 }
 
 TEST_F(Refuse, AnAlmostElasticDeviceIsNotRefusedForItsSkew) {
-  EXPECT_EQ(refusal(names + rows({.K = 0.75, .C = -0.002}, ";")), "");
+  EXPECT_EQ(refusal(header_row + rows({.K = 0.75, .C = -0.002}, ";")), "");
 }
 
 }  // namespace

@@ -8,7 +8,6 @@ namespace {
 
 using SeveralTests = Files;
 
-std::string const names = "Time [s];Disp [mm];Force [kN]\n";
 Ellipse const loop{.samples_per_cycle = 100, .cycles = 2};
 Ellipse const small{.amplitude_mm = 50.0, .samples_per_cycle = 100, .cycles = 1};
 
@@ -19,7 +18,7 @@ ReadOptions test(std::string which) {
 }
 
 std::string two_tests() {
-  return "Test A\n" + names + rows(loop, ";") + "\nTest B\n" + names + rows(small, ";");
+  return "Test A\n" + header_row + rows(loop, ";") + "\nTest B\n" + header_row + rows(small, ";");
 }
 
 TEST_F(SeveralTests, AreRefusedWithoutAWord) {
@@ -56,20 +55,22 @@ TEST_F(SeveralTests, AllAreOneHistory) {
 
 TEST_F(SeveralTests, AWrongNumberOrWord) {
   EXPECT_EQ(refusal(two_tests(), test("3")), "FILE: no test 3; allowed: 1 to 2, at lines 2, 206; try: --test 1");
-  EXPECT_EQ(refusal(names + rows(loop, ";"), test("2")), "FILE: no test 2; allowed: 1, the only one; try: --test 1");
+  EXPECT_EQ(refusal(header_row + rows(loop, ";"), test("2")),
+            "FILE: no test 2; allowed: 1, the only one; try: --test 1");
   for (auto const* word : {"0", "first", "-1", "1001", ""})
     EXPECT_EQ(refusal(two_tests(), test(word)),
               fmt::format("--test: '{}'; allowed: all, or the number of a test, from 1 to 1000", word));
 }
 
 TEST_F(SeveralTests, ASingleTestNeedsNoWordAndKeepsNone) {
-  auto const record = read(names + rows(loop, ";"), test("all"));
+  auto const record = read(header_row + rows(loop, ";"), test("all"));
   EXPECT_EQ(record.size(), 201u);
   EXPECT_EQ(record.layout.test, std::nullopt);
 }
 
 TEST_F(SeveralTests, MayHaveOtherNamesUnitsAndOrder) {
-  auto const text = names + rows(loop, ";") + "Force [N];Zeit [s];Weg [cm]\n" + "0;0;0\n1000;1;1\n0;2;2\n-500;3;0\n";
+  auto const text =
+      header_row + rows(loop, ";") + "Force [N];Zeit [s];Weg [cm]\n" + "0;0;0\n1000;1;1\n0;2;2\n-500;3;0\n";
   auto const record = read(text, test("2"));
   EXPECT_EQ(record.disp_mm, (std::vector{0.0, 10.0, 20.0, 0.0}));
   EXPECT_EQ(record.force_kN, (std::vector{0.0, 1.0, 0.0, -0.5}));
@@ -85,19 +86,19 @@ TEST_F(SeveralTests, UnitRowsAndCommentedNames) {
 // Rows of text among the numbers that name no channels stay an error at their line.
 TEST_F(SeveralTests, AreNotMadeOfOtherText) {
   EXPECT_EQ(
-      refusal(names + "0;1;2\n1;2;3\nstop;stop;stop\n2;3;1\n"),
+      refusal(header_row + "0;1;2\n1;2;3\nstop;stop;stop\n2;3;1\n"),
       "FILE:4: 'stop' in column 1 'Time [s]' is not a number; allowed: a number with a decimal point; try: correct the cell, or put '#' before the line");
 }
 
 TEST_F(SeveralTests, FaultsAreAtTheirLineOfTheFile) {
   EXPECT_EQ(
-      refusal(names + "0;1;2\n1;2;3\n2;3;1\n" + names + "0;1;2\n1;x;3\n2;3;1\n", test("2")),
+      refusal(header_row + "0;1;2\n1;2;3\n2;3;1\n" + header_row + "0;1;2\n1;x;3\n2;3;1\n", test("2")),
       "FILE:7: 'x' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: correct the cell, or put '#' before the line");
 }
 
 TEST_F(SeveralTests, BeyondAnyNumberOfThem) {
   std::string text;
-  for (int i = 0; i < 1001; ++i) text += names + "0;1;2\n1;2;3\n";
+  for (int i = 0; i < 1001; ++i) text += header_row + "0;1;2\n1;2;3\n";
   EXPECT_EQ(refusal(text, test("1")),
             "FILE: 1001 tests, each with a row of names; allowed: 1000 or fewer; try: split the file");
 }
@@ -112,7 +113,7 @@ TEST_F(SeveralTests, AreListed) {
   EXPECT_EQ(tests[1].place, file.generic_string() + ":206");
   EXPECT_EQ(list_tests(file, test("all")).size(), 1u);
   EXPECT_EQ(list_tests(file, test("2")).front().test, "2");
-  auto const one = list_tests(write(names + rows(loop, ";"), "one.csv"));
+  auto const one = list_tests(write(header_row + rows(loop, ";"), "one.csv"));
   ASSERT_EQ(one.size(), 1u);
   EXPECT_EQ(one.front().test, std::nullopt);
 }
@@ -171,7 +172,7 @@ TEST_F(SeveralTests, SheetsAreNotForText) {
   ReadOptions options;
   options.sheet = "1";
   EXPECT_EQ(
-      refusal(names + rows(loop, ";"), options),
+      refusal(header_row + rows(loop, ";"), options),
       "--sheet: '1', but FILE is delimited text; allowed: a sheet of a workbook, a struct of a .mat file, a key of JSON; try: leave --sheet out");
 }
 

@@ -23,7 +23,7 @@ std::string row(std::string const& cells) {
   return "<row>" + cells + "</row>";
 }
 
-std::string const names = row(text_cell("Disp [mm]") + text_cell("Force [kN]"));
+std::string const header_cells = row(text_cell("Disp [mm]") + text_cell("Force [kN]"));
 std::string const three = row(cell("0") + cell("1")) + row(cell("1.5") + cell("-2E0")) + row(cell("2") + cell("1"));
 
 TEST_F(Workbook, IsReadAsExcelWritesIt) {
@@ -82,7 +82,7 @@ TEST_F(Workbook, RowsAndCellsMayBeLeftOut) {
 }
 
 TEST_F(Workbook, ValuesAreThoseOfTheFileToTheLastBit) {
-  auto const record = read(book_with(names + three + row(cell("0.1") + cell("2.2250738585072014E-308"))));
+  auto const record = read(book_with(header_cells + three + row(cell("0.1") + cell("2.2250738585072014E-308"))));
   EXPECT_EQ(record.disp_mm, (std::vector{0.0, 1.5, 2.0, 0.1}));
   EXPECT_EQ(record.force_kN[3], 2.2250738585072014E-308);
 }
@@ -157,7 +157,7 @@ TEST_F(Workbook, ALetterIsTheColumnUnlessANameReadsJustSo) {
 }
 
 TEST_F(Workbook, SeveralTestsInOneSheet) {
-  auto const text = book_with(names + three + names + three + row(cell("5") + cell("5")));
+  auto const text = book_with(header_cells + three + header_cells + three + row(cell("5") + cell("5")));
   EXPECT_EQ(
       refusal(text),
       "FILE:Test: 2 tests in one file: they start at rows 1, 5; allowed: one of them, or all as one history; try: --test all, or --test 2");
@@ -170,7 +170,7 @@ TEST_F(Workbook, SeveralTestsInOneSheet) {
 
 TEST_F(Workbook, FaultsAreAtTheirSheetAndRow) {
   auto const at_row_5 = [&](std::string const& bad) {
-    return refusal(book_with(names + three + row(bad + cell("1"))));
+    return refusal(book_with(header_cells + three + row(bad + cell("1"))));
   };
   auto const rest = "; allowed: a number; try: let the cell hold a number, or remove the row";
   EXPECT_EQ(at_row_5(text_cell("1,5")),
@@ -185,7 +185,7 @@ TEST_F(Workbook, FaultsAreAtTheirSheetAndRow) {
       at_row_5(cell("99", " t=\"s\"")),
       std::string("FILE:Test:5: 'a text that the file lacks' in column A 'Disp [mm]' is text, not a number") + rest);
   EXPECT_EQ(at_row_5("<c/>"), "FILE:Test:5: column A 'Disp [mm]' is empty; allowed: a number; try: remove the row");
-  EXPECT_EQ(refusal(book_with(names + three + row(cell("2")))),
+  EXPECT_EQ(refusal(book_with(header_cells + three + row(cell("2")))),
             "FILE:Test:5: column B 'Force [kN]' is empty; allowed: a number; try: remove the row");
 }
 
@@ -210,7 +210,7 @@ TEST_F(Workbook, DatesAndTimesOfDayAreNoSeconds) {
 
 TEST_F(Workbook, AColumnThatIsNotThere) {
   EXPECT_EQ(
-      refusal(book_with(names + three), with("disp=D,force=Force")),
+      refusal(book_with(header_cells + three), with("disp=D,force=Force")),
       "FILE:Test:1: no column 'D' for disp; allowed: columns A 'Disp [mm]', B 'Force [kN]'; try: --columns disp=LETTER");
   EXPECT_EQ(
       refusal(book_with(three)),
@@ -221,7 +221,7 @@ TEST_F(Workbook, AColumnThatIsNotThere) {
 
 TEST_F(Workbook, ABombIsRefused) {
   std::string const blanks(std::size_t{70} << 20, ' ');
-  EXPECT_EQ(refusal(book_with(names + blanks + three)).substr(0, 61),
+  EXPECT_EQ(refusal(book_with(header_cells + blanks + three)).substr(0, 61),
             "FILE:xl/worksheets/sheet1.xml: grows beyond 64 MiB when unpac");
 }
 
@@ -238,7 +238,7 @@ TEST_F(Workbook, EntitiesAndDeepElements) {
 
 TEST_F(Workbook, CellsThatSayTheyAreElsewhere) {
   auto const advice = "; try: open it in a spreadsheet program and save it again as .xlsx";
-  EXPECT_EQ(refusal(book_with(names + "<row r=\"1048577\"/>")),
+  EXPECT_EQ(refusal(book_with(header_cells + "<row r=\"1048577\"/>")),
             std::string("FILE:Test: row '1048577'; allowed: 1 to 1048576") + advice);
   EXPECT_EQ(refusal(book_with("<row r=\"7\"/><row r=\"6\"/>")),
             std::string("FILE:Test: row 6 below row 7; allowed: rows in their order") + advice);
@@ -253,7 +253,7 @@ TEST_F(Workbook, CellsThatSayTheyAreElsewhere) {
 // A text of 30 000 characters, said in every cell of a small file.
 TEST_F(Workbook, OneTextSaidManyTimesIsCut) {
   std::string const shared = "<sst><si><t>" + std::string(30'000, 'x') + "</t></si></sst>";
-  std::string rows = names;
+  std::string rows = header_cells;
   for (int i = 0; i < 100'000; ++i) rows += row(cell("0", " t=\"s\"") + cell("0", " t=\"s\""));
   EXPECT_NE(refusal(book_with(rows + three, {{"xl/sharedStrings.xml", shared}})), "");
 }
@@ -270,7 +270,7 @@ TEST_F(Workbook, OtherArchives) {
   damaged.resize(damaged.size() / 2);
   EXPECT_EQ(refusal(damaged),
             "FILE: the archive is damaged; allowed: a workbook as Excel writes it; try: save it again");
-  auto flipped = book_with(names + three);
+  auto flipped = book_with(header_cells + three);
   flipped[flipped.find("sheet1.xml") + 30] ^= 0x55;
   EXPECT_NE(refusal(flipped).find("the archive is damaged"), std::string::npos) << refusal(flipped);
 }

@@ -24,6 +24,7 @@
 #include "laws/motion.hpp"
 #include "laws/paper.hpp"
 #include "laws/records.hpp"
+#include "not_finite.hpp"
 
 namespace isolaw::fit {
 namespace {
@@ -31,7 +32,6 @@ namespace {
 using laws::Integration;
 using Values = std::vector<double>;
 
-constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array integrations{Integration::converged, Integration::paper};
 // Up to here every way to fill the last block occurs: narrow ones alone, a wide one, several, and both kinds.
 constexpr std::size_t most = 2 * wide_block + 9;

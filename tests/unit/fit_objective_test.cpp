@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "isolaw/base/error.hpp"
+#include "not_finite.hpp"
 
 namespace isolaw::fit {
 namespace {
 
 using Values = std::vector<double>;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double objective_of(LawOnRecord const& model, Values const& parameters) {
   Values work;

@@ -10,12 +10,11 @@
 #include <vector>
 
 #include "isolaw/base/error.hpp"
+#include "not_finite.hpp"
 
 namespace isolaw::lot {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 using Values = std::vector<double>;
 using Names = std::vector<std::string>;
 

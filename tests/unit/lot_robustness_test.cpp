@@ -1,5 +1,6 @@
 // The robustness index on numbers that can be worked out by hand. The published table is in tests/verification.
 #include "isolaw/lot/robustness.hpp"
+#include "not_finite.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,6 @@
 namespace isolaw::lot {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 using Values = std::vector<double>;
 
 TEST(PercentDifferences, AreRelativeToTheMeanOfTheDeviceMeans) {

@@ -17,10 +17,11 @@
 
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 using namespace isolaw::num;
 using Arrays = ElementaryArrays;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t samples = 1 << 18, samples_of_bits = 1 << 20;
 

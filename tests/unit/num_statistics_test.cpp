@@ -1,5 +1,6 @@
 // Moments against numbers that can be worked out by hand.
 #include "isolaw/num/statistics.hpp"
+#include "not_finite.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +10,6 @@
 
 namespace isolaw::num {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(Moments, SampleAndPopulationForm) {
   std::vector<double> const values{2, 4, 4, 4, 5, 5, 7, 9};  // mean 5, squares of deviations sum to 32

@@ -12,12 +12,11 @@
 #include <vector>
 
 #include "isolaw/opt/genetic.hpp"
+#include "not_finite.hpp"
 
 namespace isolaw::opt {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 using Values = std::vector<double>;
 using Indices = std::vector<std::size_t>;
 

@@ -14,12 +14,11 @@
 #include <vector>
 
 #include "isolaw/base/error.hpp"
+#include "not_finite.hpp"
 
 namespace isolaw::opt {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 using Point = std::span<double const>;
 
 // A function of one point as a problem; keeps every batch it was asked for.

@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "isolaw/base/error.hpp"
+#include "not_finite.hpp"
 
 namespace isolaw::opt {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 using Point = std::span<double const>;
 
 // `count` residuals r(x, j), equally weighted unless weights are given.

@@ -9,12 +9,11 @@
 #include <vector>
 
 #include "isolaw/num/random.hpp"
+#include "not_finite.hpp"
 
 namespace isolaw::opt {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 using Flags = std::vector<bool>;
 using Values = std::vector<double>;
 

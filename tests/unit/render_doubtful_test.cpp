@@ -5,6 +5,7 @@
 #include <sstream>
 #include <string>
 
+#include "contains.hpp"
 #include "isolaw/render/tables/tables.hpp"
 #include "isolaw/render/terminal/terminal.hpp"
 #include "isolaw/study/findings.hpp"
@@ -47,10 +48,6 @@ std::vector<std::string> topics(Summary const& summary) {
   std::vector<std::string> found;
   for (auto const& warning : findings(summary).warnings) found.push_back(warning.topic);
   return found;
-}
-
-bool contains(std::string const& text, std::string const& part) {
-  return text.find(part) != std::string::npos;
 }
 
 TEST(Doubtful, MissingRunsAreTheFirstWarning) {

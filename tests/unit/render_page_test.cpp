@@ -16,7 +16,7 @@
 namespace isolaw::render {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 std::string const opening = "<script type=\"application/json\" id=\"isolaw-data\">";
 

@@ -5,16 +5,13 @@
 #include <sstream>
 #include <string>
 
+#include "contains.hpp"
 #include "isolaw/render/terminal/terminal.hpp"
 #include "isolaw/study/findings.hpp"
 #include "unit/study_fixture.hpp"
 
 namespace isolaw::render {
 namespace {
-
-bool contains(std::string const& text, std::string const& part) {
-  return text.find(part) != std::string::npos;
-}
 
 std::size_t widest_line(std::string const& text) {
   std::istringstream lines(text);

@@ -23,7 +23,7 @@ namespace {
 
 constexpr int usual_records = 100;
 
-struct Case {
+struct CoverageCase {
   std::string law;
   std::vector<std::string> set = {};  // so that the record determines at least one parameter
   twins::Noise noise = {};
@@ -31,11 +31,11 @@ struct Case {
   int replicates = 0;
 };
 
-std::ostream& operator<<(std::ostream& out, Case const& c) {
+std::ostream& operator<<(std::ostream& out, CoverageCase const& c) {
   return out << c.law;
 }
 
-std::vector<fit::Override> overrides(Case const& c) {
+std::vector<fit::Override> overrides_of(CoverageCase const& c) {
   std::vector<fit::Override> made;
   for (auto const& text : c.set) made.push_back(fit::parse_override(c.law + "." + text));
   return made;
@@ -47,8 +47,8 @@ struct Count {
   double share(int holding) const { return holding / static_cast<double>(intervals); }
 };
 
-Count covered(Case const& c) {
-  auto const twin = twins::twin_in_box(c.law, twins::growing_cycles(3, 100), overrides(c));
+Count covered(CoverageCase const& c) {
+  auto const twin = twins::twin_in_box(c.law, twins::growing_cycles(3, 100), overrides_of(c));
   auto const stream = num::Stream(stable_hash(c.law)).split(1);
   std::vector<bool> determined(twin.truth.size(), false);
   Count count;
@@ -77,17 +77,17 @@ Count covered(Case const& c) {
   return count;
 }
 
-double room(Case const& c) {
+double room(CoverageCase const& c) {
   return c.records < usual_records ? std::sqrt(0.95 * 0.05 / c.records) : 0.0;
 }
 
-std::string named(Case const& c) {
+std::string named(CoverageCase const& c) {
   auto name = c.law;
   std::ranges::replace(name, '-', '_');
   return name + (c.noise.correlation > 0.0 ? "_correlated" : "");
 }
 
-class Coverage : public testing::TestWithParam<Case> {};
+class Coverage : public testing::TestWithParam<CoverageCase> {};
 
 TEST_P(Coverage, OfIntervals) {
   auto const& c = GetParam();
@@ -104,7 +104,7 @@ constexpr twins::Noise correlated{.correlation = 0.8};
 
 // The exponents of vaiana's hardening lie where it shows. Of abe's parameters, those of its elastic part and of its decay
 // are fixed: three cycles with this noise determine none of them all.
-std::vector<Case> linearised() {
+std::vector<CoverageCase> linearised() {
   std::vector<std::string> const abe{"alpha=20", "beta=0.5", "a=0", "b=1", "Uh=300", "K2=0.4", "r=0.5"};
   std::map<std::string_view, std::vector<std::string>> narrowed{
       {"vaiana", {"beta1+=10:100", "beta1-=-100:-10", "beta2+=40:90", "beta2-=-90:-40"}},
@@ -112,7 +112,7 @@ std::vector<Case> linearised() {
       {"abe", abe},
       {"abe-y0", abe}};
   narrowed["abe"].emplace_back("p=1");
-  std::vector<Case> cases;
+  std::vector<CoverageCase> cases;
   for (auto const& law : laws::catalogue())
     cases.push_back({.law = std::string(law.info.id), .set = narrowed[law.info.id]});
   cases.push_back({.law = "bilinear", .noise = correlated});
@@ -123,8 +123,8 @@ INSTANTIATE_TEST_SUITE_P(Linearised, Coverage, testing::ValuesIn(linearised()),
                          [](auto const& instance) { return named(instance.param); });
 
 INSTANTIATE_TEST_SUITE_P(Bootstrap, Coverage,
-                         testing::Values(Case{.law = "bilinear", .replicates = 100},
-                                         Case{.law = "jankowski", .records = 40, .replicates = 100}),
+                         testing::Values(CoverageCase{.law = "bilinear", .replicates = 100},
+                                         CoverageCase{.law = "jankowski", .records = 40, .replicates = 100}),
                          [](auto const& instance) { return named(instance.param); });
 
 }  // namespace

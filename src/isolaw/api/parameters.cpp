@@ -59,7 +59,6 @@ std::vector<NamedValue> read_toml(std::string const& text, std::string const& fi
 }
 
 std::vector<NamedValue> read_json(std::string const& text, std::string const& file, laws::LawEntry const& law) {
-  using Json = nlohmann::ordered_json;
   using Event = Json::parse_event_t;
   std::vector<Complaint> complaints;
   std::vector<std::set<std::string>> open;  // names seen in every object that is open

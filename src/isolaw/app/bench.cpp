@@ -15,7 +15,7 @@
 namespace isolaw::app {
 namespace {
 
-constexpr std::size_t samples = 600, candidates = 4 * fit::wide_block;
+constexpr std::size_t bench_samples = 600, candidates = 4 * fit::wide_block;
 
 struct Measured {
   double ns = 0.0;  // per sample and candidate
@@ -41,14 +41,14 @@ Measured measure(fit::LawOnRecord const& model, fit::SearchBox const& box) {
     best = std::min(best, seconds);
     spent += seconds;
   }
-  result.ns = 1e9 * best / static_cast<double>(samples * candidates);
+  result.ns = 1e9 * best / static_cast<double>(bench_samples * candidates);
   return result;
 }
 
 }  // namespace
 
 int bench(bool json) {
-  auto const measured_record = fit::workload(samples);
+  auto const measured_record = fit::workload(bench_samples);
   // Seven digits of every objective: the same for all instruction sets, and another one as soon as a law changes.
   std::string digits;
   nlohmann::ordered_json converged, paper;

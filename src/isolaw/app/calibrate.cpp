@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -80,14 +79,9 @@ void draw_figures(study::Summary const& summary, render::FigureChoice choice, st
         outcome.figures, printable(outcome.reason), folder);
 }
 
-int terminal_width() {
-  winsize size{};
-  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col < 40) return 80;
-  return std::min<int>(size.ws_col, 120);
-}
-
 void print(study::Summary const& summary, bool json) {
-  auto text = json ? render::summary_json(summary) : render::ranking(summary, terminal_width());
+  auto text =
+      json ? render::summary_json(summary) : render::ranking(summary, std::min(terminal_width(STDOUT_FILENO), 120));
   if (auto const verdicts = study::verdict_summary(summary); !json && !verdicts.empty()) text += "\n" + verdicts;
   app::print(text);
 }

@@ -1,7 +1,6 @@
 #include "isolaw/app/progress.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <string>
@@ -10,11 +9,6 @@
 
 namespace isolaw::app {
 namespace {
-
-std::size_t terminal_width() {
-  winsize size{};
-  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 20 ? size.ws_col : 80;
-}
 
 std::string duration(double seconds) {
   auto const s = static_cast<long>(seconds + 0.5);
@@ -64,7 +58,7 @@ void ProgressLine::show(campaign::Progress const& progress) {
   auto line =
       fmt::format("[{}] {}/{} {}  {:.1f}/s  {} left ", bar, progress.done, progress.total, what, rate, duration(left));
   for (auto const& [law, best] : progress.best) line += fmt::format(" {} {:.4f}", law, best);
-  line.resize(std::min(line.size(), terminal_width() - 1));
+  line.resize(std::min(line.size(), static_cast<std::size_t>(terminal_width(STDERR_FILENO) - 1)));
   say("\r{}\033[K", line);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -29,6 +30,12 @@ void say(fmt::format_string<Args...> format, Args&&... args) {
 inline void print(std::string_view text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
   if (!text.ends_with('\n')) std::fputc('\n', stdout);
+}
+
+// Columns of the terminal that a descriptor leads to; 80 where it leads elsewhere or is too narrow for a line of ours.
+inline int terminal_width(int descriptor) {
+  winsize size{};
+  return ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col >= 40 ? size.ws_col : 80;
 }
 
 // A file's name as a message shows it, control characters spelled out.

@@ -19,8 +19,8 @@ constexpr double largest_floor = 0.05;    // of the half range: more is no noise
 constexpr double noise_deviations = 5.0;  // beyond these among a million samples there is hardly one
 constexpr double interruption = 0.04;     // of the smaller neighbouring swing; one of 5 to 200 % strain is a stage
 constexpr double off_centre = 0.05;       // of the amplitude: a record this close to zero is cut at zero
-constexpr double lopsided = 0.25;         // of the amplitude: a lone cycle this uneven still starts from its centre
-constexpr double rest = 0.05;             // of the amplitude: a record that starts or ends this close is at rest
+constexpr double uneven = 0.25;           // of the amplitude: a lone cycle this uneven still starts from its centre
+constexpr double resting = 0.05;          // of the amplitude: a record that starts or ends this close is at rest
 constexpr double as_large = 0.05;         // of the amplitude: a piece of a cycle that repeats its neighbour
 // Of the travel. Of 1000 responses of linear oscillators to irregular motion 10 reach 0.64 and one 0.80; cyclic tests
 // reach 0.9 and more.
@@ -127,9 +127,9 @@ double centre_of(std::span<double const> x, Swings const& swings, double band) {
   double const amplitude = swings.largest();
   bool const zero_serves = swings_across(swings, 0.0, band) >= swings_across(swings, middle, band);
   if (std::abs(middle) <= off_centre * amplitude && zero_serves) return 0.0;
-  bool const ends_where_it_starts = std::abs(x.back() - x.front()) <= rest * amplitude;
+  bool const ends_where_it_starts = std::abs(x.back() - x.front()) <= resting * amplitude;
   bool const starts_elsewhere = std::abs(x.front() - middle) > off_centre * amplitude;
-  if (ends_where_it_starts && starts_elsewhere && std::abs(x.front() - middle) <= lopsided * amplitude)
+  if (ends_where_it_starts && starts_elsewhere && std::abs(x.front() - middle) <= uneven * amplitude)
     return std::abs(x.front()) <= off_centre * amplitude ? 0.0 : x.front();
   return middle;
 }

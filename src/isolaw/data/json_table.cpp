@@ -20,7 +20,6 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t most_columns = 1000;
 constexpr std::size_t most_odd_cells = 64;  // kept with their text, per column
 constexpr std::size_t most_words = 10000;   // single texts that may be units
 constexpr std::size_t most_tests = 1000;
@@ -34,7 +33,7 @@ struct Value {
 };
 
 // Columns gathered so far. A table is either an object whose arrays are columns, or an array whose elements are rows.
-struct Part {
+struct Branch {
   std::vector<NumberColumn> columns;
   std::map<std::string, std::size_t, std::less<>> index;  // of columns, by name
   std::size_t rows = 0;                                   // elements, where elements are rows
@@ -59,7 +58,7 @@ std::vector<std::string> texts_of(NumberColumn const& column) {
   return texts;
 }
 
-bool is_table(Part const& part) {
+bool is_table(Branch const& part) {
   constexpr std::size_t fewest = 3;
   if (!part.flaw.empty()) return part.columns.size() >= 2 && part.rows >= fewest;  // refused where it is chosen
   auto const filled = std::ranges::count_if(
@@ -78,7 +77,7 @@ class Handler {
  public:
   explicit Handler(std::size_t file_bytes) : left_(file_bytes + (std::size_t{1} << 20)) {}
 
-  std::map<std::string, Part> parts;                          // by path
+  std::map<std::string, Branch> parts;                        // by path
   std::map<std::pair<std::string, std::string>, Word> words;  // by path and key
   // Lists of objects, by path: their elements that hold a table, and those that hold arrays but no table.
   std::map<std::string, std::vector<std::string>> lists, passed_over;
@@ -200,7 +199,7 @@ class Handler {
       if (frame->has_path_of_own) return frame->path;
     return {};
   }
-  Part& part_at(std::string const& path) {
+  Branch& part_at(std::string const& path) {
     auto const [found, fresh] = parts.try_emplace(path);
     if (fresh) found->second.element = element();
     return found->second;
@@ -287,7 +286,7 @@ class Handler {
       add_row(part);
   }
 
-  void add_row(Part& part) {
+  void add_row(Branch& part) {
     bool const first = part.columns.empty();
     if (first) part.columns.resize(row_.size());
     bool const words_alone = !row_.empty() && std::ranges::all_of(row_, &Value::is_text);
@@ -308,7 +307,7 @@ class Handler {
     for (std::size_t i = 0; i < row_.size(); ++i) put(part.columns[i], row_[i]);
   }
 
-  void add_record(Part& part) {
+  void add_record(Branch& part) {
     part.named = true;
     for (std::size_t i = 0; i < row_.size(); ++i) {
       auto const [found, fresh] = part.index.emplace(row_names_[i], part.columns.size());
@@ -340,7 +339,7 @@ class Handler {
     values_ = {};
   }
 
-  static void flawed(Part& part, std::string what) {
+  static void flawed(Branch& part, std::string what) {
     if (!part.flaw.empty()) return;
     part.flaw = std::move(what);
     part.flaw_row = part.rows;
@@ -431,7 +430,7 @@ class Document {
   }
 
   // Names and units from beside the columns.
-  void settle(std::string const& path, Part& part) {
+  void settle(std::string const& path, Branch& part) {
     for (auto& column : part.columns) {
       if (part.of_rows)
         while (column.values.size() < part.rows && part.flaw.empty()) {
@@ -459,7 +458,7 @@ class Document {
     return {};
   }
 
-  void name_columns(std::string const& path, Part& part) {
+  void name_columns(std::string const& path, Branch& part) {
     auto const names = list_beside(path, {"columns", "names", "header", "headers", "channels", "fields"});
     auto const units = list_beside(path, {"units", "unit"});
     for (std::size_t i = 0; i < part.columns.size(); ++i) {

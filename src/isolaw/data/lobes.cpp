@@ -8,7 +8,7 @@ namespace {
 
 constexpr double at_rest = 0.05;         // of a lobe's reach: this close to the centre it is at the centre
 constexpr double alike = 0.15;           // difference of reach, of the larger one
-constexpr double same_pace = 1.5;        // ratio of the times to fall
+constexpr double same_fall = 1.5;        // ratio of the times to fall
 constexpr double slight = 0.2;           // of the next lobe's reach: a pre-load whatever follows
 constexpr double high = 0.9, low = 0.1;  // of the reach: between them a lobe falls
 
@@ -144,7 +144,7 @@ class Finder {
 
 bool like(Lobe const& a, Lobe const& b) {
   bool const same_reach = std::abs(a.reach_mm - b.reach_mm) <= alike * std::max(a.reach_mm, b.reach_mm);
-  return same_reach && (b.ends_open || (a.fall <= same_pace * b.fall && b.fall <= same_pace * a.fall));
+  return same_reach && (b.ends_open || (a.fall <= same_fall * b.fall && b.fall <= same_fall * a.fall));
 }
 
 bool starts(std::vector<Lobe> const& lobes, std::size_t i) {

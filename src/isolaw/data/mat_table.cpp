@@ -17,7 +17,6 @@ namespace isolaw::data {
 namespace {
 
 constexpr std::uint64_t fewest_values = 3;
-constexpr std::uint64_t most_columns = 1000;    // of a matrix
 constexpr std::uint64_t most_rows_across = 20;  // of a matrix whose rows are channels
 constexpr std::uint64_t bytes_per_sample = 32;  // of four channels
 constexpr std::size_t shown = 30;

@@ -15,8 +15,8 @@ namespace {
 constexpr double window = 0.08;          // of a cycle, to each side of a reversal: half a radian
 constexpr double farthest_shift = 0.04;  // of a cycle: a quarter of a radian
 constexpr int shifts = 41;
-constexpr std::size_t least_samples = 12;  // in a window: twice the unknowns
-constexpr std::size_t most_samples = 400;  // in a window: of more, every so many-th is used
+constexpr std::size_t least_in_window = 12;  // in a window: twice the unknowns
+constexpr std::size_t most_samples = 400;    // in a window: of more, every so many-th is used
 constexpr std::size_t most_cycles = 12;
 constexpr int least_reversals = 4;
 constexpr double poor_fit = 0.012;    // rms of the force's amplitude: the force is not smooth there
@@ -93,7 +93,7 @@ std::optional<double> best_shift(Reversal const& reversal, CycleView const& view
   double const step = 2.0 * farthest / (shifts - 1);
   double const room = window * reversal.cycle + farthest + 2.0;
   if (reversal.at < room || reversal.at + room > static_cast<double>(view.disp_mm.size() - 1)) return std::nullopt;
-  if (2.0 * window * reversal.cycle < static_cast<double>(least_samples)) return std::nullopt;
+  if (2.0 * window * reversal.cycle < static_cast<double>(least_in_window)) return std::nullopt;
   std::array<double, shifts> left{};
   for (int k = 0; k < shifts; ++k) left[static_cast<std::size_t>(k)] = left_at(-farthest + k * step, reversal, view);
   auto const best = static_cast<std::size_t>(std::ranges::min_element(left) - left.begin());

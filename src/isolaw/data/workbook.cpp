@@ -22,7 +22,6 @@ namespace isolaw::data {
 namespace {
 
 constexpr std::size_t most_rows = 1'048'576;  // of a sheet in Excel
-constexpr std::size_t most_columns = 1000;
 constexpr std::size_t most_sheets = 1000;
 // Of a cell: enough for a name, and no text said a million times fills memory.
 constexpr std::size_t longest_text = 200;

@@ -14,22 +14,31 @@ namespace {
 
 // T is a parameter so that the name says the instruction set.
 template <class Law, std::size_t W, class T>
-laws::ParamsOf<Law, T> load(double const* parameters) {
+laws::ParamsOf<Law, T> load(double const* parameters, std::size_t block = W) {
   laws::ParamsOf<Law, T> params;
   for (std::size_t i = 0; i < laws::parameter_count<Law>; ++i)
-    params.*laws::members<Law, T>[i] = T::load(parameters + i * W);
+    params.*laws::members<Law, T>[i] = T::load(parameters + i * block);
   return params;
 }
 
+// Of W candidates among the `block` that stand in `parameters`.
 template <class Law, std::size_t W, class T = num::Batch<W>>
-void objectives(double const* parameters, KernelRecord const& record, laws::Integration integration, double* out) {
-  auto const params = load<Law, W, T>(parameters);
+void sums(double const* parameters, std::size_t block, KernelRecord const& record, laws::Integration integration,
+          double* out) {
+  auto const params = load<Law, W, T>(parameters, block);
   T sum(0.0);
   double const *measured = record.measured.data(), *weight = record.weight.data();
   laws::run<Law, T>(params, record.path, integration, [&](std::size_t i, T const& force) ISOLAW_LAMBDA {
     sum += T(weight[i]) * abs(T(measured[i]) - force);
   });
   sum.store(out);
+}
+
+// Where a wide block fills more registers than there are, in parts.
+template <class Law, std::size_t Block, class T = num::Batch<Block>>
+void objectives(double const* parameters, KernelRecord const& record, laws::Integration integration, double* out) {
+  constexpr auto part = Block > 8 * num::vector_lanes ? narrow_block : Block;
+  for (std::size_t i = 0; i < Block; i += part) sums<Law, part>(parameters + i, Block, record, integration, out + i);
 }
 
 template <class Law, std::size_t W, class T = num::Batch<W>>

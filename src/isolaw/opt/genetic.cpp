@@ -12,8 +12,6 @@
 namespace isolaw::opt {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // The sort key of a value: every kind of failure ranks behind every number.
 double rank_key(double value) {
   return std::isfinite(value) ? value : infinity;

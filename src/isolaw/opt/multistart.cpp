@@ -13,8 +13,6 @@
 namespace isolaw::opt {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // What the search is tuned by, with the reason of each. "Logged": chosen by playing rules back on logged descents, with the
 // numbers in docs/performance.md, "The optimum". Gains and distances of values are relative, coordinates those of the unit box.
 namespace tuning {

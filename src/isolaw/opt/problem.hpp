@@ -8,6 +8,8 @@
 
 namespace isolaw::opt {
 
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
 // A set of points of equal dimension, stored one after another: point i is values[i * dimension .. + dimension).
 struct Points {
   std::size_t dimension = 0;

@@ -81,10 +81,10 @@ std::size_t compromise(Summary const& summary, std::vector<std::size_t> const& f
   return best;
 }
 
-Verdict front_verdict(Summary const& summary, std::vector<std::size_t> const& front, std::size_t place) {
+LawVerdict front_verdict(Summary const& summary, std::vector<std::size_t> const& front, std::size_t place) {
   auto const& laws = summary.laws;
   auto const& law = laws[front[place]];
-  Verdict verdict{front[place], Role::between, {}, {}};
+  LawVerdict verdict{front[place], Role::between, {}, {}};
   if (front.size() == 1) {
     verdict.role = Role::best_of_both;
     verdict.sentence =
@@ -109,9 +109,9 @@ Verdict front_verdict(Summary const& summary, std::vector<std::size_t> const& fr
   return verdict;
 }
 
-Verdict dominated_verdict(Summary const& summary, std::vector<std::size_t> const& front, std::size_t index) {
+LawVerdict dominated_verdict(Summary const& summary, std::vector<std::size_t> const& front, std::size_t index) {
   auto const& law = summary.laws[index];
-  Verdict verdict{index, Role::dominated, {}, {}};
+  LawVerdict verdict{index, Role::dominated, {}, {}};
   for (std::size_t const other : front)
     if (dominates(summary.laws[other], law)) verdict.dominated_by.push_back(summary.laws[other].id);
   auto const numbers = fmt::format("error {}, scatter {}", error_percent(law), percent(*law.beta));
@@ -121,8 +121,8 @@ Verdict dominated_verdict(Summary const& summary, std::vector<std::size_t> const
   return verdict;
 }
 
-Verdict unranked_verdict(LawResult const& law, std::size_t index, LawResult const& best) {
-  Verdict verdict{index, Role::unranked, {}, {}};
+LawVerdict unranked_verdict(LawResult const& law, std::size_t index, LawResult const& best) {
+  LawVerdict verdict{index, Role::unranked, {}, {}};
   if (!law.objective.mean) {
     verdict.sentence = "was not identified on any device.";
   } else if (&law == &best) {

@@ -27,7 +27,7 @@ enum class Role {
 
 std::string_view name(Role role);  // "most accurate", "dominated", ...
 
-struct Verdict {
+struct LawVerdict {
   std::size_t law = 0;  // index into Summary::laws
   Role role = Role::unranked;
   std::string sentence;                   // starts in lower case when it continues after the law's name
@@ -43,7 +43,7 @@ struct Warning {
 
 struct Findings {
   std::string headline;                // the decision in one sentence
-  std::vector<Verdict> verdicts;       // the front from accurate to robust, then dominated, then unranked laws
+  std::vector<LawVerdict> verdicts;    // the front from accurate to robust, then dominated, then unranked laws
   std::vector<Warning> warnings;       // most serious topic first
   std::vector<std::string> converged;  // what changes without the optimiser's noise, and what an engineer meets
   std::string beta_note;               // why no law has a beta; "" when one has

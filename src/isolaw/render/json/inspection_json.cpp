@@ -7,7 +7,7 @@
 namespace isolaw::render {
 namespace {
 
-constexpr int schema = 1;
+constexpr int inspection_schema = 1;
 
 void write_effects(JsonWriter& out, std::vector<data::Effect> const& effects) {
   out.key("effects").begin_array();
@@ -40,7 +40,7 @@ void write_device(JsonWriter& out, DeviceResult const& device) {
 std::string inspection_json(Summary const& summary) {
   JsonWriter out(JsonWriter::Layout::indented);
   out.begin_object();
-  out.member("schema", schema).member("isolaw", summary.version);
+  out.member("schema", inspection_schema).member("isolaw", summary.version);
   if (summary.devices.size() == 1) {
     write_device(out, summary.devices.front());
   } else {

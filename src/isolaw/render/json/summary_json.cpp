@@ -8,7 +8,7 @@
 namespace isolaw::render {
 namespace {
 
-constexpr int schema = 1;
+constexpr int summary_schema = 1;
 
 void write_analysis(JsonWriter& out, ParameterAnalysis const& analysis) {
   write_results(out, analysis_results, analysis, Digits::all, [&](std::string_view) {
@@ -109,7 +109,7 @@ void write(JsonWriter& out, DeviceResult const& device) {
 std::string summary_json(Summary const& summary) {
   JsonWriter out(JsonWriter::Layout::indented);
   out.begin_object();
-  out.member("schema", schema).key("isolaw").begin_array();
+  out.member("schema", summary_schema).key("isolaw").begin_array();
   for (auto const& maker : summary.makers) {
     out.begin_object().member("version", maker.version).key("build");
     maker.build.empty() ? out.null() : out.value(maker.build);

@@ -122,7 +122,7 @@ void write_column(JsonWriter& out, std::string_view name, Parameters const& para
 }
 
 // Columns, not rows: the names of the properties stand once a fit.
-void write_parameters(JsonWriter& out, Parameters const& parameters) {
+void write_parameter_columns(JsonWriter& out, Parameters const& parameters) {
   out.begin_object();
   write_column(out, "mean", parameters, get<&ParameterFit::value, &Statistic::mean>);
   write_column(out, "std", parameters, get<&ParameterFit::value, &Statistic::std>);
@@ -206,7 +206,7 @@ void write_fit(JsonWriter& out, DeviceFit const& fit, int device, std::vector<st
   out.begin_object().member("device", device);
   write_results(out, fit_results, fit, Digits::shown, [&](std::string_view key) {
     if (key == "parameters")
-      write_parameters(out, fit.parameters);
+      write_parameter_columns(out, fit.parameters);
     else if (key == "intervals")
       write_intervals(out, fit);
     else

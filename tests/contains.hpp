@@ -1,0 +1,12 @@
+// For assertions on texts.
+#pragma once
+
+#include <string>
+
+namespace isolaw {
+
+inline bool contains(std::string const& text, std::string const& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace isolaw

@@ -1,2 +1,0 @@
-isolaw_test(verification_integration integration_test.cpp)
-target_link_libraries(verification_integration PRIVATE isolaw_app)

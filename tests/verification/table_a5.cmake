@@ -1,1 +1,0 @@
-isolaw_test(verification_table_a5 table_a5_test.cpp)

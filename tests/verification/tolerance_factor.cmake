@@ -1,1 +1,0 @@
-isolaw_test(verification_tolerance_factor tolerance_factor_test.cpp)
