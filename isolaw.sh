@@ -4,8 +4,8 @@
 #   ./isolaw.sh build        configure and build (preset `release`, or ISOLAW_PRESET=developer|sanitize|sanitize-thread)
 #   ./isolaw.sh run          setup, build, identify the example lot into out/published-lot/
 #   ./isolaw.sh test         setup, build, run all tests
-#   ./isolaw.sh sanitize     the modules' tests, the fuzz corpora and one campaign under address and undefined-behaviour
-#                            sanitizers: what fits beside the tests; tools/reliability.sh runs everything under them
+#   ./isolaw.sh sanitize     the fuzz corpora, bad and hostile input and every writer of outputs under address and
+#                            undefined-behaviour sanitizers; tools/reliability.sh runs everything under them
 #   ./isolaw.sh fuzz [SECONDS]  every fuzz target for so long (60), with clang; fails at a finding
 #   ./isolaw.sh bench        setup, build and run the benchmarks
 #   ./isolaw.sh study [--quick]  time the published study, its scaling and other programs; see docs/performance.md

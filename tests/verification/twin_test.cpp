@@ -24,7 +24,8 @@ TEST_P(Twin, IsFoundAgain) {
   IdentificationProblem const problem(model, twin.box);
   num::Stream const stream(stable_hash(GetParam()));
   std::vector<std::vector<double>> found;
-  for (std::uint64_t run = 1; run <= 3; ++run) {
+  std::uint64_t const runs = twin.box.free_count() > 10 ? 1 : 3;  // a search of abe's takes a minute
+  for (std::uint64_t run = 1; run <= runs; ++run) {
     auto const best = opt::minimise_multistart(problem, stream.split(run));
     EXPECT_LT(best.best_value, 1e-9) << "run " << run;
     ASSERT_TRUE(best.usable());

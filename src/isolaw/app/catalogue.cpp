@@ -11,25 +11,11 @@
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/laws/catalogue.hpp"
+#include "isolaw/render/terminal/terminal.hpp"
 #include "isolaw/rules/rule_set.hpp"
 
 namespace isolaw::app {
 namespace {
-
-// Prose of at most `width` columns, every line indented.
-std::string wrapped(std::string_view text, std::size_t indent, std::size_t width) {
-  std::string out, line;
-  while (!text.empty()) {
-    auto const word = text.substr(0, text.find(' '));
-    if (!line.empty() && indent + line.size() + 1 + word.size() > width) {
-      out += std::string(indent, ' ') + line + '\n';
-      line.clear();
-    }
-    line += (line.empty() ? "" : " ") + std::string(word);
-    text.remove_prefix(std::min(word.size() + 1, text.size()));
-  }
-  return out + std::string(indent, ' ') + line + '\n';
-}
 
 // What Markdown would read as markup in prose or a cell of a table.
 std::string plain_markdown(std::string_view text) {
@@ -60,7 +46,7 @@ void print_markdown() {
                law.info.traits.rate_independent ? "needs displacement alone" : "needs displacement and time",
                law.info.traits.remembers ? fmt::format("; remembers {}", laws::memory_of(law.info)) : "",
                laws::name(law.info.set), law.info.formula);
-    if (!law.info.note.empty()) fmt::print("{}\n", wrapped(plain_markdown(law.info.note), 0, 120));
+    if (!law.info.note.empty()) fmt::print("{}\n", render::wrapped("", plain_markdown(law.info.note), 0, 120));
     fmt::print("| parameter | unit | meaning | paper |\n|---|---|---|---|\n");
     for (auto const& p : law.parameters)
       fmt::print("| {} | {} | {}{} | {} |\n", plain_markdown(p.name), p.unit, plain_markdown(p.meaning),
@@ -78,7 +64,7 @@ void print_law(laws::LawEntry const& law) {
   fmt::print("  formula\n");
   for (auto const line : law.info.formula | std::views::split('\n'))
     fmt::print("    {}\n", std::string_view(line.begin(), line.end()));
-  if (!law.info.note.empty()) fmt::print("  reading\n{}", wrapped(law.info.note, 4, 96));
+  if (!law.info.note.empty()) fmt::print("  reading\n{}", render::wrapped("", law.info.note, 4, 96));
   fmt::print("\n  {:<10} {:<10} {:>12} {:>12}  {}\n", "parameter", "unit", "paper from", "to", "meaning");
   for (auto const& p : law.parameters) {
     auto const bound = [&](double laws::Interval::*end) {

@@ -37,30 +37,6 @@ std::string padded(std::string_view text, int width, bool right = false) {
   return right ? blanks + std::string(text) : std::string(text) + blanks;
 }
 
-// Words of `text` broken at `width`, every line indented by `indent`, the first one starting with `bullet`.
-std::string wrapped(std::string_view bullet, std::string_view text, int indent, int width) {
-  std::string out, line(bullet);
-  line = padded(line, indent);
-  bool fresh = true;
-  std::string const clean = printable(text);
-  for (std::size_t at = 0; at < clean.size();) {
-    std::size_t const end = std::min(clean.find(' ', at), clean.size());
-    std::string_view const word = std::string_view(clean).substr(at, end - at);
-    if (!fresh && columns(line) + 1 + columns(word) > width) {
-      out += line + '\n';
-      line.assign(static_cast<std::size_t>(indent), ' ');
-      fresh = true;
-    }
-    if (!word.empty()) {
-      if (!fresh) line += ' ';
-      line += word;
-      fresh = false;
-    }
-    at = end + 1;
-  }
-  return out + line + '\n';
-}
-
 // In at most ten characters, whatever the value.
 std::string bounded(double value, int decimals, double largest = 1e5) {
   return std::abs(value) < largest ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.2e}", value);
@@ -320,6 +296,29 @@ std::string heading(Summary const& summary, int width) {
 }
 
 }  // namespace
+
+std::string wrapped(std::string_view bullet, std::string_view text, int indent, int width) {
+  std::string out, line(bullet);
+  line = padded(line, indent);
+  bool fresh = true;
+  std::string const clean = printable(text);
+  for (std::size_t at = 0; at < clean.size();) {
+    std::size_t const end = std::min(clean.find(' ', at), clean.size());
+    std::string_view const word = std::string_view(clean).substr(at, end - at);
+    if (!fresh && columns(line) + 1 + columns(word) > width) {
+      out += line + '\n';
+      line.assign(static_cast<std::size_t>(indent), ' ');
+      fresh = true;
+    }
+    if (!word.empty()) {
+      if (!fresh) line += ' ';
+      line += word;
+      fresh = false;
+    }
+    at = end + 1;
+  }
+  return out + line + '\n';
+}
 
 std::string ranking(Summary const& summary, int width) {
   width = std::max(width, 60);

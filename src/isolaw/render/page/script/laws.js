@@ -1,11 +1,12 @@
 // How a law is named.
 
 import { element } from './dom.js';
+import { colourOf, isAgain } from './plotting.js';
 import { laws } from './report.js';
 import { enumerate } from './text.js';
 
 export function lawKey(law) {
-  return element('span', { class: 'key', style: 'border-color: var(--law-' + ((law.index % 8) + 1) + ')' });
+  return element('span', { class: isAgain(law) ? 'key again' : 'key', style: `border-color: var(--${colourOf(law)})` });
 }
 
 // A law's name; where its prediction collapses, that stands beside it wherever it is recommended.

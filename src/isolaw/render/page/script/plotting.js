@@ -2,6 +2,11 @@
 
 import { isNumber, plain, significant } from './text.js';
 
+// Colours return after so many laws; symbols are then open and keys dashed.
+const COLOURS = 8;
+export const colourOf = (law) => 'law-' + ((law.index % COLOURS) + 1);
+export const isAgain = (law) => law.index >= COLOURS;
+
 export const SYMBOLS = ['circle', 'square', 'diamond', 'triangle-up', 'triangle-down', 'cross', 'x', 'star'];
 const DASHES = ['solid', 'dash', 'dashdot', 'dot', 'longdash', 'longdashdot', '6px,3px', '10px,3px,2px,3px'];
 export const NARROW = 620; // pixels: a telephone
@@ -11,12 +16,12 @@ export function theme() {
   const colour = (name) => style.getPropertyValue('--' + name).trim();
   return {
     colour,
-    law: (law) => colour('law-' + ((law.index % 8) + 1)),
+    law: (law) => colour(colourOf(law)),
     font: style.getPropertyValue('--sans').trim(),
   };
 }
 
-export const symbolOf = (law) => SYMBOLS[law.index % SYMBOLS.length];
+export const symbolOf = (law) => SYMBOLS[law.index % SYMBOLS.length] + (isAgain(law) ? '-open' : '');
 export const dashOf = (place) => DASHES[place % DASHES.length]; // by the order of the chosen laws: the first one is solid
 export const LEGEND = { orientation: 'h', x: 0, y: 1.02, xanchor: 'left', yanchor: 'bottom', font: { size: 12 } };
 
