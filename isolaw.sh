@@ -16,6 +16,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 preset=${ISOLAW_PRESET:-release}
+one_waits=$(($(nproc) + 1))  # tests of the page, of faults and of interruption mostly wait
 
 step() { printf '+ %s\n' "$*" >&2; "$@"; }
 as_root() { if [ "$(id -u)" -eq 0 ]; then step "$@"; else step sudo "$@"; fi; }
@@ -75,13 +76,13 @@ case "${1:-help}" in
   test)
     setup "${test_packages[@]}"
     build
-    step ctest --preset "$preset" -j "$(nproc)" "${@:2}"
+    step ctest --preset "$preset" -j "$one_waits" "${@:2}"
     ;;
   sanitize)
     setup "${test_packages[@]}"
     step cmake --preset sanitize
     step cmake --build --preset sanitize --target sanitized_share
-    step ctest --preset sanitize -j "$(nproc)" -L sanitized_share "${@:2}"
+    step ctest --preset sanitize -j "$one_waits" -L sanitized_share "${@:2}"
     ;;
   fuzz)
     setup clang libclang-rt-14-dev

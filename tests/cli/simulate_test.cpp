@@ -163,6 +163,43 @@ TEST_F(Simulate, the_one_law_of_a_lot) {
   EXPECT_EQ(isolaw(words).out, o.out);
 }
 
+TEST_F(Simulate, what_was_read_and_stores_are_not_replaced) {
+  calibrated("bilinear");
+  auto const motion = read("d.csv"), store = read("O/campaign.sqlite");
+  Words const words{"simulate", "bilinear", "--from", "O", "--device", "d", "--motion", "d.csv", "--out"};
+  expect_refused(isolaw(words + Words{"d.csv"}),
+                 {"d.csv: read for this, and would be replaced", "another name after --out"});
+  expect_refused(isolaw(words + Words{"O/campaign.sqlite"}), {"a campaign's store, which would be replaced"});
+  expect_refused(
+      isolaw({"export", "O", "--law", "bilinear", "--device", "d", "--to", "json", "--out", "O/campaign.sqlite"}),
+      {"a campaign's store, which would be replaced"});
+  expect_message(isolaw({"init", "d.csv", "--out", "d.csv", "--force"}), 2, {"d.csv: read for this"});
+  EXPECT_EQ(read("d.csv"), motion);
+  EXPECT_EQ(read("O/campaign.sqlite"), store);
+  EXPECT_EQ(isolaw(words + Words{"f.csv"}).code, 0);
+  EXPECT_EQ(isolaw(words + Words{"f.csv"}).code, 0) << "one written before may be written again";
+}
+
+// One rule for `simulate`, Python and exports: the device comes before the law of the lot.
+TEST_F(Simulate, a_device_called_lot_is_that_device) {
+  write("r/lot.csv", csv(record()));
+  write("r/b.csv", csv(record({.strength_kN = 24.0})));
+  auto const made = isolaw(
+      {"calibrate", "r", "--laws", "bilinear", "--runs", "1", "--analysis", "full", "--replicates", "0", "--out", "O"});
+  ASSERT_EQ(made.code, 0) << made;
+  ASSERT_TRUE(summary().laws.at(0).lot);
+  auto const exported = isolaw({"export", "O", "--law", "bilinear", "--device", "lot", "--to", "json"});
+  ASSERT_EQ(exported.code, 0) << exported;
+  auto const form = Json::parse(exported.out);
+  EXPECT_EQ(form["of_the_lot"], false);
+  Words words{"simulate", "bilinear", "--motion", "r/b.csv"};
+  for (auto const& p : form["parameters"])
+    words = words + Words{"--set", fmt::format("{}={}", p["name"].get<std::string>(), p["value"].get<double>())};
+  auto const o = isolaw({"simulate", "bilinear", "--from", "O", "--device", "lot", "--motion", "r/b.csv"});
+  ASSERT_EQ(o.code, 0) << o;
+  EXPECT_EQ(isolaw(words).out, o.out);
+}
+
 // Of a motion that starts elsewhere the law knows nothing before its first sample, as no analysis program has it.
 TEST_F(Simulate, a_motion_that_does_not_start_at_zero_is_warned_of) {
   Words const words{"simulate", "bilinear", "--set", "K1=2.5", "--set", "K2=0.5", "--set", "xy=2", "--motion", "m.csv"};

@@ -302,12 +302,12 @@ TEST_F(Folder, python_scripts_check_themselves) {
   if (!has("python3")) GTEST_SKIP() << "no python3 (isolaw.sh installs it): the script cannot be run";
   write("openseespy/__init__.py", "");
   write("openseespy/opensees.py", python_stub);
-  struct Case {
+  struct ScriptCase {
     std::string law;
     std::vector<double> parameters;
   };
-  for (auto const& c : {Case{"bilinear", bilinear_parameters}, Case{"bouc-wen", bouc_wen_parameters},
-                        Case{"vaiana", vaiana_parameters()}, Case{"vaiana", vaiana_parameters(800.0, 12.0)}})
+  for (auto const& c : {ScriptCase{"bilinear", bilinear_parameters}, ScriptCase{"bouc-wen", bouc_wen_parameters},
+                        ScriptCase{"vaiana", vaiana_parameters()}, ScriptCase{"vaiana", vaiana_parameters(800.0, 12.0)}})
     for (auto const& units : unit_systems) {
       auto subject = subject_of(c.law, c.parameters);
       subject.device = "D'\"\\ \"\"\" {x} \xC3\xA8";

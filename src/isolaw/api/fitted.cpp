@@ -4,19 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/words.hpp"
 
 namespace isolaw {
 namespace {
-
-std::string listed(std::vector<std::string> const& names) {
-  constexpr std::size_t shown = 30;
-  auto const text = joined(names | std::views::take(shown));
-  return names.size() > shown ? fmt::format("{} and {} more", text, names.size() - shown) : text;
-}
 
 void note_record(data::FitRecord const& record, FittedLaw& law) {
   law.dead_band_mm = std::max(law.dead_band_mm, record.dead_band_mm);
@@ -43,27 +36,20 @@ FittedLaw fitted_law(campaign::Contents const& contents, std::string_view law, s
   if (std::ranges::find(contents.settings.laws, law) == contents.settings.laws.end())
     throw Error({.where = fmt::format("law {}", law),
                  .found = "not in this campaign",
-                 .allowed = listed(contents.settings.laws)});
+                 .allowed = joined(contents.settings.laws)});
   FittedLaw made{.parameters = {},
                  .integration = contents.settings.integration,
                  .turning_points = contents.settings.turning_points};
-  auto const found = std::ranges::find(contents.devices, device, &campaign::Device::name);
-  if (found == contents.devices.end()) {
-    if (device == whole_lot) return law_of_lot(contents, law, std::move(made));
-    std::vector<std::string> names{std::string(whole_lot)};
-    for (auto const& one : contents.devices) names.push_back(one.name);
-    throw Error(
-        {.where = fmt::format("device '{}'", device), .found = "not in this campaign", .allowed = listed(names)});
-  }
-  auto const index = static_cast<std::size_t>(found - contents.devices.begin());
-  auto const* run = contents.best_run(index, law);
+  auto const index = contents.device_or_lot(device);
+  if (!index) return law_of_lot(contents, law, std::move(made));
+  auto const* run = contents.best_run(*index, law);
   if (run == nullptr)
     throw Error({.where = fmt::format("device '{}', law {}", device, law),
                  .found = "no usable run",
                  .allowed = "a device that the law was fitted to"});
   made.parameters = run->parameters;
   made.refinement = run->refinement;
-  note_record(found->record, made);
+  note_record(contents.devices[*index].record, made);
   return made;
 }
 

@@ -18,7 +18,7 @@ struct FittedLaw {
   double tested_vel_mm_s = 0.0;  // 0 without time
 };
 
-inline constexpr std::string_view whole_lot = "lot";
+using campaign::whole_lot;
 
 // The law of one device (its best run), or with `whole_lot` the one law for all. Throws Error that says what there is.
 FittedLaw fitted_law(campaign::Contents const& contents, std::string_view law, std::string_view device);

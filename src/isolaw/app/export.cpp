@@ -1,10 +1,9 @@
 #include <cstdio>
-#include <fstream>
 
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/lot_of.hpp"
+#include "isolaw/app/output.hpp"
 #include "isolaw/app/say.hpp"
-#include "isolaw/base/error.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/programs/exports.hpp"
 #include "isolaw/study/build_summary.hpp"
@@ -22,11 +21,7 @@ int export_law(ExportArguments const& a) {
     std::fwrite(text.data(), 1, text.size(), stdout);
     return exit_done;
   }
-  std::ofstream file(*a.out, std::ios::binary);
-  file.write(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!file.flush())
-    throw Error(
-        {.where = a.out->string(), .found = "cannot be written", .allowed = "a file in a directory that exists"});
+  write_output(*a.out, text, {});
   say("{}\n", shown(*a.out));
   return exit_done;
 }

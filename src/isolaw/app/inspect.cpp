@@ -8,11 +8,11 @@
 
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/lot_of.hpp"
+#include "isolaw/app/output.hpp"
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/file.hpp"
 #include "isolaw/base/printable.hpp"
-#include "isolaw/base/write_file.hpp"
 #include "isolaw/campaign/campaign.hpp"
 #include "isolaw/data/read.hpp"
 #include "isolaw/data/sheet_choice.hpp"
@@ -148,7 +148,9 @@ int init(InitArguments const& arguments) {
   } else if (size) {
     say("lot-size = {} taken over from {}: change it where this lot has another size\n", *size, shown(*arguments.like));
   }
-  write_file(arguments.out, campaign::lot_file_text(lot, folder));
+  std::vector<std::filesystem::path> inputs;
+  for (auto const& device : lot.devices) inputs.push_back(device.files.front());
+  write_output(arguments.out, campaign::lot_file_text(lot, folder), inputs);
   auto const say_if_outside = [&](std::filesystem::path const& file) {
     if (leads_outside(file, folder))
       say("{}: not in the folder of {} or below it: isolaw calibrate will need --allow-outside\n", shown(file),

@@ -10,9 +10,9 @@
 #include "isolaw/api/parameters.hpp"
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/lot_of.hpp"
+#include "isolaw/app/output.hpp"
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
-#include "isolaw/base/write_file.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/data/clean.hpp"
@@ -142,7 +142,9 @@ int simulate(SimulateArguments const& a) {
     std::fwrite(text.data(), 1, text.size(), stdout);
     return exit_done;
   }
-  write_file(*a.out, text);
+  std::vector<std::filesystem::path> inputs{a.motion};
+  if (a.parameters) inputs.push_back(*a.parameters);
+  write_output(*a.out, text, inputs);
   say("written: {}\n", shown(*a.out));
   return exit_done;
 }

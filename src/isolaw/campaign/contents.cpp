@@ -1,9 +1,15 @@
 #include "isolaw/campaign/contents.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <map>
+#include <ranges>
 #include <tuple>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/words.hpp"
 
 namespace isolaw::campaign {
 namespace {
@@ -47,6 +53,19 @@ Run const* Contents::best_run(std::size_t device, std::string_view law) const {
 DeviceAnalysis const* Contents::analysis_of(std::size_t device, std::string_view law) const {
   auto const found = std::ranges::lower_bound(device_analyses, Key(device, law), {}, by_device_and_law);
   return found != device_analyses.end() && by_device_and_law(*found) == Key(device, law) ? &*found : nullptr;
+}
+
+std::optional<std::size_t> Contents::device_or_lot(std::string_view name) const {
+  if (auto const found = std::ranges::find(devices, name, &Device::name); found != devices.end())
+    return static_cast<std::size_t>(found - devices.begin());
+  if (name == whole_lot) return std::nullopt;
+  constexpr std::size_t shown = 30;
+  std::vector<std::string> names{std::string(whole_lot)};
+  for (auto const& device : devices | std::views::take(shown)) names.push_back(device.name);
+  throw Error(
+      {.where = fmt::format("device '{}'", name),
+       .found = "not in this campaign",
+       .allowed = joined(names) + (devices.size() > shown ? fmt::format(" and {} more", devices.size() - shown) : "")});
 }
 
 }  // namespace isolaw::campaign

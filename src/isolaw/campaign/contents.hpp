@@ -111,6 +111,9 @@ struct Acceptance {
   bool operator==(Acceptance const&) const = default;
 };
 
+// What the law of the lot goes by where a device may be named.
+inline constexpr std::string_view whole_lot = "lot";
+
 struct Contents {
   std::string title;
   Acceptance acceptance;
@@ -132,6 +135,8 @@ struct Contents {
   // The usable run of least objective, the first of equals; nullptr: none.
   Run const* best_run(std::size_t device, std::string_view law) const;
   DeviceAnalysis const* analysis_of(std::size_t device, std::string_view law) const;
+  // The device of that name; nullopt: `whole_lot`, where no device is called so. Throws Error: neither.
+  std::optional<std::size_t> device_or_lot(std::string_view name) const;
 };
 
 }  // namespace isolaw::campaign

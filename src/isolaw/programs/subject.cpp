@@ -309,26 +309,17 @@ Subject make_subject(campaign::Contents const& contents, study::Summary const& s
   subject.makers = campaign::text(std::span(summary.makers));
   subject.title = contents.title;
   subject.seed = contents.settings.seed;
-  // A device that is called "lot" is that device only where there is no other meaning.
-  auto const named = std::ranges::find(contents.devices, device, &campaign::Device::name);
-  bool const has_lot =
-      std::ranges::find(contents.lot_analyses, law, &campaign::LotAnalysis::law) != contents.lot_analyses.end();
-  subject.lot = device == "lot" && (named == contents.devices.end() || has_lot);
+  auto const chosen = contents.device_or_lot(device);
+  subject.lot = !chosen;
   subject.device = std::string(device);
   for (auto const& other : contents.devices)
-    if ((subject.lot || other.name != subject.device) && plain_name(other.name) == plain_name(subject.device))
-      subject.number_among_alike = static_cast<std::size_t>(named - contents.devices.begin()) + 1;
+    if (other.name != subject.device && plain_name(other.name) == plain_name(subject.device))
+      subject.number_among_alike = chosen.value_or(contents.devices.size()) + 1;
   auto const where = fmt::format("law {}, {}", law, subject.lot ? "the lot" : "device '" + subject.device + "'");
-  if (!subject.lot && named == contents.devices.end()) {
-    std::vector<std::string> names;
-    for (auto const& other : contents.devices) names.push_back(other.name);
-    names.emplace_back("lot");
-    throw Error({.where = where, .found = "no such device in this campaign", .allowed = joined(names)});
-  }
-  if (subject.lot)
-    add_lot_parameters(subject, contents, where);
+  if (chosen)
+    add_device_parameters(subject, contents, *chosen, where);
   else
-    add_device_parameters(subject, contents, static_cast<std::size_t>(named - contents.devices.begin()), where);
+    add_lot_parameters(subject, contents, where);
   if (contents.settings.integration == laws::Integration::paper)
     subject.notes.emplace_back(
         "The campaign integrated with one Runge-Kutta step per sample; the export is of the law itself, integrated to convergence with the same parameters.");
