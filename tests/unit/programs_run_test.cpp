@@ -306,8 +306,9 @@ TEST_F(Folder, python_scripts_check_themselves) {
     std::string law;
     std::vector<double> parameters;
   };
-  for (auto const& c : {ScriptCase{"bilinear", bilinear_parameters}, ScriptCase{"bouc-wen", bouc_wen_parameters},
-                        ScriptCase{"vaiana", vaiana_parameters()}, ScriptCase{"vaiana", vaiana_parameters(800.0, 12.0)}})
+  for (auto const& c :
+       {ScriptCase{"bilinear", bilinear_parameters}, ScriptCase{"bouc-wen", bouc_wen_parameters},
+        ScriptCase{"vaiana", vaiana_parameters()}, ScriptCase{"vaiana", vaiana_parameters(800.0, 12.0)}})
     for (auto const& units : unit_systems) {
       auto subject = subject_of(c.law, c.parameters);
       subject.device = "D'\"\\ \"\"\" {x} \xC3\xA8";
