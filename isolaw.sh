@@ -12,7 +12,7 @@
 #   ./isolaw.sh format       clang-format, without changing files (format --fix formats)
 #   ./isolaw.sh lint         format, clang-tidy, eslint for the page's script
 #   ./isolaw.sh compilers    other compilers and processors against this one: the largest differences of any result
-#   ./isolaw.sh docs         the pages that the program writes of itself: docs/laws.md, docs/cli.md
+#   ./isolaw.sh docs         what the program writes of itself: docs/laws.md, docs/cli.md, keywords of the Python stub
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 preset=${ISOLAW_PRESET:-release}
@@ -57,6 +57,11 @@ format() {
   else
     printf '+ clang-format --dry-run --Werror (%d files)\n' "${#sources[@]}" >&2
     clang-format --dry-run --Werror "${sources[@]}" || { echo "isolaw.sh: run ./isolaw.sh format --fix" >&2; exit 1; }
+    # It leaves comments alone, which break where a person would.
+    if LC_ALL=C.UTF-8 grep -nE '^ *//.{119,}' "${sources[@]}" | LC_ALL=C.UTF-8 grep -E '^[^:]*:[0-9]*:.{121,}'; then
+      echo "isolaw.sh: comments wider than 120 columns" >&2
+      exit 1
+    fi
   fi
 }
 
@@ -89,10 +94,11 @@ case "${1:-help}" in
     step cmake --preset fuzz
     step cmake --build --preset fuzz
     findings=0
-    for target in text workbook mat mat73 json lot_file rule_set store; do
+    for program in build/fuzz/fuzz/fuzz_*; do
+      target=${program##*/fuzz_}
       # New inputs are kept aside; the committed corpus grows by hand, one minimised input per fault.
       mkdir -p "build/fuzz/found/$target"
-      step "build/fuzz/fuzz/fuzz_$target" -max_total_time="${2:-60}" -timeout=20 -rss_limit_mb=4096 -print_final_stats=1 \
+      step "$program" -max_total_time="${2:-60}" -timeout=20 -rss_limit_mb=4096 -print_final_stats=1 \
         -artifact_prefix="build/fuzz/found/$target-" "build/fuzz/found/$target" "fuzz/corpus/$target" || findings=$((findings + 1))
     done
     [ "$findings" -eq 0 ] || { echo "isolaw.sh: $findings target(s) found a fault: build/fuzz/found/" >&2; exit 1; }
@@ -129,8 +135,8 @@ case "${1:-help}" in
   docs)
     setup
     build --target isolaw_cli
-    step tools/reference.sh "build/$preset/cli/isolaw" docs
-    echo "written: docs/laws.md, docs/cli.md" >&2
+    step tools/reference.sh "build/$preset/cli/isolaw" .
+    echo "written: docs/laws.md, docs/cli.md, the keywords of python/isolaw/__init__.pyi" >&2
     ;;
   help | -h | --help) sed -n '2,16s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
   *)

@@ -1,5 +1,5 @@
-// The least objectives known of named problems, over every method ever tried: best_known.toml. A search is judged by them
-// where its own runs might all have ended in the same wrong valley.
+// The least objectives known of named problems, over every method ever tried: best_known.toml. A search is judged by
+// them where its own runs might all have ended in the same wrong valley.
 #pragma once
 
 #include <span>
@@ -24,9 +24,9 @@ struct BestKnown {
 };
 
 // What decides the least objective, as a SHA-256: law, integration, turning points, cleaned record, and between which
-// values each parameter is free. Not the scale it is searched on, which every method may choose, nor how it is searched.
-// Numbers count to nine digits, those of a channel to nine of its largest, so that the same record cleaned by another
-// compiler's program has the same key.
+// values each parameter is free. Not the scale it is searched on, which every method may choose, nor how it is
+// searched. Numbers count to nine digits, those of a channel to nine of its largest, so that the same record cleaned by
+// another compiler's program has the same key.
 std::string problem_key(laws::LawEntry const& law, laws::Integration integration, laws::TurningPoints turning_points,
                         data::FitRecord const& record, fit::SearchBox const& box);
 
@@ -36,7 +36,8 @@ std::vector<BestKnown> load_best_known(std::string const& file);
 // The text that reads back as `entries`.
 std::string best_known_text(std::span<BestKnown const> entries);
 
-// An objective counts as lower when it is by more than this, relative: less is rounding and the last digits of a search.
+// An objective counts as lower when it is by more than this, relative: less is rounding and the last digits of a
+// search.
 inline constexpr double least_lowering = 1e-6;
 
 // Takes what was found into `entries`, which it never raises. `redefined`: there was an entry of that record, law and

@@ -15,8 +15,8 @@
 #include "best_known.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/hash.hpp"
-#include "isolaw/campaign/campaign.hpp"
 #include "isolaw/campaign/lot_file.hpp"
+#include "isolaw/campaign/prepare.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/fit/objective.hpp"
 

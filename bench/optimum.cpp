@@ -1,6 +1,6 @@
-// How often, and at what cost, the search `best` finds the least objective: repeated with other random numbers for every law
-// and device of a lot, beside other programs where they are asked for. A run succeeds within 0.1 % of the least objective
-// of all runs and of the best known.
+// How often, and at what cost, the search `best` finds the least objective: repeated with other random numbers for
+// every law and device of a lot, beside other programs where they are asked for. A run succeeds within 0.1 % of the
+// least objective of all runs and of the best known.
 // Usage: optimum LOT.toml RUNS [LAW...] [--device NAME]... [--peers FACTOR] [--update FILE --name RECORD]
 //   --peers    other programs too, each run with FACTOR times the evaluations that `best` takes on average
 //   --update   add what is found to FILE, bench/best_known.toml or another, and lower what it holds, as entries of the

@@ -12,8 +12,8 @@
 namespace isolaw::bench {
 namespace {
 
-// A Python program at the other end of a socket. It says which searches it has; of each it is given a line with the task,
-// asks for values or residuals of points in the unit box, and says when it is done.
+// A Python program at the other end of a socket. It says which searches it has; of each it is given a line with the
+// task, asks for values or residuals of points in the unit box, and says when it is done.
 class PythonPeer {
  public:
   explicit PythonPeer(std::string const& script) {

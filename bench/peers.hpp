@@ -14,8 +14,8 @@
 
 namespace isolaw::bench {
 
-// A problem that remembers the best point of all that was evaluated, and how many: whatever a search returns, what it has
-// seen counts for it.
+// A problem that remembers the best point of all that was evaluated, and how many: whatever a search returns, what it
+// has seen counts for it.
 class Watched final : public opt::DeviationProblem {
  public:
   explicit Watched(opt::DeviationProblem const& problem) : problem_(problem) {}

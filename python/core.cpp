@@ -1,5 +1,6 @@
-// The Python package `isolaw`: NumPy views of what the library holds, and its calls with the interpreter's lock released.
-// What is said to Python users stands in the docstrings here and in isolaw/__init__.pyi; tests/python holds the two together.
+// The Python package `isolaw`: NumPy views of what the library holds, and its calls with the interpreter's lock
+// released. What is said to Python users stands in the docstrings here and in isolaw/__init__.pyi; tests/python holds
+// the two together.
 #include <pybind11/functional.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -33,7 +34,8 @@ using Array = py::array_t<double>;
 using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Contents = campaign::Contents;
 
-// --- views --------------------------------------------------------------------------------------------------------------
+// --- views
+// --------------------------------------------------------------------------------------------------------------
 
 // Values that `owner` keeps alive, read-only: a view, no copy.
 Array view(std::vector<double> const& values, py::object owner) {
@@ -53,7 +55,8 @@ std::vector<double> values_of(std::optional<Rows> const& array, char const* what
   return {array->data(), array->data() + array->size()};
 }
 
-// --- records ------------------------------------------------------------------------------------------------------------
+// --- records
+// ------------------------------------------------------------------------------------------------------------
 
 struct Record {
   std::string name;
@@ -61,7 +64,8 @@ struct Record {
 };
 using RecordPtr = std::shared_ptr<Record>;
 
-// --- options, given as keywords -----------------------------------------------------------------------------------------
+// --- options, given as keywords
+// -----------------------------------------------------------------------------------------
 
 Json json_of(py::handle value) {
   if (value.is_none()) return {};
@@ -150,7 +154,8 @@ std::string inspected(Record const& record) {
   return render::inspection_json(study::build_summary(contents));
 }
 
-// --- laws ---------------------------------------------------------------------------------------------------------------
+// --- laws
+// ---------------------------------------------------------------------------------------------------------------
 
 int steps(int refinement) {
   if (refinement < 1 || refinement > 1000)
@@ -286,7 +291,8 @@ class Model {
   fit::LawOnRecord model_;
 };
 
-// --- campaigns ----------------------------------------------------------------------------------------------------------
+// --- campaigns
+// ----------------------------------------------------------------------------------------------------------
 
 struct Campaign {
   Contents contents;
@@ -354,8 +360,9 @@ py::dict runs_of(Campaign const& campaign, std::string const& law, std::string c
   return made;
 }
 
-// The campaign runs in a thread of its own, without the interpreter's lock; the caller's thread waits, hands progress to
-// Python and listens for signals, which Python delivers to its main thread alone. An exception of either stops the search.
+// The campaign runs in a thread of its own, without the interpreter's lock; the caller's thread waits, hands progress
+// to Python and listens for signals, which Python delivers to its main thread alone. An exception of either stops the
+// search.
 CampaignPtr calibrated(std::vector<RecordPtr> const& records, py::dict const& given, CalibrateOptions options,
                        py::object const& progress) {
   auto const settings = settings_of(given);
@@ -425,7 +432,8 @@ CampaignPtr loaded(std::filesystem::path const& directory) {
   return std::make_shared<Campaign>(campaign::Store::read(directory / store_name));
 }
 
-// --- the module ---------------------------------------------------------------------------------------------------------
+// --- the module
+// ---------------------------------------------------------------------------------------------------------
 
 // Of the package, never released: exceptions outlive its modules.
 py::handle error_type;
@@ -613,8 +621,10 @@ PYBIND11_MODULE(_core, m) {
       "calibrate",
       [](std::vector<RecordPtr> const& records, py::dict const& given, int jobs,
          std::optional<std::filesystem::path> out, bool fresh, std::string title, py::object const& progress) {
-        if (jobs < 0 || jobs > 4096)
-          throw Error({.where = "jobs", .found = fmt::format("{}", jobs), .allowed = "0 to 4096"});
+        if (jobs < 0 || jobs > campaign::most_jobs)
+          throw Error({.where = "jobs",
+                       .found = fmt::format("{}", jobs),
+                       .allowed = fmt::format("0 to {}", campaign::most_jobs)});
         CalibrateOptions options{.directory = std::move(out), .fresh = fresh, .title = std::move(title)};
         options.run.jobs = jobs;
         return calibrated(records, given, std::move(options), progress);

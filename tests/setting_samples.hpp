@@ -1,7 +1,7 @@
 // Values for tests that iterate over the table of settings: a new setting is tested by its row.
 #pragma once
 
-#include <map>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -10,21 +10,17 @@
 
 namespace isolaw::testing {
 
-// A value that it may have and that is not its default. A setting of free text stands in the list below.
+// A value that it may have and that is not its default. A setting of free text stands in setting_samples.json.
 inline Json another(campaign::Setting const& setting) {
   auto const usual = setting.get({});
   for (auto const word : setting.words)
     if (word != usual) return word;
   if (setting.kind == Kind::flag) return !usual.get<bool>();
-  static std::map<std::string_view, Json> const texts{{"laws", {"abe", "bilinear"}},
-                                                      {"set", {"bilinear.K1=1.5", "bilinear.K2=0.25:0.75"}},
-                                                      {"seed", 18446744073709551614U},
-                                                      {"samples-per-cycle", 50},
-                                                      {"dead-band", 0.25},
-                                                      {"fit-blocks", "1"},
-                                                      {"fit-cycles", "2-"},
-                                                      {"score-blocks", "2"}};
-  if (auto const found = texts.find(setting.key); found != texts.end()) return found->second;
+  static Json const texts = [] {
+    std::ifstream file(ISOLAW_SOURCE_DIR "/tests/setting_samples.json");
+    return Json::parse(file);
+  }();
+  if (auto const found = texts.find(setting.key); found != texts.end()) return *found;
   if (!setting.limits) throw std::logic_error("give an example of " + std::string(setting.key));
   if (setting.kind == Kind::real) return setting.limits->allow(0.25) ? 0.25 : setting.limits->least;
   return static_cast<int>(setting.limits->least) + setting.limits->step;

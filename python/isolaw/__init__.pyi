@@ -10,9 +10,6 @@ __version__: str
 _Path = str | PathLike[str]
 _Floats = NDArray[np.float64]
 _Parameters = Mapping[str, float] | ArrayLike
-_Assignments = str | Mapping[str, str | int]
-_Integration = Literal["converged", "paper"]
-_TurningPoints = Literal["sampled", "interpolated"]
 
 class Error(ValueError):
     complaints: list[dict[str, str]]
@@ -40,27 +37,31 @@ def read_record(
     path: _Path,
     *,
     name: str | None = None,
-    columns: _Assignments | None = None,
-    units: _Assignments | None = None,
+    # isolaw keywords reading
+    columns: str | Mapping[str, str | int] | None = None,
+    units: str | Mapping[str, str | int] | None = None,
     dt: float | None = None,
-    flip_force: bool = False,
     sheet: str | int | None = None,
     test: str | int | None = None,
+    flip_force: bool = False,
     skew_ms: float | None = None,
     rig_friction_kN: float | None = None,
     rig_friction_coefficient: float | None = None,
     moving_mass_kg: float | None = None,
     force_factor: float | None = None,
+    # the end of what it wrote
 ) -> Record: ...
 def read_motion(
     path: _Path,
     *,
     name: str | None = None,
-    columns: _Assignments | None = None,
-    units: _Assignments | None = None,
+    # isolaw keywords motion
+    columns: str | Mapping[str, str | int] | None = None,
+    units: str | Mapping[str, str | int] | None = None,
     dt: float | None = None,
     sheet: str | int | None = None,
     test: str | int | None = None,
+    # the end of what it wrote
 ) -> Record: ...
 def record(
     disp_mm: ArrayLike,
@@ -82,8 +83,10 @@ def force(
     parameters: _Parameters,
     motion: Record | ArrayLike,
     *,
-    integration: _Integration = "converged",
-    turning_points: _TurningPoints = "sampled",
+    # isolaw keywords integration turning_points
+    integration: Literal["converged", "paper"] = "converged",
+    turning_points: Literal["sampled", "interpolated"] = "sampled",
+    # the end of what it wrote
     refinement: int = 1,
     out: _Floats | None = None,
 ) -> _Floats: ...
@@ -94,15 +97,17 @@ class Model:
         law: str,
         record: Record,
         *,
-        integration: _Integration = "converged",
-        turning_points: _TurningPoints = "sampled",
         refinement: int = 1,
-        samples_per_cycle: int | None = 200,
+        # isolaw keywords integration turning_points smooth samples_per_cycle center dead_band fit_blocks fit_cycles
+        integration: Literal["converged", "paper"] = "converged",
+        turning_points: Literal["sampled", "interpolated"] = "sampled",
         smooth: int = 1,
+        samples_per_cycle: int | Literal["all"] | None = 200,
         center: bool = False,
         dead_band: float | Literal["auto"] = "auto",
         fit_blocks: str = "all",
         fit_cycles: str = "all",
+        # the end of what it wrote
     ) -> None: ...
     @property
     def law(self) -> str: ...
@@ -148,18 +153,19 @@ def calibrate(
     records: Record | _Path | Iterable[Record | _Path],
     laws: str | Sequence[str] = "usual",
     *,
+    # isolaw keywords settings acceptance --but laws
     method: Literal["best", "ga"] = "best",
+    integration: Literal["converged", "paper"] = "converged",
+    turning_points: Literal["sampled", "interpolated"] = "sampled",
     runs: int | None = None,
-    seed: int = 1,
-    box: Literal["auto", "published"] = "auto",
-    integration: _Integration = "converged",
-    turning_points: _TurningPoints = "sampled",
-    set: str | Sequence[str] = (),
     population: int = 100,
     generations: int = 50,
     stagnation_tolerance: float = 0.0,
-    samples_per_cycle: int | Literal["all"] | None = 200,
+    seed: int = 1,
+    box: Literal["published", "auto"] = "auto",
+    set: str | Sequence[str] = (),
     smooth: int = 1,
+    samples_per_cycle: int | Literal["all"] | None = 200,
     center: bool = False,
     dead_band: float | Literal["auto"] = "auto",
     fit_blocks: str = "all",
@@ -167,9 +173,10 @@ def calibrate(
     score_blocks: str = "all",
     analysis: bool | Literal["full", "none"] = "full",
     replicates: int = 100,
-    rules: _Path | None = None,
+    rules: str | PathLike[str] | None = None,
     design: str | Mapping[str, float] | None = None,
     lot_size: int | None = None,
+    # the end of what it wrote
     jobs: int = 0,
     out: _Path | None = None,
     fresh: bool = False,

@@ -1,12 +1,12 @@
-// A campaign whose runs have the printed means and standard deviations of Table A.5, with its reports: make_table_a5 DIR.
-// Two runs a device and law, one standard deviation over the root of two to either side of the mean.
+// A campaign whose runs have the printed means and standard deviations of Table A.5, with its reports: make_table_a5
+// DIR. Two runs a device and law, one standard deviation over the root of two to either side of the mean.
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 
 #include "isolaw/base/error.hpp"
-#include "isolaw/campaign/campaign.hpp"
+#include "isolaw/campaign/prepare.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/render/write.hpp"
 #include "isolaw/study/build_summary.hpp"

@@ -138,6 +138,11 @@ async function look_at_records() {
   const rows = [...document.querySelectorAll('#figure-cycle-table tbody tr')];
   const table = { rows: rows.length, uncounted: rows.filter((row) => row.matches('.uncounted')).length };
   const judged = document.querySelectorAll('#figure-history .shapelayer path').length;
+  const limited = device.assessments.filter((a) => a.limit !== '' && a.nominal !== null).map((a) => a.quantity);
+  const bands = {
+    drawn: document.querySelector('#figure-stability .plot').layout.shapes?.filter(({ type }) => type === 'rect').length,
+    limited: ['K_eff', 'damping', 'energy'].filter((name) => limited.some((quantity) => quantity.startsWith(name))).length,
+  };
   const last = device.blocks[device.blocks.length - 1];
   await select('block', String(last.number));
   const one = { labels: labels(), lines: lines() };
@@ -153,6 +158,7 @@ async function look_at_records() {
     follows: new Set(follows).size,
     table,
     judged,
+    bands,
     scored: device.scored?.length ?? 0,
     barsRight: JSON.stringify(bars.map(({ x0, x1 }) => ({ from: x0, to: x1 }))) === JSON.stringify(device.scored ?? []),
     drawnRows: device.raw.disp_mm.d.length,
@@ -214,6 +220,11 @@ function check_records(name, seen, { laws = true, verified = true, assessed = tr
   expect(seen.reasonsShown, name, 'the reason of a cycle that does not count is not shown');
   expect(seen.follows === 1, name, 'the choosers of the device differ');
   expect(seen.judged === seen.scored, name, `${seen.judged} of ${seen.scored} judged parts marked`);
+  expect(
+    (seen.bands.drawn ?? 0) === seen.bands.limited && seen.bands.limited > 0 === assessed,
+    name,
+    `${seen.bands.drawn} bands of ${seen.bands.limited} limits on a device`,
+  );
   expect(seen.corrections, name, 'a note, warning or correction is not in how it was made');
 
   const [cycleTable, raw] = seen.csv.map((text) => text.trimEnd().split('\r\n'));
@@ -318,13 +329,13 @@ async function look_at_analysis() {
   for (const cell of cells) (shapes[verdictOf(cell)] ??= new Set()).add(cell.innerHTML.replace(/var\([^)]*\)/g, ''));
   const profile = () => {
     const [cell] = document.querySelectorAll('#figure-determined [aria-pressed=true]');
-    const { profile_objective, identifiability } = examined(cell);
+    const { profile: curves, identifiability } = examined(cell);
     const place = cell.dataset.parameter;
     const points = plot('profile').find((trace) => trace.mode === 'markers' && trace.y.length > 1);
     return {
       cell: cell.dataset.device + ' ' + cell.dataset.parameter,
       focused: document.activeElement === cell,
-      right: JSON.stringify(points.y) === JSON.stringify(profile_objective[place]),
+      right: JSON.stringify(points.y) === JSON.stringify(curves[place].objective),
       caption:
         caption('profile').includes(law.parameters[place].name + ' is held') &&
         caption('profile').includes(identifiability[place]),
@@ -559,6 +570,29 @@ function check_order(name, seen) {
   }
 }
 
+// Runs in the page: the bands of limits that are drawn for the lot, and the properties that a rule set limits.
+function look_at_bands() {
+  const { assessment } = JSON.parse(document.getElementById('isolaw-data').textContent);
+  const limited = (assessment?.lot.quantities ?? [])
+    .filter((quantity) => quantity.limit_individual !== '' && quantity.nominal !== null)
+    .map((quantity) => quantity.quantity);
+  const drawn = (figure) =>
+    (document.querySelector('#figure-' + figure + ' .plot')?.layout.shapes ?? []).filter(({ type }) => type === 'rect')
+      .length;
+  return {
+    strips: [drawn('lot-strips'), limited.length],
+    stability: [
+      drawn('lot-stability'),
+      limited.filter((quantity) => ['K_eff', 'damping', 'energy'].includes(quantity)).length,
+    ],
+  };
+}
+
+function check_bands(name, seen) {
+  for (const [figure, [drawn, limited]] of Object.entries(seen))
+    expect(drawn === limited, name, `${drawn} bands of ${limited} limits on the lot: ${figure}`);
+}
+
 // Printed alone, the certificate leaves nothing else on the paper, and within it nothing out.
 async function check_certificate(page, name, pictures) {
   const seen = await page.evaluate(`(() => {
@@ -670,6 +704,7 @@ async function check(browser, directory, one) {
   if (identified) check_order(name, await page.evaluate(`(${look_at_order})()`));
   if (identified) check_energy(name, await page.evaluate(`(${look_at_energy})()`));
 
+  check_bands(name, await page.evaluate(`(${look_at_bands})()`));
   if (one.analysed) check_analysis(name, await page.evaluate(`(${look_at_analysis})()`), one);
   if (records) check_records(name, await page.evaluate(`(${look_at_records})()`), records);
 

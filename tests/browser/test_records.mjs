@@ -179,7 +179,9 @@ const QUANTITIES = [
   { quantity: 'Q_d', key: 'Q_d_kN', unit: 'kN' },
   { quantity: 'K_d', key: 'K_d_kN_per_mm', unit: 'kN/mm' },
 ];
-const LIMIT = 'from -20 % to +20 %';
+const LIMIT = 'a fifth to either side'; // in words, since the page draws what the numbers say: 20 %
+const LIMITS = { lower_percent: -20, upper_percent: 20 };
+const NO_LIMITS = { lower_percent: null, upper_percent: null };
 const TOLERANCE_K = 2.752;
 const NO_LOWER = 'too few devices for a lower bound: 114 % of the mean below it is no positive value';
 
@@ -198,6 +200,7 @@ function assessments_of(cycle, block, nominal, verified) {
       deviation_percent: percent,
       deviation: percent.toFixed(1) + ' %',
       limit: LIMIT,
+      ...LIMITS,
       verdict,
       reason: verified ? '' : 'the limits of this set are not verified',
     };
@@ -213,6 +216,7 @@ function assessments_of(cycle, block, nominal, verified) {
     deviation_percent: null,
     deviation: '',
     limit: '',
+    ...NO_LIMITS,
     verdict,
     reason,
   });
@@ -286,6 +290,7 @@ function lot_of(devices, nominal, verified, assessed, hostile) {
         max_device: measured[0].name,
       },
       limit_individual: given === null ? '' : LIMIT,
+      ...(given === null ? NO_LIMITS : LIMITS),
       // As of a set that limits the means of stiffness and damping alone.
       mean_limits: !assessed || !['K_eff', 'damping'].includes(quantity)
         ? []
@@ -301,6 +306,8 @@ function lot_of(devices, nominal, verified, assessed, hostile) {
               deviation_percent: off(middle),
               deviation: given === null ? '' : off(middle).toFixed(1) + ' %',
               limit: '-10 % to +10 %',
+              lower_percent: -10,
+              upper_percent: 10,
               verdict:
                 given === null
                   ? 'not assessed'
@@ -361,6 +368,7 @@ function lot_of(devices, nominal, verified, assessed, hostile) {
       deviation_percent: null,
       deviation: '',
       limit: assessed ? `${required} or more of ${2 * devices.length}` : '',
+      ...NO_LIMITS,
       verdict: !assessed ? 'not assessed' : !verified ? 'information' : reporting.length >= required ? 'pass' : 'fail',
       reason: assessed ? '' : 'no rule set was asked for',
     },

@@ -207,7 +207,8 @@ TEST_F(Analysis, devices_are_drawn_from_the_lots_population) {
   expect_refused(isolaw({"sample", "O", "--law", "bilinear", "--count", "0"}), {"--count", "1 to 10000000"});
 }
 
-// Where beta1 of vaiana is zero beta2 does not act, and ends anywhere in its box: a lot's population has no scatter of it.
+// Where beta1 of vaiana is zero beta2 does not act, and ends anywhere in its box: a lot's population has no scatter of
+// it.
 TEST_F(Analysis, of_a_parameter_that_does_not_act_gives_it_no_scatter) {
   ASSERT_EQ(isolaw({"example", "ex"}).code, 0);
   auto const o = isolaw({"calibrate", "ex/lot.toml", "--laws", "vaiana", "--runs", "1", "--analysis", "full",

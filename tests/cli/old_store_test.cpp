@@ -1,5 +1,5 @@
-// Stores of every schema there was, written by the programs of their time (tests/stores/README.md): read forward, reported,
-// checked, exported; and not continued.
+// Stores of every schema there was, written by the programs of their time (tests/stores/README.md): read forward,
+// reported, checked, exported; and not continued.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 #include "cli/store.hpp"

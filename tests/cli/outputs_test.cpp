@@ -1,10 +1,11 @@
-// Every writer of outputs on a campaign of all laws, as a user gets it without an option of the search: run under sanitizers
-// too, where a cell that no output shows still counts.
+// Every writer of outputs on a campaign of all laws, as a user gets it without an option of the search: run under
+// sanitizers too, where a cell that no output shows still counts.
 #include <map>
 #include <sstream>
 
 #include "cli/records.hpp"
 #include "cli/run.hpp"
+#include "isolaw/laws/catalogue.hpp"
 #include "isolaw/programs/exports.hpp"
 
 namespace isolaw::cli_test {
@@ -40,8 +41,8 @@ class Outputs : public InFreshDirectory {
 
 TEST_F(Outputs, EveryWriterOnAllLawsWithDefaultOptions) {
   Words const tests{"--rules", "ntc-2018", "--design", "K_eff=0.7,damping=20,disp=100"};
-  sound(Words{"calibrate", "a.csv", "b.csv", "c.csv", "--runs", "1", "--replicates", "40", "--analysis", "full",
-              "--figures", "all", "--out", "O"} +
+  sound(Words{"calibrate", "a.csv", "b.csv", "c.csv", "--laws", "all", "--runs", "1", "--replicates", "40",
+              "--analysis", "full", "--figures", "all", "--out", "O"} +
         tests);
   ASSERT_TRUE(exists("O/report.html"));
   sound({"report", "O", "--figures", "all", "--out", "again"});
@@ -51,6 +52,7 @@ TEST_F(Outputs, EveryWriterOnAllLawsWithDefaultOptions) {
   EXPECT_EQ(sound({"check", "O"}).code, 0);
   EXPECT_FALSE(sound({"report", "O", "--json", "--figures", "none", "--out", "json"}).out.empty());
   auto const summary = json("O/summary.json");
+  EXPECT_EQ(summary["laws"].size(), laws::catalogue().size());
   for (auto const& law : summary["laws"]) {
     auto const id = law["id"].get<std::string>();
     EXPECT_FALSE(law["lot"].is_null()) << id;
@@ -64,6 +66,20 @@ TEST_F(Outputs, EveryWriterOnAllLawsWithDefaultOptions) {
   }
   sound(Words{"inspect", "a.csv", "b.csv", "c.csv", "--out", "I"} + tests);
   sound(Words{"inspect", "a.csv", "--json"} + tests);
+}
+
+// The example lot as it is written, but for the number of its devices: every option of the search is the user's
+// default.
+TEST_F(Outputs, EveryWriterOnTheExampleLot) {
+  sound({"example", "lot"});
+  auto lot = read("lot/lot.toml");
+  auto const third = lot.find("[[device]]", lot.find("[[device]]", lot.find("[[device]]") + 1) + 1);
+  ASSERT_NE(third, std::string::npos);
+  write("lot/two.toml", lot.substr(0, third));
+  sound({"calibrate", "lot/two.toml", "--figures", "all", "--out", "O"});
+  sound({"report", "O", "--figures", "all", "--out", "again"});
+  EXPECT_EQ(files("O"), files("again"));
+  EXPECT_EQ(sound({"check", "O"}).code, 0);
 }
 
 // bouc-wen knows but the product of Ke and A: its population is of the form with A = 1, and has nothing to say of A.

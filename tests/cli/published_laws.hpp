@@ -1,4 +1,5 @@
-// The laws as the program lists them, and the seven of the paper with their parameters and units as docs/laws.md has them:
+// The laws as the program lists them, and the seven of the paper with their parameters and units as docs/laws.md has
+// them:
 // what a user's script may rely on.
 #pragma once
 

@@ -194,7 +194,7 @@ inline testing::AssertionResult contains(std::string_view text, std::string_view
   return testing::AssertionFailure() << "no '" << part << "' in:\n" << text.substr(0, 4000);
 }
 
-// A message that says everything of STYLE.md: all parts are there, and it came from isolaw, not from a crash.
+// A message that has all these parts, and came from isolaw, not from a crash.
 inline void expect_message(Outcome const& o, int code, std::vector<std::string> const& parts) {
   EXPECT_EQ(o.code, code) << o;
   for (auto const& part : parts) EXPECT_TRUE(contains(o.err, part)) << "exit code " << o.code;

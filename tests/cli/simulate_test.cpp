@@ -231,8 +231,8 @@ TEST_F(Simulate, parameters_that_together_are_no_device_are_refused) {
   expect_refused(isolaw(bouc_wen + Words{"--set", "A=-1"}), {"A = -1 leaves its physical limits; allowed: above 0"});
 }
 
-// What calibrate took, simulate takes: it refuses outright what no device can be, and a search that found its best beyond
-// a limit that its box crosses says so.
+// What calibrate took, simulate takes: it refuses outright what no device can be, and a search that found its best
+// beyond a limit that its box crosses says so.
 TEST_F(Simulate, takes_every_campaign_that_calibrate_made) {
   write("d.csv", csv(record({.strength_kN = 0.5})));
   Words const start{"calibrate", "d.csv", "--laws", "bilinear", "--runs", "1", "--out", "O"};

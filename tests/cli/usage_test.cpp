@@ -136,9 +136,10 @@ TEST_F(Catalogue, lists_the_laws_with_their_number_of_parameters) {
   auto const o = isolaw({"laws"});
   EXPECT_EQ(o.code, 0) << o;
   EXPECT_EQ(count_of("\n", o.out), expected_laws().size());
+  auto const widest = std::ranges::max(expected_laws(), {}, [](auto const& law) { return law.id.size(); }).id.size();
   for (auto const& law : expected_laws()) {
-    auto const line = fmt::format("{:<16} {:<5} {:>2} parameters", law.id, laws::name(laws::find_law(law.id).info.set),
-                                  law.parameters.size());
+    auto const line = fmt::format("{:<{}} {:<5} {:>2} parameters", law.id, widest,
+                                  laws::name(laws::find_law(law.id).info.set), law.parameters.size());
     EXPECT_TRUE(contains(o.out, line));
   }
 }

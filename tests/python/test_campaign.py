@@ -1,4 +1,5 @@
 import json
+import os
 import pathlib
 import tempfile
 import threading
@@ -115,16 +116,7 @@ class Campaigns(unittest.TestCase):
             isolaw.calibrate([], "bilinear")
 
     # Of a setting that is neither a number, a flag nor one of several words.
-    TEXTS = {
-        "laws": ["abe", "bilinear"],
-        "set": ["bilinear.K1=1.5"],
-        "seed": 2**64 - 2,
-        "samples_per_cycle": 50,
-        "dead_band": 0.25,
-        "fit_blocks": "1",
-        "fit_cycles": "2-",
-        "score_blocks": "2",
-    }
+    TEXTS = json.loads((pathlib.Path(os.environ["ISOLAW_SOURCE_DIR"]) / "tests/setting_samples.json").read_text())
 
     def another(self, name, setting):
         """A value that it may have and that is not its default."""
@@ -135,7 +127,7 @@ class Campaigns(unittest.TestCase):
         if setting["limits"]:
             least = setting["limits"][0]
             return 0.25 if isinstance(setting["default"], float) else int(least) + 2
-        return self.TEXTS[name]
+        return self.TEXTS[setting["option"]]
 
     def test_every_setting_is_a_keyword_that_is_stored_and_refused_by_its_name(self):
         t, x, f = arrays()

@@ -43,7 +43,8 @@ TEST(BlockLength, OfIndependentValuesIsShort) {
   EXPECT_LT(mean_block_length(3000, 0.0), 3.0);
 }
 
-// (3/2 (2 rho / (1 - rho^2))^2 n)^(1/3), by Eq. (14) of Politis and White 2004 with the autocovariances of such a series.
+// (3/2 (2 rho / (1 - rho^2))^2 n)^(1/3), by Eq. (14) of Politis and White 2004 with the autocovariances of such a
+// series.
 TEST(BlockLength, OfCorrelatedValuesIsThatOfTheirTheory) {
   for (double const rho : {0.5, 0.9}) {
     double const g = 2.0 * rho / (1.0 - rho * rho), theory = std::cbrt(1.5 * g * g * 3000.0);

@@ -79,7 +79,8 @@ bool holds(std::string const& text, std::string const& part) {
   return text.find(part) != std::string::npos;
 }
 
-// --- every setting ----------------------------------------------------------------------------------------------------
+// --- every setting
+// ----------------------------------------------------------------------------------------------------
 
 TEST(EverySetting, HasADefaultThatItMayHaveAndHelpWhereItIsAnOption) {
   for (auto const& setting : setting_table()) {

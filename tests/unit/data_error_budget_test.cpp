@@ -143,7 +143,7 @@ TEST(ErrorBudget, ASkewBesideFrictionIsWhatIsLeftOfIt) {
 }
 
 TEST(ErrorBudget, NoiseIsNoSkew) {
-  // Noise of displacement, on the steep branch after a reversal, used to read as an early force.
+  // Noise of displacement, on the steep branch after a reversal, looks like an early force.
   for (double const noise : {0.5, 0.75, 1.5})
     for (unsigned seed = 1; seed <= 40; ++seed) {
       auto motion = Motion().sine(150.0, 0.5, 5).end().loop(0.6, 25.0).noise(noise, seed);

@@ -187,7 +187,8 @@ std::string form_name(::testing::TestParamInfo<Form> const& tested) {
 INSTANTIATE_TEST_SUITE_P(Versions, Matlab, ::testing::Values(Form::v5, Form::v7, Form::v73, Form::v73_packed),
                          form_name);
 
-// --- version 5, byte by byte ------------------------------------------------------------------------------------------
+// --- version 5, byte by byte
+// ------------------------------------------------------------------------------------------
 
 std::string word(std::uint32_t value) {
   std::string bytes(4, '\0');
@@ -303,7 +304,8 @@ TEST_F(Mat5, BigEndian) {
   EXPECT_EQ(read(text).disp_mm, disp);
 }
 
-// --- version 7.3 ------------------------------------------------------------------------------------------------------
+// --- version 7.3
+// ------------------------------------------------------------------------------------------------------
 
 class Mat73 : public Files {
  protected:

@@ -1,4 +1,5 @@
 // Measured records, which are not part of the project: the workshop's copies, skipped where they are absent.
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>

@@ -217,7 +217,8 @@ TEST_F(Workbook, AColumnThatIsNotThere) {
       "FILE:Test: no row names the 2 columns, so which is the displacement and which the force cannot be told; allowed: columns A to B; try: --columns disp=1,force=2 --units disp=mm,force=kN, with your numbers and units");
 }
 
-// --- hostile ----------------------------------------------------------------------------------------------------------
+// --- hostile
+// ----------------------------------------------------------------------------------------------------------
 
 TEST_F(Workbook, ABombIsRefused) {
   std::string const blanks(std::size_t{70} << 20, ' ');

@@ -49,7 +49,8 @@ inline std::string csv_of(Named const& columns) {
   return text + '\n';
 }
 
-// --- workbooks --------------------------------------------------------------------------------------------------------
+// --- workbooks
+// --------------------------------------------------------------------------------------------------------
 
 // A sheet as libxlsxwriter writes it: names in row `first` (from 0), values below.
 inline void add_sheet(lxw_workbook* book, std::string const& name, Named const& columns, lxw_row_t first = 0) {
@@ -100,7 +101,8 @@ inline std::string workbook_with(std::filesystem::path const& file, std::string 
   return zip_of(file, parts);
 }
 
-// --- MATLAB -----------------------------------------------------------------------------------------------------------
+// --- MATLAB
+// -----------------------------------------------------------------------------------------------------------
 
 // A file of libmatio: version 5 or 7.3, plain or compressed.
 class MatWriter {

@@ -291,7 +291,8 @@ TEST(PopulationSample, DoesNotDependOnTheCount) {
   EXPECT_NE(few.values, sample(population, 5, num::Stream(4), limits).values);
 }
 
-// Two equal variances: a breath of correlation of either sign turns the axes by 90 degrees, and must not turn the draws.
+// Two equal variances: a breath of correlation of either sign turns the axes by 90 degrees, and must not turn the
+// draws.
 TEST(PopulationSample, DoesNotJumpWhereVariancesCoincide) {
   auto population = estimate_population(two, with(ellipse(3, 3)));
   expect_near(population.covariance, about_the_diagonal(8.0, 8.0), 1e-12);

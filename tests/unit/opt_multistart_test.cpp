@@ -1,5 +1,5 @@
-// Descents from many starts: known least sums of absolute residuals, also at the edges of the box and beyond valleys that
-// mislead, and the promises on counts, repetition, failure and interruption.
+// Descents from many starts: known least sums of absolute residuals, also at the edges of the box and beyond valleys
+// that mislead, and the promises on counts, repetition, failure and interruption.
 #include "isolaw/opt/multistart.hpp"
 
 #include <gtest/gtest.h>

@@ -139,8 +139,8 @@ TEST(Replays, find_a_wrong_normalisation) {
   EXPECT_NE(failure_of(form, subject, realised), "");
 }
 
-// 35 / alpha is the travel that the algebraic material stands; Bouc-Wen of exponent 1 takes its place, and with hardening,
-// where there is no such way out, the law is fitted again.
+// 35 / alpha is the travel that the algebraic material stands; Bouc-Wen of exponent 1 takes its place, and with
+// hardening, where there is no such way out, the law is fitted again.
 TEST(Replays, refuse_the_material_that_turns_into_no_number) {
   auto const fast = subject_of("vaiana", vaiana_parameters(0.0, 0.0, 150.0));  // alpha times travel: 45
   auto const made = realise(fast);

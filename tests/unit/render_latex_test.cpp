@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "isolaw/render/tables/latex_tables.hpp"
+#include "isolaw/render/tables/tables.hpp"
 #include "isolaw/study/front_view.hpp"
 #include "unit/study_fixture.hpp"
 

@@ -54,6 +54,8 @@ TEST(Limits, ComparePeakToPeakStiffnessOfTheThirdCycle) {
   EXPECT_EQ(line.unit, "kN/mm");
   EXPECT_EQ(line.formula, "(F+ - F-)/(d+ - d-), cycle 3");
   EXPECT_EQ(line.limit, "from -20 % to +20 %");
+  EXPECT_EQ(line.lower_percent, -20.0);
+  EXPECT_EQ(line.upper_percent, 20.0);
   EXPECT_EQ(line.clause, "3.1");
   EXPECT_EQ(line.verdict, Verdict::pass);
   EXPECT_EQ(line.reason, "");

@@ -35,6 +35,31 @@ Bound const& bound(LotQuantity const& view, std::string_view source) {
   throw std::logic_error("no bound " + std::string(source));
 }
 
+TEST(LotView, SaysTheLimitOnEachDevice) {
+  auto const lot = lot_view(rules_of(R"([[limit]]
+quantity = "K_eff"
+applies_to = "each"
+within_percent = 20
+[[limit]]
+quantity = "K_eff"
+applies_to = "mean"
+within_percent = 10
+[[limit]]
+quantity = "damping"
+applies_to = "each"
+lower_percent = -10
+)"),
+                            lot_of({1.0, 1.0}), {});
+  auto const &stiffness = of(lot, Quantity::K_eff), &damping = of(lot, Quantity::damping);
+  EXPECT_EQ(stiffness.limit_individual, "from -20 % to +20 %");
+  EXPECT_EQ(stiffness.lower_percent, -20.0);
+  EXPECT_EQ(stiffness.upper_percent, 20.0);
+  EXPECT_EQ(damping.limit_individual, "at least -10 %");
+  EXPECT_EQ(damping.lower_percent, -10.0);
+  EXPECT_EQ(damping.upper_percent, std::nullopt);
+  EXPECT_EQ(of(lot, Quantity::Q_d).limit_individual, "");
+}
+
 TEST(LotView, DescribesTheSpread) {
   // K_eff 1.08, 1.2, 1.32, 1.2: mean 1.2, s = sqrt(2 x 0.12^2/3) = 0.0979796, CoV 8.16497 %; design 1.0.
   // mean +- 1.644854 s = 1.038838, 1.361162. Exact k(4) = 6.3411: 1.2 -+ 0.621298.
@@ -304,7 +329,8 @@ TEST(Bounds, AreLabelledBySource) {
   // k CoV = 6.3411 x 8.16497 = 51.7749 %
   EXPECT_NEAR(bound(view, "statistical, each device").spec.max, 1.517749, 1e-5);
   EXPECT_NEAR(bound(view, "statistical, each device").spec.min, 1 - 0.517749, 1e-5);
-  // 1.95996 x 8.16497/sqrt(28) x sqrt(24/27) = 2.85130 %; t(0.975, 3) = 3.182446 x 8.16497 x sqrt(1/4 - 1/28) = 12.0286 %
+  // 1.95996 x 8.16497/sqrt(28) x sqrt(24/27) = 2.85130 %; t(0.975, 3) = 3.182446 x 8.16497 x sqrt(1/4 - 1/28) = 12.0286
+  // %
   EXPECT_NEAR(bound(view, "statistical, system").spec.max, 1.0285130, 1e-6);
   EXPECT_NEAR(bound(view, "statistical, system predicted").spec.min, 1 - 0.120286, 1e-6);
   EXPECT_EQ(view.bounds.size(), 5u);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "isolaw/study/acceptance_results.hpp"
 #include "isolaw/study/cycle_results.hpp"
 
 namespace isolaw::study {
@@ -48,21 +49,40 @@ void expect_documented(Result<Of> const (&results)[count], std::vector<std::vect
   }
 }
 
+template <class Of, std::size_t count>
+void expect_all_documented(Result<Of> const (&results)[count], std::vector<std::vector<std::string>> const& rows) {
+  expect_documented(results, rows);
+  EXPECT_EQ(rows.size(), count);
+}
+
 TEST(Results, AreDocumentedInTheirOrderWithTheirUnitsAndMeaning) {
-  auto const law = documented("`laws[]`"), lot = documented("`laws[].lot`"), fit = documented("`laws[].devices[]`");
   auto const parameter = documented("`laws[].devices[].parameters`");
-  expect_documented(law_results, law);
-  EXPECT_EQ(law.size(), std::size(law_results));
-  expect_documented(lot_law_results, lot);
-  EXPECT_EQ(lot.size(), std::size(lot_law_results));
-  expect_documented(fit_results, fit);
-  EXPECT_EQ(fit.size(), std::size(fit_results));
-  auto const cycle = documented("`blocks[].cycles[]`", "inspection-json.md");
-  expect_documented(cycle_results, cycle);
-  EXPECT_EQ(cycle.size(), std::size(cycle_results));
+  expect_all_documented(law_results, documented("`laws[]`"));
+  expect_all_documented(lot_law_results, documented("`laws[].lot`"));
+  expect_all_documented(fit_results, documented("`laws[].devices[]`"));
+  expect_all_documented(outlier_results, documented("`outliers[]`"));
   expect_documented(parameter_results, parameter);
   expect_documented(analysis_results, parameter, std::size(parameter_results));
   EXPECT_EQ(parameter.size(), std::size(parameter_results) + std::size(analysis_results));
+}
+
+TEST(Results, OfRecordsAreDocumentedInTheirOrderWithTheirUnitsAndMeaning) {
+  auto const of = [](std::string const& heading) { return documented(heading, "inspection-json.md"); };
+  expect_all_documented(cycle_results, of("`blocks[].cycles[]`"));
+  expect_all_documented(assessment_results, of("An assessment"));
+  expect_all_documented(quantity_results, of("`assessment.lot.quantities[]`"));
+  expect_all_documented(factor_results, of("`assessment.lot.factors[]`"));
+  auto const members = columns(quantity_results, {"lambda_test"})[0].meaning;
+  for (auto const& row : test_factor_results)
+    EXPECT_NE(members.find("`" + std::string(row.key) + "`"), std::string::npos) << row.key;
+}
+
+TEST(Results, HaveAHeadingForEachCell) {
+  EXPECT_EQ(headings(columns(analysis_results, {"open_range"})[0]),
+            (std::vector<std::string>{"open range lower", "open range upper"}));
+  EXPECT_EQ(headings(columns(fit_results, {"objective"})[0]),
+            (std::vector<std::string>{"mean OF [-]", "std OF [-]", "best OF [-]"}));
+  EXPECT_EQ(headings(columns(cycle_results, {"D_y_mm"})[0]), std::vector<std::string>{"D_y [mm]"});
 }
 
 TEST(Results, UndefinedIsNoValue) {

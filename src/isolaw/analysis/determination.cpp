@@ -28,7 +28,8 @@ Point with(Point point, std::size_t coordinate, double value) {
   return point;
 }
 
-// The profiles start from an optimum; should one of them come upon a lower objective, everything starts anew from there.
+// The profiles start from an optimum; should one of them come upon a lower objective, everything starts anew from
+// there.
 class Examination {
  public:
   Examination(fit::LawOnRecord const& model, fit::SearchBox const& box, Point optimum, Interrupted const& interrupted)
@@ -84,8 +85,8 @@ class Examination {
     return static_cast<std::size_t>(&p - box_.parameters.data());
   }
 
-  // What a change of the force of this root mean square, of its standard deviation, raises the objective by `rise_`: the
-  // residuals there are as good as distributed exponentially on both sides, with the objective as mean magnitude.
+  // What a change of the force of this root mean square, of its standard deviation, raises the objective by `rise_`:
+  // the residuals there are as good as distributed exponentially on both sides, with the objective as mean magnitude.
   double visible_change() const { return std::max(std::sqrt(2.0 * best_value_ * rise_), rise_); }
 
   double value_at(Point const& point) {
@@ -135,8 +136,8 @@ class Examination {
   bool is_seen(double force_change) const { return weakly_determined_within * force_change >= visible_change(); }
 
   // A direction of several parameters, since each of these moves the force when it changes alone, by `alone`. Named are
-  // those that change by a tenth or more of what the one that changes most does; and, since a small change counts where a
-  // parameter moves the force much, those whose change moves the force by a tenth or more of the most that any does.
+  // those that change by a tenth or more of what the one that changes most does; and, since a small change counts where
+  // a parameter moves the force much, those whose change moves the force by a tenth or more of the most that any does.
   void add_direction(Vector const& direction, double singular_value, std::vector<std::size_t> const& acting,
                      Vector const& alone) {
     constexpr double takes_part = 0.1;

@@ -1,10 +1,10 @@
-// What a test determines of a law's parameters: how far each may go before the loop gets visibly worse, and which of them
-// trade off.
+// What a test determines of a law's parameters: how far each may go before the loop gets visibly worse, and which of
+// them trade off.
 //
-// A parameter is judged by the profile of the objective: it is held at a value, all others are fitted again. The range in
-// which the objective stays within `rise` of its least value is what the test leaves open. Directions along which several
-// parameters change together and the forces do not are the right singular vectors of the scaled Jacobian (Golub and Van
-// Loan, Matrix Computations, sec. 5.5; for parameters, Raue et al. 2009, Bioinformatics 25, 1923, on profiles).
+// A parameter is judged by the profile of the objective: it is held at a value, all others are fitted again. The range
+// in which the objective stays within `rise` of its least value is what the test leaves open. Directions along which
+// several parameters change together and the forces do not are the right singular vectors of the scaled Jacobian (Golub
+// and Van Loan, Matrix Computations, sec. 5.5; for parameters, Raue et al. 2009, Bioinformatics 25, 1923, on profiles).
 #pragma once
 
 #include <cstddef>
@@ -22,10 +22,11 @@ namespace isolaw::analysis {
 enum class Verdict { determined, weakly_determined, undetermined, at_bound };
 std::string_view name(Verdict verdict);  // "determined", "weakly determined", "undetermined", "at its bound"
 
-// A rise of the objective that nobody sees in the loops: this share of the least value, or this much where that is zero.
+// A rise of the objective that nobody sees in the loops: this share of the least value, or this much where that is
+// zero.
 inline constexpr double visible_rise = 0.01, least_visible_rise = 1e-4;
-// Half of the open range, relative to the parameter (to no less than a hundredth of a box that spans zero), up to which it is
-// determined, and weakly determined.
+// Half of the open range, relative to the parameter (to no less than a hundredth of a box that spans zero), up to which
+// it is determined, and weakly determined.
 inline constexpr double determined_within = 0.05, weakly_determined_within = 0.5;
 
 // The least objective with the parameter held at each of these values, all others fitted again; rising values.

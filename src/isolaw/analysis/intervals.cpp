@@ -25,7 +25,8 @@ double quantile(std::vector<double> sorted, double probability) {
 }
 
 // Mean size of the residuals about each sample, over an eighth of the record: misfits differ from one part of it to
-// another. A narrower window would find the samples that the fit passes through, a tenth of the usual size is the least.
+// another. A narrower window would find the samples that the fit passes through, a tenth of the usual size is the
+// least.
 Vector local_size(Vector const& residuals) {
   constexpr double rounding = 1e-12;
   Index const n = residuals.size(), half = std::max<Index>(1, n / 16);
@@ -38,8 +39,8 @@ Vector local_size(Vector const& residuals) {
   return made;
 }
 
-// Density at zero of residuals of about unit size, by a Gaussian kernel. A fit by least absolute residuals passes through
-// as many samples as it has parameters, whatever the errors there; these are left out.
+// Density at zero of residuals of about unit size, by a Gaussian kernel. A fit by least absolute residuals passes
+// through as many samples as it has parameters, whatever the errors there; these are left out.
 double density_at_zero(Vector const& residuals, Index fitted) {
   std::vector<double> sizes;
   for (double const r : residuals) sizes.push_back(std::abs(r));
@@ -75,8 +76,9 @@ double freedom_lost(std::size_t samples, std::size_t fitted, std::vector<double>
   return independent / std::max(independent - static_cast<double>(fitted), 0.25 * independent);
 }
 
-// Of the sum of weight * sign * derivatives, the signs of a correlation that depends on their distance alone. The products
-// themselves would not do where a few samples decide on a parameter: they are zero there, as are the residuals.
+// Of the sum of weight * sign * derivatives, the signs of a correlation that depends on their distance alone. The
+// products themselves would not do where a few samples decide on a parameter: they are zero there, as are the
+// residuals.
 Matrix variance_of_score(Sensitivity const& seen, std::vector<double> const& correlation) {
   Matrix const rows = seen.weights.asDiagonal() * seen.jacobian;
   Matrix sum = num::transposed_product(rows, rows);

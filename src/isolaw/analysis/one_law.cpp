@@ -35,7 +35,7 @@ std::vector<double> equal_shares(std::size_t devices) {
   return std::vector<double>(devices, 1.0 / static_cast<double>(devices));
 }
 
-// Of the free parameters, coordinate by coordinate.
+// Of the free parameters, coordinate by coordinate; for an even count the upper of the two middle ones, not their mean.
 std::vector<double> median_point(std::span<std::vector<double> const> points) {
   std::vector<double> made(points.front().size());
   std::vector<double> values(points.size());

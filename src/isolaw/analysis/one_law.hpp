@@ -22,14 +22,14 @@ struct OneLaw {
   int evaluations = 0;             // of one device's record each
 };
 
-// The least mean over the devices: descents from each device's own optimum (evenly chosen ones where there are more than a
-// dozen) and from their median. `optima`: all of the law's parameters, per device. nullopt when interrupted or where no
-// start has a finite force on every device.
+// The least mean over the devices: descents from each device's own optimum (evenly chosen ones where there are more
+// than a dozen) and from their median. `optima`: all of the law's parameters, per device. nullopt when interrupted or
+// where no start has a finite force on every device.
 std::optional<OneLaw> least_mean(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
                                  std::span<std::vector<double> const> optima, Interrupted const& interrupted = {});
 
-// The least objective of the worst device, from the law of least mean: shares of the devices are moved towards the worst
-// until the weighted mean, which no law undercuts where its descent is global, is close to the worst.
+// The least objective of the worst device, from the law of least mean: shares of the devices are moved towards the
+// worst until the weighted mean, which no law undercuts where its descent is global, is close to the worst.
 struct LeastWorst {
   OneLaw law;
   double bound = 0.0;  // the largest weighted mean met: the worst device cannot be brought below it
@@ -37,8 +37,8 @@ struct LeastWorst {
 std::optional<LeastWorst> least_worst(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
                                       OneLaw const& mean, Interrupted const& interrupted = {});
 
-// The law of least mean of all devices but one, judged by the one: what an engineer meets who has not tested the device.
-// Descents start from the law of all and from those of the others' own optima that suit the others best.
+// The law of least mean of all devices but one, judged by the one: what an engineer meets who has not tested the
+// device. Descents start from the law of all and from those of the others' own optima that suit the others best.
 struct LeftOut {
   std::vector<double> parameters;
   double objective = 0.0;  // of the device left out

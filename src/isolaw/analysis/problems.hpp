@@ -49,8 +49,8 @@ class Held final : public opt::DeviationProblem {
   double value_;
 };
 
-// One parameter vector for several records: the weighted mean of their objectives. `shares` sum to 1; a record whose share
-// is 0 is not computed.
+// One parameter vector for several records: the weighted mean of their objectives. `shares` sum to 1; a record whose
+// share is 0 is not computed.
 class Joint final : public opt::DeviationProblem {
  public:
   Joint(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box, std::span<double const> shares);

@@ -21,7 +21,8 @@ Sensitivity sensitivity(opt::DeviationProblem const& problem, std::span<double c
 // d value / d coordinate of the unit box.
 double slope(fit::SearchParameter const& parameter, double coordinate);
 
-// What a relative change of a parameter refers to: its size; for one whose box spans zero no less than a hundredth of the box.
+// What a relative change of a parameter refers to: its size; for one whose box spans zero no less than a hundredth of
+// the box.
 double natural_size(fit::SearchParameter const& parameter, double value);
 
 // Free parameters of a box, in its order.

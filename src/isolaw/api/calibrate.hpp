@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "isolaw/campaign/campaign.hpp"
+#include "isolaw/campaign/prepare.hpp"
 #include "isolaw/study/summary.hpp"
 
 namespace isolaw {

@@ -23,7 +23,8 @@ NamedValue parse_named_value(std::string_view text, std::string const& where);
 // id. Throws one Error with every line that is neither; the names are checked by parameters_in_order().
 std::vector<NamedValue> read_parameter_file(std::filesystem::path const& file, laws::LawEntry const& law);
 
-// Whether values that are each within their limits must also be those of a device together. A search may come by others:
+// Whether values that are each within their limits must also be those of a device together. A search may come by
+// others:
 // they have no objective, or a poor one.
 enum class Together { checked, left };
 

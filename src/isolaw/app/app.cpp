@@ -12,13 +12,13 @@
 #include <new>
 #include <ranges>
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/say.hpp"
+#include "isolaw/app/usage.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
@@ -71,8 +71,9 @@ void add_calibrate(CLI::App& c, CalibrateArguments& a) {
     if (!setting.stored_only) add_option(c, setting, a.settings);
   add_reading(c, a.read);
   add_acceptance(c, a.acceptance);
-  c.add_option("--jobs", a.jobs, "threads, 0 to 4096 (one per core); the results do not depend on it")
-      ->check(CLI::Range(0, 4096));
+  c.add_option("--jobs", a.jobs,
+               fmt::format("threads, 0 to {} (one per core); the results do not depend on it", campaign::most_jobs))
+      ->check(CLI::Range(0, campaign::most_jobs));
   c.add_option("--out", a.out, "directory of the results (out/<name of the lot>)");
   add_figures(c, a.figures);
   c.add_flag("--fresh", a.fresh, "start over where the directory holds another campaign");
@@ -100,99 +101,6 @@ void add_simulate(CLI::App& c, SimulateArguments& a) {
   c.add_option("--out", a.out, "file to write, instead of standard output");
 }
 
-// --- wrong usage in our own words ------------------------------------------------------------------------------------
-
-// Insertions, deletions and exchanges that make one word of the other.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    auto diagonal = std::exchange(row[0], i);
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      auto const exchanged = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, exchanged}));
-    }
-  }
-  return row.back();
-}
-
-// Empty when none is within `furthest` changes.
-std::string nearest(std::string_view word, std::vector<std::string> const& known, std::size_t furthest) {
-  std::string near;
-  for (auto const& other : known)
-    if (auto const distance = edit_distance(word, other); distance <= furthest) {
-      near = other;
-      if (distance == 0) break;
-      furthest = distance - 1;
-    }
-  return near;
-}
-
-std::vector<std::string> names_of_options(CLI::App const& command) {
-  std::vector<std::string> names;
-  for (auto const* option : command.get_options())
-    for (auto const& name : option->get_lnames()) names.push_back("--" + name);
-  return names;
-}
-
-std::vector<std::string> names_of_commands(CLI::App& app) {
-  std::vector<std::string> names;
-  for (auto const* command : app.get_subcommands([](CLI::App*) { return true; })) names.push_back(command->get_name());
-  return names;
-}
-
-std::vector<Complaint> about_extra_words(CLI::App const& command, std::string const& advice) {
-  std::vector<Complaint> complaints;
-  constexpr std::size_t longest = 100;
-  for (auto const& word : command.remaining(true)) {
-    if (!word.starts_with('-')) {
-      complaints.push_back({word, "nothing more is expected here", {}, advice});
-      continue;
-    }
-    auto const name = word.substr(0, std::min(word.find('='), longest));
-    auto const known = names_of_options(command);
-    auto const near = nearest(name, known, 3);
-    complaints.push_back({name, "no such option", joined(known), near.empty() ? advice : near + ", or " + advice});
-  }
-  return complaints;
-}
-
-// The option the library's message speaks of: "Could not convert: --runs = many", "--out: 1 required TEXT missing".
-CLI::Option const* option_of(CLI::App const& command, std::string_view message) {
-  for (auto const* option : command.get_options()) {
-    auto const name = option->get_name();
-    auto const at = message.find(name);
-    if (at == std::string_view::npos) continue;
-    auto const after = message.substr(at + name.size());
-    if (after.empty() || after.front() == ':' || after.front() == ' ') return option;
-  }
-  return nullptr;
-}
-
-std::vector<Complaint> usage_complaints(CLI::App& app, CLI::ParseError const& error) {
-  auto const chosen = app.get_subcommands();
-  auto const& command = chosen.empty() ? app : *chosen.front();
-  auto const advice = chosen.empty() ? std::string("isolaw --help") : "isolaw " + command.get_name() + " --help";
-  bool const required = dynamic_cast<CLI::RequiredError const*>(&error) != nullptr;
-  if (required || dynamic_cast<CLI::ExtrasError const*>(&error) != nullptr)
-    if (auto complaints = about_extra_words(command, advice); !complaints.empty()) return complaints;
-  if (chosen.empty()) return {{"isolaw", "a subcommand is required", joined(names_of_commands(app)), advice}};
-  std::string const message = error.what();
-  if (required) return {{"isolaw " + command.get_name(), message, {}, advice}};
-  auto const* option = option_of(command, message);
-  if (option == nullptr) return {{"isolaw " + command.get_name(), message, {}, advice}};
-  if (auto const times = option->results().size(); times > 1 && option->get_items_expected_max() == 1)
-    return {
-        {option->get_name(), fmt::format("is given {} times: {}", times, joined(option->results())), "once", advice}};
-  bool const number = dynamic_cast<CLI::ConversionError const*>(&error) != nullptr;
-  bool const whole = number && option->get_type_name() == "INT";
-  auto const value = option->results().empty() ? std::string() : option->results().back();
-  auto const found = number ? fmt::format("'{}' is no {}", value, whole ? "whole number of ordinary size" : "number")
-                     : value.empty() ? std::string("needs a value")
-                                     : fmt::format("'{}' is not allowed", value);
-  return {{option->get_name(), found, option->get_description(), advice}};
-}
-
 int dispatch(CLI::App& app, int argc, char** argv) {
   std::vector<std::pair<CLI::App*, std::function<int()>>> commands;
   auto const add = [&](char const* name, char const* description, std::function<int()> run) -> CLI::App& {
@@ -200,7 +108,7 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   };
 
   CalibrateArguments calibrate_arguments;
-  add_calibrate(add("calibrate", "Identify every law on every device; statistics, ranking, report",
+  add_calibrate(add("calibrate", "Identify the laws on every device; statistics, ranking, report",
                     [&] {
                       return calibrate(calibrate_arguments, {argv, argv + argc});
                     }),
@@ -293,20 +201,17 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   laws_command.add_flag("--json", json, "for machines");
   laws_command.add_flag("--markdown", markdown, "all of them as a page");
 
+  std::vector<std::string> keywords, other_keywords;
+  auto& keywords_command = add("keywords", "Tables of options as parameters of the Python package, for its stub",
+                               [&] { return list_keywords(keywords, other_keywords); });
+  keywords_command.group("");
+  keywords_command.add_option("which", keywords, "settings, acceptance, reading, motion, or single ones")->required();
+  keywords_command.add_option("--but", other_keywords, "not these");
+
   auto& example_command = add("example", "Write the built-in example lot", [&] { return example(directory); });
   example_command.add_option("directory", directory, "where to")->required();
 
-  if (argc > 1 && argv[1][0] != '-') {
-    auto const known = names_of_commands(app);
-    if (std::ranges::find(known, argv[1]) == known.end()) {
-      auto const word = std::string(argv[1]).substr(0, 100);
-      auto const near = nearest(word, known, 2);
-      throw Error({.where = "isolaw " + word,
-                   .found = "no such command",
-                   .allowed = joined(known),
-                   .advice = (near.empty() ? "" : "isolaw " + near + ", or ") + "isolaw --help"});
-    }
-  }
+  require_known_command(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (CLI::ParseError const& error) {

@@ -96,9 +96,11 @@ int list_laws(std::string const& id, bool json, bool markdown) {
     fmt::print("{}\n", catalogue_json());
     return exit_done;
   }
+  std::size_t widest = 0;
+  for (auto const& law : laws::catalogue()) widest = std::max(widest, law.info.id.size());
   for (auto const& law : laws::catalogue())
-    fmt::print("{:<16} {:<5} {:>2} parameters  {}\n", law.info.id, laws::name(law.info.set), law.parameters.size(),
-               law.info.title);
+    fmt::print("{:<{}} {:<5} {:>2} parameters  {}\n", law.info.id, widest, laws::name(law.info.set),
+               law.parameters.size(), law.info.title);
   return exit_done;
 }
 

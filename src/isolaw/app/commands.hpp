@@ -91,6 +91,8 @@ int list_rules(std::string const& name);
 int check(std::filesystem::path const& directory);
 int bench(bool json);
 int list_laws(std::string const& id, bool json, bool markdown);
+// Of whole tables (settings, acceptance, reading, motion) and of single rows, as parameters of Python.
+int list_keywords(std::vector<std::string> const& which, std::vector<std::string> const& but);
 int example(std::filesystem::path const& directory);
 
 }  // namespace isolaw::app

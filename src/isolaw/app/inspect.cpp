@@ -13,7 +13,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/file.hpp"
 #include "isolaw/base/printable.hpp"
-#include "isolaw/campaign/campaign.hpp"
+#include "isolaw/campaign/prepare.hpp"
 #include "isolaw/data/read.hpp"
 #include "isolaw/data/sheet_choice.hpp"
 #include "isolaw/render/json/inspection_json.hpp"

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <ranges>
 
 #include "isolaw/api/calibrate.hpp"
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/data/reading.hpp"
 #include "isolaw/rules/measured.hpp"
@@ -44,12 +46,11 @@ std::string folder_name(std::filesystem::path const& directory) {
   return path.filename().string();
 }
 
+constexpr std::array<std::string_view, 9> record_extensions{".csv", ".tsv", ".txt",  ".dat", ".asc",
+                                                            ".lvm", ".mat", ".xlsx", ".json"};
+
 bool is_record_name(std::filesystem::path const& file) {
-  static constexpr std::array extensions{".csv", ".tsv", ".txt", ".dat", ".asc", ".lvm", ".mat", ".xlsx", ".json"};
-  auto extension = file.extension().string();
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-  return std::ranges::find(extensions, std::string_view(extension)) != extensions.end();
+  return std::ranges::find(record_extensions, lower(file.extension().string())) != record_extensions.end();
 }
 
 }  // namespace
@@ -67,7 +68,9 @@ std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path>
     if (inside.empty())
       throw Error({.where = input.string(),
                    .found = "a directory without test records",
-                   .allowed = "files ending in .csv, .tsv, .txt, .dat, .asc, .lvm, .mat, .xlsx or .json",
+                   .allowed = fmt::format("files ending in {} or {}",
+                                          joined(record_extensions | std::views::take(record_extensions.size() - 1)),
+                                          record_extensions.back()),
                    .advice = "naming the files themselves"});
     std::ranges::sort(inside);
     files.insert(files.end(), inside.begin(), inside.end());

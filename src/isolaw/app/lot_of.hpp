@@ -9,8 +9,8 @@ namespace isolaw::app {
 // The lot file or the lot of the files named, with the options of the command line laid over it.
 campaign::Lot lot_of(CalibrateArguments const& arguments);
 
-// The files named; in place of a directory the records in it by name, directories below it left out. Throws Error for one
-// without records.
+// The files named; in place of a directory the records in it by name, directories below it left out. Throws Error for
+// one without records.
 std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path> const& inputs);
 
 // A lot file with the built-in rule sets known by their names.

@@ -15,9 +15,9 @@
 
 namespace isolaw::app {
 
-// Every message goes through here. What was printed before goes out first: where both streams go to one file, no message
-// stands within a line of the output. Nothing is done about a failure: a terminal that was closed must not cost a campaign
-// its orderly end.
+// Every message goes through here. What was printed before goes out first: where both streams go to one file, no
+// message stands within a line of the output. Nothing is done about a failure: a terminal that was closed must not cost
+// a campaign its orderly end.
 template <class... Args>
 void say(fmt::format_string<Args...> format, Args&&... args) {
   fmt::memory_buffer text;  // without an allocation for a message of usual length: memory may be what is missing

@@ -63,7 +63,8 @@ std::string read_file(fs::path const& file, ReadLimits const& limits) {
     if (size > limits.largest_bytes) refuse("is " + size_text(size, limits.largest_bytes), limits.when_too_large);
   };
 
-  // Looked at before it is opened, since opening a device may set it going, and after, since it may have been exchanged.
+  // Looked at before it is opened, since opening a device may set it going, and after, since it may have been
+  // exchanged.
   struct stat status {};
   if (::stat(file.c_str(), &status) != 0) {
     bool const missing = errno == ENOENT || errno == ENOTDIR;

@@ -24,8 +24,8 @@ std::string read_file(std::filesystem::path const& file, ReadLimits const& limit
 // "a pipe" or the like when the name is taken by something that is no plain file, links followed; nullopt otherwise.
 std::optional<std::string> other_than_plain(std::filesystem::path const& file);
 
-// Where `file` really leads when that is neither `folder` nor below it, links followed; nullopt when it stays. What does
-// not exist yet counts by its name. A name that cannot be followed (a circle of links) leads outside.
+// Where `file` really leads when that is neither `folder` nor below it, links followed; nullopt when it stays. What
+// does not exist yet counts by its name. A name that cannot be followed (a circle of links) leads outside.
 std::optional<std::filesystem::path> leads_outside(std::filesystem::path const& file,
                                                    std::filesystem::path const& folder);
 

@@ -1,6 +1,7 @@
 #include "isolaw/base/option.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,6 +46,28 @@ std::string OptionInfo::option() const {
 
 std::string OptionInfo::python() const {
   return keyword.empty() ? with(key, '-', '_') : std::string(keyword);
+}
+
+std::string OptionInfo::python_type() const {
+  if (!words.empty())
+    return fmt::format("{}Literal[\"{}\"]", type.empty() ? "" : fmt::format("{} | ", type), fmt::join(words, "\", \""));
+  if (!type.empty()) return std::string(type);
+  switch (kind) {
+    case Kind::flag:
+      return "bool";
+    case Kind::whole:
+      return "int";
+    case Kind::real:
+      return "float";
+    case Kind::text:
+      return "str";
+    case Kind::list:
+    case Kind::repeated:
+      return "str | Sequence[str]";
+    case Kind::assignments:
+      return "str | Mapping[str, str | int]";
+  }
+  return {};
 }
 
 Json value_of(Kind kind, std::vector<std::string> const& words) {

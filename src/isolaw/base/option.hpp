@@ -1,5 +1,5 @@
-// An option of the program as one row of a table: what it is called, what it may be, where it is kept. A way in (command
-// line, lot file, store, Python) makes a JSON value of what it was given; the row alone judges it.
+// An option of the program as one row of a table: what it is called, what it may be, where it is kept. A way in
+// (command line, lot file, store, Python) makes a JSON value of what it was given; the row alone judges it.
 #pragma once
 
 #include <algorithm>
@@ -44,9 +44,11 @@ struct OptionInfo {
   std::optional<Limits> limits = {};
   std::vector<std::string_view> words = {};  // where it is one of these
   std::string_view keyword = {};             // in Python, where that is not the key with underscores
+  std::string_view type = {};                // in Python, where kind and words do not say it
 
   std::string option() const;  // on the command line, without its dashes, and in a lot file
   std::string python() const;
+  std::string python_type() const;  // as the stub of the package has it: float, Literal["best", "ga"]
   std::string where() const { return "--" + option(); }  // of a complaint
 };
 
@@ -56,7 +58,8 @@ struct Option : OptionInfo {
   std::function<void(Target&, Json const&)> set;  // throws Error, which leaves `where` to the way in
 };
 
-// --- ways in and out ---------------------------------------------------------------------------------------------------
+// --- ways in and out
+// ---------------------------------------------------------------------------------------------------
 
 // What a way in was given, by key.
 using Values = std::map<std::string, Json, std::less<>>;
@@ -88,7 +91,8 @@ void lay_over(Rows const& rows, Values const& given, Target& target) {
   });
 }
 
-// --- judges: throw Error -----------------------------------------------------------------------------------------------
+// --- judges: throw Error
+// -----------------------------------------------------------------------------------------------
 
 int whole_of(Json const& value, Limits const& limits);
 double real_of(Json const& value, Limits const& limits);
@@ -96,7 +100,8 @@ bool flag_of(Json const& value);
 std::string text_in(Json const& value);
 [[noreturn]] void refuse(Json const& value, std::string allowed);
 
-// --- rows --------------------------------------------------------------------------------------------------------------
+// --- rows
+// --------------------------------------------------------------------------------------------------------------
 
 // The place of a member, or of a member's member.
 constexpr auto at(auto... path) {
@@ -147,6 +152,7 @@ Option<Target> word(std::string_view key, std::string help, Place place,
   std::vector<std::pair<std::string_view, T>> const all(std::begin(words), std::end(words));
   Option<Target> made{{.key = key, .help = std::move(help)}, {}, {}};
   for (auto const& [text, meant] : all) made.words.push_back(text);
+  if (std::is_same_v<T, bool>) made.type = "bool";
   made.get = [=](Target const& from) -> Json {
     return std::ranges::find(all, place(from), [](auto& w) { return w.second; })->first;
   };

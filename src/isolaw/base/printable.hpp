@@ -1,5 +1,5 @@
-// Text of files that others wrote, before it reaches a terminal, a message or a table: control characters could move the
-// cursor, forge lines or reorder what is read.
+// Text of files that others wrote, before it reaches a terminal, a message or a table: control characters could move
+// the cursor, forge lines or reorder what is read.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,8 @@ std::size_t utf8_length(std::string_view bytes);
 // UTF-8 without control characters, line and paragraph separators, and marks that turn the direction of writing.
 bool is_printable(std::string_view text);
 
-// What is not printable is spelled out: \n, \x1b, \u202e. Printable text comes back as it is; `keep_lines` keeps \n too.
+// What is not printable is spelled out: \n, \x1b, \u202e. Printable text comes back as it is; `keep_lines` keeps \n
+// too.
 std::string printable(std::string_view text, bool keep_lines = false);
 
 // 'text' for a message, cut to a readable length, control characters spelled out.

@@ -59,8 +59,8 @@ class TomlTable {
   // A text or a list of texts, one take() each.
   void strings(std::string_view key, std::function<void(std::string const&)> const& take,
                std::size_t longest = longest_text);
-  // Calls take() with the value of the key, when it is there: of a list once for each item, with those before it that were
-  // taken; of a table once for each entry. What take() refuses is said at the line of the item.
+  // Calls take() with the value of the key, when it is there: of a list once for each item, with those before it that
+  // were taken; of a table once for each entry. What take() refuses is said at the line of the item.
   void json(std::string_view key, std::function<void(Json const&)> const& take, std::size_t longest = longest_text);
   // A sub-table; nullptr when there is none.
   toml::table const* table(std::string_view key);

@@ -151,9 +151,10 @@ class Analysis {
       auto const& [lot, place] = tasks[i];
       LeftOutAnalysis found{.device = lot->devices[place], .law = std::string(lot->law)};
       found.left_out.objective = std::nan("");
-      auto const& of_all = lot_analysis_of(lot->law)->mean.parameters;
-      auto left_out =
-          of_all.empty() ? std::nullopt : analysis::leave_out(lot->pointers(), lot->box, of_all, lot->optima, place);
+      auto const* of_all = lot_analysis_of(lot->law);
+      auto left_out = of_all == nullptr || of_all->mean.parameters.empty()
+                          ? std::nullopt
+                          : analysis::leave_out(lot->pointers(), lot->box, of_all->mean.parameters, lot->optima, place);
       if (left_out) found.left_out = std::move(*left_out);
       return std::optional(std::move(found));
     });

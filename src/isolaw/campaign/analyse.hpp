@@ -1,4 +1,5 @@
-// After the runs: what each device's test determines of a law, one law for all devices, and that law without each of them.
+// After the runs: what each device's test determines of a law, one law for all devices, and that law without each of
+// them.
 #pragma once
 
 #include <cstddef>

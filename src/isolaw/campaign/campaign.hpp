@@ -1,4 +1,4 @@
-// Devices x laws x runs: prepared, identified in parallel, stored as they finish.
+// Devices x laws x runs: identified in parallel, stored as they finish.
 #pragma once
 
 #include <cstddef>
@@ -8,28 +8,8 @@
 #include <string>
 
 #include "isolaw/campaign/contents.hpp"
-#include "isolaw/campaign/lot_file.hpp"
 
 namespace isolaw::campaign {
-
-// Reads and cleans every record and makes every box. A device that cannot be used is kept with its reason; throws Error
-// only when none is usable.
-Contents prepare(Lot const& lot);
-
-// A record that a program holds already; its name counts as a device's in a lot file does.
-struct NamedRecord {
-  std::string name;
-  data::TestRecord record;
-  DeviceInfo info = {};
-};
-// The same of these. Throws Error also for names that no lot file could hold.
-Contents prepare(std::vector<NamedRecord> records, Settings const& settings, std::string const& title);
-
-// Only that: devices as they are read and cleaned, no boxes, none of the laws. Never throws for a device.
-Contents prepare_devices(Lot const& lot);
-
-// Where a law is searched on a record under these settings.
-fit::SearchBox search_box(laws::LawEntry const& law, data::FitRecord const& record, Settings const& settings);
 
 struct Progress {
   std::size_t done = 0, total = 0;
@@ -38,7 +18,7 @@ struct Progress {
 };
 
 struct RunOptions {
-  int jobs = 0;                                    // threads; 0: one per core
+  int jobs = 0;                                    // threads, up to most_jobs; 0: one per core
   std::function<void(Progress const&)> progress;   // called from one thread at a time; must not throw
   std::function<bool()> interrupted;               // asked between generations or starts, from any thread
   std::function<void(int)> short_of_threads = {};  // told at the end how many there were where the system gave fewer

@@ -11,8 +11,8 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/campaign/analyse.hpp"
-#include "isolaw/campaign/campaign.hpp"
 #include "isolaw/campaign/maker.hpp"
+#include "isolaw/campaign/prepare.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/data/clean.hpp"
 #include "isolaw/fit/objective.hpp"

@@ -65,8 +65,7 @@ void require_maker(Contents const& campaign, std::size_t maker) {
 }
 
 void require_refinement(int refinement) {
-  constexpr int finest = 64;
-  if (refinement < 1 || refinement > finest) fail(fmt::format("{} steps per sample", refinement));
+  if (refinement < 1 || refinement > finest_refinement) fail(fmt::format("{} steps per sample", refinement));
 }
 
 // nullptr where it was not searched.

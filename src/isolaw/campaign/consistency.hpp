@@ -1,5 +1,5 @@
-// What readers of Contents rely on: indices and lengths that fit together. Asked when a store is read, of whatever file it
-// is, and before anything is written: what a reader refuses is never stored.
+// What readers of Contents rely on: indices and lengths that fit together. Asked when a store is read, of whatever file
+// it is, and before anything is written: what a reader refuses is never stored.
 #pragma once
 
 #include "isolaw/campaign/contents.hpp"

@@ -55,6 +55,9 @@ struct Search {
 using opt::Outcome;  // an interrupted run is not kept
 std::string_view name(Outcome outcome);
 
+// Steps per sample, a power of four: what a search may end on.
+inline constexpr int finest_refinement = 64;
+
 struct Run {
   std::size_t device = 0;
   std::string law;

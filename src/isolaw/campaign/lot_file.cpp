@@ -21,7 +21,6 @@ namespace isolaw::campaign {
 namespace {
 
 constexpr std::size_t longest_path = 4096;
-constexpr int most_jobs = 4096;
 
 void read_settings(TomlTable& table, Settings& settings) {
   bool method_given = false;

@@ -55,8 +55,8 @@ CREATE TABLE left_out (
   device INTEGER NOT NULL, law TEXT NOT NULL, json TEXT NOT NULL, maker INTEGER NOT NULL REFERENCES maker(id), PRIMARY KEY (device, law)) WITHOUT ROWID;
 )sql";
 
-// What a schema added to the table before it: in an older store the declaration lacks these words, and its rows are read as
-// if they held `before`, an SQL value.
+// What a schema added to the table before it: in an older store the declaration lacks these words, and its rows are
+// read as if they held `before`, an SQL value.
 struct Addition {
   int since;
   char const *table, *column, *words, *before;
@@ -147,8 +147,8 @@ Declarations declarations_of(int version) {
       {.where = file.string(), .found = "not a campaign store of isolaw", .allowed = "campaign.sqlite of a campaign"});
 }
 
-// A store of ours, of a schema this version knows. Its tables must be declared word by word as ours: a view or a computed
-// column in place of one could run without end, or fill the memory; a trigger could change what is written.
+// A store of ours, of a schema this version knows. Its tables must be declared word by word as ours: a view or a
+// computed column in place of one could run without end, or fill the memory; a trigger could change what is written.
 int checked_version(Connection const& db, std::filesystem::path const& file) {
   auto const theirs = declarations(db);
   auto const present = declarations_of(schema_version);
@@ -179,7 +179,7 @@ int checked_version(Connection const& db, std::filesystem::path const& file) {
 std::string rows_as_present(std::string const& table, int version) {
   for (auto const& added : added_tables)
     if (version < added.since && table == added.table) return added.rows;
-  std::string columns;
+  std::vector<std::string> columns;
   bool changed = false;
   Statement present(empty_store(), "SELECT name FROM pragma_table_info(?)");
   present.bind(table);
@@ -188,11 +188,10 @@ std::string rows_as_present(std::string const& table, int version) {
     auto const added = std::ranges::find_if(
         additions, [&](Addition const& a) { return version < a.since && table == a.table && column == a.column; });
     bool const missing = added != additions.end();
-    columns += columns.empty() ? "" : ", ";
-    columns += missing ? fmt::format("{} AS \"{}\"", added->before, column) : fmt::format("\"{}\"", column);
+    columns.push_back(missing ? fmt::format("{} AS \"{}\"", added->before, column) : fmt::format("\"{}\"", column));
     changed = changed || missing;
   }
-  return changed ? fmt::format("SELECT {} FROM main.\"{}\"", columns, table) : std::string();
+  return changed ? fmt::format("SELECT {} FROM main.\"{}\"", joined(columns), table) : std::string();
 }
 
 // Reads as one of the present schema from now on; the file is not changed.

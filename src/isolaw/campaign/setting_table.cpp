@@ -58,9 +58,9 @@ void set_seed(S& s, Json const& value) {
   s.seed = *seed;
 }
 
-// The number of a row, or a word that stands for none.
+// The number of a row, or a word that stands for none; `type` is that of both.
 template <class Place>
-Setting number_or(std::string_view word, Place place, Option<S> row) {
+Setting number_or(std::string_view word, std::string_view type, Place place, Option<S> row) {
   row.get = [=](S const& s) { return place(s) ? Json(*place(s)) : Json(word); };
   row.set = [=, judge = row.set, kind = row.kind](S& s, Json const& value) {
     if (value == Json(word))
@@ -69,12 +69,13 @@ Setting number_or(std::string_view word, Place place, Option<S> row) {
       judge(s, value.is_string() ? value_of(kind, {value.get<std::string>()}) : value);
   };
   row.kind = Kind::text;
+  row.type = type;
   return {row};
 }
 
 Setting thinning() {
   auto const place = at(&S::clean, &Clean::samples_per_cycle);
-  return number_or("all", place,
+  return number_or("all", "int | Literal[\"all\"] | None", place,
                    number<S>("samples-per-cycle", "thin records to this many samples per cycle", place,
                              {.least = 20, .most = std::numeric_limits<int>::max(), .words = "20 or more, or all"}));
 }
@@ -82,7 +83,7 @@ Setting thinning() {
 Setting dead_band() {
   auto const place = at(&S::clean, &Clean::dead_band_mm);
   return number_or(
-      "auto", place,
+      "auto", "float | Literal[\"auto\"]", place,
       number<S>("dead-band", "tremor in mm that is no motion to laws that remember turning points", place,
                 {.least = 0, .most = 1e4, .words = "0 to 10000, or auto: three deviations of each record's noise"}));
 }
@@ -147,7 +148,9 @@ std::vector<Setting> make_settings() {
       constant("most_evaluations", &Best::most_evaluations, {.least = 1, .most = 1e9}),
       constant("scattered", &Best::scattered, {.least = 1, .most = 10'000}),
       constant("hops", &Best::hops, {.least = 0, .most = 10'000}),
-      {{{.key = "seed", .help = "seed of the campaign (1)"}, [](S const& s) -> Json { return s.seed; }, set_seed}},
+      {{{.key = "seed", .help = "seed of the campaign (1)", .type = "int"},
+        [](S const& s) -> Json { return s.seed; },
+        set_seed}},
       {word<S>("box", "search box: auto, scaled from each record (default), or published, Table 4 of the paper",
                at(&S::box), boxes)},
       {{{.key = "set",
@@ -193,12 +196,15 @@ void set_rules(Acceptance& to, Json const& value) {
 std::vector<Option<Acceptance>> make_acceptance() {
   auto const unless_empty = [](std::string const& text) { return text.empty() ? Json() : Json(text); };
   return {
-      {{.key = "rules", .help = "rule set the tests are held to: a name (isolaw rules) or a file"},
+      {{.key = "rules",
+        .help = "rule set the tests are held to: a name (isolaw rules) or a file",
+        .type = "str | PathLike[str]"},
        [=](Acceptance const& a) { return unless_empty(a.rules_file); },
        set_rules},
       {{.key = "design",
         .kind = Kind::assignments,
-        .help = "design values: K_eff=1.2,damping=15,disp=150,frequency=0.5,..."},
+        .help = "design values: K_eff=1.2,damping=15,disp=150,frequency=0.5,...",
+        .type = "str | Mapping[str, float]"},
        [=](Acceptance const& a) { return unless_empty(a.design); },
        set_design},
       number<Acceptance>("lot-size", "devices of the production lot, tested or not", at(&Acceptance::lot_size),

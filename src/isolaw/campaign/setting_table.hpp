@@ -1,5 +1,5 @@
-// Every setting of a campaign once, and every option of what its tests are held to: command line, lot file, store, comparison on resume, the command in the report, Python and
-// docs/cli.md are made from these tables.
+// Every setting of a campaign once, and every option of what its tests are held to: command line, lot file, store,
+// comparison on resume, the command in the report, Python and docs/cli.md are made from these tables.
 #pragma once
 
 #include <optional>

@@ -18,6 +18,8 @@ namespace isolaw::campaign {
 // best: descents from many starts, to the least objective there is. genetic: the paper's search.
 enum class Method { best, genetic };
 
+inline constexpr int most_jobs = 4096;  // threads that may be asked for, which decide no number
+
 struct Settings {
   std::vector<std::string> laws;  // ids, in the order of reports; empty: the usual ones
   Method method = Method::best;
@@ -38,15 +40,16 @@ struct Settings {
   void validate() const;  // throws Error
 };
 
-// Every setting of the method with its value as JSON text, in a fixed order; and back. Throws Error: one that is missing,
-// or not what it may be.
+// Every setting of the method with its value as JSON text, in a fixed order; and back. Throws Error: one that is
+// missing, or not what it may be.
 std::vector<std::pair<std::string, std::string>> to_pairs(Settings const& settings);
 Settings settings_from_pairs(std::vector<std::pair<std::string, std::string>> const& pairs);
 
 // What runs where no laws are asked for.
 inline constexpr std::string_view usual_laws = laws::law_sets[1].first;
 
-// "paper", "usual", "all" or ids, by commas: the ids of known laws without repetition. Throws Error that lists the laws.
+// "paper", "usual", "all" or ids, by commas: the ids of known laws without repetition. Throws Error that lists the
+// laws.
 std::vector<std::string> parse_laws(std::string_view text);
 int parse_lot_size(std::string_view text);  // 1 to 10,000,000
 

@@ -38,7 +38,8 @@ void fold_log(std::filesystem::path const& file) {
   }
 }
 
-// What a reader would refuse must not be stored, where it would cost all that was computed before: it is our own mistake.
+// What a reader would refuse must not be stored, where it would cost all that was computed before: it is our own
+// mistake.
 template <class Require>
 void require_readable(Require&& require) {
   try {

@@ -34,7 +34,8 @@ class Store {
   // series are left out, which read() holds as they are.
   static std::vector<std::string> foreign_rows(std::filesystem::path const& file, Contents const& contents);
 
-  // Each is one transaction; not thread-safe. Throws std::logic_error, and writes nothing, for what read() would refuse.
+  // Each is one transaction; not thread-safe. Throws std::logic_error, and writes nothing, for what read() would
+  // refuse.
   void add(Run const& run);
   void add(DeviceAnalysis const& analysis);
   void add(LotAnalysis const& analysis);

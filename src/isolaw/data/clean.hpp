@@ -28,7 +28,8 @@ std::vector<double> central_difference(std::vector<double> const& time_s, std::v
 // In this order: centring, by (max + min) / 2 of the raw reported cycle; moving average of `smooth`; where a cycle has
 // at least twice the samples asked for, k = floor(ratio) >= 2, a moving average of the odd window k or k + 1; velocity;
 // every k-th sample, from the first. Velocity is taken before samples are dropped, so that thinning costs it nothing.
-// Thinning needs cycles: a record that is not cyclic, or has no complete one, keeps all samples. Throws Error for a record without samples.
+// Thinning needs cycles: a record that is not cyclic, or has no complete one, keeps all samples. Throws Error for a
+// record without samples.
 FitRecord clean(TestRecord const& raw, CleanOptions const& options);
 
 // The play that hides noise of the displacement: three of its standard deviations, beyond which one sample in 400 lies.

@@ -1,5 +1,5 @@
-// Work on a file of others by a library that such a file may bring down: in a process of its own, with a limit on memory
-// and time, that opens no file and leaves nothing behind. What ends it ends as an outcome here.
+// Work on a file of others by a library that such a file may bring down: in a process of its own, with a limit on
+// memory and time, that opens no file and leaves nothing behind. What ends it ends as an outcome here.
 #pragma once
 
 #include <cstddef>
@@ -22,8 +22,8 @@ struct ConfinedResult {
   std::string failure;  // why there is none; empty when the work ended well
 };
 
-// Runs `work` in a copy of this process; it hands over its result through `write`, and an exception's text as a failure.
-// Throws std::system_error where no process can be made.
+// Runs `work` in a copy of this process; it hands over its result through `write`, and an exception's text as a
+// failure. Throws std::system_error where no process can be made.
 ConfinedResult run_confined(std::function<void(std::function<void(std::string_view)> const& write)> const& work,
                             ConfinedLimits const& limits);
 

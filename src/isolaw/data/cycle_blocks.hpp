@@ -23,10 +23,10 @@ struct Shape : CycleCut {
 
 // Blocks and numbers of the cycles. A block is a run of cycles of one amplitude (within 5 %) and one frequency. A lone
 // cycle is a block of its own where it is symmetric, as in a test of one cycle per stage; where it is uneven, or within
-// 15 % of a run of three or more beside it, as when a rig builds up its amplitude, it belongs uncounted to that block. A
-// change of frequency has to last: for two cycles or more, which agree with one another, as those before do, four times
-// better than the change of 5 % or more. A cycle whose period is more than a factor of 1.4 from its block's does not
-// count. `unit` of the periods.
+// 15 % of a run of three or more beside it, as when a rig builds up its amplitude, it belongs uncounted to that block.
+// A change of frequency has to last: for two cycles or more, which agree with one another, as those before do, four
+// times better than the change of 5 % or more. A cycle whose period is more than a factor of 1.4 from its block's does
+// not count. `unit` of the periods.
 std::vector<CycleCut> number_cycles(std::vector<Shape>& shapes, std::string_view unit);
 
 }  // namespace isolaw::data

@@ -236,8 +236,8 @@ std::string too_short(std::span<double const> x, Motion const& motion, Segmentat
       made.centre_mm == 0.0 ? "zero" : fmt::format("its centre at {:.4g} mm", made.centre_mm), 2.0 * made.band_mm);
 }
 
-// Travel of the swings before the first cut and after the last that are as large as the regular cycle beside them: where
-// a record starts or ends within a cycle, its piece is no irregular motion.
+// Travel of the swings before the first cut and after the last that are as large as the regular cycle beside them:
+// where a record starts or ends within a cycle, its piece is no irregular motion.
 double regular_ends(std::vector<Shape> const& shapes, Swings const& swings, std::vector<std::size_t> const& at) {
   double travel = 0.0;
   for (auto k = swings.begin; k < swings.end; ++k) {
@@ -284,8 +284,9 @@ std::string not_cyclic(std::vector<Shape> const& shapes, double share) {
 
 }  // namespace
 
-// From the median of |fourth differences|: a sine of 20 samples in a cycle leaves
-// only a thousandth of its amplitude in them, a hundred samples next to nothing. White noise gains sqrt(70).
+// From the median of |fourth differences|: a sine of 20 samples in a cycle leaves only a thousandth of its amplitude in
+// them, a hundred samples next to nothing. White noise gains sqrt(70). Of two middle ones the upper; a missing value is
+// a large one, where num::median would be NaN.
 double noise_deviation(std::span<double const> x) {
   if (x.size() < 16) return 0.0;
   std::vector<double> sizes(x.size() - 4);

@@ -2,10 +2,10 @@
 //
 // Reversals: a swing smaller than twice a floor is no motion; the floor is 1 % of the half range, or five standard
 // deviations of the noise where that is more (at most 5 % of the half range). A small interruption of a large swing is
-// none either. Cuts: where displacement crosses its centre in the direction the test, or a part of it after a rest, starts
-// in (data/lobes.hpp), interpolated; a motion that starts, turns or comes to rest near the centre is cut there. The centre
-// is zero, unless the record is clearly off it. Blocks: cycles of one amplitude and one frequency (data/cycle_blocks.hpp);
-// time in which the device stands still is no part of a period (data/holds.hpp).
+// none either. Cuts: where displacement crosses its centre in the direction the test, or a part of it after a rest,
+// starts in (data/lobes.hpp), interpolated; a motion that starts, turns or comes to rest near the centre is cut there.
+// The centre is zero, unless the record is clearly off it. Blocks: cycles of one amplitude and one frequency
+// (data/cycle_blocks.hpp); time in which the device stands still is no part of a period (data/holds.hpp).
 #pragma once
 
 #include <cstddef>

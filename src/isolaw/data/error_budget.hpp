@@ -32,7 +32,8 @@ Budget error_budget(TestRecord const& record, Properties const& properties, int 
 double energy_loss_percent(double samples_per_cycle);  // of the energy: 1 - N / (2 pi) sin(2 pi / N)
 double peak_loss_percent(double samples_per_cycle);    // of a peak halfway between samples: 1 - cos(pi / N)
 double average_loss_percent(int window, double samples_per_cycle);
-// How far beyond the peak of a sine the largest of its samples lies on average, with white noise of a standard deviation.
+// How far beyond the peak of a sine the largest of its samples lies on average, with white noise of a standard
+// deviation.
 double peak_gain_mm(double noise_mm, double amplitude_mm, double samples_per_cycle);
 
 // Points of equivalent damping: 200 F_f / (pi K D)

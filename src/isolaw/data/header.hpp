@@ -38,7 +38,8 @@ struct Header {
 
 Header recognise_header(std::span<std::string_view const> lines, Dialect const& dialect);
 
-// The lines at which another test begins: a row of names below rows of numbers. From 0; the first test is not among them.
+// The lines at which another test begins: a row of names below rows of numbers. From 0; the first test is not among
+// them.
 std::vector<std::size_t> later_tests(std::span<std::string_view const> lines, Dialect const& dialect,
                                      Header const& first);
 

@@ -96,7 +96,7 @@ StillTime still_time(std::span<double const> disp_mm, std::span<double const> ti
                                disp_mm.begin() + static_cast<std::ptrdiff_t>(stretch.last) + 1);
     auto const half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::ranges::nth_element(values, half);
-    double const level = *half;
+    double const level = *half;  // where the device stood: a sample of the record, for an even count too
     auto const hold = sharpened(disp_mm, stretch, level, half_edge);
     double const reach = (hold.size() == stretch.size() ? width / 2.0 : half_edge) / piece.amplitude;
     double const centred = (level - piece.middle) / piece.amplitude;

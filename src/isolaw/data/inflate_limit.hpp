@@ -1,5 +1,5 @@
-// How much a file may grow when it is unpacked: what a laboratory writes shrinks to a tenth at most, a bomb to less than
-// a thousandth. Small files are let grow, so that a constant channel does not look like a bomb.
+// How much a file may grow when it is unpacked: what a laboratory writes shrinks to a tenth at most, a bomb to less
+// than a thousandth. Small files are let grow, so that a constant channel does not look like a bomb.
 #pragma once
 
 #include <cstdint>

@@ -2,8 +2,8 @@
 //
 // A lobe ends where the motion crosses the centre, or where it comes back to the centre and turns there: before a rest,
 // a second test, a pre-load taken off. Two lobes to opposite sides make a cycle. A lobe after the start, a rest or a
-// turn is left out as a pre-load where it is unlike the next in size (15 %) or in the time it takes to fall (a factor of
-// 1.5), while those after it are alike; so is the half cycle that a stage may end with.
+// turn is left out as a pre-load where it is unlike the next in size (15 %) or in the time it takes to fall (a factor
+// of 1.5), while those after it are alike; so is the half cycle that a stage may end with.
 #pragma once
 
 #include <cstddef>

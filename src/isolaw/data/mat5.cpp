@@ -1,6 +1,6 @@
 // MATLAB files of version 5, and 7 where elements are compressed (MathWorks, "MAT-File Format", 2017). Read by own code
-// from a stream that is inflated as it is read: a size that a file states is only ever a number of bytes to pass over or
-// to stop at, never one to allocate. docs/decisions/0001-dependencies.md says why no library does it.
+// from a stream that is inflated as it is read: a size that a file states is only ever a number of bytes to pass over
+// or to stop at, never one to allocate. docs/decisions/0001-dependencies.md says why no library does it.
 #include <fmt/format.h>
 #include <zlib.h>
 
@@ -238,8 +238,8 @@ class Walk {
     variable.numeric = kind >= first_numeric_class && kind <= last_numeric_class && !complex;
     auto const slice = wanted_(variable);
     if (variable.numeric && elements(variable) > 0) {
-      auto const tag = values_tag(reader, variable);
-      if (slice) read_values(reader, tag, *slice, elements(variable));
+      auto const [tag, form] = values_tag(reader, variable);
+      if (slice) read_values(reader, tag, form, *slice, elements(variable));
     }
     if (!prefix.empty()) reader.skip(reader.available());  // what follows at the top is found by its tag
   }
@@ -300,18 +300,19 @@ class Walk {
       }
   }
 
-  static Tag values_tag(Reader& reader, MatVariable const& variable) {
+  // The values' tag, and the form they are stored in.
+  static std::pair<Tag, Stored> values_tag(Reader& reader, MatVariable const& variable) {
     auto const tag = reader.tag();
     auto const* form = stored(tag.type);
     auto const stated = elements(variable);
     if (form == nullptr) damaged(fmt::format("values of {} in a form that is no number", in_quotes(variable.name)));
     if (tag.size != stated * form->bytes)
       damaged(fmt::format("{} values stated for {}, {} bytes stored", stated, in_quotes(variable.name), tag.size));
-    return tag;
+    return {tag, *form};
   }
 
-  void read_values(Reader& reader, Tag const& tag, MatSlice const& slice, std::uint64_t stated) {
-    auto const [type, size, read] = *stored(tag.type);
+  void read_values(Reader& reader, Tag const& tag, Stored const& form, MatSlice const& slice, std::uint64_t stated) {
+    auto const [type, size, read] = form;
     values_.reserve(static_cast<std::size_t>(slice.count));  // bounded by who asks
     if (tag.small) {
       for (std::uint64_t i = 0; i < slice.count; ++i)

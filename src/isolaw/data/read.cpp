@@ -113,7 +113,8 @@ void append(std::vector<std::string>& sentences, std::vector<std::string> const&
   sentences.insert(sentences.end(), more.begin(), more.end());
 }
 
-// --- formats ----------------------------------------------------------------------------------------------------------
+// --- formats
+// ----------------------------------------------------------------------------------------------------------
 
 // Told by the first bytes: names of files change more easily.
 Tests open_tests(std::string_view bytes, std::string const& file, std::optional<std::string> const& sheet) {
@@ -250,7 +251,8 @@ TestRecord read_tests(std::string_view bytes, std::string const& name, ReadOptio
   return *std::move(history);
 }
 
-// --- motions ----------------------------------------------------------------------------------------------------------
+// --- motions
+// ----------------------------------------------------------------------------------------------------------
 
 // The line among the first ones of a text that speaks of acceleration, as files of ground motions do.
 std::optional<std::string> line_about_acceleration(std::string_view bytes) {

@@ -1,5 +1,5 @@
-// Test records as laboratories write them: delimited text, Excel workbooks, MATLAB files, JSON, told apart by their first
-// bytes; recognised dialect, columns and units, or refused with the reason.
+// Test records as laboratories write them: delimited text, Excel workbooks, MATLAB files, JSON, told apart by their
+// first bytes; recognised dialect, columns and units, or refused with the reason.
 #pragma once
 
 #include <filesystem>

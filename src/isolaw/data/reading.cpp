@@ -45,7 +45,7 @@ Reading name_or_number(std::string_view key, std::string help, Kind written,
     if (!value.is_string() && !value.is_number_integer()) refuse(value, "a name or a whole number");
     to.*choice = parse(text_of(value));
   };
-  return {{{.key = key, .help = std::move(help)}, write, read}};
+  return {{{.key = key, .help = std::move(help), .type = "str | int"}, write, read}};
 }
 
 Reading correction(std::string_view key, std::string help, std::optional<double> Corrections::*value,

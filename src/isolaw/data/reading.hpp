@@ -12,8 +12,8 @@ struct Reading : Option<ReadOptions> {
   bool of_force = false;  // says nothing of a motion, which has none
 };
 
-// Columns and units add to those that are there, channel by channel; every other value takes the place of what was there.
-// Limits of corrections are those of Corrections::validate().
+// Columns and units add to those that are there, channel by channel; every other value takes the place of what was
+// there. Limits of corrections are those of Corrections::validate().
 std::span<Reading const> reading_table();
 
 }  // namespace isolaw::data

@@ -35,8 +35,8 @@ struct TestRecord {
   std::vector<double> disp_mm;
   std::vector<double> force_kN;
   std::vector<double> load_kN;
-  // The choices that reading came to, which read the file the same way: a column's name where it is unique, else its number;
-  // sheet and test only where the file holds several.
+  // The choices that reading came to, which read the file the same way: a column's name where it is unique, else its
+  // number; sheet and test only where the file holds several.
   ReadOptions layout;
   std::vector<std::string> recognised;   // one sentence per decision: dialect, columns, units, sampling, and why
   std::vector<std::string> corrections;  // one sentence per correction asked for, also in `recognised`

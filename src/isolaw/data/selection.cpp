@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <ranges>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
@@ -38,13 +39,13 @@ std::string what_there_is(Segmentation const& segmentation) {
     auto& last = counted[cycle.block];
     last = std::max(last, cycle.number);
   }
-  std::string text;
+  std::vector<std::string> texts;
   for (auto const& [block, last] : counted)
-    text += fmt::format("{}block {}: {}", text.empty() ? "" : "; ", block,
-                        last == 0   ? std::string("no complete cycle")
-                        : last == 1 ? std::string("cycle 1")
-                                    : fmt::format("cycles 1 to {}", last));
-  return text;
+    texts.push_back(fmt::format("block {}: {}", block,
+                                last == 0   ? std::string("no complete cycle")
+                                : last == 1 ? std::string("cycle 1")
+                                            : fmt::format("cycles 1 to {}", last)));
+  return joined(texts, "; ");
 }
 
 void mark(std::vector<double>& scored, double first, double last, double value = 1.0) {
@@ -61,15 +62,12 @@ bool Numbers::contains(int number) const {
 
 std::string Numbers::text() const {
   if (all()) return "all";
-  std::string text;
-  for (auto const& r : ranges) {
-    text += fmt::format("{}{}", text.empty() ? "" : ",", r.first);
-    if (r.last == largest)
-      text += "-";
-    else if (r.last != r.first)
-      text += fmt::format("-{}", r.last);
-  }
-  return text;
+  auto const text_of = [](Range const& r) {
+    return r.last == largest   ? fmt::format("{}-", r.first)
+           : r.last == r.first ? fmt::format("{}", r.first)
+                               : fmt::format("{}-{}", r.first, r.last);
+  };
+  return joined(ranges | std::views::transform(text_of), ",");
 }
 
 Numbers parse_numbers(std::string_view option, std::string_view text) {

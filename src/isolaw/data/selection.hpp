@@ -41,9 +41,9 @@ struct Selection {
 // when nothing is left, or only a sample: with the blocks and cycles there are.
 std::vector<double> scored_samples(Selection const& selection, Segmentation const& segmentation, std::size_t samples);
 
-// The number of its block for every sample of a block that is scored or predicted, from the block's first cut to its last;
-// 0 elsewhere; empty where the selection leaves out no block. Throws Error when blocks to predict were named and none of
-// them is left.
+// The number of its block for every sample of a block that is scored or predicted, from the block's first cut to its
+// last; 0 elsewhere; empty where the selection leaves out no block. Throws Error when blocks to predict were named and
+// none of them is left.
 std::vector<double> block_numbers(Selection const& selection, Segmentation const& segmentation, std::size_t samples);
 
 }  // namespace isolaw::data

@@ -22,8 +22,8 @@ struct Skew {
   double agreement = 0.0;  // share of the reversals that show at least half of it
   int reversals = 0;       // that gave a value
 
-  // Beyond four standard errors, most reversals agreeing, and beyond what the shape of a loop alone comes to: a sharp loop reads as up to 0.035 rad
-  // early, none as more than 0.008 rad late.
+  // Beyond four standard errors, most reversals agreeing, and beyond what the shape of a loop alone comes to: a sharp
+  // loop reads as up to 0.035 rad early, none as more than 0.008 rad late.
   bool significant() const;
 };
 

@@ -34,7 +34,8 @@ class Table {
   Table(Table const&) = delete;
   Table& operator=(Table const&) = delete;
 
-  // The file, and what part of it: "d01.csv", "d01.xlsx:Sheet1", "d01.json:data". Messages put a row's number behind it.
+  // The file, and what part of it: "d01.csv", "d01.xlsx:Sheet1", "d01.json:data". Messages put a row's number behind
+  // it.
   std::string const& place() const { return place_; }
   Header const& header() const { return header_; }
   std::size_t columns() const { return columns_; }

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 #include <span>
 
+#include "isolaw/base/words.hpp"
 #include "isolaw/data/dialect.hpp"
 #include "isolaw/data/text.hpp"
 
@@ -114,9 +116,8 @@ class RowReader {
 
 std::string line_list(std::vector<std::size_t> const& lines) {
   constexpr std::size_t shown = 6;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(shown, lines.size()); ++i)
-    text += fmt::format("{}{}", i == 0 ? "" : ", ", lines[i] + 1);
+  auto const number = [](std::size_t line) { return std::to_string(line + 1); };
+  auto const text = joined(lines | std::views::take(shown) | std::views::transform(number));
   return lines.size() > shown ? text + fmt::format(" and {} more", lines.size() - shown) : text;
 }
 

@@ -26,8 +26,8 @@ struct XmlHandlers {
   std::function<void(std::string_view text)> text = {};
 };
 
-// Reads the document that `source` passes on piece by piece; `place` is its name in messages. Throws Error when it is no
-// XML, or what a handler throws.
+// Reads the document that `source` passes on piece by piece; `place` is its name in messages. Throws Error when it is
+// no XML, or what a handler throws.
 void read_xml(std::string const& place, XmlHandlers const& handlers,
               std::function<void(std::function<void(std::string_view piece)> const& take)> const& source);
 

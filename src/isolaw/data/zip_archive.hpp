@@ -25,8 +25,8 @@ class ZipArchive {
   ZipArchive& operator=(ZipArchive const&) = delete;
 
   bool has(std::string const& entry) const;
-  // Passes on what the entry holds, piece by piece. Throws Error: no such entry, damaged, encrypted, compressed by another
-  // method than deflate, beyond the limit of unpacked bytes.
+  // Passes on what the entry holds, piece by piece. Throws Error: no such entry, damaged, encrypted, compressed by
+  // another method than deflate, beyond the limit of unpacked bytes.
   void read(std::string const& entry, std::function<void(std::string_view)> const& take);
 
  private:

@@ -15,7 +15,8 @@ namespace {
 // A logarithmic scale that ends at zero: six decades, then straight into it. One across zero: the same on both sides.
 constexpr double decades_from_zero = 6.0 * 2.302585092994046;
 
-// value = linear_size sinh(coordinate), the coordinate running from asinh(lower / linear_size) to that of the upper end.
+// value = linear_size sinh(coordinate), the coordinate running from asinh(lower / linear_size) to that of the upper
+// end.
 struct AcrossZero {
   double linear_size, from, to;
 

@@ -62,9 +62,10 @@ struct SearchBox {
   void expand(std::span<double const> point, std::span<double> values) const;
 };
 
-// The same box, searched on a logarithmic scale in every free interval of one sign that spans a factor of `wide_interval`
-// or more, and in those that end at zero where the law's own box is logarithmic: what acts through its order of magnitude
-// is otherwise looked for in the last decade alone. A scale that ends at zero holds six decades, one across it six on each side.
+// The same box, searched on a logarithmic scale in every free interval of one sign that spans a factor of
+// `wide_interval` or more, and in those that end at zero where the law's own box is logarithmic: what acts through its
+// order of magnitude is otherwise looked for in the last decade alone. A scale that ends at zero holds six decades, one
+// across it six on each side.
 inline constexpr double wide_interval = 100.0;
 SearchBox on_logarithmic_scales(SearchBox box, laws::LawEntry const& law);
 
@@ -76,8 +77,8 @@ AtBound at_bound(SearchParameter const& parameter, double value);
 // The size of a record in the units of a law. Throws Error for a record without samples.
 laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const& law);
 
-// `published` falls back to the scaled interval for parameters the paper does not calibrate. Throws Error for a tie to a
-// parameter that is tied itself.
+// `published` falls back to the scaled interval for parameters the paper does not calibrate. Throws Error for a tie to
+// a parameter that is tied itself.
 SearchBox make_box(laws::LawEntry const& law, BoxKind kind, laws::RecordScales const& scales,
                    std::span<Override const> overrides);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/words.hpp"
 
 namespace isolaw::fit {
 namespace {
@@ -28,17 +29,18 @@ bool met_somewhere(laws::JointLimitEntry const& limit, SearchBox const& box) {
 void require_joint_limits(laws::LawEntry const& law, SearchBox const& box, std::span<Override const> overrides) {
   for (auto const& limit : law.joint_limits) {
     if (met_somewhere(limit, box)) continue;
-    std::string asked, found;
+    std::string asked;
+    std::vector<std::string> found;
     for (auto const i : limit.parameters) {
       auto const& p = box.parameters[i];
       auto const value = p.tied_to ? fmt::format(" = {}", box.parameters[*p.tied_to].name)
                          : p.free  ? fmt::format(" from {:.6g} to {:.6g}", p.lower, p.upper)
                                    : fmt::format(" = {:.6g}", p.value);
-      found += (found.empty() ? "" : ", ") + p.name + value;
+      found.push_back(p.name + value);
       if (auto const* change = last_override(overrides, law, p.name)) asked += ' ' + change->text();
     }
     throw Error({.where = asked.empty() ? fmt::format("law {}", law.info.id) : "--set" + asked,
-                 .found = std::move(found),
+                 .found = joined(found),
                  .allowed = std::string(limit.statement),
                  .advice = fmt::format("isolaw laws {}", law.info.id)});
   }

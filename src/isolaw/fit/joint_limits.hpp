@@ -1,5 +1,5 @@
-// What the parameters of a law must meet together (laws/law.hpp), asked of overrides and of search boxes. A box that crosses
-// such a limit is searched as it is.
+// What the parameters of a law must meet together (laws/law.hpp), asked of overrides and of search boxes. A box that
+// crosses such a limit is searched as it is.
 #pragma once
 
 #include <span>

@@ -1,6 +1,6 @@
 // Compiled once for every instruction set, with ISOLAW_KERNELS the name of what it defines. Nothing else may leave this
-// file: what is not inlined must carry the instruction set in its name (tests/kernels checks it), as everything does that
-// is made of batches.
+// file: what is not inlined must carry the instruction set in its name (tests/kernels checks it), as everything does
+// that is made of batches.
 #include "isolaw/fit/kernels.hpp"
 
 #include <array>

@@ -31,9 +31,9 @@ inline constexpr double block_tolerance = 1e-11;
 // A law on a displacement history, whose force may be unknown.
 class LawOnMotion {
  public:
-  // Throws Error when the law needs velocities and the history has no time, and for one without samples. The history may
-  // be discarded afterwards. Every interval between samples is cut into `refinement` equal steps. A law that remembers its
-  // path follows the displacement with the record's dead band.
+  // Throws Error when the law needs velocities and the history has no time, and for one without samples. The history
+  // may be discarded afterwards. Every interval between samples is cut into `refinement` equal steps. A law that
+  // remembers its path follows the displacement with the record's dead band.
   LawOnMotion(laws::LawEntry const& law, data::FitRecord const& motion, laws::Integration integration,
               laws::TurningPoints turning_points = laws::TurningPoints::as_sampled, int refinement = 1);
   // The same law and history integrated in finer steps; `refinement` counts from the samples, not from this one's.
@@ -47,8 +47,8 @@ class LawOnMotion {
 
   // The samples that show the loop's outline: all of those next to a reversal, and the fewer the farther from it.
   std::vector<std::size_t> outline() const;
-  // The same law on these of the samples, in rising order. On a path that keeps its reversals a law that does not depend
-  // on the rate gives the same forces.
+  // The same law on these of the samples, in rising order. On a path that keeps its reversals a law that does not
+  // depend on the rate gives the same forces.
   LawOnMotion at(std::span<std::size_t const> samples) const;
 
   // Computed force [kN] at every sample, into `force` of that length or as a new vector; not finite where the law gives
@@ -74,8 +74,8 @@ class LawOnRecord {
               laws::TurningPoints turning_points = laws::TurningPoints::as_sampled, int refinement = 1);
   // The same law and record integrated in finer steps; `refinement` counts from the samples, not from this one's.
   LawOnRecord refined(int refinement) const;
-  // On the samples of the loop's outline, each with the weight of those it stands for; nullopt where that spares little, and
-  // where the integration's steps are the samples. Its objective is about this one's.
+  // On the samples of the loop's outline, each with the weight of those it stands for; nullopt where that spares
+  // little, and where the integration's steps are the samples. Its objective is about this one's.
   std::optional<LawOnRecord> outline() const;
 
   laws::LawEntry const& law() const { return motion_.law(); }
@@ -115,8 +115,8 @@ class LawOnRecord {
   double spread_ = 1.0;           // standard deviation of the measured force, law's unit
 };
 
-// Eq. (27) over some of the samples, those where `scored` is not 0: of the forces that a law gives over the whole history.
-// NaN where no two neighbours are among them or the force does not change there.
+// Eq. (27) over some of the samples, those where `scored` is not 0: of the forces that a law gives over the whole
+// history. NaN where no two neighbours are among them or the force does not change there.
 double objective_on(data::FitRecord const& record, std::span<double const> force_kN, std::vector<double> scored);
 
 // The search of a law's free parameters on a record, in the unit box.

@@ -164,7 +164,8 @@ Matrix between_devices(Matrix const& S, Matrix const& C, Population& population)
   return scaled(sigma, scale);
 }
 
-// The variance that each error would have if all other parameters were known, 1 / (C^-1)_ii; near zero where C is singular.
+// The variance that each error would have if all other parameters were known, 1 / (C^-1)_ii; near zero where C is
+// singular.
 Vector alone(Matrix const& C) {
   Vector const scale = or_one(C.diagonal().cwiseMax(0.0).cwiseSqrt());
   auto const parts = num::symmetric_eigen(scaled(C, scale.cwiseInverse()));

@@ -24,12 +24,13 @@
 
 namespace isolaw::lot {
 
-// The coordinate in which a parameter is taken to be normal: its value, or log|value|, the sign being that of the devices.
+// The coordinate in which a parameter is taken to be normal: its value, or log|value|, the sign being that of the
+// devices.
 enum class Transform { identity, logarithm };
 std::string_view name(Transform transform);
 
-// logarithm where all devices have the same sign and none is zero: a scatter is then a fraction, and no draw changes the
-// sign. identity elsewhere, also for no value and where one is not finite.
+// logarithm where all devices have the same sign and none is zero: a scatter is then a fraction, and no draw changes
+// the sign. identity elsewhere, also for no value and where one is not finite.
 Transform transform_for(std::span<double const> values);
 
 using SquareMatrix = std::vector<std::vector<double>>;  // [row][column]
@@ -76,10 +77,10 @@ struct Population {
 // names[n] and devices[d]; transforms from transform_for on the devices' values. One device has a mean and no
 // covariance, none has neither; `note` says so. Throws Error, with all complaints, for vectors and matrices of another
 // size than names, values that are not finite or whose squares are not, and negative variances of an estimate.
-// `undetermined`: parameters that no device's test determines. One whose estimates scatter no more than its error would if
-// all others were known does not act and is taken out of S first: in a lot of a dozen devices its chance correlations with
-// those that do differ would give it a scatter back. Ke and A of a law that knows only their product stay.
-// Cost: n^3 + devices n^2.
+// `undetermined`: parameters that no device's test determines. One whose estimates scatter no more than its error would
+// if all others were known does not act and is taken out of S first: in a lot of a dozen devices its chance
+// correlations with those that do differ would give it a scatter back. Ke and A of a law that knows only their product
+// stay. Cost: n^3 + devices n^2.
 Population estimate_population(std::vector<std::string> const& names, std::span<DeviceEstimate const> devices,
                                std::span<std::size_t const> undetermined = {});
 

@@ -21,7 +21,8 @@
 #include "isolaw/num/elementary.hpp"
 #include "isolaw/num/scalar.hpp"
 
-// Every function here must disappear into its caller: a copy of its own could be linked into code for another processor.
+// Every function here must disappear into its caller: a copy of its own could be linked into code for another
+// processor.
 #define ISOLAW_INLINE inline __attribute__((always_inline))
 #define ISOLAW_LAMBDA __attribute__((always_inline))
 

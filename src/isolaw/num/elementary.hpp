@@ -184,8 +184,8 @@ template <class T>
   auto const split = elementary::split<T>(base);
   T const whole = elementary::whole_of<T>(split), m = elementary::mantissa_of<T>(split);
   T const s = (m - L::all(1.0)) / (m + L::all(1.0));
-  // base - base is NaN where base is not finite, and 0 elsewhere. Not base * 0: with -fno-signed-zeros GCC 12 takes that
-  // for 0 in vectors, NaN or not.
+  // base - base is NaN where base is not finite, and 0 elsewhere. Not base * 0: with -fno-signed-zeros GCC 12 takes
+  // that for 0 in vectors, NaN or not.
   T const fraction = s * elementary::polynomial<T>(elementary::power_log2_terms, s * s) + (base - base);
   // Only rounded: what it lost comes back in the rest. Written so that there is one way to fuse it.
   T const exponent = p * (whole + fraction);

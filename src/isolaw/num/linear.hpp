@@ -1,5 +1,5 @@
-// Vectors and matrices, and what of linear algebra takes long to compile: products of matrices and decompositions, compiled
-// once. Products are written out as one expression each, so that their sums are taken in one order everywhere.
+// Vectors and matrices, and what of linear algebra takes long to compile: products of matrices and decompositions,
+// compiled once. Products are written out as one expression each, so that their sums are taken in one order everywhere.
 #pragma once
 
 #include <Eigen/Core>

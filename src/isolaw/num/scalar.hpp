@@ -3,8 +3,8 @@
 //
 //   abs exp exp2 log2 sqrt min max        as in <cmath>
 //   select(condition, a, b)               a where true, b elsewhere, lane by lane; both are evaluated
-//   rounded(x)                            x, but a product is rounded before it goes into a sum: in a sum of two products
-//                                         it says which of them is not fused
+//   rounded(x)                            x, but a product is rounded before it goes into a sum: in a sum of two
+//                                         products it says which of them is not fused
 //   cell_of(nodes, x)                     index i of the cell nodes[i] <= x < nodes[i+1], clamped to 0 .. count-2
 //   at(values, index)                     values[index], lane by lane
 //   Rows8                                 a table of rows of eight values, read by an index as cell_of gives it

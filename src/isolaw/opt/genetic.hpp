@@ -24,9 +24,9 @@ struct GeneticOptions {
   double selection_pressure = 8;    // roulette weight exp(-pressure * value / worst finite value)
 };
 
-// Outcomes: all_generations, also when the last generation is the one that stagnates; stagnated; no_finite_value where the
-// whole initial population failed and left nothing to breed from; interrupted, with a best point if a generation was
-// finished. Evaluations: population x generations done.
+// Outcomes: all_generations, also when the last generation is the one that stagnates; stagnated; no_finite_value where
+// the whole initial population failed and left nothing to breed from; interrupted, with a best point if a generation
+// was finished. Evaluations: population x generations done.
 // Deterministic for a given stream: random numbers depend on (stream, generation, individual or pair) alone.
 // Values that are not finite mark failed points; they survive only where nothing better exists. Best over values >= 0;
 // see roulette_weights for others.

@@ -13,8 +13,9 @@
 namespace isolaw::opt {
 namespace {
 
-// What the search is tuned by, with the reason of each. "Logged": chosen by playing rules back on logged descents, with the
-// numbers in docs/performance.md, "The optimum". Gains and distances of values are relative, coordinates those of the unit box.
+// What the search is tuned by, with the reason of each. "Logged": chosen by playing rules back on logged descents, with
+// the numbers in docs/performance.md, "The optimum". Gains and distances of values are relative, coordinates those of
+// the unit box.
 namespace tuning {
 
 // --- a descent -------------------------------------------------------------------------------------------------------
@@ -25,8 +26,8 @@ struct Stage {
   int iterations;
   double least_gain = 0.0;  // over `patience` iterations at the last delta
 };
-// Half the residuals' size: the corner of the absolute value is still rounded off, and the outline's third of the residuals
-// tells the same valley as all of them (logged).
+// Half the residuals' size: the corner of the absolute value is still rounded off, and the outline's third of the
+// residuals tells the same valley as all of them (logged).
 constexpr Stage approach{.smoothing = 0.5, .iterations = 25};
 // To the tolerance of a hit, 5e-4, and no further: the end is only counted. Its least gain is below that tolerance.
 constexpr Stage settle{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4};
@@ -140,8 +141,8 @@ class Counting {
   std::size_t computed_ = 0, failed_ = 0;  // residuals
 };
 
-// A descent from one point. Three stages: `approach` finds the valley, by the problem's outline where it has one, `settle`
-// its floor, `polish` the last digits.
+// A descent from one point. Three stages: `approach` finds the valley, by the problem's outline where it has one,
+// `settle` its floor, `polish` the last digits.
 class Descent {
  public:
   Descent(Counting& problem, std::span<double const> start, double rounding = 1.0)
@@ -228,8 +229,8 @@ class Descent {
     using namespace tuning;
     auto const J = jacobian();
     auto const r = vector(here_.residuals).array();
-    // Curvature of the rounded absolute value: of the parabola that touches it here and lies above it elsewhere, and its
-    // own, which is that of the residuals near zero alone. The former steps too shortly, the latter too far.
+    // Curvature of the rounded absolute value: of the parabola that touches it here and lies above it elsewhere, and
+    // its own, which is that of the residuals near zero alone. The former steps too shortly, the latter too far.
     Eigen::ArrayXd const size = (r.square() + delta_ * delta_).sqrt();
     Vector const above = vector(problem_.weights()).array() / size;
     Vector const own = above.array() * (delta_ / size).square();
@@ -315,8 +316,8 @@ Points latin_hypercube(std::size_t dimension, std::size_t count, num::Draws& dra
   return points;
 }
 
-// A point in the surroundings of another: some coordinates moved by a normally distributed length, of a size between two
-// powers of ten, or two drawn anew.
+// A point in the surroundings of another: some coordinates moved by a normally distributed length, of a size between
+// two powers of ten, or two drawn anew.
 std::vector<double> disturbed(std::vector<double> x, double least_power, double most_power, num::Draws& draws) {
   double const size = std::pow(10.0, least_power + (most_power - least_power) * draws.uniform());
   for (double& coordinate : x)
@@ -368,8 +369,8 @@ class Search {
     return hits >= options_.hits && std::ssize(ends_) >= starts_for(hits, near);
   }
 
-  // The rarer the best value among the ends, the likelier it is that a better one was missed. Hops come back to the valley
-  // they left, so that only scattered starts speak for it.
+  // The rarer the best value among the ends, the likelier it is that a better one was missed. Hops come back to the
+  // valley they left, so that only scattered starts speak for it.
   std::ptrdiff_t starts_for(std::ptrdiff_t hits, double near) const {
     std::ptrdiff_t const least = options_.least_starts, starts = options_.starts;
     auto const scattered_hits = count(scattered_, near);
@@ -401,8 +402,8 @@ class Search {
     return descent.value();
   }
 
-  // The last digits. Where the ends at the best value scatter, its valley's floor is ragged: the next best ends are taken
-  // further too, and small hops follow until several in a row gain nothing.
+  // The last digits. Where the ends at the best value scatter, its valley's floor is ragged: the next best ends are
+  // taken further too, and small hops follow until several in a row gain nothing.
   void refine(std::function<bool()> const& interrupted) {
     auto const polish = [&](std::vector<double> const& start) {
       Descent descent(counting_, start);

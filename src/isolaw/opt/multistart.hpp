@@ -2,19 +2,18 @@
 //
 // Starts are scattered over the box (Latin hypercube); in between, the best point found is disturbed and descended from
 // again (basin hopping). A descent is a Levenberg-Marquardt iteration with bounds on sum w sqrt(r^2 + delta^2), the
-// absolute value rounded off at its corner; delta falls from the size of the residuals, where the sum behaves as a sum of
-// squares, to a hundredth of it. The Jacobian comes from differences, all of it in one batch, and every iteration tries
-// several steps at once. Far from the floor it goes by the problem's outline, where there is one: a third of the residuals
-// find the same valleys. The search ends when enough descents have ended at the best value: soon where nearly all of the
-// scattered ones do, later where there are other valleys, and after all its starts where few have. In more than fourteen
-// dimensions as many hops as scattered starts are made, and two and a half times as many descents.
+// absolute value rounded off at its corner; delta falls from the size of the residuals, where the sum behaves as a sum
+// of squares, to a hundredth of it. The Jacobian comes from differences, all of it in one batch, and every iteration
+// tries several steps at once. Far from the floor it goes by the problem's outline, where there is one: a third of the
+// residuals find the same valleys. The search ends when enough descents have ended at the best value: soon where nearly
+// all of the scattered ones do, later where there are other valleys, and after all its starts where few have. In more
+// than fourteen dimensions as many hops as scattered starts are made, and two and a half times as many descents.
 //
 // Points are not screened by their value before a descent: in the laws' boxes the low ones lie in the wrong valleys.
 #pragma once
 
 #include <functional>
 #include <span>
-#include <vector>
 
 #include "isolaw/num/random.hpp"
 #include "isolaw/opt/problem.hpp"
@@ -38,17 +37,17 @@ struct MultistartResult : SearchResult {
 };
 
 // Outcomes: confirmed; budget_spent; interrupted; no_finite_value where none of the first scattered points had a value.
-// Evaluations by the outline count as its share of the residuals; the history ends with the value after the last refinement.
-// Deterministic for a given stream. `interrupted`, when given, is asked before each start.
+// Evaluations by the outline count as its share of the residuals; the history ends with the value after the last
+// refinement. Deterministic for a given stream. `interrupted`, when given, is asked before each start.
 // Throws Error for a problem without dimensions.
 MultistartResult minimise_multistart(DeviationProblem const& problem, num::Stream const& stream,
                                      MultistartOptions const& options = {},
                                      std::function<bool()> const& interrupted = {});
 
-// One descent from a point near a minimum, to its last digits: after the problem has changed a little. Nothing usable when
-// the start has no value, and never a value above its. `rounding` is the first delta, as a share of the value at the start: small keeps the descent in its valley. `brief`: to
-// about a ten-thousandth of the value, for many descents of which none is reported by itself.
-// Throws Error for a problem without dimensions.
+// One descent from a point near a minimum, to its last digits: after the problem has changed a little. Nothing usable
+// when the start has no value, and never a value above its. `rounding` is the first delta, as a share of the value at
+// the start: small keeps the descent in its valley. `brief`: to about a ten-thousandth of the value, for many descents
+// of which none is reported by itself. Throws Error for a problem without dimensions.
 Found descend(DeviationProblem const& problem, std::span<double const> start, double rounding = 0.3,
               bool brief = false);
 

@@ -1,4 +1,5 @@
-// The contract between an optimiser and what it minimises: a box and the evaluation of a batch of points; what it finds.
+// The contract between an optimiser and what it minimises: a box and the evaluation of a batch of points; what it
+// finds.
 #pragma once
 
 #include <cstddef>
@@ -33,8 +34,8 @@ class Problem {
   virtual void evaluate(Points const& points, std::span<double> values) const = 0;
 };
 
-// A problem whose value is a weighted sum of absolute residuals: sum of weights()[j] * |residual j|. What descends by the
-// residuals needs one evaluation where a value alone needs many.
+// A problem whose value is a weighted sum of absolute residuals: sum of weights()[j] * |residual j|. What descends by
+// the residuals needs one evaluation where a value alone needs many.
 class DeviationProblem : public Problem {
  public:
   virtual std::span<double const> weights() const = 0;  // of each residual; 0 or more, with a sum of 1

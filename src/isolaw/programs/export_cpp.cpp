@@ -89,8 +89,8 @@ int main() {{
 }}
 #endif
 )text",
-      subject.frequency_Hz, wrapped(disp, ", ", "      "), wrapped(velocity, ", ", "      "),
-      wrapped(force, ", ", "      "), identifier(subject), subject.law->info.id);
+      subject.frequency_Hz, number_lines(disp, ", ", "      "), number_lines(velocity, ", ", "      "),
+      number_lines(force, ", ", "      "), identifier(subject), subject.law->info.id);
 }
 
 }  // namespace

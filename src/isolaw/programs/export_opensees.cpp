@@ -51,12 +51,12 @@ std::string check_procedure(SelfCheck const& check) {
       "  variable disp {{\n{}\n  }}\n  variable law {{\n{}\n  }}\n"
       "  # Force that the program must give: its algorithm along these displacements, computed by isolaw.\n"
       "  variable expected\n  array set expected {{}}\n",
-      wrapped(check.disp, " ", "    "), wrapped(check.law, " ", "    "));
+      number_lines(check.disp, " ", "    "), number_lines(check.law, " ", "    "));
   for (auto const& form : check.forms) {
     if (form.is_element) continue;
     for (auto const& variant : form.variants)
       text += fmt::format("  set expected({},{}) {{\n{}\n  }}\n", form.function, variant.name,
-                          wrapped(variant.force, " ", "    "));
+                          number_lines(variant.force, " ", "    "));
     text += fmt::format("  variable tolerance_{} {}\n", form.function, exactly(form.tolerance));
   }
   text += R"tcl(

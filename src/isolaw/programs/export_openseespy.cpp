@@ -50,7 +50,7 @@ std::string openseespy_script(Subject const& subject, Realisation const& realisa
   for (auto const& form : check.forms) text += function(form);
   text += fmt::format(
       "# Displacements of the self-check, and the force of the law itself along them.\nDISP = [\n{}\n]\nLAW = [\n{}\n]\n",
-      wrapped(check.disp, ", ", "    "), wrapped(check.law, ", ", "    "));
+      number_lines(check.disp, ", ", "    "), number_lines(check.law, ", ", "    "));
   text +=
       "# Force that the program must give, computed by isolaw from its algorithm: function, variant, tolerance, force.\n"
       "EXPECTED = [\n";
@@ -58,7 +58,7 @@ std::string openseespy_script(Subject const& subject, Realisation const& realisa
     if (form.is_element) continue;
     for (auto const& variant : form.variants)
       text += fmt::format("    ({}, \"{}\", {}, [\n{}\n    ]),\n", form.function, variant.name, exactly(form.tolerance),
-                          wrapped(variant.force, ", ", "        "));
+                          number_lines(variant.force, ", ", "        "));
   }
   text += R"python(]
 

@@ -1,10 +1,10 @@
-// A page of values for programs whose input cannot be tried here: each program's own symbols, where its model is the law and
-// where it is the nearest one, with what that costs.
+// A page of values for programs whose input cannot be tried here: each program's own symbols, where its model is the
+// law and where it is the nearest one, with what that costs.
 //
-// Force laws, as their manuals give them. SAP2000 and ETABS, Plastic (Wen): f = r k d + (1 - r) Fy z with dz = (k / Fy) dd
-// (1 - |z|^exp) where dd z > 0, else (k / Fy) dd: Bouc-Wen with beta = gamma. Rubber Isolator: the same with exp = 2, coupled
-// in its plane. MIDAS, Hysteretic System: as Plastic (Wen) with two free shares PA + PB = 1. SeismoStruct: the arguments of
-// the OpenSees bearing. Abaqus: connector elasticity with plasticity and linear kinematic hardening.
+// Force laws, as their manuals give them. SAP2000 and ETABS, Plastic (Wen): f = r k d + (1 - r) Fy z with dz = (k / Fy)
+// dd (1 - |z|^exp) where dd z > 0, else (k / Fy) dd: Bouc-Wen with beta = gamma. Rubber Isolator: the same with exp =
+// 2, coupled in its plane. MIDAS, Hysteretic System: as Plastic (Wen) with two free shares PA + PB = 1. SeismoStruct:
+// the arguments of the OpenSees bearing. Abaqus: connector elasticity with plasticity and linear kinematic hardening.
 #include <fmt/format.h>
 
 #include <cctype>
@@ -126,7 +126,8 @@ CornerSet bilinear(Subject const& subject) {
                      fitted_text("re-fitted; from the law", error));
 }
 
-// --- the page ----------------------------------------------------------------------------------------------------------
+// --- the page
+// ----------------------------------------------------------------------------------------------------------
 
 class Page {
  public:

@@ -11,8 +11,8 @@
 namespace isolaw::programs {
 namespace {
 
-// Where the logarithm of HystereticAsym may lose the distance to the limit curve: exp(-35) of it is about the rounding of
-// the force. Beyond it is chance that decides, at each step, whether what is left is positive.
+// Where the logarithm of HystereticAsym may lose the distance to the limit curve: exp(-35) of it is about the rounding
+// of the force. Beyond it is chance that decides, at each step, whether what is left is positive.
 constexpr double largest_exponent = 35.0;
 
 Form steel01(laws::BilinearForm const& v) {

@@ -1,5 +1,5 @@
-// From a law's parameters to the commands of OpenSees that give the same force: argument orders, normalisations and units.
-// What is mapped is not yet believed: realise.hpp replays it on the calibration record.
+// From a law's parameters to the commands of OpenSees that give the same force: argument orders, normalisations and
+// units. What is mapped is not yet believed: realise.hpp replays it on the calibration record.
 #pragma once
 
 #include <optional>

@@ -30,7 +30,8 @@ class Steel01 final : public Material {
   double Fy_, E0_, b_, x_ = 0.0, force_ = 0.0;
 };
 
-// Fy E0 b R0 cR1 cR2: a curve from each reversal (xr, fr) to the point (x0, f0) where its elastic line meets the asymptote.
+// Fy E0 b R0 cR1 cR2: a curve from each reversal (xr, fr) to the point (x0, f0) where its elastic line meets the
+// asymptote.
 class Steel02 final : public Material {
  public:
   explicit Steel02(std::span<double const> a)

@@ -4,9 +4,9 @@
 //
 // Sources: Steel01, OpenSees command manual (kinematic hardening without its optional isotropic part). Steel02:
 // Filippou et al. 1983 as in that manual, likewise. BoucWen: Wen 1976
-// as in Haukaas and Der Kiureghian 2003, z by backward Euler. BoucWenOriginal and elastomericBearingBoucWen: Park, Wen and
-// Ang 1986, z dimensionless, backward Euler. elastomericBearingPlasticity: return mapping. HystereticAsym: Vaiana et al.
-// 2018/2021, algebraic. Multiplier: a factor on the force.
+// as in Haukaas and Der Kiureghian 2003, z by backward Euler. BoucWenOriginal and elastomericBearingBoucWen: Park, Wen
+// and Ang 1986, z dimensionless, backward Euler. elastomericBearingPlasticity: return mapping. HystereticAsym: Vaiana
+// et al. 2018/2021, algebraic. Multiplier: a factor on the force.
 // The programs iterate for z; here the equation is solved to rounding, so an iteration that ends early shows in the
 // self-check of the exported file and not here.
 #pragma once

@@ -51,8 +51,8 @@ struct Realisation {
   std::vector<std::string> refused;  // forms whose replay failed, and how
 };
 
-// Largest deviation from the law, in percent of the peak force, of a form that is called exact; and of one that is exact
-// as the step goes to zero, with steps finer_steps times smaller than the records'.
+// Largest deviation from the law, in percent of the peak force, of a form that is called exact; and of one that is
+// exact as the step goes to zero, with steps finer_steps times smaller than the records'.
 inline constexpr double exact_percent = 1e-7, limit_percent = 0.5;
 // A history this much longer than the tested one must still give a force.
 inline constexpr double overtravel = 1.5;

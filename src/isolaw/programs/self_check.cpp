@@ -35,7 +35,7 @@ SelfCheck self_check(Subject const& subject, Realisation const& realisation, Uni
   return made;
 }
 
-std::string wrapped(std::vector<double> const& values, std::string_view separator, std::string_view indent) {
+std::string number_lines(std::vector<double> const& values, std::string_view separator, std::string_view indent) {
   constexpr std::size_t per_line = 8;
   std::string text;
   auto const line_end = separator.substr(0, separator.find_last_not_of(' ') + 1);

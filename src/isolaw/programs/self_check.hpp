@@ -1,5 +1,5 @@
-// The displacement-driven self-check that every script carries: a path, the law's force along it, and the force that the
-// program's algorithm must give there.
+// The displacement-driven self-check that every script carries: a path, the law's force along it, and the force that
+// the program's algorithm must give there.
 #pragma once
 
 #include <string>
@@ -32,6 +32,6 @@ struct SelfCheck {
 SelfCheck self_check(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 
 // Numbers for a script, ten significant digits, some to a line.
-std::string wrapped(std::vector<double> const& values, std::string_view separator, std::string_view indent);
+std::string number_lines(std::vector<double> const& values, std::string_view separator, std::string_view indent);
 
 }  // namespace isolaw::programs

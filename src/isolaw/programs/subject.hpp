@@ -1,5 +1,6 @@
-// What is exported: one law of a campaign with the parameters of a device or of the lot, the histories it was calibrated
-// on, how far the tests went, and the factors of its upper and lower bounds. Read from a campaign's contents alone.
+// What is exported: one law of a campaign with the parameters of a device or of the lot, the histories it was
+// calibrated on, how far the tests went, and the factors of its upper and lower bounds. Read from a campaign's contents
+// alone.
 #pragma once
 
 #include <optional>
@@ -53,7 +54,8 @@ struct Subject {
   laws::LawEntry const* law = nullptr;
   bool lot = false;
   std::string device;  // its name; "lot" for the law of the lot
-  // Where another name of the campaign has the same letters and digits: which of its devices this is, from 1; 0 elsewhere.
+  // Where another name of the campaign has the same letters and digits: which of its devices this is, from 1; 0
+  // elsewhere.
   std::size_t number_among_alike = 0;
   std::vector<double> parameters;  // in the law's units and order
   // Of the device; for a lot, of every device that takes part, the largest amplitude first.

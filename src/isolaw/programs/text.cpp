@@ -41,14 +41,14 @@ std::vector<Fact> replay_facts(Subject const& subject, Realisation const& realis
   auto const& forms = realisation.forms;
   std::vector<Fact> made;
   for (std::size_t first = 0, next = 0; first < forms.size(); first = next) {
-    std::string titles;
+    std::vector<std::string> titles;
     for (next = first; next < forms.size() && same(forms[first].from_law, forms[next].from_law); ++next)
-      titles += (titles.empty() ? "" : ", ") + forms[next].nominal.title;
+      titles.push_back(forms[next].nominal.title);
     auto const& form = forms[first];
     made.push_back(
-        {titles, fmt::format("replayed on the calibration record{}, steps up to {:.3g} {}, against the law: {}",
-                             subject.lot ? "s (the worst of them)" : "", units.from_mm(form.longest_step_mm),
-                             units.length.symbol, deviation_text(form.from_law))});
+        {joined(titles), fmt::format("replayed on the calibration record{}, steps up to {:.3g} {}, against the law: {}",
+                                     subject.lot ? "s (the worst of them)" : "", units.from_mm(form.longest_step_mm),
+                                     units.length.symbol, deviation_text(form.from_law))});
     if (form.finer)
       made.push_back({fmt::format("  in steps {} times smaller", finer_steps), deviation_text(*form.finer)});
     if (form.from_measured && first == 0)

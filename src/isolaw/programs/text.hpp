@@ -9,8 +9,8 @@
 
 namespace isolaw::programs {
 
-// Text of others for a comment of a script: control characters, quotes, backslashes and all that a language could act on
-// become '_'.
+// Text of others for a comment of a script: control characters, quotes, backslashes and all that a language could act
+// on become '_'.
 std::string harmless(std::string_view text);
 // The same for a table of Markdown.
 std::string harmless_markdown(std::string_view text);

@@ -19,7 +19,8 @@ void write_inspection(Summary const& summary, std::filesystem::path const& dir);
 // Names of write_outputs() relative to `dir`, and their texts.
 std::vector<std::pair<std::string, std::string>> output_texts(Summary const& summary);
 
-// Takes all of these, run.json and the figures away: the reports of one campaign must not stand beside the store of another.
+// Takes all of these, run.json and the figures away: the reports of one campaign must not stand beside the store of
+// another.
 void remove_outputs(std::filesystem::path const& dir);
 
 // Parts that a killed process left in `dir`.

@@ -188,6 +188,8 @@ void hold_to(Assessment& assessment, RuleSet const& rules, Limit const& limit, s
   auto const &lower = limit.lower_percent, &upper = limit.upper_percent;
   assessment.clause = limit.clause;
   assessment.limit = limit_text(lower, upper);
+  assessment.lower_percent = lower;
+  assessment.upper_percent = upper;
   if (assessment.deviation_percent) assessment.deviation = deviation_text(*assessment.deviation_percent, lower, upper);
   if (!assessment.value)
     assessment.reason = without;

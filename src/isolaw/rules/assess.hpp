@@ -25,9 +25,10 @@ struct Assessment {
   std::optional<double> value;
   std::string unit;
   std::optional<double> nominal;
-  std::optional<double> deviation_percent;  // 100 (value - nominal)/nominal
-  std::string deviation;                    // the same as text, see deviation_text()
-  std::string limit;                        // "from -20 % to +20 %"; empty where the set has none
+  std::optional<double> deviation_percent;             // 100 (value - nominal)/nominal
+  std::string deviation;                               // the same as text, see deviation_text()
+  std::string limit;                                   // "from -20 % to +20 %"; empty where the set has none
+  std::optional<double> lower_percent, upper_percent;  // of deviation_percent, where that is what is limited
   Verdict verdict = Verdict::not_assessed;
   std::string reason;  // why there is no verdict
 };
@@ -37,19 +38,20 @@ struct LoadPair {
   BlockValues largest, smallest;
 };
 
-// In the order of the set: limits of each device, stability, vertical load; quantities with a design value but without a
-// limit as information; K_v always.
+// In the order of the set: limits of each device, stability, vertical load; quantities with a design value but without
+// a limit as information; K_v always.
 std::vector<Assessment> assess(RuleSet const& rules, BlockValues const& block, Design const& design,
                                std::optional<LoadPair> const& loads = std::nullopt);
 
 // Whether nominal x (1 + lower/100) <= value <= nominal x (1 + upper/100), with the relative slack said above.
 bool is_within(double value, double nominal, std::optional<double> lower_percent, std::optional<double> upper_percent);
 
-// "from -20 % to +20 %", "at least -25 %", "at most +10 %": a word first, since a spreadsheet takes a sign for a formula.
+// "from -20 % to +20 %", "at least -25 %", "at most +10 %": a word first, since a spreadsheet takes a sign for a
+// formula.
 std::string limit_text(std::optional<double> lower_percent, std::optional<double> upper_percent);
 
-// "+19.9 %": one decimal, or as many as it takes for the text to lie on the same side of the limit as the value. Printed
-// as +20.0 % a value 20.04 % above would seem to be within 20 %.
+// "+19.9 %": one decimal, or as many as it takes for the text to lie on the same side of the limit as the value.
+// Printed as +20.0 % a value 20.04 % above would seem to be within 20 %.
 std::string deviation_text(double deviation_percent, std::optional<double> lower_percent,
                            std::optional<double> upper_percent);
 

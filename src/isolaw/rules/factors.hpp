@@ -1,6 +1,6 @@
-// Property modification factors lambda: what the properties of a lot may be, as multiples of their design value, and how
-// the factors of ageing and environment, of the test and of the supply combine (ASCE/SEI 7, chapter 17; the combination
-// of other standards is the same with other numbers, which the rule set holds).
+// Property modification factors lambda: what the properties of a lot may be, as multiples of their design value, and
+// how the factors of ageing and environment, of the test and of the supply combine (ASCE/SEI 7, chapter 17; the
+// combination of other standards is the same with other numbers, which the rule set holds).
 //
 // The scatter between devices and that of the whole isolation system are kept apart: the system is the sum of its
 // devices, and sums scatter less. Taking the spread of single devices for the system overstates its bounds manyfold.
@@ -19,8 +19,8 @@ struct FactorPair {
 
 // lambda_test of one device: the largest and the smallest of its counted cycles over mean(P_1..P_3). Where a property
 // falls from cycle to cycle these are P_1 and P_n, as ASCE/SEI 7 has it; where it does not, the first or the last alone
-// would leave out what was measured. Of equal cycles the first is the largest and the last the smallest. nullopt without
-// the first three cycles or where a value is no positive number.
+// would leave out what was measured. Of equal cycles the first is the largest and the last the smallest. nullopt
+// without the first three cycles or where a value is no positive number.
 struct TestFactors {
   double min = 1.0, max = 1.0;
   int min_cycle = 0, max_cycle = 0;
@@ -39,8 +39,8 @@ struct CombinedFactors {
 CombinedFactors combine(FactorRule const& rule, FactorPair const& environment, FactorPair const& test,
                         FactorPair const& spec);
 
-// Half widths in percent of the mean, two-sided 95 % of the normal distribution (1.960 standard deviations), for a known
-// coefficient of variation `cov_percent` between devices.
+// Half widths in percent of the mean, two-sided 95 % of the normal distribution (1.960 standard deviations), for a
+// known coefficient of variation `cov_percent` between devices.
 //   The mean over all `installed` devices: the mean of N independent ones scatters by CoV/sqrt(N). N = 28, CoV 7 %:
 //   2.6 %. Where `tested` of them were measured, only the others are still unknown, which the factor of a finite
 //   population, sqrt((N - n)/(N - 1)), takes into account: 2.3 % with 6 tested, nothing with all.

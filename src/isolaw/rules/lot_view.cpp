@@ -119,6 +119,15 @@ void assess_mean(RuleSet const& rules, LotView const& lot, std::span<DeviceValue
   }
 }
 
+void add_limit_of_each(RuleSet const& rules, LotQuantity& view) {
+  for (auto const& [quantity, scope, lower, upper, clause] : rules.limits) {
+    if (quantity != view.quantity || scope != Scope::each) continue;
+    view.limit_individual = limit_text(lower, upper);
+    view.lower_percent = lower;
+    view.upper_percent = upper;
+  }
+}
+
 void add_test_factors(std::span<DeviceValues const> devices, LotQuantity& view) {
   auto& extremes = view.test_factors;
   for (auto const& device : devices)
@@ -206,6 +215,7 @@ LotQuantity quantity_view(RuleSet const& rules, LotView const& lot, Quantity qua
   if (found.values.size() < fewest_for_outliers)
     view.outlier_note = fmt::format("too few devices to name outliers: {}, at least {} needed", found.values.size(),
                                     fewest_for_outliers);
+  add_limit_of_each(rules, view);
   assess_mean(rules, lot, devices, design, view);
   add_test_factors(devices, view);
   add_bounds(rules, lot.lot_size, view);

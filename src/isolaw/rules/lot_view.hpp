@@ -59,9 +59,11 @@ struct LotQuantity {
   std::optional<double> tolerance_low, tolerance_high;  // mean +- factor x std
   std::string no_lower;                                 // why fractile_5 or tolerance_low is not there
   std::vector<Outlier> outliers;
-  std::string outlier_note;                 // why none could be named: too few devices
-  std::vector<Assessment> mean_limits;      // limits on the lot's mean, of the rule set
-  std::optional<TestFactors> test_factors;  // extremes of lambda_test over the devices
+  std::string outlier_note;                            // why none could be named: too few devices
+  std::string limit_individual;                        // limit on every single device, of the rule set
+  std::optional<double> lower_percent, upper_percent;  // of deviations from nominal
+  std::vector<Assessment> mean_limits;                 // limits on the lot's mean, of the rule set
+  std::optional<TestFactors> test_factors;             // extremes of lambda_test over the devices
   std::string test_min_device, test_max_device;
   std::vector<Bound> bounds;
   // Largest deviation of a device from the lot's mean, in percent, and whether a verified set lets an analysis use mean

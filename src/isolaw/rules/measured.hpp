@@ -41,8 +41,8 @@ struct Design {
   std::optional<double> of(Quantity quantity) const;  // nullopt for K_v too
 };
 
-// "K_eff=1.2,damping=15,disp=150": K_eff and K_d in kN/mm, damping in percent, energy in kN mm, Q_d and load in kN, disp
-// in mm, frequency in Hz. Throws Error: unknown or repeated names, what is no positive number.
+// "K_eff=1.2,damping=15,disp=150": K_eff and K_d in kN/mm, damping in percent, energy in kN mm, Q_d and load in kN,
+// disp in mm, frequency in Hz. Throws Error: unknown or repeated names, what is no positive number.
 Design parse_design(std::string_view text);
 
 // One value that a rule set derives from the counting cycles; both sides, or both extremes, are values of their own.
@@ -54,8 +54,8 @@ struct DerivedValue {
 };
 std::vector<DerivedValue> derive(RuleSet const& rules, Quantity quantity, BlockValues const& block);
 
-// The one value of a device for statistics over a lot: the mean over the counting cycles and, per side, over both sides.
-// Not there where a counting cycle is missing.
+// The one value of a device for statistics over a lot: the mean over the counting cycles and, per side, over both
+// sides. Not there where a counting cycle is missing.
 std::optional<double> device_value(RuleSet const& rules, Quantity quantity, BlockValues const& block);
 
 // Conditions of the test that differ from those the limits hold under, or are not known, one sentence each.

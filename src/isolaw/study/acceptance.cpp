@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "isolaw/base/words.hpp"
+
 namespace isolaw::study {
 namespace {
 
@@ -118,18 +120,18 @@ std::vector<DesignValue> design_values(rules::Design const& design) {
 
 MeanAnalysis mean_analysis(rules::LotView const& lot) {
   MeanAnalysis result;
-  std::string parts, open;
+  std::vector<std::string> parts;
+  std::string open;
   for (auto const& quantity : lot.quantities) {
     if (!quantity.largest_from_mean_percent) continue;
-    parts += fmt::format("{}{} {:.1f} %", parts.empty() ? "" : ", ", rules::name(quantity.quantity),
-                         *quantity.largest_from_mean_percent);
+    parts.push_back(fmt::format("{} {:.1f} %", rules::name(quantity.quantity), *quantity.largest_from_mean_percent));
     if (quantity.mean_analysis_permitted)
       result.permitted = result.permitted.value_or(true) && *quantity.mean_analysis_permitted;
     if (open.empty()) open = quantity.mean_analysis_open;
   }
   if (parts.empty()) return result;
   if (!open.empty() && result.permitted.value_or(true)) result.permitted.reset();
-  result.sentence = "Largest deviation of a device from the lot's mean: " + parts + ".";
+  result.sentence = "Largest deviation of a device from the lot's mean: " + joined(parts) + ".";
   if (result.permitted)
     result.sentence +=
         *result.permitted

@@ -1,5 +1,5 @@
-// The tests of a lot against a rule set: which block of each record counts, what the set says of every device and of the
-// lot. Without a set the statistics of the third cycles are given, and no verdict.
+// The tests of a lot against a rule set: which block of each record counts, what the set says of every device and of
+// the lot. Without a set the statistics of the third cycles are given, and no verdict.
 #pragma once
 
 #include <optional>

@@ -7,15 +7,13 @@
 #include <limits>
 #include <utility>
 
+#include "isolaw/study/spoken.hpp"
+
 namespace isolaw::study {
 namespace {
 
 using Names = std::vector<std::string>;
 
-std::string percent(double fraction) {
-  double const value = 100.0 * fraction;
-  return std::abs(value) < 9.95 ? fmt::format("{:.1f} %", value) : fmt::format("{:.0f} %", value);
-}
 // Four digits, without an exponent where a person would write none.
 std::string plain(double value) {
   return std::abs(value) >= 1000.0 && std::abs(value) < 1e7 ? fmt::format("{:.0f}", value)

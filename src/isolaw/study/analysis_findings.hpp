@@ -1,5 +1,5 @@
-// What the analyses mean, in sentences: what changes without the optimiser's noise and why, what an engineer meets, what
-// the tests leave open.
+// What the analyses mean, in sentences: what changes without the optimiser's noise and why, what an engineer meets,
+// what the tests leave open.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,8 @@
 
 namespace isolaw::study {
 
-// What stands beside a key in a list whose keys stand in the order of their first appearance; added where it is not there.
+// What stands beside a key in a list whose keys stand in the order of their first appearance; added where it is not
+// there.
 template <class Key, class Of>
 Of& beside(std::vector<std::pair<Key, Of>>& list, Key const& key) {
   auto const found = std::ranges::find(list, key, &std::pair<Key, Of>::first);

@@ -63,8 +63,8 @@ void add_blocks(DeviceFit& made, data::FitRecord const& record) {
   }
 }
 
-// Values of the free parameters over the devices that were examined, as [parameter][device], in the reduced form where the
-// redundant parameter was free; without those that most tests leave undetermined or whose box decides.
+// Values of the free parameters over the devices that were examined, as [parameter][device], in the reduced form where
+// the redundant parameter was free; without those that most tests leave undetermined or whose box decides.
 struct Examined {
   std::vector<std::string> names, left_out;
   std::vector<std::vector<double>> values;
@@ -133,8 +133,9 @@ std::vector<fit::SearchParameter> parameters_of_search(campaign::Contents const&
   return {};
 }
 
-// How uncertain the estimates of one device are, [parameter][parameter] over the free ones: by linearisation; where the test
-// does not determine a parameter that lies at its bound, no value in the box scatters more; never less than rounding.
+// How uncertain the estimates of one device are, [parameter][parameter] over the free ones: by linearisation; where the
+// test does not determine a parameter that lies at its bound, no value in the box scatters more; never less than
+// rounding.
 lot::SquareMatrix uncertainty(DeviceFit const& fit, campaign::DeviceAnalysis const& analysis) {
   constexpr double rounding = 1e-6;
   auto const& intervals = analysis.intervals;

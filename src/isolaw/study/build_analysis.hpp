@@ -8,8 +8,8 @@ namespace isolaw::study {
 
 // A run this close to the least objective of its campaign, relative, has found it.
 inline constexpr double found_within = 1e-3;
-// A prediction has collapsed where a block is missed by more than its force's standard deviation, as a constant force would,
-// or by a visible part of it that is this many times what the law misses the blocks it was fitted to.
+// A prediction has collapsed where a block is missed by more than its force's standard deviation, as a constant force
+// would, or by a visible part of it that is this many times what the law misses the blocks it was fitted to.
 inline constexpr double collapsed_objective = 1.0, collapsed_ratio = 10.0, collapsed_least = 0.2;
 
 // `made` is what build_summary has made of the search so far; needs its best run's forces.

@@ -1,5 +1,5 @@
-// The properties of a cycle as results: inspection.json, the data of the page and tables/cycles.csv are written from these
-// rows; docs/inspection-json.md is checked against them.
+// The properties of a cycle as results: inspection.json, the data of the page and tables/cycles.csv are written from
+// these rows; docs/inspection-json.md is checked against them.
 #pragma once
 
 #include "isolaw/study/results.hpp"

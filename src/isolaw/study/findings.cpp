@@ -9,23 +9,12 @@
 #include <utility>
 
 #include "isolaw/study/analysis_findings.hpp"
+#include "isolaw/study/spoken.hpp"
 
 namespace isolaw::study {
 namespace {
 
 using Names = std::vector<std::string>;
-
-// Nobody reads three hundred digits.
-std::string with_decimals(double value, int decimals) {
-  constexpr double largest = 1e6;
-  return std::abs(value) < largest ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.3g}", value);
-}
-
-// A fraction as a percentage a person says aloud: two significant digits below ten, none behind the point above.
-std::string percent(double fraction) {
-  double const value = 100.0 * fraction;
-  return with_decimals(value, std::abs(value) < 9.95 ? 1 : 0) + " %";
-}
 
 // Objectives differ in their third digit, so they keep one decimal.
 std::string error_percent(LawResult const& law) {
@@ -60,9 +49,9 @@ std::string caution(LawResult const& law) {
   return law.prediction_collapses ? " Its prediction collapses: only for the blocks it was fitted to." : "";
 }
 
-// Of the laws between the ends of the front, the place of the one nearest to having the best of both, each measured by the
-// front's extent; the front's size where there is none. No compromise is a law whose prediction collapses, or that leaves the
-// front with the optimiser's noise.
+// Of the laws between the ends of the front, the place of the one nearest to having the best of both, each measured by
+// the front's extent; the front's size where there is none. No compromise is a law whose prediction collapses, or that
+// leaves the front with the optimiser's noise.
 std::size_t compromise(Summary const& summary, std::vector<std::size_t> const& front) {
   auto const& laws = summary.laws;
   bool const analysed = std::ranges::any_of(laws, &LawResult::on_front_converged);

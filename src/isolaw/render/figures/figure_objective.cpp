@@ -1,6 +1,7 @@
 // The objectives of the laws on the devices.
 #include <algorithm>
 
+#include "isolaw/base/words.hpp"
 #include "isolaw/render/figures/device_panels.hpp"
 #include "isolaw/render/figures/figure_script.hpp"
 
@@ -72,10 +73,9 @@ std::string objective_script(std::string const& name, std::string const& about, 
                   .panel_height_mm = 34.0,
                   .margins = {.left = 16.0, .right = 3.0, .bottom = 6.5, .top = 2.5}};
   Script script(name, about, grid.width_mm, grid.height_mm());
-  std::string tics;
-  for (std::size_t i = 0; i < laws.size(); ++i)
-    tics += fmt::format("{}{} {}", i == 0 ? "" : ", ", gnuplot_string(laws[i].title), i + 1);
-  script.line("set xrange [0.5:{}.5]; set xtics scale 0 noenhanced ({})", laws.size(), tics);
+  std::vector<std::string> tics;
+  for (auto const& law : laws) tics.push_back(fmt::format("{} {}", gnuplot_string(law.title), tics.size() + 1));
+  script.line("set xrange [0.5:{}.5]; set xtics scale 0 noenhanced ({})", laws.size(), joined(tics));
   for (std::size_t i = 1; i < laws.size(); ++i)
     script.line("set arrow from first {0}.5,graph 0 to first {0}.5,graph 1 nohead ls {1} dt 3 lw 0.5", i, grey);
   script.line("set multiplot");

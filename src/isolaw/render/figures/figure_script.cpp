@@ -5,6 +5,7 @@
 
 #include "isolaw/base/json.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/render/figures/gnuplot.hpp"
 
 namespace isolaw::render {
@@ -44,19 +45,17 @@ std::string log_tics(Range const& range) {
     double const step = nice_step(range.high - range.low, 4);
     for (double k = std::ceil(range.low / step); k * step <= range.high; ++k) values.push_back(k * step);
   }
-  std::string text;
+  std::vector<std::string> tics;
   for (double const value : values) {
     double const rounded = std::stod(to_text(value, 6));
     bool const is_plain = rounded >= 1e-3 && rounded < 1e4;
-    text += (text.empty() ? "" : ", ") +
-            (is_plain ? fmt::format("'{}' {}", to_text(rounded, 6), number(rounded))
-                      : fmt::format("{} {}",
-                                    gnuplot_label(values.size() > 1 && last - first > 3
-                                                      ? fmt::format("10^{}", std::lround(std::log10(rounded)))
-                                                      : to_text(rounded, 3)),
-                                    number(rounded)));
+    auto const label = is_plain ? "'" + to_text(rounded, 6) + "'"
+                                : gnuplot_label(values.size() > 1 && last - first > 3
+                                                    ? fmt::format("10^{}", std::lround(std::log10(rounded)))
+                                                    : to_text(rounded, 3));
+    tics.push_back(label + " " + number(rounded));
   }
-  return text;
+  return joined(tics);
 }
 
 }  // namespace

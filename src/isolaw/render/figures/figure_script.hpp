@@ -67,6 +67,11 @@ std::string shortened(std::string_view text, double width_mm);
 // A number in a script.
 std::string number(double value);
 
+// Of an axis of the record's time.
+constexpr std::string_view time_label(bool has_time) {
+  return has_time ? "Time (s)" : "Sample";
+}
+
 struct Range {
   double low = 0.0, high = 0.0;
   bool empty = true;

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "isolaw/base/words.hpp"
 #include "isolaw/render/json/results_json.hpp"
+#include "isolaw/study/acceptance_results.hpp"
 #include "isolaw/study/cycle_results.hpp"
 
 namespace isolaw::render {
@@ -13,7 +13,7 @@ namespace {
 
 void write_cycle(JsonWriter& out, DeviceResult const& device, data::Cycle const& cycle) {
   out.begin_object();
-  write_results(out, cycle_results, CycleOf{cycle, device}, Digits::shown, [](std::string_view) {});
+  write_results(out, cycle_results, CycleOf{cycle, device}, Digits::shown);
   out.end_object();
 }
 
@@ -39,17 +39,14 @@ void write_block(JsonWriter& out, DeviceResult const& device, data::Block const&
   out.end_object().end_object();
 }
 
-void write_assessment(JsonWriter& out, rules::Assessment const& a, std::optional<int> block) {
+void write_assessment(JsonWriter& out, rules::Assessment const& assessment, std::optional<int> block) {
   out.begin_object();
-  write_members(out, "quantity", a.quantity, "block", block, "clause", a.clause, "formula", a.formula, "value", a.value,
-                "unit", a.unit, "nominal", a.nominal, "deviation_percent", a.deviation_percent, "deviation",
-                a.deviation, "limit", a.limit, "verdict", a.verdict, "reason", a.reason);
+  write_results(out, assessment_results, AssessmentOf{assessment, block}, Digits::shown);
   out.end_object();
 }
 
-void write_assessments(JsonWriter& out, std::string_view key, std::vector<rules::Assessment> const& assessments,
-                       std::optional<int> block) {
-  out.key(key).begin_array();
+void write_assessments(JsonWriter& out, std::vector<rules::Assessment> const& assessments, std::optional<int> block) {
+  out.begin_array();
   for (auto const& assessment : assessments) write_assessment(out, assessment, block);
   out.end_array();
 }
@@ -72,40 +69,24 @@ void write_design(JsonWriter& out, rules::Design const& design) {
   out.end_array();
 }
 
-// The set's limits of a quantity on every single device.
-std::string limits_of_each(rules::RuleSet const& rules, rules::Quantity quantity) {
-  std::vector<std::string> limits;
-  for (auto const& limit : rules.limits)
-    if (limit.quantity == quantity && limit.scope == rules::Scope::each)
-      limits.push_back(rules::limit_text(limit.lower_percent, limit.upper_percent));
-  return joined(limits, "; ");
-}
-
-void write_test_factors(JsonWriter& out, rules::LotQuantity const& q) {
-  out.key("lambda_test");
-  if (!q.test_factors) {
+void write_test_factors(JsonWriter& out, rules::LotQuantity const& quantity) {
+  if (!quantity.test_factors) {
     out.null();
     return;
   }
-  auto const& [min, max, min_cycle, max_cycle] = *q.test_factors;
   out.begin_object();
-  write_members(out, "min", min, "min_cycle", min_cycle, "min_device", q.test_min_device, "max", max, "max_cycle",
-                max_cycle, "max_device", q.test_max_device);
+  write_results(out, test_factor_results, quantity, Digits::shown);
   out.end_object();
 }
 
-void write_quantity(JsonWriter& out, rules::RuleSet const& rules, rules::LotQuantity const& q) {
+void write_quantity(JsonWriter& out, rules::LotQuantity const& quantity) {
   out.begin_object();
-  write_members(out, "quantity", q.quantity, "unit", q.unit, "n", q.count, "without", q.without, "mean", q.mean, "sd",
-                q.std, "cov_percent", q.cov_percent, "min", q.min, "min_device", q.min_device, "max", q.max,
-                "max_device", q.max_device, "nominal", q.nominal, "deviation_of_mean_percent", q.mean_deviation_percent,
-                "worst_deviation_percent", q.worst_deviation_percent, "worst_device", q.worst_device, "fractile_5",
-                q.fractile_5, "fractile_95", q.fractile_95, "tolerance_k", q.tolerance_factor, "tolerance_lower",
-                q.tolerance_low, "tolerance_upper", q.tolerance_high, "no_lower_bound", q.no_lower);
-  write_test_factors(out, q);
-  out.member("limit_individual", limits_of_each(rules, q.quantity));
-  write_assessments(out, "mean_limits", q.mean_limits, std::nullopt);
-  out.member("outlier_note", q.outlier_note);
+  write_results(out, quantity_results, quantity, Digits::shown, [&](std::string_view key) {
+    if (key == "lambda_test")
+      write_test_factors(out, quantity);
+    else
+      write_assessments(out, quantity.mean_limits, std::nullopt);
+  });
   out.end_object();
 }
 
@@ -126,10 +107,7 @@ void write_factors(JsonWriter& out, rules::LotView const& lot) {
   for (auto const& quantity : lot.quantities)
     for (auto const& bound : quantity.bounds) {
       out.begin_object();
-      write_members(out, "property", quantity.quantity, "source", bound.source, "spec_min", bound.spec.min, "spec_max",
-                    bound.spec.max, "lambda_min", bound.combined.min, "lambda_max", bound.combined.max, "lower",
-                    bound.lower, "upper", bound.upper, "unit", quantity.unit, "note", bound.note, "no_lower_bound",
-                    bound.no_lower);
+      write_results(out, factor_results, FactorOf{quantity, bound}, Digits::shown);
       out.end_object();
     }
   out.end_array();
@@ -142,7 +120,7 @@ void write_lot(JsonWriter& out, LotAcceptance const& acceptance) {
   out.key("sample");
   write_assessment(out, lot.sample, std::nullopt);
   out.key("quantities").begin_array();
-  for (auto const& quantity : lot.quantities) write_quantity(out, acceptance.rules, quantity);
+  for (auto const& quantity : lot.quantities) write_quantity(out, quantity);
   out.end_array();
   write_outliers(out, lot);
   write_factors(out, lot);
@@ -172,7 +150,7 @@ void write_properties(JsonWriter& out, DeviceResult const& device) {
   out.key("samples_per_cycle").rounded(properties.samples_per_cycle, 6);
   write_members(out, "notes", device.notes, "corrections", device.raw.corrections, "counting_block", acceptance.block,
                 "counting_block_choice", acceptance.choice);
-  write_assessments(out, "assessments", acceptance.assessments, acceptance.block);
+  write_assessments(out.key("assessments"), acceptance.assessments, acceptance.block);
 }
 
 void write_acceptance(JsonWriter& out, LotAcceptance const& acceptance) {

@@ -38,6 +38,13 @@ void write_values(JsonWriter& out, std::span<double const> values, std::optional
   out.end_array();
 }
 
+void write_profile(JsonWriter& out, ParameterAnalysis const& analysis, std::optional<int> digits) {
+  out.begin_object();
+  write_values(out.key("value"), analysis.profile_value, digits);
+  write_values(out.key("objective"), analysis.profile_objective, digits);
+  out.end_object();
+}
+
 void write_intervals(JsonWriter& out, DeviceFit const& fit) {
   out.begin_object();
   out.member("level", fit.interval_level).member("samples", std::uint64_t{fit.interval_samples});
@@ -49,6 +56,16 @@ void write_blocks(JsonWriter& out, std::vector<BlockScore> const& blocks, Digits
   for (auto const& score : blocks) {
     out.begin_object().member("block", score.block).member("fitted", score.fitted).key("objective");
     write_value(out, score.objective, digits == Digits::all ? std::nullopt : std::optional(shown_digits));
+    out.end_object();
+  }
+  out.end_array();
+}
+
+void write_outliers(JsonWriter& out, std::vector<OutlyingDevice> const& outliers, Digits digits) {
+  out.begin_array();
+  for (auto const& outlier : outliers) {
+    out.begin_object();
+    write_results(out, outlier_results, outlier, digits);
     out.end_object();
   }
   out.end_array();

@@ -42,7 +42,15 @@ void write_results(JsonWriter& out, Result<Of> const (&rows)[count], Of const& o
   }
 }
 
+// Members of the open object for rows of which none is nested.
+template <class Of, std::size_t count>
+void write_results(JsonWriter& out, Result<Of> const (&rows)[count], Of const& of, Digits digits) {
+  write_results(out, rows, of, digits, [](std::string_view) {});
+}
+
+void write_profile(JsonWriter& out, ParameterAnalysis const& analysis, std::optional<int> digits = std::nullopt);
 void write_intervals(JsonWriter& out, DeviceFit const& fit);
 void write_blocks(JsonWriter& out, std::vector<BlockScore> const& blocks, Digits digits);
+void write_outliers(JsonWriter& out, std::vector<OutlyingDevice> const& outliers, Digits digits);
 
 }  // namespace isolaw::render

@@ -11,18 +11,14 @@ namespace {
 constexpr int summary_schema = 1;
 
 void write_analysis(JsonWriter& out, ParameterAnalysis const& analysis) {
-  write_results(out, analysis_results, analysis, Digits::all, [&](std::string_view) {
-    write_values(out.begin_object().key("value"), analysis.profile_value);
-    write_values(out.key("objective"), analysis.profile_objective);
-    out.end_object();
-  });
+  write_results(out, analysis_results, analysis, Digits::all, [&](std::string_view) { write_profile(out, analysis); });
 }
 
 void write_parameters(JsonWriter& out, std::vector<ParameterFit> const& parameters) {
   out.begin_object();
   for (auto const& parameter : parameters) {
     out.key(parameter.name).begin_object();
-    write_results(out, parameter_results, parameter, Digits::all, [](std::string_view) {});
+    write_results(out, parameter_results, parameter, Digits::all);
     if (parameter.analysis)
       write_analysis(out, *parameter.analysis);
     else
@@ -126,14 +122,7 @@ std::string summary_json(Summary const& summary) {
   for (auto const& law : summary.laws) write(out, law);
   out.end_array();
   out.member("title", summary.title);
-  out.key("outliers").begin_array();
-  for (auto const& outlier : summary.outliers) {
-    out.begin_object();
-    write_members(out, "device", outlier.device, "property", outlier.property, "unit", outlier.unit);
-    out.member("value", outlier.value).member("median", outlier.median).member("score", outlier.score);
-    out.member("percent", outlier.percent).end_object();
-  }
-  out.end_array();
+  write_outliers(out.key("outliers"), summary.outliers, Digits::all);
   auto const runs = summary.missing_runs(), analyses = summary.missing_analyses();
   write_members(out, "complete", runs == 0 && analyses == 0, "missing_runs", runs, "missing_analyses", analyses);
   out.end_object();

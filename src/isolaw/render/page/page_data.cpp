@@ -8,6 +8,7 @@
 #include "isolaw/num/statistics.hpp"
 #include "isolaw/render/json/properties_json.hpp"
 #include "isolaw/render/json/results_json.hpp"
+#include "isolaw/study/acceptance_results.hpp"
 #include "isolaw/study/build_analysis.hpp"
 #include "isolaw/study/command.hpp"
 #include "isolaw/study/drawn_samples.hpp"
@@ -112,26 +113,28 @@ void write_device(JsonWriter& out, DeviceResult const& device, std::vector<std::
   out.end_object().end_object();
 }
 
-// A property of all parameters of a fit; their names stand once, in the law.
-using Parameters = std::vector<ParameterFit>;
-void write_column(JsonWriter& out, std::string_view name, Parameters const& parameters,
-                  Value (*of)(ParameterFit const&)) {
-  out.key(name).begin_array();
-  for (auto const& parameter : parameters) write_value(out, of(parameter), shown_digits);
-  out.end_array();
+// What of a parameter is the same on every device: it stands once, in the law.
+constexpr auto of_the_law = columns(parameter_results, {"unit", "free"});
+
+// Columns, not rows: the names of the properties stand once a fit, those of the parameters in the law.
+void write_parameter_columns(JsonWriter& out, std::vector<ParameterFit> const& parameters) {
+  out.begin_object();
+  for (auto const& row : parameter_results) {
+    if (std::ranges::find(of_the_law, row.key, &Result<ParameterFit>::key) != of_the_law.end()) continue;
+    out.key(row.key).begin_array();
+    for (auto const& parameter : parameters) write_value(out, row.of(parameter), row.digits);
+    out.end_array();
+  }
+  out.end_object();
 }
 
-// Columns, not rows: the names of the properties stand once a fit.
-void write_parameter_columns(JsonWriter& out, Parameters const& parameters) {
-  out.begin_object();
-  write_column(out, "mean", parameters, get<&ParameterFit::value, &Statistic::mean>);
-  write_column(out, "std", parameters, get<&ParameterFit::value, &Statistic::std>);
-  write_column(out, "best", parameters, get<&ParameterFit::value, &Statistic::best>);
-  write_column(out, "percent_of_lot", parameters, get<&ParameterFit::percent_of_lot>);
-  write_column(out, "at_bound", parameters, get<&ParameterFit::at_bound>);
-  write_column(out, "lower", parameters, get<&ParameterFit::lower>);
-  write_column(out, "upper", parameters, get<&ParameterFit::upper>);
-  out.end_object();
+void write_examined(JsonWriter& out, Result<ParameterAnalysis> const& row,
+                    std::optional<ParameterAnalysis> const& analysis) {
+  auto const value = analysis ? row.of(*analysis) : Value();
+  if (std::holds_alternative<study::Nested>(value))
+    write_profile(out, *analysis, row.digits);
+  else
+    write_value(out, value, row.digits);
 }
 
 // Columns; a parameter that was not examined is null in each. Null as a whole without an analysis.
@@ -141,36 +144,17 @@ void write_determination(JsonWriter& out, DeviceFit const& fit) {
     out.null();
     return;
   }
-  auto const column = [&](std::string_view name, auto member, int digits = profile_digits) {
-    out.key(name).begin_array();
-    for (auto const& parameter : fit.parameters) {
-      if (!parameter.analysis)
-        out.null();
-      else if constexpr (std::same_as<decltype(member), std::vector<double> ParameterAnalysis::*>)
-        write_values(out, (*parameter.analysis).*member, digits);
-      else
-        write_value(out, value_of((*parameter.analysis).*member), digits);
-    }
-    out.end_array();
-  };
   out.begin_object();
-  column("identifiability", &ParameterAnalysis::identifiability);
-  column("optimum", &ParameterAnalysis::optimum, shown_digits);
-  column("open_lower", &ParameterAnalysis::open_lower);
-  column("open_upper", &ParameterAnalysis::open_upper);
-  column("open_below", &ParameterAnalysis::open_below);
-  column("open_above", &ParameterAnalysis::open_above);
-  column("linear_lower", &ParameterAnalysis::linear_lower);
-  column("linear_upper", &ParameterAnalysis::linear_upper);
-  column("bootstrap_lower", &ParameterAnalysis::bootstrap_lower);
-  column("bootstrap_upper", &ParameterAnalysis::bootstrap_upper);
-  column("profile_value", &ParameterAnalysis::profile_value);
-  column("profile_objective", &ParameterAnalysis::profile_objective);
+  for (auto const& row : analysis_results) {
+    out.key(row.key).begin_array();
+    for (auto const& parameter : fit.parameters) write_examined(out, row, parameter.analysis);
+    out.end_array();
+  }
   out.end_object();
 }
 
-// How the runs came down: decimal logarithms of the smallest, median and largest best objective so far over the runs, after
-// each generation or start; a run that ended earlier keeps its last.
+// How the runs came down: decimal logarithms of the smallest, median and largest best objective so far over the runs,
+// after each generation or start; a run that ended earlier keeps its last.
 void write_convergence(JsonWriter& out, DeviceFit const& fit) {
   std::vector<std::vector<double>> runs;
   std::size_t steps = 0;
@@ -272,8 +256,9 @@ void write_law(JsonWriter& out, Summary const& summary, LawResult const& law,
   auto const& parameters = parameters_of(law);
   for (std::size_t n = 0; n < parameters.size(); ++n) {
     out.begin_object();
-    write_members(out, "name", parameters[n].name, "unit", parameters[n].unit, "free", parameters[n].free, "delta",
-                  largest_difference(law, n));
+    out.member("name", parameters[n].name);
+    for (auto const& row : of_the_law) write_value(out.key(row.key), row.of(parameters[n]), row.digits);
+    write_members(out, "delta", largest_difference(law, n));
     out.end_object();
   }
   out.end_array().end_object();
@@ -306,15 +291,13 @@ void write_thresholds(JsonWriter& out) {
   out.end_object();
 }
 
-void write_outliers(JsonWriter& out, Summary const& summary) {
-  out.key("outliers").begin_array();
-  for (auto const& outlier : summary.outliers) {
-    out.begin_object();
-    write_members(out, "device", outlier.device, "property", outlier.property, "unit", outlier.unit, "value",
-                  outlier.value, "median", outlier.median, "score", outlier.score, "percent", outlier.percent);
-    out.end_object();
-  }
-  out.end_array();
+// What the page's own tables have above the rows of results, key by key.
+template <class Of, std::size_t count>
+void write_headings(JsonWriter& out, std::string_view key, Result<Of> const (&rows)[count]) {
+  out.key(key).begin_object();
+  for (auto const& row : rows)
+    if (!row.heading.empty()) out.member(row.key, study::headings(row));
+  out.end_object();
 }
 
 }  // namespace
@@ -334,8 +317,13 @@ std::string page_data_json(Summary const& summary) {
   for (auto const& setting : summary.settings) out.key(setting.key).json(setting.json);
   out.end_object();
   write_findings(out, summary);
-  write_outliers(out, summary);
+  write_outliers(out.key("outliers"), summary.outliers, Digits::shown);
   write_thresholds(out);
+  out.key("headings").begin_object();
+  write_headings(out, "determination", analysis_results);
+  write_headings(out, "assessments", assessment_results);
+  write_headings(out, "factors", factor_results);
+  out.end_object();
   out.key("assessment");
   write_acceptance(out, summary.acceptance);
   out.key("devices").begin_array();

@@ -63,20 +63,19 @@ std::string lot_law_csv(Summary const& summary) {
 }
 
 std::string prediction_csv(Summary const& summary) {
+  constexpr auto of_fitted_part =
+      columns(fit_results, {"optimum: the device itself", "lot_objective", "worst_objective", "left_out_objective"});
   CsvTable table;
   table.row("law", "device", "judged on", "law of", "OF [-]");
   for (auto const& law : summary.laws)
     for (auto const& fit : law.devices) {
-      auto const row = [&](std::string_view judged, std::string_view of, std::optional<double> const& objective) {
-        if (objective) table.row(law.id, fit.device, judged, of, objective);
+      auto const row = [&](std::string_view judged, std::string_view of, Value const& objective) {
+        if (!std::holds_alternative<std::monostate>(objective)) table.row(law.id, fit.device, judged, of, objective);
       };
-      row("fitted part", "the device itself", fit.optimum);
-      row("fitted part", "the lot, least mean", fit.lot_objective);
-      row("fitted part", "the lot, least worst", fit.worst_objective);
-      row("fitted part", "all other devices", fit.left_out_objective);
+      for (auto const& one : of_fitted_part) row("fitted part", one.heading, one.of(fit));
       for (auto const& score : fit.blocks)
         row("block " + std::to_string(score.block) + (score.fitted ? ", fitted" : ", predicted"), "the device itself",
-            score.objective);
+            study::value_of(score.objective));
     }
   return table.take();
 }

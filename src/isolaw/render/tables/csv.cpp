@@ -45,15 +45,4 @@ void CsvTable::put(Value const& value) {
   text_ += std::visit(Cells{}, value);
 }
 
-void CsvTable::head(std::string_view heading, std::string_view unit, Value const& of_kind) {
-  auto const name = std::string(heading);
-  auto const in_unit = unit.empty() || unit == own_unit ? std::string() : " [" + std::string(unit) + "]";
-  if (std::holds_alternative<Statistic>(of_kind))
-    for (auto const* what : {"mean ", "std ", "best "}) add(what + name + in_unit);
-  else if (std::holds_alternative<Ends>(of_kind))
-    for (auto const* which : {" lower", " upper"}) add(name + which + in_unit);
-  else
-    add(name + in_unit);
-}
-
 }  // namespace isolaw::render

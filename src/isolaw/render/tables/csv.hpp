@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <concepts>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -28,12 +27,8 @@ class CsvTable {
   // The headings of rows of study/results.hpp, and an object's cells under them.
   template <class Of, std::size_t count>
   CsvTable& head(std::array<Result<Of>, count> const& columns) {
-    for (auto const& column : columns) {
-      if constexpr (std::default_initializable<Of>)
-        head(column.heading, column.unit, column.of(Of{}));
-      else
-        head(column.heading, column.unit, {});
-    }
+    for (auto const& column : columns)
+      for (auto const& heading : study::headings(column)) add(heading);
     return *this;
   }
   template <class Of, std::size_t count>
@@ -52,7 +47,6 @@ class CsvTable {
   std::string take() { return std::move(text_); }
 
  private:
-  void head(std::string_view heading, std::string_view unit, Value const& of_kind);
   void put(Value const& value);
 
   std::string text_;

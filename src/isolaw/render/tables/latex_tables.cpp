@@ -8,9 +8,8 @@
 
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
-#include "isolaw/render/tables/csv.hpp"
+#include "isolaw/render/tables/table_rows.hpp"
 #include "isolaw/study/findings.hpp"
-#include "isolaw/study/front_view.hpp"
 
 namespace isolaw::render {
 namespace {
@@ -71,31 +70,6 @@ std::string yes(bool flag) {
 }
 
 // --- Table A.5 -------------------------------------------------------------------------------------------------------
-
-// One row of it on all devices; n: of the parameters, none for the objective.
-struct Quantity {
-  std::string name, unit;
-  bool free = true;
-  std::optional<std::size_t> n;
-};
-
-std::vector<Quantity> quantities_of(LawResult const& law) {
-  std::vector<Quantity> made{{"OF", "-", true, std::nullopt}};
-  auto const& parameters = parameters_of(law);
-  for (std::size_t n = 0; n < parameters.size(); ++n)
-    made.push_back({parameters[n].name, parameters[n].unit, parameters[n].free, n});
-  return made;
-}
-
-Statistic statistic_of(DeviceFit const& fit, Quantity const& quantity) {
-  if (!quantity.n) return fit.objective;
-  return *quantity.n < fit.parameters.size() ? fit.parameters[*quantity.n].value : Statistic{};
-}
-
-Statistic statistic_of(LawResult const& law, std::string const& device, Quantity const& quantity) {
-  auto const* fit = fit_of(law, device);
-  return fit == nullptr ? Statistic{} : statistic_of(*fit, quantity);
-}
 
 constexpr int digits_of_std = 2;
 
@@ -205,12 +179,6 @@ std::string law_block(LawResult const& law, std::vector<std::string> const& devi
 
 // --- the front -------------------------------------------------------------------------------------------------------
 
-std::vector<FrontPoint> by_accuracy(Summary const& summary, FrontView view) {
-  auto points = front_points(summary, view);
-  std::ranges::stable_sort(points, {}, &FrontPoint::y);
-  return points;
-}
-
 std::string_view head_of_x(FrontView view) {
   return view == FrontView::left_out ? "$\\mathit{OF}$ on devices left out" : "$\\beta$";
 }
@@ -266,22 +234,6 @@ std::string latex_unit(std::string_view unit) {
   return text;
 }
 
-std::string table_a5_csv(Summary const& summary) {
-  CsvTable table;
-  table.add("law", "quantity", "unit", "calibrated");
-  auto const devices = device_names(summary);
-  for (auto const& device : devices) table.add(device + " mean", device + " std", device + " best");
-  table.end_row();
-  for (auto const& law : summary.laws)
-    for (auto const& quantity : quantities_of(law)) {
-      table.add(law.id, quantity.name, quantity.unit);
-      quantity.n ? table.add(quantity.free) : table.empty(1);
-      for (auto const& device : devices) table.add(statistic_of(law, device, quantity));
-      table.end_row();
-    }
-  return table.take();
-}
-
 std::string table_a5_tex(Summary const& summary) {
   auto const devices = device_names(summary);
   std::string text =
@@ -320,18 +272,6 @@ std::string robustness_tex(Summary const& summary) {
                         latex_number(law.objective.std), latex_number(law.objective.best), latex_number(law.beta),
                         yes(law.on_front));
   return text + "\\bottomrule\n\\end{tabular}\n";
-}
-
-std::string front_csv(Summary const& summary) {
-  CsvTable table;
-  table.row("view", "law", "accuracy OF [-]", "robustness beta, or OF on devices left out [-]", "on front",
-            "dominated by");
-  for (auto const view : front_views) {
-    auto const points = by_accuracy(summary, view);
-    for (auto const& point : points)
-      table.row(view, point.law, point.y, point.x, point.on_front, joined(dominating(points, point)));
-  }
-  return table.take();
 }
 
 std::string front_tex(Summary const& summary) {

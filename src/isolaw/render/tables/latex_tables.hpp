@@ -1,5 +1,6 @@
 // Tables of a publication: LaTeX with booktabs (and longtable where one may be longer than a page), numbers in plain
-// math with four significant digits (two of a standard deviation over runs), to be \input where they belong. Beside each stands a CSV of the same content.
+// math with four significant digits (two of a standard deviation over runs), to be \input where they belong. Beside
+// each stands a CSV of the same content (tables.hpp).
 #pragma once
 
 #include <optional>
@@ -19,16 +20,13 @@ std::string latex_number(std::optional<double> const& number, int digits_shown =
 // "kN/mm", "N/m$^{3}$"; "" for none.
 std::string latex_unit(std::string_view unit);
 
-// Layout of Table A.5 of Cucuzza et al. 2025: per law and device mean and standard deviation over the runs, and the
-// value of the best run, of the objective and of every parameter.
-std::string table_a5_csv(Summary const& summary);
+// The content of table_a5.csv.
 std::string table_a5_tex(Summary const& summary);
 
 // Per law: the objective, beta, the front; the content of robustness.csv.
 std::string robustness_tex(Summary const& summary);
 
-// Fig. 14 in numbers: the laws by rising objective, which of them are not dominated, and by whom the others are.
-std::string front_csv(Summary const& summary);
+// The content of front.csv.
 std::string front_tex(Summary const& summary);
 
 }  // namespace isolaw::render

@@ -4,6 +4,7 @@
 #include "isolaw/base/words.hpp"
 #include "isolaw/render/tables/csv.hpp"
 #include "isolaw/render/tables/tables.hpp"
+#include "isolaw/study/acceptance_results.hpp"
 #include "isolaw/study/cycle_results.hpp"
 
 namespace isolaw::render {
@@ -62,22 +63,25 @@ std::string cycles_csv(Summary const& summary) {
 }
 
 std::string tests_csv(Summary const& summary) {
+  constexpr auto of_test = columns(assessment_results, {"block", "quantity", "clause", "formula", "value", "unit",
+                                                        "nominal", "deviation_percent", "limit", "verdict", "reason"});
   CsvTable table;
-  table.row("device", "block", "quantity", "clause", "formula", "value", "unit", "design value", "deviation [%]",
-            "limit", "verdict", "reason");
+  table.add("device").head(of_test).end_row();
   for (auto const& device : summary.devices)
-    for (auto const& a : device.acceptance.assessments)
-      table.row(device.name, device.acceptance.block, a.quantity, a.clause, a.formula, a.value, a.unit, a.nominal,
-                a.deviation_percent, a.limit, a.verdict, a.reason);
+    for (auto const& assessment : device.acceptance.assessments)
+      table.add(device.name).cells(of_test, AssessmentOf{assessment, device.acceptance.block}).end_row();
   return table.take();
 }
 
 std::string lot_csv(Summary const& summary) {
+  constexpr auto quantity = columns(quantity_results, {"quantity", "unit"});
+  constexpr auto spread =
+      columns(quantity_results, {"n", "mean", "sd", "cov_percent", "min", "min_device", "max", "max_device", "nominal",
+                                 "deviation_of_mean_percent", "worst_deviation_percent", "worst_device", "fractile_5",
+                                 "fractile_95", "tolerance_k", "tolerance_lower", "tolerance_upper", "no_lower_bound"});
   CsvTable table;
-  table.row("quantity", "unit", "lot size", "tested", "required", "with a value", "mean", "std", "CoV [%]", "min",
-            "min device", "max", "max device", "design value", "deviation of the mean [%]", "worst deviation [%]",
-            "worst device", "5 % fractile", "95 % fractile", "tolerance factor k 95/95", "tolerance low",
-            "tolerance high", "no lower bound", "limit on the mean", "verdict", "reason", "outliers");
+  table.head(quantity).add("lot size", "tested", "required").head(spread);
+  table.row("limit on the mean", "verdict", "reason", "outliers");
   auto const& lot = summary.acceptance.lot;
   for (auto const& q : lot.quantities) {
     std::vector<std::string> limits, verdicts, reasons, outliers;
@@ -88,25 +92,23 @@ std::string lot_csv(Summary const& summary) {
     }
     for (auto const& outlier : q.outliers) outliers.push_back(outlier.device + ": " + outlier.reason);
     if (!q.outlier_note.empty()) outliers.push_back(q.outlier_note);
-    table.row(q.quantity, q.unit, lot.lot_size, lot.devices, lot.required, q.count, q.mean, q.std, q.cov_percent, q.min,
-              q.min_device, q.max, q.max_device, q.nominal, q.mean_deviation_percent, q.worst_deviation_percent,
-              q.worst_device, q.fractile_5, q.fractile_95, q.tolerance_factor, q.tolerance_low, q.tolerance_high,
-              q.no_lower, joined(limits, "; "), joined(verdicts, "; "), joined(reasons, "; "), joined(outliers, "; "));
+    table.cells(quantity, q).add(lot.lot_size, lot.devices, lot.required).cells(spread, q);
+    table.row(joined(limits, "; "), joined(verdicts, "; "), joined(reasons, "; "), joined(outliers, "; "));
   }
   return table.take();
 }
 
 std::string lambda_csv(Summary const& summary) {
+  constexpr auto of_supply = columns(factor_results, {"property", "unit", "source", "spec_min", "spec_max"});
+  constexpr auto of_test = columns(test_factor_results, {"min", "max", "min_cycle", "max_cycle"});
+  constexpr auto bounds =
+      columns(factor_results, {"lambda_min", "lambda_max", "lower", "upper", "note", "no_lower_bound"});
   CsvTable table;
-  table.row("property", "unit", "source", "lambda_spec min", "lambda_spec max", "lambda_test min", "lambda_test max",
-            "min cycle", "max cycle", "lambda min", "lambda max", "lower bound", "upper bound", "note",
-            "no lower bound");
-  for (auto const& q : summary.acceptance.lot.quantities)
-    for (auto const& b : q.bounds) {
-      auto const& test = q.test_factors;
-      table.add(q.quantity, q.unit, b.source, b.spec.min, b.spec.max);
-      test ? table.add(test->min, test->max, test->min_cycle, test->max_cycle) : table.empty(4);
-      table.row(b.combined.min, b.combined.max, b.lower, b.upper, b.note, b.no_lower);
+  table.head(of_supply).head(of_test).head(bounds).end_row();
+  for (auto const& quantity : summary.acceptance.lot.quantities)
+    for (auto const& bound : quantity.bounds) {
+      FactorOf const of{quantity, bound};
+      table.cells(of_supply, of).cells(of_test, quantity).cells(bounds, of).end_row();
     }
   return table.take();
 }

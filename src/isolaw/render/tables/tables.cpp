@@ -5,6 +5,7 @@
 
 #include "isolaw/base/words.hpp"
 #include "isolaw/render/tables/csv.hpp"
+#include "isolaw/render/tables/table_rows.hpp"
 #include "isolaw/study/findings.hpp"
 
 namespace isolaw::render {
@@ -82,6 +83,34 @@ std::string robustness_csv(Summary const& summary) {
   CsvTable table;
   table.head(of_law).end_row();
   for (auto const& law : summary.laws) table.cells(of_law, law).end_row();
+  return table.take();
+}
+
+std::string table_a5_csv(Summary const& summary) {
+  CsvTable table;
+  table.add("law", "quantity", "unit", "calibrated");
+  auto const devices = device_names(summary);
+  for (auto const& device : devices) table.add(device + " mean", device + " std", device + " best");
+  table.end_row();
+  for (auto const& law : summary.laws)
+    for (auto const& quantity : quantities_of(law)) {
+      table.add(law.id, quantity.name, quantity.unit);
+      quantity.n ? table.add(quantity.free) : table.empty(1);
+      for (auto const& device : devices) table.add(statistic_of(law, device, quantity));
+      table.end_row();
+    }
+  return table.take();
+}
+
+std::string front_csv(Summary const& summary) {
+  CsvTable table;
+  table.row("view", "law", "accuracy OF [-]", "robustness beta, or OF on devices left out [-]", "on front",
+            "dominated by");
+  for (auto const view : front_views) {
+    auto const points = by_accuracy(summary, view);
+    for (auto const& point : points)
+      table.row(view, point.law, point.y, point.x, point.on_front, joined(dominating(points, point)));
+  }
   return table.take();
 }
 

@@ -21,6 +21,13 @@ std::string objective_csv(Summary const& summary);
 // One row per law: mean objective, beta, front.
 std::string robustness_csv(Summary const& summary);
 
+// Layout of Table A.5 of Cucuzza et al. 2025: per law and device mean and standard deviation over the runs, and the
+// value of the best run, of the objective and of every parameter.
+std::string table_a5_csv(Summary const& summary);
+
+// Fig. 14 in numbers: the laws by rising objective, which of them are not dominated, and by whom the others are.
+std::string front_csv(Summary const& summary);
+
 // One row per device, block and cycle, those that do not count included with the reason; a device without cycles has
 // one row with the reason.
 std::string cycles_csv(Summary const& summary);

@@ -7,8 +7,8 @@
 
 namespace isolaw::render {
 
-// One device in full: recognised columns, channels, every cycle, stability, assessments, warnings, notes. Several: a line
-// for each device, then the lot.
+// One device in full: recognised columns, channels, every cycle, stability, assessments, warnings, notes. Several: a
+// line for each device, then the lot.
 std::string inspection_text(Summary const& summary);
 
 }  // namespace isolaw::render

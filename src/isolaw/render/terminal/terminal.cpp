@@ -53,8 +53,8 @@ struct Row {
   std::string remark = {};
 };
 
-// Every column as wide as its texts and two blanks, the names as they are and `id_gap` blanks; none narrower than what is
-// given.
+// Every column as wide as its texts and two blanks, the names as they are and `id_gap` blanks; none narrower than what
+// is given.
 std::string table(std::vector<Row> const& rows, std::vector<int> widths, int id_width, int id_gap = 0) {
   widths.resize(rows.front().cells.size());
   for (auto const& row : rows) {
@@ -115,7 +115,7 @@ std::string converged_table(Summary const& summary, int width) {
   return "Without the optimiser's noise\n" + table(rows, {}, 0, 2) +
          wrapped(
              "",
-             "found: runs that reached the least OF known, of a named record or of this campaign; left out: OF on a device by the law of all others, mean and worst; open: parameters that the tests do not determine",
+             "found: runs that reached the least OF of this campaign; left out: OF on a device by the law of all others, mean and worst; open: parameters that the tests do not determine",
              5, width);
 }
 

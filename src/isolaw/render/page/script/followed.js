@@ -27,27 +27,18 @@ export function followedPanels(stacked, largest) {
   return layout;
 }
 
-// Limits of a device in percent of the design value, as rule sets print them: "from -20 % to +20 %", "at least -25 %".
-export function limitBand(limit, nominal) {
-  if (!isNumber(nominal) || !limit) return null;
-  const numbers =
-    String(limit)
-      .replace(/\u2212/g, '-')
-      .match(/[-+]?\d+(?:\.\d+)?(?= ?%)/g)
-      ?.map(Number) ?? [];
-  const at = (percent) => nominal * (1 + percent / 100);
-  if (/^from [^%]*% to [^%]*%$/.test(limit) && numbers.length === 2) return numbers.map(at);
-  if (/^at least .*%$/.test(limit) && numbers.length === 1) return [at(numbers[0]), null];
-  if (/^at most .*%$/.test(limit) && numbers.length === 1) return [null, at(numbers[0])];
-  return null;
+// What the limits on an assessment, or on each device of the lot, leave about the design value; null: nothing limits it.
+export function limitBand(limited) {
+  const { nominal, lower_percent: lower, upper_percent: upper } = limited ?? {};
+  if (!isNumber(nominal) || !(isNumber(lower) || isNumber(upper))) return null;
+  return [lower, upper].map((percent) => (isNumber(percent) ? nominal * (1 + percent / 100) : null));
 }
 
 // Design value and limits of a followed property: of one device's assessments, else of the lot.
 export function designOf(name, assessments) {
   const own = assessments.find((a) => concerns(a, name) && isNumber(a.nominal));
   const lot = lotQuantities.find((quantity) => quantity.quantity === name);
-  const nominal = own?.nominal ?? lot?.nominal ?? null;
-  return { nominal, band: limitBand(own?.limit || lot?.limit_individual, nominal) };
+  return { nominal: own?.nominal ?? lot?.nominal ?? null, band: limitBand(own) ?? limitBand(lot) };
 }
 
 // A tenth of the values' size at least: what hardly changes from cycle to cycle shall look so.

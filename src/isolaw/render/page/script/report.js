@@ -44,6 +44,16 @@ export function firstExamined(law) {
   return law ? (examinedPlaces(law)[0] ?? 0) : 0;
 }
 
+// Headings of results, as the program's own tables have them, and an object's cells below them.
+export function resultColumns(kind) {
+  const headings = report.headings[kind];
+  const cell = (value) => (typeof value === 'boolean' ? (value ? 'yes' : 'no') : value);
+  return {
+    columns: Object.values(headings).flat(),
+    cells: (of) => Object.keys(headings).flatMap((key) => [of[key]].flat().map(cell)),
+  };
+}
+
 // A curve of the data block: offset + step * running sum of integers.
 const decodedCurves = new WeakMap();
 

@@ -2,7 +2,7 @@
 
 import { element } from './dom.js';
 import { ROUND, icon } from './icons.js';
-import { report } from './report.js';
+import { report, resultColumns } from './report.js';
 
 export const isVerified = () => Boolean(report.assessment?.rule_set?.verified_by);
 
@@ -35,19 +35,10 @@ export function verdictBadge(verdict) {
   return element('span', { class: 'verdict ' + known.tone }, icon(...shapes), verdict);
 }
 
-const ASSESSMENT_COLUMNS = [
-  'device', 'quantity', 'block', 'clause', 'formula', 'value', 'unit', 'design value', 'deviation [%]', 'limits',
-  'verdict', 'reason',
-];
-
 export function assessmentData(among) {
+  const { columns, cells } = resultColumns('assessments');
   return {
-    columns: ASSESSMENT_COLUMNS,
-    rows: among.flatMap((device) =>
-      device.assessments.map((a) => [
-        device.name, a.quantity, a.block, a.clause, a.formula, a.value, a.unit, a.nominal, a.deviation_percent, a.limit,
-        a.verdict, a.reason,
-      ]),
-    ),
+    columns: ['device', ...columns],
+    rows: among.flatMap((device) => device.assessments.map((a) => [device.name, ...cells(a)])),
   };
 }

@@ -2,7 +2,9 @@ import { chosen } from '../choice.js';
 import { lawChooser } from '../choosers.js';
 import { element, onScreen } from '../dom.js';
 import { ROUND, icon } from '../icons.js';
-import { devices, examinedLaws, examinedPlaces, firstExamined, laws, report, usable } from '../report.js';
+import {
+  devices, examinedLaws, examinedPlaces, firstExamined, laws, report, resultColumns, usable,
+} from '../report.js';
 import { table } from '../tables.js';
 import { DASH, count, enumerate, percentText, rangeText, unitText } from '../text.js';
 import { cellBeside, chooseCell, markChosenCell } from './cells.js';
@@ -62,19 +64,16 @@ function determinedCaption() {
 }
 
 function determinedData() {
+  const { columns, cells } = resultColumns('determination');
   return {
-    columns: [
-      'law', 'device', 'parameter', 'unit', 'verdict', 'optimum', 'open from', 'open to', 'ends at the box below',
-      'ends at the box above', 'linear from', 'linear to', 'bootstrap from', 'bootstrap to',
-    ],
+    columns: ['law', 'device', 'parameter', 'unit', ...columns],
     rows: examinedLaws.flatMap((law) =>
       law.devices.flatMap((fit) =>
         examinedPlaces(law)
-          .map((place) => examination(law, fit.device, place))
-          .filter(Boolean)
-          .map((one) => [
-            law.id, devices[fit.device].name, one.parameter.name, one.parameter.unit, one.verdict, one.optimum,
-            ...one.open, ...one.ends.map((end) => (end ? 'yes' : 'no')), ...one.linear, ...one.bootstrap,
+          .filter((place) => fit.determination?.[place])
+          .map((place) => [
+            law.id, devices[fit.device].name, law.parameters[place].name, law.parameters[place].unit,
+            ...cells(fit.determination[place]),
           ]),
       ),
     ),

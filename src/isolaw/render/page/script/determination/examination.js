@@ -12,12 +12,12 @@ export function examination(law, device, place) {
     parameter: law.parameters[place],
     verdict: row.identifiability,
     optimum: row.optimum,
-    open: [row.open_lower, row.open_upper],
+    open: row.open_range,
     ends: [row.open_below, row.open_above],
-    linear: [row.linear_lower, row.linear_upper],
-    bootstrap: [row.bootstrap_lower, row.bootstrap_upper],
-    values: row.profile_value,
-    objectives: row.profile_objective,
+    linear: row.linear_interval,
+    bootstrap: row.bootstrap_interval,
+    values: row.profile.value,
+    objectives: row.profile.objective,
   };
 }
 

@@ -1,6 +1,6 @@
 import { element } from '../dom.js';
 import { lotQuantities } from '../lot.js';
-import { report } from '../report.js';
+import { report, resultColumns } from '../report.js';
 import { tableOf } from '../tables.js';
 import { DASH, fixed, isNumber, significant, unitText } from '../text.js';
 
@@ -53,9 +53,6 @@ function factorTable() {
 }
 
 function factorData() {
-  const keys = [
-    'property', 'source', 'spec_min', 'spec_max', 'lambda_min', 'lambda_max', 'lower', 'upper', 'unit', 'note',
-    'no_lower_bound',
-  ];
-  return { columns: keys, rows: report.assessment.lot.factors.map((factor) => keys.map((key) => factor[key])) };
+  const { columns, cells } = resultColumns('factors');
+  return { columns, rows: report.assessment.lot.factors.map(cells) };
 }

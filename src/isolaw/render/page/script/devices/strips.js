@@ -66,7 +66,7 @@ function drawStrips(look, width) {
     const suffix = i === 0 ? '' : String(i + 1);
     const top = 1 - (i * (STRIP_HEIGHT + STRIP_BETWEEN)) / inner,
       bottom = top - STRIP_HEIGHT / inner;
-    const band = limitBand(quantity.limit_individual, quantity.nominal);
+    const band = limitBand(quantity);
     const values = points.map((point) => point.value);
     const range = paddedRange([...values, quantity.nominal, ...(band ?? [])].filter(isNumber), 0.06);
     layout['xaxis' + suffix] = {

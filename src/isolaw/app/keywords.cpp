@@ -1,0 +1,62 @@
+// `isolaw keywords`: the options of the tables as keyword parameters, for the stub of the Python package, which
+// `./isolaw.sh docs` writes with it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "isolaw/app/commands.hpp"
+#include "isolaw/base/words.hpp"
+#include "isolaw/campaign/setting_table.hpp"
+#include "isolaw/data/reading.hpp"
+
+namespace isolaw::app {
+namespace {
+
+std::string python_literal(Json const& value) {
+  if (value.is_null()) return "None";
+  if (value.is_boolean()) return value.get<bool>() ? "True" : "False";
+  if (value.is_array() && value.empty()) return "()";
+  return value.dump();
+}
+
+// "runs: int | None = None"
+template <class Row>
+std::string keyword(Row const& row) {
+  auto value = row.get({});
+  // A zero below its limits stands for what others decide.
+  if (row.limits && value == 0 && row.limits->least > 0.0) value = Json();
+  auto type = row.python_type();
+  if (value.is_null() && !type.ends_with(" | None")) type += " | None";
+  return fmt::format("{}: {} = {},", row.python(), type, python_literal(value));
+}
+
+}  // namespace
+
+int list_keywords(std::vector<std::string> const& which, std::vector<std::string> const& but) {
+  auto const is_in = [](std::vector<std::string> const& words, std::string_view word) {
+    return std::ranges::find(words, word) != words.end();
+  };
+  std::vector<std::string> known{"settings", "acceptance", "reading", "motion"}, lines;
+  auto const add = [&](auto const& row, bool asked) {
+    known.push_back(row.python());
+    if ((asked || is_in(which, known.back())) && !is_in(but, known.back())) lines.push_back(keyword(row));
+  };
+  for (auto const& row : campaign::setting_table())
+    if (!row.stored_only) add(row, is_in(which, "settings"));
+  for (auto const& row : campaign::acceptance_table()) add(row, is_in(which, "acceptance"));
+  for (auto const& row : data::reading_table())
+    add(row, is_in(which, "reading") || (!row.of_force && is_in(which, "motion")));
+  std::vector<Complaint> complaints;
+  for (auto const* words : {&which, &but})
+    for (auto const& word : *words)
+      if (!is_in(known, word))
+        complaints.push_back(
+            {.where = word, .found = "no table and no keyword", .allowed = joined(known), .advice = {}});
+  if (!complaints.empty()) throw Error(std::move(complaints));
+  for (auto const& line : lines) fmt::print("{}\n", line);
+  return exit_done;
+}
+
+}  // namespace isolaw::app

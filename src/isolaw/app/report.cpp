@@ -1,0 +1,77 @@
+#include "isolaw/app/report.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "isolaw/api/campaign_directory.hpp"
+#include "isolaw/app/commands.hpp"
+#include "isolaw/app/lot_of.hpp"
+#include "isolaw/app/say.hpp"
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/printable.hpp"
+#include "isolaw/campaign/store.hpp"
+#include "isolaw/render/json/summary_json.hpp"
+#include "isolaw/render/terminal/terminal.hpp"
+#include "isolaw/render/write.hpp"
+#include "isolaw/study/build_summary.hpp"
+#include "isolaw/study/verdict.hpp"
+
+namespace isolaw::app {
+
+void draw_figures(study::Summary const& summary, render::FigureChoice choice, std::filesystem::path const& directory) {
+  auto const outcome = render::write_figures(summary, choice, directory);
+  auto const folder = shown(directory / "figures");
+  if (outcome.program_missing)
+    say("figures: {} not drawn, {}; try: install gnuplot (Debian: gnuplot-nox) and isolaw report, or gnuplot NAME.gp in {}, which holds data and scripts\n",
+        outcome.figures - outcome.drawn, printable(outcome.reason), folder);
+  else if (outcome.drawn < outcome.figures)
+    say("figures: {} of {} not drawn: {}; data and scripts are in {}\n", outcome.figures - outcome.drawn,
+        outcome.figures, printable(outcome.reason), folder);
+}
+
+void print(study::Summary const& summary, bool json) {
+  auto text =
+      json ? render::summary_json(summary) : render::ranking(summary, std::min(terminal_width(STDOUT_FILENO), 120));
+  if (auto const verdicts = study::verdict_summary(summary); !json && !verdicts.empty()) text += "\n" + verdicts;
+  app::print(text);
+}
+
+int exit_code(study::Summary const& summary) {
+  for (auto const& device : summary.devices)
+    if (device.status != "ok") return exit_with_refusals;
+  for (auto const& law : summary.laws)
+    for (auto const& fit : law.devices)
+      if (!fit.refusal.empty() || fit.failed_runs > 0) return exit_with_refusals;
+  return study::acceptance_failed(summary) ? exit_with_refusals : exit_done;
+}
+
+std::string what_is_missing(study::Summary const& summary) {
+  auto const runs = summary.missing_runs();
+  return fmt::format("{} {} are missing; the calibrate command it was started with continues it",
+                     runs > 0 ? runs : summary.missing_analyses(), runs > 0 ? "runs" : "analyses");
+}
+
+int report(ReportArguments const& arguments) {
+  auto const& directory = arguments.directory;
+  auto const figures = render::figure_choice(arguments.figures);
+  auto contents = campaign::Store::read(directory / store_name);
+  apply(arguments.acceptance, contents.acceptance);
+  auto const summary = study::build_summary(contents);
+  // What is printed does not depend on the files: a store on read-only media can be looked at as it is.
+  std::optional<Error> not_written;
+  try {
+    render::write_outputs(summary, arguments.out.value_or(directory));
+    draw_figures(summary, figures, arguments.out.value_or(directory));
+  } catch (Error const& error) {
+    not_written = error;
+  }
+  print(summary, arguments.json);
+  if (!contents.complete()) say("the campaign is not complete: {}\n", what_is_missing(summary));
+  if (not_written) throw *not_written;
+  return contents.complete() ? exit_code(summary) : exit_with_refusals;
+}
+
+}  // namespace isolaw::app

@@ -1,0 +1,123 @@
+#include "isolaw/app/usage.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "isolaw/base/words.hpp"
+
+namespace isolaw::app {
+namespace {
+
+// Insertions, deletions and exchanges that make one word of the other.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    auto diagonal = std::exchange(row[0], i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      auto const exchanged = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, exchanged}));
+    }
+  }
+  return row.back();
+}
+
+// Empty when none is within `furthest` changes.
+std::string nearest(std::string_view word, std::vector<std::string> const& known, std::size_t furthest) {
+  std::string near;
+  for (auto const& other : known)
+    if (auto const distance = edit_distance(word, other); distance <= furthest) {
+      near = other;
+      if (distance == 0) break;
+      furthest = distance - 1;
+    }
+  return near;
+}
+
+std::vector<std::string> names_of_options(CLI::App const& command) {
+  std::vector<std::string> names;
+  for (auto const* option : command.get_options())
+    for (auto const& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+// Those of no group are the project's own.
+std::vector<std::string> names_of_commands(CLI::App& app, bool own_too = false) {
+  std::vector<std::string> names;
+  for (auto const* command : app.get_subcommands([=](CLI::App* each) { return own_too || !each->get_group().empty(); }))
+    names.push_back(command->get_name());
+  return names;
+}
+
+std::vector<Complaint> about_extra_words(CLI::App const& command, std::string const& advice) {
+  std::vector<Complaint> complaints;
+  constexpr std::size_t longest = 100;
+  for (auto const& word : command.remaining(true)) {
+    if (!word.starts_with('-')) {
+      complaints.push_back({word, "nothing more is expected here", {}, advice});
+      continue;
+    }
+    auto const name = word.substr(0, std::min(word.find('='), longest));
+    auto const known = names_of_options(command);
+    auto const near = nearest(name, known, 3);
+    complaints.push_back({name, "no such option", joined(known), near.empty() ? advice : near + ", or " + advice});
+  }
+  return complaints;
+}
+
+// The option the library's message speaks of: "Could not convert: --runs = many", "--out: 1 required TEXT missing".
+CLI::Option const* option_of(CLI::App const& command, std::string_view message) {
+  for (auto const* option : command.get_options()) {
+    auto const name = option->get_name();
+    auto const at = message.find(name);
+    if (at == std::string_view::npos) continue;
+    auto const after = message.substr(at + name.size());
+    if (after.empty() || after.front() == ':' || after.front() == ' ') return option;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+void require_known_command(CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  auto const all = names_of_commands(app, true), known = names_of_commands(app);
+  if (std::ranges::find(all, argv[1]) != all.end()) return;
+  auto const word = std::string(argv[1]).substr(0, 100);
+  auto const near = nearest(word, known, 2);
+  throw Error({.where = "isolaw " + word,
+               .found = "no such command",
+               .allowed = joined(known),
+               .advice = (near.empty() ? "" : "isolaw " + near + ", or ") + "isolaw --help"});
+}
+
+std::vector<Complaint> usage_complaints(CLI::App& app, CLI::ParseError const& error) {
+  auto const chosen = app.get_subcommands();
+  auto const& command = chosen.empty() ? app : *chosen.front();
+  auto const advice = chosen.empty() ? std::string("isolaw --help") : "isolaw " + command.get_name() + " --help";
+  bool const required = dynamic_cast<CLI::RequiredError const*>(&error) != nullptr;
+  if (required || dynamic_cast<CLI::ExtrasError const*>(&error) != nullptr)
+    if (auto complaints = about_extra_words(command, advice); !complaints.empty()) return complaints;
+  if (chosen.empty()) return {{"isolaw", "a subcommand is required", joined(names_of_commands(app)), advice}};
+  std::string const message = error.what();
+  if (required) return {{"isolaw " + command.get_name(), message, {}, advice}};
+  auto const* option = option_of(command, message);
+  if (option == nullptr) return {{"isolaw " + command.get_name(), message, {}, advice}};
+  if (auto const times = option->results().size(); times > 1 && option->get_items_expected_max() == 1)
+    return {
+        {option->get_name(), fmt::format("is given {} times: {}", times, joined(option->results())), "once", advice}};
+  bool const number = dynamic_cast<CLI::ConversionError const*>(&error) != nullptr;
+  bool const whole = number && option->get_type_name() == "INT";
+  auto const value = option->results().empty() ? std::string() : option->results().back();
+  auto const found = number ? fmt::format("'{}' is no {}", value, whole ? "whole number of ordinary size" : "number")
+                     : value.empty() ? std::string("needs a value")
+                                     : fmt::format("'{}' is not allowed", value);
+  return {{option->get_name(), found, option->get_description(), advice}};
+}
+
+}  // namespace isolaw::app

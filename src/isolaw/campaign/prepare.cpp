@@ -1,0 +1,163 @@
+#include "isolaw/campaign/prepare.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/hash.hpp"
+#include "isolaw/base/printable.hpp"
+#include "isolaw/data/clean.hpp"
+#include "isolaw/data/text.hpp"
+#include "isolaw/fit/joint_limits.hpp"
+
+namespace isolaw::campaign {
+namespace {
+
+// Several files of one device as one history: time continues after a pause of one sampling interval.
+data::TestRecord read_history(DeviceInput const& input) {
+  auto record = data::read_record(input.files.front(), input.read);
+  for (std::size_t i = 1; i < input.files.size(); ++i)
+    data::continue_with(record, data::read_record(input.files[i], input.read), input.files[i].filename().string());
+  return record;
+}
+
+// Files as the lot file names them: results must not depend on the folder the program was started from.
+std::string with_shown_files(std::string text, std::filesystem::path const& directory) {
+  auto const prefix = directory.empty() ? std::string() : (directory / "").generic_string();
+  if (prefix.empty()) return text;
+  for (std::size_t at = 0; (at = text.find(prefix, at)) != std::string::npos;) text.erase(at, prefix.size());
+  return text;
+}
+
+// Of what can be read of a refused device, so that another content is noticed.
+std::string hash_of_files(DeviceInput const& input) {
+  std::string hashes;
+  for (auto const& file : input.files) {
+    std::string bytes;
+    try {
+      bytes = data::load_text(file);
+    } catch (Error const&) {
+      continue;  // not to be read at all
+    }
+    auto const hash = sha256(bytes);
+    hashes = hashes.empty() ? hash : sha256(hashes + hash);
+  }
+  return hashes;
+}
+
+Device prepare_device(DeviceInput const& input, data::CleanOptions const& cleaning) {
+  Device device{.name = input.name, .file = input.shown_file, .info = input.info};
+  try {
+    device.raw = read_history(input);
+    device.record = data::clean(device.raw, cleaning);
+  } catch (Error const& error) {
+    device.refusal = with_shown_files(error.what(), input.directory);
+    device.raw = {};
+    device.raw.sha256 = hash_of_files(input);
+  }
+  device.raw.file = input.shown_file;
+  return device;
+}
+
+Search prepare_search(std::size_t index, Device const& device, std::string const& law_id, Settings const& settings) {
+  Search search{.device = index, .law = law_id};
+  auto const& law = laws::find_law(law_id);
+  try {
+    fit::LawOnRecord const check(law, device.record, settings.integration, settings.turning_points);
+    auto box = search_box(law, device.record, settings);
+    fit::require_joint_limits(law, box, settings.overrides);
+    search.box = std::move(box);
+  } catch (Error const& error) {
+    search.refusal = error.what();
+  }
+  return search;
+}
+
+Contents without_devices(std::string const& title, Acceptance const& acceptance, Settings const& settings) {
+  Contents contents{.title = title, .acceptance = acceptance, .settings = settings};
+  contents.settings.laws.clear();
+  contents.settings.complete();
+  contents.settings.validate();
+  return contents;
+}
+
+// Names as a lot file would take them.
+void check_names(std::vector<NamedRecord> const& records) {
+  std::vector<Complaint> complaints;
+  std::set<std::string> seen;
+  for (auto const& [name, record, info] : records) {
+    auto const where = "device '" + printable(name) + "'";
+    if (name.empty() || name.size() > longest_name || !is_printable(name))
+      complaints.push_back({where, "is no name", fmt::format("printable text of at most {} bytes", longest_name), {}});
+    else if (!seen.insert(name).second)
+      complaints.push_back({where, "is there twice", "a name for each", {}});
+  }
+  if (records.empty()) complaints.push_back({"records", "there are none", "one or more", {}});
+  if (!complaints.empty()) throw Error(std::move(complaints));
+}
+
+Device cleaned(NamedRecord&& given, data::CleanOptions const& cleaning) {
+  Device device{.name = std::move(given.name),
+                .file = given.record.file,
+                .info = std::move(given.info),
+                .raw = std::move(given.record)};
+  try {
+    device.record = data::clean(device.raw, cleaning);
+  } catch (Error const& error) {
+    device.refusal = error.what();
+    auto const sha256 = device.raw.sha256;
+    device.raw = {};
+    device.raw.file = device.file;
+    device.raw.sha256 = sha256;
+  }
+  return device;
+}
+
+Contents with_searches(Contents contents, std::vector<std::string> const& laws) {
+  contents.settings.laws = laws.empty() ? parse_laws(usual_laws) : laws;
+  contents.settings.validate();
+  // Not in validate(): a store that was made before is read all the same.
+  for (auto const& id : contents.settings.laws)
+    fit::require_joint_limits(laws::find_law(id), contents.settings.overrides);
+  if (std::ranges::none_of(contents.devices, &Device::usable)) {
+    std::vector<Complaint> complaints{
+        {.where = "lot", .found = fmt::format("none of {} device(s) is usable", contents.devices.size())}};
+    for (auto const& device : contents.devices) complaints.push_back({.where = device.name, .found = device.refusal});
+    throw Error(complaints);
+  }
+  for (std::size_t d = 0; d < contents.devices.size(); ++d) {
+    if (!contents.devices[d].usable()) continue;
+    for (auto const& law : contents.settings.laws)
+      contents.searches.push_back(prepare_search(d, contents.devices[d], law, contents.settings));
+  }
+  return contents;
+}
+
+}  // namespace
+
+fit::SearchBox search_box(laws::LawEntry const& law, data::FitRecord const& record, Settings const& settings) {
+  auto box = fit::make_box(law, settings.box, fit::scales_of(record, law.info), settings.overrides);
+  return settings.method == Method::best ? fit::on_logarithmic_scales(std::move(box), law) : box;
+}
+
+Contents prepare_devices(Lot const& lot) {
+  auto contents = without_devices(lot.title, lot.acceptance, lot.settings);
+  for (auto const& input : lot.devices) contents.devices.push_back(prepare_device(input, contents.settings.clean));
+  return contents;
+}
+
+Contents prepare(Lot const& lot) {
+  return with_searches(prepare_devices(lot), lot.settings.laws);
+}
+
+Contents prepare(std::vector<NamedRecord> records, Settings const& settings, std::string const& title) {
+  check_names(records);
+  auto contents = without_devices(title, {}, settings);
+  for (auto& record : records) contents.devices.push_back(cleaned(std::move(record), contents.settings.clean));
+  return with_searches(std::move(contents), settings.laws);
+}
+
+}  // namespace isolaw::campaign

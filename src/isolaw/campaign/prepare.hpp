@@ -1,0 +1,32 @@
+// From a lot, or from records that are there already, to devices and the searches of every law on each: read, cleaned,
+// boxes made.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "isolaw/campaign/contents.hpp"
+#include "isolaw/campaign/lot_file.hpp"
+
+namespace isolaw::campaign {
+
+// Reads and cleans every record and makes every box. A device that cannot be used is kept with its reason; throws Error
+// only when none is usable.
+Contents prepare(Lot const& lot);
+
+// A record that a program holds already; its name counts as a device's in a lot file does.
+struct NamedRecord {
+  std::string name;
+  data::TestRecord record;
+  DeviceInfo info = {};
+};
+// The same of these. Throws Error also for names that no lot file could hold.
+Contents prepare(std::vector<NamedRecord> records, Settings const& settings, std::string const& title);
+
+// Only that: devices as they are read and cleaned, no boxes, none of the laws. Never throws for a device.
+Contents prepare_devices(Lot const& lot);
+
+// Where a law is searched on a record under these settings.
+fit::SearchBox search_box(laws::LawEntry const& law, data::FitRecord const& record, Settings const& settings);
+
+}  // namespace isolaw::campaign

@@ -1,0 +1,117 @@
+#include "isolaw/render/figures/draw.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "isolaw/base/write_file.hpp"
+#include "isolaw/render/figures/gnuplot.hpp"
+
+namespace isolaw::render {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A folder of its own, removed with all in it.
+class Scratch {
+ public:
+  Scratch() {
+    std::error_code error;
+    auto name = (fs::temp_directory_path(error) / "isolaw-figures-XXXXXX").string();
+    if (!error && ::mkdtemp(name.data()) != nullptr) path_ = name;
+  }
+  Scratch(Scratch const&) = delete;
+  Scratch& operator=(Scratch const&) = delete;
+  ~Scratch() {
+    std::error_code ignored;
+    if (!path_.empty()) fs::remove_all(path_, ignored);
+  }
+  fs::path const& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+// Cairo states when a PDF was made: a fixed time of the same length, so that the same store gives the same bytes.
+void remove_date(std::string& pdf) {
+  constexpr std::string_view before = "/CreationDate (D:";
+  auto const at = pdf.find(before);
+  if (at == std::string::npos) return;
+  std::string_view const fixed = "20000101000000";
+  auto const digits = at + before.size();
+  if (pdf.find_first_not_of("0123456789", digits) >= digits + fixed.size() && digits + fixed.size() < pdf.size())
+    pdf.replace(digits, fixed.size(), fixed);
+}
+
+// Complete drawings are taken over, whole or not at all. Whether both are there.
+bool take_over(fs::path const& from, fs::path const& to, std::string const& name) {
+  auto const svg = text_of(figure_file(from, name, ".svg"));
+  auto pdf = text_of(figure_file(from, name, ".pdf"));
+  remove_date(pdf);
+  bool const has_svg = svg.size() > 16 && svg.find("</svg>", svg.size() - 16) != std::string::npos;
+  bool const has_pdf = pdf.size() > 16 && pdf.find("%%EOF", pdf.size() - 16) != std::string::npos;
+  if (has_svg) write_file(figure_file(to, name, ".svg"), svg);
+  if (has_pdf) write_file(figure_file(to, name, ".pdf"), pdf);
+  return has_svg && has_pdf;
+}
+
+// Few figures to a process: a fault in one costs the few after it a second start, and a folder of few is soon emptied.
+constexpr std::size_t figures_per_process = 64;
+
+// Draws `names` in one process, or in as many as there are figures that cannot be drawn, and takes them over.
+void draw_batch(fs::path const& dir, std::vector<std::string> names, FigureOutcome& outcome) {
+  Scratch const scratch;
+  if (scratch.path().empty()) {
+    outcome.reason = "no temporary folder can be made";
+    return;
+  }
+  std::error_code error;
+  for (auto const& name : names)
+    for (auto const* extension : {".dat", ".gp"})
+      fs::copy_file(figure_file(dir, name, extension), figure_file(scratch.path(), name, extension), error);
+  while (!names.empty()) {
+    std::vector<std::string> scripts;
+    for (auto const& name : names) scripts.push_back(name + ".gp");
+    auto const end = run_gnuplot(scripts, scratch.path(), std::chrono::seconds(60 + 5 * names.size()));
+    if (!end.started) {
+      outcome.program_missing = true;
+      outcome.reason = end.reason;
+      return;
+    }
+    auto const failed =
+        std::ranges::find_if_not(names, [&](std::string const& name) { return take_over(scratch.path(), dir, name); });
+    outcome.drawn += static_cast<std::size_t>(failed - names.begin());
+    if (failed == names.end()) return;
+    if (outcome.reason.empty()) outcome.reason = *failed + ": " + (end.reason.empty() ? "incomplete" : end.reason);
+    names.erase(names.begin(), failed + 1);
+  }
+}
+
+}  // namespace
+
+fs::path figure_file(fs::path const& dir, std::string const& name, char const* extension) {
+  return dir / (name + extension);
+}
+
+std::string text_of(fs::path const& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  if (file && file.peek() != std::ifstream::traits_type::eof()) text << file.rdbuf();
+  return std::move(text).str();
+}
+
+void draw(fs::path const& dir, std::vector<std::string> const& names, FigureOutcome& outcome) {
+  for (std::size_t first = 0; first < names.size() && !outcome.program_missing; first += figures_per_process) {
+    auto const last = std::min(names.size(), first + figures_per_process);
+    draw_batch(dir,
+               {names.begin() + static_cast<std::ptrdiff_t>(first), names.begin() + static_cast<std::ptrdiff_t>(last)},
+               outcome);
+  }
+}
+
+}  // namespace isolaw::render

@@ -1,0 +1,81 @@
+// The files of figures: written, recognised, removed.
+#include <fstream>
+#include <set>
+#include <system_error>
+
+#include "isolaw/base/write_file.hpp"
+#include "isolaw/render/figures/draw.hpp"
+#include "isolaw/render/figures/figure_script.hpp"
+#include "isolaw/render/figures/figures.hpp"
+
+namespace isolaw::render {
+namespace {
+
+namespace fs = std::filesystem;
+
+void remove_drawings(fs::path const& dir, std::string const& name) {
+  std::error_code ignored;
+  for (auto const* extension : {".svg", ".pdf"}) fs::remove(figure_file(dir, name, extension), ignored);
+}
+
+// Names of isolaw's figures in `dir`.
+std::vector<std::string> own_figures(fs::path const& dir) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (auto const& entry : fs::directory_iterator(dir, ignored)) {
+    if (entry.path().extension() != ".gp" || !entry.is_regular_file(ignored)) continue;
+    std::string start(script_mark.size(), '\0');
+    std::ifstream(entry.path(), std::ios::binary).read(start.data(), static_cast<std::streamsize>(start.size()));
+    if (start == script_mark) names.push_back(entry.path().stem().string());
+  }
+  return names;
+}
+
+void remove_figure(fs::path const& dir, std::string const& name) {
+  std::error_code ignored;
+  remove_drawings(dir, name);
+  for (auto const* extension : {".dat", ".gp"}) fs::remove(figure_file(dir, name, extension), ignored);
+}
+
+// Drawings of other data or by another script go first: what stands beside data is drawn from them.
+void write_sources(fs::path const& dir, Figure const& figure) {
+  auto const data = figure_file(dir, figure.name, ".dat"), script = figure_file(dir, figure.name, ".gp");
+  if (text_of(data) == figure.data && text_of(script) == figure.script) return;
+  remove_drawings(dir, figure.name);
+  write_file(data, figure.data);
+  write_file(script, figure.script);
+}
+
+bool is_drawn(fs::path const& dir, std::string const& name) {
+  std::error_code ignored;
+  return fs::is_regular_file(figure_file(dir, name, ".svg"), ignored) &&
+         fs::is_regular_file(figure_file(dir, name, ".pdf"), ignored);
+}
+
+}  // namespace
+
+FigureOutcome write_figures(Summary const& summary, FigureChoice choice, fs::path const& dir) {
+  FigureOutcome outcome;
+  if (choice == FigureChoice::none) return outcome;
+  auto const folder = dir / "figures";
+  make_folder(folder);
+  std::set<std::string> chosen;
+  std::vector<std::string> missing;
+  for_each_figure(summary, choice, [&](Figure const& figure) {
+    write_sources(folder, figure);
+    chosen.insert(figure.name);
+    if (!is_drawn(folder, figure.name)) missing.push_back(figure.name);
+  });
+  for (auto const& name : own_figures(folder))
+    if (!chosen.contains(name)) remove_figure(folder, name);
+  outcome.figures = chosen.size();
+  outcome.drawn = chosen.size() - missing.size();
+  draw(folder, missing, outcome);
+  return outcome;
+}
+
+void remove_figures(fs::path const& dir) {
+  for (auto const& name : own_figures(dir / "figures")) remove_figure(dir / "figures", name);
+}
+
+}  // namespace isolaw::render

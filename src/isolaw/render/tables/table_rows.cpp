@@ -1,0 +1,33 @@
+#include "isolaw/render/tables/table_rows.hpp"
+
+#include <algorithm>
+
+#include "isolaw/study/findings.hpp"
+
+namespace isolaw::render {
+
+std::vector<Quantity> quantities_of(LawResult const& law) {
+  std::vector<Quantity> made{{"OF", "-", true, std::nullopt}};
+  auto const& parameters = parameters_of(law);
+  for (std::size_t n = 0; n < parameters.size(); ++n)
+    made.push_back({parameters[n].name, parameters[n].unit, parameters[n].free, n});
+  return made;
+}
+
+Statistic statistic_of(DeviceFit const& fit, Quantity const& quantity) {
+  if (!quantity.n) return fit.objective;
+  return *quantity.n < fit.parameters.size() ? fit.parameters[*quantity.n].value : Statistic{};
+}
+
+Statistic statistic_of(LawResult const& law, std::string const& device, Quantity const& quantity) {
+  auto const* fit = fit_of(law, device);
+  return fit == nullptr ? Statistic{} : statistic_of(*fit, quantity);
+}
+
+std::vector<FrontPoint> by_accuracy(Summary const& summary, FrontView view) {
+  auto points = front_points(summary, view);
+  std::ranges::stable_sort(points, {}, &FrontPoint::y);
+  return points;
+}
+
+}  // namespace isolaw::render

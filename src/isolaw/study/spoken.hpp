@@ -1,0 +1,23 @@
+// Numbers as a person says them, in the sentences of findings.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+namespace isolaw::study {
+
+// Nobody reads three hundred digits.
+inline std::string with_decimals(double value, int decimals) {
+  constexpr double largest = 1e6;
+  return std::abs(value) < largest ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.3g}", value);
+}
+
+// Two significant digits below ten, none behind the point above.
+inline std::string percent(double fraction) {
+  double const value = 100.0 * fraction;
+  return with_decimals(value, std::abs(value) < 9.95 ? 1 : 0) + " %";
+}
+
+}  // namespace isolaw::study
