@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -54,6 +55,13 @@ inline std::vector<fit::Override> usual(std::string_view id) {
     for (auto const* text : {"vaiana.beta1+=0.01:10000", "vaiana.beta1-=-10000:-0.01"})
       made.push_back(fit::parse_override(text));
   return made;
+}
+
+// What cycles of a bearing say nothing of, and what takes minutes to search: held.
+inline std::vector<std::string> held(std::string_view id) {
+  if (id == "bwbn")
+    return {"n=1", "gamma=0.01", "zs=0.3", "p=0.001", "psi=10", "dpsi=0", "dnu=0.000001", "deta=0.000001"};
+  return {};
 }
 
 // Parameters somewhere in the middle of the automatic box, where the law has a force.

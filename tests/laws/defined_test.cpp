@@ -10,6 +10,7 @@
 
 #include "laws/motion.hpp"
 #include "laws/paper.hpp"
+#include "laws/single_laws.hpp"
 
 namespace isolaw::law_tests {
 namespace {

@@ -14,6 +14,7 @@
 
 #include "laws/paper.hpp"
 #include "laws/records.hpp"
+#include "laws/single_laws.hpp"
 #include "not_finite.hpp"
 
 namespace isolaw::law_tests {

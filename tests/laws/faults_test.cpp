@@ -20,6 +20,7 @@
 #include "isolaw/data/clean.hpp"
 #include "laws/paper.hpp"
 #include "laws/records.hpp"
+#include "laws/single_laws.hpp"
 #include "not_finite.hpp"
 
 namespace isolaw::law_tests {
@@ -71,8 +72,8 @@ void expect_defined(laws::LawEntry const& law, data::FitRecord const& record, Nu
 
 // Parameters ------------------------------------------------------------------------------------------------------
 
-// Also where the law has a limit (no yielding for an infinite yield displacement), or does not meet the parameter on the
-// record: at rest, in one direction only.
+// Also where the law has a limit (no yielding for an infinite yield displacement), or does not meet the parameter on
+// the record: at rest, in one direction only.
 TEST_P(Faults, AParameterThatIsNotFiniteLeavesNoForce) {
   auto const moving = motion_of(published_record());
   Motion const rest{Numbers(5, 0.0), Numbers(5, 0.0)}, push{{0.0, 10.0, 20.0}, {10.0, 10.0, 10.0}};
@@ -187,8 +188,8 @@ TEST_P(Faults, TwoSamplesAreTheFirstTwoOfMore) {
   }
 }
 
-// Pushed to 300 mm and never back. 0.1 mm a step is within what an explicit Runge-Kutta step can follow in the published
-// boxes.
+// Pushed to 300 mm and never back. 0.1 mm a step is within what an explicit Runge-Kutta step can follow in the
+// published boxes.
 TEST_P(Faults, AMonotonicRecord) {
   auto const push = polyline(Numbers{0.0, 300.0}, 3000), pull = scaled(push, -1.0, -1.0);
   for (std::uint32_t index = 0; index < 50; ++index)

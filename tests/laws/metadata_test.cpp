@@ -1,8 +1,8 @@
 // What the laws say about their parameters: complete, consistent, and the published box of Table 4.
-// Asked of every law: a source that names its equation ("Eq"), every parameter in the formula as a word of its own, units of
-// boxes that are those of the parameters; and by the tests beside this one: force 0 where all parameters are 0 (or its name in
-// needs_parameters of paper.hpp), no finite force from what is not a number or overflows (mind the order of the arguments of min
-// and max), the same bits mirrored, cut and driven at any rate as its traits say.
+// Asked of every law: a source that names its equation ("Eq"), every parameter in the formula as a word of its own,
+// units of boxes that are those of the parameters; and by the tests beside this one: force 0 where all parameters are 0
+// (or its name in needs_parameters of single_laws.hpp), no finite force from what is not a number or overflows (mind
+// the order of the arguments of min and max), the same bits mirrored, cut and driven at any rate as its traits say.
 
 #include <gtest/gtest.h>
 
@@ -19,6 +19,7 @@
 
 #include "isolaw/laws/catalogue.hpp"
 #include "laws/paper.hpp"
+#include "laws/unit_powers.hpp"
 
 namespace isolaw::law_tests {
 namespace {
@@ -186,19 +187,9 @@ TYPED_TEST(Metadata, ScaledIntervalsAreOrderedPhysicalAndSearchable) {
 
 // Lengths ten times as long, forces a hundred times as large: every interval follows with its parameter's unit, so a
 // law fitted to the larger device has the parameters of the smaller one in other units. Read off the printed unit:
-// powers of the law's force, length and time. beta and gamma of bouc-wen have a unit that depends on n, and are exempt; a
-// force at a displacement that stays the same follows a power of the length.
+// powers of the law's force, length and time. beta and gamma of bouc-wen have a unit that depends on n, and are exempt;
+// what is said at a displacement that stays the same follows a power of the length besides.
 TYPED_TEST(Metadata, ScaledIntervalsHaveTheUnitOfTheirParameter) {
-  struct Powers {
-    double force, length, time;
-  };
-  std::map<std::string_view, Powers> const powers{
-      {"1", {0, 0, 0}},         {"kN/mm", {1, -1, 0}},  {"N/m", {1, -1, 0}},   {"N/cm", {1, -1, 0}},
-      {"N/m^2", {1, -2, 0}},    {"N/cm^2", {1, -2, 0}}, {"N/m^3", {1, -3, 0}}, {"N/cm^3", {1, -3, 0}},
-      {"N/m^5", {1, -5, 0}},    {"N/cm^5", {1, -5, 0}}, {"kN", {1, 0, 0}},     {"N", {1, 0, 0}},
-      {"mm", {0, 1, 0}},        {"m", {0, 1, 0}},       {"1/m", {0, -1, 0}},   {"1/mm", {0, -1, 0}},
-      {"s/m", {0, -1, 1}},      {"s/cm", {0, -1, 1}},   {"m/s", {0, 1, -1}},   {"cm/s", {0, 1, -1}},
-      {"1/(N cm)", {-1, -1, 0}}};
   constexpr double force = 100.0, length = 10.0, time = 4.0;
   auto const small = published_device<TypeParam>();
   auto large = small;
@@ -206,10 +197,11 @@ TYPED_TEST(Metadata, ScaledIntervalsHaveTheUnitOfTheirParameter) {
   large.velocity *= length / time, large.work *= force * length;
   for (auto const& row : this->rows) {
     if (row.info.unit == "1/mm^n") continue;
-    ASSERT_TRUE(powers.contains(row.info.unit)) << row.info.name << ": unknown unit " << row.info.unit;
-    auto const [f, l, t] = powers.at(row.info.unit);
-    double const factor = std::pow(force, f) * std::pow(length, l) * std::pow(time, t) *
-                          (row.info.scaled.size == laws::force_at_reference ? std::pow(length, -0.4) : 1.0);
+    auto const powers = powers_of(row.info.unit);
+    ASSERT_TRUE(powers) << row.info.name << ": unknown unit " << row.info.unit;
+    auto const [f, l, t] = *powers;
+    double const factor =
+        std::pow(force, f) * std::pow(length, l + at_reference(row.info.scaled.size)) * std::pow(time, t);
     auto const a = row.info.scaled(small), b = row.info.scaled(large);
     EXPECT_NEAR(b.lower, factor * a.lower, 1e-12 * std::abs(b.lower)) << row.info.name;
     EXPECT_NEAR(b.upper, factor * a.upper, 1e-12 * std::abs(b.upper)) << row.info.name;

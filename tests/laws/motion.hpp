@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <numbers>
 #include <span>
 #include <vector>
@@ -46,6 +47,21 @@ inline Motion polyline(std::span<double const> corners_mm, int steps, double spe
     }
   }
   return motion;
+}
+
+// The same, of laws that velocity does not matter to.
+inline std::vector<double> through(std::span<double const> corners, int steps) {
+  return polyline(corners, steps).disp_mm;
+}
+inline std::vector<double> through(std::initializer_list<double> corners, int steps) {
+  return through(std::span(corners.begin(), corners.size()), steps);
+}
+
+// A path with inner loops, of which the force of several laws is known.
+inline std::vector<double> const corners{0, 20, 50, 10, -40, -60, 30, 20, 45, 80};
+
+inline double sign(double x) {
+  return x < 0.0 ? -1.0 : x > 0.0 ? 1.0 : 0.0;
 }
 
 // Cycles of growing, then shrinking amplitude with noise on top: reversals at almost every sample around the peaks,

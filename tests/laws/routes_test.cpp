@@ -1,6 +1,6 @@
-// Every route to a force gives the same force: a double, the value of a derivative number, the catalogue to the last bit,
-// a lane of a batch within rounding. And the derivative is that of the value. The batches here are those of the compiler's
-// baseline; tests/unit/fit_kernels_test.cpp does the same for every instruction set.
+// Every route to a force gives the same force: a double, the value of a derivative number, the catalogue to the last
+// bit, a lane of a batch within rounding. And the derivative is that of the value. The batches here are those of the
+// compiler's baseline; tests/unit/fit_kernels_test.cpp does the same for every instruction set.
 #include "isolaw/num/batch.hpp"
 #include "isolaw/num/dual.hpp"
 
@@ -18,6 +18,7 @@
 #include "isolaw/laws/catalogue.hpp"
 #include "laws/motion.hpp"
 #include "laws/paper.hpp"
+#include "laws/single_laws.hpp"
 #include "not_finite.hpp"
 
 namespace isolaw::law_tests {
@@ -92,8 +93,8 @@ Motion some_motion() {
   return irregular(7, 150.0, 4, 40);
 }
 
-// Where a Runge-Kutta step is too long to be stable, as those of bouc-wen are between the samples of some_motion, rounding
-// grows with every step: `paper` gets steps that are shorter by this factor.
+// Where a Runge-Kutta step is too long to be stable, as those of bouc-wen are between the samples of some_motion,
+// rounding grows with every step: `paper` gets steps that are shorter by this factor.
 constexpr int stable = 4;
 
 TYPED_TEST(Routes, ALaneIsAScalar) {

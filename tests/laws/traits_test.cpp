@@ -9,6 +9,7 @@
 
 #include "laws/motion.hpp"
 #include "laws/paper.hpp"
+#include "laws/single_laws.hpp"
 
 namespace isolaw::law_tests {
 namespace {
@@ -23,21 +24,26 @@ Motion slower_motion() {
   return irregular(3, 150.0, 4, 60);
 }
 
-// The same displacements run through faster: the same bits, or a force that differs visibly (1 % of the peak).
+// The same displacements run through faster: the same bits, or of most candidates a force that differs visibly (1 % of
+// the peak).
 TYPED_TEST(Traits, RateIndependence) {
   auto const motion = slower_motion();
+  constexpr std::uint32_t candidates = 10;
   for (auto const integration : both_integrations)
-    for (std::uint32_t index = 0; index < 10; ++index) {
-      auto const values = candidate<TypeParam>(index);
-      auto const slow = forces<TypeParam>(values, motion, 1, integration);
-      for (double const factor : {0.0, 0.1, 5.0}) {
+    for (double const factor : {0.0, 0.1, 5.0}) {
+      std::uint32_t differing = 0;
+      for (std::uint32_t index = 0; index < candidates; ++index) {
+        auto const values = candidate<TypeParam>(index);
+        auto const slow = forces<TypeParam>(values, motion, 1, integration);
         auto const fast = forces<TypeParam>(values, scaled(motion, 1.0, factor), 1, integration);
         if constexpr (TypeParam::info.traits.rate_independent) {
           EXPECT_EQ(fast, slow) << name_of(integration) << ", velocity times " << factor;
-        } else {
-          EXPECT_GT(largest_difference(fast, slow), 0.01 * largest_magnitude(slow))
-              << name_of(integration) << ", velocity times " << factor << ": " << describe<TypeParam>(values);
+        } else if (largest_difference(fast, slow) > 0.01 * largest_magnitude(slow)) {
+          ++differing;
         }
+      }
+      if (!TypeParam::info.traits.rate_independent) {
+        EXPECT_GE(differing, candidates / 2) << name_of(integration) << ", velocity times " << factor;
       }
     }
 }
@@ -64,7 +70,7 @@ TYPED_TEST(Traits, OddSymmetry) {
       if constexpr (TypeParam::info.traits.odd) {
         EXPECT_EQ(difference, 0.0) << name_of(integration) << ": " << describe<TypeParam>(values);
       } else {
-        EXPECT_GT(difference, 0.01 * largest_magnitude(force))
+        EXPECT_GT(difference, least_asymmetry(TypeParam::info.id) * largest_magnitude(force))
             << name_of(integration) << ": " << describe<TypeParam>(values);
       }
     }
@@ -94,8 +100,9 @@ TEST(TraitsOfVaiana, MirroredWithItsBranchesExchanged) {
   }
 }
 
-// A law without a differential equation knows one integration only, at any refinement of the path. One with it moves with
-// the refinement, be it by Runge-Kutta steps of the paper or, where it has none of its own, by those that it always takes.
+// A law without a differential equation knows one integration only, at any refinement of the path. One with it moves
+// with the refinement, be it by Runge-Kutta steps of the paper or, where it has none of its own, by those that it
+// always takes.
 TYPED_TEST(Traits, IntegrationMattersToPathIntegratedLawsOnly) {
   auto const motion = slower_motion();
   auto const values = candidate<TypeParam>(1);

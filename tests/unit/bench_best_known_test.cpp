@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "isolaw/base/error.hpp"
-#include "isolaw/campaign/campaign.hpp"
 #include "isolaw/campaign/lot_file.hpp"
+#include "isolaw/campaign/prepare.hpp"
 #include "isolaw/fit/objective.hpp"
 
 namespace isolaw::bench {
@@ -129,7 +129,7 @@ TEST(ProblemKey, IsTheSameOnEveryScaleAndDespiteRounding) {
 TEST(BestKnown, TextReadsBackForEveryLaw) {
   std::vector<BestKnown> entries;
   for (auto const& law : laws::catalogue()) {
-    auto made = entry(fmt::format("{:x}", law.index), 0.1 + 0.2);
+    auto made = entry(fmt::format("{:04x}", law.index), 0.1 + 0.2);
     made.law = law.info.id;
     made.parameters.clear();
     for (std::size_t i = 0; i < law.parameters.size(); ++i)

@@ -17,6 +17,7 @@
 
 #include "campaign_fixture.hpp"
 #include "isolaw/base/error.hpp"
+#include "isolaw/campaign/prepare.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/fit/objective.hpp"
 
@@ -152,7 +153,10 @@ TEST_F(CampaignTest, WithoutTimeTheLawsThatNeedVelocityAreRefusedAndTheOthersRun
   mixed.settings.runs = 1;
   mixed.devices[1] = device_input("no time", {write("no-time.csv", record_text(1.3, false))});
   auto const contents = done(mixed);
-  EXPECT_EQ(contents.expected_runs(), 2 * laws::catalogue().size() - 2);
+  std::set<std::string> need_time;
+  for (auto const& law : laws::catalogue())
+    if (!law.info.traits.rate_independent) need_time.emplace(law.info.id);
+  EXPECT_EQ(contents.expected_runs(), 2 * laws::catalogue().size() - need_time.size());
   std::set<std::string> refused;
   for (auto const& search : contents.searches) {
     if (search.refusal.empty()) continue;
@@ -161,7 +165,8 @@ TEST_F(CampaignTest, WithoutTimeTheLawsThatNeedVelocityAreRefusedAndTheOthersRun
     EXPECT_NE(search.refusal.find("--dt"), std::string::npos) << search.refusal;
     refused.insert(search.law);
   }
-  EXPECT_EQ(refused, (std::set<std::string>{"jankowski", "hwang-wu"}));
+  EXPECT_TRUE(need_time.contains("jankowski") && need_time.contains("hwang-wu"));
+  EXPECT_EQ(refused, need_time);
   for (auto const& r : contents.runs) EXPECT_FALSE(r.device == 1 && refused.contains(r.law));
 }
 
@@ -410,8 +415,8 @@ TEST_F(CampaignTest, ACompleteCampaignRunsNothingAgain) {
 
 // Finer steps ----------------------------------------------------------------------------------------------------
 
-// A dozen samples to a cycle, and a corner of the box where one step of hwang-wu's integration is far too long: a search
-// that sees such steps alone finds an objective that is owed to them.
+// A dozen samples to a cycle, and a corner of the box where one step of hwang-wu's integration is far too long: a
+// search that sees such steps alone finds an objective that is owed to them.
 TEST_F(CampaignTest, AnOptimumThatLivesFromTheStepIsFittedAgainInFinerOnes) {
   Lot coarse;
   coarse.settings.laws = {"hwang-wu", "bilinear"};

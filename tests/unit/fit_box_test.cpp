@@ -15,6 +15,7 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/fit/joint_limits.hpp"
+#include "laws/unit_powers.hpp"
 
 namespace isolaw::fit {
 namespace {
@@ -437,18 +438,6 @@ TEST(Box, EveryIntervalCanBeSearched) {
         }
 }
 
-// Exponents of force, length and time of a unit.
-std::array<int, 3> dimensions(std::string const& unit) {
-  static std::map<std::string, std::array<int, 3>> const known{
-      {"1", {0, 0, 0}},       {"kN", {1, 0, 0}},        {"N", {1, 0, 0}},     {"mm", {0, 1, 0}},
-      {"m", {0, 1, 0}},       {"kN/mm", {1, -1, 0}},    {"N/m", {1, -1, 0}},  {"N/m^2", {1, -2, 0}},
-      {"N/m^3", {1, -3, 0}},  {"N/m^5", {1, -5, 0}},    {"N/cm", {1, -1, 0}}, {"N/cm^2", {1, -2, 0}},
-      {"N/cm^3", {1, -3, 0}}, {"N/cm^5", {1, -5, 0}},   {"1/m", {0, -1, 0}},  {"1/mm", {0, -1, 0}},
-      {"1/mm^n", {0, -1, 0}}, {"s/m", {0, -1, 1}},      {"s/cm", {0, -1, 1}}, {"m/s", {0, 1, -1}},
-      {"cm/s", {0, 1, -1}},   {"1/(N cm)", {-1, -1, 0}}};
-  return known.at(unit);
-}
-
 // A box that follows the record's size must follow it in the dimension of its parameter's unit. (1/mm^n of bouc-wen is
 // taken at n = 1; a force at a displacement that stays the same follows a power of the size.)
 TEST(Box, ScaledFollowsTheSizeOfTheRecordInTheUnitOfEachParameter) {
@@ -458,9 +447,12 @@ TEST(Box, ScaledFollowsTheSizeOfTheRecordInTheUnitOfEachParameter) {
     auto const large = make_box(law, BoxKind::scaled, scales(law.info, size, strength, speed), {});
     for (std::size_t i = 0; i < small.parameters.size(); ++i) {
       auto const &a = small.parameters[i], &b = large.parameters[i];
-      auto const [force, length, time] = dimensions(a.unit);
-      double const factor = std::pow(strength, force) * std::pow(size, length) * std::pow(size / speed, time) *
-                            (law.parameters[i].scaled.size == laws::force_at_reference ? std::pow(size, -0.4) : 1.0);
+      auto const powers = law_tests::powers_of(a.unit);
+      ASSERT_TRUE(powers) << law.info.id << " " << a.name << ": unknown unit " << a.unit;
+      auto const [force, length, time] = *powers;
+      double const factor = std::pow(strength, force) *
+                            std::pow(size, length + law_tests::at_reference(law.parameters[i].scaled.size)) *
+                            std::pow(size / speed, time);
       EXPECT_NEAR(b.lower, factor * a.lower, 1e-12 * std::abs(factor * a.lower)) << law.info.id << " " << a.name;
       EXPECT_NEAR(b.upper, factor * a.upper, 1e-12 * std::abs(factor * a.upper)) << law.info.id << " " << a.name;
     }

@@ -24,6 +24,7 @@
 #include "laws/motion.hpp"
 #include "laws/paper.hpp"
 #include "laws/records.hpp"
+#include "laws/single_laws.hpp"
 #include "not_finite.hpp"
 
 namespace isolaw::fit {
@@ -122,8 +123,8 @@ class Kernels : public ::testing::TestWithParam<Case> {
   }
 
   // Whether rounding may grow from step to step: Runge-Kutta's fourth order is stable for a decay of less than 2.78 per
-  // step. The hysteretic force of bouc-wen approaches saturation at the rate n A / z_max, that of the abe laws at n / U0
-  // or slower.
+  // step. The hysteretic force of bouc-wen approaches saturation at the rate n A / z_max, that of the abe laws at n /
+  // U0 or slower.
   bool may_be_unstable(Values const& p, double longest_step) const {
     if (how() != Integration::paper) return false;
     auto const value = [&](char const* name) { return p[law().index_of(name)]; };

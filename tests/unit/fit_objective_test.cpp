@@ -46,8 +46,8 @@ data::FitRecord sine(int samples_per_cycle = 60) {
   return record;
 }
 
-// A parameter set of every law that gives a finite, hysteretic or elastic force of the size of `sine`; of a law that is not
-// the paper's, the middle of its box.
+// A parameter set of every law that gives a finite, hysteretic or elastic force of the size of `sine`; of a law that is
+// not the paper's, the middle of its box.
 Values plausible(laws::LawEntry const& law) {
   if (law.info.id == "bilinear") return {1.5, 0.5, 30.0};
   if (law.info.id == "jankowski") return {3e5, 4e6, 5e6, 4e4, 5e3, 1.2e6, 4.0, 15.0, 5e4, 7e4, 0.4};
@@ -80,10 +80,12 @@ TEST(Objective, WeighsByTheTrueTimeStamps) {
   EXPECT_NEAR(objective_of(model, {1.0, 1.0, 5.0}), integral / 3.5 / std::sqrt(2.5), 1e-15);
 }
 
-// --- a part of the record alone ---------------------------------------------------------------------------------------
+// --- a part of the record alone
+// ---------------------------------------------------------------------------------------
 
 TEST(Objective, OfThePartThatIsScoredWorkedOutByHand) {
-  // One interval of 2 s, at whose ends F = x is off by 1 and 0 kN: 1 kN s over 2 s. Forces 2, -1: standard deviation 1.5.
+  // One interval of 2 s, at whose ends F = x is off by 1 and 0 kN: 1 kN s over 2 s. Forces 2, -1: standard deviation
+  // 1.5.
   auto record = uneven();
   record.scored = {0.0, 1.0, 1.0, 0.0};
   LawOnRecord const model(laws::find_law("bilinear"), record, laws::Integration::converged);
@@ -332,7 +334,9 @@ TEST(Outline, HasTheForcesOfTheWholeWhereTheRateDoesNotAct) {
     ASSERT_EQ(some.size(), samples.size());
     double const peak = std::ranges::max(whole, {}, [](double f) { return std::abs(f); });
     for (std::size_t k = 0; k < samples.size(); ++k)
-      EXPECT_NEAR(some[k], whole[samples[k]], 1e-5 * std::abs(peak)) << law.info.id << ", sample " << samples[k];
+      // bwbn steps by Runge-Kutta, more coarsely where samples lie farther apart; the others are exact or nearly so.
+      EXPECT_NEAR(some[k], whole[samples[k]], (law.info.id == "bwbn" ? 1e-4 : 1e-5) * std::abs(peak))
+          << law.info.id << ", sample " << samples[k];
   }
 }
 

@@ -100,7 +100,8 @@ TEST_P(Sampling, OfAnExponentialLoop) {
 INSTANTIATE_TEST_SUITE_P(PerCycle, Sampling, ::testing::Values(20, 48, 100, 200));
 
 // --- skew of 10 ms at 0.5 Hz, epsilon = 2 pi f dt = 0.0314 rad ------------------------------------------------------
-// F early by epsilon adds to the energy pi D a1 sin(epsilon), a1 the part of the force's first harmonic in phase with x:
+// F early by epsilon adds to the energy pi D a1 sin(epsilon), a1 the part of the force's first harmonic in phase with
+// x:
 // damping grows by (a1 / (K D)) epsilon / 2 = 1.571 points times a1 / (K D), K the effective stiffness. At the peak the
 // force has begun to fall, with the stiffness K_u of unloading, over D epsilon^2 / 2: K becomes smaller and damping
 // larger by the share (epsilon^2 / 2) (K_u / K - 1), the cosine that the energy loses taken into account.

@@ -100,7 +100,8 @@ TEST(Identifiability, WithAFixedBoucWenIsDetermined) {
   }
 }
 
-// The stiffness a4 exp(-a5 |v|) lives at rest alone: at 1000 s/m and no sample slower than 10 mm/s it is e^-10 of nothing.
+// The stiffness a4 exp(-a5 |v|) lives at rest alone: at 1000 s/m and no sample slower than 10 mm/s it is e^-10 of
+// nothing.
 TEST(Identifiability, WhatDoesNotActIsSaidOnceAndLeavesTheOthersAlone) {
   auto const motion = twins::growing_cycles(3, 98);
   ASSERT_GT(std::abs(*std::ranges::min_element(motion.vel_mm_s, {}, [](double v) { return std::abs(v); })), 4.0);
@@ -156,8 +157,8 @@ double force_change(fit::LawOnRecord const& model, std::vector<double> const& fr
   return std::sqrt(sum);
 }
 
-// The parameters changed by the percentages that a sentence gives, of either sign, move the force by little more than is
-// said, what is left out of the sentence moving it by a tenth of what the first named does alone.
+// The parameters changed by the percentages that a sentence gives, of either sign, move the force by little more than
+// is said, what is left out of the sentence moving it by a tenth of what the first named does alone.
 TEST(Identifiability, ATradeOffHoldsForParametersOfEitherSign) {
   struct Case {
     std::string law;

@@ -1,9 +1,10 @@
 // Population recovery: 50 synthetic devices of a law, drawn from a known population at five levels of variability, are
 // tested (a record each, with noise), fitted one by one, and give the population back within sampling error.
 //
-// The truth is drawn here by its Cholesky factor, not by the library's sampler. Tolerances are 3.5 standard errors of what
-// is compared, from the normal theory of sample covariances (Anderson 2003, An Introduction to Multivariate Statistical
-// Analysis, section 3.4). With m = devices - 1, and for any two independent vectors x, y of covariances A and B:
+// The truth is drawn here by its Cholesky factor, not by the library's sampler. Tolerances are 3.5 standard errors of
+// what is compared, from the normal theory of sample covariances (Anderson 2003, An Introduction to Multivariate
+// Statistical Analysis, section 3.4). With m = devices - 1, and for any two independent vectors x, y of covariances A
+// and B:
 // var(cov(x, x)_ij) = (A_ii A_jj + A_ij^2) / m, var(cov(x, y)_ij) = A_ii B_jj / m.
 #include <gtest/gtest.h>
 
@@ -108,8 +109,8 @@ class Laboratory {
     return values;
   }
 
-  // Of least absolute deviations with weights w, asymptotically (Koenker and Bassett 1978, for independent errors of one
-  // density f): H^-1 V H^-1 with H = 2 f(0) sum w J J^T, V = sum w^2 J J^T, J the derivatives of a residual.
+  // Of least absolute deviations with weights w, asymptotically (Koenker and Bassett 1978, for independent errors of
+  // one density f): H^-1 V H^-1 with H = 2 f(0) sum w J J^T, V = sum w^2 J J^T, J the derivatives of a residual.
   SquareMatrix covariance(fit::LawOnRecord const& model, Values const& best) const {
     constexpr double step = 1e-5;
     std::vector<Values> candidates{all(best)};
@@ -247,8 +248,8 @@ TEST_P(PopulationRecovery, GivesMeanAndCovarianceBack) {
   }
 }
 
-// Equal devices differ by the errors of their fits. trace(C^-1 S) m is then chi-squared with n m degrees of freedom; the
-// kernel estimate of f(0) is low by half the square of its relative width, C high by that square: 0.10. The largest
+// Equal devices differ by the errors of their fits. trace(C^-1 S) m is then chi-squared with n m degrees of freedom;
+// the kernel estimate of f(0) is low by half the square of its relative width, C high by that square: 0.10. The largest
 // eigenvalue of C^-1 S lies below (1 + root(n / m) + t / root(m))^2 but for exp(-t^2 / 2) (Davidson and Szarek 2001,
 // Theorem II.13), and what is above 1 is taken for scatter.
 TEST_P(PopulationRecovery, OfEqualDevicesFindsNoMoreThanTheErrorsOfTheFits) {
@@ -266,8 +267,8 @@ TEST_P(PopulationRecovery, OfEqualDevicesFindsNoMoreThanTheErrorsOfTheFits) {
   expect_within(found.mean, found.true_mean, found.C.diagonal() / devices, "mean");
 }
 
-// Ten times the noise, so that the fits' errors are as large as the scatter, or larger: the estimates scatter by the sum
-// of both.
+// Ten times the noise, so that the fits' errors are as large as the scatter, or larger: the estimates scatter by the
+// sum of both.
 TEST_P(PopulationRecovery, AccountsForErrorsAsLargeAsTheScatter) {
   auto const& lot = lots[GetParam()];
   auto const found = recover(lot, 0.025, 0.10);

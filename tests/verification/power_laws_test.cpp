@@ -1,5 +1,5 @@
-// power-masing and power-scragging against values of two other implementations, along a path with inner loops; and what their
-// definitions say of paths without asking for numbers.
+// power-masing and power-scragging against values of two other implementations, along a path with inner loops; and what
+// their definitions say of paths without asking for numbers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "laws/candidates.hpp"
+#include "laws/motion.hpp"
 
 namespace isolaw::law_tests {
 namespace {
@@ -16,16 +17,7 @@ namespace {
 using laws::PowerMasing;
 using laws::PowerScragging;
 
-std::vector<double> const corners{0, 20, 50, 10, -40, -60, 30, 20, 45, 80};
 constexpr std::array<std::size_t, 5> asked{2, 4, 5, 8, 9};  // corners of which the force is known
-
-std::vector<double> through(std::vector<double> const& corner, int steps) {
-  std::vector<double> x{corner.front()};
-  for (std::size_t i = 1; i < corner.size(); ++i)
-    for (int k = 1; k <= steps; ++k)
-      x.push_back(k == steps ? corner[i] : corner[i - 1] + (corner[i] - corner[i - 1]) * k / steps);
-  return x;
-}
 
 template <class Law>
 void expect_at_corners(Values<Law> const& values, std::array<double, 5> const& expected) {
@@ -50,7 +42,33 @@ TEST(PowerLaws, Scragging) {
                                     {133.626557, -121.483364, -147.377735, 106.630371, 170.597619});
 }
 
-// The closed form of the branches at integers: f (1 + f^4) = x/xy, and the energy 4 a xy Fy f^(r+1) (r-1)/(r+1) of a cycle.
+// Two implementations in C++ and Python that share nothing with this one, at every corner.
+TEST(PowerLaws, Worn) {
+  Values<laws::PowerMasingWorn> const values{96, 0.37, 49, 14, 51, 0.15, 1.9, 0.033};
+  std::vector<double> const expected{0,           90.743914, 141.827865, -21.715459, -121.017257,
+                                     -154.571986, 93.909303, 18.787556,  119.444353, 184.032652};
+  for (int const steps : {1, 7, 1000}) {
+    auto const force = forces<laws::PowerMasingWorn>(values, laws::make_path(through(corners, steps), {}));
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      EXPECT_NEAR(force[i * static_cast<std::size_t>(steps)], expected[i], 6e-7) << steps << " steps a leg";
+  }
+}
+
+// Without its dashpot, or without wear and kept force, each is power-masing to the bit.
+TEST(PowerLaws, VariantsAreTheLawWithoutTheirTerms) {
+  auto const motion = polyline(corners, 9);
+  auto const path = laws::make_path(motion.disp_mm, motion.velocity_mm_s);
+  Values<PowerMasing> const plain{80, 0.36, 45, 10, 60, 0.25};
+  auto const force = forces<PowerMasing>(plain, path);
+  EXPECT_EQ(forces<laws::PowerMasingViscous>({80, 0.36, 45, 10, 60, 0.25, 0.0}, path), force);
+  EXPECT_EQ(forces<laws::PowerMasingWorn>({80, 0.36, 45, 10, 60, 0.25, 0.0, 0.0}, path), force);
+  auto const damped = forces<laws::PowerMasingViscous>({80, 0.36, 45, 10, 60, 0.25, 0.05}, path);
+  for (std::size_t i = 0; i < force.size(); ++i)
+    EXPECT_NEAR(damped[i] - force[i], 0.05 * motion.velocity_mm_s[i], 1e-12);
+}
+
+// The closed form of the branches at integers: f (1 + f^4) = x/xy, and the energy 4 a xy Fy f^(r+1) (r-1)/(r+1) of a
+// cycle.
 TEST(PowerLaws, RambergOsgood) {
   double const K = 2.0, Fy = 30.0, xy = Fy / K;
   Values<laws::RambergOsgood> const values{K, Fy, 1.0, 5.0, 0.0};
@@ -96,7 +114,8 @@ TEST(PowerLaws, MasingLoopsClose) {
   EXPECT_NEAR(looped[15], plain[4], 1e-12);
 }
 
-// Every loop of a decaying sine stays open: the memory is as deep as the path has turning points, whatever their number.
+// Every loop of a decaying sine stays open: the memory is as deep as the path has turning points, whatever their
+// number.
 TEST(PowerLaws, MemoryIsAsDeepAsThePath) {
   constexpr int turns = 3287;
   std::vector<double> x{0.0};
@@ -136,8 +155,8 @@ std::vector<double> with_noise(std::vector<double> x, double deviation) {
   return x;
 }
 
-// A dead band of three deviations of noise costs a noise-free path little: noise of 0.1 % of the amplitude, 0.5 % of the peak
-// force in the mean over the samples (0.31 % here; next to reversals more, where the branches are steepest).
+// A dead band of three deviations of noise costs a noise-free path little: noise of 0.1 % of the amplitude, 0.5 % of
+// the peak force in the mean over the samples (0.31 % here; next to reversals more, where the branches are steepest).
 TEST(PowerLaws, DeadBandKeepsThePath) {
   std::vector<double> x;
   for (double const amplitude : {38.0, 76.0, 152.0})
@@ -153,8 +172,8 @@ TEST(PowerLaws, DeadBandKeepsThePath) {
   EXPECT_EQ(laws::followed(x, 0.0), x);
 }
 
-// At rest with a tremor of 0.01 mm over ten thousand samples: 9 % of the force are lost to travel that is none; behind the
-// band less than 1 %.
+// At rest with a tremor of 0.01 mm over ten thousand samples: 9 % of the force are lost to travel that is none; behind
+// the band less than 1 %.
 TEST(PowerLaws, TremorIsNoTravel) {
   auto x = through({0.0, 50.0}, 100);
   x.resize(x.size() + 10000, 50.0);
@@ -166,8 +185,8 @@ TEST(PowerLaws, TremorIsNoTravel) {
   EXPECT_GT(behind.back(), 0.99 * behind[100]);
 }
 
-// The energy of a cycle from rest to rest is positive anywhere in the box. From peak to peak it need not be: what was stored
-// on the way up at a stiffness that travel removes is given back there.
+// The energy of a cycle from rest to rest is positive anywhere in the box. From peak to peak it need not be: what was
+// stored on the way up at a stiffness that travel removes is given back there.
 TEST(PowerLaws, CyclesDissipate) {
   for (double const amplitude : {2.0, 50.0, 208.0})
     for (std::uint32_t i = 0; i < 200; ++i) {

@@ -1,6 +1,6 @@
-// Twin experiments: a record that a law made itself, from parameters somewhere in its automatic box, is fitted by that law
-// to the last digits, wherever the search starts; what the record determines by the program's own verdict is the truth,
-// and what it does not determine may be anything that makes the same forces.
+// Twin experiments: a record that a law made itself, from parameters somewhere in its automatic box, is fitted by that
+// law to the last digits, wherever the search starts; what the record determines by the program's own verdict is the
+// truth, and what it does not determine may be anything that makes the same forces.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,9 @@ namespace {
 class Twin : public testing::TestWithParam<std::string> {};
 
 TEST_P(Twin, IsFoundAgain) {
-  auto const twin = twins::twin_in_box(GetParam(), twins::growing_cycles(6, 100));
+  std::vector<Override> held;
+  for (auto const& text : twins::held(GetParam())) held.push_back(parse_override(GetParam() + "." + text));
+  auto const twin = twins::twin_in_box(GetParam(), twins::growing_cycles(6, 100), held);
   LawOnRecord const model(*twin.law, twin.record, laws::Integration::converged);
   std::vector<double> work;
   EXPECT_LT(model.objective(twin.truth, work), 1e-12);

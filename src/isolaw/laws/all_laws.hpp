@@ -7,17 +7,25 @@
 #include "isolaw/laws/abe_y0.hpp"
 #include "isolaw/laws/bilinear.hpp"
 #include "isolaw/laws/bouc_wen.hpp"
+#include "isolaw/laws/bwbn.hpp"
+#include "isolaw/laws/gallardo.hpp"
+#include "isolaw/laws/history_integral.hpp"
 #include "isolaw/laws/hwang_wu.hpp"
 #include "isolaw/laws/jankowski.hpp"
+#include "isolaw/laws/kikuchi_aiken.hpp"
 #include "isolaw/laws/menegotto_pinto.hpp"
+#include "isolaw/laws/ozdemir.hpp"
 #include "isolaw/laws/power_masing.hpp"
+#include "isolaw/laws/power_masing_viscous.hpp"
+#include "isolaw/laws/power_masing_worn.hpp"
 #include "isolaw/laws/power_scragging.hpp"
 #include "isolaw/laws/ramberg_osgood.hpp"
 #include "isolaw/laws/vaiana.hpp"
 
 namespace isolaw::laws {
 
-using AllLaws = std::tuple<Bilinear, Jankowski, Vaiana, BoucWen, Abe, AbeY0, HwangWu, MenegottoPinto, PowerMasing,
+using AllLaws = std::tuple<Bilinear, Jankowski, Vaiana, BoucWen, Abe, AbeY0, HwangWu, Bwbn, Gallardo, HistoryIntegral,
+                           KikuchiAiken, MenegottoPinto, Ozdemir, PowerMasing, PowerMasingViscous, PowerMasingWorn,
                            PowerScragging, RambergOsgood>;
 
 // Calls visit.template operator()<Law>() for every law, in order.

@@ -1,5 +1,6 @@
-// Hysteretic laws as analysis programs know them: plain numbers, in the law's own units. A law that is one of them for some
-// or all of its parameters says so in its file, as canonical(params); how a program takes the numbers is told in programs/.
+// Hysteretic laws as analysis programs know them: plain numbers, in the law's own units. A law that is one of them for
+// some or all of its parameters says so in its file, as canonical(params); how a program takes the numbers is told in
+// programs/.
 #pragma once
 
 #include <cmath>
@@ -25,8 +26,8 @@ struct MenegottoPintoForm {
   double E, Fy, b, R0, cR1, cR2;
 };
 
-// F approaches Kb x + f0 + beta1 (exp(beta2 x) - 1), with -f0 in unloading, as exp(-alpha |dx|); `sigmoid` is the size of
-// what the curve has besides.
+// F approaches Kb x + f0 + beta1 (exp(beta2 x) - 1), with -f0 in unloading, as exp(-alpha |dx|); `sigmoid` is the size
+// of what the curve has besides.
 struct LimitCurve {
   double Kb, f0, alpha, beta1, beta2, sigmoid;
 };

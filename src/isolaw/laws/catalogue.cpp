@@ -84,10 +84,8 @@ std::size_t LawEntry::index_of(std::string_view parameter) const {
 std::optional<LawEntry::Unmet> LawEntry::unmet(std::span<double const> values) const {
   auto const limit = std::ranges::find_if(joint_limits, [&](auto const& each) { return !each.holds(values); });
   if (limit == joint_limits.end()) return std::nullopt;
-  Unmet made{.found = {}, .statement = limit->statement};
-  for (auto const i : limit->parameters)
-    made.found += fmt::format("{}{} = {:.6g}", made.found.empty() ? "" : ", ", parameters[i].name, values[i]);
-  return made;
+  auto const text = [&](std::size_t i) { return fmt::format("{} = {:.6g}", parameters[i].name, values[i]); };
+  return Unmet{.found = joined(limit->parameters | std::views::transform(text)), .statement = limit->statement};
 }
 
 std::string_view memory_of(LawInfo const& law) {

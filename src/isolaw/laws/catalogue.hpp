@@ -39,8 +39,9 @@ struct LawEntry {
   };
   std::optional<Unmet> unmet(std::span<double const> parameters) const;
 
-  // Where parameters are redundant by the law's form: the name of the one that can be fixed without loss, those it trades off
-  // with, and the change to parameters of the same forces in which it has its fixed value. Empty and null elsewhere.
+  // Where parameters are redundant by the law's form: the name of the one that can be fixed without loss, those it
+  // trades off with, and the change to parameters of the same forces in which it has its fixed value. Empty and null
+  // elsewhere.
   std::string_view redundant = {};
   std::vector<std::string_view> redundant_with = {};
   double redundant_value = 0.0;

@@ -65,8 +65,8 @@ struct Jankowski {
   template <class T>
   static T step(Params<T> const& p, State<T>&, Step const& step) {
     T const x(step.x1), v(step.v1), x2(step.x1 * step.x1);
-    // 1/cosh^2 u = 4 E / (1 + E)^2 and 1/cosh u = 2 e / (1 + e^2) with e = exp(-|u|), E = e^2: nothing overflows. Over one
-    // denominator, since a division costs as much as an exponential.
+    // 1/cosh^2 u = 4 E / (1 + E)^2 and 1/cosh u = 2 e / (1 + e^2) with e = exp(-|u|), E = e^2: nothing overflows. Over
+    // one denominator, since a division costs as much as an exponential.
     T const one(1.0), two(2.0);
     T const log2_e_v(num::log2_e * step.v1), log2_e_x(num::log2_e * step.x1);
     T const E5 = exp2(-two * abs(p.a5 * log2_e_v)), e7 = exp2(-abs(p.a7 * log2_e_v)), e8 = exp2(-abs(p.a8 * log2_e_x));

@@ -3,16 +3,18 @@
 // A law is a struct with
 //   info                       LawInfo: id, title, source, units, traits, notes on how the source was read
 //   Params<T>                  its parameters, in the paper's symbols
-//   rows<T>                    one Row per parameter, in the order of reports: member, name, unit, meaning, limits, boxes
+//   rows<T>                    one Row per parameter, in the order of reports: member, name, unit, meaning, limits,
+//                              boxes
 //   State<T>                   what it remembers from sample to sample, with constants derived from the parameters
 //   start(params, first, how)  the virgin state at the first sample
 //   step(params, state, step)  advances the state over one step of the path, returns the force at its end
-//   or, for a law that reads what the path remembers (traits.remembers), start(params, path) and step(params, state, step, memory)
+//   or, for a law that reads what the path remembers (traits.remembers), start(params, path) and step(params, state,
+//   step, memory)
 // and, where it has them,
 //   step_paper(...)            the same by one classical Runge-Kutta step, where that differs
 //   joint_limits               what parameters must meet together: a JointLimit each
-//   reduced(params)            parameters of the same forces in which `redundant`, which trades off with `redundant_with`,
-//                              has the value `redundant_value`: where one can be fixed without loss
+//   reduced(params)            parameters of the same forces in which `redundant`, which trades off with
+//                              `redundant_with`, has the value `redundant_value`: where one can be fixed without loss
 //   canonical(params)          the law as analysis programs know it (canonical.hpp)
 // T is double, a derivative number or a batch of candidates. No allocation, exception or container in a step;
 // branching on what the record determines (Step) is free, on a candidate's values it is a select.
@@ -94,8 +96,8 @@ struct Row {
   ParameterInfo info;
 };
 
-// What the limits of single parameters cannot say. `statement` names the parameters as words of their own. Moving one of
-// them one way always helps or always harms: a box is outside where its corners are.
+// What the limits of single parameters cannot say. `statement` names the parameters as words of their own. Moving one
+// of them one way always helps or always harms: a box is outside where its corners are.
 template <class Params>
 struct JointLimit {
   std::string_view statement;  // "K1 >= K2"
@@ -140,8 +142,8 @@ struct Step {
   double log2_abs_x0, log2_abs_x1;  // of |x| clamped to num::smallest_power_base
 };
 
-// What the displacement alone decides for a law that remembers turning points and the travel of each side, at the end of a
-// step (memory.cpp). The side of x is that of its sign. A first sample away from 0 is a motion from 0.
+// What the displacement alone decides for a law that remembers turning points and the travel of each side, at the end
+// of a step (memory.cpp). The side of x is that of its sign. A first sample away from 0 is a motion from 0.
 struct Memory {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::size_t kept = none;    // the step began at a turning point: the force there goes to this place of the stack
@@ -154,7 +156,13 @@ struct Memory {
   double side_peak = 0.0;     // the same on the side of x
   double travel = 0.0;        // N of that side: relative to its peak inside it, forgotten as the peak grows
   double virgin = 1.0;        // (1 + N)^(-1/3)
-  std::size_t side = 0;       // 0: x >= 0, 1: x < 0
+  double log2_worn = 0.0;     // log2(1 + N) of both sides together, relative to the largest |x|
+  double pushed = 0.0;        // how far the largest |x| has grown at x > 0, less how far at x < 0
+  double softening = 0.0;  // G of that side: half its way outwards and four times its way back, never beyond side_peak
+  double way_back = 0.0;   // C of that side: its way towards 0
+  double log2_softening = 0.0, log2_way_back = 0.0;  // of the two, clamped to num::smallest_power_base
+  std::size_t side = 0;                              // 0: x >= 0, 1: x < 0
+  bool softens = false, returns = false;             // G or C are not what they were at the last step that ended there
   bool peak_grows = false, side_peak_grows = false;  // in this step
 };
 
@@ -181,8 +189,8 @@ Path make_path_with_turning_points(std::span<double const> x, std::span<double c
 // Fills in what the path remembers.
 void remember(Path& path);
 
-// The motion without what stays within `dead_band` to both sides, in the unit of x: after a turn it rests for twice the band
-// and catches up over the next four; elsewhere it is x.
+// The motion without what stays within `dead_band` to both sides, in the unit of x: after a turn it rests for twice the
+// band and catches up over the next four; elsewhere it is x.
 std::vector<double> followed(std::span<double const> x, double dead_band);
 
 template <class Law, class T>

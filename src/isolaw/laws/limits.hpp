@@ -52,5 +52,8 @@ constexpr double per_velocity(RecordScales const& s) {
 constexpr double per_work(RecordScales const& s) {
   return 1.0 / s.work;
 }
+constexpr double disp_per_work(RecordScales const& s) {
+  return s.disp / s.work;
+}
 
 }  // namespace isolaw::laws

@@ -1,5 +1,5 @@
-// Masing's rules: every branch is the skeleton at twice its size, from the turning point that it began at. Which that is the
-// displacement alone decides (Memory).
+// Masing's rules: every branch is the skeleton at twice its size, from the turning point that it began at. Which that
+// is the displacement alone decides (Memory).
 // Source: Masing 1926; docs/laws.md.
 #pragma once
 

@@ -1,5 +1,6 @@
-// What a path remembers: turning points by Masing's rules, and of each side its peak and the travel since it grew.
-// Source: docs/laws.md, power-masing.
+// What a path remembers: turning points by Masing's rules, and of each side its peak and the travel since it grew,
+// what softens it and its way back.
+// Source: docs/laws.md, power-masing and gallardo.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -10,25 +11,67 @@
 namespace isolaw::laws {
 namespace {
 
-// Travel is forgotten with this power of the growth of the peak: dN = |dx|/m - 60 N dm/m, so that a first motion has 1/60.
+// Travel is forgotten with this power of the growth of the peak: dN = |dx|/m - 60 N dm/m, so that a first motion has
+// 1/60.
 constexpr int forgetting = 60;
 
 // How much faster than x the motion that is followed moves after a turn, until it is x again.
 constexpr double catching_up = 0.5;
 
+// What a side keeps of its way outwards and back.
+constexpr double softening_outwards = 0.5, softening_back = 4.0;
+
+double travel_as_the_peak_grows(double travel, double from, double to) {
+  constexpr double virgin = 1.0 / forgetting;
+  return virgin + (travel - virgin) * std::pow(from / to, forgetting);
+}
+
 struct Side {
   double peak = 0.0, travel = 0.0;
+  double softening = 0.0, way_back = 0.0;
+  double reported_softening = 0.0, reported_way_back = 0.0;
 
   // From 0 or from anywhere on this side to `x` of it, |x0| before.
   void move(double x0, double x1) {
     double const from = std::abs(x0), to = std::abs(x1);
+    if (to > from)
+      outwards(from, to);
+    else if (to < from)
+      back(from, to);
     if (peak > 0.0) travel += std::abs(std::min(to, peak) - std::min(from, peak)) / peak;
     if (to <= peak) return;
-    constexpr double virgin = 1.0 / forgetting;
-    travel = virgin + (travel - virgin) * std::pow(peak / to, forgetting);
+    travel = travel_as_the_peak_grows(travel, peak, to);
     peak = to;
   }
+
+ private:
+  // A run is a motion one way on this side. All is measured from its begin: the number of steps does not matter.
+  struct Run {
+    bool goes_out = true;
+    double at = 0.0, peak = 0.0, softening = 0.0, way_back = 0.0;
+  };
+
+  void begin(bool goes_out, double at) {
+    if (goes_out != run_.goes_out)
+      run_ = {.goes_out = goes_out, .at = at, .peak = peak, .softening = softening, .way_back = way_back};
+  }
+  void outwards(double from, double to) {
+    begin(true, from);
+    double const inside = std::min(to, run_.peak) - run_.at, beyond = std::max(0.0, to - run_.peak);
+    softening = std::min(run_.softening + softening_outwards * inside, run_.peak) + softening_outwards * beyond;
+  }
+  void back(double from, double to) {
+    begin(false, from);
+    way_back = run_.way_back + (run_.at - to);
+    softening = std::min(run_.softening + softening_back * (run_.at - to), run_.peak);
+  }
+
+  Run run_;
 };
+
+double log2_of(double length) {
+  return std::log2(std::max(length, num::smallest_power_base));
+}
 
 class Walk {
  public:
@@ -60,9 +103,22 @@ class Walk {
     now.peak0 = peak_;
     now.peak = peak_ = std::max(peak_, std::abs(x1));
     now.inside = std::abs(x1 - x0) - (now.peak - now.peak0);
+    if (now.peak0 > 0.0) travel_ += now.inside / now.peak0;
+    if (now.peak > now.peak0) {
+      travel_ = travel_as_the_peak_grows(travel_, now.peak0, now.peak);
+      pushed_ += x1 < 0.0 ? now.peak0 - now.peak : now.peak - now.peak0;
+    }
+    now.log2_worn = std::log2(1.0 + travel_);
+    now.pushed = pushed_;
     now.side_peak = side.peak;
     now.travel = side.travel;
     now.virgin = 1.0 / std::cbrt(1.0 + side.travel);
+    now.softening = side.softening;
+    now.way_back = side.way_back;
+    now.log2_softening = log2_of(side.softening);
+    now.log2_way_back = log2_of(side.way_back);
+    now.softens = std::exchange(side.reported_softening, side.softening) != side.softening;
+    now.returns = std::exchange(side.reported_way_back, side.way_back) != side.way_back;
     now.peak_grows = now.peak > now.peak0;
     now.side_peak_grows = side.peak > side_peak;
     return now;
@@ -78,7 +134,7 @@ class Walk {
 
   std::vector<double> turned_;
   Side sides_[2];
-  double direction_ = 0.0, peak_ = 0.0;
+  double direction_ = 0.0, peak_ = 0.0, travel_ = 0.0, pushed_ = 0.0;
 };
 
 }  // namespace

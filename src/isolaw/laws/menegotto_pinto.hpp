@@ -1,7 +1,9 @@
-// Menegotto-Pinto: a smooth curve from each reversal, tangent to the elastic line there, to the asymptote of the other side.
-// Source: Menegotto and Pinto 1973 with the R of Filippou et al. 1983, without isotropic hardening. Written here without the
-// intersection (x0, F0): F = b E x + (1 - b) z, where z leaves its value zr at the reversal towards +-Fy, a distance D, as
-// (D^-R + t^-R)^(-1/R) of the elastic travel t = E |x - xr|; then E (x0 - xr) = +-D.  Units kN, mm.  Step: exact.
+// Menegotto-Pinto: a smooth curve from each reversal, tangent to the elastic line there, to the asymptote of the other
+// side.
+// Source: Menegotto and Pinto 1973 with the R of Filippou et al. 1983, without isotropic hardening. Written here
+// without the intersection (x0, F0): F = b E x + (1 - b) z, where z leaves its value zr at the reversal towards +-Fy, a
+// distance D, as (D^-R + t^-R)^(-1/R) of the elastic travel t = E |x - xr|; then E (x0 - xr) = +-D.  Units kN, mm.
+// Step: exact.
 #pragma once
 
 #include "isolaw/laws/canonical.hpp"

@@ -1,8 +1,10 @@
-// Power-law Masing with scragging: branches of one power law by Masing's rules, an elastic force that the tests' amplitude
-// softens, hardening towards the peak, and a virgin stiffness that travel removes.
-// Source: this project; docs/laws.md. Units kN, mm. Step: exact, without integration; every sample depends on the turning
-// points and peaks of the displacement alone, which the record decides.
+// Power-law Masing with scragging: branches of one power law by Masing's rules, an elastic force that the tests'
+// amplitude softens, hardening towards the peak, and a virgin stiffness that travel removes.
+// Source: this project; docs/laws.md. Units kN, mm. Step: exact, without integration; every sample depends on the
+// turning points and peaks of the displacement alone, which the record decides.
 #pragma once
+
+#include <utility>
 
 #include "isolaw/laws/law.hpp"
 #include "isolaw/laws/limits.hpp"
@@ -62,11 +64,18 @@ struct PowerMasing {
 
   template <class T>
   static T step(Params<T> const& p, State<T>& state, Step const& step, Memory const& memory) {
-    if (memory.peak <= 0.0) return T(0.0);
+    auto const [hysteretic, elastic] = forces(p, state, step, memory);
+    return hysteretic + elastic;
+  }
+
+  // Fh, and what is beside it. Called at every step.
+  template <class T>
+  static std::pair<T, T> forces(Params<T> const& p, State<T>& state, Step const& step, Memory const& memory) {
+    if (memory.peak <= 0.0) return {T(0.0), T(0.0)};
     T const Fh = state.branches.force(step, memory, [&](double x) { return skeleton(p, x); });
     if (memory.peak_grows) state.per_strength = T(1.0) / max(skeleton(p, memory.peak), T(num::smallest_power_base));
     T const share = min(T(1.0), max(T(-1.0), Fh * state.per_strength));
-    return Fh + state.scragging.force(p, step, memory, share);
+    return {Fh, state.scragging.force(p, step, memory, share)};
   }
 
  private:

@@ -1,6 +1,6 @@
-// The smooth relative of power-masing: two fading memories of the motion in place of its turning points, for programs whose
-// materials keep none. It relaxes under tremor, and loops of unloading and reloading below 1 mm give out work: prefer
-// power-masing wherever turning points can be kept.
+// The smooth relative of power-masing: two fading memories of the motion in place of its turning points, for programs
+// whose materials keep none. It relaxes under tremor, and loops of unloading and reloading below 1 mm give out work:
+// prefer power-masing wherever turning points can be kept.
 // Source: this project; docs/laws.md. Units kN, mm. Step: exact along a straight path.
 #pragma once
 

@@ -1,6 +1,6 @@
 // Ramberg-Osgood with Masing's rules, and a spring beside it.
-// Source: Ramberg and Osgood 1943, Jennings 1964; docs/laws.md. Units kN, mm. Step: exact; the force on a branch solves one equation
-// of one unknown, to the last digits.
+// Source: Ramberg and Osgood 1943, Jennings 1964; docs/laws.md. Units kN, mm. Step: exact; the force on a branch solves
+// one equation of one unknown, to the last digits.
 #pragma once
 
 #include "isolaw/laws/law.hpp"
@@ -66,8 +66,8 @@ struct RambergOsgood {
   }
 
  private:
-  // f + a f^r = u: falling on the root by Newton's rule from above, where the sum is convex. Both terms alone are above; the
-  // smaller is at most twice the root, from where six steps leave the rounding.
+  // f + a f^r = u: falling on the root by Newton's rule from above, where the sum is convex. Both terms alone are
+  // above; the smaller is at most twice the root, from where six steps leave the rounding.
   template <class T>
   static T skeleton(Params<T> const& p, State<T> const& state, double x) {
     if (x == 0.0) return T(0.0);

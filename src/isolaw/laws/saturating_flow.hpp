@@ -7,14 +7,14 @@
 // Every device history between reversals is a piece of one curve u(t), so it is tabulated once per candidate and each
 // sample costs a lookup, however large the step: no step size, no stability limit, no power per sample.
 //
-// Nodes are graded geometrically towards u = 0, where u^n is not smooth for n < 1, and towards saturation on both sides;
-// times between nodes by four-point Lobatto quadrature, u(t) within a cell by the quintic that takes value, slope and
-// curvature at both ends.
+// Nodes are graded geometrically towards u = 0, where u^n is not smooth for n < 1, and towards saturation on both
+// sides; times between nodes by four-point Lobatto quadrature, u(t) within a cell by the quintic that takes value,
+// slope and curvature at both ends.
 // Largest error in u over n in [0.01, 3]: below 1e-5 for kappa in [-1/2, 3]; below 1e-5 / (2 (1 + kappa)) down to
 // kappa = -0.99, where the equation itself magnifies what happens near u = -1 (tests/verification).
 // The table costs about 500 powers.
-// Rejected: Runge-Kutta with sub-steps (32 per sample still leave 3.8 % in the objective of abe near its optimum), and an
-// exponential step with frozen exponent (first order where n < 1 and u crosses 0).
+// Rejected: Runge-Kutta with sub-steps (32 per sample still leave 3.8 % in the objective of abe near its optimum), and
+// an exponential step with frozen exponent (first order where n < 1 and u crosses 0).
 #pragma once
 
 #include <array>

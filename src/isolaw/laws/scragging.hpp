@@ -1,5 +1,5 @@
-// What power-masing and power-scragging share: the elastic force that the amplitude softens, its hardening towards the peak, and
-// the virgin stiffness that travel removes, each by side, with the rows of their parameters.
+// What power-masing and power-scragging share: the elastic force that the amplitude softens, its hardening towards the
+// peak, and the virgin stiffness that travel removes, each by side, with the rows of their parameters.
 // Source: this project; docs/laws.md. Units kN, mm.
 #pragma once
 
@@ -10,7 +10,8 @@ namespace isolaw::laws {
 
 inline constexpr double reference_mm = 100.0;
 
-// The force at 100 mm of a device whose force grows with the power .4 of the amplitude, as high damping rubber's about does.
+// The force at 100 mm of a device whose force grows with the power .4 of the amplitude, as high damping rubber's about
+// does.
 inline double force_at_reference(RecordScales const& s) {
   return s.force * std::pow(reference_mm / s.disp, 0.4);
 }
@@ -18,8 +19,8 @@ inline double force_at_reference(RecordScales const& s) {
 template <class T>
 class Scragging {
  public:
-  // (x/100) (K (m/100)^(g-1) + w H (m/100) (|x|/m)^6 + w^2 C (1 + N)^(-1/3)), w = (1 + sgn(x) share)/2 with the hysteretic
-  // force's share of its strength, -1 to 1. Called at every step.
+  // (x/100) (K (m/100)^(g-1) + w H (m/100) (|x|/m)^6 + w^2 C (1 + N)^(-1/3)), w = (1 + sgn(x) share)/2 with the
+  // hysteretic force's share of its strength, -1 to 1. Called at every step.
   template <class Params>
   T force(Params const& p, Step const& step, Memory const& memory, T const& share) {
     double const x = step.x1 / reference_mm, m = memory.side_peak / reference_mm;

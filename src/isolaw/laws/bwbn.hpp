@@ -1,0 +1,160 @@
+// Bouc-Wen-Baber-Noori: Bouc-Wen whose strength and stiffness degrade with the work of its hysteretic part, and which
+// slips about a small force (pinching).
+// Source: Baber and Noori 1986, Foliente 1995. Units kN, mm, in which p, psi and the others are those of the material
+// BWBN of OpenSees (Ao, zetas, Shi, deltaShi, lamda there), which has no degradation and a zu without A.  Step: z = zu
+// u follows u' = 1 - |u|^n (..), one curve between reversals (saturating_flow.hpp), at a pace that pinching and
+// degradation slow down. Place on the curve and e advance by classical Runge-Kutta steps, whose number the path alone
+// decides; zu is that of the middle of each. No step is unstable; without pinching and degradation all are exact.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "isolaw/laws/canonical.hpp"
+#include "isolaw/laws/law.hpp"
+#include "isolaw/laws/limits.hpp"
+#include "isolaw/laws/saturating_flow.hpp"
+
+namespace isolaw::laws {
+
+struct Bwbn {
+  static constexpr LawInfo info{
+      .id = "bwbn",
+      .title = "Bouc-Wen-Baber-Noori, degradation and pinching",
+      .source = "Baber and Noori 1986, Eqs. of z and h; Foliente 1995",
+      .force = kN,
+      .length = mm,
+      .traits = {.rate_independent = true, .odd = true, .path_integrated = true},
+      .formula =
+          "F = alpha ko x + (1 - alpha) ko z,   de = (1 - alpha) ko z dx\n"
+          "dz = h (A - (1 + dnu e) |z|^n (beta sgn(z dx) + gamma)) dx / (1 + deta e)\n"
+          "h = 1 - z1 exp(-(z sgn(dx) - q zu)^2 / z2^2),   zu = (A / ((1 + dnu e) (beta + gamma)))^(1/n)\n"
+          "z1 = zs (1 - exp(-p e)),   z2 = (psi + dpsi e) (lambda + z1)",
+      .note =
+          "Made for timber joints and reinforced concrete. Rubber bearings show no pinching: zs, p, psi and dpsi are then not determined. zs, p, psi and lambda trade off; q and lambda are fixed unless freed. e is the work of z in kN mm. Degradation of A is left out. With zs near 1 a device hardly passes q zu again. BWBN of OpenSees takes one implicit Euler step for each of the analysis, from one guess of z whatever the state. Beyond the tests the force is bounded but for alpha ko x, and what further work takes is not known."};
+
+  template <class T>
+  struct Params {
+    T alpha, ko, A, beta, gamma, n, q, zs, p, psi, dpsi, lambda, dnu, deta;
+  };
+
+  template <class T>
+  static constexpr auto rows = std::to_array<Row<T, Params<T>>>({
+      {&Params<T>::alpha, parameter("alpha", "1", "ratio of post-yield to elastic stiffness", Interval{0.0, 1.0},
+                                    std::nullopt, {0.01, 0.6, one})},
+      {&Params<T>::ko, parameter("ko", "kN/mm", "elastic stiffness", positive, std::nullopt, {1.0, 12.0, stiffness})},
+      {&Params<T>::A, parameter("A", "1", "amplitude of the hysteretic variable", positive, std::nullopt,
+                                {0.5, 2.0, one}, Scale::linear, 1.0)},
+      {&Params<T>::beta, parameter("beta", "1/mm^n", "shape of the loop", positive, std::nullopt,
+                                   {0.05, 60.0, per_disp}, Scale::logarithmic)},
+      {&Params<T>::gamma,
+       parameter("gamma", "1/mm^n", "shape of the loop", any_value, std::nullopt, {0.0, 60.0, per_disp})},
+      {&Params<T>::n, parameter("n", "1", "sharpness of yielding", positive, std::nullopt, {0.5, 2.0, one})},
+      {&Params<T>::q, parameter("q", "1", "where it slips, over the largest z", not_negative, std::nullopt,
+                                {0.0, 0.5, one}, Scale::linear, 0.25)},
+      {&Params<T>::zs, parameter("zs", "1", "share of the stiffness that slip takes in the end", Interval{0.0, 1.0},
+                                 std::nullopt, {0.0, 0.95, one})},
+      {&Params<T>::p, parameter("p", "1/(kN mm)", "rate at which slip sets in with work", not_negative, std::nullopt,
+                                {0.1, 1000.0, per_work}, Scale::logarithmic)},
+      {&Params<T>::psi,
+       parameter("psi", "mm", "range of z that slips", positive, std::nullopt, {0.005, 0.5, disp}, Scale::logarithmic)},
+      {&Params<T>::dpsi,
+       parameter("dpsi", "1/kN", "its growth with work", not_negative, std::nullopt, {0.0, 1.0, disp_per_work})},
+      {&Params<T>::lambda, parameter("lambda", "1", "share of that range before slip sets in", positive, std::nullopt,
+                                     {0.05, 0.8, one}, Scale::linear, 0.3)},
+      {&Params<T>::dnu,
+       parameter("dnu", "1/(kN mm)", "strength lost with work", not_negative, std::nullopt, {0.0, 2.0, per_work})},
+      {&Params<T>::deta,
+       parameter("deta", "1/(kN mm)", "stiffness lost with work", not_negative, std::nullopt, {0.0, 2.0, per_work})},
+  });
+
+  // The same forces with A = 1, as for bouc-wen; psi and dpsi are lengths of z.
+  static constexpr std::string_view redundant = "A";
+  static constexpr double redundant_value = 1.0;
+  static constexpr std::array<std::string_view, 6> redundant_with{"alpha", "ko", "beta", "gamma", "psi", "dpsi"};
+  static Params<double> reduced(Params<double> p) {
+    double const scale = num::power(p.A, p.n - 1.0), elastic = p.alpha * p.ko + (1.0 - p.alpha) * p.ko * p.A;
+    p.alpha = p.alpha * p.ko / elastic;
+    p.ko = elastic;
+    p.beta *= scale;
+    p.gamma *= scale;
+    p.psi /= p.A;
+    p.dpsi /= p.A;
+    p.A = 1.0;
+    return p;
+  }
+
+  static constexpr std::array joint_limits{
+      JointLimit<Params<double>>{"beta + gamma > 0", [](Params<double> const& p) { return p.beta + p.gamma > 0.0; }}};
+
+  static Canonical canonical(Params<double> const& p) {
+    if (p.zs * p.p != 0.0 || p.dnu != 0.0 || p.deta != 0.0) return NoForm{"pinching and degradation with work"};
+    auto const r = reduced(p);
+    return BoucWenForm{r.alpha, r.ko, r.beta, r.gamma, r.n};
+  }
+
+  template <class T>
+  struct State {
+    T z = T(0.0), e = T(0.0);
+    T strength = T(0.0);  // zu without degradation
+    T share = T(0.0);     // (1 - alpha) ko
+    SaturatingFlow<T> flow;
+  };
+
+  template <class T>
+  static State<T> start(Params<T> const& p, Step const&, Integration) {
+    State<T> state;
+    T const both = p.beta + p.gamma;
+    // Without a bounded force there is none.
+    state.z = select(min(p.beta, both) > T(0.0), T(0.0), T(std::numeric_limits<double>::quiet_NaN()));
+    state.strength = exp2((log2(p.A) - log2(both)) / p.n);
+    state.share = (T(1.0) - p.alpha) * p.ko;
+    state.flow.tabulate(p.n, (p.beta - p.gamma) / both);
+    return state;
+  }
+
+  template <class T>
+  static T step(Params<T> const& p, State<T>& state, Step const& step) {
+    if (step.length > 0.0) {
+      // In this order infinite displacements give the most that finite ones do.
+      int const pieces = static_cast<int>(
+          std::ceil(std::min(2.0 * pieces_to_the_peak, pieces_to_the_peak * step.length / step.peak1)));
+      for (int i = 0; i < pieces; ++i) advance(p, state, step.direction, step.length / pieces);
+    }
+    return rounded(p.alpha * p.ko * T(step.x1)) + state.share * state.z;
+  }
+
+ private:
+  static constexpr double pieces_to_the_peak = 50.0;
+  static constexpr double end_of_curve = 0.9999998874648379;  // 1 / (1 + e^-16), the last node of the flow's table
+
+  template <class T>
+  static void advance(Params<T> const& p, State<T>& state, double towards, double way) {
+    T const direction(towards), length(way), half(0.5 * way), one(1.0), none(0.0), z = direction * state.z;
+    T const work = max(state.e + half * state.share * z, none);
+    T const zu = state.strength * exp2(-log2(one + p.dnu * work) / p.n), pace = p.A / zu;
+    // A strength that falls leaves z above it, from where it comes down as exp(-n t): 1 - u^n next to u = 1.
+    T const inside = min(z / zu, T(end_of_curve)), beyond = z / zu - inside;
+    T const begin = state.flow.time_at(inside);
+    // Of the place on the curve, per travel, at z and e.
+    auto const speed = [&](T const& at, T const& e) -> T {
+      T const done = max(e, none), z1 = p.zs * (one - exp(-p.p * done));
+      T const z2 = (p.psi + p.dpsi * done) * (p.lambda + z1);
+      T const off = (at - p.q * zu) / max(z2, T(num::smallest_power_base));
+      return pace * (one - z1 * exp(-off * off)) / (one + p.deta * done);
+    };
+    auto const value = [&](T const& time) -> T {
+      return zu * (state.flow.value_at(begin + time) + beyond * exp(-p.n * time));
+    };
+    T const speed1 = speed(z, state.e);
+    T const z_2 = value(half * speed1), speed2 = speed(z_2, state.e + half * state.share * z);
+    T const z_3 = value(half * speed2), speed3 = speed(z_3, state.e + half * state.share * z_2);
+    T const z_4 = value(length * speed3), speed4 = speed(z_4, state.e + length * state.share * z_3);
+    T const sixth(way / 6.0), two(2.0);
+    state.e += sixth * state.share * (z + two * (z_2 + z_3) + z_4);
+    state.z = direction * value(sixth * (speed1 + two * (speed2 + speed3) + speed4));
+  }
+};
+
+}  // namespace isolaw::laws

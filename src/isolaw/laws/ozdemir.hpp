@@ -1,0 +1,102 @@
+// Ozdemir: a force that follows a backstress; Graesser and Cozzarelli's term for alloys that return by themselves.
+// Source: Ozdemir 1976; Graesser and Cozzarelli 1991, F' = Ks (x' - |x'| |s/Ys|^n sgn(s)), s = F - b, with the
+// backstress b = Ks alpha (x - F/Ks + g(x)). Solved for F, with s' by itself:
+//     F = (Ks alpha (x + g) + s) / (1 + alpha),   s' = Ks (x' (1 - alpha g'(x)) - (1 + alpha) |x'| |s/Ys|^n sgn(s)).
+// Written here with z = s / (1 + alpha): F = alpha K (x + g) + z, K = Ks / (1 + alpha), Y = Ys (1 + alpha)^(-1 - 1/n),
+// and without -alpha g' in z', by which z follows one curve between reversals (saturating_flow.hpp). For g = 0 that is
+// the source. Otherwise a branch leaves a reversal with alpha K g' more than the source's slope and saturates at +-Y
+// instead of +-Y (1 - alpha g')^(1/n).  Units kN, mm.  Step: exact along a straight path.
+#pragma once
+
+#include "isolaw/laws/canonical.hpp"
+#include "isolaw/laws/law.hpp"
+#include "isolaw/laws/limits.hpp"
+#include "isolaw/laws/saturating_flow.hpp"
+#include "isolaw/num/error_function.hpp"
+
+namespace isolaw::laws {
+
+struct Ozdemir {
+  static constexpr LawInfo info{
+      .id = "ozdemir",
+      .title = "Ozdemir, rate-independent flow about a backstress",
+      .source = "Ozdemir 1976, Eqs. of force and backstress; Graesser and Cozzarelli 1991",
+      .force = kN,
+      .length = mm,
+      .traits = {.rate_independent = true, .odd = true},
+      .formula =
+          "F = alpha K (x + fT |x/100|^c erf(a x)) + z\n"
+          "dz = K (dx - |dx| |z/Y|^n sgn(z))",
+      .note =
+          "Made for metals and, with fT, for alloys that return by themselves. The source's stiffness is (1 + alpha) K, its strength (1 + alpha)^(1 + 1/n) Y. With fT the source also takes alpha K times the slope of its term off that of z; here the term is elastic and no more. Without fT it is bouc-wen with gamma 0: unloading is as much steeper than K as loading is flatter. Beyond the tests the force grows as alpha K x. Loops of unloading and reloading do not close."};
+
+  template <class T>
+  struct Params {
+    T K, Y, n, alpha, fT, c, a;
+  };
+
+  template <class T>
+  static constexpr auto rows = std::to_array<Row<T, Params<T>>>({
+      {&Params<T>::K, parameter("K", "kN/mm", "first stiffness of the hysteretic part", positive, std::nullopt,
+                                {0.5, 15.0, stiffness}, Scale::logarithmic)},
+      {&Params<T>::Y, parameter("Y", "kN", "force at which it saturates", positive, std::nullopt, {0.5, 5.0, strength},
+                                Scale::logarithmic)},
+      {&Params<T>::n,
+       parameter("n", "1", "sharpness of yielding", positive, std::nullopt, {0.1, 3.0, one}, Scale::logarithmic)},
+      {&Params<T>::alpha, parameter("alpha", "1", "stiffness of the elastic part over that of the hysteretic one",
+                                    not_negative, std::nullopt, {0.01, 1.5, one}, Scale::logarithmic)},
+      {&Params<T>::fT, parameter("fT", "mm", "displacement that the elastic force is ahead by at 100 mm", any_value,
+                                 std::nullopt, {0.0, 2.0, disp}, Scale::linear, 0.0)},
+      {&Params<T>::c,
+       parameter("c", "1", "exponent of its growth", not_negative, std::nullopt, {0.0, 2.0, one}, Scale::linear, 0.0)},
+      {&Params<T>::a, parameter("a", "1/mm", "rate at which it sets in", not_negative, std::nullopt,
+                                {0.2, 20.0, per_disp}, Scale::logarithmic, 0.01)},
+  });
+
+  static Canonical canonical(Params<double> const& p) {
+    if (p.alpha * p.fT * p.a != 0.0) return NoForm{"elastic force fT |x/100|^c erf(a x)"};
+    return BoucWenForm{
+        .alpha = p.alpha / (1.0 + p.alpha),
+        .Ke = (1.0 + p.alpha) * p.K,
+        .beta = std::pow(p.K / p.Y, p.n),
+        .gamma = 0.0,
+        .n = p.n,
+    };
+  }
+
+  template <class T>
+  struct State {
+    T z = T(0.0);
+    T time = T(0.0), rate = T(0.0);  // of the flow; K/Y per unit of travel
+    SaturatingFlow<T> flow;
+  };
+
+  template <class T>
+  static State<T> start(Params<T> const& p, Step const&, Integration) {
+    State<T> state;
+    state.rate = p.K / p.Y;
+    state.flow.tabulate(p.n, T(1.0));
+    return state;
+  }
+
+  template <class T>
+  static T step(Params<T> const& p, State<T>& state, Step const& step) {
+    if (step.length > 0.0) {
+      T const direction(step.direction);
+      if (step.reversal) state.time = state.flow.time_at(direction * state.z / p.Y);
+      state.time += state.rate * T(step.length);
+      state.z = direction * p.Y * state.flow.value_at(state.time);
+    }
+    return rounded(p.alpha * p.K * (T(step.x1) + ahead(p, step))) + state.z;
+  }
+
+ private:
+  template <class T>
+  static T ahead(Params<T> const& p, Step const& step) {
+    constexpr double log2_100 = 6.643856189774724;
+    if (step.x1 == 0.0) return T(0.0);
+    return p.fT * exp2(p.c * T(step.log2_abs_x1 - log2_100)) * num::erf(p.a * T(step.x1));
+  }
+};
+
+}  // namespace isolaw::laws

@@ -1,0 +1,56 @@
+// power-masing with a dashpot beside it, for tests whose velocity varies apart from their amplitude.
+// Source: this project; docs/laws.md. Units kN, mm, s. Step: exact, as that of power-masing.
+#pragma once
+
+#include "isolaw/laws/law.hpp"
+#include "isolaw/laws/limits.hpp"
+#include "isolaw/laws/power_masing.hpp"
+
+namespace isolaw::laws {
+
+struct PowerMasingViscous {
+  static constexpr LawInfo info{
+      .id = "power-masing-viscous",
+      .title = "Power-law Masing with scragging and a dashpot",
+      .source = "isolaw, Eqs. of power-masing and a viscous force",
+      .force = kN,
+      .length = mm,
+      .traits = {.odd = true, .remembers = true},
+      .formula =
+          "F = c v + Fh + (x/100) (K (m/100)^(g-1) + w H (m/100) (|x|/m)^6 + w^2 C (1 + N)^(-1/3))\n"
+          "Fh of Y, g and U, w, m and N as for power-masing",
+      .note =
+          "Sinusoids of one frequency cannot tell c from Y and g: the velocity must vary apart from the amplitude."};
+
+  template <class T>
+  struct Params : PowerMasing::Params<T> {
+    T c;
+  };
+
+  static constexpr double force_per_velocity(RecordScales const& s) { return s.force / s.velocity; }
+
+  template <class T>
+  static constexpr auto rows = [] {
+    constexpr auto& shared = PowerMasing::rows<T>;
+    std::array<Row<T, Params<T>>, shared.size() + 1> made{};
+    for (std::size_t i = 0; i < shared.size(); ++i) made[i] = {shared[i].member, shared[i].info};
+    made.back() = {&Params<T>::c, parameter("c", "kN s/mm", "viscous damping", not_negative, std::nullopt,
+                                            {0.0, 0.3, force_per_velocity})};
+    return made;
+  }();
+
+  template <class T>
+  using State = PowerMasing::State<T>;
+
+  template <class T>
+  static State<T> start(Params<T> const& p, Path const& path) {
+    return PowerMasing::start<T>(p, path);
+  }
+
+  template <class T>
+  static T step(Params<T> const& p, State<T>& state, Step const& step, Memory const& memory) {
+    return PowerMasing::step<T>(p, state, step, memory) + p.c * T(step.v1);
+  }
+};
+
+}  // namespace isolaw::laws

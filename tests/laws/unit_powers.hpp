@@ -1,0 +1,54 @@
+// How a parameter follows the size of a device: the powers of force, length and time of its unit.
+#pragma once
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string_view>
+
+#include "isolaw/laws/all_laws.hpp"
+
+namespace isolaw::law_tests {
+
+struct Powers {
+  double force = 0.0, length = 0.0, time = 0.0;
+};
+
+// Of a printed unit, "kN s/mm" or "1/(N cm)"; n of "1/mm^n" taken as 1.
+inline std::optional<Powers> powers_of(std::string_view unit) {
+  std::map<std::string_view, double Powers::*> const known{{"N", &Powers::force},   {"kN", &Powers::force},
+                                                           {"mm", &Powers::length}, {"cm", &Powers::length},
+                                                           {"m", &Powers::length},  {"s", &Powers::time}};
+  Powers made;
+  double side = 1.0;
+  for (std::size_t at = 0; at < unit.size();) {
+    if (unit[at] == '/') side = -1.0;
+    if (std::isalnum(static_cast<unsigned char>(unit[at])) == 0) {
+      ++at;
+      continue;
+    }
+    auto const word = unit.substr(at, unit.find_first_of(" /()", at) - at);
+    auto const hat = std::min(word.find('^'), word.size());
+    auto const found = known.find(word.substr(0, hat));
+    if (found == known.end() && word != "1") return std::nullopt;
+    if (found != known.end())
+      made.*found->second += side * (hat < word.size() && word[hat + 1] != 'n' ? word[hat + 1] - '0' : 1);
+    at += word.size();
+  }
+  return made;
+}
+
+// The power of the length besides, of a size that is said at a displacement which stays the same.
+inline double at_reference(double (*size)(laws::RecordScales const&)) {
+  std::map<double (*)(laws::RecordScales const&), double> const known{{laws::force_at_reference, -0.4},
+                                                                      {laws::coefficient_at_reference<1>, -1.0},
+                                                                      {laws::coefficient_at_reference<3>, -3.0},
+                                                                      {laws::coefficient_at_reference<5>, -5.0},
+                                                                      {laws::rate_at_reference, -0.5}};
+  auto const found = known.find(size);
+  return found == known.end() ? 0.0 : found->second;
+}
+
+}  // namespace isolaw::law_tests

@@ -1,0 +1,96 @@
+// history-integral against the closed form of its terms: along a straight way L, q = d + (q0 - d) exp(-L/D).
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "laws/candidates.hpp"
+#include "laws/motion.hpp"
+
+namespace isolaw::law_tests {
+namespace {
+
+using laws::HistoryIntegral;
+
+// Terms (S, D) = (.1, .2) and (.05, .8), elastic .4, of a displacement without unit: here 1 is 100 mm.
+Values<HistoryIntegral> two_terms(double g) {
+  return named<HistoryIntegral>({{"K", 0.4}, {"g", g}, {"S", 0.15}, {"D", 80.0}, {"s", 2.0 / 3.0}, {"u", 0.25}});
+}
+
+// The first force is that of a published path in two directions, whose first leg is straight; the others a script's
+// that writes the terms down leg by leg. Printed to 1e-9; a step cut in a thousand is the same step.
+TEST(HistoryIntegral, TwoTerms) {
+  struct Case {
+    double g;
+    std::array<double, 5> force;
+  };
+  for (auto const& [g, force] : {Case{1.0, {0.535000965, -0.542958338, 0.335632378, -0.087697165, 0.741601175}},
+                                 Case{0.6, {0.535000965, -0.542958338, 0.335632378, -0.087697165, 0.651770975}}})
+    for (int const steps : {1, 7, 1000}) {
+      auto const found =
+          forces<HistoryIntegral>(two_terms(g), laws::make_path(through({0, 100, -100, 50, 0, 150}, steps), {}));
+      for (std::size_t i = 0; i < force.size(); ++i)
+        EXPECT_NEAR(found[(i + 1) * static_cast<std::size_t>(steps)], force[i], 6e-10) << steps << " steps a leg";
+    }
+}
+
+// In a stationary cycle of amplitude A a term has q = tanh(A/D) at the peak and dissipates 4 S (A - D tanh(A/D)).
+TEST(HistoryIntegral, StationaryCycle) {
+  constexpr int steps = 20000;
+  auto const x = through({0, 100, -100, 100, -100, 100, -100, 100, -100, 100, -100, 100}, steps);
+  auto const force = forces<HistoryIntegral>(two_terms(1.0), laws::make_path(x, {}));
+  double energy = 0.0;
+  for (std::size_t i = 9 * steps; i + 1 < x.size(); ++i) energy += 0.5 * (force[i] + force[i + 1]) * (x[i + 1] - x[i]);
+  auto const of_term = [](double S, double D) { return 4.0 * S * (100.0 - D * std::tanh(100.0 / D)); };
+  // What is left of the start after nine half cycles, and the trapezoidal rule on steps of a ten-thousandth of the
+  // amplitude.
+  EXPECT_NEAR(energy, of_term(0.1, 20.0) + of_term(0.05, 80.0), 1e-5);
+  EXPECT_NEAR(force.back(), 0.4 + 0.1 * std::tanh(5.0) + 0.05 * std::tanh(1.25), 1e-7);
+}
+
+// Halving a step takes the change of the force to 0, as d^g where the peak grows from 0.
+TEST(HistoryIntegral, IsContinuous) {
+  std::vector<std::vector<double>> const histories{{0}, {0, 50}, {0, 50, 10}, {0, 50, -50, 0}, {0, 50, -30, 50}};
+  for (auto const& history : histories)
+    for (double const sign : {1.0, -1.0})
+      for (double d = 1.0; d > 1e-12; d *= 0.5) {
+        auto x = history;
+        x.push_back(x.back() + sign * d);
+        auto const force = forces<HistoryIntegral>(two_terms(0.6), laws::make_path(x, {}));
+        double const bound = 0.4 * std::pow(d / 100.0, 0.6) + 2.0 * (0.1 / 20.0 + 0.05 / 80.0) * d;
+        EXPECT_LE(std::abs(force.back() - force[force.size() - 2]), bound) << d << " from " << history.back();
+      }
+}
+
+// From rest to rest a cycle dissipates anywhere in the box: unloading follows a softer secant than loading did, and a
+// memory never returns more than it took.
+TEST(HistoryIntegral, CyclesDissipate) {
+  for (double const amplitude : {2.0, 50.0, 208.0, 1000.0})
+    for (std::uint32_t i = 0; i < 200; ++i) {
+      auto const x = through({0.0, amplitude, 0.0, -amplitude, 0.0, amplitude, 0.0, -amplitude, 0.0}, 100);
+      auto const force = forces<HistoryIntegral>(scaled_candidate<HistoryIntegral>(i), laws::make_path(x, {}));
+      for (std::size_t const from : {std::size_t{0}, std::size_t{400}}) {
+        double energy = 0.0;
+        for (std::size_t k = from; k < from + 400; ++k) energy += 0.5 * (force[k] + force[k + 1]) * (x[k + 1] - x[k]);
+        EXPECT_GT(energy, 0.0) << amplitude << " mm, " << i;
+      }
+    }
+}
+
+// One memory and no softening: vaiana with straight limit curves, in N and m.
+TEST(HistoryIntegral, OneMemoryIsVaiana) {
+  auto const here = named<HistoryIntegral>({{"K", 40.0}, {"g", 1.0}, {"S", 30.0}, {"D", 25.0}, {"s", 0.0}, {"u", 0.1}});
+  auto const there =
+      named<laws::Vaiana>({{"Kb+", 4e5}, {"Kb-", 4e5}, {"f0+", 3e4}, {"f0-", 3e4}, {"alpha+", 40.0}, {"alpha-", 40.0}});
+  auto const motion = irregular(3, 150.0, 4, 60, 0.01);
+  std::vector<double> from_rest{0.0}, velocity(motion.size() + 1, 0.0);
+  from_rest.insert(from_rest.end(), motion.disp_mm.begin(), motion.disp_mm.end());
+  auto expected = forces<laws::Vaiana>(there, Motion{from_rest, velocity});
+  for (double& f : expected) f *= 1e-3;
+  auto const found = forces<HistoryIntegral>(here, Motion{from_rest, velocity});
+  EXPECT_LT(largest_difference(found, expected), 1e-12 * largest_magnitude(expected));
+}
+
+}  // namespace
+}  // namespace isolaw::law_tests

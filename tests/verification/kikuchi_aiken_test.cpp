@@ -1,0 +1,200 @@
+// kikuchi-aiken: its loops with the published functions of a compound, its own functions against a script that shares
+// nothing with it, and what its definition says of paths without asking for numbers.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "laws/candidates.hpp"
+#include "laws/motion.hpp"
+
+namespace isolaw::law_tests {
+namespace {
+
+using laws::KikuchiAiken;
+using AtPeak = laws::kikuchi_aiken::AtPeak<double>;
+using CompoundLoops = laws::kikuchi_aiken::Loops<double>;
+
+// Compound X0.6 at its standard pressure: stress in MPa over strain.
+AtPeak compound(double g) {
+  double const G =
+      g < 1.15 ? 0.68358 * std::pow(g, -0.39964) : 1.10103 - 0.61946 * g + 0.22047 * g * g - 0.022191 * g * g * g;
+  return {.force = G * g,
+          .damping = 0.23834 - 0.028108 * g + 0.000087664 * g * g,
+          .share = 0.44236 - 0.062943 * g - 0.0037571 * g * g,
+          .exponent = g < 1.5 ? 1.0 : 0.91173 - 0.59184 * g + 0.43379 * g * g};
+}
+
+struct CompoundResponse {
+  std::vector<double> stress;
+  double a, b;
+};
+CompoundResponse of_compound(std::vector<double> const& strain) {
+  auto const path = laws::make_path(strain, {});
+  CompoundLoops loops(path, 10.19171, 5.0);
+  CompoundResponse made;
+  for (std::size_t i = 0; i < path.steps.size(); ++i)
+    made.stress.push_back(loops.force(path.steps[i], path.memory[i], compound));
+  made.a = loops.a(), made.b = loops.b();
+  return made;
+}
+
+double work_along(std::vector<double> const& x, std::vector<double> const& force, std::size_t from, std::size_t to) {
+  double sum = 0.0;
+  for (std::size_t i = from; i < to; ++i) sum += 0.5 * (force[i] + force[i + 1]) * (x[i + 1] - x[i]);
+  return sum;
+}
+
+// Published functions, values of another implementation to six digits: the peak, the zero crossing of unloading, the
+// energy of a cycle, which is 2 pi h G A^2, and the solution of the equation for a.
+TEST(KikuchiAiken, Compound) {
+  struct Case {
+    double A, peak, zero, energy, a, b, energy_tolerance;
+  };
+  // At strain 2 the published b takes exp(-2c) for 0, and the force is made to meet the peak: 5e-5 of the energy.
+  for (auto const& k : {Case{0.5, 0.450882, -0.184539, 0.317729, 7.116283, 0.0, 1e-6},
+                        Case{1.0, 0.683580, -0.256665, 0.903336, 8.294444, 0.0, 1e-6},
+                        Case{2.0, 1.132924, -0.347124, 2.597845, 10.19171, 2.448609, 1.5e-4}}) {
+    constexpr int steps = 20000;
+    auto const x = through({0, k.A, 0, -k.A, 0, k.A}, steps);
+    auto const found = of_compound(x);
+    EXPECT_NEAR(found.stress[steps], k.peak, 6e-7);
+    EXPECT_NEAR(found.stress[2 * steps], k.zero, 6e-7);
+    EXPECT_NEAR(found.stress.back(), k.peak, 6e-7);
+    EXPECT_NEAR(found.a, k.a, 6e-7);
+    EXPECT_NEAR(found.b, k.b, 6e-7);
+    EXPECT_NEAR(work_along(x, found.stress, steps, x.size() - 1), k.energy, k.energy_tolerance);
+  }
+}
+
+TEST(KikuchiAiken, InnerBranchesOfTheCompound) {
+  std::array const stress{0.0, 0.683580, -0.683580, 0.470185, -0.340607, 0.470185, 0.683580};
+  for (int const steps : {1, 7, 1000}) {
+    auto const found = of_compound(through({0, 1, -1, 0.5, -0.2, 0.5, 1}, steps));
+    for (std::size_t i = 0; i < stress.size(); ++i)
+      EXPECT_NEAR(found.stress[i * static_cast<std::size_t>(steps)], stress[i], 6e-7) << steps << " steps a leg";
+  }
+}
+
+// With the overshoot of b: with it after a turn on the other side, without it after two on one.
+TEST(KikuchiAiken, InnerBranchesWithOvershoot) {
+  std::array const stress{1.132924000, -1.132924000, 0.683569418, -0.474645786,
+                          0.575618041, -0.284326719, 0.683569418, 1.132924000};
+  auto const found = of_compound({0, 2, -2, 1, -0.4, 0.7, 0.2, 1, 2});
+  // The turn at -0.4 comes after one at 1, that at 0.2 after one at 0.7. A script that shares nothing, to 1e-9.
+  for (std::size_t i = 0; i < stress.size(); ++i) EXPECT_NEAR(found.stress[i + 1], stress[i], 6e-10) << i;
+}
+
+// Values of a script with a bisection for a and a stack of its own; the second with overshoot and hardening.
+TEST(KikuchiAiken, ItsOwnFunctions) {
+  struct Case {
+    Values<KikuchiAiken> values;
+    std::array<double, 5> force;
+  };
+  constexpr std::array<std::size_t, 5> asked{2, 4, 5, 8, 9};
+  for (auto const& [values, force] : {Case{{60, 0.4, 0.22, -2e-4, 0.42, -4e-4, 0.0, 30, 10.19171, 5},
+                                           {39.585237, -34.834059, -44.161315, 37.491505, 52.481380}},
+                                      Case{{60, 0.4, 0.22, 0, 0.38, -1e-3, 0.02, 30, 10.19171, 5},
+                                           {39.585237, -33.392301, -44.161315, 34.899583, 52.481380}}})
+    for (int const steps : {1, 7, 1000}) {
+      auto const found = forces<KikuchiAiken>(values, laws::make_path(through(corners, steps), {}));
+      for (std::size_t i = 0; i < asked.size(); ++i)
+        EXPECT_NEAR(found[asked[i] * static_cast<std::size_t>(steps)], force[i], 6e-7) << steps << " steps a leg";
+    }
+}
+
+Values<KikuchiAiken> const rubber{60, 0.4, 0.22, -2e-4, 0.42, -4e-4, 0.02, 30, 10.19171, 5};
+Values<KikuchiAiken> const overshooting{60, 0.4, 0.22, 0, 0.38, -1e-3, 0.02, 30, 10.19171, 5};
+// a is 1.36: the published branch ends 13 % of the hysteretic force off the peak.
+Values<KikuchiAiken> const far_off{60, 0.4, 0.1, 0, 0.5, 0, 0, 30, 10.19171, 5};
+
+// A loop of unloading and reloading that closes leaves nothing behind, to the rounding of the sums of branches.
+TEST(KikuchiAiken, LoopsClose) {
+  for (auto const& values : {rubber, overshooting, far_off}) {
+    auto const plain = forces<KikuchiAiken>(values, laws::make_path(std::vector<double>{0, 50, -60, 40, 80}, {}));
+    auto const looped =
+        forces<KikuchiAiken>(values, laws::make_path(std::vector<double>{0,   30,  10,  25, 12,  30, 50, 20, 35, 21, 50,
+                                                                         -60, -30, -60, 20, -10, 15, -9, 20, 40, 80},
+                                                     {}));
+    EXPECT_NEAR(looped[10], plain[1], 1e-12);
+    EXPECT_NEAR(looped[13], plain[2], 1e-12);
+    EXPECT_NEAR(looped[14], looped[18], 1e-12);
+    EXPECT_NEAR(looped[19], plain[3], 1e-12);
+    EXPECT_NEAR(looped[20], plain[4], 1e-12);
+  }
+}
+
+// Halving a step takes the change of the force to 0: as d^(1-p) from rest, elsewhere as d, also onto a peak, onto a
+// turning point and past both.
+TEST(KikuchiAiken, IsContinuous) {
+  std::vector<std::vector<double>> const histories{{0},
+                                                   {0, 50},
+                                                   {0, 50, 10},
+                                                   {0, 50, -50, 0},
+                                                   {0, 50, -30, 50},
+                                                   {0, 20, 5, 20},
+                                                   {0, 50, -50},
+                                                   {0, 50, -50, 30, -20, 30},
+                                                   {0, 50, -50, 30, 20, 30, -50},
+                                                   {0, 50, -50, 30, 20, 50}};
+  for (auto const& values : {rubber, overshooting, far_off})
+    for (auto const& history : histories)
+      for (double const sign : {1.0, -1.0})
+        for (double d = 1.0; d > 1e-12; d *= 0.5) {
+          auto on = history, onto = history;
+          on.push_back(on.back() + sign * d);
+          // The last point is reached from its own side: before it and on it.
+          double const from = onto.size() < 2 ? 0.0 : onto[onto.size() - 2] < onto.back() ? -1.0 : 1.0;
+          if (from != 0.0) onto.insert(onto.end() - 1, onto.back() + from * std::min(d, 0.5));
+          double const bound = 60.0 * std::pow(d / 100.0, 0.6) + 25.0 * d + 1e-12;
+          for (auto const& x : {on, onto}) {
+            auto const force = forces<KikuchiAiken>(values, laws::make_path(x, {}));
+            if (force.size() < 2) continue;
+            EXPECT_LE(std::abs(force.back() - force[force.size() - 2]), bound) << d << " from " << history.back();
+          }
+        }
+}
+
+// A closed loop between the peaks dissipates 2 pi h Fm m: exactly but for exp(-2a) where b is not needed.
+TEST(KikuchiAiken, DampingIsThatOfTheLoop) {
+  constexpr int steps = 4000;
+  for (double const A : {20.0, 100.0, 200.0}) {
+    auto const x = through({0, A, -A, A}, steps);
+    auto const force = forces<KikuchiAiken>(rubber, laws::make_path(x, {}));
+    double const h = 0.22 - 2e-4 * A, Fm = 60.0 * std::pow(A / 100.0, 0.6);
+    EXPECT_NEAR(force[steps], Fm, 1e-12 * Fm);
+    EXPECT_NEAR(work_along(x, force, steps, x.size() - 1), 2.0 * std::numbers::pi * h * Fm * A, 1e-4 * Fm * A) << A;
+  }
+}
+
+// From rest to rest, and in the cycle after, energy is dissipated anywhere in the box and at twice and five times its
+// size, where h may have come to 0: then all that a cycle has is what closes its branches.
+TEST(KikuchiAiken, CyclesDissipate) {
+  for (double const amplitude : {2.0, 50.0, 208.0, 416.0, 1040.0})
+    for (std::uint32_t i = 0; i < 500; ++i) {
+      auto const values = scaled_candidate<KikuchiAiken>(i);
+      auto const x = through({0.0, amplitude, 0.0, -amplitude, 0.0, amplitude, 0.0, -amplitude, 0.0}, 200);
+      auto const force = forces<KikuchiAiken>(values, laws::make_path(x, {}));
+      EXPECT_GT(work_along(x, force, 0, 800), 0.0) << amplitude << " mm, " << i;
+      EXPECT_GT(work_along(x, force, 800, 1600), 0.0) << amplitude << " mm, " << i << describe<KikuchiAiken>(values);
+    }
+}
+
+// Every inner loop that closes dissipates, wherever it hangs.
+TEST(KikuchiAiken, InnerLoopsDissipate) {
+  for (double const length : {1.0, 20.0, 100.0, 300.0})
+    for (double const at : {-150.0, -20.0, 100.0, 200.0})
+      for (std::uint32_t i = 0; i < 200; ++i) {
+        double const to = std::max(at - length, -207.0);
+        auto const x = through({-208.0, 208.0, -208.0, at, to, at, to, at}, 200);
+        auto const force = forces<KikuchiAiken>(scaled_candidate<KikuchiAiken>(i), laws::make_path(x, {}));
+        EXPECT_GT(work_along(x, force, 600, 1000), 0.0) << length << " mm at " << at << ", " << i;
+        EXPECT_NEAR(work_along(x, force, 600, 1000), work_along(x, force, 1000, 1400), 1e-9)
+            << length << " mm at " << at;
+      }
+}
+
+}  // namespace
+}  // namespace isolaw::law_tests
