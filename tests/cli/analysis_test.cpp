@@ -162,6 +162,14 @@ TEST_F(Analysis, what_one_block_was_fitted_to_predicts_the_other) {
   EXPECT_LT(summary["laws"][0]["predicted_objective"], 0.1);
   EXPECT_EQ(summary["laws"][0]["prediction_collapses"], false);
   EXPECT_TRUE(contains(read("O/tables/prediction.csv"), "bilinear,a,\"block 2, predicted\",the device itself,"));
+  // Who takes the law from there is told.
+  for (auto const* target : {"opensees", "cpp", "sheet", "csv", "json"})
+    EXPECT_TRUE(contains(isolaw({"export", "O", "--law", "bilinear", "--device", "a", "--to", target}).out,
+                         "fitted to block 1 of the tests alone"))
+        << target;
+  auto const simulated = isolaw({"simulate", "bilinear", "--from", "O", "--device", "a", "--motion", "a.csv"});
+  EXPECT_TRUE(contains(simulated.err, "fitted to block 1 of the tests alone, up to"));
+  EXPECT_TRUE(contains(simulated.err, "what the law was fitted to"));
   expect_refused(isolaw(campaign("P", {"--score-blocks", "2"})), {"--score-blocks", "together with --fit-blocks"});
   expect_message(isolaw(campaign("Q", {"--fit-blocks", "1", "--score-blocks", "7"})), 2,
                  {"no block of the record is among them", "block 2: cycles 1 to 3"});

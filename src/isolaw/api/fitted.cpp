@@ -13,8 +13,12 @@ namespace {
 
 void note_record(data::FitRecord const& record, FittedLaw& law) {
   law.dead_band_mm = std::max(law.dead_band_mm, record.dead_band_mm);
-  for (double const x : record.disp_mm) law.tested_disp_mm = std::max(law.tested_disp_mm, std::abs(x));
-  for (double const v : record.vel_mm_s) law.tested_vel_mm_s = std::max(law.tested_vel_mm_s, std::abs(v));
+  auto const widen = [&](double& largest, std::vector<double> const& values) {
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (record.is_scored(i)) largest = std::max(largest, std::abs(values[i]));
+  };
+  widen(law.tested_disp_mm, record.disp_mm);
+  widen(law.tested_vel_mm_s, record.vel_mm_s);
 }
 
 FittedLaw law_of_lot(campaign::Contents const& contents, std::string_view law, FittedLaw made) {
@@ -39,7 +43,8 @@ FittedLaw fitted_law(campaign::Contents const& contents, std::string_view law, s
                  .allowed = joined(contents.settings.laws)});
   FittedLaw made{.parameters = {},
                  .integration = contents.settings.integration,
-                 .turning_points = contents.settings.turning_points};
+                 .turning_points = contents.settings.turning_points,
+                 .part = contents.settings.clean.scored.text()};
   auto const index = contents.device_or_lot(device);
   if (!index) return law_of_lot(contents, law, std::move(made));
   auto const* run = contents.best_run(*index, law);

@@ -1,6 +1,7 @@
 // A law as a campaign fitted it, taken from what its store holds.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct FittedLaw {
   double dead_band_mm = 0.0;     // FitRecord::dead_band_mm; of a lot the largest
   double tested_disp_mm = 0.0;   // the largest that it was fitted to
   double tested_vel_mm_s = 0.0;  // 0 without time
+  std::string part = {};         // of the tests that it was fitted to alone; empty: all
 };
 
 using campaign::whole_lot;

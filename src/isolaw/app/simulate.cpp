@@ -87,15 +87,18 @@ void say_what_it_is(laws::LawEntry const& law, FittedLaw const& chosen, data::Te
         law.parameters[i].unit == "1" ? "" : law.parameters[i].unit, i + 1 < law.parameters.size() ? "," : "\n");
   if (auto const beyond = law.unmet(chosen.parameters))
     say("  warning: {}, outside {}: no device has these parameters\n", beyond->found, beyond->statement);
+  if (!chosen.part.empty())
+    say("  fitted to {} of the tests alone, up to {:.4g} mm\n", chosen.part, chosen.tested_disp_mm);
   if (chosen.refinement > 1) say("  integrated in {} steps per sample\n", chosen.refinement);
-  constexpr double beyond = 1.02;
-  if (double const x = largest(path.disp_mm); chosen.tested_disp_mm > 0.0 && x > beyond * chosen.tested_disp_mm)
-    say("  warning: the history reaches {:.4g} mm, the test {:.4g} mm: beyond it nothing was measured\n", x,
-        chosen.tested_disp_mm);
-  if (double const v = largest(path.vel_mm_s);
-      !law.info.traits.rate_independent && chosen.tested_vel_mm_s > 0.0 && v > beyond * chosen.tested_vel_mm_s)
-    say("  warning: the history reaches {:.4g} mm/s, the test {:.4g} mm/s: beyond it nothing was measured\n", v,
-        chosen.tested_vel_mm_s);
+  auto const warn_beyond = [&](double reached, double known, std::string_view unit) {
+    constexpr double beyond = 1.02;
+    if (known <= 0.0 || reached <= beyond * known) return;
+    say("  warning: the history reaches {:.4g} {}, {} {:.4g} {}{}\n", reached, unit,
+        chosen.part.empty() ? "the test" : "what the law was fitted to", known, unit,
+        chosen.part.empty() ? ": beyond it nothing was measured" : "");
+  };
+  warn_beyond(largest(path.disp_mm), chosen.tested_disp_mm, "mm");
+  if (!law.info.traits.rate_independent) warn_beyond(largest(path.vel_mm_s), chosen.tested_vel_mm_s, "mm/s");
   constexpr double at_zero = 1e-6;  // of the largest displacement
   if (double const x = path.disp_mm.front(); std::abs(x) > at_zero * largest(path.disp_mm))
     say("  warning: the motion starts at {:.4g} mm: the device is taken as virgin there, its force as if it had come there without history; an analysis program starts at 0: put a path from 0 in front to compare\n",

@@ -70,6 +70,15 @@ std::string Numbers::text() const {
   return joined(ranges | std::views::transform(text_of), ",");
 }
 
+std::string Selection::text() const {
+  auto const part = [](std::string_view what, Numbers const& numbers) {
+    return fmt::format("{} {}", what, numbers.text());
+  };
+  if (all()) return {};
+  if (cycles.all()) return part("block", blocks);
+  return part("cycle", cycles) + " of " + (blocks.all() ? "every block" : part("block", blocks));
+}
+
 Numbers parse_numbers(std::string_view option, std::string_view text) {
   Numbers numbers;
   if (trimmed(text) == "all") return numbers;

@@ -323,6 +323,17 @@ Subject make_subject(campaign::Contents const& contents, study::Summary const& s
   if (contents.settings.integration == laws::Integration::paper)
     subject.notes.emplace_back(
         "The campaign integrated with one Runge-Kutta step per sample; the export is of the law itself, integrated to convergence with the same parameters.");
+  if (auto const part = contents.settings.clean.scored.text(); !part.empty()) {
+    auto const& result = *std::ranges::find(summary.laws, law, &study::LawResult::id);
+    subject.notes.push_back(fmt::format(
+        "The law was fitted to {} of the tests alone; what was tested, and the deviations from the law, are of the whole records.{}",
+        part,
+        result.predicted_objective
+            ? fmt::format(" Blocks that it was not fitted to: objective {:.4g} on average, {:.4g} at worst{}.",
+                          *result.predicted_objective, *result.worst_predicted,
+                          result.prediction_collapses ? "; the prediction collapses" : "")
+            : ""));
+  }
   add_measured(subject, summary);
   subject.frequency_Hz = subject.tested.highest_Hz.value_or(0.5);
   subject.protocol = protocol_of(subject.tested.disp_mm, subject.frequency_Hz);
