@@ -50,6 +50,15 @@ struct PowerMasing {
       },
   });
 
+  // Of a law that adds to these parameters and is otherwise this one: these, then its own.
+  template <class T, class Extended, std::size_t Added>
+  static constexpr auto rows_and(std::array<Row<T, Extended>, Added> const& added) {
+    std::array<Row<T, Extended>, rows<T>.size() + Added> made{};
+    for (std::size_t i = 0; i < rows<T>.size(); ++i) made[i] = {rows<T>[i].member, rows<T>[i].info};
+    for (std::size_t i = 0; i < Added; ++i) made[rows<T>.size() + i] = added[i];
+    return made;
+  }
+
   template <class T>
   struct State {
     MasingBranches<T> branches;

@@ -8,7 +8,7 @@
 
 namespace isolaw::laws {
 
-struct PowerMasingViscous {
+struct PowerMasingViscous : PowerMasing {
   static constexpr LawInfo info{
       .id = "power-masing-viscous",
       .title = "Power-law Masing with scragging and a dashpot",
@@ -30,22 +30,10 @@ struct PowerMasingViscous {
   static constexpr double force_per_velocity(RecordScales const& s) { return s.force / s.velocity; }
 
   template <class T>
-  static constexpr auto rows = [] {
-    constexpr auto& shared = PowerMasing::rows<T>;
-    std::array<Row<T, Params<T>>, shared.size() + 1> made{};
-    for (std::size_t i = 0; i < shared.size(); ++i) made[i] = {shared[i].member, shared[i].info};
-    made.back() = {&Params<T>::c, parameter("c", "kN s/mm", "viscous damping", not_negative, std::nullopt,
-                                            {0.0, 0.3, force_per_velocity})};
-    return made;
-  }();
-
-  template <class T>
-  using State = PowerMasing::State<T>;
-
-  template <class T>
-  static State<T> start(Params<T> const& p, Path const& path) {
-    return PowerMasing::start<T>(p, path);
-  }
+  static constexpr auto rows = rows_and(std::to_array<Row<T, Params<T>>>({
+      {&Params<T>::c,
+       parameter("c", "kN s/mm", "viscous damping", not_negative, std::nullopt, {0.0, 0.3, force_per_velocity})},
+  }));
 
   template <class T>
   static T step(Params<T> const& p, State<T>& state, Step const& step, Memory const& memory) {

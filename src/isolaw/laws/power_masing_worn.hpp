@@ -10,7 +10,7 @@
 
 namespace isolaw::laws {
 
-struct PowerMasingWorn {
+struct PowerMasingWorn : PowerMasing {
   static constexpr LawInfo info{
       .id = "power-masing-worn",
       .title = "Power-law Masing with scragging, wear and a kept force",
@@ -33,26 +33,16 @@ struct PowerMasingWorn {
 
   template <class T>
   static constexpr auto rows = [] {
-    constexpr auto& shared = PowerMasing::rows<T>;
-    std::array<Row<T, Params<T>>, shared.size() + 2> made{};
-    for (std::size_t i = 0; i < shared.size(); ++i) {
-      made[i] = {shared[i].member, shared[i].info};
-      if (made[i].info.name == "U") made[i].info.fixed_by_default = 0.15;
-    }
-    made[shared.size()] = {&Params<T>::B, parameter("B", "kN", "kept force at 100 mm of one-sided growth", any_value,
-                                                    std::nullopt, {-0.05, 0.15, force_at_reference})};
-    made.back() = {&Params<T>::r,
-                   parameter("r", "1", "exponent of wear with travel", not_negative, std::nullopt, {0.0, 0.2, one})};
+    auto made = rows_and(std::to_array<Row<T, Params<T>>>({
+        {&Params<T>::B, parameter("B", "kN", "kept force at 100 mm of one-sided growth", any_value, std::nullopt,
+                                  {-0.05, 0.15, force_at_reference})},
+        {&Params<T>::r,
+         parameter("r", "1", "exponent of wear with travel", not_negative, std::nullopt, {0.0, 0.2, one})},
+    }));
+    for (auto& row : made)
+      if (row.info.name == "U") row.info.fixed_by_default = 0.15;
     return made;
   }();
-
-  template <class T>
-  using State = PowerMasing::State<T>;
-
-  template <class T>
-  static State<T> start(Params<T> const& p, Path const& path) {
-    return PowerMasing::start<T>(p, path);
-  }
 
   template <class T>
   static T step(Params<T> const& p, State<T>& state, Step const& step, Memory const& memory) {

@@ -12,8 +12,7 @@ std::string loop_data(DeviceResult const& device, DeviceFit const& fit, std::str
   auto const& record = device.record;
   DataTable table;
   table.comment(about);
-  table.comment(record.has_time() ? "time in s, displacement in mm, forces in kN"
-                                  : "time as samples of the file, displacement in mm, forces in kN");
+  table.comment(loop_units(record.has_time()));
   table.comment("time disp measured_force computed_force residual");
   for (auto const i : drawn_samples(record.size(), most_samples)) {
     double const measured = record.force_kN[i], computed = fit.force_kN[i];

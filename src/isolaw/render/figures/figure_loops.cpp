@@ -32,8 +32,7 @@ std::string loops_data(DeviceResult const& device, std::vector<LoopPanel> const&
   auto const& record = device.record;
   DataTable table;
   table.comment(about);
-  table.comment(record.has_time() ? "time in s, displacement in mm, forces in kN"
-                                  : "time as samples of the file, displacement in mm, forces in kN");
+  table.comment(loop_units(record.has_time()));
   table.comment("computed forces in the order of the panels, NaN throughout where a law has none");
   for (auto const& panel : panels) table.comment(panel.title + (panel.fit == nullptr ? ", " + panel.absence : ""));
   table.comment("time disp measured_force computed_force ...");

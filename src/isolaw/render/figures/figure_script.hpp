@@ -72,6 +72,12 @@ constexpr std::string_view time_label(bool has_time) {
   return has_time ? "Time (s)" : "Sample";
 }
 
+// Line of the data of loops.
+constexpr std::string_view loop_units(bool has_time) {
+  return has_time ? "time in s, displacement in mm, forces in kN"
+                  : "time as samples of the file, displacement in mm, forces in kN";
+}
+
 struct Range {
   double low = 0.0, high = 0.0;
   bool empty = true;
