@@ -228,7 +228,7 @@ function check_records(name, seen, { laws = true, verified = true, assessed = tr
   expect(seen.corrections, name, 'a note, warning or correction is not in how it was made');
 
   const [cycleTable, raw] = seen.csv.map((text) => text.trimEnd().split('\r\n'));
-  for (const column of ['d_plus', 'K_eff', 'D_y', 'N_mean', 'closure', 'G', 'reason', 'damping / cycle 3'])
+  for (const column of ['d+', 'K_eff', 'D_y', 'N mean', 'closure', 'G', 'why not', 'damping / cycle 3'])
     expect(cycleTable[0].includes(column), name, column + ' is not in the CSV of the cycles');
   expect(cycleTable.length === seen.cycles + 1, name, 'rows of the CSV of the cycles');
   expect(raw.length === seen.drawnRows + 1, name, 'rows of the CSV of the loops');

@@ -1,6 +1,7 @@
 // The descriptions of results against the page that documents them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -37,7 +38,7 @@ void expect_documented(Result<Of> const (&results)[count], std::vector<std::vect
                        std::size_t first = 0) {
   ASSERT_GE(rows.size(), first + count);
   for (std::size_t i = 0; i < count; ++i) {
-    auto const& [key, unit, heading, meaning, of, digits] = results[i];
+    auto const& [key, unit, heading, meaning, of, printed, digits] = results[i];
     auto const& row = rows[first + i];
     ASSERT_GE(row.size(), 3u);
     EXPECT_EQ(row[0], "`" + std::string(key) + "`");
@@ -55,12 +56,21 @@ void expect_all_documented(Result<Of> const (&results)[count], std::vector<std::
   EXPECT_EQ(rows.size(), count);
 }
 
+// Where the members of an object stand in the row of it.
+template <class Of, std::size_t count, class Whole>
+void expect_members(Result<Of> const (&results)[count], Result<Whole> const& whole) {
+  for (auto const& row : results)
+    EXPECT_NE(whole.meaning.find("`" + std::string(row.key) + "`"), std::string_view::npos) << row.key;
+}
+
 TEST(Results, AreDocumentedInTheirOrderWithTheirUnitsAndMeaning) {
   auto const parameter = documented("`laws[].devices[].parameters`");
   expect_all_documented(law_results, documented("`laws[]`"));
   expect_all_documented(lot_law_results, documented("`laws[].lot`"));
   expect_all_documented(fit_results, documented("`laws[].devices[]`"));
   expect_all_documented(outlier_results, documented("`outliers[]`"));
+  expect_members(score_results, columns(fit_results, {"blocks"})[0]);
+  expect_members(interval_results, columns(fit_results, {"intervals"})[0]);
   expect_documented(parameter_results, parameter);
   expect_documented(analysis_results, parameter, std::size(parameter_results));
   EXPECT_EQ(parameter.size(), std::size(parameter_results) + std::size(analysis_results));
@@ -68,21 +78,37 @@ TEST(Results, AreDocumentedInTheirOrderWithTheirUnitsAndMeaning) {
 
 TEST(Results, OfRecordsAreDocumentedInTheirOrderWithTheirUnitsAndMeaning) {
   auto const of = [](std::string const& heading) { return documented(heading, "inspection-json.md"); };
+  expect_all_documented(effect_results, of("`effects[]`"));
+  expect_all_documented(block_results, of("`blocks[]`"));
   expect_all_documented(cycle_results, of("`blocks[].cycles[]`"));
+  expect_all_documented(stability_results, of("`blocks[].stability.K_eff`, `.energy`, `.damping`"));
   expect_all_documented(assessment_results, of("An assessment"));
   expect_all_documented(quantity_results, of("`assessment.lot.quantities[]`"));
   expect_all_documented(factor_results, of("`assessment.lot.factors[]`"));
-  auto const members = columns(quantity_results, {"lambda_test"})[0].meaning;
-  for (auto const& row : test_factor_results)
-    EXPECT_NE(members.find("`" + std::string(row.key) + "`"), std::string::npos) << row.key;
+  expect_members(test_factor_results, columns(quantity_results, {"lambda_test"})[0]);
+  expect_all_documented(lot_outlier_results, of("`assessment.lot.outliers[]`"));
 }
 
 TEST(Results, HaveAHeadingForEachCell) {
-  EXPECT_EQ(headings(columns(analysis_results, {"open_range"})[0]),
+  auto const texts = [](auto const& row) {
+    std::vector<std::string> of;
+    for (auto const& heading : headings(row)) of.push_back(heading.text());
+    return of;
+  };
+  EXPECT_EQ(texts(columns(analysis_results, {"open_range"})[0]),
             (std::vector<std::string>{"open range lower", "open range upper"}));
-  EXPECT_EQ(headings(columns(fit_results, {"objective"})[0]),
+  EXPECT_EQ(texts(columns(fit_results, {"objective"})[0]),
             (std::vector<std::string>{"mean OF [-]", "std OF [-]", "best OF [-]"}));
-  EXPECT_EQ(headings(columns(cycle_results, {"D_y_mm"})[0]), std::vector<std::string>{"D_y [mm]"});
+  EXPECT_EQ(texts(columns(cycle_results, {"D_y_mm"})[0]), std::vector<std::string>{"D_y [mm]"});
+}
+
+// The page finds the value of a device for a property of the lot under the heading of the cycle's.
+TEST(Results, OfALotsPropertiesAreNamedAsThoseOfCycles) {
+  for (auto const quantity : rules::measured_quantities())
+    EXPECT_EQ(std::ranges::count(cycle_results, rules::name(quantity), &Result<CycleOf>::heading), 1)
+        << rules::name(quantity);
+  for (auto const& followed : followed_properties)
+    EXPECT_EQ(std::ranges::find(cycle_results, followed.key, &Result<CycleOf>::key)->heading, followed.name);
 }
 
 TEST(Results, UndefinedIsNoValue) {

@@ -78,7 +78,7 @@ inline constexpr Result<rules::LotQuantity> quantity_results[]{
     {"lambda_test", "", "",
      "`min`, `max`: extremes over the devices; `min_cycle`, `min_device`, `max_cycle`, `max_device`: where they were measured",
      nested<rules::LotQuantity>},
-    {"limit_individual", "", "", "the set's limit for every single device; empty where there is none",
+    {"limit_individual", "", "limit of a device", "the set's limit for every single device; empty where there is none",
      get<&rules::LotQuantity::limit_individual>},
     {"lower_percent", "%", "", "the least deviation from `nominal` that it allows",
      get<&rules::LotQuantity::lower_percent>},
@@ -100,6 +100,21 @@ inline constexpr Result<rules::LotQuantity> test_factor_results[]{
     {"max", "", "lambda_test max", "the largest", of_test<&rules::TestFactors::max>},
     {"max_cycle", "", "max cycle", "where it was measured", of_test<&rules::TestFactors::max_cycle>},
     {"max_device", "", "", "on which device", get<&rules::LotQuantity::test_max_device>},
+};
+
+// A device that stands apart, and the quantity by which it does.
+struct OutlierOf {
+  rules::LotQuantity const& quantity;
+  rules::Outlier const& outlier;
+};
+
+inline constexpr Result<OutlierOf> lot_outlier_results[]{
+    {"device", "", "device", "its name", [](OutlierOf const& of) { return value_of(of.outlier.device); }},
+    {"quantity", "", "quantity", "by which it stands apart",
+     [](OutlierOf const& of) { return value_of(of.quantity.quantity); }},
+    {"value", own_unit, "value", "of the device", [](OutlierOf const& of) { return value_of(of.outlier.value); }},
+    {"unit", "", "unit", "of `value`", [](OutlierOf const& of) { return value_of(of.quantity.unit); }},
+    {"why", "", "why", "in words", [](OutlierOf const& of) { return value_of(of.outlier.reason); }},
 };
 
 // Factors of one source and the quantity that they are of.

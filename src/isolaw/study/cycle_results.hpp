@@ -1,5 +1,5 @@
-// The properties of a cycle as results: inspection.json, the data of the page and tables/cycles.csv are written from
-// these rows; docs/inspection-json.md is checked against them.
+// The properties of cycles and blocks and the error budget as results: inspection.json, the data and tables of the page
+// and tables/cycles.csv are written from these rows; docs/inspection-json.md is checked against them.
 #pragma once
 
 #include "isolaw/study/results.hpp"
@@ -27,48 +27,90 @@ inline constexpr Result<CycleOf> cycle_results[]{
     {"first", "", "first sample", "where it starts, as a sample number from 0; cuts lie between samples",
      of_cycle<&data::Cycle::first>},
     {"last", "", "last sample", "where it ends, the same", of_cycle<&data::Cycle::last>},
-    {"amplitude_mm", "mm", "amplitude", "D", of_cycle<&data::Cycle::amplitude_mm>},
-    {"d_plus_mm", "mm", "d+", "largest displacement", of_cycle<&data::Cycle::d_plus_mm>},
-    {"d_minus_mm", "mm", "d-", "smallest displacement", of_cycle<&data::Cycle::d_minus_mm>},
-    {"F_plus_kN", "kN", "F+", "force at d+", of_cycle<&data::Cycle::F_plus_kN>},
-    {"F_minus_kN", "kN", "F-", "force at d-", of_cycle<&data::Cycle::F_minus_kN>},
-    {"K_eff_kN_per_mm", "kN/mm", "K_eff", "peak to peak", of_cycle<&data::Cycle::K_eff_kN_per_mm>},
-    {"K_plus_kN_per_mm", "kN/mm", "K+", "of the positive side", of_cycle<&data::Cycle::K_plus>},
-    {"K_minus_kN_per_mm", "kN/mm", "K-", "of the negative side", of_cycle<&data::Cycle::K_minus>},
-    {"energy_kN_mm", "kN mm", "energy", "of the closed loop", of_cycle<&data::Cycle::energy_kN_mm>},
-    {"damping_percent", "%", "damping", "equivalent viscous damping", of_cycle<&data::Cycle::damping_percent>},
-    {"Q_d_kN", "kN", "Q_d", "characteristic strength", of_cycle<&data::Cycle::Q_d_kN>},
-    {"K_d_kN_per_mm", "kN/mm", "K_d", "stiffness after yielding", of_cycle<&data::Cycle::K_d_kN_per_mm>},
+    {"amplitude_mm", "mm", "amplitude", "D", of_cycle<&data::Cycle::amplitude_mm>, decimals(1)},
+    {"d_plus_mm", "mm", "d+", "largest displacement", of_cycle<&data::Cycle::d_plus_mm>, decimals(1)},
+    {"d_minus_mm", "mm", "d-", "smallest displacement", of_cycle<&data::Cycle::d_minus_mm>, decimals(1)},
+    {"F_plus_kN", "kN", "F+", "force at d+", of_cycle<&data::Cycle::F_plus_kN>, decimals(1)},
+    {"F_minus_kN", "kN", "F-", "force at d-", of_cycle<&data::Cycle::F_minus_kN>, decimals(1)},
+    {"K_eff_kN_per_mm", "kN/mm", "K_eff", "peak to peak", of_cycle<&data::Cycle::K_eff_kN_per_mm>, significant(4)},
+    {"K_plus_kN_per_mm", "kN/mm", "K+", "of the positive side", of_cycle<&data::Cycle::K_plus>, significant(4)},
+    {"K_minus_kN_per_mm", "kN/mm", "K-", "of the negative side", of_cycle<&data::Cycle::K_minus>, significant(4)},
+    {"energy_kN_mm", "kN mm", "energy", "of the closed loop", of_cycle<&data::Cycle::energy_kN_mm>, decimals(0)},
+    {"damping_percent", "%", "damping", "equivalent viscous damping", of_cycle<&data::Cycle::damping_percent>,
+     decimals(2)},
+    {"Q_d_kN", "kN", "Q_d", "characteristic strength", of_cycle<&data::Cycle::Q_d_kN>, decimals(1)},
+    {"K_d_kN_per_mm", "kN/mm", "K_d", "stiffness after yielding", of_cycle<&data::Cycle::K_d_kN_per_mm>,
+     significant(3)},
     {"D_y_mm", "mm", "D_y", "yield displacement of the bilinear loop of the same energy",
-     of_cycle<&data::Cycle::D_y_mm>},
-    {"K_1_kN_per_mm", "kN/mm", "K_1", "its first stiffness", of_cycle<&data::Cycle::K_1_kN_per_mm>},
-    {"period_s", "s", "period", "from cut to cut without rests and holds", of_cycle<&data::Cycle::period_s>},
-    {"v_max_mm_s", "mm/s", "v max", "largest velocity", of_cycle<&data::Cycle::v_max_mm_s>},
-    {"N_mean_kN", "kN", "N mean", "vertical load, mean", of_cycle<&data::Cycle::N_mean_kN>},
-    {"N_min_kN", "kN", "N min", "vertical load, least", of_cycle<&data::Cycle::N_min_kN>},
-    {"N_max_kN", "kN", "N max", "vertical load, largest", of_cycle<&data::Cycle::N_max_kN>},
+     of_cycle<&data::Cycle::D_y_mm>, decimals(2)},
+    {"K_1_kN_per_mm", "kN/mm", "K_1", "its first stiffness", of_cycle<&data::Cycle::K_1_kN_per_mm>, significant(3)},
+    {"period_s", "s", "period", "from cut to cut without rests and holds", of_cycle<&data::Cycle::period_s>,
+     significant(3)},
+    {"v_max_mm_s", "mm/s", "v max", "largest velocity", of_cycle<&data::Cycle::v_max_mm_s>, significant(3)},
+    {"N_mean_kN", "kN", "N mean", "vertical load, mean", of_cycle<&data::Cycle::N_mean_kN>, decimals(0)},
+    {"N_min_kN", "kN", "N min", "vertical load, least", of_cycle<&data::Cycle::N_min_kN>, decimals(0)},
+    {"N_max_kN", "kN", "N max", "vertical load, largest", of_cycle<&data::Cycle::N_max_kN>, decimals(0)},
     {"closure_mm", "mm", "closure", "displacement at the end less that at the start, before the loop is closed",
-     of_cycle<&data::Cycle::closure_mm>},
-    {"closure_kN", "kN", "closure", "the same of the force", of_cycle<&data::Cycle::closure_kN>},
+     of_cycle<&data::Cycle::closure_mm>, significant(2)},
+    {"closure_kN", "kN", "closure", "the same of the force", of_cycle<&data::Cycle::closure_kN>, significant(2)},
     {"strain_percent", "%", "strain", "shear strain",
      [](CycleOf const& of) {
        auto const& thickness = of.device.rubber_thickness_mm;
        return thickness ? Value(data::strains(of.cycle, *thickness, 1.0).shear_strain_percent) : Value();
-     }},
+     },
+     decimals(0)},
     {"G_MPa", "MPa", "G", "shear modulus",
      [](CycleOf const& of) {
        auto const &thickness = of.device.rubber_thickness_mm, &area = of.device.rubber_area_mm2;
        return thickness && area ? Value(data::strains(of.cycle, *thickness, *area).G_MPa) : Value();
-     }},
+     },
+     significant(3)},
 };
 
-// The properties that are followed from cycle to cycle of a block, by their short names.
+inline constexpr Result<data::Block> block_results[]{
+    {"number", "", "block", "from 1", get<&data::Block::number>},
+    {"amplitude_mm", "mm", "amplitude", "median over the counted cycles", get<&data::Block::amplitude_mm>, decimals(1)},
+    {"frequency_Hz", "Hz", "frequency", "from extreme to extreme", get<&data::Block::frequency_Hz>, significant(2)},
+    {"waveform", "", "waveform", "of the cycle in the middle; empty without time", get<&data::Block::waveform>},
+    {"v_max_mm_s", "mm/s", "v max", "median over the counted cycles", get<&data::Block::v_max_mm_s>, significant(3)},
+    {"cycles", "", "", "in order, those that do not count included", nested<data::Block>},
+    {"stability", "", "", "`K_eff`, `energy`, `damping`: how each keeps through the counted cycles",
+     nested<data::Block>},
+};
+
+// How a property keeps through the counted cycles of a block.
+inline constexpr Result<data::Stability> stability_results[]{
+    {"ratio_to_third", "", "", "each counted cycle over the third", nested<data::Stability>},
+    {"min_2_10", "-", "least of cycles 2-10", "the least of these ratios over cycles 2 to 10, or as many as there are",
+     get<&data::Stability::min_2_10>},
+    {"max_2_10", "-", "largest of cycles 2-10", "the largest", get<&data::Stability::max_2_10>},
+    {"min_1_10", "-", "least of cycles 1-10", "the least over cycles 1 to 10", get<&data::Stability::min_1_10>},
+    {"max_1_10", "-", "largest of cycles 1-10", "the largest", get<&data::Stability::max_1_10>},
+    {"least_to_largest_2_10", "-", "least to largest of cycles 2-10", "smallest over largest value of cycles 2 to 10",
+     get<&data::Stability::least_to_largest_2_10>},
+    {"least_to_largest_1_10", "-", "least to largest of cycles 1-10", "the same of cycles 1 to 10",
+     get<&data::Stability::least_to_largest_1_10>},
+    {"first_to_third", "-", "first to third", "scragging ratio", get<&data::Stability::first_to_third>, decimals(2)},
+    {"first_to_mean_1_3", "-", "first to mean of cycles 1-3", "first cycle over the mean of the first three",
+     get<&data::Stability::first_to_mean_1_3>},
+};
+
+// An effect of the error budget.
+inline constexpr Result<data::Effect> effect_results[]{
+    {"effect", "", "effect", "what was assessed: `\"skew\"`", get<&data::Effect::effect>},
+    {"value", own_unit, "value", "how large it is", get<&data::Effect::value>},
+    {"unit", "", "unit", "of `value` and `limit`", get<&data::Effect::unit>},
+    {"limit", own_unit, "limit", "that it should keep to", get<&data::Effect::limit>},
+    {"exceeds", "", "exceeds", "it does not keep to it; a warning says so", get<&data::Effect::exceeds>},
+};
+
+// The properties that are followed from cycle to cycle of a block, by their short names; key: their row above.
 struct FollowedProperty {
-  std::string_view name;
+  std::string_view name, key;
   double data::Cycle::*of;
 };
-inline constexpr FollowedProperty followed_properties[]{{"K_eff", &data::Cycle::K_eff_kN_per_mm},
-                                                        {"energy", &data::Cycle::energy_kN_mm},
-                                                        {"damping", &data::Cycle::damping_percent}};
+inline constexpr FollowedProperty followed_properties[]{{"K_eff", "K_eff_kN_per_mm", &data::Cycle::K_eff_kN_per_mm},
+                                                        {"energy", "energy_kN_mm", &data::Cycle::energy_kN_mm},
+                                                        {"damping", "damping_percent", &data::Cycle::damping_percent}};
 
 }  // namespace isolaw::study

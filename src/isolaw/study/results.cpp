@@ -2,13 +2,18 @@
 
 namespace isolaw::study {
 
-std::vector<std::string> headings(std::string_view heading, std::string_view unit, Value const& of_kind) {
-  auto const name = std::string(heading);
-  auto const in_unit = unit.empty() || unit == own_unit ? std::string() : " [" + std::string(unit) + "]";
-  if (std::holds_alternative<Statistic>(of_kind))
-    return {"mean " + name + in_unit, "std " + name + in_unit, "best " + name + in_unit};
-  if (std::holds_alternative<Ends>(of_kind)) return {name + " lower" + in_unit, name + " upper" + in_unit};
-  return {name + in_unit};
+std::string Heading::text() const {
+  return unit.empty() ? title : title + " [" + unit + "]";
+}
+
+std::vector<Heading> headings(std::string_view heading, std::string_view unit, Value const& of_kind) {
+  auto const own = std::string(unit == own_unit ? "" : unit);
+  auto const cell = [&](std::string const& before, std::string const& after) {
+    return Heading{before + std::string(heading) + after, own};
+  };
+  if (std::holds_alternative<Statistic>(of_kind)) return {cell("mean ", ""), cell("std ", ""), cell("best ", "")};
+  if (std::holds_alternative<Ends>(of_kind)) return {cell("", " lower"), cell("", " upper")};
+  return {cell("", "")};
 }
 
 }  // namespace isolaw::study

@@ -67,12 +67,24 @@ Value nested(Of const&) {
 // Of a parameter: stated beside it.
 inline constexpr std::string_view own_unit = "its own";
 
+// How the page's tables print a number.
+struct Printed {
+  std::optional<int> decimals, significant;
+};
+constexpr Printed decimals(int count) {
+  return {.decimals = count, .significant = {}};
+}
+constexpr Printed significant(int count) {
+  return {.decimals = {}, .significant = count};
+}
+
 template <class Of>
 struct Result {
   // unit: "-" of a number without one, "" of what is none; heading: "" of what no table holds, the page's among them.
   std::string_view key, unit, heading, meaning;
   Value (*of)(Of const&) = nullptr;
-  int digits = 9;  // significant ones on the page, where numbers are drawn rather than computed with
+  Printed printed{};
+  int digits = 9;  // significant ones in the page's data, where numbers are drawn rather than computed with
 };
 
 inline std::string_view fit_message(DeviceFit const& fit) {
@@ -136,7 +148,7 @@ inline constexpr Result<LotLaw> lot_law_results[]{
     {"parameters", "", "", "by name", nested<LotLaw>},
     {"mean_objective", "-", "OF, law of the lot", "mean over the devices: the least there is", get<&LotLaw::mean>},
     {"worst_objective", "-", "OF, law of the lot, worst device", "the largest", get<&LotLaw::worst>},
-    {"worst_device", "", "", "where it is", get<&LotLaw::worst_device>},
+    {"worst_device", "", "worst device", "where it is", get<&LotLaw::worst_device>},
     {"least_worst_parameters", "", "", "of the law that is least bad for the worst device", nested<LotLaw>},
     {"least_worst_objective", "-", "least OF of the worst device", "with it, on the worst device",
      get<&LotLaw::least_worst>},
@@ -189,6 +201,21 @@ inline constexpr Result<DeviceFit> fit_results[]{
      nested<DeviceFit>},
 };
 
+// What `blocks` of a fit holds.
+inline constexpr Result<BlockScore> score_results[]{
+    {"block", "", "block", "by its number", get<&BlockScore::block>},
+    {"fitted", "", "fitted", "false: predicted", get<&BlockScore::fitted>},
+    {"objective", "-", "OF", "on this block", get<&BlockScore::objective>},
+};
+
+// What `intervals` of a fit holds.
+inline constexpr Result<DeviceFit> interval_results[]{
+    {"level", "-", "", "confidence", get<&DeviceFit::interval_level>},
+    {"samples", "", "", "that were judged", get<&DeviceFit::interval_samples>},
+    {"block", "", "", "length in samples", get<&DeviceFit::interval_block>},
+    {"replicates", "", "", "of the bootstrap", get<&DeviceFit::interval_replicates>},
+};
+
 inline constexpr Result<ParameterFit> parameter_results[]{
     {"unit", "", "unit", "of `mean`, `std`, `best`, `lower`, `upper`: the unit system of the law's source",
      get<&ParameterFit::unit>},
@@ -196,14 +223,14 @@ inline constexpr Result<ParameterFit> parameter_results[]{
     {"std", own_unit, "std", "over the usable runs, sample form; 0 for a fixed parameter",
      get<&ParameterFit::value, &Statistic::std>},
     {"best", own_unit, "best", "of the run with the smallest objective", get<&ParameterFit::value, &Statistic::best>},
-    {"at_bound", "", "",
+    {"at_bound", "", "at bound",
      "`best` lies within 0.1 % of the search box's width of that bound: the box, not the record, decided the value",
      word<&ParameterFit::at_bound>},
     {"free", "", "calibrated", "false: fixed by default or by the user, not calibrated", get<&ParameterFit::free>},
     {"lower", own_unit, "lower bound", "of the search box; the value of a fixed parameter, or as the law declares it",
      get<&ParameterFit::lower>},
     {"upper", own_unit, "upper bound", "the same", get<&ParameterFit::upper>},
-    {"percent_of_lot", "%", "",
+    {"percent_of_lot", "%", "difference from lot",
      "difference of `mean` from the mean of the device means, relative to the magnitude `beta` uses",
      get<&ParameterFit::percent_of_lot>},
     {"tied_to", "", "", "the parameter whose value it takes", word<&ParameterFit::tied_to>},
@@ -214,26 +241,47 @@ inline constexpr Result<ParameterAnalysis> analysis_results[]{
     {"identifiability", "", "identifiability", "the keys below stand only beside it",
      get<&ParameterAnalysis::identifiability>},
     {"optimum", own_unit, "optimum", "at the least objective", get<&ParameterAnalysis::optimum>},
-    {"open_range", own_unit, "open range", "where the objective, all others fitted again, stays within `rise`",
-     ends<&ParameterAnalysis::open_lower, &ParameterAnalysis::open_upper>, 6},
+    {"open_range",
+     own_unit,
+     "open range",
+     "where the objective, all others fitted again, stays within `rise`",
+     ends<&ParameterAnalysis::open_lower, &ParameterAnalysis::open_upper>,
+     {},
+     6},
     {"open_below", "", "range ends at the box below", "that range ends at the box",
      get<&ParameterAnalysis::open_below>},
     {"open_above", "", "range ends at the box above", "the same above", get<&ParameterAnalysis::open_above>},
-    {"linear_interval", own_unit, "linear interval", "of `intervals.level`; at its bound: that one value",
-     ends<&ParameterAnalysis::linear_lower, &ParameterAnalysis::linear_upper>, 6},
-    {"bootstrap_interval", own_unit, "bootstrap interval", "the same",
-     ends<&ParameterAnalysis::bootstrap_lower, &ParameterAnalysis::bootstrap_upper>, 6},
-    {"profile", "", "", "`value`, `objective`: least objective with the parameter held", nested<ParameterAnalysis>, 6},
+    {"linear_interval",
+     own_unit,
+     "linear interval",
+     "of `intervals.level`; at its bound: that one value",
+     ends<&ParameterAnalysis::linear_lower, &ParameterAnalysis::linear_upper>,
+     {},
+     6},
+    {"bootstrap_interval",
+     own_unit,
+     "bootstrap interval",
+     "the same",
+     ends<&ParameterAnalysis::bootstrap_lower, &ParameterAnalysis::bootstrap_upper>,
+     {},
+     6},
+    {"profile",
+     "",
+     "",
+     "`value`, `objective`: least objective with the parameter held",
+     nested<ParameterAnalysis>,
+     {},
+     6},
 };
 
 inline constexpr Result<OutlyingDevice> outlier_results[]{
-    {"device", "", "", "its name", get<&OutlyingDevice::device>},
-    {"property", "", "", "by which it stands apart", get<&OutlyingDevice::property>},
-    {"unit", "", "", "of `value` and `median`", get<&OutlyingDevice::unit>},
-    {"value", own_unit, "", "of the device", get<&OutlyingDevice::value>},
-    {"median", own_unit, "", "over the devices", get<&OutlyingDevice::median>},
-    {"score", "-", "", "modified z", get<&OutlyingDevice::score>},
-    {"percent", "%", "", "difference from the median", get<&OutlyingDevice::percent>},
+    {"device", "", "device", "its name", get<&OutlyingDevice::device>},
+    {"property", "", "property", "by which it stands apart", get<&OutlyingDevice::property>},
+    {"unit", "", "unit", "of `value` and `median`", get<&OutlyingDevice::unit>},
+    {"value", own_unit, "value", "of the device", get<&OutlyingDevice::value>},
+    {"median", own_unit, "median", "over the devices", get<&OutlyingDevice::median>},
+    {"score", "-", "score", "modified z", get<&OutlyingDevice::score>},
+    {"percent", "%", "difference", "difference from the median", get<&OutlyingDevice::percent>},
 };
 
 // The rows of some keys, in their order; "key: heading" gives one another heading. A key that is not there does not
@@ -251,10 +299,14 @@ consteval std::array<Result<Of>, count> columns(Result<Of> const (&rows)[all], s
   return chosen;
 }
 
-// What stands above a row in a table: one for each cell that its value takes, with the unit.
-std::vector<std::string> headings(std::string_view heading, std::string_view unit, Value const& of_kind);
+// What stands above a row in a table: one for each cell that its value takes.
+struct Heading {
+  std::string title, unit;   // unit: empty of what has none of its own
+  std::string text() const;  // with the unit
+};
+std::vector<Heading> headings(std::string_view heading, std::string_view unit, Value const& of_kind);
 template <class Of>
-std::vector<std::string> headings(Result<Of> const& row) {
+std::vector<Heading> headings(Result<Of> const& row) {
   if constexpr (std::default_initializable<Of>)
     return headings(row.heading, row.unit, row.of(Of{}));
   else

@@ -3,6 +3,7 @@
 #include "isolaw/data/read.hpp"
 #include "isolaw/render/json/properties_json.hpp"
 #include "isolaw/render/json/results_json.hpp"
+#include "isolaw/study/cycle_results.hpp"
 
 namespace isolaw::render {
 namespace {
@@ -13,8 +14,7 @@ void write_effects(JsonWriter& out, std::vector<data::Effect> const& effects) {
   out.key("effects").begin_array();
   for (auto const& effect : effects) {
     out.begin_object();
-    write_members(out, "effect", effect.effect, "value", effect.value, "unit", effect.unit, "limit", effect.limit,
-                  "exceeds", effect.exceeds);
+    write_results(out, effect_results, effect, Digits::shown);
     out.end_object();
   }
   out.end_array();

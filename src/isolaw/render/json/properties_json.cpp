@@ -17,26 +17,28 @@ void write_cycle(JsonWriter& out, DeviceResult const& device, data::Cycle const&
   out.end_object();
 }
 
-void write_stability(JsonWriter& out, std::string_view key, data::Stability const& s) {
-  out.key(key).begin_object().key("ratio_to_third");
-  write_values(out, s.ratio_to_third, shown_digits);
-  write_members(out, "min_2_10", s.min_2_10, "max_2_10", s.max_2_10, "min_1_10", s.min_1_10, "max_1_10", s.max_1_10,
-                "least_to_largest_2_10", s.least_to_largest_2_10, "least_to_largest_1_10", s.least_to_largest_1_10,
-                "first_to_third", s.first_to_third, "first_to_mean_1_3", s.first_to_mean_1_3);
+void write_stability(JsonWriter& out, data::Stability const& stability) {
+  out.begin_object();
+  write_results(out, stability_results, stability, Digits::shown,
+                [&](std::string_view) { write_values(out, stability.ratio_to_third, shown_digits); });
   out.end_object();
 }
 
 void write_block(JsonWriter& out, DeviceResult const& device, data::Block const& block) {
   out.begin_object();
-  write_members(out, "number", block.number, "amplitude_mm", block.amplitude_mm, "frequency_Hz", block.frequency_Hz,
-                "waveform", block.waveform, "v_max_mm_s", block.v_max_mm_s);
-  out.key("cycles").begin_array();
-  for (auto const& cycle : block.cycles) write_cycle(out, device, cycle);
-  out.end_array();
-  out.key("stability").begin_object();
-  for (auto const& [name, property] : study::followed_properties)
-    write_stability(out, name, data::stability(block, property));
-  out.end_object().end_object();
+  write_results(out, block_results, block, Digits::shown, [&](std::string_view key) {
+    if (key == "cycles") {
+      out.begin_array();
+      for (auto const& cycle : block.cycles) write_cycle(out, device, cycle);
+      out.end_array();
+      return;
+    }
+    out.begin_object();
+    for (auto const& [name, row, property] : followed_properties)
+      write_stability(out.key(name), data::stability(block, property));
+    out.end_object();
+  });
+  out.end_object();
 }
 
 void write_assessment(JsonWriter& out, rules::Assessment const& assessment, std::optional<int> block) {
@@ -95,8 +97,7 @@ void write_outliers(JsonWriter& out, rules::LotView const& lot) {
   for (auto const& quantity : lot.quantities)
     for (auto const& outlier : quantity.outliers) {
       out.begin_object();
-      write_members(out, "device", outlier.device, "quantity", quantity.quantity, "value", outlier.value, "unit",
-                    quantity.unit, "why", outlier.reason);
+      write_results(out, lot_outlier_results, OutlierOf{quantity, outlier}, Digits::shown);
       out.end_object();
     }
   out.end_array();

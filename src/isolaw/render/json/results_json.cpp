@@ -47,15 +47,15 @@ void write_profile(JsonWriter& out, ParameterAnalysis const& analysis, std::opti
 
 void write_intervals(JsonWriter& out, DeviceFit const& fit) {
   out.begin_object();
-  out.member("level", fit.interval_level).member("samples", std::uint64_t{fit.interval_samples});
-  out.member("block", std::uint64_t{fit.interval_block}).member("replicates", fit.interval_replicates).end_object();
+  write_results(out, interval_results, fit, Digits::all);
+  out.end_object();
 }
 
 void write_blocks(JsonWriter& out, std::vector<BlockScore> const& blocks, Digits digits) {
   out.begin_array();
   for (auto const& score : blocks) {
-    out.begin_object().member("block", score.block).member("fitted", score.fitted).key("objective");
-    write_value(out, score.objective, digits == Digits::all ? std::nullopt : std::optional(shown_digits));
+    out.begin_object();
+    write_results(out, score_results, score, digits);
     out.end_object();
   }
   out.end_array();

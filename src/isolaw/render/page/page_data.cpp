@@ -11,6 +11,7 @@
 #include "isolaw/study/acceptance_results.hpp"
 #include "isolaw/study/build_analysis.hpp"
 #include "isolaw/study/command.hpp"
+#include "isolaw/study/cycle_results.hpp"
 #include "isolaw/study/drawn_samples.hpp"
 #include "isolaw/study/findings.hpp"
 
@@ -291,13 +292,45 @@ void write_thresholds(JsonWriter& out) {
   out.end_object();
 }
 
-// What the page's own tables have above the rows of results, key by key.
+// What the page's own tables have above the rows of results, key by key, and how they print what is below.
 template <class Of, std::size_t count>
-void write_headings(JsonWriter& out, std::string_view key, Result<Of> const (&rows)[count]) {
-  out.key(key).begin_object();
-  for (auto const& row : rows)
-    if (!row.heading.empty()) out.member(row.key, study::headings(row));
+void write_headings(JsonWriter& out, std::string_view kind, Result<Of> const (&rows)[count]) {
+  out.key(kind).begin_object();
+  for (auto const& row : rows) {
+    if (row.heading.empty()) continue;
+    out.key(row.key).begin_array();
+    for (auto const& [title, unit] : study::headings(row)) {
+      out.begin_object().member("title", title).member("unit", unit);
+      if (row.printed.decimals) out.member("decimals", *row.printed.decimals);
+      if (row.printed.significant) out.member("significant", *row.printed.significant);
+      out.end_object();
+    }
+    out.end_array();
+  }
   out.end_object();
+}
+
+void write_all_headings(JsonWriter& out) {
+  out.key("headings").begin_object();
+  write_headings(out, "laws", law_results);
+  write_headings(out, "lot_laws", lot_law_results);
+  write_headings(out, "fits", fit_results);
+  write_headings(out, "parameters", parameter_results);
+  write_headings(out, "determination", analysis_results);
+  write_headings(out, "scores", score_results);
+  write_headings(out, "outliers", outlier_results);
+  write_headings(out, "blocks", block_results);
+  write_headings(out, "cycles", cycle_results);
+  write_headings(out, "stability", stability_results);
+  write_headings(out, "assessments", assessment_results);
+  write_headings(out, "quantities", quantity_results);
+  write_headings(out, "lot_outliers", lot_outlier_results);
+  write_headings(out, "factors", factor_results);
+  out.end_object().key("followed").begin_array();
+  for (auto const& [name, key, property] : followed_properties) {
+    out.begin_object().member("name", name).member("key", key).end_object();
+  }
+  out.end_array();
 }
 
 }  // namespace
@@ -319,11 +352,7 @@ std::string page_data_json(Summary const& summary) {
   write_findings(out, summary);
   write_outliers(out.key("outliers"), summary.outliers, Digits::shown);
   write_thresholds(out);
-  out.key("headings").begin_object();
-  write_headings(out, "determination", analysis_results);
-  write_headings(out, "assessments", assessment_results);
-  write_headings(out, "factors", factor_results);
-  out.end_object();
+  write_all_headings(out);
   out.key("assessment");
   write_acceptance(out, summary.acceptance);
   out.key("devices").begin_array();

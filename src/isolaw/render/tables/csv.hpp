@@ -28,7 +28,7 @@ class CsvTable {
   template <class Of, std::size_t count>
   CsvTable& head(std::array<Result<Of>, count> const& columns) {
     for (auto const& column : columns)
-      for (auto const& heading : study::headings(column)) add(heading);
+      for (auto const& heading : study::headings(column)) add(heading.text());
     return *this;
   }
   template <class Of, std::size_t count>

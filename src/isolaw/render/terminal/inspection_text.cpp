@@ -84,7 +84,8 @@ void print_block(std::string& text, DeviceResult const& device, data::Block cons
     if (!c.counts()) add(text, "  not counted: {}", c.not_counted);
     text += '\n';
   }
-  for (auto const& [name, property] : followed_properties) print_ratios(text, name, data::stability(block, property));
+  for (auto const& [name, row, property] : followed_properties)
+    print_ratios(text, name, data::stability(block, property));
 }
 
 void print_rule_set(std::string& text, LotAcceptance const& acceptance) {

@@ -1,6 +1,6 @@
 // The lot as a rule set sees it.
 
-import { CYCLE_COLUMNS, reportedCycle } from './cycles.js';
+import { reportedCycle } from './cycles.js';
 import { report } from './report.js';
 import { count, isNumber, mean } from './text.js';
 import { concerns, worstVerdict } from './verdicts.js';
@@ -28,7 +28,7 @@ export function deviceValue(device, quantity) {
       value: mean(own.map((a) => a.value)),
       verdict: worstVerdict(own.map((a) => a.verdict)) ?? 'not assessed',
     };
-  const key = CYCLE_COLUMNS.find((column) => column.key.startsWith(quantity + '_'))?.key;
+  const [key] = Object.entries(report.headings.cycles).find(([, [{ title }]]) => title === quantity) ?? [];
   const value = reportedCycle(device)?.[key];
   return isNumber(value) ? { value, verdict: 'not assessed' } : null;
 }

@@ -1,5 +1,7 @@
 // What the data block holds.
 
+import { atTheHead, printed } from './text.js';
+
 export const report = JSON.parse(document.getElementById('isolaw-data').textContent);
 export const devices = report.devices.map((device, index) => ({ ...device, index }));
 
@@ -44,14 +46,34 @@ export function firstExamined(law) {
   return law ? (examinedPlaces(law)[0] ?? 0) : 0;
 }
 
-// Headings of results, as the program's own tables have them, and an object's cells below them.
-export function resultColumns(kind) {
-  const headings = report.headings[kind];
+// Headings of results, as the program's own tables have them, and an object's cells below them: a statistic and a range
+// take several. Of some keys, or of all.
+export function resultColumns(kind, keys = Object.keys(report.headings[kind])) {
   const cell = (value) => (typeof value === 'boolean' ? (value ? 'yes' : 'no') : value);
+  const cells = (value) => (value !== null && typeof value === 'object' ? Object.values(value) : [value]).map(cell);
   return {
-    columns: Object.values(headings).flat(),
-    cells: (of) => Object.keys(headings).flatMap((key) => [of[key]].flat().map(cell)),
+    columns: keys.flatMap((key) => report.headings[kind][key].map(headingText)),
+    cells: (of) => keys.flatMap((key) => cells(of[key] ?? null)),
   };
+}
+
+// The fits of laws with some of their results, as a table.
+export function fitData(keys, among = laws, fitsOf = (law) => law.devices) {
+  const { columns, cells } = resultColumns('fits', keys);
+  return {
+    columns: ['law', 'device', ...columns],
+    rows: among.flatMap((law) => fitsOf(law).map((fit) => [law.id, devices[fit.device].name, ...cells(fit)])),
+  };
+}
+
+export const headingText = ({ title, unit }) => title + (unit ? ' [' + unit + ']' : '');
+export const headingOf = (kind, key) => report.headings[kind][key][0];
+
+// A number among the results as a column of a table on the screen, by `text` of an object.
+export function numberColumn(kind, key, more = {}) {
+  const heading = headingOf(kind, key);
+  const { title, unit } = heading;
+  return { title: atTheHead(title), unit, number: true, text: (of) => printed(of[key], heading), ...more };
 }
 
 // A curve of the data block: offset + step * running sum of integers.

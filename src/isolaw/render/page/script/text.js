@@ -46,6 +46,14 @@ export function significant(value, digits = 3) {
   return typeset(value.toFixed(Math.max(0, digits - 1 - exponent)));
 }
 
+// As the program says that a result is printed.
+export const printed = (value, { decimals, significant: digits }) =>
+  isNumber(decimals) ? fixed(value, decimals) : significant(value, digits ?? 4);
+
+// A word begins with a capital, a symbol stays as it is.
+export const atTheHead = (title) =>
+  /^[a-z]{4}/.test(title) ? title[0].toUpperCase() + title.slice(1) : title.replace(/-$/, MINUS);
+
 export const trimmed = (value) => typeset(String(Number(value.toPrecision(4))));
 
 // "N/m^3" -> "N/m³"

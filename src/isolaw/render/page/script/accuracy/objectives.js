@@ -1,7 +1,7 @@
 import { choose, chosen } from '../choice.js';
 import { chooser } from '../choosers.js';
 import { namedAxis, symbolOf } from '../plotting.js';
-import { devices, laws, lawsByObjective, usable } from '../report.js';
+import { fitData, laws, lawsByObjective, usable } from '../report.js';
 import { fixed, isNumber, mean, objectiveText, plain, short } from '../text.js';
 
 export const objectiveDevicesFigure = {
@@ -36,18 +36,7 @@ export const objectiveDevicesFigure = {
         ' is the hardest device to reproduce, ' + hardness[hardness.length - 1].device.name + ' the easiest.';
     return text;
   },
-  csv: () => ({
-    columns: [
-      'law', 'device', 'mean OF [-]', 'std OF [-]', 'best OF [-]', 'runs', 'failed runs', 'evaluations',
-      'failed evaluations',
-    ],
-    rows: laws.flatMap((law) =>
-      law.devices.map((fit) => [
-        law.id, devices[fit.device].name, fit.objective.mean, fit.objective.std, fit.objective.best, fit.runs,
-        fit.failed_runs, fit.evaluations, fit.failed_evaluations,
-      ]),
-    ),
-  }),
+  csv: () => fitData(['objective', 'runs', 'failed_runs', 'evaluations', 'failed_evaluations']),
   height: () => 380,
   draw: drawObjectives,
 };

@@ -1,7 +1,7 @@
 import { reportedBlock, reportedCycle } from '../cycles.js';
 import { element } from '../dom.js';
 import { deviceValue, lotQuantities } from '../lot.js';
-import { devices, report } from '../report.js';
+import { devices, headingOf, report } from '../report.js';
 import { tableOf } from '../tables.js';
 import { DASH, enumerate, fixed, significant, unitText } from '../text.js';
 import { verdictBadge } from '../verdicts.js';
@@ -24,10 +24,10 @@ const certificateProperties = () =>
         unit: quantity.unit,
         value: (device) => deviceValue(device, quantity.quantity)?.value,
       }))
-    : [
-        { title: 'K_eff', unit: 'kN/mm', value: (device) => reportedCycle(device)?.K_eff_kN_per_mm },
-        { title: 'damping', unit: '%', value: (device) => reportedCycle(device)?.damping_percent },
-      ];
+    : ['K_eff_kN_per_mm', 'damping_percent'].map((key) => ({
+        ...headingOf('cycles', key),
+        value: (device) => reportedCycle(device)?.[key],
+      }));
 
 // What sets a device apart, in its test and in the laws' misfits.
 function apart(device) {

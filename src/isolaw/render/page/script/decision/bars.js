@@ -1,5 +1,5 @@
 import { collapseNote } from '../laws.js';
-import { lawsByObjective, report } from '../report.js';
+import { lawsByObjective, report, resultColumns } from '../report.js';
 import { plain } from '../text.js';
 import { hasFront } from '../views.js';
 
@@ -11,10 +11,10 @@ export const objectiveBarsFigure = {
   caption: () =>
     'Shorter is more accurate. Accuracy alone decides here, because the robustness index is undefined: ' +
     report.findings.beta_note + '.' + collapseNote(lawsByObjective),
-  csv: () => ({
-    columns: ['law', 'mean OF [-]', 'std OF [-]', 'best OF [-]'],
-    rows: lawsByObjective.map((law) => [law.id, law.objective.mean, law.objective.std, law.objective.best]),
-  }),
+  csv: () => {
+    const { columns, cells } = resultColumns('laws', ['id', 'objective']);
+    return { columns, rows: lawsByObjective.map(cells) };
+  },
   height: () => 90 + 38 * lawsByObjective.length,
   draw: (look) => {
     const shown = [...lawsByObjective].reverse();

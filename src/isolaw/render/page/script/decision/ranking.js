@@ -1,6 +1,6 @@
 import { element, onScreen } from '../dom.js';
 import { lawName } from '../laws.js';
-import { laws, lawsByObjective, report } from '../report.js';
+import { laws, lawsByObjective, report, resultColumns } from '../report.js';
 import { tableOf } from '../tables.js';
 import { DASH, fixed, isNumber, objectiveText, percentText } from '../text.js';
 
@@ -17,18 +17,18 @@ export const rankingFigure = {
             ' of the least objective of the campaign; where they are few, the mean says more of the search than of the law.'
         : '',
     ),
-  csv: () => ({
-    columns: [
-      'law', 'mean OF [-]', 'std OF [-]', 'best OF [-]', 'beta [-]', 'on front', 'K_eff error [%]', 'energy error [%]',
-      'runs at the least OF [%]',
-    ],
-    rows: lawsByObjective.map((law) => [
-      law.id, law.objective.mean, law.objective.std, law.objective.best, law.beta, law.on_front ? 'yes' : 'no',
-      law.K_eff_error_percent, law.energy_error_percent, isNumber(law.success_share) ? 100 * law.success_share : null,
-    ]),
-  }),
+  csv: rankingData,
   build: rankingTable,
 };
+
+function rankingData() {
+  const ofLaw = resultColumns('laws', ['id', 'objective', 'beta', 'on_front', 'success_share']);
+  const errors = resultColumns('fits', ['K_eff_error_percent', 'energy_error_percent']);
+  return {
+    columns: [...ofLaw.columns, ...errors.columns],
+    rows: lawsByObjective.map((law) => [...ofLaw.cells(law), ...errors.cells(law)]),
+  };
+}
 
 function rankingTable() {
   const searched = laws.some((law) => isNumber(law.success_share));

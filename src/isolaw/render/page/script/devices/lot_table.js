@@ -1,6 +1,6 @@
 import { element, onScreen } from '../dom.js';
 import { lotQuantities } from '../lot.js';
-import { devices, report } from '../report.js';
+import { devices, report, resultColumns } from '../report.js';
 import { tableOf } from '../tables.js';
 import {
   DASH, count, deviation, enumerate, fixed, isNumber, limitText, short, significant, unitText,
@@ -86,6 +86,15 @@ function lotTable() {
 }
 
 function lotData() {
-  const keys = Object.keys(lotQuantities[0]);
-  return { columns: keys, rows: lotQuantities.map((quantity) => keys.map((key) => quantity[key])) };
+  const { columns, cells } = resultColumns('quantities');
+  return {
+    columns: [
+      ...columns, 'without', 'lambda_test min', 'min cycle', 'lambda_test max', 'max cycle', 'limit on the mean', 'verdict',
+      'reason',
+    ],
+    rows: lotQuantities.map((q) => [
+      ...cells(q), q.without, q.lambda_test_min, q.lambda_test_min_cycle, q.lambda_test_max, q.lambda_test_max_cycle,
+      q.limit_mean, q.verdict, q.reason,
+    ]),
+  };
 }

@@ -1,6 +1,6 @@
 import { element } from '../dom.js';
 import { lotQuantities } from '../lot.js';
-import { report } from '../report.js';
+import { report, resultColumns } from '../report.js';
 import { tableOf } from '../tables.js';
 import { withUnit } from '../text.js';
 
@@ -8,10 +8,10 @@ export const outliersFigure = {
   id: 'outliers',
   title: 'Outliers',
   wanted: () => lotQuantities.length > 0 && report.assessment.lot.outliers.length > 0,
-  csv: () => ({
-    columns: ['device', 'quantity', 'value', 'unit', 'why'],
-    rows: report.assessment.lot.outliers.map((o) => [o.device, o.quantity, o.value, o.unit, o.why]),
-  }),
+  csv: () => {
+    const { columns, cells } = resultColumns('lot_outliers');
+    return { columns, rows: report.assessment.lot.outliers.map(cells) };
+  },
   build: outlierTable,
 };
 

@@ -1,6 +1,6 @@
 import { counted, countedCycles, cycleData, isReported, noCycles, reportedCycle } from '../cycles.js';
 import { element, onScreen } from '../dom.js';
-import { devices } from '../report.js';
+import { devices, headingOf, numberColumn } from '../report.js';
 import { table } from '../tables.js';
 import { DASH, THIN, count, fixed, isNumber, significant, spanText } from '../text.js';
 
@@ -16,12 +16,13 @@ export const testPropertiesFigure = {
 function propertiesCaption() {
   const cycles = devices.map(reportedCycle).filter(Boolean);
   if (cycles.length === 0) return 'No record has a complete cycle with enough samples.';
-  const span = (key) => spanText(cycles.map((cycle) => cycle[key]), 3, significant) ?? DASH;
+  const span = (key) =>
+    (spanText(cycles.map((cycle) => cycle[key]), 3, significant) ?? DASH) + THIN + headingOf('cycles', key).unit;
   return (
     'Third counted cycle of each block, or its last' +
     (devices.some((device) => device.blocks.length > 1) ? '; in bold the reported one' : '') + '.' +
     onScreen(' Every cycle is in the CSV.') + ' Over ' + count(cycles.length, 'device') + ': effective stiffness ' +
-    span('K_eff_kN_per_mm') + THIN + 'kN/mm, equivalent viscous damping ' + span('damping_percent') + THIN + '%.'
+    span('K_eff_kN_per_mm') + ', equivalent viscous damping ' + span('damping_percent') + '.'
   );
 }
 
@@ -34,19 +35,20 @@ function propertiesTable() {
     { key: 'temperature_C', title: 'Temp.', unit: '°C', number: true, text: (d) => fixed(d.temperature_C, 1) },
   ].filter((fact) => some(fact.key));
   const strained = devices.some((device) => countedCycles(device).some((cycle) => isNumber(cycle.strain_percent)));
+  const ofBlock = (column) => ({ ...column, of: (block) => column.text(block) });
+  const ofCycle = (column) => ({ ...column, of: (_, cycle) => column.text(cycle) });
+  const scragging = numberColumn('stability', 'first_to_third', { title: 'Scragging', unit: 'K_eff 1st/3rd', screen: true });
   const several = devices.some((device) => device.blocks.length > 1);
   const numbers = [
-    { title: 'Block', number: true, of: (block) => String(block.number) },
-    { title: 'Cycle', number: true, of: (_, cycle) => String(cycle.number) },
-    { title: 'Amplitude', unit: 'mm', number: true, of: (_, cycle) => fixed(cycle.amplitude_mm, 1) },
-    ...(strained
-      ? [{ title: 'Shear strain', unit: '%', number: true, of: (_, cycle) => fixed(cycle.strain_percent, 0) }]
-      : []),
-    { title: 'Frequency', unit: 'Hz', number: true, screen: true, of: (block) => significant(block.frequency_Hz, 2) },
-    { title: 'Effective stiffness', unit: 'kN/mm', number: true, of: (_, cycle) => significant(cycle.K_eff_kN_per_mm, 4) },
-    { title: 'Energy', unit: 'kN mm', number: true, of: (_, cycle) => fixed(cycle.energy_kN_mm, 0) },
-    { title: 'Damping', unit: '%', number: true, of: (_, cycle) => fixed(cycle.damping_percent, 2) },
-    { title: 'Scragging', unit: 'K_eff 1st/3rd', number: true, screen: true, of: (block) => fixed(block.stability?.K_eff?.first_to_third, 2) },
+    ofBlock({ title: 'Block', number: true, text: (block) => String(block.number) }),
+    ofCycle({ title: 'Cycle', number: true, text: (cycle) => String(cycle.number) }),
+    ofCycle(numberColumn('cycles', 'amplitude_mm')),
+    ...(strained ? [ofCycle(numberColumn('cycles', 'strain_percent', { title: 'Shear strain' }))] : []),
+    ofBlock(numberColumn('blocks', 'frequency_Hz', { screen: true })),
+    ofCycle(numberColumn('cycles', 'K_eff_kN_per_mm', { title: 'Effective stiffness' })),
+    ofCycle(numberColumn('cycles', 'energy_kN_mm')),
+    ofCycle(numberColumn('cycles', 'damping_percent')),
+    ofBlock({ ...scragging, text: (block) => scragging.text(block.stability?.K_eff ?? {}) }),
   ];
   const columns = [{ title: 'Device', pinned: true }, ...facts, ...numbers, { title: 'Remark' }];
   const rows = devices.flatMap((device) => {

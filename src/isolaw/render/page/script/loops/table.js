@@ -1,7 +1,7 @@
 import { choose, chosen } from '../choice.js';
 import { element, onScreen } from '../dom.js';
 import { lawName } from '../laws.js';
-import { devices, laws } from '../report.js';
+import { devices, fitData, laws } from '../report.js';
 import { tableOf } from '../tables.js';
 import { fixed, isNumber, objectiveText, signed, significant } from '../text.js';
 
@@ -14,7 +14,11 @@ export const fitsFigure = {
     'Best run of each law on ' + devices[chosen.device].name +
     ': its objective, and its effective stiffness, dissipated energy and damping against the record, on the third counted cycle of the largest amplitude.' +
     onScreen(' The heads of the columns sort; the loops below follow.'),
-  csv: fitData,
+  csv: () =>
+    fitData([
+      'objective', 'K_eff_error_percent', 'energy_error_percent', 'damping_error_percent', 'runs', 'failed_runs',
+      'evaluations', 'message',
+    ]),
   build: fitTable,
 };
 
@@ -66,20 +70,4 @@ function fitTable() {
     ...(remarks ? [{ title: 'Remark', cell: ({ fit }) => element('td', { class: 'note text' }, fit.message) }] : []),
   ];
   return tableOf(columns, fits, 'All laws on the chosen device');
-}
-
-function fitData() {
-  return {
-    columns: [
-      'law', 'device', 'best OF [-]', 'mean OF [-]', 'std OF [-]', 'K_eff error [%]', 'energy error [%]',
-      'damping error [%]', 'runs', 'failed runs', 'evaluations', 'message',
-    ],
-    rows: laws.flatMap((law) =>
-      law.devices.map((fit) => [
-        law.id, devices[fit.device].name, fit.objective.best, fit.objective.mean, fit.objective.std,
-        fit.K_eff_error_percent, fit.energy_error_percent, fit.damping_error_percent, fit.runs, fit.failed_runs,
-        fit.evaluations, fit.message,
-      ]),
-    ),
-  };
 }

@@ -1,6 +1,6 @@
 import { element } from '../dom.js';
 import { lawName } from '../laws.js';
-import { lotLaws } from '../report.js';
+import { lotLaws, resultColumns } from '../report.js';
 import { tableOf } from '../tables.js';
 import { DASH, THIN, fixed, isNumber, short } from '../text.js';
 
@@ -52,16 +52,13 @@ function lotLawsTable() {
 }
 
 function lotLawsData() {
+  const own = resultColumns('laws', ['id', 'objective_converged']);
+  const lot = resultColumns('lot_laws');
+  const others = resultColumns('laws', [
+    'loo_objective', 'loo_worst', 'loo_worst_device', 'beta_converged', 'success_share', 'success_reference',
+  ]);
   return {
-    columns: [
-      'law', 'own least OF [-]', "mean OF of the lot's law [-]", "worst OF of the lot's law [-]", 'worst device',
-      'least worst OF [-]', 'bound of it [-]', 'mean OF left out [-]', 'worst OF left out [-]', 'worst device left out',
-      'beta of the least objectives [-]', 'runs at the least OF [%]', 'least OF of',
-    ],
-    rows: lotLaws.map((law) => [
-      law.id, law.objective_converged, law.lot.mean_objective, law.lot.worst_objective, law.lot.worst_device,
-      law.lot.least_worst_objective, law.lot.least_worst_bound, law.loo_objective, law.loo_worst, law.loo_worst_device,
-      law.beta_converged, isNumber(law.success_share) ? 100 * law.success_share : null, law.success_reference,
-    ]),
+    columns: [...own.columns, ...lot.columns, ...others.columns],
+    rows: lotLaws.map((law) => [...own.cells(law), ...lot.cells(law.lot), ...others.cells(law)]),
   };
 }

@@ -1,6 +1,6 @@
 import { lawChooser } from '../choosers.js';
 import { namedAxis } from '../plotting.js';
-import { devices, lotLaws } from '../report.js';
+import { devices, fitData, lotLaws } from '../report.js';
 import { fixed, isNumber, plain, short } from '../text.js';
 import { fitsInLot, ofLot } from './of_lot.js';
 
@@ -11,7 +11,7 @@ export const lotDevicesFigure = {
   wanted: () => lotLaws.length > 0,
   controls: () => [lawChooser('lotLaw', lotLaws)],
   caption: lotDevicesCaption,
-  csv: lotDevicesData,
+  csv: () => fitData(['optimum', 'lot_objective', 'worst_objective', 'left_out_objective'], lotLaws, fitsInLot),
   height: () => 360,
   draw: drawLotDevices,
 };
@@ -31,19 +31,6 @@ function lotDevicesCaption() {
         ' left out), least for ' + devices[cost[cost.length - 1].device].name + '.'
       : '')
   );
-}
-
-function lotDevicesData() {
-  return {
-    columns: [
-      'law', 'device', 'own OF [-]', "OF of the lot's law [-]", 'OF of the least worst law [-]', 'OF left out [-]',
-    ],
-    rows: lotLaws.flatMap((law) =>
-      fitsInLot(law).map((fit) => [
-        law.id, devices[fit.device].name, fit.optimum, fit.lot_objective, fit.worst_objective, fit.left_out_objective,
-      ]),
-    ),
-  };
 }
 
 function drawLotDevices(look, width) {

@@ -1,5 +1,5 @@
 import { element, shortList } from '../dom.js';
-import { report } from '../report.js';
+import { report, resultColumns } from '../report.js';
 import { THIN, signed, withUnit } from '../text.js';
 
 export const lotOutliersFigure = {
@@ -8,10 +8,10 @@ export const lotOutliersFigure = {
   wanted: () => report.outliers.length > 0,
   caption: () =>
     'Properties and misfits far from the median of the lot. Look at the test of such a device before the lot\u2019s law is built on it.',
-  csv: () => ({
-    columns: ['device', 'property', 'value', 'unit', 'median', 'difference [%]', 'score'],
-    rows: report.outliers.map((o) => [o.device, o.property, o.value, o.unit, o.median, o.percent, o.score]),
-  }),
+  csv: () => {
+    const { columns, cells } = resultColumns('outliers');
+    return { columns, rows: report.outliers.map(cells) };
+  },
   build: apartList,
 };
 

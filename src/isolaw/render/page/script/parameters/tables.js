@@ -1,5 +1,5 @@
 import { element } from '../dom.js';
-import { devices, laws, ranking, usable } from '../report.js';
+import { devices, laws, ranking, resultColumns, usable } from '../report.js';
 import { table } from '../tables.js';
 import {
   DASH, THIN, count, fixed, isNumber, mean, rowFormat, signed, significant, superscript, trimmed, unitText,
@@ -160,22 +160,20 @@ function parameterTables() {
 }
 
 export function parameterData() {
+  const { columns, cells } = resultColumns('parameters', [
+    'mean', 'std', 'best', 'percent_of_lot', 'at_bound', 'lower', 'upper',
+  ]);
+  const relative = ({ mean, std }) => (isNumber(std) && mean !== 0 ? Math.abs(std / mean) : null);
   return {
-    columns: [
-      'law', 'parameter', 'unit', 'device', 'mean', 'std', 'std/|mean|', 'best', 'difference from lot [%]', 'at bound',
-      'lower', 'upper',
-    ],
+    columns: ['law', 'parameter', 'unit', 'device', ...columns, 'std/|mean| [-]'],
     rows: laws.flatMap((law) =>
       law.parameters.flatMap((parameter, i) =>
         law.devices
           .filter((fit) => fit.parameters[i])
-          .map((fit) => {
-            const { mean, std, best, percent_of_lot, at_bound, lower, upper } = fit.parameters[i];
-            return [
-              law.id, parameter.name, parameter.unit, devices[fit.device].name, mean, std,
-              isNumber(std) && mean !== 0 ? Math.abs(std / mean) : null, best, percent_of_lot, at_bound, lower, upper,
-            ];
-          }),
+          .map((fit) => [
+            law.id, parameter.name, parameter.unit, devices[fit.device].name, ...cells(fit.parameters[i]),
+            relative(fit.parameters[i]),
+          ]),
       ),
     ),
   };

@@ -1,5 +1,5 @@
 import { element } from '../dom.js';
-import { devices, predictedLaws, report } from '../report.js';
+import { devices, predictedLaws, report, resultColumns } from '../report.js';
 import { tableOf } from '../tables.js';
 import { DASH, THIN, enumerate, fixed, mean, short, significant } from '../text.js';
 
@@ -101,14 +101,13 @@ function predictionTable() {
 }
 
 function predictionData() {
+  const ofBlock = resultColumns('scores');
+  const ofLaw = resultColumns('laws', ['prediction_collapses']);
   return {
-    columns: ['law', 'device', 'block', 'fitted or predicted', 'OF [-]', 'prediction collapses'],
+    columns: ['law', 'device', ...ofBlock.columns, ...ofLaw.columns],
     rows: predictedLaws.flatMap((law) =>
       law.devices.flatMap((fit) =>
-        fit.blocks.map(({ block, fitted, objective }) => [
-          law.id, devices[fit.device].name, block, fitted ? 'fitted' : 'predicted', objective,
-          law.prediction_collapses ? 'yes' : 'no',
-        ]),
+        fit.blocks.map((score) => [law.id, devices[fit.device].name, ...ofBlock.cells(score), ...ofLaw.cells(law)]),
       ),
     ),
   };

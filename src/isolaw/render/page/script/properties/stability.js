@@ -3,7 +3,7 @@ import { FOLLOWED, chosenBlocks, counted } from '../cycles.js';
 import { onScreen } from '../dom.js';
 import { designOf, followedPanels, followedText, framePanel } from '../followed.js';
 import { SYMBOLS, emptyPlot } from '../plotting.js';
-import { devices } from '../report.js';
+import { devices, resultColumns } from '../report.js';
 import { fixed, isNumber } from '../text.js';
 import { CYCLES_HEIGHT } from './loops.js';
 
@@ -50,18 +50,16 @@ function stabilityCaption() {
 }
 
 function stabilityData() {
-  const columns = ['first_to_third', 'first_to_mean_1_3', 'min_2_10', 'max_2_10', 'min_1_10', 'max_1_10'];
+  const { columns, cells } = resultColumns('stability');
   return {
-    columns: [
-      'device', 'block', 'property', 'cycle', 'value', 'ratio to cycle 3', ...columns.map((c) => c + ' of the block'),
-    ],
+    columns: ['device', 'block', 'property', 'cycle', 'value', 'ratio to cycle 3', ...columns],
     rows: devices[chosen.tested].blocks.flatMap((block) =>
       FOLLOWED.flatMap((property) =>
         counted(block).map((cycle, k) => {
           const stability = block.stability?.[property.name];
           return [
             devices[chosen.tested].name, block.number, property.title, cycle.number, cycle[property.key],
-            stability?.ratio_to_third?.[k], ...columns.map((c) => stability?.[c]),
+            stability?.ratio_to_third?.[k], ...cells(stability ?? {}),
           ];
         }),
       ),

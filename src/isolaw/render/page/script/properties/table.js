@@ -1,9 +1,15 @@
 import { chosen } from '../choice.js';
-import { CYCLE_COLUMNS, blockText, cycleData, isReported, noCycles } from '../cycles.js';
+import { blockText, cycleData, isReported, noCycles } from '../cycles.js';
 import { element, onScreen } from '../dom.js';
-import { devices } from '../report.js';
+import { devices, numberColumn } from '../report.js';
 import { table } from '../tables.js';
 import { DASH, isNumber } from '../text.js';
+
+const ON_PAPER = ['amplitude_mm', 'K_eff_kN_per_mm', 'energy_kN_mm', 'damping_percent', 'Q_d_kN', 'K_d_kN_per_mm', 'strain_percent', 'G_MPa'];
+const SHOWN = [
+  'amplitude_mm', 'F_plus_kN', 'F_minus_kN', 'K_eff_kN_per_mm', 'K_plus_kN_per_mm', 'K_minus_kN_per_mm', 'energy_kN_mm',
+  'damping_percent', 'Q_d_kN', 'K_d_kN_per_mm', 'v_max_mm_s', 'N_mean_kN', 'strain_percent', 'G_MPa',
+];
 
 export const cycleTableFigure = {
   id: 'cycle-table',
@@ -30,13 +36,13 @@ function cycleTable() {
   const device = devices[chosen.tested];
   const all = device.blocks.flatMap((block) => block.cycles.map((cycle) => ({ block, cycle })));
   if (all.length === 0) return element('p', { class: 'empty' }, 'No cycles: ' + noCycles(device));
-  const shown = CYCLE_COLUMNS.filter(
-    (column) => !column.csvOnly && all.some(({ cycle }) => isNumber(cycle[column.key])),
+  const shown = SHOWN.filter((key) => all.some(({ cycle }) => isNumber(cycle[key]))).map((key) =>
+    numberColumn('cycles', key, { screen: !ON_PAPER.includes(key) }),
   );
   const columns = [
     { title: 'Block', pinned: true, name: true },
     { title: 'Cycle', number: true },
-    ...shown.map((column) => ({ title: column.title, unit: column.unit, number: true, screen: column.screen })),
+    ...shown,
   ];
   const rows = all.map(({ block, cycle }, i) => {
     const first = i === 0 || all[i - 1].block !== block;
@@ -53,7 +59,7 @@ function cycleTable() {
           cycle.counts ? null : element('small', {}, 'not counted: ' + cycle.reason),
         ),
         cycle.counts ? String(cycle.number) : DASH,
-        ...shown.map((column) => column.text(cycle[column.key])),
+        ...shown.map((column) => column.text(cycle)),
       ],
     };
   });
