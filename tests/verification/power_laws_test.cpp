@@ -148,6 +148,17 @@ TEST(PowerLaws, MasingIsContinuous) {
 
 Values<PowerMasing> const bearing{87.1, 0.370, 46.4, 9.8, 65.5, 0.27};  // of the measured one
 
+// What it says of amplitudes beyond the tests' 151.2 mm: at five times as much, first loading, 1,333 kN, of which the
+// hardening that grows with the square has 560.
+TEST(PowerLaws, HardeningGovernsFarBeyondTheTests) {
+  auto const path = laws::make_path(through({0.0, 5.0 * 151.2}, 100), {});
+  auto without = bearing;
+  without[3] = 0.0;
+  double const force = forces<PowerMasing>(bearing, path).back();
+  EXPECT_NEAR(force, 1333.0, 1.0);
+  EXPECT_NEAR(force - forces<PowerMasing>(without, path).back(), 560.0, 0.5);
+}
+
 // Noise, normal and white.
 std::vector<double> with_noise(std::vector<double> x, double deviation) {
   num::Draws draws(num::Stream(7), 0, 0);
