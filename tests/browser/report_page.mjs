@@ -407,7 +407,7 @@ async function look_at_analysis() {
     collapsing,
     badged: badged.map((item) => item.querySelector('b').textContent),
     flagged: [...document.querySelectorAll('#figure-predictions tbody tr')]
-      .filter((row) => row.querySelector('.badge')?.textContent === 'collapses')
+      .filter((row) => row.querySelector('.badge')?.textContent === 'unusable')
       .map((row) => row.querySelector('b').textContent),
   };
 }

@@ -163,16 +163,74 @@ TEST_F(Analysis, what_one_block_was_fitted_to_predicts_the_other) {
   EXPECT_EQ(summary["laws"][0]["prediction_collapses"], false);
   EXPECT_TRUE(contains(read("O/tables/prediction.csv"), "bilinear,a,\"block 2, predicted\",the device itself,"));
   // Who takes the law from there is told.
-  for (auto const* target : {"opensees", "cpp", "sheet", "csv", "json"})
-    EXPECT_TRUE(contains(isolaw({"export", "O", "--law", "bilinear", "--device", "a", "--to", target}).out,
-                         "fitted to block 1 of the tests alone"))
-        << target;
+  for (auto const* target : {"opensees", "cpp", "sheet", "csv"}) {
+    auto const text = isolaw({"export", "O", "--law", "bilinear", "--device", "a", "--to", target}).out;
+    for (auto const* part : {"block 1 of the tests alone", "Displacement fitted", "up to 50 mm", "Displacement tested",
+                             "up to 100 mm", "good: objective 0.0"})
+      EXPECT_TRUE(contains(text, part)) << target << ": " << part;
+  }
+  auto const form = Json::parse(isolaw({"export", "O", "--law", "bilinear", "--device", "a", "--to", "json"}).out);
+  EXPECT_EQ(form["fitted"]["part"], "block 1");
+  EXPECT_EQ(form["fitted"]["disp_mm"], 50.0);
+  EXPECT_EQ(form["tested"]["disp_mm"], 100.0);
   auto const simulated = isolaw({"simulate", "bilinear", "--from", "O", "--device", "a", "--motion", "a.csv"});
-  EXPECT_TRUE(contains(simulated.err, "fitted to block 1 of the tests alone, up to"));
+  for (auto const& text : {simulated.err, simulated.out}) {
+    EXPECT_TRUE(contains(text, "device 'a', block 1 of the tests alone, up to 50 mm; tested up to 100 mm")) << text;
+    EXPECT_TRUE(contains(text, "prediction good: objective 0.0")) << text;
+  }
   EXPECT_TRUE(contains(simulated.err, "what the law was fitted to"));
   expect_refused(isolaw(campaign("P", {"--score-blocks", "2"})), {"--score-blocks", "together with --fit-blocks"});
   expect_message(isolaw(campaign("Q", {"--fit-blocks", "1", "--score-blocks", "7"})), 2,
                  {"no block of the record is among them", "block 2: cycles 1 to 3"});
+}
+
+// hwang-wu follows the smaller block and runs away beyond: it is not taken from the campaign without a word.
+TEST_F(Analysis, a_law_that_cannot_predict_is_refused_unless_asked_for_anyway) {
+  auto const o = isolaw({"calibrate", "a.csv", "--laws", "bilinear,hwang-wu", "--runs", "1", "--analysis", "none",
+                         "--fit-blocks", "1", "--out", "O"});
+  ASSERT_EQ(o.code, 0) << o;
+  EXPECT_TRUE(contains(o.out, "unusable"));
+  auto const laws = json("O/summary.json")["laws"];
+  EXPECT_EQ(laws[0]["prediction_grade"], "good");
+  EXPECT_EQ(laws[1]["prediction_grade"], "unusable");
+  EXPECT_EQ(laws[1]["prediction_collapses"], true);
+  std::vector<Words> commands;
+  for (auto const* target : {"opensees", "openseespy", "cpp", "sheet", "csv", "json"})
+    commands.push_back({"export", "O", "--law", "hwang-wu", "--device", "a", "--to", target});
+  commands.push_back({"simulate", "hwang-wu", "--from", "O", "--device", "a", "--motion", "a.csv"});
+  for (auto const& command : commands) {
+    SCOPED_TRACE(command.back());
+    expect_refused(isolaw(command), {"law hwang-wu, device 'a'", "its prediction is unusable: objective ", "--anyway"});
+    auto const anyway = isolaw(command + Words{"--anyway"});
+    EXPECT_EQ(anyway.code, 0) << anyway;
+    EXPECT_TRUE(contains(anyway.err, "let through: its prediction is unusable: objective ")) << anyway.err;
+    EXPECT_TRUE(contains(anyway.out, "its prediction collapses")) << anyway.out;
+  }
+  // And the nearest material is far off, at the amplitude that it was not fitted to.
+  auto const script = isolaw(commands[0] + Words{"--anyway"});
+  EXPECT_TRUE(
+      contains(script.err, "let through: uniaxialMaterial BoucWen, the nearest there is, is far off: largest "));
+  EXPECT_TRUE(contains(script.out, "# Far off: "));
+  EXPECT_TRUE(contains(isolaw(commands[3] + Words{"--anyway"}).out, "FAR OFF, "));
+  auto const form = Json::parse(isolaw(commands[5] + Words{"--anyway"}).out);
+  EXPECT_EQ(form["forms"][0]["far_off"], true);
+  EXPECT_TRUE(form["objection"].get<std::string>().starts_with("its prediction is unusable"));
+}
+
+// What a campaign lacks, and what its search left doubtful, goes with the law.
+TEST_F(Analysis, exports_say_what_is_known_against_the_law) {
+  auto const o = isolaw({"calibrate", "a.csv", "--laws", "bilinear", "--runs", "2", "--analysis", "full",
+                         "--replicates", "0", "--set", "bilinear.K1=0.1:1", "--out", "O"});
+  ASSERT_EQ(o.code, 0) << o;
+  for (auto const* target : {"opensees", "openseespy", "cpp", "sheet", "csv", "json"}) {
+    auto const made = isolaw({"export", "O", "--law", "bilinear", "--device", "a", "--to", target});
+    EXPECT_EQ(made.code, 0) << made;
+    EXPECT_TRUE(contains(made.out, "bilinear: K1 at its upper bound on a")) << target;
+    EXPECT_TRUE(contains(made.err, "warning: bilinear: K1 at its upper bound on a")) << target;
+  }
+  auto const simulated = isolaw({"simulate", "bilinear", "--from", "O", "--device", "a", "--motion", "a.csv"});
+  EXPECT_TRUE(contains(simulated.err, "warning: bilinear: K1 at its upper bound on a"));
+  EXPECT_TRUE(contains(simulated.out, "# warning: bilinear: K1 at its upper bound on a"));
 }
 
 // Runs of the paper's method end above the least objective, which the analysis finds.

@@ -168,6 +168,7 @@ TEST_F(Calibrate, summary_has_the_documented_schema) {
                                 "predicted_objective",
                                 "worst_predicted",
                                 "prediction_collapses",
+                                "prediction_grade",
                                 "reduced_form"}));
     EXPECT_EQ(law["id"], expected.id);
     expect_statistic(law["objective"]);

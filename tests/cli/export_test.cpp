@@ -70,7 +70,9 @@ TEST_F(Export, gives_every_law_to_every_target) {
       SCOPED_TRACE(law + " " + to);
       auto const o = exported(law, "a", to);
       ASSERT_EQ(o.code, 0) << o;
-      EXPECT_TRUE(o.err.empty()) << o.err;
+      // Searched once on a coarse record, some lie at bounds.
+      std::istringstream said(o.err);
+      for (std::string line; std::getline(said, line);) EXPECT_TRUE(line.starts_with("warning: ")) << line;
       EXPECT_TRUE(contains(o.out, law));
       EXPECT_TRUE(contains(o.out, to == "json" ? "\"tested\"" : "Displacement tested"));
       if (to == "json") {

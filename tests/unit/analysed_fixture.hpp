@@ -109,7 +109,7 @@ inline Summary analysed(Summary summary) {
     analyse(law);
     law.on_front_converged = law.beta_converged && j != 1;
     law.on_front_loo = law.loo_objective && j == 0;
-    law.prediction_collapses = j == 1;
+    law.prediction_grade = j == 1 ? PredictionGrade::unusable : PredictionGrade::fair;
   }
   if (summary.laws.size() > 1) summary.laws[1].left_out_of_beta = {"f0+"};
   if (summary.devices.size() > 2)

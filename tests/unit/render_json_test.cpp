@@ -168,6 +168,7 @@ TEST(SummaryJson, ExactText) {
       "predicted_objective": null,
       "worst_predicted": null,
       "prediction_collapses": false,
+      "prediction_grade": null,
       "reduced_form": ""
     }
   ],

@@ -13,12 +13,9 @@ namespace {
 
 void note_record(data::FitRecord const& record, FittedLaw& law) {
   law.dead_band_mm = std::max(law.dead_band_mm, record.dead_band_mm);
-  auto const widen = [&](double& largest, std::vector<double> const& values) {
-    for (std::size_t i = 0; i < values.size(); ++i)
-      if (record.is_scored(i)) largest = std::max(largest, std::abs(values[i]));
-  };
-  widen(law.tested_disp_mm, record.disp_mm);
-  widen(law.tested_vel_mm_s, record.vel_mm_s);
+  for (double const x : record.disp_mm) law.tested_disp_mm = std::max(law.tested_disp_mm, std::abs(x));
+  law.fitted_disp_mm = std::max(law.fitted_disp_mm, record.largest_scored(record.disp_mm));
+  law.fitted_vel_mm_s = std::max(law.fitted_vel_mm_s, record.largest_scored(record.vel_mm_s));
 }
 
 FittedLaw law_of_lot(campaign::Contents const& contents, std::string_view law, FittedLaw made) {

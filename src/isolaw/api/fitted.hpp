@@ -15,8 +15,9 @@ struct FittedLaw {
   laws::TurningPoints turning_points = laws::TurningPoints::as_sampled;
   int refinement = 1;            // steps per sample that the law was integrated in
   double dead_band_mm = 0.0;     // FitRecord::dead_band_mm; of a lot the largest
-  double tested_disp_mm = 0.0;   // the largest that it was fitted to
-  double tested_vel_mm_s = 0.0;  // 0 without time
+  double tested_disp_mm = 0.0;   // the largest of the records
+  double fitted_disp_mm = 0.0;   // the largest that it was fitted to
+  double fitted_vel_mm_s = 0.0;  // 0 without time
   std::string part = {};         // of the tests that it was fitted to alone; empty: all
 };
 

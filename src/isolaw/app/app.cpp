@@ -99,6 +99,7 @@ void add_simulate(CLI::App& c, SimulateArguments& a) {
   }
   c.add_option("--refinement", a.refinement, "steps per sample (1, or as the campaign had it)");
   c.add_option("--out", a.out, "file to write, instead of standard output");
+  c.add_flag("--anyway", a.anyway, "with --from: though the law's prediction is unusable");
 }
 
 int dispatch(CLI::App& app, int argc, char** argv) {
@@ -175,6 +176,8 @@ int dispatch(CLI::App& app, int argc, char** argv) {
       fmt::format("{} ({})", joined(programs::unit_systems | std::views::transform(&programs::UnitSystem::id)),
                   programs::unit_systems[0].id));
   export_command.add_option("--out", export_arguments.out, "file to write (standard output)");
+  export_command.add_flag("--anyway", export_arguments.anyway,
+                          "though the law's prediction is unusable, or what stands in for it is far off");
   SimulateArguments simulate_arguments;
   add_simulate(add("simulate", "The force of a law under any displacement history, cyclic or seismic, as CSV",
                    [&] { return simulate(simulate_arguments); }),

@@ -69,6 +69,7 @@ struct ExportArguments {
   Values acceptance;  // of the bounds; what is given overrides what the store says
   std::optional<std::string> units;
   std::optional<std::filesystem::path> out;  // empty: standard output
+  bool anyway = false;                       // whatever speaks against it
 };
 // A law of a campaign for an analysis program.
 int export_law(ExportArguments const& arguments);
@@ -83,6 +84,7 @@ struct SimulateArguments {
   Values read, how;  // of campaign::setting_table(): integration and turning points
   std::optional<int> refinement;
   std::optional<std::filesystem::path> out;
+  bool anyway = false;  // though its prediction is unusable
 };
 // The force of a law under a displacement history as CSV.
 int simulate(SimulateArguments const& arguments);

@@ -4,6 +4,7 @@
 #include "isolaw/app/lot_of.hpp"
 #include "isolaw/app/output.hpp"
 #include "isolaw/app/say.hpp"
+#include "isolaw/base/printable.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/programs/exports.hpp"
 #include "isolaw/study/build_summary.hpp"
@@ -16,12 +17,14 @@ int export_law(ExportArguments const& a) {
   auto contents = campaign::Store::read(a.directory / "campaign.sqlite");
   apply(a.acceptance, contents.acceptance);
   auto const subject = programs::make_subject(contents, study::build_summary(contents), a.law, a.device, units);
-  auto const text = target.write(subject, units);
+  auto const made = programs::write_export(subject, target, units, a.anyway);
+  for (auto const& warning : subject.doubts.warnings) say("warning: {}\n", printable(warning));
+  for (auto const& objection : made.let_through) say("let through: {}\n", printable(objection));
   if (!a.out) {
-    std::fwrite(text.data(), 1, text.size(), stdout);
+    std::fwrite(made.text.data(), 1, made.text.size(), stdout);
     return exit_done;
   }
-  write_output(*a.out, text, {});
+  write_output(*a.out, made.text, {});
   say("{}\n", shown(*a.out));
   return exit_done;
 }

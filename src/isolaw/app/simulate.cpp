@@ -13,11 +13,15 @@
 #include "isolaw/app/output.hpp"
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/printable.hpp"
+#include "isolaw/base/version.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/data/clean.hpp"
 #include "isolaw/data/read.hpp"
 #include "isolaw/fit/objective.hpp"
+#include "isolaw/study/build_summary.hpp"
+#include "isolaw/study/doubts.hpp"
 
 namespace isolaw::app {
 namespace {
@@ -30,15 +34,20 @@ double largest(std::vector<double> const& values) {
   return found;
 }
 
+struct Chosen : FittedLaw {
+  study::Doubts doubts;  // of a campaign's law as it was fitted
+  std::string origin;    // "as fitted to device 'a'"
+};
+
 // What --parameters, --from and --set come to; the names are checked with everything else.
-FittedLaw chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
+Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
   if (a.parameters && a.from)
     throw Error({.where = "--parameters and --from", .found = "both are given", .allowed = "one of them"});
   if (a.from.has_value() != a.device.has_value())
     throw Error({.where = a.from ? "--from" : "--device",
                  .found = "is given alone",
                  .allowed = "--from DIR with --device NAME, or --device lot for the one law of the lot"});
-  FittedLaw made;
+  Chosen made;
   std::vector<NamedValue> values;
   auto where = std::string("--parameters");
   if (a.parameters) {
@@ -46,7 +55,17 @@ FittedLaw chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
     where = shown(*a.parameters);
   } else if (a.from) {
     where = shown(*a.from);
-    made = fitted_law(campaign::Store::read(*a.from / store_name), law.info.id, *a.device);
+    auto const contents = campaign::Store::read(*a.from / store_name);
+    static_cast<FittedLaw&>(made) = fitted_law(contents, law.info.id, *a.device);
+    auto const device = contents.device_or_lot(*a.device);
+    made.origin = device ? "device '" + *a.device + "'" : std::string("the lot");
+    made.doubts = study::doubts(study::build_summary(contents), law.info.id,
+                                device ? std::optional<std::string_view>(*a.device) : std::nullopt);
+    if (!made.doubts.objection.empty() && !a.anyway)
+      throw Error({.where = fmt::format("law {}, {}", law.info.id, made.origin),
+                   .found = made.doubts.objection,
+                   .allowed = "a law that predicts",
+                   .advice = "another law, or --anyway"});
     for (std::size_t i = 0; i < law.parameters.size(); ++i)
       values.push_back({.name = std::string(law.parameters[i].name), .value = made.parameters[i]});
   }
@@ -74,7 +93,20 @@ FittedLaw chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
   return made;
 }
 
-void say_what_it_is(laws::LawEntry const& law, FittedLaw const& chosen, data::TestRecord const& motion,
+// What is known of a campaign's law: how far it was fitted and tested, how well it predicts, what speaks against it.
+std::vector<std::string> facts(Chosen const& chosen) {
+  if (chosen.origin.empty()) return {};
+  std::vector<std::string> lines{
+      fmt::format("fitted to {}, {}, up to {:.4g} mm; tested up to {:.4g} mm", chosen.origin,
+                  chosen.part.empty() ? "the whole test" : chosen.part + " of the tests alone", chosen.fitted_disp_mm,
+                  chosen.tested_disp_mm),
+      "prediction " + chosen.doubts.prediction};
+  for (auto const& warning : chosen.doubts.warnings) lines.push_back("warning: " + warning);
+  if (!chosen.doubts.objection.empty()) lines.push_back("let through: " + chosen.doubts.objection);
+  return lines;
+}
+
+void say_what_it_is(laws::LawEntry const& law, Chosen const& chosen, data::TestRecord const& motion,
                     data::FitRecord const& path) {
   say("{}\n", shown(motion.file));
   for (auto const& line : motion.recognised)
@@ -87,8 +119,7 @@ void say_what_it_is(laws::LawEntry const& law, FittedLaw const& chosen, data::Te
         law.parameters[i].unit == "1" ? "" : law.parameters[i].unit, i + 1 < law.parameters.size() ? "," : "\n");
   if (auto const beyond = law.unmet(chosen.parameters))
     say("  warning: {}, outside {}: no device has these parameters\n", beyond->found, beyond->statement);
-  if (!chosen.part.empty())
-    say("  fitted to {} of the tests alone, up to {:.4g} mm\n", chosen.part, chosen.tested_disp_mm);
+  for (auto const& line : facts(chosen)) say("  {}\n", printable(line));
   if (chosen.refinement > 1) say("  integrated in {} steps per sample\n", chosen.refinement);
   auto const warn_beyond = [&](double reached, double known, std::string_view unit) {
     constexpr double beyond = 1.02;
@@ -97,22 +128,28 @@ void say_what_it_is(laws::LawEntry const& law, FittedLaw const& chosen, data::Te
         chosen.part.empty() ? "the test" : "what the law was fitted to", known, unit,
         chosen.part.empty() ? ": beyond it nothing was measured" : "");
   };
-  warn_beyond(largest(path.disp_mm), chosen.tested_disp_mm, "mm");
-  if (!law.info.traits.rate_independent) warn_beyond(largest(path.vel_mm_s), chosen.tested_vel_mm_s, "mm/s");
+  warn_beyond(largest(path.disp_mm), chosen.fitted_disp_mm, "mm");
+  if (!law.info.traits.rate_independent) warn_beyond(largest(path.vel_mm_s), chosen.fitted_vel_mm_s, "mm/s");
   constexpr double at_zero = 1e-6;  // of the largest displacement
   if (double const x = path.disp_mm.front(); std::abs(x) > at_zero * largest(path.disp_mm))
     say("  warning: the motion starts at {:.4g} mm: the device is taken as virgin there, its force as if it had come there without history; an analysis program starts at 0: put a path from 0 in front to compare\n",
         x);
 }
 
-// Numbers read back as the same doubles.
-std::string csv_text(data::TestRecord const& motion, data::FitRecord const& path, std::vector<double> const& force_kN) {
+// Numbers read back as the same doubles. Of a campaign's law what is known of it stands above them.
+std::string csv_text(std::string_view law, Chosen const& chosen, data::TestRecord const& motion,
+                     data::FitRecord const& path, std::vector<double> const& force_kN) {
+  std::string text;
+  if (auto const known = facts(chosen); !known.empty()) {
+    text += fmt::format("# isolaw {}, force of {}\n", version(), law);
+    for (auto const& line : known) text += "# " + printable(line) + "\n";
+  }
   if (!motion.has_time()) {
-    std::string text = "displacement [mm],force [kN]\n";
+    text += "displacement [mm],force [kN]\n";
     for (std::size_t i = 0; i < motion.size(); ++i) text += fmt::format("{},{}\n", motion.disp_mm[i], force_kN[i]);
     return text;
   }
-  std::string text = "time [s],displacement [mm],velocity [mm/s],force [kN]\n";
+  text += "time [s],displacement [mm],velocity [mm/s],force [kN]\n";
   for (std::size_t i = 0; i < motion.size(); ++i)
     text += fmt::format("{},{},{},{}\n", motion.time_s[i], motion.disp_mm[i], path.vel_mm_s[i], force_kN[i]);
   return text;
@@ -140,7 +177,7 @@ int simulate(SimulateArguments const& a) {
          .advice = "--refinement 4, finer steps; isolaw laws " + std::string(law.info.id)});
   auto const [least, most] = std::ranges::minmax(force_kN);
   say("  {} samples, force from {:.4g} to {:.4g} kN\n", force_kN.size(), least, most);
-  auto const text = csv_text(motion, path, force_kN);
+  auto const text = csv_text(law.info.id, chosen, motion, path, force_kN);
   if (!a.out) {
     std::fwrite(text.data(), 1, text.size(), stdout);
     return exit_done;

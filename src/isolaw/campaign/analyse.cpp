@@ -96,7 +96,6 @@ class Analysis {
     std::vector<LawOnLot> lots;
     for (auto const& law : contents_.settings.laws) {
       LawOnLot lot{.law = law};
-      std::vector<fit::SearchBox> boxes;
       for (auto const& search : contents_.searches) {
         if (search.law != law) continue;
         auto const* examined = contents_.analysis_of(search.device, law);
@@ -104,13 +103,10 @@ class Analysis {
         lot.devices.push_back(search.device);
         lot.optima.push_back(examined->determination.optimum);
         lot.refinement = std::max(lot.refinement, examined->refinement);
-        boxes.push_back(examined_box(search));
       }
       if (lot.devices.size() < 2) continue;
       for (auto const device : lot.devices) lot.models.push_back(law_on_device(contents_, device, law, lot.refinement));
-      std::vector<fit::SearchBox const*> pointers;
-      for (auto const& box : boxes) pointers.push_back(&box);
-      lot.box = analysis::common_box(pointers);
+      lot.box = box_of_lot(contents_, law);
       lots.push_back(std::move(lot));
     }
     return lots;
@@ -196,6 +192,15 @@ class Analysis {
 
 fit::SearchBox examined_box(Search const& search) {
   return fit::on_logarithmic_scales(search.box, laws::find_law(search.law));
+}
+
+fit::SearchBox box_of_lot(Contents const& contents, std::string_view law) {
+  std::vector<fit::SearchBox> boxes;
+  for (auto const& search : contents.searches)
+    if (search.law == law && contents.analysis_of(search.device, law) != nullptr) boxes.push_back(examined_box(search));
+  std::vector<fit::SearchBox const*> pointers;
+  for (auto const& box : boxes) pointers.push_back(&box);
+  return analysis::common_box(pointers);
 }
 
 fit::LawOnRecord law_on_device(Contents const& contents, std::size_t device, std::string_view law, int refinement) {

@@ -12,6 +12,8 @@ namespace isolaw::campaign {
 
 // Where a law's parameters are examined on a device: the box of the search, on the scales of `best`.
 fit::SearchBox examined_box(Search const& search);
+// And in which the one law of all devices was looked for on which the law was examined.
+fit::SearchBox box_of_lot(Contents const& contents, std::string_view law);
 
 // A law on a device's record, as a campaign of these settings integrates it.
 fit::LawOnRecord law_on_device(Contents const& contents, std::size_t device, std::string_view law, int refinement = 1);

@@ -143,6 +143,13 @@ std::vector<double> sample_numbers(std::size_t size) {
 
 }  // namespace
 
+double FitRecord::largest_scored(std::vector<double> const& values) const {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (is_scored(i)) largest = std::max(largest, std::abs(values[i]));
+  return largest;
+}
+
 std::vector<double> moving_average(std::vector<double> const& values, int window) {
   assert(window >= 1 && window % 2 == 1);
   if (window <= 1 || values.size() < 3) return values;

@@ -61,6 +61,8 @@ struct FitRecord {
   bool has_time() const { return !vel_mm_s.empty(); }
   bool is_scored(std::size_t i) const { return scored.empty() || scored[i] != 0.0; }
   std::size_t size() const { return disp_mm.size(); }
+  // The largest magnitude among the samples that laws are judged by; 0 of none.
+  double largest_scored(std::vector<double> const& values) const;
 };
 
 }  // namespace isolaw::data

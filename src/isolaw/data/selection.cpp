@@ -72,7 +72,8 @@ std::string Numbers::text() const {
 
 std::string Selection::text() const {
   auto const part = [](std::string_view what, Numbers const& numbers) {
-    return fmt::format("{} {}", what, numbers.text());
+    auto const text = numbers.text();
+    return fmt::format("{}{} {}", what, text.find_first_of(",-") == std::string::npos ? "" : "s", text);
   };
   if (all()) return {};
   if (cycles.all()) return part("block", blocks);

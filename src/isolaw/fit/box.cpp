@@ -46,13 +46,6 @@ std::vector<double> forces_at_zero(data::FitRecord const& record) {
   return forces;
 }
 
-double largest_scored(data::FitRecord const& record, std::vector<double> const& values) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (record.is_scored(i)) largest = std::max(largest, std::abs(values[i]));
-  return largest;
-}
-
 // The slope from the smallest to the largest displacement.
 double peak_to_peak_stiffness(data::FitRecord const& record) {
   auto const &x = record.disp_mm, &f = record.force_kN;
@@ -210,6 +203,10 @@ SearchBox on_logarithmic_scales(SearchBox box, laws::LawEntry const& law) {
   return box;
 }
 
+std::string_view name(AtBound bound) {
+  return bound == AtBound::lower ? "lower" : bound == AtBound::upper ? "upper" : "";
+}
+
 AtBound at_bound(SearchParameter const& parameter, double value) {
   if (!parameter.free) return AtBound::no;
   double const u = parameter.coordinate(value);
@@ -220,7 +217,7 @@ laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const&
   auto const& x = record.disp_mm;
   auto const& f = record.force_kN;
   if (x.empty()) throw Error({.where = "law " + std::string(law.id), .found = "a record of 0 samples"});
-  double const disp = largest_scored(record, x), force = largest_scored(record, f);
+  double const disp = record.largest_scored(x), force = record.largest_scored(f);
   double stiffness = peak_to_peak_stiffness(record);
   if (!(stiffness > 0.05 * force / disp)) stiffness = force / disp;  // a record without a clear slope
 
@@ -238,7 +235,7 @@ laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const&
           .force = force / F,
           .stiffness = stiffness * L / F,
           .strength = strength / F,
-          .velocity = largest_scored(record, record.vel_mm_s) / L,
+          .velocity = record.largest_scored(record.vel_mm_s) / L,
           .work = work / (F * L)};
 }
 

@@ -72,6 +72,7 @@ SearchBox on_logarithmic_scales(SearchBox box, laws::LawEntry const& law);
 // A best value this close to an edge, as a share of the interval on the search scale, is at its bound.
 inline constexpr double bound_tolerance = 1e-3;
 enum class AtBound { no, lower, upper };
+std::string_view name(AtBound bound);  // "", "lower", "upper"
 AtBound at_bound(SearchParameter const& parameter, double value);
 
 // The size of a record in the units of a law. Throws Error for a record without samples.

@@ -56,6 +56,9 @@ void write_factors(JsonWriter& out, std::string_view key, std::optional<BoundFac
 }
 
 void write_validity(JsonWriter& out, Subject const& subject) {
+  auto const& f = subject.fitted;
+  out.key("fitted").begin_object().member("part", f.part).member("disp_mm", f.disp_mm);
+  out.member("velocity_mm_s", f.v_max_mm_s).end_object();
   auto const& t = subject.tested;
   out.key("tested").begin_object();
   out.member("disp_mm", t.disp_mm).member("shear_strain_percent", t.strain_percent);
@@ -79,6 +82,7 @@ void write_forms(JsonWriter& out, Realisation const& realisation, SelfCheck cons
     if (form.lower) write_commands(out, "lower", *form.lower, units);
     if (form.upper) write_commands(out, "upper", *form.upper, units);
     write(out, "from_law", form.from_law);
+    out.member("far_off", far_off(form.from_law));
     if (form.finer) write(out, "from_law_in_finer_steps", *form.finer);
     if (form.from_measured) write(out, "from_measured", *form.from_measured);
     out.key("expected").begin_object().member("tolerance_of_peak", check.forms[i].tolerance);
@@ -109,6 +113,8 @@ std::string export_json(Subject const& subject, Realisation const& realisation, 
     write_parameters(out, "substitute_parameters", laws::find_law(realisation.substitute),
                      realisation.substitute_parameters);
   write_validity(out, subject);
+  out.member("prediction", subject.doubts.prediction).member("objection", subject.doubts.objection);
+  out.member("warnings", subject.doubts.warnings);
   out.key("bounds").begin_object();
   write_factors(out, "lower", subject.bounds.lower);
   write_factors(out, "upper", subject.bounds.upper);

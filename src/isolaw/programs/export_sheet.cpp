@@ -36,8 +36,10 @@ Set<Values> with_bounds(Subject const& subject, Values const& nominal, std::stri
   return made;
 }
 
+constexpr std::string_view far_off_mark = "FAR OFF, ";
+
 std::string fitted_text(std::string_view what, Deviation const& error) {
-  return fmt::format("{}: {}", what, deviation_text(error));
+  return fmt::format("{}{}: {}", far_off(error) ? far_off_mark : "", what, deviation_text(error));
 }
 
 std::vector<double> parameters_of(Wen const& v) {
@@ -267,7 +269,7 @@ void others(Page& page, WenSet const& wen, CornerSet const& corner) {
 
 }  // namespace
 
-std::string value_sheet(Subject const& subject, UnitSystem const& units) {
+std::string value_sheet(Subject const& subject, UnitSystem const& units, Objections& objections) {
   Page page(subject, units);
   auto const& law = subject.law->info;
   page.line(fmt::format("# {}: values for analysis programs", harmless_markdown(subject.device)));
@@ -282,6 +284,8 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units) {
   fact("Of", (subject.lot ? std::string("the lot: one law for all its devices") : "device " + subject.device) +
                  (subject.title.empty() ? "" : ", lot " + subject.title));
   fact("Parameters", parameter_text(*subject.law, subject.parameters));
+  fact("Prediction", subject.doubts.prediction);
+  for (auto const& warning : subject.doubts.warnings) fact("Warning", warning);
   for (auto const& f : validity(subject, units)) fact(f.label, f.text);
   for (auto const& f : bound_facts(subject, false)) fact(f.label, f.text);
   fact(
@@ -293,6 +297,9 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units) {
 
   auto const wen = plastic_wen(subject);
   auto const corner = bilinear(subject);
+  auto const near = [](auto const& set) { return set && !set->how.starts_with(far_off_mark); };
+  if (!near(wen) && !near(corner))
+    objections.emplace_back("what stands in for the law in these programs is far off: the sheet says how far");
   csi(page, subject, wen, rubber_isolator(subject), corner, units);
   others(page, free_bouc_wen(subject, wen), corner);
 

@@ -1,34 +1,42 @@
 #include "isolaw/programs/exports.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <ranges>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/words.hpp"
+#include "isolaw/programs/text.hpp"
 
 namespace isolaw::programs {
 namespace {
 
 // Where the program's materials can give the law, or one near to it.
-Realisation realised(Subject const& subject) {
+Realisation realised(Subject const& subject, Objections& objections) {
   auto made = realise(subject);
   if (made.forms.empty())
     throw Error({.where = "law " + std::string(subject.law->info.id),
                  .found = made.explanation,
                  .allowed = "a law that the program's materials can give",
                  .advice = "--to cpp, the law itself as a C++ header"});
+  if (auto const& form = made.forms.front(); far_off(form.from_law))
+    objections.push_back(
+        fmt::format("{}, the nearest there is, is far off: {}", form.nominal.title, deviation_text(form.from_law)));
   return made;
 }
 
 constexpr std::array all{
-    Target{"opensees",
-           [](Subject const& s, UnitSystem const& units) { return opensees_script(s, realised(s), units); }},
-    Target{"openseespy",
-           [](Subject const& s, UnitSystem const& units) { return openseespy_script(s, realised(s), units); }},
-    Target{"cpp", cpp_header},
-    Target{"json", [](Subject const& s, UnitSystem const& units) { return export_json(s, realise(s), units); }},
+    Target{"opensees", [](Subject const& s, UnitSystem const& units,
+                          Objections& objections) { return opensees_script(s, realised(s, objections), units); }},
+    Target{"openseespy", [](Subject const& s, UnitSystem const& units,
+                            Objections& objections) { return openseespy_script(s, realised(s, objections), units); }},
+    Target{"cpp", [](Subject const& s, UnitSystem const& units, Objections&) { return cpp_header(s, units); }},
+    // It holds the law itself, and says of each form how far off it is.
+    Target{"json",
+           [](Subject const& s, UnitSystem const& units, Objections&) { return export_json(s, realise(s), units); }},
     Target{"sheet", value_sheet},
-    Target{"csv", protocol_csv}};
+    Target{"csv", [](Subject const& s, UnitSystem const& units, Objections&) { return protocol_csv(s, units); }}};
 
 }  // namespace
 
@@ -41,6 +49,20 @@ Target const& find_target(std::string_view name) {
     if (target.name == name) return target;
   throw Error(
       {.where = "--to", .found = std::string(name), .allowed = joined(all | std::views::transform(&Target::name))});
+}
+
+Export write_export(Subject const& subject, Target const& target, UnitSystem const& units, bool anyway) {
+  Export made;
+  if (!subject.doubts.objection.empty()) made.let_through.push_back(subject.doubts.objection);
+  made.text = target.write(subject, units, made.let_through);
+  if (!made.let_through.empty() && !anyway)
+    throw Error({.where = fmt::format("law {}, {}", subject.law->info.id,
+                                      subject.lot ? "the lot" : "device '" + subject.device + "'"),
+                 .found = joined(made.let_through, "; "),
+                 .allowed = "a law that predicts, and a form that is near to it",
+                 .advice = subject.doubts.objection.empty() ? "--to cpp, the law itself as a C++ header; or --anyway"
+                                                            : "another law, or --anyway"});
+  return made;
 }
 
 }  // namespace isolaw::programs

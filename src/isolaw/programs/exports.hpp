@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "isolaw/programs/realise.hpp"
 #include "isolaw/programs/subject.hpp"
@@ -11,18 +12,29 @@
 
 namespace isolaw::programs {
 
+// What speaks against taking the law, or the form of it that a target has.
+using Objections = std::vector<std::string>;
+
 struct Target {
   std::string_view name;
-  std::string (*write)(Subject const& subject, UnitSystem const& units);
+  std::string (*write)(Subject const& subject, UnitSystem const& units, Objections& objections);
 };
 std::span<Target const> targets();
 Target const& find_target(std::string_view name);  // throws Error that lists them
+
+struct Export {
+  std::string text;
+  Objections let_through;
+};
+// Throws Error where something speaks against it (a prediction that is unusable, a substitute that is far off) and it is
+// not asked for `anyway`.
+Export write_export(Subject const& subject, Target const& target, UnitSystem const& units, bool anyway);
 
 std::string opensees_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string openseespy_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string cpp_header(Subject const& subject, UnitSystem const& units);
 std::string export_json(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
-std::string value_sheet(Subject const& subject, UnitSystem const& units);
+std::string value_sheet(Subject const& subject, UnitSystem const& units, Objections& objections);
 std::string protocol_csv(Subject const& subject, UnitSystem const& units);
 
 }  // namespace isolaw::programs

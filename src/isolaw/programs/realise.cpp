@@ -11,6 +11,7 @@
 #include "isolaw/data/properties.hpp"
 #include "isolaw/fit/objective.hpp"
 #include "isolaw/opt/multistart.hpp"
+#include "isolaw/study/adequacy.hpp"
 
 namespace isolaw::programs {
 namespace {
@@ -139,8 +140,8 @@ void add_bounds(Realised& realised, std::size_t index, laws::LawEntry const& law
   realised.upper = form(bounds.upper);
 }
 
-Fitted nearest(Subject const& subject) {
-  Fitted best;
+InPlace nearest(Subject const& subject) {
+  InPlace best;
   for (std::string_view const id : {corner_law, smooth_law}) {
     auto found = fit_in_place(subject, id);
     if (found.law != nullptr && (best.law == nullptr || found.objective < best.objective)) best = std::move(found);
@@ -173,6 +174,15 @@ Realisation refit(Subject const& subject, Realisation made) {
 }
 
 }  // namespace
+
+bool far_off(Deviation const& from_law) {
+  auto const beyond = [](std::optional<double> const& percent, double most) {
+    return percent && !(std::abs(*percent) <= most);
+  };
+  return !(from_law.largest <= far_off_percent) || !(from_law.rms <= far_off_rms_percent) ||
+         beyond(from_law.K_eff, study::adequate_K_eff_percent) ||
+         beyond(from_law.energy, study::adequate_energy_percent);
+}
 
 std::string_view name(Fidelity fidelity) {
   // In the order of Fidelity.
@@ -236,7 +246,7 @@ std::string failure_of(Form const& form, Subject const& subject, Realised& reali
 }
 
 // Not to the measured force: the export is of this law, and its distance from the measurement is reported beside.
-Fitted fit_in_place(Subject const& subject, std::string_view id, std::vector<fit::Override> const& asked) {
+InPlace fit_in_place(Subject const& subject, std::string_view id, std::vector<fit::Override> const& asked) {
   auto const& history = subject.histories.front();
   data::FitRecord record;
   for (std::size_t i = 0; i < history.disp_mm.size(); ++i) {
@@ -258,7 +268,7 @@ Fitted fit_in_place(Subject const& subject, std::string_view id, std::vector<fit
   num::Stream const stream = num::Stream(subject.seed).split(stable_hash("export")).split(stable_hash(id));
   auto const found = opt::minimise_multistart(problem, stream);
   if (!found.usable()) return {};
-  Fitted made{.law = &law, .parameters = std::vector<double>(law.parameters.size()), .objective = found.best_value};
+  InPlace made{.law = &law, .parameters = std::vector<double>(law.parameters.size()), .objective = found.best_value};
   box.expand(found.best, made.parameters);
   return made;
 }

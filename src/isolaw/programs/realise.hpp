@@ -60,13 +60,18 @@ inline constexpr double overtravel = 1.5;
 // The laws that stand in where a program lacks one: that of a loop with a corner, and a smooth one.
 inline constexpr std::string_view corner_law = "bilinear", smooth_law = "bouc-wen";
 
+// A substitute that differs by more than this from the law at some sample or in the root mean square, in percent of the
+// peak force, or misses its stiffness or energy by more than an adequate law may (study/adequacy.hpp), is far off.
+inline constexpr double far_off_percent = 50.0, far_off_rms_percent = 10.0;
+bool far_off(Deviation const& from_law);
+
 // The nearest parameters of another law to this law's force on the first history.
-struct Fitted {
+struct InPlace {
   laws::LawEntry const* law = nullptr;  // null: none gave a force
   std::vector<double> parameters;
   double objective = 0.0;
 };
-Fitted fit_in_place(Subject const& subject, std::string_view law, std::vector<fit::Override> const& overrides = {});
+InPlace fit_in_place(Subject const& subject, std::string_view law, std::vector<fit::Override> const& overrides = {});
 
 // How far a law with these parameters is from the subject's, the worst over the histories.
 Deviation deviation_of_law(Subject const& subject, laws::LawEntry const& law, std::span<double const> parameters);

@@ -82,6 +82,12 @@ void add_tested(Tested& tested, study::DeviceResult const& device) {
   widen(tested.temperature_min_C, tested.temperature_max_C, device.temperature_C, device.temperature_C);
 }
 
+void add_fitted(Fitted& fitted, data::FitRecord const& record) {
+  fitted.disp_mm = std::max(fitted.disp_mm, record.largest_scored(record.disp_mm));
+  std::optional<double> none;
+  if (record.has_time()) widen(none, fitted.v_max_mm_s, {}, record.largest_scored(record.vel_mm_s));
+}
+
 rules::LotQuantity const* quantity_of(study::Summary const& summary, rules::Quantity quantity) {
   for (auto const& view : summary.acceptance.lot.quantities)
     if (view.quantity == quantity) return &view;
@@ -255,6 +261,7 @@ void add_measured(Subject& subject, study::Summary const& summary) {
   for (auto const& device : summary.devices) {
     if (std::ranges::find(subject.histories, device.name, &History::device) == subject.histories.end()) continue;
     add_tested(subject.tested, device);
+    add_fitted(subject.fitted, device.record);
     if (auto const& cycle = device.properties.reported) {
       stiffness.push_back(cycle->K_eff_kN_per_mm);
       damping.push_back(cycle->damping_percent);
@@ -323,17 +330,8 @@ Subject make_subject(campaign::Contents const& contents, study::Summary const& s
   if (contents.settings.integration == laws::Integration::paper)
     subject.notes.emplace_back(
         "The campaign integrated with one Runge-Kutta step per sample; the export is of the law itself, integrated to convergence with the same parameters.");
-  if (auto const part = contents.settings.clean.scored.text(); !part.empty()) {
-    auto const& result = *std::ranges::find(summary.laws, law, &study::LawResult::id);
-    subject.notes.push_back(fmt::format(
-        "The law was fitted to {} of the tests alone; what was tested, and the deviations from the law, are of the whole records.{}",
-        part,
-        result.predicted_objective
-            ? fmt::format(" Blocks that it was not fitted to: objective {:.4g} on average, {:.4g} at worst{}.",
-                          *result.predicted_objective, *result.worst_predicted,
-                          result.prediction_collapses ? "; the prediction collapses" : "")
-            : ""));
-  }
+  subject.fitted.part = contents.settings.clean.scored.text();
+  subject.doubts = study::doubts(summary, law, subject.lot ? std::nullopt : std::optional<std::string_view>(device));
   add_measured(subject, summary);
   subject.frequency_Hz = subject.tested.highest_Hz.value_or(0.5);
   subject.protocol = protocol_of(subject.tested.disp_mm, subject.frequency_Hz);

@@ -11,6 +11,7 @@
 #include "isolaw/campaign/contents.hpp"
 #include "isolaw/laws/catalogue.hpp"
 #include "isolaw/programs/unit_system.hpp"
+#include "isolaw/study/doubts.hpp"
 #include "isolaw/study/summary.hpp"
 
 namespace isolaw::programs {
@@ -32,6 +33,13 @@ struct Tested {
   std::optional<double> lowest_Hz, highest_Hz, v_max_mm_s;
   std::optional<double> load_min_kN, load_max_kN;
   std::optional<double> temperature_min_C, temperature_max_C;
+};
+
+// What of the tests the law was fitted to.
+struct Fitted {
+  std::string part;  // "block 1", ...; empty: all of them
+  double disp_mm = 0.0;
+  std::optional<double> v_max_mm_s;
 };
 
 // Factors on the part of the force that grows with displacement (K_d) and on the hysteretic part (Q_d); equal where one
@@ -64,6 +72,8 @@ struct Subject {
   double frequency_Hz = 0.0;  // of the protocol
   std::optional<double> objective;
   Tested tested;
+  Fitted fitted;
+  study::Doubts doubts;
   Bounds bounds;
   std::uint64_t seed = 1;
   int refinement = 1;

@@ -45,6 +45,8 @@ std::vector<Fact> replay_facts(Subject const& subject, Realisation const& realis
     for (next = first; next < forms.size() && same(forms[first].from_law, forms[next].from_law); ++next)
       titles.push_back(forms[next].nominal.title);
     auto const& form = forms[first];
+    if (far_off(form.from_law))
+      made.push_back({"Far off", joined(titles) + ": not to be taken for the law without a look at what follows"});
     made.push_back(
         {joined(titles), fmt::format("replayed on the calibration record{}, steps up to {:.3g} {}, against the law: {}",
                                      subject.lot ? "s (the worst of them)" : "", units.from_mm(form.longest_step_mm),
@@ -141,13 +143,19 @@ std::vector<Fact> validity(Subject const& subject, UnitSystem const& units) {
   auto const load = [&](std::optional<double> value) {
     return value ? std::optional(units.from_kN(*value)) : std::nullopt;
   };
-  return {{"Displacement tested", fmt::format("up to {:.4g} {}", units.from_mm(t.disp_mm), units.length.symbol)},
+  auto const& f = subject.fitted;
+  auto const speed = [&](std::optional<double> value) {
+    return value ? fmt::format("up to {:.4g} {}/s", units.from_mm(*value), units.length.symbol)
+                 : std::string("not stated");
+  };
+  return {{"Fitted to", f.part.empty() ? "the whole tests" : f.part + " of the tests alone"},
+          {"Displacement fitted", fmt::format("up to {:.4g} {}", units.from_mm(f.disp_mm), units.length.symbol)},
+          {"Velocity fitted", speed(f.v_max_mm_s)},
+          {"Displacement tested", fmt::format("up to {:.4g} {}", units.from_mm(t.disp_mm), units.length.symbol)},
           {"Shear strain tested",
            t.strain_percent ? fmt::format("up to {:.4g} %", *t.strain_percent) : std::string("not stated")},
           {"Frequency tested", range_of(t.lowest_Hz, t.highest_Hz, "Hz")},
-          {"Velocity tested", t.v_max_mm_s
-                                  ? fmt::format("up to {:.4g} {}/s", units.from_mm(*t.v_max_mm_s), units.length.symbol)
-                                  : std::string("not stated")},
+          {"Velocity tested", speed(t.v_max_mm_s)},
           {"Vertical load tested", range_of(load(t.load_min_kN), load(t.load_max_kN), units.force.symbol)},
           {"Temperature", range_of(t.temperature_min_C, t.temperature_max_C, "C")}};
 }
@@ -183,6 +191,8 @@ std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, 
     made.push_back({"Fitted to the tests with",
                     fmt::format("objective {:.4g}{} (mean deviation over the standard deviation of the force)",
                                 *subject.objective, subject.lot ? ", mean of the devices" : "")});
+  made.push_back({"Prediction", subject.doubts.prediction});
+  for (auto const& warning : subject.doubts.warnings) made.push_back({"Warning", warning});
   made.push_back({"Units of this file", fmt::format("{}, {}, s", units.force.symbol, units.length.symbol)});
   made.push_back({"Fidelity", fmt::format("{}: {}", name(realisation.fidelity), realisation.explanation)});
   if (!realisation.substitute.empty())
@@ -192,7 +202,10 @@ std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, 
   for (auto& fact : replay_facts(subject, realisation, units)) made.push_back(std::move(fact));
   for (auto const& refused : realisation.refused) made.push_back({"Refused", refused});
   for (auto& fact : validity(subject, units)) made.push_back(std::move(fact));
-  made.push_back({"Beyond these", "nothing was tested, and the law is an extrapolation"});
+  made.push_back({"Beyond these",
+                  subject.fitted.part.empty()
+                      ? "nothing was tested, and the law is an extrapolation"
+                      : "of what it was fitted to the law is a prediction, and beyond the tests an extrapolation"});
   for (auto& fact : bound_facts(subject, false)) made.push_back(std::move(fact));
   for (auto const& note : subject.notes) made.push_back({"Note", note});
   return made;

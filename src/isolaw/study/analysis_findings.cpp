@@ -86,8 +86,7 @@ void say_what_changed(Summary const& summary, Names& sentences) {
 void say_what_an_engineer_meets(Summary const& summary, Names& sentences) {
   LawResult const* best = nullptr;
   for (auto const& law : summary.laws)
-    if (law.loo_objective && !law.prediction_collapses &&
-        (best == nullptr || *law.loo_objective < *best->loo_objective))
+    if (law.loo_objective && law.prediction_holds() && (best == nullptr || *law.loo_objective < *best->loo_objective))
       best = &law;
   if (best == nullptr) return;
   auto text = fmt::format(
@@ -103,7 +102,7 @@ void say_what_is_predicted(Summary const& summary, Names& sentences) {
   Names collapsed;
   for (auto const& law : summary.laws) {
     if (!law.predicted_objective) continue;
-    if (law.prediction_collapses) {
+    if (law.prediction_collapses()) {
       collapsed.push_back(law.id);
       continue;
     }
@@ -115,8 +114,8 @@ void say_what_is_predicted(Summary const& summary, Names& sentences) {
     return;
   }
   auto text = fmt::format(
-      "Of the laws fitted to some blocks, {} predicts the others best (OF {:.3g} against {:.3g} where it was fitted)",
-      best->id, *best->predicted_objective, *best->fitted_objective);
+      "Of the laws fitted to some blocks, {} predicts the others best: {} (OF {:.3g} against {:.3g} where it was fitted)",
+      best->id, name(*best->prediction_grade), *best->predicted_objective, *best->fitted_objective);
   if (!collapsed.empty()) text += fmt::format("; the prediction of {} collapses", enumerate(collapsed));
   sentences.push_back(text + ".");
 }
@@ -139,8 +138,16 @@ void say_what_is_determined(Summary const& summary, Names& sentences) {
     sentences.push_back(fmt::format("Share of the parameters that the tests determine: {}.", fmt::join(parts, ", ")));
 }
 
-void warn_of_collapse(LawResult const& law, std::vector<Warning>& warnings) {
-  if (!law.prediction_collapses) return;
+void warn_of_prediction(LawResult const& law, std::vector<Warning>& warnings) {
+  if (law.prediction_holds()) return;
+  if (!law.prediction_collapses()) {
+    warnings.push_back(
+        {"prediction",
+         fmt::format("{}: its prediction is poor: OF {:.3g} on blocks it was not fitted to ({:.3g} at worst), against "
+                     "{:.3g} on those it was fitted to",
+                     law.id, *law.predicted_objective, *law.worst_predicted, *law.fitted_objective)});
+    return;
+  }
   warnings.push_back(
       {"prediction",
        fmt::format(
@@ -205,7 +212,7 @@ std::vector<std::string> converged_sentences(Summary const& summary) {
 }
 
 void warn_of_analysis(Summary const& summary, std::vector<Warning>& warnings) {
-  for (auto const& law : summary.laws) warn_of_collapse(law, warnings);
+  for (auto const& law : summary.laws) warn_of_prediction(law, warnings);
   warn_of_success(summary, warnings);
   for (auto const& law : summary.laws) warn_of_undetermined(law, warnings);
   bool several_blocks = false, predicted = false;

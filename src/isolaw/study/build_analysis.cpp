@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/campaign/analyse.hpp"
+#include "isolaw/fit/box.hpp"
 #include "isolaw/fit/objective.hpp"
 #include "isolaw/lot/outliers.hpp"
 #include "isolaw/lot/robustness.hpp"
@@ -250,9 +252,7 @@ void add_prediction(LawResult& law) {
   law.fitted_objective = fitted / static_cast<double>(devices);
   law.predicted_objective = predicted / static_cast<double>(devices);
   law.worst_predicted = worst;
-  law.prediction_collapses =
-      !(worst <= collapsed_objective) || (*law.predicted_objective >= collapsed_least &&
-                                          *law.predicted_objective > collapsed_ratio * *law.fitted_objective);
+  law.prediction_grade = graded(*law.fitted_objective, *law.predicted_objective, worst);
 }
 
 void add_outliers(Summary& summary) {
@@ -298,6 +298,15 @@ void add_outliers(Summary& summary) {
 }
 
 }  // namespace
+
+PredictionGrade graded(double fitted_objective, double predicted_objective, double worst_predicted) {
+  bool const collapses =
+      !(worst_predicted <= collapsed_objective) ||
+      (predicted_objective >= collapsed_least && predicted_objective > collapsed_ratio * fitted_objective);
+  if (collapses || !(predicted_objective <= poor_prediction)) return PredictionGrade::unusable;
+  if (predicted_objective > fair_prediction) return PredictionGrade::poor;
+  return predicted_objective > good_prediction ? PredictionGrade::fair : PredictionGrade::good;
+}
 
 void add_analysis(DeviceFit& made, campaign::Contents const& contents, campaign::Search const& search) {
   add_success(made, contents, search);
@@ -382,6 +391,10 @@ void add_lot_analysis(LawResult& law, campaign::Contents const& contents) {
       fit->worst_objective = lot->worst.law.objectives[i];
       if (lot->mean.objectives[i] == lot->mean.worst) made.worst_device = fit->device;
     }
+    auto const box = campaign::box_of_lot(contents, law.id);
+    for (std::size_t n = 0; n < made.parameters.size(); ++n)
+      if (auto const bound = fit::at_bound(box.parameters[n], made.parameters[n]); bound != fit::AtBound::no)
+        made.at_bound.push_back(fmt::format("{} at its {} bound", box.parameters[n].name, name(bound)));
     law.lot = std::move(made);
   }
   double sum = 0.0;

@@ -8,9 +8,13 @@ namespace isolaw::study {
 
 // A run this close to the least objective of its campaign, relative, has found it.
 inline constexpr double found_within = 1e-3;
-// A prediction has collapsed where a block is missed by more than its force's standard deviation, as a constant force
-// would, or by a visible part of it that is this many times what the law misses the blocks it was fitted to.
+// A prediction is as good as the mean objective on the blocks predicted, up to these; above the last it is unusable.
+inline constexpr double good_prediction = 0.1, fair_prediction = 0.3, poor_prediction = 0.6;
+// And it collapses, unusable too, where a block is missed by more than its force's standard deviation, as a constant
+// force would, or by a visible part of it that is this many times what the law misses the blocks it was fitted to.
 inline constexpr double collapsed_objective = 1.0, collapsed_ratio = 10.0, collapsed_least = 0.2;
+// docs/decision.md says why these.
+PredictionGrade graded(double fitted_objective, double predicted_objective, double worst_predicted);
 
 // `made` is what build_summary has made of the search so far; needs its best run's forces.
 void add_analysis(DeviceFit& made, campaign::Contents const& contents, campaign::Search const& search);

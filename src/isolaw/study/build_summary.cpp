@@ -76,8 +76,7 @@ ParameterFit parameter_fit(fit::SearchParameter const& searched, std::size_t ind
   made.value = statistic(collect(usable, [&](campaign::Run const& run) { return run.parameters[index]; }));
   if (best == nullptr) return made;
   made.value.best = best->parameters[index];
-  auto const bound = fit::at_bound(searched, *made.value.best);
-  made.at_bound = bound == fit::AtBound::lower ? "lower" : bound == fit::AtBound::upper ? "upper" : "";
+  made.at_bound = name(fit::at_bound(searched, *made.value.best));
   return made;
 }
 

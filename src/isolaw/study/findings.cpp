@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "isolaw/study/adequacy.hpp"
 #include "isolaw/study/analysis_findings.hpp"
 #include "isolaw/study/spoken.hpp"
 
@@ -46,24 +47,42 @@ std::string scatter(LawResult const& law) {
 
 // Whoever is told to take a law must know that it holds only where it was fitted.
 std::string caution(LawResult const& law) {
-  return law.prediction_collapses ? " Its prediction collapses: only for the blocks it was fitted to." : "";
+  std::string text;
+  if (auto const held = pinned(law); held.decides())
+    text += fmt::format(
+        " {} of its {} parameters lie at a bound on most devices: there the box keeps them together, not the devices.",
+        held.count, held.calibrated);
+  if (!law.prediction_holds())
+    text += fmt::format(" Its prediction {}: only for the blocks it was fitted to.",
+                        law.prediction_collapses() ? "collapses" : "is poor");
+  return text;
+}
+
+// The place of the front's robust end: its last law that is not held together by its box, or the last of all.
+std::size_t robust_end(Summary const& summary, std::vector<std::size_t> const& front) {
+  for (std::size_t place = front.size(); place-- > 0;)
+    if (!pinned(summary.laws[front[place]]).decides()) return place;
+  return front.size() - 1;
 }
 
 // Of the laws between the ends of the front, the place of the one nearest to having the best of both, each measured by
-// the front's extent; the front's size where there is none. No compromise is a law whose prediction collapses, or that
-// leaves the front with the optimiser's noise.
+// the front's extent; the front's size where there is none. No compromise is a law whose prediction does not hold, that
+// its box holds together, or that leaves the front with the optimiser's noise.
 std::size_t compromise(Summary const& summary, std::vector<std::size_t> const& front) {
   auto const& laws = summary.laws;
   bool const analysed = std::ranges::any_of(laws, &LawResult::on_front_converged);
   auto best = front.size();
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t place = 1; place + 1 < front.size(); ++place) {
-    auto const &law = laws[front[place]], &accurate = laws[front.front()], &robust = laws[front.back()];
+  auto const end = robust_end(summary, front);
+  for (std::size_t place = 1; place < end; ++place) {
+    auto const &law = laws[front[place]], &accurate = laws[front.front()], &robust = laws[front[end]];
     double const error =
         (*law.objective.mean - *accurate.objective.mean) / (*robust.objective.mean - *accurate.objective.mean);
     double const scatter = (*law.beta - *robust.beta) / (*accurate.beta - *robust.beta);
     double const distance = std::hypot(error, scatter);
-    if (law.prediction_collapses || (analysed && !law.on_front_converged) || !(distance < least)) continue;
+    if (pinned(law).decides() || !law.prediction_holds() || (analysed && !law.on_front_converged) ||
+        !(distance < least))
+      continue;
     least = distance;
     best = place;
   }
@@ -74,18 +93,22 @@ LawVerdict front_verdict(Summary const& summary, std::vector<std::size_t> const&
   auto const& laws = summary.laws;
   auto const& law = laws[front[place]];
   LawVerdict verdict{front[place], Role::between, {}, {}};
-  if (front.size() == 1) {
+  if (place > 0 && pinned(law).decides()) {
+    verdict.role = Role::held_by_box;
+    verdict.sentence = fmt::format("{}; its {}.", capitalised(accuracy(law)), scatter(law));
+  } else if (front.size() == 1) {
     verdict.role = Role::best_of_both;
     verdict.sentence =
         fmt::format("No law is more accurate and none is more robust: it {}, and its {}.", accuracy(law), scatter(law));
   } else if (place == 0) {
     verdict.role = Role::most_accurate;
     verdict.sentence = fmt::format("{}; its {}.", capitalised(accuracy(law)), scatter(law));
-  } else if (place + 1 == front.size()) {
+  } else if (place == robust_end(summary, front)) {
     auto const& accurate = laws[front.front()];
     verdict.role = Role::most_robust;
-    verdict.sentence = fmt::format("Its {}, the least of all; the price is an error of {} against {} for {}.",
-                                   scatter(law), error_percent(law), error_percent(accurate), accurate.id);
+    verdict.sentence = fmt::format("Its {}, the least {}; the price is an error of {} against {} for {}.", scatter(law),
+                                   place + 1 == front.size() ? "of all" : "that no box keeps so", error_percent(law),
+                                   error_percent(accurate), accurate.id);
   } else {
     auto const& accurate = laws[front[place - 1]];
     auto const& robust = laws[front[place + 1]];
@@ -127,22 +150,34 @@ std::string headline(Summary const& summary, std::vector<std::size_t> const& fro
                      std::vector<std::size_t> const& ranking) {
   auto const& laws = summary.laws;
   auto const flagged = [&](std::size_t index) {
-    return laws[index].id + (laws[index].prediction_collapses ? ", whose prediction collapses" : "");
+    auto const& law = laws[index];
+    return law.id +
+           (law.prediction_collapses() ? ", whose prediction collapses"
+            : law.prediction_holds()   ? ""
+                                       : ", whose prediction is poor") +
+           (pinned(law).decides() ? ", which its box holds together" : "");
   };
   if (front.size() == 1)
     return fmt::format("{} is both the most accurate and the most robust law.{}", laws[front[0]].id,
                        caution(laws[front[0]]));
   if (front.size() > 1) {
-    auto const middle = compromise(summary, front);
+    auto const middle = compromise(summary, front), end = robust_end(summary, front);
+    if (end == 0)
+      return fmt::format("{} is the most accurate law; what is more robust is held together by its box.{}",
+                         laws[front[0]].id, caution(laws[front[0]]));
+    auto const held = std::ranges::count_if(
+        front, [&](std::size_t law) { return law != front[0] && law != front[end] && pinned(laws[law]).decides(); });
     return fmt::format(
         "{} of {} laws are worth considering: the choice lies between accuracy ({}) and robustness ({}){}.",
-        front.size(), laws.size(), flagged(front.front()), flagged(front.back()),
+        front.size() - static_cast<std::size_t>(held), laws.size(), flagged(front.front()), flagged(front[end]),
         middle < front.size() ? fmt::format("; the best compromise is {}", laws[front[middle]].id)
-        : front.size() > 2
-            ? "; none between them holds up (off the front without the optimiser's noise, or its prediction collapses)"
+        : end > 1
+            ? "; none between them holds up (off the front without the optimiser's noise, held by its box, or its prediction does not hold)"
             : "");
   }
   if (ranking.empty() || !laws[ranking.front()].objective.mean) return "No law could be identified.";
+  if (auto const& nearest = laws[ranking.front()]; !inadequacy(nearest).empty())
+    return fmt::format("No law describes these devices: {}, the nearest, {}.", nearest.id, inadequacy(nearest));
   return fmt::format("{} is the most accurate law; how robust it is cannot be said.{}", laws[ranking.front()].id,
                      caution(laws[ranking.front()]));
 }
@@ -235,6 +270,9 @@ void warn_of_bounds(LawResult const& law, std::vector<Warning>& warnings) {
       if (!parameter.at_bound.empty())
         beside(at_bound, std::pair(parameter.name, parameter.at_bound)).push_back(fit.device);
   }
+  if (law.lot && !law.lot->at_bound.empty())
+    warnings.push_back(
+        {"at bound", fmt::format("{}: of the one law for all {}", law.id, enumerate(law.lot->at_bound, 6))});
   if (at_bound.empty()) return;
   Names parts;
   for (auto const& [edge, devices] : at_bound) {
@@ -284,20 +322,6 @@ void warn_of_records(Summary const& summary, std::vector<Warning>& warnings) {
   }
 }
 
-std::vector<Warning> all_warnings(Summary const& summary) {
-  std::vector<Warning> warnings;
-  warn_of_missing_runs(summary, warnings);
-  warn_of_devices(summary, warnings);
-  warn_of_copies(summary, warnings);
-  for (auto const warn : {warn_of_refused_laws, warn_of_failed_runs, warn_of_failed_evaluations})
-    for (auto const& law : summary.laws) warn(law, warnings);
-  warn_of_analysis(summary, warnings);
-  for (auto const warn : {warn_of_bounds, warn_of_integration})
-    for (auto const& law : summary.laws) warn(law, warnings);
-  warn_of_records(summary, warnings);
-  return warnings;
-}
-
 std::string note_on_beta(Summary const& summary) {
   if (std::ranges::any_of(summary.laws, [](auto const& law) { return law.beta.has_value(); })) return {};
   for (auto const& law : summary.laws)
@@ -313,23 +337,45 @@ std::string_view name(Role role) {
                                      "most robust",
                                      "best compromise",
                                      "in between",
+                                     "held by its box",
                                      "dominated",
+                                     "not adequate",
                                      "not ranked"};
   return names[static_cast<std::size_t>(role)];
 }
 
+std::vector<Warning> warnings(Summary const& summary) {
+  std::vector<Warning> all;
+  warn_of_missing_runs(summary, all);
+  warn_of_devices(summary, all);
+  warn_of_copies(summary, all);
+  for (auto const warn : {warn_of_refused_laws, warn_of_failed_runs, warn_of_failed_evaluations})
+    for (auto const& law : summary.laws) warn(law, all);
+  warn_of_analysis(summary, all);
+  for (auto const warn : {warn_of_bounds, warn_of_integration})
+    for (auto const& law : summary.laws) warn(law, all);
+  warn_of_records(summary, all);
+  return all;
+}
+
 Findings findings(Summary const& summary) {
   auto const ranking = by_objective(summary);
-  std::vector<std::size_t> front, dominated, unranked;
+  std::vector<std::size_t> front, dominated, inadequate, unranked;
   for (std::size_t const index : ranking) {
     auto const& law = summary.laws[index];
-    (!ranked(law) ? unranked : law.on_front ? front : dominated).push_back(index);
+    (!inadequacy(law).empty() ? inadequate
+     : !ranked(law)           ? unranked
+     : law.on_front           ? front
+                              : dominated)
+        .push_back(index);
   }
   Findings all;
   all.headline = headline(summary, front, ranking);
   for (std::size_t place = 0; place < front.size(); ++place)
     all.verdicts.push_back(front_verdict(summary, front, place));
   for (std::size_t const index : dominated) all.verdicts.push_back(dominated_verdict(summary, front, index));
+  for (std::size_t const index : inadequate)
+    all.verdicts.push_back({index, Role::inadequate, inadequacy(summary.laws[index]) + ".", {}});
   for (std::size_t const index : unranked) {
     auto verdict = unranked_verdict(summary.laws[index], index, summary.laws[ranking.front()]);
     auto const& note = summary.laws[index].beta_note;
@@ -337,7 +383,7 @@ Findings findings(Summary const& summary) {
     all.verdicts.push_back(std::move(verdict));
   }
   all.converged = converged_sentences(summary);
-  all.warnings = all_warnings(summary);
+  all.warnings = warnings(summary);
   all.beta_note = note_on_beta(summary);
   return all;
 }

@@ -21,8 +21,10 @@ enum class Role {
   most_robust,    // the front's end of smallest beta
   compromise,     // between them, nearest to the best of both in terms of the front's extent
   between,        // also between them
+  held_by_box,    // on the front, but its parameters lie at bounds: not robust by itself
   dominated,
-  unranked  // without beta, or never identified
+  inadequate,  // does not describe the devices, however it compares: adequacy.hpp
+  unranked     // without beta, or never identified
 };
 
 std::string_view name(Role role);  // "most accurate", "dominated", ...
@@ -43,13 +45,15 @@ struct Warning {
 
 struct Findings {
   std::string headline;                // the decision in one sentence
-  std::vector<LawVerdict> verdicts;    // the front from accurate to robust, then dominated, then unranked laws
+  std::vector<LawVerdict> verdicts;    // the front from accurate to robust, then dominated, inadequate, unranked laws
   std::vector<Warning> warnings;       // most serious topic first
   std::vector<std::string> converged;  // what changes without the optimiser's noise, and what an engineer meets
   std::string beta_note;               // why no law has a beta; "" when one has
 };
 
 Findings findings(Summary const& summary);
+// Its warnings alone.
+std::vector<Warning> warnings(Summary const& summary);
 
 // Delta_n of the law's n-th parameter over the devices, as a fraction; empty when undefined or not calibrated.
 std::optional<double> largest_difference(LawResult const& law, std::size_t parameter);

@@ -92,7 +92,15 @@ struct LotLaw {
   double mean = 0.0, worst = 0.0;  // objective with the former
   std::string worst_device;
   double least_worst = 0.0, least_worst_bound = 0.0;  // of the latter, and what no law can go below
+  std::vector<std::string> at_bound;                  // "K1 at its upper bound", of the former
 };
+
+// How well a law predicts blocks that it was not fitted to; docs/decision.md.
+enum class PredictionGrade { good, fair, poor, unusable };
+constexpr std::string_view name(PredictionGrade grade) {
+  constexpr std::string_view names[]{"good", "fair", "poor", "unusable"};
+  return names[static_cast<std::size_t>(grade)];
+}
 
 struct LawResult {
   std::string id, title;
@@ -114,10 +122,14 @@ struct LawResult {
   bool on_front_loo = false;  // in accuracy against loo_objective
   std::optional<lot::Population> population;
   std::optional<double> fitted_objective, predicted_objective, worst_predicted;  // over blocks, then devices
-  bool prediction_collapses = false;
+  std::optional<PredictionGrade> prediction_grade;                               // where blocks are predicted
   std::string reduced_form;  // how to search the form without the redundant parameter; "" where there is none to offer
   std::vector<std::string> notes;  // how the law was read where the source is ambiguous
   std::vector<DeviceFit> devices;
+
+  // False where blocks are predicted, and worse than fairly.
+  bool prediction_holds() const { return !prediction_grade || *prediction_grade <= PredictionGrade::fair; }
+  bool prediction_collapses() const { return prediction_grade == PredictionGrade::unusable; }
 };
 
 struct DeviceResult {

@@ -288,7 +288,8 @@ void write_thresholds(JsonWriter& out) {
   out.key("thresholds").begin_object();
   out.member("found_within", found_within).member("determined_within", analysis::determined_within);
   out.member("weakly_determined_within", analysis::weakly_determined_within);
-  out.member("collapsed_objective", collapsed_objective).member("collapsed_ratio", collapsed_ratio);
+  out.member("good_prediction", good_prediction).member("fair_prediction", fair_prediction);
+  out.member("poor_prediction", poor_prediction);
   out.end_object();
 }
 

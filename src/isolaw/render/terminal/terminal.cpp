@@ -134,7 +134,7 @@ std::string prediction_table(Summary const& summary) {
   for (std::size_t const index : by_objective(summary)) {
     auto const& law = summary.laws[index];
     if (!law.predicted_objective) continue;
-    Row row{"", printable(law.id), {}, law.prediction_collapses ? "  collapses" : ""};
+    Row row{"", printable(law.id), {}, fmt::format("  {}", name(*law.prediction_grade))};
     for (auto const& [block, fitted] : blocks) {
       if (row.cells.size() == most) break;
       double sum = 0.0;

@@ -15,12 +15,16 @@ export function icon(...shapes) {
   return svg;
 }
 
-// The front's markers, as in the plot: filled circle, or open diamond for a dominated law.
+// The tone of a law's role; those on the front are good.
+const TONES = { 'held by its box': 'care', dominated: 'poor', 'not adequate': 'poor', 'not ranked': 'muted' };
+export const roleTone = (role) => TONES[role] ?? 'good';
+
+// The front's markers, as in the plot: filled circle, or open diamond for a law that is beaten.
 export function marker(role) {
-  const dominated = role === 'dominated';
-  const colour = 'var(--' + (dominated ? 'poor' : role === 'not ranked' ? 'muted' : 'good') + ')';
-  const path = dominated ? 'M6 1 L11 6 L6 11 L1 6 Z' : 'M6 1 A5 5 0 1 1 5.99 1 Z';
-  const svg = icon([path, dominated || role === 'not ranked' ? 'none' : colour, colour]);
+  const tone = roleTone(role);
+  const colour = 'var(--' + tone + ')';
+  const path = tone === 'poor' ? 'M6 1 L11 6 L6 11 L1 6 Z' : 'M6 1 A5 5 0 1 1 5.99 1 Z';
+  const svg = icon([path, tone === 'good' ? colour : 'none', colour]);
   svg.firstChild.setAttribute('stroke-width', '1.8');
   return svg;
 }

@@ -1,4 +1,5 @@
 import { element, onScreen } from '../dom.js';
+import { roleTone } from '../icons.js';
 import { lawName } from '../laws.js';
 import { laws, lawsByObjective, report, resultColumns } from '../report.js';
 import { tableOf } from '../tables.js';
@@ -33,9 +34,8 @@ function rankingData() {
 function rankingTable() {
   const searched = laws.some((law) => isNumber(law.success_share));
   const roles = new Map(report.findings.verdicts.map((verdict) => [verdict.law, verdict.role]));
-  const tone = (role) => (role === 'dominated' ? 'poor' : role === 'not ranked' ? 'note' : 'good');
   const found = (law) => (isNumber(law.success_share) ? fixed(100 * law.success_share, 0) : DASH);
-  const verdict = (role) => element('span', { class: tone(role) }, role);
+  const verdict = (role) => element('span', { class: roleTone(role) }, role);
   const columns = [
     { title: 'Law', pinned: true, tight: true, cell: lawName },
     { title: 'mean OF ± std', unit: '-', number: true, cell: (law) => objectiveText(law.objective) },

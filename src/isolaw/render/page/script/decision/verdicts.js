@@ -1,5 +1,5 @@
 import { element, shortList } from '../dom.js';
-import { marker } from '../icons.js';
+import { marker, roleTone } from '../icons.js';
 import { lawName, withBadges } from '../laws.js';
 import { laws, report } from '../report.js';
 import { sentence } from '../text.js';
@@ -24,8 +24,9 @@ export const verdictsFigure = { id: 'verdicts', width: 'narrow', title: '', buil
 function verdictList() {
   const items = report.findings.verdicts.map((verdict) => {
     const law = laws[verdict.law];
-    const inOneLine = verdict.role === 'dominated' || verdict.role === 'not ranked';
-    const role = inOneLine ? ' ' : element('span', { class: 'role ' + verdict.role.replace(/ /g, '-') }, verdict.role);
+    const tone = roleTone(verdict.role);
+    const inOneLine = tone === 'poor' || tone === 'muted';
+    const role = inOneLine ? ' ' : element('span', { class: 'role ' + tone }, verdict.role);
     return element(
       'li',
       { class: inOneLine ? 'brief' : null },

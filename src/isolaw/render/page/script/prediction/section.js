@@ -40,10 +40,12 @@ const scoresOf = (law, { block, fitted }) =>
       .map((score) => ({ device: devices[fit.device].name, objective: score.objective })),
   );
 
+const GRADE_TONES = { good: 'good', fair: '', poor: 'care', unusable: 'badge' };
+
 const missText = (objective) => (objective < 10 ? fixed(objective, 4) : significant(objective, 3));
 
 function predictionCaption() {
-  const { collapsed_objective: most, collapsed_ratio: ratio } = report.thresholds;
+  const { good_prediction: good, fair_prediction: fair, poor_prediction: poor } = report.thresholds;
   const best = [...predictedLaws].sort((a, b) => a.predicted_objective - b.predicted_objective)[0],
     closest = [...predictedLaws].sort((a, b) => a.fitted_objective - b.fitted_objective)[0];
   const collapsing = predictedLaws.filter((law) => law.prediction_collapses).map((law) => law.id);
@@ -54,11 +56,9 @@ function predictionCaption() {
       : closest.id + ' is closest to the blocks it was fitted to, ' + best.id + ' to the others.') +
     (collapsing.length > 0
       ? ' The prediction of ' +
-        enumerate(collapsing) + ' collapses: no law for other amplitudes or frequencies than those of the fit.'
-      : ' No prediction collapses.') +
-    ' A prediction collapses that misses a block by more than ' +
-    (most === 1 ? '' : most + ' times ') + 'the standard deviation of its force (OF ' +
-    most + '), or by more than ' + ratio + ' times what the fitted blocks are missed by.'
+        enumerate(collapsing) + ' is unusable: no law for other amplitudes or frequencies than those of the fit.'
+      : ' No prediction is unusable.') +
+    ' Good: OF up to ' + good + ' on the blocks predicted; fair: up to ' + fair + '; poor: up to ' + poor + '.'
   );
 }
 
@@ -78,7 +78,7 @@ function predictionTable() {
     );
   };
   const verdict = (law) =>
-    law.prediction_collapses ? element('span', { class: 'badge' }, 'collapses') : 'does not collapse';
+    element('span', { class: GRADE_TONES[law.prediction_grade] }, law.prediction_grade);
   const ratio = (law) =>
     law.fitted_objective > 0 ? significant(law.predicted_objective / law.fitted_objective, 2) : DASH;
   const columns = [
@@ -102,7 +102,7 @@ function predictionTable() {
 
 function predictionData() {
   const ofBlock = resultColumns('scores');
-  const ofLaw = resultColumns('laws', ['prediction_collapses']);
+  const ofLaw = resultColumns('laws', ['prediction_grade']);
   return {
     columns: ['law', 'device', ...ofBlock.columns, ...ofLaw.columns],
     rows: predictedLaws.flatMap((law) =>

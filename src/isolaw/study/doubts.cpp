@@ -1,0 +1,65 @@
+#include "isolaw/study/doubts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "isolaw/study/findings.hpp"
+
+namespace isolaw::study {
+namespace {
+
+// The summary of this law and these devices alone; of records no more than warnings are made from.
+Summary part_of(Summary const& summary, LawResult const& law, std::optional<std::string_view> device) {
+  Summary part;
+  part.runs = summary.runs;
+  part.expected_runs = summary.expected_runs;
+  part.analyses = summary.analyses;
+  part.expected_analyses = summary.expected_analyses;
+  part.laws.push_back(law);
+  auto& own = part.laws.front();
+  if (device) {
+    own.lot.reset();
+    std::erase_if(own.devices, [&](DeviceFit const& fit) { return fit.device != *device; });
+    if (!own.devices.empty()) {
+      own.success_share = own.devices.front().success_share;
+      own.success_reference = own.devices.front().success_reference;
+    }
+  }
+  for (auto const& fit : own.devices) {
+    auto const& whole = *std::ranges::find(summary.devices, fit.device, &DeviceResult::name);
+    auto& brief = part.devices.emplace_back();
+    brief.name = whole.name;
+    brief.status = whole.status;
+    brief.message = whole.message;
+    brief.properties = whole.properties;
+    brief.raw.warnings = whole.raw.warnings;
+    for (auto const& outlier : summary.outliers)
+      if (outlier.device == fit.device) part.outliers.push_back(outlier);
+  }
+  return part;
+}
+
+std::string prediction_of(LawResult const& law) {
+  if (!law.prediction_grade) return "not asked for: no block of the tests was kept from the fit";
+  return fmt::format(
+      "{}: objective {:.3g} on the blocks it was not fitted to ({:.3g} at worst), {:.3g} on those it was",
+      name(*law.prediction_grade), *law.predicted_objective, *law.worst_predicted, *law.fitted_objective);
+}
+
+}  // namespace
+
+Doubts doubts(Summary const& summary, std::string_view law, std::optional<std::string_view> device) {
+  auto const& whole = *std::ranges::find(summary.laws, law, &LawResult::id);
+  // How the search went on its way there says nothing against what it found.
+  constexpr std::array<std::string_view, 1> passed_over{"failed evaluations"};
+  Doubts made;
+  for (auto& [topic, sentence] : warnings(part_of(summary, whole, device)))
+    if (std::ranges::find(passed_over, topic) == passed_over.end()) made.warnings.push_back(std::move(sentence));
+  made.prediction = prediction_of(whole);
+  if (whole.prediction_collapses()) made.objection = "its prediction is " + made.prediction;
+  return made;
+}
+
+}  // namespace isolaw::study

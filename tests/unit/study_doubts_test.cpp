@@ -1,0 +1,131 @@
+// Grades of prediction, what is adequate, whose parameters the box holds, and what goes with a law that is taken from a
+// campaign; docs/decision.md.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "contains.hpp"
+#include "isolaw/study/adequacy.hpp"
+#include "isolaw/study/build_analysis.hpp"
+#include "isolaw/study/doubts.hpp"
+#include "isolaw/study/findings.hpp"
+#include "unit/study_fixture.hpp"
+
+namespace isolaw::study {
+namespace {
+
+TEST(Prediction, IsGradedByTheMeanOnThePredictedBlocks) {
+  using enum PredictionGrade;
+  EXPECT_EQ(graded(0.02, 0.03, 0.05), good);
+  EXPECT_EQ(graded(0.02, 0.10, 0.15), good);
+  EXPECT_EQ(graded(0.05, 0.1001, 0.15), fair);
+  EXPECT_EQ(graded(0.05, 0.30, 0.35), fair);
+  EXPECT_EQ(graded(0.05, 0.3001, 0.35), poor);
+  EXPECT_EQ(graded(0.07, 0.60, 0.65), poor);
+  EXPECT_EQ(graded(0.07, 0.6001, 0.65), unusable);
+}
+
+TEST(Prediction, CollapsesWhereABlockIsLostOrFarBeyondTheFit) {
+  using enum PredictionGrade;
+  EXPECT_EQ(graded(0.02, 0.08, 1.01), unusable);  // worse than a constant somewhere
+  EXPECT_EQ(graded(0.02, 0.20, 0.25), fair);      // ten times the fit, no more
+  EXPECT_EQ(graded(0.019, 0.20, 0.25), unusable);
+  EXPECT_EQ(graded(0.001, 0.19, 0.19), fair);  // what the eye does not see may be any multiple of nothing
+  double const nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(graded(0.02, nan, nan), unusable);
+  EXPECT_EQ(graded(0.02, infinite, infinite), unusable);
+}
+
+LawResult& law(Summary& summary, std::string_view id) {
+  return *std::ranges::find(summary.laws, id, &LawResult::id);
+}
+
+LawVerdict verdict(Summary const& summary, std::string_view id) {
+  for (auto const& one : findings(summary).verdicts)
+    if (summary.laws[one.law].id == id) return one;
+  return {};
+}
+
+TEST(Adequacy, OfALawThatMissesTheForceOrTheStiffness) {
+  auto summary = fixture::lot(10, 6);
+  for (auto const& one : summary.laws) EXPECT_EQ(inadequacy(one), "") << one.id;
+  law(summary, "jankowski").objective.mean = 0.51;
+  EXPECT_EQ(inadequacy(law(summary, "jankowski")),
+            "misses the measured force by 51 % of its standard deviation on average");
+  for (auto& fit : law(summary, "bilinear").devices) fit.K_eff_error_percent = 467.0;
+  EXPECT_EQ(inadequacy(law(summary, "bilinear")), "misses the effective stiffness by 467 %");
+  for (auto const* id : {"jankowski", "bilinear"}) {
+    EXPECT_EQ(verdict(summary, id).role, Role::inadequate) << id;
+    EXPECT_FALSE(contains(findings(summary).headline, id)) << findings(summary).headline;
+  }
+  EXPECT_TRUE(contains(findings(summary).headline, "worth considering"));
+  for (auto& one : summary.laws) one.objective.mean = 0.5;
+  EXPECT_TRUE(findings(summary).headline.starts_with("No law describes these devices: ")) << findings(summary).headline;
+}
+
+// Eight of ten parameters at one bound scatter little: beta is small, and nothing is robust about it.
+TEST(Adequacy, ParametersAtBoundsMakeNoLawRobust) {
+  auto summary = fixture::lot(10, 6);
+  EXPECT_EQ(verdict(summary, "bilinear").role, Role::most_robust);
+  auto& robust = law(summary, "bilinear");
+  EXPECT_FALSE(pinned(robust).decides());
+  for (std::size_t d = 0; d < robust.devices.size() / 2; ++d)
+    for (auto& p : robust.devices[d].parameters)
+      if (p.free) p.at_bound = "upper";
+  EXPECT_TRUE(pinned(robust).decides());
+  auto const found = verdict(summary, "bilinear");
+  EXPECT_EQ(found.role, Role::held_by_box);
+  EXPECT_TRUE(contains(found.sentence, "parameters lie at a bound on most devices")) << found.sentence;
+  auto const headline = findings(summary).headline;
+  EXPECT_TRUE(contains(headline, "3 of 6 laws are worth considering")) << headline;
+  EXPECT_TRUE(contains(headline, "robustness (vaiana)")) << headline;
+}
+
+TEST(Prediction, ThatIsPoorIsNoCompromiseAndIsSaid) {
+  auto summary = fixture::lot(10, 6);
+  ASSERT_EQ(verdict(summary, "vaiana").role, Role::compromise);
+  auto& poor = law(summary, "vaiana");
+  poor.prediction_grade = PredictionGrade::poor;
+  poor.fitted_objective = 0.07, poor.predicted_objective = 0.45, poor.worst_predicted = 0.5;
+  EXPECT_EQ(verdict(summary, "vaiana").role, Role::between);
+  EXPECT_TRUE(contains(verdict(summary, "vaiana").sentence, "Its prediction is poor: only for the blocks"));
+  auto const found = doubts(summary, "vaiana", summary.devices.front().name);
+  EXPECT_TRUE(contains(found.prediction, "poor: objective 0.45 on the blocks it was not fitted to (0.5 at worst)"));
+  EXPECT_EQ(found.objection, "");
+  poor.prediction_grade = PredictionGrade::unusable;
+  EXPECT_TRUE(contains(doubts(summary, "vaiana", summary.devices.front().name).objection, "unusable"));
+}
+
+// What concerns the law on the device, and nothing of the other laws and devices.
+TEST(Doubts, AreOfTheLawAndTheDevice) {
+  auto summary = fixture::lot();
+  auto const devices = device_names(summary);
+  auto& fit = law(summary, "bilinear").devices[0];
+  fit.parameters[0].at_bound = "lower";
+  fit.integration_shift = -0.002;
+  law(summary, "bilinear").devices[1].failed_runs = 3;
+  law(summary, "bilinear").lot = LotLaw{.parameters = {1.0, 1.0, 1.0}, .at_bound = {"K2 at its upper bound"}};
+  summary.devices[0].raw.warnings = {"a channel may be late"};
+  summary.expected_runs = summary.runs + 5;
+  auto const joined = [](std::vector<std::string> const& lines) {
+    std::string text;
+    for (auto const& line : lines) text += line + "\n";
+    return text;
+  };
+  auto const of_first = joined(doubts(summary, "bilinear", devices[0]).warnings);
+  for (auto const* part :
+       {"not complete: ", "at its lower bound on ", "finer integration step", "a channel may be late"})
+    EXPECT_TRUE(contains(of_first, part)) << part << "\n" << of_first;
+  for (auto const* part : {"runs failed", "vaiana", "of the one law for all"})
+    EXPECT_FALSE(contains(of_first, part)) << part << "\n" << of_first;
+  auto const of_second = joined(doubts(summary, "bilinear", devices[1]).warnings);
+  EXPECT_TRUE(contains(of_second, "runs failed")) << of_second;
+  EXPECT_FALSE(contains(of_second, "late")) << of_second;
+  auto const of_lot = joined(doubts(summary, "bilinear", std::nullopt).warnings);
+  for (auto const* part : {"a channel may be late", "runs failed", "of the one law for all K2 at its upper bound"})
+    EXPECT_TRUE(contains(of_lot, part)) << part << "\n" << of_lot;
+}
+
+}  // namespace
+}  // namespace isolaw::study
