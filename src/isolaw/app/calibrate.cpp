@@ -17,7 +17,9 @@
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/file.hpp"
+#include "isolaw/base/printable.hpp"
 #include "isolaw/base/shell.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/base/write_file.hpp"
 #include "isolaw/campaign/campaign.hpp"
 #include "isolaw/campaign/prepare.hpp"
@@ -85,7 +87,11 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
   DirectoryLock const lock(directory);
   auto const file = directory / store_name;
   render::remove_leftovers(directory);
-  open_or_create(file, contents, arguments.fresh);
+  auto const [added, released] = open_or_create(file, contents, arguments.fresh);
+  if (!added.empty()) say("grows by {}\n", joined(added));
+  if (!released.empty())
+    say("no longer held to rule set {}: --rules {} holds the tests to it again, without another search\n",
+        printable(released), printable(released));
   if (!contents.complete() && !contents.runs.empty())
     say("continuing: {} runs are there already\n", contents.runs.size());
 

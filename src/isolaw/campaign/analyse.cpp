@@ -5,7 +5,6 @@
 #include <mutex>
 #include <optional>
 #include <string_view>
-#include <tuple>
 #include <utility>
 
 #include "isolaw/base/hash.hpp"
@@ -37,6 +36,7 @@ class Analysis {
       : contents_(contents), store_(store), options_(options), total_(contents.expected_analyses()) {}
 
   std::size_t run() {
+    take_what_holds();
     examine_devices();
     if (interrupted()) return threads_;
     auto const lots = laws_on_lot();
@@ -49,6 +49,37 @@ class Analysis {
  private:
   bool interrupted() const { return options_.interrupted && options_.interrupted(); }
 
+  // Of a campaign of fewer runs: what rests on best runs that are best still.
+  void take_what_holds() {
+    auto& held = contents_.held_over;
+    auto const holds = [&](std::size_t device, std::string const& law) {
+      auto const* best = contents_.best_run(device, law);
+      return best != nullptr && best->number <= held.runs;
+    };
+    auto const take = [&](auto& from, auto& to, auto const& may) {
+      for (auto& analysis : from) {
+        if (!may(analysis)) continue;
+        store_.add(analysis);
+        to.push_back(std::move(analysis));
+      }
+      from.clear();
+    };
+    auto const of_device = [&](auto const& analysis) { return holds(analysis.device, analysis.law); };
+    // A device on which the law had no usable run before may have one now.
+    auto const of_lot = [&](LotAnalysis const& analysis) {
+      std::vector<std::size_t> usable;
+      for (auto const& search : contents_.searches)
+        if (search.law == analysis.law && contents_.best_run(search.device, search.law) != nullptr)
+          usable.push_back(search.device);
+      return usable == analysis.devices &&
+             std::ranges::all_of(usable, [&](std::size_t device) { return holds(device, analysis.law); });
+    };
+    take(held.devices, contents_.device_analyses, of_device);
+    take(held.lots, contents_.lot_analyses, of_lot);
+    take(held.left_out, contents_.left_out,
+         [&](LeftOutAnalysis const& analysis) { return lot_analysis_of(analysis.law) != nullptr; });
+  }
+
   void examine_devices() {
     std::vector<Search const*> tasks;
     for (auto const& search : contents_.searches)
@@ -56,8 +87,7 @@ class Analysis {
           contents_.analysis_of(search.device, search.law) == nullptr)
         tasks.push_back(&search);
     each(tasks.size(), contents_.device_analyses, [&](std::size_t i) { return examined(*tasks[i]); });
-    std::ranges::sort(contents_.device_analyses, {},
-                      [](auto const& a) { return std::tuple(a.device, std::string_view(a.law)); });
+    std::ranges::sort(contents_.device_analyses, {}, by_device_and_law);
   }
 
   // nullopt when interrupted.
@@ -154,8 +184,7 @@ class Analysis {
       if (left_out) found.left_out = std::move(*left_out);
       return std::optional(std::move(found));
     });
-    std::ranges::sort(contents_.left_out, {},
-                      [](auto const& a) { return std::tuple(a.device, std::string_view(a.law)); });
+    std::ranges::sort(contents_.left_out, {}, by_device_and_law);
   }
 
   LotAnalysis const* lot_analysis_of(std::string_view law) const {

@@ -15,7 +15,6 @@ namespace isolaw::campaign {
 namespace {
 
 using Key = std::tuple<std::size_t, std::string_view>;
-constexpr auto by_device_and_law = [](auto const& item) { return Key(item.device, item.law); };
 
 }  // namespace
 

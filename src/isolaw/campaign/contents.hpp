@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "isolaw/analysis/determination.hpp"
@@ -104,6 +105,20 @@ struct LeftOutAnalysis {
   std::size_t maker = 0;
 };
 
+// The order of results, but for the number of a run.
+inline constexpr auto by_device_and_law = [](auto const& item) {
+  return std::tuple(item.device, std::string_view(item.law));
+};
+
+// Analyses of a campaign of fewer runs. One of a device holds where the best run is among those; one of the lot where
+// all of its devices' do.
+struct HeldOver {
+  int runs = 0;  // per device and law
+  std::vector<DeviceAnalysis> devices = {};
+  std::vector<LotAnalysis> lots = {};
+  std::vector<LeftOutAnalysis> left_out = {};
+};
+
 // What the tests are held to. No law depends on it, so it may change before a campaign is continued or reported.
 struct Acceptance {
   std::string rules;            // text of a rule set; empty: none
@@ -128,6 +143,7 @@ struct Contents {
   std::vector<LotAnalysis> lot_analyses = {};        // by law
   std::vector<LeftOutAnalysis> left_out = {};        // by device, law
   std::vector<Maker> makers = {};                    // the first read the records; empty: nobody but this program
+  HeldOver held_over = {};                           // of a campaign that grows; in no store
 
   std::size_t expected_runs() const;  // of every search that was not refused
   // Analyses that are to be made, given the runs there are; 0 without analysis.

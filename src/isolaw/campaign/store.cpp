@@ -83,6 +83,18 @@ void fill(Connection const& db, Contents const& contents, std::vector<Maker> con
   transaction.commit();
 }
 
+void write_results(Connection const& db, Contents const& contents) {
+  Transaction transaction(db);
+  auto const write = [&](auto const& results) {
+    for (auto const& result : results) write_row(db, result);
+  };
+  write(contents.runs);
+  write(contents.device_analyses);
+  write(contents.lot_analyses);
+  write(contents.left_out);
+  transaction.commit();
+}
+
 // The rows of a table, each as one text that tells values and their kinds apart.
 std::vector<std::string> rows_of(Connection const& db, std::string const& columns_and_table) {
   std::vector<std::string> found;
@@ -109,7 +121,8 @@ Store Store::create(std::filesystem::path const& file, Contents const& contents,
   auto const aside = unfinished(file);
   {
     auto const db = Connection::create(aside);
-    fill(db, contents, {this_maker()});
+    fill(db, contents, contents.makers.empty() ? std::vector{this_maker()} : contents.makers);
+    write_results(db, contents);
     require_readable([&] { read_campaign(db); });
   }
   if (before_replacing) before_replacing();
@@ -197,15 +210,7 @@ std::vector<std::string> Store::foreign_rows(std::filesystem::path const& file, 
   require_readable_schema(theirs, file);
   auto const ours = Connection::in_memory();
   fill(ours, contents, contents.makers);
-  ours.execute("BEGIN");
-  auto const write = [&](auto const& results) {
-    for (auto const& result : results) write_row(ours, result);
-  };
-  write(contents.runs);
-  write(contents.device_analyses);
-  write(contents.lot_analyses);
-  write(contents.left_out);
-  ours.execute("COMMIT");
+  write_results(ours, contents);
   std::vector<std::string> faults;
   for (auto const* table :
        {"key, value FROM meta WHERE key <> 'schema'", "key, json FROM setting", "* FROM maker", "* FROM device",

@@ -14,7 +14,7 @@ namespace isolaw::campaign {
 
 class Store {
  public:
-  // A new store that holds the devices and searches of `contents` and no runs; replaces a file of that name. When it
+  // A new store that holds `contents`, results among them; replaces a file of that name. When it
   // fails, or the program is killed, the former or the new one is there, whole. `before_replacing` is called when the
   // new one is complete and not yet in place. Throws Error: no plain file, cannot be written.
   static Store create(std::filesystem::path const& file, Contents const& contents,

@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint64_t fewest_values = 3;
 constexpr std::uint64_t most_rows_across = 20;  // of a matrix whose rows are channels
 constexpr std::uint64_t bytes_per_sample = 32;  // of four channels
-constexpr std::size_t shown = 30;
+constexpr std::size_t most_listed = 30;
 
 // Which values of which variable a column is.
 struct Origin {
@@ -76,8 +76,8 @@ std::string listing(std::vector<MatVariable> const& variables, MatColumns const&
   for (auto const& v : variables) {
     auto const columns = static_cast<std::size_t>(
         std::ranges::count_if(found.origins, [&](auto const& origin) { return origin.variable == &v; }));
-    if (texts.size() == shown) {
-      texts.push_back(fmt::format("and {} more", variables.size() - shown));
+    if (texts.size() == most_listed) {
+      texts.push_back(fmt::format("and {} more", variables.size() - most_listed));
       break;
     }
     if (columns > 1)

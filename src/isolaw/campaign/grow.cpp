@@ -1,0 +1,120 @@
+#include "isolaw/campaign/grow.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "isolaw/base/words.hpp"
+#include "isolaw/campaign/setting_table.hpp"
+
+namespace isolaw::campaign {
+namespace {
+
+bool among(std::vector<std::string> const& laws, std::string_view law) {
+  return std::ranges::find(laws, law) != laws.end();
+}
+
+// Those of the laws, in their order, as text.
+std::vector<std::string> overrides_of(std::vector<fit::Override> const& overrides,
+                                      std::vector<std::string> const& laws) {
+  std::vector<std::string> texts;
+  for (auto const& override : overrides)
+    if (among(laws, override.law)) texts.push_back(override.text());
+  return texts;
+}
+
+// The stored settings with what may grow as it is asked for.
+Settings grown(Settings settings, Settings const& asked) {
+  if (asked.analysis) settings.analysis = true;
+  if (overrides_of(settings.overrides, settings.laws) == overrides_of(asked.overrides, settings.laws))
+    settings.overrides = asked.overrides;
+  if (std::ranges::all_of(settings.laws, [&](auto const& law) { return among(asked.laws, law); }))
+    settings.laws = asked.laws;
+  settings.runs = std::max(settings.runs, asked.runs);
+  return settings;
+}
+
+std::optional<std::size_t> place_of(Contents const& contents, std::string_view device) {
+  auto const found = std::ranges::find(contents.devices, device, &Device::name);
+  if (found == contents.devices.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - contents.devices.begin());
+}
+
+std::string obstacle(Device const& there, Device const& now) {
+  if (there.usable() && !now.usable()) return fmt::format("{}: refused now: {}", now.name, now.refusal);
+  if (there.raw.sha256 != now.raw.sha256 || there.refusal != now.refusal)
+    return fmt::format("{}: its file has changed", now.name);
+  bool const same = there.raw.disp_mm == now.raw.disp_mm && there.raw.force_kN == now.raw.force_kN &&
+                    there.raw.time_s == now.raw.time_s && there.raw.load_kN == now.raw.load_kN;
+  return same ? "" : fmt::format("{}: its file is read in another way", now.name);
+}
+
+bool same_devices(Contents const& a, Contents const& b) {
+  return std::ranges::equal(a.devices, b.devices, {}, &Device::name, &Device::name);
+}
+
+}  // namespace
+
+std::vector<std::string> obstacles(Contents const& stored, Contents const& asked) {
+  auto found = differences(grown(stored.settings, asked.settings), asked.settings);
+  std::vector<std::string> gone;
+  for (auto const& device : stored.devices) {
+    auto const place = place_of(asked, device.name);
+    if (!place)
+      gone.push_back("'" + device.name + "'");
+    else if (auto what = obstacle(device, asked.devices[*place]); !what.empty())
+      found.push_back(std::move(what));
+  }
+  constexpr std::size_t most = 5;
+  auto const more = gone.size() > most ? gone.size() - most : 0;
+  if (more > 0) gone.resize(most);
+  if (!gone.empty())
+    found.push_back(
+        fmt::format("there and not now: {}{}", joined(gone), more > 0 ? fmt::format(" and {} more", more) : ""));
+  return found;
+}
+
+std::vector<std::string> growth(Contents const& stored, Contents const& asked) {
+  std::vector<std::string> added;
+  if (auto const more = asked.devices.size() - stored.devices.size(); more > 0)
+    added.push_back(fmt::format("{} device{}", more, more == 1 ? "" : "s"));
+  else if (!same_devices(stored, asked))
+    added.emplace_back("another order of the devices");
+  std::vector<std::string> laws;
+  for (auto const& law : asked.settings.laws)
+    if (!among(stored.settings.laws, law)) laws.push_back(law);
+  if (!laws.empty()) added.push_back((laws.size() == 1 ? "law " : "laws ") + joined(laws));
+  if (asked.settings.runs > stored.settings.runs)
+    added.push_back(fmt::format("{} runs instead of {}", asked.settings.runs, stored.settings.runs));
+  if (added.empty() && asked.settings.laws != stored.settings.laws) added.emplace_back("another order of the laws");
+  return added;
+}
+
+void take_over(Contents stored, Contents& asked) {
+  std::vector<std::size_t> places;
+  for (auto const& device : stored.devices) places.push_back(*place_of(asked, device.name));
+  auto const moved = [&](auto items) {
+    for (auto& item : items) item.device = places[item.device];
+    std::ranges::stable_sort(items, {}, by_device_and_law);
+    return items;
+  };
+  bool const same_runs = stored.settings.runs == asked.settings.runs, same_lot = same_devices(stored, asked);
+  asked.runs = moved(std::move(stored.runs));
+  asked.makers = std::move(stored.makers);
+  auto devices = moved(std::move(stored.device_analyses));
+  if (!same_lot) stored.lot_analyses.clear(), stored.left_out.clear();
+  if (same_runs) {
+    asked.device_analyses = std::move(devices);
+    asked.lot_analyses = std::move(stored.lot_analyses);
+    asked.left_out = std::move(stored.left_out);
+  } else {
+    asked.held_over = {.runs = stored.settings.runs,
+                       .devices = std::move(devices),
+                       .lots = std::move(stored.lot_analyses),
+                       .left_out = std::move(stored.left_out)};
+  }
+}
+
+}  // namespace isolaw::campaign
