@@ -125,6 +125,22 @@ TEST_F(Export, reads_the_store_alone_and_writes_files) {
   EXPECT_EQ(read("b.tcl"), before.out);
 }
 
+// Without time there are no seconds to speak of.
+TEST_F(Export, of_a_record_without_time_counts_samples) {
+  std::string without;
+  std::istringstream lines(loops(1.0));
+  for (std::string line; std::getline(lines, line);) without += line.substr(line.find(',') + 1) + "\n";
+  write("untimed.csv", without);
+  ASSERT_EQ(isolaw({"calibrate", "untimed.csv", "--laws", "abe", "--runs", "1", "--out", "C"}).code, 0);
+  auto const script = exported("abe", "untimed", "opensees");
+  ASSERT_EQ(script.code, 0) << script;
+  EXPECT_TRUE(contains(script.out, "of the peak force (at sample ")) << script.out;
+  auto const form = Json::parse(exported("abe", "untimed", "json").out)["forms"][0];
+  EXPECT_TRUE(form["from_law"]["at_s"].is_null());
+  EXPECT_GT(form["from_law"]["at_sample"], 1);
+  EXPECT_LE(form["from_law"]["at_sample"], 181);
+}
+
 TEST_F(Export, of_the_lot_needs_its_one_law) {
   ASSERT_EQ(calibrate("bilinear", {"--analysis", "full", "--replicates", "0"}).code, 0);
   auto const o = exported("bilinear", "lot", "json");

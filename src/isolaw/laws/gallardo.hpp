@@ -88,7 +88,7 @@ struct Gallardo {
       JointLimit<Params<double>>{"B > phimax", [](Params<double> const& p) { return p.B > p.phimax; }}};
 
   static Canonical canonical(Params<double> const&) {
-    return NoForm{"an elastic part that softens with the way, and a strength that each turn sets"};
+    return NoForm{"elastic part that softens with the way, nor its strength that each turn sets"};
   }
 
   // What multiplies g, g^3, g^5 on one side; km besides on g.

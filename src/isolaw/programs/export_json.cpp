@@ -9,7 +9,8 @@ namespace {
 
 void write(JsonWriter& out, std::string_view key, Deviation const& d) {
   out.key(key).begin_object();
-  out.member("largest_percent_of_peak", d.largest).member("at_s", d.at_s).member("rms_percent_of_peak", d.rms);
+  out.member("largest_percent_of_peak", d.largest).member("at_s", d.at_s);
+  out.member("at_sample", std::uint64_t{d.at_sample}).member("rms_percent_of_peak", d.rms);
   out.member("K_eff_percent", d.K_eff).member("energy_percent", d.energy).end_object();
 }
 

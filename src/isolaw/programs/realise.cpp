@@ -73,7 +73,7 @@ void keep_worst(Deviation& worst, Deviation const& other) {
   auto const larger = [](std::optional<double>& a, std::optional<double> b) {
     if (b && (!a || std::abs(*b) > std::abs(*a))) a = b;
   };
-  if (other.largest > worst.largest) worst.at_s = other.at_s;
+  if (other.largest > worst.largest) worst.at_s = other.at_s, worst.at_sample = other.at_sample;
   worst.largest = std::max(worst.largest, other.largest);
   worst.rms = std::max(worst.rms, other.rms);
   larger(worst.K_eff, other.K_eff);
@@ -193,23 +193,30 @@ std::string_view name(Fidelity fidelity) {
 
 Deviation deviation(History const& history, std::span<double const> force, std::span<double const> other) {
   double const peak = peak_of(other);
-  double largest = 0.0, at_s = 0.0, squares = 0.0;
-  std::size_t count = 0;
+  Deviation made;
+  double largest = 0.0, squares = 0.0;
+  std::size_t count = 0, sample = 0;
+  auto const at = [&](std::size_t i) {
+    if (history.timed) made.at_s = history.time_s[i];
+    made.at_sample = std::max<std::size_t>(sample, 1);
+  };
   for (std::size_t i = 0; i < other.size(); ++i) {
+    sample += is_sample(history, i) ? 1 : 0;
     if (!std::isfinite(other[i])) continue;
-    if (!std::isfinite(force[i]))
-      return {.largest = infinite, .at_s = history.time_s[i], .rms = infinite, .K_eff = {}, .energy = {}};
+    if (!std::isfinite(force[i])) {
+      at(i);
+      made.largest = made.rms = infinite;
+      return made;
+    }
     double const d = force[i] - other[i];
-    if (std::abs(d) > largest) at_s = history.time_s[i];
+    if (std::abs(d) > largest) at(i);
     largest = std::max(largest, std::abs(d));
     if (!is_sample(history, i)) continue;
     squares += d * d;
     ++count;
   }
-  Deviation made;
   if (count == 0 || peak == 0.0) return made;
   made.largest = 100.0 * largest / peak;
-  made.at_s = at_s;
   made.rms = 100.0 * std::sqrt(squares / static_cast<double>(count)) / peak;
   compare_properties(made, history, force, other);
   return made;

@@ -24,7 +24,8 @@ std::string_view name(Fidelity fidelity);
 // How far a force is from another over a history, in percent.
 struct Deviation {
   double largest = 0.0;                 // of the other's peak
-  double at_s = 0.0;                    // when
+  std::optional<double> at_s;           // when; empty without time
+  std::size_t at_sample = 0;            // the same as a sample of the record, from 1
   double rms = 0.0;                     // root mean square over the samples, of the other's peak
   std::optional<double> K_eff, energy;  // of the reported cycle; without one, empty
 };

@@ -27,6 +27,7 @@ History history_of(campaign::Device const& device, laws::TurningPoints turning_p
                         : laws::make_path(record.disp_mm, record.vel_mm_s);
   History made;
   made.device = device.name;
+  made.timed = record.has_time();
   made.dead_band_mm = record.dead_band_mm;
   auto const add = [&](double t, double x, double v, double force) {
     made.time_s.push_back(t);

@@ -22,6 +22,7 @@ struct History {
   std::vector<double> time_s, disp_mm, vel_mm_s;
   std::vector<double> measured_kN;  // empty for a protocol; NaN at points that are no samples
   std::vector<double> law_kN;       // the law from the virgin state at the first point
+  bool timed = true;                // false: time_s counts samples
   int refinement = 1;               // steps of the law in each interval
   double dead_band_mm = 0.0;        // FitRecord::dead_band_mm
 };

@@ -131,8 +131,9 @@ std::string parameter_text(laws::LawEntry const& law, std::span<double const> pa
 }
 
 std::string deviation_text(Deviation const& d) {
-  auto text = fmt::format("largest {} of the peak force (at {:.4g} s), root mean square {}", percent(d.largest), d.at_s,
-                          percent(d.rms));
+  auto text =
+      fmt::format("largest {} of the peak force (at {}), root mean square {}", percent(d.largest),
+                  d.at_s ? fmt::format("{:.4g} s", *d.at_s) : fmt::format("sample {}", d.at_sample), percent(d.rms));
   if (d.K_eff) text += ", K_eff " + percent(*d.K_eff);
   if (d.energy) text += ", energy of a cycle " + percent(*d.energy);
   return text;
