@@ -119,7 +119,7 @@ Json described(Rows const& rows) {
     one["default"] = row.get({});
     one["words"] = row.words;
     one["limits"] = row.limits ? Json{row.limits->least, row.limits->most} : Json();
-    if constexpr (std::is_same_v<Row, data::Reading>) one["of_force"] = row.of_force;
+    if constexpr (std::is_same_v<Row, data::Reading>) one["of_test"] = row.of_test;
     if constexpr (std::is_same_v<Row, campaign::Setting>) {
       campaign::Settings of;
       of.method = row.of.value_or(of.method);

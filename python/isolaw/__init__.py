@@ -79,7 +79,7 @@ def _settings(*names):
 
 
 def _of_motion():
-    return {name: option for name, option in _OPTIONS["reading"].items() if not option["of_force"]}
+    return {name: option for name, option in _OPTIONS["reading"].items() if not option["of_test"]}
 
 
 def settings():

@@ -95,32 +95,33 @@ TEST_F(BadInput, unknown_unit) {
 
 TEST_F(BadInput, no_unit) {
   write("unit.csv", csv(record(), "time,displacement,force"));
-  expect_refusal("unit.csv", {"unit.csv:1: column 1 'time' (time) has no unit; allowed: s, ms; try: --units time=s",
-                              "column 2 'displacement' (disp) has no unit", "column 3 'force' (force) has no unit"});
+  expect_refusal("unit.csv",
+                 {"unit.csv:1: column 1 'time' (time) has no unit; allowed: s, ms, min; try: --units time=s",
+                  "column 2 'displacement' (disp) has no unit", "column 3 'force' (force) has no unit"});
   EXPECT_EQ(isolaw({"inspect", "unit.csv", "--units", "time=s,disp=mm,force=kN"}).code, 0);
 }
 
 TEST_F(BadInput, nan_cell) {
   write("nan.csv", csv_with_line(101, "0.9900,nan,12.0"));
   expect_refusal("nan.csv", {"nan.csv:101: 'nan' in column 2 'displacement [mm]' is not a finite number",
-                             "allowed: a finite number", "try: cut the record before this line"});
+                             "allowed: a finite number", "try: --rows 1:99, the rows before it"});
 }
 
 TEST_F(BadInput, text_cell) {
   write("text.csv", csv_with_line(55, "0.5300,12.0,off"));
   expect_refusal("text.csv", {"text.csv:55: 'off' in column 3 'force [kN]' is not a number",
-                              "allowed: a number with a decimal point", "try: correct the cell"});
+                              "allowed: a number with a decimal point", "try: --rows 1:53, the rows before it"});
 }
 
 TEST_F(BadInput, empty_cell) {
   write("hole.csv", csv_with_line(101, "0.9900,,12.0"));
-  expect_refusal("hole.csv",
-                 {"hole.csv:101: column 2 'displacement [mm]' is empty", "allowed: a number", "try: remove the line"});
+  expect_refusal("hole.csv", {"hole.csv:101: column 2 'displacement [mm]' is empty", "allowed: a number",
+                              "try: --rows 1:99, the rows before it"});
 }
 
 TEST_F(BadInput, row_of_another_width) {
   write("wide.csv", csv_with_line(101, "0.9900,12.0,3.0,4.0"));
-  expect_refusal("wide.csv", {"wide.csv:101: 4 columns", "allowed: 3 columns", "try: remove the line"});
+  expect_refusal("wide.csv", {"wide.csv:101: 4 columns", "allowed: 3 columns", "try: --rows 1:99, the rows before it"});
 }
 
 TEST_F(BadInput, every_bad_line_is_listed_up_to_a_few) {
@@ -135,7 +136,7 @@ TEST_F(BadInput, overload_value) {
   for (std::string const value : {"9.9E37", "99999"}) {
     write("over.csv", csv_with_line(101, "0.9900,12," + value));
     expect_refusal("over.csv", {"over.csv:101: ", "in column 3 'force [kN]' looks like an overload of the sensor",
-                                "allowed: measured values", "try: cut the record before the overload"});
+                                "allowed: measured values", "try: --rows A:B or --to SECONDS"});
   }
 }
 

@@ -77,8 +77,9 @@ TEST_F(Json, SeveralTablesAreChosenByTheirKey) {
   auto told = units;
   told.columns = parse_columns("time=1,disp=2,force=3");
   auto const text = "{\"first\": [" + three_rows + "], \"second\": [" + three_rows + ", [3, 1, 1]]}";
-  EXPECT_EQ(refusal(text, told),
-            "FILE: tables 'first', 'second' may each be the test; allowed: one of them; try: --sheet first");
+  EXPECT_EQ(
+      refusal(text, told),
+      "FILE: tables 'first', 'second' may each be the test; allowed: one of them; try: --sheet first, or isolaw init, which makes a device of each");
   told.sheet = "second";
   auto const record = read(text, told);
   EXPECT_EQ(record.size(), 4u);
@@ -111,7 +112,7 @@ TEST_F(Json, AListOfTestsHoldsAsManyTests) {
   auto const text = R"({"tests": )" + list + "}";
   EXPECT_EQ(
       refusal(text, units),
-      "FILE: 2 tests in one file: tests(1) 'A', tests(2) 'B'; allowed: one of them, or all as one history; try: --test all, or --test 2");
+      "FILE: 2 tests in one file: tests(1) 'A', tests(2) 'B'; allowed: one of them, or all as one history; try: --test all, or --test 2, or isolaw init, which makes a device of each");
   auto told = units;
   told.test = "3";
   EXPECT_EQ(refusal(text, told), "FILE: no test 3; allowed: 1 to 2: tests(1) 'A', tests(2) 'B'; try: --test 1");
@@ -175,7 +176,7 @@ TEST_F(Json, WhatIsNoNumberIsAtItsRow) {
 TEST_F(Json, ChecksOfTheValuesAreThoseOfText) {
   EXPECT_EQ(
       refusal(R"({"time_s": [0, 1, 1], "disp_mm": [0, 1, 2], "force_kN": [1, 1, 1]})"),
-      "FILE:3: time 1 s is repeated; allowed: time that increases from row to row; try: keep one test per file, or leave time out with --columns time=none and give --dt\n"
+      "FILE:3: time 1 s is repeated; allowed: time that increases from row to row; try: --rows A:B for one test of several, or leave time out with --columns time=none and give --dt\n"
       "FILE: force is constant: column 3 'force_kN' holds 1 kN in all 3 samples; allowed: a channel that moves; try: --columns force=NUMBER with the column that was measured");
 }
 

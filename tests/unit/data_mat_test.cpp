@@ -108,8 +108,9 @@ TEST_P(Matlab, SeveralStructsAreSeveralTests) {
   auto shorter = named;
   for (auto& [name, values] : shorter) values.pop_back();
   auto const text = made([&](MatWriter& w) { w.structure("first", {named}).structure("second", {shorter}); });
-  EXPECT_EQ(refusal(text),
-            "FILE: tables 'first', 'second' may each be the test; allowed: one of them; try: --sheet first");
+  EXPECT_EQ(
+      refusal(text),
+      "FILE: tables 'first', 'second' may each be the test; allowed: one of them; try: --sheet first, or isolaw init, which makes a device of each");
   ReadOptions options;
   options.sheet = "second";
   auto const record = read(text, options);
@@ -134,12 +135,12 @@ TEST_P(Matlab, FaultsAreAtTheirVariableAndElement) {
   bad[1].second[2] = std::nan("");
   EXPECT_EQ(
       refusal(made([&](MatWriter& w) { w.all(bad); })),
-      "FILE:disp_mm:3: 'nan' in variable 'disp_mm' is not a finite number; allowed: a finite number; try: cut the record before this element, or test again");
+      "FILE:disp_mm:3: 'nan' in variable 'disp_mm' is not a finite number; allowed: a finite number; try: --rows 1:2, the rows before it, or test again");
   bad = named;
   bad[0].second[3] = 0.1;
   EXPECT_EQ(
       refusal(made([&](MatWriter& w) { w.structure("s", {bad}); })),
-      "FILE:s.time_s:4: time goes back from 0.2 to 0.1 s; allowed: time that increases from row to row; try: keep one test per file, or leave time out with --columns time=none and give --dt");
+      "FILE:s.time_s:4: time goes back from 0.2 to 0.1 s; allowed: time that increases from row to row; try: --rows A:B for one test of several, or leave time out with --columns time=none and give --dt");
   bad = named;
   bad[2].second.pop_back();
   EXPECT_EQ(

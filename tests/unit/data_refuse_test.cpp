@@ -101,7 +101,7 @@ TEST_F(Refuse, NoNumbers) {
   EXPECT_EQ(refusal("Time;Disp;Force\ns;mm;kN\n"), "FILE: no rows of numbers in 2 lines" + rest);
   EXPECT_EQ(refusal("\n \n"), "FILE: no rows of numbers in 2 lines" + rest);
   std::string const one =
-      "FILE: one column of numbers; allowed: two or more columns of numbers, separated by commas, semicolons, tabs or blanks; try: write time beside displacement for a motion, displacement beside force for a test";
+      "FILE: one column of numbers; allowed: two or more columns of numbers, separated by commas, semicolons, tabs or blanks; try: displacement beside force; --columns force=FILE:COLUMN where each is in a file of its own; --dt SECONDS for a motion";
   EXPECT_EQ(refusal("1.5\n2.5\n3.5\n"), one);
   EXPECT_EQ(refusal("Displacement [mm]\n1.5\n2.5e1\n-3\n+4\n"), one);
 }
@@ -130,10 +130,10 @@ TEST_F(Refuse, NamesAndColumnsThatDoNotMatch) {
 TEST_F(Refuse, ThousandsSeparators) {
   EXPECT_EQ(
       refusal("Disp [mm];Force [kN]\n1,5;1.234,56\n2,5;3,0\n3,5;1,0\n"),
-      "FILE:2: '1.234,56' in column 2 'Force [kN]' has thousands separators; allowed: a number with a decimal comma and no other separator; try: export without digit grouping");
+      "FILE:2: '1.234,56' in column 2 'Force [kN]' has thousands separators; allowed: a number with a decimal comma and no other separator; try: --thousands .");
   EXPECT_EQ(
       refusal("Disp [mm];Force [N]\n1.5;1,234.56\n2.5;3.0\n3.5;1.0\n"),
-      "FILE:2: '1,234.56' in column 2 'Force [N]' has thousands separators; allowed: a number with a decimal point and no other separator; try: export without digit grouping");
+      "FILE:2: '1,234.56' in column 2 'Force [N]' has thousands separators; allowed: a number with a decimal point and no other separator; try: --thousands ,");
 }
 
 // --- rows -----------------------------------------------------------------------------------------------------------
@@ -141,19 +141,19 @@ TEST_F(Refuse, ThousandsSeparators) {
 TEST_F(Refuse, CellsThatAreNoNumbersAllAtOnce) {
   EXPECT_EQ(
       refusal(header_row + "0;1;2\n1;NaN;3\n2;3;-inf\n3;x;1\n4;;1\n5;1,5;1\n6;1;1;9\n7;#N/A;1\n8;2;3\n9;2.5;4\n"),
-      "FILE:8: 4 columns: '6;1;1;9'; allowed: 3 columns, as in most rows; try: remove the line, or put '#' before it\n"
-      "FILE:3: 'NaN' in column 2 'Disp [mm]' is not a finite number; allowed: a finite number; try: cut the record before this line, or test again\n"
-      "FILE:4: '-inf' in column 3 'Force [kN]' is not a finite number; allowed: a finite number; try: cut the record before this line, or test again\n"
-      "FILE:5: 'x' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: correct the cell, or put '#' before the line\n"
-      "FILE:6: column 2 'Disp [mm]' is empty; allowed: a number; try: remove the line, or put '#' before it\n"
-      "FILE:7: '1,5' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: correct the cell, or put '#' before the line\n"
+      "FILE:8: 4 columns: '6;1;1;9'; allowed: 3 columns, as in most rows; try: --rows 1:6, the rows before it\n"
+      "FILE:3: 'NaN' in column 2 'Disp [mm]' is not a finite number; allowed: a finite number; try: --rows 1:1, the rows before it, or test again\n"
+      "FILE:4: '-inf' in column 3 'Force [kN]' is not a finite number; allowed: a finite number; try: --rows 1:2, the rows before it, or test again\n"
+      "FILE:5: 'x' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: --rows 1:3, the rows before it\n"
+      "FILE:6: column 2 'Disp [mm]' is empty; allowed: a number; try: --rows 1:4, the rows before it\n"
+      "FILE:7: '1,5' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: --rows 1:5, the rows before it\n"
       "FILE: and 1 more cells that are no number");
 }
 
 TEST_F(Refuse, ABrokenFirstRowIsNoHeader) {
   EXPECT_EQ(
       refusal(header_row + "0;x;2\n1;2;3\n2;3;1\n3;1;2\n"),
-      "FILE:2: 'x' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: correct the cell, or put '#' before the line");
+      "FILE:2: 'x' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: --rows 2:, the rows behind it");
 }
 
 TEST_F(Refuse, LinesAreCountedAlikeForEveryLineEnd) {
@@ -168,7 +168,7 @@ TEST_F(Refuse, ProblemsOfColumnsAndRowsTogether) {
   EXPECT_EQ(
       refusal("Time [s];Disp;Force [kN]\n0;1;2\n1;x;3\n2;3;1\n3;4;2\n"),
       "FILE:1: column 2 'Disp' (disp) has no unit; allowed: mm, cm, m, in; try: --units disp=mm\n"
-      "FILE:3: 'x' in column 2 'Disp' is not a number; allowed: a number with a decimal point; try: correct the cell, or put '#' before the line");
+      "FILE:3: 'x' in column 2 'Disp' is not a number; allowed: a number with a decimal point; try: --rows 1:1, the rows before it");
 }
 
 // --- values ---------------------------------------------------------------------------------------------------------
@@ -176,8 +176,8 @@ TEST_F(Refuse, ProblemsOfColumnsAndRowsTogether) {
 TEST_F(Refuse, TimeThatDoesNotIncrease) {
   EXPECT_EQ(
       refusal(header_row + "0;1;2\n1;2;3\n1;3;1\n0.5;3;2\n2;1;1\n"),
-      "FILE:4: time 1 s is repeated; allowed: time that increases from row to row; try: keep one test per file, or leave time out with --columns time=none and give --dt\n"
-      "FILE:5: time goes back from 1 to 0.5 s; allowed: time that increases from row to row; try: keep one test per file, or leave time out with --columns time=none and give --dt");
+      "FILE:4: time 1 s is repeated; allowed: time that increases from row to row; try: --rows A:B for one test of several, or leave time out with --columns time=none and give --dt\n"
+      "FILE:5: time goes back from 1 to 0.5 s; allowed: time that increases from row to row; try: --rows A:B for one test of several, or leave time out with --columns time=none and give --dt");
 }
 
 TEST_F(Refuse, IntervalBesideATimeColumn) {
@@ -213,7 +213,8 @@ std::string loop_with(std::vector<std::pair<int, std::string>> const& replaced, 
 }
 
 TEST_F(Refuse, Overloads) {
-  std::string const rest = "; allowed: measured values; try: cut the record before the overload, or test again";
+  std::string const rest =
+      "; allowed: measured values; try: --rows A:B or --to SECONDS, which end before the overload, or test again";
   EXPECT_EQ(
       refusal(loop_with({{10, "1e30"}})),
       "FILE:12: 1e+30 kN in column 3 'Force [kN]' looks like an overload of the sensor (99.9 % of the values stay within 77.62)" +

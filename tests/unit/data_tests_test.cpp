@@ -24,7 +24,7 @@ std::string two_tests() {
 TEST_F(SeveralTests, AreRefusedWithoutAWord) {
   EXPECT_EQ(
       refusal(two_tests()),
-      "FILE: 2 tests in one file: they start at lines 2, 206; allowed: one of them, or all as one history; try: --test all, or --test 2");
+      "FILE: 2 tests in one file: they start at lines 2, 206; allowed: one of them, or all as one history; try: --test all, or --test 2, or isolaw init, which makes a device of each");
 }
 
 TEST_F(SeveralTests, OneIsReadByItsNumber) {
@@ -87,13 +87,13 @@ TEST_F(SeveralTests, UnitRowsAndCommentedNames) {
 TEST_F(SeveralTests, AreNotMadeOfOtherText) {
   EXPECT_EQ(
       refusal(header_row + "0;1;2\n1;2;3\nstop;stop;stop\n2;3;1\n"),
-      "FILE:4: 'stop' in column 1 'Time [s]' is not a number; allowed: a number with a decimal point; try: correct the cell, or put '#' before the line");
+      "FILE:4: 'stop' in column 1 'Time [s]' is not a number; allowed: a number with a decimal point; try: --rows 1:2, the rows before it");
 }
 
 TEST_F(SeveralTests, FaultsAreAtTheirLineOfTheFile) {
   EXPECT_EQ(
       refusal(header_row + "0;1;2\n1;2;3\n2;3;1\n" + header_row + "0;1;2\n1;x;3\n2;3;1\n", test("2")),
-      "FILE:7: 'x' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: correct the cell, or put '#' before the line");
+      "FILE:7: 'x' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: --rows 1:1, the rows before it");
 }
 
 TEST_F(SeveralTests, BeyondAnyNumberOfThem) {

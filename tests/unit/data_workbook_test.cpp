@@ -90,8 +90,9 @@ TEST_F(Workbook, ValuesAreThoseOfTheFileToTheLastBit) {
 TEST_F(Workbook, SheetsAreChosenByNameOrNumber) {
   Ellipse const loop, small{.amplitude_mm = 50.0};
   auto const text = book({{"Info", {{"Device", {}}}}, {"Test 1", columns_of(loop)}, {"Test 2", columns_of(small)}});
-  EXPECT_EQ(refusal(text),
-            "FILE: tables 'Test 1', 'Test 2' may each be the test; allowed: one of them; try: --sheet \"Test 1\"");
+  EXPECT_EQ(
+      refusal(text),
+      "FILE: tables 'Test 1', 'Test 2' may each be the test; allowed: one of them; try: --sheet \"Test 1\", or isolaw init, which makes a device of each");
   ReadOptions options;
   for (auto const* name : {"Test 2", "test 2", "3"}) {
     options.sheet = name;
@@ -126,10 +127,12 @@ TEST_F(Workbook, SheetsOfOtherNumbersArePassedOverBesideATest) {
     EXPECT_EQ(listed.front().passed_over, std::vector<std::string>{"Grafici"});
   }
   auto const text = book({{"Test", columns_of(loop)}, {"Grafici", chart}});
-  EXPECT_EQ(refusal(text, with("disp=B,force=C")),  // then a sheet without names may be the one
-            "FILE: tables 'Test', 'Grafici' may each be the test; allowed: one of them; try: --sheet Test");
-  EXPECT_EQ(refusal(book({{"One", chart}, {"Two", chart}})),
-            "FILE: tables 'One', 'Two' may each be the test; allowed: one of them; try: --sheet One");
+  EXPECT_EQ(
+      refusal(text, with("disp=B,force=C")),  // then a sheet without names may be the one
+      "FILE: tables 'Test', 'Grafici' may each be the test; allowed: one of them; try: --sheet Test, or isolaw init, which makes a device of each");
+  EXPECT_EQ(
+      refusal(book({{"One", chart}, {"Two", chart}})),
+      "FILE: tables 'One', 'Two' may each be the test; allowed: one of them; try: --sheet One, or isolaw init, which makes a device of each");
 }
 
 // "F [kN]" in column G is not what the letter F means.
@@ -160,7 +163,7 @@ TEST_F(Workbook, SeveralTestsInOneSheet) {
   auto const text = book_with(header_cells + three + header_cells + three + row(cell("5") + cell("5")));
   EXPECT_EQ(
       refusal(text),
-      "FILE:Test: 2 tests in one file: they start at rows 1, 5; allowed: one of them, or all as one history; try: --test all, or --test 2");
+      "FILE:Test: 2 tests in one file: they start at rows 1, 5; allowed: one of them, or all as one history; try: --test all, or --test 2, or isolaw init, which makes a device of each");
   ReadOptions options;
   options.test = "2";
   EXPECT_EQ(read(text, options).size(), 4u);
@@ -172,7 +175,7 @@ TEST_F(Workbook, FaultsAreAtTheirSheetAndRow) {
   auto const at_row_5 = [&](std::string const& bad) {
     return refusal(book_with(header_cells + three + row(bad + cell("1"))));
   };
-  auto const rest = "; allowed: a number; try: let the cell hold a number, or remove the row";
+  auto const rest = "; allowed: a number; try: --rows 1:3, the rows before it";
   EXPECT_EQ(at_row_5(text_cell("1,5")),
             std::string("FILE:Test:5: '1,5' in column A 'Disp [mm]' is text, not a number") + rest);
   EXPECT_EQ(at_row_5(cell("#DIV/0!", " t=\"e\"")),
@@ -184,9 +187,10 @@ TEST_F(Workbook, FaultsAreAtTheirSheetAndRow) {
   EXPECT_EQ(
       at_row_5(cell("99", " t=\"s\"")),
       std::string("FILE:Test:5: 'a text that the file lacks' in column A 'Disp [mm]' is text, not a number") + rest);
-  EXPECT_EQ(at_row_5("<c/>"), "FILE:Test:5: column A 'Disp [mm]' is empty; allowed: a number; try: remove the row");
+  EXPECT_EQ(at_row_5("<c/>"),
+            "FILE:Test:5: column A 'Disp [mm]' is empty; allowed: a number; try: --rows 1:3, the rows before it");
   EXPECT_EQ(refusal(book_with(header_cells + three + row(cell("2")))),
-            "FILE:Test:5: column B 'Force [kN]' is empty; allowed: a number; try: remove the row");
+            "FILE:Test:5: column B 'Force [kN]' is empty; allowed: a number; try: --rows 1:3, the rows before it");
 }
 
 TEST_F(Workbook, DatesAndTimesOfDayAreNoSeconds) {
@@ -201,11 +205,33 @@ TEST_F(Workbook, DatesAndTimesOfDayAreNoSeconds) {
     return book_with(rows, {{"xl/styles.xml", styles}});
   };
   for (int const number : {0, 2, 4}) EXPECT_EQ(read(styled(number)).size(), 3u) << number;
+  // Whole days are no times of a test.
   for (int const date : {1, 3})
     EXPECT_TRUE(
         refusal(styled(date))
-            .starts_with("FILE:Test:2: '0 (a date or time of day)' in column A 'Time [s]' is text, not a number"))
+            .starts_with(
+                "FILE:Test:2: '0 (a date or time of day)' in column A 'Time [s]' is a date or time of day, not a number"))
         << refusal(styled(date));
+}
+
+TEST_F(Workbook, DateCellsAreSecondsFromTheFirst) {
+  std::string const styles =
+      "<styleSheet><cellXfs><xf numFmtId=\"0\"/><xf numFmtId=\"22\"/><xf numFmtId=\"14\"/><xf numFmtId=\"21\"/></cellXfs></styleSheet>";
+  auto const head = text_cell("Disp [mm]") + text_cell("Force [kN]");
+  std::string stamps = row(text_cell("Time") + head), parts = row(text_cell("Date") + text_cell("Clock") + head);
+  for (int i = 0; i < 4; ++i) {
+    double const seconds = 86398.5 + i;  // past midnight
+    auto const values = cell(std::to_string(i)) + cell(std::to_string(i % 2));
+    stamps += row(cell(fmt::format("{:.12f}", 45414.0 + seconds / 86400.0), " s=\"1\"") + values);
+    parts += row(cell(std::to_string(45414 + (seconds >= 86400.0 ? 1 : 0)), " s=\"2\"") +
+                 cell(fmt::format("{:.12f}", std::fmod(seconds / 86400.0, 1.0)), " s=\"3\"") + values);
+  }
+  for (auto const& rows : {stamps, parts}) {
+    auto const record = read(book_with(rows, {{"xl/styles.xml", styles}}));
+    ASSERT_EQ(record.time_s.size(), 4u);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(record.time_s[i], static_cast<double>(i), 1e-6);
+    EXPECT_TRUE(says(record.recognised, "2024-05-02 at 23:59:58.500"));
+  }
 }
 
 TEST_F(Workbook, AColumnThatIsNotThere) {

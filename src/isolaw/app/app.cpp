@@ -50,10 +50,10 @@ void add_option(CLI::App& command, OptionInfo const& option, Values& given) {
     command.add_option_function<std::string>(name, take_word, option.help)->type_name(type);
 }
 
-// Of a motion, which has no force: `of_force` is false.
-void add_reading(CLI::App& command, Values& read, bool of_force = true) {
+// Of a motion, which has no force: `of_test` is false.
+void add_reading(CLI::App& command, Values& read, bool of_test = true) {
   for (auto const& option : data::reading_table())
-    if (of_force || !option.of_force) add_option(command, option, read);
+    if (of_test || !option.of_test) add_option(command, option, read);
 }
 
 void add_acceptance(CLI::App& command, Values& acceptance) {

@@ -47,7 +47,7 @@ int list_keywords(std::vector<std::string> const& which, std::vector<std::string
     if (!row.stored_only) add(row, is_in(which, "settings"));
   for (auto const& row : campaign::acceptance_table()) add(row, is_in(which, "acceptance"));
   for (auto const& row : data::reading_table())
-    add(row, is_in(which, "reading") || (!row.of_force && is_in(which, "motion")));
+    add(row, is_in(which, "reading") || (!row.of_test && is_in(which, "motion")));
   std::vector<Complaint> complaints;
   for (auto const* words : {&which, &but})
     for (auto const& word : *words)

@@ -46,11 +46,22 @@ std::string folder_name(std::filesystem::path const& directory) {
   return path.filename().string();
 }
 
-constexpr std::array<std::string_view, 9> record_extensions{".csv", ".tsv", ".txt",  ".dat", ".asc",
-                                                            ".lvm", ".mat", ".xlsx", ".json"};
-
-bool is_record_name(std::filesystem::path const& file) {
-  return std::ranges::find(record_extensions, lower(file.extension().string())) != record_extensions.end();
+// The lot's folder, the only file, the folder that several files share, or how many records there are.
+std::string name_of(std::vector<std::filesystem::path> const& inputs, std::size_t devices) {
+  auto const& first = inputs.front();
+  auto const folder = [](std::filesystem::path const& file) {
+    return folder_name(std::filesystem::absolute(file).parent_path());
+  };
+  if (is_lot_file(first)) return folder(first);
+  if (inputs.size() == 1) return std::filesystem::is_directory(first) ? folder_name(first) : first.stem().string();
+  auto const parent = [](auto const& input) {
+    return std::filesystem::absolute(input).lexically_normal().parent_path();
+  };
+  bool const together = std::ranges::all_of(inputs, [&](auto const& input) {
+    return !std::filesystem::is_directory(input) && parent(input) == parent(first);
+  });
+  auto const shared = together ? folder(first) : std::string();
+  return shared.empty() ? fmt::format("{} records", devices) : shared;
 }
 
 }  // namespace
@@ -64,13 +75,15 @@ std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path>
     }
     std::vector<std::filesystem::path> inside;
     for (auto const& entry : std::filesystem::directory_iterator(input))
-      if (entry.is_regular_file() && is_record_name(entry.path())) inside.push_back(entry.path());
+      if (entry.is_regular_file() && data::is_record_name(entry.path().filename().string()))
+        inside.push_back(entry.path());
     if (inside.empty())
       throw Error({.where = input.string(),
                    .found = "a directory without test records",
-                   .allowed = fmt::format("files ending in {} or {}",
-                                          joined(record_extensions | std::views::take(record_extensions.size() - 1)),
-                                          record_extensions.back()),
+                   .allowed = fmt::format(
+                       "files ending in {} or {}",
+                       joined(data::record_extensions | std::views::take(data::record_extensions.size() - 1)),
+                       data::record_extensions.back()),
                    .advice = "naming the files themselves"});
     std::ranges::sort(inside);
     files.insert(files.end(), inside.begin(), inside.end());
@@ -135,12 +148,7 @@ campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, ca
           shown(input / "lot.toml"));
   }
   auto lot = from_file ? lot_of_file(inputs.front(), options) : campaign::lot_of_files(records_of(inputs));
-  auto const& first = inputs.front();
-  bool const named_by_folder = from_file || std::filesystem::is_directory(first);
-  if (lot.title.empty())
-    lot.title = printable(!named_by_folder ? first.stem().string()
-                          : from_file      ? std::filesystem::absolute(first).parent_path().filename().string()
-                                           : folder_name(first));
+  if (lot.title.empty()) lot.title = printable(name_of(inputs, lot.devices.size()));
   return lot;
 }
 
@@ -163,11 +171,7 @@ campaign::Lot lot_of(CalibrateArguments const& a) {
 
 std::filesystem::path output_directory(CalibrateArguments const& a, campaign::Lot const& lot) {
   if (lot.out) return *lot.out;
-  auto const& first = a.inputs.front();
-  auto const name = is_lot_file(first) ? std::filesystem::absolute(first).lexically_normal().parent_path().filename()
-                    : std::filesystem::is_directory(first) ? std::filesystem::path(folder_name(first))
-                                                           : first.stem();
-  return std::filesystem::path("out") / name;
+  return std::filesystem::path("out") / name_of(a.inputs, lot.devices.size());
 }
 
 }  // namespace isolaw::app

@@ -24,6 +24,7 @@ constexpr std::array known{
     Unit{Dimension::length, "in", 25.4},
     s,
     Unit{Dimension::time, "ms", 1e-3},
+    Unit{Dimension::time, "min", 60.0},
 };
 
 struct Alias {
@@ -31,9 +32,11 @@ struct Alias {
   std::string_view symbol;
 };
 constexpr std::array aliases{
-    Alias{"kips", "kip"},  Alias{"lb", "lbf"},  Alias{"lbs", "lbf"},       Alias{"tf", "tonf"},  Alias{"inch", "in"},
-    Alias{"inches", "in"}, Alias{"\"", "in"},   Alias{"sec", "s"},         Alias{"secs", "s"},   Alias{"second", "s"},
-    Alias{"seconds", "s"}, Alias{"msec", "ms"}, Alias{"kilonewton", "kN"}, Alias{"newton", "N"}, Alias{"kg", "kgf"},
+    Alias{"kips", "kip"},      Alias{"lb", "lbf"},     Alias{"lbs", "lbf"},     Alias{"tf", "tonf"},
+    Alias{"inch", "in"},       Alias{"inches", "in"},  Alias{"\"", "in"},       Alias{"sec", "s"},
+    Alias{"secs", "s"},        Alias{"second", "s"},   Alias{"seconds", "s"},   Alias{"msec", "ms"},
+    Alias{"kilonewton", "kN"}, Alias{"newton", "N"},   Alias{"kg", "kgf"},      Alias{"in.", "in"},
+    Alias{"t", "tonf"},        Alias{"minute", "min"}, Alias{"minutes", "min"},
 };
 
 }  // namespace

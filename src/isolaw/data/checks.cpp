@@ -56,7 +56,8 @@ void check_overload(std::string const& file, RawChannel const& raw, std::span<st
     std::string found =
         fmt::format("{} {} in {} looks like an overload of the sensor", raw.values[i], raw.unit, raw.column);
     if (ordinary) found += fmt::format(" (99.9 % of the values stay within {:.4g})", *ordinary);
-    findings.add(lines[i], std::move(found), "measured values", "cut the record before the overload, or test again");
+    findings.add(lines[i], std::move(found), "measured values",
+                 "--rows A:B or --to SECONDS, which end before the overload, or test again");
   }
   findings.append_to(complaints);
 }
@@ -81,7 +82,7 @@ void check_time(std::string const& file, RawChannel const& raw, std::span<std::s
     auto found = now == before ? fmt::format("time {} {} is repeated", now, raw.unit)
                                : fmt::format("time goes back from {} to {} {}", before, now, raw.unit);
     findings.add(lines[i], std::move(found), "time that increases from row to row",
-                 "keep one test per file, or leave time out with --columns time=none and give --dt");
+                 "--rows A:B for one test of several, or leave time out with --columns time=none and give --dt");
   }
   findings.append_to(complaints);
 }

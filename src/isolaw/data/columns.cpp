@@ -17,30 +17,74 @@ namespace {
 using Words = std::vector<std::string>;
 using Lexicon = std::span<std::string_view const>;
 
-// English, Italian, German, French, Spanish; lower case without accents.
-constexpr std::string_view time_words[]{"time", "tempo", "zeit", "temps", "tiempo", "messzeit"};
-constexpr std::string_view disp_words[]{"disp", "weg", "stroke", "corsa", "hub", "scorrimento"};
-constexpr std::string_view disp_stems[]{
-    "displ", "spost", "verschieb", "deplac", "desplaz", "horizontalverschieb", "horizontalweg", "kolbenweg"};
-constexpr std::string_view force_words[]{"force",     "forces",     "forza",     "taglio",   "shear",
-                                         "kraft",     "fuerza",     "effort",    "cortante", "horizontalkraft",
-                                         "querkraft", "schubkraft", "scherkraft"};
-constexpr std::string_view load_words[]{"load", "carico", "last", "carga", "charge"};
+// English, Italian, German, French, Spanish, Turkish; lower case without accents.
+constexpr std::string_view time_words[]{"time", "tempo", "zeit", "temps", "tiempo", "messzeit", "zaman", "sure"};
+// Of columns of dates and times of day, which no other word need name.
+constexpr std::string_view date_words[]{"timestamp", "datetime", "date",     "datum",       "data",   "fecha", "time",
+                                        "zeit",      "uhrzeit",  "horodate", "zeitstempel", "ora",    "hora",  "heure",
+                                        "tarih",     "saat",     "tempo",    "temps",       "tiempo", "zaman"};
+constexpr std::string_view disp_words[]{"disp", "weg",         "stroke",    "corsa",
+                                        "hub",  "scorrimento", "deplasman", "otelenme"};
+constexpr std::string_view disp_stems[]{"displ",         "spost",     "verschieb",
+                                        "deplac",        "desplaz",   "horizontalverschieb",
+                                        "horizontalweg", "kolbenweg", "degistirme"};
+constexpr std::string_view force_words[]{
+    "force",    "forces",          "forza",     "taglio",     "shear",      "kraft",  "fuerza",  "effort",
+    "cortante", "horizontalkraft", "querkraft", "schubkraft", "scherkraft", "kuvvet", "kuvveti", "kesme"};
+constexpr std::string_view load_words[]{"load", "carico", "last", "carga", "charge", "yuk", "yuku"};
 constexpr std::string_view vertical_force_words[]{"vertikalkraft", "vertikallast", "axialkraft",
                                                   "axiallast",     "normalkraft",  "auflast"};
 constexpr std::string_view vertical_words[]{
-    "vertical", "verticale", "vert",    "vertikal",    "vertikalweg",  "vertikalverschiebung", "axial", "axiale",
-    "assiale",  "normal",    "normale", "compression", "compressione", "kompression",          "z"};
-constexpr std::string_view horizontal_words[]{"horizontal", "horizontale", "orizzontale", "orizz", "horiz",
-                                              "hor",        "lateral",     "laterale",    "shear", "taglio"};
+    "vertical",     "verticale",   "vert",    "vertikal", "vertikalweg", "vertikalverschiebung",
+    "axial",        "axiale",      "assiale", "normal",   "normale",     "compression",
+    "compressione", "kompression", "z",       "dusey",    "eksenel",     "basinc"};
+constexpr std::string_view horizontal_words[]{"horizontal", "horizontale", "orizzontale", "orizz",  "horiz", "hor",
+                                              "lateral",    "laterale",    "shear",       "taglio", "yatay", "kesme"};
 // Not a measured displacement or force, though the name holds such a word.
-constexpr std::string_view other_quantities[]{
-    "command",      "comando",       "cmd",      "setpoint",       "target",          "demand",     "soll",
-    "sollwert",     "sollweg",       "consigne", "consigna",       "reference",       "ref",        "riferimento",
-    "velocity",     "velocita",      "vel",      "speed",          "geschwindigkeit", "vitesse",    "velocidad",
-    "acceleration", "accelerazione", "acc",      "beschleunigung", "error",           "errore",     "fehler",
-    "strain",       "stress",        "modulus",  "temperature",    "temperatura",     "temperatur", "pressure",
-    "pressione",    "rate",          "status"};
+constexpr std::string_view other_quantities[]{"command",
+                                              "comando",
+                                              "cmd",
+                                              "setpoint",
+                                              "target",
+                                              "demand",
+                                              "soll",
+                                              "sollwert",
+                                              "sollweg",
+                                              "consigne",
+                                              "consigna",
+                                              "reference",
+                                              "ref",
+                                              "riferimento",
+                                              "velocity",
+                                              "velocita",
+                                              "vel",
+                                              "speed",
+                                              "geschwindigkeit",
+                                              "vitesse",
+                                              "velocidad",
+                                              "acceleration",
+                                              "accelerazione",
+                                              "acc",
+                                              "beschleunigung",
+                                              "error",
+                                              "errore",
+                                              "fehler",
+                                              "strain",
+                                              "stress",
+                                              "modulus",
+                                              "temperature",
+                                              "temperatura",
+                                              "temperatur",
+                                              "pressure",
+                                              "pressione",
+                                              "rate",
+                                              "status",
+                                              "hiz",
+                                              "hizi",
+                                              "ivme",
+                                              "sicaklik",
+                                              "komut",
+                                              "hedef"};
 constexpr std::string_view disp_symbols[]{"x", "u", "d", "ux", "dx", "uh", "dh"};
 constexpr std::string_view force_symbols[]{"f", "h", "fx", "fh"};
 constexpr std::string_view load_symbols[]{"v", "fv", "fz", "p"};
@@ -73,9 +117,96 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
+struct Translation {
+  std::string_view text, words;
+};
+// Characters of Japanese names, longer ones before those they hold.
+constexpr Translation japanese[]{{"加速度", "acceleration"},
+                                 {"試験年月日", "test date"},
+                                 {"試験体番号", "specimen no"},
+                                 {"試験体名", "specimen name"},
+                                 {"製造番号", "serial no"},
+                                 {"製品番号", "serial no"},
+                                 {"シリアル", "serial"},
+                                 {"試験体", "specimen"},
+                                 {"番号", "no"},
+                                 {"試験日", "test date"},
+                                 {"日付", "date"},
+                                 {"日時", "date time"},
+                                 {"ロット", "lot"},
+                                 {"試験温度", "test temperature"},
+                                 {"室温", "room temperature"},
+                                 {"温度", "temperature"},
+                                 {"ゴム総厚さ", "total rubber thickness"},
+                                 {"ゴム総厚", "total rubber thickness"},
+                                 {"ゴム厚", "rubber thickness"},
+                                 {"ゴム面積", "rubber area"},
+                                 {"経過時間", "time"},
+                                 {"時間", "time"},
+                                 {"時刻", "time"},
+                                 {"変位", "displacement"},
+                                 {"変形", "displacement"},
+                                 {"水平", "horizontal"},
+                                 {"鉛直", "vertical"},
+                                 {"垂直", "vertical"},
+                                 {"軸力", "axial force"},
+                                 {"せん断", "shear"},
+                                 {"荷重", "load"},
+                                 {"速度", "velocity"},
+                                 {"圧力", "pressure"},
+                                 {"面圧", "pressure"},
+                                 {"応力", "stress"},
+                                 {"ひずみ", "strain"},
+                                 {"歪", "strain"},
+                                 {"目標", "target"},
+                                 {"指令", "command"},
+                                 {"力", "force"},
+                                 {"（", " ("},
+                                 {"）", ") "},
+                                 {"［", " ["},
+                                 {"］", "] "},
+                                 {"㎜", "mm"},
+                                 {"㎝", "cm"},
+                                 {"　", " "}};
+
+// Full-width letters and digits as ordinary ones.
+std::string narrow(std::string_view text) {
+  std::string made;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    auto const byte = [&](std::size_t at) { return static_cast<unsigned char>(text[at]); };
+    if (i + 2 < text.size() && byte(i) == 0xEF && (byte(i + 1) == 0xBC || byte(i + 1) == 0xBD)) {
+      unsigned const code = (byte(i + 1) - 0xBCu) * 64u + (byte(i + 2) & 0x3Fu);  // from U+FF00
+      if (code >= 1 && code <= 0x5E) {
+        made += static_cast<char>(0x20 + code);
+        i += 2;
+        continue;
+      }
+    }
+    made += text[i];
+  }
+  return made;
+}
+
+bool is_ascii(std::string_view text) {
+  return std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+}
+
+// Units and brackets of Japanese names as ordinary ones; `words` too.
+std::string translated(std::string_view text, bool words) {
+  if (is_ascii(text)) return std::string(text);
+  auto made = narrow(text);
+  for (auto const& [from, to] : japanese) {
+    bool const word = to.front() >= 'a' && to != "mm" && to != "cm";
+    if (word && !words) continue;
+    for (auto at = made.find(from); at != std::string::npos; at = made.find(from, at))
+      made.replace(at, from.size(), word ? fmt::format(" {} ", to) : std::string(to));
+  }
+  return made;
+}
+
 // Lower-case words; "DispH_2" -> disp, h, 2.
 Words words_of(std::string_view name) {
-  auto const text = without_accents(name);
+  auto const text = without_accents(translated(name, true));
   Words words;
   char previous = ' ';
   for (char const c : text) {
@@ -174,6 +305,10 @@ std::optional<ColumnName> split_brackets(std::string_view name) {
 std::optional<ColumnName> split_last_word(std::string_view name) {
   auto const at = name.find_last_of(" _/,;:-");
   if (at == std::string_view::npos || at == 0 || !parse_unit(name.substr(at + 1))) return std::nullopt;
+  // "Force min" is a smallest force, "x_t" a name.
+  auto const last = lower(name.substr(at + 1));
+  bool const set_apart = name[at] == ',' || name[at] == '/' || name.substr(0, at).ends_with(" in");
+  if ((last == "t" || last == "min") && !set_apart) return std::nullopt;
   auto base = name.substr(0, at);
   auto const tail = base.find_last_not_of(" _/,;:-");
   if (tail == std::string_view::npos) return std::nullopt;
@@ -181,8 +316,6 @@ std::optional<ColumnName> split_last_word(std::string_view name) {
   if (base.ends_with(" in")) base.remove_suffix(3);
   return ColumnName{.base = std::string(base), .unit = std::string(name.substr(at + 1))};
 }
-
-constexpr Channel motion_channels[] = {Channel::time, Channel::disp};
 
 struct ChannelInfo {
   std::string_view name, meaning;
@@ -202,24 +335,27 @@ ChannelInfo const& info_of(Channel channel) {
 class Resolver {
  public:
   Resolver(std::string where, Header const& header, std::size_t count, ReadOptions const& options, Wanted wanted)
-      : file_(std::move(where)), header_(header), count_(count), options_(options), motion_(wanted == Wanted::motion) {}
+      : file_(std::move(where)), header_(header), count_(count), options_(options), wanted_(wanted) {}
 
   Columns run() {
     if (header_.mismatch) complain_about_mismatch();
-    std::span<Channel const> channels = all_channels;
-    if (motion_) channels = motion_channels;
-    for (auto const channel : channels) take_option(channel);
-    for (auto const channel : channels)
-      if (!asked_for(channel)) recognise(channel);
+    for (auto const channel : all_channels)
+      if (wanted_.has(channel)) take_option(channel);
+    for (auto const channel : all_channels)
+      if (wanted_.has(channel) && !asked_for(channel)) recognise(channel);
+    join_date();
     refuse_shared_columns();
     for (auto& [channel, column] : result_.channels) resolve_unit(channel, column);
     std::erase_if(result_.channels, [](auto const& entry) {
       return entry.first == Channel::load && !entry.second.unit;  // optional: said in a warning or a complaint
     });
+    say_given_units();
+    say_unused();
     return std::move(result_);
   }
 
  private:
+  bool both_wanted() const { return wanted_.disp && wanted_.force; }
   bool has_names() const { return !header_.names.empty(); }
   bool asked_for(Channel channel) const { return options_.columns.contains(channel); }
 
@@ -257,13 +393,102 @@ class Resolver {
     if (wanted == options_.columns.end()) return;
     bool const optional_channel = channel == Channel::time || channel == Channel::load;
     if (optional_channel && lower(wanted->second) == "none" && !find_named(wanted->second)) {
-      result_.recognised.push_back(fmt::format("{}: not read, as asked for", name(channel)));
+      result_.recognised.push_back(
+          fmt::format("{}: not read, as asked for (--columns {}=none)", name(channel), name(channel)));
       return;
     }
     if (auto const index = find_column(channel, wanted->second)) {
       result_.channels[channel].index = *index;
       why_[channel] = "as asked for";
+      if (channel == Channel::time) take_stamps(result_.channels[channel]);
     }
+  }
+
+  StampKind stamps_of(std::size_t index) const {
+    return index < header_.stamps.size() ? header_.stamps[index] : StampKind::none;
+  }
+  bool holds_stamps(std::size_t index) const {
+    auto const kind = stamps_of(index);
+    return kind == StampKind::date_time || kind == StampKind::clock;
+  }
+
+  // Numbers are days of a spreadsheet where the column has no unit, which such days never have.
+  void take_stamps(Column& time) {
+    auto const kind = stamps_of(time.index);
+    bool const has_unit = options_.units.contains(Channel::time) || !written_units(Channel::time, time.index).empty();
+    if (kind == StampKind::date_time || kind == StampKind::clock || (kind == StampKind::serial_number && !has_unit))
+      time.stamp = kind;
+  }
+
+  // Times of day beside a column of dates.
+  void join_date() {
+    auto const time = result_.channels.find(Channel::time);
+    if (time == result_.channels.end() || time->second.stamp != StampKind::clock) return;
+    std::vector<std::size_t> dates;
+    for (std::size_t i = 0; i < count_; ++i)
+      if (stamps_of(i) == StampKind::date) dates.push_back(i);
+    if (dates.size() == 1) time->second.date_column = dates.front();
+  }
+
+  // By its name, where one column has one; else the only one that holds time stamps.
+  void recognise_time() {
+    auto found = candidates_of_any(Channel::time);
+    // A column of seconds beside stamps of the same name is the time.
+    if (found.size() > 1) {
+      auto numbers = found;
+      std::erase_if(numbers, [&](auto i) { return stamps_of(i) != StampKind::none; });
+      if (numbers.size() == 1) found = numbers;
+    }
+    if (found.size() > 1) {
+      report_ambiguity(Channel::time, found);
+      return;
+    }
+    std::string why = "by its name";
+    if (found.empty()) {
+      for (std::size_t i = 0; i < count_; ++i)
+        if (!is_taken(i) && (holds_stamps(i) || (stamps_of(i) == StampKind::serial_number && names_a_date(i))))
+          found.push_back(i);
+      why = "by its values";
+    }
+    if (found.size() > 1) {
+      std::vector<std::string> texts;
+      for (auto const index : found) texts.push_back(column_text(index, header_));
+      complain(header_place(), fmt::format("{} each hold times of day", shortened(std::move(texts), 10)),
+               "one column for time", options_for(Channel::time, found));
+      return;
+    }
+    if (found.empty()) return;
+    auto& time = result_.channels[Channel::time];
+    time.index = found.front();
+    why_[Channel::time] = why;
+    take_stamps(time);
+  }
+
+  bool names_a_date(std::size_t index) const {
+    return index < header_.names.size() && any_in(date_words, words_of(dissect_name(header_.names[index]).base));
+  }
+
+  // What the file does not say: a reader of the results has nothing else to check it by.
+  void say_given_units() {
+    std::vector<std::string> given;
+    for (auto const& [channel, column] : result_.channels)
+      if (options_.units.contains(channel) && column.unit && column.stamp == StampKind::none &&
+          stated_unit(column.index) != column.unit->symbol)
+        given.push_back(fmt::format("{}={}", name(channel), column.unit->symbol));
+    if (!given.empty())
+      result_.recognised.push_back(fmt::format("units given with the file (--units {})", joined(given, ",")));
+  }
+
+  void say_unused() {
+    std::vector<std::string> texts;
+    bool const timed = result_.channels.contains(Channel::time);
+    for (std::size_t i = 0; i < count_; ++i) {
+      bool const date = timed && result_.channels.at(Channel::time).date_column == i;
+      bool const counter = !timed && i < header_.names.size() && is_counter(header_.names[i]);  // said apart
+      if (!is_taken(i) && !date && !counter) texts.push_back(column_text(i, header_));
+    }
+    constexpr std::size_t shown = 10;
+    if (!texts.empty()) result_.recognised.push_back("not used: " + shortened(std::move(texts), shown));
   }
 
   // Indices of the columns for which `matches` holds.
@@ -343,7 +568,14 @@ class Resolver {
 
   // Words before symbols: beside a column "Force", a column "F" is more likely something else.
   void recognise(Channel channel) {
+    if (channel == Channel::time) return recognise_time();
     auto const found = candidates_of_any(channel);
+    // Nothing else it could be.
+    if (channel == Channel::disp && found.empty() && count_ == 1 && !wanted_.force) {
+      result_.channels[channel].index = 0;
+      why_[channel] = "the only column";
+      return;
+    }
     if (found.size() == 1) {
       result_.channels[channel].index = found.front();
       why_[channel] = "by its name";
@@ -392,7 +624,7 @@ class Resolver {
   // Programs name variables as they like: what there is, once.
   void report_variables(Channel channel) {
     bool const no_disp = !result_.channels.contains(Channel::disp) && candidates_of_any(Channel::disp).empty();
-    bool const both = !motion_ && no_disp && candidates_of_any(Channel::force).empty();
+    bool const both = both_wanted() && no_disp && candidates_of_any(Channel::force).empty();
     if (both && channel == Channel::force) return;  // said with the displacement
     complain(header_place(),
              fmt::format("no variable is recognised as the {}{}", info_of(channel).meaning,
@@ -410,7 +642,7 @@ class Resolver {
 
   // Without names nothing tells displacement from force, nor time from a counter: asked for at once.
   void report_nameless(Channel channel) {
-    bool const both = !motion_ && !asked_for(Channel::disp) && !asked_for(Channel::force);
+    bool const both = both_wanted() && !asked_for(Channel::disp) && !asked_for(Channel::force);
     if (both && channel == Channel::force) return;  // said with the displacement
     auto const what = both ? std::string("displacement and which the force") : std::string(info_of(channel).meaning);
     complain(
@@ -439,10 +671,21 @@ class Resolver {
     std::string place;
   };
 
+  // By the file alone; empty where it states none that is known.
+  std::string_view stated_unit(std::size_t index) const {
+    auto const written = units_in_file(index);
+    auto const unit = written.empty() ? std::nullopt : parse_unit(written.front().text);
+    return unit ? unit->symbol : std::string_view{};
+  }
+
   std::vector<WrittenUnit> written_units(Channel channel, std::size_t index) const {
-    std::vector<WrittenUnit> written;
     if (auto const given = options_.units.find(channel); given != options_.units.end())
       return {{given->second, "as asked for", "--units " + std::string(name(channel))}};
+    return units_in_file(index);
+  }
+
+  std::vector<WrittenUnit> units_in_file(std::size_t index) const {
+    std::vector<WrittenUnit> written;
     if (has_names()) {
       auto const unit = dissect_name(header_.names[index]).unit;
       if (!unit.empty()) written.push_back({unit, "from its name", header_place()});
@@ -467,6 +710,18 @@ class Resolver {
 
   void resolve_unit(Channel channel, Column& column) {
     auto const text = column_text(column.index, header_);
+    if (column.stamp != StampKind::none) {
+      if (auto const given = options_.units.find(channel); given != options_.units.end() && given->second != s.symbol)
+        complain(fmt::format("--units {}", name(channel)),
+                 fmt::format("{}, but {} holds time stamps", given->second, text), "s, or no unit", "leave it out");
+      column.unit = s;
+      auto const date =
+          column.date_column ? fmt::format(" with the dates of {}", column_text(*column.date_column, header_)) : "";
+      result_.recognised.push_back(
+          fmt::format("{}: {}{}, {}; {}, read in s", name(channel), text, date, why_.at(channel),
+                      column.stamp == StampKind::serial_number ? "days of a spreadsheet" : "time stamps"));
+      return;
+    }
     auto const allowed = known_units(dimension(channel));
     auto const advice = fmt::format("--units {}={}", name(channel), allowed.substr(0, allowed.find(',')));
     auto const written = written_units(channel, column.index);
@@ -501,7 +756,7 @@ class Resolver {
   Header const& header_;
   std::size_t count_;
   ReadOptions const& options_;
-  bool motion_;
+  Wanted wanted_;
   std::map<Channel, std::string> why_;
   Columns result_;
 };
@@ -533,8 +788,19 @@ Dimension dimension(Channel channel) {
   return info_of(channel).dimension;
 }
 
-ColumnName dissect_name(std::string_view name) {
-  name = trimmed(name);
+std::vector<std::string> name_words(std::string_view name) {
+  return words_of(name);
+}
+
+bool is_japanese(std::string_view name) {
+  return std::ranges::any_of(japanese, [&](auto const& each) {
+    return each.words.front() >= 'a' && name.find(each.text) != std::string_view::npos;
+  });
+}
+
+ColumnName dissect_name(std::string_view written) {
+  auto const ordinary = translated(written, false);
+  auto const name = trimmed(ordinary);
   if (auto const parts = split_brackets(name)) return *parts;
   if (auto const parts = split_last_word(name)) return *parts;
   return {.base = std::string(name), .unit = {}};

@@ -18,8 +18,17 @@ namespace isolaw::data {
 
 inline constexpr Channel all_channels[] = {Channel::time, Channel::disp, Channel::force, Channel::load};
 
-// What is read of a table: a test, or the displacement history of one, of which force and load are left alone.
-enum class Wanted { test, motion };
+// What is read of a table: a test; the displacement history of one, of which force and load are left alone; single
+// channels, where others come from another file.
+struct Wanted {
+  bool time = true, disp = true, force = true, load = true;
+  bool part = false;  // other channels are in another file
+  static Wanted test() { return {}; }
+  static Wanted motion() { return {.force = false, .load = false}; }
+  bool has(Channel channel) const {
+    return channel == Channel::time ? time : channel == Channel::disp ? disp : channel == Channel::force ? force : load;
+  }
+};
 
 Dimension dimension(Channel channel);
 
@@ -30,12 +39,20 @@ struct ColumnName {
 };
 ColumnName dissect_name(std::string_view name);
 
+// Words of a name in lower case without accents: "DispH_2" -> disp, h, 2; Japanese by what it means.
+std::vector<std::string> name_words(std::string_view name);
+
+// Whether a word of Japanese that is known stands in the name.
+bool is_japanese(std::string_view name);
+
 // Whether a header cell looks like a time, displacement or force of any kind: tells a row of names from other lines.
 bool names_a_channel(std::string_view cell);
 
 struct Column {
-  std::size_t index = 0;     // from 0
-  std::optional<Unit> unit;  // empty when it is missing or wrong, which is among the complaints
+  std::size_t index = 0;                        // from 0
+  std::optional<Unit> unit;                     // empty when it is missing or wrong, which is among the complaints
+  StampKind stamp = StampKind::none;            // of a time read from time stamps
+  std::optional<std::size_t> date_column = {};  // beside which its times of day stand
 };
 
 struct Columns {
@@ -47,7 +64,7 @@ struct Columns {
 
 // `where` is the file as given, or the part of it that holds the `count` columns. Never throws: problems are collected.
 Columns recognise_columns(std::string const& where, Header const& header, std::size_t count, ReadOptions const& options,
-                          Wanted wanted = Wanted::test);
+                          Wanted wanted = Wanted::test());
 
 // The name where it says which column it is and an option can hold it, else the number.
 std::string column_key(std::size_t index, Header const& header);

@@ -30,8 +30,25 @@ bool is_not_finite(std::string_view cell) {
   return std::ranges::find(marks, view) != marks.end() || view.starts_with("nan(");
 }
 
-// "1.234,56", "1.234.567", "1 234,56", "1'234.56": digits in groups of three and then, possibly, decimals.
-bool is_grouped(std::string_view cell, char decimal) {
+// Marks that group digits, as they are written; the first character of each line is what the option calls it.
+struct GroupMark {
+  char meant;
+  std::string_view written;
+};
+constexpr std::array group_marks{GroupMark{'.', "."},
+                                 GroupMark{',', ","},
+                                 GroupMark{' ', " "},
+                                 GroupMark{'\'', "'"},
+                                 GroupMark{' ', "\xA0"},
+                                 GroupMark{' ', "\xC2\xA0"},
+                                 GroupMark{' ', "\xE2\x80\xAF"},
+                                 GroupMark{'\'', "\xE2\x80\x99"}};
+
+// "1.234,56", "1.234.567", "1 234,56", "1'234.56": digits in groups of three and then, possibly, decimals. Where the
+// user says what groups them, one group is enough, and `digits` takes the number without its marks.
+bool is_grouped(std::string_view cell, NumberFormat format, std::string* digits = nullptr) {
+  auto const whole = cell;
+  char const decimal = format.decimal;
   auto const take_digits = [&cell] {
     std::size_t count = 0;
     while (count < cell.size() && is_digit(cell[count])) ++count;
@@ -39,19 +56,25 @@ bool is_grouped(std::string_view cell, char decimal) {
     return count;
   };
   if (!cell.empty() && (cell.front() == '+' || cell.front() == '-')) cell.remove_prefix(1);
+  bool const leading_zero = cell.starts_with('0');
   auto const lead = take_digits();
-  if (lead < 1 || lead > 3 || cell.empty()) return false;
-  constexpr std::array<std::string_view, 6> separators{".", ",", " ", "'", "\xA0", "\xC2\xA0"};
+  if (lead < 1 || lead > 3 || leading_zero || cell.empty()) return false;
   std::string_view separator;
-  for (auto const candidate : separators)
-    if (cell.starts_with(candidate)) separator = candidate;
+  for (auto const& [meant, written] : group_marks)
+    if (cell.starts_with(written) && (format.thousands == '\0' || meant == format.thousands)) separator = written;
   if (separator.empty() || separator.front() == decimal) return false;
   int groups = 0;
   for (; cell.starts_with(separator); ++groups) {
     cell.remove_prefix(separator.size());
     if (take_digits() != 3) return false;
   }
-  if (cell.empty()) return groups > 1 || (separator != "." && separator != ",");
+  if (digits != nullptr) {
+    digits->assign(whole.substr(0, whole.size() - cell.size()));
+    for (auto at = digits->find(separator); at != std::string::npos; at = digits->find(separator, at))
+      digits->erase(at, separator.size());
+    digits->append(cell);
+  }
+  if (cell.empty()) return groups > 1 || (separator != "." && separator != ",") || format.thousands != '\0';
   if (cell.front() != decimal) return false;
   cell.remove_prefix(1);
   take_digits();
@@ -101,7 +124,8 @@ bool number_like(CellKind kind) {
   return kind == CellKind::number || kind == CellKind::not_finite || kind == CellKind::grouped;
 }
 
-Score score_pair(std::span<std::string_view const> lines, Pair pair) {
+// Of lines whose rows have at least `fewest` numbers or time stamps.
+Score score_pair(std::span<std::string_view const> lines, Pair pair, char thousands = '\0', std::size_t fewest = 2) {
   struct Group {
     std::size_t rows = 0;
     double points = 0.0;
@@ -113,11 +137,11 @@ Score score_pair(std::span<std::string_view const> lines, Pair pair) {
     std::size_t numbers = 0;
     std::size_t filled = 0;
     for (auto const cell : cells) {
-      auto const kind = parse_cell(cell, pair.decimal).kind;
-      numbers += number_like(kind) ? 1u : 0u;
+      auto const kind = parse_cell(cell, {pair.decimal, thousands}).kind;
+      numbers += number_like(kind) || kind == CellKind::stamp ? 1u : 0u;
       filled += kind != CellKind::empty ? 1u : 0u;
     }
-    if (numbers < 2) continue;
+    if (numbers < fewest) continue;
     auto& group = groups[cells.size()];
     ++group.rows;
     group.points += static_cast<double>(numbers) / static_cast<double>(filled);
@@ -140,31 +164,66 @@ std::vector<std::string_view> sample_lines(std::span<std::string_view const> lin
   return sample;
 }
 
-void study_columns(Dialect& dialect, std::span<std::string_view const> sample) {
-  std::vector<std::size_t> numbers(dialect.columns, 0);
+// What the cells of one column are.
+struct ColumnStudy {
+  std::size_t numbers = 0;
+  std::array<std::size_t, 4> stamps{};  // by kind, from StampKind::none
+  bool serial = true;                   // every number may be a day of a spreadsheet's calendar
+  double least = 0.0, largest = 0.0;
+
+  void take(std::string_view text, Cell const& cell) {
+    if (number_like(cell.kind)) {
+      ++numbers;
+      serial = serial && cell.kind == CellKind::number && may_be_serial(cell.value);
+      least = numbers == 1 ? cell.value : std::min(least, cell.value);
+      largest = numbers == 1 ? cell.value : std::max(largest, cell.value);
+    } else if (cell.kind == CellKind::stamp) {
+      ++stamps[static_cast<std::size_t>(kind_of(*parse_stamp(text)))];
+    }
+  }
+  StampKind kind(std::size_t rows) const {
+    constexpr double longest_test_days = 2.0;
+    auto const most = std::ranges::max_element(stamps);
+    auto const all = stamps[1] + stamps[2] + stamps[3];
+    if (2 * all > rows) return static_cast<StampKind>(most - stamps.begin());
+    bool const moves = largest > least && largest - least < longest_test_days;
+    return 2 * numbers > rows && serial && moves ? StampKind::serial_number : StampKind::none;
+  }
+};
+
+void study_columns(Dialect& dialect, std::span<std::string_view const> sample, std::size_t fewest = 2) {
+  std::vector<ColumnStudy> columns(dialect.columns);
   std::size_t rows = 0;
   std::vector<std::string_view> cells;
+  std::vector<Cell> parsed;
   for (auto const line : sample) {
     split_row(line, dialect, cells);
     if (cells.size() != dialect.columns) continue;
+    parsed.clear();
     std::size_t count = 0;
-    for (auto const cell : cells) count += number_like(parse_cell(cell, dialect.decimal).kind) ? 1u : 0u;
-    if (count < 2) continue;
+    for (auto const cell : cells) {
+      parsed.push_back(parse_cell(cell, dialect.format()));
+      count += number_like(parsed.back().kind) || parsed.back().kind == CellKind::stamp ? 1u : 0u;
+    }
+    if (count < fewest) continue;
     ++rows;
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      auto const kind = parse_cell(cells[i], dialect.decimal).kind;
-      numbers[i] += number_like(kind) ? 1u : 0u;
-      if (kind == CellKind::number && cells[i].find(dialect.decimal) != std::string_view::npos)
+      columns[i].take(cells[i], parsed[i]);
+      if (parsed[i].kind == CellKind::number && cells[i].find(dialect.decimal) != std::string_view::npos)
         dialect.decimal_seen = true;
     }
   }
-  for (auto const count : numbers) dialect.numeric.push_back(2 * count > rows);
+  for (auto const& column : columns) {
+    dialect.numeric.push_back(2 * column.numbers > rows);
+    dialect.stamps.push_back(column.kind(rows));
+  }
 }
 
 }  // namespace
 
-Cell parse_cell(std::string_view cell, char decimal) {
+Cell parse_cell(std::string_view cell, NumberFormat format) {
   if (cell.empty()) return {};
+  char const decimal = format.decimal;
   auto digits = cell;
   if (digits.front() == '+') digits.remove_prefix(1);
   Cell parsed{.kind = CellKind::text};
@@ -172,7 +231,9 @@ Cell parse_cell(std::string_view cell, char decimal) {
     parsed = decimal == '.' ? parse_point(digits.data(), digits.data() + digits.size()) : parse_comma(digits);
   if (parsed.kind != CellKind::text) return parsed;
   if (is_not_finite(cell)) return {.kind = CellKind::not_finite};
-  if (is_grouped(cell, decimal)) return {.kind = CellKind::grouped};
+  if (std::string plain; is_grouped(cell, format, format.thousands == '\0' ? nullptr : &plain))
+    return format.thousands == '\0' ? Cell{.kind = CellKind::grouped} : parse_cell(plain, decimal);
+  if (parse_stamp(cell)) return {.kind = CellKind::stamp};
   return parsed;
 }
 
@@ -240,16 +301,18 @@ std::optional<Dialect> sheet_dialect(std::span<std::string_view const> rows) {
   return dialect;
 }
 
-std::optional<Dialect> recognise_dialect(std::span<std::string_view const> lines) {
+std::optional<Dialect> recognise_dialect(std::span<std::string_view const> lines, std::optional<char> thousands) {
+  char const group = thousands.value_or('\0');
   auto const sample = sample_lines(lines);
   // In order of preference where two read the file alike, as with whole numbers or tabs and blanks.
   std::vector<Pair> pairs{{'\t', '.'}, {'\t', ','}, {';', '.'}, {';', ','}, {',', '.'}, {' ', '.'}, {' ', ','}};
   bool const quotes = std::ranges::any_of(sample, [](auto line) { return line.find('"') != std::string_view::npos; });
   if (quotes) pairs.push_back({',', ','});  // "1,5","2,0": only quotes keep the two commas apart
+  std::erase_if(pairs, [&](auto pair) { return pair.decimal == group || (pair.delimiter == group && !quotes); });
   Score best;
   Score second;
   for (auto const pair : pairs) {
-    auto const score = score_pair(sample, pair);
+    auto const score = score_pair(sample, pair, group);
     if (score.columns < 2) continue;
     if (score.points > best.points + 1e-9) {
       second = best;
@@ -262,6 +325,7 @@ std::optional<Dialect> recognise_dialect(std::span<std::string_view const> lines
   Dialect dialect;
   dialect.delimiter = best.pair.delimiter;
   dialect.decimal = best.pair.decimal;
+  dialect.thousands = group;
   dialect.columns = best.columns;
   study_columns(dialect, sample);
   dialect.why = fmt::format(
@@ -272,6 +336,23 @@ std::optional<Dialect> recognise_dialect(std::span<std::string_view const> lines
   else if (second.points > 0.1 * best.points)
     dialect.why += fmt::format(" (next best: {} with decimal {})", delimiter_name(second.pair.delimiter),
                                decimal_name(second.pair.decimal));
+  return dialect;
+}
+
+std::optional<Dialect> one_column_dialect(std::span<std::string_view const> lines) {
+  auto const sample = sample_lines(lines);
+  Score best;
+  for (auto const pair : {Pair{'\t', '.'}, Pair{'\t', ','}})
+    if (auto const score = score_pair(sample, pair, '\0', 1); score.columns == 1 && score.points > best.points)
+      best = score;
+  if (best.columns != 1) return std::nullopt;
+  Dialect dialect;
+  dialect.delimiter = best.pair.delimiter;
+  dialect.decimal = best.pair.decimal;
+  dialect.columns = 1;
+  study_columns(dialect, sample, 1);
+  dialect.why = fmt::format("one column, decimals by a {}: {} of {} lines looked at are numbers",
+                            decimal_name(dialect.decimal), best.rows, sample.size());
   return dialect;
 }
 

@@ -9,26 +9,46 @@
 #include <string_view>
 #include <vector>
 
+#include "isolaw/data/time_stamp.hpp"
+
 namespace isolaw::data {
+
+// How numbers are written.
+struct NumberFormat {
+  char decimal = '.';
+  char thousands = '\0';  // what groups digits; none unless the user says so
+  NumberFormat(char decimal_sign, char group = '\0') : decimal(decimal_sign), thousands(group) {}
+};
 
 struct Dialect {
   char delimiter = ',';  // ' ' stands for runs of blanks and tabs
   char decimal = '.';
-  std::size_t columns = 0;    // cells of a data row, a trailing empty one not counted
-  std::vector<bool> numeric;  // per column: mostly numbers
-  bool decimal_seen = false;  // some number holds the decimal separator
-  std::string why;            // one sentence
-  bool sheet = false;         // a worksheet: short rows are filled up, what stands right of the table is left alone
+  std::size_t columns = 0;  // cells of a data row, a trailing empty one not counted
+  char thousands = '\0';
+  std::vector<bool> numeric;      // per column: mostly numbers
+  std::vector<StampKind> stamps;  // per column: what its dates and times are
+  bool decimal_seen = false;      // some number holds the decimal separator
+  std::string why;                // one sentence
+  bool sheet = false;             // a worksheet: short rows are filled up, what stands right of the table is left alone
+
+  NumberFormat format() const { return {decimal, thousands}; }
 };
 
-enum class CellKind { number, empty, not_finite, grouped, text };  // grouped: thousands separators, "1.234,56"
+enum class CellKind {
+  number,
+  empty,
+  not_finite,
+  grouped,
+  text,
+  stamp
+};  // grouped: thousands separators, "1.234,56"; stamp: a date or time
 
 struct Cell {
   CellKind kind = CellKind::empty;
   double value = 0.0;  // of a number
 };
 
-Cell parse_cell(std::string_view cell, char decimal);
+Cell parse_cell(std::string_view cell, NumberFormat format);
 
 // Cells of one line, trimmed and without their quotes; one trailing empty cell is dropped.
 void split_cells(std::string_view line, char delimiter, std::vector<std::string_view>& cells);
@@ -41,8 +61,11 @@ bool is_comment(std::string_view line);
 // Nothing but blanks and delimiters.
 bool is_blank(std::string_view line, char delimiter);
 
-// nullopt when no pair finds rows with numbers in at least two columns.
-std::optional<Dialect> recognise_dialect(std::span<std::string_view const> lines);
+// nullopt when no pair finds rows with numbers or time stamps in at least two columns. `thousands` as the user says.
+std::optional<Dialect> recognise_dialect(std::span<std::string_view const> lines,
+                                         std::optional<char> thousands = std::nullopt);
+// Of a file that may be one column of numbers.
+std::optional<Dialect> one_column_dialect(std::span<std::string_view const> lines);
 // The same of the rows of a worksheet, cells separated by tabs.
 std::optional<Dialect> sheet_dialect(std::span<std::string_view const> rows);
 

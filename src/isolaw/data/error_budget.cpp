@@ -110,14 +110,14 @@ class Assessment {
 
   void sampling() {
     double const samples = *properties_.samples_per_cycle;
-    bool const few = samples < wanted_samples;
+    bool const few = std::round(10.0 * samples) / 10.0 < wanted_samples;  // as it is shown: rounding makes none too few
     budget_.effects.push_back({"samples per cycle", samples, "", wanted_samples, few});
     double const energy = energy_loss_percent(samples);
     double const peak = peak_loss_percent(samples);
     add("energy lost between samples", energy, "%");
     add("peak missed between samples", peak, "%");
     say(few, fmt::format("{:.1f} samples per cycle: the energy comes out {:.2g} % too small, a peak up to {:.2g} %{}",
-                         samples, energy, peak, few ? "; 100 or more are wanted" : ""));
+                         samples, energy, peak, few ? fmt::format("; {:.0f} or more are wanted", wanted_samples) : ""));
   }
 
   // Extremes of noisy samples lie beyond those of the motion; the formulas are of raw values nevertheless.
@@ -308,7 +308,7 @@ class Assessment {
     if (add("offset of " + what, share, "%", limit))
       say(true,
           fmt::format(
-              "{} is off centre by {:.4g} {} in {}, {:.0f} % of its amplitude: peak to peak stiffness and energy do not feel it, F/d of one side and the laws do; nothing is removed unless --center is given",
+              "{} is off centre by {:.4g} {} in {}, {:.0f} % of its amplitude: peak to peak stiffness and energy do not feel it, F/d of one side and the laws do; nothing is removed unless isolaw calibrate is given --center",
               what, offset, unit, where(), std::abs(share)));
   }
 

@@ -48,6 +48,16 @@ Names split_bracketed(std::string_view line) {
   return names;
 }
 
+// Where blanks separate, a date and a time of day are two columns, often below one name: the date's is then empty.
+void name_date_and_clock(Names& names, Dialect const& dialect) {
+  if (dialect.delimiter != ' ' || names.size() + 1 != dialect.columns) return;
+  for (std::size_t i = 0; i + 1 < dialect.columns; ++i)
+    if (dialect.stamps[i] == StampKind::date && dialect.stamps[i + 1] == StampKind::clock) {
+      names.insert(names.begin() + static_cast<std::ptrdiff_t>(i), std::string());
+      return;
+    }
+}
+
 // The cells of a header line; where blanks separate, the reading that gives the right number of them, if any does.
 Names header_cells(std::string_view line, Dialect const& dialect) {
   if (dialect.sheet) {
@@ -60,8 +70,10 @@ Names header_cells(std::string_view line, Dialect const& dialect) {
   if (names.size() + 1 == dialect.columns && line.ends_with(dialect.delimiter))
     names.emplace_back();  // empty last name
   if (dialect.delimiter != ' ' || names.size() == dialect.columns) return names;
-  for (auto const& other : {split_bracketed(line), split_wide(line), split_names(line, '\t')})
+  for (auto other : {names, split_bracketed(line), split_wide(line), split_names(line, '\t')}) {
+    name_date_and_clock(other, dialect);
     if (other.size() == dialect.columns) return other;
+  }
   return names;
 }
 
@@ -71,22 +83,13 @@ bool is_lvm_key(std::string_view cell) {
   return std::ranges::find(keys, cell) != std::ranges::end(keys);
 }
 
-bool is_data_row(std::string_view line, Dialect const& dialect) {
-  std::vector<std::string_view> cells;
-  split_row(line, dialect, cells);
-  if (cells.size() != dialect.columns || is_lvm_key(cells.front())) return false;
-  std::size_t numbers = 0;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    auto const kind = parse_cell(cells[i], dialect.decimal).kind;
-    if (dialect.numeric[i] && kind == CellKind::text) return false;
-    numbers += kind != CellKind::text && kind != CellKind::empty ? 1u : 0u;
-  }
-  return numbers >= 1;
+bool has_number(Names const& cells, Dialect const& dialect) {
+  return std::ranges::any_of(
+      cells, [&](auto const& cell) { return parse_cell(cell, dialect.format()).kind == CellKind::number; });
 }
 
-bool has_number(Names const& cells, char decimal) {
-  return std::ranges::any_of(cells,
-                             [&](auto const& cell) { return parse_cell(cell, decimal).kind == CellKind::number; });
+bool has_stamp(Names const& cells) {
+  return std::ranges::any_of(cells, [](auto const& cell) { return parse_stamp(cell).has_value(); });
 }
 
 struct UnitShare {
@@ -142,7 +145,9 @@ std::optional<Candidate> find_names(std::span<std::string_view const> above, Dia
       continue;
     }
     if (dialect.sheet && count_filled(cells) < 2) continue;  // a title
-    if (has_number(cells, dialect.decimal) || (best && count_units(cells).most()) || count_units(cells).all()) continue;
+    if (has_number(cells, dialect) || has_stamp(cells) || (best && count_units(cells).most()) ||
+        count_units(cells).all())
+      continue;
     auto& slot = commented ? comment : best;
     if (!slot || channels >= slot->channels) slot = Candidate{i, std::move(cells), channels};
   }
@@ -164,7 +169,7 @@ bool begins_test(std::string_view line, Dialect const& dialect, std::string_view
   if (!first_names.empty() && trimmed(line) == first_names) return true;
   if (is_comment(line)) return false;
   auto const cells = header_cells(line, dialect);
-  return cells.size() == dialect.columns && !has_number(cells, dialect.decimal) && count_channels(cells) >= 2;
+  return cells.size() == dialect.columns && !has_number(cells, dialect) && count_channels(cells) >= 2;
 }
 
 // LabVIEW's measurement files (.lvm): after the last end of header the names, one more than there are columns where no
@@ -201,6 +206,21 @@ bool read_lvm_header(std::span<std::string_view const> above, Dialect const& dia
 
 }  // namespace
 
+bool is_data_row(std::string_view line, Dialect const& dialect) {
+  std::vector<std::string_view> cells;
+  split_row(line, dialect, cells);
+  if (cells.size() != dialect.columns || is_lvm_key(cells.front())) return false;
+  std::size_t numbers = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    auto const kind = parse_cell(cells[i], dialect.format()).kind;
+    bool const stamped = dialect.stamps[i] != StampKind::none && dialect.stamps[i] != StampKind::serial_number;
+    bool const word = kind == CellKind::text || (kind == CellKind::stamp && !stamped);
+    if (dialect.numeric[i] && word) return false;
+    numbers += !word && kind != CellKind::empty ? 1u : 0u;
+  }
+  return numbers >= 1;
+}
+
 std::vector<std::size_t> later_tests(std::span<std::string_view const> lines, Dialect const& dialect,
                                      Header const& first) {
   std::vector<std::size_t> starts;
@@ -218,6 +238,7 @@ std::vector<std::size_t> later_tests(std::span<std::string_view const> lines, Di
 
 Header recognise_header(std::span<std::string_view const> lines, Dialect const& dialect) {
   Header header;
+  header.stamps = dialect.stamps;
   while (header.first_data < lines.size() &&
          (is_comment(lines[header.first_data]) || !is_data_row(lines[header.first_data], dialect)))
     ++header.first_data;
@@ -236,7 +257,7 @@ Header recognise_header(std::span<std::string_view const> lines, Dialect const& 
         (names ? i > names->line && count_units(cells).most() : count_units(cells).all())) {
       header.unit_line = i;
       header.units = cells;
-    } else if (right_size && names && i > names->line && has_number(cells, dialect.decimal) && !is_comment(lines[i])) {
+    } else if (right_size && names && i > names->line && has_number(cells, dialect) && !is_comment(lines[i])) {
       header.first_data = i;  // a broken row of numbers, which reading the rows complains about
     } else if (!is_comment(lines[i])) {
       header.passed_over.push_back(i);

@@ -19,6 +19,7 @@ struct Header {
   std::optional<std::size_t> unit_line;
   std::vector<std::string> names;        // per column, UTF-8, with units as written; empty without a name row
   std::vector<std::string> units;        // per column; empty where neither a row nor a key gives them
+  std::vector<StampKind> stamps;         // per column: what its dates and times are; empty where none can be
   std::vector<std::size_t> passed_over;  // lines above the data that are neither, blank lines and comments left out
 
   // A row that names channels, but not as many as there are columns.
@@ -35,6 +36,9 @@ struct Header {
   std::vector<std::string> complex;  // variables of complex numbers, which no channel is read from
   std::string listing;               // what the file holds besides, where that is more than its columns
 };
+
+// Whether a line is a row of numbers.
+bool is_data_row(std::string_view line, Dialect const& dialect);
 
 Header recognise_header(std::span<std::string_view const> lines, Dialect const& dialect);
 

@@ -37,22 +37,23 @@ void NumberTable::check_lengths(Columns const& columns, std::vector<Complaint>& 
                           "--columns time=...,disp=...,force=... with columns that belong together"});
 }
 
-void NumberTable::report_odd(std::size_t column, RawChannel const& raw, std::vector<Complaint>& complaints) const {
+void NumberTable::report_odd(std::size_t column, RawChannel const& raw, RowChoice const& choice,
+                             std::vector<Complaint>& complaints) const {
   Findings findings(place_of(column), "values that are no number");
   for (std::size_t i = 0; i < raw.values.size(); ++i) {
-    if (std::isfinite(raw.values[i])) continue;
+    if (std::isfinite(raw.values[i]) || !choice.contains(i + 1)) continue;
     auto const odd = list_[column].odd_cells.find(i);
     if (odd != list_[column].odd_cells.end())
       findings.add(i + 1, fmt::format("{} in {} is not a number", in_quotes(odd->second), raw.column), "a number",
                    "correct the value, or leave it out in every channel");
     else
       findings.add(i + 1, fmt::format("'{}' in {} is not a finite number", raw.values[i], raw.column),
-                   "a finite number", fmt::format("cut the record before this {}, or test again", header_.row));
+                   "a finite number", fmt::format("--rows 1:{}, the rows before it, or test again", i));
   }
   findings.append_to(complaints);
 }
 
-Rows NumberTable::read(Columns const& columns, std::vector<Complaint>& complaints) const {
+Rows NumberTable::read(Columns const& columns, RowChoice const& choice, std::vector<Complaint>& complaints) const {
   Rows rows;
   auto const before = complaints.size();
   check_lengths(columns, complaints);
@@ -68,11 +69,14 @@ Rows NumberTable::read(Columns const& columns, std::vector<Complaint>& complaint
                              .column = column_text(column.index, header_),
                              .unit = column.unit ? std::string(column.unit->symbol) : std::string(),
                              .values = values(column.index)});
-    report_odd(column.index, rows.channels.back(), complaints);
+    report_odd(column.index, rows.channels.back(), choice, complaints);
   }
   auto const length = rows.channels.empty() ? 0 : rows.channels.front().values.size();
+  rows.of = length;
   for (std::size_t i = 0; i < length; ++i) {
-    if (!std::ranges::all_of(rows.channels, [&](auto const& raw) { return std::isfinite(raw.values[i]); })) continue;
+    if (!choice.contains(i + 1) ||
+        !std::ranges::all_of(rows.channels, [&](auto const& raw) { return std::isfinite(raw.values[i]); }))
+      continue;
     for (auto& raw : rows.channels) raw.values[rows.numbers.size()] = raw.values[i];
     rows.numbers.push_back(i + 1);
   }

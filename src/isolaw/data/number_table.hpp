@@ -25,7 +25,7 @@ class NumberTable : public Table {
               std::string title = {});
 
   std::vector<std::string> recognised() const override { return {recognised_}; }
-  Rows read(Columns const& columns, std::vector<Complaint>& complaints) const override;
+  Rows read(Columns const& columns, RowChoice const& choice, std::vector<Complaint>& complaints) const override;
 
  protected:
   // Throws Error when the column cannot be read.
@@ -34,7 +34,8 @@ class NumberTable : public Table {
   std::vector<NumberColumn> list_;
 
  private:
-  void report_odd(std::size_t column, RawChannel const& raw, std::vector<Complaint>& complaints) const;
+  void report_odd(std::size_t column, RawChannel const& raw, RowChoice const& choice,
+                  std::vector<Complaint>& complaints) const;
   void check_lengths(Columns const& columns, std::vector<Complaint>& complaints) const;
 
   std::string recognised_;

@@ -32,6 +32,12 @@ constexpr std::size_t least_samples = 3;
 
 // --- sentences ------------------------------------------------------------------------------------------------------
 
+void describe_part(Rows const& rows, RowRange const& range, std::vector<std::string>& recognised) {
+  if (range == RowRange{}) return;
+  recognised.push_back(fmt::format("rows {} to {} of {} are read (--rows {})", range.first,
+                                   range.last.value_or(rows.of), rows.of, rows_text(range)));
+}
+
 void describe_rows(Rows const& rows, std::string_view row, TestRecord const& record,
                    std::vector<std::string>& recognised) {
   recognised.push_back(
@@ -42,9 +48,97 @@ void describe_rows(Rows const& rows, std::string_view row, TestRecord const& rec
     recognised.push_back("no time column: rate-dependent laws need --dt SECONDS, the sampling interval");
     return;
   }
-  double const mean = (record.time_s.back() - record.time_s.front()) / static_cast<double>(record.size() - 1);
-  recognised.push_back(fmt::format("sampling interval {:.6g} s ({:.6g} Hz){}", mean, 1.0 / mean,
-                                   record.layout.dt_s ? ", as asked for" : ", on average over the time column"));
+  double const mean = (record.time_s.back() - record.time_s.front()) / static_cast<double>(record.time_s.size() - 1);
+  recognised.push_back(fmt::format("sampling interval {:.6g} s ({:.6g} Hz), {}", mean, 1.0 / mean,
+                                   record.layout.dt_s ? fmt::format("as asked for (--dt {})", *record.layout.dt_s)
+                                                      : "on average over the time column"));
+}
+
+// --- parts of a file ------------------------------------------------------------------------------------------------
+
+// The samples whose time lies within what was asked for.
+struct Span {
+  std::size_t first = 0, count = 0;
+};
+
+std::string asked_time(ReadOptions const& options) {
+  return fmt::format("{}{}{}", options.from_s ? fmt::format("--from {}", *options.from_s) : "",
+                     options.from_s && options.to_s ? " " : "",
+                     options.to_s ? fmt::format("--to {}", *options.to_s) : "");
+}
+
+std::optional<Span> span_of_time(std::vector<double> const& time_s, ReadOptions const& options,
+                                 std::string const& place, std::vector<Complaint>& complaints) {
+  if (!options.from_s && !options.to_s) return Span{0, time_s.size()};
+  auto const asked = asked_time(options);
+  if (time_s.empty()) {
+    complaints.push_back({place, fmt::format("{} is given, but no time is read", asked),
+                          "a time column, or --dt SECONDS", "--rows A:B"});
+    return std::nullopt;
+  }
+  auto const [least, most] = std::ranges::minmax(time_s);
+  double const rounding = 1e-9 * std::max(std::abs(least), std::abs(most));
+  auto const inside = [&](double t) {
+    return (!options.from_s || t >= *options.from_s - rounding) && (!options.to_s || t <= *options.to_s + rounding);
+  };
+  auto const first = std::ranges::find_if(time_s, inside);
+  auto const end = std::find_if_not(first, time_s.end(), inside);
+  if (first == time_s.end() || std::find_if(end, time_s.end(), inside) != time_s.end()) {
+    complaints.push_back({place,
+                          first == time_s.end() ? fmt::format("no sample lies within {}", asked)
+                                                : fmt::format("the time passes through {} more than once", asked),
+                          fmt::format("times of the file, {:.6g} to {:.6g} s", least, most),
+                          first == time_s.end() ? "" : "--rows A:B"});
+    return std::nullopt;
+  }
+  return Span{static_cast<std::size_t>(first - time_s.begin()), static_cast<std::size_t>(end - first)};
+}
+
+template <class T>
+void keep(Span const& span, std::vector<T>& values) {
+  if (values.empty()) return;
+  values.erase(values.begin() + static_cast<std::ptrdiff_t>(span.first + span.count), values.end());
+  values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(span.first));
+}
+
+void describe_span(Span const& span, std::size_t of, ReadOptions const& options, std::vector<std::string>& recognised) {
+  if (options.from_s || options.to_s)
+    recognised.push_back(fmt::format("samples {} to {} of {} are read ({})", span.first + 1, span.first + span.count,
+                                     of, asked_time(options)));
+}
+
+// Of a file without a time column: counted from the first row of the file, whatever part of it is read.
+double time_of_row(std::size_t sample, ReadOptions const& options) {
+  return static_cast<double>(sample + options.rows.value_or(RowRange{}).first - 1) * *options.dt_s;
+}
+
+// Takes off what lies outside the time asked for.
+std::optional<Span> cut_time(Rows& rows, Columns const& columns, ReadOptions const& options, std::string const& place,
+                             std::vector<Complaint>& complaints) {
+  if (!options.from_s && !options.to_s) return Span{0, rows.numbers.size()};
+  std::vector<double> time_s;
+  for (auto const& raw : rows.channels)
+    if (raw.channel == Channel::time) {
+      time_s = raw.values;
+      for (auto& t : time_s) t *= columns.channels.at(Channel::time).unit->in_record_units;
+    }
+  if (time_s.empty() && options.dt_s)
+    for (std::size_t i = 0; i < rows.numbers.size(); ++i) time_s.push_back(time_of_row(i, options));
+  auto const of = rows.numbers.size();
+  auto const span = span_of_time(time_s, options, place, complaints);
+  if (!span) return span;
+  for (auto& raw : rows.channels) keep(*span, raw.values);
+  keep(*span, rows.numbers);
+  describe_span(*span, of, options, rows.recognised);
+  return span;
+}
+
+void check_range(Rows const& rows, RowRange const& range, std::vector<Complaint>& complaints) {
+  if (range.first <= rows.of && range.last.value_or(rows.of) <= rows.of) return;
+  complaints.push_back({"--rows",
+                        fmt::format("'{}', but there are {} rows", rows_text(range), rows.of),
+                        fmt::format("1 to {}", rows.of),
+                        {}});
 }
 
 // --- assembly -------------------------------------------------------------------------------------------------------
@@ -95,18 +189,18 @@ std::vector<double>& values_of(TestRecord& record, Channel channel) {
   }
 }
 
-void store_channels(Rows& rows, Columns const& columns, TestRecord& record) {
+void store_channels(Rows& rows, Columns const& columns, std::size_t skipped, TestRecord& record) {
   for (auto& raw : rows.channels) {
     double const factor = columns.channels.at(raw.channel).unit->in_record_units;
     for (double& value : raw.values) value *= factor;
     values_of(record, raw.channel) = std::move(raw.values);
   }
   if (record.layout.dt_s)
-    for (std::size_t i = 0; i < record.size(); ++i)
-      record.time_s.push_back(static_cast<double>(i) * *record.layout.dt_s);
-  if (!record.layout.flip_force) return;
+    for (std::size_t i = 0; i < rows.numbers.size(); ++i)
+      record.time_s.push_back(time_of_row(i + skipped, record.layout));
+  if (!record.layout.flip_force || record.force_kN.empty()) return;
   for (double& value : record.force_kN) value = -value;
-  record.recognised.push_back("the force is multiplied by -1, as asked for");
+  record.recognised.push_back("the force is multiplied by -1, as asked for (--flip-force)");
 }
 
 void append(std::vector<std::string>& sentences, std::vector<std::string> const& more) {
@@ -117,11 +211,14 @@ void append(std::vector<std::string>& sentences, std::vector<std::string> const&
 // ----------------------------------------------------------------------------------------------------------
 
 // Told by the first bytes: names of files change more easily.
-Tests open_tests(std::string_view bytes, std::string const& file, std::optional<std::string> const& sheet) {
+Tests open_tests(std::string_view bytes, std::string const& file, ReadOptions const& options,
+                 Wanted wanted = Wanted::test()) {
+  auto const& sheet = options.sheet;
   if (is_zip(bytes)) return workbook_tests(bytes, file, sheet);
   if (is_mat(bytes)) return mat_tests(bytes, file, sheet);
   if (is_json(bytes)) return json_tests(bytes, file, sheet);
-  auto tests = text_tests(bytes, file);
+  auto tests = text_tests(
+      bytes, file, {.thousands = options.thousands, .one_column = wanted.part || (!wanted.force && options.dt_s)});
   if (sheet)
     throw Error(Complaint{.where = "--sheet",
                           .found = fmt::format("{}, but {} is delimited text", in_quotes(*sheet), file),
@@ -137,8 +234,7 @@ std::string typed(std::string const& name) {
 }
 
 bool columns_are_told(ReadOptions const& options, Wanted wanted) {
-  return options.columns.contains(Channel::disp) &&
-         (wanted == Wanted::motion || options.columns.contains(Channel::force));
+  return options.columns.contains(Channel::disp) && (!wanted.force || options.columns.contains(Channel::force));
 }
 
 void require_one_sheet(Tests const& tests, std::string const& file, ReadOptions const& options, Wanted wanted) {
@@ -148,10 +244,11 @@ void require_one_sheet(Tests const& tests, std::string const& file, ReadOptions 
   if (columns_told)  // which need no names
     sheets.insert(sheets.end(), tests.sheets_passed_over.begin(), tests.sheets_passed_over.end());
   if (options.sheet || sheets.size() < 2 || (by_name && columns_told)) return;
-  throw Error(Complaint{.where = file,
-                        .found = fmt::format("{} may each be the test", sheet_list(sheets, "tables")),
-                        .allowed = "one of them",
-                        .advice = fmt::format("--sheet {}", typed(sheets.front()))});
+  throw Error(Complaint{
+      .where = file,
+      .found = fmt::format("{} may each be the test", sheet_list(sheets, "tables")),
+      .allowed = "one of them",
+      .advice = fmt::format("--sheet {}, or isolaw init, which makes a device of each", typed(sheets.front()))});
 }
 
 bool have_titles(Tests const& tests) {
@@ -179,7 +276,7 @@ std::vector<std::size_t> chosen_tests(Tests const& tests, std::string const& fil
                           .found = fmt::format("{} tests in one file: {}{}", count,
                                                have_titles(tests) ? "" : "they start at ", starts_of(tests)),
                           .allowed = "one of them, or all as one history",
-                          .advice = "--test all, or --test 2"});
+                          .advice = "--test all, or --test 2, or isolaw init, which makes a device of each"});
   std::vector<std::size_t> chosen;
   if (!options.test || parse_test(*options.test) == "all") {
     for (std::size_t i = 0; i < count; ++i) chosen.push_back(i);
@@ -196,14 +293,29 @@ std::vector<std::size_t> chosen_tests(Tests const& tests, std::string const& fil
   return {number - 1};
 }
 
-TestRecord read_table(Tests const& tests, Table const& table, TestRecord record, ReadOptions const& options,
-                      Wanted wanted) {
+// A record, and what its time counts from where it was read from time stamps.
+struct Part {
+  TestRecord record;
+  std::optional<double> origin_s;
+  bool dated = false;
+  std::string exchange_advice = {};
+};
+
+// The channels of one table, before anything is asked of them together.
+Part read_channels(Tests const& tests, Table const& table, TestRecord record, ReadOptions const& options,
+                   Wanted wanted) {
   auto const& place = table.place();
   auto const columns = recognise_columns(place, table.header(), table.columns(), options, wanted);
   auto complaints = columns.complaints;
   table.check(complaints);
   check_interval(place, options, table.header(), columns, complaints);
-  auto rows = table.read(columns, complaints);
+  auto const range = options.rows.value_or(RowRange{});
+  auto rows = table.read(
+      columns, {.range = range, .skip_footer = options.skip_footer, .date_order = options.date_order}, complaints);
+  if (options.rows && complaints.empty()) check_range(rows, range, complaints);
+  std::size_t skipped = 0;
+  if (complaints.empty())
+    if (auto const span = cut_time(rows, columns, options, place, complaints)) skipped = span->first;
   if (rows.numbers.size() < least_samples && complaints.empty())
     complaints.push_back(
         {place, fmt::format("{} samples", rows.numbers.size()), fmt::format("{} or more", least_samples), {}});
@@ -211,26 +323,52 @@ TestRecord read_table(Tests const& tests, Table const& table, TestRecord record,
     check_channel(table.place_of(columns.channels.at(raw.channel).index), raw, rows.numbers, complaints);
   if (!complaints.empty()) throw Error(std::move(complaints));
 
-  record.layout = resolved_layout(columns, table.header(), options, tests.sheet);
-  append(record.recognised, tests.recognised);
-  append(record.recognised, table.recognised());
-  append(record.recognised, columns.recognised);
-  append(record.warnings, columns.warnings);
-  store_channels(rows, columns, record);
-  describe_rows(rows, table.header().row, record, record.recognised);
-  if (wanted == Wanted::motion) return record;
+  Part part{.record = std::move(record), .origin_s = rows.origin_s, .dated = rows.dated};
+  auto& made = part.record;
+  made.layout = resolved_layout(columns, table.header(), options, tests.sheet);
+  made.particulars = table.particulars();
+  for (auto const& each : tests.particulars)
+    if (std::ranges::find(made.particulars, each.first, &ParticularList::value_type::first) == made.particulars.end())
+      made.particulars.push_back(each);
+  append(made.recognised, tests.recognised);
+  append(made.recognised, table.recognised());
+  append(made.recognised, columns.recognised);
+  append(made.warnings, columns.warnings);
+  store_channels(rows, columns, skipped, made);
+  describe_part(rows, range, made.recognised);
+  append(made.recognised, rows.recognised);
+  if (options.thousands)
+    made.recognised.push_back(
+        fmt::format("digits are grouped by {} (--thousands {})",
+                    *options.thousands == ' ' ? "blanks" : fmt::format("'{}'", *options.thousands),
+                    *options.thousands == ' ' ? "blank" : std::string(1, *options.thousands)));
+  describe_rows(rows, table.header().row, made, made.recognised);
+  if (wanted.disp && wanted.force) part.exchange_advice = exchange_advice(columns, table.header());
+  return part;
+}
+
+// What the two channels of a test say together.
+TestRecord finished(TestRecord record, ReadOptions const& options, std::string const& advice) {
+  std::vector<Complaint> complaints;
   correct(record, options.corrections);
-  check_physics(record, exchange_advice(columns, table.header()), complaints);
+  check_physics(record, advice, complaints);
   if (!complaints.empty()) throw Error(std::move(complaints));
   add_warnings(record);
   return record;
+}
+
+TestRecord read_table(Tests const& tests, Table const& table, TestRecord record, ReadOptions const& options,
+                      Wanted wanted) {
+  auto part = read_channels(tests, table, std::move(record), options, wanted);
+  if (!wanted.force) return std::move(part.record);
+  return finished(std::move(part.record), options, part.exchange_advice);
 }
 
 TestRecord read_tests(std::string_view bytes, std::string const& name, ReadOptions const& options, Wanted wanted) {
   TestRecord start;
   start.file = name;
   start.sha256 = sha256(bytes);
-  auto const tests = open_tests(bytes, name, options.sheet);
+  auto const tests = open_tests(bytes, name, options, wanted);
   require_one_sheet(tests, name, options, wanted);
   std::optional<TestRecord> history;
   auto const chosen = chosen_tests(tests, name, options);
@@ -249,6 +387,207 @@ TestRecord read_tests(std::string_view bytes, std::string const& name, ReadOptio
                     chosen.size() > 1 ? "one history of all" : fmt::format("test {}", chosen.front() + 1)));
   }
   return *std::move(history);
+}
+
+// --- channels in several files ----------------------------------------------------------------------------------------
+
+// One test of one file, some of its channels.
+Part read_part(std::filesystem::path const& file, ReadOptions const& options, Wanted wanted) {
+  auto const name = file.generic_string();
+  auto const bytes = load_text(file);
+  TestRecord start;
+  start.file = name;
+  start.sha256 = sha256(bytes);
+  auto const tests = open_tests(bytes, name, options, wanted);
+  require_one_sheet(tests, name, options, wanted);
+  auto const chosen = chosen_tests(tests, name, options);
+  if (chosen.size() > 1)
+    throw Error(Complaint{.where = name,
+                          .found = "several tests, and channels in another file",
+                          .allowed = "one test",
+                          .advice = "--test 1"});
+  auto part = read_channels(tests, *tests.tables[chosen.front()], start, options, wanted);
+  if (tests.tables.size() > 1) part.record.layout.test = parse_test(*options.test);
+  return part;
+}
+
+// Values at other times, by straight lines between samples.
+std::vector<double> at_times(std::vector<double> const& at, std::vector<double> const& time,
+                             std::vector<double> const& values) {
+  std::vector<double> made;
+  made.reserve(at.size());
+  std::size_t k = 0;
+  for (double const t : at) {
+    while (k + 2 < time.size() && time[k + 1] < t) ++k;
+    double const share = std::clamp((t - time[k]) / (time[k + 1] - time[k]), 0.0, 1.0);
+    made.push_back(values[k] + share * (values[k + 1] - values[k]));
+  }
+  return made;
+}
+
+double mean_interval(std::vector<double> const& time_s) {
+  return (time_s.back() - time_s.front()) / static_cast<double>(time_s.size() - 1);
+}
+
+std::size_t sample_count(TestRecord const& record) {
+  return std::max({record.time_s.size(), record.disp_mm.size(), record.force_kN.size(), record.load_kN.size()});
+}
+
+constexpr Channel measured_channels[] = {Channel::disp, Channel::force, Channel::load};
+
+// Brings the channels of another file to the samples of `main`: by time where both have one, else row by row.
+void join_channels(Part& main, Part other) {
+  auto& record = main.record;
+  auto& more = other.record;
+  auto const rows = sample_count(record), more_rows = sample_count(more);
+  bool const timed = record.has_time() && more.has_time() && main.origin_s.has_value() == other.origin_s.has_value() &&
+                     main.dated == other.dated;
+  std::string how;
+  if (timed) {
+    double const offset = main.origin_s ? *other.origin_s - *main.origin_s : 0.0;
+    for (auto& t : more.time_s) t += offset;
+    double const interval = mean_interval(record.time_s);
+    bool same = rows == more_rows;
+    for (std::size_t i = 0; same && i < rows; ++i) same = std::abs(record.time_s[i] - more.time_s[i]) < 1e-3 * interval;
+    how = "row by row, at the same times";
+    if (!same) {
+      double const first = std::max(record.time_s.front(), more.time_s.front());
+      double const last = std::min(record.time_s.back(), more.time_s.back());
+      std::vector<Complaint> complaints;
+      ReadOptions both;
+      both.from_s = first;
+      both.to_s = last;
+      auto const span =
+          first < last ? span_of_time(record.time_s, both, record.file, complaints) : std::optional<Span>();
+      if (!span || span->count < least_samples)
+        throw Error(Complaint{.where = more.file,
+                              .found = fmt::format("times from {:.6g} to {:.6g} s, those of {} from {:.6g} to {:.6g} s",
+                                                   more.time_s.front(), more.time_s.back(), record.file,
+                                                   record.time_s.front(), record.time_s.back()),
+                              .allowed = "a time that both files share",
+                              .advice = "--columns time=none, where the rows belong together"});
+      for (auto* values : {&record.time_s, &record.disp_mm, &record.force_kN, &record.load_kN}) keep(*span, *values);
+      for (auto const channel : measured_channels)
+        if (auto& values = values_of(more, channel); !values.empty())
+          values = at_times(record.time_s, more.time_s, values);
+      double const share = static_cast<double>(span->count) / static_cast<double>(rows);
+      how = fmt::format(
+          "by time, interpolated from every {:.4g} s to every {:.4g} s; {} of {} samples lie in the time of both",
+          mean_interval(more.time_s), interval, span->count, rows);
+      constexpr double most_of_it = 0.9;
+      if (share < most_of_it)
+        record.warnings.push_back(
+            fmt::format("only {} of {} samples lie in the time of {} too", span->count, rows, more.file));
+      if (mean_interval(more.time_s) > 1.5 * interval)
+        record.warnings.push_back(
+            fmt::format("{} has a sample every {:.4g} s, {} every {:.4g} s: between them its values are interpolated",
+                        more.file, mean_interval(more.time_s), record.file, interval));
+    }
+  } else {
+    if (rows != more_rows)
+      throw Error(Complaint{.where = more.file,
+                            .found = fmt::format("{} rows, {} in {}", more_rows, rows, record.file),
+                            .allowed = "as many rows in both, or a time column of one kind in both",
+                            .advice = "--rows A:B, which counts in both"});
+    how = "row by row";
+    if (!record.has_time()) {
+      record.time_s = std::move(more.time_s);
+      main.origin_s = other.origin_s;
+      main.dated = other.dated;
+    }
+  }
+  for (auto const channel : measured_channels)
+    if (auto& values = values_of(more, channel); !values.empty()) values_of(record, channel) = std::move(values);
+  append(record.warnings, more.warnings);
+  for (auto const& line : more.recognised) record.recognised.push_back(fmt::format("{}: {}", more.file, line));
+  std::vector<std::string> specs;
+  for (auto const channel : measured_channels)
+    if (auto const found = more.layout.columns.find(channel);
+        found != more.layout.columns.end() && more.layout.units.contains(channel)) {
+      record.layout.columns[channel] = fmt::format("{}:{}", more.file, found->second);
+      record.layout.units[channel] = more.layout.units.at(channel);
+      specs.push_back(fmt::format("{}={}:{}", name(channel), more.file, found->second));
+    }
+  record.recognised.push_back(fmt::format("{} is joined to {}, {} (--columns {}); SHA-256 {} and {}", more.file,
+                                          record.file, how, joined(specs, ","), more.sha256, record.sha256));
+  record.sha256 = sha256(record.sha256 + more.sha256);
+}
+
+// The other files that `options` name channels of, with what is asked of each.
+std::map<std::string, ReadOptions> other_files(std::filesystem::path const& file, ReadOptions& options) {
+  std::map<std::string, ReadOptions> others;
+  auto const shared = options;
+  for (auto& [channel, spec] : options.columns) {
+    auto const split = file_column(spec);
+    if (!split) continue;
+    std::error_code none;
+    if (std::filesystem::equivalent(file, split->file, none)) {
+      spec = split->column;
+      continue;
+    }
+    if (channel == Channel::time)
+      throw Error(Complaint{.where = "--columns time",
+                            .found = in_quotes(spec),
+                            .allowed = "a column of the file itself: every file has its own time",
+                            .advice = "--columns time=COLUMN"});
+    auto [place, made] = others.try_emplace(split->file, shared);
+    if (made) place->second.columns.clear();
+    place->second.columns[channel] = split->column;
+  }
+  std::erase_if(options.columns, [](auto const& entry) { return file_column(entry.second).has_value(); });
+  return others;
+}
+
+TestRecord read_joined(std::filesystem::path const& file, ReadOptions options,
+                       std::map<std::string, ReadOptions> const& others) {
+  Wanted own{.part = true};
+  for (auto const& [name, more] : others) {
+    own.disp = own.disp && !more.columns.contains(Channel::disp);
+    own.force = own.force && !more.columns.contains(Channel::force);
+    own.load = own.load && !more.columns.contains(Channel::load);
+  }
+  if (!own.disp && !own.force)
+    throw Error(Complaint{.where = file.generic_string(),
+                          .found = "displacement and force are both read from other files",
+                          .allowed = "one of them from the file itself",
+                          .advice = "naming the file of the displacement as the record"});
+  auto const asked = options;
+  options.from_s = options.to_s = std::nullopt;  // of all channels, once they are together
+  auto main = read_part(file, options, own);
+  for (auto const& [other, of_other] : others) {
+    auto more = of_other;
+    more.from_s = more.to_s = std::nullopt;
+    more.units.erase(Channel::time);
+    more.sheet.reset();
+    more.test.reset();
+    auto const rows = std::exchange(more.rows, std::nullopt);
+    if (more.dt_s && main.record.has_time() && !main.record.layout.dt_s) more.dt_s.reset();
+    Wanted const wanted{.time = true,
+                        .disp = more.columns.contains(Channel::disp),
+                        .force = more.columns.contains(Channel::force),
+                        .load = more.columns.contains(Channel::load),
+                        .part = true};
+    if (asked.columns.contains(Channel::time) && lower(asked.columns.at(Channel::time)) == "none")
+      more.columns[Channel::time] = "none";
+    auto part = read_part(other, more, wanted);
+    bool const by_rows = !part.record.has_time() || !main.record.has_time() || part.record.layout.dt_s;
+    if (rows && by_rows) {
+      more.rows = rows;
+      part = read_part(other, more, wanted);
+    }
+    join_channels(main, std::move(part));
+  }
+  auto& record = main.record;
+  record.layout.from_s = asked.from_s;
+  record.layout.to_s = asked.to_s;
+  std::vector<Complaint> complaints;
+  auto const span = span_of_time(record.time_s, asked, record.file, complaints);
+  if (!complaints.empty()) throw Error(std::move(complaints));
+  if (asked.from_s || asked.to_s) {
+    describe_span(*span, record.size(), asked, record.recognised);
+    for (auto* values : {&record.time_s, &record.disp_mm, &record.force_kN, &record.load_kN}) keep(*span, *values);
+  }
+  return finished(std::move(record), asked, "the columns of the two files the other way round");
 }
 
 // --- motions
@@ -283,12 +622,51 @@ std::string parse_test(std::string_view text) {
       .where = "--test", .found = in_quotes(text), .allowed = "all, or the number of a test, from 1 to 1000"});
 }
 
+bool is_record_name(std::string_view file) {
+  auto const small = lower(file);
+  return std::ranges::any_of(record_extensions, [&](auto ending) { return small.ends_with(ending); });
+}
+
+std::optional<FileColumn> file_column(std::string_view text) {
+  for (auto at = text.find(':'); at != std::string_view::npos; at = text.find(':', at + 1)) {
+    auto const file = trimmed(text.substr(0, at)), column = trimmed(text.substr(at + 1));
+    if (is_record_name(file) && !column.empty()) return FileColumn{std::string(file), std::string(column)};
+  }
+  return std::nullopt;
+}
+
+RowRange parse_rows(std::string_view text) {
+  auto const colon = text.find(':');
+  auto const first = trimmed(text.substr(0, colon));
+  auto const last = colon == std::string_view::npos ? std::string_view{} : trimmed(text.substr(colon + 1));
+  RowRange range;
+  auto const from = first.empty() ? std::optional<std::size_t>(1) : number_in<std::size_t>(first);
+  auto const to = last.empty() ? std::optional<std::size_t>() : number_in<std::size_t>(last);
+  bool const good = colon != std::string_view::npos && from && *from >= 1 && *from <= most_lines &&
+                    (last.empty() || (to && *to >= *from && *to <= most_lines)) && !(first.empty() && last.empty());
+  if (!good)
+    throw Error(
+        Complaint{.where = "--rows",
+                  .found = in_quotes(text),
+                  .allowed = "A:B, rows of numbers counted from 1 below the header; A: to the end, :B from the start",
+                  .advice = "--rows 101:700"});
+  range.first = *from;
+  range.last = to;
+  return range;
+}
+
+std::string rows_text(RowRange const& range) {
+  return range.last ? fmt::format("{}:{}", range.first, *range.last) : fmt::format("{}:", range.first);
+}
+
 TestRecord read_record(std::filesystem::path const& file, ReadOptions const& options) {
-  return read_record_text(load_text(file), file.generic_string(), options);
+  auto own = options;
+  if (auto const others = other_files(file, own); !others.empty()) return read_joined(file, std::move(own), others);
+  return read_record_text(load_text(file), file.generic_string(), own);
 }
 
 TestRecord read_record_text(std::string_view bytes, std::string const& name, ReadOptions const& options) {
-  return read_tests(bytes, name, options, Wanted::test);
+  return read_tests(bytes, name, options, Wanted::test());
 }
 
 TestRecord read_motion(std::filesystem::path const& file, ReadOptions const& options) {
@@ -298,7 +676,7 @@ TestRecord read_motion(std::filesystem::path const& file, ReadOptions const& opt
 TestRecord read_motion_text(std::string_view bytes, std::string const& name, ReadOptions const& options) {
   auto const acceleration = line_about_acceleration(bytes);
   try {
-    auto motion = read_tests(bytes, name, options, Wanted::motion);
+    auto motion = read_tests(bytes, name, options, Wanted::motion());
     // A column of that name is one of displacements, whatever stands beside it.
     if (acceleration && options.columns.contains(Channel::disp))
       motion.warnings.push_back(fmt::format("the file speaks of acceleration ({}): what is read must be {}",
@@ -364,7 +742,7 @@ TestRecord record_of_values(std::string const& name, Values values) {
 std::vector<TestChoice> list_tests(std::filesystem::path const& file, ReadOptions const& options) {
   auto const bytes = load_text(file);
   auto const name = file.generic_string();
-  auto const tests = open_tests(bytes, name, options.sheet);
+  auto const tests = open_tests(bytes, name, options);
   auto const asked = options.test ? std::optional(parse_test(*options.test)) : std::nullopt;
   std::vector<TestChoice> choices;
   auto const add = [&](Tests const& found) {
@@ -378,10 +756,14 @@ std::vector<TestChoice> list_tests(std::filesystem::path const& file, ReadOption
     }
   };
   if (options.sheet || tests.sheets.size() < 2 ||
-      (columns_are_told(options, Wanted::test) && tests.tables.front()->header().by_name))
+      (columns_are_told(options, Wanted::test()) && tests.tables.front()->header().by_name))
     add(tests);
   else
-    for (auto const& sheet : tests.sheets) add(open_tests(bytes, name, sheet));
+    for (auto const& sheet : tests.sheets) {
+      auto of_sheet = options;
+      of_sheet.sheet = sheet;
+      add(open_tests(bytes, name, of_sheet));
+    }
   if (!choices.empty()) choices.front().passed_over = tests.sheets_passed_over;
   return choices;
 }

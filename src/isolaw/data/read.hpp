@@ -2,6 +2,7 @@
 // first bytes; recognised dialect, columns and units, or refused with the reason.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -24,7 +25,23 @@ std::map<Channel, std::string> parse_units(std::string_view text);
 // Parses "all" or "2" (option --test); throws Error on anything else.
 std::string parse_test(std::string_view text);
 
-// Reads one file. Throws one Error that holds every problem found: unreadable or empty file, missing or ambiguous
+// Parses "101:700", "101:" and ":700" (option --rows); throws Error on anything else.
+RowRange parse_rows(std::string_view text);
+std::string rows_text(RowRange const& range);
+
+// Files that are records by their names.
+inline constexpr std::array<std::string_view, 9> record_extensions{".csv", ".tsv", ".txt",  ".dat", ".asc",
+                                                                   ".lvm", ".mat", ".xlsx", ".json"};
+bool is_record_name(std::string_view file);
+
+// A channel that stands in a file of its own: "loadcell.csv:Force" is column Force of that file. nullopt where the text
+// names no record's file before a colon: it is then a column.
+struct FileColumn {
+  std::string file, column;
+};
+std::optional<FileColumn> file_column(std::string_view text);
+
+// Reads one file, and the files that single channels of it are in. Throws one Error that holds every problem found: unreadable or empty file, missing or ambiguous
 // column, unknown unit, values that are no numbers or lie beyond the sensor's range, time that does not increase,
 // constant force or displacement, force and displacement swapped, flipped sign; several tests or sheets where nothing
 // says which.

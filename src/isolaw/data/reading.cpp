@@ -1,7 +1,11 @@
 #include "isolaw/data/reading.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <limits>
+
+#include "isolaw/base/words.hpp"
+#include "isolaw/data/time_stamp.hpp"
 
 namespace isolaw::data {
 namespace {
@@ -48,6 +52,74 @@ Reading name_or_number(std::string_view key, std::string help, Kind written,
   return {{{.key = key, .help = std::move(help), .type = "str | int"}, write, read}};
 }
 
+// One of a few words, or nothing.
+Reading one_of(std::string_view key, std::string help, std::vector<std::string_view> words,
+               std::optional<std::string_view> (*get)(ReadOptions const&),
+               void (*set)(ReadOptions&, std::string_view)) {
+  auto const write = [get](ReadOptions const& from) {
+    auto const word = get(from);
+    return word ? Json(*word) : Json();
+  };
+  auto const read = [words, set](ReadOptions& to, Json const& value) {
+    for (auto const word : words)
+      if (value == Json(word)) return set(to, word);
+    std::vector<std::string> texts;
+    for (auto const word : words) texts.push_back(fmt::format("'{}'", word));
+    refuse(value, joined(texts, " or "));
+  };
+  return {{{.key = key, .help = std::move(help), .words = words}, write, read}};
+}
+
+constexpr std::string_view group_words[]{",", ".", "'", "blank"};
+
+Reading thousands() {
+  return one_of(
+      "thousands", "what groups the digits of numbers: a comma, a point, an apostrophe or blank",
+      {std::begin(group_words), std::end(group_words)},
+      [](ReadOptions const& from) -> std::optional<std::string_view> {
+        if (!from.thousands) return std::nullopt;
+        return *std::ranges::find_if(group_words,
+                                     [&](auto word) { return word == "blank" || word[0] == *from.thousands; });
+      },
+      [](ReadOptions& to, std::string_view word) { to.thousands = word == "blank" ? ' ' : word.front(); });
+}
+
+Reading date_order() {
+  return one_of(
+      "date-order", "of dates like 03/04/2024 where nothing tells: dmy or mdy", {"dmy", "mdy"},
+      [](ReadOptions const& from) -> std::optional<std::string_view> {
+        return from.date_order ? std::optional(date_order_word(*from.date_order)) : std::nullopt;
+      },
+      [](ReadOptions& to, std::string_view word) {
+        to.date_order = word == date_order_word(DateOrder::day_first) ? DateOrder::day_first : DateOrder::month_first;
+      });
+}
+
+Reading footer() {
+  return one_of(
+      "footer", "skip: text below the rows (statistics, a signature) is left out", {"skip"},
+      [](ReadOptions const& from) -> std::optional<std::string_view> {
+        return from.skip_footer ? std::optional<std::string_view>("skip") : std::nullopt;
+      },
+      [](ReadOptions& to, std::string_view) { to.skip_footer = true; });
+}
+
+Reading rows() {
+  auto const write = [](ReadOptions const& from) { return from.rows ? Json(rows_text(*from.rows)) : Json(); };
+  auto const read = [](ReadOptions& to, Json const& value) { to.rows = parse_rows(text_in(value)); };
+  return {{{.key = "rows", .help = "rows A:B of the numbers alone, counted from 1 below the header; A: to the end"},
+           write,
+           read}};
+}
+
+// Not of motions, where --from is a campaign.
+Reading time_limit(std::string_view key, std::string help, std::optional<double> ReadOptions::*value,
+                   std::string_view keyword) {
+  Reading made{number<ReadOptions>(key, std::move(help), at(value)), true};
+  made.keyword = keyword;
+  return made;
+}
+
 Reading correction(std::string_view key, std::string help, std::optional<double> Corrections::*value,
                    std::string_view keyword = {}) {
   Reading made{number<ReadOptions>(key, "correct: " + help, at(&ReadOptions::corrections, value)), true};
@@ -67,11 +139,19 @@ std::vector<Reading> make_table() {
   using R = ReadOptions;
   using C = Corrections;
   return {
-      by_channel("columns", "time=...,disp=...,force=...,load=...: column names or 1-based numbers", &R::columns,
-                 parse_columns),
+      by_channel(
+          "columns",
+          "time=...,disp=...,force=...,load=...: column names or 1-based numbers; FILE:COLUMN where a channel is in a file of its own",
+          &R::columns, parse_columns),
       by_channel("units", "disp=cm,force=tonf,time=s: units the files do not state", &R::units, parse_units),
       {number<R>("dt", "sampling interval in seconds of files without a time column", at(&R::dt_s),
                  {.least = std::numeric_limits<double>::min(), .words = "a positive number of seconds"})},
+      rows(),
+      time_limit("from", "from this time on, in seconds of the file", &R::from_s, "from_s"),
+      time_limit("to", "up to this time, in seconds of the file", &R::to_s, "to_s"),
+      footer(),
+      thousands(),
+      date_order(),
       name_or_number("sheet", "sheet of a workbook, struct of a .mat file, key of JSON: name or number", Kind::text,
                      &R::sheet, [](std::string const& name) { return name; }),
       name_or_number("test", "of files that hold several tests: a number, or all, one after the other", Kind::whole,

@@ -9,7 +9,7 @@
 namespace isolaw::data {
 
 struct Reading : Option<ReadOptions> {
-  bool of_force = false;  // says nothing of a motion, which has none
+  bool of_test = false;  // not of motions, which have no force
 };
 
 // Columns and units add to those that are there, channel by channel; every other value takes the place of what was

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "isolaw/data/corrections.hpp"
@@ -13,11 +14,26 @@ namespace isolaw::data {
 
 enum class Channel { time, disp, force, load };
 
+// Of dates whose year does not come first.
+enum class DateOrder { day_first, month_first };
+
+// Rows of numbers, counted from 1 below the header; blank lines and comments do not count.
+struct RowRange {
+  std::size_t first = 1;
+  std::optional<std::size_t> last;  // nullopt: to the end
+  bool operator==(RowRange const&) const = default;
+};
+
 // How to read a file. What is missing is recognised.
 struct ReadOptions {
   std::map<Channel, std::string> columns;  // name or 1-based number; "none": not read
   std::map<Channel, std::string> units;    // "cm", "tonf", ...; what is missing is read from the header
   std::optional<double> dt_s;              // sampling interval of a file without a time column
+  std::optional<DateOrder> date_order;     // of time stamps that do not tell
+  std::optional<RowRange> rows;            // the part of the file that is read
+  std::optional<double> from_s, to_s;      // the part of the time that is read
+  bool skip_footer = false;                // text below the rows is left out (option --footer skip)
+  std::optional<char> thousands;           // what groups the digits of numbers: , . ' or a blank
   bool flip_force = false;                 // multiply the force by -1 (option --flip-force)
   std::optional<std::string> sheet;        // sheet of a workbook, struct of a .mat file, key of JSON: name or number
   std::optional<std::string> test;  // of a file that holds several: 1-based number, or "all", one after the other
@@ -38,6 +54,8 @@ struct TestRecord {
   // The choices that reading came to, which read the file the same way: a column's name where it is unique, else its
   // number; sheet and test only where the file holds several.
   ReadOptions layout;
+  // What the file says of its device, by the key of a lot file, as it is written.
+  std::vector<std::pair<std::string, std::string>> particulars;
   std::vector<std::string> recognised;   // one sentence per decision: dialect, columns, units, sampling, and why
   std::vector<std::string> corrections;  // one sentence per correction asked for, also in `recognised`
   std::vector<std::string> warnings;     // what a careful reader would want to know

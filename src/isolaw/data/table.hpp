@@ -13,6 +13,7 @@
 #include "isolaw/data/checks.hpp"
 #include "isolaw/data/columns.hpp"
 #include "isolaw/data/header.hpp"
+#include "isolaw/data/particulars.hpp"
 
 namespace isolaw::data {
 
@@ -24,6 +25,19 @@ struct Rows {
   std::vector<RawChannel> channels;
   std::vector<std::size_t> numbers;  // place of each sample, counted from 1: line, row of the sheet, element
   std::size_t comments = 0;          // comment lines among the rows
+  std::size_t of = 0;                // rows there are, where only a part was to be read
+  std::vector<std::string> recognised;
+  std::optional<double> origin_s;  // what the time counts from, where it was read from stamps
+  bool dated = false;              // since 1970; else since midnight
+};
+
+// Which rows are read.
+struct RowChoice {
+  RowRange range;
+  bool skip_footer = false;
+  std::optional<DateOrder> date_order;
+  bool all() const { return range == RowRange{}; }
+  bool contains(std::size_t number) const { return number >= range.first && (!range.last || number <= *range.last); }
 };
 
 // One test of one file.
@@ -44,6 +58,9 @@ class Table {
   // What tells it from the other tests of its file, where it is not the row it starts at: "tests(2) 'B'".
   std::string const& title() const { return title_; }
 
+  // What stands above the rows about the device.
+  ParticularList const& particulars() const { return particulars_; }
+
   // The place of one column, where columns have places of their own: "d01.mat:dist".
   virtual std::string place_of(std::size_t /*column*/) const { return place_; }
   // One sentence per decision that led to the table.
@@ -52,7 +69,7 @@ class Table {
   virtual void check(std::vector<Complaint>& /*complaints*/) const {}
   // The values of the columns that were chosen; what is no number is among the complaints. Throws Error where nothing
   // can be read at all.
-  virtual Rows read(Columns const& columns, std::vector<Complaint>& complaints) const = 0;
+  virtual Rows read(Columns const& columns, RowChoice const& choice, std::vector<Complaint>& complaints) const = 0;
 
  protected:
   std::string place_;
@@ -60,6 +77,7 @@ class Table {
   std::size_t columns_ = 0;
   std::size_t start_ = 1;
   std::string title_;
+  ParticularList particulars_;
 };
 
 // The tests of one file, or of one part of it.
@@ -68,6 +86,7 @@ struct Tests {
   std::vector<std::string> sheets;              // the parts of the file that hold tables, where it has parts
   std::optional<std::string> sheet;             // the one these tables come from, where there are several
   std::vector<std::string> recognised;          // about the file as a whole
+  ParticularList particulars;                   // of sheets without tables
   std::vector<std::string> sheets_passed_over;  // with rows of numbers, but without the name of any channel
 };
 

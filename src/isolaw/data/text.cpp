@@ -1,9 +1,11 @@
 #include "isolaw/data/text.hpp"
 
 #include <fmt/format.h>
+#include <iconv.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdint>
 
 #include "isolaw/base/error.hpp"
@@ -100,7 +102,49 @@ std::uint32_t windows_1252(unsigned char byte) {
 constexpr std::string_view latin_letters = "AAAAAAACEEEEIIIIDNOOOOO OUUUUY saaaaaaaceeeeiiiidnooooo ouuuuy y";
 static_assert(latin_letters.size() == 64);
 
+// Base letters of those that Turkish has beside Latin-1; a blank for others.
+char turkish_letter(unsigned char lead, unsigned char second) {
+  if (lead == 0xC4)
+    return second == 0x9E ? 'G' : second == 0x9F ? 'g' : second == 0xB0 ? 'I' : second == 0xB1 ? 'i' : ' ';
+  return second == 0x9E ? 'S' : second == 0x9F ? 's' : ' ';
+}
+
+// By the converter of the C library; nullopt where the bytes are no text of that encoding.
+std::optional<std::string> converted(std::string_view bytes, char const* encoding) {
+  iconv_t const converter = iconv_open("UTF-8", encoding);
+  if (converter == reinterpret_cast<iconv_t>(-1)) return std::nullopt;  // not on this system
+  std::string text;
+  std::array<char, 4096> buffer;
+  auto* in = const_cast<char*>(bytes.data());
+  std::size_t in_left = bytes.size();
+  bool failed = false;
+  while (in_left > 0 && !failed) {
+    auto* out = buffer.data();
+    std::size_t out_left = buffer.size();
+    failed = iconv(converter, &in, &in_left, &out, &out_left) == static_cast<std::size_t>(-1) && errno != E2BIG;
+    text.append(buffer.data(), buffer.size() - out_left);
+  }
+  iconv_close(converter);
+  return failed ? std::nullopt : std::optional(std::move(text));
+}
+
 }  // namespace
+
+std::optional<LegacyText> decode_legacy(std::string_view bytes, bool (*names_channels)(std::string_view)) {
+  if (is_utf8(bytes)) return std::nullopt;
+  struct Encoding {
+    char const* name;
+    std::string_view shown;
+  };
+  for (auto const& [name, shown] : {Encoding{"CP932", "Shift-JIS"}, Encoding{"CP1254", "Windows-1254 (Turkish)"}}) {
+    constexpr std::size_t head = 16384;  // the names are there; cut at a line
+    auto const cut = bytes.size() <= head ? bytes.size() : bytes.rfind('\n', head);
+    auto const top = converted(bytes.substr(0, cut == std::string_view::npos ? bytes.size() : cut), name);
+    if (!top || !names_channels(*top)) continue;
+    if (auto text = converted(bytes, name)) return LegacyText{std::move(*text), shown};
+  }
+  return std::nullopt;
+}
 
 std::string load_text(std::filesystem::path const& file) {
   return read_file(file, {.largest_bytes = largest_file_bytes,
@@ -156,6 +200,8 @@ std::string without_accents(std::string_view utf8) {
       text += utf8.front();
     else if (lead == 0xC3 && length == 2)
       text += latin_letters[static_cast<unsigned char>(utf8[1]) & 0x3Fu];
+    else if ((lead == 0xC4 || lead == 0xC5) && length == 2)
+      text += turkish_letter(lead, static_cast<unsigned char>(utf8[1]));
     else
       text += ' ';
     utf8.remove_prefix(length);

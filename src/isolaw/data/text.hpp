@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,14 @@ struct Lines {
 
 // Line ends are LF, CRLF or CR, also mixed.
 Lines split_lines(std::string_view bytes);
+
+// A text of another encoding than UTF-8 and Windows-1252 as UTF-8, where it then names what `names_channels` knows:
+// Shift-JIS of Japan, Windows-1254 of Turkey. nullopt: it is none of these.
+struct LegacyText {
+  std::string utf8;
+  std::string_view encoding;
+};
+std::optional<LegacyText> decode_legacy(std::string_view bytes, bool (*names_channels)(std::string_view));
 
 std::string to_utf8(std::string_view bytes);
 

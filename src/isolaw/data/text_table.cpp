@@ -8,6 +8,7 @@
 
 #include "isolaw/base/words.hpp"
 #include "isolaw/data/dialect.hpp"
+#include "isolaw/data/particulars.hpp"
 #include "isolaw/data/text.hpp"
 
 namespace isolaw::data {
@@ -24,10 +25,13 @@ struct Page {
 
 class RowReader {
  public:
-  RowReader(std::string const& place, Page const& page, std::size_t end, Header const& header, Columns const& columns)
-      : lines_(std::span(page.text.lines).first(end)),
+  RowReader(std::string const& place, Page const& page, std::size_t end, Header const& header, Columns const& columns,
+            RowChoice const& choice)
+      : place_(place),
+        lines_(std::span(page.text.lines).first(end)),
         dialect_(page.dialect),
         header_(header),
+        choice_(choice),
         widths_(place, "rows with another number of columns"),
         numbers_(place, "cells that are no number") {
     for (auto const& [channel, column] : columns.channels) {
@@ -36,6 +40,11 @@ class RowReader {
                                 .unit = column.unit ? std::string(column.unit->symbol) : std::string(),
                                 .values = {}});
       rows_.channels.back().values.reserve(lines_.size() - header.first_data);
+      if (column.stamp != StampKind::none) {
+        stamped_ = indices_.size();
+        serial_ = column.stamp == StampKind::serial_number;
+        date_column_ = column.date_column;
+      }
       indices_.push_back(column.index);
     }
     rows_.numbers.reserve(lines_.size() - header.first_data);
@@ -43,40 +52,174 @@ class RowReader {
   }
 
   Rows read(std::vector<Complaint>& complaints) {
+    take_footer_off(complaints);
     for (auto i = header_.first_data; i < lines_.size(); ++i) {
-      if (is_comment(lines_[i]))
+      if (is_comment(lines_[i])) {
         ++rows_.comments;
-      else
-        read_line(i);
+        continue;
+      }
+      if (is_blank(lines_[i], dialect_.delimiter)) continue;
+      ++rows_.of;
+      if (choice_.contains(rows_.of)) read_line(i);
     }
     widths_.append_to(complaints);
     numbers_.append_to(complaints);
+    read_stamps(complaints);
     return std::move(rows_);
   }
 
  private:
+  // Statistics, a signature, "End of data": lines at the end of which none is a row, though they hold words.
+  void take_footer_off(std::vector<Complaint>& complaints) {
+    auto const is_open = [&](std::size_t i) {
+      return is_comment(lines_[i]) || is_blank(lines_[i], dialect_.delimiter);
+    };
+    auto first = lines_.size(), end = lines_.size();
+    std::size_t count = 0;
+    for (auto i = lines_.size(); i > header_.first_data && count <= longest_footer; --i) {
+      if (is_open(i - 1)) continue;
+      if (!is_footer_line(lines_[i - 1])) break;
+      first = i - 1;
+      ++count;
+    }
+    if (count == 0 || count > longest_footer || 2 * count > end - header_.first_data) {
+      if (choice_.skip_footer) rows_.recognised.push_back("no text stands below the rows (--footer skip)");
+      return;
+    }
+    while (end > first && is_open(end - 1)) --end;
+    lines_ = lines_.first(first);
+    auto const where = count == 1 ? fmt::format("{} {}", header_.row, first + 1)
+                                  : fmt::format("{}s {} to {}", header_.row, first + 1, end);
+    auto const text = in_quotes(lines_.data()[first]);
+    if (choice_.skip_footer)
+      rows_.recognised.push_back(fmt::format("below the rows, {} {} text, {}{}, and left out (--footer skip)", where,
+                                             count == 1 ? "is" : "are", text, count == 1 ? "" : " and so on"));
+    else if (!choice_.range.last)  // which ends before it
+      complaints.push_back(
+          {fmt::format("{}:{}", place_, first + 1), fmt::format("text below the rows of numbers, {}: {}", where, text),
+           "rows of numbers to the end of the file", "--footer skip, which leaves it out and the file as it is"});
+  }
+
+  bool is_footer_line(std::string_view line) {
+    split_row(line, dialect_, cells_);
+    bool const as_wide = cells_.size() == dialect_.columns;
+    bool words = false, digits = false, statistics = false;
+    bool first_is_word = false;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      auto const kind = parse_cell(cells_[i], dialect_.format()).kind;
+      bool const word = kind == CellKind::text && names_something(cells_[i]);
+      if (i == 0) first_is_word = word || kind == CellKind::empty;
+      words = words || word;
+      digits = digits || cells_[i].find_first_of("0123456789") != std::string_view::npos;
+      statistics = statistics || (word && is_statistic(cells_[i]));
+    }
+    if (!as_wide) return words || !digits;
+    if (statistics) return true;
+    auto const reads = std::ranges::count_if(indices_, [&](auto k) { return is_value(cells_[k]); });
+    if (static_cast<std::size_t>(reads) == indices_.size()) return false;
+    if (dialect_.sheet && reads > 0) return false;  // an error, or a formula without its value
+    return (first_is_word && words) || !digits;
+  }
+
+  bool is_value(std::string_view cell) const {
+    auto const kind = parse_cell(cell, dialect_.format()).kind;
+    return kind == CellKind::number || kind == CellKind::not_finite || kind == CellKind::grouped ||
+           kind == CellKind::stamp;
+  }
+
+  // Two letters or more, one after another.
+  static bool names_something(std::string_view cell) {
+    auto const letter = [](char c) {
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
+    };
+    for (std::size_t i = 1; i < cell.size(); ++i)
+      if (letter(cell[i - 1]) && letter(cell[i])) return true;
+    return false;
+  }
+
+  static bool is_statistic(std::string_view cell) {
+    constexpr std::string_view names[]{"max",      "min",     "mean",      "average", "avg",        "std",
+                                       "stdev",    "sum",     "total",     "maximum", "minimum",    "rms",
+                                       "media",    "massimo", "minimo",    "mittel",  "mittelwert", "moyenne",
+                                       "ortalama", "count",   "std. dev.", "range",   "end of data"};
+    auto text = lower(without_accents(trimmed(cell)));
+    while (!text.empty() && (text.back() == ':' || text.back() == '.' || text.back() == ' ')) text.pop_back();
+    return std::ranges::find(names, text) != std::ranges::end(names);
+  }
+
+  void read_stamps(std::vector<Complaint>& complaints) {
+    if (!stamped_ || !complaints.empty()) return;
+    auto const& column = rows_.channels[*stamped_].column;
+    auto time = seconds_of(stamps_, rows_.numbers, place_, header_.row, choice_.date_order, complaints);
+    rows_.channels[*stamped_].values = std::move(time.time_s);
+    rows_.origin_s = time.origin_s;
+    rows_.dated = time.dated;
+    for (auto& sentence : time.sentences) rows_.recognised.push_back(column + ", " + std::move(sentence));
+  }
+
+  // The stamp of a row, with the date beside it; nullopt where the cells hold another kind than most rows.
+  std::optional<Stamp> stamp_of(std::size_t k) const {
+    auto const cell = cells_[indices_[k]];
+    if (serial_) {
+      auto const parsed = parse_cell(cell, dialect_.format());
+      if (parsed.kind != CellKind::number) return std::nullopt;
+      return stamp_of_serial(parsed.value);
+    }
+    auto stamp = parse_stamp(cell);
+    if (!stamp) return std::nullopt;
+    if (date_column_) {
+      auto const date = parse_stamp(cells_[*date_column_]);
+      if (!date || !date->dated || !stamp->clocked) return std::nullopt;
+      stamp->dated = true;
+      stamp->days = date->days;
+      stamp->first = date->first;
+      stamp->second = date->second;
+      stamp->year = date->year;
+    }
+    if (!stamps_.empty() && stamp->dated != stamps_.front().dated) return std::nullopt;
+    return stamp;
+  }
+
   void read_line(std::size_t i) {
     split_row(lines_[i], dialect_, cells_);
     if (cells_.size() != dialect_.columns) {
-      if (!is_blank(lines_[i], dialect_.delimiter)) report_width(i);
+      report_width(i);
       return;
     }
-    if (dialect_.sheet && is_blank(lines_[i], dialect_.delimiter)) return;
     bool good = true;
+    std::optional<Stamp> stamp;
     for (std::size_t k = 0; k < indices_.size(); ++k) {
       auto const cell = cells_[indices_[k]];
-      auto const parsed = parse_cell(cell, dialect_.decimal);
+      if (k == stamped_) {
+        stamp = stamp_of(k);
+        if (stamp) continue;
+        if (good)
+          numbers_.add(
+              i + 1,
+              fmt::format("{} in {} is no date and time like the others", in_quotes(cell), rows_.channels[k].column),
+              "time stamps of one kind", leave_out());
+        good = false;
+        continue;
+      }
+      auto const parsed = parse_cell(cell, dialect_.format());
       row_[k] = parsed.value;
       if (parsed.kind == CellKind::number) continue;
       if (good) report_cell(i, k, cell, parsed.kind);  // one complaint per row
       good = false;
     }
     if (!good) return;
-    for (std::size_t k = 0; k < row_.size(); ++k) rows_.channels[k].values.push_back(row_[k]);
+    for (std::size_t k = 0; k < row_.size(); ++k)
+      if (k != stamped_) rows_.channels[k].values.push_back(row_[k]);
+    if (stamp) stamps_.push_back(*stamp);
     rows_.numbers.push_back(i + 1);
   }
 
-  std::string leave_out() const { return dialect_.sheet ? "remove the row" : "remove the line, or put '#' before it"; }
+  // Without touching the file: the rows before this one.
+  std::string leave_out() const {
+    return rows_.of > choice_.range.first
+               ? fmt::format("--rows {}:{}, the rows before it", choice_.range.first, rows_.of - 1)
+               : fmt::format("--rows {}:, the rows behind it", rows_.of + 1);
+  }
 
   void report_width(std::size_t i) {
     widths_.add(i + 1, fmt::format("{} columns: {}", cells_.size(), in_quotes(lines_[i])),
@@ -88,24 +231,77 @@ class RowReader {
     if (kind == CellKind::grouped)
       numbers_.add(i + 1, fmt::format("{} in {} has thousands separators", in_quotes(cell), column),
                    fmt::format("a number with a decimal {} and no other separator", decimal_name(dialect_.decimal)),
-                   "export without digit grouping");
+                   fmt::format("--thousands {}", group_word(cell)));
     else if (kind == CellKind::not_finite)
       numbers_.add(i + 1, fmt::format("{} in {} is not a finite number", in_quotes(cell), column), "a finite number",
-                   fmt::format("cut the record before this {}, or test again", header_.row));
+                   leave_out() + ", or test again");
     else if (kind == CellKind::empty)
       numbers_.add(i + 1, column + " is empty", "a number", leave_out());
     else if (dialect_.sheet)
-      numbers_.add(i + 1, fmt::format("{} in {} is text, not a number", in_quotes(cell), column), "a number",
-                   "let the cell hold a number, or remove the row");
+      numbers_.add(i + 1,
+                   fmt::format("{} in {} is {}, not a number", in_quotes(cell), column,
+                               kind == CellKind::stamp ? "a date or time of day" : "text"),
+                   "a number", leave_out());
+    else if (auto const other = grouped_otherwise(cell))
+      numbers_.add(i + 1,
+                   fmt::format("{} in {} is no number with a decimal {}", in_quotes(cell), column,
+                               decimal_name(dialect_.decimal)),
+                   "one decimal sign in the whole file",
+                   fmt::format("--thousands {}, where that groups the digits", *other));
     else
       numbers_.add(i + 1, fmt::format("{} in {} is not a number", in_quotes(cell), column),
-                   fmt::format("a number with a decimal {}", decimal_name(dialect_.decimal)),
-                   "correct the cell, or put '#' before the line");
+                   fmt::format("a number with a decimal {}", decimal_name(dialect_.decimal)), leave_out());
   }
 
+  // What the option calls the mark that groups the digits of a cell.
+  std::string_view group_word(std::string_view cell) const {
+    if (cell.find(dialect_.decimal == ',' ? '.' : ',') != std::string_view::npos)
+      return dialect_.decimal == ',' ? "." : ",";
+    return cell.find_first_of("'\xE2") != std::string_view::npos && cell.find("\xE2\x80\xAF") == std::string_view::npos
+               ? "\"'\""
+               : "blank";
+  }
+
+  // A number under the other decimal sign: the one taken for it groups digits then.
+  std::optional<std::string_view> grouped_otherwise(std::string_view cell) const {
+    char const other = dialect_.decimal == ',' ? '.' : ',';
+    if (dialect_.thousands != '\0') return std::nullopt;
+    bool const in_groups = parse_cell(cell, {dialect_.decimal, other}).kind == CellKind::number;
+    if (in_groups) return other == ',' ? "," : ".";
+    auto const kind = parse_cell(cell, {other, dialect_.decimal}).kind;
+    if (kind != CellKind::number || !all_in_threes()) return std::nullopt;
+    return dialect_.decimal == ',' ? "," : ".";
+  }
+
+  // Whether what was taken for decimals are three digits in every cell, as groups are.
+  bool all_in_threes() const {
+    constexpr std::size_t looked_at = 500;
+    std::vector<std::string_view> cells;
+    std::size_t seen = 0;
+    auto const end = std::min(lines_.size(), header_.first_data + looked_at);
+    for (auto i = header_.first_data; i < end; ++i) {
+      split_row(lines_[i], dialect_, cells);
+      if (cells.size() != dialect_.columns) continue;
+      for (auto const k : indices_) {
+        auto const at = cells[k].find(dialect_.decimal);
+        if (at == std::string_view::npos || parse_cell(cells[k], dialect_.decimal).kind != CellKind::number) continue;
+        if (cells[k].size() - at != 4) return false;
+        ++seen;
+      }
+    }
+    return seen > 0;
+  }
+
+  static constexpr std::size_t longest_footer = 200;
+  std::string const& place_;
   std::span<std::string_view const> lines_;
   Dialect const& dialect_;
   Header const& header_;
+  RowChoice const& choice_;
+  std::optional<std::size_t> stamped_;      // position of the channel that is read from time stamps
+  bool serial_ = false;                     // which are numbers
+  std::optional<std::size_t> date_column_;  // beside times of day
+  std::vector<Stamp> stamps_;
   std::vector<std::size_t> indices_;  // columns wanted
   std::vector<std::string_view> cells_;
   std::vector<double> row_;
@@ -135,6 +331,9 @@ class TextTable : public Table {
     header_.row = page_->dialect.sheet ? "row" : "line";
     header_.lettered = page_->dialect.sheet;
     columns_ = page_->dialect.columns;
+    for (auto i = begin; i < header_.first_data; ++i)
+      if (i != header_.name_line && i != header_.unit_line)
+        take_particulars(page_->text.lines[i], page_->dialect.delimiter, particulars_);
     start_ = (header_.name_line ? *header_.name_line : header_.first_data) + 1;
   }
 
@@ -169,8 +368,8 @@ class TextTable : public Table {
          "export with semicolons or tabs between the columns"});
   }
 
-  Rows read(Columns const& columns, std::vector<Complaint>& complaints) const override {
-    return RowReader(place_, *page_, end_, header_, columns).read(complaints);
+  Rows read(Columns const& columns, RowChoice const& choice, std::vector<Complaint>& complaints) const override {
+    return RowReader(place_, *page_, end_, header_, columns, choice).read(complaints);
   }
 
  private:
@@ -204,15 +403,37 @@ bool is_one_column(std::span<std::string_view const> lines) {
   return 2 * std::ranges::count_if(lines, is_number) > static_cast<std::ptrdiff_t>(lines.size());
 }
 
-Dialect require_dialect(std::string const& file, std::span<std::string_view const> lines) {
-  if (auto dialect = recognise_dialect(lines)) return *std::move(dialect);
+Dialect require_dialect(std::string const& file, std::span<std::string_view const> lines, TextOptions const& options) {
+  if (auto dialect = recognise_dialect(lines, options.thousands)) return *std::move(dialect);
   bool const one_column = is_one_column(lines);
+  if (one_column && options.one_column)
+    if (auto dialect = one_column_dialect(lines)) return *std::move(dialect);
   throw Error(Complaint{
       .where = file,
       .found = one_column ? "one column of numbers" : fmt::format("no rows of numbers in {} lines", lines.size()),
       .allowed = "two or more columns of numbers, separated by commas, semicolons, tabs or blanks",
-      .advice = one_column ? "write time beside displacement for a motion, displacement beside force for a test"
-                           : "export displacement and force as CSV"});
+      .advice =
+          one_column
+              ? "displacement beside force; --columns force=FILE:COLUMN where each is in a file of its own; --dt SECONDS for a motion"
+              : "export displacement and force as CSV"});
+}
+
+// Whether text outside ASCII names a channel: tells an encoding from others that its bytes may also be.
+bool has_foreign_names(std::string_view utf8) {
+  constexpr std::string_view turkish_letters[]{"Ğ", "ğ", "İ", "ı", "Ş", "ş"};  // which Windows-1252 lacks
+  std::string word;
+  auto const ends = [](char c) { return c == ';' || c == ',' || c == '\t' || c == '\n' || c == '\r' || c == '"'; };
+  for (std::size_t i = 0; i <= utf8.size(); ++i) {
+    if (i < utf8.size() && !ends(utf8[i])) {
+      word += utf8[i];
+      continue;
+    }
+    bool const turkish =
+        std::ranges::any_of(turkish_letters, [&](auto l) { return word.find(l) != std::string::npos; });
+    if (names_a_channel(word) && (turkish || is_japanese(word))) return true;
+    word.clear();
+  }
+  return false;
 }
 
 void refuse_width(std::string const& file, Dialect const& dialect) {
@@ -227,14 +448,20 @@ void refuse_width(std::string const& file, Dialect const& dialect) {
 
 }  // namespace
 
-Tests text_tests(std::string_view bytes, std::string const& file) {
+Tests text_tests(std::string_view bytes, std::string const& file, TextOptions const& options) {
   check_text(file, bytes);
   auto page = std::make_shared<Page>();
+  auto legacy = decode_legacy(bytes, has_foreign_names);
+  if (legacy) {
+    page->owned = std::move(legacy->utf8);
+    bytes = page->owned;
+  }
   page->text = split_lines(bytes);
-  page->dialect = require_dialect(file, page->text.lines);
+  page->dialect = require_dialect(file, page->text.lines, options);
   refuse_width(file, page->dialect);
   auto tests = tests_of(page, file);
   if (page->text.byte_order_mark) tests.recognised.push_back("a UTF-8 byte order mark is left out");
+  if (legacy) tests.recognised.push_back(fmt::format("the text is read as {}", legacy->encoding));
   if (page->text.windows_1252) tests.recognised.push_back("bytes that are no UTF-8 are read as Windows-1252");
   tests.recognised.push_back(page->dialect.why);
   return tests;
@@ -245,7 +472,13 @@ Tests sheet_tests(std::string rows, std::string const& place) {
   page->owned = std::move(rows);
   page->text = split_lines(page->owned);
   auto dialect = sheet_dialect(page->text.lines);
-  if (!dialect) return {};
+  if (!dialect) {
+    Tests none;
+    constexpr std::size_t lines_read = 1000;
+    for (auto const line : page->text.lines | std::views::take(lines_read))
+      take_particulars(line, '\t', none.particulars);
+    return none;
+  }
   page->dialect = *std::move(dialect);
   return tests_of(page, place);
 }

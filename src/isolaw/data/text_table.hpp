@@ -1,6 +1,7 @@
 // Tables written as lines of cells: delimited text, and the rows of a worksheet brought into the same form.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -8,8 +9,13 @@
 
 namespace isolaw::data {
 
+struct TextOptions {
+  std::optional<char> thousands = {};  // what groups digits
+  bool one_column = false;             // a single column of numbers will do
+};
+
 // The tests of delimited text. Throws Error when it holds no rows of numbers. `bytes` must outlive the tests.
-Tests text_tests(std::string_view bytes, std::string const& file);
+Tests text_tests(std::string_view bytes, std::string const& file, TextOptions const& options = {});
 
 // The rows of a worksheet, one a line, cells separated by tabs, numbers with a decimal point. Empty `tables` when the
 // sheet holds no rows of numbers.

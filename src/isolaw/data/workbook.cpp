@@ -398,10 +398,14 @@ Tests workbook_tests(std::string_view bytes, std::string const& file, std::optio
   Tests first, named;  // the first with rows of numbers, the first that names a channel
   std::vector<std::string> found, without_names;
   std::size_t most = 0;
+  ParticularList particulars;
   std::vector<std::pair<std::size_t, std::size_t>> filled;  // sheets with rows of numbers, channels that they name
   for (std::size_t i = 0; i < names.size(); ++i) {
     auto tests = workbook.tests(workbook.sheets()[i]);
-    if (tests.tables.empty()) continue;
+    if (tests.tables.empty()) {
+      particulars.insert(particulars.end(), tests.particulars.begin(), tests.particulars.end());
+      continue;
+    }
     auto const channels = channels_named(tests);
     filled.emplace_back(i, channels);
     most = std::max(most, channels);
@@ -427,6 +431,7 @@ Tests workbook_tests(std::string_view bytes, std::string const& file, std::optio
     first.recognised.push_back(fmt::format("{} {} no time, displacement or force, passed over",
                                            sheet_list(without_names, without_names.size() == 1 ? "sheet" : "sheets"),
                                            without_names.size() == 1 ? "names" : "name"));
+  first.particulars = std::move(particulars);
   first.sheets_passed_over = std::move(without_names);
   first.sheets = std::move(found);
   return first;

@@ -1,0 +1,51 @@
+// Dates and times of day as loggers write them (ISO 8601, day or month first, clock times, serial days of a
+// spreadsheet), read as seconds from the first of them. Zones are honoured where they are written.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/data/record.hpp"
+
+namespace isolaw::data {
+
+// What the cells of a column are. serial_number: unmarked numbers that may be days of a spreadsheet's calendar.
+enum class StampKind { none, date_time, date, clock, serial_number };
+
+struct Stamp {
+  bool dated = false, clocked = false;
+  std::optional<long> days;             // since 1970-01-01, where the order of the date is certain
+  int first = 0, second = 0, year = 0;  // else day and month as they are written
+  double clock_s = 0.0;                 // from midnight, of the zone written
+  std::optional<double> zone_s;         // east of Greenwich
+};
+
+std::string_view date_order_word(DateOrder order);  // "dmy"
+
+// nullopt where the cell is no time stamp. A cell that a workbook shows as a date carries `date_cell_mark`.
+std::optional<Stamp> parse_stamp(std::string_view cell);
+StampKind kind_of(Stamp const& stamp);
+Stamp stamp_of_serial(double days);
+// Days of dates that a test may have, with a part of a day: 1954 to 2119.
+bool may_be_serial(double value);
+
+inline constexpr std::string_view date_cell_mark = " (a date or time of day)";
+
+struct StampedTime {
+  std::vector<double> time_s;      // from the first stamp
+  std::optional<double> origin_s;  // of the first stamp: since 1970 where dated, else since midnight
+  bool dated = false;
+  std::vector<std::string> sentences;  // what was decided
+};
+
+// `lines` are the places of the stamps, for messages. What cannot be decided is among the complaints, which leaves the
+// time empty.
+StampedTime seconds_of(std::span<Stamp const> stamps, std::span<std::size_t const> lines, std::string const& where,
+                       std::string_view row, std::optional<DateOrder> order, std::vector<Complaint>& complaints);
+
+}  // namespace isolaw::data
