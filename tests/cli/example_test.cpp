@@ -195,10 +195,12 @@ TEST_F(Example, init_records_the_options_it_was_given) {
   EXPECT_TRUE(contains(query(store, "SELECT recognised FROM device").at(0), "sampling interval 0.02 s"));
 }
 
-TEST_F(Example, init_of_a_bad_record_writes_nothing) {
+TEST_F(Example, init_of_bad_records_alone_writes_nothing) {
   write("bad.csv", "");
-  expect_message(isolaw({"init", "ex/device-01.csv", "bad.csv"}), 2, {"bad.csv", "is empty"});
+  expect_message(isolaw({"init", "bad.csv"}), 2, {"bad.csv", "is empty"});
   EXPECT_FALSE(exists("lot.toml"));
+  expect_message(isolaw({"init", "ex/device-01.csv", "bad.csv"}), 0, {"bad.csv", "is empty", "1 of 2 left out"});
+  EXPECT_TRUE(exists("lot.toml"));
 }
 
 }  // namespace

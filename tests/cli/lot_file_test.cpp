@@ -138,14 +138,14 @@ TEST_F(LotFile, unknown_key_names_line_and_allowed_keys) {
                  {"lot.toml:2: unknown key 'runz' in [calibrate]", "allowed: analysis, box, center, columns",
                   "runs, samples-per-cycle, score-blocks, seed"});
   expect_refused(run(std::string(device) + "colour = \"red\"\n"),
-                 {"lot.toml:4: unknown key 'colour' in [[device]]", "allowed: columns, dt, file",
+                 {"lot.toml:4: unknown key 'colour' in [[device]]", "allowed: columns, date-order, dt, file",
                   "temperature-C, test, test-date"});
   expect_refused(run("foo = 1\n" + std::string(device)),
                  {"lot.toml:1: unknown key 'foo'", "allowed: acceptance, calibrate, device, read, title"});
   expect_refused(
       run("[read]\nskip = 1\n" + std::string(device)),
       {"lot.toml:2: unknown key 'skip' in [read]",
-       "columns, dt, flip-force, force-factor, moving-mass, rig-friction, rig-friction-coefficient, sheet, skew-ms, test, units"});
+       "columns, date-order, dt, flip-force, footer, force-factor, from, moving-mass, rig-friction, rig-friction-coefficient, rows, sheet, skew-ms, test, thousands, to, units"});
 }
 
 TEST_F(LotFile, wrong_type_names_the_line) {

@@ -46,6 +46,10 @@ int inspect(InspectArguments const& arguments) {
     render::write_inspection(summary, *arguments.out);
     say("written: {}\n", shown(*arguments.out / "inspection.html"));
   }
+  if (std::ranges::none_of(contents.devices, &campaign::Device::usable)) {
+    say("none of {} records can be used\n", contents.devices.size());
+    return exit_wrong_usage;
+  }
   return refused(summary) || study::acceptance_failed(summary) ? exit_with_refusals : exit_done;
 }
 
@@ -117,28 +121,37 @@ int init(InitArguments const& arguments) {
   auto lot = lot_of_tests(arguments);
   lot.title = printable(std::filesystem::absolute(arguments.out).parent_path().filename().string());
   std::vector<Complaint> complaints;
+  campaign::LotFileRemarks remarks;
+  remarks.open_keys = true;
+  std::vector<campaign::DeviceInput> recognised;
   std::vector<std::filesystem::path> of_sheets;  // files of which one sheet cannot be read
   for (auto& device : lot.devices) {
-    if (!is_printable(device.files.front().string())) {
-      complaints.push_back({.where = device.files.front().string(),
-                            .found = "a file name that no lot file can hold",
-                            .allowed = "printable text in UTF-8",
-                            .advice = "rename the file"});
-      continue;
-    }
     try {
+      if (!is_printable(device.files.front().string()))
+        throw Error({.where = device.files.front().string(),
+                     .found = "a file name that no lot file can hold",
+                     .allowed = "printable text in UTF-8",
+                     .advice = "rename the file"});
       auto const record = data::read_record(device.files.front(), device.read);
       device.read = record.layout;
+      remarks.stated.push_back(campaign::take_particulars(record.particulars, device.info));
+      recognised.push_back(device);
       fmt::print("{}: {} samples\n", device.name == device.files.front().stem() ? device.shown_file : device.name,
                  record.size());
       for (auto const& line : record.recognised) fmt::print("  {}\n", line);
     } catch (Error const& error) {
       complaints.insert(complaints.end(), error.complaints().begin(), error.complaints().end());
+      remarks.left_out.emplace_back(device.files.front(), to_string(error.complaints().front()));
       if (!arguments.read.contains("sheet") && device.read.sheet) of_sheets.push_back(device.files.front());
     }
   }
   for (auto const& file : std::set(of_sheets.begin(), of_sheets.end())) complaints.push_back(about_sheets(file, lot));
-  if (!complaints.empty()) throw Error(complaints);
+  if (recognised.empty()) throw Error(complaints);
+  for (auto const& complaint : complaints) say("isolaw: {}\n", to_string(complaint));
+  if (!remarks.left_out.empty())
+    say("{} of {} left out, as comments at the end of {}\n", remarks.left_out.size(), lot.devices.size(),
+        shown(arguments.out));
+  lot.devices = std::move(recognised);
   auto const folder = std::filesystem::absolute(arguments.out).parent_path();
   // The size is one of the other production lot: said, and left out where it cannot be that of this one.
   auto& size = lot.acceptance.lot_size;
@@ -150,7 +163,8 @@ int init(InitArguments const& arguments) {
   }
   std::vector<std::filesystem::path> inputs;
   for (auto const& device : lot.devices) inputs.push_back(device.files.front());
-  write_output(arguments.out, campaign::lot_file_text(lot, folder), inputs);
+  for (auto const& [file, reason] : remarks.left_out) inputs.push_back(file);
+  write_output(arguments.out, campaign::lot_file_text(lot, folder, remarks), inputs);
   auto const say_if_outside = [&](std::filesystem::path const& file) {
     if (leads_outside(file, folder))
       say("{}: not in the folder of {} or below it: isolaw calibrate will need --allow-outside\n", shown(file),

@@ -14,6 +14,8 @@
 #include "isolaw/base/file.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/toml_reader.hpp"
+#include "isolaw/base/units.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/data/reading.hpp"
 
@@ -86,19 +88,68 @@ std::vector<Option<DeviceInfo>> const& info_table() {
   return table;
 }
 
+// "23.5 °C", "1 200 cm2" as a number and its unit; nullopt where it is no number.
+struct Quantity {
+  double value;
+  std::string unit;
+};
+std::optional<Quantity> quantity_in(std::string text) {
+  auto const end = text.find_first_not_of("0123456789.,+-eE");
+  auto number = text.substr(0, end);
+  if (std::ranges::count(number, ',') == 1 && number.find('.') == std::string::npos)
+    std::ranges::replace(number, ',', '.');
+  auto const value = number_in<double>(number);
+  if (!value) return std::nullopt;
+  return Quantity{
+      *value, std::string(trimmed(end == std::string::npos ? std::string_view{} : std::string_view(text).substr(end)))};
+}
+
+std::optional<double> celsius_of(Quantity const& q) {
+  auto const unit = lower(q.unit);
+  for (auto const* c : {"\xC2\xB0"
+                        "c",
+                        "c", "\xE2\x84\x83", "deg c", "degc", "\xC2\xB0 c", "grad c"})
+    if (unit == c) return q.value;
+  if (unit == "k") return q.value - 273.15;
+  if (unit ==
+          "\xC2\xB0"
+          "f" ||
+      unit == "f" || unit == "deg f")
+    return (q.value - 32.0) / 1.8;
+  return std::nullopt;
+}
+
+// Lengths and, where `power` is 2, areas in mm.
+std::optional<double> millimetres_of(Quantity q, int power) {
+  if (power == 2) {
+    for (auto const* mark : {"^2", "\xC2\xB2", "2"})
+      if (q.unit.ends_with(mark)) {
+        q.unit.resize(q.unit.size() - std::string_view(mark).size());
+        auto const side = millimetres_of({1.0, q.unit}, 1);
+        return side ? std::optional(q.value * *side * *side) : std::nullopt;
+      }
+    return std::nullopt;
+  }
+  auto const unit = parse_unit(q.unit);
+  return unit && unit->dimension == Dimension::length ? std::optional(q.value * unit->in_record_units) : std::nullopt;
+}
+
 DeviceInput read_device(TomlTable& table, toml::table const& source, std::filesystem::path const& directory,
                         data::ReadOptions const& defaults, LotFileOptions const& options) {
   DeviceInput device;
   device.read = defaults;
   device.directory = directory;
-  auto const take_file = [&](std::string const& name) {
-    device.files.push_back(directory / name);
-    device.shown_file += (device.shown_file.empty() ? "" : ", ") + name;
+  auto const check_inside = [&](std::string const& name) {
     if (auto const outside = options.allow_outside ? std::nullopt : leads_outside(directory / name, directory))
       throw Error({.where = {},
                    .found = fmt::format("{} leads outside, to {}", in_quotes(name), outside->generic_string()),
                    .allowed = "files in the folder of the lot file or below it",
                    .advice = "copying the record there, or --allow-outside on the command line"});
+  };
+  auto const take_file = [&](std::string const& name) {
+    device.files.push_back(directory / name);
+    device.shown_file += (device.shown_file.empty() ? "" : ", ") + name;
+    check_inside(name);
   };
   table.value<std::string>("name", "text", [&](std::string const& name) {
     if (name.find_first_not_of(' ') == std::string::npos)
@@ -110,6 +161,17 @@ DeviceInput read_device(TomlTable& table, toml::table const& source, std::filesy
   for (auto const& option : info_table())
     table.json(option.option(), [&](Json const& value) { option.set(device.info, value); });
   read_reading(table, device.read);
+  for (auto& [channel, column] : device.read.columns)
+    if (auto const other = data::file_column(column)) {
+      try {
+        check_inside(other->file);
+      } catch (Error const& error) {
+        auto const& complaint = error.complaints().front();
+        table.complain(source, fmt::format("columns: {}", complaint.found), complaint.allowed, complaint.advice);
+      }
+      device.shown_file += ", " + other->file;
+      column = (directory / other->file).generic_string() + ":" + other->column;
+    }
   table.refuse_unknown();
   if (device.files.empty()) table.complain(source, "a device without a file", "file = \"...\" or files = [...]");
   if (device.name.empty() && !device.files.empty()) device.name = device.files.front().stem().string();
@@ -296,15 +358,69 @@ Lot lot_of_files(std::vector<std::filesystem::path> const& files) {
   return lot;
 }
 
-std::string lot_file_text(Lot const& lot, std::filesystem::path const& directory) {
+namespace {
+
+// The files of single channels, relative like all names of a lot file.
+data::ReadOptions with_relative_files(data::ReadOptions read, std::filesystem::path const& directory) {
+  for (auto& [channel, column] : read.columns)
+    if (auto const other = data::file_column(column))
+      column = relative_name(other->file, directory) + ":" + other->column;
+  return read;
+}
+
+// What nobody said of a device, to be filled in: a key and what stands for its value.
+std::string open_keys(DeviceInfo const& info, Particulars const& hints) {
+  std::string text;
+  for (auto const& option : info_table()) {
+    if (!option.get(info).is_null()) continue;
+    auto const hint = hints.find(std::string(option.key));
+    text += fmt::format("# {} = {}", option.option(), option.kind == Kind::real ? "0.0" : "\"\"");
+    if (hint != hints.end()) text += fmt::format("  # the file says: {}", printable(hint->second));
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+Particulars take_particulars(std::vector<std::pair<std::string, std::string>> const& particulars, DeviceInfo& info) {
+  Particulars left;
+  for (auto const& [key, text] : particulars) {
+    auto const& table = info_table();
+    auto const option = std::ranges::find(table, key, [](auto const& each) { return std::string(each.key); });
+    if (option == table.end() || !option->get(info).is_null()) continue;
+    Json value = text;
+    if (option->kind == Kind::real) {
+      auto const quantity = quantity_in(text);
+      std::optional<double> number;
+      if (quantity)
+        number =
+            key == "temperature-C" ? celsius_of(*quantity) : millimetres_of(*quantity, key.ends_with("mm2") ? 2 : 1);
+      value = number ? Json(*number) : Json();
+    }
+    try {
+      if (value.is_null() || (value.is_string() && !is_printable(text)))
+        throw Error({.where = {}, .found = "no such value"});
+      option->set(info, value);
+    } catch (Error const&) {
+      left[key] = text;
+    }
+  }
+  return left;
+}
+
+std::string lot_file_text(Lot const& written, std::filesystem::path const& directory, LotFileRemarks const& remarks) {
+  auto lot = written;
+  for (auto& device : lot.devices) device.read = with_relative_files(device.read, directory);
   auto s = lot.settings;
   s.complete();
   toml::table calibrate;
   for (auto const& setting : setting_table())
     if (!setting.stored_only && setting.belongs_to(s.method)) insert(calibrate, setting.option(), setting.get(s));
   auto const shared = shared_reading(lot);
-  toml::array devices;
-  for (auto const& input : lot.devices) {
+  std::ostringstream devices;
+  for (std::size_t i = 0; i < lot.devices.size(); ++i) {
+    auto const& input = lot.devices[i];
     toml::table device{{"name", input.name}};
     if (input.files.size() == 1) {
       device.insert("file", relative_name(input.files.front(), directory));
@@ -315,7 +431,9 @@ std::string lot_file_text(Lot const& lot, std::filesystem::path const& directory
     }
     for (auto const& option : info_table()) insert(device, option.option(), option.get(input.info));
     insert_reading(device, input.read, shared);
-    devices.push_back(std::move(device));
+    devices << "\n[[device]]\n" << device << '\n';
+    if (remarks.open_keys)
+      devices << open_keys(input.info, i < remarks.stated.size() ? remarks.stated[i] : Particulars{});
   }
   toml::table read;
   for (auto const& [key, value] : shared.items())
@@ -324,9 +442,11 @@ std::string lot_file_text(Lot const& lot, std::filesystem::path const& directory
   if (auto acceptance = written_acceptance(lot, directory); !acceptance.empty())
     root.insert("acceptance", std::move(acceptance));
   if (!read.empty()) root.insert("read", std::move(read));
-  root.insert("device", std::move(devices));
   std::ostringstream out;
-  out << root << '\n';
+  out << root << '\n' << devices.str();
+  if (!remarks.left_out.empty()) out << "\n# Not read, and no device here:\n";
+  for (auto const& [file, reason] : remarks.left_out)
+    out << "# file = " << toml::value(relative_name(file, directory)) << "  # " << printable(reason) << '\n';
   return out.str();
 }
 

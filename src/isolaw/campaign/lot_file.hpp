@@ -3,8 +3,10 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "isolaw/campaign/contents.hpp"
@@ -56,8 +58,21 @@ Lot read_lot_text(std::string_view text, std::filesystem::path const& file, LotF
 // A lot of files named on the command line; devices are named after them.
 Lot lot_of_files(std::vector<std::filesystem::path> const& files);
 
+using Particulars = std::map<std::string, std::string>;  // by key: what a file says of its device, as it says it
+
+// What is written beside the keys, for a person.
+struct LotFileRemarks {
+  bool open_keys = false;           // the keys of a device that nothing was said of, as comments
+  std::vector<Particulars> stated;  // of each device: what stands there in a form that cannot be taken over
+  std::vector<std::pair<std::filesystem::path, std::string>> left_out;  // files, and why
+};
+
 // The text of a lot file that reads back as `lot`: each key of reading that all devices share in [read]; file names
 // relative to `directory` where they lie below it.
-std::string lot_file_text(Lot const& lot, std::filesystem::path const& directory);
+std::string lot_file_text(Lot const& lot, std::filesystem::path const& directory, LotFileRemarks const& remarks = {});
+
+// Takes what a file says of its device into what is known of it; what cannot be taken as it stands (a temperature
+// without a unit) comes back.
+Particulars take_particulars(std::vector<std::pair<std::string, std::string>> const& particulars, DeviceInfo& info);
 
 }  // namespace isolaw::campaign

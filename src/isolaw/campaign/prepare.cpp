@@ -53,6 +53,8 @@ Device prepare_device(DeviceInput const& input, data::CleanOptions const& cleani
   try {
     device.raw = read_history(input);
     device.record = data::clean(device.raw, cleaning);
+    for (auto* lines : {&device.raw.recognised, &device.raw.warnings})
+      for (auto& line : *lines) line = with_shown_files(std::move(line), input.directory);
   } catch (Error const& error) {
     device.refusal = with_shown_files(error.what(), input.directory);
     device.raw = {};
