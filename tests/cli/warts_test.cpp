@@ -1,0 +1,114 @@
+// Every wart of tests/warts: what warts.json says of a file is what `isolaw inspect` says, and what docs/records.md lists.
+// Another wart is a file, a line in warts.json and the row that the last test prints.
+#include <cctype>
+#include <set>
+
+#include "cli/run.hpp"
+
+namespace isolaw::cli_test {
+namespace {
+
+fs::path const folder = fs::path(ISOLAW_SOURCE_DIR) / "tests/warts";
+
+std::vector<Json> const& warts() {
+  static auto const list = Json::parse(read_file(folder / "warts.json"))["warts"].get<std::vector<Json>>();
+  return list;
+}
+
+Words options_of(Json const& wart) {
+  return wart.value("options", Words{});
+}
+
+class Warts : public InFreshDirectory, public ::testing::WithParamInterface<Json> {
+ protected:
+  void SetUp() override {
+    InFreshDirectory::SetUp();
+    for (auto const& entry : fs::directory_iterator(folder)) fs::copy_file(entry.path(), path(entry.path().filename()));
+  }
+  static void expect_says(std::string const& text, Json const& wart) {
+    ASSERT_FALSE(wart["says"].empty());
+    for (auto const& part : wart["says"]) EXPECT_TRUE(contains(text, part.get<std::string>()));
+  }
+  static void expect_numbers(Json const& found, Json const& wart) {
+    if (wart.contains("samples")) {
+      EXPECT_EQ(found["samples"], wart["samples"]);
+    }
+    if (!wart.contains("K_eff") && !wart.contains("frequency_Hz")) return;
+    ASSERT_TRUE(found["reported"].is_object()) << found["warnings"].dump();
+    auto const number = [](Json const& from, char const* key) { return from[key].get<double>(); };
+    for (auto const& block : found["blocks"]) {
+      if (block["number"] != found["reported"]["block"]) continue;
+      if (wart.contains("frequency_Hz")) {
+        EXPECT_NEAR(number(block, "frequency_Hz"), number(wart, "frequency_Hz"), 1e-3);
+      }
+      for (auto const& cycle : block["cycles"])
+        if (wart.contains("K_eff") && cycle["number"] == found["reported"]["number"]) {
+          EXPECT_NEAR(number(cycle, "K_eff_kN_per_mm"), number(wart, "K_eff"), 1e-3);  // files have three decimals
+          return;
+        }
+    }
+    EXPECT_FALSE(wart.contains("K_eff")) << "no cycle is reported";
+  }
+};
+
+TEST_P(Warts, ComeOutAsTheTableSays) {
+  auto const& wart = GetParam();
+  auto const words = Words{"inspect", wart["file"].get<std::string>()} + options_of(wart);
+  auto const o = isolaw(words);
+  if (wart["outcome"] == "refused") {
+    EXPECT_EQ(o.code, 2) << o;
+    EXPECT_TRUE(o.out.empty()) << o;
+    expect_says(o.err, wart);
+    return;
+  }
+  ASSERT_EQ(o.code, 0) << o;
+  auto const json = isolaw(words + Words{"--json"});
+  ASSERT_EQ(json.code, 0) << json;
+  auto const found = Json::parse(json.out);
+  expect_numbers(found, wart);
+  std::string said;
+  for (auto const& line : wart["outcome"] == "warned" ? found["warnings"] : found["recognised"])
+    said += line.get<std::string>() + "\n";
+  expect_says(said, wart);
+  if (wart["outcome"] == "warned") expect_says(o.out, wart);  // on the terminal too
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Warts, ::testing::ValuesIn(warts()), [](auto const& wart) {
+  std::string name = wart.param["file"];
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+  return name + "_" + std::to_string(wart.index);
+});
+
+TEST(WartTable, names_every_file_once_and_only_outcomes_there_are) {
+  std::set<std::string> named{"make.py", "warts.json"};
+  std::set<std::string> whats;
+  for (auto const& wart : warts()) {
+    named.insert(wart["file"]);
+    for (auto const& word : options_of(wart))
+      for (auto const& entry : fs::directory_iterator(folder))
+        if (word.find(entry.path().filename().string()) != std::string::npos) named.insert(entry.path().filename());
+    auto const outcome = wart["outcome"].get<std::string>();
+    EXPECT_TRUE(outcome == "read" || outcome == "refused" || outcome == "warned") << outcome;
+    EXPECT_TRUE(whats.insert(wart["what"].get<std::string>() + wart["file"].get<std::string>()).second) << wart["what"];
+  }
+  for (auto const& entry : fs::directory_iterator(folder))
+    EXPECT_TRUE(named.contains(entry.path().filename())) << entry.path() << " stands in no row of warts.json";
+}
+
+// docs/records.md holds the table as it is made from warts.json.
+TEST(WartTable, stands_in_the_documentation) {
+  std::string table = "| wart | file | options | outcome |\n|---|---|---|---|\n";
+  for (auto const& wart : warts()) {
+    std::string options;
+    for (auto const& word : options_of(wart)) options += (options.empty() ? "" : " ") + word;
+    table += fmt::format("| {} | `{}` | {} | {} |\n", wart["what"].get<std::string>(), wart["file"].get<std::string>(),
+                         options.empty() ? "" : "`" + options + "`", wart["outcome"].get<std::string>());
+  }
+  EXPECT_NE(read_file(fs::path(ISOLAW_SOURCE_DIR) / "docs/records.md").find(table), std::string::npos)
+      << "docs/records.md lacks this table:\n"
+      << table;
+}
+
+}  // namespace
+}  // namespace isolaw::cli_test

@@ -1,0 +1,181 @@
+#!/usr/bin/env python3
+"""Writes the files of this folder: one wart of a laboratory's export each, around one and the same device.
+
+K = 0.5 kN/mm, friction of 20 kN, three cycles of 100 mm at 0.5 Hz, 100 samples a cycle: K_eff is 0.7 kN/mm. What is
+expected of each file stands in warts.json; tests/cli/warts_test.cpp holds them together."""
+import datetime
+import math
+import os
+import zipfile
+
+here = os.path.dirname(os.path.abspath(__file__))
+interval = 0.02
+
+
+def samples():
+    z = previous = 0.0
+    for i in range(301):
+        x = 100.0 * math.sin(2.0 * math.pi * i / 100.0)
+        z = max(-1.0, min(1.0, z + (x - previous) / 10.0))
+        previous = x
+        yield interval * i, x, 0.5 * x + 20.0 * z
+
+
+device = list(samples())
+morning = datetime.datetime(2024, 5, 2, 10, 0, 0, 250000)
+
+
+def write(name, data):
+    with open(os.path.join(here, name), 'wb') as file:
+        file.write(data)
+
+
+def table(name, head, row, foot='', encoding='utf-8', end='\n', source=device):
+    lines = ([head] if head else []) + [row(t, x, f) for t, x, f in source]
+    write(name, (end.join(lines) + end + foot.replace('\n', end)).encode(encoding))
+
+
+def stamp(form, t, start=morning, cut=0):
+    text = (start + datetime.timedelta(seconds=t)).strftime(form)
+    return text[:len(text) - cut]
+
+
+def plain(t, x, f):
+    return f'{t:.2f};{x:.3f};{f:.3f}'
+
+
+def comma(value, digits=3):
+    return f'{value:.{digits}f}'.replace('.', ',')
+
+
+english = 'Time [s];Displacement [mm];Force [kN]'
+tail = ';Displacement [mm];Force [kN]'
+
+
+def timed(name, head, form, start=morning, cut=3, suffix=''):
+    table(name, head + tail, lambda t, x, f: f'{stamp(form, t, start, cut)}{suffix};{x:.3f};{f:.3f}')
+
+
+def time_stamps():
+    night = datetime.datetime(2024, 5, 2, 23, 59, 57)
+    timed('iso.csv', 'Timestamp', '%Y-%m-%dT%H:%M:%S.%f')
+    timed('iso-zone.csv', 'Timestamp', '%Y-%m-%dT%H:%M:%S.%f', suffix='+02:00')
+    timed('iso-utc.csv', 'DateTime', '%Y-%m-%d %H:%M:%S.%f', suffix='Z')
+    table('iso-blanks.txt', 'Time Displacement[mm] Force[kN]',
+          lambda t, x, f: f"{stamp('%Y-%m-%d %H:%M:%S.%f', t)} {x:.3f} {f:.3f}")
+    timed('iso-basic.csv', 'Timestamp', '%Y%m%dT%H%M%S.%f')
+    timed('clock.csv', 'Time', '%H:%M:%S.%f')
+    timed('clock-midnight.csv', 'Uhrzeit', '%H:%M:%S.%f', night)
+    timed('clock-unit.csv', 'Time [hh:mm:ss.fff]', '%H:%M:%S.%f')
+    timed('clock-minutes.csv', 'Time', '%M:%S.%f')
+    table('clock-pm.csv', 'Time' + tail, lambda t, x, f: f"{stamp('%I:%M:%S.%f', t, night, 3)} {'PM' if t < 3 else 'AM'};{x:.3f};{f:.3f}")
+    timed('clock-coarse.csv', 'Time', '%H:%M:%S', cut=0)
+    timed('day-first.csv', 'Datum', '%d.%m.%Y %H:%M:%S,%f', morning + datetime.timedelta(days=12))
+    timed('month-first.csv', 'Date', '%m/%d/%Y %H:%M:%S.%f', morning + datetime.timedelta(days=12))
+    timed('month-name.csv', 'Date', '%d-%b-%Y %H:%M:%S.%f')
+    timed('day-or-month.csv', 'Date', '%d/%m/%Y %H:%M:%S.%f')
+    timed('day-or-month-midnight.csv', 'Date', '%d/%m/%Y %H:%M:%S.%f', night)
+    open_dates = [(i, x, f) for i, (t, x, f) in enumerate(device)]
+    table('day-or-month-open.csv', 'Date' + tail,
+          lambda t, x, f: f'{1 + t // 101:02}/{2 + t // 101:02}/2024 10:{t % 101 // 60:02}:{t % 101 % 60:02};{x:.3f};{f:.3f}', source=open_dates)
+    table('date-and-clock.csv', 'Datum;Uhrzeit;Weg [mm];Kraft [kN];Raum',
+          lambda t, x, f: f"{stamp('%d.%m.%Y', t, night)};{stamp('%H:%M:%S,%f', t, night, 3)};{comma(x)};{comma(f)};20,5")
+    table('serial-days.csv', 'Date/Time' + tail, lambda t, x, f: f'{45414.4 + t / 86400.0:.10f};{x:.3f};{f:.3f}')
+    timed('two-clocks.csv', 'Start', '%H:%M:%S.%f')
+    table('two-clocks.csv', 'Logged;Sent' + tail,
+          lambda t, x, f: f"{stamp('%H:%M:%S.%f', t, cut=3)};{stamp('%H:%M:%S.%f', t + 1, cut=3)};{x:.3f};{f:.3f}")
+    table('clock-beside-seconds.csv', 'Time;Elapsed time [s]' + tail,
+          lambda t, x, f: f"{stamp('%H:%M:%S', t)};{t:.2f};{x:.3f};{f:.3f}")
+    workbook('date-cells.xlsx', 'Date and time', lambda t: 45414.4 + t / 86400.0)
+
+
+def workbook(name, head, time, above=()):
+    """The least that Excel reads: cells of the first column in style 1, a date and time."""
+    def text(content):
+        return f'<c t="inlineStr"><is><t>{content}</t></is></c>'
+    rows = ''.join('<row>' + ''.join(text(c) for c in line) + '</row>' for line in above)
+    rows += '<row>' + text(head) + text('Displacement [mm]') + text('Force [kN]') + '</row>'
+    for t, x, f in device:
+        rows += f'<row><c s="1"><v>{time(t):.12f}</v></c><c><v>{x:.3f}</v></c><c><v>{f:.3f}</v></c></row>'
+    parts = {
+        '[Content_Types].xml': '<Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"><Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/><Default Extension="xml" ContentType="application/xml"/><Override PartName="/xl/workbook.xml" ContentType="application/vnd.openxmlformats-officedocument.spreadsheetml.sheet.main+xml"/><Override PartName="/xl/worksheets/sheet1.xml" ContentType="application/vnd.openxmlformats-officedocument.spreadsheetml.worksheet+xml"/><Override PartName="/xl/styles.xml" ContentType="application/vnd.openxmlformats-officedocument.spreadsheetml.styles+xml"/></Types>',
+        '_rels/.rels': '<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Id="r1" Type="http://schemas.openxmlformats.org/officeDocument/2006/relationships/officeDocument" Target="xl/workbook.xml"/></Relationships>',
+        'xl/workbook.xml': '<workbook xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main" xmlns:r="http://schemas.openxmlformats.org/officeDocument/2006/relationships"><sheets><sheet name="Test" sheetId="1" r:id="r1"/></sheets></workbook>',
+        'xl/_rels/workbook.xml.rels': '<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Id="r1" Type="http://schemas.openxmlformats.org/officeDocument/2006/relationships/worksheet" Target="worksheets/sheet1.xml"/><Relationship Id="r2" Type="http://schemas.openxmlformats.org/officeDocument/2006/relationships/styles" Target="styles.xml"/></Relationships>',
+        'xl/styles.xml': '<styleSheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"><fonts count="1"><font/></fonts><fills count="1"><fill/></fills><borders count="1"><border/></borders><cellStyleXfs count="1"><xf/></cellStyleXfs><cellXfs count="2"><xf numFmtId="0"/><xf numFmtId="22" applyNumberFormat="1"/></cellXfs></styleSheet>',
+        'xl/worksheets/sheet1.xml': f'<worksheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"><sheetData>{rows}</sheetData></worksheet>',
+    }
+    with zipfile.ZipFile(os.path.join(here, name), 'w', zipfile.ZIP_DEFLATED) as archive:
+        for entry, content in parts.items():
+            info = zipfile.ZipInfo(entry, (2024, 1, 1, 0, 0, 0))  # the same bytes every time
+            info.compress_type = zipfile.ZIP_DEFLATED
+            archive.writestr(info, content)
+
+
+def parts_of_files():
+    table('footer-statistics.csv', english, plain, foot='Max;100.000;70.000\nMin;-100.000;-70.000\nMean;0.0;0.0\n')
+    table('footer-signature.csv', english, plain, foot='\nTested by: A. Smith\nEnd of data\n')
+    table('footer-label-column.csv', 'No;Displacement [mm];Force [kN]', lambda t, x, f: f'{round(t / interval) + 1};{x:.3f};{f:.3f}',
+          foot='Max;100.000;70.000\n')
+    table('broken-off.csv', english, plain, foot='6.02;12')
+    table('overload-at-end.csv', english, plain, foot=''.join(f'{6.02 + 0.02 * i:.2f};0.0;9.9e37\n' for i in range(3)))
+    table('approach.csv', english, plain, source=[(0.02 * i, 40.0 * math.sin(0.4 * i), 5.0) for i in range(100)] + [(t + 2.0, x, f) for t, x, f in device])
+    table('thousands-english.csv', 'Time [s];Displacement [mm];Force [N]', lambda t, x, f: f'{t:.2f};{x:.3f};{1000 * f:,.1f}')
+    table('thousands-german.csv', 'Zeit [s];Weg [mm];Kraft [N]',
+          lambda t, x, f: f'{comma(t, 2)};{comma(x)};' + f'{1000 * f:,.1f}'.replace(',', '_').replace('.', ',').replace('_', '.'))
+    table('thousands-swiss.csv', 'Zeit [s];Weg [mm];Kraft [N]', lambda t, x, f: f'{t:.2f};{x:.3f};' + f'{1000 * f:,.1f}'.replace(',', "'"))
+    table('thousands-whole.csv', 'Displacement [mm];Force [N]', lambda t, x, f: f'{x:.3f};{1000 * f:,.0f}')
+    table('thousands-blank.csv', 'Temps [s];Déplacement [mm];Force [N]',
+          lambda t, x, f: f'{comma(t, 2)};{comma(x)};' + f'{1000 * f:,.1f}'.replace('.', '_').replace(',', '\u202f').replace('_', ','))
+    table('only-displacement.csv', 'Time [s];Displacement [mm]', lambda t, x, f: f'{t:.2f};{x:.3f}')
+    table('only-force.csv', 'Time [s];Force [kN]', lambda t, x, f: f'{t:.2f};{f:.3f}')
+    table('only-force-slower.csv', 'Time [s];Force [kN]', lambda t, x, f: f'{t:.2f};{f:.3f}', source=device[1::2])
+    table('only-force-untimed.txt', 'Force [kN]', lambda t, x, f: f'{f:.3f}')
+    table('only-force-shorter.txt', 'Force [kN]', lambda t, x, f: f'{f:.3f}', source=device[:290])
+    table('only-displacement-stamped.csv', 'Time;Displacement [mm]', lambda t, x, f: f"{stamp('%H:%M:%S.%f', t, cut=3)};{x:.3f}")
+    table('only-force-stamped.csv', 'Time;Force [kN]', lambda t, x, f: f"{stamp('%H:%M:%S.%f', t, cut=3)};{f:.3f}", source=device[:-20])
+    table('one-column.txt', 'Displacement [mm]', lambda t, x, f: f'{x:.3f}')
+
+
+def units_and_names():
+    table('unit-in-point.csv', 'Time (min.),Displ. (in.),Force (kip)'.replace('(min.)', '(min)'),
+          lambda t, x, f: f'{t / 60:.7f},{x / 25.4:.6f},{f / 4.4482216152605:.6f}')
+    table('unit-tonnes.csv', 'Tempo [s];Spostamento [cm];Forza [t]', lambda t, x, f: f'{comma(t, 2)};{comma(x / 10, 4)};{comma(f / 9.80665, 5)}')
+    table('unit-row-tonnes.csv', 'Time;Displacement;Force\ns;mm;t', lambda t, x, f: f'{t:.2f};{x:.3f};{f / 9.80665:.5f}')
+    table('name-min-max.csv', english + ';Force min;Force max [kN]', lambda t, x, f: plain(t, x, f) + ';-70;70')
+    for encoding, suffix in (('utf-8', 'utf8'), ('cp932', 'shift-jis')):
+        table(f'japanese-{suffix}.csv', '試験体番号,LRB-7\n試験温度,23.5 ℃\n時間(s),水平変位(mm),水平荷重(kN),鉛直荷重(kN)',
+              lambda t, x, f: f'{t:.2f},{x:.3f},{f:.3f},{1000 + x / 100:.2f}', encoding=encoding, end='\r\n')
+    table('japanese-wide.csv', '時間（ｓ）,変位（㎜）,せん断力（ｋＮ）,温度', lambda t, x, f: f'{t:.2f},{x:.3f},{f:.3f},23.5')
+    table('japanese-load.csv', '時間[s],変位[mm],荷重[kN]', lambda t, x, f: f'{t:.2f},{x:.3f},{f:.3f}')
+    for encoding, suffix in (('utf-8', 'utf8'), ('cp1254', '1254')):
+        table(f'turkish-{suffix}.csv', 'Seri No: İ-12\nZaman [s];Yer değiştirme [mm];Yatay kuvvet [kN];Düşey yük [kN];Sıcaklık',
+              lambda t, x, f: f'{comma(t, 2)};{comma(x)};{comma(f)};{comma(1000 + x / 100, 2)};23', encoding=encoding)
+    table('windows-1252.csv', 'Specimen: n° 7\nTemps [s];Déplacement [mm];Force [kN]', plain, encoding='cp1252')
+
+
+def text_files():
+    table('bom-crlf.csv', english, plain, encoding='utf-8-sig', end='\r\n')
+    table('carriage-returns.csv', english, plain, end='\r')
+    table('quoted.csv', '"Time [s]","Displacement [mm]","Force [kN]"', lambda t, x, f: f'"{comma(t, 2)}","{comma(x)}","{comma(f)}"')
+    table('trailing-separator.csv', english + ';', lambda t, x, f: plain(t, x, f) + ';')
+    table('blank-lines.csv', english, lambda t, x, f: plain(t, x, f) + ('\n' if round(t / interval) % 50 == 0 else ''))
+    table('end-of-file-mark.csv', english, plain, foot='\x1a')
+    table('comments.csv', '# Specimen: D07\n# rig: west\n' + english, plain, foot='# end\n')
+    table('not-a-number.csv', english, lambda t, x, f: plain(t, x, f) if t != 3.0 else f'{t:.2f};{x:.3f};NaN')
+    table('decimal-of-both.csv', english, lambda t, x, f: plain(t, x, f) if t != 3.0 else f'{t:.2f};{comma(x)};{f:.3f}')
+    table('repeated-header.csv', english, lambda t, x, f: plain(t, x, f) + ('\n' + english if t == 3.0 else ''))
+    table('time-restarts.csv', english, lambda t, x, f: plain(t if t < 3.0 else t - 3.0, x, f))
+    table('counter.csv', 'Sample;Displacement [mm];Force [kN]', lambda t, x, f: f'{round(t / interval)};{x:.3f};{f:.3f}')
+    table('no-units.csv', 'Time;Displacement;Force', plain)
+    table('no-names.csv', '', plain)
+    table('particulars.csv', 'Serial No: S-101;;\nLot;L7;\nDate: 2024-05-02;;\nTemperature;23,5;°C\nTotal rubber thickness: 208 mm;;\n' + english.replace('.', ','),
+          lambda t, x, f: f'{comma(t, 2)};{comma(x)};{comma(f)}')
+    write('utf-16.csv', (english + '\n' + '\n'.join(plain(*s) for s in device)).encode('utf-16'))
+    write('empty.csv', b'')
+
+
+time_stamps()
+parts_of_files()
+units_and_names()
+text_files()
