@@ -120,6 +120,14 @@ TEST_F(Parts, RowsAreCountedBelowTheHeader) {
     EXPECT_THROW(parse_rows(bad), Error) << bad;
 }
 
+TEST_F(Parts, RowsOfOtherFormatsAreTheirElements) {
+  ReadOptions options;
+  options.rows = parse_rows("2:4");
+  auto const part = read(R"({"Disp [mm]": [0, 1, 2, 1, null], "Force [kN]": [9, 1, 2, 3, 1]})", options);
+  EXPECT_EQ(part.disp_mm, (std::vector{1.0, 2.0, 1.0}));
+  EXPECT_TRUE(says(part.recognised, "rows 2 to 4 of 5 are read (--rows 2:4)"));
+}
+
 TEST_F(Parts, WhatStandsOutsideTheRowsIsNotLookedAt) {
   auto const broken = text_ + "6.02;1e37;1\n6.03;NaN;x\nend\n";
   EXPECT_FALSE(refusal(broken).empty());

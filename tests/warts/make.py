@@ -147,6 +147,9 @@ def units_and_names():
         table(f'japanese-{suffix}.csv', '試験体番号,LRB-7\n試験温度,23.5 ℃\n時間(s),水平変位(mm),水平荷重(kN),鉛直荷重(kN)',
               lambda t, x, f: f'{t:.2f},{x:.3f},{f:.3f},{1000 + x / 100:.2f}', encoding=encoding, end='\r\n')
     table('japanese-wide.csv', '時間（ｓ）,変位（㎜）,せん断力（ｋＮ）,温度', lambda t, x, f: f'{t:.2f},{x:.3f},{f:.3f},23.5')
+    table('japanese-stamps.csv', '日時,変位(mm),せん断力(kN)', lambda t, x, f: f"{stamp('%Y年%m月%d日 %H:%M:%S.%f', t, cut=3)},{x:.3f},{f:.3f}", encoding='cp932')
+    table('units-apart.csv', 'Zaman, dk;Deplasman, mm;Kesme kuvveti, t', lambda t, x, f: f'{t / 60:.7f};{x:.3f};{f / 9.80665:.5f}')
+    table('unix-seconds.csv', 'Timestamp' + tail, lambda t, x, f: f'{1714644000.25 + t:.3f};{x:.3f};{f:.3f}')
     table('japanese-load.csv', '時間[s],変位[mm],荷重[kN]', lambda t, x, f: f'{t:.2f},{x:.3f},{f:.3f}')
     for encoding, suffix in (('utf-8', 'utf8'), ('cp1254', '1254')):
         table(f'turkish-{suffix}.csv', 'Seri No: İ-12\nZaman [s];Yer değiştirme [mm];Yatay kuvvet [kN];Düşey yük [kN];Sıcaklık',

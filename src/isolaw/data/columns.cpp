@@ -307,7 +307,8 @@ std::optional<ColumnName> split_last_word(std::string_view name) {
   if (at == std::string_view::npos || at == 0 || !parse_unit(name.substr(at + 1))) return std::nullopt;
   // "Force min" is a smallest force, "x_t" a name.
   auto const last = lower(name.substr(at + 1));
-  bool const set_apart = name[at] == ',' || name[at] == '/' || name.substr(0, at).ends_with(" in");
+  auto const before = trimmed(name.substr(0, at + 1));
+  bool const set_apart = before.ends_with(',') || before.ends_with('/') || before.ends_with(" in");
   if ((last == "t" || last == "min") && !set_apart) return std::nullopt;
   auto base = name.substr(0, at);
   auto const tail = base.find_last_not_of(" _/,;:-");

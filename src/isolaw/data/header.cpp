@@ -155,12 +155,16 @@ std::optional<Candidate> find_names(std::span<std::string_view const> above, Dia
   return best;
 }
 
-// Most rows of numbers hold no letter but that of an exponent: told without taking the line apart.
+// Most rows of numbers hold no letter but that of an exponent or of a time stamp: told without taking the line apart.
 bool may_hold_names(std::string_view line) {
-  return std::ranges::any_of(line, [](char c) {
+  char previous = ' ';
+  for (char const c : line) {
     bool const letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
-    return letter && c != 'e' && c != 'E';
-  });
+    bool const of_number = previous >= '0' && previous <= '9';  // 2024-05-02T10:00:00Z
+    if (letter && c != 'e' && c != 'E' && !of_number) return true;
+    previous = c;
+  }
+  return false;
 }
 
 // The first row of names again, or a row that names two channels.

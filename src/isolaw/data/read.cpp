@@ -561,7 +561,7 @@ TestRecord read_joined(std::filesystem::path const& file, ReadOptions options,
     more.sheet.reset();
     more.test.reset();
     auto const rows = std::exchange(more.rows, std::nullopt);
-    if (more.dt_s && main.record.has_time() && !main.record.layout.dt_s) more.dt_s.reset();
+    if (more.dt_s) more.columns[Channel::time] = "none";  // one sampling interval, for both
     Wanted const wanted{.time = true,
                         .disp = more.columns.contains(Channel::disp),
                         .force = more.columns.contains(Channel::force),

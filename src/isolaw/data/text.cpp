@@ -139,7 +139,7 @@ std::optional<LegacyText> decode_legacy(std::string_view bytes, bool (*names_cha
   for (auto const& [name, shown] : {Encoding{"CP932", "Shift-JIS"}, Encoding{"CP1254", "Windows-1254 (Turkish)"}}) {
     constexpr std::size_t head = 16384;  // the names are there; cut at a line
     auto const cut = bytes.size() <= head ? bytes.size() : bytes.rfind('\n', head);
-    auto const top = converted(bytes.substr(0, cut == std::string_view::npos ? bytes.size() : cut), name);
+    auto const top = converted(bytes.substr(0, cut == std::string_view::npos ? head : cut), name);
     if (!top || !names_channels(*top)) continue;
     if (auto text = converted(bytes, name)) return LegacyText{std::move(*text), shown};
   }

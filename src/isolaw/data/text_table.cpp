@@ -263,7 +263,7 @@ class RowReader {
   }
 
   // A number under the other decimal sign: the one taken for it groups digits then.
-  std::optional<std::string_view> grouped_otherwise(std::string_view cell) const {
+  std::optional<std::string_view> grouped_otherwise(std::string_view cell) {
     char const other = dialect_.decimal == ',' ? '.' : ',';
     if (dialect_.thousands != '\0') return std::nullopt;
     bool const in_groups = parse_cell(cell, {dialect_.decimal, other}).kind == CellKind::number;
@@ -274,7 +274,11 @@ class RowReader {
   }
 
   // Whether what was taken for decimals are three digits in every cell, as groups are.
-  bool all_in_threes() const {
+  bool all_in_threes() {
+    if (!in_threes_) in_threes_ = look_for_threes();
+    return *in_threes_;
+  }
+  bool look_for_threes() const {
     constexpr std::size_t looked_at = 500;
     std::vector<std::string_view> cells;
     std::size_t seen = 0;
@@ -302,6 +306,7 @@ class RowReader {
   bool serial_ = false;                     // which are numbers
   std::optional<std::size_t> date_column_;  // beside times of day
   std::vector<Stamp> stamps_;
+  std::optional<bool> in_threes_;     // looked for once
   std::vector<std::size_t> indices_;  // columns wanted
   std::vector<std::string_view> cells_;
   std::vector<double> row_;
@@ -331,7 +336,8 @@ class TextTable : public Table {
     header_.row = page_->dialect.sheet ? "row" : "line";
     header_.lettered = page_->dialect.sheet;
     columns_ = page_->dialect.columns;
-    for (auto i = begin; i < header_.first_data; ++i)
+    constexpr std::size_t most_lines_above = 1000;
+    for (auto i = begin; i < std::min(header_.first_data, begin + most_lines_above); ++i)
       if (i != header_.name_line && i != header_.unit_line)
         take_particulars(page_->text.lines[i], page_->dialect.delimiter, particulars_);
     start_ = (header_.name_line ? *header_.name_line : header_.first_data) + 1;

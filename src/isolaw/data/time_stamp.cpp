@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "isolaw/base/words.hpp"
 
@@ -182,6 +183,17 @@ bool take_clock(StampText& text, Stamp& stamp) {
   return take_zone(text, stamp);
 }
 
+// Year, month and day (hour, minute, second) behind their numbers, as Japanese writes them.
+std::string without_japanese(std::string_view cell) {
+  constexpr std::pair<std::string_view, std::string_view> signs[]{{"\xE5\xB9\xB4", "-"}, {"\xE6\x9C\x88", "-"},
+                                                                  {"\xE6\x97\xA5", " "}, {"\xE6\x99\x82", ":"},
+                                                                  {"\xE5\x88\x86", ":"}, {"\xE7\xA7\x92", ""}};
+  std::string made(cell);
+  for (auto const& [sign, ordinary] : signs)
+    if (auto const at = made.find(sign); at != std::string::npos) made.replace(at, sign.size(), ordinary);
+  return std::string(trimmed(made));
+}
+
 std::string date_text(long days) {
   std::chrono::year_month_day const date{std::chrono::sys_days{std::chrono::days{days}}};
   return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
@@ -349,6 +361,8 @@ std::string_view date_order_word(DateOrder order) {
 std::optional<Stamp> parse_stamp(std::string_view cell) {
   constexpr std::size_t longest = 48;
   if (cell.size() < 5 || cell.size() > longest || cell.front() < '0' || cell.front() > '9') return std::nullopt;
+  constexpr std::string_view japanese_year = "\xE5\xB9\xB4";
+  if (cell.find(japanese_year) != std::string_view::npos) return parse_stamp(without_japanese(cell));
   if (cell.ends_with(date_cell_mark)) {
     auto const days = number_in<double>(cell.substr(0, cell.size() - date_cell_mark.size()));
     if (!days || *days < 0.0 || *days > 3e6) return std::nullopt;
