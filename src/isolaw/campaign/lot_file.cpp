@@ -124,7 +124,7 @@ std::optional<double> millimetres_of(Quantity q, int power) {
   if (power == 2) {
     for (auto const* mark : {"^2", "\xC2\xB2", "2"})
       if (q.unit.ends_with(mark)) {
-        q.unit.resize(q.unit.size() - std::string_view(mark).size());
+        q.unit.erase(q.unit.rfind(mark));
         auto const side = millimetres_of({1.0, q.unit}, 1);
         return side ? std::optional(q.value * *side * *side) : std::nullopt;
       }
