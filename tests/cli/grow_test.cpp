@@ -63,7 +63,8 @@ TEST_F(Grow, by_laws_with_what_is_set_for_them) {
   expect_same("G", "W");
 }
 
-// The genetic algorithm ends elsewhere with each run: what rests on the best of them is made again where another is best.
+// The genetic algorithm ends elsewhere with each run: what rests on the best of them is made again where another is
+// best.
 TEST_F(Grow, by_runs_of_which_some_are_the_best) {
   lot("lot.toml", "abc");
   Words const genetic{"--method", "ga", "--population", "8", "--generations", "4"};

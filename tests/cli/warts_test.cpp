@@ -1,4 +1,5 @@
-// Every wart of tests/warts: what warts.json says of a file is what `isolaw inspect` says, and what docs/records.md lists.
+// Every wart of tests/warts: what warts.json says of a file is what `isolaw inspect` says, and what docs/records.md
+// lists.
 // Another wart is a file, a line in warts.json and the row that the last test prints.
 #include <cctype>
 #include <set>
