@@ -27,12 +27,13 @@ class DirectoryLock {
   int descriptor_;
 };
 
-// Takes over what an interrupted or finished campaign of the same settings and inputs computed, or of fewer devices, laws
-// or runs; starts anew where there is none or `fresh` says so. Throws Error where another campaign is there.
 struct Continued {
   std::vector<std::string> added;  // "2 devices", ...
   std::string released;            // the rule set that the tests were held to, where they are held to none now
 };
+
+// Takes over what an interrupted or finished campaign of the same settings and inputs computed, or of fewer devices,
+// laws or runs; starts anew where there is none or `fresh` says so. Throws Error where another campaign is there.
 Continued open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh);
 
 }  // namespace isolaw

@@ -389,7 +389,7 @@ TestRecord read_tests(std::string_view bytes, std::string const& name, ReadOptio
   return *std::move(history);
 }
 
-// --- channels in several files ----------------------------------------------------------------------------------------
+// --- channels in several files -------------------------------------------------------------------------------------
 
 // One test of one file, some of its channels.
 Part read_part(std::filesystem::path const& file, ReadOptions const& options, Wanted wanted) {

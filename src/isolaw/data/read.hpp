@@ -41,10 +41,10 @@ struct FileColumn {
 };
 std::optional<FileColumn> file_column(std::string_view text);
 
-// Reads one file, and the files that single channels of it are in. Throws one Error that holds every problem found: unreadable or empty file, missing or ambiguous
-// column, unknown unit, values that are no numbers or lie beyond the sensor's range, time that does not increase,
-// constant force or displacement, force and displacement swapped, flipped sign; several tests or sheets where nothing
-// says which.
+// Reads one file, and the files that single channels of it are in. Throws one Error that holds every problem found:
+// unreadable or empty file, missing or ambiguous column, unknown unit, values that are no numbers or lie beyond the
+// sensor's range, time that does not increase, constant force or displacement, force and displacement swapped, flipped
+// sign; several tests or sheets where nothing says which.
 TestRecord read_record(std::filesystem::path const& file, ReadOptions const& options = {});
 // The same of a file's bytes; `name` is the file in messages.
 TestRecord read_record_text(std::string_view bytes, std::string const& name, ReadOptions const& options = {});

@@ -137,7 +137,8 @@ bool take_zone(StampText& text, Stamp& stamp) {
   return text.done();
 }
 
-// 10:00:00.250, 10:00:00,250, 10:00:00:250, 100000.25 behind an undivided date, 10:00:00 PM, 10:00; 59:59.5 without hours
+// 10:00:00.250, 10:00:00,250, 10:00:00:250, 100000.25 behind an undivided date, 10:00:00 PM, 10:00; 59:59.5 without
+// hours
 bool take_clock(StampText& text, Stamp& stamp) {
   auto const lead = text.digits(1, 6);
   if (!lead) return false;

@@ -26,8 +26,8 @@ struct Export {
   std::string text;
   Objections let_through;
 };
-// Throws Error where something speaks against it (a prediction that is unusable, a substitute that is far off) and it is
-// not asked for `anyway`.
+// Throws Error where something speaks against it (a prediction that is unusable, a substitute that is far off) and it
+// is not asked for `anyway`.
 Export write_export(Subject const& subject, Target const& target, UnitSystem const& units, bool anyway);
 
 std::string opensees_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units);

@@ -1,5 +1,5 @@
-// Whether a law describes the tested devices at all, and whether its parameters agree between them by themselves: what a
-// law must be before it is compared with others. docs/decision.md has the reasons.
+// Whether a law describes the tested devices at all, and whether its parameters agree between them by themselves: what
+// a law must be before it is compared with others. docs/decision.md has the reasons.
 #pragma once
 
 #include <cstddef>
