@@ -106,7 +106,7 @@ def read_record(path, *, name=None, **reading):
     columns, units: what the file does not say, as a dict or as the text of the option of the same name:
     ``columns={"disp": 2, "force": "F"}``, ``units="disp=cm,force=tonf"``. Channels are time, disp, force and load.
     dt: sampling interval in s of a file without time. sheet, test: which part of a file that holds several.
-    flip_force, skew_ms, rig_friction_kN, rig_friction_coefficient, moving_mass_kg, force_factor: corrections, as the
+    flip_force, repair, skew_ms, rig_friction_kN, rig_friction_coefficient, moving_mass_kg, force_factor: corrections, as the
     options of ``isolaw inspect``.
 
     Returns a Record; ``record.recognised`` says what was recognised and why. Raises Error with every problem found.

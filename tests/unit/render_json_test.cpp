@@ -176,7 +176,17 @@ TEST(SummaryJson, ExactText) {
   "outliers": [],
   "complete": false,
   "missing_runs": 3,
-  "missing_analyses": 0
+  "missing_analyses": 0,
+  "warnings": [
+    {
+      "topic": "not complete",
+      "sentence": "not complete: 1 of 4 runs are there; every number and the choice of a law may still change"
+    },
+    {
+      "topic": "at bound",
+      "sentence": "line: k at its upper bound on D\"1"
+    }
+  ]
 }
 )");
 }
@@ -193,8 +203,9 @@ TEST(SummaryJson, TellsHowManyRunsWereMissing) {
 
 TEST(SummaryJson, KeysInTheAgreedOrder) {
   auto const json = Json::parse(summary_json(fixture::lot()));
-  EXPECT_EQ(keys(json), (std::vector<std::string>{"schema", "isolaw", "seed", "settings", "devices", "laws", "title",
-                                                  "outliers", "complete", "missing_runs", "missing_analyses"}));
+  EXPECT_EQ(keys(json),
+            (std::vector<std::string>{"schema", "isolaw", "seed", "settings", "devices", "laws", "title", "outliers",
+                                      "complete", "missing_runs", "missing_analyses", "warnings"}));
   EXPECT_EQ(keys(json["laws"][1]["devices"][2]["parameters"]),
             (std::vector<std::string>{"kb+", "f0+", "alpha+", "beta1-", "beta2+"}));
 }

@@ -25,7 +25,8 @@ namespace isolaw::app {
 namespace {
 
 bool refused(study::Summary const& summary) {
-  return std::ranges::any_of(summary.devices, [](auto const& device) { return device.status != "ok"; });
+  return std::ranges::any_of(
+      summary.devices, [](auto const& device) { return device.status != "ok" || !device.properties.faults.empty(); });
 }
 
 }  // namespace

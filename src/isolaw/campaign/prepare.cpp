@@ -10,6 +10,7 @@
 #include "isolaw/base/hash.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/data/clean.hpp"
+#include "isolaw/data/properties.hpp"
 #include "isolaw/data/text.hpp"
 #include "isolaw/fit/joint_limits.hpp"
 
@@ -118,7 +119,20 @@ Device cleaned(NamedRecord&& given, data::CleanOptions const& cleaning) {
   return device;
 }
 
+// No law follows a signal that cannot be true, however well it is fitted to it.
+void refuse_false_signals(Device& device) {
+  if (!device.usable()) return;
+  if (device.raw.faults.empty()) return;
+  device.refusal = data::why_unusable(device.raw.faults);
+  data::TestRecord nothing;
+  nothing.file = device.raw.file;
+  nothing.sha256 = device.raw.sha256;
+  device.raw = std::move(nothing);
+  device.record = {};
+}
+
 Contents with_searches(Contents contents, std::vector<std::string> const& laws) {
+  for (auto& device : contents.devices) refuse_false_signals(device);
   contents.settings.laws = laws.empty() ? parse_laws(usual_laws) : laws;
   contents.settings.validate();
   // Not in validate(): a store that was made before is read all the same.

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "isolaw/data/error_budget.hpp"
+#include "isolaw/data/holds.hpp"
 #include "isolaw/data/properties.hpp"
 
 namespace isolaw::data {
@@ -192,7 +193,7 @@ void check_channel(std::string const& file, RawChannel const& raw, std::span<std
 void check_physics(TestRecord const& record, std::string const& exchange_advice, std::vector<Complaint>& complaints) {
   auto const properties = cyclic_properties(record);
   auto const cycles = properties.complete();
-  if (cycles.empty()) return;
+  if (cycles.empty() || !properties.faults.empty()) return;  // other signs of a signal that cannot be true
   auto const loop = measure_loop(record, cycles);
   // Nothing follows from the sign of an energy within the skew of two channels of a nearly elastic device.
   constexpr double significant_energy = 0.02;
@@ -211,8 +212,28 @@ void check_physics(TestRecord const& record, std::string const& exchange_advice,
                           allowed, flip + " or " + exchange_advice});
 }
 
+namespace {
+
+void warn_of_gaps(TestRecord& record) {
+  auto const gaps = time_gaps(record.disp_mm, record.time_s);
+  if (gaps.empty()) return;
+  auto const& gap = *std::ranges::max_element(gaps, {}, &Gap::length_s);
+  record.warnings.push_back(fmt::format(
+      "time jumps {} by {:.4g} s after sample {} ({:.6g} s): {:.4g} s of it are taken for the motion, by its speed on both sides, and periods and frequency leave out the rest",
+      gaps.size() == 1 ? "once," : fmt::format("{} times, at most", gaps.size()), gap.length_s, gap.after + 1,
+      record.time_s[gap.after], gap.taken_s));
+}
+
+}  // namespace
+
 void add_warnings(TestRecord& record) {
   warn_about_magnitude(record);
+  auto const properties = cyclic_properties(record);
+  // No other diagnosis of a signal that cannot be true.
+  if (!properties.faults.empty()) {
+    record.warnings.push_back("no cyclic properties: " + properties.refusal);
+    return;
+  }
   auto const [least, largest] = std::ranges::minmax(record.disp_mm);
   double const half_range = (largest - least) / 2.0;
   if (std::abs(record.disp_mm.front()) > 0.05 * half_range)
@@ -220,7 +241,7 @@ void add_warnings(TestRecord& record) {
         "the first sample is at {:.4g} mm, {:.0f} % of the half range of {:.4g} mm: laws start at rest at zero",
         record.disp_mm.front(), 100.0 * std::abs(record.disp_mm.front()) / half_range, half_range));
   warn_of_stuck_force(record, half_range);
-  auto const properties = cyclic_properties(record);
+  warn_of_gaps(record);
   auto budget = error_budget(record, properties);
   std::ranges::move(budget.warnings, std::back_inserter(record.warnings));
   if (!properties.refusal.empty()) record.warnings.push_back("no cyclic properties: " + properties.refusal);

@@ -1,11 +1,13 @@
 #include "isolaw/data/corrections.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -13,6 +15,7 @@
 #include "isolaw/data/clean.hpp"
 #include "isolaw/data/cycles.hpp"
 #include "isolaw/data/record.hpp"
+#include "isolaw/data/signal_faults.hpp"
 
 namespace isolaw::data {
 namespace {
@@ -43,6 +46,21 @@ void keep(std::vector<double>& values, std::size_t begin, std::size_t end) {
   if (values.empty()) return;
   values.erase(values.begin() + static_cast<std::ptrdiff_t>(end), values.end());
   values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(begin));
+}
+
+void repair_channel(TestRecord& record, std::vector<double>& values, std::string_view name, std::string_view unit) {
+  auto const found = spikes(values);
+  std::vector<std::string> samples;
+  for (auto const& spike : found) {
+    std::size_t const at[]{spike.at};
+    samples.push_back(fmt::format("{} from {:.5g} to {:.5g} {}", sample_text(at, record.time_s), values[spike.at],
+                                  spike.expected, unit));
+    values[spike.at] = spike.expected;
+  }
+  note(record, found.empty() ? fmt::format("no spikes of {} to repair", name)
+                             : fmt::format("{} of {} repaired by what the neighbours say: {}",
+                                           found.size() == 1 ? "a spike" : fmt::format("{} spikes", found.size()), name,
+                                           fmt::join(samples, ", ")));
 }
 
 void remove_skew(TestRecord& record, double skew_s) {
@@ -159,7 +177,7 @@ void require_channels(TestRecord const& record, Corrections const& corrections) 
 }  // namespace
 
 bool Corrections::any() const {
-  return skew_s || friction_kN || friction_coefficient || moving_mass_kg || force_factor;
+  return repair_spikes || skew_s || friction_kN || friction_coefficient || moving_mass_kg || force_factor;
 }
 
 void Corrections::validate() const {
@@ -175,6 +193,12 @@ void Corrections::validate() const {
   if (friction_kN && friction_coefficient)
     complaints.push_back({"--rig-friction", "given with --rig-friction-coefficient", "one of the two", {}});
   if (!complaints.empty()) throw Error(std::move(complaints));
+}
+
+void repair(TestRecord& record, Corrections const& corrections) {
+  if (!corrections.repair_spikes) return;
+  repair_channel(record, record.disp_mm, "displacement", "mm");
+  repair_channel(record, record.force_kN, "force", "kN");
 }
 
 void correct(TestRecord& record, Corrections const& corrections) {

@@ -8,6 +8,7 @@ namespace isolaw::data {
 struct TestRecord;
 
 struct Corrections {
+  bool repair_spikes = false;                       // single samples off their neighbours take what these say
   std::optional<double> skew_s = {};                // the force is later than displacement by this, and is moved back
   std::optional<double> friction_kN = {};           // of the rig, in the force's path: taken off along the motion
   std::optional<double> friction_coefficient = {};  // the same as a share of the measured vertical load
@@ -19,7 +20,10 @@ struct Corrections {
   void validate() const;  // throws Error that names the options
 };
 
-// In the order of the members, friction and mass as the load cell feels them. The force between samples is
+// Only what is asked for of single samples: before the signals are looked at for faults, and all else is corrected.
+void repair(TestRecord& record, Corrections const& corrections);
+
+// What is left to correct after repair(), in the order of the members, friction and mass as the load cell feels them. The force between samples is
 // interpolated, and samples at the end of the record (at its start for a negative skew) whose force is not known are
 // dropped from all channels. Friction acts against the motion between reversals (noise apart), not while the record
 // rests at its start or end. Acceleration is the second difference over a 40th of a cycle of displacement averaged

@@ -337,6 +337,8 @@ Reversals reversals(std::span<double const> disp_mm) {
 }
 
 Segmentation segment(std::span<double const> disp_mm, std::span<double const> time_s) {
+  auto const moving = without_gaps(time_s, time_gaps(disp_mm, time_s));
+  if (!moving.empty()) time_s = moving;
   Segmentation made;
   if (disp_mm.empty()) {
     made.refusal = "no samples";

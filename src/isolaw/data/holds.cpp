@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "isolaw/data/cycles.hpp"
+#include "isolaw/num/statistics.hpp"
 
 namespace isolaw::data {
 namespace {
@@ -110,6 +111,42 @@ StillTime still_time(std::span<double const> disp_mm, std::span<double const> ti
     holds.push_back(stretch);
   }
   return still;
+}
+
+std::vector<Gap> time_gaps(std::span<double const> x, std::span<double const> time_s) {
+  constexpr double jump = 5.0;  // intervals
+  constexpr std::size_t fewest = 16;
+  if (time_s.size() < fewest) return {};
+  std::vector<double> intervals;
+  for (std::size_t i = 1; i < time_s.size(); ++i) intervals.push_back(time_s[i] - time_s[i - 1]);
+  double const longest = std::ranges::max(intervals);
+  double const interval = num::median(intervals);
+  if (!(longest > jump * interval)) return {};
+  std::vector<Gap> gaps;
+  for (std::size_t i = 0; i + 1 < time_s.size(); ++i) {
+    double const length = time_s[i + 1] - time_s[i];
+    if (!(length > jump * interval)) continue;
+    double const before = i > 0 ? std::abs(x[i] - x[i - 1]) : 0.0;
+    double const after = i + 2 < x.size() ? std::abs(x[i + 2] - x[i + 1]) : 0.0;
+    double const speed = std::max(before, after) / interval;
+    double const way = std::abs(x[i + 1] - x[i]);
+    // A rest that was not recorded is one by the clock: nothing moves on either side of it.
+    double const taken = speed > 0.0 ? std::clamp(way / speed, interval, length) : length;
+    gaps.push_back({.after = i, .length_s = length, .taken_s = taken});
+  }
+  return gaps;
+}
+
+std::vector<double> without_gaps(std::span<double const> time_s, std::vector<Gap> const& gaps) {
+  if (gaps.empty()) return {};
+  std::vector<double> time(time_s.begin(), time_s.end());
+  double cut = 0.0;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    time[i] -= cut;
+    if (next < gaps.size() && gaps[next].after == i) cut += gaps[next].length_s - gaps[next].taken_s, ++next;
+  }
+  return time;
 }
 
 }  // namespace isolaw::data

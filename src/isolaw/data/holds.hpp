@@ -4,7 +4,9 @@
 // the motion takes to pass the band there: a sine lingers at its peaks without standing still.
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <vector>
 
 namespace isolaw::data {
 
@@ -23,5 +25,16 @@ struct StillTime {
 // How long the device stands still within the piece. `noise` is the standard deviation of disp_mm in mm; where it hides
 // holds none are found. O(n log n) of the piece's samples at worst.
 StillTime still_time(std::span<double const> disp_mm, std::span<double const> time_s, Piece const& piece, double noise);
+
+// Time as the motion took it: where the clock jumps between two samples (by more than five intervals), what the speed on
+// both sides needs for the way between them, at least one interval and at most what the clock says. Empty where nothing
+// jumps.
+struct Gap {
+  std::size_t after = 0;  // sample
+  double length_s = 0.0;  // by the clock
+  double taken_s = 0.0;
+};
+std::vector<Gap> time_gaps(std::span<double const> disp_mm, std::span<double const> time_s);
+std::vector<double> without_gaps(std::span<double const> time_s, std::vector<Gap> const& gaps);
 
 }  // namespace isolaw::data

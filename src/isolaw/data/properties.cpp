@@ -9,6 +9,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "isolaw/data/holds.hpp"
 #include "isolaw/num/statistics.hpp"
 
 namespace isolaw::data {
@@ -17,7 +18,8 @@ namespace {
 // Fewer samples in a cycle lose more than 1.6 % of its energy to the trapezoid, and 1.2 % of its peak.
 constexpr double least_samples_per_cycle = 20.0;
 constexpr std::size_t reported_cycle = 3;
-constexpr double same_shape = 0.05;  // rms of the amplitude; a sine and a triangle are 0.15 apart
+constexpr double rounding_of_energy = 1e-9;  // of K_eff D^2
+constexpr double same_shape = 0.05;          // rms of the amplitude; a sine and a triangle are 0.15 apart
 
 // Samples strictly between two fractional indices: [begin, end).
 struct Inside {
@@ -211,6 +213,13 @@ std::string refusal_of(Segmentation const& cut, Properties const& properties) {
   if (*properties.samples_per_cycle < least_samples_per_cycle * (1.0 - 1e-9))
     return fmt::format("{:.1f} samples per cycle, fewer than the {:.0f} that stiffness and energy need",
                        *properties.samples_per_cycle, least_samples_per_cycle);
+  for (auto const* cycle : properties.counted()) {
+    double const size = std::abs(cycle->K_eff_kN_per_mm) * cycle->amplitude_mm * cycle->amplitude_mm;
+    if (cycle->energy_kN_mm < -rounding_of_energy * size)
+      return fmt::format(
+          "cycle {} of block {} gives back {:.4g} kN mm of energy: no device does; a channel without its sign, late or exchanged?",
+          cycle->number, cycle->block, -cycle->energy_kN_mm);
+  }
   return {};
 }
 
@@ -268,11 +277,14 @@ Cycle properties_on(Cycle const& cycle, std::span<double const> disp_mm, std::sp
   return result;
 }
 
-Properties cyclic_properties(CycleView const& view) {
+Properties cyclic_properties(CycleView const& given) {
+  auto view = given;
   assert(view.disp_mm.size() == view.force_kN.size());
   assert(view.time_s.empty() || view.time_s.size() == view.disp_mm.size());
   assert(view.load_kN.empty() || view.load_kN.size() == view.disp_mm.size());
   Properties properties;
+  auto const moving = without_gaps(view.time_s, time_gaps(view.disp_mm, view.time_s));
+  if (!moving.empty()) view.time_s = moving;
   auto const cut = segment(view.disp_mm, view.time_s);
   properties.centre_mm = cut.centre_mm;
   std::vector<double> lengths;
@@ -293,7 +305,37 @@ Properties cyclic_properties(CycleView const& view) {
 }
 
 Properties cyclic_properties(TestRecord const& record) {
-  return cyclic_properties(CycleView{record.disp_mm, record.force_kN, record.time_s, record.load_kN});
+  auto properties = cyclic_properties(CycleView{record.disp_mm, record.force_kN, record.time_s, record.load_kN});
+  properties.faults = record.faults;
+  if (properties.faults.empty()) return properties;
+  properties.refusal = why_unusable(properties.faults);
+  properties.reported.reset();
+  properties.samples_per_cycle.reset();
+  for (auto& block : properties.blocks) {
+    block.frequency_Hz.reset();
+    block.v_max_mm_s.reset();
+    block.waveform.clear();
+    for (auto& cycle : block.cycles) {
+      cycle.number = 0;
+      cycle.not_counted =
+          fmt::format("the {} is {}", properties.faults.front().channel, said_of(properties.faults.front().kind));
+    }
+  }
+  return properties;
+}
+
+std::string why_unusable(std::vector<SignalFault> const& faults) {
+  std::string text;
+  bool repairable = !faults.empty();
+  for (auto const& fault : faults) {
+    text += (text.empty() ? "" : "; ") + fault.sentence;
+    repairable = repairable && fault.kind == FaultKind::spike;
+  }
+  if (faults.empty()) return text;
+  return text +
+         (repairable
+              ? ": --repair spikes replaces them by what their neighbours say"
+              : ": what is computed from such a signal is wrong, test again or give the channel that was not disturbed");
 }
 
 Properties cyclic_properties(std::span<double const> disp_mm, std::span<double const> force_kN) {

@@ -11,6 +11,7 @@
 
 #include "isolaw/data/cycles.hpp"
 #include "isolaw/data/record.hpp"
+#include "isolaw/data/signal_faults.hpp"
 
 namespace isolaw::data {
 
@@ -65,7 +66,10 @@ struct Properties {
   // The third cycle that counts (the last where there are fewer) of the block of largest amplitude, the first of these;
   // empty when refused.
   std::optional<Cycle> reported;
-  std::string refusal;  // why there is none: not cyclic, less than one cycle, fewer than 20 samples per cycle
+  // Why there is none: a signal that cannot be true, not cyclic, less than one cycle, fewer than 20 samples per cycle, a
+  // counted cycle that gives energy back.
+  std::string refusal;
+  std::vector<SignalFault> faults;          // of a whole record; no cycle counts where there are any
   std::optional<double> samples_per_cycle;  // median over the cycles that count, rests and holds left out
   double centre_mm = 0.0;                   // level of the cuts
 
@@ -84,7 +88,10 @@ struct CycleView {
 };
 
 Properties cyclic_properties(CycleView const& view);
+// Of a record as it was read: none where a signal cannot be true.
 Properties cyclic_properties(TestRecord const& record);
+// What makes a record of no use, with what to do: one sentence for all of its faults; empty where there are none.
+std::string why_unusable(std::vector<SignalFault> const& faults);
 // Without time and load: periods are compared in samples.
 Properties cyclic_properties(std::span<double const> disp_mm, std::span<double const> force_kN);
 

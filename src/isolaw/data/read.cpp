@@ -350,6 +350,8 @@ Part read_channels(Tests const& tests, Table const& table, TestRecord record, Re
 // What the two channels of a test say together.
 TestRecord finished(TestRecord record, ReadOptions const& options, std::string const& advice) {
   std::vector<Complaint> complaints;
+  repair(record, options.corrections);
+  record.faults = signal_faults(record.disp_mm, record.force_kN, record.time_s);
   correct(record, options.corrections);
   check_physics(record, advice, complaints);
   if (!complaints.empty()) throw Error(std::move(complaints));
@@ -733,6 +735,7 @@ TestRecord record_of_values(std::string const& name, Values values) {
   record.recognised.push_back(fmt::format("{} samples given as values, in mm, kN and s", samples));
   for (auto& channel : channels) values_of(record, channel.channel) = std::move(channel.values);
   if (record.force_kN.empty()) return record;
+  record.faults = signal_faults(record.disp_mm, record.force_kN, record.time_s);
   check_physics(record, "displacement and force the other way round", complaints);
   if (!complaints.empty()) throw Error(std::move(complaints));
   add_warnings(record);
@@ -779,6 +782,7 @@ void continue_with(TestRecord& history, TestRecord const& next, std::string cons
     double const offset = history.time_s.back() + pause - next.time_s.front();
     for (double const t : next.time_s) history.time_s.push_back(t + offset);
   }
+  auto const before = history.size();
   bool const loads = !history.load_kN.empty() && !next.load_kN.empty();
   if (!loads) history.load_kN.clear();
   auto const add = [](std::vector<double>& to, std::vector<double> const& from) {
@@ -788,6 +792,11 @@ void continue_with(TestRecord& history, TestRecord const& next, std::string cons
   add(history.force_kN, next.force_kN);
   if (loads) add(history.load_kN, next.load_kN);
   history.recognised.push_back(fmt::format("{} continues the history with {} samples", label, next.size()));
+  for (auto fault : next.faults) {
+    for (auto& sample : fault.samples) sample += before;
+    fault.sentence = label + ": " + fault.sentence;
+    history.faults.push_back(std::move(fault));
+  }
   for (auto const& line : next.warnings) history.warnings.push_back(label + ": " + line);
   history.sha256 = sha256(history.sha256 + next.sha256);
 }

@@ -135,6 +135,24 @@ Reading skew() {
   return made;
 }
 
+constexpr std::string_view spikes_word = "spikes";
+
+Reading repair() {
+  auto const write = [](ReadOptions const& from) {
+    return from.corrections.repair_spikes ? Json(spikes_word) : Json();
+  };
+  auto const read = [](ReadOptions& to, Json const& value) {
+    if (!value.is_string() || value.get<std::string>() != spikes_word) refuse(value, std::string(spikes_word));
+    to.corrections.repair_spikes = true;
+  };
+  return {{{.key = "repair",
+            .help = "correct: single samples off their neighbours, replaced by interpolation",
+            .words = {spikes_word}},
+           write,
+           read},
+          true};
+}
+
 std::vector<Reading> make_table() {
   using R = ReadOptions;
   using C = Corrections;
@@ -157,6 +175,7 @@ std::vector<Reading> make_table() {
       name_or_number("test", "of files that hold several tests: a number, or all, one after the other", Kind::whole,
                      &R::test, [](std::string const& text) { return parse_test(text); }),
       {flag<R>("flip-force", "reverse the sign of the force", at(&R::flip_force)), true},
+      repair(),
       skew(),
       correction("rig-friction", "friction of the rig in the force, kN", &C::friction_kN, "rig_friction_kN"),
       correction("rig-friction-coefficient", "the same as a share of the vertical load", &C::friction_coefficient),

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "isolaw/data/corrections.hpp"
+#include "isolaw/data/signal_faults.hpp"
 
 namespace isolaw::data {
 
@@ -59,6 +60,7 @@ struct TestRecord {
   std::vector<std::string> recognised;   // one sentence per decision: dialect, columns, units, sampling, and why
   std::vector<std::string> corrections;  // one sentence per correction asked for, also in `recognised`
   std::vector<std::string> warnings;     // what a careful reader would want to know
+  std::vector<SignalFault> faults;       // of the signals as they were recorded, but for spikes repaired; not stored
 
   bool has_time() const { return !time_s.empty(); }
   std::size_t size() const { return disp_mm.size(); }

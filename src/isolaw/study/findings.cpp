@@ -193,14 +193,18 @@ void warn_of_missing_runs(Summary const& summary, std::vector<Warning>& warnings
                                                     summary.expected_analyses)});
 }
 
-// A record under two names counts twice, and makes parameters look less scattered than they are.
+// A record under two names counts twice, and makes parameters look less scattered than they are. Of a device that takes
+// no part the file says so, of others the samples.
 void warn_of_copies(Summary const& summary, std::vector<Warning>& warnings) {
   std::vector<std::vector<DeviceResult const*>> groups;  // devices of one record each
   for (auto const& device : summary.devices) {
-    if (device.status != "ok" || device.raw.size() == 0) continue;
+    if (device.raw.size() == 0 && device.sha256.empty()) continue;
     auto const same = [&](auto const& group) {
-      auto const& other = group.front()->raw;
-      return other.disp_mm == device.raw.disp_mm && other.force_kN == device.raw.force_kN;
+      auto const& other = *group.front();
+      bool const samples =
+          device.raw.size() > 0 && other.raw.disp_mm == device.raw.disp_mm && other.raw.force_kN == device.raw.force_kN;
+      bool const refused = other.raw.size() == 0 && device.raw.size() == 0;
+      return samples || (refused && other.sha256 == device.sha256);
     };
     auto found = std::ranges::find_if(groups, same);
     if (found == groups.end()) found = groups.insert(groups.end(), {{}});
@@ -211,9 +215,11 @@ void warn_of_copies(Summary const& summary, std::vector<Warning>& warnings) {
     Names names;
     for (auto const* device : group) names.push_back(device->name);
     warnings.push_back(
-        {"copies",
-         fmt::format("{} hold the same record, which counts {} times in every mean and spread over the devices",
-                     enumerate(names), group.size())});
+        {"copies", fmt::format("{} hold the same record{}", enumerate(names),
+                               group.front()->raw.size() == 0
+                                   ? std::string()
+                                   : fmt::format(", which counts {} times in every mean and spread over the devices",
+                                                 group.size()))});
   }
 }
 
@@ -308,18 +314,21 @@ void warn_of_integration(LawResult const& law, std::vector<Warning>& warnings) {
                    law.id, enumerate(devices))});
 }
 
+// What several records have in common is said once.
 void warn_of_records(Summary const& summary, std::vector<Warning>& warnings) {
+  std::vector<std::pair<std::string, Names>> said;  // in order of first appearance
   for (auto const& device : summary.devices) {
     if (device.status != "ok") continue;
     bool told = false;  // reading the record may have said already that it has no cyclic properties
     for (auto const& warning : device.raw.warnings) {
       told = told || warning.starts_with("no cyclic properties");
-      warnings.push_back({"record", fmt::format("{}: {}", device.name, warning)});
+      beside(said, warning).push_back(device.name);
     }
     if (!told && !device.properties.reported && !device.properties.refusal.empty())
-      warnings.push_back(
-          {"record", fmt::format("{}: no cyclic properties: {}", device.name, device.properties.refusal)});
+      beside(said, fmt::format("no cyclic properties: {}", device.properties.refusal)).push_back(device.name);
   }
+  for (auto const& [sentence, names] : said)
+    warnings.push_back({"record", fmt::format("{}: {}", enumerate(names), sentence)});
 }
 
 std::string note_on_beta(Summary const& summary) {

@@ -4,6 +4,7 @@
 #include "isolaw/render/json/properties_json.hpp"
 #include "isolaw/render/json/results_json.hpp"
 #include "isolaw/study/cycle_results.hpp"
+#include "isolaw/study/findings.hpp"
 
 namespace isolaw::render {
 namespace {
@@ -51,6 +52,7 @@ std::string inspection_json(Summary const& summary) {
       out.end_object();
     }
     out.end_array();
+    write_warnings(out, findings(summary).warnings);
   }
   out.key("assessment");
   write_acceptance(out, summary.acceptance);

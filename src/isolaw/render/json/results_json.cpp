@@ -71,4 +71,11 @@ void write_outliers(JsonWriter& out, std::vector<OutlyingDevice> const& outliers
   out.end_array();
 }
 
+void write_warnings(JsonWriter& out, std::vector<study::Warning> const& warnings) {
+  out.key("warnings").begin_array();
+  for (auto const& warning : warnings)
+    out.begin_object().member("topic", warning.topic).member("sentence", warning.sentence).end_object();
+  out.end_array();
+}
+
 }  // namespace isolaw::render

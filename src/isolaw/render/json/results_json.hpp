@@ -8,6 +8,7 @@
 
 #include "isolaw/base/json.hpp"
 #include "isolaw/render/results.hpp"
+#include "isolaw/study/findings.hpp"
 #include "isolaw/study/results.hpp"
 
 namespace isolaw::render {
@@ -52,5 +53,8 @@ void write_profile(JsonWriter& out, ParameterAnalysis const& analysis, std::opti
 void write_intervals(JsonWriter& out, DeviceFit const& fit);
 void write_blocks(JsonWriter& out, std::vector<BlockScore> const& blocks, Digits digits);
 void write_outliers(JsonWriter& out, std::vector<OutlyingDevice> const& outliers, Digits digits);
+
+// "warnings": what findings() warns of, `topic` and `sentence` each.
+void write_warnings(JsonWriter& out, std::vector<study::Warning> const& warnings);
 
 }  // namespace isolaw::render

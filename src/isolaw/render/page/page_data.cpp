@@ -277,10 +277,8 @@ void write_findings(JsonWriter& out, Summary const& summary) {
     out.end_object();
   }
   out.end_array();
-  out.key("warnings").begin_array();
-  for (auto const& warning : found.warnings)
-    out.begin_object().member("topic", warning.topic).member("sentence", warning.sentence).end_object();
-  out.end_array().member("converged", found.converged).end_object();
+  write_warnings(out, found.warnings);
+  out.member("converged", found.converged).end_object();
 }
 
 // What the words of the verdicts mean, so that the page says it with the numbers that were used.

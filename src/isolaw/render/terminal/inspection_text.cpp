@@ -8,6 +8,7 @@
 
 #include "isolaw/base/printable.hpp"
 #include "isolaw/study/cycle_results.hpp"
+#include "isolaw/study/findings.hpp"
 #include "isolaw/study/verdict.hpp"
 
 namespace isolaw::render {
@@ -195,6 +196,14 @@ void print_factors(std::string& text, rules::LotView const& lot) {
           t->min_cycle, printable(q.test_min_device), t->max, t->max_cycle, printable(q.test_max_device));
 }
 
+// Of several devices: what each table row leaves out. A refusal stands in the row.
+void print_warnings(std::string& text, Summary const& summary) {
+  std::vector<std::string> lines;
+  for (auto const& warning : findings(summary).warnings)
+    if (warning.topic != "refused") lines.push_back(printable(warning.sentence));
+  print_list(text, "Warnings", lines);
+}
+
 // What the rule set says of the lot as a whole.
 void print_lot_verdicts(std::string& text, LotAcceptance const& acceptance) {
   if (!acceptance.has_rules()) return;
@@ -229,6 +238,7 @@ std::string inspection_text(Summary const& summary) {
   print_rule_set(text, summary.acceptance);
   print_devices(text, summary);
   print_lot(text, summary);
+  print_warnings(text, summary);
   add(text, "\n{}\n", no_vertical_stiffness);
   return text;
 }

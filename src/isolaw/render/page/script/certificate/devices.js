@@ -77,7 +77,7 @@ function certificateTable() {
       outlying = apart(device),
       missing = open.filter((quantity) => !common.includes(quantity));
     const remark =
-      device.status !== 'ok' ? 'refused: ' + device.message : [enumerate(failed), missing.length > 0 ? 'not assessed: ' + enumerate(missing) : '', outlying.length > 0 ? '\u25be ' + enumerate(outlying, 3) : ''].filter(Boolean).join('; ');
+      device.status !== 'ok' ? 'refused: ' + device.message : device.properties_refusal ? device.properties_refusal : [enumerate(failed), missing.length > 0 ? 'not assessed: ' + enumerate(missing) : '', outlying.length > 0 ? '\u25be ' + enumerate(outlying, 3) : ''].filter(Boolean).join('; ');
     const below = remark ? element('small', {}, remark) : null;
     return element('td', { class: 'reasoned' }, verdict ? verdictBadge(verdict) : DASH, below);
   };
@@ -111,7 +111,7 @@ function certificateData() {
         device.name, device.serial, device.lot, device.test_date, device.temperature_C,
         block?.amplitude_mm ?? null, block?.frequency_Hz ?? null,
         ...properties.map(({ value }) => value(device) ?? null),
-        verdict ?? '', device.status === 'ok' ? failed.join('; ') : device.message, open.join('; '), apart(device).join('; '), device.file, device.sha256,
+        verdict ?? '', device.status === 'ok' ? failed.join('; ') || device.properties_refusal : device.message, open.join('; '), apart(device).join('; '), device.file, device.sha256,
       ];
     }),
   };

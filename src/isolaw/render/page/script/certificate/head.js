@@ -5,7 +5,7 @@ import { devices, report } from '../report.js';
 import { THIN, count, enumerate, isNumber, limitText, sentence, significant, spanText, trimmed } from '../text.js';
 import { concerns, verdictBadge, worstVerdict } from '../verdicts.js';
 import { blank } from './blank.js';
-import { commonlyOpen, deviceVerdict } from './verdict.js';
+import { commonlyOpen, deviceVerdict, isLeftOut } from './verdict.js';
 
 export const certificateHeadFigure = {
   id: 'certificate-head',
@@ -147,6 +147,8 @@ function certificateResult() {
     times('not assessed') + times(null) > 0 ? count(times('not assessed') + times(null), 'device') + ' not assessed' : '',
     open.length > 0 ? 'not assessed on any device: ' + open.join(', ') : '',
   ].filter(Boolean);
-  const overall = worstVerdict([...verdicts.filter(Boolean), ...lot.map(({ verdict }) => verdict)]);
+  const worst = worstVerdict([...verdicts.filter(Boolean), ...lot.map(({ verdict }) => verdict)]);
+  // A lot does not pass while one of its devices could not be looked at.
+  const overall = worst === 'pass' && devices.some(isLeftOut) ? 'not assessed' : worst;
   return element('div', {}, overall ? verdictBadge(overall) : null, listOf(said));
 }

@@ -1,9 +1,13 @@
-import { devices } from '../report.js';
+import { devices, report } from '../report.js';
 import { worstVerdict } from '../verdicts.js';
+
+// A rule set that could say nothing of a device, for its record has no properties.
+export const isLeftOut = (device) =>
+  Boolean(report.assessment?.rule_set) && device.assessments.length === 0 && Boolean(device.properties_refusal);
 
 // The worst of a device's verdicts, with what could not be assessed of it.
 export function deviceVerdict(device) {
-  const verdict = worstVerdict(device.assessments.map((a) => a.verdict));
+  const verdict = isLeftOut(device) ? 'not assessed' : worstVerdict(device.assessments.map((a) => a.verdict));
   const named = (wanted) => [
     ...new Set(device.assessments.filter((a) => a.verdict === wanted).map((a) => a.quantity)),
   ];

@@ -1,0 +1,44 @@
+// Signals that cannot be true: a channel at the end of its range, one that stands still while the other goes on, single
+// samples far off their neighbours, a channel recorded without its sign. What is computed from such a record is wrong
+// however it is computed, so it has no properties; limits and rates: docs/properties.md.
+//
+// A plateau of displacement is a hold where the force only relaxes on it, faster at first than later, and clipping where
+// the force goes on rising and turns within it; a plateau of force is yielding where it ends with the motion's reversal,
+// and clipping where it lasts beyond it. Steps of a coarse digitiser, noise and the corners of triangles are neither.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace isolaw::data {
+
+enum class FaultKind { clipped, stuck, spike, rectified };
+std::string_view name(FaultKind kind);
+std::string_view said_of(FaultKind kind);  // "clipped", "stuck", "disturbed by spikes", "without its sign"
+
+struct SignalFault {
+  FaultKind kind = FaultKind::clipped;
+  std::string channel;               // "displacement" or "force"
+  std::vector<std::size_t> samples;  // first of each plateau or stretch, each spike, each peak; from 0, rising
+  std::string sentence;              // with sample numbers from 1, and times where there are any
+};
+
+// time_s may be empty; else all are of one length. O(n log n) in time, O(n) in memory.
+std::vector<SignalFault> signal_faults(std::span<double const> disp_mm, std::span<double const> force_kN,
+                                       std::span<double const> time_s = {});
+
+// A single sample off its neighbours, and what they say it should be.
+struct Spike {
+  std::size_t at = 0;
+  double value = 0.0;
+  double expected = 0.0;
+};
+std::vector<Spike> spikes(std::span<double const> values);
+
+// "sample 213 (2.12 s)", "samples 3, 17 and 21"; index from 0. At most five are named.
+std::string sample_text(std::span<std::size_t const> samples, std::span<double const> time_s);
+
+}  // namespace isolaw::data

@@ -1,0 +1,148 @@
+// Signals that cannot be true, through the program: the files of tests/warts/signals and what is expected of each.
+#include <filesystem>
+
+#include "cli/loops.hpp"
+#include "cli/run.hpp"
+
+namespace isolaw::cli_test {
+namespace {
+
+fs::path const folder = fs::path(ISOLAW_WARTS) / "signals";
+
+struct Wart {
+  std::string file, channel, said;  // what the refusal says of the channel
+};
+
+std::vector<Wart> warts() {
+  return {{"disp-clipped-both-sides", "displacement", "displacement is clipped at "},
+          {"disp-clipped-one-side", "displacement", "displacement is clipped at "},
+          {"force-clipped", "force", "force is clipped at "},
+          {"disp-stuck-then-jumps", "displacement", "displacement is stuck at "},
+          {"disp-stuck-then-goes-on", "displacement", "displacement is stuck at "},
+          {"force-stuck", "force", "force is stuck at "},
+          {"disp-rectified", "displacement", "displacement is recorded without its sign"},
+          {"force-rectified", "force", "force is recorded without its sign"},
+          {"force-spike", "force", "force has a spike of a single sample, at sample 128 (2.54 s)"},
+          {"disp-spike", "displacement", "displacement has a spike of a single sample, at sample 161 (3.2 s)"},
+          {"force-spikes", "force", "force has 3 spikes, each of a single sample, at samples 61 (1.2 s)"},
+          {"force-dropout", "force", "force has a spike of a single sample, at sample 171 (3.4 s)"}};
+}
+
+class Signals : public InFreshDirectory {
+ protected:
+  std::string take(std::string const& name) {
+    fs::copy_file(folder / (name + ".csv"), path(name + ".csv"));
+    return name + ".csv";
+  }
+};
+
+TEST_F(Signals, a_fault_refuses_the_properties_and_is_named) {
+  for (auto const& wart : warts()) {
+    auto const file = take(wart.file);
+    auto const o = isolaw({"inspect", file, "--json"});
+    EXPECT_EQ(o.code, 1) << wart.file;
+    auto const device = Json::parse(o.out);
+    auto const refusal = device["properties_refusal"].get<std::string>();
+    EXPECT_NE(refusal.find(wart.said), std::string::npos) << wart.file << ": " << refusal;
+    EXPECT_TRUE(device["reported"].is_null()) << wart.file;
+    // No other diagnosis, and no advice on a rig.
+    for (auto const& warning : device["warnings"]) {
+      auto const text = warning.get<std::string>();
+      EXPECT_TRUE(text.starts_with("no cyclic properties: ")) << wart.file << ": " << text;
+    }
+    EXPECT_TRUE(device["notes"].empty()) << wart.file << device["notes"];
+    auto const text = isolaw({"inspect", file});
+    EXPECT_NE(text.out.find(wart.said), std::string::npos) << text;
+  }
+}
+
+TEST_F(Signals, what_a_test_does_is_no_fault) {
+  for (auto const* name : {"true", "true-trapezoid", "true-triangle", "true-one-sided", "true-coarse-digitiser",
+                           "true-rests", "true-friction", "time-gap"}) {
+    auto const o = isolaw({"inspect", take(name), "--json"});
+    EXPECT_EQ(o.code, 0) << name << o;
+    auto const device = Json::parse(o.out);
+    EXPECT_EQ(device["properties_refusal"], "") << name;
+    EXPECT_FALSE(device["reported"].is_null()) << name;
+  }
+  auto const o = isolaw({"inspect", "time-gap.csv", "--json"});
+  auto const device = Json::parse(o.out);
+  EXPECT_NEAR(device["blocks"][0]["frequency_Hz"].get<double>(), 0.5, 0.005);
+  EXPECT_NE(o.out.find("time jumps once, by 2.52 s after sample 141"), std::string::npos) << o;
+}
+
+TEST_F(Signals, spikes_are_repaired_on_request_and_recorded) {
+  auto const properties = [&](std::string const& file, Words const& more) {
+    auto const o = isolaw(Words{"inspect", file, "--json"} + more);
+    EXPECT_EQ(o.code, 0) << o;
+    return Json::parse(o.out);
+  };
+  auto const truth = cycle_of(properties(take("true"), {}), 1, 3);
+  for (auto const* name : {"force-spike", "disp-spike", "force-spikes", "force-dropout"}) {
+    auto const repaired = properties(take(name), {"--repair", "spikes"});
+    auto const& cycle = cycle_of(repaired, 1, 3);
+    for (auto const* key : {"K_eff_kN_per_mm", "energy_kN_mm"})
+      EXPECT_NEAR(cycle[key].get<double>(), truth[key].get<double>(), 0.005 * truth[key].get<double>()) << name << key;
+    EXPECT_NE(repaired["corrections"].dump().find("repaired by what the neighbours say: sample "), std::string::npos)
+        << name << repaired["corrections"];
+  }
+  auto const other = isolaw({"inspect", "true.csv", "--repair", "clipping"});
+  EXPECT_EQ(other.code, 2);
+  EXPECT_NE(other.err.find("--repair"), std::string::npos) << other;
+  // In a lot file too, and it does not repair what is no spike.
+  write("lot.toml", "[read]\nrepair = \"spikes\"\n[[device]]\nfile = \"force-spike.csv\"\n");
+  EXPECT_EQ(isolaw({"inspect", "lot.toml"}).code, 0);
+  EXPECT_EQ(isolaw({"inspect", take("disp-clipped-one-side"), "--repair", "spikes"}).code, 1);
+}
+
+TEST_F(Signals, no_law_is_fitted_to_a_false_signal) {
+  auto const clipped = take("disp-clipped-both-sides"), good = take("true");
+  auto const alone = isolaw(Words{"calibrate", clipped, "--out", "alone"} + smallest_search);
+  EXPECT_EQ(alone.code, 2) << alone;
+  EXPECT_NE(alone.err.find("displacement is clipped at "), std::string::npos) << alone;
+  auto const both = isolaw(Words{"calibrate", good, clipped, "--out", "both"} + smallest_search);
+  EXPECT_EQ(both.code, 1) << both;
+  auto const summary = Json::parse(read("both/summary.json"));
+  EXPECT_EQ(summary["devices"][1]["status"], "refused");
+  EXPECT_NE(summary["devices"][1]["message"].get<std::string>().find("displacement is clipped at "), std::string::npos);
+  EXPECT_NE(summary["warnings"].dump().find("was refused: displacement is clipped at "), std::string::npos);
+}
+
+TEST_F(Signals, warnings_of_several_devices_stand_on_the_terminal_grouped) {
+  auto const a = take("true"), b = take("force-spike");
+  fs::copy_file(path(a), path("again.csv"));
+  auto const o = isolaw({"inspect", a, b, "again.csv"});
+  EXPECT_EQ(o.code, 1) << o;
+  EXPECT_NE(o.out.find("force-spike: no cyclic properties: force has a spike"), std::string::npos) << o;
+  EXPECT_NE(o.out.find("true and again hold the same record"), std::string::npos) << o;
+  auto const json = Json::parse(isolaw({"inspect", a, b, "again.csv", "--json"}).out);
+  EXPECT_EQ(json["warnings"][0]["topic"], "copies");
+  // 50 samples in a cycle, in both: once, with both names.
+  auto const coarse = [&](std::string const& name, double factor) {
+    std::string text = "time [s],disp [mm],force [kN]\n";
+    for (int i = 0; i <= 150; ++i) {
+      double const phase = 2.0 * std::numbers::pi * i / 50.0;
+      text += fmt::format("{:.3f},{:.4f},{:.4f}\n", 0.04 * i, 100.0 * std::sin(phase),
+                          factor * (60.0 * std::sin(phase) + 20.0 * std::cos(phase)));
+    }
+    write(name, text);
+  };
+  coarse("c.csv", 1.0);
+  coarse("d.csv", 1.1);
+  auto const two = isolaw({"inspect", "c.csv", "d.csv"});
+  EXPECT_NE(two.out.find("c and d: 50.0 samples per cycle"), std::string::npos) << two;
+}
+
+TEST_F(Signals, a_clipped_device_does_not_pass) {
+  auto const good = take("true"), clipped = take("disp-clipped-both-sides");
+  auto const o = isolaw({"inspect", good, clipped, "--rules", "ntc-2018", "--design", "K_eff=0.8", "--out", "out"});
+  EXPECT_EQ(o.code, 1) << o;
+  auto const at = o.out.find("\ndisp-clipped-both-sides ");
+  ASSERT_NE(at, std::string::npos) << o;
+  auto const line = o.out.substr(at + 1, o.out.find('\n', at + 1) - at);
+  EXPECT_EQ(line.find("pass"), std::string::npos) << line;
+  EXPECT_NE(line.find("displacement is clipped"), std::string::npos) << line;
+}
+
+}  // namespace
+}  // namespace isolaw::cli_test

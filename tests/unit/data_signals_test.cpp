@@ -1,0 +1,245 @@
+// Signals that cannot be true, on records drawn from fixed seeds: how often a fault is found, and how often one is found
+// where there is none. docs/properties.md states the bounds that are held here, with what the records are.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "isolaw/data/signal_faults.hpp"
+#include "motions.hpp"
+#include "signals.hpp"
+
+namespace isolaw::data::testing {
+namespace {
+
+constexpr unsigned records = 600;
+
+std::vector<SignalFault> faults_of(Made const& made) {
+  return signal_faults(made.disp_mm, made.force_kN_, made.time_s);
+}
+
+bool names(std::vector<SignalFault> const& faults, std::string_view channel, FaultKind kind) {
+  return std::ranges::any_of(faults, [&](auto const& f) { return f.channel == channel && f.kind == kind; });
+}
+
+// A channel that stands still at its extreme may be called either.
+bool stands(std::vector<SignalFault> const& faults, std::string_view channel) {
+  return names(faults, channel, FaultKind::clipped) || names(faults, channel, FaultKind::stuck);
+}
+
+std::string text_of(std::vector<SignalFault> const& faults) {
+  std::string text;
+  for (auto const& fault : faults) text += "\n  " + fault.sentence;
+  return text;
+}
+
+// How many samples a cycle spends beyond the level.
+double samples_beyond(Plan const& plan, double depth) {
+  return plan.samples * (plan.waveform == Waveform::triangle ? depth / 2.0 : std::acos(1.0 - depth) / std::numbers::pi);
+}
+
+void clip(std::vector<double>& x, double level, int sides) {
+  for (double& value : x) {
+    if (sides != 1) value = std::min(value, level);
+    if (sides != 0) value = std::max(value, -level);
+  }
+}
+
+bool near_a_turn(Plan const& plan, Made const& made, std::size_t where, std::size_t reach) {
+  auto turns = reversals(made.disp_mm).at;
+  auto const rest = static_cast<std::size_t>(plan.samples / 4);
+  for (int k = 0; k <= plan.cycles; ++k) turns.push_back(rest + static_cast<std::size_t>(k * plan.samples));
+  turns.push_back(made.disp_mm.size() - rest);
+  return std::ranges::any_of(turns, [&](auto turn) { return std::max(turn, where) - std::min(turn, where) < reach; });
+}
+
+// Calls of(plan, random) for each seed, which says whether the record counts and whether what was done to it was found.
+enum class Found { left_out, no, yes };
+struct Rate {
+  int drawn = 0, missed = 0;
+};
+Rate rate_of(unsigned first_seed, bool holds, std::function<Found(Plan&, Drawn&)> const& of) {
+  Rate rate;
+  for (unsigned seed = first_seed; seed < first_seed + records; ++seed) {
+    Drawn random(seed);
+    auto plan = draw(random, {}, holds);
+    auto const found = of(plan, random);
+    if (found == Found::left_out) continue;
+    ++rate.drawn;
+    if (found == Found::no) ++rate.missed;
+  }
+  return rate;
+}
+
+TEST(Signals, a_true_record_is_left_alone) {
+  auto const rate = rate_of(0, true, [](Plan& plan, Drawn& random) {
+    auto const made = finish(random, plan, true_motion(plan));
+    auto const faults = faults_of(made);
+    EXPECT_TRUE(faults.empty()) << made.text << text_of(faults);
+    return faults.empty() ? Found::yes : Found::no;
+  });
+  EXPECT_EQ(rate.drawn, static_cast<int>(records));
+  EXPECT_EQ(rate.missed, 0);
+}
+
+TEST(Signals, clipped_displacement_is_found_from_one_percent_of_the_amplitude) {
+  for (bool const noise_first : {true, false}) {
+    auto const rate = rate_of(10000, false, [&](Plan& plan, Drawn& random) {
+      double const depth = random.on_logs(0.01, 0.2);
+      int const sides = random.whole(0, 2);
+      if (samples_beyond(plan, depth) < 5.0 || plan.device == Device::viscous) return Found::left_out;
+      auto motion = true_motion(plan);
+      if (!noise_first) {
+        plan.disp_noise = std::min(plan.disp_noise, 0.01 * depth);
+        clip(motion.disp_mm, (1.0 - depth) * plan.amplitude_mm, sides);
+      }
+      auto made = finish(random, plan, motion);
+      if (noise_first) clip(made.disp_mm, (1.0 - depth) * plan.amplitude_mm, sides);
+      auto const faults = faults_of(made);
+      bool const found = stands(faults, "displacement");
+      if (!found)
+        std::cout << "not found: "
+                  << "depth " << depth << ", " << made.text << text_of(faults) << "\n";
+      return found ? Found::yes : Found::no;
+    });
+    EXPECT_GT(rate.drawn, 200);
+    EXPECT_LE(200 * rate.missed, rate.drawn);
+  }
+}
+
+TEST(Signals, clipped_force_is_found_from_three_percent) {
+  auto const rate = rate_of(20000, false, [](Plan& plan, Drawn& random) {
+    double const depth = random.on_logs(0.03, 0.2);
+    int const sides = random.whole(0, 2);
+    if (samples_beyond(plan, depth) < 8.0 || plan.device == Device::viscous || plan.device == Device::friction)
+      return Found::left_out;
+    auto made = finish(random, plan, true_motion(plan));
+    auto const [least, largest] = std::ranges::minmax(made.force_kN_);
+    clip(made.force_kN_, (1.0 - depth) * std::min(largest, -least), sides);
+    auto const faults = faults_of(made);
+    bool const found = stands(faults, "force");
+    if (!found)
+      std::cout << "not found: "
+                << "depth " << depth << ", " << made.text << text_of(faults) << "\n";
+    return found ? Found::yes : Found::no;
+  });
+  EXPECT_GT(rate.drawn, 200);
+  EXPECT_LE(200 * rate.missed, rate.drawn);
+}
+
+TEST(Signals, spikes_are_found_from_three_percent_of_the_peak) {
+  for (bool const of_force : {true, false}) {
+    auto const rate = rate_of(30000, false, [&](Plan& plan, Drawn& random) {
+      auto made = finish(random, plan, true_motion(plan));
+      auto& x = of_force ? made.force_kN_ : made.disp_mm;
+      double const size = random.on_logs(0.03, 2.0) * (random.chance(0.5) ? 1.0 : -1.0);
+      auto const where = static_cast<std::size_t>(random.whole(3, static_cast<int>(x.size()) - 4));
+      if (std::abs(size) < 20.0 * (of_force ? plan.force_noise : plan.disp_noise)) return Found::left_out;
+      // A jump or a corner of the signal itself beside it.
+      if (near_a_turn(plan, made, where, of_force ? 8 : 4)) return Found::left_out;
+      x[where] += size * (of_force ? made.force_kN : made.amplitude_mm);
+      auto const faults = faults_of(made);
+      bool const found = faults.size() == 1 && faults.front().kind == FaultKind::spike &&
+                         faults.front().channel == (of_force ? "force" : "displacement") &&
+                         faults.front().samples == std::vector{where};
+      if (!found)
+        std::cout << "not found: "
+                  << "size " << size << " at " << where << ", " << made.text << text_of(faults) << "\n";
+      return found ? Found::yes : Found::no;
+    });
+    EXPECT_GT(rate.drawn, 200);
+    EXPECT_LE(200 * rate.missed, rate.drawn);
+  }
+}
+
+TEST(Signals, a_stuck_channel_is_found) {
+  for (bool const of_force : {true, false}) {
+    auto const rate = rate_of(40000, false, [&](Plan& plan, Drawn& random) {
+      auto made = finish(random, plan, true_motion(plan));
+      auto& x = of_force ? made.force_kN_ : made.disp_mm;
+      int const length = std::max(8, static_cast<int>(plan.samples * random.on_logs(0.05, 0.5)));
+      auto const rest = plan.samples / 4;
+      auto const from =
+          static_cast<std::size_t>(random.whole(rest + 5, rest + plan.samples * plan.cycles - length - 5));
+      auto const to = from + static_cast<std::size_t>(length);
+      double const level = x[from];
+      double const amplitude = of_force ? made.force_kN : made.amplitude_mm;
+      // Where it goes on it is elsewhere, in the middle of a motion; a force without noise may also be one that yields.
+      bool const jumps = std::abs(x[to] - level) > (of_force ? 0.3 : 0.15) * amplitude;
+      bool const moves = std::abs(made.disp_mm[to] - made.disp_mm[from]) > 0.15 * made.amplitude_mm;
+      if (!jumps || !moves || plan.device == Device::viscous || plan.device == Device::friction ||
+          near_a_turn(plan, made, to, 8))
+        return Found::left_out;
+      for (auto i = from; i < to; ++i) x[i] = level;
+      auto const faults = faults_of(made);
+      bool const found = stands(faults, of_force ? "force" : "displacement");
+      if (!found)
+        std::cout << "not found: " << length << " from " << from << ", " << made.text << text_of(faults) << "\n";
+      return found ? Found::yes : Found::no;
+    });
+    EXPECT_GT(rate.drawn, 120);
+    EXPECT_LE(100 * rate.missed, rate.drawn);
+  }
+}
+
+TEST(Signals, a_channel_without_its_sign_is_found) {
+  for (bool const of_force : {true, false}) {
+    auto const rate = rate_of(50000, false, [&](Plan& plan, Drawn& random) {
+      auto made = finish(random, plan, true_motion(plan));
+      for (double& value : of_force ? made.force_kN_ : made.disp_mm) value = std::abs(value);
+      auto const faults = faults_of(made);
+      bool const found = names(faults, of_force ? "force" : "displacement", FaultKind::rectified);
+      if (!found) std::cout << "not found: " << made.text << text_of(faults) << "\n";
+      return found ? Found::yes : Found::no;
+    });
+    EXPECT_LE(200 * rate.missed, rate.drawn);
+  }
+}
+
+// --- by hand --------------------------------------------------------------------------------------------------------
+
+TEST(Signals, sentences_name_the_word_the_sample_and_the_time) {
+  auto motion = Motion().sine(100.0, 0.5, 3).end().loop();
+  auto clipped = motion;
+  for (double& x : clipped.disp_mm) x = std::min(x, 95.0);
+  auto const faults = signal_faults(clipped.disp_mm, clipped.force_kN, clipped.time_s);
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_EQ(faults.front().sentence,
+            "displacement is clipped at 95 mm: it stays there for up to 21 samples, from samples 41 (0.4 s), 241 "
+            "(2.4 s) and 441 (4.4 s), while the force goes on");
+  motion.force_kN[212] += 8.0;
+  auto const spike = signal_faults(motion.disp_mm, motion.force_kN, motion.time_s);
+  ASSERT_EQ(spike.size(), 1u);
+  EXPECT_NE(spike.front().sentence.find("force has a spike of a single sample, at sample 213 (2.12 s): "),
+            std::string::npos)
+      << spike.front().sentence;
+}
+
+TEST(Signals, a_time_gap_does_not_change_the_frequency) {
+  for (int const cycles : {2, 3, 5})
+    for (double const gap_s : {0.3, 1.0, 30.0})
+      for (std::size_t const after : {130u, 177u, 260u}) {
+        auto motion = Motion().sine(100.0, 0.5, cycles).end().loop();
+        for (auto i = after; i < motion.time_s.size(); ++i) motion.time_s[i] += gap_s;
+        auto const properties = motion.properties();
+        ASSERT_EQ(properties.blocks.size(), 1u) << cycles << ", " << gap_s << ", " << after;
+        EXPECT_EQ(properties.blocks.front().counted().size(), static_cast<std::size_t>(cycles));
+        EXPECT_NEAR(*properties.blocks.front().frequency_Hz, 0.5, 0.005);
+      }
+}
+
+TEST(Signals, energy_given_back_refuses) {
+  auto motion = Motion().sine(100.0, 0.5, 3).end().loop();
+  for (std::size_t i = 0; i < motion.force_kN.size(); ++i)
+    motion.force_kN[i] = 2.0 * 0.5 * motion.disp_mm[i] - motion.force_kN[i];
+  auto const properties = motion.properties();
+  EXPECT_FALSE(properties.reported);
+  EXPECT_NE(properties.refusal.find("gives back"), std::string::npos) << properties.refusal;
+}
+
+}  // namespace
+}  // namespace isolaw::data::testing

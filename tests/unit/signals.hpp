@@ -1,0 +1,173 @@
+// Records of cyclic tests with known truth, drawn from a seed: devices, waveforms, sampling, noise and digitisers as
+// laboratories have them; and what goes wrong with their channels. tests/unit/data_signals_test.cpp counts by them how
+// often a fault is found and how often one is found where there is none.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "isolaw/data/properties.hpp"
+
+namespace isolaw::data::testing {
+
+enum class Waveform { sine, triangle, stages, trapezoid, dwell, one_sided };
+enum class Device { rubber, lead, friction, relaxing, viscous };
+
+struct Made {
+  std::string text;  // what was drawn
+  double amplitude_mm = 0.0, force_kN = 0.0;
+  int samples_per_cycle = 0;
+  std::vector<double> time_s, disp_mm, force_kN_;
+  CycleView view() const { return {disp_mm, force_kN_, time_s, {}}; }
+};
+
+class Drawn {
+ public:
+  explicit Drawn(unsigned seed) : random_(seed) {}
+  double between(double low, double high) { return low + (high - low) * uniform_(random_); }
+  double on_logs(double low, double high) { return low * std::pow(high / low, uniform_(random_)); }
+  int whole(int low, int high) { return low + static_cast<int>(between(0.0, high - low + 1.0 - 1e-9)); }
+  bool chance(double p) { return uniform_(random_) < p; }
+  double normal() { return normal_(random_); }
+
+ private:
+  std::mt19937 random_;
+  std::uniform_real_distribution<double> uniform_{0.0, 1.0};
+  std::normal_distribution<double> normal_{0.0, 1.0};
+};
+
+struct Bounds {
+  double most_disp_noise = 0.002, most_force_noise = 0.005;  // of the amplitudes
+  int fewest_samples = 60, most_samples = 1000;              // per cycle
+  int fewest_bits = 12;
+};
+
+struct Plan {
+  Waveform waveform = Waveform::sine;
+  Device device = Device::rubber;
+  int samples = 200, cycles = 3, bits = 0;
+  double amplitude_mm = 100.0, frequency_Hz = 0.5, disp_noise = 0.0, force_noise = 0.0;
+};
+
+inline Plan draw(Drawn& random, Bounds const& bounds, bool holds) {
+  Plan plan;
+  plan.waveform = static_cast<Waveform>(random.whole(0, holds ? 5 : 2));
+  plan.device = static_cast<Device>(random.whole(0, 4));
+  plan.samples = static_cast<int>(random.on_logs(bounds.fewest_samples, bounds.most_samples));
+  plan.cycles = random.whole(3, 8);
+  plan.bits = random.chance(0.3) ? random.whole(bounds.fewest_bits, 16) : 0;
+  plan.amplitude_mm = random.on_logs(15.0, 400.0);
+  plan.frequency_Hz = random.on_logs(0.003, 2.0);
+  plan.disp_noise = random.chance(0.2) ? 0.0 : random.on_logs(1e-5, bounds.most_disp_noise);
+  plan.force_noise = random.chance(0.2) ? 0.0 : random.on_logs(1e-5, bounds.most_force_noise);
+  return plan;
+}
+
+// Displacement in parts of the amplitude, `phase` in cycles from the start.
+inline double shape_of(Waveform waveform, double phase, int cycles) {
+  double const part = phase - std::floor(phase);
+  auto const triangle = [](double p) { return p < 0.25 ? 4.0 * p : p < 0.75 ? 2.0 - 4.0 * p : 4.0 * p - 4.0; };
+  double const sine = std::sin(2.0 * std::numbers::pi * part);
+  switch (waveform) {
+    case Waveform::triangle:
+      return triangle(part);
+    case Waveform::stages:
+      return sine * (phase < cycles / 2 ? 0.5 : 1.0);
+    case Waveform::trapezoid:
+      return std::clamp(1.4 * triangle(part), -1.0, 1.0);
+    case Waveform::dwell: {  // half cosines between holds, at the peaks and at zero
+      double const p = 8.0 * part;
+      auto const rise = [](double u) { return 0.5 - 0.5 * std::cos(std::numbers::pi * std::clamp(u, 0.0, 1.0)); };
+      return p < 3.0 ? rise(p) : p < 4.0 ? 1.0 - rise(p - 3.0) : p < 7.0 ? -rise(p - 4.0) : -1.0 + rise(p - 7.0);
+    }
+    case Waveform::one_sided:
+      return 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * part);
+    default:
+      return sine;
+  }
+}
+
+// Force in kN on a history that is sampled finely; the amplitude scales stiffness and way.
+inline std::vector<double> force_of(Device device, std::vector<double> const& x, double dt, Plan const& plan) {
+  double const D = plan.amplitude_mm, K = 100.0 / D, period = 1.0 / plan.frequency_Hz;
+  double elastic = 0.6, Q = 0.4, way = 0.1, maxwell = 0.0, damper = 0.0;  // of the amplitudes
+  if (device == Device::lead) elastic = 0.35, Q = 0.65, way = 0.02;
+  if (device == Device::friction) elastic = 0.2, Q = 0.8, way = 0.001;
+  if (device == Device::relaxing) elastic = 0.5, Q = 0.25, way = 0.1, maxwell = 0.5;
+  if (device == Device::viscous) elastic = 0.8, Q = 0.1, way = 0.1, damper = 0.3;
+  double z = 0.0, m = 0.0, before = x.front();
+  std::vector<double> F;
+  for (double const now : x) {
+    double const dx = now - before;
+    if (dx != 0.0) z += (std::copysign(1.0, dx) - z) * (1.0 - std::exp(-std::abs(dx) / (way * D)));
+    m = (m + maxwell * dx / D) * std::exp(-dt / (0.1 * period));
+    F.push_back(K * D * (elastic * now / D + Q * z + m) + 100.0 * damper * dx / dt * period / (6.28 * D));
+    before = now;
+  }
+  return F;
+}
+
+inline void add_noise(Drawn& random, std::vector<double>& x, double deviation) {
+  if (deviation > 0.0)
+    for (double& value : x) value += deviation * random.normal();
+}
+inline void digitise(std::vector<double>& x, int bits, double full_scale) {
+  double const step = bits > 0 ? 2.0 * full_scale / std::pow(2.0, bits) : 1e-4;  // else the digits of the file
+  for (double& value : x) value = step * std::round(value / step);
+}
+
+struct Clean {
+  std::vector<double> time_s, disp_mm, force_kN;
+};
+
+// Without noise: rest, cycles, rest.
+inline Clean true_motion(Plan const& plan) {
+  constexpr int finer = 8;
+  int const n = plan.samples * plan.cycles * finer;
+  double const dt = 1.0 / (plan.frequency_Hz * plan.samples * finer);
+  int const rest = plan.samples / 4 * finer;
+  std::vector<double> x;
+  for (int i = -rest; i <= n + rest; ++i)
+    x.push_back(i < 0 || i > n
+                    ? 0.0
+                    : plan.amplitude_mm *
+                          shape_of(plan.waveform, static_cast<double>(i) / (plan.samples * finer), plan.cycles));
+  auto const F = force_of(plan.device, x, dt, plan);
+  Clean clean;
+  for (std::size_t i = 0; i < x.size(); i += finer) {
+    clean.time_s.push_back(static_cast<double>(i) * dt);
+    clean.disp_mm.push_back(x[i]);
+    clean.force_kN.push_back(F[i]);
+  }
+  return clean;
+}
+
+inline Made finish(Drawn& random, Plan const& plan, Clean clean) {
+  Made made;
+  made.samples_per_cycle = plan.samples;
+  made.amplitude_mm = plan.amplitude_mm;
+  auto const [low, high] = std::ranges::minmax(clean.force_kN);
+  made.force_kN = (high - low) / 2.0;
+  add_noise(random, clean.disp_mm, plan.disp_noise * plan.amplitude_mm);
+  add_noise(random, clean.force_kN, plan.force_noise * made.force_kN);
+  digitise(clean.disp_mm, plan.bits, 1.25 * plan.amplitude_mm);
+  digitise(clean.force_kN, plan.bits, 1.25 * made.force_kN);
+  made.time_s = clean.time_s;
+  made.disp_mm = clean.disp_mm;
+  made.force_kN_ = clean.force_kN;
+  static char const* const waveforms[]{"sine", "triangle", "stages", "trapezoid", "dwell", "one-sided"};
+  static char const* const devices[]{"rubber", "lead", "friction", "relaxing", "viscous"};
+  made.text = std::string(waveforms[static_cast<int>(plan.waveform)]) + " " + devices[static_cast<int>(plan.device)] +
+              " N=" + std::to_string(plan.samples) + " cycles=" + std::to_string(plan.cycles) +
+              " bits=" + std::to_string(plan.bits) + " noise=" + std::to_string(plan.disp_noise) + "," +
+              std::to_string(plan.force_noise) + " f=" + std::to_string(plan.frequency_Hz) +
+              " D=" + std::to_string(plan.amplitude_mm);
+  return made;
+}
+
+}  // namespace isolaw::data::testing
