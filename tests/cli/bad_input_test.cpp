@@ -141,7 +141,8 @@ TEST_F(BadInput, overload_value) {
 }
 
 TEST_F(BadInput, time_that_goes_back) {
-  write("back.csv", csv_with_line(101, "0.9000,12,3"));
+  auto const at = record()[99];
+  write("back.csv", csv_with_line(101, row({.time_s = 0.9, .disp_mm = at.disp_mm, .force_kN = at.force_kN})));
   expect_refusal("back.csv", {"back.csv:101: time goes back from 0.98 to 0.9 s", "allowed: time that increases",
                               "--columns time=none"});
   EXPECT_EQ(isolaw({"inspect", "back.csv", "--columns", "time=none", "--dt", "0.01"}).code, 0);

@@ -200,7 +200,9 @@ TEST_F(Calibrate, summary_has_the_documented_schema) {
                                   "lot_objective",
                                   "worst_objective",
                                   "left_out_objective",
-                                  "blocks"}));
+                                  "blocks",
+                                  "measured_energy_fall_percent",
+                                  "energy_fall_percent"}));
       EXPECT_EQ(fit["name"], s["devices"][d]["name"]);
       expect_statistic(fit["objective"]);
       for (auto const* key : {"K_eff_error_percent", "energy_error_percent", "damping_error_percent"})

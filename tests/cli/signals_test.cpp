@@ -144,5 +144,44 @@ TEST_F(Signals, a_clipped_device_does_not_pass) {
   EXPECT_NE(line.find("displacement is clipped"), std::string::npos) << line;
 }
 
+// Bouc-Wen, dz/dx = (1 - z (0.5 + 0.5 sign)) / yield, whose strength falls by 2 % a cycle: 25 cycles of a lead core
+// bearing as it heats.
+TEST_F(Signals, no_law_follows_a_device_that_degrades) {
+  auto const bearing = [](double kept) {
+    std::string text = "time [s],disp [mm],force [kN]\n";
+    double z = 0.0, before = 0.0;
+    for (int i = 0; i <= 25 * 100; ++i) {
+      double const x = 100.0 * std::sin(2.0 * std::numbers::pi * i / 100.0);
+      double const way = (x - before) / 4.0, up = way > 0.0 ? 1.0 : -1.0;
+      z = up - (up - z) * std::exp(-std::abs(way));
+      before = x;
+      text += fmt::format("{:.3f},{:.4f},{:.4f}\n", 0.02 * i, x, 0.4 * x + 40.0 * std::pow(kept, i / 100) * z);
+    }
+    return text;
+  };
+  write("degrading.csv", bearing(0.98));
+  write("constant.csv", bearing(1.0));
+  auto const o = isolaw(
+      {"calibrate", "degrading.csv", "constant.csv", "--laws", "bouc-wen,bilinear", "--runs", "1", "--out", "out"});
+  EXPECT_EQ(o.code, 0) << o;
+  auto const summary = json("out/summary.json");
+  std::vector<std::string> said;
+  for (auto const& warning : summary["warnings"])
+    if (warning["topic"] == "degradation") said.push_back(warning["sentence"]);
+  ASSERT_EQ(said.size(), 1u) << summary["warnings"];
+  EXPECT_TRUE(
+      said.front().starts_with("degrading: the energy of a cycle falls by 36 % from cycle 3 to 25 of block 1, "
+                               "and no law follows this degradation over cycles"))
+      << said.front();
+  auto unwrapped = o.out;
+  for (std::size_t at = 0; (at = unwrapped.find("\n    ", at)) != std::string::npos;) unwrapped.replace(at, 5, " ");
+  EXPECT_NE(unwrapped.find("no law follows this degradation over cycles"), std::string::npos) << o;
+  EXPECT_NE(read("out/report.html").find("no law follows this degradation over cycles"), std::string::npos);
+  auto const& fits = summary["laws"][0]["devices"];
+  EXPECT_NEAR(fits[0]["measured_energy_fall_percent"].get<double>(), 36.0, 2.0);
+  EXPECT_NEAR(fits[0]["energy_fall_percent"].get<double>(), 0.0, 1.0);
+  EXPECT_TRUE(fits[1]["measured_energy_fall_percent"].is_null());
+}
+
 }  // namespace
 }  // namespace isolaw::cli_test

@@ -11,6 +11,7 @@
 #include "isolaw/data/error_budget.hpp"
 #include "isolaw/data/skew.hpp"
 #include "motions.hpp"
+#include "signals.hpp"
 
 namespace isolaw::data::testing {
 namespace {
@@ -256,6 +257,60 @@ TEST(ErrorBudget, ARecordWithoutCyclesHasItsTimeAssessedOnly) {
   auto const budget = budget_of(Motion().ramp(0.0, 100.0, 3.0).loop());
   ASSERT_EQ(budget.effects.size(), 1u);
   EXPECT_EQ(budget.effects[0].effect, "uneven time");
+}
+
+// --- how often a channel is called late -----------------------------------------------------------------------------
+
+// Records of 2 to 20 cycles of devices that do not depend on rate, in noise; the force `late_rad` of a cycle late.
+struct SkewCount {
+  int estimated = 0, late = 0;
+};
+SkewCount called_late(unsigned first_seed, int count, double late_rad, Bounds const& bounds) {
+  SkewCount found;
+  for (int k = 0; k < count; ++k) {
+    Drawn random(first_seed + static_cast<unsigned>(k));
+    auto plan = draw(random, bounds, false);
+    plan.device = random.chance(0.5) ? Device::rubber : Device::lead;
+    plan.cycles = random.chance(0.5) ? 3 : random.whole(2, 20);
+    if (plan.cycles > 5) plan.samples = std::min(plan.samples, 200);
+    auto motion = true_motion(plan);
+    auto const sharp = motion.force_kN;
+    double const samples = late_rad / (2.0 * pi) * plan.samples;
+    for (std::size_t i = 0; i < sharp.size(); ++i)
+      motion.force_kN[i] = value_at(sharp, std::max(0.0, static_cast<double>(i) - samples));
+    auto const made = finish(random, plan, motion);
+    auto const properties = cyclic_properties(made.view());
+    if (!properties.reported) continue;
+    auto const skew = estimate_skew(made.view(), properties);
+    if (!skew) continue;
+    ++found.estimated;
+    if (skew->significant() && skew->force_late > 0.0) ++found.late;
+  }
+  return found;
+}
+
+TEST(ErrorBudget, SynchronousChannelsAreCalledLateLessThanOnceInFiveHundred) {
+  auto const found =
+      called_late(80000, 3000, 0.0, {.most_disp_noise = 0.008, .most_force_noise = 0.03, .most_samples = 400});
+  EXPECT_GT(found.estimated, 800);
+  EXPECT_LE(500 * found.late, found.estimated);
+}
+
+TEST(ErrorBudget, ALateChannelIsFoundInNineRecordsOfTen) {
+  auto const found = called_late(90000, 600, 0.08, {.most_disp_noise = 0.001, .most_force_noise = 0.005});
+  EXPECT_GT(found.estimated, 200);
+  EXPECT_GE(10 * found.late, 9 * found.estimated) << found.late << " of " << found.estimated;
+}
+
+// Few reversals may agree by chance: of four of them, four standard errors are not enough.
+TEST(ErrorBudget, FewReversalsMustAgreeBetter) {
+  Skew skew{.force_late = 0.01, .uncertainty = 2.0 * 0.01 / 6.0, .phase = 0.05, .agreement = 1.0, .reversals = 4};
+  EXPECT_FALSE(skew.significant());  // six standard errors; Student's t of 3 asks for 10.2
+  skew.uncertainty = 2.0 * 0.01 / 11.0;
+  EXPECT_TRUE(skew.significant());
+  skew.reversals = 24;
+  skew.uncertainty = 2.0 * 0.01 / 4.5;
+  EXPECT_TRUE(skew.significant());
 }
 
 }  // namespace

@@ -144,7 +144,9 @@ TEST(SummaryJson, ExactText) {
           "lot_objective": null,
           "worst_objective": null,
           "left_out_objective": null,
-          "blocks": []
+          "blocks": [],
+          "measured_energy_fall_percent": null,
+          "energy_fall_percent": null
         }
       ],
       "beta_note": "one device",

@@ -1,5 +1,7 @@
 #include "isolaw/data/skew.hpp"
 
+#include <boost/math/distributions/students_t.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,7 +24,8 @@ constexpr int least_reversals = 4;
 constexpr double poor_fit = 0.012;    // rms of the force's amplitude: the force is not smooth there
 constexpr double least_late = 0.015;  // rad
 constexpr double least_early = 0.04;
-constexpr double standard_errors = 4.0;
+constexpr double standard_errors = 4.0;     // at least
+constexpr double by_chance = 0.001;         // of the records, one side
 constexpr double most_agree = 0.75;         // of the reversals
 constexpr double quiet = 0.0005;            // of the amplitude: noise of displacement that does no harm
 constexpr double too_noisy = 0.01;          // of the amplitude
@@ -141,7 +144,10 @@ std::vector<double> smoothed(std::span<double const> x, std::size_t half) {
 }  // namespace
 
 bool Skew::significant() const {
-  return std::abs(force_late) > standard_errors / 2.0 * uncertainty && agreement >= most_agree &&
+  // Few reversals tell their scatter badly.
+  boost::math::students_t const chance(std::max(1, reversals - 1));
+  double const errors = std::max(standard_errors, boost::math::quantile(boost::math::complement(chance, by_chance)));
+  return std::abs(force_late) > errors / 2.0 * uncertainty && agreement >= most_agree &&
          (phase > least_late || phase < -least_early);
 }
 

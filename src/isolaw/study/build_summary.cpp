@@ -12,6 +12,7 @@
 #include "isolaw/num/statistics.hpp"
 #include "isolaw/study/acceptance.hpp"
 #include "isolaw/study/build_analysis.hpp"
+#include "isolaw/study/energy_fall.hpp"
 
 namespace isolaw::study {
 namespace {
@@ -103,8 +104,9 @@ std::optional<data::Cycle> compared_cycle(data::Properties const& measured, data
 // Errors of the best fit against the record the law saw.
 void compare_properties(DeviceFit& made, data::FitRecord const& record) {
   auto const time = record.has_time() ? std::span<double const>(record.time_s) : std::span<double const>();
-  auto const cycle =
-      compared_cycle(data::cyclic_properties(data::CycleView{record.disp_mm, record.force_kN, time, {}}), record);
+  auto const measured = data::cyclic_properties(data::CycleView{record.disp_mm, record.force_kN, time, {}});
+  made.energy_fall = energy_fall(measured, record, made.force_kN);
+  auto const cycle = compared_cycle(measured, record);
   if (!cycle) return;
   auto const& reference = *cycle;
   auto const computed = data::properties_on(reference, record.disp_mm, made.force_kN);

@@ -10,6 +10,7 @@
 
 #include "isolaw/study/adequacy.hpp"
 #include "isolaw/study/analysis_findings.hpp"
+#include "isolaw/study/energy_fall.hpp"
 #include "isolaw/study/spoken.hpp"
 
 namespace isolaw::study {
@@ -229,6 +230,30 @@ void warn_of_devices(Summary const& summary, std::vector<Warning>& warnings) {
       warnings.push_back({"refused", fmt::format("{} was refused: {}", device.name, device.message)});
 }
 
+// A device that loses energy from cycle to cycle while no law does: the laws hold for a mean of its cycles.
+void warn_of_degradation(Summary const& summary, std::vector<Warning>& warnings) {
+  for (auto const& device : summary.devices) {
+    EnergyFall const* nearest = nullptr;
+    LawResult const* of = nullptr;
+    bool followed = false;
+    for (auto const& law : summary.laws) {
+      auto const* fit = fit_of(law, device.name);
+      if (fit == nullptr || !fit->energy_fall) continue;
+      followed = followed || follows(*fit->energy_fall);
+      if (nearest != nullptr && fit->energy_fall->percent <= nearest->percent) continue;
+      nearest = &*fit->energy_fall;
+      of = &law;
+    }
+    if (nearest == nullptr || followed) continue;
+    warnings.push_back(
+        {"degradation",
+         fmt::format(
+             "{}: the energy of a cycle falls by {} from cycle {} to {} of block {}, and no law follows this degradation over cycles ({} comes nearest, with {}): each is right for some cycles in between; --fit-cycles fits to the first or to the last ones",
+             device.name, percent(nearest->measured_percent / 100.0), nearest->first_cycle, nearest->last_cycle,
+             nearest->block, of->id, percent(std::max(0.0, nearest->percent) / 100.0))});
+  }
+}
+
 void warn_of_refused_laws(LawResult const& law, std::vector<Warning>& warnings) {
   std::vector<std::pair<std::string, Names>> reasons;  // in order of first appearance
   for (auto const& fit : law.devices)
@@ -358,6 +383,7 @@ std::vector<Warning> warnings(Summary const& summary) {
   warn_of_missing_runs(summary, all);
   warn_of_devices(summary, all);
   warn_of_copies(summary, all);
+  warn_of_degradation(summary, all);
   for (auto const warn : {warn_of_refused_laws, warn_of_failed_runs, warn_of_failed_evaluations})
     for (auto const& law : summary.laws) warn(law, all);
   warn_of_analysis(summary, all);

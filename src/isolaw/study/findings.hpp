@@ -37,7 +37,7 @@ struct LawVerdict {
 };
 
 struct Warning {
-  // "not complete", "refused", "copies", "law not identified", "failed runs", "prediction", "search", "undetermined",
+  // "not complete", "refused", "copies", "degradation", "law not identified", "failed runs", "prediction", "search", "undetermined",
   // "outlier", "at bound", "integration", "record"
   std::string topic;
   std::string sentence;

@@ -91,6 +91,13 @@ inline std::string_view fit_message(DeviceFit const& fit) {
   return fit.refusal.empty() ? fit.failure : fit.refusal;
 }
 
+inline std::optional<double> measured_energy_fall(DeviceFit const& fit) {
+  return fit.energy_fall ? std::optional(fit.energy_fall->measured_percent) : std::nullopt;
+}
+inline std::optional<double> energy_fall_of_law(DeviceFit const& fit) {
+  return fit.energy_fall ? std::optional(fit.energy_fall->percent) : std::nullopt;
+}
+
 inline constexpr Result<LawResult> law_results[]{
     {"id", "", "law", "short name, as on the command line", get<&LawResult::id>},
     {"objective", "-", "OF",
@@ -201,6 +208,10 @@ inline constexpr Result<DeviceFit> fit_results[]{
      get<&DeviceFit::left_out_objective>},
     {"blocks", "", "", "`block`, `fitted` (false: predicted), `objective`; only where blocks are predicted",
      nested<DeviceFit>},
+    {"measured_energy_fall_percent", "%", "energy lost, measured",
+     "of the energy of a cycle, from the third counted to the last of the block that loses most, where it falls steadily by a tenth or more through eight cycles or more",
+     get<measured_energy_fall>},
+    {"energy_fall_percent", "%", "energy lost, law", "the same of the law's energy", get<energy_fall_of_law>},
 };
 
 // What `blocks` of a fit holds.

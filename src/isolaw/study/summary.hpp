@@ -40,6 +40,12 @@ struct BlockScore {
   double objective = 0.0;
 };
 
+// How the energy of a cycle falls through a block that loses it steadily, and by how much a law's does.
+struct EnergyFall {
+  int block = 0, first_cycle = 0, last_cycle = 0;
+  double measured_percent = 0.0, percent = 0.0;
+};
+
 struct ParameterFit {
   std::string name;
   std::string unit;
@@ -75,6 +81,7 @@ struct DeviceFit {
   std::optional<double> worst_objective;     // with the law that is least bad for the worst device
   std::optional<double> left_out_objective;  // with the law of all other devices
   std::vector<BlockScore> blocks;
+  std::optional<EnergyFall> energy_fall;       // empty where the device does not lose energy steadily
   std::vector<ParameterFit> parameters;        // in the law's order
   std::vector<double> force_kN;                // computed by the best run at the samples of the device's FitRecord
   std::vector<std::vector<double>> histories;  // per run: best objective after each generation
