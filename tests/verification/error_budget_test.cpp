@@ -58,7 +58,8 @@ Cycle measured(Loop const& loop, int samples, double late_s = 0.0, double start 
     disp.push_back(D * std::sin(phase));
     force.push_back(loop(phase - 2.0 * pi * f * late_s));
   }
-  return *cyclic_properties(CycleView{disp, force, time, {}}).reported;
+  // The cycle that is reported, also where it is not: a late force may give back more than a slim loop holds.
+  return *cyclic_properties(CycleView{disp, force, time, {}}).find(1, 3);
 }
 
 class Sampling : public ::testing::TestWithParam<int> {};
