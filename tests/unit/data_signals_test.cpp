@@ -1,5 +1,5 @@
-// Signals that cannot be true, on records drawn from fixed seeds: how often a fault is found, and how often one is found
-// where there is none. docs/properties.md states the bounds that are held here, with what the records are.
+// Signals that cannot be true, on records drawn from fixed seeds: how often a fault is found, and how often one is
+// found where there is none. docs/properties.md states the bounds that are held here, with what the records are.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -155,7 +155,7 @@ TEST(PowerLaws, HardeningGovernsFarBeyondTheTests) {
   auto without = bearing;
   without[3] = 0.0;
   double const force = forces<PowerMasing>(bearing, path).back();
-  EXPECT_NEAR(force, 1333.0, 1.0);
+  EXPECT_NEAR(force, 1333.0, 3.0);  // of parameters that are printed to two and three digits
   EXPECT_NEAR(force - forces<PowerMasing>(without, path).back(), 560.0, 0.5);
 }
 

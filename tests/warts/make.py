@@ -2,7 +2,9 @@
 """Writes the files of this folder: one wart of a laboratory's export each, around one and the same device.
 
 K = 0.5 kN/mm, friction of 20 kN, three cycles of 100 mm at 0.5 Hz, 100 samples a cycle: K_eff is 0.7 kN/mm. What is
-expected of each file stands in warts.json; tests/cli/warts_test.cpp holds them together."""
+expected of each file stands in warts.json; tests/cli/warts_test.cpp holds them together. The signals that cannot be
+true (disp-*, force-*, true*, time-gap) are of a smooth device, K x + Q z with z following the way exponentially, and not
+written here."""
 import datetime
 import math
 import os

@@ -23,12 +23,12 @@ struct Corrections {
 // Only what is asked for of single samples: before the signals are looked at for faults, and all else is corrected.
 void repair(TestRecord& record, Corrections const& corrections);
 
-// What is left to correct after repair(), in the order of the members, friction and mass as the load cell feels them. The force between samples is
-// interpolated, and samples at the end of the record (at its start for a negative skew) whose force is not known are
-// dropped from all channels. Friction acts against the motion between reversals (noise apart), not while the record
-// rests at its start or end. Acceleration is the second difference over a 40th of a cycle of displacement averaged
-// three times over as much, which leaves 0.5 % too little of a sine. Throws Error for corrections that are not valid,
-// and for ones that need a channel the record lacks.
+// What is left to correct after repair(), in the order of the members, friction and mass as the load cell feels
+// them. The force between samples is interpolated, and samples at the end of the record (at its start for a negative
+// skew) whose force is not known are dropped from all channels. Friction acts against the motion between reversals
+// (noise apart), not while the record rests at its start or end. Acceleration is the second difference over a 40th
+// of a cycle of displacement averaged three times over as much, which leaves 0.5 % too little of a sine. Throws
+// Error for corrections that are not valid, and for ones that need a channel the record lacks.
 void correct(TestRecord& record, Corrections const& corrections);
 
 }  // namespace isolaw::data

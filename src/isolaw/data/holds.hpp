@@ -26,9 +26,9 @@ struct StillTime {
 // holds none are found. O(n log n) of the piece's samples at worst.
 StillTime still_time(std::span<double const> disp_mm, std::span<double const> time_s, Piece const& piece, double noise);
 
-// Time as the motion took it: where the clock jumps between two samples (by more than five intervals), what the speed on
-// both sides needs for the way between them, at least one interval and at most what the clock says. Empty where nothing
-// jumps.
+// Time as the motion took it: where the clock jumps between two samples (by more than five intervals), what the speed
+// on both sides needs for the way between them, at least one interval and at most what the clock says. Empty where
+// nothing jumps.
 struct Gap {
   std::size_t after = 0;  // sample
   double length_s = 0.0;  // by the clock

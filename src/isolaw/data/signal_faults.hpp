@@ -2,9 +2,10 @@
 // samples far off their neighbours, a channel recorded without its sign. What is computed from such a record is wrong
 // however it is computed, so it has no properties; limits and rates: docs/properties.md.
 //
-// A plateau of displacement is a hold where the force only relaxes on it, faster at first than later, and clipping where
-// the force goes on rising and turns within it; a plateau of force is yielding where it ends with the motion's reversal,
-// and clipping where it lasts beyond it. Steps of a coarse digitiser, noise and the corners of triangles are neither.
+// A plateau of displacement is a hold where the force only relaxes on it, faster at first than later, and clipping
+// where the force goes on rising and turns within it; a plateau of force is yielding where it ends with the motion's
+// reversal, and clipping where it lasts beyond it. Steps of a coarse digitiser, noise and the corners of triangles are
+// neither.
 #pragma once
 
 #include <cstddef>
