@@ -99,6 +99,19 @@ TEST_F(Grow, computes_nothing_twice) {
   EXPECT_EQ(kept("lot_analysis", "272727"), "0");
 }
 
+// A record that was refused has no results to lose.
+TEST_F(Grow, takes_a_device_that_was_refused_once_it_is_mended) {
+  lot("lot.toml", "abc");
+  auto const good = read("c.csv");
+  write("c.csv", "time [s],displacement [mm],force [kN]\n0,0,0\n");
+  ASSERT_EQ(isolaw(campaign("lot.toml", "bilinear", "2", "G")).code, 1);
+  write("c.csv", good);
+  expect_message(isolaw(campaign("lot.toml", "bilinear", "2", "G")), 0,
+                 {"grows by 'c', refused before\n", "continuing: 4 runs are there already"});
+  ASSERT_EQ(isolaw(campaign("lot.toml", "bilinear", "2", "W")).code, 0);
+  expect_same("G", "W");
+}
+
 TEST_F(Grow, never_loses_what_is_there) {
   lot("lot.toml", "abc");
   lot("fewer.toml", "ab");

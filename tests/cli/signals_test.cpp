@@ -94,6 +94,27 @@ TEST_F(Signals, warnings_of_several_devices_stand_on_the_terminal_grouped) {
   EXPECT_NE(two.out.find("c and d: 50.0 samples per cycle"), std::string::npos) << two;
 }
 
+// A force that wraps around at the end of its range turns the stiffness: no device has it, and no law is fitted to it.
+TEST_F(Signals, cycles_that_no_device_makes_refuse_it) {
+  auto const wrapped = [](double range) {
+    std::string text = "time [s],disp [mm],force [kN]\n";
+    for (int i = 0; i <= 1000; ++i) {
+      // Seven cycles within the range, three beyond it.
+      double const phase = 2.0 * std::numbers::pi * i / 100.0, size = i <= 700 ? 0.7 : 1.0;
+      double const force = size * (60.0 * std::sin(phase) + 20.0 * std::cos(phase));
+      text += fmt::format("{:.3f},{:.4f},{:.4f}\n", 0.02 * i, size * 100.0 * std::sin(phase),
+                          force - 2.0 * range * std::round(force / (2.0 * range)));
+    }
+    return text;
+  };
+  write("wrapped.csv", wrapped(50.0));
+  auto const o = isolaw({"inspect", "wrapped.csv"});
+  EXPECT_EQ(o.code, 1) << o;
+  EXPECT_TRUE(contains(o.out, "no device does")) << o;
+  auto const fitted = isolaw(Words{"calibrate", "wrapped.csv", "--out", "W"} + smallest_search);
+  EXPECT_EQ(fitted.code, 2) << fitted;
+}
+
 TEST_F(Signals, a_clipped_device_does_not_pass) {
   auto const good = take("true"), clipped = take("disp-clipped-both-sides");
   auto const o = isolaw({"inspect", good, clipped, "--rules", "ntc-2018", "--design", "K_eff=0.8", "--out", "out"});

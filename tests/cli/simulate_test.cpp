@@ -155,6 +155,18 @@ TEST_F(Simulate, says_where_the_history_goes_beyond_the_test) {
   EXPECT_TRUE(contains(o.err, "the history reaches 150 mm, the test 100 mm"));
 }
 
+// What is said of the motion on the terminal stands with the numbers too.
+TEST_F(Simulate, beyond_the_test_is_said_in_the_table) {
+  calibrated("bilinear");
+  write("m.csv", "time [s],displacement [mm]\n0,10\n1,150\n2,300\n3,0\n");
+  auto const o = isolaw({"simulate", "bilinear", "--from", "O", "--device", "d", "--motion", "m.csv"});
+  ASSERT_EQ(o.code, 0) << o;
+  for (auto const& text : {o.err, o.out}) {
+    EXPECT_TRUE(contains(text, "warning: the history reaches 300 mm, the test 100 mm")) << text;
+    EXPECT_TRUE(contains(text, "warning: the motion starts at 10 mm")) << text;
+  }
+}
+
 TEST_F(Simulate, the_one_law_of_a_lot) {
   write("r/a.csv", csv(record()));
   write("r/b.csv", csv(record({.strength_kN = 24.0})));

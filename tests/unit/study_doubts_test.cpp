@@ -60,6 +60,10 @@ TEST(Adequacy, OfALawThatMissesTheForceOrTheStiffness) {
     EXPECT_FALSE(contains(findings(summary).headline, id)) << findings(summary).headline;
   }
   EXPECT_TRUE(contains(findings(summary).headline, "worth considering"));
+  // Who takes it away is told, and so is who reads the warnings alone.
+  auto const with_it = doubts(summary, "jankowski", summary.devices.front().name).warnings;
+  EXPECT_TRUE(
+      contains(with_it.front(), "jankowski does not describe the devices: it misses the measured force by 51 %"));
   for (auto& one : summary.laws) one.objective.mean = 0.5;
   EXPECT_TRUE(findings(summary).headline.starts_with("No law describes these devices: ")) << findings(summary).headline;
 }
@@ -76,6 +80,9 @@ TEST(Adequacy, ParametersAtBoundsMakeNoLawRobust) {
   EXPECT_TRUE(pinned(robust).decides());
   auto const found = verdict(summary, "bilinear");
   EXPECT_EQ(found.role, Role::held_by_box);
+  EXPECT_TRUE(std::ranges::any_of(findings(summary).warnings, [](Warning const& warning) {
+    return warning.topic == "at bound" && contains(warning.sentence, "so that its beta is no robustness");
+  }));
   EXPECT_TRUE(contains(found.sentence, "parameters lie at a bound on most devices")) << found.sentence;
   auto const headline = findings(summary).headline;
   EXPECT_TRUE(contains(headline, "3 of 6 laws are worth considering")) << headline;

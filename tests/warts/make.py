@@ -132,6 +132,7 @@ def parts_of_files():
     table('only-displacement.csv', 'Time [s];Displacement [mm]', lambda t, x, f: f'{t:.2f};{x:.3f}')
     table('only-force.csv', 'Time [s];Force [kN]', lambda t, x, f: f'{t:.2f};{f:.3f}')
     table('only-force-slower.csv', 'Time [s];Force [kN]', lambda t, x, f: f'{t:.2f};{f:.3f}', source=device[1::2])
+    table('only-force-gap.csv', 'Time [s];Force [kN]', lambda t, x, f: f'{t:.2f};{f:.3f}', source=device[:120] + device[160:])
     table('only-force-untimed.txt', 'Force [kN]', lambda t, x, f: f'{f:.3f}')
     table('only-force-shorter.txt', 'Force [kN]', lambda t, x, f: f'{f:.3f}', source=device[:290])
     table('only-displacement-stamped.csv', 'Time;Displacement [mm]', lambda t, x, f: f"{stamp('%H:%M:%S.%f', t, cut=3)};{x:.3f}")

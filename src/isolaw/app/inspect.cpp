@@ -25,8 +25,8 @@ namespace isolaw::app {
 namespace {
 
 bool refused(study::Summary const& summary) {
-  return std::ranges::any_of(
-      summary.devices, [](auto const& device) { return device.status != "ok" || !device.properties.faults.empty(); });
+  return std::ranges::any_of(summary.devices,
+                             [](auto const& device) { return device.status != "ok" || device.properties.is_false; });
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ int exit_code(study::Summary const& summary) {
 
 std::string what_is_missing(study::Summary const& summary) {
   auto const runs = summary.missing_runs();
-  return fmt::format("{} {} are missing; the calibrate command it was started with continues it",
+  return fmt::format("{} {} are missing; the last calibrate command there continues it",
                      runs > 0 ? runs : summary.missing_analyses(), runs > 0 ? "runs" : "analyses");
 }
 

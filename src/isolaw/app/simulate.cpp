@@ -106,8 +106,7 @@ std::vector<std::string> facts(Chosen const& chosen) {
   return lines;
 }
 
-void say_what_it_is(laws::LawEntry const& law, Chosen const& chosen, data::TestRecord const& motion,
-                    data::FitRecord const& path) {
+void say_what_it_is(laws::LawEntry const& law, Chosen const& chosen, data::TestRecord const& motion) {
   say("{}\n", shown(motion.file));
   for (auto const& line : motion.recognised)
     if (!line.starts_with("no time column")) say("  {}\n", line);
@@ -121,29 +120,34 @@ void say_what_it_is(laws::LawEntry const& law, Chosen const& chosen, data::TestR
     say("  warning: {}, outside {}: no device has these parameters\n", beyond->found, beyond->statement);
   for (auto const& line : facts(chosen)) say("  {}\n", printable(line));
   if (chosen.refinement > 1) say("  integrated in {} steps per sample\n", chosen.refinement);
-  auto const warn_beyond = [&](double reached, double known, std::string_view unit) {
+}
+
+// What of the motion is beyond what is known of the law.
+std::vector<std::string> cautions(laws::LawEntry const& law, FittedLaw const& chosen, data::FitRecord const& path) {
+  std::vector<std::string> lines;
+  auto const add_beyond = [&](double reached, double known, std::string_view unit) {
     constexpr double beyond = 1.02;
     if (known <= 0.0 || reached <= beyond * known) return;
-    say("  warning: the history reaches {:.4g} {}, {} {:.4g} {}{}\n", reached, unit,
-        chosen.part.empty() ? "the test" : "what the law was fitted to", known, unit,
-        chosen.part.empty() ? ": beyond it nothing was measured" : "");
+    lines.push_back(fmt::format("warning: the history reaches {:.4g} {}, {} {:.4g} {}{}", reached, unit,
+                                chosen.part.empty() ? "the test" : "what the law was fitted to", known, unit,
+                                chosen.part.empty() ? ": beyond it nothing was measured" : ""));
   };
-  warn_beyond(largest(path.disp_mm), chosen.fitted_disp_mm, "mm");
-  if (!law.info.traits.rate_independent) warn_beyond(largest(path.vel_mm_s), chosen.fitted_vel_mm_s, "mm/s");
+  add_beyond(largest(path.disp_mm), chosen.fitted_disp_mm, "mm");
+  if (!law.info.traits.rate_independent) add_beyond(largest(path.vel_mm_s), chosen.fitted_vel_mm_s, "mm/s");
   constexpr double at_zero = 1e-6;  // of the largest displacement
   if (double const x = path.disp_mm.front(); std::abs(x) > at_zero * largest(path.disp_mm))
-    say("  warning: the motion starts at {:.4g} mm: the device is taken as virgin there, its force as if it had come there without history; an analysis program starts at 0: put a path from 0 in front to compare\n",
-        x);
+    lines.push_back(fmt::format(
+        "warning: the motion starts at {:.4g} mm: the device is taken as virgin there, its force as if it had come there without history; an analysis program starts at 0: put a path from 0 in front to compare",
+        x));
+  return lines;
 }
 
 // Numbers read back as the same doubles. Of a campaign's law what is known of it stands above them.
-std::string csv_text(std::string_view law, Chosen const& chosen, data::TestRecord const& motion,
+std::string csv_text(std::string_view law, std::vector<std::string> const& known, data::TestRecord const& motion,
                      data::FitRecord const& path, std::vector<double> const& force_kN) {
   std::string text;
-  if (auto const known = facts(chosen); !known.empty()) {
-    text += fmt::format("# isolaw {}, force of {}\n", version(), law);
-    for (auto const& line : known) text += "# " + printable(line) + "\n";
-  }
+  if (!known.empty()) text += fmt::format("# isolaw {}, force of {}\n", version(), law);
+  for (auto const& line : known) text += "# " + printable(line) + "\n";
   if (!motion.has_time()) {
     text += "displacement [mm],force [kN]\n";
     for (std::size_t i = 0; i < motion.size(); ++i) text += fmt::format("{},{}\n", motion.disp_mm[i], force_kN[i]);
@@ -167,7 +171,9 @@ int simulate(SimulateArguments const& a) {
   path.dead_band_mm = chosen.dead_band_mm;
   fit::LawOnMotion const model(law, path, chosen.integration, chosen.turning_points, chosen.refinement);
   auto const force_kN = model.force_kN(chosen.parameters);
-  say_what_it_is(law, chosen, motion, path);
+  say_what_it_is(law, chosen, motion);
+  auto const beyond = cautions(law, chosen, path);
+  for (auto const& line : beyond) say("  {}\n", line);
   if (auto const bad = std::ranges::find_if_not(force_kN, [](double f) { return std::isfinite(f); });
       bad != force_kN.end())
     throw Error(
@@ -177,7 +183,9 @@ int simulate(SimulateArguments const& a) {
          .advice = "--refinement 4, finer steps; isolaw laws " + std::string(law.info.id)});
   auto const [least, most] = std::ranges::minmax(force_kN);
   say("  {} samples, force from {:.4g} to {:.4g} kN\n", force_kN.size(), least, most);
-  auto const text = csv_text(law.info.id, chosen, motion, path, force_kN);
+  auto known = facts(chosen);
+  if (!known.empty()) known.insert(known.end(), beyond.begin(), beyond.end());
+  auto const text = csv_text(law.info.id, known, motion, path, force_kN);
   if (!a.out) {
     std::fwrite(text.data(), 1, text.size(), stdout);
     return exit_done;

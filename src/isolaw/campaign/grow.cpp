@@ -42,17 +42,24 @@ std::optional<std::size_t> place_of(Contents const& contents, std::string_view d
   return static_cast<std::size_t>(found - contents.devices.begin());
 }
 
+bool same_record(Device const& there, Device const& now) {
+  return there.raw.sha256 == now.raw.sha256 && there.refusal == now.refusal;
+}
+
+// A device that was refused has no results, and may be another now.
 std::string obstacle(Device const& there, Device const& now) {
-  if (there.usable() && !now.usable()) return fmt::format("{}: refused now: {}", now.name, now.refusal);
-  if (there.raw.sha256 != now.raw.sha256 || there.refusal != now.refusal)
-    return fmt::format("{}: its file has changed", now.name);
+  if (!there.usable()) return {};
+  if (!now.usable()) return fmt::format("{}: refused now: {}", now.name, now.refusal);
+  if (!same_record(there, now)) return fmt::format("{}: its file has changed", now.name);
   bool const same = there.raw.disp_mm == now.raw.disp_mm && there.raw.force_kN == now.raw.force_kN &&
                     there.raw.time_s == now.raw.time_s && there.raw.load_kN == now.raw.load_kN;
   return same ? "" : fmt::format("{}: its file is read in another way", now.name);
 }
 
 bool same_devices(Contents const& a, Contents const& b) {
-  return std::ranges::equal(a.devices, b.devices, {}, &Device::name, &Device::name);
+  return std::ranges::equal(a.devices, b.devices, [](Device const& there, Device const& now) {
+    return there.name == now.name && same_record(there, now);
+  });
 }
 
 }  // namespace
@@ -80,8 +87,12 @@ std::vector<std::string> growth(Contents const& stored, Contents const& asked) {
   std::vector<std::string> added;
   if (auto const more = asked.devices.size() - stored.devices.size(); more > 0)
     added.push_back(fmt::format("{} device{}", more, more == 1 ? "" : "s"));
-  else if (!same_devices(stored, asked))
-    added.emplace_back("another order of the devices");
+  std::vector<std::string> mended;
+  for (auto const& device : stored.devices)
+    if (auto const& now = asked.devices[*place_of(asked, device.name)]; !same_record(device, now))
+      mended.push_back("'" + device.name + "'");
+  if (!mended.empty()) added.push_back(joined(mended) + ", refused before");
+  if (added.empty() && !same_devices(stored, asked)) added.emplace_back("another order of the devices");
   std::vector<std::string> laws;
   for (auto const& law : asked.settings.laws)
     if (!among(stored.settings.laws, law)) laws.push_back(law);

@@ -122,8 +122,9 @@ Device cleaned(NamedRecord&& given, data::CleanOptions const& cleaning) {
 // No law follows a signal that cannot be true, however well it is fitted to it.
 void refuse_false_signals(Device& device) {
   if (!device.usable()) return;
-  if (device.raw.faults.empty()) return;
-  device.refusal = data::why_unusable(device.raw.faults);
+  auto const properties = data::cyclic_properties(device.raw);
+  if (!properties.is_false) return;
+  device.refusal = properties.refusal;
   data::TestRecord nothing;
   nothing.file = device.raw.file;
   nothing.sha256 = device.raw.sha256;

@@ -145,6 +145,8 @@ void add(std::string_view key, std::string_view value, std::string const& unit, 
   if (empty || value.size() > longest ||
       std::ranges::find(found, key, &ParticularList::value_type::first) != found.end())
     return;
+  // What goes on with other labels is no value of this one.
+  if (value.find(';') != std::string_view::npos || value.find(": ") != std::string_view::npos) return;
   auto text = std::string(value);
   constexpr std::size_t shortest_date = 6;
   if (key == "test-date" && (text.size() < shortest_date || text.find_first_of("0123456789") == std::string::npos))

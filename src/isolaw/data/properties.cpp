@@ -207,19 +207,28 @@ void summarise(Block& block, CycleView const& view) {
   block.waveform = waveform(*shown[shown.size() / 2], view);
 }
 
+// Why no device does so; empty where one may.
+std::string impossible(Cycle const& cycle) {
+  double const size = std::abs(cycle.K_eff_kN_per_mm) * cycle.amplitude_mm * cycle.amplitude_mm;
+  if (cycle.energy_kN_mm < -rounding_of_energy * size)
+    return fmt::format(
+        "cycle {} of block {} gives back {:.4g} kN mm of energy: no device does; a channel without its sign, late or exchanged?",
+        cycle.number, cycle.block, -cycle.energy_kN_mm);
+  if (!(cycle.K_eff_kN_per_mm > 0.0))
+    return fmt::format(
+        "cycle {} of block {} has an effective stiffness of {:.4g} kN/mm: no device does; a force that wraps around, is late, exchanged or of the other sign?",
+        cycle.number, cycle.block, cycle.K_eff_kN_per_mm);
+  return {};
+}
+
 std::string refusal_of(Segmentation const& cut, Properties const& properties) {
   if (!cut.refusal.empty()) return cut.refusal;
   if (!properties.samples_per_cycle) return "no cycle counts";
   if (*properties.samples_per_cycle < least_samples_per_cycle * (1.0 - 1e-9))
     return fmt::format("{:.1f} samples per cycle, fewer than the {:.0f} that stiffness and energy need",
                        *properties.samples_per_cycle, least_samples_per_cycle);
-  for (auto const* cycle : properties.counted()) {
-    double const size = std::abs(cycle->K_eff_kN_per_mm) * cycle->amplitude_mm * cycle->amplitude_mm;
-    if (cycle->energy_kN_mm < -rounding_of_energy * size)
-      return fmt::format(
-          "cycle {} of block {} gives back {:.4g} kN mm of energy: no device does; a channel without its sign, late or exchanged?",
-          cycle->number, cycle->block, -cycle->energy_kN_mm);
-  }
+  for (auto const* cycle : properties.counted())
+    if (auto why = impossible(*cycle); !why.empty()) return why;
   return {};
 }
 
@@ -299,6 +308,8 @@ Properties cyclic_properties(CycleView const& given) {
   for (auto& block : properties.blocks) summarise(block, view);
   if (!lengths.empty()) properties.samples_per_cycle = num::median(lengths);
   properties.refusal = refusal_of(cut, properties);
+  properties.is_false =
+      std::ranges::any_of(properties.counted(), [](auto* cycle) { return !impossible(*cycle).empty(); });
   if (auto const* reported = cycle_to_report(properties.blocks); reported != nullptr && properties.refusal.empty())
     properties.reported = *reported;
   return properties;
@@ -309,6 +320,7 @@ Properties cyclic_properties(TestRecord const& record) {
   properties.faults = record.faults;
   if (properties.faults.empty()) return properties;
   properties.refusal = why_unusable(properties.faults);
+  properties.is_false = true;
   properties.reported.reset();
   properties.samples_per_cycle.reset();
   for (auto& block : properties.blocks) {

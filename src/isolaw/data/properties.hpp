@@ -67,8 +67,9 @@ struct Properties {
   // empty when refused.
   std::optional<Cycle> reported;
   // Why there is none: a signal that cannot be true, not cyclic, less than one cycle, fewer than 20 samples per cycle, a
-  // counted cycle that gives energy back.
+  // counted cycle that gives energy back or has no positive stiffness.
   std::string refusal;
+  bool is_false = false;                    // it is of a signal that cannot be true, or of such a cycle
   std::vector<SignalFault> faults;          // of a whole record; no cycle counts where there are any
   std::optional<double> samples_per_cycle;  // median over the cycles that count, rests and holds left out
   double centre_mm = 0.0;                   // level of the cuts

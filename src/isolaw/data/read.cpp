@@ -437,6 +437,20 @@ std::size_t sample_count(TestRecord const& record) {
 
 constexpr Channel measured_channels[] = {Channel::disp, Channel::force, Channel::load};
 
+// Between two samples far from each other nobody knows what the channel did.
+void require_without_gaps(TestRecord const& other, double first, double last) {
+  constexpr double longest = 5.0;  // intervals
+  double const interval = mean_interval(other.time_s);
+  for (std::size_t i = 1; i < other.time_s.size(); ++i) {
+    double const from = other.time_s[i - 1], to = other.time_s[i];
+    if (to - from <= longest * interval || to <= first || from >= last) continue;
+    throw Error(Complaint{.where = other.file,
+                          .found = fmt::format("nothing from {:.6g} to {:.6g} s", from, to),
+                          .allowed = "values at all times of the other file, to be interpolated between",
+                          .advice = "--from and --to for a part that both files have"});
+  }
+}
+
 // Brings the channels of another file to the samples of `main`: by time where both have one, else row by row.
 void join_channels(Part& main, Part other) {
   auto& record = main.record;
@@ -468,6 +482,7 @@ void join_channels(Part& main, Part other) {
                                                    record.time_s.front(), record.time_s.back()),
                               .allowed = "a time that both files share",
                               .advice = "--columns time=none, where the rows belong together"});
+      require_without_gaps(more, first, last);
       for (auto* values : {&record.time_s, &record.disp_mm, &record.force_kN, &record.load_kN}) keep(*span, *values);
       for (auto const channel : measured_channels)
         if (auto& values = values_of(more, channel); !values.empty())

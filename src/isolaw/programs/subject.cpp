@@ -83,10 +83,12 @@ void add_tested(Tested& tested, study::DeviceResult const& device) {
   widen(tested.temperature_min_C, tested.temperature_max_C, device.temperature_C, device.temperature_C);
 }
 
-void add_fitted(Fitted& fitted, data::FitRecord const& record) {
+void add_fitted(Fitted& fitted, study::DeviceResult const& device, data::Selection const& scored) {
+  auto const& record = device.record;
   fitted.disp_mm = std::max(fitted.disp_mm, record.largest_scored(record.disp_mm));
   std::optional<double> none;
-  if (record.has_time()) widen(none, fitted.v_max_mm_s, {}, record.largest_scored(record.vel_mm_s));
+  for (auto const& block : device.properties.blocks)
+    if (scored.blocks.contains(block.number)) widen(none, fitted.v_max_mm_s, {}, block.v_max_mm_s);
 }
 
 rules::LotQuantity const* quantity_of(study::Summary const& summary, rules::Quantity quantity) {
@@ -257,12 +259,12 @@ void require_finite(Subject const& subject, std::string const& where) {
        .allowed = "a law with a finite force there"});
 }
 
-void add_measured(Subject& subject, study::Summary const& summary) {
+void add_measured(Subject& subject, study::Summary const& summary, data::Selection const& scored) {
   std::vector<double> stiffness, damping;
   for (auto const& device : summary.devices) {
     if (std::ranges::find(subject.histories, device.name, &History::device) == subject.histories.end()) continue;
     add_tested(subject.tested, device);
-    add_fitted(subject.fitted, device.record);
+    add_fitted(subject.fitted, device, scored);
     if (auto const& cycle = device.properties.reported) {
       stiffness.push_back(cycle->K_eff_kN_per_mm);
       damping.push_back(cycle->damping_percent);
@@ -333,7 +335,7 @@ Subject make_subject(campaign::Contents const& contents, study::Summary const& s
         "The campaign integrated with one Runge-Kutta step per sample; the export is of the law itself, integrated to convergence with the same parameters.");
   subject.fitted.part = contents.settings.clean.scored.text();
   subject.doubts = study::doubts(summary, law, subject.lot ? std::nullopt : std::optional<std::string_view>(device));
-  add_measured(subject, summary);
+  add_measured(subject, summary, contents.settings.clean.scored);
   subject.frequency_Hz = subject.tested.highest_Hz.value_or(0.5);
   subject.protocol = protocol_of(subject.tested.disp_mm, subject.frequency_Hz);
   for (auto const& history : subject.histories)

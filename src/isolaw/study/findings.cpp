@@ -320,6 +320,17 @@ void warn_of_bounds(LawResult const& law, std::vector<Warning>& warnings) {
   warnings.push_back({"at bound", fmt::format("{}: {}", law.id, fmt::join(parts, "; "))});
 }
 
+void warn_of_adequacy(LawResult const& law, std::vector<Warning>& warnings) {
+  if (auto const why = inadequacy(law); !why.empty())
+    warnings.push_back({"not adequate", fmt::format("{} does not describe the devices: it {}", law.id, why)});
+  if (auto const held = pinned(law); held.decides() && law.devices.size() > 1)
+    warnings.push_back(
+        {"at bound",
+         fmt::format(
+             "{}: {} of its {} parameters lie at a bound on half of the devices or more, so that its beta is no robustness",
+             law.id, held.count, held.calibrated)});
+}
+
 void warn_of_integration(LawResult const& law, std::vector<Warning>& warnings) {
   Names devices;
   double largest = 0.0;
@@ -386,6 +397,7 @@ std::vector<Warning> warnings(Summary const& summary) {
   warn_of_degradation(summary, all);
   for (auto const warn : {warn_of_refused_laws, warn_of_failed_runs, warn_of_failed_evaluations})
     for (auto const& law : summary.laws) warn(law, all);
+  for (auto const& law : summary.laws) warn_of_adequacy(law, all);
   warn_of_analysis(summary, all);
   for (auto const warn : {warn_of_bounds, warn_of_integration})
     for (auto const& law : summary.laws) warn(law, all);

@@ -37,8 +37,8 @@ struct LawVerdict {
 };
 
 struct Warning {
-  // "not complete", "refused", "copies", "degradation", "law not identified", "failed runs", "prediction", "search",
-  // "undetermined", "outlier", "at bound", "integration", "record"
+  // "not complete", "refused", "copies", "degradation", "law not identified", "failed runs", "not adequate",
+  // "prediction", "search", "undetermined", "outlier", "at bound", "integration", "record"
   std::string topic;
   std::string sentence;
 };

@@ -87,7 +87,7 @@ const incomplete = () =>
     .filter(([missing]) => missing > 0)
     .map(([missing, one, several]) => missing + ' ' + (missing === 1 ? one : several))
     .join(' and ') +
-  ' missing. What follows may change; the command it was started with continues the campaign.';
+  ' missing. What follows may change; the last calibrate command there continues the campaign.';
 
 function markCurrentSection(main, contents) {
   const links = new Map([...contents.children].map((link) => [link.hash.slice(1), link]));
