@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <vector>
 
 #include "isolaw/study/findings.hpp"
@@ -16,7 +17,8 @@ std::string inadequacy(LawResult const& law) {
     parts.push_back(fmt::format("misses the measured force by {} of its standard deviation on average",
                                 percent(*law.objective.mean)));
   auto const add = [&](std::optional<double> DeviceFit::*error, double most, std::string_view what) {
-    if (auto const mean = mean_magnitude(law, error); mean && !(*mean <= most))
+    // Relative to nothing an error says nothing.
+    if (auto const mean = mean_magnitude(law, error); mean && std::isfinite(*mean) && *mean > most)
       parts.push_back(fmt::format("misses the {} by {}", what, percent(*mean / 100.0)));
   };
   add(&DeviceFit::K_eff_error_percent, adequate_K_eff_percent, "effective stiffness");
