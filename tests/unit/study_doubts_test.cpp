@@ -112,7 +112,9 @@ TEST(Doubts, AreOfTheLawAndTheDevice) {
   fit.parameters[0].at_bound = "lower";
   fit.integration_shift = -0.002;
   law(summary, "bilinear").devices[1].failed_runs = 3;
-  law(summary, "bilinear").lot = LotLaw{.parameters = {1.0, 1.0, 1.0}, .at_bound = {"K2 at its upper bound"}};
+  auto& lot = law(summary, "bilinear").lot.emplace();
+  lot.parameters = {1.0, 1.0, 1.0};
+  lot.at_bound = {"K2 at its upper bound"};
   summary.devices[0].raw.warnings = {"a channel may be late"};
   summary.expected_runs = summary.runs + 5;
   auto const joined = [](std::vector<std::string> const& lines) {

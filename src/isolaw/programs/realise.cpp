@@ -201,7 +201,7 @@ Deviation deviation(History const& history, std::span<double const> force, std::
     made.at_sample = std::max<std::size_t>(sample, 1);
   };
   for (std::size_t i = 0; i < other.size(); ++i) {
-    sample += is_sample(history, i) ? 1 : 0;
+    if (is_sample(history, i)) ++sample;
     if (!std::isfinite(other[i])) continue;
     if (!std::isfinite(force[i])) {
       at(i);

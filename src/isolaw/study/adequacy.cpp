@@ -36,9 +36,9 @@ Pinned pinned(LawResult const& law) {
     for (auto const& fit : law.devices) {
       if (n >= fit.parameters.size()) continue;
       ++devices;
-      there += fit.parameters[n].at_bound.empty() ? 0 : 1;
+      if (!fit.parameters[n].at_bound.empty()) ++there;
     }
-    made.count += 2 * there >= devices && there > 0 ? 1 : 0;
+    if (2 * there >= devices && there > 0) ++made.count;
   }
   return made;
 }

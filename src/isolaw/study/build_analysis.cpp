@@ -384,7 +384,8 @@ void add_lot_analysis(LawResult& law, campaign::Contents const& contents) {
                 .worst = lot->mean.worst,
                 .worst_device = {},
                 .least_worst = lot->worst.law.worst,
-                .least_worst_bound = lot->worst.bound};
+                .least_worst_bound = lot->worst.bound,
+                .at_bound = {}};
     for (std::size_t i = 0; i < lot->devices.size(); ++i) {
       auto const fit = on_device(lot->devices[i]);
       fit->lot_objective = lot->mean.objectives[i];
