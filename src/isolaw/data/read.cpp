@@ -19,6 +19,7 @@
 #include "isolaw/data/columns.hpp"
 #include "isolaw/data/json_table.hpp"
 #include "isolaw/data/mat_table.hpp"
+#include "isolaw/data/record_parts.hpp"
 #include "isolaw/data/sheet_choice.hpp"
 #include "isolaw/data/table.hpp"
 #include "isolaw/data/text.hpp"
@@ -27,8 +28,6 @@
 
 namespace isolaw::data {
 namespace {
-
-constexpr std::size_t least_samples = 3;
 
 // --- sentences ------------------------------------------------------------------------------------------------------
 
@@ -52,59 +51,6 @@ void describe_rows(Rows const& rows, std::string_view row, TestRecord const& rec
   recognised.push_back(fmt::format("sampling interval {:.6g} s ({:.6g} Hz), {}", mean, 1.0 / mean,
                                    record.layout.dt_s ? fmt::format("as asked for (--dt {})", *record.layout.dt_s)
                                                       : "on average over the time column"));
-}
-
-// --- parts of a file ------------------------------------------------------------------------------------------------
-
-// The samples whose time lies within what was asked for.
-struct Span {
-  std::size_t first = 0, count = 0;
-};
-
-std::string asked_time(ReadOptions const& options) {
-  return fmt::format("{}{}{}", options.from_s ? fmt::format("--from {}", *options.from_s) : "",
-                     options.from_s && options.to_s ? " " : "",
-                     options.to_s ? fmt::format("--to {}", *options.to_s) : "");
-}
-
-std::optional<Span> span_of_time(std::vector<double> const& time_s, ReadOptions const& options,
-                                 std::string const& place, std::vector<Complaint>& complaints) {
-  if (!options.from_s && !options.to_s) return Span{0, time_s.size()};
-  auto const asked = asked_time(options);
-  if (time_s.empty()) {
-    complaints.push_back({place, fmt::format("{} is given, but no time is read", asked),
-                          "a time column, or --dt SECONDS", "--rows A:B"});
-    return std::nullopt;
-  }
-  auto const [least, most] = std::ranges::minmax(time_s);
-  double const rounding = 1e-9 * std::max(std::abs(least), std::abs(most));
-  auto const inside = [&](double t) {
-    return (!options.from_s || t >= *options.from_s - rounding) && (!options.to_s || t <= *options.to_s + rounding);
-  };
-  auto const first = std::ranges::find_if(time_s, inside);
-  auto const end = std::find_if_not(first, time_s.end(), inside);
-  if (first == time_s.end() || std::find_if(end, time_s.end(), inside) != time_s.end()) {
-    complaints.push_back({place,
-                          first == time_s.end() ? fmt::format("no sample lies within {}", asked)
-                                                : fmt::format("the time passes through {} more than once", asked),
-                          fmt::format("times of the file, {:.6g} to {:.6g} s", least, most),
-                          first == time_s.end() ? "" : "--rows A:B"});
-    return std::nullopt;
-  }
-  return Span{static_cast<std::size_t>(first - time_s.begin()), static_cast<std::size_t>(end - first)};
-}
-
-template <class T>
-void keep(Span const& span, std::vector<T>& values) {
-  if (values.empty()) return;
-  values.erase(values.begin() + static_cast<std::ptrdiff_t>(span.first + span.count), values.end());
-  values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(span.first));
-}
-
-void describe_span(Span const& span, std::size_t of, ReadOptions const& options, std::vector<std::string>& recognised) {
-  if (options.from_s || options.to_s)
-    recognised.push_back(fmt::format("samples {} to {} of {} are read ({})", span.first + 1, span.first + span.count,
-                                     of, asked_time(options)));
 }
 
 // Of a file without a time column: counted from the first row of the file, whatever part of it is read.
@@ -176,19 +122,6 @@ std::string exchange_advice(Columns const& columns, Header const& header) {
                      force.unit->symbol);
 }
 
-std::vector<double>& values_of(TestRecord& record, Channel channel) {
-  switch (channel) {
-    case Channel::time:
-      return record.time_s;
-    case Channel::disp:
-      return record.disp_mm;
-    case Channel::force:
-      return record.force_kN;
-    default:
-      return record.load_kN;
-  }
-}
-
 void store_channels(Rows& rows, Columns const& columns, std::size_t skipped, TestRecord& record) {
   for (auto& raw : rows.channels) {
     double const factor = columns.channels.at(raw.channel).unit->in_record_units;
@@ -201,10 +134,6 @@ void store_channels(Rows& rows, Columns const& columns, std::size_t skipped, Tes
   if (!record.layout.flip_force || record.force_kN.empty()) return;
   for (double& value : record.force_kN) value = -value;
   record.recognised.push_back("the force is multiplied by -1, as asked for (--flip-force)");
-}
-
-void append(std::vector<std::string>& sentences, std::vector<std::string> const& more) {
-  sentences.insert(sentences.end(), more.begin(), more.end());
 }
 
 // --- formats
@@ -292,14 +221,6 @@ std::vector<std::size_t> chosen_tests(Tests const& tests, std::string const& fil
         .advice = "--test 1"});
   return {number - 1};
 }
-
-// A record, and what its time counts from where it was read from time stamps.
-struct Part {
-  TestRecord record;
-  std::optional<double> origin_s;
-  bool dated = false;
-  std::string exchange_advice = {};
-};
 
 // The channels of one table, before anything is asked of them together.
 Part read_channels(Tests const& tests, Table const& table, TestRecord record, ReadOptions const& options,
@@ -411,123 +332,6 @@ Part read_part(std::filesystem::path const& file, ReadOptions const& options, Wa
   auto part = read_channels(tests, *tests.tables[chosen.front()], start, options, wanted);
   if (tests.tables.size() > 1) part.record.layout.test = parse_test(*options.test);
   return part;
-}
-
-// Values at other times, by straight lines between samples.
-std::vector<double> at_times(std::vector<double> const& at, std::vector<double> const& time,
-                             std::vector<double> const& values) {
-  std::vector<double> made;
-  made.reserve(at.size());
-  std::size_t k = 0;
-  for (double const t : at) {
-    while (k + 2 < time.size() && time[k + 1] < t) ++k;
-    double const share = std::clamp((t - time[k]) / (time[k + 1] - time[k]), 0.0, 1.0);
-    made.push_back(values[k] + share * (values[k + 1] - values[k]));
-  }
-  return made;
-}
-
-double mean_interval(std::vector<double> const& time_s) {
-  return (time_s.back() - time_s.front()) / static_cast<double>(time_s.size() - 1);
-}
-
-std::size_t sample_count(TestRecord const& record) {
-  return std::max({record.time_s.size(), record.disp_mm.size(), record.force_kN.size(), record.load_kN.size()});
-}
-
-constexpr Channel measured_channels[] = {Channel::disp, Channel::force, Channel::load};
-
-// Between two samples far from each other nobody knows what the channel did.
-void require_without_gaps(TestRecord const& other, double first, double last) {
-  constexpr double longest = 5.0;  // intervals
-  double const interval = mean_interval(other.time_s);
-  for (std::size_t i = 1; i < other.time_s.size(); ++i) {
-    double const from = other.time_s[i - 1], to = other.time_s[i];
-    if (to - from <= longest * interval || to <= first || from >= last) continue;
-    throw Error(Complaint{.where = other.file,
-                          .found = fmt::format("nothing from {:.6g} to {:.6g} s", from, to),
-                          .allowed = "values at all times of the other file, to be interpolated between",
-                          .advice = "--from and --to for a part that both files have"});
-  }
-}
-
-// Brings the channels of another file to the samples of `main`: by time where both have one, else row by row.
-void join_channels(Part& main, Part other) {
-  auto& record = main.record;
-  auto& more = other.record;
-  auto const rows = sample_count(record), more_rows = sample_count(more);
-  bool const timed = record.has_time() && more.has_time() && main.origin_s.has_value() == other.origin_s.has_value() &&
-                     main.dated == other.dated;
-  std::string how;
-  if (timed) {
-    double const offset = main.origin_s ? *other.origin_s - *main.origin_s : 0.0;
-    for (auto& t : more.time_s) t += offset;
-    double const interval = mean_interval(record.time_s);
-    bool same = rows == more_rows;
-    for (std::size_t i = 0; same && i < rows; ++i) same = std::abs(record.time_s[i] - more.time_s[i]) < 1e-3 * interval;
-    how = "row by row, at the same times";
-    if (!same) {
-      double const first = std::max(record.time_s.front(), more.time_s.front());
-      double const last = std::min(record.time_s.back(), more.time_s.back());
-      std::vector<Complaint> complaints;
-      ReadOptions both;
-      both.from_s = first;
-      both.to_s = last;
-      auto const span =
-          first < last ? span_of_time(record.time_s, both, record.file, complaints) : std::optional<Span>();
-      if (!span || span->count < least_samples)
-        throw Error(Complaint{.where = more.file,
-                              .found = fmt::format("times from {:.6g} to {:.6g} s, those of {} from {:.6g} to {:.6g} s",
-                                                   more.time_s.front(), more.time_s.back(), record.file,
-                                                   record.time_s.front(), record.time_s.back()),
-                              .allowed = "a time that both files share",
-                              .advice = "--columns time=none, where the rows belong together"});
-      require_without_gaps(more, first, last);
-      for (auto* values : {&record.time_s, &record.disp_mm, &record.force_kN, &record.load_kN}) keep(*span, *values);
-      for (auto const channel : measured_channels)
-        if (auto& values = values_of(more, channel); !values.empty())
-          values = at_times(record.time_s, more.time_s, values);
-      double const share = static_cast<double>(span->count) / static_cast<double>(rows);
-      how = fmt::format(
-          "by time, interpolated from every {:.4g} s to every {:.4g} s; {} of {} samples lie in the time of both",
-          mean_interval(more.time_s), interval, span->count, rows);
-      constexpr double most_of_it = 0.9;
-      if (share < most_of_it)
-        record.warnings.push_back(
-            fmt::format("only {} of {} samples lie in the time of {} too", span->count, rows, more.file));
-      if (mean_interval(more.time_s) > 1.5 * interval)
-        record.warnings.push_back(
-            fmt::format("{} has a sample every {:.4g} s, {} every {:.4g} s: between them its values are interpolated",
-                        more.file, mean_interval(more.time_s), record.file, interval));
-    }
-  } else {
-    if (rows != more_rows)
-      throw Error(Complaint{.where = more.file,
-                            .found = fmt::format("{} rows, {} in {}", more_rows, rows, record.file),
-                            .allowed = "as many rows in both, or a time column of one kind in both",
-                            .advice = "--rows A:B, which counts in both"});
-    how = "row by row";
-    if (!record.has_time()) {
-      record.time_s = std::move(more.time_s);
-      main.origin_s = other.origin_s;
-      main.dated = other.dated;
-    }
-  }
-  for (auto const channel : measured_channels)
-    if (auto& values = values_of(more, channel); !values.empty()) values_of(record, channel) = std::move(values);
-  append(record.warnings, more.warnings);
-  for (auto const& line : more.recognised) record.recognised.push_back(fmt::format("{}: {}", more.file, line));
-  std::vector<std::string> specs;
-  for (auto const channel : measured_channels)
-    if (auto const found = more.layout.columns.find(channel);
-        found != more.layout.columns.end() && more.layout.units.contains(channel)) {
-      record.layout.columns[channel] = fmt::format("{}:{}", more.file, found->second);
-      record.layout.units[channel] = more.layout.units.at(channel);
-      specs.push_back(fmt::format("{}={}:{}", name(channel), more.file, found->second));
-    }
-  record.recognised.push_back(fmt::format("{} is joined to {}, {} (--columns {}); SHA-256 {} and {}", more.file,
-                                          record.file, how, joined(specs, ","), more.sha256, record.sha256));
-  record.sha256 = sha256(record.sha256 + more.sha256);
 }
 
 // The other files that `options` name channels of, with what is asked of each.
