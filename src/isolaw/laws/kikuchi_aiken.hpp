@@ -137,14 +137,14 @@ struct KikuchiAiken {
           "f(s) = 2 - 2 exp(-a s) + b s exp(-c s),   from a peak + (2 - f(2)) (s/2)^8;   A = 1 from a peak,\n"
           "later such that the branch meets the one before where that began; Masing's rules close branches\n"
           "(1 - exp(-2 a))/a = 1 - pi h/(2 U), a up to amax;   b = c^2 (pi h/U - 2 + 2 (1 - exp(-2 a))/a), 0 below amax\n"
-          "Fm = G1 (m/100)^(1-p),   h = h0 + h1 m, not below 0,   U = u0 + u1 m within 0.05 to 1,\n"
-          "n = 1 + n1 (m - xn), not below 1",
+          "Fm = G1 (m/100)^(1-p) (1 + s1 (m - xn)),   h = h0 + h1 m, not below 0,   U = u0 + u1 m within 0.05 to 1,\n"
+          "n = 1 + n1 (m - xn),   both without m - xn below xn",
       .note =
-          "Made for high damping rubber. In millimetres, so that no height of rubber is needed: published functions of strain are for compounds, theirs are p, h0 and u0, and h1, u1 and n1 times the height. A closed loop dissipates 2 pi h Fm m, to 1 % where a is above 2. b is left out after two turns on one side or after a branch without it. Beyond the tests Fm grows as m^(1-p): at 2 and 5 times the amplitude 2^(1-p) and 5^(1-p) times, while h, U and n follow straight lines to the ends that are given: five times the fitted amplitude is beyond what these can say. A known material of this law is elastic below a strain of 0.05 and keeps the values and turning points of rejected trials; here the path alone decides them. A virgin device has no bounded slope at 0 where p is above 0."};
+          "Made for high damping rubber. In millimetres, so that no height of rubber is needed: published functions of strain are for compounds, theirs are p, h0 and u0, and h1, u1, n1 and s1 times the height. A closed loop dissipates 2 pi h Fm m, to 1 % where a is above 2. b is left out after two turns on one side or after a branch without it. Beyond the tests Fm grows as m^(1-p), with s1 in the end as m^(2-p): at 2 and 5 times the amplitude 2^(1-p) and 5^(1-p) times, or up to 2 and 5 times more, while h, U and n follow straight lines to the ends that are given: five times the fitted amplitude is beyond what these can say, and where h has come to 0 there a new peak may give back more than the way to it took. A known material of this law is elastic below a strain of 0.05 and keeps the values and turning points of rejected trials; here the path alone decides them. A virgin device has no bounded slope at 0 where p is above 0."};
 
   template <class T>
   struct Params {
-    T G1, p, h0, h1, u0, u1, n1, xn, amax, c;
+    T G1, p, h0, h1, u0, u1, n1, xn, s1, amax, c;
   };
 
   template <class T>
@@ -164,11 +164,13 @@ struct KikuchiAiken {
       {&Params<T>::n1, parameter("n1", "1/mm", "growth of the exponent of hardening with the peak", not_negative,
                                  std::nullopt, {0.0, 6.0, per_disp})},
       {&Params<T>::xn,
-       parameter("xn", "mm", "peak above which it grows", not_negative, std::nullopt, {0.1, 0.9, disp})},
+       parameter("xn", "mm", "peak above which it and the force grow", not_negative, std::nullopt, {0.1, 0.9, disp})},
+      {&Params<T>::s1, parameter("s1", "1/mm", "growth of the force at the peak above xn", not_negative, std::nullopt,
+                                 {0.0, 1.0, per_disp})},
       {&Params<T>::amax, parameter("amax", "1", "steepest exponential of a branch", Interval{1.0, infinity},
                                    std::nullopt, {5.0, 20.0, one}, Scale::linear, 10.19171)},
       {&Params<T>::c, parameter("c", "1", "decay of the overshoot where amax is not enough", not_negative, std::nullopt,
-                                {2.0, 10.0, one}, Scale::linear, 5.0)},
+                                {2.0, 50.0, one}, Scale::logarithmic)},
   });
 
   static Canonical canonical(Params<double> const&) {
@@ -187,10 +189,11 @@ struct KikuchiAiken {
   static T step(Params<T> const& p, State<T>& state, Step const& step, Memory const& memory) {
     return state.force(step, memory, [&](double m) -> kikuchi_aiken::AtPeak<T> {
       T const one(1.0), zero(0.0), peak(m);
-      return {.force = p.G1 * power(T(m / reference_mm), one - p.p),
+      T const beyond = max(peak - p.xn, zero);
+      return {.force = p.G1 * power(T(m / reference_mm), one - p.p) * (one + p.s1 * beyond),
               .damping = max(p.h0 + p.h1 * peak, zero),
               .share = min(max(p.u0 + p.u1 * peak, T(least_share)), one),
-              .exponent = one + p.n1 * max(peak - p.xn, zero)};
+              .exponent = one + p.n1 * beyond};
     });
   }
 
