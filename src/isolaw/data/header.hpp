@@ -30,6 +30,7 @@ struct Header {
   };
   std::optional<Mismatch> mismatch;
 
+  bool own_axis = false;             // channels are named after the axis of the machine, which may lie any way
   std::string_view row = "line";     // what a row is called: "line", "row", "element"
   bool lettered = false;             // columns have letters, as in a workbook
   bool by_name = false;              // columns are variables: named, not numbered, in what is advised

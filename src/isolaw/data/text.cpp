@@ -30,7 +30,8 @@ constexpr std::array known_formats{
     Magic{"\xD0\xCF\x11\xE0"sv, "an .xls workbook, or one with a password", save_as_xlsx},
     Magic{"%PDF"sv, "a PDF document", export_text},
     Magic{"\x89HDF"sv, "an HDF5 file", export_text},
-    Magic{"TDSm"sv, "a .tdms file", export_text},
+    Magic{"TDSm"sv, "a TDMS file of National Instruments", export_text},
+    Magic{"TDAT"sv, "a data file of Instron Bluehill", export_text},
     Magic{"\x1F\x8B"sv, "a gzip archive", unpack},
     Magic{"\xFD"
           "7zXZ\0"sv,

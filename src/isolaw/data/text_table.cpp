@@ -8,6 +8,7 @@
 
 #include "isolaw/base/words.hpp"
 #include "isolaw/data/dialect.hpp"
+#include "isolaw/data/exporter.hpp"
 #include "isolaw/data/particulars.hpp"
 #include "isolaw/data/text.hpp"
 
@@ -21,6 +22,7 @@ struct Page {
   std::string owned;  // of a worksheet
   Lines text;
   Dialect dialect;
+  std::optional<Exporter> exporter = {};
 };
 
 class RowReader {
@@ -335,6 +337,7 @@ class TextTable : public Table {
     if (header_.mismatch) header_.mismatch->line += begin;
     header_.row = page_->dialect.sheet ? "row" : "line";
     header_.lettered = page_->dialect.sheet;
+    header_.own_axis = page_->exporter && page_->exporter->own_axis;
     columns_ = page_->dialect.columns;
     constexpr std::size_t most_lines_above = 1000;
     for (auto i = begin; i < std::min(header_.first_data, begin + most_lines_above); ++i)
@@ -463,9 +466,11 @@ Tests text_tests(std::string_view bytes, std::string const& file, TextOptions co
     bytes = page->owned;
   }
   page->text = split_lines(bytes);
+  page->exporter = exporter_of(page->text.lines);
   page->dialect = require_dialect(file, page->text.lines, options);
   refuse_width(file, page->dialect);
   auto tests = tests_of(page, file);
+  if (page->exporter) tests.recognised.push_back(fmt::format("read as: {}", page->exporter->name));
   if (page->text.byte_order_mark) tests.recognised.push_back("a UTF-8 byte order mark is left out");
   if (legacy) tests.recognised.push_back(fmt::format("the text is read as {}", legacy->encoding));
   if (page->text.windows_1252) tests.recognised.push_back("bytes that are no UTF-8 are read as Windows-1252");
