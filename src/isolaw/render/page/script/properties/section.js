@@ -6,6 +6,7 @@ import { element } from '../dom.js';
 import { devices, inspection, report, tested } from '../report.js';
 import { assessmentsFigure } from './assessments.js';
 import { cycleHistoryFigure } from './history.js';
+import { levelsFigure } from './levels.js';
 import { cyclesFigure } from './loops.js';
 import { stabilityFigure } from './stability.js';
 import { cycleTableFigure } from './table.js';
@@ -21,7 +22,7 @@ export const propertiesSection = {
   id: 'properties',
   title: 'Properties',
   controls: propertyControls,
-  figures: [warningsFigure, cyclesFigure, stabilityFigure, cycleHistoryFigure, cycleTableFigure, assessmentsFigure],
+  figures: [warningsFigure, cyclesFigure, stabilityFigure, cycleHistoryFigure, cycleTableFigure, levelsFigure, assessmentsFigure],
 };
 
 function propertyControls() {

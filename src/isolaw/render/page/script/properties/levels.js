@@ -1,0 +1,40 @@
+import { chosen } from '../choice.js';
+import { element } from '../dom.js';
+import { devices, numberColumn, resultColumns } from '../report.js';
+import { tableOf } from '../tables.js';
+
+const levels = () => devices[chosen.tested]?.levels ?? [];
+
+export const levelsFigure = {
+  id: 'levels',
+  title: 'Over amplitudes, frequencies and loads',
+  long: true,
+  depends: ['tested'],
+  wanted: () => devices.some((device) => device.levels?.length > 1),
+  caption: () =>
+    'The third counted cycle of each block, and its ratio to that of the block that counts' +
+    (levels().some(({ reference }) => reference) ? ', block ' + levels().find(({ reference }) => reference).block : '') + '.',
+  csv: levelsData,
+  build: levelsTable,
+};
+
+function levelsTable() {
+  const known = (key) => devices.some((device) => device.levels?.some((level) => level[key] !== null));
+  const keys = ['amplitude_mm', 'strain_percent', 'frequency_Hz', 'N_mean_kN', 'K_eff_kN_per_mm', 'K_eff_ratio', 'damping_percent', 'damping_ratio'];
+  const columns = [
+    { title: 'Block', pinned: true, cell: (level) => element('b', { class: level.reference ? 'strong' : null }, String(level.block)) },
+    ...keys
+      .filter(known)
+      .map((key) => numberColumn('levels', key))
+      .map((column) => ({ ...column, cell: column.text })),
+  ];
+  return tableOf(columns, levels(), 'Levels of the test');
+}
+
+function levelsData() {
+  const { columns, cells } = resultColumns('levels');
+  return {
+    columns: ['device', ...columns],
+    rows: devices.flatMap((device) => (device.levels ?? []).map((level) => [device.name, ...cells(level)])),
+  };
+}

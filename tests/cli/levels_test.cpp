@@ -1,0 +1,80 @@
+// K_eff and damping over amplitudes, frequencies and vertical loads of one test: three by two blocks of a device of
+// constant stiffness and friction, whose K_eff is K + Q/D.
+#include <numbers>
+
+#include "cli/records.hpp"
+#include "cli/run.hpp"
+
+namespace isolaw::cli_test {
+namespace {
+
+class Levels : public InFreshDirectory {
+ protected:
+  static constexpr double stiffness = 0.5, strength = 20.0, yield = 2.0;
+  static constexpr std::array amplitudes{50.0, 100.0, 150.0};
+  static constexpr std::array frequencies{0.1, 0.5};
+
+  // Three cycles at each, under a vertical load of 1000 kN at the lower frequency and 1500 kN at the other; slow is
+  // stiffer by a tenth of its friction.
+  static std::string test_in_steps() {
+    std::string text = "time [s],displacement [mm],force [kN],vertical load [kN]\n";
+    double t = 0.0, z = 0.0, before = 0.0;
+    for (double const amplitude : amplitudes)
+      for (double const frequency : frequencies)
+        for (int i = 0; i < 3 * 200; ++i, t += 1.0 / (200.0 * frequency)) {
+          double const x = amplitude * std::sin(2.0 * std::numbers::pi * i / 200.0);
+          z = std::clamp(z + (x - before) / yield, -1.0, 1.0);
+          before = x;
+          text += fmt::format("{:.5f},{:.5f},{:.5f},{}\n", t, x, stiffness * x + friction(frequency) * z,
+                              frequency < 0.3 ? 1000 : 1500);
+        }
+    return text;
+  }
+  static double friction(double frequency) { return frequency < 0.3 ? 1.1 * strength : strength; }
+  static double K_eff(double amplitude, double frequency) { return stiffness + friction(frequency) / amplitude; }
+  static double number(Json const& level, char const* key) { return level[key].get<double>(); }
+};
+
+TEST_F(Levels, of_a_test_in_steps_stand_beside_one_another) {
+  write("d.csv", test_in_steps());
+  write("lot.toml", "[[device]]\nname = \"d\"\nfile = \"d.csv\"\nrubber-thickness-mm = 200.0\n");
+  auto const o = isolaw({"inspect", "lot.toml", "--design", "disp=100", "--out", "O"});
+  ASSERT_EQ(o.code, 0) << o;
+  auto const found = json("O/inspection.json");
+  auto const& levels = found["levels"];
+  ASSERT_EQ(levels.size(), 6u) << levels.dump();
+  auto const counting = found["counting_block"].get<std::size_t>();
+  double const reference = number(levels[counting - 1], "K_eff_kN_per_mm");
+  EXPECT_NEAR(number(levels[counting - 1], "amplitude_mm"), 100.0, 0.1);
+  std::size_t i = 0;
+  for (double const amplitude : amplitudes)
+    for (double const frequency : frequencies) {
+      auto const& level = levels[i++];
+      EXPECT_EQ(level["block"], i);
+      EXPECT_EQ(level["reference"], i == counting);
+      EXPECT_NEAR(number(level, "amplitude_mm"), amplitude, 0.05);
+      EXPECT_NEAR(number(level, "strain_percent"), amplitude / 2.0, 0.05);
+      EXPECT_NEAR(number(level, "frequency_Hz"), frequency, 0.01 * frequency);
+      EXPECT_NEAR(number(level, "N_mean_kN"), frequency < 0.3 ? 1000.0 : 1500.0, 5.0);  // a cut lies between samples
+      EXPECT_NEAR(number(level, "K_eff_kN_per_mm"), K_eff(amplitude, frequency), 1e-3);
+      EXPECT_NEAR(number(level, "K_eff_ratio"), K_eff(amplitude, frequency) / reference, 2e-3);
+      EXPECT_EQ(level["cycle"], 3);
+    }
+  EXPECT_NEAR(number(levels[counting - 1], "damping_ratio"), 1.0, 1e-12);
+  auto const table = read("O/tables/levels.csv");
+  EXPECT_EQ(count_of("\nd,", table), 6u) << table;
+  EXPECT_TRUE(contains(table, "device,block,amplitude [mm],strain [%],frequency [Hz],N mean [kN],cycle,K_eff [kN/mm]"))
+      << table;
+}
+
+TEST_F(Levels, of_one_block_are_one) {
+  write("d.csv", csv(record()));
+  ASSERT_EQ(isolaw({"inspect", "d.csv", "--out", "O"}).code, 0);
+  auto const found = json("O/inspection.json")["levels"];
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0]["K_eff_ratio"], 1.0);
+  EXPECT_TRUE(found[0]["N_mean_kN"].is_null());
+}
+
+}  // namespace
+}  // namespace isolaw::cli_test
