@@ -81,6 +81,8 @@ TEST_F(Calibrate, leaves_every_file_of_a_campaign) {
                                           "tables/prediction.csv",
                                           "tables/cycles.csv",
                                           "tables/tests.csv",
+                                          "tables/vertical.csv",
+                                          "tables/levels.csv",
                                           "tables/lot.csv",
                                           "tables/lambda.csv",
                                           "tables/table_a5.csv",

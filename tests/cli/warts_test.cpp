@@ -28,6 +28,10 @@ class Warts : public InFreshDirectory, public ::testing::WithParamInterface<Json
     if (wart.contains("samples")) {
       EXPECT_EQ(found["samples"], wart["samples"]);
     }
+    if (wart.contains("K_v")) {
+      EXPECT_NEAR(found["vertical"]["K_v_kN_per_mm"].get<double>(), wart["K_v"].get<double>(),
+                  0.5);  // of 0.1 % of load
+    }
     if (!wart.contains("K_eff") && !wart.contains("frequency_Hz")) return;
     ASSERT_TRUE(found["reported"].is_object()) << found["warnings"].dump();
     auto const number = [](Json const& from, char const* key) { return from[key].get<double>(); };
@@ -72,6 +76,10 @@ TEST_P(Warts, ComeOutAsTheTableSays) {
   std::string said;
   for (auto const& line : wart["outcome"] == "warned" ? found["warnings"] : found["recognised"])
     said += line.get<std::string>() + "\n";
+  if (auto const& vertical = found["vertical"]; !vertical.is_null()) {
+    said += vertical["how"].get<std::string>() + "\n";
+    for (auto const& line : vertical["recognised"]) said += line.get<std::string>() + "\n";
+  }
   expect_says(said, wart);
   if (wart["outcome"] == "warned") expect_says(o.out, wart);  // on the terminal too
 }

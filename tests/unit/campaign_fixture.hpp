@@ -168,6 +168,7 @@ inline void expect_same(Device const& a, Device const& b) {
   expect_same(a.record.vel_mm_s, b.record.vel_mm_s, a.name + " velocity");
   expect_same(a.record.force_kN, b.record.force_kN, a.name + " force");
   expect_same(a.record.scored, b.record.scored, a.name + " scored");
+  EXPECT_TRUE(a.vertical == b.vertical) << a.name;
 }
 
 inline void expect_same(Settings const& a, Settings const& b) {

@@ -424,6 +424,10 @@ void expect_same(DeviceInput const& a, DeviceInput const& b) {
   EXPECT_EQ(a.info.temperature_C, b.info.temperature_C);
   EXPECT_EQ(a.info.rubber_thickness_mm, b.info.rubber_thickness_mm);
   EXPECT_EQ(a.info.rubber_area_mm2, b.info.rubber_area_mm2);
+  EXPECT_EQ(a.vertical.file, b.vertical.file);
+  EXPECT_EQ(a.vertical.stated_kN_per_mm, b.vertical.stated_kN_per_mm);
+  EXPECT_TRUE(a.vertical.loads == b.vertical.loads);
+  EXPECT_TRUE(a.vertical.read == b.vertical.read);
   EXPECT_EQ(a.read.columns, b.read.columns);
   EXPECT_EQ(a.read.units, b.read.units);
   EXPECT_EQ(a.read.dt_s, b.read.dt_s);
@@ -462,6 +466,12 @@ TEST_F(LotFileTest, WrittenDevicesReadBack) {
   elsewhere.name = "elsewhere";
   elsewhere.files = {"/data/somewhere/else.csv"};
   elsewhere.shown_file = "/data/somewhere/else.csv";
+  second.vertical.file = folder / "b-v.csv";
+  second.vertical.shown_file = "b-v.csv";
+  second.vertical.read.units = {{data::Channel::load, "MN"}};
+  second.vertical.read.rows = data::RowRange{.first = 2, .last = {}};
+  second.vertical.loads = data::LoadRange{0.1 + 0.2, 1234567.0};
+  elsewhere.vertical.stated_kN_per_mm = 1234.5;
   lot.devices = {first, second, elsewhere};
   auto const text = lot_file_text(lot, folder);
   auto const back = read(text, {.allow_outside = true});

@@ -42,12 +42,16 @@ TEST_F(Write, AllOutputsAndNothingElse) {
   std::set<std::string> files;
   for (auto const& entry : fs::recursive_directory_iterator(dir_ / "deep" / "out"))
     if (entry.is_regular_file()) files.insert(fs::relative(entry.path(), dir_ / "deep" / "out").string());
-  EXPECT_EQ(files, (std::set<std::string>{"report.html", "summary.json", "tables/cycles.csv", "tables/lambda.csv",
-                                          "tables/lot.csv", "tables/objective.csv", "tables/parameters.csv",
-                                          "tables/robustness.csv", "tables/converged.csv", "tables/identifiability.csv",
-                                          "tables/lot_law.csv", "tables/prediction.csv", "tables/tests.csv",
-                                          "tables/table_a5.csv", "tables/table_a5.tex", "tables/robustness.tex",
-                                          "tables/front.csv", "tables/front.tex"}));
+  EXPECT_EQ(files, (std::set<std::string>{"report.html",           "summary.json",
+                                          "tables/cycles.csv",     "tables/lambda.csv",
+                                          "tables/lot.csv",        "tables/objective.csv",
+                                          "tables/parameters.csv", "tables/robustness.csv",
+                                          "tables/converged.csv",  "tables/identifiability.csv",
+                                          "tables/lot_law.csv",    "tables/prediction.csv",
+                                          "tables/tests.csv",      "tables/vertical.csv",
+                                          "tables/levels.csv",     "tables/table_a5.csv",
+                                          "tables/table_a5.tex",   "tables/robustness.tex",
+                                          "tables/front.csv",      "tables/front.tex"}));
   EXPECT_EQ(content(dir_ / "deep" / "out" / "summary.json"), summary_json(summary));
   EXPECT_EQ(content(dir_ / "deep" / "out" / "report.html"), html(summary));
 }

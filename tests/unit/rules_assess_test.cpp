@@ -23,7 +23,8 @@ Design design() {
 }
 
 TEST(Design, IsReadFromText) {
-  auto const d = parse_design("K_eff=1.2, damping = 15 ,energy=1e4,Q_d=30,K_d=0.9,disp=150,frequency=0.5,load=2000");
+  auto const d =
+      parse_design("K_eff=1.2, damping = 15 ,energy=1e4,Q_d=30,K_d=0.9,disp=150,frequency=0.5,load=2000,K_v=1500");
   EXPECT_EQ(d.K_eff_kN_per_mm, 1.2);
   EXPECT_EQ(d.damping_percent, 15);
   EXPECT_EQ(d.energy_kN_mm, 1e4);
@@ -33,16 +34,18 @@ TEST(Design, IsReadFromText) {
   EXPECT_EQ(d.frequency_Hz, 0.5);
   EXPECT_EQ(d.load_kN, 2000);
   EXPECT_EQ(d.of(Quantity::Q_d), 30);
-  EXPECT_EQ(d.of(Quantity::K_v), std::nullopt);
+  EXPECT_EQ(d.of(Quantity::K_v), 1500);
+  EXPECT_EQ(design().of(Quantity::K_v), std::nullopt);
 }
 
 TEST(Design, RefusesWhatItDoesNotKnow) {
   auto const said = complaints([] { parse_design("Keff=1.2,damping=-1,disp=nan,disp=1,disp=2,load=1kN,load"); });
-  expect_parts(said, {"unknown design value 'Keff'", "K_eff=..., K_d=... in kN/mm", "damping='-1'; allowed: a positive",
-                      "disp='nan'", "disp is given twice", "load='1kN'", "'load' has no '='"});
+  expect_parts(
+      said, {"unknown design value 'Keff'", "K_eff=..., K_d=..., K_v=... in kN/mm", "damping='-1'; allowed: a positive",
+             "disp='nan'", "disp is given twice", "load='1kN'", "'load' has no '='"});
   EXPECT_NE(complaints([] { parse_design(""); }), "");
   EXPECT_NE(complaints([] { parse_design("K_eff=1e999"); }), "");
-  EXPECT_NE(complaints([] { parse_design("K_v=3"); }), "");
+  EXPECT_NE(complaints([] { parse_design("K_v=-3"); }), "");
 }
 
 TEST(Limits, ComparePeakToPeakStiffnessOfTheThirdCycle) {
@@ -258,12 +261,68 @@ TEST(Verdicts, AreNeverGivenByASetThatIsNotVerified) {
     }
 }
 
-TEST(Verdicts, NeverConcernVerticalStiffness) {
+TEST(VerticalStiffness, WithoutATestIsNotAssessedByAnySet) {
   for (auto const& set : built_in_rule_sets()) {
-    auto const line = find(assess(set, block(), design()), "K_v");
+    auto const line = find(assess(set, block(), parse_design("K_v=1500")), "K_v");
     EXPECT_EQ(line.verdict, Verdict::not_assessed);
-    EXPECT_EQ(line.reason, "vertical stiffness needs a vertical displacement channel");
+    EXPECT_EQ(line.reason, "no vertical test is given");
   }
+}
+
+BlockValues with_vertical(double K_v_kN_per_mm) {
+  auto made = block();
+  made.vertical.K_v_kN_per_mm = K_v_kN_per_mm;
+  made.vertical.formula = "as it was measured";
+  return made;
+}
+
+TEST(VerticalStiffness, IsHeldToTheSetThatNamesIt) {
+  auto const& ntc = find_rule_set("ntc-2018");
+  auto const d = parse_design("K_v=1000");  // at least -30 %, and no upper limit
+  auto const verdict = [&](double value) { return find(assess(ntc, with_vertical(value), d), "K_v").verdict; };
+  EXPECT_EQ(verdict(700.0), Verdict::pass);
+  EXPECT_EQ(verdict(5000.0), Verdict::pass);
+  EXPECT_EQ(verdict(699.9), Verdict::fail);
+  auto const line = find(assess(ntc, with_vertical(699.9), d), "K_v");
+  EXPECT_NEAR(*line.deviation_percent, -30.01, 1e-9);
+  EXPECT_EQ(line.deviation, "-30.01 %");
+  EXPECT_EQ(line.limit, "at least -30 %");
+  EXPECT_EQ(line.formula, "as it was measured");
+  EXPECT_EQ(line.clause, "Table 11.9.IV, K_v, supply");
+  auto const open = find(assess(ntc, with_vertical(1000.0), design()), "K_v");
+  EXPECT_EQ(open.verdict, Verdict::not_assessed);
+  expect_parts(open.reason, {"no design value: give K_v=..."});
+}
+
+// Those of the shear test are not its own: the set asks for 0.1 or 0.5 Hz.
+TEST(VerticalStiffness, DoesNotDependOnTheConditionsOfTheShearTest) {
+  auto tested = with_vertical(900.0);
+  tested.frequency_Hz = 7.0;
+  auto const lines = assess(find_rule_set("ntc-2018"), tested, parse_design("K_v=1000,K_eff=1.2,disp=100"));
+  EXPECT_EQ(find(lines, "K_v").verdict, Verdict::pass);
+  EXPECT_EQ(find(lines, "K_eff, positive side").verdict, Verdict::not_assessed);
+}
+
+TEST(VerticalStiffness, IsInformationWhereTheSetHasNoLimit) {
+  auto const line = find(assess(rules_of(within_20), with_vertical(900.0), parse_design("K_eff=1.2,K_v=1000")), "K_v");
+  EXPECT_EQ(line.verdict, Verdict::information);
+  EXPECT_NEAR(*line.deviation_percent, -10.0, 1e-9);
+}
+
+TEST(VerticalStiffness, HasItsSpreadOverALot) {
+  auto const& ntc = find_rule_set("ntc-2018");
+  std::vector<DeviceValues> devices{{"A", with_vertical(900.0)}, {"B", with_vertical(1100.0)}, {"C", block()}};
+  auto const lot = lot_view(ntc, devices, parse_design("K_v=1000"), 10);
+  auto const found = std::ranges::find(lot.quantities, Quantity::K_v, &LotQuantity::quantity);
+  ASSERT_NE(found, lot.quantities.end());
+  EXPECT_EQ(found->count, 2u);
+  EXPECT_EQ(found->without, std::vector<std::string>{"C"});
+  EXPECT_NEAR(*found->mean, 1000.0, 1e-9);
+  EXPECT_EQ(found->nominal, 1000.0);
+  EXPECT_EQ(found->limit_individual, "at least -30 %");
+  devices = {{"C", block()}};
+  auto const without = lot_view(ntc, devices, {}, 10);
+  EXPECT_EQ(std::ranges::count(without.quantities, Quantity::K_v, &LotQuantity::quantity), 0);
 }
 
 TEST(Information, IsGivenForADesignValueWithoutALimit) {

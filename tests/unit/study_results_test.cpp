@@ -82,6 +82,8 @@ TEST(Results, OfRecordsAreDocumentedInTheirOrderWithTheirUnitsAndMeaning) {
   expect_all_documented(block_results, of("`blocks[]`"));
   expect_all_documented(cycle_results, of("`blocks[].cycles[]`"));
   expect_all_documented(stability_results, of("`blocks[].stability.K_eff`, `.energy`, `.damping`"));
+  expect_all_documented(level_results, of("`levels[]`"));
+  expect_all_documented(vertical_results, of("`vertical`"));
   expect_all_documented(assessment_results, of("An assessment"));
   expect_all_documented(quantity_results, of("`assessment.lot.quantities[]`"));
   expect_all_documented(factor_results, of("`assessment.lot.factors[]`"));

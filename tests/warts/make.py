@@ -181,7 +181,61 @@ def text_files():
     write('empty.csv', b'')
 
 
+# Load and displacement of a compression test: `loadings` from `least` to `largest` kN along d(P), unloaded with some
+# hysteresis; the first loading settles by a tenth more.
+def compression(name, head, disp_of, loadings=3, least=50.0, largest=1000.0, load_sign=1.0, settles=0.02, unloads=True):
+    lines = [head]
+    for number in range(loadings):
+        for i in range(100 if unloads else 51):
+            load = least + (largest - least) * 0.5 * (1.0 - math.cos(2.0 * math.pi * i / 100.0))
+            back = 0.03 * math.sin(math.pi * (load - least) / (largest - least)) if i > 50 else 0.0
+            settled = settles * min(number + (load - least) / (largest - least) if number == 0 else 1.0, 1.0)
+            lines.append(f'{disp_of(load) + back + settled:.5f};{load_sign * load:.3f}')
+    write(name, ('\n'.join(lines) + '\n').encode())
+
+
+def compression_tests():
+    english = 'Vertical displacement [mm];Vertical load [kN]'
+    compression('compression.csv', english, lambda p: 0.3 + p / 1200.0)
+    # 700 kN between 300 and 1000 kN take 700/1200 mm of a law that stiffens, P^0.8.
+    scale = 700.0 / 1200.0 / (1000.0 ** 0.8 - 300.0 ** 0.8)
+    compression('compression-ramp.csv', 'Displacement [mm];Load [kN]', lambda p: scale * p ** 0.8, loadings=1, least=0.0, settles=0.0, unloads=False)
+    compression('compression-negative.csv', 'Weg vertikal [mm];Vertikalkraft [kN]', lambda p: 0.3 + p / 1200.0, load_sign=-1.0)
+    compression('compression-preload.csv', english, lambda p: p / 1200.0, least=400.0)
+
+
+def machine(name, head, row, encoding='utf-8', end='\r\n'):
+    table(name, head, row, encoding=encoding, end=end)
+
+
+# As the programs of testing machines and of measuring amplifiers write them; device and times as everywhere here.
+def machines():
+    tabs = lambda t, x, f: f'{t:.4f}\t{x:.4f}\t{f:.4f}'
+    machine('mts-793.dat', 'MTS793|MPT|ENU|1|2|.|/|:|1|0|0|A\r\n\r\nData Acquisition\t\tTime:\t6.02\tSec\t5/2/2024 10:00:06 AM\r\n'
+            'Running Time\tHorizontal Displacement\tHorizontal Force\r\nSec\tmm\tkN', tabs)
+    machine('mts-793-german.dat', 'MTS793|MPT|DEU|1|2|,|.|:|49|1|1|A\r\n\r\nDatenerfassung\t\tZeit:\t6,02\tSek\t02.05.2024 10:00:06\r\n'
+            'Zeit\tAchse-1 Weg\tAchse-1 Kraft\r\nSek\tmm\tN', lambda t, x, f: f'{comma(t, 4)}\t{comma(x, 4)}\t{comma(1000.0 * f, 2)}', encoding='cp1252')
+    machine('mts-793-axial.dat', 'MTS793|MPT|ENU|1|2|.|/|:|1|0|0|A\r\n\r\nData Acquisition\t\tTime:\t6.02\tSec\t5/2/2024 10:00:06 AM\r\n'
+            'Time\tAxial Displacement\tAxial Force\r\nsec\tmm\tkN', tabs)
+    machine('mts-testsuite.csv', '"File Path: C:\\Tests\\Lot 7"\r\n"Test: Shear"\r\n"Test Run: D07"\r\n"Date: 5/2/2024 10:00:00 AM"\r\n\r\n\r\n'
+            '"Running Time ","Horizontal Displacement ","Horizontal Force "\r\n"sec","mm","kN"', lambda t, x, f: f'"{t:.4f}","{x:.4f}","{f:.4f}"', encoding='utf-8-sig')
+    machine('bluehill-3.csv', 'Time,Extension,Load\r\n(s),(mm),(N)', lambda t, x, f: f'"{t:.4f}","{x:.4f}","{1000.0 * f:.2f}"')
+    machine('bluehill-universal.csv', 'Results Table 1\r\n,Maximum Force [kN]\r\n1,70\r\n\r\nRaw Data\r\nTime [s],Displacement [mm],Force [kN]',
+            lambda t, x, f: f'{t:.4f},{x:.4f},{f:.4f}')
+    machine('dasylab.asc', 'DASYLab - V 13.00.00\r\nWorksheet name: shear\r\nRecording date     : 5/2/2024, 10:00:00 AM\r\nBlock length       : 2\r\n'
+            'Delta              : 0.02 sec.\r\nNumber of channels : 2\r\nMeasurement time[s]\tDisp [mm]\tForce [kN]\t', lambda t, x, f: tabs(t, x, f) + '\t')
+    machine('labview.lvm', 'LabVIEW Measurement\t\r\nWriter_Version\t2\r\nReader_Version\t2\r\nSeparator\tTab\r\nDecimal_Separator\t.\r\nMulti_Headings\tNo\r\n'
+            'X_Columns\tOne\r\nTime_Pref\tRelative\r\nOperator\tLaboratory\r\nDate\t2024/05/02\r\nTime\t10:00:00.25\r\n***End_of_Header***\t\r\n\t\r\n'
+            'Channels\t2\t\t\r\nSamples\t301\t301\t\r\nDate\t2024/05/02\t2024/05/02\t\r\nTime\t10:00:00.25\t10:00:00.25\t\r\n'
+            'Y_Unit_Label\tmm\tkN\t\r\nX_Dimension\tTime\tTime\t\r\nX0\t0.0E+0\t0.0E+0\t\r\nDelta_X\t0.020000\t0.020000\t\r\n***End_of_Header***\t\t\t\r\n'
+            'X_Value\tDisplacement\tForce\tComment', tabs)
+    write('machine.tdms', b'TDSm' + bytes(24))
+    write('machine.id_comp', b'TDAT' + bytes(24))
+
+
 time_stamps()
 parts_of_files()
 units_and_names()
 text_files()
+compression_tests()
+machines()

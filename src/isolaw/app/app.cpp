@@ -60,6 +60,13 @@ void add_acceptance(CLI::App& command, Values& acceptance) {
   for (auto const& option : campaign::acceptance_table()) add_option(command, option, acceptance);
 }
 
+void add_vertical(CLI::App& command, std::vector<std::string>& vertical) {
+  command
+      .add_option("--vertical", vertical,
+                  "DEVICE=FILE: the compression test of a device, which gives K_v; may be repeated")
+      ->allow_extra_args(false);
+}
+
 void add_figures(CLI::App& command, std::string& figures) {
   command.add_option("--figures", figures,
                      "for print, with data and gnuplot scripts: lot (default), all (of every device too), none");
@@ -71,6 +78,7 @@ void add_calibrate(CLI::App& c, CalibrateArguments& a) {
     if (!setting.stored_only) add_option(c, setting, a.settings);
   add_reading(c, a.read);
   add_acceptance(c, a.acceptance);
+  add_vertical(c, a.vertical);
   c.add_option("--jobs", a.jobs,
                fmt::format("threads, 0 to {} (one per core); the results do not depend on it", campaign::most_jobs))
       ->check(CLI::Range(0, campaign::most_jobs));
@@ -132,6 +140,7 @@ int dispatch(CLI::App& app, int argc, char** argv) {
       ->required();
   add_reading(inspect_command, inspect_arguments.read);
   add_acceptance(inspect_command, inspect_arguments.acceptance);
+  add_vertical(inspect_command, inspect_arguments.vertical);
   inspect_command.add_option("--out", inspect_arguments.out,
                              "also write a page with drawn loops, tables and JSON there");
   inspect_command.add_flag("--allow-outside", inspect_arguments.allow_outside,

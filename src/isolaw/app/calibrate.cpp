@@ -79,6 +79,9 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
   auto contents = campaign::prepare(lot);
   for (auto const& device : contents.devices)
     if (!device.usable()) say("{}: refused\n  {}\n", device.name, device.refusal);
+  for (auto const& device : contents.devices)
+    if (!device.vertical.refusal.empty())
+      say("{}: no vertical stiffness\n  {}\n", device.name, device.vertical.refusal);
   // What the lot cannot be held to is said before the search, not after it.
   if (lot.acceptance != campaign::Acceptance{}) study::build_summary(contents);
 

@@ -18,6 +18,7 @@ inline constexpr int exit_done = 0, exit_with_refusals = 1, exit_wrong_usage = 2
 struct CalibrateArguments {
   std::vector<std::filesystem::path> inputs;  // one lot file, or records
   Values settings, read, acceptance;
+  std::vector<std::string> vertical;  // DEVICE=FILE of compression tests
   std::optional<std::filesystem::path> out;
   std::optional<int> jobs;
   std::string figures = "lot";
@@ -30,6 +31,7 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
 struct InspectArguments {
   std::vector<std::filesystem::path> inputs;  // one lot file, or records
   Values read, acceptance;
+  std::vector<std::string> vertical;         // DEVICE=FILE of compression tests
   std::optional<std::filesystem::path> out;  // writes page, tables and JSON there
   bool allow_outside = false;
   bool json = false;

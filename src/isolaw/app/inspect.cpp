@@ -25,8 +25,9 @@ namespace isolaw::app {
 namespace {
 
 bool refused(study::Summary const& summary) {
-  return std::ranges::any_of(summary.devices,
-                             [](auto const& device) { return device.status != "ok" || device.properties.is_false; });
+  return std::ranges::any_of(summary.devices, [](auto const& device) {
+    return device.status != "ok" || device.properties.is_false || !device.vertical_test.refusal.empty();
+  });
 }
 
 }  // namespace
@@ -34,6 +35,7 @@ bool refused(study::Summary const& summary) {
 int inspect(InspectArguments const& arguments) {
   auto lot = lot_of_inputs(arguments.inputs, {.allow_outside = arguments.allow_outside, .other_out = true});
   for (auto& device : lot.devices) apply(arguments.read, device.read);
+  apply_vertical(arguments.vertical, lot);
   apply(arguments.acceptance, lot.acceptance);
   auto const contents = campaign::prepare_devices(lot);
   // One record that cannot be read: its own error, with every complaint.
@@ -41,6 +43,8 @@ int inspect(InspectArguments const& arguments) {
     for (auto const& file : lot.devices.front().files) data::read_record(file, lot.devices.front().read);
     throw Error({.where = printable(contents.devices.front().name), .found = contents.devices.front().refusal});
   }
+  if (contents.devices.size() == 1 && !contents.devices.front().vertical.refusal.empty())
+    throw Error({.where = "vertical test", .found = contents.devices.front().vertical.refusal});
   auto const summary = study::build_summary(contents);
   print(arguments.json ? render::inspection_json(summary) : render::inspection_text(summary));
   if (arguments.out) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <ranges>
+#include <set>
 
 #include "isolaw/api/calibrate.hpp"
 #include "isolaw/app/say.hpp"
@@ -15,6 +16,7 @@
 #include "isolaw/data/reading.hpp"
 #include "isolaw/rules/measured.hpp"
 #include "isolaw/rules/rule_set.hpp"
+#include "isolaw/study/findings.hpp"
 
 namespace isolaw::app {
 namespace {
@@ -128,6 +130,30 @@ void apply(Values const& given, campaign::Acceptance& acceptance) {
         *damping, 100.0 * *damping);
 }
 
+void apply_vertical(std::vector<std::string> const& given, campaign::Lot& lot) {
+  std::vector<Complaint> complaints;
+  std::set<std::string> named;
+  for (auto const& text : given) {
+    // Names may hold an equals sign: the longest that fits.
+    campaign::DeviceInput* found = nullptr;
+    for (auto& device : lot.devices)
+      if (text.starts_with(device.name + "=") && (found == nullptr || device.name.size() > found->name.size()))
+        found = &device;
+    std::vector<std::string> names;
+    for (auto const& device : lot.devices) names.push_back(in_quotes(device.name));
+    auto const file = found == nullptr ? std::string() : text.substr(found->name.size() + 1);
+    if (file.empty())
+      complaints.push_back({"--vertical", in_quotes(text) + (found == nullptr ? ": no such device" : ": no file"),
+                            "DEVICE=FILE, where DEVICE is " + study::enumerate(names),
+                            fmt::format("--vertical {}=FILE", lot.devices.front().name)});
+    else if (!named.insert(found->name).second)
+      complaints.push_back({"--vertical", in_quotes(found->name) + " is given twice", "one test for a device", {}});
+    else
+      found->vertical = {.file = file, .shown_file = printable(std::filesystem::path(file).filename().string())};
+  }
+  if (!complaints.empty()) throw Error(std::move(complaints));
+}
+
 campaign::Lot lot_of_file(std::filesystem::path const& file, campaign::LotFileOptions options) {
   options.is_built_in_rules = rules::is_built_in;
   return campaign::read_lot_file(file, options);
@@ -162,6 +188,7 @@ campaign::Lot lot_of(CalibrateArguments const& a) {
   if (a.out) lot.out = a.out;
   if (a.jobs) lot.jobs = a.jobs;
   for (auto& device : lot.devices) apply(a.read, device.read);
+  apply_vertical(a.vertical, lot);
   apply(a.acceptance, lot.acceptance);
   if (s.laws.empty()) s.laws = campaign::parse_laws(campaign::usual_laws);
   s.validate();

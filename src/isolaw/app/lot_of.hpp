@@ -22,6 +22,9 @@ campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, ca
 // Lays what is given over `acceptance`, whose rule set is then loaded and everything checked. Throws Error.
 void apply(Values const& given, campaign::Acceptance& acceptance);
 
+// "DEVICE=FILE": the compression test of a device of the lot, in place of what the lot file says. Throws Error.
+void apply_vertical(std::vector<std::string> const& given, campaign::Lot& lot);
+
 // Options given on the command line win over those in `options`.
 void apply(Values const& given, data::ReadOptions& options);
 

@@ -41,7 +41,7 @@ void print(study::Summary const& summary, bool json) {
 
 int exit_code(study::Summary const& summary) {
   for (auto const& device : summary.devices)
-    if (device.status != "ok") return exit_with_refusals;
+    if (device.status != "ok" || !device.vertical_test.refusal.empty()) return exit_with_refusals;
   for (auto const& law : summary.laws)
     for (auto const& fit : law.devices)
       if (!fit.refusal.empty() || fit.failed_runs > 0) return exit_with_refusals;

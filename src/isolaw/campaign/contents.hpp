@@ -12,6 +12,7 @@
 #include "isolaw/analysis/one_law.hpp"
 #include "isolaw/campaign/settings.hpp"
 #include "isolaw/data/record.hpp"
+#include "isolaw/data/vertical.hpp"
 #include "isolaw/fit/box.hpp"
 
 namespace isolaw::campaign {
@@ -39,7 +40,8 @@ struct Device {
   DeviceInfo info;
   std::string refusal = {};  // why the device takes no part; empty for a usable one
   data::TestRecord raw = {};
-  data::FitRecord record = {};  // what the laws are fitted to
+  data::FitRecord record = {};       // what the laws are fitted to
+  data::VerticalTest vertical = {};  // no law depends on it, so it may change before a campaign is continued
 
   bool usable() const { return refusal.empty(); }
 };

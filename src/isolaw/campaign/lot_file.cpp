@@ -134,8 +134,46 @@ std::optional<double> millimetres_of(Quantity q, int power) {
   return unit && unit->dimension == Dimension::length ? std::optional(q.value * unit->in_record_units) : std::nullopt;
 }
 
+// How a compression test is read: as a motion is, which has no force either.
+template <class Visit>
+void for_each_vertical_option(Visit&& visit) {
+  for (auto const& option : data::reading_table())
+    if (!option.of_test) visit(option);
+}
+
+// K_v = 1234.0, vertical = "file.csv", or a table with the file, the loads and how it is read. `take_file` judges a name.
+void read_vertical_input(TomlTable& table, std::filesystem::path const& directory,
+                         std::function<void(std::string const&)> const& take_file, std::string const& lot_file,
+                         std::vector<Complaint>& complaints, VerticalInput& vertical) {
+  table.value<double>("K_v", "vertical stiffness in kN/mm, above 0", [&](double value) {
+    if (!(value > 0.0) || !std::isfinite(value))
+      throw Error({.where = {}, .found = fmt::format("{}", value), .allowed = "vertical stiffness in kN/mm, above 0"});
+    vertical.stated_kN_per_mm = value;
+  });
+  auto const* node = table.find("vertical");
+  if (node == nullptr) return;
+  if (vertical.stated_kN_per_mm)
+    table.complain(*node, "K_v and vertical for one device", "the stiffness, or the test that it follows from");
+  auto const take = [&](std::string const& name) {
+    take_file(name);
+    vertical.file = directory / name;
+    vertical.shown_file = name;
+  };
+  if (!node->is_table()) return table.value<std::string>("vertical", "a file, or a table with one", take, longest_path);
+  TomlTable inside(*node->as_table(), lot_file, "vertical", complaints);
+  inside.value<std::string>("file", "text", take, longest_path);
+  inside.value<std::string>("loads", "text",
+                            [&](std::string const& text) { vertical.loads = data::parse_loads(text); });
+  for_each_vertical_option([&](auto const& option) {
+    inside.json(option.option(), [&](Json const& value) { option.set(vertical.read, value); });
+  });
+  inside.refuse_unknown();
+  if (inside.find("file") == nullptr) inside.complain("a vertical test without a file", "file = \"...\"");
+}
+
 DeviceInput read_device(TomlTable& table, toml::table const& source, std::filesystem::path const& directory,
-                        data::ReadOptions const& defaults, LotFileOptions const& options) {
+                        data::ReadOptions const& defaults, LotFileOptions const& options, std::string const& lot_file,
+                        std::vector<Complaint>& complaints) {
   DeviceInput device;
   device.read = defaults;
   device.directory = directory;
@@ -172,6 +210,7 @@ DeviceInput read_device(TomlTable& table, toml::table const& source, std::filesy
       device.shown_file += ", " + other->file;
       column = (directory / other->file).generic_string() + ":" + other->column;
     }
+  read_vertical_input(table, directory, check_inside, lot_file, complaints, device.vertical);
   table.refuse_unknown();
   if (device.files.empty()) table.complain(source, "a device without a file", "file = \"...\" or files = [...]");
   if (device.name.empty() && !device.files.empty()) device.name = device.files.front().stem().string();
@@ -329,7 +368,7 @@ Lot read_lot_text(std::string_view text, std::filesystem::path const& path, LotF
     std::set<std::string> names;
     for (auto const& node : tables) {
       TomlTable reader(*node.as_table(), file, "[[device]]", complaints);
-      auto device = read_device(reader, *node.as_table(), path.parent_path(), defaults, options);
+      auto device = read_device(reader, *node.as_table(), path.parent_path(), defaults, options, file, complaints);
       if (!names.insert(device.name).second)
         reader.complain(node, fmt::format("two devices are named '{}'", printable(device.name)),
                         "a name of its own for each device");
@@ -366,6 +405,23 @@ data::ReadOptions with_relative_files(data::ReadOptions read, std::filesystem::p
     if (auto const other = data::file_column(column))
       column = relative_name(other->file, directory) + ":" + other->column;
   return read;
+}
+
+void insert_vertical(toml::table& device, VerticalInput const& vertical, std::filesystem::path const& directory) {
+  if (vertical.stated_kN_per_mm) device.insert("K_v", *vertical.stated_kN_per_mm);
+  if (vertical.file.empty()) return;
+  auto const file = relative_name(vertical.file, directory);
+  toml::table table{{"file", file}};
+  if (vertical.loads) table.insert("loads", data::loads_text(*vertical.loads));
+  for_each_vertical_option([&](auto const& option) {
+    if (auto const value = option.get(vertical.read); value != option.get({})) insert(table, option.option(), value);
+  });
+  if (table.size() == 1) {
+    device.insert("vertical", file);
+  } else {
+    table.is_inline(true);
+    device.insert("vertical", std::move(table));
+  }
 }
 
 // What nobody said of a device, to be filled in: a key and what stands for its value.
@@ -430,6 +486,7 @@ std::string lot_file_text(Lot const& written, std::filesystem::path const& direc
       device.insert("files", std::move(files));
     }
     for (auto const& option : info_table()) insert(device, option.option(), option.get(input.info));
+    insert_vertical(device, input.vertical, directory);
     insert_reading(device, input.read, shared);
     devices << "\n[[device]]\n" << device << '\n';
     if (remarks.open_keys)

@@ -14,6 +14,17 @@
 
 namespace isolaw::campaign {
 
+// A compression test before it is read: a file, or the stiffness alone.
+struct VerticalInput {
+  std::filesystem::path file;
+  std::string shown_file;
+  data::ReadOptions read = {};
+  std::optional<data::LoadRange> loads = {};
+  std::optional<double> stated_kN_per_mm = {};
+
+  bool given() const { return !file.empty() || stated_kN_per_mm; }
+};
+
 // One device before its record is read.
 struct DeviceInput {
   std::string name;
@@ -22,6 +33,7 @@ struct DeviceInput {
   std::string shown_file;                    // as reports name it
   DeviceInfo info;
   data::ReadOptions read;
+  VerticalInput vertical = {};
 };
 
 struct Lot {

@@ -9,6 +9,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/hash.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/data/clean.hpp"
 #include "isolaw/data/properties.hpp"
 #include "isolaw/data/text.hpp"
@@ -49,6 +50,25 @@ std::string hash_of_files(DeviceInput const& input) {
   return hashes;
 }
 
+// What cannot be read or gives no stiffness is kept with its reason: the device is identified all the same.
+data::VerticalTest prepare_vertical(DeviceInput const& input) {
+  auto const& given = input.vertical;
+  data::VerticalTest test;
+  if (given.stated_kN_per_mm) test.stated_kN_per_mm = given.stated_kN_per_mm;
+  if (given.file.empty()) return test;
+  try {
+    test = data::read_vertical(given.file, given.read, given.loads);
+    data::vertical_stiffness(test);
+  } catch (Error const& error) {
+    std::vector<std::string> texts;
+    for (auto const& complaint : error.complaints()) texts.push_back(to_string(complaint));
+    test.refusal = with_shown_files(joined(texts, "; "), input.directory);
+  }
+  test.file = given.shown_file;
+  for (auto& line : test.recognised) line = with_shown_files(std::move(line), input.directory);
+  return test;
+}
+
 Device prepare_device(DeviceInput const& input, data::CleanOptions const& cleaning) {
   Device device{.name = input.name, .file = input.shown_file, .info = input.info};
   try {
@@ -62,6 +82,7 @@ Device prepare_device(DeviceInput const& input, data::CleanOptions const& cleani
     device.raw.sha256 = hash_of_files(input);
   }
   device.raw.file = input.shown_file;
+  device.vertical = prepare_vertical(input);
   return device;
 }
 

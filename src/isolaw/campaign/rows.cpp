@@ -26,12 +26,40 @@ std::vector<std::string> lines_of(std::string const& json) {
   return nlohmann::json::parse(json).get<std::vector<std::string>>();
 }
 
+// All of a compression test but its series; empty: there is none.
+std::string to_json(data::VerticalTest const& test) {
+  if (!test.given()) return {};
+  nlohmann::json made{
+      {"file", test.file}, {"sha256", test.sha256}, {"recognised", test.recognised}, {"refusal", test.refusal}};
+  if (test.loads) made["loads_kN"] = {test.loads->low_kN, test.loads->high_kN};
+  if (test.stated_kN_per_mm) made["stated_kN_per_mm"] = *test.stated_kN_per_mm;
+  return made.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+data::VerticalTest vertical_of(std::string const& json) {
+  if (json.empty()) return {};
+  auto const from = nlohmann::json::parse(json);
+  data::VerticalTest test{.file = from.at("file").get<std::string>(), .sha256 = from.at("sha256").get<std::string>()};
+  test.recognised = from.at("recognised").get<std::vector<std::string>>();
+  test.refusal = from.at("refusal").get<std::string>();
+  if (from.contains("loads_kN"))
+    test.loads = {from["loads_kN"].at(0).get<double>(), from["loads_kN"].at(1).get<double>()};
+  if (from.contains("stated_kN_per_mm")) test.stated_kN_per_mm = from["stated_kN_per_mm"].get<double>();
+  return test;
+}
+
+template <class Visit>
+void for_each_vertical_series(auto& device, Visit&& visit) {
+  visit("raw", "vertical_disp_mm", device.vertical.disp_mm);
+  visit("raw", "vertical_load_kN", device.vertical.load_kN);
+}
+
 template <class Visit>
 void for_each_series(auto& device, Visit&& visit) {
   visit("raw", "time_s", device.raw.time_s);
   visit("raw", "disp_mm", device.raw.disp_mm);
   visit("raw", "force_kN", device.raw.force_kN);
   visit("raw", "load_kN", device.raw.load_kN);
+  for_each_vertical_series(device, visit);
   visit("fit", "time_s", device.record.time_s);
   visit("fit", "disp_mm", device.record.disp_mm);
   visit("fit", "vel_mm_s", device.record.vel_mm_s);
@@ -45,18 +73,30 @@ Statement& bind(Statement& row, DeviceInfo const& info) {
                   info.rubber_area_mm2);
 }
 
+class SeriesWriter {
+ public:
+  explicit SeriesWriter(Connection const& db) : row_(db, "INSERT INTO series VALUES (?, ?, ?, ?, ?)") {}
+  // What writes the series of a device.
+  auto of(std::size_t id) {
+    return [this, id](char const* kind, char const* channel, std::vector<double> const& values) {
+      if (!values.empty()) row_.bind(id, kind, channel, values.size(), values).insert();
+    };
+  }
+
+ private:
+  Statement row_;
+};
+
 void write_devices(Connection const& db, Contents const& contents) {
-  Statement device(db, "INSERT INTO device VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
-  Statement series(db, "INSERT INTO series VALUES (?, ?, ?, ?, ?)");
+  Statement device(db, "INSERT INTO device VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  SeriesWriter series(db);
   for (std::size_t id = 0; id < contents.devices.size(); ++id) {
     auto const& d = contents.devices[id];
     device.bind(id, d.name, d.file, d.raw.sha256, d.usable() ? "ok" : "refused", d.refusal);
     bind(device, d.info);
     device.bind(to_json(d.raw.recognised), to_json(d.raw.corrections), to_json(d.raw.warnings));
-    device.bind(to_json(d.record.cleaning), d.record.dead_band_mm).insert();
-    for_each_series(d, [&](char const* kind, char const* channel, std::vector<double> const& values) {
-      if (!values.empty()) series.bind(id, kind, channel, values.size(), values).insert();
-    });
+    device.bind(to_json(d.record.cleaning), d.record.dead_band_mm, to_json(d.vertical)).insert();
+    for_each_series(d, series.of(id));
   }
 }
 
@@ -97,20 +137,21 @@ void read_settings(Connection const& db, Contents& contents) {
 void read_devices(Connection const& db, Contents& contents) {
   Statement device(
       db,
-      "SELECT name, file, sha256, status, message, serial, lot, test_date, temperature_C, rubber_thickness_mm, rubber_area_mm2, recognised, corrections, warnings, cleaning, dead_band_mm FROM device ORDER BY id");
+      "SELECT name, file, sha256, status, message, serial, lot, test_date, temperature_C, rubber_thickness_mm, rubber_area_mm2, recognised, corrections, warnings, cleaning, dead_band_mm, vertical FROM device ORDER BY id");
   while (device.row()) {
     auto& d = contents.devices.emplace_back();
     auto& info = d.info;
-    std::string status, message, recognised, corrections, warnings, cleaning;
+    std::string status, message, recognised, corrections, warnings, cleaning, vertical;
     device.read(d.name, d.file, d.raw.sha256, status, message, info.serial, info.lot, info.test_date);
     device.read(info.temperature_C, info.rubber_thickness_mm, info.rubber_area_mm2);
-    device.read(recognised, corrections, warnings, cleaning, d.record.dead_band_mm);
+    device.read(recognised, corrections, warnings, cleaning, d.record.dead_band_mm, vertical);
     d.raw.file = d.file;
     if (status == "refused") d.refusal = message.empty() ? status : message;
     d.raw.recognised = lines_of(recognised);
     d.raw.corrections = lines_of(corrections);
     d.raw.warnings = lines_of(warnings);
     d.record.cleaning = lines_of(cleaning);
+    d.vertical = vertical_of(vertical);
   }
 }
 
@@ -262,9 +303,17 @@ void write_descriptions(Connection const& db, Contents const& contents) {
   analysis.bind(contents.settings.analysis ? "\"full\"" : "\"none\"").insert();
   Statement device(
       db,
-      "UPDATE device SET serial = ?, lot = ?, test_date = ?, temperature_C = ?, rubber_thickness_mm = ?, rubber_area_mm2 = ? WHERE id = ?");
-  for (std::size_t id = 0; id < contents.devices.size(); ++id)
-    bind(device, contents.devices[id].info).bind(id).insert();
+      "UPDATE device SET serial = ?, lot = ?, test_date = ?, temperature_C = ?, rubber_thickness_mm = ?, rubber_area_mm2 = ?, vertical = ? WHERE id = ?");
+  Statement former(db, "DELETE FROM series WHERE device = ? AND kind = ? AND channel = ?");
+  SeriesWriter series(db);
+  for (std::size_t id = 0; id < contents.devices.size(); ++id) {
+    auto const& d = contents.devices[id];
+    bind(device, d.info).bind(to_json(d.vertical), id).insert();
+    for_each_vertical_series(d, [&](char const* kind, char const* channel, std::vector<double> const& values) {
+      former.bind(id, kind, channel).insert();
+      series.of(id)(kind, channel, values);
+    });
+  }
 }
 
 void write_row(Connection const& db, Run const& run) {

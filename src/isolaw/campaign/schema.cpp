@@ -28,7 +28,8 @@ CREATE TABLE device (
   status TEXT NOT NULL CHECK (status IN ('ok', 'refused')), message TEXT NOT NULL,
   serial TEXT NOT NULL, lot TEXT NOT NULL, test_date TEXT NOT NULL,
   temperature_C REAL, rubber_thickness_mm REAL, rubber_area_mm2 REAL,
-  recognised TEXT NOT NULL, corrections TEXT NOT NULL, warnings TEXT NOT NULL, cleaning TEXT NOT NULL, dead_band_mm REAL NOT NULL);
+  recognised TEXT NOT NULL, corrections TEXT NOT NULL, warnings TEXT NOT NULL, cleaning TEXT NOT NULL, dead_band_mm REAL NOT NULL,
+  vertical TEXT NOT NULL);  -- compression test as JSON but for its series; empty: none
 CREATE TABLE series (  -- values: little-endian 8-byte floats; kind: as read, or as the laws saw it
   device INTEGER NOT NULL REFERENCES device(id), kind TEXT NOT NULL CHECK (kind IN ('raw', 'fit')),
   channel TEXT NOT NULL, count INTEGER NOT NULL, "values" BLOB NOT NULL,
@@ -74,6 +75,7 @@ constexpr std::array additions{
     Addition{5, "lot_analysis", "maker", ", maker INTEGER NOT NULL REFERENCES maker(id)", "0"},
     Addition{5, "left_out", "maker", " maker INTEGER NOT NULL REFERENCES maker(id),", "0"},
     Addition{6, "device", "dead_band_mm", ", dead_band_mm REAL NOT NULL", "0.0"},
+    Addition{7, "device", "vertical", ",\n  vertical TEXT NOT NULL", "''"},
 };
 
 // A table that a schema added; an older store reads as if it held these rows.

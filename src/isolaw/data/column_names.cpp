@@ -20,7 +20,7 @@ constexpr std::string_view time_words[]{"time", "tempo", "zeit", "temps", "tiemp
 constexpr std::string_view date_words[]{"timestamp", "datetime", "date",     "datum",       "data",   "fecha", "time",
                                         "zeit",      "uhrzeit",  "horodate", "zeitstempel", "ora",    "hora",  "heure",
                                         "tarih",     "saat",     "tempo",    "temps",       "tiempo", "zaman"};
-constexpr std::string_view disp_words[]{"disp", "weg",         "stroke",    "corsa",
+constexpr std::string_view disp_words[]{"disp", "weg",         "stroke",    "corsa",   "extension",
                                         "hub",  "scorrimento", "deplasman", "otelenme"};
 constexpr std::string_view disp_stems[]{"displ",         "spost",     "verschieb",
                                         "deplac",        "desplaz",   "horizontalverschieb",
@@ -31,10 +31,10 @@ constexpr std::string_view force_words[]{
 constexpr std::string_view load_words[]{"load", "carico", "last", "carga", "charge", "yuk", "yuku"};
 constexpr std::string_view vertical_force_words[]{"vertikalkraft", "vertikallast", "axialkraft",
                                                   "axiallast",     "normalkraft",  "auflast"};
+constexpr std::string_view vertical_disp_words[]{"vertikalweg", "vertikalverschiebung"};
 constexpr std::string_view vertical_words[]{
-    "vertical",     "verticale",   "vert",    "vertikal", "vertikalweg", "vertikalverschiebung",
-    "axial",        "axiale",      "assiale", "normal",   "normale",     "compression",
-    "compressione", "kompression", "z",       "dusey",    "eksenel",     "basinc"};
+    "vertical", "verticale",   "vert",         "vertikal",    "axial", "axiale", "assiale", "normal",
+    "normale",  "compression", "compressione", "kompression", "z",     "dusey",  "eksenel", "basinc"};
 constexpr std::string_view horizontal_words[]{"horizontal", "horizontale", "orizzontale", "orizz",  "horiz", "hor",
                                               "lateral",    "laterale",    "shear",       "taglio", "yatay", "kesme"};
 // Not a measured displacement or force, though the name holds such a word.
@@ -225,7 +225,8 @@ Meaning meaning_of_words(Words const& words) {
   bool const vertical = any_in(vertical_words, words) || single_letter_vertical;
   bool const disp = any_in(disp_words, words) || any_starts(disp_stems, words);
   if (any_in(vertical_force_words, words)) return word(Channel::load);
-  if (disp) return vertical ? Meaning{} : word(Channel::disp);
+  if (any_in(vertical_disp_words, words)) return {.channel = {}, .vertical_disp = true};
+  if (disp) return vertical ? Meaning{.channel = {}, .vertical_disp = true} : word(Channel::disp);
   if (any_in(time_words, words)) return word(Channel::time);
   bool const load = any_in(load_words, words);
   if (any_in(force_words, words)) return word(vertical ? Channel::load : Channel::force);
@@ -297,7 +298,7 @@ std::optional<ColumnName> split_last_word(std::string_view name) {
 Meaning meaning_of(std::string_view name) {
   auto const parts = dissect_name(name);
   auto const meaning = meaning_of_words(words_of(parts.base));
-  if (meaning.channel) return meaning;
+  if (meaning.channel || meaning.vertical_disp) return meaning;
   return meaning_of_symbol(parts.base, parse_unit(parts.unit));
 }
 

@@ -15,6 +15,7 @@ struct Meaning {
   std::optional<Channel> channel;
   Certainty certainty = Certainty::none;
   bool plain_load = false;
+  bool vertical_disp = false;  // of which no channel of a shear test is
 };
 Meaning meaning_of(std::string_view name);
 

@@ -50,6 +50,9 @@ class Resolver {
   }
 
  private:
+  std::string_view meaning_text(Channel channel) const {
+    return wanted_.vertical && channel == Channel::disp ? "vertical displacement" : info_of(channel).meaning;
+  }
   bool both_wanted() const { return wanted_.disp && wanted_.force; }
   bool has_names() const { return !header_.names.empty(); }
   bool asked_for(Channel channel) const { return options_.columns.contains(channel); }
@@ -86,7 +89,7 @@ class Resolver {
   void take_option(Channel channel) {
     auto const wanted = options_.columns.find(channel);
     if (wanted == options_.columns.end()) return;
-    bool const optional_channel = channel == Channel::time || channel == Channel::load;
+    bool const optional_channel = channel == Channel::time || (channel == Channel::load && !wanted_.vertical);
     if (optional_channel && lower(wanted->second) == "none" && !find_named(wanted->second)) {
       result_.recognised.push_back(
           fmt::format("{}: not read, as asked for (--columns {}=none)", name(channel), name(channel)));
@@ -264,7 +267,8 @@ class Resolver {
   // Words before symbols: beside a column "Force", a column "F" is more likely something else.
   void recognise(Channel channel) {
     if (channel == Channel::time) return recognise_time();
-    auto const found = candidates_of_any(channel);
+    auto found = wanted_.vertical ? compression_candidates(channel) : candidates_of_any(channel);
+    if (found.empty() && header_.own_axis && !wanted_.vertical) found = own_axis_candidates(channel);
     // Nothing else it could be.
     if (channel == Channel::disp && found.empty() && count_ == 1 && !wanted_.force) {
       result_.channels[channel].index = 0;
@@ -276,7 +280,7 @@ class Resolver {
       why_[channel] = "by its name";
     } else if (found.size() > 1) {
       report_ambiguity(channel, found);
-    } else if (channel == Channel::disp || channel == Channel::force) {
+    } else if (channel != Channel::load || wanted_.vertical) {
       report_missing(channel);
     }
   }
@@ -284,8 +288,8 @@ class Resolver {
   void report_ambiguity(Channel channel, std::vector<std::size_t> const& found) {
     std::vector<std::string> texts;
     for (auto const index : found) texts.push_back(column_text(index, header_));
-    auto const text = fmt::format("{} may each be the {}", shortened(std::move(texts), 10), info_of(channel).meaning);
-    if (channel == Channel::load) {
+    auto const text = fmt::format("{} may each be the {}", shortened(std::move(texts), 10), meaning_text(channel));
+    if (channel == Channel::load && !wanted_.vertical) {
       result_.warnings.push_back(fmt::format("{}: none is read ({} says which)", text, options_for(channel, found)));
       return;
     }
@@ -306,7 +310,7 @@ class Resolver {
       report_variables(channel);
       return;
     }
-    std::string found = fmt::format("no column is recognised as the {}", info_of(channel).meaning);
+    std::string found = fmt::format("no column is recognised as the {}", meaning_text(channel));
     auto const loads = columns_where([](auto const& text) { return meaning_of(text).plain_load; });
     if (channel == Channel::force && !loads.empty())
       found +=
@@ -322,7 +326,7 @@ class Resolver {
     bool const both = both_wanted() && no_disp && candidates_of_any(Channel::force).empty();
     if (both && channel == Channel::force) return;  // said with the displacement
     complain(header_place(),
-             fmt::format("no variable is recognised as the {}{}", info_of(channel).meaning,
+             fmt::format("no variable is recognised as the {}{}", meaning_text(channel),
                          both ? fmt::format(", none as the {}", info_of(Channel::force).meaning) : ""),
              columns_found(),
              both
@@ -335,11 +339,53 @@ class Resolver {
     return found.empty() ? candidates(channel, Certainty::symbol) : found;
   }
 
+  // "Axial Displacement" and "Axial Force" of a machine whose one actuator shears the device: where nothing else is
+  // named, and said.
+  std::vector<std::size_t> own_axis_candidates(Channel channel) {
+    if (channel != Channel::disp && channel != Channel::force) return {};
+    auto found = columns_where([&](auto const& text) {
+      auto const meaning = meaning_of(text);
+      return channel == Channel::disp ? meaning.vertical_disp
+                                      : meaning.channel == Channel::load && meaning.certainty == Certainty::word;
+    });
+    std::erase_if(found, [&](auto index) { return is_taken(index); });
+    if (found.size() == 1)
+      result_.warnings.push_back(
+          fmt::format("{} is named after the machine's axis, and taken for the {}: nothing else in the file is",
+                      column_text(found.front(), header_), meaning_text(channel)));
+    return found;
+  }
+
+  // What says "vertical" before what does not: a rig that shears as well names both, a press neither.
+  std::vector<std::size_t> compression_candidates(Channel channel) const {
+    auto const find = [&](auto matches) {
+      auto found = columns_where([&](auto const& text) { return matches(meaning_of(text)); });
+      std::erase_if(found, [&](auto index) { return is_taken(index); });
+      return found;
+    };
+    auto const is = [](Meaning const& m, Channel c, Certainty certainty) {
+      return m.channel == c && m.certainty == certainty;
+    };
+    std::vector<std::size_t> found;
+    if (channel == Channel::disp) {
+      found = find([](Meaning const& m) { return m.vertical_disp; });
+      if (found.empty()) found = find([&](Meaning const& m) { return is(m, Channel::disp, Certainty::word); });
+      if (found.empty()) found = find([&](Meaning const& m) { return is(m, Channel::disp, Certainty::symbol); });
+      return found;
+    }
+    found = find([&](Meaning const& m) { return is(m, Channel::load, Certainty::word) && !m.plain_load; });
+    for (auto const certainty : {Certainty::word, Certainty::symbol})
+      if (found.empty())
+        found =
+            find([&](Meaning const& m) { return is(m, Channel::load, certainty) || is(m, Channel::force, certainty); });
+    return found;
+  }
+
   // Without names nothing tells displacement from force, nor time from a counter: asked for at once.
   void report_nameless(Channel channel) {
     bool const both = both_wanted() && !asked_for(Channel::disp) && !asked_for(Channel::force);
     if (both && channel == Channel::force) return;  // said with the displacement
-    auto const what = both ? std::string("displacement and which the force") : std::string(info_of(channel).meaning);
+    auto const what = both ? std::string("displacement and which the force") : std::string(meaning_text(channel));
     complain(
         file_, fmt::format("no {} names the {} columns, so which is the {} cannot be told", header_.row, count_, what),
         header_.lettered ? fmt::format("columns A to {}", label(count_ - 1))
@@ -420,7 +466,8 @@ class Resolver {
     auto const allowed = known_units(dimension(channel));
     auto const advice = fmt::format("--units {}={}", name(channel), allowed.substr(0, allowed.find(',')));
     auto const written = written_units(channel, column.index);
-    bool const may_be_left = channel == Channel::load && !asked_for(channel) && !options_.units.contains(channel);
+    bool const may_be_left =
+        channel == Channel::load && !wanted_.vertical && !asked_for(channel) && !options_.units.contains(channel);
     auto const refuse = [&](std::string place, std::string found) {
       if (may_be_left)
         result_.warnings.push_back(fmt::format("{}: the vertical load is not read ({} says its unit)", found, advice));

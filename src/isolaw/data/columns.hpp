@@ -18,12 +18,14 @@ namespace isolaw::data {
 
 inline constexpr Channel all_channels[] = {Channel::time, Channel::disp, Channel::force, Channel::load};
 
-// What is read of a table: a test; the displacement history of one, of which force and load are left alone; single
-// channels, where others come from another file.
+// What is read of a table: a test; the displacement history of one, of which force and load are left alone; a
+// compression test; single channels, where others come from another file.
 struct Wanted {
   bool time = true, disp = true, force = true, load = true;
-  bool part = false;  // other channels are in another file
+  bool part = false;      // other channels are in another file
+  bool vertical = false;  // displacement and load of a compression test
   static Wanted test() { return {}; }
+  static Wanted compression() { return {.time = false, .force = false, .vertical = true}; }
   static Wanted motion() { return {.force = false, .load = false}; }
   bool has(Channel channel) const {
     return channel == Channel::time ? time : channel == Channel::disp ? disp : channel == Channel::force ? force : load;

@@ -37,12 +37,13 @@ void describe_part(Rows const& rows, RowRange const& range, std::vector<std::str
                                    range.last.value_or(rows.of), rows.of, rows_text(range)));
 }
 
-void describe_rows(Rows const& rows, std::string_view row, TestRecord const& record,
+void describe_rows(Rows const& rows, std::string_view row, TestRecord const& record, bool timed,
                    std::vector<std::string>& recognised) {
   recognised.push_back(
       fmt::format("{} samples, {}s {} to {}", rows.numbers.size(), row, rows.numbers.front(), rows.numbers.back()));
   if (rows.comments > 0)
     recognised.push_back(fmt::format("{} comment lines among the rows are passed over", rows.comments));
+  if (!timed) return;
   if (!record.has_time()) {
     recognised.push_back("no time column: rate-dependent laws need --dt SECONDS, the sampling interval");
     return;
@@ -263,7 +264,7 @@ Part read_channels(Tests const& tests, Table const& table, TestRecord record, Re
         fmt::format("digits are grouped by {} (--thousands {})",
                     *options.thousands == ' ' ? "blanks" : fmt::format("'{}'", *options.thousands),
                     *options.thousands == ' ' ? "blank" : std::string(1, *options.thousands)));
-  describe_rows(rows, table.header().row, made, made.recognised);
+  describe_rows(rows, table.header().row, made, wanted.time, made.recognised);
   if (wanted.disp && wanted.force) part.exchange_advice = exchange_advice(columns, table.header());
   return part;
 }
@@ -515,6 +516,10 @@ TestRecord read_motion_text(std::string_view bytes, std::string const& name, Rea
       complaints.insert(complaints.end(), error.complaints().begin(), error.complaints().end());
     throw Error(std::move(complaints));
   }
+}
+
+TestRecord read_compression(std::filesystem::path const& file, ReadOptions const& options) {
+  return read_tests(load_text(file), file.generic_string(), options, Wanted::compression());
 }
 
 TestRecord record_of_values(std::string const& name, Values values) {

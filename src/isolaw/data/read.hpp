@@ -54,6 +54,9 @@ TestRecord read_record_text(std::string_view bytes, std::string const& name, Rea
 TestRecord read_motion(std::filesystem::path const& file, ReadOptions const& options = {});
 TestRecord read_motion_text(std::string_view bytes, std::string const& name, ReadOptions const& options = {});
 
+// Vertical displacement and load of a compression test, with neither time nor force; checked channel by channel alone.
+TestRecord read_compression(std::filesystem::path const& file, ReadOptions const& options = {});
+
 // The same of values that a program holds already, in mm, kN and s; time and load may be empty. An empty force makes a
 // motion of it. Throws Error as above, with samples counted from 1, and for values that are not finite or not as many.
 struct Values {

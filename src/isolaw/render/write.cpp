@@ -33,6 +33,8 @@ constexpr Output outputs[] = {
     {"tables/prediction.csv", prediction_csv},
     {"tables/cycles.csv", cycles_csv},
     {"tables/tests.csv", tests_csv},
+    {"tables/levels.csv", levels_csv},
+    {"tables/vertical.csv", vertical_csv},
     {"tables/lot.csv", lot_csv},
     {"tables/lambda.csv", lambda_csv},
     {"tables/table_a5.csv", table_a5_csv},
@@ -70,7 +72,8 @@ void write_inspection(Summary const& summary, fs::path const& dir) {
   make_folder(dir / "tables");
   std::vector<std::pair<std::string, std::string>> const texts{
       {"inspection.json", inspection_json(summary)}, {"tables/cycles.csv", cycles_csv(summary)},
-      {"tables/tests.csv", tests_csv(summary)},      {"tables/lot.csv", lot_csv(summary)},
+      {"tables/tests.csv", tests_csv(summary)},      {"tables/vertical.csv", vertical_csv(summary)},
+      {"tables/levels.csv", levels_csv(summary)},    {"tables/lot.csv", lot_csv(summary)},
       {"tables/lambda.csv", lambda_csv(summary)},    {"inspection.html", html(summary)}};
   for (auto const& [name, text] : texts) write_file(dir / name, text);
 }

@@ -95,6 +95,7 @@ std::vector<std::string> unmet_of_lot(RuleSet const& rules, LotView const& lot, 
   if (!lot.note.empty()) unmet.push_back(lot.note);
   if (auto sample = unmet_sample(rules, lot, view); !sample.empty()) unmet.push_back(std::move(sample));
   if (!view.without.empty()) unmet.push_back(fmt::format("no value of {}", fmt::join(view.without, ", ")));
+  if (view.quantity == Quantity::K_v) return unmet;  // the conditions are those of the shear test
   for (auto const& device : devices)
     for (auto const& text : unmet_conditions(rules, device.block, design)) {
       unmet.push_back(fmt::format("{}: {}", device.name, text));
@@ -281,6 +282,11 @@ LotView lot_view(RuleSet const& rules, std::span<DeviceValues const> devices, De
     lot.note = "one device is no lot: no spread over devices, no verdict on their mean, no factors from them";
   for (auto const quantity : measured_quantities())
     lot.quantities.push_back(quantity_view(rules, lot, quantity, devices, design));
+  bool const vertical =
+      std::ranges::any_of(devices, [](auto const& device) { return device.block.vertical.K_v_kN_per_mm.has_value(); });
+  bool const limited = std::ranges::any_of(
+      rules.limits, [](Limit const& limit) { return limit.quantity == Quantity::K_v && limit.scope == Scope::mean; });
+  if (vertical || limited) lot.quantities.push_back(quantity_view(rules, lot, Quantity::K_v, devices, design));
   return lot;
 }
 

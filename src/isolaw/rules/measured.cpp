@@ -58,7 +58,7 @@ std::string formula_of(Quantity quantity, Side side) {
     case Quantity::K_v:
       break;
   }
-  return "F_v/d_v";
+  return "";
 }
 
 std::string label_of(Quantity quantity, Side side) {
@@ -116,11 +116,12 @@ struct DesignName {
   std::string_view name;
   std::optional<double> Design::*member;
 };
-constexpr std::array<DesignName, 8> design_names{{{"K_eff", &Design::K_eff_kN_per_mm},
+constexpr std::array<DesignName, 9> design_names{{{"K_eff", &Design::K_eff_kN_per_mm},
                                                   {"damping", &Design::damping_percent},
                                                   {"energy", &Design::energy_kN_mm},
                                                   {"Q_d", &Design::Q_d_kN},
                                                   {"K_d", &Design::K_d_kN_per_mm},
+                                                  {"K_v", &Design::K_v_kN_per_mm},
                                                   {"disp", &Design::disp_mm},
                                                   {"frequency", &Design::frequency_Hz},
                                                   {"load", &Design::load_kN}}};
@@ -132,7 +133,7 @@ std::optional<double> positive_number(std::string_view text) {
 
 void take_design_value(std::string_view part, Design& design, std::vector<Complaint>& complaints) {
   constexpr std::string_view form =
-      "K_eff=..., K_d=... in kN/mm, damping=... in percent, energy=... in kN mm, Q_d=..., load=... in kN, disp=... in mm, frequency=... in Hz";
+      "K_eff=..., K_d=..., K_v=... in kN/mm, damping=... in percent, energy=... in kN mm, Q_d=..., load=... in kN, disp=... in mm, frequency=... in Hz";
   auto const equals = part.find('=');
   auto const key = trimmed(part.substr(0, equals));
   auto const* known = std::ranges::find(design_names, key, &DesignName::name);
@@ -183,9 +184,9 @@ Design parse_design(std::string_view text) {
 std::vector<DerivedValue> derive(RuleSet const& rules, Quantity quantity, BlockValues const& block) {
   if (quantity == Quantity::K_v)
     return {{.label = "K_v",
-             .formula = formula_of(quantity, Side::both),
-             .value = {},
-             .reason = "vertical stiffness needs a vertical displacement channel"}};
+             .formula = block.vertical.formula,
+             .value = block.vertical.K_v_kN_per_mm,
+             .reason = block.vertical.K_v_kN_per_mm ? "" : block.vertical.reason}};
   std::vector<Side> const sides =
       is_per_side(rules, quantity) ? std::vector{Side::positive, Side::negative} : std::vector{Side::both};
   auto const missing = missing_cycles(rules.cycles, block);
@@ -211,7 +212,8 @@ std::vector<DerivedValue> derive(RuleSet const& rules, Quantity quantity, BlockV
 }
 
 std::optional<double> device_value(RuleSet const& rules, Quantity quantity, BlockValues const& block) {
-  if (quantity == Quantity::K_v || !missing_cycles(rules.cycles, block).empty()) return std::nullopt;
+  if (quantity == Quantity::K_v) return block.vertical.K_v_kN_per_mm;
+  if (!missing_cycles(rules.cycles, block).empty()) return std::nullopt;
   double const value = is_per_side(rules, quantity) ? 0.5 * (reduce(rules, quantity, Side::positive, block).mean +
                                                              reduce(rules, quantity, Side::negative, block).mean)
                                                     : reduce(rules, quantity, Side::both, block).mean;

@@ -22,26 +22,34 @@ struct CycleValues {
   double of(Quantity quantity) const;  // peak to peak; NaN for K_v
 };
 
+// The vertical stiffness of a device, from a test of its own.
+struct VerticalValue {
+  std::optional<double> K_v_kN_per_mm;
+  std::string formula = "F_v/d_v";
+  std::string reason = "no vertical test is given";  // why there is no value
+};
+
 struct BlockValues {
   int number = 0;  // block of its record, from 1; for messages
   double amplitude_mm = 0.0;
   std::optional<double> frequency_Hz, shear_strain_percent, load_mean_kN;
   std::vector<CycleValues> cycles;  // counted ones, in order
+  VerticalValue vertical = {};      // of the device, whatever the block
 
   CycleValues const* find(int cycle) const;
 };
 
 // The values the devices were designed with. All are positive.
 struct Design {
-  std::optional<double> K_eff_kN_per_mm, damping_percent, energy_kN_mm, Q_d_kN, K_d_kN_per_mm;
+  std::optional<double> K_eff_kN_per_mm, damping_percent, energy_kN_mm, Q_d_kN, K_d_kN_per_mm, K_v_kN_per_mm;
   std::optional<double> disp_mm;       // displacement they hold at
   std::optional<double> frequency_Hz;  // frequency they hold at
   std::optional<double> load_kN;       // vertical load they hold under
 
-  std::optional<double> of(Quantity quantity) const;  // nullopt for K_v too
+  std::optional<double> of(Quantity quantity) const;
 };
 
-// "K_eff=1.2,damping=15,disp=150": K_eff and K_d in kN/mm, damping in percent, energy in kN mm, Q_d and load in kN,
+// "K_eff=1.2,damping=15,disp=150": K_eff, K_d and K_v in kN/mm, damping in percent, energy in kN mm, Q_d and load in kN,
 // disp in mm, frequency in Hz. Throws Error: unknown or repeated names, what is no positive number.
 Design parse_design(std::string_view text);
 
@@ -58,7 +66,7 @@ std::vector<DerivedValue> derive(RuleSet const& rules, Quantity quantity, BlockV
 // sides. Not there where a counting cycle is missing.
 std::optional<double> device_value(RuleSet const& rules, Quantity quantity, BlockValues const& block);
 
-// Conditions of the test that differ from those the limits hold under, or are not known, one sentence each.
+// Conditions of the shear test that differ from those the limits hold under, or are not known, one sentence each.
 std::vector<std::string> unmet_conditions(RuleSet const& rules, BlockValues const& block, Design const& design);
 
 }  // namespace isolaw::rules

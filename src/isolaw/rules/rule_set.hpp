@@ -14,7 +14,7 @@
 
 namespace isolaw::rules {
 
-// Properties a limit can be about. K_v is known so that a set can name it; no record holds it.
+// Properties a limit can be about. K_v is of a test of its own.
 enum class Quantity { K_eff, damping, energy, Q_d, K_d, K_v };
 std::string_view name(Quantity quantity);  // as in rule files: "K_eff"
 std::string_view unit(Quantity quantity);  // "kN/mm", "%", "kN mm", "kN"

@@ -23,21 +23,14 @@ rules::CycleValues values_of(data::Cycle const& cycle) {
           .K_d_kN_per_mm = cycle.K_d_kN_per_mm};
 }
 
-std::optional<double> mean_load_kN(data::Block const& block) {
-  double sum = 0.0;
-  int count = 0;
-  for (auto const* cycle : block.counted())
-    if (cycle->N_mean_kN) sum += *cycle->N_mean_kN, ++count;
-  return count > 0 ? std::optional(sum / count) : std::nullopt;
-}
-
 rules::BlockValues values_of(data::Block const& block, AssessedTest const& test) {
   rules::BlockValues values{.number = block.number,
                             .amplitude_mm = block.amplitude_mm,
                             .frequency_Hz = block.frequency_Hz,
                             .shear_strain_percent = std::nullopt,
                             .load_mean_kN = mean_load_kN(block),
-                            .cycles = {}};
+                            .cycles = {},
+                            .vertical = test.vertical};
   if (test.rubber_thickness_mm) values.shear_strain_percent = 100.0 * block.amplitude_mm / *test.rubber_thickness_mm;
   for (auto const* cycle : block.counted()) values.cycles.push_back(values_of(*cycle));
   return values;
@@ -92,6 +85,14 @@ DeviceAcceptance choose_block(data::Properties const& properties, rules::Design 
 
 }  // namespace
 
+std::optional<double> mean_load_kN(data::Block const& block) {
+  double sum = 0.0;
+  int count = 0;
+  for (auto const* cycle : block.counted())
+    if (cycle->N_mean_kN) sum += *cycle->N_mean_kN, ++count;
+  return count > 0 ? std::optional(sum / count) : std::nullopt;
+}
+
 bool any_failed(std::vector<rules::Assessment> const& assessments) {
   return std::ranges::any_of(assessments, [](auto const& a) { return a.verdict == rules::Verdict::fail; });
 }
@@ -112,6 +113,7 @@ std::vector<DesignValue> design_values(rules::Design const& design) {
   add("energy", design.energy_kN_mm, "kN mm");
   add("Q_d", design.Q_d_kN, "kN");
   add("K_d", design.K_d_kN_per_mm, "kN/mm");
+  add("K_v", design.K_v_kN_per_mm, "kN/mm");
   add("disp", design.disp_mm, "mm");
   add("frequency", design.frequency_Hz, "Hz");
   add("load", design.load_kN, "kN");

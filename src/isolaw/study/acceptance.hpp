@@ -17,6 +17,7 @@ struct AssessedTest {
   std::string device;
   data::Properties const* properties = nullptr;
   std::optional<double> rubber_thickness_mm, rubber_area_mm2;
+  rules::VerticalValue vertical = {};
 };
 
 struct DeviceAcceptance {
@@ -39,6 +40,9 @@ bool lot_failed(LotAcceptance const& acceptance);
 
 // The third cycle of that block that counts, or its last where there are fewer; nullptr where there is none.
 data::Cycle const* counting_cycle(data::Properties const& properties, std::optional<int> block);
+
+// Over the counted cycles; none without a load channel.
+std::optional<double> mean_load_kN(data::Block const& block);
 
 // `devices` receives one entry for each test. Throws Error: the lot is smaller than the number of devices.
 LotAcceptance assess_lot(rules::RuleSet const& rules, rules::Design const& design, std::optional<int> lot_size,

@@ -4,6 +4,7 @@
 #include <span>
 #include <utility>
 
+#include "isolaw/base/error.hpp"
 #include "isolaw/base/version.hpp"
 #include "isolaw/campaign/maker.hpp"
 #include "isolaw/data/properties.hpp"
@@ -34,6 +35,29 @@ std::vector<double> collect(Runs const& runs, Get&& get) {
   return values;
 }
 
+void add_vertical(DeviceResult& result) {
+  auto& test = result.vertical_test;
+  if (!test.given()) return;
+  try {
+    if (test.refusal.empty()) result.vertical = data::vertical_stiffness(test);
+  } catch (Error const& error) {
+    test.refusal = error.what();
+  }
+  auto const warn = [&](std::string const& text) { result.raw.warnings.push_back("vertical test: " + text); };
+  if (!test.refusal.empty()) warn(test.refusal);
+  if (result.vertical)
+    for (auto const& warning : result.vertical->warnings) warn(warning);
+}
+
+rules::VerticalValue vertical_value(DeviceResult const& device) {
+  rules::VerticalValue made;
+  if (!device.vertical_test.refusal.empty()) made.reason = "vertical test: " + device.vertical_test.refusal;
+  if (!device.vertical) return made;
+  made.K_v_kN_per_mm = device.vertical->K_v_kN_per_mm;
+  made.formula = device.vertical->how;
+  return made;
+}
+
 DeviceResult device_result(campaign::Device const& device, int smooth) {
   DeviceResult result;
   result.name = device.name;
@@ -49,6 +73,8 @@ DeviceResult device_result(campaign::Device const& device, int smooth) {
   result.rubber_area_mm2 = device.info.rubber_area_mm2;
   result.raw = device.raw;
   result.record = device.record;
+  result.vertical_test = device.vertical;
+  add_vertical(result);
   if (!device.usable()) {
     result.properties.refusal = device.refusal;
     return result;
@@ -217,7 +243,8 @@ void add_acceptance(Summary& summary, rules::RuleSet const& rules, rules::Design
                     std::optional<int> lot_size) {
   std::vector<AssessedTest> tests;
   for (auto const& device : summary.devices)
-    tests.push_back({device.name, &device.properties, device.rubber_thickness_mm, device.rubber_area_mm2});
+    tests.push_back(
+        {device.name, &device.properties, device.rubber_thickness_mm, device.rubber_area_mm2, vertical_value(device)});
   std::vector<DeviceAcceptance> devices;
   summary.acceptance = assess_lot(rules, design, lot_size, tests, devices);
   for (std::size_t d = 0; d < devices.size(); ++d) summary.devices[d].acceptance = std::move(devices[d]);

@@ -2,6 +2,7 @@
 // and tables/cycles.csv are written from these rows; docs/inspection-json.md is checked against them.
 #pragma once
 
+#include "isolaw/study/levels.hpp"
 #include "isolaw/study/results.hpp"
 
 namespace isolaw::study {
@@ -93,6 +94,62 @@ inline constexpr Result<data::Stability> stability_results[]{
     {"first_to_third", "-", "first to third", "scragging ratio", get<&data::Stability::first_to_third>, decimals(2)},
     {"first_to_mean_1_3", "-", "first to mean of cycles 1-3", "first cycle over the mean of the first three",
      get<&data::Stability::first_to_mean_1_3>},
+};
+
+// A block among the levels of its device's test.
+inline constexpr Result<Level> level_results[]{
+    {"block", "", "block", "of the record", get<&Level::block>},
+    {"amplitude_mm", "mm", "amplitude", "of the block", get<&Level::amplitude_mm>, decimals(1)},
+    {"strain_percent", "%", "strain", "shear strain", get<&Level::strain_percent>, decimals(0)},
+    {"frequency_Hz", "Hz", "frequency", "of the block", get<&Level::frequency_Hz>, significant(2)},
+    {"N_mean_kN", "kN", "N mean", "vertical load, mean over the counted cycles", get<&Level::N_mean_kN>, decimals(0)},
+    {"cycle", "", "cycle", "whose values these are: the third that counts, or the last where there are fewer",
+     get<&Level::cycle>},
+    {"K_eff_kN_per_mm", "kN/mm", "K_eff", "of that cycle", get<&Level::K_eff_kN_per_mm>, significant(4)},
+    {"damping_percent", "%", "damping", "of that cycle", get<&Level::damping_percent>, decimals(2)},
+    {"energy_kN_mm", "kN mm", "energy", "of that cycle", get<&Level::energy_kN_mm>, decimals(0)},
+    {"K_eff_ratio", "-", "K_eff to the reference", "over that of the counting block", get<&Level::K_eff_ratio>,
+     decimals(3)},
+    {"damping_ratio", "-", "damping to the reference", "the same of the damping", get<&Level::damping_ratio>,
+     decimals(3)},
+    {"reference", "", "reference", "it is the counting block itself", get<&Level::reference>},
+};
+
+// The compression test of a device: what it gives, and its file.
+template <auto... members>
+Value of_vertical(DeviceResult const& device) {
+  return device.vertical ? get<members...>(*device.vertical) : Value();
+}
+
+inline constexpr Result<DeviceResult> vertical_results[]{
+    {"K_v_kN_per_mm", "kN/mm", "K_v", "vertical stiffness", of_vertical<&data::VerticalStiffness::K_v_kN_per_mm>,
+     significant(4)},
+    {"how", "", "how", "between which loads of which loading it is taken, or that the laboratory states it",
+     of_vertical<&data::VerticalStiffness::how>},
+    {"low_kN", "kN", "from load", "vertical load where it begins, compression positive",
+     [](DeviceResult const& device) {
+       return device.vertical && device.vertical->loads ? Value(device.vertical->loads->low_kN) : Value();
+     },
+     significant(4)},
+    {"high_kN", "kN", "to load", "where it ends",
+     [](DeviceResult const& device) {
+       return device.vertical && device.vertical->loads ? Value(device.vertical->loads->high_kN) : Value();
+     },
+     significant(4)},
+    {"disp_low_mm", "mm", "from displacement", "vertical displacement at the former",
+     of_vertical<&data::VerticalStiffness::disp_low_mm>, decimals(3)},
+    {"disp_high_mm", "mm", "to displacement", "at the latter", of_vertical<&data::VerticalStiffness::disp_high_mm>,
+     decimals(3)},
+    {"loading", "", "loading", "which loading counts, from 1", of_vertical<&data::VerticalStiffness::loading>},
+    {"loadings_kN_per_mm", "", "", "the stiffness in kN/mm of every loading that reaches the largest load",
+     nested<DeviceResult>},
+    {"file", "", "file", "of the vertical test; empty where the laboratory states the stiffness alone",
+     get<&DeviceResult::vertical_test, &data::VerticalTest::file>},
+    {"sha256", "", "sha256", "of that file", get<&DeviceResult::vertical_test, &data::VerticalTest::sha256>},
+    {"recognised", "", "", "one sentence per decision in reading",
+     get<&DeviceResult::vertical_test, &data::VerticalTest::recognised>},
+    {"refusal", "", "no stiffness", "why the test gives no stiffness; empty otherwise",
+     get<&DeviceResult::vertical_test, &data::VerticalTest::refusal>},
 };
 
 // An effect of the error budget.

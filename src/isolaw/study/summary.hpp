@@ -13,6 +13,7 @@
 #include "isolaw/data/error_budget.hpp"
 #include "isolaw/data/properties.hpp"
 #include "isolaw/data/record.hpp"
+#include "isolaw/data/vertical.hpp"
 #include "isolaw/lot/population.hpp"
 #include "isolaw/study/acceptance.hpp"
 
@@ -145,9 +146,11 @@ struct DeviceResult {
   std::string message;  // reason of a refusal
   std::string serial, lot, test_date;
   std::optional<double> temperature_C, rubber_thickness_mm, rubber_area_mm2;
-  data::TestRecord raw;            // empty when refused
-  data::FitRecord record;          // what the laws were fitted to
-  data::Properties properties;     // from raw values
+  data::TestRecord raw;                             // empty when refused
+  data::FitRecord record;                           // what the laws were fitted to
+  data::Properties properties;                      // from raw values
+  data::VerticalTest vertical_test;                 // with the reason where it gives no stiffness
+  std::optional<data::VerticalStiffness> vertical;  // from raw values
   std::vector<std::string> notes;  // numbers of the error budget that are worth knowing, beside the record's warnings
   std::vector<data::Effect> effects;  // all of the error budget, for machines
   DeviceAcceptance acceptance;

@@ -41,6 +41,29 @@ void write_block(JsonWriter& out, DeviceResult const& device, data::Block const&
   out.end_object();
 }
 
+void write_levels(JsonWriter& out, DeviceResult const& device) {
+  out.key("levels").begin_array();
+  for (auto const& level : study::levels_of(device)) {
+    out.begin_object();
+    write_results(out, level_results, level, Digits::shown);
+    out.end_object();
+  }
+  out.end_array();
+}
+
+void write_vertical(JsonWriter& out, DeviceResult const& device) {
+  out.key("vertical");
+  if (!device.vertical_test.given()) {
+    out.null();
+    return;
+  }
+  out.begin_object();
+  write_results(out, vertical_results, device, Digits::shown, [&](std::string_view) {
+    write_values(out, device.vertical ? device.vertical->loadings_kN_per_mm : std::vector<double>(), shown_digits);
+  });
+  out.end_object();
+}
+
 void write_assessment(JsonWriter& out, rules::Assessment const& assessment, std::optional<int> block) {
   out.begin_object();
   write_results(out, assessment_results, AssessmentOf{assessment, block}, Digits::shown);
@@ -151,6 +174,8 @@ void write_properties(JsonWriter& out, DeviceResult const& device) {
   out.key("samples_per_cycle").rounded(properties.samples_per_cycle, 6);
   write_members(out, "notes", device.notes, "corrections", device.raw.corrections, "counting_block", acceptance.block,
                 "counting_block_choice", acceptance.choice);
+  write_levels(out, device);
+  write_vertical(out, device);
   write_assessments(out.key("assessments"), acceptance.assessments, acceptance.block);
 }
 

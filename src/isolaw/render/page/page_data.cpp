@@ -321,6 +321,8 @@ void write_all_headings(JsonWriter& out) {
   write_headings(out, "blocks", block_results);
   write_headings(out, "cycles", cycle_results);
   write_headings(out, "stability", stability_results);
+  write_headings(out, "vertical", vertical_results);
+  write_headings(out, "levels", level_results);
   write_headings(out, "assessments", assessment_results);
   write_headings(out, "quantities", quantity_results);
   write_headings(out, "lot_outliers", lot_outlier_results);

@@ -73,6 +73,27 @@ std::string tests_csv(Summary const& summary) {
   return table.take();
 }
 
+std::string levels_csv(Summary const& summary) {
+  constexpr auto of_level = columns(level_results, {"block", "amplitude_mm", "strain_percent", "frequency_Hz",
+                                                    "N_mean_kN", "cycle", "K_eff_kN_per_mm", "damping_percent",
+                                                    "energy_kN_mm", "K_eff_ratio", "damping_ratio", "reference"});
+  CsvTable table;
+  table.add("device").head(of_level).end_row();
+  for (auto const& device : summary.devices)
+    for (auto const& level : study::levels_of(device)) table.add(device.name).cells(of_level, level).end_row();
+  return table.take();
+}
+
+std::string vertical_csv(Summary const& summary) {
+  constexpr auto of_device = columns(vertical_results, {"K_v_kN_per_mm", "how", "low_kN", "high_kN", "disp_low_mm",
+                                                        "disp_high_mm", "loading", "file", "sha256", "refusal"});
+  CsvTable table;
+  table.add("device").head(of_device).end_row();
+  for (auto const& device : summary.devices)
+    if (device.vertical_test.given()) table.add(device.name).cells(of_device, device).end_row();
+  return table.take();
+}
+
 std::string lot_csv(Summary const& summary) {
   constexpr auto quantity = columns(quantity_results, {"quantity", "unit"});
   constexpr auto spread =

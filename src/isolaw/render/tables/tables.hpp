@@ -33,6 +33,8 @@ std::string front_csv(Summary const& summary);
 std::string cycles_csv(Summary const& summary);
 // One row per device and limit of the rule set: value, design value, deviation, limit, verdict, reason.
 std::string tests_csv(Summary const& summary);
+std::string levels_csv(Summary const& summary);
+std::string vertical_csv(Summary const& summary);
 // One row per quantity of the lot: spread, sample, outliers, limits on the mean.
 std::string lot_csv(Summary const& summary);
 // One row per quantity and source of lambda_spec: factors, upper and lower bound values.

@@ -1,6 +1,7 @@
 #include "isolaw/render/terminal/inspection_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,7 @@ namespace isolaw::render {
 namespace {
 
 constexpr char const* no_vertical_stiffness =
-    "vertical stiffness K_v: not assessed, a shear test under constant vertical load does not measure it";
+    "vertical stiffness K_v: not known, a shear test under constant vertical load does not measure it (--vertical DEVICE=FILE names a compression test)";
 
 template <class... Args>
 void add(std::string& text, fmt::format_string<Args...> format, Args&&... args) {
@@ -111,6 +112,48 @@ void print_assessment(std::string& text, rules::Assessment const& a) {
       parts.empty() || a.reason.empty() ? "" : ": ", printable(a.reason));
 }
 
+std::size_t longest_name(Summary const& summary) {
+  std::size_t longest = 6;
+  for (auto const& device : summary.devices) longest = std::max(longest, printable(device.name).size());
+  return std::min<std::size_t>(longest, 32);
+}
+
+// The stiffness of a vertical test, or why there is none.
+std::string vertical_text(DeviceResult const& device) {
+  auto const& test = device.vertical_test;
+  if (!device.vertical) return "no vertical stiffness K_v, see the warnings";
+  auto const file = test.file.empty() ? std::string()
+                                      : fmt::format("; {}, sha256 {}", printable(test.file), test.sha256.substr(0, 16));
+  return fmt::format("vertical stiffness K_v: {:.5g} kN/mm, {}{}", device.vertical->K_v_kN_per_mm, device.vertical->how,
+                     file);
+}
+
+void print_vertical(std::string& text, DeviceResult const& device) {
+  if (!device.vertical_test.given()) {
+    if (device.acceptance.assessments.empty()) add(text, "\n{}\n", no_vertical_stiffness);
+    return;
+  }
+  add(text, "\n{}\n", vertical_text(device));
+  print_list(text, "Recognised in the vertical test", device.vertical_test.recognised);
+  if (!device.vertical) return;
+  for (auto const& turned : device.vertical->turned) add(text, "  {}\n", turned);
+  if (device.vertical->loadings_kN_per_mm.size() > 1)
+    add(text, "  K_v of each loading: {:.5g} kN/mm\n", fmt::join(device.vertical->loadings_kN_per_mm, ", "));
+}
+
+void print_verticals(std::string& text, Summary const& summary) {
+  bool const any = std::ranges::any_of(summary.devices, [](auto const& d) { return d.vertical_test.given(); });
+  if (!any) {
+    add(text, "\n{}\n", no_vertical_stiffness);
+    return;
+  }
+  text += "\nVertical tests\n";
+  auto const width = longest_name(summary);
+  for (auto const& device : summary.devices)
+    add(text, "  {:<{}}  {}\n", printable(device.name), width,
+        device.vertical_test.given() ? vertical_text(device) : std::string("none"));
+}
+
 void print_device_in_full(std::string& text, DeviceResult const& device) {
   auto const& acceptance = device.acceptance;
   add(text, "{}: {} samples, sha256 {}\n", printable(device.file), device.raw.size(), device.sha256.substr(0, 16));
@@ -127,19 +170,12 @@ void print_device_in_full(std::string& text, DeviceResult const& device) {
     add(text, "\nAssessed on block {}, {}\n", *acceptance.block, acceptance.choice);
     for (auto const& assessment : acceptance.assessments) print_assessment(text, assessment);
     add(text, "  device: {}\n", device_verdict(acceptance.assessments).text());
-  } else {
-    add(text, "\n{}\n", no_vertical_stiffness);
   }
+  print_vertical(text, device);
   auto warnings = device.raw.warnings;
   std::erase(warnings, "no cyclic properties: " + device.properties.refusal);  // said above
   print_list(text, "Warnings", warnings);
   print_list(text, "Notes", device.notes);
-}
-
-std::size_t longest_name(Summary const& summary) {
-  std::size_t longest = 6;
-  for (auto const& device : summary.devices) longest = std::max(longest, printable(device.name).size());
-  return std::min<std::size_t>(longest, 32);
 }
 
 void print_devices(std::string& text, Summary const& summary) {
@@ -238,8 +274,8 @@ std::string inspection_text(Summary const& summary) {
   print_rule_set(text, summary.acceptance);
   print_devices(text, summary);
   print_lot(text, summary);
+  print_verticals(text, summary);
   print_warnings(text, summary);
-  add(text, "\n{}\n", no_vertical_stiffness);
   return text;
 }
 

@@ -20,7 +20,7 @@ export const lotQuantities = (report.assessment?.lot?.quantities ?? []).map(
   }),
 );
 
-// The value of a device for a property of the lot: its assessed ones (the mean over both sides), else the reported cycle.
+// The value of a device for a property of the lot: its assessed ones (the mean over both sides), else its vertical test or the reported cycle.
 export function deviceValue(device, quantity) {
   const own = device.assessments.filter((a) => concerns(a, quantity) && isNumber(a.value));
   if (own.length > 0)
@@ -28,6 +28,7 @@ export function deviceValue(device, quantity) {
       value: mean(own.map((a) => a.value)),
       verdict: worstVerdict(own.map((a) => a.verdict)) ?? 'not assessed',
     };
+  if (quantity === 'K_v') return isNumber(device.vertical?.K_v_kN_per_mm) ? { value: device.vertical.K_v_kN_per_mm, verdict: 'not assessed' } : null;
   const [key] = Object.entries(report.headings.cycles).find(([, [{ title }]]) => title === quantity) ?? [];
   const value = reportedCycle(device)?.[key];
   return isNumber(value) ? { value, verdict: 'not assessed' } : null;

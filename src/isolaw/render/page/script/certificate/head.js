@@ -36,13 +36,14 @@ function certificateHead() {
     thickness ? 'thickness ' + thickness + THIN + 'mm' : '',
     area ? 'area ' + area + THIN + 'mm\u00b2' : '',
   ].filter(Boolean);
+  const compressed = devices.filter((device) => device.vertical?.file).length;
   const limits = limitSentences(),
     remarks = certificateRemarks();
   const facts = [
     ['Laboratory', blank('Laboratory')],
     ['Client, project', blank('Client, project')],
     ['Certificate no.', numberBlank()],
-    ['Test', 'cyclic shear of ' + count(devices.length, 'device') + (isNumber(lot?.size) ? ' of a lot of ' + lot.size : '')],
+    ['Test', 'cyclic shear of ' + count(devices.length, 'device') + (compressed > 0 ? ', compression of ' + compressed : '') + (isNumber(lot?.size) ? ' of a lot of ' + lot.size : '')],
     ...(lots.length > 0 ? [['Lot', enumerate(lots)]] : []),
     [
       'Tested',

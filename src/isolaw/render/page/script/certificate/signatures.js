@@ -51,10 +51,18 @@ function signatureBlock() {
 }
 
 function recordsTable() {
+  const compressed = devices.some((device) => device.vertical?.file);
   const columns = [
     { title: 'Device', pinned: true, cell: (device) => element('b', { class: 'strong' }, device.name) },
     { title: 'File', cell: (device) => device.file },
     { title: 'SHA-256', cell: (device) => element('td', { class: 'hash whole' }, device.sha256) },
+    ...(compressed
+      ? [
+          { title: 'Vertical test', cell: (device) => device.vertical?.file ?? '' },
+          { title: 'K_v', cell: (device) => device.vertical?.how ?? '' },
+          { title: 'SHA-256', cell: (device) => element('td', { class: 'hash whole' }, device.vertical?.sha256 ?? '') },
+        ]
+      : []),
   ];
   return tableOf(columns, devices, 'Records of the certificate');
 }

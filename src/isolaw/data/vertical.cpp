@@ -1,0 +1,234 @@
+#include "isolaw/data/vertical.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
+
+namespace isolaw::data {
+namespace {
+
+constexpr double usual_low = 0.3;        // of the largest load of the loading that counts
+constexpr int usual_loading = 3;         // or the last where there are fewer
+constexpr double same_peak = 0.9;        // of the largest load: a loading that stays below is another one
+constexpr double reversal = 0.1;         // of the range of the load: less is noise, or a hold
+constexpr double reached = 0.998;        // of its largest load a loading is at its end: a held load creeps on
+constexpr double near_range_end = 0.02;  // of the upper load: as a machine misses what it is told
+
+// From its least to its largest load.
+struct Loading {
+  std::size_t first = 0, last = 0;
+};
+
+// Turned so that compression is positive in both.
+struct Compression {
+  std::vector<double> disp_mm, load_kN;
+  std::vector<std::string> turned;
+};
+
+void turn(std::vector<double>& values) {
+  for (double& value : values) value = -value;
+}
+
+Compression compression_of(VerticalTest const& test) {
+  Compression made{.disp_mm = test.disp_mm, .load_kN = test.load_kN, .turned = {}};
+  auto const [least, largest] = std::ranges::minmax(made.load_kN);
+  if (-least > largest) {
+    turn(made.load_kN);
+    made.turned.emplace_back("vertical load is recorded negative in compression");
+  }
+  auto const mean = [](std::vector<double> const& values) {
+    double sum = 0.0;
+    for (double const value : values) sum += value;
+    return sum / static_cast<double>(values.size());
+  };
+  double const mean_disp = mean(made.disp_mm), mean_load = mean(made.load_kN);
+  double together = 0.0;
+  for (std::size_t i = 0; i < made.load_kN.size(); ++i)
+    together += (made.disp_mm[i] - mean_disp) * (made.load_kN[i] - mean_load);
+  if (together < 0.0) {
+    turn(made.disp_mm);
+    made.turned.emplace_back("vertical displacement is recorded negative in compression");
+  }
+  return made;
+}
+
+// Loadings between reversals of the load that are more than noise; one that the record ends in is among them.
+std::vector<Loading> all_loadings(std::vector<double> const& load) {
+  auto const [least, largest] = std::ranges::minmax(load);
+  double const step = reversal * (largest - least);
+  std::vector<Loading> found;
+  std::size_t low = 0, high = 0;
+  bool rising = false;
+  for (std::size_t i = 0; i < load.size(); ++i) {
+    if (!rising && load[i] < load[low]) low = i;
+    if (!rising && load[i] - load[low] > step) rising = true, high = i;
+    if (rising && load[i] > load[high]) high = i;
+    if (rising && load[high] - load[i] > step) {
+      found.push_back({low, high});
+      rising = false;
+      low = i;
+    }
+  }
+  if (rising) found.push_back({low, high});
+  std::erase_if(found, [&](Loading const& l) { return load[l.last] < same_peak * largest; });
+  return found;
+}
+
+struct Point {
+  double load_kN = 0.0, disp_mm = 0.0;
+};
+
+// The displacement at a load between two samples.
+Point between(Compression const& c, std::size_t i, double load_kN) {
+  double const share = (load_kN - c.load_kN[i]) / (c.load_kN[i + 1] - c.load_kN[i]);
+  return {load_kN, c.disp_mm[i] + share * (c.disp_mm[i + 1] - c.disp_mm[i])};
+}
+
+struct Secant {
+  Point low, high;
+  double K_v() const { return (high.load_kN - low.load_kN) / (high.disp_mm - low.disp_mm); }
+};
+
+// Where the loading leaves the lower load for the last time, and where it first comes to the upper one: what creeps while
+// a load is held is not between them.
+Secant secant_of(Compression const& c, Loading const& loading, LoadRange const& range) {
+  auto const& load = c.load_kN;
+  Secant made;
+  auto end = loading.first;
+  if (range.high_kN >= reached * load[loading.last]) {
+    while (load[end] < reached * load[loading.last]) ++end;
+    made.high = {load[end], c.disp_mm[end]};
+  } else {
+    while (load[end] < range.high_kN) ++end;
+    made.high = end > loading.first ? between(c, end - 1, range.high_kN) : Point{load[end], c.disp_mm[end]};
+  }
+  auto start = end;
+  while (start > loading.first && load[start] > range.low_kN) --start;
+  made.low = load[start] <= range.low_kN && start < end ? between(c, start, range.low_kN)
+                                                        : Point{load[start], c.disp_mm[start]};
+  return made;
+}
+
+LoadRange usual_loads(double largest_kN) {
+  return {usual_low * largest_kN, largest_kN};
+}
+
+// As far as the loading holds it; throws Error where that is too little.
+LoadRange held_range(VerticalTest const& test, Compression const& c, Loading const& loading) {
+  double const least = c.load_kN[loading.first], largest = c.load_kN[loading.last];
+  auto const asked = test.loads.value_or(usual_loads(largest));
+  double const missed = near_range_end * asked.high_kN;
+  if (least > asked.low_kN + missed || largest < asked.high_kN - missed)
+    throw Error({.where = test.file,
+                 .found = fmt::format(
+                     "the loading goes from {:.4g} to {:.4g} kN, K_v is asked for between {:.4g} and {:.4g} kN", least,
+                     largest, asked.low_kN, asked.high_kN),
+                 .allowed = "a loading that holds both",
+                 .advice = fmt::format("loads = \"{:.4g}:{:.4g}\" beside the file", least, largest)});
+  return {std::max(asked.low_kN, least), std::min(asked.high_kN, largest)};
+}
+
+void warn_about_size(VerticalStiffness& made) {
+  constexpr double softest = 1.0, stiffest = 1e5;
+  if (made.K_v_kN_per_mm >= softest && made.K_v_kN_per_mm <= stiffest) return;
+  made.warnings.push_back(
+      fmt::format("a vertical stiffness of {:.4g} kN/mm is {} than any isolator's: are the units right?",
+                  made.K_v_kN_per_mm, made.K_v_kN_per_mm > stiffest ? "stiffer" : "softer"));
+}
+
+std::string_view ordinal_end(int number) {
+  if (number % 100 >= 11 && number % 100 <= 13) return "th";
+  return number % 10 == 1 ? "st" : number % 10 == 2 ? "nd" : number % 10 == 3 ? "rd" : "th";
+}
+
+}  // namespace
+
+LoadRange parse_loads(std::string_view text) {
+  auto const colon = text.find(':');
+  auto const low = number_in<double>(trimmed(text.substr(0, colon)));
+  auto const high = colon == std::string_view::npos ? std::nullopt : number_in<double>(trimmed(text.substr(colon + 1)));
+  if (low && high && std::isfinite(*high) && *low >= 0.0 && *high > *low) return {*low, *high};
+  throw Error({.where = {},
+               .found = in_quotes(text),
+               .allowed = "LOW:HIGH, two vertical loads in kN of which the first is smaller",
+               .advice = "loads = \"300:1000\""});
+}
+
+std::string loads_text(LoadRange const& range) {
+  return fmt::format("{}:{}", range.low_kN, range.high_kN);
+}
+
+VerticalTest read_vertical(std::filesystem::path const& file, ReadOptions const& options,
+                           std::optional<LoadRange> const& loads) {
+  try {
+    auto record = read_compression(file, options);
+    VerticalTest test{.file = std::move(record.file), .sha256 = std::move(record.sha256)};
+    test.disp_mm = std::move(record.disp_mm);
+    test.load_kN = std::move(record.load_kN);
+    test.recognised = std::move(record.recognised);
+    for (auto& warning : record.warnings) test.recognised.push_back(std::move(warning));
+    test.loads = loads;
+    return test;
+  } catch (Error const& error) {
+    auto complaints = error.complaints();
+    // Options of the command line are about the shear test.
+    for (auto& complaint : complaints)
+      if (complaint.advice.find("--") != std::string::npos)
+        complaint.advice += ", as keys of the device's table 'vertical' in a lot file";
+    throw Error(std::move(complaints));
+  }
+}
+
+VerticalStiffness vertical_stiffness(VerticalTest const& test) {
+  VerticalStiffness made;
+  if (test.stated_kN_per_mm) {
+    made.K_v_kN_per_mm = *test.stated_kN_per_mm;
+    made.how = "as the laboratory states it";
+    warn_about_size(made);
+    return made;
+  }
+  if (test.load_kN.empty() || test.load_kN.size() != test.disp_mm.size())
+    throw Error({.where = test.file, .found = "no samples of a vertical test"});
+  auto const compression = compression_of(test);
+  auto const loadings = all_loadings(compression.load_kN);
+  if (loadings.empty())
+    throw Error({.where = test.file,
+                 .found = "the vertical load does not rise",
+                 .allowed = "one loading or more, from a small load to the largest"});
+  auto const count = static_cast<int>(loadings.size());
+  int const number = std::min(usual_loading, count);
+  auto const& counting = loadings[static_cast<std::size_t>(number - 1)];
+  auto const range = held_range(test, compression, counting);
+  auto const secant = secant_of(compression, counting, range);
+  made.K_v_kN_per_mm = secant.K_v();
+  if (!std::isfinite(made.K_v_kN_per_mm) || made.K_v_kN_per_mm <= 0.0)
+    throw Error(
+        {.where = test.file,
+         .found = fmt::format(
+             "vertical displacement goes from {:.4g} to {:.4g} mm while the load rises from {:.4g} to {:.4g} kN",
+             secant.low.disp_mm, secant.high.disp_mm, secant.low.load_kN, secant.high.load_kN),
+         .allowed = "a displacement that grows with the load",
+         .advice = "naming the two columns"});
+  made.loads = LoadRange{secant.low.load_kN, secant.high.load_kN};
+  made.disp_low_mm = secant.low.disp_mm;
+  made.disp_high_mm = secant.high.disp_mm;
+  made.loading = number;
+  for (auto const& each : loadings)
+    made.loadings_kN_per_mm.push_back(compression.load_kN[each.first] <= range.high_kN
+                                          ? secant_of(compression, each, range).K_v()
+                                          : made.K_v_kN_per_mm);
+  made.turned = compression.turned;
+  made.how = fmt::format("dF_v/dd_v, {}{} loading of {}, from {:.4g} to {:.4g} kN", number, ordinal_end(number), count,
+                         made.loads->low_kN, made.loads->high_kN);
+  warn_about_size(made);
+  return made;
+}
+
+}  // namespace isolaw::data

@@ -1,0 +1,59 @@
+// The vertical stiffness of a device from its compression test: vertical load against vertical displacement.
+//
+// K_v = F_v/d_v (NTC 2018, 11.9.7), taken as the secant of one loading between two loads: what joints and transducers
+// settle below the lower one does not count, nor does the zero of the displacement. A test loads three times and the
+// third loading counts, from 30 % to 100 % of its largest load; that is how EN 15129 and ISO 22762-1 are commonly
+// applied, and neither text was at hand: `loads` says another range, such as 0.7 to 1.3 of the design load.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/data/read.hpp"
+
+namespace isolaw::data {
+
+struct LoadRange {
+  double low_kN = 0.0, high_kN = 0.0;
+  bool operator==(LoadRange const&) const = default;
+};
+// Parses "300:1000", in kN; throws Error on anything else.
+LoadRange parse_loads(std::string_view text);
+std::string loads_text(LoadRange const& range);
+
+// A compression test as the laboratory gives it: a record, or the stiffness alone.
+struct VerticalTest {
+  std::string file, sha256;
+  std::vector<double> disp_mm = {}, load_kN = {};  // as recorded, whatever their signs
+  std::optional<LoadRange> loads = {};             // between which the stiffness is taken
+  std::optional<double> stated_kN_per_mm = {};     // without a record
+  std::vector<std::string> recognised = {};        // one sentence per decision in reading
+  std::string refusal = {};                        // why it gives no stiffness; empty for a usable one
+
+  bool given() const { return !file.empty() || stated_kN_per_mm; }
+  bool operator==(VerticalTest const&) const = default;
+};
+
+struct VerticalStiffness {
+  double K_v_kN_per_mm = 0.0;
+  std::string how;  // in one sentence
+  // Of a record; else empty.
+  std::optional<LoadRange> loads = {};                        // what lies between, as positive compression
+  std::optional<double> disp_low_mm = {}, disp_high_mm = {};  // at these
+  std::optional<int> loading = {};                            // which loading counts, from 1
+  std::vector<double> loadings_kN_per_mm = {};                // every loading that reaches the largest load
+  std::vector<std::string> turned = {};                       // signals read with the other sign
+  std::vector<std::string> warnings = {};
+};
+
+// Reads vertical displacement and load of a file as records are read. Throws Error, worded for a vertical test.
+VerticalTest read_vertical(std::filesystem::path const& file, ReadOptions const& options,
+                           std::optional<LoadRange> const& loads);
+
+// Throws Error: no loading holds both loads, displacement that does not follow the load.
+VerticalStiffness vertical_stiffness(VerticalTest const& test);
+
+}  // namespace isolaw::data

@@ -1,0 +1,225 @@
+// The vertical stiffness of compression tests that follow from a formula, and what is refused instead of guessed.
+#include "isolaw/data/vertical.hpp"
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "data_fixture.hpp"
+
+namespace isolaw::data::testing {
+namespace {
+
+struct Press {
+  std::function<double(double)> disp_of = [](double load) { return load / 1200.0; };
+  int loadings = 3;
+  double least_kN = 0.0, largest_kN = 1000.0;
+  double hysteresis_mm = 0.0;                                    // while unloading
+  std::function<double(int)> settled = [](int) { return 0.0; };  // before the loading of that number
+  int samples = 200;                                             // of a loading and its unloading
+};
+
+VerticalTest test_of(Press const& press) {
+  VerticalTest test{.file = "v.csv", .sha256 = {}};
+  for (int number = 1; number <= press.loadings; ++number)
+    for (int i = 0; i < press.samples; ++i) {
+      double const phase = 2.0 * std::numbers::pi * i / press.samples;
+      double const load = press.least_kN + (press.largest_kN - press.least_kN) * 0.5 * (1.0 - std::cos(phase));
+      double const back = phase > std::numbers::pi ? -press.hysteresis_mm * std::sin(phase) : 0.0;
+      test.load_kN.push_back(load);
+      test.disp_mm.push_back(press.disp_of(load) + back + press.settled(number));
+    }
+  return test;
+}
+
+std::string refusal(VerticalTest const& test) {
+  try {
+    vertical_stiffness(test);
+  } catch (Error const& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(Vertical, OfALinearDeviceIsItsStiffness) {
+  auto const found = vertical_stiffness(test_of({}));
+  EXPECT_NEAR(found.K_v_kN_per_mm, 1200.0, 1e-6);
+  EXPECT_EQ(found.loading, 3);
+  EXPECT_NEAR(found.loads->low_kN, 300.0, 1e-9);
+  EXPECT_NEAR(found.loads->high_kN, 1000.0, 2.0);  // where the load first comes within 0.2 %
+  EXPECT_EQ(found.loadings_kN_per_mm.size(), 3u);
+  EXPECT_TRUE(found.turned.empty());
+  EXPECT_TRUE(found.warnings.empty());
+  EXPECT_EQ(found.how.find("dF_v/dd_v, 3rd loading of 3, from 300 to "), 0u) << found.how;
+}
+
+TEST(Vertical, OfAStiffeningDeviceIsTheSecantBetweenTheLoads) {
+  auto const disp_of = [](double load) { return 0.004 * std::pow(load, 0.8); };
+  auto test = test_of({.disp_of = disp_of, .samples = 20000});
+  auto const usual = vertical_stiffness(test);
+  auto const secant = [&](LoadRange const& range) {
+    return (range.high_kN - range.low_kN) / (disp_of(range.high_kN) - disp_of(range.low_kN));
+  };
+  EXPECT_NEAR(usual.K_v_kN_per_mm, secant(*usual.loads), 1e-5 * usual.K_v_kN_per_mm);
+  test.loads = LoadRange{500.0, 800.0};
+  EXPECT_NEAR(vertical_stiffness(test).K_v_kN_per_mm, secant({500.0, 800.0}), 1e-5 * usual.K_v_kN_per_mm);
+  EXPECT_GT(vertical_stiffness(test).K_v_kN_per_mm, 1.001 * secant({300.0, 700.0}));
+}
+
+TEST(Vertical, LeavesOutWhatUnloadsAndWhatSettles) {
+  auto const test = test_of({.hysteresis_mm = 0.05, .settled = [](int number) { return number == 1 ? 0.0 : 0.1; }});
+  EXPECT_NEAR(vertical_stiffness(test).K_v_kN_per_mm, 1200.0, 1e-6);
+}
+
+TEST(Vertical, TakesTheThirdLoadingOrTheLast) {
+  // The device stiffens from loading to loading.
+  auto const of = [](int loadings) {
+    VerticalTest all{.file = "v.csv", .sha256 = {}};
+    for (int number = 1; number <= loadings; ++number) {
+      auto const one =
+          test_of({.disp_of = [=](double load) { return load / (1000.0 + 100.0 * number); }, .loadings = 1});
+      all.load_kN.insert(all.load_kN.end(), one.load_kN.begin(), one.load_kN.end());
+      all.disp_mm.insert(all.disp_mm.end(), one.disp_mm.begin(), one.disp_mm.end());
+    }
+    return vertical_stiffness(all);
+  };
+  EXPECT_NEAR(of(5).K_v_kN_per_mm, 1300.0, 1e-6);
+  EXPECT_EQ(of(5).loading, 3);
+  EXPECT_NEAR(of(5).loadings_kN_per_mm[4], 1500.0, 1e-6);
+  EXPECT_NEAR(of(2).K_v_kN_per_mm, 1200.0, 1e-6);
+  EXPECT_NEAR(of(1).K_v_kN_per_mm, 1100.0, 1e-6);
+}
+
+TEST(Vertical, ALoadingThatStaysFarBelowIsNone) {
+  auto test = test_of({.loadings = 1, .largest_kN = 400.0});  // a preload
+  auto const rest = test_of({});
+  test.load_kN.insert(test.load_kN.end(), rest.load_kN.begin(), rest.load_kN.end());
+  test.disp_mm.insert(test.disp_mm.end(), rest.disp_mm.begin(), rest.disp_mm.end());
+  EXPECT_EQ(vertical_stiffness(test).loadings_kN_per_mm.size(), 3u);
+}
+
+TEST(Vertical, SignsOfBothSignalsDoNotCount) {
+  for (double const load_sign : {1.0, -1.0})
+    for (double const disp_sign : {1.0, -1.0}) {
+      auto test = test_of({});
+      for (double& load : test.load_kN) load *= load_sign;
+      for (double& d : test.disp_mm) d *= disp_sign;
+      auto const found = vertical_stiffness(test);
+      EXPECT_NEAR(found.K_v_kN_per_mm, 1200.0, 1e-6);
+      EXPECT_EQ(found.turned.size(), (load_sign < 0.0 ? 1u : 0u) + (disp_sign < 0.0 ? 1u : 0u));
+    }
+}
+
+TEST(Vertical, NeitherNoiseNorAHeldLoadMovesIt) {
+  // 1000 kN held for as long as they took to reach, while the rubber creeps by a tenth; then noise of 0.1 % on both.
+  VerticalTest test{.file = "v.csv", .sha256 = {}};
+  for (int i = 0; i <= 1000; ++i) {
+    test.load_kN.push_back(i);
+    test.disp_mm.push_back(i / 1200.0);
+  }
+  for (int i = 1; i <= 1000; ++i) {
+    test.load_kN.push_back(1000.0);
+    test.disp_mm.push_back((1000.0 + 0.1 * i) / 1200.0);
+  }
+  EXPECT_NEAR(vertical_stiffness(test).K_v_kN_per_mm, 1200.0, 1e-6);
+  auto noisy = test_of({});
+  for (std::size_t i = 0; i < noisy.load_kN.size(); ++i) {
+    noisy.load_kN[i] += std::sin(12.9898 * static_cast<double>(i));
+    noisy.disp_mm[i] += 0.001 * std::sin(78.233 * static_cast<double>(i));
+  }
+  EXPECT_NEAR(vertical_stiffness(noisy).K_v_kN_per_mm, 1200.0, 0.01 * 1200.0);
+  EXPECT_EQ(vertical_stiffness(noisy).loadings_kN_per_mm.size(), 3u);
+}
+
+TEST(Vertical, ARangeThatTheMachineMissesByLittleIsHeld) {
+  auto test = test_of({.least_kN = 705.0, .largest_kN = 1295.0});
+  test.loads = LoadRange{700.0, 1300.0};
+  auto const found = vertical_stiffness(test);
+  EXPECT_NEAR(found.K_v_kN_per_mm, 1200.0, 1e-6);
+  EXPECT_NEAR(found.loads->low_kN, 705.0, 1e-9);
+}
+
+TEST(Vertical, RefusesARangeThatNoLoadingHolds) {
+  auto test = test_of({.least_kN = 700.0, .largest_kN = 1300.0});
+  auto const said = refusal(test);
+  EXPECT_NE(said.find("v.csv: the loading goes from 700 to 1300 kN, K_v is asked for between 390 and 1300 kN"),
+            std::string::npos)
+      << said;
+  EXPECT_NE(said.find("loads = \"700:1300\""), std::string::npos) << said;
+  test.loads = LoadRange{700.0, 1500.0};
+  EXPECT_NE(refusal(test), "");
+  test.loads = LoadRange{700.0, 1300.0};
+  EXPECT_EQ(refusal(test), "");
+}
+
+TEST(Vertical, RefusesWhatIsNoCompressionTest) {
+  EXPECT_NE(refusal({.file = "v.csv", .sha256 = {}}), "");
+  auto test = test_of({});
+  std::ranges::fill(test.load_kN, 500.0);
+  EXPECT_NE(refusal(test).find("the vertical load does not rise"), std::string::npos) << refusal(test);
+  test = test_of({});
+  std::ranges::fill(test.disp_mm, 1.0);
+  EXPECT_NE(refusal(test).find("a displacement that grows with the load"), std::string::npos) << refusal(test);
+}
+
+TEST(Vertical, WarnsOfAStiffnessThatNoDeviceHas) {
+  auto const soft = test_of({.disp_of = [](double load) { return load / 0.7; }});
+  auto const found = vertical_stiffness(soft);
+  ASSERT_EQ(found.warnings.size(), 1u);
+  EXPECT_NE(found.warnings[0].find("softer than any isolator's: are the units right?"), std::string::npos);
+}
+
+TEST(Vertical, MayBeStatedAlone) {
+  auto const found = vertical_stiffness({.file = {}, .sha256 = {}, .stated_kN_per_mm = 1234.0});
+  EXPECT_EQ(found.K_v_kN_per_mm, 1234.0);
+  EXPECT_EQ(found.how, "as the laboratory states it");
+  EXPECT_FALSE(found.loads);
+}
+
+TEST(Loads, AreReadFromText) {
+  EXPECT_EQ(parse_loads(" 300 : 1000.5 "), (LoadRange{300.0, 1000.5}));
+  EXPECT_EQ(parse_loads(loads_text({0.0, 1e6})), (LoadRange{0.0, 1e6}));
+  for (auto const* text : {"", "300", "300:", ":300", "300:200", "300:300", "-1:5", "a:b", "1:inf", "nan:1"})
+    EXPECT_THROW(parse_loads(text), Error) << text;
+}
+
+using VerticalFiles = Files;
+
+TEST_F(VerticalFiles, AreReadByTheNamesOfEitherMachine) {
+  std::string const rows = "\n0;0.0;10\n1;0.1;110\n2;0.2;210\n3;0.3;310\n";
+  for (auto const* head : {"Time [s];Vertical displacement [mm];Vertical load [kN]",
+                           "Time [s];Displacement [mm];Load [kN]", "Time [s];Axial Displacement [mm];Axial Force [kN]",
+                           "Zeit [s];Vertikalverschiebung [mm];Vertikalkraft [kN]", "t [s];d [mm];F [kN]"}) {
+    auto const test = read_vertical(write(head + rows), {}, {});
+    EXPECT_EQ(test.disp_mm, (std::vector{0.0, 0.1, 0.2, 0.3})) << head;
+    EXPECT_EQ(test.load_kN, (std::vector{10.0, 110.0, 210.0, 310.0})) << head;
+    EXPECT_EQ(test.sha256.size(), 64u);
+  }
+}
+
+TEST_F(VerticalFiles, OfARigThatShearsTooAreOfTheVerticalOnes) {
+  auto const test = read_vertical(write("Time [s];Displacement [mm];Force [kN];Vertical displacement [mm];Vertical "
+                                        "force [kN]\n0;5;1;0.0;10\n0;6;2;0.1;110\n0;7;3;0.2;210\n"),
+                                  {}, {});  // nor does its time matter
+  EXPECT_EQ(test.disp_mm, (std::vector{0.0, 0.1, 0.2}));
+  EXPECT_EQ(test.load_kN, (std::vector{10.0, 110.0, 210.0}));
+}
+
+TEST_F(VerticalFiles, AreRefusedWithWhatALotFileTakes) {
+  try {
+    read_vertical(write("a;b\n0.0;10\n0.1;110\n0.2;210\n"), {}, {});
+    FAIL();
+  } catch (Error const& error) {
+    std::string const said = error.what();
+    EXPECT_NE(said.find("no column is recognised as the vertical displacement"), std::string::npos) << said;
+    EXPECT_NE(said.find("no column is recognised as the vertical load"), std::string::npos) << said;
+    EXPECT_NE(said.find("as keys of the device's table 'vertical' in a lot file"), std::string::npos) << said;
+  }
+  ReadOptions told;
+  told.columns = {{Channel::disp, "a"}, {Channel::load, "b"}};
+  told.units = {{Channel::disp, "mm"}, {Channel::load, "MN"}};
+  EXPECT_EQ(read_vertical(write("a;b\n0.0;1\n0.1;2\n0.2;3\n"), told, {}).load_kN, (std::vector{1e3, 2e3, 3e3}));
+}
+
+}  // namespace
+}  // namespace isolaw::data::testing
