@@ -138,7 +138,7 @@ TEST_F(LotFile, unknown_key_names_line_and_allowed_keys) {
                  {"lot.toml:2: unknown key 'runz' in [calibrate]", "allowed: analysis, box, center, columns",
                   "runs, samples-per-cycle, score-blocks, seed"});
   expect_refused(run(std::string(device) + "colour = \"red\"\n"),
-                 {"lot.toml:4: unknown key 'colour' in [[device]]", "allowed: columns, date-order, dt, file",
+                 {"lot.toml:4: unknown key 'colour' in [[device]]", "allowed: K_v, columns, date-order, dt, file",
                   "temperature-C, test, test-date"});
   expect_refused(run("foo = 1\n" + std::string(device)),
                  {"lot.toml:1: unknown key 'foo'", "allowed: acceptance, calibrate, device, read, title"});

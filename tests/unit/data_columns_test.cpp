@@ -50,6 +50,8 @@ INSTANTIATE_TEST_SUITE_P(
                       NamedCase{"Tempo [s];Spost. [mm];Taglio [kN];Carico [kN]"},
                       NamedCase{"Zeit [s];Weg [mm];Kraft [kN];Vertikallast [kN]"},
                       NamedCase{"Zeit in s;Verschiebung in mm;Horizontalkraft in kN;Normalkraft in kN"},
+                      NamedCase{"Pr\xC3\xBC"
+                                "fzeit [s];Standardweg [mm];Standardkraft [kN];Vertikallast [kN]"},
                       NamedCase{"Temps [s];D\xC3\xA9placement [mm];Force [kN];Charge verticale [kN]"},
                       NamedCase{"Temps [s];D\xE9placement [mm];Effort tranchant [kN];Charge [kN]"},
                       NamedCase{"Tiempo [s];Desplazamiento [mm];Fuerza [kN];Carga vertical [kN]"},

@@ -229,6 +229,7 @@ def machines():
             'Channels\t2\t\t\r\nSamples\t301\t301\t\r\nDate\t2024/05/02\t2024/05/02\t\r\nTime\t10:00:00.25\t10:00:00.25\t\r\n'
             'Y_Unit_Label\tmm\tkN\t\r\nX_Dimension\tTime\tTime\t\r\nX0\t0.0E+0\t0.0E+0\t\r\nDelta_X\t0.020000\t0.020000\t\r\n***End_of_Header***\t\t\t\r\n'
             'X_Value\tDisplacement\tForce\tComment', tabs)
+    write('machine.tdm', b'<?xml version="1.0" encoding="UTF-8" standalone="no" ?>\n<usi:tdm xmlns:usi="http://www.ni.com/Schemas/USI/1_0" version="1.0">\n</usi:tdm>\n')
     write('machine.tdms', b'TDSm' + bytes(24))
     write('machine.id_comp', b'TDAT' + bytes(24))
 

@@ -79,7 +79,9 @@ Continued open_or_create(std::filesystem::path const& file, campaign::Contents& 
   bool const described =
       stored.title == contents.title && stored.acceptance == contents.acceptance &&
       stored.settings.analysis == contents.settings.analysis &&
-      std::ranges::equal(stored.devices, contents.devices, {}, &campaign::Device::info, &campaign::Device::info);
+      std::ranges::equal(stored.devices, contents.devices, {}, &campaign::Device::info, &campaign::Device::info) &&
+      std::ranges::equal(stored.devices, contents.devices, {}, &campaign::Device::vertical,
+                         &campaign::Device::vertical);
   Continued made{.added = campaign::growth(stored, contents),
                  .released = contents.acceptance.rules.empty() ? stored.acceptance.rules_file : ""};
   campaign::take_over(std::move(stored), contents);

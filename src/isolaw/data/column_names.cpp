@@ -15,19 +15,21 @@ using Words = std::vector<std::string>;
 using Lexicon = std::span<std::string_view const>;
 
 // English, Italian, German, French, Spanish, Turkish; lower case without accents.
-constexpr std::string_view time_words[]{"time", "tempo", "zeit", "temps", "tiempo", "messzeit", "zaman", "sure"};
+constexpr std::string_view time_words[]{"time",     "tempo", "zeit", "temps",   "tiempo",
+                                        "messzeit", "zaman", "sure", "prufzeit"};
 // Of columns of dates and times of day, which no other word need name.
 constexpr std::string_view date_words[]{"timestamp", "datetime", "date",     "datum",       "data",   "fecha", "time",
                                         "zeit",      "uhrzeit",  "horodate", "zeitstempel", "ora",    "hora",  "heure",
                                         "tarih",     "saat",     "tempo",    "temps",       "tiempo", "zaman"};
-constexpr std::string_view disp_words[]{"disp", "weg",         "stroke",    "corsa",   "extension",
-                                        "hub",  "scorrimento", "deplasman", "otelenme"};
+constexpr std::string_view disp_words[]{"disp",        "weg",       "stroke",   "corsa",       "extension",   "hub",
+                                        "scorrimento", "deplasman", "otelenme", "standardweg", "traversenweg"};
 constexpr std::string_view disp_stems[]{"displ",         "spost",     "verschieb",
                                         "deplac",        "desplaz",   "horizontalverschieb",
                                         "horizontalweg", "kolbenweg", "degistirme"};
-constexpr std::string_view force_words[]{
-    "force",    "forces",          "forza",     "taglio",     "shear",      "kraft",  "fuerza",  "effort",
-    "cortante", "horizontalkraft", "querkraft", "schubkraft", "scherkraft", "kuvvet", "kuvveti", "kesme"};
+constexpr std::string_view force_words[]{"force",     "forces",        "forza",      "taglio",   "shear",
+                                         "kraft",     "fuerza",        "effort",     "cortante", "horizontalkraft",
+                                         "querkraft", "schubkraft",    "scherkraft", "kuvvet",   "kuvveti",
+                                         "kesme",     "standardkraft", "prufkraft"};
 constexpr std::string_view load_words[]{"load", "carico", "last", "carga", "charge", "yuk", "yuku"};
 constexpr std::string_view vertical_force_words[]{"vertikalkraft", "vertikallast", "axialkraft",
                                                   "axiallast",     "normalkraft",  "auflast"};

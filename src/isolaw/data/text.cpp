@@ -53,6 +53,10 @@ constexpr std::array known_formats{
 void refuse_binary(std::string const& where, std::string_view bytes) {
   for (auto const& format : known_formats)
     if (bytes.starts_with(format.bytes)) refuse(where, "is " + std::string(format.what), format.advice);
+  constexpr std::size_t head = 400;
+  if (bytes.starts_with("<?xml") && bytes.substr(0, head).find("<usi:tdm") != std::string_view::npos)
+    refuse(where, "is the header of a TDM file of National Instruments, whose values are in a file beside it",
+           export_text);
   auto const null = bytes.find('\0');
   if (null != std::string_view::npos)
     refuse(where, fmt::format("is a binary file (byte {} is 0)", null + 1), export_text);
