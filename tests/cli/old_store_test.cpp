@@ -52,7 +52,7 @@ TEST_P(Old, is_reported_with_its_maker_and_the_settings_of_its_time) {
   EXPECT_EQ(s["settings"]["turning-points"], "sampled");
   EXPECT_EQ(s["settings"]["fit-cycles"], "all");
   EXPECT_EQ(s["settings"]["score-blocks"], "all");
-  EXPECT_EQ(s["settings"]["dead-band"], 0.0);
+  EXPECT_EQ(s["settings"]["dead-band"], GetParam().schema < 6 ? Json(0.0) : Json("auto"));
   EXPECT_EQ(s["settings"]["analysis"], GetParam().schema < 4 ? "none" : "full");
   ASSERT_EQ(s["laws"].size(), 2u);
   for (auto const& law : s["laws"])

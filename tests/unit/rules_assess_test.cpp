@@ -320,6 +320,9 @@ TEST(VerticalStiffness, HasItsSpreadOverALot) {
   EXPECT_NEAR(*found->mean, 1000.0, 1e-9);
   EXPECT_EQ(found->nominal, 1000.0);
   EXPECT_EQ(found->limit_individual, "at least -30 %");
+  // An analysis with mean properties is one of the response to shear.
+  EXPECT_FALSE(found->mean_analysis_permitted);
+  EXPECT_EQ(found->mean_analysis_open, "");
   devices = {{"C", block()}};
   auto const without = lot_view(ntc, devices, {}, 10);
   EXPECT_EQ(std::ranges::count(without.quantities, Quantity::K_v, &LotQuantity::quantity), 0);

@@ -1,7 +1,7 @@
 // Cyclic properties of a force-displacement history, per cycle and per block: effective stiffness, energy, equivalent
 // viscous damping, characteristic strength, bilinear idealisation, velocities, vertical load; their stability.
-// Formulas of EN 15129, ISO 22762-1 and NTC 2018 (11.9.7), all from raw values. The vertical stiffness K_v is not
-// assessed: a shear test under constant vertical load does not hold it.
+// Formulas of EN 15129, ISO 22762-1 and NTC 2018 (11.9.7), all from raw values. The vertical stiffness K_v has
+// a test of its own (vertical.hpp): a shear test under constant vertical load does not hold it.
 #pragma once
 
 #include <optional>

@@ -194,6 +194,7 @@ void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& 
 
 // Devices too far from the mean forbid it, however few they are; to permit it takes the sample that the set asks for.
 void judge_mean_analysis(RuleSet const& rules, LotView const& lot, LotQuantity& view) {
+  if (view.quantity == Quantity::K_v) return;  // the analysis is of the response to shear
   if (!rules.verified() || !rules.mean_analysis || view.count < 2) return;
   double const within = rules.mean_analysis->within_percent;
   bool const close =

@@ -125,7 +125,7 @@ MeanAnalysis mean_analysis(rules::LotView const& lot) {
   std::vector<std::string> parts;
   std::string open;
   for (auto const& quantity : lot.quantities) {
-    if (!quantity.largest_from_mean_percent) continue;
+    if (!quantity.largest_from_mean_percent || quantity.quantity == rules::Quantity::K_v) continue;
     parts.push_back(fmt::format("{} {:.1f} %", rules::name(quantity.quantity), *quantity.largest_from_mean_percent));
     if (quantity.mean_analysis_permitted)
       result.permitted = result.permitted.value_or(true) && *quantity.mean_analysis_permitted;
