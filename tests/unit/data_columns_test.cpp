@@ -195,6 +195,22 @@ TEST_F(ColumnsTest, NameThatIsNotUnique) {
       "FILE:1: 2 columns are named 'Force'; allowed: a unique column; try: --columns force=2 or --columns force=3");
 }
 
+// The machine's own axis counts where the file says which machine, and nothing else in it could be meant.
+TEST_F(ColumnsTest, OfAMachineMayBeNamedAfterItsAxis) {
+  std::string const mts = "MTS793|MPT|ENU|1|2|.|/|:|1|0|0|A\n\n";
+  std::string const rows = "\n0\t1\t2\t5\n1\t2\t3\t6\n2\t3\t1\t7\n";
+  std::string const axial = "Time [s]\tAxial Displacement [mm]\tAxial Force [kN]\tCount";
+  auto const record = read(mts + axial + rows);
+  EXPECT_EQ(record.disp_mm, (std::vector<double>{1, 2, 3}));
+  EXPECT_EQ(record.force_kN, (std::vector<double>{2, 3, 1}));
+  EXPECT_TRUE(says(record.warnings,
+                   "'Axial Force [kN]' is named after the machine's axis, and taken for the horizontal force"));
+  EXPECT_NE(refusal(axial + rows).find("no column is recognised as the horizontal displacement"), std::string::npos);
+  auto const both = read(mts + "Time [s]\tDisplacement [mm]\tForce [kN]\tAxial Force [kN]" + rows);
+  EXPECT_EQ(both.force_kN, (std::vector<double>{2, 3, 1}));
+  EXPECT_EQ(both.load_kN, (std::vector<double>{5, 6, 7}));
+}
+
 TEST_F(ColumnsTest, TwoVerticalLoadsAreAWarning) {
   auto const record = read("Disp [mm];Force [kN];N1 vertical [kN];N2 vertical [kN]\n1;2;3;4\n2;3;3;4\n3;1;3;4\n");
   EXPECT_TRUE(record.load_kN.empty());
