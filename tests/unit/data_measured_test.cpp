@@ -3,10 +3,12 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <random>
 
 #include "data_fixture.hpp"
 #include "isolaw/data/clean.hpp"
 #include "isolaw/data/properties.hpp"
+#include "isolaw/data/signal_faults.hpp"
 
 #ifndef ISOLAW_DATA_DIR
 #define ISOLAW_DATA_DIR "absent"
@@ -94,6 +96,24 @@ int rises(std::vector<double> const& disp_mm) {
 }
 
 // Sines of 0.84 to 0.97 Hz for 15 s whose middle drifts by up to half the amplitude.
+// As by a saturated amplifier ahead of the converter, whose noise comes after it.
+TEST(Measured, FullScaleBearingWhoseForceIsClippedIsNamed) {
+  auto const file = folder / "hdrb-gallardo-device/cyclic-24-49-98pct.csv";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not here";
+  auto const record = read_record(file);
+  EXPECT_TRUE(record.faults.empty()) << record.faults.front().sentence;
+  for (double const noise_kN : {0.002, 0.2}) {
+    std::mt19937 generator(1);
+    std::normal_distribution<double> noise(0.0, noise_kN);
+    auto force = record.force_kN;
+    for (double& value : force) value = std::clamp(value, -180.0, 180.0) + noise(generator);
+    auto const faults = signal_faults(record.disp_mm, force);
+    EXPECT_TRUE(std::ranges::any_of(faults, [](auto const& fault) {
+      return fault.kind == FaultKind::clipped && fault.channel == "force";
+    })) << noise_kN;
+  }
+}
+
 TEST(Measured, MrDampersAreReadAndCutIntoTheirCycles) {
   struct Damper {
     int number;

@@ -131,6 +131,70 @@ TEST(Signals, clipped_force_is_found_from_three_percent) {
   EXPECT_LE(200 * rate.missed, rate.drawn);
 }
 
+// A saturated amplifier ahead of the converter: the noise comes after the plateau.
+TEST(Signals, force_clipped_before_its_noise_is_found) {
+  struct Case {
+    double least_noise, most_noise, least_depth, most_depth;
+    int least_found_percent;
+  };
+  for (auto const& [least_noise, most_noise, least_depth, most_depth, least_found] :
+       {Case{1e-5, 1e-3, 0.05, 0.3, 95}, Case{1e-3, 5e-3, 0.05, 0.1, 85}, Case{1e-3, 5e-3, 0.1, 0.3, 95}}) {
+    auto const rate = rate_of(60000, false, [&](Plan& plan, Drawn& random) {
+      double const depth = random.between(least_depth, most_depth);
+      int const sides = random.whole(0, 2);
+      plan.samples = random.whole(200, 1000);
+      plan.force_noise = random.on_logs(least_noise, most_noise);
+      if (plan.bits > 0) plan.bits = 16;
+      if (plan.device == Device::viscous || plan.device == Device::friction) return Found::left_out;
+      auto motion = true_motion(plan);
+      auto const [least, largest] = std::ranges::minmax(motion.force_kN);
+      clip(motion.force_kN, (1.0 - depth) * std::min(largest, -least), sides);
+      return names(faults_of(finish(random, plan, motion)), "force", FaultKind::clipped) ? Found::yes : Found::no;
+    });
+    EXPECT_GT(rate.drawn, 200);
+    EXPECT_GE(100 * (rate.drawn - rate.missed), least_found * rate.drawn) << rate.missed << " of " << rate.drawn;
+  }
+}
+
+TEST(Signals, displacement_clipped_before_its_noise_is_found) {
+  auto const rate = rate_of(70000, false, [](Plan& plan, Drawn& random) {
+    double const depth = random.between(0.05, 0.3);
+    int const sides = random.whole(0, 2);
+    plan.samples = random.whole(200, 1000);
+    plan.disp_noise = random.on_logs(1e-5, 5e-3);
+    if (plan.device == Device::viscous) return Found::left_out;
+    auto motion = true_motion(plan);
+    clip(motion.disp_mm, (1.0 - depth) * plan.amplitude_mm, sides);
+    return stands(faults_of(finish(random, plan, motion)), "displacement") ? Found::yes : Found::no;
+  });
+  EXPECT_GT(rate.drawn, 200);
+  EXPECT_GE(100 * (rate.drawn - rate.missed), 95 * rate.drawn) << rate.missed << " of " << rate.drawn;
+}
+
+// Elastic and perfectly plastic, hardening a little or not, in any motion: its force stands as a device's may.
+TEST(Signals, a_device_that_yields_flat_is_left_alone) {
+  auto const rate = rate_of(80000, true, [](Plan& plan, Drawn& random) {
+    double const way = plan.amplitude_mm * random.on_logs(0.005, 0.5);
+    double const hardening = random.chance(0.5) ? 0.0 : random.on_logs(1e-4, 0.05);
+    bool const rigid = random.chance(0.3);
+    auto motion = true_motion(plan);
+    double z = 0.0, before = motion.disp_mm.front();
+    for (std::size_t i = 0; i < motion.disp_mm.size(); ++i) {
+      double const step = motion.disp_mm[i] - before;
+      before = motion.disp_mm[i];
+      z = rigid && step != 0.0 ? std::copysign(1.0, step) : std::clamp(z + step / way, -1.0, 1.0);
+      motion.force_kN[i] = 100.0 * (z + hardening * before / plan.amplitude_mm);
+    }
+    auto const made = finish(random, plan, motion);
+    auto const faults = faults_of(made);
+    EXPECT_TRUE(faults.empty()) << "yields at " << way << ", hardens by " << hardening << ", " << made.text
+                                << text_of(faults);
+    return faults.empty() ? Found::yes : Found::no;
+  });
+  EXPECT_EQ(rate.drawn, static_cast<int>(records));
+  EXPECT_EQ(rate.missed, 0);
+}
+
 TEST(Signals, spikes_are_found_from_three_percent_of_the_peak) {
   for (bool const of_force : {true, false}) {
     auto const rate = rate_of(30000, false, [&](Plan& plan, Drawn& random) {
@@ -186,6 +250,32 @@ TEST(Signals, a_stuck_channel_is_found) {
   }
 }
 
+TEST(Signals, a_channel_that_stuck_before_its_noise_is_found) {
+  for (bool const of_force : {true, false}) {
+    auto const rate = rate_of(90000, false, [&](Plan& plan, Drawn& random) {
+      plan.force_noise = plan.disp_noise = random.on_logs(1e-4, 1e-3);
+      if (plan.bits > 0) plan.bits = 16;
+      auto motion = true_motion(plan);
+      auto& x = of_force ? motion.force_kN : motion.disp_mm;
+      auto const [least, largest] = std::ranges::minmax(x);
+      int const length = std::max(8, static_cast<int>(plan.samples * random.on_logs(0.05, 0.5)));
+      auto const rest = plan.samples / 4;
+      auto const from =
+          static_cast<std::size_t>(random.whole(rest + 5, rest + plan.samples * plan.cycles - length - 5));
+      auto const to = from + static_cast<std::size_t>(length);
+      bool const jumps = std::abs(x[to] - x[from]) > (of_force ? 0.15 : 0.075) * (largest - least);
+      bool const moves = std::abs(motion.disp_mm[to] - motion.disp_mm[from]) > 0.15 * plan.amplitude_mm;
+      if (!jumps || !moves || plan.device == Device::viscous || plan.device == Device::friction) return Found::left_out;
+      std::fill(x.begin() + static_cast<std::ptrdiff_t>(from), x.begin() + static_cast<std::ptrdiff_t>(to), x[from]);
+      return stands(faults_of(finish(random, plan, motion)), of_force ? "force" : "displacement") ? Found::yes
+                                                                                                  : Found::no;
+    });
+    EXPECT_GT(rate.drawn, 120);
+    EXPECT_GE(100 * (rate.drawn - rate.missed), 80 * rate.drawn) << rate.missed << " of " << rate.drawn;
+    std::cout << "stuck before noise: " << rate.missed << " of " << rate.drawn << " missed\n";
+  }
+}
+
 TEST(Signals, a_channel_without_its_sign_is_found) {
   for (bool const of_force : {true, false}) {
     auto const rate = rate_of(50000, false, [&](Plan& plan, Drawn& random) {
@@ -217,6 +307,55 @@ TEST(Signals, sentences_name_the_word_the_sample_and_the_time) {
   EXPECT_NE(spike.front().sentence.find("force has a spike of a single sample, at sample 213 (2.12 s): "),
             std::string::npos)
       << spike.front().sentence;
+}
+
+// Elastic and plastic, and a spring with play, without noise or digits, the force a few samples late or not.
+TEST(Signals, loops_of_formulas_are_left_alone) {
+  for (bool const triangle : {false, true})
+    for (double const part : {0.05, 0.2, 0.5})
+      for (std::size_t const late : {0u, 1u, 3u})
+        for (bool const plastic : {false, true}) {
+          Motion motion;
+          if (triangle)
+            for (int cycle = 0; cycle < 3; ++cycle)
+              motion.ramp(0.0, 100.0, 0.5).ramp(100.0, -100.0, 1.0).ramp(-100.0, 0.0, 0.5);
+          else
+            motion.sine(100.0, 0.5, 3);
+          motion.hold(0.0, 0.5).end();
+          double z = 0.0, before = 0.0;
+          for (double const x : motion.disp_mm) {
+            z = std::clamp(z + (x - before) / (100.0 * part), -1.0, 1.0);
+            before = x;
+            double const beyond = std::max(0.0, std::abs(x) - 100.0 * part);
+            motion.force_kN.push_back(plastic ? 100.0 * z : std::copysign(beyond, x));
+          }
+          std::shift_right(motion.force_kN.begin(), motion.force_kN.end(), static_cast<std::ptrdiff_t>(late));
+          std::fill_n(motion.force_kN.begin(), late, 0.0);
+          auto const faults = signal_faults(motion.disp_mm, motion.force_kN, motion.time_s);
+          EXPECT_TRUE(faults.empty()) << (triangle ? "triangle" : "sine") << ", " << part << ", late by " << late
+                                      << (plastic ? ", plastic" : ", play") << text_of(faults);
+        }
+}
+
+// Play that is taken up at once, after a hold too: the force is exactly zero and jumps.
+TEST(Signals, play_is_no_stuck_force) {
+  for (bool const holds : {false, true}) {
+    Motion motion;
+    for (int cycle = 0; cycle < 3; ++cycle)
+      for (double const side : {1.0, -1.0}) {
+        motion.ramp(0.0, 100.0 * side, 0.5);
+        if (holds) motion.hold(100.0 * side, 0.4);
+        motion.ramp(100.0 * side, 0.0, 0.5);
+      }
+    motion.end();
+    double middle = 0.0;
+    for (double const x : motion.disp_mm) {
+      middle = std::clamp(middle, x - 10.0, x + 10.0);
+      motion.force_kN.push_back(std::abs(x - middle) >= 10.0 - 1e-9 ? std::copysign(30.0, x - middle) + 0.3 * x : 0.0);
+    }
+    auto const faults = signal_faults(motion.disp_mm, motion.force_kN, motion.time_s);
+    EXPECT_TRUE(faults.empty()) << text_of(faults);
+  }
 }
 
 TEST(Signals, a_time_gap_does_not_change_the_frequency) {

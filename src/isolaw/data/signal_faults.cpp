@@ -53,9 +53,20 @@ constexpr double least_advance = 0.1;   // of what the motion missed would make 
 constexpr double most_of_force = 0.6;   // of its range, that no hold relaxes by
 constexpr double most_stretches = 0.3;  // of the samples: more are how a slow channel is written
 constexpr double past_the_tip = 0.006;  // of the amplitude: clipped force lasts beyond the reversal
-constexpr double force_stands = 0.05;   // of the half range of displacement
-constexpr double one_signed = 0.02;     // of the range: a channel without its sign hardly leaves zero
-constexpr double clear_force = 0.3;     // of the largest, at a peak
+constexpr double top_deviations = 4.0;  // of the noise: no sample of a plateau in noise is farther from its level
+constexpr double least_third = 4.0;     // samples in each third of all plateaus in noise
+constexpr double most_window = 0.2;     // of the half range: the way before a plateau in noise that is looked at
+constexpr double least_window = 0.01;
+constexpr double least_cut = 0.01;     // of the half range of force, that a plateau in noise cuts off
+constexpr double most_uneven = 0.15;   // of that, from third to third of it
+constexpr double same_level = 0.002;   // of the level
+constexpr double least_return = 0.12;  // of what the way out says that displacement comes back by on the plateau
+constexpr double most_bend = 1.5;      // of the slope before such a plateau, from window to window
+constexpr double least_corner = 5.0;   // slopes that fall by one factor from window to window come to 1
+constexpr double least_back = 0.1;     // of the way to the tip: less is force recorded late
+constexpr double force_stands = 0.05;  // of the half range of displacement
+constexpr double one_signed = 0.02;    // of the range: a channel without its sign hardly leaves zero
+constexpr double clear_force = 0.3;    // of the largest, at a peak
 
 struct Run {
   std::size_t first = 0;
@@ -184,8 +195,8 @@ class Record {
     rectified();
     clipped_displacement(1.0);
     clipped_displacement(-1.0);
-    clipped_force(1.0);
-    clipped_force(-1.0);
+    for (double const sign : {1.0, -1.0})
+      if (!clipped_force(sign)) clipped_force_in_noise(sign);
     stuck_displacement();
     stuck_force();
     name_spikes("displacement", "mm", of_disp);
@@ -303,7 +314,7 @@ class Record {
     double const wanted = least_turn * stiffness() * depth;
     bool const clear = 3.0 * force_.noise * shared < wanted;
     double const length = mean([](Plateau const& plateau) { return static_cast<double>(plateau.run.size()); });
-    bool const no_hold = length < short_plateau * static_cast<double>(half_cycle_);
+    bool const no_hold = length + 1.0 < short_plateau * static_cast<double>(half_cycle_);
     bool const reversed = num::median_over(runs, &Plateau::range) > most_of_force * 2.0 * force_.half_range;
     if (!(reversed || (clear ? turn > wanted : no_hold))) return false;
     std::vector<std::size_t> first;
@@ -335,7 +346,8 @@ class Record {
         return std::abs(force_.x[to] - force_.x[from]) /
                std::max(std::abs(disp_.x[to] - disp_.x[from]), 1e-6 * disp_.half_range);
       };
-      into.push_back(slope(run.first - beside, run.first - 1));
+      // Within one sample a device that yields may be there; what is cut off is not steeper there than before.
+      into.push_back(std::max(slope(run.first - beside, run.first - 1), slope(run.first - 1, run.first)));
       ratios.push_back(into.back() / std::max(slope(run.last, run.last + beside), 1e-12));
       double const clear = std::max(3.0 * force_.quantum, 6.0 * force_.noise);
       if (std::abs(force_.x[run.first - 1] - force_.x[run.first - beside]) < clear) into.back() = 0.0;
@@ -343,7 +355,7 @@ class Record {
     return !ratios.empty() && num::median(into) > 0.1 * stiffness() && num::median(ratios) < 0.4;
   }
 
-  void clipped_force(double sign) {
+  bool clipped_force(double sign) {
     auto const runs = plateaus(force_, sign, same_value * 2.0 * force_.half_range);
     std::vector<std::size_t> first;
     std::size_t longest = 0;
@@ -356,7 +368,8 @@ class Record {
       auto const begin = disp_.x.begin() + static_cast<std::ptrdiff_t>(run.first);
       auto const end = disp_.x.begin() + static_cast<std::ptrdiff_t>(run.last) + 1;
       auto const tip = sign > 0.0 ? std::max_element(begin, end) : std::min_element(begin, end);
-      bool const returns = sign * (*tip - disp_.x[run.last]) > least && end - tip > 2;
+      double const back = sign * (*tip - disp_.x[run.last]), way = sign * (*tip - disp_.x[run.first]);
+      bool const returns = back > std::max(least, least_back * way) && end - tip > 2;
       bool const moves = *std::max_element(begin, end) - *std::min_element(begin, end) > least;
       bool const repeats = noisy && run.size() > least_plateau + 1 && moves;
       // The top of a smooth peak on a coarse digitiser is no plateau.
@@ -365,11 +378,145 @@ class Record {
       first.push_back(run.first);
       longest = std::max(longest, run.size());
     }
-    if (first.empty()) return;
+    if (first.empty()) return false;
+    name_clipped_force(force_.x[first.front()], longest, first);
+    return true;
+  }
+
+  void name_clipped_force(double level, std::size_t longest, std::vector<std::size_t> const& first) {
     add(FaultKind::clipped, "force", first,
         fmt::format("force is clipped at {:.5g} kN: it stays there for up to {} samples, from {}, while the device "
                     "moves",
-                    force_.x[first.front()], longest, at(first)));
+                    level, longest, at(first)));
+  }
+
+  // Where a plateau of force in noise lies, and what the force does before and after it, added up over the plateaus.
+  struct Tops {
+    std::vector<std::size_t> first;
+    std::size_t longest = 0;
+    double way = 0.0, returned = 0.0;                    // into the plateau to the tip, and back from it
+    double rise_before = 0.0, rise = 0.0, window = 0.0;  // in two windows of displacement before it, of one width
+    double rise_last = 0.0, last_way = 0.0;              // within its first sample
+    std::array<double, 4> drop{}, drop_way{};  // right after it, within 1, 2, 4 samples and a 24th of half a cycle
+    std::array<double, 3> third{};             // sums above the level: of its way to the tip
+    std::array<double, 3> samples{};
+    double off_level = 0.0;  // plateaus that are not at the level of the others
+  };
+
+  // The level that most of the highest samples share.
+  double top_level(double sign, double noise) const {
+    double level = -std::numeric_limits<double>::infinity();
+    for (double const value : force_.x) level = std::max(level, sign * value);
+    level -= top_deviations * noise;
+    for (int pass = 0; pass < 4; ++pass) {
+      std::vector<double> members;
+      for (double const value : force_.x)
+        if (sign * value >= level - top_deviations * noise) members.push_back(sign * value);
+      level = num::median(std::move(members));
+    }
+    return level;
+  }
+
+  // Of samples that noise throws out of the band now and then.
+  std::vector<Run> tops_of(double sign, double low) const {
+    constexpr std::size_t bridged = 2;
+    std::vector<Run> runs;
+    for (std::size_t i = 0; i < size(); ++i) {
+      if (sign * force_.x[i] < low) continue;
+      if (runs.empty() || i - runs.back().last > bridged + 1) runs.push_back({.first = i, .last = i});
+      runs.back().last = i;
+    }
+    std::erase_if(runs, [](Run const& run) { return run.size() <= least_plateau; });
+    return runs;
+  }
+
+  void add_top(double sign, double level, double noise, Run const& run, Tops& tops) const {
+    auto const next = std::ranges::lower_bound(turns_, run.first);
+    if (next == turns_.begin() || next == turns_.end() || *next > run.last + 1) return;
+    auto const before = *(next - 1), tip = std::min(*next, run.last);
+    auto const beside = std::max<std::size_t>(3, half_cycle_ / 24);
+    if (run.last + beside >= size()) return;
+    auto const x = [&](std::size_t i) { return sign * disp_.x[i]; };
+    auto const y = [&](std::size_t i) { return sign * force_.x[i]; };
+    double const way = x(tip) - x(run.first);
+    double const window = std::min({way / 2.0, most_window * disp_.half_range, (x(run.first) - x(before)) / 2.0});
+    if (!(window > std::max(least_window * disp_.half_range, 8.0 * disp_.noise))) return;
+    auto near = run.first, far = run.first;
+    while (near > before && (x(near) > x(run.first) - window || run.first - near < 2)) --near;
+    far = near;
+    while (far > before && (x(far) > x(near) - window || near - far < 2)) --far;
+    if (far == before) return;
+    tops.first.push_back(run.first);
+    tops.longest = std::max(tops.longest, run.size());
+    tops.way += way;
+    tops.returned += std::max(0.0, x(tip) - x(run.last));
+    // Of one width, however coarse the samples are.
+    double const corner = (x(run.first) + x(run.first - 1)) / 2.0;
+    tops.rise += (level - top_deviations * noise - y(near)) / std::max(corner - x(near), window / 4.0) * window;
+    tops.rise_before += (y(near) - y(far)) / (x(near) - x(far)) * window;
+    tops.window += window;
+    tops.rise_last += y(run.first) - y(run.first - 1);
+    tops.last_way += x(run.first) - x(run.first - 1);
+    std::array<std::size_t, 4> const lags{1, 2, 4, beside};
+    for (std::size_t k = 0; k < lags.size(); ++k) {
+      auto const after = std::min(run.last + lags[k], size() - 1);
+      tops.drop[k] += level - y(after);
+      tops.drop_way[k] += x(run.last) - x(after);
+    }
+    double sum = 0.0;
+    for (auto i = run.first + 1; i <= tip; ++i) {
+      auto const part = static_cast<std::size_t>(std::clamp(3.0 * (x(i) - x(run.first)) / way, 0.0, 2.0));
+      tops.third[part] += y(i) - level;
+      tops.samples[part] += 1.0;
+      sum += y(i) - level;
+    }
+    auto const count = static_cast<double>(tip - run.first);
+    if (std::abs(sum) > top_deviations * noise * std::sqrt(count) + same_level * level * count) tops.off_level += 1.0;
+  }
+
+  // Force that goes up on its way, meets a level at a corner, keeps it to the reversal and beyond, and leaves it steeply.
+  // A device that yields comes to its level as steeply as it leaves it, or ever more slowly.
+  void clipped_force_in_noise(double sign) {
+    for (double const wider : {1.0, 3.0}) {
+      double const noise = wider * std::hypot(force_.noise, 0.3 * force_.quantum);
+      double const level = top_level(sign, noise);
+      Tops tops;
+      for (auto const& run : tops_of(sign, level - top_deviations * noise)) add_top(sign, level, noise, run, tops);
+      if (!is_clipped(tops, noise)) continue;
+      name_clipped_force(sign * level, tops.longest, tops.first);
+      return;
+    }
+  }
+
+  bool is_clipped(Tops const& tops, double noise) const {
+    auto const count = static_cast<double>(tops.first.size());
+    if (count == 0.0 || *std::ranges::min_element(tops.samples) < least_third) return false;
+    if (tops.off_level > count / 4.0) return false;
+    double slope = tops.rise / tops.window, slope_before = tops.rise_before / tops.window;
+    double leaves = 0.0;
+    double const unsure = 4.0 * disp_.noise * std::sqrt(2.0 * count) + 1e-3 * disp_.half_range * count;
+    for (std::size_t k = 0; k < tops.drop.size(); ++k)
+      if (tops.drop[k] > 2.0 * top_deviations * noise * count)
+        leaves = std::max(leaves, tops.drop[k] / std::max(tops.drop_way[k], unsure));
+    // What the plateau cuts off at the tip.
+    double const depth = slope * tops.way / count;
+    auto const [lowest, highest] = std::ranges::minmax(
+        std::array{tops.third[0] / tops.samples[0], tops.third[1] / tops.samples[1], tops.third[2] / tops.samples[2]});
+    double const uneven = highest - lowest + 2.0 * noise * std::sqrt(2.0 / *std::ranges::min_element(tops.samples));
+    if (!(depth > std::max(least_cut * force_.half_range, 4.0 * noise) && uneven < most_uneven * depth)) return false;
+    double const flat = uneven / (tops.way / count);
+    bool const corner = slope > 0.1 * stiffness() && slope_before > 0.3 * slope && slope_before < most_bend * slope &&
+                        slope * slope > least_corner * slope_before * flat;
+    if (!corner) return false;
+    double const back = tops.returned / tops.way;
+    if (back > 0.25 && tops.way < 0.6 * disp_.half_range * count) return true;
+    double const last = (tops.rise_last - top_deviations * noise * std::sqrt(2.0 * count)) /
+                        std::max(tops.last_way, 1e-3 * disp_.half_range * count);
+    if (!(std::max({slope, slope_before, last}) < 0.4 * leaves)) return false;
+    // Where the samples tell it, the force comes back to the level later than displacement to its peak.
+    double const expected = depth / leaves;
+    double const told = std::max(8.0 * disp_.noise, past_the_tip * disp_.half_range);
+    return expected < 2.0 * told || tops.returned / count > least_return * expected;
   }
 
   std::vector<Run> stretches(Signal const& signal) const {
@@ -411,11 +558,15 @@ class Record {
     double const floor = std::max({0.01 * force_.half_range, 6.0 * force_.noise, 3.0 * force_.quantum});
     if (!(*largest - *least > floor)) return false;
     double advance = 0.0;
+    // A rest that the record ends with may begin a little earlier in displacement.
+    auto const late = run.last + 1 == size() ? std::min(run.size() - 1, std::max<std::size_t>(2, half_cycle_ / 12)) : 0;
     auto const way = std::min(run.first, std::clamp<std::size_t>(half_cycle_ / 16, 2, 8));
     double const going = disp_.x[run.first] - disp_.x[run.first - way];
-    for (auto i = begin; i != begin + static_cast<std::ptrdiff_t>(run.size()); ++i)
-      advance = std::max(advance, std::copysign(1.0, going) * (*i - *begin));
-    if (*largest - *least > most_of_force * 2.0 * force_.half_range) return true;
+    auto const from = begin + static_cast<std::ptrdiff_t>(late);
+    for (auto i = from; i != begin + static_cast<std::ptrdiff_t>(run.size()); ++i)
+      advance = std::max(advance, std::copysign(1.0, going) * (*i - *from));
+    auto const [lower, upper] = std::minmax_element(from, begin + static_cast<std::ptrdiff_t>(run.size()));
+    if (*upper - *lower > most_of_force * 2.0 * force_.half_range) return true;
     double const missed_before =
         std::abs(going) / static_cast<double>(std::max<std::size_t>(1, way)) * static_cast<double>(run.size() - 1);
     bool const went = missed_before > std::max(least_missed * disp_.half_range, missed_quanta * disp_.quantum);
@@ -429,28 +580,111 @@ class Record {
            *largest - *least > 2.0 * floor;
   }
 
+  // Stretches that noise alone moves.
+  static std::vector<Run> quiet_stretches(Signal const& signal, double band, std::size_t least) {
+    std::vector<Run> runs;
+    double sum = 0.0;
+    std::size_t first = 0;
+    for (std::size_t i = 0; i <= signal.x.size(); ++i) {
+      auto const count = static_cast<double>(i - first);
+      if (i < signal.x.size() && (i == first || std::abs(signal.x[i] - sum / count) <= band)) {
+        sum += signal.x[i];
+        continue;
+      }
+      if (i - first >= least) runs.push_back({.first = first, .last = i - 1});
+      if (i == signal.x.size()) break;
+      first = i;
+      sum = signal.x[i];
+    }
+    return runs;
+  }
+
+  // A channel that noise alone moves while the other goes its way, and that is elsewhere from one sample to the next
+  // without a jump of the other: a device that yields, rests or slips moves both.
+  std::vector<Run> stuck_in_noise(Signal const& stands, Signal const& other, double least_part) const {
+    double const noise = std::hypot(stands.noise, 0.3 * stands.quantum);
+    if (!(noise > same_value * stands.half_range)) return {};
+    constexpr std::size_t fewest = 8;
+    std::vector<Run> found;
+    for (auto const& run : quiet_stretches(stands, 5.0 * noise, std::max<std::size_t>(fewest, half_cycle_ / 10))) {
+      auto const lag = std::max<std::size_t>(2, half_cycle_ / 48);
+      if (run.first == 0 || run.last + 1 + lag >= size() || gap_after(run.last)) continue;
+      auto const middle = run.first + run.size() / 2;
+      double const level = mean_of(stands.x, run.first, run.last + 1);
+      double const trend = mean_of(stands.x, middle, run.last + 1) - mean_of(stands.x, run.first, middle);
+      if (std::abs(trend) > 8.0 * noise / std::sqrt(static_cast<double>(run.size()))) continue;
+      double const jump = std::abs(stands.x[run.last + 1] - level) / stands.half_range;
+      double const next = std::abs(stands.x[run.last + 2] - stands.x[run.last + 1]) / stands.half_range;
+      if (!(jump > std::max(least_part, 12.0 * noise / stands.half_range) && jump > 3.0 * next)) continue;
+      double const other_jump = std::abs(other.x[run.last + 1] - other.x[run.last]) / other.half_range;
+      if (other_jump > 0.3 * jump) continue;
+      // The other goes on in one way through it all.
+      double const way = other.x[run.last] - other.x[run.last - lag],
+                   after = other.x[run.last + lag] - other.x[run.last];
+      double const clear = std::max(0.005 * other.half_range, 6.0 * other.noise);
+      bool const went = std::abs(other.x[run.last] - other.x[run.first]) > least_part * other.half_range;
+      if (went && way * after > 0.0 && std::min(std::abs(way), std::abs(after)) > clear) found.push_back(run);
+    }
+    return found;
+  }
+
+  // Whether the force is nearer to what follows the stretch where the device is near its end in other cycles: a device
+  // with play, or one that yields and stiffens again, stands in every cycle.
+  bool is_elsewhere(Run const& run) const {
+    auto const lag = std::max<std::size_t>(2, half_cycle_ / 48);
+    double const at = disp_.x[run.last - lag], way = disp_.x[run.last] - at;
+    double const level = mean_of(force_.x, run.first, run.last + 1), next = force_.x[run.last + 1];
+    std::vector<double> there;
+    for (std::size_t i = lag; i + lag < size(); ++i) {
+      if (i + lag >= run.first && i <= run.last + lag) continue;
+      if ((disp_.x[i] - at) * (disp_.x[i + 1] - at) <= 0.0 && (disp_.x[i + lag] - disp_.x[i - lag]) * way > 0.0)
+        there.push_back((force_.x[i] - level) / (next - level));
+    }
+    return !there.empty() && num::median(std::move(there)) > 0.5;
+  }
+
   void stuck_displacement() {
     if (is_clipped("displacement")) return;
-    auto const runs = stretches(disp_);
     std::size_t covered = 0;
     std::vector<std::size_t> first;
     std::size_t longest = 0;
-    for (auto const& run : runs) {
-      if (!is_stuck(run)) continue;
+    auto const keep = [&](Run const& run) {
       covered += run.size();
       first.push_back(run.first);
       longest = std::max(longest, run.size());
-    }
+    };
+    for (auto const& run : stretches(disp_))
+      if (is_stuck(run)) keep(run);
+    if (first.empty()) std::ranges::for_each(stuck_in_noise(disp_, force_, 0.1), keep);
     if (first.empty() || static_cast<double>(covered) > most_stretches * static_cast<double>(size())) return;
     add(FaultKind::stuck, "displacement", first,
         fmt::format("displacement is stuck at {:.5g} mm for {} samples, from {}, while the force goes on",
                     disp_.x[first.front()], longest, at(first)));
   }
 
+  // No force at all, which it comes to at a reversal or without a jump: the device has play.
+  bool is_backlash(Run const& run, std::size_t lag) const {
+    double const noise = 5.0 * force_.noise + force_.quantum;
+    if (std::abs(mean_of(force_.x, run.first, run.last + 1)) > noise) return false;
+    if (run.first < 2) return true;
+    auto const turn = std::ranges::upper_bound(turns_, run.first + 1);
+    if (turn != turns_.begin()) {
+      if (run.first <= *(turn - 1) + lag) return true;
+      if (std::abs(disp_.x[run.first] - disp_.x[*(turn - 1)]) < force_stands * disp_.half_range) return true;
+    }
+    double const jump = std::abs(force_.x[run.first] - force_.x[run.first - 1]);
+    return jump <= least_jump * std::abs(force_.x[run.first - 1] - force_.x[run.first - 2]) + 3.0 * noise;
+  }
+
   void stuck_force() {
     if (is_clipped("force")) return;
     std::vector<std::size_t> first;
     std::size_t longest = 0, covered = 0;
+    auto const keep = [&](Run const& run) {
+      covered += run.size();
+      first.push_back(run.first);
+      longest = std::max(longest, run.size());
+    };
     double const least =
         std::max({force_stands * disp_.half_range, 10.0 * force_.quantum / stiffness(), 8.0 * disp_.noise});
     bool const noisy = has_noise(force_);
@@ -462,25 +696,27 @@ class Record {
       // Beyond the farther of two turns within it: yielding would have ended there.
       double const there_and_back =
           std::max(std::min(*high - *begin, *high - *(end - 1)), std::min(*begin - *low, *(end - 1) - *low));
-      bool stuck = there_and_back > least || (noisy && run.size() >= 2 * least_stretch);
       auto const lag = std::max<std::size_t>(2, half_cycle_ / 48);
+      if (is_backlash(run, lag)) continue;
+      bool stuck = there_and_back > least || (noisy && run.size() >= 2 * least_stretch);
       if (!stuck && run.last + 1 + lag < size() && run.size() > lag && !gap_after(run.last)) {
         auto const [before, after] = speeds(force_, run);
         double const jump = std::abs(force_.x[run.last + 1] - force_.x[run.last]);
         double const way = disp_.x[run.last] - disp_.x[run.last - lag];
         double const next = disp_.x[run.last + 1 + lag] - disp_.x[run.last + 1];
-        bool const same_way = way * next > 0.0 && std::min(std::abs(way), std::abs(next)) > 0.005 * disp_.half_range;
+        double const clear = std::max(0.005 * disp_.half_range, 6.0 * disp_.noise);
+        bool const same_way = way * next > 0.0 && std::min(std::abs(way), std::abs(next)) > clear;
         stuck =
             same_way && jump > std::max({0.03 * force_.half_range, 6.0 * force_.noise, missed_quanta * force_.quantum,
                                          least_jump * std::max(std::abs(before), std::abs(after))});
       }
       // A rest at one end of the record may last a little longer in one channel than in the other.
       bool const at_an_end = run.first == 0 || run.last + 1 == size();
-      if (!stuck || (at_an_end && *high - *low < disp_.half_range)) continue;
-      covered += run.size();
-      first.push_back(run.first);
-      longest = std::max(longest, run.size());
+      if (stuck && !(at_an_end && *high - *low < disp_.half_range)) keep(run);
     }
+    if (first.empty())
+      for (auto const& run : stuck_in_noise(force_, disp_, 0.15))
+        if (is_elsewhere(run) && !is_backlash(run, std::max<std::size_t>(2, half_cycle_ / 48))) keep(run);
     if (first.empty() || static_cast<double>(covered) > most_stretches * static_cast<double>(size())) return;
     add(FaultKind::stuck, "force", first,
         fmt::format("force is stuck at {:.5g} kN for {} samples, from {}, while the device moves",
