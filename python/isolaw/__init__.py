@@ -118,6 +118,8 @@ def read_record(path, *, name=None, **reading):
 def read_motion(path, *, name=None, **reading):
     """Reads a displacement history, cyclic or seismic, from a file as read_record does; it needs no force.
 
+    from_s, to_s: the part of its time that is read.
+
     Returns a Record whose ``force_kN`` is None. Raises Error, also for a record of acceleration.
     """
     return _core.read(path, True, name, reading)

@@ -95,7 +95,6 @@ int rises(std::vector<double> const& disp_mm) {
   return count;
 }
 
-// Sines of 0.84 to 0.97 Hz for 15 s whose middle drifts by up to half the amplitude.
 // As by a saturated amplifier ahead of the converter, whose noise comes after it.
 TEST(Measured, FullScaleBearingWhoseForceIsClippedIsNamed) {
   auto const file = folder / "hdrb-gallardo-device/cyclic-24-49-98pct.csv";
@@ -114,6 +113,7 @@ TEST(Measured, FullScaleBearingWhoseForceIsClippedIsNamed) {
   }
 }
 
+// Sines of 0.84 to 0.97 Hz for 15 s whose middle drifts by up to half the amplitude.
 TEST(Measured, MrDampersAreReadAndCutIntoTheirCycles) {
   struct Damper {
     int number;
@@ -136,6 +136,7 @@ TEST(Measured, MrDampersAreReadAndCutIntoTheirCycles) {
     auto const record = read_record(file, options);
     EXPECT_EQ(record.size(), 1501u);
     EXPECT_DOUBLE_EQ(record.time_s.back(), 15.0);
+    EXPECT_TRUE(record.faults.empty()) << record.faults.front().sentence;
     auto const cut = segment(record.disp_mm, record.time_s);
     EXPECT_TRUE(cut.cyclic) << cut.refusal;
     auto const complete = std::ranges::count(cut.cycles, false, &CycleCut::partial);

@@ -83,6 +83,7 @@ def time_stamps():
     table('date-and-clock.csv', 'Datum;Uhrzeit;Weg [mm];Kraft [kN];Raum',
           lambda t, x, f: f"{stamp('%d.%m.%Y', t, night)};{stamp('%H:%M:%S,%f', t, night, 3)};{comma(x)};{comma(f)};20,5")
     table('serial-days.csv', 'Date/Time' + tail, lambda t, x, f: f'{45414.4 + t / 86400.0:.10f};{x:.3f};{f:.3f}')
+    table('days-as-seconds.csv', 'Time [s]' + tail, lambda t, x, f: f'{45414.4 + t / 86400.0:.10f};{x:.3f};{f:.3f}')
     timed('two-clocks.csv', 'Start', '%H:%M:%S.%f')
     table('two-clocks.csv', 'Logged;Sent' + tail,
           lambda t, x, f: f"{stamp('%H:%M:%S.%f', t, cut=3)};{stamp('%H:%M:%S.%f', t + 1, cut=3)};{x:.3f};{f:.3f}")
@@ -119,6 +120,7 @@ def parts_of_files():
     table('footer-signature.csv', english, plain, foot='\nTested by: A. Smith\nEnd of data\n')
     table('footer-label-column.csv', 'No;Displacement [mm];Force [kN]', lambda t, x, f: f'{round(t / interval) + 1};{x:.3f};{f:.3f}',
           foot='Max;100.000;70.000\n')
+    table('footer-number.csv', english, plain, foot='1234\n')
     table('broken-off.csv', english, plain, foot='6.02;12')
     table('overload-at-end.csv', english, plain, foot=''.join(f'{6.02 + 0.02 * i:.2f};0.0;9.9e37\n' for i in range(3)))
     table('approach.csv', english, plain, source=[(0.02 * i, 40.0 * math.sin(0.4 * i), 5.0) for i in range(100)] + [(t + 2.0, x, f) for t, x, f in device])

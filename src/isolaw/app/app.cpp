@@ -32,8 +32,8 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-void add_option(CLI::App& command, OptionInfo const& option, Values& given) {
-  auto const name = "--" + option.option();
+void add_option(CLI::App& command, OptionInfo const& option, Values& given, std::string_view other_name = {}) {
+  auto const name = "--" + (other_name.empty() ? option.option() : std::string(other_name));
   auto const take = [&given, name, key = std::string(option.key), kind = option.kind](Words const& words) {
     given[key] = value_of(kind, words);
     bool const number = kind == Kind::whole || kind == Kind::real;
@@ -53,7 +53,8 @@ void add_option(CLI::App& command, OptionInfo const& option, Values& given) {
 // Of a motion, which has no force: `of_test` is false.
 void add_reading(CLI::App& command, Values& read, bool of_test = true) {
   for (auto const& option : data::reading_table())
-    if (of_test || !option.of_test) add_option(command, option, read);
+    if (of_test || !option.of_test)
+      add_option(command, option, read, of_test ? std::string_view() : option.motion_option);
 }
 
 void add_acceptance(CLI::App& command, Values& acceptance) {

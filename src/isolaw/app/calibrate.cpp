@@ -96,7 +96,8 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
     say("no longer held to rule set {}: --rules {} holds the tests to it again, without another search\n",
         printable(released), printable(released));
   if (!contents.complete() && !contents.runs.empty())
-    say("continuing: {} runs are there already\n", contents.runs.size());
+    say("continuing: {} {} there already\n", counted(contents.runs.size(), "run"),
+        contents.runs.size() == 1 ? "is" : "are");
 
   // To continue is not to start over.
   auto words = command_line;

@@ -11,6 +11,7 @@
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/file.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/campaign/check.hpp"
 #include "isolaw/campaign/maker.hpp"
 #include "isolaw/campaign/store.hpp"
@@ -100,8 +101,8 @@ int check(std::filesystem::path const& directory) {
              !result.faults.empty()       ? fmt::format("{} fault(s)", result.faults.size())
              : result.differences.empty() ? "sound"
                                           : fmt::format("sound, but for {} difference(s)", result.differences.size()));
-  fmt::print("  {} devices, {} laws on them, {} of {} runs", result.devices, result.searches, result.runs,
-             result.expected_runs);
+  fmt::print("  {}, {} on {}, {} of {}", counted(result.devices, "device"), counted(result.searches, "law"),
+             result.devices == 1 ? "it" : "them", result.runs, result.expected_runs);
   fmt::print("{}\n", result.expected_analyses > 0
                          ? fmt::format(", {} of {} analyses", result.analyses, result.expected_analyses)
                          : std::string());

@@ -13,6 +13,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/file.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/campaign/prepare.hpp"
 #include "isolaw/data/read.hpp"
 #include "isolaw/data/sheet_choice.hpp"
@@ -52,7 +53,10 @@ int inspect(InspectArguments const& arguments) {
     say("written: {}\n", shown(*arguments.out / "inspection.html"));
   }
   if (std::ranges::none_of(contents.devices, &campaign::Device::usable)) {
-    say("none of {} records can be used\n", contents.devices.size());
+    if (contents.devices.size() == 1)
+      say("the record cannot be used\n");
+    else
+      say("none of {} records can be used\n", contents.devices.size());
     return exit_wrong_usage;
   }
   return refused(summary) || study::acceptance_failed(summary) ? exit_with_refusals : exit_done;
@@ -141,8 +145,8 @@ int init(InitArguments const& arguments) {
       device.read = record.layout;
       remarks.stated.push_back(campaign::take_particulars(record.particulars, device.info));
       recognised.push_back(device);
-      fmt::print("{}: {} samples\n", device.name == device.files.front().stem() ? device.shown_file : device.name,
-                 record.size());
+      fmt::print("{}: {}\n", device.name == device.files.front().stem() ? device.shown_file : device.name,
+                 counted(record.size(), "sample"));
       for (auto const& line : record.recognised) fmt::print("  {}\n", line);
     } catch (Error const& error) {
       complaints.insert(complaints.end(), error.complaints().begin(), error.complaints().end());

@@ -95,14 +95,15 @@ std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path>
 
 namespace {
 
-// What may be repeated adds to what is there; the last word on a parameter counts.
+// What may be repeated adds to what is there, and counts where both speak of a parameter. One that is given twice is
+// refused where it is taken.
 Json added(Json const& there, Json const& given) {
   auto const parameter = [](std::string const& text) { return text.substr(0, text.find('=')); };
+  auto const words = given.get<std::vector<std::string>>();
   auto texts = there.get<std::vector<std::string>>();
-  for (auto const& text : given.get<std::vector<std::string>>()) {
+  for (auto const& text : words)
     std::erase_if(texts, [&](auto const& other) { return parameter(other) == parameter(text); });
-    texts.push_back(text);
-  }
+  texts.insert(texts.end(), words.begin(), words.end());
   return texts;
 }
 
@@ -156,6 +157,7 @@ void apply_vertical(std::vector<std::string> const& given, campaign::Lot& lot) {
 
 campaign::Lot lot_of_file(std::filesystem::path const& file, campaign::LotFileOptions options) {
   options.is_built_in_rules = rules::is_built_in;
+  options.check_design = [](std::string_view design) { rules::parse_design(design); };
   return campaign::read_lot_file(file, options);
 }
 

@@ -90,7 +90,7 @@ void require_known_command(CLI::App& app, int argc, char** argv) {
   if (std::ranges::find(all, argv[1]) != all.end()) return;
   auto const word = std::string(argv[1]).substr(0, 100);
   auto const near = nearest(word, known, 2);
-  throw Error({.where = "isolaw " + word,
+  throw Error({.where = word,
                .found = "no such command",
                .allowed = joined(known),
                .advice = (near.empty() ? "" : "isolaw " + near + ", or ") + "isolaw --help"});
@@ -103,7 +103,7 @@ std::vector<Complaint> usage_complaints(CLI::App& app, CLI::ParseError const& er
   bool const required = dynamic_cast<CLI::RequiredError const*>(&error) != nullptr;
   if (required || dynamic_cast<CLI::ExtrasError const*>(&error) != nullptr)
     if (auto complaints = about_extra_words(command, advice); !complaints.empty()) return complaints;
-  if (chosen.empty()) return {{"isolaw", "a subcommand is required", joined(names_of_commands(app)), advice}};
+  if (chosen.empty()) return {{{}, "a subcommand is required", joined(names_of_commands(app)), advice}};
   std::string const message = error.what();
   if (required) return {{"isolaw " + command.get_name(), message, {}, advice}};
   auto const* option = option_of(command, message);

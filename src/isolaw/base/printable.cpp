@@ -67,6 +67,12 @@ std::string printable(std::string_view text, bool keep_lines) {
   return clean;
 }
 
+std::string on_one_line(std::string_view text) {
+  std::string line;
+  for (char const c : text) line += c == '\n' ? std::string("; ") : std::string(1, c);
+  return printable(line);
+}
+
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t readable = 40;
   auto clean = printable(text);

@@ -18,6 +18,9 @@ bool is_printable(std::string_view text);
 // too.
 std::string printable(std::string_view text, bool keep_lines = false);
 
+// The same of several lines that become one: "a; b".
+std::string on_one_line(std::string_view text);
+
 // 'text' for a message, cut to a readable length, control characters spelled out.
 std::string in_quotes(std::string_view text);
 

@@ -25,6 +25,7 @@ constexpr std::array known{
     s,
     Unit{Dimension::time, "ms", 1e-3},
     Unit{Dimension::time, "min", 60.0},
+    Unit{Dimension::time, "d", 86400.0},
 };
 
 struct Alias {
@@ -32,15 +33,16 @@ struct Alias {
   std::string_view symbol;
 };
 constexpr std::array aliases{
-    Alias{"kips", "kip"},      Alias{"lb", "lbf"},         Alias{"lbs", "lbf"},
-    Alias{"tf", "tonf"},       Alias{"inch", "in"},        Alias{"inches", "in"},
-    Alias{"\"", "in"},         Alias{"sec", "s"},          Alias{"secs", "s"},
-    Alias{"second", "s"},      Alias{"seconds", "s"},      Alias{"msec", "ms"},
-    Alias{"kilonewton", "kN"}, Alias{"newton", "N"},       Alias{"kg", "kgf"},
-    Alias{"in.", "in"},        Alias{"t", "tonf"},         Alias{"minute", "min"},
-    Alias{"minutes", "min"},   Alias{"sek", "s"},          Alias{"sn", "s"},
-    Alias{"saniye", "s"},      Alias{"\xE7\xA7\x92", "s"},  // Turkish, Japanese
-    Alias{"dk", "min"},        Alias{"dakika", "min"},     Alias{"\xE5\x88\x86", "min"},
+    Alias{"kips", "kip"},       Alias{"lb", "lbf"},     Alias{"lbs", "lbf"},
+    Alias{"tf", "tonf"},        Alias{"inch", "in"},    Alias{"inches", "in"},
+    Alias{"\"", "in"},          Alias{"sec", "s"},      Alias{"secs", "s"},
+    Alias{"second", "s"},       Alias{"seconds", "s"},  Alias{"msec", "ms"},
+    Alias{"kilonewton", "kN"},  Alias{"newton", "N"},   Alias{"kg", "kgf"},
+    Alias{"in.", "in"},         Alias{"t", "tonf"},     Alias{"minute", "min"},
+    Alias{"day", "d"},          Alias{"days", "d"},     Alias{"minutes", "min"},
+    Alias{"sek", "s"},          Alias{"sn", "s"},       Alias{"saniye", "s"},
+    Alias{"\xE7\xA7\x92", "s"},  // Turkish, Japanese
+    Alias{"dk", "min"},         Alias{"dakika", "min"}, Alias{"\xE5\x88\x86", "min"},
 };
 
 }  // namespace

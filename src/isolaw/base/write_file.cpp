@@ -50,6 +50,9 @@ void write_file(fs::path const& path, std::string_view text) {
   if (!error) fs::rename(aside, path, error);
   if (!error) return;
   std::error_code ignored;
+  if (auto const folder = path.parent_path(); !folder.empty() && !fs::exists(folder, ignored))
+    throw Error(Complaint{path.string(), "cannot be written: there is no directory " + folder.string(),
+                          "a file in a directory that is there", "mkdir -p " + folder.string()});
   fs::remove(aside, ignored);
   refuse(path, error.message());
 }

@@ -18,6 +18,7 @@
 #include "isolaw/base/words.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/data/reading.hpp"
+#include "isolaw/data/time_stamp.hpp"
 
 namespace isolaw::campaign {
 namespace {
@@ -46,6 +47,14 @@ void read_reading(TomlTable& table, data::ReadOptions& options) {
   }
 }
 
+void require_rules(TomlTable& table, toml::node const& node, std::string const& name, std::filesystem::path const& file,
+                   LotFileOptions const& options) {
+  std::error_code unknown;
+  if (options.is_built_in_rules && !std::filesystem::exists(file, unknown))
+    table.complain(node, fmt::format("rules: {} is neither a built-in rule set nor a file here", in_quotes(name)),
+                   "a name that isolaw rules lists, or a file in the folder of the lot file or below it");
+}
+
 // What the tests are held to: a built-in rule set by its name or a file beside the lot file, design values, lot size.
 void read_acceptance(TomlTable& table, std::filesystem::path const& directory, LotFileOptions const& options,
                      Lot& lot) {
@@ -53,17 +62,36 @@ void read_acceptance(TomlTable& table, std::filesystem::path const& directory, L
   for (auto const& option : acceptance_table())
     table.json(
         option.option(), [&](Json const& value) { option.set(acceptance, value); }, longest_path);
+  if (auto const* design = table.find("design"); design != nullptr && options.check_design) try {
+      options.check_design(acceptance.design);
+    } catch (Error const& error) {
+      for (auto const& complaint : error.complaints())
+        table.complain(*design, "design: " + complaint.found, complaint.allowed, complaint.advice);
+    }
   auto const* rules = table.find("rules");
   if (rules == nullptr || acceptance.rules_file.empty()) return;
   auto const name = std::exchange(acceptance.rules_file, {});
   lot.rules_are_file = !options.is_built_in_rules || !options.is_built_in_rules(name);
   acceptance.rules_file = lot.rules_are_file ? (directory / name).string() : name;
-  if (!lot.rules_are_file || options.allow_outside) return;
+  if (!lot.rules_are_file) return;
+  if (options.allow_outside) return require_rules(table, *rules, name, acceptance.rules_file, options);
   // Also of a file that is not there: what the name would lead to must not be told apart from what is there.
   if (auto const outside = leads_outside(directory / name, directory))
     table.complain(*rules, fmt::format("rules: {} leads outside, to {}", in_quotes(name), outside->generic_string()),
                    "a built-in rule set, or a file in the folder of the lot file or below it",
                    "copying the file there, or --allow-outside on the command line");
+  else
+    require_rules(table, *rules, name, acceptance.rules_file, options);
+}
+
+void set_date(DeviceInfo& info, Json const& value) {
+  auto const text = text_in(value);
+  if (!text.empty() && !data::may_be_date(text))
+    throw Error({.where = {},
+                 .found = fmt::format("{} is no date", in_quotes(text)),
+                 .allowed = "a date of the calendar, or words with a year",
+                 .advice = "year-month-day, as in 2024-03-17"});
+  info.test_date = text;
 }
 
 // What the table of a device says of it.
@@ -81,8 +109,11 @@ std::vector<Option<DeviceInfo>> const& info_table() {
   static std::vector<Option<I>> const table{
       text("serial", &I::serial),
       text("lot", &I::lot),
-      text("test-date", &I::test_date),
-      above("temperature-C", -273.15, "degrees Celsius, above -273.15", &I::temperature_C),
+      {{.key = "test-date"},
+       [](I const& info) { return info.test_date.empty() ? Json() : Json(info.test_date); },
+       set_date},
+      number<I>("temperature-C", {}, at(&I::temperature_C),
+                {.least = -100.0, .most = 200.0, .words = "the temperature of a test in degrees Celsius, -100 to 200"}),
       above("rubber-thickness-mm", 0.0, "total thickness of the rubber in mm, above 0", &I::rubber_thickness_mm),
       above("rubber-area-mm2", 0.0, "area of the rubber in mm2, above 0", &I::rubber_area_mm2)};
   return table;
@@ -190,10 +221,20 @@ DeviceInput read_device(TomlTable& table, toml::table const& source, std::filesy
     check_inside(name);
   };
   table.value<std::string>("name", "text", [&](std::string const& name) {
-    if (name.find_first_not_of(' ') == std::string::npos)
+    auto const plain = trimmed(name);
+    if (plain.empty())
       throw Error({.where = {}, .found = "empty", .allowed = "a name, or no such line: then the file's"});
+    if (plain != name)
+      throw Error({.where = {},
+                   .found = fmt::format("{} begins or ends with a blank", in_quotes(name)),
+                   .allowed = "a name without blanks around it",
+                   .advice = fmt::format("name = \"{}\"", plain)});
     device.name = name;
   });
+  auto const *one = table.find("file"), *several = table.find("files");
+  if (one != nullptr && several != nullptr)
+    table.complain(*several, "both file and files", "one of them",
+                   "files = [\"...\", \"...\"], read one after another as one history");
   table.strings("file", take_file, longest_path);
   table.strings("files", take_file, longest_path);
   for (auto const& option : info_table())
@@ -458,8 +499,11 @@ Particulars take_particulars(std::vector<std::pair<std::string, std::string>> co
       if (value.is_null() || (value.is_string() && !is_printable(text)))
         throw Error({.where = {}, .found = "no such value"});
       option->set(info, value);
-    } catch (Error const&) {
+    } catch (Error const& error) {
       left[key] = text;
+      auto const& why = error.complaints().front();
+      // Text that was read and is not allowed; of what could not be read its own words say enough.
+      if (!value.is_null()) left[key] += fmt::format("; allowed: {}", why.allowed);
     }
   }
   return left;

@@ -54,6 +54,7 @@ struct LotFileOptions {
   bool other_out = false;      // --out is given: the file's `out` does not count
   // Names of rule sets that need no file, which this module does not know; empty: every name is a file's.
   std::function<bool(std::string_view)> is_built_in_rules = {};
+  std::function<void(std::string_view)> check_design = {};  // throws Error; of that module too
 };
 
 inline constexpr std::size_t most_devices = 10'000;

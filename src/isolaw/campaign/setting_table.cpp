@@ -178,7 +178,10 @@ std::vector<Setting> make_settings() {
 
 // {"K_eff": 1.2, "damping": 15} adds to what is there; text takes its place.
 void set_design(Acceptance& to, Json const& value) {
-  if (!value.is_object()) return void(to.design = text_in(value));
+  if (!value.is_object()) {
+    if (trimmed(text_in(value)).empty()) refuse(value, "design values, K_eff=1.2,damping=15");
+    return void(to.design = text_in(value));
+  }
   for (auto const& [key, item] : value.items()) {
     if (!item.is_number())
       throw Error(

@@ -9,9 +9,11 @@
 #include <numbers>
 #include <optional>
 
+#include "isolaw/base/words.hpp"
 #include "isolaw/data/error_budget.hpp"
 #include "isolaw/data/holds.hpp"
 #include "isolaw/data/properties.hpp"
+#include "isolaw/data/time_stamp.hpp"
 
 namespace isolaw::data {
 namespace {
@@ -66,11 +68,12 @@ void check_overload(std::string const& file, RawChannel const& raw, std::span<st
 void check_constant(std::string const& file, RawChannel const& raw, std::vector<Complaint>& complaints) {
   auto const [least, largest] = std::ranges::minmax(raw.values);
   if (largest - least > 1e-12 * std::max(std::abs(least), std::abs(largest))) return;
-  complaints.push_back({file,
-                        fmt::format("{} is constant: {} holds {} {} in all {} samples", name(raw.channel), raw.column,
-                                    least, raw.unit, raw.values.size()),
-                        "a channel that moves",
-                        fmt::format("--columns {}=NUMBER with the column that was measured", name(raw.channel))});
+  complaints.push_back(
+      {file,
+       fmt::format("{} is constant: {} holds {} {} in {}{}", name(raw.channel), raw.column, least, raw.unit,
+                   raw.values.size() == 1 ? "" : "all ", counted(raw.values.size(), "sample")),
+       "a channel that moves",
+       fmt::format("--columns {}=NUMBER with the column that was measured", name(raw.channel))});
 }
 
 void check_time(std::string const& file, RawChannel const& raw, std::span<std::size_t const> lines,
@@ -224,6 +227,18 @@ void warn_of_gaps(TestRecord& record) {
       record.time_s[gap.after], gap.taken_s));
 }
 
+// Days of a spreadsheet under a name with seconds: each cell a date, all of a test within a part of a day.
+void warn_of_days(TestRecord& record) {
+  if (record.time_s.empty() || !may_be_serial(record.time_s.front()) || !may_be_serial(record.time_s.back())) return;
+  constexpr double fastest_Hz = 1000.0;  // no test of a device is sampled faster and lasts less than a second
+  double const length = record.time_s.back() - record.time_s.front();
+  double const rate = static_cast<double>(record.time_s.size() - 1) / length;
+  if (length > 1.0 || rate < fastest_Hz) return;
+  record.warnings.push_back(fmt::format(
+      "time runs from {:.10g} to {:.10g} s, {:.4g} samples a second: these look like days of a spreadsheet; try: --units time=d",
+      record.time_s.front(), record.time_s.back(), rate));
+}
+
 }  // namespace
 
 void add_warnings(TestRecord& record) {
@@ -242,6 +257,10 @@ void add_warnings(TestRecord& record) {
         record.disp_mm.front(), 100.0 * std::abs(record.disp_mm.front()) / half_range, half_range));
   warn_of_stuck_force(record, half_range);
   warn_of_gaps(record);
+  warn_of_days(record);
+  if (properties.reported && !properties.reported->damping())
+    record.warnings.push_back(
+        "equivalent damping is not defined: it relates the loop's energy to an effective stiffness, and hardly any of this device's force is one");
   auto budget = error_budget(record, properties);
   std::ranges::move(budget.warnings, std::back_inserter(record.warnings));
   if (!properties.refusal.empty()) record.warnings.push_back("no cyclic properties: " + properties.refusal);

@@ -39,51 +39,17 @@ constexpr std::string_view vertical_words[]{
     "normale",  "compression", "compressione", "kompression", "z",     "dusey",  "eksenel", "basinc"};
 constexpr std::string_view horizontal_words[]{"horizontal", "horizontale", "orizzontale", "orizz",  "horiz", "hor",
                                               "lateral",    "laterale",    "shear",       "taglio", "yatay", "kesme"};
+constexpr std::string_view velocity_words[]{"velocity",        "velocita", "vel",      "speed",
+                                            "geschwindigkeit", "vitesse",  "velocidad"};
 // Not a measured displacement or force, though the name holds such a word.
-constexpr std::string_view other_quantities[]{"command",
-                                              "comando",
-                                              "cmd",
-                                              "setpoint",
-                                              "target",
-                                              "demand",
-                                              "soll",
-                                              "sollwert",
-                                              "sollweg",
-                                              "consigne",
-                                              "consigna",
-                                              "reference",
-                                              "ref",
-                                              "riferimento",
-                                              "velocity",
-                                              "velocita",
-                                              "vel",
-                                              "speed",
-                                              "geschwindigkeit",
-                                              "vitesse",
-                                              "velocidad",
-                                              "acceleration",
-                                              "accelerazione",
-                                              "acc",
-                                              "beschleunigung",
-                                              "error",
-                                              "errore",
-                                              "fehler",
-                                              "strain",
-                                              "stress",
-                                              "modulus",
-                                              "temperature",
-                                              "temperatura",
-                                              "temperatur",
-                                              "pressure",
-                                              "pressione",
-                                              "rate",
-                                              "status",
-                                              "hiz",
-                                              "hizi",
-                                              "ivme",
-                                              "sicaklik",
-                                              "komut",
-                                              "hedef"};
+constexpr std::string_view other_quantities[]{
+    "command",     "comando",     "cmd",          "setpoint",      "target",    "demand",
+    "soll",        "sollwert",    "sollweg",      "consigne",      "consigna",  "reference",
+    "ref",         "riferimento", "acceleration", "accelerazione", "acc",       "beschleunigung",
+    "error",       "errore",      "fehler",       "strain",        "stress",    "modulus",
+    "temperature", "temperatura", "temperatur",   "pressure",      "pressione", "rate",
+    "status",      "hiz",         "hizi",         "ivme",          "sicaklik",  "komut",
+    "hedef"};
 constexpr std::string_view disp_symbols[]{"x", "u", "d", "ux", "dx", "uh", "dh"};
 constexpr std::string_view force_symbols[]{"f", "h", "fx", "fh"};
 constexpr std::string_view load_symbols[]{"v", "fv", "fz", "p"};
@@ -222,7 +188,7 @@ Words words_of(std::string_view name) {
 
 Meaning meaning_of_words(Words const& words) {
   auto const word = [](Channel channel) { return Meaning{.channel = channel, .certainty = Certainty::word}; };
-  if (any_in(other_quantities, words)) return {};
+  if ((any_in(other_quantities, words) || any_in(velocity_words, words))) return {};
   bool const single_letter_vertical = words.size() > 1 && any_in(vertical_letters, words);
   bool const vertical = any_in(vertical_words, words) || single_letter_vertical;
   bool const disp = any_in(disp_words, words) || any_starts(disp_stems, words);
@@ -331,6 +297,10 @@ ColumnName dissect_name(std::string_view written) {
 
 bool names_a_date(std::string_view name) {
   return any_in(date_words, words_of(dissect_name(name).base));
+}
+
+bool names_a_velocity(std::string_view name) {
+  return any_in(velocity_words, words_of(dissect_name(name).base));
 }
 
 bool names_a_channel(std::string_view cell) {

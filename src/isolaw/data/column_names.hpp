@@ -23,5 +23,6 @@ Meaning meaning_of(std::string_view name);
 bool is_counter(std::string_view name);
 // Whether it may stand above dates.
 bool names_a_date(std::string_view name);
+bool names_a_velocity(std::string_view name);
 
 }  // namespace isolaw::data

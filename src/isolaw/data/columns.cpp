@@ -66,7 +66,7 @@ class Resolver {
 
   std::string columns_found() const {
     if (!header_.listing.empty()) return header_.listing;
-    if (!has_names()) return fmt::format("{} columns without names", count_);
+    if (!has_names()) return counted(count_, "column") + " without names";
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < count_; ++i)
       texts.push_back(fmt::format("{} {}", label(i), in_quotes(header_.names[i])));
@@ -183,7 +183,11 @@ class Resolver {
     for (std::size_t i = 0; i < count_; ++i) {
       bool const date = timed && result_.channels.at(Channel::time).date_column == i;
       bool const counter = !timed && i < header_.names.size() && is_counter(header_.names[i]);  // said apart
-      if (!is_taken(i) && !date && !counter) texts.push_back(column_text(i, header_));
+      if (is_taken(i) || date || counter) continue;
+      texts.push_back(column_text(i, header_));
+      if (!wanted_.force && !wanted_.part && i < header_.names.size() && names_a_velocity(header_.names[i]))
+        result_.warnings.push_back(
+            fmt::format("{} is not used: velocities are computed from displacement and time", column_text(i, header_)));
     }
     constexpr std::size_t shown = 10;
     if (!texts.empty()) result_.recognised.push_back("not used: " + shortened(std::move(texts), shown));

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/data/clean.hpp"
 #include "isolaw/data/cycles.hpp"
 #include "isolaw/data/record.hpp"
@@ -170,7 +171,7 @@ void require_channels(TestRecord const& record, Corrections const& corrections) 
     complaints.push_back({record.file, "--rig-friction-coefficient for a record without a vertical load",
                           "a record with a vertical load",
                           "--columns load=NAME, or --rig-friction with the force in kN"});
-  if (record.size() < 3) complaints.push_back({record.file, fmt::format("{} samples", record.size()), "3 or more", {}});
+  if (record.size() < 3) complaints.push_back({record.file, counted(record.size(), "sample"), "3 or more", {}});
   if (!complaints.empty()) throw Error(std::move(complaints));
 }
 

@@ -250,7 +250,12 @@ std::vector<CycleCut> number_cycles(std::vector<Shape>& shapes, std::string_view
       cut.block = block;
       bool const builds_up = i < draft.core.begin && shape.amplitude() < draft.core.amplitude;
       if (!close(shape.amplitude(), draft.core.amplitude, nominal))
-        cut.not_counted = (builds_up ? "build-up: " : "") + of_amplitude(shape, draft.core.amplitude);
+        cut.not_counted =
+            (shape.has_gap ? "the time jumps within it, its peak may be missing; those after it are numbered "
+                             "without it: "
+             : builds_up   ? "build-up: "
+                           : "") +
+            of_amplitude(shape, draft.core.amplitude);
       else if (period > 0.0 && !same_pace(shape.period, period, far_period))
         cut.not_counted = of_period(shape, period, unit);
       else

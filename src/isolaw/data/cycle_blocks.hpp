@@ -16,6 +16,7 @@ struct Shape : CycleCut {
   double rise_and_fall = 0.0;  // twice the time between the tips, stops included, in the same unit
   double unevenness = 0.0;     // |distance of the middle from the centre| over the amplitude
   bool regular = false;        // set by number_cycles: it repeats a neighbour's amplitude, or is symmetric
+  bool has_gap = false;        // the time jumps within it
   bool taper = false;          // set by number_cycles: it grows into a run of cycles, or fades out of one
 
   double amplitude() const { return largest / 2.0 - least / 2.0; }

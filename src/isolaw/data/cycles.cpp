@@ -142,6 +142,7 @@ double or_zero(double disp_mm) {
 // The lobes of a history, in groups, and what the cycles among them are.
 struct Motion {
   std::span<double const> x, time;
+  std::vector<Gap> gaps;
   double centre = 0.0;
   double noise = 0.0;
   std::vector<Lobe> lobes;
@@ -180,6 +181,10 @@ Shape Motion::shape(Group const& group) const {
   shape.still_time = still.time;
   auto const at = [&](double index) { return time.empty() ? index : value_at(time, index); };
   shape.period = at(shape.last) - at(shape.first) - shape.still_time;
+  shape.has_gap = std::ranges::any_of(gaps, [&](Gap const& gap) {
+    auto const after = static_cast<double>(gap.after);
+    return after >= shape.first && after < shape.last;
+  });
   auto const& one = lobes[group.begin];
   auto const& other = lobes[group.begin + 1];
   shape.rise_and_fall = 2.0 * (at(static_cast<double>(other.tip)) - at(static_cast<double>(one.tip)));
@@ -337,7 +342,8 @@ Reversals reversals(std::span<double const> disp_mm) {
 }
 
 Segmentation segment(std::span<double const> disp_mm, std::span<double const> time_s) {
-  auto const moving = without_gaps(time_s, time_gaps(disp_mm, time_s));
+  auto gaps = time_gaps(disp_mm, time_s);
+  auto const moving = without_gaps(time_s, gaps);
   if (!moving.empty()) time_s = moving;
   Segmentation made;
   if (disp_mm.empty()) {
@@ -348,6 +354,7 @@ Segmentation segment(std::span<double const> disp_mm, std::span<double const> ti
   Motion motion;
   motion.x = disp_mm;
   motion.time = time_s;
+  motion.gaps = std::move(gaps);
   made.band_mm = found.band_mm;
   if (found.at.size() < 2) {
     made.refusal = too_short(disp_mm, motion, made);

@@ -41,6 +41,12 @@ struct Cycle : CycleCut {
   double closure_kN = 0.0;
 
   bool counts() const { return number > 0; }
+  // Not defined where hardly any of the force is stiffness: less than a thousandth of the loop's mean half height.
+  std::optional<double> damping() const {
+    constexpr double least_stiffness = 1e-3;
+    double const stiff = K_eff_kN_per_mm * amplitude_mm, height = energy_kN_mm / (4.0 * amplitude_mm);
+    return std::abs(stiff) > least_stiffness * std::abs(height) ? std::optional(damping_percent) : std::nullopt;
+  }
   std::optional<double> K_plus() const {
     return K_plus_kN_per_mm == 0.0 ? std::nullopt : std::optional(K_plus_kN_per_mm);
   }

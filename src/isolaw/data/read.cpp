@@ -39,10 +39,11 @@ void describe_part(Rows const& rows, RowRange const& range, std::vector<std::str
 
 void describe_rows(Rows const& rows, std::string_view row, TestRecord const& record, bool timed,
                    std::vector<std::string>& recognised) {
-  recognised.push_back(
-      fmt::format("{} samples, {}s {} to {}", rows.numbers.size(), row, rows.numbers.front(), rows.numbers.back()));
+  recognised.push_back(fmt::format("{}, {}s {} to {}", counted(rows.numbers.size(), "sample"), row,
+                                   rows.numbers.front(), rows.numbers.back()));
   if (rows.comments > 0)
-    recognised.push_back(fmt::format("{} comment lines among the rows are passed over", rows.comments));
+    recognised.push_back(fmt::format("{} among the rows {} passed over", counted(rows.comments, "comment line"),
+                                     rows.comments == 1 ? "is" : "are"));
   if (!timed) return;
   if (!record.has_time()) {
     recognised.push_back("no time column: rate-dependent laws need --dt SECONDS, the sampling interval");
@@ -61,7 +62,7 @@ double time_of_row(std::size_t sample, ReadOptions const& options) {
 
 // Takes off what lies outside the time asked for.
 std::optional<Span> cut_time(Rows& rows, Columns const& columns, ReadOptions const& options, std::string const& place,
-                             std::vector<Complaint>& complaints) {
+                             std::vector<Complaint>& complaints, Wanted wanted) {
   if (!options.from_s && !options.to_s) return Span{0, rows.numbers.size()};
   std::vector<double> time_s;
   for (auto const& raw : rows.channels)
@@ -71,21 +72,23 @@ std::optional<Span> cut_time(Rows& rows, Columns const& columns, ReadOptions con
     }
   if (time_s.empty() && options.dt_s)
     for (std::size_t i = 0; i < rows.numbers.size(); ++i) time_s.push_back(time_of_row(i, options));
+  std::string_view const dashes = wanted.force || wanted.part ? "--" : "--motion-";
   auto const of = rows.numbers.size();
-  auto const span = span_of_time(time_s, options, place, complaints);
+  auto const span = span_of_time(time_s, options, place, complaints, dashes);
   if (!span) return span;
   for (auto& raw : rows.channels) keep(*span, raw.values);
   keep(*span, rows.numbers);
-  describe_span(*span, of, options, rows.recognised);
+  describe_span(*span, of, options, rows.recognised, dashes);
   return span;
 }
 
 void check_range(Rows const& rows, RowRange const& range, std::vector<Complaint>& complaints) {
   if (range.first <= rows.of && range.last.value_or(rows.of) <= rows.of) return;
-  complaints.push_back({"--rows",
-                        fmt::format("'{}', but there are {} rows", rows_text(range), rows.of),
-                        fmt::format("1 to {}", rows.of),
-                        {}});
+  complaints.push_back(
+      {"--rows",
+       fmt::format("'{}', but there {} {}", rows_text(range), rows.of == 1 ? "is" : "are", counted(rows.of, "row")),
+       fmt::format("1 to {}", rows.of),
+       {}});
 }
 
 // --- assembly -------------------------------------------------------------------------------------------------------
@@ -237,10 +240,9 @@ Part read_channels(Tests const& tests, Table const& table, TestRecord record, Re
   if (options.rows && complaints.empty()) check_range(rows, range, complaints);
   std::size_t skipped = 0;
   if (complaints.empty())
-    if (auto const span = cut_time(rows, columns, options, place, complaints)) skipped = span->first;
+    if (auto const span = cut_time(rows, columns, options, place, complaints, wanted)) skipped = span->first;
   if (rows.numbers.size() < least_samples && complaints.empty())
-    complaints.push_back(
-        {place, fmt::format("{} samples", rows.numbers.size()), fmt::format("{} or more", least_samples), {}});
+    complaints.push_back({place, counted(rows.numbers.size(), "sample"), fmt::format("{} or more", least_samples), {}});
   for (auto const& raw : rows.channels)
     check_channel(table.place_of(columns.channels.at(raw.channel).index), raw, rows.numbers, complaints);
   if (!complaints.empty()) throw Error(std::move(complaints));
@@ -478,7 +480,8 @@ RowRange parse_rows(std::string_view text) {
 }
 
 std::string rows_text(RowRange const& range) {
-  return range.last ? fmt::format("{}:{}", range.first, *range.last) : fmt::format("{}:", range.first);
+  auto const last = range.last ? std::to_string(*range.last) : std::string();
+  return range.first == 1 && range.last ? ":" + last : fmt::format("{}:{}", range.first, last);
 }
 
 TestRecord read_record(std::filesystem::path const& file, ReadOptions const& options) {
@@ -546,7 +549,7 @@ TestRecord record_of_values(std::string const& name, Values values) {
   add(Channel::time, "s", "time_s", values.time_s);
   add(Channel::load, "kN", "load_kN", values.load_kN);
   if (samples < least_samples && complaints.empty())
-    complaints.push_back({name, fmt::format("{} samples", samples), fmt::format("{} or more", least_samples), {}});
+    complaints.push_back({name, counted(samples, "sample"), fmt::format("{} or more", least_samples), {}});
   if (!complaints.empty()) throw Error(std::move(complaints));
   std::vector<std::size_t> numbers(samples);
   std::iota(numbers.begin(), numbers.end(), std::size_t{1});

@@ -112,10 +112,10 @@ Reading rows() {
            read}};
 }
 
-// Not of motions, where --from is a campaign.
+// Of a motion under another name: there --from is a campaign.
 Reading time_limit(std::string_view key, std::string help, std::optional<double> ReadOptions::*value,
-                   std::string_view keyword) {
-  Reading made{number<ReadOptions>(key, std::move(help), at(value)), true};
+                   std::string_view keyword, std::string_view motion_option) {
+  Reading made{number<ReadOptions>(key, std::move(help), at(value)), false, motion_option};
   made.keyword = keyword;
   return made;
 }
@@ -165,8 +165,8 @@ std::vector<Reading> make_table() {
       {number<R>("dt", "sampling interval in seconds of files without a time column", at(&R::dt_s),
                  {.least = std::numeric_limits<double>::min(), .words = "a positive number of seconds"})},
       rows(),
-      time_limit("from", "from this time on, in seconds of the file", &R::from_s, "from_s"),
-      time_limit("to", "up to this time, in seconds of the file", &R::to_s, "to_s"),
+      time_limit("from", "from this time on, in seconds of the file", &R::from_s, "from_s", "motion-from"),
+      time_limit("to", "up to this time, in seconds of the file", &R::to_s, "to_s", "motion-to"),
       footer(),
       thousands(),
       date_order(),

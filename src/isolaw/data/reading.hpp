@@ -9,7 +9,8 @@
 namespace isolaw::data {
 
 struct Reading : Option<ReadOptions> {
-  bool of_test = false;  // not of motions, which have no force
+  bool of_test = false;                 // not of motions, which have no force
+  std::string_view motion_option = {};  // what it is called beside options of a law, where its own name is taken
 };
 
 // Columns and units add to those that are there, channel by channel; every other value takes the place of what was

@@ -14,10 +14,10 @@
 namespace isolaw::data {
 namespace {
 
-std::string asked_time(ReadOptions const& options) {
-  return fmt::format("{}{}{}", options.from_s ? fmt::format("--from {}", *options.from_s) : "",
+std::string asked_time(ReadOptions const& options, std::string_view dashes) {
+  return fmt::format("{}{}{}", options.from_s ? fmt::format("{}from {}", dashes, *options.from_s) : "",
                      options.from_s && options.to_s ? " " : "",
-                     options.to_s ? fmt::format("--to {}", *options.to_s) : "");
+                     options.to_s ? fmt::format("{}to {}", dashes, *options.to_s) : "");
 }
 
 // Values at other times, by straight lines between samples.
@@ -61,9 +61,10 @@ void require_without_gaps(TestRecord const& other, double first, double last) {
 }  // namespace
 
 std::optional<Span> span_of_time(std::vector<double> const& time_s, ReadOptions const& options,
-                                 std::string const& place, std::vector<Complaint>& complaints) {
+                                 std::string const& place, std::vector<Complaint>& complaints,
+                                 std::string_view dashes) {
   if (!options.from_s && !options.to_s) return Span{0, time_s.size()};
-  auto const asked = asked_time(options);
+  auto const asked = asked_time(options, dashes);
   if (time_s.empty()) {
     complaints.push_back({place, fmt::format("{} is given, but no time is read", asked),
                           "a time column, or --dt SECONDS", "--rows A:B"});
@@ -87,10 +88,11 @@ std::optional<Span> span_of_time(std::vector<double> const& time_s, ReadOptions 
   return Span{static_cast<std::size_t>(first - time_s.begin()), static_cast<std::size_t>(end - first)};
 }
 
-void describe_span(Span const& span, std::size_t of, ReadOptions const& options, std::vector<std::string>& recognised) {
+void describe_span(Span const& span, std::size_t of, ReadOptions const& options, std::vector<std::string>& recognised,
+                   std::string_view dashes) {
   if (options.from_s || options.to_s)
     recognised.push_back(fmt::format("samples {} to {} of {} are read ({})", span.first + 1, span.first + span.count,
-                                     of, asked_time(options)));
+                                     of, asked_time(options, dashes)));
 }
 
 std::vector<double>& values_of(TestRecord& record, Channel channel) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "isolaw/data/read.hpp"
@@ -17,10 +18,13 @@ struct Span {
   std::size_t first = 0, count = 0;
 };
 
-// What --from and --to ask for; nullopt: it cannot be had, which is among the complaints.
+// What --from and --to ask for; nullopt: it cannot be had, which is among the complaints. `dashes` is what stands before
+// both names where the option is called otherwise.
 std::optional<Span> span_of_time(std::vector<double> const& time_s, ReadOptions const& options,
-                                 std::string const& place, std::vector<Complaint>& complaints);
-void describe_span(Span const& span, std::size_t of, ReadOptions const& options, std::vector<std::string>& recognised);
+                                 std::string const& place, std::vector<Complaint>& complaints,
+                                 std::string_view dashes = "--");
+void describe_span(Span const& span, std::size_t of, ReadOptions const& options, std::vector<std::string>& recognised,
+                   std::string_view dashes = "--");
 
 template <class T>
 void keep(Span const& span, std::vector<T>& values) {

@@ -39,8 +39,6 @@ constexpr std::array known_formats{
     Magic{"BZh"sv, "a bzip2 archive", unpack},
     Magic{"7z\xBC\xAF"sv, "a 7z archive", unpack},
     Magic{"{\\rtf"sv, "an RTF document", "save it as plain text"},
-    Magic{"\xFF\xFE"sv, "UTF-16 text", "save it as UTF-8"},
-    Magic{"\xFE\xFF"sv, "UTF-16 text", "save it as UTF-8"},
 };
 
 [[noreturn]] void refuse(std::string where, std::string found, std::string_view advice = {}) {
@@ -149,6 +147,12 @@ std::optional<LegacyText> decode_legacy(std::string_view bytes, bool (*names_cha
     if (auto text = converted(bytes, name)) return LegacyText{std::move(*text), shown};
   }
   return std::nullopt;
+}
+
+std::optional<std::string> decode_utf_16(std::string_view bytes) {
+  bool const little = bytes.starts_with("\xFF\xFE"sv), big = bytes.starts_with("\xFE\xFF"sv);
+  if (!little && !big) return std::nullopt;
+  return converted(bytes.substr(2), little ? "UTF-16LE" : "UTF-16BE");
 }
 
 std::string load_text(std::filesystem::path const& file) {

@@ -22,7 +22,10 @@ inline constexpr std::size_t longest_line = 32'768;  // bytes
 // The whole file. Throws Error: no such file, no plain file, unreadable, above largest_file_bytes.
 std::string load_text(std::filesystem::path const& file);
 
-// Throws Error when the bytes are no text to read: empty, binary, UTF-16, above most_lines or longest_line.
+// Text that begins with the byte order mark of UTF-16, as UTF-8; nullopt where it does not, or is no such text.
+std::optional<std::string> decode_utf_16(std::string_view bytes);
+
+// Throws Error when the bytes are no text to read: empty, binary, above most_lines or longest_line.
 void check_text(std::string const& where, std::string_view bytes);
 
 struct Lines {

@@ -115,7 +115,8 @@ class RowReader {
       digits = digits || cells_[i].find_first_of("0123456789") != std::string_view::npos;
       statistics = statistics || (word && is_statistic(cells_[i]));
     }
-    if (!as_wide) return words || !digits;
+    // A number alone, a count of the rows: only where the person says that it is no broken row.
+    if (!as_wide) return words || !digits || (choice_.skip_footer && cells_.size() < dialect_.columns);
     if (statistics) return true;
     auto const reads = std::ranges::count_if(indices_, [&](auto k) { return is_value(cells_[k]); });
     if (static_cast<std::size_t>(reads) == indices_.size()) return false;
@@ -224,7 +225,7 @@ class RowReader {
   }
 
   void report_width(std::size_t i) {
-    widths_.add(i + 1, fmt::format("{} columns: {}", cells_.size(), in_quotes(lines_[i])),
+    widths_.add(i + 1, fmt::format("{}: {}", counted(cells_.size(), "column"), in_quotes(lines_[i])),
                 fmt::format("{} columns, as in most rows", dialect_.columns), leave_out());
   }
 
@@ -419,7 +420,7 @@ Dialect require_dialect(std::string const& file, std::span<std::string_view cons
     if (auto dialect = one_column_dialect(lines)) return *std::move(dialect);
   throw Error(Complaint{
       .where = file,
-      .found = one_column ? "one column of numbers" : fmt::format("no rows of numbers in {} lines", lines.size()),
+      .found = one_column ? "one column of numbers" : "no rows of numbers in " + counted(lines.size(), "line"),
       .allowed = "two or more columns of numbers, separated by commas, semicolons, tabs or blanks",
       .advice =
           one_column
@@ -458,9 +459,11 @@ void refuse_width(std::string const& file, Dialect const& dialect) {
 }  // namespace
 
 Tests text_tests(std::string_view bytes, std::string const& file, TextOptions const& options) {
-  check_text(file, bytes);
   auto page = std::make_shared<Page>();
-  auto legacy = decode_legacy(bytes, has_foreign_names);
+  auto wide = decode_utf_16(bytes);
+  if (wide) bytes = *wide;
+  check_text(file, bytes);
+  auto legacy = wide ? std::optional(LegacyText{std::move(*wide), "UTF-16"}) : decode_legacy(bytes, has_foreign_names);
   if (legacy) {
     page->owned = std::move(legacy->utf8);
     bytes = page->owned;

@@ -396,6 +396,30 @@ Stamp stamp_of_serial(double days) {
   return stamp;
 }
 
+bool may_be_date(std::string_view text) {
+  std::string plain(trimmed(text));
+  std::erase(plain, ' ');
+  bool const words = plain.find_first_not_of("0123456789-/.") != std::string::npos;
+  if (plain.find_first_of("-/.") != std::string::npos || words) {
+    auto const stamp = parse_stamp(plain);
+    if (stamp && stamp->dated && (days_in(*stamp, DateOrder::day_first) || days_in(*stamp, DateOrder::month_first)))
+      return true;
+    if (!words) return false;
+  }
+  // A year, or a day without anything between its digits.
+  for (std::size_t begin = plain.find_first_of("0123456789"); begin < plain.size();) {
+    auto const end = std::min(plain.find_first_not_of("0123456789", begin), plain.size());
+    auto const digits = plain.substr(begin, end - begin);
+    bool const century = digits.starts_with("19") || digits.starts_with("20");
+    if (century && digits.size() == 4) return true;
+    if (century && digits.size() == 8 &&
+        days_of(std::stoi(digits.substr(0, 4)), std::stoi(digits.substr(4, 2)), std::stoi(digits.substr(6, 2))))
+      return true;
+    begin = plain.find_first_of("0123456789", end);
+  }
+  return false;
+}
+
 bool may_be_serial(double value) {
   return value >= 20000.0 && value < 80000.0;
 }

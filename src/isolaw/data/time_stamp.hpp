@@ -31,6 +31,8 @@ std::string_view date_order_word(DateOrder order);  // "dmy"
 std::optional<Stamp> parse_stamp(std::string_view cell);
 StampKind kind_of(Stamp const& stamp);
 Stamp stamp_of_serial(double days);
+// Whether a person may have written a date so: one of the calendar, or words with a year ("spring 2024").
+bool may_be_date(std::string_view text);
 // Days of dates that a test may have, with a part of a day: 1954 to 2119.
 bool may_be_serial(double value);
 

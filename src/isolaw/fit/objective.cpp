@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/num/statistics.hpp"
 
 namespace isolaw::fit {
@@ -64,8 +65,7 @@ void require_something_to_fit(laws::LawInfo const& law, data::FitRecord const& r
   auto const refuse = [&](std::string found, std::string allowed) {
     throw Error({.where = "law " + std::string(law.id), .found = std::move(found), .allowed = std::move(allowed)});
   };
-  if (record.size() < 2)
-    refuse(fmt::format("a record of {} samples", record.size()), "a record of two samples or more");
+  if (record.size() < 2) refuse("a record of " + counted(record.size(), "sample"), "a record of two samples or more");
   double const duration = time_weights(record).duration;
   if (!(duration > 0.0 && std::isfinite(duration)))
     refuse(fmt::format("a record that lasts {} s", duration), "times that increase");

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "isolaw/base/printable.hpp"
 #include "isolaw/study/adequacy.hpp"
 #include "isolaw/study/analysis_findings.hpp"
 #include "isolaw/study/energy_fall.hpp"
@@ -227,7 +228,7 @@ void warn_of_copies(Summary const& summary, std::vector<Warning>& warnings) {
 void warn_of_devices(Summary const& summary, std::vector<Warning>& warnings) {
   for (auto const& device : summary.devices)
     if (device.status != "ok")
-      warnings.push_back({"refused", fmt::format("{} was refused: {}", device.name, device.message)});
+      warnings.push_back({"refused", fmt::format("{} was refused: {}", device.name, on_one_line(device.message))});
 }
 
 // A device that loses energy from cycle to cycle while no law does: the laws hold for a mean of its cycles.
@@ -259,7 +260,7 @@ void warn_of_refused_laws(LawResult const& law, std::vector<Warning>& warnings) 
   for (auto const& fit : law.devices)
     if (!fit.refusal.empty()) beside(reasons, fit.refusal).push_back(fit.device);
   for (auto const& [reason, devices] : reasons) {
-    auto text = fmt::format("{} was not identified on {}: {}", law.id, enumerate(devices), reason);
+    auto text = fmt::format("{} was not identified on {}: {}", law.id, enumerate(devices), on_one_line(reason));
     if (law.objective.mean) text += fmt::format("; its mean and beta cover the other devices only");
     warnings.push_back({"law not identified", std::move(text)});
   }

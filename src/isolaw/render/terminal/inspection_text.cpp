@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/study/cycle_results.hpp"
 #include "isolaw/study/findings.hpp"
 #include "isolaw/study/verdict.hpp"
@@ -77,9 +78,9 @@ void print_block(std::string& text, DeviceResult const& device, data::Block cons
   auto const& reported = device.properties.reported;
   for (auto const& c : block.cycles) {
     int const stiffness = decimals_for(std::abs(c.K_eff_kN_per_mm));
-    add(text, "  {:>5} {:>9.2f} {:>9.{}f} {:>9} {:>9} {:>10.4g} {:>8.2f} {:>9.4g} {:>9.{}f}",
+    add(text, "  {:>5} {:>9.2f} {:>9.{}f} {:>9} {:>9} {:>10.4g} {:>8} {:>9.4g} {:>9.{}f}",
         c.counts() ? fmt::to_string(c.number) : "-", c.amplitude_mm, c.K_eff_kN_per_mm, stiffness,
-        number(c.K_plus(), stiffness), number(c.K_minus(), stiffness), c.energy_kN_mm, c.damping_percent, c.Q_d_kN,
+        number(c.K_plus(), stiffness), number(c.K_minus(), stiffness), c.energy_kN_mm, number(c.damping(), 2), c.Q_d_kN,
         c.K_d_kN_per_mm, stiffness);
     if (loads) add(text, " {:>9}", number(c.N_mean_kN, 1));
     if (reported && c.counts() && reported->block == c.block && reported->number == c.number) text += "  reported";
@@ -156,7 +157,8 @@ void print_verticals(std::string& text, Summary const& summary) {
 
 void print_device_in_full(std::string& text, DeviceResult const& device) {
   auto const& acceptance = device.acceptance;
-  add(text, "{}: {} samples, sha256 {}\n", printable(device.file), device.raw.size(), device.sha256.substr(0, 16));
+  add(text, "{}: {}, sha256 {}\n", printable(device.file), counted(device.raw.size(), "sample"),
+      device.sha256.substr(0, 16));
   print_list(text, "Recognised", device.raw.recognised);
   print_list(text, "Corrected, as asked for", device.raw.corrections);
   text += "\nChannels\n";
@@ -188,12 +190,12 @@ void print_devices(std::string& text, Summary const& summary) {
     add(text, "{:<{}} ", printable(device.name), width);
     auto const* cycle = counting_cycle(device.properties, acceptance.block);
     if (device.status != "ok")
-      add(text, "refused: {}\n", printable(device.message));
+      add(text, "refused: {}\n", on_one_line(device.message));
     else if (cycle == nullptr)
       add(text, "no cyclic properties: {}\n", device.properties.refusal);
     else
-      add(text, "{:>5} {:>5} {:>9.2f} {:>9.4f} {:>10.4g} {:>8.2f}  {}\n", cycle->block, cycle->number,
-          cycle->amplitude_mm, cycle->K_eff_kN_per_mm, cycle->energy_kN_mm, cycle->damping_percent,
+      add(text, "{:>5} {:>5} {:>9.2f} {:>9.4f} {:>10.4g} {:>8}  {}\n", cycle->block, cycle->number, cycle->amplitude_mm,
+          cycle->K_eff_kN_per_mm, cycle->energy_kN_mm, number(cycle->damping(), 2),
           summary.acceptance.has_rules() ? device_verdict(acceptance.assessments).text() : "");
   }
 }
@@ -270,7 +272,7 @@ std::string inspection_text(Summary const& summary) {
       add(text, "\n{}\n", summary.acceptance.lot.note);
     return text;
   }
-  add(text, "{}: {} devices\n", printable(summary.title), summary.devices.size());
+  add(text, "{}: {}\n", printable(summary.title), counted(summary.devices.size(), "device"));
   print_rule_set(text, summary.acceptance);
   print_devices(text, summary);
   print_lot(text, summary);

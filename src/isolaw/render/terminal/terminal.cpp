@@ -92,6 +92,17 @@ std::string law_table(Summary const& summary) {
   return table(rows, {18, 8, 7, 7, 9, 9}, 3);
 }
 
+// Where the laws are judged by a part of the tests, which no other number of stiffness or energy is of.
+std::string compared_on(Summary const& summary, int width) {
+  bool const part =
+      std::ranges::any_of(summary.devices, [](auto const& device) { return !device.record.scored.empty(); });
+  return part ? wrapped("",
+                        "|dK|, |dE|: on the third counted cycle of largest amplitude among those that the laws were "
+                        "judged by, not on the reported one",
+                        5, width)
+              : std::string();
+}
+
 // The laws without the optimiser's noise.
 std::string converged_table(Summary const& summary, int width) {
   std::vector<Row> rows{{"", "law", {"found", "least OF", "beta", "front", "left out", "worst", "open"}}};
@@ -323,7 +334,7 @@ std::string wrapped(std::string_view bullet, std::string_view text, int indent, 
 std::string ranking(Summary const& summary, int width) {
   width = std::max(width, 60);
   auto const found = findings(summary);
-  std::string text = heading(summary, width) + '\n' + law_table(summary) + '\n';
+  std::string text = heading(summary, width) + '\n' + law_table(summary) + compared_on(summary, width) + '\n';
   text += wrapped("", found.headline, 0, width);
   if (auto const converged = converged_table(summary, width); !converged.empty()) text += '\n' + converged;
   if (auto const prediction = prediction_table(summary); !prediction.empty()) text += '\n' + prediction;

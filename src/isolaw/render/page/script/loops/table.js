@@ -12,7 +12,8 @@ export const fitsFigure = {
   wanted: () => chosen.device !== null,
   caption: () =>
     'Best run of each law on ' + devices[chosen.device].name +
-    ': its objective, and its effective stiffness, dissipated energy and damping against the record, on the third counted cycle of the largest amplitude.' +
+    ': its objective, and its effective stiffness, dissipated energy and damping against the record, on the third counted cycle of the largest amplitude' +
+    (devices[chosen.device].scored ? ' among those that the laws were judged by.' : '.') +
     onScreen(' The heads of the columns sort; the loops below follow.'),
   csv: () =>
     fitData([
