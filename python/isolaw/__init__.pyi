@@ -67,6 +67,8 @@ def read_motion(
     units: str | Mapping[str, str | int] | None = None,
     dt: float | None = None,
     rows: str | None = None,
+    from_s: float | None = None,
+    to_s: float | None = None,
     footer: Literal["skip"] | None = None,
     thousands: Literal[",", ".", "'", "blank"] | None = None,
     date_order: Literal["dmy", "mdy"] | None = None,

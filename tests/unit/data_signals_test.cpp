@@ -371,6 +371,22 @@ TEST(Signals, a_time_gap_does_not_change_the_frequency) {
       }
 }
 
+// The peak that the clock jumps over is no reason to call what is left a pre-load or a build-up.
+TEST(Signals, a_time_gap_over_a_peak_leaves_the_cycles_their_numbers) {
+  for (std::size_t const first : {25u, 225u, 325u}) {
+    auto motion = Motion().sine(100.0, 0.5, 5).end().loop();
+    auto const cut = [&](std::vector<double>& x) {
+      x.erase(x.begin() + static_cast<std::ptrdiff_t>(first), x.begin() + static_cast<std::ptrdiff_t>(first) + 55);
+    };
+    cut(motion.time_s), cut(motion.disp_mm), cut(motion.force_kN);
+    auto const made = motion.cut();
+    ASSERT_EQ(made.cycles.size(), 5u) << first;
+    auto const& with_gap = made.cycles[first / 200];
+    EXPECT_NE(with_gap.not_counted.find("the time jumps within it"), std::string::npos) << with_gap.not_counted;
+    EXPECT_EQ(counted_per_block(made), std::vector<int>{4}) << first;
+  }
+}
+
 TEST(Signals, energy_given_back_refuses) {
   auto motion = Motion().sine(100.0, 0.5, 3).end().loop();
   for (std::size_t i = 0; i < motion.force_kN.size(); ++i)

@@ -162,8 +162,10 @@ std::vector<Draft> drafts_of(std::vector<Shape> const& shapes, std::vector<Run> 
   for (std::size_t r = 0; r < runs.size(); ++r) {
     auto const& run = runs[r];
     bool const lone = run.size() == 1;
-    bool const between = lone && !drafts.empty() && !waiting && r + 1 < runs.size() && drafts.back().core.size() > 1 &&
-                         runs[r + 1].size() > 1 &&
+    // A cycle whose peak the clock may have jumped over is one of those beside it, however few they are.
+    bool const has_gap = lone && shapes[run.begin].has_gap;
+    bool const between = lone && !drafts.empty() && !waiting && r + 1 < runs.size() &&
+                         (has_gap || (drafts.back().core.size() > 1 && runs[r + 1].size() > 1)) &&
                          close(runs[r + 1].amplitude, drafts.back().core.amplitude, nominal) &&
                          close(runs[r + 1].period, drafts.back().core.period, least_change);
     if (between) {

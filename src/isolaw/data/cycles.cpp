@@ -139,6 +139,13 @@ double or_zero(double disp_mm) {
   return std::abs(disp_mm) < 1e-6 ? 0.0 : disp_mm;
 }
 
+bool has_gap(std::vector<Gap> const& gaps, double first, double last) {
+  return std::ranges::any_of(gaps, [&](Gap const& gap) {
+    auto const after = static_cast<double>(gap.after);
+    return after >= first && after < last;
+  });
+}
+
 // The lobes of a history, in groups, and what the cycles among them are.
 struct Motion {
   std::span<double const> x, time;
@@ -181,10 +188,7 @@ Shape Motion::shape(Group const& group) const {
   shape.still_time = still.time;
   auto const at = [&](double index) { return time.empty() ? index : value_at(time, index); };
   shape.period = at(shape.last) - at(shape.first) - shape.still_time;
-  shape.has_gap = std::ranges::any_of(gaps, [&](Gap const& gap) {
-    auto const after = static_cast<double>(gap.after);
-    return after >= shape.first && after < shape.last;
-  });
+  shape.has_gap = has_gap(gaps, shape.first, shape.last);
   auto const& one = lobes[group.begin];
   auto const& other = lobes[group.begin + 1];
   shape.rise_and_fall = 2.0 * (at(static_cast<double>(other.tip)) - at(static_cast<double>(one.tip)));
@@ -365,6 +369,7 @@ Segmentation segment(std::span<double const> disp_mm, std::span<double const> ti
   motion.centre = made.centre_mm;
   motion.noise = noise_deviation(disp_mm);
   motion.lobes = lobes(disp_mm, time_s, found, made.centre_mm);
+  for (auto& lobe : motion.lobes) lobe.has_gap = has_gap(motion.gaps, lobe.first, lobe.last);
   motion.groups = group_lobes(motion.lobes);
   if (motion.count(Part::cycle) == 0) {
     made.refusal = too_short(disp_mm, motion, made);

@@ -158,6 +158,7 @@ bool stands_apart(std::vector<Lobe> const& lobes, std::size_t i) {
   bool const ends_a_stage = i > 0 && like(lobes[i - 1], lobe);
   if (!starts(lobes, i) && !ends_a_stage) return false;
   if (starts(lobes, i) && lobe.reach_mm < slight * next.reach_mm) return true;
+  if (lobe.has_gap || next.has_gap) return false;
   if (i + 2 >= lobes.size() || like(lobe, next)) return false;
   auto const& after = lobes[i + 2];
   return after.positive == lobe.positive && like(next, after) && !like(lobe, after);

@@ -25,6 +25,7 @@ struct Lobe {
   bool rests = false;        // starts after a rest
   bool starts_open = false;  // the record starts within it
   bool ends_open = false;    // the record ends within it
+  bool has_gap = false;      // the time jumps within it, so its tip may be missing
 };
 
 enum class Part {
