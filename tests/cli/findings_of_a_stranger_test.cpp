@@ -90,7 +90,7 @@ TEST_F(SmallThings, messages_say_the_programs_name_once_and_break_no_line) {
 }
 
 TEST_F(SmallThings, an_output_without_its_directory_says_so) {
-  expect_refused(isolaw({"init", "a.csv", "--out", "nowhere/lot.toml"}),
+  expect_message(isolaw({"init", "a.csv", "--out", "nowhere/lot.toml"}), 2,
                  {"nowhere/lot.toml", "there is no directory nowhere", "mkdir -p nowhere"});
 }
 

@@ -274,6 +274,7 @@ TEST_F(LotFileTest, RulesOutsideTheFolderHaveTheirLine) {
   for (std::string const name : {"../secret.toml", "sub/../../secret.toml", "/etc/passwd"})
     expect_parts(complaints(lot(name)), {"lot.toml:2: rules: '" + name + "' leads outside, to /",
                                          "a built-in rule set, or a file in the folder of the lot file or below it"});
+  std::ofstream(folder / "own.toml") << "title = \"own\"\n";
   auto const beside = read(lot("own.toml"), {.is_built_in_rules = built_in});
   EXPECT_TRUE(beside.rules_are_file);
   EXPECT_EQ(beside.acceptance.rules_file, (folder / "own.toml").string());

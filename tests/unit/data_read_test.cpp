@@ -132,7 +132,7 @@ TEST_F(Read, ATitleThatNamesChannelsIsNoHeaderOfTheWrongSize) {
 TEST_F(Read, CommentsAndBlankLinesArePassedOver) {
   auto const record = read("# lab 7\n% more\nDisp [mm],Force [kN]\n1,2\n\n# gap\n2,3\n,\n3,1\n");
   EXPECT_EQ(record.disp_mm, (Values{1, 2, 3}));
-  EXPECT_TRUE(says(record.recognised, "1 comment lines among the rows"));
+  EXPECT_TRUE(says(record.recognised, "1 comment line among the rows is passed over"));
 }
 
 TEST_F(Read, NamesInACommentServeWhereThereAreNoOthers) {

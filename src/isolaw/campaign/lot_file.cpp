@@ -113,7 +113,7 @@ std::vector<Option<DeviceInfo>> const& info_table() {
        [](I const& info) { return info.test_date.empty() ? Json() : Json(info.test_date); },
        set_date},
       number<I>("temperature-C", {}, at(&I::temperature_C),
-                {.least = -100.0, .most = 200.0, .words = "the temperature of a test in degrees Celsius, -100 to 200"}),
+                {.least = -100.0, .most = 200.0, .words = "degrees Celsius, -100 to 200"}),
       above("rubber-thickness-mm", 0.0, "total thickness of the rubber in mm, above 0", &I::rubber_thickness_mm),
       above("rubber-area-mm2", 0.0, "area of the rubber in mm2, above 0", &I::rubber_area_mm2)};
   return table;

@@ -116,7 +116,7 @@ class RowReader {
       statistics = statistics || (word && is_statistic(cells_[i]));
     }
     // A number alone, a count of the rows: only where the person says that it is no broken row.
-    if (!as_wide) return words || !digits || (choice_.skip_footer && cells_.size() < dialect_.columns);
+    if (!as_wide) return words || !digits || (choice_.skip_footer && cells_.size() == 1);
     if (statistics) return true;
     auto const reads = std::ranges::count_if(indices_, [&](auto k) { return is_value(cells_[k]); });
     if (static_cast<std::size_t>(reads) == indices_.size()) return false;
