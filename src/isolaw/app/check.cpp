@@ -101,7 +101,7 @@ int check(std::filesystem::path const& directory) {
              !result.faults.empty()       ? fmt::format("{} fault(s)", result.faults.size())
              : result.differences.empty() ? "sound"
                                           : fmt::format("sound, but for {} difference(s)", result.differences.size()));
-  fmt::print("  {}, {} on {}, {} of {}", counted(result.devices, "device"), counted(result.searches, "law"),
+  fmt::print("  {}, {} on {}, {} of {} runs", counted(result.devices, "device"), counted(result.searches, "law"),
              result.devices == 1 ? "it" : "them", result.runs, result.expected_runs);
   fmt::print("{}\n", result.expected_analyses > 0
                          ? fmt::format(", {} of {} analyses", result.analyses, result.expected_analyses)
