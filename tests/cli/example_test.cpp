@@ -199,7 +199,7 @@ TEST_F(Example, init_of_bad_records_alone_writes_nothing) {
   write("bad.csv", "");
   expect_message(isolaw({"init", "bad.csv"}), 2, {"bad.csv", "is empty"});
   EXPECT_FALSE(exists("lot.toml"));
-  expect_message(isolaw({"init", "ex/device-01.csv", "bad.csv"}), 0, {"bad.csv", "is empty", "1 of 2 left out"});
+  expect_message(isolaw({"init", "ex/device-01.csv", "bad.csv"}), 1, {"bad.csv", "is empty", "1 of 2 left out"});
   EXPECT_TRUE(exists("lot.toml"));
 }
 

@@ -105,6 +105,8 @@ TEST_F(Grow, takes_a_device_that_was_refused_once_it_is_mended) {
   auto const good = read("c.csv");
   write("c.csv", "time [s],displacement [mm],force [kN]\n0,0,0\n");
   ASSERT_EQ(isolaw(campaign("lot.toml", "bilinear", "2", "G")).code, 1);
+  write("c.csv", "time [s],displacement [mm],force [kN]\n0,0,0\n0,0,0\n");
+  expect_message(isolaw(campaign("lot.toml", "bilinear", "2", "G")), 1, {"grows by 'c', still refused, "});
   write("c.csv", good);
   expect_message(isolaw(campaign("lot.toml", "bilinear", "2", "G")), 0,
                  {"grows by 'c', refused before\n", "continuing: 4 runs are there already"});

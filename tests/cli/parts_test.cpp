@@ -41,6 +41,40 @@ TEST_F(Parts, options_of_the_command_line_are_keys_of_the_lot_file) {
   EXPECT_TRUE(contains(said(lot), "(--footer skip)"));
 }
 
+// By its brackets the certificate tells what the program was told of a record from what it recognised.
+TEST_F(Parts, what_the_program_was_told_stands_with_its_option) {
+  auto const told = [&](Words const& words) {
+    Words found;
+    for (auto const& line : inspected(words)["recognised"])
+      if (auto const text = line.get<std::string>(); contains(text, "(--")) found.push_back(text);
+    return found;
+  };
+  write("a.csv", csv(record()));
+  write("footer.csv", csv(record()) + "\nTested by A. Smith\n");
+  write("bare.csv", csv(record(), "time,displacement,force"));
+  write("force.csv", channel(true));
+  write("disp.csv", channel(false));
+  write("up.csv", csv(record(), "time [s],displacement [mm],force [kN]", [](std::size_t, Sample const& s) {
+          return fmt::format("{:.4f},{:.5f},{:.5f}", s.time_s, s.disp_mm, -s.force_kN);
+        }));
+  EXPECT_EQ(told({"a.csv"}), Words{});
+  std::vector<std::pair<Words, std::string>> const options{
+      {{"a.csv", "--rows", "101:500"}, "rows"},
+      {{"a.csv", "--from", "1"}, "from"},
+      {{"a.csv", "--to", "5"}, "to"},
+      {{"a.csv", "--columns", "time=none"}, "columns"},
+      {{"footer.csv", "--footer", "skip"}, "footer"},
+      {{"a.csv", "--thousands", ","}, "thousands"},
+      {{"bare.csv", "--units", "time=s,disp=mm,force=kN"}, "units"},
+      {{"disp.csv", "--columns", "force=force.csv:force"}, "columns"},
+      {{"up.csv", "--flip-force"}, "flip-force"}};
+  for (auto const& [words, option] : options) {
+    auto const lines = told(words);
+    EXPECT_EQ(lines.size(), 1u) << option;
+    for (auto const& line : lines) EXPECT_TRUE(contains(line, "(--" + option)) << line;
+  }
+}
+
 TEST_F(Parts, values_that_are_not_allowed_are_refused_with_those_that_are) {
   write("a.csv", csv(record()));
   expect_refused(isolaw({"inspect", "a.csv", "--rows", "5"}), {"--rows: '5'", "allowed: A:B", "try: --rows 101:700"});
@@ -79,6 +113,44 @@ TEST_F(Parts, a_lot_file_names_no_file_outside_for_a_channel_either) {
   EXPECT_EQ(isolaw({"inspect", "lot/lot.toml", "--allow-outside"}).code, 0);
 }
 
+// A channel's own file is no way of reading: another lot has another one.
+TEST_F(Parts, like_another_lot_takes_no_file_of_it) {
+  write("recs/disp.csv", channel(false));
+  write("recs/force.csv", channel(true));
+  write("recs/lot.toml",
+        "[read]\ncolumns = { disp = 2, force = \"force.csv:force\" }\n[[device]]\nname = \"a\"\nfile = \"disp.csv\"\n");
+  write("next/b.csv", csv(record({.strength_kN = 30.0})));
+  auto const o = isolaw({"init", "next", "--like", "recs/lot.toml", "--out", "next/lot.toml"});
+  EXPECT_EQ(o.code, 0) << o;
+  EXPECT_TRUE(contains(o.err, "columns force = 'force.csv:force' of recs/lot.toml left out")) << o;
+  EXPECT_FALSE(contains(read("next/lot.toml"), "force.csv"));
+  EXPECT_EQ(inspected({"next/lot.toml"})["blocks"], inspected({"next/b.csv"})["blocks"]);
+}
+
+// Beside the record: not replaced, not outside without a word, and part of what tells a refused device from another.
+TEST_F(Parts, the_file_of_a_channel_is_a_file_of_the_device) {
+  write("recs/disp.csv", channel(false));
+  write("force.csv", channel(true));
+  auto const force = read("force.csv");
+  Words const init{"init", "recs/disp.csv", "--columns", "force=force.csv:force", "--force", "--out"};
+  expect_refused(isolaw(init + Words{"force.csv"}), {"force.csv: read for this, and would be replaced"});
+  EXPECT_EQ(read("force.csv"), force);
+  auto const o = isolaw(init + Words{"recs/lot.toml"});
+  EXPECT_EQ(o.code, 0) << o;
+  EXPECT_TRUE(contains(o.err, "force.csv: not in the folder of recs/lot.toml or below it")) << o;
+  write("recs/force.csv", "no record\n");
+  write("recs/good.csv", csv(record()));
+  write("recs/two.toml",
+        "[[device]]\nname = \"good\"\nfile = \"good.csv\"\n[[device]]\nname = \"bad\"\nfile = \"disp.csv\"\n"
+        "columns = { force = \"force.csv:force\" }\n");
+  auto const hash = [&] {
+    return Json::parse(isolaw({"inspect", "recs/two.toml", "--json"}).out)["devices"][1]["sha256"];
+  };
+  auto const before = hash();
+  write("recs/force.csv", "another\n");
+  EXPECT_NE(hash(), before);
+}
+
 TEST_F(Parts, a_motion_may_be_one_column) {
   std::string motion = "Displacement [mm]\n";
   for (auto const& s : record()) motion += fmt::format("{:.5f}\n", s.disp_mm);
@@ -99,7 +171,7 @@ TEST_F(Parts, init_goes_on_past_files_that_are_no_records) {
   write("recs/b.csv", "no record\n");
   write("recs/c.csv", csv(record(), "time [s],displacement,force [kN]"));
   auto const o = isolaw({"init", "recs", "--out", "recs/lot.toml"});
-  EXPECT_EQ(o.code, 0) << o;
+  EXPECT_EQ(o.code, 1) << o;
   EXPECT_TRUE(contains(o.err, "recs/b.csv: no rows of numbers"));
   EXPECT_TRUE(contains(o.err, "column 2 'displacement' (disp) has no unit"));
   EXPECT_TRUE(contains(o.err, "2 of 3 left out, as comments at the end of recs/lot.toml"));

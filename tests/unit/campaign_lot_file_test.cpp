@@ -582,5 +582,25 @@ TEST(LotOfFiles, NamesDevicesAfterTheirFiles) {
   EXPECT_EQ(lot.devices[1].shown_file, "b.csv");
 }
 
+// A comma before three digits may group them: nobody's thousand millimetres become one.
+TEST_F(LotFileTest, NumbersOfAFileThatMayBeGroupedAreLeftToAPerson) {
+  DeviceInfo info;
+  auto left = take_particulars({{"rubber-area-mm2", "282,743 mm2"}, {"rubber-thickness-mm", "1,200 mm"}}, info);
+  EXPECT_EQ(left.size(), 2u);
+  EXPECT_FALSE(info.rubber_area_mm2 || info.rubber_thickness_mm);
+  left = take_particulars({{"rubber-area-mm2", "2827,43 cm2"}, {"rubber-thickness-mm", "20,8 cm"}}, info);
+  EXPECT_TRUE(left.empty());
+  EXPECT_DOUBLE_EQ(info.rubber_area_mm2.value(), 282743.0);
+  EXPECT_DOUBLE_EQ(info.rubber_thickness_mm.value(), 208.0);
+}
+
+TEST_F(LotFileTest, AFileLeftOutStaysACommentWhateverItsName) {
+  auto lot = lot_of_files({folder / "a.csv"});
+  auto const text = lot_file_text(
+      lot, folder,
+      {.open_keys = false, .stated = {}, .left_out = {{folder / "b\n[[device]]\nfile='x'.csv", "no record"}}});
+  EXPECT_EQ(read(text).devices.size(), 1u) << text;
+}
+
 }  // namespace
 }  // namespace isolaw::campaign

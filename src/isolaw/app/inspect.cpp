@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <set>
 #include <string>
 
@@ -65,13 +66,21 @@ int inspect(InspectArguments const& arguments) {
 namespace {
 
 // The settings of another lot file, what it holds tests to, and how it reads what its devices share (its first device's
-// way where they share nothing).
+// way where they share nothing). A channel's own file is that lot's, no way of reading.
 void take_over(std::filesystem::path const& file, campaign::Lot& lot) {
   auto const other = lot_of_file(file, {.allow_outside = true, .other_out = true});
   lot.settings = other.settings;
   lot.acceptance = other.acceptance;
   lot.rules_are_file = other.rules_are_file;
-  auto const& read = other.read == data::ReadOptions{} ? other.devices.front().read : other.read;
+  auto read = other.read == data::ReadOptions{} ? other.devices.front().read : other.read;
+  std::erase_if(read.columns, [&](auto const& entry) {
+    auto const& [channel, column] = entry;
+    bool const is_file = data::file_column(column).has_value();
+    if (is_file)
+      say("columns {} = {} of {} left out: it is a file of that lot; --columns {}=FILE:COLUMN names one of this lot\n",
+          name(channel), in_quotes(printable(column)), shown(file), name(channel));
+    return is_file;
+  });
   for (auto& device : lot.devices) device.read = read;
 }
 
@@ -171,7 +180,7 @@ int init(InitArguments const& arguments) {
     say("lot-size = {} taken over from {}: change it where this lot has another size\n", *size, shown(*arguments.like));
   }
   std::vector<std::filesystem::path> inputs;
-  for (auto const& device : lot.devices) inputs.push_back(device.files.front());
+  for (auto const& device : lot.devices) std::ranges::copy(campaign::files_of(device), std::back_inserter(inputs));
   for (auto const& [file, reason] : remarks.left_out) inputs.push_back(file);
   write_output(arguments.out, campaign::lot_file_text(lot, folder, remarks), inputs);
   auto const say_if_outside = [&](std::filesystem::path const& file) {
@@ -180,9 +189,9 @@ int init(InitArguments const& arguments) {
           shown(arguments.out));
   };
   if (lot.rules_are_file) say_if_outside(lot.acceptance.rules_file);
-  for (auto const& device : lot.devices) say_if_outside(device.files.front());
+  for (auto const& device : lot.devices) std::ranges::for_each(campaign::files_of(device), say_if_outside);
   fmt::print("\nwritten: {}; next: isolaw calibrate {}\n", shown(arguments.out), shown(arguments.out));
-  return exit_done;
+  return remarks.left_out.empty() ? exit_done : exit_with_refusals;
 }
 
 }  // namespace isolaw::app

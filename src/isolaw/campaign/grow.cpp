@@ -87,11 +87,12 @@ std::vector<std::string> growth(Contents const& stored, Contents const& asked) {
   std::vector<std::string> added;
   if (auto const more = asked.devices.size() - stored.devices.size(); more > 0)
     added.push_back(fmt::format("{} device{}", more, more == 1 ? "" : "s"));
-  std::vector<std::string> mended;
+  std::vector<std::string> mended, refused;  // what differs was refused before
   for (auto const& device : stored.devices)
     if (auto const& now = asked.devices[*place_of(asked, device.name)]; !same_record(device, now))
-      mended.push_back("'" + device.name + "'");
+      (now.usable() ? mended : refused).push_back("'" + device.name + "'");
   if (!mended.empty()) added.push_back(joined(mended) + ", refused before");
+  if (!refused.empty()) added.push_back(joined(refused) + ", still refused, with another file or reason");
   if (added.empty() && !same_devices(stored, asked)) added.emplace_back("another order of the devices");
   std::vector<std::string> laws;
   for (auto const& law : asked.settings.laws)
@@ -115,7 +116,10 @@ void take_over(Contents stored, Contents& asked) {
   asked.runs = moved(std::move(stored.runs));
   asked.makers = std::move(stored.makers);
   auto devices = moved(std::move(stored.device_analyses));
-  if (!same_lot) stored.lot_analyses.clear(), stored.left_out.clear();
+  if (!same_lot) {
+    stored.lot_analyses.clear();
+    stored.left_out.clear();
+  }
   if (same_runs) {
     asked.device_analyses = std::move(devices);
     asked.lot_analyses = std::move(stored.lot_analyses);

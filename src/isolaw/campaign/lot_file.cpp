@@ -14,8 +14,8 @@
 #include "isolaw/base/file.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/toml_reader.hpp"
-#include "isolaw/base/units.hpp"
 #include "isolaw/base/words.hpp"
+#include "isolaw/campaign/particulars.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/data/reading.hpp"
 #include "isolaw/data/time_stamp.hpp"
@@ -95,74 +95,35 @@ void set_date(DeviceInfo& info, Json const& value) {
 }
 
 // What the table of a device says of it.
-std::vector<Option<DeviceInfo>> const& info_table() {
+struct InfoOption : Option<DeviceInfo> {
+  Measure measure = Measure::text;
+};
+
+std::vector<InfoOption> const& info_table() {
   using I = DeviceInfo;
-  auto const text = [](std::string_view key, std::string I::*member) -> Option<I> {
-    return {{.key = key},
-            [=](I const& info) { return (info.*member).empty() ? Json() : Json(info.*member); },
-            [=](I& info, Json const& value) { info.*member = text_in(value); }};
+  auto const text = [](std::string_view key, std::string I::*member) -> InfoOption {
+    return {{{.key = key},
+             [=](I const& info) { return (info.*member).empty() ? Json() : Json(info.*member); },
+             [=](I& info, Json const& value) { info.*member = text_in(value); }}};
   };
-  auto const above = [](std::string_view key, double limit, std::string words, std::optional<double> I::*member) {
+  auto const above = [](std::string_view key, double limit, std::string words, std::optional<double> I::*member,
+                        Measure measure) -> InfoOption {
     constexpr double largest = std::numeric_limits<double>::max();
-    return number<I>(key, {}, at(member), {std::nextafter(limit, largest), largest, std::move(words)});
+    return {number<I>(key, {}, at(member), {std::nextafter(limit, largest), largest, std::move(words)}), measure};
   };
-  static std::vector<Option<I>> const table{
+  static std::vector<InfoOption> const table{
       text("serial", &I::serial),
       text("lot", &I::lot),
-      {{.key = "test-date"},
-       [](I const& info) { return info.test_date.empty() ? Json() : Json(info.test_date); },
-       set_date},
-      number<I>("temperature-C", {}, at(&I::temperature_C),
-                {.least = -100.0, .most = 200.0, .words = "degrees Celsius, -100 to 200"}),
-      above("rubber-thickness-mm", 0.0, "total thickness of the rubber in mm, above 0", &I::rubber_thickness_mm),
-      above("rubber-area-mm2", 0.0, "area of the rubber in mm2, above 0", &I::rubber_area_mm2)};
+      {{{.key = "test-date"},
+        [](I const& info) { return info.test_date.empty() ? Json() : Json(info.test_date); },
+        set_date}},
+      {number<I>("temperature-C", {}, at(&I::temperature_C),
+                 {.least = -100.0, .most = 200.0, .words = "degrees Celsius, -100 to 200"}),
+       Measure::temperature_C},
+      above("rubber-thickness-mm", 0.0, "total thickness of the rubber in mm, above 0", &I::rubber_thickness_mm,
+            Measure::length_mm),
+      above("rubber-area-mm2", 0.0, "area of the rubber in mm2, above 0", &I::rubber_area_mm2, Measure::area_mm2)};
   return table;
-}
-
-// "23.5 °C", "1 200 cm2" as a number and its unit; nullopt where it is no number.
-struct Quantity {
-  double value;
-  std::string unit;
-};
-std::optional<Quantity> quantity_in(std::string text) {
-  auto const end = text.find_first_not_of("0123456789.,+-eE");
-  auto number = text.substr(0, end);
-  if (std::ranges::count(number, ',') == 1 && number.find('.') == std::string::npos)
-    std::ranges::replace(number, ',', '.');
-  auto const value = number_in<double>(number);
-  if (!value) return std::nullopt;
-  return Quantity{
-      *value, std::string(trimmed(end == std::string::npos ? std::string_view{} : std::string_view(text).substr(end)))};
-}
-
-std::optional<double> celsius_of(Quantity const& q) {
-  auto const unit = lower(q.unit);
-  for (auto const* c : {"\xC2\xB0"
-                        "c",
-                        "c", "\xE2\x84\x83", "deg c", "degc", "\xC2\xB0 c", "grad c"})
-    if (unit == c) return q.value;
-  if (unit == "k") return q.value - 273.15;
-  if (unit ==
-          "\xC2\xB0"
-          "f" ||
-      unit == "f" || unit == "deg f")
-    return (q.value - 32.0) / 1.8;
-  return std::nullopt;
-}
-
-// Lengths and, where `power` is 2, areas in mm.
-std::optional<double> millimetres_of(Quantity q, int power) {
-  if (power == 2) {
-    for (auto const* mark : {"^2", "\xC2\xB2", "2"})
-      if (q.unit.ends_with(mark)) {
-        q.unit.erase(q.unit.rfind(mark));
-        auto const side = millimetres_of({1.0, q.unit}, 1);
-        return side ? std::optional(q.value * *side * *side) : std::nullopt;
-      }
-    return std::nullopt;
-  }
-  auto const unit = parse_unit(q.unit);
-  return unit && unit->dimension == Dimension::length ? std::optional(q.value * unit->in_record_units) : std::nullopt;
 }
 
 // How a compression test is read: as a motion is, which has no force either.
@@ -249,7 +210,7 @@ DeviceInput read_device(TomlTable& table, toml::table const& source, std::filesy
         table.complain(source, fmt::format("columns: {}", complaint.found), complaint.allowed, complaint.advice);
       }
       device.shown_file += ", " + other->file;
-      column = (directory / other->file).generic_string() + ":" + other->column;
+      column = data::FileColumn{(directory / other->file).generic_string(), other->column}.text();
     }
   read_vertical_input(table, directory, check_inside, lot_file, complaints, device.vertical);
   table.refuse_unknown();
@@ -421,6 +382,16 @@ Lot read_lot_text(std::string_view text, std::filesystem::path const& path, LotF
   return lot;
 }
 
+std::vector<std::filesystem::path> files_of(DeviceInput const& device) {
+  auto files = device.files;
+  for (auto const& [channel, column] : device.read.columns)
+    if (auto const other = data::file_column(column)) {
+      std::filesystem::path file = other->file;
+      if (std::ranges::find(files, file) == files.end()) files.push_back(std::move(file));
+    }
+  return files;
+}
+
 Lot lot_of_files(std::vector<std::filesystem::path> const& files) {
   Lot lot;
   std::set<std::string> names;
@@ -444,7 +415,7 @@ namespace {
 data::ReadOptions with_relative_files(data::ReadOptions read, std::filesystem::path const& directory) {
   for (auto& [channel, column] : read.columns)
     if (auto const other = data::file_column(column))
-      column = relative_name(other->file, directory) + ":" + other->column;
+      column = data::FileColumn{relative_name(other->file, directory), other->column}.text();
   return read;
 }
 
@@ -487,12 +458,8 @@ Particulars take_particulars(std::vector<std::pair<std::string, std::string>> co
     auto const option = std::ranges::find(table, key, [](auto const& each) { return std::string(each.key); });
     if (option == table.end() || !option->get(info).is_null()) continue;
     Json value = text;
-    if (option->kind == Kind::real) {
-      auto const quantity = quantity_in(text);
-      std::optional<double> number;
-      if (quantity)
-        number =
-            key == "temperature-C" ? celsius_of(*quantity) : millimetres_of(*quantity, key.ends_with("mm2") ? 2 : 1);
+    if (option->measure != Measure::text) {
+      auto const number = stated(text, option->measure);
       value = number ? Json(*number) : Json();
     }
     try {
@@ -547,7 +514,7 @@ std::string lot_file_text(Lot const& written, std::filesystem::path const& direc
   out << root << '\n' << devices.str();
   if (!remarks.left_out.empty()) out << "\n# Not read, and no device here:\n";
   for (auto const& [file, reason] : remarks.left_out)
-    out << "# file = " << toml::value(relative_name(file, directory)) << "  # " << printable(reason) << '\n';
+    out << "# file = " << toml::value(printable(relative_name(file, directory))) << "  # " << printable(reason) << '\n';
   return out.str();
 }
 

@@ -36,6 +36,9 @@ struct DeviceInput {
   VerticalInput vertical = {};
 };
 
+// All files that the device is read from: its records, then those of single channels.
+std::vector<std::filesystem::path> files_of(DeviceInput const& device);
+
 struct Lot {
   std::string title;
   Acceptance acceptance;

@@ -37,7 +37,7 @@ std::string with_shown_files(std::string text, std::filesystem::path const& dire
 // Of what can be read of a refused device, so that another content is noticed.
 std::string hash_of_files(DeviceInput const& input) {
   std::string hashes;
-  for (auto const& file : input.files) {
+  for (auto const& file : files_of(input)) {
     std::string bytes;
     try {
       bytes = data::load_text(file);
@@ -123,6 +123,16 @@ void check_names(std::vector<NamedRecord> const& records) {
   if (!complaints.empty()) throw Error(std::move(complaints));
 }
 
+// Takes the device's record from it, but for what tells which it was.
+void refuse_device(Device& device, std::string why) {
+  device.refusal = std::move(why);
+  data::TestRecord nothing;
+  nothing.file = device.file;
+  nothing.sha256 = device.raw.sha256;
+  device.raw = std::move(nothing);
+  device.record = {};
+}
+
 Device cleaned(NamedRecord&& given, data::CleanOptions const& cleaning) {
   Device device{.name = std::move(given.name),
                 .file = given.record.file,
@@ -131,11 +141,7 @@ Device cleaned(NamedRecord&& given, data::CleanOptions const& cleaning) {
   try {
     device.record = data::clean(device.raw, cleaning);
   } catch (Error const& error) {
-    device.refusal = error.what();
-    auto const sha256 = device.raw.sha256;
-    device.raw = {};
-    device.raw.file = device.file;
-    device.raw.sha256 = sha256;
+    refuse_device(device, error.what());
   }
   return device;
 }
@@ -144,13 +150,7 @@ Device cleaned(NamedRecord&& given, data::CleanOptions const& cleaning) {
 void refuse_false_signals(Device& device) {
   if (!device.usable()) return;
   auto const properties = data::cyclic_properties(device.raw);
-  if (!properties.is_false) return;
-  device.refusal = properties.refusal;
-  data::TestRecord nothing;
-  nothing.file = device.raw.file;
-  nothing.sha256 = device.raw.sha256;
-  device.raw = std::move(nothing);
-  device.record = {};
+  if (properties.is_false) refuse_device(device, properties.refusal);
 }
 
 Contents with_searches(Contents contents, std::vector<std::string> const& laws) {

@@ -13,7 +13,7 @@
 namespace isolaw::data {
 namespace {
 
-constexpr bool is_digit(char c) {
+constexpr bool is_a_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
@@ -51,7 +51,7 @@ bool is_grouped(std::string_view cell, NumberFormat format, std::string* digits 
   char const decimal = format.decimal;
   auto const take_digits = [&cell] {
     std::size_t count = 0;
-    while (count < cell.size() && is_digit(cell[count])) ++count;
+    while (count < cell.size() && is_a_digit(cell[count])) ++count;
     cell.remove_prefix(count);
     return count;
   };
@@ -101,7 +101,7 @@ Cell parse_comma(std::string_view cell) {
   for (std::size_t i = 0; i < cell.size(); ++i) {
     char const c = cell[i];
     if (c == '.') return {.kind = CellKind::text};
-    if (c == ',' && (i + 1 == cell.size() || !is_digit(cell[i + 1]))) return {.kind = CellKind::text};
+    if (c == ',' && (i + 1 == cell.size() || !is_a_digit(cell[i + 1]))) return {.kind = CellKind::text};
     buffer[i] = c == ',' ? '.' : c;
   }
   return parse_point(buffer.data(), buffer.data() + cell.size());
@@ -227,7 +227,7 @@ Cell parse_cell(std::string_view cell, NumberFormat format) {
   auto digits = cell;
   if (digits.front() == '+') digits.remove_prefix(1);
   Cell parsed{.kind = CellKind::text};
-  if (!digits.empty() && (is_digit(digits.back()) || digits.back() == '.') && digits.front() != '+')
+  if (!digits.empty() && (is_a_digit(digits.back()) || digits.back() == '.') && digits.front() != '+')
     parsed = decimal == '.' ? parse_point(digits.data(), digits.data() + digits.size()) : parse_comma(digits);
   if (parsed.kind != CellKind::text) return parsed;
   if (is_not_finite(cell)) return {.kind = CellKind::not_finite};

@@ -210,11 +210,11 @@ Stored const* stored(std::uint32_t type) {
 }
 
 // Asked for every array of numbers: what is wanted of it, if anything.
-using WantedSlice = std::function<std::optional<MatSlice>(MatVariable const&)>;
+using Chooser = std::function<std::optional<MatSlice>(MatVariable const&)>;
 
 class Walk {
  public:
-  Walk(WantedSlice wanted, std::vector<double>& values) : wanted_(std::move(wanted)), values_(values) {}
+  Walk(Chooser wanted, std::vector<double>& values) : wanted_(std::move(wanted)), values_(values) {}
 
   // One array; `name` is empty at the top, where the array holds its own.
   void array(Reader& reader, std::string const& prefix) {
@@ -330,7 +330,7 @@ class Walk {
     }
   }
 
-  WantedSlice wanted_;
+  Chooser wanted_;
   std::vector<double>& values_;
 };
 
@@ -379,7 +379,7 @@ class Mat5File : public MatFile {
   }
 
   // The elements of the file one after the other.
-  void walk(WantedSlice const& wanted, std::vector<double>& values) const {
+  void walk(Chooser const& wanted, std::vector<double>& values) const {
     constexpr std::size_t header = 128;
     if (bytes_.size() < header) damaged("is shorter than its header");
     auto const mark = bytes_.substr(126, 2);

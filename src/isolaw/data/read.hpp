@@ -38,6 +38,7 @@ bool is_record_name(std::string_view file);
 // names no record's file before a colon: it is then a column.
 struct FileColumn {
   std::string file, column;
+  std::string text() const { return file + ":" + column; }  // reads back
 };
 std::optional<FileColumn> file_column(std::string_view text);
 
