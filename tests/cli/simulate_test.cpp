@@ -167,6 +167,26 @@ TEST_F(Simulate, beyond_the_test_is_said_in_the_table) {
   }
 }
 
+// Another value makes another law: what is known of the fitted one is neither claimed nor held against it.
+TEST_F(Simulate, a_changed_law_takes_no_word_of_the_fitted_one) {
+  calibrated("bilinear");
+  Words const words{"simulate", "bilinear", "--from", "O", "--device", "d", "--motion", "d.csv"};
+  EXPECT_TRUE(contains(isolaw(words).out, "# prediction "));
+  auto const o = isolaw(words + Words{"--set", "K2=0.3"});
+  ASSERT_EQ(o.code, 0) << o;
+  for (auto const& text : {o.err, o.out}) {
+    EXPECT_TRUE(contains(text, "changed by --set K2=0.3: ")) << text;
+    EXPECT_TRUE(contains(text, "tested up to 100 mm")) << text;
+    EXPECT_FALSE(contains(text, "prediction ")) << text;
+  }
+}
+
+TEST_F(Simulate, anyway_is_of_a_campaigns_law) {
+  expect_refused(isolaw({"simulate", "bilinear", "--set", "K1=2", "--set", "K2=0.5", "--set", "xy=10", "--motion",
+                         "d.csv", "--anyway"}),
+                 {"--anyway", "is given alone", "with --from DIR"});
+}
+
 TEST_F(Simulate, the_one_law_of_a_lot) {
   write("r/a.csv", csv(record()));
   write("r/b.csv", csv(record({.strength_kN = 24.0})));

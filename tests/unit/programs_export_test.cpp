@@ -38,6 +38,15 @@ std::vector<Case> exact_cases() {
           {"vaiana", vaiana_parameters(), {"material_bouc_wen", "material_original", "bearing"}, 0.03}};
 }
 
+// No sample is the worst where there is no difference.
+TEST(Deviations, of_an_exact_replay_have_no_place) {
+  EXPECT_EQ(deviation_text({}).find("(at "), std::string::npos) << deviation_text({});
+  Deviation some;
+  some.largest = 1.0;
+  some.at_sample = 7;
+  EXPECT_NE(deviation_text(some).find("(at sample 7)"), std::string::npos) << deviation_text(some);
+}
+
 TEST(Scripts, give_the_laws_force_when_read_back_in_every_unit_system) {
   for (auto const& c : exact_cases()) {
     auto const subject = subject_of(c.law, c.parameters);

@@ -247,7 +247,7 @@ TEST(PageData, AnalysisOfALotIsTheSummarys) {
     expect_close(written["fitted_objective"], law.fitted_objective, of_nine);
     expect_close(written["predicted_objective"], law.predicted_objective, of_nine);
     expect_close(written["worst_predicted"], law.worst_predicted, of_nine);
-    EXPECT_EQ(written["prediction_collapses"], law.prediction_collapses());
+    EXPECT_EQ(written["prediction_collapses"], law.prediction_unusable());
     EXPECT_EQ(written["prediction_grade"], name(*law.prediction_grade));
   }
   EXPECT_EQ(data["findings"]["converged"], findings(summary).converged);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/words.hpp"
@@ -13,9 +12,7 @@ namespace {
 
 void note_record(data::FitRecord const& record, FittedLaw& law) {
   law.dead_band_mm = std::max(law.dead_band_mm, record.dead_band_mm);
-  for (double const x : record.disp_mm) law.tested_disp_mm = std::max(law.tested_disp_mm, std::abs(x));
-  law.fitted_disp_mm = std::max(law.fitted_disp_mm, record.largest_scored(record.disp_mm));
-  law.fitted_vel_mm_s = std::max(law.fitted_vel_mm_s, record.largest_scored(record.vel_mm_s));
+  law.ranges.add(record);
 }
 
 FittedLaw law_of_lot(campaign::Contents const& contents, std::string_view law, FittedLaw made) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "isolaw/campaign/contents.hpp"
+#include "isolaw/study/ranges.hpp"
 
 namespace isolaw {
 
@@ -13,12 +14,10 @@ struct FittedLaw {
   std::vector<double> parameters;  // in the law's order and units
   laws::Integration integration = laws::Integration::converged;
   laws::TurningPoints turning_points = laws::TurningPoints::as_sampled;
-  int refinement = 1;            // steps per sample that the law was integrated in
-  double dead_band_mm = 0.0;     // FitRecord::dead_band_mm; of a lot the largest
-  double tested_disp_mm = 0.0;   // the largest of the records
-  double fitted_disp_mm = 0.0;   // the largest that it was fitted to
-  double fitted_vel_mm_s = 0.0;  // 0 without time
-  std::string part = {};         // of the tests that it was fitted to alone; empty: all
+  int refinement = 1;         // steps per sample that the law was integrated in
+  double dead_band_mm = 0.0;  // FitRecord::dead_band_mm; of a lot the largest
+  study::Ranges ranges = {};  // of the records that it was fitted to
+  std::string part = {};      // of the tests that it was fitted to alone; empty: all
 };
 
 using campaign::whole_lot;

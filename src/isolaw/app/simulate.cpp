@@ -15,6 +15,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/version.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/data/clean.hpp"
@@ -34,15 +35,21 @@ double largest(std::vector<double> const& values) {
   return found;
 }
 
-struct Chosen : FittedLaw {
-  study::Doubts doubts;  // of a campaign's law as it was fitted
-  std::string origin;    // "as fitted to device 'a'"
+struct Chosen {
+  FittedLaw law;
+  study::Doubts doubts;              // of a campaign's law as it was fitted
+  std::string origin;                // "device 'a'", "the lot"; empty: of no campaign
+  std::vector<std::string> changes;  // of --set: then it is no longer the law that the campaign fitted
 };
 
 // What --parameters, --from and --set come to; the names are checked with everything else.
 Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
   if (a.parameters && a.from)
     throw Error({.where = "--parameters and --from", .found = "both are given", .allowed = "one of them"});
+  if (a.anyway && !a.from)
+    throw Error({.where = "--anyway",
+                 .found = "is given alone",
+                 .allowed = "with --from DIR: other parameters are taken without it"});
   if (a.from.has_value() != a.device.has_value())
     throw Error({.where = a.from ? "--from" : "--device",
                  .found = "is given alone",
@@ -56,18 +63,16 @@ Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
   } else if (a.from) {
     where = shown(*a.from);
     auto const contents = campaign::Store::read(*a.from / store_name);
-    static_cast<FittedLaw&>(made) = fitted_law(contents, law.info.id, *a.device);
-    auto const device = contents.device_or_lot(*a.device);
+    made.law = fitted_law(contents, law.info.id, *a.device);
+    auto const device = contents.device_or_lot(*a.device) ? std::optional<std::string_view>(*a.device) : std::nullopt;
     made.origin = device ? "device '" + *a.device + "'" : std::string("the lot");
-    made.doubts = study::doubts(study::build_summary(contents), law.info.id,
-                                device ? std::optional<std::string_view>(*a.device) : std::nullopt);
-    if (!made.doubts.objection.empty() && !a.anyway)
-      throw Error({.where = fmt::format("law {}, {}", law.info.id, made.origin),
-                   .found = made.doubts.objection,
-                   .allowed = "a law that predicts",
-                   .advice = "another law, or --anyway"});
+    made.changes = a.set;
+    if (made.changes.empty()) {
+      made.doubts = study::doubts(study::build_summary(contents), law.info.id, device);
+      study::require_taken(made.doubts, study::whose(law.info.id, device), a.anyway);
+    }
     for (std::size_t i = 0; i < law.parameters.size(); ++i)
-      values.push_back({.name = std::string(law.parameters[i].name), .value = made.parameters[i]});
+      values.push_back({.name = std::string(law.parameters[i].name), .value = made.law.parameters[i]});
   }
   std::vector<NamedValue> changes;
   for (auto const& text : a.set) changes.push_back(parse_named_value(text, "--set"));
@@ -76,19 +81,20 @@ Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
   });
   values.insert(values.end(), changes.begin(), changes.end());
   // What a campaign fitted was accepted there: a search may end beyond a limit that its box crosses.
-  made.parameters =
+  auto& taken = made.law;
+  taken.parameters =
       parameters_in_order(law, values, where, a.from && changes.empty() ? Together::left : Together::checked);
   campaign::Settings how;
-  how.integration = made.integration;
-  how.turning_points = made.turning_points;
+  how.integration = taken.integration;
+  how.turning_points = taken.turning_points;
   campaign::apply(a.how, how);
-  made.integration = how.integration;
-  made.turning_points = how.turning_points;
-  made.dead_band_mm = how.clean.dead_band_mm.value_or(made.dead_band_mm);
-  if (a.refinement) made.refinement = *a.refinement;
-  if (made.refinement < 1 || made.refinement > finest)
+  taken.integration = how.integration;
+  taken.turning_points = how.turning_points;
+  taken.dead_band_mm = how.clean.dead_band_mm.value_or(taken.dead_band_mm);
+  if (a.refinement) taken.refinement = *a.refinement;
+  if (taken.refinement < 1 || taken.refinement > finest)
     throw Error({.where = "--refinement",
-                 .found = fmt::format("{}", made.refinement),
+                 .found = fmt::format("{}", taken.refinement),
                  .allowed = fmt::format("1 to {} steps per sample", finest)});
   return made;
 }
@@ -96,13 +102,16 @@ Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
 // What is known of a campaign's law: how far it was fitted and tested, how well it predicts, what speaks against it.
 std::vector<std::string> facts(Chosen const& chosen) {
   if (chosen.origin.empty()) return {};
-  std::vector<std::string> lines{
-      fmt::format("fitted to {}, {}, up to {:.4g} mm; tested up to {:.4g} mm", chosen.origin,
-                  chosen.part.empty() ? "the whole test" : chosen.part + " of the tests alone", chosen.fitted_disp_mm,
-                  chosen.tested_disp_mm),
-      "prediction " + chosen.doubts.prediction};
+  auto const& [tested, fitted] = chosen.law.ranges;
+  auto const reach = fmt::format("{}, {}, up to {:.4g} mm; tested up to {:.4g} mm", chosen.origin,
+                                 study::part_text(chosen.law.part), fitted.disp_mm, tested.disp_mm);
+  if (!chosen.changes.empty())
+    return {
+        fmt::format("fitted to {}", reach),
+        fmt::format("changed by --set {}: how well this law fits or predicts is not known", joined(chosen.changes))};
+  std::vector<std::string> lines{fmt::format("fitted to {}", reach), "prediction " + chosen.doubts.prediction};
   for (auto const& warning : chosen.doubts.warnings) lines.push_back("warning: " + warning);
-  if (!chosen.doubts.objection.empty()) lines.push_back("let through: " + chosen.doubts.objection);
+  if (!chosen.doubts.objection.empty()) lines.push_back(study::let_through(chosen.doubts.objection));
   return lines;
 }
 
@@ -114,26 +123,31 @@ void say_what_it_is(laws::LawEntry const& law, Chosen const& chosen, data::TestR
   if (!motion.has_time()) say("  no time: the force of {} does not depend on it\n", law.info.id);
   say("{}\n ", law.info.id);
   for (std::size_t i = 0; i < law.parameters.size(); ++i)
-    say(" {} = {:g}{}{}{}", law.parameters[i].name, chosen.parameters[i], law.parameters[i].unit == "1" ? "" : " ",
+    say(" {} = {:g}{}{}{}", law.parameters[i].name, chosen.law.parameters[i], law.parameters[i].unit == "1" ? "" : " ",
         law.parameters[i].unit == "1" ? "" : law.parameters[i].unit, i + 1 < law.parameters.size() ? "," : "\n");
-  if (auto const beyond = law.unmet(chosen.parameters))
+  if (auto const beyond = law.unmet(chosen.law.parameters))
     say("  warning: {}, outside {}: no device has these parameters\n", beyond->found, beyond->statement);
   for (auto const& line : facts(chosen)) say("  {}\n", printable(line));
-  if (chosen.refinement > 1) say("  integrated in {} steps per sample\n", chosen.refinement);
+  if (chosen.law.refinement > 1) say("  integrated in {} steps per sample\n", chosen.law.refinement);
 }
 
 // What of the motion is beyond what is known of the law.
 std::vector<std::string> cautions(laws::LawEntry const& law, FittedLaw const& chosen, data::FitRecord const& path) {
   std::vector<std::string> lines;
-  auto const add_beyond = [&](double reached, double known, std::string_view unit) {
+  auto const add_beyond = [&](double reached, double fitted, double tested, std::string_view unit) {
     constexpr double beyond = 1.02;
-    if (known <= 0.0 || reached <= beyond * known) return;
-    lines.push_back(fmt::format("warning: the history reaches {:.4g} {}, {} {:.4g} {}{}", reached, unit,
-                                chosen.part.empty() ? "the test" : "what the law was fitted to", known, unit,
-                                chosen.part.empty() ? ": beyond it nothing was measured" : ""));
+    auto const add = [&](double known, std::string_view what, std::string_view so) {
+      lines.push_back(
+          fmt::format("warning: the history reaches {:.4g} {}, {} {:.4g} {}{}", reached, unit, what, known, unit, so));
+    };
+    bool const is_part = tested > beyond * fitted;
+    if (is_part && fitted > 0.0 && reached > beyond * fitted) add(fitted, "what the law was fitted to", "");
+    if (tested > 0.0 && reached > beyond * tested) add(tested, "the test", ": beyond it nothing was measured");
   };
-  add_beyond(largest(path.disp_mm), chosen.fitted_disp_mm, "mm");
-  if (!law.info.traits.rate_independent) add_beyond(largest(path.vel_mm_s), chosen.fitted_vel_mm_s, "mm/s");
+  auto const& [tested, fitted] = chosen.ranges;
+  add_beyond(largest(path.disp_mm), fitted.disp_mm, tested.disp_mm, "mm");
+  if (!law.info.traits.rate_independent)
+    add_beyond(largest(path.vel_mm_s), fitted.vel_mm_s.value_or(0.0), tested.vel_mm_s.value_or(0.0), "mm/s");
   constexpr double at_zero = 1e-6;  // of the largest displacement
   if (double const x = path.disp_mm.front(); std::abs(x) > at_zero * largest(path.disp_mm))
     lines.push_back(fmt::format(
@@ -168,11 +182,12 @@ int simulate(SimulateArguments const& a) {
   apply(a.read, options);
   auto const motion = data::read_motion(a.motion, options);
   auto path = data::motion_of(motion);
-  path.dead_band_mm = chosen.dead_band_mm;
-  fit::LawOnMotion const model(law, path, chosen.integration, chosen.turning_points, chosen.refinement);
-  auto const force_kN = model.force_kN(chosen.parameters);
+  auto const& taken = chosen.law;
+  path.dead_band_mm = taken.dead_band_mm;
+  fit::LawOnMotion const model(law, path, taken.integration, taken.turning_points, taken.refinement);
+  auto const force_kN = model.force_kN(taken.parameters);
   say_what_it_is(law, chosen, motion);
-  auto const beyond = cautions(law, chosen, path);
+  auto const beyond = cautions(law, taken, path);
   for (auto const& line : beyond) say("  {}\n", line);
   if (auto const bad = std::ranges::find_if_not(force_kN, [](double f) { return std::isfinite(f); });
       bad != force_kN.end())

@@ -59,12 +59,12 @@ void write_factors(JsonWriter& out, std::string_view key, std::optional<BoundFac
 void write_validity(JsonWriter& out, Subject const& subject) {
   auto const& f = subject.fitted;
   out.key("fitted").begin_object().member("part", f.part).member("disp_mm", f.disp_mm);
-  out.member("velocity_mm_s", f.v_max_mm_s).end_object();
+  out.member("velocity_mm_s", f.vel_mm_s).end_object();
   auto const& t = subject.tested;
   out.key("tested").begin_object();
   out.member("disp_mm", t.disp_mm).member("shear_strain_percent", t.strain_percent);
   out.member("lowest_frequency_Hz", t.lowest_Hz).member("highest_frequency_Hz", t.highest_Hz);
-  out.member("velocity_mm_s", t.v_max_mm_s).member("load_min_kN", t.load_min_kN).member("load_max_kN", t.load_max_kN);
+  out.member("velocity_mm_s", t.vel_mm_s).member("load_min_kN", t.load_min_kN).member("load_max_kN", t.load_max_kN);
   out.member("temperature_min_C", t.temperature_min_C).member("temperature_max_C", t.temperature_max_C).end_object();
 }
 

@@ -23,23 +23,26 @@ using Corner = laws::BilinearForm;
 // A substitute with the values of its three variants.
 template <class Values>
 struct Set {
-  std::string how;  // "exact", or what was fitted and its error
+  std::string how;      // "exact", or what was fitted and its error
+  bool is_near = true;  // to the law
   Values nominal;
   std::optional<Values> lower, upper;
 };
 
 template <class Values>
-Set<Values> with_bounds(Subject const& subject, Values const& nominal, std::string how) {
-  Set<Values> made{std::move(how), nominal, {}, {}};
+Set<Values> with_bounds(Subject const& subject, Values const& nominal, std::string how, bool is_near = true) {
+  Set<Values> made{std::move(how), is_near, nominal, {}, {}};
   if (subject.bounds.lower) made.lower = scaled(nominal, *subject.bounds.lower);
   if (subject.bounds.upper) made.upper = scaled(nominal, *subject.bounds.upper);
   return made;
 }
 
-constexpr std::string_view far_off_mark = "FAR OFF, ";
-
-std::string fitted_text(std::string_view what, Deviation const& error) {
-  return fmt::format("{}{}: {}", far_off(error) ? far_off_mark : "", what, deviation_text(error));
+// Values that were fitted in the law's place, with how far they are from it.
+template <class Values>
+Set<Values> fitted_set(Subject const& subject, Values const& nominal, std::string_view what, Deviation const& error) {
+  bool const far = far_off(error);
+  return with_bounds(subject, nominal, fmt::format("{}{}: {}", far ? "FAR OFF, " : "", what, deviation_text(error)),
+                     !far);
 }
 
 std::vector<double> parameters_of(Wen const& v) {
@@ -85,7 +88,7 @@ WenSet plastic_wen(Subject const& subject) {
   if (auto const v = bilinear_values(*subject.law, subject.parameters)) {
     auto const s = sharp(*v);
     auto const error = deviation_of_law(subject, laws::find_law(smooth_law), parameters_of(s));
-    return with_bounds(subject, s, fitted_text("the corner as an exponent of 20, from the law", error));
+    return fitted_set(subject, s, "the corner as an exponent of 20, from the law", error);
   }
   auto const v = bouc_wen_values(*subject.law, subject.parameters);
   if (v && std::abs(v->beta - v->gamma) <= 1e-9 * std::abs(v->beta + v->gamma) && v->n >= 1.0)
@@ -98,14 +101,14 @@ WenSet plastic_wen(Subject const& subject) {
               "re-fitted with beta = gamma and an exponent of 1 or more, since the law has beta = {}, gamma = {} of beta + gamma = 1 and n = {}; from the law",
               briefly(v->beta / (v->beta + v->gamma)), briefly(v->gamma / (v->beta + v->gamma)), briefly(v->n))
         : std::string("re-fitted; from the law");
-  return with_bounds(subject, *found, fitted_text(what, error));
+  return fitted_set(subject, *found, what, error);
 }
 
 WenSet rubber_isolator(Subject const& subject) {
   Deviation error;
   auto const found = fitted_bouc_wen(subject, {tie_gamma(), set("n", {2.0, 2.0})}, error);
   if (!found) return std::nullopt;
-  return with_bounds(subject, *found, fitted_text("re-fitted with exponent 2 and beta = gamma; from the law", error));
+  return fitted_set(subject, *found, "re-fitted with exponent 2 and beta = gamma; from the law", error);
 }
 
 // With beta and gamma free.
@@ -116,7 +119,7 @@ WenSet free_bouc_wen(Subject const& subject, WenSet const& wen) {
   Deviation error;
   auto const found = fitted_bouc_wen(subject, {}, error);
   if (!found) return std::nullopt;
-  return with_bounds(subject, *found, fitted_text("re-fitted; from the law", error));
+  return fitted_set(subject, *found, "re-fitted; from the law", error);
 }
 
 CornerSet bilinear(Subject const& subject) {
@@ -124,8 +127,7 @@ CornerSet bilinear(Subject const& subject) {
   auto const found = fit_in_place(subject, corner_law);
   if (found.law == nullptr) return std::nullopt;
   auto const error = deviation_of_law(subject, *found.law, found.parameters);
-  return with_bounds(subject, *bilinear_values(*found.law, found.parameters),
-                     fitted_text("re-fitted; from the law", error));
+  return fitted_set(subject, *bilinear_values(*found.law, found.parameters), "re-fitted; from the law", error);
 }
 
 // --- the page
@@ -297,8 +299,11 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units, Objecti
 
   auto const wen = plastic_wen(subject);
   auto const corner = bilinear(subject);
-  auto const near = [](auto const& set) { return set && !set->how.starts_with(far_off_mark); };
-  if (!near(wen) && !near(corner))
+  auto const near = [](auto const& set) { return set && set->is_near; };
+  if (!wen && !corner)
+    objections.emplace_back(
+        "no link of these programs could be fitted in the law's place: the sheet holds its loop alone");
+  else if (!near(wen) && !near(corner))
     objections.emplace_back("what stands in for the law in these programs is far off: the sheet says how far");
   csi(page, subject, wen, rubber_isolator(subject), corner, units);
   others(page, free_bouc_wen(subject, wen), corner);

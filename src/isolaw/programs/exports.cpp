@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
+#include <optional>
 #include <ranges>
 
 #include "isolaw/base/error.hpp"
@@ -53,15 +56,18 @@ Target const& find_target(std::string_view name) {
 
 Export write_export(Subject const& subject, Target const& target, UnitSystem const& units, bool anyway) {
   Export made;
+  auto const where =
+      study::whose(subject.law->info.id, subject.lot ? std::nullopt : std::optional<std::string_view>(subject.device));
+  study::require_taken(subject.doubts, where, anyway);
+  Objections to_form;
+  made.text = target.write(subject, units, to_form);
+  if (!to_form.empty() && !anyway)
+    throw Error({.where = where,
+                 .found = joined(to_form, "; "),
+                 .allowed = "a form that is near to the law",
+                 .advice = "--to cpp, the law itself as a C++ header; or --anyway"});
   if (!subject.doubts.objection.empty()) made.let_through.push_back(subject.doubts.objection);
-  made.text = target.write(subject, units, made.let_through);
-  if (!made.let_through.empty() && !anyway)
-    throw Error({.where = fmt::format("law {}, {}", subject.law->info.id,
-                                      subject.lot ? "the lot" : "device '" + subject.device + "'"),
-                 .found = joined(made.let_through, "; "),
-                 .allowed = "a law that predicts, and a form that is near to it",
-                 .advice = subject.doubts.objection.empty() ? "--to cpp, the law itself as a C++ header; or --anyway"
-                                                            : "another law, or --anyway"});
+  std::ranges::move(to_form, std::back_inserter(made.let_through));
   return made;
 }
 

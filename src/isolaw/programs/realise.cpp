@@ -73,7 +73,10 @@ void keep_worst(Deviation& worst, Deviation const& other) {
   auto const larger = [](std::optional<double>& a, std::optional<double> b) {
     if (b && (!a || std::abs(*b) > std::abs(*a))) a = b;
   };
-  if (other.largest > worst.largest) worst.at_s = other.at_s, worst.at_sample = other.at_sample;
+  if (other.largest > worst.largest) {
+    worst.at_s = other.at_s;
+    worst.at_sample = other.at_sample;
+  }
   worst.largest = std::max(worst.largest, other.largest);
   worst.rms = std::max(worst.rms, other.rms);
   larger(worst.K_eff, other.K_eff);

@@ -67,28 +67,18 @@ void widen(std::optional<double>& least, std::optional<double>& most, std::optio
 }
 
 void add_tested(Tested& tested, study::DeviceResult const& device) {
-  double largest = 0.0;
-  for (double const x : device.record.disp_mm) largest = std::max(largest, std::abs(x));
-  tested.disp_mm = std::max(tested.disp_mm, largest);
-  std::optional<double> none;
-  if (device.rubber_thickness_mm) widen(none, tested.strain_percent, {}, 100.0 * largest / *device.rubber_thickness_mm);
-  for (auto const& block : device.properties.blocks) {
+  study::Ranges own;
+  own.add(device.record);
+  if (device.rubber_thickness_mm)
+    tested.strain_percent =
+        std::max(tested.strain_percent.value_or(0.0), 100.0 * own.tested.disp_mm / *device.rubber_thickness_mm);
+  for (auto const& block : device.properties.blocks)
     widen(tested.lowest_Hz, tested.highest_Hz, block.frequency_Hz, block.frequency_Hz);
-    widen(none, tested.v_max_mm_s, {}, block.v_max_mm_s);
-  }
   if (!device.raw.load_kN.empty()) {
     auto const [low, high] = std::ranges::minmax(device.raw.load_kN);
     widen(tested.load_min_kN, tested.load_max_kN, low, high);
   }
   widen(tested.temperature_min_C, tested.temperature_max_C, device.temperature_C, device.temperature_C);
-}
-
-void add_fitted(Fitted& fitted, study::DeviceResult const& device, data::Selection const& scored) {
-  auto const& record = device.record;
-  fitted.disp_mm = std::max(fitted.disp_mm, record.largest_scored(record.disp_mm));
-  std::optional<double> none;
-  for (auto const& block : device.properties.blocks)
-    if (scored.blocks.contains(block.number)) widen(none, fitted.v_max_mm_s, {}, block.v_max_mm_s);
 }
 
 rules::LotQuantity const* quantity_of(study::Summary const& summary, rules::Quantity quantity) {
@@ -259,24 +249,30 @@ void require_finite(Subject const& subject, std::string const& where) {
        .allowed = "a law with a finite force there"});
 }
 
-void add_measured(Subject& subject, study::Summary const& summary, data::Selection const& scored) {
+void add_measured(Subject& subject, study::Summary const& summary) {
   std::vector<double> stiffness, damping;
+  study::Ranges ranges;
   for (auto const& device : summary.devices) {
     if (std::ranges::find(subject.histories, device.name, &History::device) == subject.histories.end()) continue;
     add_tested(subject.tested, device);
-    add_fitted(subject.fitted, device, scored);
+    ranges.add(device.record);
     if (auto const& cycle = device.properties.reported) {
       stiffness.push_back(cycle->K_eff_kN_per_mm);
       damping.push_back(cycle->damping_percent);
       subject.design_disp_mm = std::max(subject.design_disp_mm, cycle->amplitude_mm);
     }
   }
+  static_cast<study::Range&>(subject.tested) = ranges.tested;
+  static_cast<study::Range&>(subject.fitted) = ranges.fitted;
   auto const mean = [](std::vector<double> const& values) {
     double sum = 0.0;
     for (double const v : values) sum += v;
     return sum / static_cast<double>(values.size());
   };
-  if (!stiffness.empty()) subject.K_eff_kN_per_mm = mean(stiffness), subject.damping_percent = mean(damping);
+  if (!stiffness.empty()) {
+    subject.K_eff_kN_per_mm = mean(stiffness);
+    subject.damping_percent = mean(damping);
+  }
   if (subject.design_disp_mm == 0.0) subject.design_disp_mm = subject.tested.disp_mm;
 }
 
@@ -325,7 +321,8 @@ Subject make_subject(campaign::Contents const& contents, study::Summary const& s
   for (auto const& other : contents.devices)
     if (other.name != subject.device && plain_name(other.name) == plain_name(subject.device))
       subject.number_among_alike = chosen.value_or(contents.devices.size()) + 1;
-  auto const where = fmt::format("law {}, {}", law, subject.lot ? "the lot" : "device '" + subject.device + "'");
+  auto const one = subject.lot ? std::nullopt : std::optional<std::string_view>(device);
+  auto const where = study::whose(law, one);
   if (chosen)
     add_device_parameters(subject, contents, *chosen, where);
   else
@@ -334,8 +331,8 @@ Subject make_subject(campaign::Contents const& contents, study::Summary const& s
     subject.notes.emplace_back(
         "The campaign integrated with one Runge-Kutta step per sample; the export is of the law itself, integrated to convergence with the same parameters.");
   subject.fitted.part = contents.settings.clean.scored.text();
-  subject.doubts = study::doubts(summary, law, subject.lot ? std::nullopt : std::optional<std::string_view>(device));
-  add_measured(subject, summary, contents.settings.clean.scored);
+  subject.doubts = study::doubts(summary, law, one);
+  add_measured(subject, summary);
   subject.frequency_Hz = subject.tested.highest_Hz.value_or(0.5);
   subject.protocol = protocol_of(subject.tested.disp_mm, subject.frequency_Hz);
   for (auto const& history : subject.histories)

@@ -12,6 +12,7 @@
 #include "isolaw/laws/catalogue.hpp"
 #include "isolaw/programs/unit_system.hpp"
 #include "isolaw/study/doubts.hpp"
+#include "isolaw/study/ranges.hpp"
 #include "isolaw/study/summary.hpp"
 
 namespace isolaw::programs {
@@ -28,19 +29,16 @@ struct History {
 };
 
 // How far the tests went, over all histories. Empty: not stated by the records or the lot file.
-struct Tested {
-  double disp_mm = 0.0;
+struct Tested : study::Range {
   std::optional<double> strain_percent;
-  std::optional<double> lowest_Hz, highest_Hz, v_max_mm_s;
+  std::optional<double> lowest_Hz, highest_Hz;
   std::optional<double> load_min_kN, load_max_kN;
   std::optional<double> temperature_min_C, temperature_max_C;
 };
 
 // What of the tests the law was fitted to.
-struct Fitted {
+struct Fitted : study::Range {
   std::string part;  // "block 1", ...; empty: all of them
-  double disp_mm = 0.0;
-  std::optional<double> v_max_mm_s;
 };
 
 // Factors on the part of the force that grows with displacement (K_d) and on the hysteretic part (Q_d); equal where one

@@ -131,9 +131,12 @@ std::string parameter_text(laws::LawEntry const& law, std::span<double const> pa
 }
 
 std::string deviation_text(Deviation const& d) {
+  // Of an exact replay no place is the worst.
+  auto const place = d.largest > 0.0 ? fmt::format(" (at {})", d.at_s ? fmt::format("{:.4g} s", *d.at_s)
+                                                                      : fmt::format("sample {}", d.at_sample))
+                                     : std::string();
   auto text =
-      fmt::format("largest {} of the peak force (at {}), root mean square {}", percent(d.largest),
-                  d.at_s ? fmt::format("{:.4g} s", *d.at_s) : fmt::format("sample {}", d.at_sample), percent(d.rms));
+      fmt::format("largest {} of the peak force{}, root mean square {}", percent(d.largest), place, percent(d.rms));
   if (d.K_eff) text += ", K_eff " + percent(*d.K_eff);
   if (d.energy) text += ", energy of a cycle " + percent(*d.energy);
   return text;
@@ -149,14 +152,14 @@ std::vector<Fact> validity(Subject const& subject, UnitSystem const& units) {
     return value ? fmt::format("up to {:.4g} {}/s", units.from_mm(*value), units.length.symbol)
                  : std::string("not stated");
   };
-  return {{"Fitted to", f.part.empty() ? "the whole tests" : f.part + " of the tests alone"},
+  return {{"Fitted to", study::part_text(f.part)},
           {"Displacement fitted", fmt::format("up to {:.4g} {}", units.from_mm(f.disp_mm), units.length.symbol)},
-          {"Velocity fitted", speed(f.v_max_mm_s)},
+          {"Velocity fitted", speed(f.vel_mm_s)},
           {"Displacement tested", fmt::format("up to {:.4g} {}", units.from_mm(t.disp_mm), units.length.symbol)},
           {"Shear strain tested",
            t.strain_percent ? fmt::format("up to {:.4g} %", *t.strain_percent) : std::string("not stated")},
           {"Frequency tested", range_of(t.lowest_Hz, t.highest_Hz, "Hz")},
-          {"Velocity tested", speed(t.v_max_mm_s)},
+          {"Velocity tested", speed(t.vel_mm_s)},
           {"Vertical load tested", range_of(load(t.load_min_kN), load(t.load_max_kN), units.force.symbol)},
           {"Temperature", range_of(t.temperature_min_C, t.temperature_max_C, "C")}};
 }

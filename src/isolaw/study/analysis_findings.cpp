@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "isolaw/study/adequacy.hpp"
+#include "isolaw/study/build_analysis.hpp"
 #include "isolaw/study/spoken.hpp"
 
 namespace isolaw::study {
@@ -84,14 +86,19 @@ void say_what_changed(Summary const& summary, Names& sentences) {
 }
 
 void say_what_an_engineer_meets(Summary const& summary, Names& sentences) {
-  LawResult const* best = nullptr;
-  for (auto const& law : summary.laws)
-    if (law.loo_objective && law.prediction_holds() && (best == nullptr || *law.loo_objective < *best->loo_objective))
-      best = &law;
+  LawResult const *best = nullptr, *least = nullptr;
+  for (auto const& law : summary.laws) {
+    if (!law.loo_objective) continue;
+    if (least == nullptr || *law.loo_objective < *least->loo_objective) least = &law;
+    if (!law.prediction_holds() || !inadequacy(law).empty()) continue;
+    if (best == nullptr || *law.loo_objective < *best->loo_objective) best = &law;
+  }
   if (best == nullptr) return;
   auto text = fmt::format(
-      "Taken for a device that was not tested, the lot's one law is {} wrong on average with {}, the least of all, and {} at worst ({})",
-      error_percent(*best->loo_objective), best->id, error_percent(*best->loo_worst), best->loo_worst_device);
+      "Taken for a device that was not tested, the lot's one law is {} wrong on average with {}, the least of {}, and {} at worst ({})",
+      error_percent(*best->loo_objective), best->id,
+      best == least ? "all" : "those that describe the devices and predict", error_percent(*best->loo_worst),
+      best->loo_worst_device);
   if (best->objective_converged)
     text += fmt::format("; fitted to each device itself it would be {}", error_percent(*best->objective_converged));
   sentences.push_back(text + ".");
@@ -99,24 +106,24 @@ void say_what_an_engineer_meets(Summary const& summary, Names& sentences) {
 
 void say_what_is_predicted(Summary const& summary, Names& sentences) {
   LawResult const* best = nullptr;
-  Names collapsed;
+  Names unusable;
   for (auto const& law : summary.laws) {
     if (!law.predicted_objective) continue;
-    if (law.prediction_collapses()) {
-      collapsed.push_back(law.id);
+    if (law.prediction_unusable()) {
+      unusable.push_back(law.id);
       continue;
     }
     if (best == nullptr || *law.predicted_objective < *best->predicted_objective) best = &law;
   }
   if (best == nullptr) {
-    if (!collapsed.empty())
-      sentences.push_back(fmt::format("No law fitted to some blocks predicts the others: {}.", enumerate(collapsed)));
+    if (!unusable.empty())
+      sentences.push_back(fmt::format("No law fitted to some blocks predicts the others: {}.", enumerate(unusable)));
     return;
   }
   auto text = fmt::format(
       "Of the laws fitted to some blocks, {} predicts the others best: {} (OF {:.3g} against {:.3g} where it was fitted)",
       best->id, name(*best->prediction_grade), *best->predicted_objective, *best->fitted_objective);
-  if (!collapsed.empty()) text += fmt::format("; the prediction of {} collapses", enumerate(collapsed));
+  if (!unusable.empty()) text += fmt::format("; the prediction of {} is unusable", enumerate(unusable));
   sentences.push_back(text + ".");
 }
 
@@ -140,20 +147,15 @@ void say_what_is_determined(Summary const& summary, Names& sentences) {
 
 void warn_of_prediction(LawResult const& law, std::vector<Warning>& warnings) {
   if (law.prediction_holds()) return;
-  if (!law.prediction_collapses()) {
-    warnings.push_back(
-        {"prediction",
-         fmt::format("{}: its prediction is poor: OF {:.3g} on blocks it was not fitted to ({:.3g} at worst), against "
-                     "{:.3g} on those it was fitted to",
-                     law.id, *law.predicted_objective, *law.worst_predicted, *law.fitted_objective)});
-    return;
+  auto text = fmt::format(
+      "{}: its prediction is {}: OF {:.3g} on blocks it was not fitted to ({:.3g} at worst), against {:.3g} on those it was fitted to",
+      law.id, name(*law.prediction_grade), *law.predicted_objective, *law.worst_predicted, *law.fitted_objective);
+  if (law.prediction_unusable()) {
+    auto const why = collapse(*law.fitted_objective, *law.predicted_objective, *law.worst_predicted);
+    if (!why.empty()) text += "; it collapses: " + why;
+    text += "; it is no law for other amplitudes or frequencies than those it was fitted to";
   }
-  warnings.push_back(
-      {"prediction",
-       fmt::format(
-           "{}: its prediction collapses: blocks it was not fitted to are missed {} times as far as those it was fitted to (OF {:.3g} against {:.3g}, {:.3g} at worst); it is no law for other amplitudes or frequencies than those it was fitted to",
-           law.id, plain(std::round(*law.predicted_objective / *law.fitted_objective)), *law.predicted_objective,
-           *law.fitted_objective, *law.worst_predicted)});
+  warnings.push_back({"prediction", std::move(text)});
 }
 
 void warn_of_success(Summary const& summary, std::vector<Warning>& warnings) {

@@ -16,6 +16,7 @@
 #include "isolaw/lot/robustness.hpp"
 #include "isolaw/opt/pareto.hpp"
 #include "isolaw/study/findings.hpp"
+#include "isolaw/study/spoken.hpp"
 
 namespace isolaw::study {
 namespace {
@@ -256,11 +257,12 @@ void add_prediction(LawResult& law) {
 }
 
 void add_outliers(Summary& summary) {
-  std::vector<std::string> names, units;
+  std::vector<std::string> names, units, laws;
   std::vector<std::vector<double>> values;  // [property][device]; NaN: it has none
-  auto const add = [&](std::string name, std::string unit, auto const& of) {
+  auto const add = [&](std::string name, std::string unit, std::string law, auto const& of) {
     names.push_back(std::move(name));
     units.push_back(std::move(unit));
+    laws.push_back(std::move(law));
     auto& row = values.emplace_back();
     for (auto const& device : summary.devices) row.push_back(of(device).value_or(std::nan("")));
   };
@@ -270,9 +272,9 @@ void add_outliers(Summary& summary) {
       return cycle ? std::optional((*cycle).*member) : std::nullopt;
     };
   };
-  add("effective stiffness", "kN/mm", reported(&data::Cycle::K_eff_kN_per_mm));
-  add("dissipated energy", "kN mm", reported(&data::Cycle::energy_kN_mm));
-  add("equivalent damping", "%", reported(&data::Cycle::damping_percent));
+  add("effective stiffness", "kN/mm", "", reported(&data::Cycle::K_eff_kN_per_mm));
+  add("dissipated energy", "kN mm", "", reported(&data::Cycle::energy_kN_mm));
+  add("equivalent damping", "%", "", reported(&data::Cycle::damping_percent));
   for (auto const& law : summary.laws) {
     auto const misfit = [&](std::optional<double> DeviceFit::*member) {
       return [&law, member](DeviceResult const& device) {
@@ -280,8 +282,9 @@ void add_outliers(Summary& summary) {
         return fit != nullptr ? fit->*member : std::nullopt;
       };
     };
-    add(fmt::format("misfit of {}", law.id), "", misfit(&DeviceFit::optimum));
-    add(fmt::format("misfit of {} as fitted to the other devices", law.id), "", misfit(&DeviceFit::left_out_objective));
+    add(fmt::format("misfit of {}", law.id), "", law.id, misfit(&DeviceFit::optimum));
+    add(fmt::format("misfit of {} as fitted to the other devices", law.id), "", law.id,
+        misfit(&DeviceFit::left_out_objective));
   }
   for (auto const& found : lot::find_outliers(names, values)) {
     auto const& unit = units[found.property];
@@ -290,6 +293,7 @@ void add_outliers(Summary& summary) {
     summary.outliers.push_back({.device = summary.devices[found.device].name,
                                 .property = names[found.property],
                                 .unit = unit,
+                                .law = laws[found.property],
                                 .value = found.value,
                                 .median = found.median,
                                 .score = found.score,
@@ -299,10 +303,17 @@ void add_outliers(Summary& summary) {
 
 }  // namespace
 
+std::string collapse(double fitted_objective, double predicted_objective, double worst_predicted) {
+  if (!(worst_predicted <= collapsed_objective))
+    return "one of them is missed by more than its force's standard deviation, as by a constant force";
+  if (predicted_objective < collapsed_least || predicted_objective <= collapsed_ratio * fitted_objective) return {};
+  return fitted_objective > 0.0 ? fmt::format("they are missed {} times as far as those it was fitted to",
+                                              with_decimals(predicted_objective / fitted_objective, 0))
+                                : std::string("they are missed, and those it was fitted to are not");
+}
+
 PredictionGrade graded(double fitted_objective, double predicted_objective, double worst_predicted) {
-  bool const collapses =
-      !(worst_predicted <= collapsed_objective) ||
-      (predicted_objective >= collapsed_least && predicted_objective > collapsed_ratio * fitted_objective);
+  bool const collapses = !collapse(fitted_objective, predicted_objective, worst_predicted).empty();
   if (collapses || !(predicted_objective <= poor_prediction)) return PredictionGrade::unusable;
   if (predicted_objective > fair_prediction) return PredictionGrade::poor;
   return predicted_objective > good_prediction ? PredictionGrade::fair : PredictionGrade::good;
@@ -340,13 +351,17 @@ void add_analysis(DeviceFit& made, campaign::Contents const& contents, campaign:
   }
 }
 
-void mark_front(std::vector<LawResult>& laws, Coordinate robust, Coordinate accurate, bool LawResult::*on_front) {
+std::vector<bool> front_of(std::vector<LawResult> const& laws, Coordinate robust, Coordinate accurate) {
   std::vector<double> x, y;
   for (auto const& law : laws) {
     x.push_back(robust(law).value_or(none));
     y.push_back(accurate(law).value_or(none));
   }
-  auto const front = opt::non_dominated(x, y);
+  return opt::non_dominated(x, y);
+}
+
+void mark_front(std::vector<LawResult>& laws, Coordinate robust, Coordinate accurate, bool LawResult::*on_front) {
+  auto const front = front_of(laws, robust, accurate);
   for (std::size_t i = 0; i < laws.size(); ++i) laws[i].*on_front = front[i];
 }
 

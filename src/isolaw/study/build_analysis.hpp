@@ -1,6 +1,10 @@
 // The part of a summary that rests on the analyses: what the tests determine, the lot's law, prediction.
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "isolaw/campaign/contents.hpp"
 #include "isolaw/study/summary.hpp"
 
@@ -15,6 +19,8 @@ inline constexpr double good_prediction = 0.1, fair_prediction = 0.3, poor_predi
 inline constexpr double collapsed_objective = 1.0, collapsed_ratio = 10.0, collapsed_least = 0.2;
 // docs/decision.md says why these.
 PredictionGrade graded(double fitted_objective, double predicted_objective, double worst_predicted);
+// By what such a prediction collapses, as the end of a sentence about it; empty where it does not.
+std::string collapse(double fitted_objective, double predicted_objective, double worst_predicted);
 
 // `made` is what build_summary has made of the search so far; needs its best run's forces.
 void add_analysis(DeviceFit& made, campaign::Contents const& contents, campaign::Search const& search);
@@ -24,6 +30,7 @@ void add_lot_analysis(LawResult& law, campaign::Contents const& contents);
 
 // Which laws no other law beats in both; one without a value of either is never among them.
 using Coordinate = std::optional<double> (*)(LawResult const&);
+std::vector<bool> front_of(std::vector<LawResult> const& laws, Coordinate robust, Coordinate accurate);
 void mark_front(std::vector<LawResult>& laws, Coordinate robust, Coordinate accurate, bool LawResult::*on_front);
 
 // After every law: the fronts without noise, and devices that stand apart.

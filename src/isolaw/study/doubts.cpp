@@ -5,18 +5,22 @@
 #include <algorithm>
 #include <array>
 
+#include "isolaw/base/error.hpp"
+#include "isolaw/study/build_analysis.hpp"
 #include "isolaw/study/findings.hpp"
 
 namespace isolaw::study {
 namespace {
 
-// The summary of this law and these devices alone; of records no more than warnings are made from.
+// The summary of this law and these devices alone; of records no more than warnings are made from that are not made
+// from the whole.
 Summary part_of(Summary const& summary, LawResult const& law, std::optional<std::string_view> device) {
   Summary part;
   part.runs = summary.runs;
   part.expected_runs = summary.expected_runs;
   part.analyses = summary.analyses;
   part.expected_analyses = summary.expected_analyses;
+  part.settings = summary.settings;
   part.laws.push_back(law);
   auto& own = part.laws.front();
   if (device) {
@@ -36,16 +40,19 @@ Summary part_of(Summary const& summary, LawResult const& law, std::optional<std:
     brief.properties = whole.properties;
     brief.raw.warnings = whole.raw.warnings;
     for (auto const& outlier : summary.outliers)
-      if (outlier.device == fit.device) part.outliers.push_back(outlier);
+      if (outlier.device == fit.device && (outlier.law.empty() || outlier.law == law.id))
+        part.outliers.push_back(outlier);
   }
   return part;
 }
 
 std::string prediction_of(LawResult const& law) {
   if (!law.prediction_grade) return "not asked for: no block of the tests was kept from the fit";
+  auto const why = collapse(*law.fitted_objective, *law.predicted_objective, *law.worst_predicted);
   return fmt::format(
-      "{}: objective {:.3g} on the blocks it was not fitted to ({:.3g} at worst), {:.3g} on those it was",
-      name(*law.prediction_grade), *law.predicted_objective, *law.worst_predicted, *law.fitted_objective);
+      "{}: objective {:.3g} on the blocks it was not fitted to ({:.3g} at worst), {:.3g} on those it was{}",
+      name(*law.prediction_grade), *law.predicted_objective, *law.worst_predicted, *law.fitted_objective,
+      why.empty() ? "" : "; it collapses: " + why);
 }
 
 }  // namespace
@@ -55,11 +62,31 @@ Doubts doubts(Summary const& summary, std::string_view law, std::optional<std::s
   // How the search went on its way there says nothing against what it found.
   constexpr std::array<std::string_view, 1> passed_over{"failed evaluations"};
   Doubts made;
-  for (auto& [topic, sentence] : warnings(part_of(summary, whole, device)))
+  for (auto& [topic, sentence] : warnings(summary, part_of(summary, whole, device)))
     if (std::ranges::find(passed_over, topic) == passed_over.end()) made.warnings.push_back(std::move(sentence));
   made.prediction = prediction_of(whole);
-  if (whole.prediction_collapses()) made.objection = "its prediction is " + made.prediction;
+  if (whole.prediction_unusable()) made.objection = "its prediction is " + made.prediction;
   return made;
+}
+
+std::string whose(std::string_view law, std::optional<std::string_view> device) {
+  return fmt::format("law {}, {}", law, device ? fmt::format("device '{}'", *device) : std::string("the lot"));
+}
+
+void require_taken(Doubts const& doubts, std::string const& where, bool anyway) {
+  if (!doubts.objection.empty() && !anyway)
+    throw Error({.where = where,
+                 .found = doubts.objection,
+                 .allowed = "a law that predicts",
+                 .advice = "another law, or --anyway"});
+}
+
+std::string let_through(std::string_view objection) {
+  return fmt::format("let through: {}", objection);
+}
+
+std::string part_text(std::string_view part) {
+  return part.empty() ? std::string("the whole tests") : fmt::format("{} of the tests alone", part);
 }
 
 }  // namespace isolaw::study

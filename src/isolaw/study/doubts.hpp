@@ -22,4 +22,15 @@ struct Doubts {
 // Of the law on one device; without a device, of the one law of the lot.
 Doubts doubts(Summary const& summary, std::string_view law, std::optional<std::string_view> device);
 
+// "law bouc-wen, device 'a'", "law bouc-wen, the lot": whose parameters are taken.
+std::string whose(std::string_view law, std::optional<std::string_view> device);
+
+// Throws Error where there is an objection and the law is not taken anyway; `where` is whose().
+void require_taken(Doubts const& doubts, std::string const& where, bool anyway);
+// How each of them is said where it is.
+std::string let_through(std::string_view objection);
+
+// What of the tests a law was fitted to, in words: `part` is that of data::Selection, empty for all.
+std::string part_text(std::string_view part);
+
 }  // namespace isolaw::study

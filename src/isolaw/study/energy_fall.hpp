@@ -12,7 +12,7 @@
 namespace isolaw::study {
 
 // Of the block where most is lost, of those of eight counted cycles or more; nullopt where none loses a tenth steadily:
-// a quarter of it or more in the second half of the cycles. `force_kN` is the law's at the record's samples.
+// a quarter of it or more in either half of the cycles. `force_kN` is the law's at the record's samples.
 std::optional<EnergyFall> energy_fall(data::Properties const& measured, data::FitRecord const& record,
                                       std::vector<double> const& force_kN);
 

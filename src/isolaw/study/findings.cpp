@@ -11,6 +11,7 @@
 #include "isolaw/base/printable.hpp"
 #include "isolaw/study/adequacy.hpp"
 #include "isolaw/study/analysis_findings.hpp"
+#include "isolaw/study/build_analysis.hpp"
 #include "isolaw/study/energy_fall.hpp"
 #include "isolaw/study/spoken.hpp"
 
@@ -38,11 +39,7 @@ std::string capitalised(std::string text) {
   return text;
 }
 
-// What the objective and beta say of a law, in words.
-std::string accuracy(LawResult const& law) {
-  return fmt::format("misses the measured force by {} of its standard deviation on average", error_percent(law));
-}
-
+// What beta says of a law, in words; miss_text() is what the objective says.
 std::string scatter(LawResult const& law) {
   return fmt::format("parameters lie up to {} from the lot's mean, averaged over the parameters", percent(*law.beta));
 }
@@ -51,20 +48,43 @@ std::string scatter(LawResult const& law) {
 std::string caution(LawResult const& law) {
   std::string text;
   if (auto const held = pinned(law); held.decides())
-    text += fmt::format(
-        " {} of its {} parameters lie at a bound on most devices: there the box keeps them together, not the devices.",
-        held.count, held.calibrated);
+    text += fmt::format(" {}: there the box keeps them together, not the devices.", held.text());
   if (!law.prediction_holds())
-    text += fmt::format(" Its prediction {}: only for the blocks it was fitted to.",
-                        law.prediction_collapses() ? "collapses" : "is poor");
+    text += fmt::format(" Its prediction is {}: only for the blocks it was fitted to.", name(*law.prediction_grade));
   return text;
 }
 
-// The place of the front's robust end: its last law that is not held together by its box, or the last of all.
+// Whether a law may be taken at all, and is compared with the others: identified, and near enough to the devices.
+bool describes(LawResult const& law) {
+  return law.objective.mean && inadequacy(law).empty();
+}
+
+// What "the most accurate law" and the like are said of, where others are no choice.
+std::string_view among(Summary const& summary) {
+  bool const all = std::ranges::all_of(summary.laws, [](auto const& law) { return inadequacy(law).empty(); });
+  return all ? "" : " of those that describe the devices";
+}
+
+// The front of the laws that describe the devices: one that does not is no choice, whatever it beats.
+std::vector<bool> front_among_adequate(Summary const& summary) {
+  return front_of(
+      summary.laws, [](auto const& law) { return describes(law) ? law.beta : std::nullopt; },
+      [](auto const& law) { return law.objective.mean; });
+}
+
+// The same without the optimiser's noise.
+std::vector<bool> converged_among_adequate(Summary const& summary) {
+  return front_of(
+      summary.laws, [](auto const& law) { return describes(law) ? law.beta_converged : std::nullopt; },
+      [](auto const& law) { return law.objective_converged; });
+}
+
+// The place of the front's robust end: its last law that is not held together by its box. Where all but the most
+// accurate one are, that one's, and the front has no robust end.
 std::size_t robust_end(Summary const& summary, std::vector<std::size_t> const& front) {
-  for (std::size_t place = front.size(); place-- > 0;)
+  for (std::size_t place = front.size(); place-- > 1;)
     if (!pinned(summary.laws[front[place]]).decides()) return place;
-  return front.size() - 1;
+  return 0;
 }
 
 // Of the laws between the ends of the front, the place of the one nearest to having the best of both, each measured by
@@ -73,6 +93,7 @@ std::size_t robust_end(Summary const& summary, std::vector<std::size_t> const& f
 std::size_t compromise(Summary const& summary, std::vector<std::size_t> const& front) {
   auto const& laws = summary.laws;
   bool const analysed = std::ranges::any_of(laws, &LawResult::on_front_converged);
+  auto const without_noise = converged_among_adequate(summary);
   auto best = front.size();
   double least = std::numeric_limits<double>::infinity();
   auto const end = robust_end(summary, front);
@@ -82,9 +103,8 @@ std::size_t compromise(Summary const& summary, std::vector<std::size_t> const& f
         (*law.objective.mean - *accurate.objective.mean) / (*robust.objective.mean - *accurate.objective.mean);
     double const scatter = (*law.beta - *robust.beta) / (*accurate.beta - *robust.beta);
     double const distance = std::hypot(error, scatter);
-    if (pinned(law).decides() || !law.prediction_holds() || (analysed && !law.on_front_converged) ||
-        !(distance < least))
-      continue;
+    bool const leaves = analysed && !law.on_front_converged && !without_noise[front[place]];
+    if (pinned(law).decides() || !law.prediction_holds() || leaves || !(distance < least)) continue;
     least = distance;
     best = place;
   }
@@ -97,20 +117,22 @@ LawVerdict front_verdict(Summary const& summary, std::vector<std::size_t> const&
   LawVerdict verdict{front[place], Role::between, {}, {}};
   if (place > 0 && pinned(law).decides()) {
     verdict.role = Role::held_by_box;
-    verdict.sentence = fmt::format("{}; its {}.", capitalised(accuracy(law)), scatter(law));
-  } else if (front.size() == 1) {
+    verdict.sentence = fmt::format("{}; its {}.", capitalised(miss_text(law)), scatter(law));
+  } else if (front.size() == 1 && !pinned(law).decides()) {
     verdict.role = Role::best_of_both;
-    verdict.sentence =
-        fmt::format("No law is more accurate and none is more robust: it {}, and its {}.", accuracy(law), scatter(law));
+    verdict.sentence = fmt::format("No law{} is more accurate and none is more robust: it {}, and its {}.",
+                                   among(summary), miss_text(law), scatter(law));
   } else if (place == 0) {
     verdict.role = Role::most_accurate;
-    verdict.sentence = fmt::format("{}; its {}.", capitalised(accuracy(law)), scatter(law));
+    verdict.sentence = fmt::format("{}; its {}.", capitalised(miss_text(law)), scatter(law));
   } else if (place == robust_end(summary, front)) {
     auto const& accurate = laws[front.front()];
     verdict.role = Role::most_robust;
     verdict.sentence = fmt::format("Its {}, the least {}; the price is an error of {} against {} for {}.", scatter(law),
-                                   place + 1 == front.size() ? "of all" : "that no box keeps so", error_percent(law),
-                                   error_percent(accurate), accurate.id);
+                                   place + 1 < front.size() ? "that no box keeps so"
+                                   : among(summary).empty() ? "of all"
+                                                            : among(summary).substr(1),
+                                   error_percent(law), error_percent(accurate), accurate.id);
   } else {
     auto const& accurate = laws[front[place - 1]];
     auto const& robust = laws[front[place + 1]];
@@ -135,12 +157,14 @@ LawVerdict dominated_verdict(Summary const& summary, std::vector<std::size_t> co
   return verdict;
 }
 
-LawVerdict unranked_verdict(LawResult const& law, std::size_t index, LawResult const& best) {
+LawVerdict unranked_verdict(Summary const& summary, std::size_t index, LawResult const& best) {
+  auto const& law = summary.laws[index];
   LawVerdict verdict{index, Role::unranked, {}, {}};
   if (!law.objective.mean) {
     verdict.sentence = "was not identified on any device.";
   } else if (&law == &best) {
-    verdict.sentence = fmt::format("{}, the least of all.{}", accuracy(law), caution(law));
+    verdict.sentence = fmt::format("{}, the least {}.{}", miss_text(law),
+                                   among(summary).empty() ? "of all" : among(summary).substr(1), caution(law));
   } else {
     verdict.sentence = fmt::format("has a mean error of {}, {} times that of {}.", error_percent(law),
                                    with_decimals(*law.objective.mean / *best.objective.mean, 2), best.id);
@@ -148,25 +172,26 @@ LawVerdict unranked_verdict(LawResult const& law, std::size_t index, LawResult c
   return verdict;
 }
 
-std::string headline(Summary const& summary, std::vector<std::size_t> const& front,
-                     std::vector<std::size_t> const& ranking) {
+// `best`: the most accurate law that describes the devices; the laws' number where there is none.
+std::string headline(Summary const& summary, std::vector<std::size_t> const& front, std::size_t best) {
   auto const& laws = summary.laws;
   auto const flagged = [&](std::size_t index) {
     auto const& law = laws[index];
     return law.id +
-           (law.prediction_collapses() ? ", whose prediction collapses"
-            : law.prediction_holds()   ? ""
-                                       : ", whose prediction is poor") +
+           (law.prediction_holds() ? "" : fmt::format(", whose prediction is {}", name(*law.prediction_grade))) +
            (pinned(law).decides() ? ", which its box holds together" : "");
   };
+  if (front.size() == 1 && pinned(laws[front[0]]).decides())
+    return fmt::format("{} is the most accurate law{}; how robust it is cannot be said.{}", laws[front[0]].id,
+                       among(summary), caution(laws[front[0]]));
   if (front.size() == 1)
-    return fmt::format("{} is both the most accurate and the most robust law.{}", laws[front[0]].id,
+    return fmt::format("{} is both the most accurate and the most robust law{}.{}", laws[front[0]].id, among(summary),
                        caution(laws[front[0]]));
   if (front.size() > 1) {
     auto const middle = compromise(summary, front), end = robust_end(summary, front);
     if (end == 0)
-      return fmt::format("{} is the most accurate law; what is more robust is held together by its box.{}",
-                         laws[front[0]].id, caution(laws[front[0]]));
+      return fmt::format("{} is the most accurate law{}; what scatters less is held together by its box.{}",
+                         laws[front[0]].id, among(summary), caution(laws[front[0]]));
     auto const held = std::ranges::count_if(
         front, [&](std::size_t law) { return law != front[0] && law != front[end] && pinned(laws[law]).decides(); });
     return fmt::format(
@@ -177,11 +202,13 @@ std::string headline(Summary const& summary, std::vector<std::size_t> const& fro
             ? "; none between them holds up (off the front without the optimiser's noise, held by its box, or its prediction does not hold)"
             : "");
   }
+  if (best < laws.size())
+    return fmt::format("{} is the most accurate law{}; how robust it is cannot be said.{}", laws[best].id,
+                       among(summary), caution(laws[best]));
+  auto const ranking = by_objective(summary);
   if (ranking.empty() || !laws[ranking.front()].objective.mean) return "No law could be identified.";
-  if (auto const& nearest = laws[ranking.front()]; !inadequacy(nearest).empty())
-    return fmt::format("No law describes these devices: {}, the nearest, {}.", nearest.id, inadequacy(nearest));
-  return fmt::format("{} is the most accurate law; how robust it is cannot be said.{}", laws[ranking.front()].id,
-                     caution(laws[ranking.front()]));
+  auto const& nearest = laws[ranking.front()];
+  return fmt::format("No law describes these devices: {}, the nearest, {}.", nearest.id, inadequacy(nearest));
 }
 
 void warn_of_missing_runs(Summary const& summary, std::vector<Warning>& warnings) {
@@ -196,8 +223,8 @@ void warn_of_missing_runs(Summary const& summary, std::vector<Warning>& warnings
 }
 
 // A record under two names counts twice, and makes parameters look less scattered than they are. Of a device that takes
-// no part the file says so, of others the samples.
-void warn_of_copies(Summary const& summary, std::vector<Warning>& warnings) {
+// no part the file says so, of others the samples. Those that a device of `part` is among.
+void warn_of_copies(Summary const& summary, Summary const& part, std::vector<Warning>& warnings) {
   std::vector<std::vector<DeviceResult const*>> groups;  // devices of one record each
   for (auto const& device : summary.devices) {
     if (device.raw.size() == 0 && device.sha256.empty()) continue;
@@ -216,6 +243,9 @@ void warn_of_copies(Summary const& summary, std::vector<Warning>& warnings) {
     if (group.size() < 2) continue;
     Names names;
     for (auto const* device : group) names.push_back(device->name);
+    if (std::ranges::none_of(part.devices,
+                             [&](auto const& device) { return std::ranges::find(names, device.name) != names.end(); }))
+      continue;
     warnings.push_back(
         {"copies", fmt::format("{} hold the same record{}", enumerate(names),
                                group.front()->raw.size() == 0
@@ -231,7 +261,14 @@ void warn_of_devices(Summary const& summary, std::vector<Warning>& warnings) {
       warnings.push_back({"refused", fmt::format("{} was refused: {}", device.name, on_one_line(device.message))});
 }
 
-// A device that loses energy from cycle to cycle while no law does: the laws hold for a mean of its cycles.
+// What is done already is no advice.
+bool is_given(Summary const& summary, std::string_view setting) {
+  auto const found = std::ranges::find(summary.settings, setting, &Setting::key);
+  return found != summary.settings.end() && found->json != "\"all\"" && found->json != "\"\"";
+}
+
+// A device that loses energy from cycle to cycle while no law does: the laws hold for a mean of its cycles. Of a law
+// alone that is said whatever others do.
 void warn_of_degradation(Summary const& summary, std::vector<Warning>& warnings) {
   for (auto const& device : summary.devices) {
     EnergyFall const* nearest = nullptr;
@@ -246,12 +283,20 @@ void warn_of_degradation(Summary const& summary, std::vector<Warning>& warnings)
       of = &law;
     }
     if (nearest == nullptr || followed) continue;
+    auto const own = percent(std::max(0.0, nearest->percent) / 100.0);
+    auto const who =
+        summary.laws.size() == 1
+            ? fmt::format("{} does not follow this degradation over cycles (its own falls by {}): it is right", of->id,
+                          own)
+            : fmt::format("no law follows this degradation over cycles ({} comes nearest, with {}): each is right",
+                          of->id, own);
     warnings.push_back(
         {"degradation",
-         fmt::format(
-             "{}: the energy of a cycle falls by {} from cycle {} to {} of block {}, and no law follows this degradation over cycles ({} comes nearest, with {}): each is right for some cycles in between; --fit-cycles fits to the first or to the last ones",
-             device.name, percent(nearest->measured_percent / 100.0), nearest->first_cycle, nearest->last_cycle,
-             nearest->block, of->id, percent(std::max(0.0, nearest->percent) / 100.0))});
+         fmt::format("{}: the energy of a cycle falls by {} from cycle {} to {} of block {}, and {} for "
+                     "some cycles in between{}",
+                     device.name, percent(nearest->measured_percent / 100.0), nearest->first_cycle, nearest->last_cycle,
+                     nearest->block, who,
+                     is_given(summary, "fit-cycles") ? "" : "; --fit-cycles fits to the first or to the last ones")});
   }
 }
 
@@ -324,12 +369,11 @@ void warn_of_bounds(LawResult const& law, std::vector<Warning>& warnings) {
 void warn_of_adequacy(LawResult const& law, std::vector<Warning>& warnings) {
   if (auto const why = inadequacy(law); !why.empty())
     warnings.push_back({"not adequate", fmt::format("{} does not describe the devices: it {}", law.id, why)});
-  if (auto const held = pinned(law); held.decides() && law.devices.size() > 1)
-    warnings.push_back(
-        {"at bound",
-         fmt::format(
-             "{}: {} of its {} parameters lie at a bound on half of the devices or more, so that its beta is no robustness",
-             law.id, held.count, held.calibrated)});
+}
+
+void warn_of_held(LawResult const& law, std::vector<Warning>& warnings) {
+  if (auto const held = pinned(law); held.decides())
+    warnings.push_back({"at bound", fmt::format("{}: {}, so that its beta is no robustness", law.id, held.text())});
 }
 
 void warn_of_integration(LawResult const& law, std::vector<Warning>& warnings) {
@@ -390,15 +434,17 @@ std::string_view name(Role role) {
   return names[static_cast<std::size_t>(role)];
 }
 
-std::vector<Warning> warnings(Summary const& summary) {
+std::vector<Warning> warnings(Summary const& whole, Summary const& summary) {
   std::vector<Warning> all;
   warn_of_missing_runs(summary, all);
   warn_of_devices(summary, all);
-  warn_of_copies(summary, all);
+  warn_of_copies(whole, summary, all);
   warn_of_degradation(summary, all);
   for (auto const warn : {warn_of_refused_laws, warn_of_failed_runs, warn_of_failed_evaluations})
     for (auto const& law : summary.laws) warn(law, all);
-  for (auto const& law : summary.laws) warn_of_adequacy(law, all);
+  for (auto const& law : whole.laws)
+    if (std::ranges::find(summary.laws, law.id, &LawResult::id) != summary.laws.end()) warn_of_adequacy(law, all);
+  for (auto const& law : summary.laws) warn_of_held(law, all);
   warn_of_analysis(summary, all);
   for (auto const warn : {warn_of_bounds, warn_of_integration})
     for (auto const& law : summary.laws) warn(law, all);
@@ -406,26 +452,33 @@ std::vector<Warning> warnings(Summary const& summary) {
   return all;
 }
 
+std::vector<Warning> warnings(Summary const& summary) {
+  return warnings(summary, summary);
+}
+
 Findings findings(Summary const& summary) {
   auto const ranking = by_objective(summary);
+  auto const on_front = front_among_adequate(summary);
+  auto const adequate = std::ranges::find_if(ranking, [&](std::size_t law) { return describes(summary.laws[law]); });
+  auto const best = adequate != ranking.end() ? *adequate : summary.laws.size();
   std::vector<std::size_t> front, dominated, inadequate, unranked;
   for (std::size_t const index : ranking) {
     auto const& law = summary.laws[index];
     (!inadequacy(law).empty() ? inadequate
      : !ranked(law)           ? unranked
-     : law.on_front           ? front
+     : on_front[index]        ? front
                               : dominated)
         .push_back(index);
   }
   Findings all;
-  all.headline = headline(summary, front, ranking);
+  all.headline = headline(summary, front, best);
   for (std::size_t place = 0; place < front.size(); ++place)
     all.verdicts.push_back(front_verdict(summary, front, place));
   for (std::size_t const index : dominated) all.verdicts.push_back(dominated_verdict(summary, front, index));
   for (std::size_t const index : inadequate)
     all.verdicts.push_back({index, Role::inadequate, inadequacy(summary.laws[index]) + ".", {}});
   for (std::size_t const index : unranked) {
-    auto verdict = unranked_verdict(summary.laws[index], index, summary.laws[ranking.front()]);
+    auto verdict = unranked_verdict(summary, index, summary.laws[best < summary.laws.size() ? best : ranking.front()]);
     auto const& note = summary.laws[index].beta_note;
     if (!front.empty() && !note.empty()) verdict.sentence += fmt::format(" No beta: {}.", note);
     all.verdicts.push_back(std::move(verdict));

@@ -37,8 +37,8 @@ struct LawVerdict {
 };
 
 struct Warning {
-  // "not complete", "refused", "copies", "degradation", "law not identified", "failed runs", "not adequate",
-  // "prediction", "search", "undetermined", "outlier", "at bound", "integration", "record"
+  // "not complete", "refused", "copies", "degradation", "law not identified", "failed runs", "failed evaluations",
+  // "not adequate", "prediction", "search", "undetermined", "outlier", "at bound", "integration", "record"
   std::string topic;
   std::string sentence;
 };
@@ -54,6 +54,9 @@ struct Findings {
 Findings findings(Summary const& summary);
 // Its warnings alone.
 std::vector<Warning> warnings(Summary const& summary);
+// Of some of its laws and devices alone; what only the whole can tell, copies and whether a law describes the devices,
+// is taken from there.
+std::vector<Warning> warnings(Summary const& whole, Summary const& part);
 
 // Delta_n of the law's n-th parameter over the devices, as a fraction; empty when undefined or not calibrated.
 std::optional<double> largest_difference(LawResult const& law, std::size_t parameter);

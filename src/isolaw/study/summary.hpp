@@ -137,7 +137,7 @@ struct LawResult {
 
   // False where blocks are predicted, and worse than fairly.
   bool prediction_holds() const { return !prediction_grade || *prediction_grade <= PredictionGrade::fair; }
-  bool prediction_collapses() const { return prediction_grade == PredictionGrade::unusable; }
+  bool prediction_unusable() const { return prediction_grade == PredictionGrade::unusable; }
 };
 
 struct DeviceResult {
@@ -159,6 +159,7 @@ struct DeviceResult {
 // A device that stands apart from its lot, and by what.
 struct OutlyingDevice {
   std::string device, property, unit;
+  std::string law;  // whose misfit the property is; empty: it is the device's own
   double value = 0.0, median = 0.0, score = 0.0, percent = 0.0;
 };
 

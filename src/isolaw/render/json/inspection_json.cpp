@@ -52,7 +52,7 @@ std::string inspection_json(Summary const& summary) {
       out.end_object();
     }
     out.end_array();
-    write_warnings(out, findings(summary).warnings);
+    write_warnings(out, warnings(summary));
   }
   out.key("assessment");
   write_acceptance(out, summary.acceptance);

@@ -125,7 +125,7 @@ std::string summary_json(Summary const& summary) {
   write_outliers(out.key("outliers"), summary.outliers, Digits::all);
   auto const runs = summary.missing_runs(), analyses = summary.missing_analyses();
   write_members(out, "complete", runs == 0 && analyses == 0, "missing_runs", runs, "missing_analyses", analyses);
-  write_warnings(out, findings(summary).warnings);
+  write_warnings(out, warnings(summary));
   out.end_object();
   return out.take() + "\n";
 }

@@ -29,16 +29,15 @@ std::string converged_csv(Summary const& summary) {
   constexpr auto of_lot =
       columns(lot_law_results, {"mean_objective", "worst_objective", "least_worst_objective", "least_worst_bound"});
   constexpr auto blocks = columns(law_results, {"left_out_of_beta", "fitted_objective", "predicted_objective"});
-  constexpr auto collapse = columns(law_results, {"prediction_collapses"});
+  constexpr auto grade = columns(law_results, {"prediction_grade"});
   constexpr auto note = columns(law_results, {"beta_converged_note"});
   CsvTable table;
-  table.head(of_law).head(of_lot).head(blocks).head(collapse).head(note).end_row();
+  table.head(of_law).head(of_lot).head(blocks).head(grade).head(note).end_row();
   for (auto const& law : summary.laws) {
     table.cells(of_law, law);
     law.lot ? table.cells(of_lot, *law.lot) : table.empty(of_lot.size());
     table.cells(blocks, law);
-    law.predicted_objective ? table.cells(collapse, law) : table.empty(1);
-    table.cells(note, law).end_row();
+    table.cells(grade, law).cells(note, law).end_row();
   }
   return table.take();
 }
