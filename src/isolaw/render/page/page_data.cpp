@@ -287,7 +287,8 @@ void write_thresholds(JsonWriter& out) {
   out.member("found_within", found_within).member("determined_within", analysis::determined_within);
   out.member("weakly_determined_within", analysis::weakly_determined_within);
   out.member("good_prediction", good_prediction).member("fair_prediction", fair_prediction);
-  out.member("poor_prediction", poor_prediction);
+  out.member("poor_prediction", poor_prediction).member("collapsed_objective", collapsed_objective);
+  out.member("collapsed_ratio", collapsed_ratio).member("collapsed_least", collapsed_least);
   out.end_object();
 }
 
@@ -325,6 +326,7 @@ void write_all_headings(JsonWriter& out) {
   write_headings(out, "levels", level_results);
   write_headings(out, "assessments", assessment_results);
   write_headings(out, "quantities", quantity_results);
+  write_headings(out, "test_factors", test_factor_results);
   write_headings(out, "lot_outliers", lot_outlier_results);
   write_headings(out, "factors", factor_results);
   out.end_object().key("followed").begin_array();

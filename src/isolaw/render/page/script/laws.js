@@ -2,7 +2,7 @@
 
 import { element } from './dom.js';
 import { colourOf, isAgain } from './plotting.js';
-import { laws } from './report.js';
+import { laws, report } from './report.js';
 import { enumerate } from './text.js';
 
 export function lawKey(law) {
@@ -16,7 +16,7 @@ function predictionBadge(law) {
   return element(
     'span',
     { class: 'badge', title: 'misses the blocks it was not fitted to: see Prediction across the record' },
-    law.prediction_collapses ? 'prediction collapses' : 'prediction poor',
+    'prediction ' + law.prediction_grade,
   );
 }
 
@@ -41,7 +41,16 @@ export function withBadges(text) {
   return parts;
 }
 
-export function collapseNote(among) {
-  const names = among.filter((law) => law.prediction_collapses).map((law) => law.id);
-  return names.length > 0 ? ' Prediction across the record collapses: ' + enumerate(names) + '.' : '';
+export function predictionNote(among) {
+  const graded = (grade) => among.filter((law) => law.prediction_grade === grade).map((law) => law.id);
+  const parts = ['unusable', 'poor'].filter((grade) => graded(grade).length > 0);
+  return parts.length > 0
+    ? ' Prediction across the record: ' + parts.map((grade) => grade + ' of ' + enumerate(graded(grade))).join('; ') + '.'
+    : '';
 }
+
+// Those that do not describe the devices, however they compare.
+const inadequate = new Set(
+  report.findings.verdicts.filter((verdict) => verdict.role === 'not adequate').map((verdict) => verdict.law),
+);
+export const isInadequate = (law) => inadequate.has(law.index);

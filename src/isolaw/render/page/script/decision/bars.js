@@ -1,4 +1,4 @@
-import { collapseNote } from '../laws.js';
+import { predictionNote } from '../laws.js';
 import { lawsByObjective, report, resultColumns } from '../report.js';
 import { plain } from '../text.js';
 import { hasFront } from '../views.js';
@@ -10,7 +10,7 @@ export const objectiveBarsFigure = {
   wanted: () => !hasFront && lawsByObjective.length > 0,
   caption: () =>
     'Shorter is more accurate. Accuracy alone decides here, because the robustness index is undefined: ' +
-    report.findings.beta_note + '.' + collapseNote(lawsByObjective),
+    report.findings.beta_note + '.' + predictionNote(lawsByObjective),
   csv: () => {
     const { columns, cells } = resultColumns('laws', ['id', 'objective']);
     return { columns, rows: lawsByObjective.map(cells) };

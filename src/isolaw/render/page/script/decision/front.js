@@ -1,9 +1,9 @@
 import { choose, chosen, onChoice } from '../choice.js';
 import { element } from '../dom.js';
 import { labelPlaces } from '../labels.js';
-import { collapseNote } from '../laws.js';
+import { isInadequate, predictionNote } from '../laws.js';
 import { paddedRange } from '../plotting.js';
-import { laws, ranking } from '../report.js';
+import { laws, ranking, resultColumns } from '../report.js';
 import { enumerate, plain } from '../text.js';
 import { VIEWS, hasFront, isPlaced } from '../views.js';
 
@@ -17,21 +17,27 @@ export const frontFigure = {
   depends: ['view'],
   controls: VIEWS.length > 1 ? viewControl : null,
   caption: frontCaption,
-  csv: () => ({
-    columns: [
-      'law',
-      ...VIEWS.flatMap((view) => [...view.columns, 'on front ' + view.title.replace('\u2019', "'")]),
-      'prediction collapses',
-    ],
-    rows: ranking.map((law) => [
-      law.id,
-      ...VIEWS.flatMap((view) => [view.robust(law), view.accurate(law), view.onFront(law) ? 'yes' : 'no']),
-      law.prediction_collapses ? 'yes' : 'no',
-    ]),
-  }),
+  csv: frontData,
   height: () => FRONT_HEIGHT,
   draw: drawFront,
 };
+
+function frontData() {
+  const name = resultColumns('laws', ['id']),
+    grade = resultColumns('laws', ['prediction_grade']);
+  return {
+    columns: [
+      ...name.columns,
+      ...VIEWS.flatMap((view) => [...view.columns, 'on front ' + view.title.replace('\u2019', "'")]),
+      ...grade.columns,
+    ],
+    rows: ranking.map((law) => [
+      ...name.cells(law),
+      ...VIEWS.flatMap((view) => [view.robust(law), view.accurate(law), view.onFront(law) ? 'yes' : 'no']),
+      ...grade.cells(law),
+    ]),
+  };
+}
 
 const shownView = () => VIEWS.find((view) => view.id === chosen.view);
 
@@ -52,15 +58,23 @@ function viewControl() {
 function frontCaption() {
   const view = shownView();
   const placed = laws.filter((law) => isPlaced(view, law));
-  const dominated = ranking.filter((law) => placed.includes(law) && !view.onFront(law)).map((law) => law.id);
+  const crossed = placed.filter(isInadequate).map((law) => law.id);
+  const dominated = ranking
+    .filter((law) => placed.includes(law) && !view.onFront(law) && !isInadequate(law))
+    .map((law) => law.id);
   const missing = ranking.filter((law) => !placed.includes(law));
   const leftOut = view.id !== 'converged' ? [] : placed.filter((law) => law.left_out_of_beta.length > 0);
   const reduced = view.id !== 'converged' ? [] : placed.filter((law) => law.reduced).map((law) => law.id);
   return (
     'Each point is a law; ' + view.says + ' No law lies both below and left of a filled green point' +
+    (crossed.length > 0 ? ', nor of a crossed one on the line' : '') +
     (dominated.length > 0
       ? '; ' + enumerate(dominated) + (dominated.length === 1 ? ' is' : ' are') + ' beaten in both respects.'
       : '.') +
+    (crossed.length > 0
+      ? ' A cross marks a law that does not describe the devices: ' + enumerate(crossed) +
+        '. What they alone beat is judged without them.'
+      : '') +
     (leftOut.length > 0
       ? ' Left out of β: ' + leftOut.map((law) => enumerate(law.left_out_of_beta) + ' of ' + law.id).join('; ') + '.'
       : '') +
@@ -69,13 +83,15 @@ function frontCaption() {
       ? ' Not shown: ' +
         missing.map((law) => law.id + (view.whyNot(law) ? ' (' + view.whyNot(law) + ')' : '')).join('; ') + '.'
       : '') +
-    collapseNote(placed)
+    predictionNote(placed)
   );
 }
 
 function drawFront(look, width) {
   const view = shownView();
   const shown = laws.filter((law) => isPlaced(view, law));
+  const adequate = shown.filter((law) => !isInadequate(law)),
+    crossed = shown.filter(isInadequate);
   const height = FRONT_HEIGHT;
   const edge = shown.filter(view.onFront).sort((a, b) => view.robust(a) - view.robust(b));
   const xRange = paddedRange(shown.map(view.robust), 0.13),
@@ -88,8 +104,8 @@ function drawFront(look, width) {
     width - 70,
     height - 85,
   );
-  const points = (onFront, name, symbol, colour) => {
-    const some = shown.filter((law) => view.onFront(law) === onFront);
+  const points = (some, name, symbol, colour) => {
+    const onFront = symbol === 'circle';
     return {
       name,
       x: some.map(view.robust),
@@ -113,8 +129,9 @@ function drawFront(look, width) {
         x: edge.map(view.robust), y: edge.map(view.accurate), mode: 'lines', hoverinfo: 'skip', showlegend: false,
         opacity: 0.55, line: { shape: 'hv', width: 1.2, dash: 'dot', color: look.colour('good') },
       },
-      points(true, 'not dominated', 'circle', 'good'),
-      points(false, 'dominated', 'diamond-open', 'poor'),
+      points(adequate.filter(view.onFront), 'not dominated', 'circle', 'good'),
+      points(adequate.filter((law) => !view.onFront(law)), 'dominated', 'diamond-open', 'poor'),
+      ...(crossed.length > 0 ? [points(crossed, 'not adequate', 'x-thin', 'poor')] : []),
     ],
     layout: {
       showlegend: true,

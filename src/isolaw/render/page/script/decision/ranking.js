@@ -26,7 +26,8 @@ function rankingData() {
   const ofLaw = resultColumns('laws', ['id', 'objective', 'beta', 'on_front', 'success_share']);
   const errors = resultColumns('fits', ['K_eff_error_percent', 'energy_error_percent']);
   return {
-    columns: [...ofLaw.columns, ...errors.columns],
+    // Of a law its mean over the devices, where a fit has its own error, with its sign.
+    columns: [...ofLaw.columns, ...errors.columns.map((column) => 'mean magnitude of ' + column)],
     rows: lawsByObjective.map((law) => [...ofLaw.cells(law), ...errors.cells(law)]),
   };
 }

@@ -89,8 +89,7 @@ function lotData() {
   const { columns, cells } = resultColumns('quantities');
   return {
     columns: [
-      ...columns, 'without', 'lambda_test min', 'min cycle', 'lambda_test max', 'max cycle', 'limit on the mean', 'verdict',
-      'reason',
+      ...columns, 'without', ...resultColumns('test_factors').columns, 'limit on the mean', 'verdict', 'reason',
     ],
     rows: lotQuantities.map((q) => [
       ...cells(q), q.without, q.lambda_test_min, q.lambda_test_min_cycle, q.lambda_test_max, q.lambda_test_max_cycle,

@@ -45,20 +45,23 @@ const GRADE_TONES = { good: 'good', fair: '', poor: 'care', unusable: 'badge' };
 const missText = (objective) => (objective < 10 ? fixed(objective, 4) : significant(objective, 3));
 
 function predictionCaption() {
-  const { good_prediction: good, fair_prediction: fair, poor_prediction: poor } = report.thresholds;
+  const { good_prediction: good, fair_prediction: fair, poor_prediction: poor, ...limits } = report.thresholds;
   const best = [...predictedLaws].sort((a, b) => a.predicted_objective - b.predicted_objective)[0],
     closest = [...predictedLaws].sort((a, b) => a.fitted_objective - b.fitted_objective)[0];
-  const collapsing = predictedLaws.filter((law) => law.prediction_collapses).map((law) => law.id);
+  const unusable = predictedLaws.filter((law) => law.prediction_grade === 'unusable').map((law) => law.id);
   return (
     'Every law runs through the whole record and was fitted to the blocks so marked alone. ' +
     (best === closest
       ? best.id + ' is closest both to the blocks it was fitted to and to the others.'
       : closest.id + ' is closest to the blocks it was fitted to, ' + best.id + ' to the others.') +
-    (collapsing.length > 0
+    (unusable.length > 0
       ? ' The prediction of ' +
-        enumerate(collapsing) + ' is unusable: no law for other amplitudes or frequencies than those of the fit.'
+        enumerate(unusable) + ' is unusable: no law for other amplitudes or frequencies than those of the fit.'
       : ' No prediction is unusable.') +
-    ' Good: OF up to ' + good + ' on the blocks predicted; fair: up to ' + fair + '; poor: up to ' + poor + '.'
+    ' Good: OF up to ' + good + ' on the blocks predicted; fair: up to ' + fair + '; poor: up to ' + poor +
+    '; unusable: above, or collapsed: a block missed by more than ' + limits.collapsed_objective +
+    ', or a mean of ' + limits.collapsed_least + ' or more that is over ' + limits.collapsed_ratio +
+    ' times that of the blocks fitted.'
   );
 }
 
