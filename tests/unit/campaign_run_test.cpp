@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "campaign_fixture.hpp"
+#include "isolaw/api/calibrate.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/campaign/prepare.hpp"
 #include "isolaw/campaign/store.hpp"
@@ -505,6 +506,24 @@ TEST_F(CampaignTest, ARunWithoutAnyFiniteForceIsRecordedAsSuch) {
 TEST_F(CampaignTest, AStoreThatIsNotThereIsRefused) {
   auto contents = prepare(lot("bilinear"));
   EXPECT_THROW(run(contents, folder / "absent.sqlite", {.jobs = 1, .progress = {}, .interrupted = {}}), Error);
+}
+
+// Who calls from a program is told what the terminal is.
+TEST_F(CampaignTest, OfADirectoryIsSaidWhatItContinues) {
+  auto const record = [&](std::string name, double stiffness) {
+    auto const file = write(name + ".csv", record_text(stiffness));
+    return NamedRecord{.name = std::move(name), .record = data::read_record(file), .info = {}};
+  };
+  auto settings = lot("bilinear").settings;
+  CalibrateOptions options;
+  options.directory = folder / "out";
+  options.acceptance.rules_file = "ntc-2018";
+  EXPECT_TRUE(calibrate({record("a", 1.0)}, settings, options).continued.added.empty());
+  options.acceptance = {};
+  auto const grown = calibrate({record("a", 1.0), record("b", 1.1)}, settings, options);
+  EXPECT_EQ(grown.continued.added, std::vector<std::string>{"1 device"});
+  EXPECT_FALSE(grown.continued.released.empty());
+  EXPECT_EQ(grown.devices.size(), 2u);
 }
 
 }  // namespace

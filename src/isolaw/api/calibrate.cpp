@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <system_error>
+#include <utility>
 
 #include "isolaw/api/campaign_directory.hpp"
 #include "isolaw/base/error.hpp"
@@ -50,8 +51,8 @@ void load_rules(campaign::Acceptance& acceptance) {
   if (!design.empty()) rules::parse_design(design);
 }
 
-campaign::Contents calibrate(std::vector<campaign::NamedRecord> records, campaign::Settings const& settings,
-                             CalibrateOptions const& options) {
+Calibrated calibrate(std::vector<campaign::NamedRecord> records, campaign::Settings const& settings,
+                     CalibrateOptions const& options) {
   fit::instruction_set();  // throws before anything is written
   auto contents = campaign::prepare(std::move(records), settings, options.title);
   contents.acceptance = options.acceptance;
@@ -63,19 +64,19 @@ campaign::Contents calibrate(std::vector<campaign::NamedRecord> records, campaig
     auto const file = directory.path() / store_name;
     campaign::Store::create(file, contents);
     campaign::run(contents, file, options.run);
-    return contents;
+    return {std::move(contents), {}};
   }
   make_directory(*options.directory);
   DirectoryLock const lock(*options.directory);
   auto const file = *options.directory / store_name;
   render::remove_leftovers(*options.directory);
-  open_or_create(file, contents, options.fresh);
+  auto continued = open_or_create(file, contents, options.fresh);
   // From the store, not from memory: what is returned is what another program would read there.
   bool const finished = campaign::run(contents, file, options.run);
-  if (!finished) return contents;
+  if (!finished) return {std::move(contents), std::move(continued)};
   contents = campaign::Store::read(file);
   render::write_outputs(study::build_summary(contents), *options.directory);
-  return contents;
+  return {std::move(contents), std::move(continued)};
 }
 
 }  // namespace isolaw

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "isolaw/api/campaign_directory.hpp"
 #include "isolaw/campaign/campaign.hpp"
 #include "isolaw/campaign/prepare.hpp"
 #include "isolaw/study/summary.hpp"
@@ -20,6 +21,11 @@ struct CalibrateOptions {
   campaign::Acceptance acceptance = {};                 // what the tests are held to, see load_rules()
 };
 
+// A campaign's contents, and what was there of it in its directory.
+struct Calibrated : campaign::Contents {
+  Continued continued = {};
+};
+
 // Loads the rule set that is named and not yet there, and checks it and the design values. Throws Error.
 void load_rules(campaign::Acceptance& acceptance);
 
@@ -27,7 +33,7 @@ void load_rules(campaign::Acceptance& acceptance);
 // and seed give the same numbers, whatever the number of threads. A campaign that was interrupted is incomplete
 // (complete() is false); one with a directory is continued by the same call. Throws Error: names that are empty or
 // repeated, settings, no usable record, the directory.
-campaign::Contents calibrate(std::vector<campaign::NamedRecord> records, campaign::Settings const& settings,
-                             CalibrateOptions const& options = {});
+Calibrated calibrate(std::vector<campaign::NamedRecord> records, campaign::Settings const& settings,
+                     CalibrateOptions const& options = {});
 
 }  // namespace isolaw

@@ -27,6 +27,7 @@ class DirectoryLock {
   int descriptor_;
 };
 
+// What a directory's campaign has more, or no longer, than when it was left.
 struct Continued {
   std::vector<std::string> added;  // "2 devices", ...
   std::string released;            // the rule set that the tests were held to, where they are held to none now
