@@ -104,8 +104,11 @@ def read_record(path, *, name=None, **reading):
 
     path: the file. name: of the device, by default the file's without its ending.
     columns, units: what the file does not say, as a dict or as the text of the option of the same name:
-    ``columns={"disp": 2, "force": "F"}``, ``units="disp=cm,force=tonf"``. Channels are time, disp, force and load.
+    ``columns={"disp": 2, "force": "F"}``, ``units="disp=cm,force=tonf"``. Channels are time, disp, force and load;
+    ``columns={"force": "loadcell.csv:F"}`` takes one from another file.
     dt: sampling interval in s of a file without time. sheet, test: which part of a file that holds several.
+    rows: ``"101:700"``, rows of numbers counted from 1. from_s, to_s: seconds of the file's own time. footer: ``"skip"``,
+    without the text below the rows. thousands: the mark that groups digits. date_order: ``"dmy"`` or ``"mdy"``.
     flip_force, repair, skew_ms, rig_friction_kN, rig_friction_coefficient, moving_mass_kg, force_factor: corrections, as the
     options of ``isolaw inspect``.
 
