@@ -1,4 +1,4 @@
-// Writes the outputs of a made-up lot for the browser tests: make_page DIR [DEVICES [LAWS [analysed]]].
+// Writes the outputs of a made-up lot for the browser tests: make_page DIR [DEVICES [LAWS [analysed|inadequate]]].
 #include <cstdlib>
 #include <iostream>
 #include <string_view>
@@ -12,7 +12,7 @@
 
 int main(int argc, char** argv) {
   if (argc < 2) {
-    std::cerr << "usage: make_page DIR [DEVICES [LAWS [analysed]]]\n";
+    std::cerr << "usage: make_page DIR [DEVICES [LAWS [analysed|inadequate]]]\n";
     return 2;
   }
   int const devices = argc > 2 ? std::atoi(argv[2]) : 3;
@@ -21,6 +21,9 @@ int main(int argc, char** argv) {
     auto summary = isolaw::study::fixture::lot(devices, laws);
     if (argc > 4 && std::string_view(argv[4]) == "analysed")
       summary = isolaw::study::fixture::analysed(std::move(summary));
+    // The second law, on the front as published, misses the stiffness.
+    if (argc > 4 && std::string_view(argv[4]) == "inadequate")
+      for (auto& fit : summary.laws.at(1).devices) fit.K_eff_error_percent = 60.0;
     for (auto& law : summary.laws)
       for (auto& fit : law.devices)
         for (double const above : {1.3, 1.7})

@@ -35,6 +35,7 @@ const CASES = [
   { name: 'unverified', devices: 10, laws: 3, width: 1366, height: 768, records: { verified: false } },
   { name: 'no-rule-set', devices: 3, laws: 3, width: 1366, height: 768, dark: true, records: { assessed: false } },
   { name: 'as-written', devices: 3, laws: 3, width: 1366, height: 768, records: false },
+  { name: 'inadequate', devices: 10, laws: 7, width: 1366, height: 768, records: false, inadequate: true },
   { name: 'analysed', devices: 10, laws: 7, width: 1366, height: 768, records: false, analysed: true },
   { name: 'analysed-phone', devices: 10, laws: 7, width: 390, height: 844, records: false, analysed: true, dark: true },
   { name: 'analysed-one-device', devices: 1, laws: 3, width: 1366, height: 768, records: false, analysed: true },
@@ -287,6 +288,39 @@ function check_records(name, seen, { laws = true, verified = true, assessed = tr
     ? ['decision', 'objective', 'loops', 'parameters', 'properties', 'devices', 'certificate', 'provenance']
     : ['properties', 'devices', 'certificate', 'provenance'];
   expect(same(seen.sections, sections), name, 'sections ' + seen.sections);
+}
+
+// A law that does not describe the devices has a mark of its own, the same in the plot and in the list. Runs in the page.
+async function look_at_inadequate() {
+  const report = JSON.parse(document.getElementById('isolaw-data').textContent);
+  document.getElementById('figure-front').scrollIntoView();
+  await new Promise((done) => setTimeout(done, 200));
+  const { data } = document.querySelector('#figure-front .plot');
+  const named = (name) => (data.find((trace) => trace.name === name)?.text ?? []).map((text) => text.replace(/<[^>]*>/g, ''));
+  const rows = [...document.querySelectorAll('.verdicts li')].map((item) => ({
+    law: item.querySelector('b').textContent,
+    mark: item.querySelector('path').getAttribute('d'),
+  }));
+  const wanted = report.findings.verdicts
+    .filter((verdict) => verdict.role === 'not adequate')
+    .map((verdict) => report.laws[verdict.law].id);
+  const marks = (among) => [...new Set(rows.filter(among).map(({ mark }) => mark))];
+  return {
+    wanted,
+    crossed: named('not adequate'),
+    filled: named('not dominated'),
+    own: marks(({ law }) => wanted.includes(law)),
+    others: marks(({ law }) => !wanted.includes(law)),
+    caption: document.querySelector('#figure-front figcaption').textContent,
+  };
+}
+
+function check_inadequate(name, seen) {
+  const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
+  expect(seen.wanted.length === 1 && same(seen.crossed, seen.wanted), name, 'crossed are ' + seen.crossed);
+  expect(!seen.filled.includes(seen.wanted[0]), name, 'filled are ' + seen.filled);
+  expect(seen.own.length === 1 && !seen.others.includes(seen.own[0]), name, 'marks of the list ' + seen.own);
+  expect(seen.caption.includes('does not describe the devices: ' + seen.wanted[0]), name, 'caption ' + seen.caption);
 }
 
 // What a page of an analysed campaign must show, and how its choices work. Runs in the page.
@@ -645,7 +679,7 @@ async function photograph(page, { name, width, height }, directory) {
 async function check(browser, directory, one) {
   const { name, devices, laws, dark, records = {} } = one;
   const out = join(directory, name);
-  execFileSync(makePage, [out, String(devices), String(laws), ...(one.analysed ? ['analysed'] : [])], {
+  execFileSync(makePage, [out, String(devices), String(laws), ...['analysed', 'inadequate'].filter((state) => one[state])], {
     stdio: ['ignore', 'ignore', 'inherit'],
   });
   const file = join(out, 'report.html');
@@ -705,6 +739,7 @@ async function check(browser, directory, one) {
   if (identified) check_energy(name, await page.evaluate(`(${look_at_energy})()`));
 
   check_bands(name, await page.evaluate(`(${look_at_bands})()`));
+  if (one.inadequate) check_inadequate(name, await page.evaluate(`(${look_at_inadequate})()`));
   if (one.analysed) check_analysis(name, await page.evaluate(`(${look_at_analysis})()`), one);
   if (records) check_records(name, await page.evaluate(`(${look_at_records})()`), records);
 
