@@ -45,7 +45,8 @@ TEST_F(Parts, options_of_the_command_line_are_keys_of_the_lot_file) {
 TEST_F(Parts, what_the_program_was_told_stands_with_its_option) {
   auto const told = [&](Words const& words) {
     Words found;
-    for (auto const& line : inspected(words)["recognised"])
+    auto const all = inspected(words);
+    for (auto const& line : all["recognised"])
       if (auto const text = line.get<std::string>(); contains(text, "(--")) found.push_back(text);
     return found;
   };
@@ -57,6 +58,15 @@ TEST_F(Parts, what_the_program_was_told_stands_with_its_option) {
   write("up.csv", csv(record(), "time [s],displacement [mm],force [kN]", [](std::size_t, Sample const& s) {
           return fmt::format("{:.4f},{:.5f},{:.5f}", s.time_s, s.disp_mm, -s.force_kN);
         }));
+  write("grouped.csv", csv(record(), "time [s],displacement [mm],force [N]", [](std::size_t, Sample const& s) {
+          auto const newton = static_cast<int>(1000.0 * std::abs(s.force_kN));
+          return fmt::format(
+              "{:.4f},{:.5f},{}{}", s.time_s, s.disp_mm, s.force_kN < 0.0 ? "-" : "",
+              newton < 1000 ? fmt::format("{}", newton) : fmt::format("{}'{:03}", newton / 1000, newton % 1000));
+        }));
+  write("dates.csv", csv(record(), "Date/Time,displacement [mm],force [kN]", [](std::size_t, Sample const& s) {
+          return fmt::format("05/06/2024 10:00:{:06.3f},{:.5f},{:.5f}", s.time_s, s.disp_mm, s.force_kN);
+        }));
   EXPECT_EQ(told({"a.csv"}), Words{});
   std::vector<std::pair<Words, std::string>> const options{
       {{"a.csv", "--rows", "101:500"}, "rows"},
@@ -64,7 +74,8 @@ TEST_F(Parts, what_the_program_was_told_stands_with_its_option) {
       {{"a.csv", "--to", "5"}, "to"},
       {{"a.csv", "--columns", "time=none"}, "columns"},
       {{"footer.csv", "--footer", "skip"}, "footer"},
-      {{"a.csv", "--thousands", ","}, "thousands"},
+      {{"grouped.csv", "--thousands", "'"}, "thousands"},
+      {{"dates.csv", "--date-order", "dmy"}, "date-order"},
       {{"bare.csv", "--units", "time=s,disp=mm,force=kN"}, "units"},
       {{"disp.csv", "--columns", "force=force.csv:force"}, "columns"},
       {{"up.csv", "--flip-force"}, "flip-force"}};
@@ -133,7 +144,7 @@ TEST_F(Parts, the_file_of_a_channel_is_a_file_of_the_device) {
   write("force.csv", channel(true));
   auto const force = read("force.csv");
   Words const init{"init", "recs/disp.csv", "--columns", "force=force.csv:force", "--force", "--out"};
-  expect_refused(isolaw(init + Words{"force.csv"}), {"force.csv: read for this, and would be replaced"});
+  expect_message(isolaw(init + Words{"force.csv"}), 2, {"force.csv: read for this, and would be replaced"});
   EXPECT_EQ(read("force.csv"), force);
   auto const o = isolaw(init + Words{"recs/lot.toml"});
   EXPECT_EQ(o.code, 0) << o;

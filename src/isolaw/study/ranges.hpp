@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
-#include <vector>
 
 #include "isolaw/data/record.hpp"
 
@@ -21,16 +21,25 @@ struct Ranges {
   Range tested, fitted;
 
   void add(data::FitRecord const& record) {
-    auto const widen = [&](Range& range, auto const& largest) {
-      range.disp_mm = std::max(range.disp_mm, largest(record.disp_mm));
-      if (record.has_time()) range.vel_mm_s = std::max(range.vel_mm_s.value_or(0.0), largest(record.vel_mm_s));
-    };
-    widen(tested, [](std::vector<double> const& values) {
-      double found = 0.0;
-      for (double const value : values) found = std::max(found, std::abs(value));
-      return found;
+    widen(
+        tested, record, [](std::size_t) { return true; }, [](std::size_t) { return true; });
+    // A velocity is of the samples on both sides too: at the edge of what was fitted it is another block's as well.
+    auto const last = record.size() - 1;
+    auto const scored = [&](std::size_t i) { return record.is_scored(i); };
+    widen(fitted, record, scored, [&](std::size_t i) {
+      return scored(i) && scored(i - std::min<std::size_t>(i, 1)) && scored(std::min(i + 1, last));
     });
-    widen(fitted, [&](std::vector<double> const& values) { return record.largest_scored(values); });
+  }
+
+ private:
+  static void widen(Range& range, data::FitRecord const& record, auto const& counts, auto const& velocity_counts) {
+    for (std::size_t i = 0; i < record.size(); ++i)
+      if (counts(i)) range.disp_mm = std::max(range.disp_mm, std::abs(record.disp_mm[i]));
+    if (!record.has_time()) return;
+    double fastest = range.vel_mm_s.value_or(0.0);
+    for (std::size_t i = 0; i < record.size(); ++i)
+      if (velocity_counts(i)) fastest = std::max(fastest, std::abs(record.vel_mm_s[i]));
+    range.vel_mm_s = fastest;
   }
 };
 
