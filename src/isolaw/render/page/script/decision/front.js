@@ -39,6 +39,15 @@ function frontData() {
   };
 }
 
+// As the list judges: on the front among the laws that describe the devices, also where others beat it.
+function stands(view, law) {
+  const beats = (other) =>
+    view.robust(other) <= view.robust(law) && view.accurate(other) <= view.accurate(law) &&
+    (view.robust(other) < view.robust(law) || view.accurate(other) < view.accurate(law));
+  const among = laws.filter((one) => isPlaced(view, one) && !isInadequate(one));
+  return !isInadequate(law) && (view.onFront(law) || !among.some(beats));
+}
+
 const shownView = () => VIEWS.find((view) => view.id === chosen.view);
 
 function viewControl() {
@@ -60,20 +69,21 @@ function frontCaption() {
   const placed = laws.filter((law) => isPlaced(view, law));
   const crossed = placed.filter(isInadequate).map((law) => law.id);
   const dominated = ranking
-    .filter((law) => placed.includes(law) && !view.onFront(law) && !isInadequate(law))
+    .filter((law) => placed.includes(law) && !stands(view, law) && !isInadequate(law))
     .map((law) => law.id);
   const missing = ranking.filter((law) => !placed.includes(law));
   const leftOut = view.id !== 'converged' ? [] : placed.filter((law) => law.left_out_of_beta.length > 0);
   const reduced = view.id !== 'converged' ? [] : placed.filter((law) => law.reduced).map((law) => law.id);
   return (
-    'Each point is a law; ' + view.says + ' No law lies both below and left of a filled green point' +
-    (crossed.length > 0 ? ', nor of a crossed one on the line' : '') +
+    'Each point is a law; ' + view.says +
+    (crossed.length > 0 ? ' No law that describes the devices' : ' No law') +
+    ' lies both below and left of a filled green point' +
     (dominated.length > 0
       ? '; ' + enumerate(dominated) + (dominated.length === 1 ? ' is' : ' are') + ' beaten in both respects.'
       : '.') +
     (crossed.length > 0
       ? ' A cross marks a law that does not describe the devices: ' + enumerate(crossed) +
-        '. What they alone beat is judged without them.'
+        '.'
       : '') +
     (leftOut.length > 0
       ? ' Left out of β: ' + leftOut.map((law) => enumerate(law.left_out_of_beta) + ' of ' + law.id).join('; ') + '.'
@@ -93,7 +103,7 @@ function drawFront(look, width) {
   const adequate = shown.filter((law) => !isInadequate(law)),
     crossed = shown.filter(isInadequate);
   const height = FRONT_HEIGHT;
-  const edge = shown.filter(view.onFront).sort((a, b) => view.robust(a) - view.robust(b));
+  const edge = shown.filter((law) => stands(view, law)).sort((a, b) => view.robust(a) - view.robust(b));
   const xRange = paddedRange(shown.map(view.robust), 0.13),
     yRange = paddedRange(shown.map(view.accurate), 0.13);
   const places = labelPlaces(
@@ -129,8 +139,8 @@ function drawFront(look, width) {
         x: edge.map(view.robust), y: edge.map(view.accurate), mode: 'lines', hoverinfo: 'skip', showlegend: false,
         opacity: 0.55, line: { shape: 'hv', width: 1.2, dash: 'dot', color: look.colour('good') },
       },
-      points(adequate.filter(view.onFront), 'not dominated', 'circle', 'good'),
-      points(adequate.filter((law) => !view.onFront(law)), 'dominated', 'diamond-open', 'poor'),
+      points(edge, 'not dominated', 'circle', 'good'),
+      points(adequate.filter((law) => !edge.includes(law)), 'dominated', 'diamond-open', 'poor'),
       ...(crossed.length > 0 ? [points(crossed, 'not adequate', 'x-thin', 'poor')] : []),
     ],
     layout: {
