@@ -41,11 +41,12 @@ function frontData() {
 
 // As the list judges: on the front among the laws that describe the devices, also where others beat it.
 function stands(view, law) {
+  if (isInadequate(law) || view.onFront(law)) return !isInadequate(law);
+  const placed = laws.filter((one) => isPlaced(view, one));
   const beats = (other) =>
     view.robust(other) <= view.robust(law) && view.accurate(other) <= view.accurate(law) &&
     (view.robust(other) < view.robust(law) || view.accurate(other) < view.accurate(law));
-  const among = laws.filter((one) => isPlaced(view, one) && !isInadequate(one));
-  return !isInadequate(law) && (view.onFront(law) || !among.some(beats));
+  return placed.some(isInadequate) && !placed.some((one) => !isInadequate(one) && beats(one));
 }
 
 const shownView = () => VIEWS.find((view) => view.id === chosen.view);
