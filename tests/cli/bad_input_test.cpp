@@ -104,24 +104,24 @@ TEST_F(BadInput, no_unit) {
 TEST_F(BadInput, nan_cell) {
   write("nan.csv", csv_with_line(101, "0.9900,nan,12.0"));
   expect_refusal("nan.csv", {"nan.csv:101: 'nan' in column 2 'displacement [mm]' is not a finite number",
-                             "allowed: a finite number", "try: --rows 1:99, the rows before it"});
+                             "allowed: a finite number", "try: --rows 101:, the rows behind it"});
 }
 
 TEST_F(BadInput, text_cell) {
   write("text.csv", csv_with_line(55, "0.5300,12.0,off"));
   expect_refusal("text.csv", {"text.csv:55: 'off' in column 3 'force [kN]' is not a number",
-                              "allowed: a number with a decimal point", "try: --rows 1:53, the rows before it"});
+                              "allowed: a number with a decimal point", "try: --rows 55:, the rows behind it"});
 }
 
 TEST_F(BadInput, empty_cell) {
   write("hole.csv", csv_with_line(101, "0.9900,,12.0"));
   expect_refusal("hole.csv", {"hole.csv:101: column 2 'displacement [mm]' is empty", "allowed: a number",
-                              "try: --rows 1:99, the rows before it"});
+                              "try: --rows 101:, the rows behind it"});
 }
 
 TEST_F(BadInput, row_of_another_width) {
   write("wide.csv", csv_with_line(101, "0.9900,12.0,3.0,4.0"));
-  expect_refusal("wide.csv", {"wide.csv:101: 4 columns", "allowed: 3 columns", "try: --rows 1:99, the rows before it"});
+  expect_refusal("wide.csv", {"wide.csv:101: 4 columns", "allowed: 3 columns", "try: --rows 101:, the rows behind it"});
 }
 
 TEST_F(BadInput, every_bad_line_is_listed_up_to_a_few) {

@@ -16,9 +16,15 @@ class Formats : public InFreshDirectory {
     write("several.csv", csv(record()) + csv(record({.amplitude_mm = 90.0})));
   }
   // Two sheets with a test each, and one of remarks.
-  void write_book(std::string const& name) {
+  void write_book(std::string const& name, std::vector<std::pair<char const*, char const*>> const& remarks = {}) {
     auto* book = workbook_new(path(name).c_str());
-    worksheet_write_string(workbook_add_worksheet(book, "Remarks"), 0, 0, "nothing", nullptr);
+    auto* first = workbook_add_worksheet(book, "Remarks");
+    worksheet_write_string(first, 0, 0, "nothing", nullptr);
+    lxw_row_t at = 1;
+    for (auto const& [label, value] : remarks) {
+      worksheet_write_string(first, at, 0, label, nullptr);
+      worksheet_write_string(first, at++, 1, value, nullptr);
+    }
     for (double const amplitude : {100.0, 90.0}) {
       auto* sheet = workbook_add_worksheet(book, fmt::format("Test {:g}", amplitude).c_str());
       char const* names[] = {"Time [s]", "Disp [mm]", "Force [kN]"};
@@ -108,6 +114,36 @@ TEST_F(Formats, init_makes_a_device_of_each_test) {
                            "4", "--generations", "1"});
   EXPECT_EQ(run.code, 0) << run;
   EXPECT_EQ(json("O/summary.json")["devices"].size(), 4u);
+}
+
+TEST_F(Formats, init_fills_in_what_a_sheet_beside_the_tests_says) {
+  write_book("info.xlsx", {{"Serial No", "S-77"}, {"Lot", "L5"}});
+  auto const o = isolaw({"init", "info.xlsx"});
+  ASSERT_EQ(o.code, 0) << o;
+  auto const lot = read_file(path("lot.toml"));
+  for (std::string const text : {"serial = 'S-77'", "lot = 'L5'"}) {
+    auto const first = lot.find(text);
+    ASSERT_NE(first, std::string::npos) << lot;
+    EXPECT_NE(lot.find(text, first + 1), std::string::npos) << "of both tests: " << lot;
+  }
+}
+
+TEST_F(Formats, sheets_are_chosen_in_the_file_that_has_them) {
+  write_book("book.xlsx");
+  write("disp.csv", csv(record({.amplitude_mm = 90.0}), "time [s],displacement [mm]", [](std::size_t, Sample const& s) {
+          return fmt::format("{:.4f},{:.5f}", s.time_s, s.disp_mm);
+        }));
+  Words const columns{"disp.csv", "--columns", "force=book.xlsx:Force [kN]"};
+  expect_said(isolaw(Words{"inspect"} + columns), {"'Test 100', 'Test 90' may each be the test", "try: --sheet"});
+  expect_said(isolaw(Words{"inspect"} + columns + Words{"--sheet", "Test 7"}), {"book.xlsx: no sheet 'Test 7'"});
+  auto const o = isolaw(Words{"inspect", "--json"} + columns + Words{"--sheet", "Test 90"});
+  ASSERT_EQ(o.code, 0) << o;
+  EXPECT_EQ(Json::parse(o.out)["samples"], 601);
+  // What was chosen stands in the lot file, which reads the same.
+  ASSERT_EQ(isolaw(Words{"init"} + columns + Words{"--sheet", "Test 90"}).code, 0);
+  auto const again = isolaw({"inspect", "--json", "lot.toml"});
+  ASSERT_EQ(again.code, 0) << again;
+  EXPECT_EQ(Json::parse(again.out)["blocks"], Json::parse(o.out)["blocks"]);
 }
 
 TEST_F(Formats, init_joins_the_tests_where_asked_to) {

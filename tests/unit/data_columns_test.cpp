@@ -1,5 +1,6 @@
 // Channels and units from the names laboratories write, from the user's word, and what is asked for instead of guessed.
 #include "data_fixture.hpp"
+#include "isolaw/data/column_names.hpp"
 #include "isolaw/data/columns.hpp"
 
 namespace isolaw::data::testing {

@@ -265,11 +265,11 @@ TEST(ErrorBudget, ARecordWithoutCyclesHasItsTimeAssessedOnly) {
 struct SkewCount {
   int estimated = 0, late = 0;
 };
-SkewCount called_late(unsigned first_seed, int count, double late_rad, Bounds const& bounds) {
+SkewCount called_late(unsigned first_seed, int count, double late_rad, Bounds const& bounds, bool holds = false) {
   SkewCount found;
   for (int k = 0; k < count; ++k) {
     Drawn random(first_seed + static_cast<unsigned>(k));
-    auto plan = draw(random, bounds, false);
+    auto plan = draw(random, bounds, holds);
     plan.device = random.chance(0.5) ? Device::rubber : Device::lead;
     plan.cycles = random.chance(0.5) ? 3 : random.whole(2, 20);
     if (plan.cycles > 5) plan.samples = std::min(plan.samples, 200);
@@ -294,6 +294,49 @@ TEST(ErrorBudget, SynchronousChannelsAreCalledLateLessThanOnceInFiveHundred) {
       called_late(80000, 3000, 0.0, {.most_disp_noise = 0.008, .most_force_noise = 0.03, .most_samples = 400});
   EXPECT_GT(found.estimated, 800);
   EXPECT_LE(500 * found.late, found.estimated);
+}
+
+TEST(ErrorBudget, HoldsAreNoLateChannel) {
+  auto const found =
+      called_late(100000, 3000, 0.0, {.most_disp_noise = 0.008, .most_force_noise = 0.03, .most_samples = 400}, true);
+  EXPECT_GT(found.estimated, 500);
+  EXPECT_LE(500 * found.late, found.estimated);
+}
+
+// What a device loses while it is held is no friction.
+TEST(ErrorBudget, CreepInHoldsIsNoFriction) {
+  int assessed = 0;
+  for (auto const waveform : {Waveform::trapezoid, Waveform::dwell})
+    for (unsigned seed = 0; seed < 50; ++seed) {
+      Drawn random(seed);
+      auto plan = draw(random, {.most_disp_noise = 0.001, .most_force_noise = 0.003, .most_samples = 400}, true);
+      plan.device = Device::relaxing;
+      plan.waveform = waveform;
+      auto const made = finish(random, plan, true_motion(plan));
+      auto const properties = cyclic_properties(made.view());
+      if (!properties.reported) continue;
+      ++assessed;
+      EXPECT_EQ(find(error_budget(made.view(), properties), "damping by the jump"), nullptr) << made.text;
+    }
+  EXPECT_GT(assessed, 80);
+}
+
+// Of any length, where nothing hides them.
+TEST(ErrorBudget, NoHoldAtTheExtremesIsALateChannel) {
+  for (double hold = 0.02; hold < 0.45; hold += 0.02) {
+    Motion motion;
+    motion.dt_s = 0.02;
+    double const slope = 1.0 / (1.0 - 2.0 * hold);  // of the triangle that the holds cut off
+    for (int i = 0; i <= 300; ++i) {
+      double const part = std::fmod(i / 100.0, 1.0);
+      double const triangle = part < 0.25 ? 4.0 * part : part < 0.75 ? 2.0 - 4.0 * part : 4.0 * part - 4.0;
+      motion.add(100.0 * std::clamp(slope * triangle, -1.0, 1.0));
+    }
+    auto const budget = budget_of(motion.loop());
+    EXPECT_FALSE(says(budget.warnings, "a channel is late")) << hold;
+    bool const clearly = hold > 0.1;  // less is nearly a triangle
+    EXPECT_FALSE(clearly && says(budget.warnings, "v_max")) << hold;
+  }
 }
 
 TEST(ErrorBudget, ALateChannelIsFoundInNineRecordsOfTen) {

@@ -157,17 +157,37 @@ TEST_F(Json, RowsMayHoldShortArrays) {
   EXPECT_NE(refusal(tests + "]").find("more than 1000 tests"), std::string::npos);
 }
 
+TEST_F(Json, TimeStampsAreLeftToOtherFormats) {
+  EXPECT_NE(refusal(R"({"t": ["10:00:00.1", "10:00:00.2", "10:00:00.3"], "disp_mm": [0, 1, 2], "force_kN": [1, 2, 3]})",
+                    with("time=t", "time=s"))
+                .find("FILE:1: '10:00:00.1' in column 1 't' is a time stamp; allowed: numbers; time stamps are read in "
+                      "text and workbooks; try: --columns time=none --dt SECONDS"),
+            std::string::npos);
+}
+
+// What would do nothing is not said to have been done.
+TEST_F(Json, OptionsOfTextAreRefused) {
+  auto const text = R"({"disp_mm": [0, 1, 2, 1], "force_kN": [1, 2, 3, 2]})";
+  ReadOptions options;
+  options.thousands = ' ';
+  options.skip_footer = true;
+  options.date_order = DateOrder::month_first;
+  auto const rest =
+      ": FILE holds numbers, not their text; allowed: delimited text; try: leave it out, or give it to other files alone";
+  EXPECT_EQ(refusal(text, options), fmt::format("--thousands blank{0}\n--footer skip{0}\n--date-order mdy{0}", rest));
+}
+
 TEST_F(Json, WhatIsNoNumberIsAtItsRow) {
   EXPECT_EQ(
       refusal(R"({"disp_mm": [0, null, 2, "3"], "force_kN": [1, 2, 3, 4]})"),
-      "FILE:2: 'null' in column 1 'disp_mm' is not a number; allowed: a number; try: correct the value, or leave it out in every channel\n"
-      "FILE:4: '3' in column 1 'disp_mm' is not a number; allowed: a number; try: correct the value, or leave it out in every channel");
+      "FILE:2: 'null' in column 1 'disp_mm' is not a number; allowed: a number; try: export the record again\n"
+      "FILE:4: '3' in column 1 'disp_mm' is not a number; allowed: a number; try: --rows 1:3, the rows before it");
   EXPECT_EQ(
       refusal(R"({"a": [[0, 1], [1, 2], [2], [3, 4]]})", with("disp=1,force=2", "disp=mm,force=kN")),
       "FILE:a:3: 1 values, not 2 as in the first row; allowed: one number for each column in every row; try: correct the row, or export the test again");
   EXPECT_EQ(
       refusal(R"([{"disp_mm": 0, "force_kN": 1}, {"disp_mm": 1}, {"disp_mm": 2, "force_kN": 2}])"),
-      "FILE:2: 'a key that is not there' in column 2 'force_kN' is not a number; allowed: a number; try: correct the value, or leave it out in every channel");
+      "FILE:2: 'a key that is not there' in column 2 'force_kN' is not a number; allowed: a number; try: export the record again");
   EXPECT_EQ(
       refusal(R"({"disp_mm": [0, 1, 2], "force_kN": [1, 2, 1, 4]})"),
       "FILE: the channels differ in length: column 1 'disp_mm' has 3 values, column 2 'force_kN' has 4 values; allowed: columns of equal length; try: --columns time=...,disp=...,force=... with columns that belong together");

@@ -135,7 +135,7 @@ TEST_P(Matlab, FaultsAreAtTheirVariableAndElement) {
   bad[1].second[2] = std::nan("");
   EXPECT_EQ(
       refusal(made([&](MatWriter& w) { w.all(bad); })),
-      "FILE:disp_mm:3: 'nan' in variable 'disp_mm' is not a finite number; allowed: a finite number; try: --rows 1:2, the rows before it, or test again");
+      "FILE:disp_mm:3: 'nan' in variable 'disp_mm' is not a finite number; allowed: a finite number; try: export the record again, or test again");
   bad = named;
   bad[0].second[3] = 0.1;
   EXPECT_EQ(

@@ -19,8 +19,10 @@ TEST(Stamp, TimesOfDay) {
   EXPECT_NEAR(seconds("10:00:00:250"), 36000.25, 1e-9);
   EXPECT_NEAR(seconds("1:02:03 PM"), 46923.0, 1e-9);
   EXPECT_NEAR(seconds("12:00:01 AM"), 1.0, 1e-9);
+  EXPECT_NEAR(seconds("24:00:00"), 86400.0, 1e-9);
   EXPECT_NEAR(seconds("59:58.5"), 3598.5, 1e-9);  // minutes and seconds
-  for (auto const* none : {"10:30", "25:00:00", "10:61:00", "10:00:0x", "1.5", "100000", "abcde", "10:00:00 XM"})
+  for (auto const* none :
+       {"10:30", "25:00:00", "24:59:00", "10:61:00", "10:00:0x", "1.5", "100000", "abcde", "10:00:00 XM"})
     EXPECT_FALSE(parse_stamp(none)) << none;
 }
 
@@ -198,6 +200,12 @@ TEST_F(Parts, DigitsAreGroupedAsTheUserSays) {
       "234\xE2\x80\xAF"
       "567,5\n",
       ' ');
+  // One column alone.
+  ReadOptions one;
+  one.dt_s = 0.1;
+  one.thousands = ',';
+  EXPECT_EQ(read_motion(write("Displacement [mm]\n1,000.5\n2,000.25\n-1,500\n"), one).disp_mm,
+            (std::vector{1000.5, 2000.25, -1500.0}));
   // Whole thousands, which would else be taken for decimals.
   EXPECT_EQ(read_with("1;1,234\n2;2,345\n3;3,456\n", ','), (std::vector{1.234, 2.345, 3.456}));
 }
@@ -263,6 +271,103 @@ TEST_F(TwoFiles, TakeTheSameRowsOrTimes) {
   span.from_s = 1.0;
   span.to_s = 5.0;
   EXPECT_EQ(joined(channel(false), channel(true), span).size(), 401u);
+}
+
+// The first line that is refused, without the folder.
+std::string first_line(Error const& error) {
+  std::string text = error.what();
+  text.resize(std::min(text.find('\n'), text.size()));
+  auto const name = text.find(".csv");
+  auto const slash = text.rfind('/', name);
+  return slash == std::string::npos ? text : text.substr(slash + 1);
+}
+
+TEST_F(TwoFiles, WhatLiesOutsideTheRowsOrTheTimeOfEitherDoesNotMatter) {
+  auto const spoilt = [](std::string text, int row, std::string_view with) {
+    std::size_t at = 0;
+    for (int i = 0; i < row; ++i) at = text.find('\n', at) + 1;
+    auto const cell = text.find(';', at) + 1;
+    return text.replace(cell, text.find('\n', cell) - cell, with);
+  };
+  auto const refused = [&](std::string const& main, std::string const& more, ReadOptions const& options = {}) {
+    try {
+      joined(main, more, options);
+    } catch (Error const& error) {
+      return first_line(error);
+    }
+    return std::string();
+  };
+  ReadOptions rows, to;
+  rows.rows = parse_rows("1:400");
+  to.to_s = 4.0;
+  EXPECT_TRUE(refused(channel(false), spoilt(channel(true), 501, "NaN")).starts_with("force.csv:502: 'NaN'"));
+  EXPECT_EQ(joined(channel(false), spoilt(channel(true), 501, "NaN"), rows).size(), 400u);
+  EXPECT_TRUE(refused(channel(false), spoilt(channel(true), 501, "9.9e37")).starts_with("force.csv:502: "));
+  EXPECT_EQ(joined(channel(false), spoilt(channel(true), 501, "9.9e37"), to).size(), 401u);
+  EXPECT_EQ(joined(spoilt(channel(false), 501, "9.9e37"), channel(true), to).size(), 401u);
+  EXPECT_EQ(joined(channel(false), spoilt(channel(true), 501, "9.9e37"), rows).size(), 400u);
+}
+
+TEST_F(TwoFiles, AHoleOutsideTheTimeAskedForDoesNotMatter) {
+  auto text = channel(true);
+  auto const cut = [&](double from, double to) {
+    auto const begin = text.find(fmt::format("\n{:.4f};", from)), end = text.find(fmt::format("\n{:.4f};", to));
+    text.erase(begin, end - begin);
+  };
+  cut(1.0, 2.0);
+  EXPECT_THROW(joined(channel(false), text), Error);
+  ReadOptions beyond;
+  beyond.from_s = 2.0;
+  EXPECT_EQ(joined(channel(false), text, beyond).size(), 401u);
+  ReadOptions before;
+  before.to_s = 0.9;
+  ReadOptions across;
+  across.from_s = 0.5;
+  EXPECT_THROW(joined(channel(false), text, across), Error);
+  EXPECT_EQ(joined(channel(false), text, before).size(), 91u);
+}
+
+TEST_F(TwoFiles, WithTimeStampsAreCutByTheStampsOfTheFirst) {
+  auto const stamped = [](bool of_force, int first) {
+    std::string text = of_force ? "Time;Force [kN]\n" : "Time;Disp [mm]\n";
+    for (int i = first; i < loop.size(); ++i)
+      text += fmt::format("10:00:{:06.3f};{:.6f}\n", 10.0 + 0.01 * i, of_force ? loop.force(i) : loop.disp(i));
+    return text;
+  };
+  ReadOptions span;
+  span.from_s = 2.0;
+  span.to_s = 5.0;
+  auto const record = joined(stamped(false, 0), stamped(true, 100), span);
+  ASSERT_EQ(record.size(), 301u);
+  for (std::size_t i = 0; i < record.size(); ++i)
+    EXPECT_NEAR(record.force_kN[i], loop.force(static_cast<int>(i) + 200), 1e-4);
+}
+
+TEST_F(TwoFiles, UnitsOfTimeAreGivenToBoth) {
+  auto bare = channel(true);
+  bare.replace(0, bare.find(';'), "Time");
+  EXPECT_THROW(joined(channel(false), bare), Error);
+  ReadOptions options;
+  options.units[Channel::time] = "s";
+  EXPECT_EQ(joined(channel(false), bare, options).size(), 601u);
+  auto own = channel(false);
+  own.replace(0, own.find(';'), "Time");
+  EXPECT_EQ(joined(own, bare, options).size(), 601u);
+  // A unit that the other file states stands.
+  std::string milliseconds = "Time [ms];Force [kN]\n";
+  for (int i = 0; i < loop.size(); ++i) milliseconds += fmt::format("{};{:.6f}\n", 10 * i, loop.force(i));
+  EXPECT_EQ(joined(own, milliseconds, options).size(), 601u);
+}
+
+TEST_F(TwoFiles, TheTestIsChosenInTheFileThatHasSeveral) {
+  auto const two = channel(true) + channel(true);
+  EXPECT_THROW(joined(channel(false), two), Error);
+  ReadOptions options;
+  options.test = "2";
+  auto const record = joined(channel(false), two, options);
+  EXPECT_EQ(record.size(), 601u);
+  EXPECT_EQ(record.layout.test, "2");
+  EXPECT_THROW(joined(channel(false), channel(true), options), Error) << "which neither file has";
 }
 
 TEST_F(TwoFiles, OneColumnIsEnough) {

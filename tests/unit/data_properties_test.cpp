@@ -217,6 +217,30 @@ TEST(Cycles, HistoriesThatAreNoTestsDoNotCrash) {
   for (auto const* cycle : properties.complete()) EXPECT_LT(cycle->first, cycle->last);
 }
 
+// What energy below zero says is not hidden by what else is wrong.
+TEST(Properties, EnergyGivenBackIsSaidBeforeFewSamples) {
+  auto const properties = ellipse(12, 3, 100.0, 70.0, -0.3).properties();
+  EXPECT_TRUE(properties.is_false);
+  EXPECT_NE(properties.refusal.find("gives back"), std::string::npos) << properties.refusal;
+  auto const few = ellipse(12, 3, 100.0, 70.0, 0.3).properties();
+  EXPECT_FALSE(few.is_false);
+  EXPECT_NE(few.refusal.find("samples per cycle"), std::string::npos) << few.refusal;
+}
+
+// A spring has no energy: what noise makes of it is no sign.
+TEST(Properties, NoiseOfAnElasticSpringGivesNothingBack) {
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    std::mt19937 generator(seed);
+    std::normal_distribution<double> normal;
+    auto history = ellipse(100, 3, 100.0, 70.0, 0.0);
+    for (double& F : history.F) F += 0.003 * 70.0 * normal(generator);
+    for (double& x : history.x) x += 0.001 * 100.0 * normal(generator);
+    auto const properties = history.properties();
+    EXPECT_EQ(properties.refusal, "") << seed;
+  }
+  EXPECT_TRUE(ellipse(100, 3, 100.0, 70.0, -0.02).properties().is_false) << "more than noise";
+}
+
 // The exact bilinear loop of K2 = 1, Qd = 45, D_y = 5: the idealisation gives back what made it.
 TEST(Properties, TheIdealisationOfABilinearLoopIsTheLoop) {
   double const K1 = 10.0, K2 = 1.0, Qd = 45.0, D = 100.0;

@@ -80,6 +80,41 @@ TEST_F(Read, AnEmptyColumnBetweenTabsIsAColumn) {
   EXPECT_EQ(record.force_kN, (Values{7, 9, 8}));
 }
 
+// Told by its head, which is cut at a line, whatever ends it: a character of two bytes may stand across the cut.
+TEST_F(Read, ShiftJisOfAnyLengthAndLineEnd) {
+  for (std::string const end : {"\n", "\r\n", "\r"})
+    for (std::size_t shift = 0; shift < 4; ++shift) {
+      // Time, displacement, horizontal load, remark
+      std::string text =
+          std::string(shift, 'x') + end +
+          "\x8E\x9E\x8A\xD4(s),\x95\xCF\x88\xCA(mm),\x90\x85\x95\xBD\x89\xD7\x8F\x64(kN),\x94\xF5\x8D\x6C" + end;
+      std::string remark;
+      for (int k = 0; k < 40; ++k) remark += "\x90\xB3\x8F\xED";
+      for (int i = 0; i < 200; ++i) text += fmt::format("{},{},{},", i, i % 7, i % 5) + remark + end;
+      auto const record = read(text);
+      EXPECT_EQ(record.size(), 200u);
+      EXPECT_TRUE(says(record.recognised, "read as Shift-JIS")) << shift;
+    }
+}
+
+// A rest that the logger skipped takes its time; a jump amid motion does not.
+TEST_F(Read, ARestThatWasNotRecordedIsNoJumpOfTheClock) {
+  for (bool const at_rest : {true, false}) {
+    data::Values values;
+    double time = 0.0;
+    Ellipse const loop;
+    for (int i = 0; i < loop.size(); ++i) {
+      for (int k = 0; k < (at_rest && i == 200 ? 10 : 1); ++k) {
+        time += i == (at_rest ? 200 : 210) && k == (at_rest ? 5 : 0) ? 100.0 : 0.01;
+        values.time_s.push_back(time);
+        values.disp_mm.push_back(loop.disp(i));
+        values.force_kN.push_back(loop.force(i));
+      }
+    }
+    EXPECT_EQ(says(record_of_values("values", values).warnings, "are taken for the motion"), !at_rest);
+  }
+}
+
 TEST_F(Read, TextColumnsThatAreNotAskedForDoNotMatter) {
   auto const record = read(
       "Date;Disp [mm];Force [kN];State\n"

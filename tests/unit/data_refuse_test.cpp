@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "data_fixture.hpp"
+#include "isolaw/base/units.hpp"
 #include "isolaw/data/text.hpp"
 
 namespace isolaw::data::testing {
@@ -24,19 +25,16 @@ std::string thrown_for(std::filesystem::path const& file) {
 // --- not text -------------------------------------------------------------------------------------------------------
 
 TEST_F(Refuse, WhatIsNoFile) {
-  EXPECT_EQ(
-      thrown_for("nowhere/D07.csv"),
-      "nowhere/D07.csv: no such file; allowed: delimited text (UTF-8, ASCII or Windows-1252), .xlsx, .mat or JSON");
+  EXPECT_EQ(thrown_for("nowhere/D07.csv"),
+            "nowhere/D07.csv: no such file; allowed: delimited text, .xlsx, .mat or JSON");
   auto const folder = write("x").parent_path();
   EXPECT_EQ(thrown_for(folder),
-            folder.generic_string() +
-                ": is a directory; allowed: delimited text (UTF-8, ASCII or Windows-1252), .xlsx, .mat or JSON");
+            folder.generic_string() + ": is a directory; allowed: delimited text, .xlsx, .mat or JSON");
 }
 
 TEST_F(Refuse, WhatIsNotText) {
   auto const expect = [&](std::string const& bytes, std::string const& found, std::string const& advice) {
-    EXPECT_EQ(refusal(bytes), "FILE: " + found +
-                                  "; allowed: delimited text (UTF-8, ASCII or Windows-1252), .xlsx, .mat or JSON" +
+    EXPECT_EQ(refusal(bytes), "FILE: " + found + "; allowed: delimited text, .xlsx, .mat or JSON" +
                                   (advice.empty() ? "" : "; try: " + advice));
   };
   expect("", "is empty", "");
@@ -54,11 +52,11 @@ TEST_F(Refuse, AFileAboveOneGiB) {
   EXPECT_EQ(
       thrown_for(file),
       file.generic_string() +
-          ": is 1.50 GiB large, above 1 GiB; allowed: delimited text (UTF-8, ASCII or Windows-1252), .xlsx, .mat or JSON; try: export one test per file, or fewer samples per second");
+          ": is 1.50 GiB large, above 1 GiB; allowed: delimited text, .xlsx, .mat or JSON; try: export one test per file, or fewer samples per second");
 }
 
 TEST_F(Refuse, WhatIsNoPlainFile) {
-  std::string const rest = "; allowed: delimited text (UTF-8, ASCII or Windows-1252), .xlsx, .mat or JSON";
+  std::string const rest = "; allowed: delimited text, .xlsx, .mat or JSON";
   EXPECT_EQ(thrown_for("/dev/zero"), "/dev/zero: is a device" + rest);
   auto const pipe = write("x").parent_path() / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
@@ -133,18 +131,53 @@ TEST_F(Refuse, ThousandsSeparators) {
       "FILE:2: '1,234.56' in column 2 'Force [N]' has thousands separators; allowed: a number with a decimal point and no other separator; try: --thousands ,");
 }
 
+// Seconds since a logger was switched on may lie among the days of a calendar.
+TEST_F(Refuse, NumbersBelowTimeAreNoDaysOfASpreadsheet) {
+  for (std::string const name : {"Time", "Zeit", "Tempo", "Timestamp", "Uhrzeit"}) {
+    std::string text = name + ";Disp [mm];Force [kN]\n";
+    for (int i = 0; i < 20; ++i) text += fmt::format("{:.2f};{};{}\n", 40000.0 + 0.08 * i, i, i % 5);
+    auto const said = refusal(text);
+    if (name == "Timestamp" || name == "Uhrzeit")  // which need not be the time
+      EXPECT_EQ(read(text).has_time(), false) << name;
+    else
+      EXPECT_EQ(said, fmt::format("FILE:1: column 1 '{}' (time) has no unit; allowed: {}; try: --units time=s", name,
+                                  known_units(Dimension::time)));
+    ReadOptions seconds;
+    seconds.columns[Channel::time] = "1";
+    seconds.units[Channel::time] = "s";
+    EXPECT_NEAR(read(text, seconds).time_s.back(), 40001.52, 1e-9) << name;
+  }
+}
+
 // --- rows -----------------------------------------------------------------------------------------------------------
 
 TEST_F(Refuse, CellsThatAreNoNumbersAllAtOnce) {
   EXPECT_EQ(
       refusal(header_row + "0;1;2\n1;NaN;3\n2;3;-inf\n3;x;1\n4;;1\n5;1,5;1\n6;1;1;9\n7;#N/A;1\n8;2;3\n9;2.5;4\n"),
       "FILE:8: 4 columns: '6;1;1;9'; allowed: 3 columns, as in most rows; try: --rows 1:6, the rows before it\n"
-      "FILE:3: 'NaN' in column 2 'Disp [mm]' is not a finite number; allowed: a finite number; try: --rows 1:1, the rows before it, or test again\n"
-      "FILE:4: '-inf' in column 3 'Force [kN]' is not a finite number; allowed: a finite number; try: --rows 1:2, the rows before it, or test again\n"
-      "FILE:5: 'x' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: --rows 1:3, the rows before it\n"
-      "FILE:6: column 2 'Disp [mm]' is empty; allowed: a number; try: --rows 1:4, the rows before it\n"
+      "FILE:3: 'NaN' in column 2 'Disp [mm]' is not a finite number; allowed: a finite number; try: --rows 3:, the rows behind it, or test again\n"
+      "FILE:4: '-inf' in column 3 'Force [kN]' is not a finite number; allowed: a finite number; try: --rows 4:, the rows behind it, or test again\n"
+      "FILE:5: 'x' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: --rows 5:, the rows behind it\n"
+      "FILE:6: column 2 'Disp [mm]' is empty; allowed: a number; try: --rows 6:, the rows behind it\n"
       "FILE:7: '1,5' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: --rows 1:5, the rows before it\n"
       "FILE: and 1 more cells that are no number");
+}
+
+// The longer part of what was asked for, with the ends that were asked for.
+TEST_F(Refuse, TheAdviceLeavesEnoughRowsOfThoseAskedFor) {
+  auto const text = header_row + "0;1;2\n1;3;3\n2;2;1\n3;1;2\n4;x;1\n5;2;3\n6;1;2\n7;0;1\n8;2;3\n9;3;1\n";
+  auto const advice = [&](char const* rows) {
+    ReadOptions options;
+    if (*rows != '\0') options.rows = parse_rows(rows);
+    auto const said = refusal(text, options);
+    return said.substr(std::min(said.find("try: "), said.size()));
+  };
+  EXPECT_EQ(advice(""), "try: --rows 6:, the rows behind it");
+  EXPECT_EQ(advice("2:10"), "try: --rows 6:10, the rows behind it");
+  EXPECT_EQ(advice("2:8"), "try: --rows 2:4, the rows before it");
+  EXPECT_EQ(advice("5:9"), "try: --rows 6:9, the rows behind it");
+  EXPECT_EQ(advice("4:7"), "try: export the record again");
+  EXPECT_EQ(advice("6:10"), "") << "which does not hold it";
 }
 
 TEST_F(Refuse, ABrokenFirstRowIsNoHeader) {
@@ -165,7 +198,7 @@ TEST_F(Refuse, ProblemsOfColumnsAndRowsTogether) {
   EXPECT_EQ(
       refusal("Time [s];Disp;Force [kN]\n0;1;2\n1;x;3\n2;3;1\n3;4;2\n"),
       "FILE:1: column 2 'Disp' (disp) has no unit; allowed: mm, cm, m, in; try: --units disp=mm\n"
-      "FILE:3: 'x' in column 2 'Disp' is not a number; allowed: a number with a decimal point; try: --rows 1:1, the rows before it");
+      "FILE:3: 'x' in column 2 'Disp' is not a number; allowed: a number with a decimal point; try: export the record again");
 }
 
 // --- values ---------------------------------------------------------------------------------------------------------

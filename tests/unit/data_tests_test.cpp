@@ -87,13 +87,13 @@ TEST_F(SeveralTests, UnitRowsAndCommentedNames) {
 TEST_F(SeveralTests, AreNotMadeOfOtherText) {
   EXPECT_EQ(
       refusal(header_row + "0;1;2\n1;2;3\nstop;stop;stop\n2;3;1\n"),
-      "FILE:4: 'stop' in column 1 'Time [s]' is not a number; allowed: a number with a decimal point; try: --rows 1:2, the rows before it");
+      "FILE:4: 'stop' in column 1 'Time [s]' is not a number; allowed: a number with a decimal point; try: export the record again");
 }
 
 TEST_F(SeveralTests, FaultsAreAtTheirLineOfTheFile) {
   EXPECT_EQ(
       refusal(header_row + "0;1;2\n1;2;3\n2;3;1\n" + header_row + "0;1;2\n1;x;3\n2;3;1\n", test("2")),
-      "FILE:7: 'x' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: --rows 1:1, the rows before it");
+      "FILE:7: 'x' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: export the record again");
 }
 
 TEST_F(SeveralTests, BeyondAnyNumberOfThem) {

@@ -7,8 +7,10 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "isolaw/data/properties.hpp"
@@ -21,7 +23,6 @@ enum class Device { rubber, lead, friction, relaxing, viscous };
 struct Made {
   std::string text;  // what was drawn
   double amplitude_mm = 0.0, force_kN = 0.0;
-  int samples_per_cycle = 0;
   std::vector<double> time_s, disp_mm, force_kN_;
   CycleView view() const { return {disp_mm, force_kN_, time_s, {}}; }
 };
@@ -29,16 +30,32 @@ struct Made {
 class Drawn {
  public:
   explicit Drawn(unsigned seed) : random_(seed) {}
-  double between(double low, double high) { return low + (high - low) * uniform_(random_); }
-  double on_logs(double low, double high) { return low * std::pow(high / low, uniform_(random_)); }
+  double between(double low, double high) { return low + (high - low) * uniform(); }
+  double on_logs(double low, double high) { return low * std::pow(high / low, uniform()); }
   int whole(int low, int high) { return low + static_cast<int>(between(0.0, high - low + 1.0 - 1e-9)); }
-  bool chance(double p) { return uniform_(random_) < p; }
-  double normal() { return normal_(random_); }
+  bool chance(double p) { return uniform() < p; }
+  // Polar method of Marsaglia, two at a time. The distributions of the standard library differ from one to another.
+  double normal() {
+    if (next_normal_) return *std::exchange(next_normal_, std::nullopt);
+    double x = 0.0, y = 0.0, square = 0.0;
+    do {
+      x = 2.0 * uniform() - 1.0;
+      y = 2.0 * uniform() - 1.0;
+      square = x * x + y * y;
+    } while (square > 1.0 || square == 0.0);
+    double const size = std::sqrt(-2.0 * std::log(square) / square);
+    next_normal_ = x * size;
+    return y * size;
+  }
 
  private:
+  // Of 64 bits, below 1.
+  double uniform() {
+    auto const low = static_cast<double>(random_()), high = static_cast<double>(random_());
+    return std::min((low + 0x1p32 * high) * 0x1p-64, std::nextafter(1.0, 0.0));
+  }
   std::mt19937 random_;
-  std::uniform_real_distribution<double> uniform_{0.0, 1.0};
-  std::normal_distribution<double> normal_{0.0, 1.0};
+  std::optional<double> next_normal_;
 };
 
 struct Bounds {
@@ -149,7 +166,6 @@ inline Clean true_motion(Plan const& plan) {
 
 inline Made finish(Drawn& random, Plan const& plan, Clean clean) {
   Made made;
-  made.samples_per_cycle = plan.samples;
   made.amplitude_mm = plan.amplitude_mm;
   auto const [low, high] = std::ranges::minmax(clean.force_kN);
   made.force_kN = (high - low) / 2.0;

@@ -3,8 +3,8 @@
 
 K = 0.5 kN/mm, friction of 20 kN, three cycles of 100 mm at 0.5 Hz, 100 samples a cycle: K_eff is 0.7 kN/mm. What is
 expected of each file stands in warts.json; tests/cli/warts_test.cpp holds them together. The signals that cannot be
-true (disp-*, force-*, true*, time-gap) are of a smooth device, K x + Q z with z following the way exponentially, and not
-written here."""
+true (disp-*, force-*, time-gap) and those that may (true*) are of a smooth device: 0.5 kN/mm and 30 kN that follow the
+way within 12.5 mm, K_eff is 0.8 kN/mm."""
 import datetime
 import math
 import os
@@ -84,7 +84,7 @@ def time_stamps():
           lambda t, x, f: f"{stamp('%d.%m.%Y', t, night)};{stamp('%H:%M:%S,%f', t, night, 3)};{comma(x)};{comma(f)};20,5")
     table('serial-days.csv', 'Date/Time' + tail, lambda t, x, f: f'{45414.4 + t / 86400.0:.10f};{x:.3f};{f:.3f}')
     table('days-as-seconds.csv', 'Time [s]' + tail, lambda t, x, f: f'{45414.4 + t / 86400.0:.10f};{x:.3f};{f:.3f}')
-    timed('two-clocks.csv', 'Start', '%H:%M:%S.%f')
+    table('uptime.csv', 'Time' + tail, lambda t, x, f: f'{40000.0 + t / 4.0:.3f};{x:.3f};{f:.3f}')
     table('two-clocks.csv', 'Logged;Sent' + tail,
           lambda t, x, f: f"{stamp('%H:%M:%S.%f', t, cut=3)};{stamp('%H:%M:%S.%f', t + 1, cut=3)};{x:.3f};{f:.3f}")
     table('clock-beside-seconds.csv', 'Time;Elapsed time [s]' + tail,
@@ -92,12 +92,11 @@ def time_stamps():
     workbook('date-cells.xlsx', 'Date and time', lambda t: 45414.4 + t / 86400.0)
 
 
-def workbook(name, head, time, above=()):
+def workbook(name, head, time):
     """The least that Excel reads: cells of the first column in style 1, a date and time."""
     def text(content):
         return f'<c t="inlineStr"><is><t>{content}</t></is></c>'
-    rows = ''.join('<row>' + ''.join(text(c) for c in line) + '</row>' for line in above)
-    rows += '<row>' + text(head) + text('Displacement [mm]') + text('Force [kN]') + '</row>'
+    rows = '<row>' + text(head) + text('Displacement [mm]') + text('Force [kN]') + '</row>'
     for t, x, f in device:
         rows += f'<row><c s="1"><v>{time(t):.12f}</v></c><c><v>{x:.3f}</v></c><c><v>{f:.3f}</v></c></row>'
     parts = {
@@ -143,7 +142,7 @@ def parts_of_files():
 
 
 def units_and_names():
-    table('unit-in-point.csv', 'Time (min.),Displ. (in.),Force (kip)'.replace('(min.)', '(min)'),
+    table('unit-in-point.csv', 'Time (min),Displ. (in.),Force (kip)',
           lambda t, x, f: f'{t / 60:.7f},{x / 25.4:.6f},{f / 4.4482216152605:.6f}')
     table('unit-tonnes.csv', 'Tempo [s];Spostamento [cm];Forza [t]', lambda t, x, f: f'{comma(t, 2)};{comma(x / 10, 4)};{comma(f / 9.80665, 5)}')
     table('unit-row-tonnes.csv', 'Time;Displacement;Force\ns;mm;t', lambda t, x, f: f'{t:.2f};{x:.3f};{f / 9.80665:.5f}')
@@ -236,9 +235,70 @@ def machines():
     write('machine.id_comp', b'TDAT' + bytes(24))
 
 
+def sine(i):
+    return 100.0 * math.sin(2.0 * math.pi * i / 100.0)
+
+
+def triangle(i):
+    part = i % 100 / 100.0
+    return 400.0 * part if part < 0.25 else 200.0 - 400.0 * part if part < 0.75 else 400.0 * part - 400.0
+
+
+def smooth(motion, count=301):
+    z = previous = 0.0
+    rows = []
+    for i in range(count):
+        x = motion(i)
+        if x != previous:
+            z += (math.copysign(1.0, x - previous) - z) * (1.0 - math.exp(-abs(x - previous) / 12.5))
+        previous = x
+        rows.append((interval * i, x, 0.5 * x + 30.0 * z))
+    return rows
+
+
+def signals():
+    def signal(name, rows):
+        table(name, 'time [s],disp [mm],force [kN]', lambda t, x, f: f'{t:.3f},{x:.3f},{f:.3f}', source=rows)
+
+    def rounded(value, step):
+        return step * round(value / step)
+
+    true = smooth(sine)
+    signal('true.csv', true)
+    signal('true-trapezoid.csv', smooth(lambda i: max(-100.0, min(100.0, 0.7 * triangle(i) / 0.5))))
+    signal('true-triangle.csv', smooth(triangle))
+    signal('true-one-sided.csv', smooth(lambda i: 50.0 - 50.0 * math.cos(2.0 * math.pi * i / 100.0)))
+    signal('true-coarse-digitiser.csv', [(t, rounded(x, 0.5), rounded(f, 0.4)) for t, x, f in true])
+    signal('true-rests.csv', smooth(lambda i: sine(i - 30) if 30 < i < 330 else 0.0, 361))
+    signal('true-friction.csv', [(interval * i, x, 0.2 * x + 40.0 * (1.0 if (i - 1) % 100 < 25 or (i - 1) % 100 >= 75 else -1.0))
+                                 for i, x in enumerate(map(triangle, range(301)))])
+    signal('disp-clipped-both-sides.csv', [(t, max(-95.0, min(95.0, x)), f) for t, x, f in true])
+    signal('disp-clipped-one-side.csv', [(t, min(98.0, x), f) for t, x, f in true])
+    signal('force-clipped.csv', [(t, x, max(-70.0, min(70.0, f))) for t, x, f in true])
+    stuck = true[110][1]
+    signal('disp-stuck-then-jumps.csv', [(t, stuck if 111 <= i <= 121 else x, f) for i, (t, x, f) in enumerate(true)])
+    signal('disp-stuck-then-goes-on.csv', [(t, true[i if i <= 110 else max(110, i - 12)][1], f) for i, (t, x, f) in enumerate(true)])
+    signal('force-stuck.csv', [(t, x, true[205][2] if 206 <= i <= 217 else f) for i, (t, x, f) in enumerate(true)])
+    signal('disp-rectified.csv', [(t, abs(x), f) for t, x, f in true])
+    signal('force-rectified.csv', [(t, x, abs(f)) for t, x, f in true])
+
+    def spoilt(name, channel, by):
+        rows = [list(row) for row in true]
+        for i, more in by.items():
+            rows[i][channel] += more
+        signal(name, rows)
+
+    spoilt('force-spike.csv', 2, {127: 5.0})
+    spoilt('disp-spike.csv', 1, {160: -20.0})
+    spoilt('force-spikes.csv', 2, {60: 6.0, 133: -9.0, 241: 15.0})
+    spoilt('force-dropout.csv', 2, {170: -true[170][2]})
+    signal('time-gap.csv', [(t + (2.5 if i > 140 else 0.0), x, f) for i, (t, x, f) in enumerate(true)])
+
+
 time_stamps()
 parts_of_files()
 units_and_names()
 text_files()
 compression_tests()
 machines()
+signals()

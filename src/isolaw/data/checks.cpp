@@ -129,27 +129,6 @@ Loop measure_loop(TestRecord const& record, std::vector<Cycle const*> const& cyc
   return loop;
 }
 
-// The longest run of one and the same force while the device moved: a clipped amplifier or a dead channel.
-void warn_of_stuck_force(TestRecord& record, double half_range_mm) {
-  constexpr std::size_t fewest_samples = 8;
-  constexpr double motion = 0.02;  // of the half range: less may be a hold
-  std::size_t first = 0, longest_first = 0, longest = 0;
-  for (std::size_t i = 1; i <= record.size(); ++i) {
-    if (i < record.size() && record.force_kN[i] == record.force_kN[first]) continue;
-    auto const moved = std::abs(record.disp_mm[i - 1] - record.disp_mm[first]);
-    if (i - first > longest && moved > motion * half_range_mm) {
-      longest = i - first;
-      longest_first = first;
-    }
-    first = i;
-  }
-  if (longest >= fewest_samples)
-    record.warnings.push_back(fmt::format(
-        "force stays at {:.4g} kN from sample {} to {} while the device moves {:.4g} mm: a clipped or dead channel?",
-        record.force_kN[longest_first], longest_first + 1, longest_first + longest,
-        std::abs(record.disp_mm[longest_first + longest - 1] - record.disp_mm[longest_first])));
-}
-
 // No isolator is as stiff as a steel bar or as soft as a rubber band: a unit is wrong, rather.
 void warn_about_magnitude(TestRecord& record) {
   constexpr double stiffest_kN_per_mm = 100.0;
@@ -166,6 +145,30 @@ void warn_about_magnitude(TestRecord& record) {
       "{:.4g} kN over {:.4g} mm is a stiffness of {:.4g} kN/mm, {} than any isolator's: are displacements really in {} and forces in {}? (--units disp=UNIT,force=UNIT)",
       largest_F - least_F, largest_x - least_x, stiffness, stiffness > stiffest_kN_per_mm ? "stiffer" : "softer",
       unit(Channel::disp), unit(Channel::force)));
+}
+
+// A rest that was not recorded takes its time by the clock: nothing is left out then.
+void warn_of_gaps(TestRecord& record) {
+  auto gaps = time_gaps(record.disp_mm, record.time_s);
+  std::erase_if(gaps, [](Gap const& gap) { return gap.taken_s >= gap.length_s; });
+  if (gaps.empty()) return;
+  auto const& gap = *std::ranges::max_element(gaps, {}, &Gap::length_s);
+  record.warnings.push_back(fmt::format(
+      "time jumps {} by {:.4g} s after sample {} ({:.6g} s): {:.4g} s of it are taken for the motion, by its speed on both sides, and periods and frequency leave out the rest",
+      gaps.size() == 1 ? "once," : fmt::format("{} times, at most", gaps.size()), gap.length_s, gap.after + 1,
+      record.time_s[gap.after], gap.taken_s));
+}
+
+// Days of a spreadsheet under a name with seconds: each cell a date, all of a test within a part of a day.
+void warn_of_days(TestRecord& record) {
+  if (record.time_s.empty() || !may_be_serial(record.time_s.front()) || !may_be_serial(record.time_s.back())) return;
+  constexpr double fastest_Hz = 1000.0;  // no test of a device is sampled faster and lasts less than a second
+  double const length = record.time_s.back() - record.time_s.front();
+  double const rate = static_cast<double>(record.time_s.size() - 1) / length;
+  if (length > 1.0 || rate < fastest_Hz) return;
+  record.warnings.push_back(fmt::format(
+      "time runs from {:.10g} to {:.10g} s, {:.4g} samples a second: these look like days of a spreadsheet; try: --units time=d",
+      record.time_s.front(), record.time_s.back(), rate));
 }
 
 }  // namespace
@@ -198,7 +201,8 @@ void check_physics(TestRecord const& record, std::string const& exchange_advice,
   auto const cycles = properties.complete();
   if (cycles.empty() || !properties.faults.empty()) return;  // other signs of a signal that cannot be true
   auto const loop = measure_loop(record, cycles);
-  // Nothing follows from the sign of an energy within the skew of two channels of a nearly elastic device.
+  // What refuses the file. Within the skew of two channels of a nearly elastic device nothing tells which channel is
+  // wrong: less energy given back than this, but more than noise, refuses the properties alone.
   constexpr double significant_energy = 0.02;
   constexpr double significant_correlation = 0.2;
   if (loop.equivalent_damping > -significant_energy) return;
@@ -215,32 +219,6 @@ void check_physics(TestRecord const& record, std::string const& exchange_advice,
                           allowed, flip + " or " + exchange_advice});
 }
 
-namespace {
-
-void warn_of_gaps(TestRecord& record) {
-  auto const gaps = time_gaps(record.disp_mm, record.time_s);
-  if (gaps.empty()) return;
-  auto const& gap = *std::ranges::max_element(gaps, {}, &Gap::length_s);
-  record.warnings.push_back(fmt::format(
-      "time jumps {} by {:.4g} s after sample {} ({:.6g} s): {:.4g} s of it are taken for the motion, by its speed on both sides, and periods and frequency leave out the rest",
-      gaps.size() == 1 ? "once," : fmt::format("{} times, at most", gaps.size()), gap.length_s, gap.after + 1,
-      record.time_s[gap.after], gap.taken_s));
-}
-
-// Days of a spreadsheet under a name with seconds: each cell a date, all of a test within a part of a day.
-void warn_of_days(TestRecord& record) {
-  if (record.time_s.empty() || !may_be_serial(record.time_s.front()) || !may_be_serial(record.time_s.back())) return;
-  constexpr double fastest_Hz = 1000.0;  // no test of a device is sampled faster and lasts less than a second
-  double const length = record.time_s.back() - record.time_s.front();
-  double const rate = static_cast<double>(record.time_s.size() - 1) / length;
-  if (length > 1.0 || rate < fastest_Hz) return;
-  record.warnings.push_back(fmt::format(
-      "time runs from {:.10g} to {:.10g} s, {:.4g} samples a second: these look like days of a spreadsheet; try: --units time=d",
-      record.time_s.front(), record.time_s.back(), rate));
-}
-
-}  // namespace
-
 void add_warnings(TestRecord& record) {
   warn_about_magnitude(record);
   auto const properties = cyclic_properties(record);
@@ -255,7 +233,6 @@ void add_warnings(TestRecord& record) {
     record.warnings.push_back(fmt::format(
         "the first sample is at {:.4g} mm, {:.0f} % of the half range of {:.4g} mm: laws start at rest at zero",
         record.disp_mm.front(), 100.0 * std::abs(record.disp_mm.front()) / half_range, half_range));
-  warn_of_stuck_force(record, half_range);
   warn_of_gaps(record);
   warn_of_days(record);
   if (properties.reported && !properties.reported->damping())

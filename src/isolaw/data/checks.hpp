@@ -45,7 +45,7 @@ void check_channel(std::string const& file, RawChannel const& raw, std::span<std
 // Signs of energy and stiffness over the complete cycles. `advice` is what to type when the columns are exchanged.
 void check_physics(TestRecord const& record, std::string const& exchange_advice, std::vector<Complaint>& complaints);
 
-// An implausible stiffness, a start away from zero, a force that stays; the warnings of error_budget; why there are no
+// An implausible stiffness, a start away from zero, a clock that jumps; the warnings of error_budget; why there are no
 // properties.
 void add_warnings(TestRecord& record);
 

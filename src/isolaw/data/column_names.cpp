@@ -17,10 +17,7 @@ using Lexicon = std::span<std::string_view const>;
 // English, Italian, German, French, Spanish, Turkish; lower case without accents.
 constexpr std::string_view time_words[]{"time",     "tempo", "zeit", "temps",   "tiempo",
                                         "messzeit", "zaman", "sure", "prufzeit"};
-// Of columns of dates and times of day, which no other word need name.
-constexpr std::string_view date_words[]{"timestamp", "datetime", "date",     "datum",       "data",   "fecha", "time",
-                                        "zeit",      "uhrzeit",  "horodate", "zeitstempel", "ora",    "hora",  "heure",
-                                        "tarih",     "saat",     "tempo",    "temps",       "tiempo", "zaman"};
+constexpr std::string_view calendar_words[]{"datetime", "date", "datum", "data", "fecha", "tarih"};
 constexpr std::string_view disp_words[]{"disp",        "weg",       "stroke",   "corsa",       "extension",   "hub",
                                         "scorrimento", "deplasman", "otelenme", "standardweg", "traversenweg"};
 constexpr std::string_view disp_stems[]{"displ",         "spost",     "verschieb",
@@ -72,14 +69,8 @@ bool any_starts(Lexicon stems, Words const& words) {
   });
 }
 
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
 bool is_capital(char c) {
   return c >= 'A' && c <= 'Z';
-}
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
 }
 
 struct Translation {
@@ -295,8 +286,8 @@ ColumnName dissect_name(std::string_view written) {
   return {.base = std::string(name), .unit = {}};
 }
 
-bool names_a_date(std::string_view name) {
-  return any_in(date_words, words_of(dissect_name(name).base));
+bool names_a_calendar(std::string_view name) {
+  return any_in(calendar_words, words_of(dissect_name(name).base));
 }
 
 bool names_a_velocity(std::string_view name) {

@@ -2,11 +2,29 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
-#include "isolaw/data/columns.hpp"
+#include "isolaw/data/record.hpp"
 
 namespace isolaw::data {
+
+// A column's name taken apart: "Forza orizzontale [kN]" -> "Forza orizzontale" and "kN".
+struct ColumnName {
+  std::string base;
+  std::string unit;  // as written; empty when the name holds none
+};
+ColumnName dissect_name(std::string_view name);
+
+// Words of a name in lower case without accents: "DispH_2" -> disp, h, 2; Japanese by what it means.
+std::vector<std::string> name_words(std::string_view name);
+
+// Whether a word of Japanese that is known stands in the name.
+bool is_japanese(std::string_view name);
+
+// Whether a header cell looks like a time, displacement or force of any kind: tells a row of names from other lines.
+bool names_a_channel(std::string_view cell);
 
 enum class Certainty { none, symbol, word };
 
@@ -21,8 +39,8 @@ Meaning meaning_of(std::string_view name);
 
 // Whether it counts samples.
 bool is_counter(std::string_view name);
-// Whether it may stand above dates.
-bool names_a_date(std::string_view name);
+// Whether it says that dates stand below it, not times alone.
+bool names_a_calendar(std::string_view name);
 bool names_a_velocity(std::string_view name);
 
 }  // namespace isolaw::data

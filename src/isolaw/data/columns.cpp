@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "isolaw/base/printable.hpp"
@@ -110,11 +109,13 @@ class Resolver {
     return kind == StampKind::date_time || kind == StampKind::clock;
   }
 
-  // Numbers are days of a spreadsheet where the column has no unit, which such days never have.
+  // Numbers are days of a spreadsheet where the column has no unit, which such days never have, and its name says that
+  // it holds dates: below "Time" they may be seconds.
   void take_stamps(Column& time) {
     auto const kind = stamps_of(time.index);
     bool const has_unit = options_.units.contains(Channel::time) || !written_units(Channel::time, time.index).empty();
-    if (kind == StampKind::date_time || kind == StampKind::clock || (kind == StampKind::serial_number && !has_unit))
+    if (kind == StampKind::date_time || kind == StampKind::clock ||
+        (kind == StampKind::serial_number && !has_unit && names_a_calendar(time.index)))
       time.stamp = kind;
   }
 
@@ -144,7 +145,7 @@ class Resolver {
     std::string why = "by its name";
     if (found.empty()) {
       for (std::size_t i = 0; i < count_; ++i)
-        if (!is_taken(i) && (holds_stamps(i) || (stamps_of(i) == StampKind::serial_number && names_a_date(i))))
+        if (!is_taken(i) && (holds_stamps(i) || (stamps_of(i) == StampKind::serial_number && names_a_calendar(i))))
           found.push_back(i);
       why = "by its values";
     }
@@ -162,8 +163,8 @@ class Resolver {
     take_stamps(time);
   }
 
-  bool names_a_date(std::size_t index) const {
-    return index < header_.names.size() && data::names_a_date(header_.names[index]);
+  bool names_a_calendar(std::size_t index) const {
+    return index < header_.names.size() && data::names_a_calendar(header_.names[index]);
   }
 
   // What the file does not say: a reader of the results has nothing else to check it by.

@@ -34,22 +34,6 @@ struct Wanted {
 
 Dimension dimension(Channel channel);
 
-// A column's name taken apart: "Forza orizzontale [kN]" -> "Forza orizzontale" and "kN".
-struct ColumnName {
-  std::string base;
-  std::string unit;  // as written; empty when the name holds none
-};
-ColumnName dissect_name(std::string_view name);
-
-// Words of a name in lower case without accents: "DispH_2" -> disp, h, 2; Japanese by what it means.
-std::vector<std::string> name_words(std::string_view name);
-
-// Whether a word of Japanese that is known stands in the name.
-bool is_japanese(std::string_view name);
-
-// Whether a header cell looks like a time, displacement or force of any kind: tells a row of names from other lines.
-bool names_a_channel(std::string_view cell);
-
 struct Column {
   std::size_t index = 0;                        // from 0
   std::optional<Unit> unit;                     // empty when it is missing or wrong, which is among the complaints

@@ -1,7 +1,6 @@
 #include "isolaw/data/corrections.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +15,7 @@
 #include "isolaw/data/clean.hpp"
 #include "isolaw/data/cycles.hpp"
 #include "isolaw/data/record.hpp"
+#include "isolaw/data/record_parts.hpp"
 #include "isolaw/data/signal_faults.hpp"
 
 namespace isolaw::data {
@@ -43,12 +43,6 @@ void note(TestRecord& record, std::string sentence) {
   record.corrections.push_back(std::move(sentence));
 }
 
-void keep(std::vector<double>& values, std::size_t begin, std::size_t end) {
-  if (values.empty()) return;
-  values.erase(values.begin() + static_cast<std::ptrdiff_t>(end), values.end());
-  values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(begin));
-}
-
 void repair_channel(TestRecord& record, std::vector<double>& values, std::string_view name, std::string_view unit) {
   auto const found = spikes(values);
   std::vector<std::string> samples;
@@ -61,7 +55,7 @@ void repair_channel(TestRecord& record, std::vector<double>& values, std::string
   note(record, found.empty() ? fmt::format("no spikes of {} to repair", name)
                              : fmt::format("{} of {} repaired by what the neighbours say: {}",
                                            found.size() == 1 ? "a spike" : fmt::format("{} spikes", found.size()), name,
-                                           fmt::join(samples, ", ")));
+                                           shortened(std::move(samples), 10)));
 }
 
 void remove_skew(TestRecord& record, double skew_s) {
@@ -84,7 +78,8 @@ void remove_skew(TestRecord& record, double skew_s) {
                  "a skew much shorter than the record", "leave it out"});
   auto const dropped = record.size() - (end - begin);
   record.force_kN = std::move(moved);
-  for (auto* channel : {&record.time_s, &record.disp_mm, &record.force_kN, &record.load_kN}) keep(*channel, begin, end);
+  for (auto* channel : {&record.time_s, &record.disp_mm, &record.force_kN, &record.load_kN})
+    keep({.first = begin, .count = end - begin}, *channel);
   note(
       record,
       fmt::format(

@@ -8,14 +8,11 @@
 #include <map>
 #include <system_error>
 
+#include "isolaw/base/words.hpp"
 #include "isolaw/data/text.hpp"
 
 namespace isolaw::data {
 namespace {
-
-constexpr bool is_a_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 // What acquisition programs and spreadsheets write for a value that is not there or not finite.
 bool is_not_finite(std::string_view cell) {
@@ -30,7 +27,7 @@ bool is_not_finite(std::string_view cell) {
   return std::ranges::find(marks, view) != marks.end() || view.starts_with("nan(");
 }
 
-// Marks that group digits, as they are written; the first character of each line is what the option calls it.
+// Marks that group digits, as they are written.
 struct GroupMark {
   char meant;
   std::string_view written;
@@ -51,7 +48,7 @@ bool is_grouped(std::string_view cell, NumberFormat format, std::string* digits 
   char const decimal = format.decimal;
   auto const take_digits = [&cell] {
     std::size_t count = 0;
-    while (count < cell.size() && is_a_digit(cell[count])) ++count;
+    while (count < cell.size() && is_digit(cell[count])) ++count;
     cell.remove_prefix(count);
     return count;
   };
@@ -101,7 +98,7 @@ Cell parse_comma(std::string_view cell) {
   for (std::size_t i = 0; i < cell.size(); ++i) {
     char const c = cell[i];
     if (c == '.') return {.kind = CellKind::text};
-    if (c == ',' && (i + 1 == cell.size() || !is_a_digit(cell[i + 1]))) return {.kind = CellKind::text};
+    if (c == ',' && (i + 1 == cell.size() || !is_digit(cell[i + 1]))) return {.kind = CellKind::text};
     buffer[i] = c == ',' ? '.' : c;
   }
   return parse_point(buffer.data(), buffer.data() + cell.size());
@@ -221,13 +218,23 @@ void study_columns(Dialect& dialect, std::span<std::string_view const> sample, s
 
 }  // namespace
 
+DigitGroup const& digit_group(char mark) {
+  return *std::ranges::find(digit_groups, mark, &DigitGroup::mark);
+}
+
+std::optional<DigitGroup> group_in(std::string_view cell, char decimal) {
+  for (auto const& [meant, written] : group_marks)
+    if (written.front() != decimal && cell.find(written) != std::string_view::npos) return digit_group(meant);
+  return std::nullopt;
+}
+
 Cell parse_cell(std::string_view cell, NumberFormat format) {
   if (cell.empty()) return {};
   char const decimal = format.decimal;
   auto digits = cell;
   if (digits.front() == '+') digits.remove_prefix(1);
   Cell parsed{.kind = CellKind::text};
-  if (!digits.empty() && (is_a_digit(digits.back()) || digits.back() == '.') && digits.front() != '+')
+  if (!digits.empty() && (is_digit(digits.back()) || digits.back() == '.') && digits.front() != '+')
     parsed = decimal == '.' ? parse_point(digits.data(), digits.data() + digits.size()) : parse_comma(digits);
   if (parsed.kind != CellKind::text) return parsed;
   if (is_not_finite(cell)) return {.kind = CellKind::not_finite};
@@ -339,16 +346,19 @@ std::optional<Dialect> recognise_dialect(std::span<std::string_view const> lines
   return dialect;
 }
 
-std::optional<Dialect> one_column_dialect(std::span<std::string_view const> lines) {
+std::optional<Dialect> one_column_dialect(std::span<std::string_view const> lines, std::optional<char> thousands) {
+  char const group = thousands.value_or('\0');
   auto const sample = sample_lines(lines);
   Score best;
   for (auto const pair : {Pair{'\t', '.'}, Pair{'\t', ','}})
-    if (auto const score = score_pair(sample, pair, '\0', 1); score.columns == 1 && score.points > best.points)
+    if (auto const score = score_pair(sample, pair, group, 1);
+        pair.decimal != group && score.columns == 1 && score.points > best.points)
       best = score;
   if (best.columns != 1) return std::nullopt;
   Dialect dialect;
   dialect.delimiter = best.pair.delimiter;
   dialect.decimal = best.pair.decimal;
+  dialect.thousands = group;
   dialect.columns = 1;
   study_columns(dialect, sample, 1);
   dialect.why = fmt::format("one column, decimals by a {}: {} of {} lines looked at are numbers",

@@ -2,6 +2,7 @@
 // pair of the two is tried on lines from all over the file, and the pair that reads most of them as numbers wins.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -12,6 +13,18 @@
 #include "isolaw/data/time_stamp.hpp"
 
 namespace isolaw::data {
+
+// What --thousands calls a mark that groups digits; a name for the mark of several writings.
+struct DigitGroup {
+  char mark;
+  std::string_view word, typed, said;  // the option's value; as a shell takes it; in a sentence
+};
+inline constexpr std::array digit_groups{DigitGroup{',', ",", ",", "','"}, DigitGroup{'.', ".", ".", "'.'"},
+                                         DigitGroup{'\'', "'", "\"'\"", "'''"},
+                                         DigitGroup{' ', "blank", "blank", "blanks"}};
+DigitGroup const& digit_group(char mark);
+// The one that groups the digits of a cell, beside its decimal sign; nullopt where none does.
+std::optional<DigitGroup> group_in(std::string_view cell, char decimal);
 
 // How numbers are written.
 struct NumberFormat {
@@ -65,7 +78,8 @@ bool is_blank(std::string_view line, char delimiter);
 std::optional<Dialect> recognise_dialect(std::span<std::string_view const> lines,
                                          std::optional<char> thousands = std::nullopt);
 // Of a file that may be one column of numbers.
-std::optional<Dialect> one_column_dialect(std::span<std::string_view const> lines);
+std::optional<Dialect> one_column_dialect(std::span<std::string_view const> lines,
+                                          std::optional<char> thousands = std::nullopt);
 // The same of the rows of a worksheet, cells separated by tabs.
 std::optional<Dialect> sheet_dialect(std::span<std::string_view const> rows);
 

@@ -227,9 +227,12 @@ class Assessment {
 
   Jump jump_at_reversals() {
     std::vector<double> jumps;
+    double const noise = noise_deviation(view_.disp_mm);
     for (auto const* counted : block_->counted())
-      for (bool const upper : {true, false})
+      for (bool const upper : {true, false}) {
+        if (held_at_extreme(view_.disp_mm, *counted, upper, noise)) continue;  // where a force creeps
         if (auto const found = jump(*counted, upper)) jumps.push_back(*found);
+      }
     if (jumps.size() < 4) return {};
     std::ranges::sort(jumps);
     double const typical = jumps[jumps.size() / 2];

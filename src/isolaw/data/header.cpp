@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "isolaw/base/units.hpp"
+#include "isolaw/base/words.hpp"
+#include "isolaw/data/column_names.hpp"
 #include "isolaw/data/columns.hpp"
 #include "isolaw/data/text.hpp"
 
@@ -160,7 +162,7 @@ bool may_hold_names(std::string_view line) {
   char previous = ' ';
   for (char const c : line) {
     bool const letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
-    bool const of_number = previous >= '0' && previous <= '9';  // 2024-05-02T10:00:00Z
+    bool const of_number = is_digit(previous);  // 2024-05-02T10:00:00Z
     if (letter && c != 'e' && c != 'E' && !of_number) return true;
     previous = c;
   }

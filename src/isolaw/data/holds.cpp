@@ -19,7 +19,7 @@ constexpr double least_hold = 0.15;     // of the period
 constexpr double least_stretch = 0.02;  // of the piece
 constexpr double clear_edges = 0.9;     // of a stretch: what lies within the narrower band stands for all of it
 constexpr std::size_t most_holds = 16;  // of a piece
-constexpr std::size_t least_samples = 8;
+constexpr std::size_t least_in_piece = 8;
 
 struct Stretch {
   std::size_t first = 0;  // samples, both included
@@ -75,7 +75,7 @@ StillTime still_time(std::span<double const> disp_mm, std::span<double const> ti
   StillTime still;
   auto const begin = static_cast<std::size_t>(std::ceil(piece.first));
   auto const end = std::min(static_cast<std::size_t>(std::floor(piece.last)) + 1, disp_mm.size());
-  if (end < begin + least_samples || !(piece.amplitude > 0.0) || noise_band * noise > too_noisy * piece.amplitude)
+  if (end < begin + least_in_piece || !(piece.amplitude > 0.0) || noise_band * noise > too_noisy * piece.amplitude)
     return still;
   double const width = std::max(band * piece.amplitude, noise_band * noise);
   double const half_edge = std::max(edge * piece.amplitude, noise_band / 2.0 * noise);
@@ -114,18 +114,17 @@ StillTime still_time(std::span<double const> disp_mm, std::span<double const> ti
 }
 
 std::vector<Gap> time_gaps(std::span<double const> x, std::span<double const> time_s) {
-  constexpr double jump = 5.0;  // intervals
   constexpr std::size_t fewest = 16;
   if (time_s.size() < fewest) return {};
   std::vector<double> intervals;
   for (std::size_t i = 1; i < time_s.size(); ++i) intervals.push_back(time_s[i] - time_s[i - 1]);
   double const longest = std::ranges::max(intervals);
   double const interval = num::median(intervals);
-  if (!(longest > jump * interval)) return {};
+  if (!(longest > most_intervals * interval)) return {};
   std::vector<Gap> gaps;
   for (std::size_t i = 0; i + 1 < time_s.size(); ++i) {
     double const length = time_s[i + 1] - time_s[i];
-    if (!(length > jump * interval)) continue;
+    if (!(length > most_intervals * interval)) continue;
     double const before = i > 0 ? std::abs(x[i] - x[i - 1]) : 0.0;
     double const after = i + 2 < x.size() ? std::abs(x[i + 2] - x[i + 1]) : 0.0;
     double const speed = std::max(before, after) / interval;

@@ -26,7 +26,10 @@ struct StillTime {
 // holds none are found. O(n log n) of the piece's samples at worst.
 StillTime still_time(std::span<double const> disp_mm, std::span<double const> time_s, Piece const& piece, double noise);
 
-// Time as the motion took it: where the clock jumps between two samples (by more than five intervals), what the speed
+// Between two samples this many times farther apart than most nobody knows what a channel did.
+inline constexpr double most_intervals = 5.0;
+
+// Time as the motion took it: where the clock jumps between two samples (by more than most_intervals), what the speed
 // on both sides needs for the way between them, at least one interval and at most what the clock says. Empty where
 // nothing jumps.
 struct Gap {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/data/number_table.hpp"
 #include "isolaw/data/sheet_choice.hpp"
 #include "isolaw/data/text.hpp"
@@ -22,7 +23,6 @@ using namespace std::string_view_literals;
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t most_odd_cells = 64;  // kept with their text, per column
 constexpr std::size_t most_words = 10000;   // single texts that may be units
-constexpr std::size_t most_tests = 1000;
 constexpr std::size_t longest_text = 200;
 
 // A value of an array: a number, or what stands in its place.
@@ -362,7 +362,7 @@ class Handler {
 std::string plain(std::string_view name) {
   std::string text;
   for (char const c : lower(name))
-    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80) text += c;
+    if ((c >= 'a' && c <= 'z') || is_digit(c) || static_cast<unsigned char>(c) >= 0x80) text += c;
   return text;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "isolaw/base/printable.hpp"
+#include "isolaw/data/column_names.hpp"
 #include "isolaw/data/inflate_limit.hpp"
 #include "isolaw/data/mat_file.hpp"
 #include "isolaw/data/number_table.hpp"

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "isolaw/data/record_parts.hpp"
 #include "isolaw/data/text.hpp"
+#include "isolaw/data/time_stamp.hpp"
 
 namespace isolaw::data {
 
@@ -40,15 +42,19 @@ void NumberTable::check_lengths(Columns const& columns, std::vector<Complaint>& 
 void NumberTable::report_odd(std::size_t column, RawChannel const& raw, RowChoice const& choice,
                              std::vector<Complaint>& complaints) const {
   Findings findings(place_of(column), "values that are no number");
+  auto const leave_out = [&](std::size_t row) { return without_row(choice.range, row, raw.values.size()); };
   for (std::size_t i = 0; i < raw.values.size(); ++i) {
     if (std::isfinite(raw.values[i]) || !choice.contains(i + 1)) continue;
     auto const odd = list_[column].odd_cells.find(i);
-    if (odd != list_[column].odd_cells.end())
+    if (odd != list_[column].odd_cells.end() && parse_stamp(odd->second))
+      findings.add(i + 1, fmt::format("{} in {} is a time stamp", in_quotes(odd->second), raw.column),
+                   "numbers; time stamps are read in text and workbooks", "--columns time=none --dt SECONDS");
+    else if (odd != list_[column].odd_cells.end())
       findings.add(i + 1, fmt::format("{} in {} is not a number", in_quotes(odd->second), raw.column), "a number",
-                   "correct the value, or leave it out in every channel");
+                   leave_out(i + 1));
     else
       findings.add(i + 1, fmt::format("'{}' in {} is not a finite number", raw.values[i], raw.column),
-                   "a finite number", fmt::format("--rows 1:{}, the rows before it, or test again", i));
+                   "a finite number", leave_out(i + 1) + ", or test again");
   }
   findings.append_to(complaints);
 }

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "isolaw/base/words.hpp"
-#include "isolaw/data/columns.hpp"
+#include "isolaw/data/column_names.hpp"
 #include "isolaw/data/dialect.hpp"
 #include "isolaw/data/text.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 struct Label {
   std::string_view key, words;  // lower case, without accents, one blank between words
 };
-// Japanese stands here as translated_words() has it.
+// Japanese stands here as name_words() has it.
 constexpr std::array labels{Label{"serial", "serial"},
                             Label{"serial", "serial no"},
                             Label{"serial", "serial number"},
@@ -125,8 +125,6 @@ constexpr std::array labels{Label{"serial", "serial"},
 
 // Words of a label without a unit in brackets, which is handed out.
 std::optional<std::string_view> key_of(std::string_view label, std::string& unit) {
-  auto const small = lower(label);
-  if (small == "t" || small == "n") return std::nullopt;
   std::string base(label);
   if (auto const open = base.find_first_of("[("); open != std::string::npos) {
     auto const close = base.find_first_of("])", open);
@@ -183,10 +181,9 @@ void take_particulars(std::string_view line, char delimiter, ParticularList& fou
     if (!key) continue;
     if (colon != std::string::npos && !trimmed(std::string_view(cell).substr(colon + width)).empty()) {
       auto value = std::string(trimmed(std::string_view(cell).substr(colon + width)));
-      auto const is_digit_at = [](char c) { return c >= '0' && c <= '9'; };
       // A decimal comma, which was taken for the end of the cell.
-      if (delimiter == ',' && is_digit_at(value.back()) && i + 1 < cells.size() && !cells[i + 1].empty() &&
-          is_digit_at(cells[i + 1].front()))
+      if (delimiter == ',' && is_digit(value.back()) && i + 1 < cells.size() && !cells[i + 1].empty() &&
+          is_digit(cells[i + 1].front()))
         value += "," + to_utf8(cells[i + 1]);
       add(*key, value, unit, found);
       continue;

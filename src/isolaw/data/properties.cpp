@@ -19,6 +19,7 @@ namespace {
 constexpr double least_samples_per_cycle = 20.0;
 constexpr std::size_t reported_cycle = 3;
 constexpr double rounding_of_energy = 1e-9;  // of K_eff D^2
+constexpr double noise_of_energy = 5.0;      // standard deviations
 constexpr double same_shape = 0.05;          // rms of the amplitude; a sine and a triangle are 0.15 apart
 
 // Samples strictly between two fractional indices: [begin, end).
@@ -170,23 +171,30 @@ Cycle measure(CycleCut const& cut, CycleView const& view) {
   return cycle;
 }
 
-// The swing from one extreme to the other beside half a cosine and a straight line.
+// The swing from one extreme to the other beside half a cosine and a straight line; neither where the device is held at
+// the extremes for twice as long as a sine lingers there.
 std::string waveform(Cycle const& cycle, CycleView const& view) {
   auto const peaks = peak_positions(view.disp_mm, cycle.first, cycle.last);
   bool const falls = peaks.largest < peaks.smallest;
   double const from = value_at(view.time_s, std::min(peaks.largest, peaks.smallest));
   double const to = value_at(view.time_s, std::max(peaks.largest, peaks.smallest));
   double const centre = (cycle.d_plus_mm + cycle.d_minus_mm) / 2.0;
-  double from_sine = 0.0, from_triangle = 0.0, count = 0.0;
+  constexpr double near = 0.995;  // of the amplitude
+  double const lingers = 2.0 * std::acos(near) / std::numbers::pi;
+  double from_sine = 0.0, from_triangle = 0.0, count = 0.0, all = 0.0, at_extremes = 0.0;
   auto const samples = inside(cycle, view.disp_mm.size());
   for (auto i = samples.begin; i < samples.end; ++i) {
+    double const y = (falls ? 1.0 : -1.0) * (view.disp_mm[i] - centre) / cycle.amplitude_mm;
+    all += 1.0;
+    at_extremes += std::abs(y) > near ? 1.0 : 0.0;
     double const part = (view.time_s[i] - from) / (to - from);
     if (!(part >= 0.0 && part <= 1.0)) continue;
-    double const y = (falls ? 1.0 : -1.0) * (view.disp_mm[i] - centre) / cycle.amplitude_mm;
     from_sine += std::pow(y - std::cos(std::numbers::pi * part), 2.0);
     from_triangle += std::pow(y - (1.0 - 2.0 * part), 2.0);
     count += 1.0;
   }
+  constexpr double beside = 4.0;  // samples: one more on each side of either extreme
+  if (at_extremes > 2.0 * lingers * all + beside) return "other";
   double const limit = same_shape * same_shape * count;
   if (count > 0.0 && from_sine <= std::min(limit, from_triangle)) return "sine";
   return count > 0.0 && from_triangle <= limit ? "triangle" : "other";
@@ -207,10 +215,27 @@ void summarise(Block& block, CycleView const& view) {
   block.waveform = waveform(*shown[shown.size() / 2], view);
 }
 
+// Noise of the two channels, standard deviations.
+struct Noise {
+  double disp_mm = 0.0, force_kN = 0.0;
+};
+
+// What noise makes of the area of a loop, one standard deviation: each sample counts by the way between its neighbours.
+double noise_of_area(Cycle const& cycle, CycleView const& view, Noise const& noise) {
+  double ways = 0.0, forces = 0.0;
+  auto const samples = inside(cycle, view.disp_mm.size());
+  for (auto i = std::max<std::size_t>(1, samples.begin); i + 1 < std::min(samples.end + 1, view.disp_mm.size()); ++i) {
+    ways += std::pow((view.disp_mm[i + 1] - view.disp_mm[i - 1]) / 2.0, 2.0);
+    forces += std::pow((view.force_kN[i + 1] - view.force_kN[i - 1]) / 2.0, 2.0);
+  }
+  return std::sqrt(noise.force_kN * noise.force_kN * ways + noise.disp_mm * noise.disp_mm * forces);
+}
+
 // Why no device does so; empty where one may.
-std::string impossible(Cycle const& cycle) {
+std::string impossible(Cycle const& cycle, CycleView const& view, Noise const& noise) {
   double const size = std::abs(cycle.K_eff_kN_per_mm) * cycle.amplitude_mm * cycle.amplitude_mm;
-  if (cycle.energy_kN_mm < -rounding_of_energy * size)
+  double const least = rounding_of_energy * size + noise_of_energy * noise_of_area(cycle, view, noise);
+  if (cycle.energy_kN_mm < -least)
     return fmt::format(
         "cycle {} of block {} gives back {:.4g} kN mm of energy: no device does; a channel without its sign, late or exchanged?",
         cycle.number, cycle.block, -cycle.energy_kN_mm);
@@ -221,14 +246,20 @@ std::string impossible(Cycle const& cycle) {
   return {};
 }
 
+// Of the first cycle that no device makes.
+std::string why_impossible(Properties const& properties, CycleView const& view) {
+  Noise const noise{.disp_mm = noise_deviation(view.disp_mm), .force_kN = noise_deviation(view.force_kN)};
+  for (auto const* cycle : properties.counted())
+    if (auto why = impossible(*cycle, view, noise); !why.empty()) return why;
+  return {};
+}
+
 std::string refusal_of(Segmentation const& cut, Properties const& properties) {
   if (!cut.refusal.empty()) return cut.refusal;
   if (!properties.samples_per_cycle) return "no cycle counts";
   if (*properties.samples_per_cycle < least_samples_per_cycle * (1.0 - 1e-9))
     return fmt::format("{:.1f} samples per cycle, fewer than the {:.0f} that stiffness and energy need",
                        *properties.samples_per_cycle, least_samples_per_cycle);
-  for (auto const* cycle : properties.counted())
-    if (auto why = impossible(*cycle); !why.empty()) return why;
   return {};
 }
 
@@ -307,9 +338,9 @@ Properties cyclic_properties(CycleView const& given) {
   }
   for (auto& block : properties.blocks) summarise(block, view);
   if (!lengths.empty()) properties.samples_per_cycle = num::median(lengths);
-  properties.refusal = refusal_of(cut, properties);
-  properties.is_false =
-      std::ranges::any_of(properties.counted(), [](auto* cycle) { return !impossible(*cycle).empty(); });
+  properties.refusal = why_impossible(properties, view);
+  properties.is_false = !properties.refusal.empty();
+  if (!properties.is_false) properties.refusal = refusal_of(cut, properties);
   if (auto const* reported = cycle_to_report(properties.blocks); reported != nullptr && properties.refusal.empty())
     properties.reported = *reported;
   return properties;

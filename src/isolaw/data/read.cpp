@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <numeric>
 #include <utility>
 
@@ -17,6 +18,7 @@
 #include "isolaw/base/words.hpp"
 #include "isolaw/data/checks.hpp"
 #include "isolaw/data/columns.hpp"
+#include "isolaw/data/dialect.hpp"
 #include "isolaw/data/json_table.hpp"
 #include "isolaw/data/mat_table.hpp"
 #include "isolaw/data/record_parts.hpp"
@@ -60,9 +62,16 @@ double time_of_row(std::size_t sample, ReadOptions const& options) {
   return static_cast<double>(sample + options.rows.value_or(RowRange{}).first - 1) * *options.dt_s;
 }
 
+// What the times asked for count from, where that is the first time stamp of another file.
+struct FirstStamp {
+  double since_s = 0.0;
+  bool dated = false;
+};
+
 // Takes off what lies outside the time asked for.
 std::optional<Span> cut_time(Rows& rows, Columns const& columns, ReadOptions const& options, std::string const& place,
-                             std::vector<Complaint>& complaints, Wanted wanted) {
+                             std::optional<FirstStamp> const& origin, std::vector<Complaint>& complaints,
+                             Wanted wanted) {
   if (!options.from_s && !options.to_s) return Span{0, rows.numbers.size()};
   std::vector<double> time_s;
   for (auto const& raw : rows.channels)
@@ -70,6 +79,8 @@ std::optional<Span> cut_time(Rows& rows, Columns const& columns, ReadOptions con
       time_s = raw.values;
       for (auto& t : time_s) t *= columns.channels.at(Channel::time).unit->in_record_units;
     }
+  if (origin && rows.origin_s && origin->dated == rows.dated)
+    for (auto& t : time_s) t += *rows.origin_s - origin->since_s;
   if (time_s.empty() && options.dt_s)
     for (std::size_t i = 0; i < rows.numbers.size(); ++i) time_s.push_back(time_of_row(i, options));
   std::string_view const dashes = wanted.force || wanted.part ? "--" : "--motion-";
@@ -140,8 +151,7 @@ void store_channels(Rows& rows, Columns const& columns, std::size_t skipped, Tes
   record.recognised.push_back("the force is multiplied by -1, as asked for (--flip-force)");
 }
 
-// --- formats
-// ----------------------------------------------------------------------------------------------------------
+// --- formats --------------------------------------------------------------------------------------------------------
 
 // Told by the first bytes: names of files change more easily.
 Tests open_tests(std::string_view bytes, std::string const& file, ReadOptions const& options,
@@ -158,6 +168,28 @@ Tests open_tests(std::string_view bytes, std::string const& file, ReadOptions co
                           .allowed = "a sheet of a workbook, a struct of a .mat file, a key of JSON",
                           .advice = "leave --sheet out"});
   return tests;
+}
+
+// Options that do nothing in a file of its kind, as they are typed.
+std::vector<std::string> idle_options(std::string_view bytes, ReadOptions const& options) {
+  bool const numbers = is_mat(bytes) || is_json(bytes);
+  if (!numbers && !is_zip(bytes)) return {};
+  std::vector<std::string> found;
+  if (options.thousands) found.push_back(fmt::format("--thousands {}", digit_group(*options.thousands).typed));
+  if (numbers && options.skip_footer) found.emplace_back("--footer skip");
+  if (numbers && options.date_order)
+    found.push_back(fmt::format("--date-order {}", date_order_word(*options.date_order)));
+  return found;
+}
+
+void refuse_idle(std::vector<std::string> const& idle, std::string const& file) {
+  std::vector<Complaint> complaints;
+  for (auto const& option : idle)
+    complaints.push_back({.where = option,
+                          .found = file + " holds numbers, not their text",
+                          .allowed = "delimited text",
+                          .advice = "leave it out, or give it to other files alone"});
+  if (!complaints.empty()) throw Error(std::move(complaints));
 }
 
 // A name for the command line, quoted where a shell would take it apart.
@@ -227,8 +259,8 @@ std::vector<std::size_t> chosen_tests(Tests const& tests, std::string const& fil
 }
 
 // The channels of one table, before anything is asked of them together.
-Part read_channels(Tests const& tests, Table const& table, TestRecord record, ReadOptions const& options,
-                   Wanted wanted) {
+RecordPart read_channels(Tests const& tests, Table const& table, TestRecord record, ReadOptions const& options,
+                         Wanted wanted, std::optional<FirstStamp> const& origin = {}) {
   auto const& place = table.place();
   auto const columns = recognise_columns(place, table.header(), table.columns(), options, wanted);
   auto complaints = columns.complaints;
@@ -240,14 +272,14 @@ Part read_channels(Tests const& tests, Table const& table, TestRecord record, Re
   if (options.rows && complaints.empty()) check_range(rows, range, complaints);
   std::size_t skipped = 0;
   if (complaints.empty())
-    if (auto const span = cut_time(rows, columns, options, place, complaints, wanted)) skipped = span->first;
+    if (auto const span = cut_time(rows, columns, options, place, origin, complaints, wanted)) skipped = span->first;
   if (rows.numbers.size() < least_samples && complaints.empty())
     complaints.push_back({place, counted(rows.numbers.size(), "sample"), fmt::format("{} or more", least_samples), {}});
   for (auto const& raw : rows.channels)
     check_channel(table.place_of(columns.channels.at(raw.channel).index), raw, rows.numbers, complaints);
   if (!complaints.empty()) throw Error(std::move(complaints));
 
-  Part part{.record = std::move(record), .origin_s = rows.origin_s, .dated = rows.dated};
+  RecordPart part{.record = std::move(record), .origin_s = rows.origin_s, .dated = rows.dated};
   auto& made = part.record;
   made.layout = resolved_layout(columns, table.header(), options, tests.sheet);
   made.particulars = table.particulars();
@@ -261,11 +293,6 @@ Part read_channels(Tests const& tests, Table const& table, TestRecord record, Re
   store_channels(rows, columns, skipped, made);
   describe_part(rows, range, made.recognised);
   append(made.recognised, rows.recognised);
-  if (options.thousands)
-    made.recognised.push_back(
-        fmt::format("digits are grouped by {} (--thousands {})",
-                    *options.thousands == ' ' ? "blanks" : fmt::format("'{}'", *options.thousands),
-                    *options.thousands == ' ' ? "blank" : std::string(1, *options.thousands)));
   describe_rows(rows, table.header().row, made, wanted.time, made.recognised);
   if (wanted.disp && wanted.force) part.exchange_advice = exchange_advice(columns, table.header());
   return part;
@@ -294,6 +321,7 @@ TestRecord read_tests(std::string_view bytes, std::string const& name, ReadOptio
   TestRecord start;
   start.file = name;
   start.sha256 = sha256(bytes);
+  refuse_idle(idle_options(bytes, options), name);
   auto const tests = open_tests(bytes, name, options, wanted);
   require_one_sheet(tests, name, options, wanted);
   std::optional<TestRecord> history;
@@ -317,25 +345,68 @@ TestRecord read_tests(std::string_view bytes, std::string const& name, ReadOptio
 
 // --- channels in several files -------------------------------------------------------------------------------------
 
-// One test of one file, some of its channels.
-Part read_part(std::filesystem::path const& file, ReadOptions const& options, Wanted wanted) {
-  auto const name = file.generic_string();
-  auto const bytes = load_text(file);
+// One of the files that the channels of a test are in, opened.
+struct Opened {
+  std::unique_ptr<std::string> bytes;  // which the tables look into
   TestRecord start;
-  start.file = name;
-  start.sha256 = sha256(bytes);
-  auto const tests = open_tests(bytes, name, options, wanted);
-  require_one_sheet(tests, name, options, wanted);
-  auto const chosen = chosen_tests(tests, name, options);
-  if (chosen.size() > 1)
-    throw Error(Complaint{.where = name,
-                          .found = "several tests, and channels in another file",
-                          .allowed = "one test",
-                          .advice = "--test 1"});
-  auto part = read_channels(tests, *tests.tables[chosen.front()], start, options, wanted);
-  if (tests.tables.size() > 1) part.record.layout.test = parse_test(*options.test);
-  return part;
-}
+  Tests tests;
+  ReadOptions options;
+  Wanted wanted;
+  bool chooses_sheet = false, chooses_test = false;  // it has several, of which --sheet or --test names one
+
+  Opened(std::filesystem::path const& file, ReadOptions const& asked, Wanted what) : options(asked), wanted(what) {
+    options.sheet.reset();
+    open(file);
+    auto const may_be =
+        tests.sheets.size() + (columns_are_told(options, wanted) ? tests.sheets_passed_over.size() : 0u);
+    chooses_sheet = asked.sheet && may_be > 1;
+    options.sheet = asked.sheet;
+    if (chooses_sheet)
+      open(file);
+    else
+      options.sheet.reset();
+    chooses_test = asked.test && tests.tables.size() > 1;
+    if (!chooses_test) options.test.reset();
+  }
+
+  void open(std::filesystem::path const& file) {
+    bytes = std::make_unique<std::string>(load_text(file));
+    start.file = file.generic_string();
+    start.sha256 = sha256(*bytes);
+    tests = open_tests(*bytes, start.file, options, wanted);
+  }
+
+  Table const& table() const {
+    require_one_sheet(tests, start.file, options, wanted);
+    auto const chosen = chosen_tests(tests, start.file, options);
+    if (chosen.size() > 1)
+      throw Error(Complaint{.where = start.file,
+                            .found = "several tests, and channels in another file",
+                            .allowed = "one test",
+                            .advice = "--test 1"});
+    return *tests.tables[chosen.front()];
+  }
+
+  Columns columns() const {
+    auto const& chosen = table();
+    return recognise_columns(chosen.place(), chosen.header(), chosen.columns(), options, wanted);
+  }
+
+  // What its samples have of a time: nothing, an interval or seconds, or stamps.
+  enum class Clock { none, seconds, stamps };
+  Clock clock() const {
+    auto const found = columns();
+    auto const time = found.channels.find(Channel::time);
+    if (time == found.channels.end()) return options.dt_s ? Clock::seconds : Clock::none;
+    return time->second.stamp == StampKind::none ? Clock::seconds : Clock::stamps;
+  }
+
+  RecordPart read(std::optional<FirstStamp> const& origin = {}) const {
+    auto part = read_channels(tests, table(), start, options, wanted, origin);
+    if (tests.tables.size() > 1) part.record.layout.test = parse_test(*options.test);
+    return part;
+  }
+};
 
 // The other files that `options` name channels of, with what is asked of each.
 std::map<std::string, ReadOptions> other_files(std::filesystem::path const& file, ReadOptions& options) {
@@ -376,46 +447,66 @@ TestRecord read_joined(std::filesystem::path const& file, ReadOptions options,
                           .allowed = "one of them from the file itself",
                           .advice = "naming the file of the displacement as the record"});
   auto const asked = options;
-  options.from_s = options.to_s = std::nullopt;  // of all channels, once they are together
-  auto main = read_part(file, options, own);
+  Opened first(file, options, own);
+  std::vector<Opened> rest;
+  bool const untimed = asked.columns.contains(Channel::time) && lower(asked.columns.at(Channel::time)) == "none";
   for (auto const& [other, of_other] : others) {
     auto more = of_other;
-    more.from_s = more.to_s = std::nullopt;
-    more.units.erase(Channel::time);
-    more.sheet.reset();
-    more.test.reset();
-    auto const rows = std::exchange(more.rows, std::nullopt);
-    if (more.dt_s) more.columns[Channel::time] = "none";  // one sampling interval, for both
+    if (more.dt_s || untimed) more.columns[Channel::time] = "none";  // one sampling interval, for both
+    auto const time_unit = more.units.extract(Channel::time);        // where the file states none
     Wanted const wanted{.time = true,
                         .disp = more.columns.contains(Channel::disp),
                         .force = more.columns.contains(Channel::force),
                         .load = more.columns.contains(Channel::load),
                         .part = true};
-    if (asked.columns.contains(Channel::time) && lower(asked.columns.at(Channel::time)) == "none")
-      more.columns[Channel::time] = "none";
-    auto part = read_part(other, more, wanted);
-    bool const by_rows = !part.record.has_time() || !main.record.has_time() || part.record.layout.dt_s;
-    if (rows && by_rows) {
-      more.rows = rows;
-      part = read_part(other, more, wanted);
-    }
-    join_channels(main, std::move(part));
+    rest.emplace_back(other, more, wanted);
+    auto const columns = rest.back().columns();
+    auto const time = columns.channels.find(Channel::time);
+    if (time_unit && time != columns.channels.end() && !time->second.unit)
+      rest.back().options.units[Channel::time] = time_unit.mapped();
   }
+  bool const sheet_of_another = std::ranges::any_of(rest, &Opened::chooses_sheet);
+  bool const test_of_another = std::ranges::any_of(rest, &Opened::chooses_test);
+  // What does something in one of the files may be given.
+  auto const idle_in = [&](Opened const& each) { return idle_options(*each.bytes, asked); };
+  auto idle = idle_in(first);
+  for (auto const& more : rest)
+    std::erase_if(idle, [&](auto const& option) { return std::ranges::count(idle_in(more), option) == 0; });
+  refuse_idle(idle, first.start.file);
+  // A choice that no file needs is taken, or refused, as of one file.
+  if (asked.sheet && !first.chooses_sheet && !sheet_of_another) {
+    first.options.sheet = asked.sheet;
+    first.open(file);
+  }
+  if (asked.test && !first.chooses_test && !test_of_another) first.options.test = asked.test;
+  // Each file's own time tells what lies outside, unless rows are joined one by one.
+  auto const clock = first.clock();
+  bool const by_time = clock != Opened::Clock::none &&
+                       std::ranges::all_of(rest, [&](auto const& more) { return more.clock() == clock; });
+  if (!by_time) {
+    first.options.from_s = first.options.to_s = std::nullopt;
+    for (auto& more : rest) more.options.from_s = more.options.to_s = std::nullopt;
+  }
+  auto main = first.read();
+  std::optional<FirstStamp> origin;
+  if (main.origin_s) origin = {.since_s = *main.origin_s, .dated = main.dated};
+  for (auto const& more : rest) join_channels(main, more.read(origin));
   auto& record = main.record;
-  record.layout.from_s = asked.from_s;
-  record.layout.to_s = asked.to_s;
-  std::vector<Complaint> complaints;
-  auto const span = span_of_time(record.time_s, asked, record.file, complaints);
-  if (!complaints.empty()) throw Error(std::move(complaints));
-  if (asked.from_s || asked.to_s) {
+  if (sheet_of_another) record.layout.sheet = asked.sheet;
+  if (test_of_another) record.layout.test = parse_test(*asked.test);
+  if (!by_time && (asked.from_s || asked.to_s)) {
+    record.layout.from_s = asked.from_s;
+    record.layout.to_s = asked.to_s;
+    std::vector<Complaint> complaints;
+    auto const span = span_of_time(record.time_s, asked, record.file, complaints);
+    if (!complaints.empty()) throw Error(std::move(complaints));
     describe_span(*span, record.size(), asked, record.recognised);
     for (auto* values : {&record.time_s, &record.disp_mm, &record.force_kN, &record.load_kN}) keep(*span, *values);
   }
   return finished(std::move(record), asked, "the columns of the two files the other way round");
 }
 
-// --- motions
-// ----------------------------------------------------------------------------------------------------------
+// --- motions --------------------------------------------------------------------------------------------------------
 
 // The line among the first ones of a text that speaks of acceleration, as files of ground motions do.
 std::optional<std::string> line_about_acceleration(std::string_view bytes) {
@@ -441,9 +532,10 @@ std::string parse_test(std::string_view text) {
   auto const word = lower(trimmed(text));
   if (word == "all") return word;
   auto const number = number_in<std::size_t>(word);
-  if (number && *number >= 1 && *number <= 1000) return std::to_string(*number);
-  throw Error(Complaint{
-      .where = "--test", .found = in_quotes(text), .allowed = "all, or the number of a test, from 1 to 1000"});
+  if (number && *number >= 1 && *number <= most_tests) return std::to_string(*number);
+  throw Error(Complaint{.where = "--test",
+                        .found = in_quotes(text),
+                        .allowed = fmt::format("all, or the number of a test, from 1 to {}", most_tests)});
 }
 
 bool is_record_name(std::string_view file) {

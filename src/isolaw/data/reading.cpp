@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "isolaw/base/words.hpp"
+#include "isolaw/data/dialect.hpp"
 #include "isolaw/data/time_stamp.hpp"
 
 namespace isolaw::data {
@@ -70,23 +71,27 @@ Reading one_of(std::string_view key, std::string help, std::vector<std::string_v
   return {{{.key = key, .help = std::move(help), .words = words}, write, read}};
 }
 
-constexpr std::string_view group_words[]{",", ".", "'", "blank"};
+std::vector<std::string_view> group_words() {
+  std::vector<std::string_view> words;
+  for (auto const& group : digit_groups) words.push_back(group.word);
+  return words;
+}
 
 Reading thousands() {
   return one_of(
-      "thousands", "what groups the digits of numbers: a comma, a point, an apostrophe or blank",
-      {std::begin(group_words), std::end(group_words)},
+      "thousands", "what groups the digits of numbers: a comma, a point, an apostrophe or blank", group_words(),
       [](ReadOptions const& from) -> std::optional<std::string_view> {
-        if (!from.thousands) return std::nullopt;
-        return *std::ranges::find_if(group_words,
-                                     [&](auto word) { return word == "blank" || word[0] == *from.thousands; });
+        return from.thousands ? std::optional(digit_group(*from.thousands).word) : std::nullopt;
       },
-      [](ReadOptions& to, std::string_view word) { to.thousands = word == "blank" ? ' ' : word.front(); });
+      [](ReadOptions& to, std::string_view word) {
+        to.thousands = std::ranges::find(digit_groups, word, &DigitGroup::word)->mark;
+      });
 }
 
 Reading date_order() {
   return one_of(
-      "date-order", "of dates like 03/04/2024 where nothing tells: dmy or mdy", {"dmy", "mdy"},
+      "date-order", "of dates like 03/04/2024 where nothing tells: dmy or mdy",
+      {date_order_word(DateOrder::day_first), date_order_word(DateOrder::month_first)},
       [](ReadOptions const& from) -> std::optional<std::string_view> {
         return from.date_order ? std::optional(date_order_word(*from.date_order)) : std::nullopt;
       },
@@ -138,19 +143,14 @@ Reading skew() {
 constexpr std::string_view spikes_word = "spikes";
 
 Reading repair() {
-  auto const write = [](ReadOptions const& from) {
-    return from.corrections.repair_spikes ? Json(spikes_word) : Json();
-  };
-  auto const read = [](ReadOptions& to, Json const& value) {
-    if (!value.is_string() || value.get<std::string>() != spikes_word) refuse(value, std::string(spikes_word));
-    to.corrections.repair_spikes = true;
-  };
-  return {{{.key = "repair",
-            .help = "correct: single samples off their neighbours, replaced by interpolation",
-            .words = {spikes_word}},
-           write,
-           read},
-          true};
+  auto made = one_of(
+      "repair", "correct: single samples off their neighbours, replaced by interpolation", {spikes_word},
+      [](ReadOptions const& from) -> std::optional<std::string_view> {
+        return from.corrections.repair_spikes ? std::optional(spikes_word) : std::nullopt;
+      },
+      [](ReadOptions& to, std::string_view) { to.corrections.repair_spikes = true; });
+  made.of_test = true;
+  return made;
 }
 
 std::vector<Reading> make_table() {

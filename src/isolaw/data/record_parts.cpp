@@ -10,6 +10,8 @@
 #include "isolaw/base/hash.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/data/columns.hpp"
+#include "isolaw/data/holds.hpp"
+#include "isolaw/num/statistics.hpp"
 
 namespace isolaw::data {
 namespace {
@@ -34,6 +36,13 @@ std::vector<double> at_times(std::vector<double> const& at, std::vector<double> 
   return made;
 }
 
+// Half of the intervals are no longer.
+double usual_interval(std::vector<double> const& time_s) {
+  std::vector<double> intervals;
+  for (std::size_t i = 1; i < time_s.size(); ++i) intervals.push_back(time_s[i] - time_s[i - 1]);
+  return num::median(intervals);
+}
+
 double mean_interval(std::vector<double> const& time_s) {
   return (time_s.back() - time_s.front()) / static_cast<double>(time_s.size() - 1);
 }
@@ -46,11 +55,10 @@ constexpr Channel measured_channels[] = {Channel::disp, Channel::force, Channel:
 
 // Between two samples far from each other nobody knows what the channel did.
 void require_without_gaps(TestRecord const& other, double first, double last) {
-  constexpr double longest = 5.0;  // intervals
-  double const interval = mean_interval(other.time_s);
+  double const longest = most_intervals * usual_interval(other.time_s);
   for (std::size_t i = 1; i < other.time_s.size(); ++i) {
     double const from = other.time_s[i - 1], to = other.time_s[i];
-    if (to - from <= longest * interval || to <= first || from >= last) continue;
+    if (to - from <= longest || to <= first || from >= last) continue;
     throw Error(Complaint{.where = other.file,
                           .found = fmt::format("nothing from {:.6g} to {:.6g} s", from, to),
                           .allowed = "values at all times of the other file, to be interpolated between",
@@ -95,6 +103,14 @@ void describe_span(Span const& span, std::size_t of, ReadOptions const& options,
                                      of, asked_time(options, dashes)));
 }
 
+std::string without_row(RowRange const& range, std::size_t row, std::size_t of) {
+  auto const last = std::min(range.last.value_or(of), of);
+  auto const before = row - range.first, behind = last - row;
+  if (std::max(before, behind) < least_samples) return "export the record again";
+  if (before >= behind) return fmt::format("--rows {}:{}, the rows before it", range.first, row - 1);
+  return fmt::format("--rows {}, the rows behind it", rows_text({.first = row + 1, .last = range.last}));
+}
+
 std::vector<double>& values_of(TestRecord& record, Channel channel) {
   switch (channel) {
     case Channel::time:
@@ -112,7 +128,7 @@ void append(std::vector<std::string>& sentences, std::vector<std::string> const&
   sentences.insert(sentences.end(), more.begin(), more.end());
 }
 
-void join_channels(Part& main, Part other) {
+void join_channels(RecordPart& main, RecordPart other) {
   auto& record = main.record;
   auto& more = other.record;
   auto const rows = sample_count(record), more_rows = sample_count(more);
@@ -141,7 +157,9 @@ void join_channels(Part& main, Part other) {
                                                    more.time_s.front(), more.time_s.back(), record.file,
                                                    record.time_s.front(), record.time_s.back()),
                               .allowed = "a time that both files share",
-                              .advice = "--columns time=none, where the rows belong together"});
+                              .advice = record.layout.rows || more.layout.rows
+                                            ? "--from and --to in place of --rows, which counts in each file"
+                                            : "--columns time=none, where the rows belong together"});
       require_without_gaps(more, first, last);
       for (auto* values : {&record.time_s, &record.disp_mm, &record.force_kN, &record.load_kN}) keep(*span, *values);
       for (auto const channel : measured_channels)

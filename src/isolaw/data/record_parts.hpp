@@ -26,6 +26,10 @@ std::optional<Span> span_of_time(std::vector<double> const& time_s, ReadOptions 
 void describe_span(Span const& span, std::size_t of, ReadOptions const& options, std::vector<std::string>& recognised,
                    std::string_view dashes = "--");
 
+// What to type to read the others of `of` rows without this one: the longer part of what was asked for, before it or
+// behind it, where that is enough.
+std::string without_row(RowRange const& range, std::size_t row, std::size_t of);
+
 template <class T>
 void keep(Span const& span, std::vector<T>& values) {
   if (values.empty()) return;
@@ -34,7 +38,7 @@ void keep(Span const& span, std::vector<T>& values) {
 }
 
 // A record, and what its time counts from where it was read from time stamps.
-struct Part {
+struct RecordPart {
   TestRecord record;
   std::optional<double> origin_s;
   bool dated = false;
@@ -48,6 +52,6 @@ void append(std::vector<std::string>& sentences, std::vector<std::string> const&
 
 // Brings the channels of another file to the samples of `main`: by time where both have one, else row by row. Throws
 // Error where they cannot be brought together.
-void join_channels(Part& main, Part other);
+void join_channels(RecordPart& main, RecordPart other);
 
 }  // namespace isolaw::data

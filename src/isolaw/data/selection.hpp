@@ -34,7 +34,7 @@ struct Selection {
   Numbers blocks, cycles;
   Numbers predicted = {};  // blocks that the law of the others is then tried on (--score-blocks); all: every other one
   bool all() const { return blocks.all() && cycles.all(); }
-  std::string text() const;  // "block 1-2", "cycle 1-3 of block 2"; empty where all is
+  std::string text() const;  // "blocks 1-2", "cycles 1-3 of block 2"; empty where all is
 };
 
 // 1 for every sample that counts and 0 for the others; empty where all of them do. By blocks alone: everything from the

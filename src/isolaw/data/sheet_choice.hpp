@@ -9,8 +9,7 @@
 namespace isolaw::data {
 
 // What a reader accepts, for messages.
-inline constexpr std::string_view accepted_formats =
-    "delimited text (UTF-8, ASCII or Windows-1252), .xlsx, .mat or JSON";
+inline constexpr std::string_view accepted_formats = "delimited text, .xlsx, .mat or JSON";
 
 // "sheets 'Test 1', 'Test 2'", the first thirty of them
 std::string sheet_list(std::vector<std::string> const& names, std::string_view what);

@@ -30,6 +30,8 @@ constexpr double most_agree = 0.75;         // of the reversals
 constexpr double quiet = 0.0005;            // of the amplitude: noise of displacement that does no harm
 constexpr double too_noisy = 0.01;          // of the amplitude
 constexpr double smoothed_over = 0.06;      // of a cycle, to each side: takes 0.02 % from a sine
+constexpr double hold_band = 0.005;         // of the amplitude
+constexpr double noise_band = 8.0;          // standard deviations, from the least of a hold to its largest
 constexpr std::size_t most_smoothed = 100;  // samples to each side: more bring little and cost time
 
 struct Reversal {
@@ -107,6 +109,26 @@ std::optional<double> best_shift(Reversal const& reversal, CycleView const& view
   return -farthest + (static_cast<double>(best) + offset) * step;
 }
 
+// Whether the device stays within a band about the tip for longer than a sine lingers there.
+bool is_held(std::span<double const> x, double at, double tip, Cycle const& cycle, double noise) {
+  constexpr double longer = 1.5;
+  double const width = std::max(hold_band * cycle.amplitude_mm, noise_band * noise);
+  auto const below = [&](std::ptrdiff_t i) { return std::abs(x[static_cast<std::size_t>(i)] - tip); };
+  // Samples from the tip to where the motion leaves the band.
+  auto const stays = [&](std::ptrdiff_t step) {
+    auto const size = static_cast<std::ptrdiff_t>(x.size());
+    auto const start = static_cast<std::ptrdiff_t>(std::lround(at));
+    auto i = start;
+    while (i >= 0 && i < size && below(i) <= width) i += step;
+    if (i < 0 || i >= size || i == start) return static_cast<double>(std::abs(i - start));
+    double const inner = below(i - step), outer = below(i);
+    return static_cast<double>(std::abs(i - start)) - (outer - width) / (outer - inner);
+  };
+  double const share = std::acos(std::max(-1.0, 1.0 - width / cycle.amplitude_mm)) / std::numbers::pi;
+  double const lingers = share * (cycle.last - cycle.first);
+  return stays(-1) + stays(1) > longer * lingers + 1.0;  // of which a sample is lost on either side
+}
+
 std::vector<Cycle const*> chosen_cycles(Properties const& properties) {
   std::vector<Cycle const*> all;  // a force relaxes while it is held
   for (auto const* cycle : properties.counted())
@@ -143,6 +165,12 @@ std::vector<double> smoothed(std::span<double const> x, std::size_t half) {
 
 }  // namespace
 
+bool held_at_extreme(std::span<double const> disp_mm, Cycle const& cycle, bool upper, double noise_mm) {
+  auto const peaks = peak_positions(disp_mm, cycle.first, cycle.last);
+  return is_held(disp_mm, upper ? peaks.largest : peaks.smallest, upper ? cycle.d_plus_mm : cycle.d_minus_mm, cycle,
+                 noise_mm);
+}
+
 bool Skew::significant() const {
   // Few reversals tell their scatter badly.
   boost::math::students_t const chance(std::max(1, reversals - 1));
@@ -159,11 +187,14 @@ std::optional<Skew> estimate_skew(CycleView const& of, Properties const& propert
   if (noise > too_noisy * amplitude) return std::nullopt;
   CycleView view = of;
   std::vector<double> smooth;
+  double left_of_noise = noise;
   if (noise > quiet * amplitude) {
     auto const* shortest = std::ranges::min(cycles, {}, samples_of);
-    auto const half = static_cast<std::size_t>(smoothed_over * samples_of(shortest));
-    smooth = smoothed(of.disp_mm, std::clamp<std::size_t>(half, 2, most_smoothed));
+    auto const half =
+        std::clamp<std::size_t>(static_cast<std::size_t>(smoothed_over * samples_of(shortest)), 2, most_smoothed);
+    smooth = smoothed(of.disp_mm, half);
     view.disp_mm = smooth;
+    left_of_noise *= 1.5 / std::sqrt(2.0 * static_cast<double>(half) + 1.0);  // 9 / (4 (2 h + 1)) of the variance
   }
   std::vector<double> phases, intervals;
   for (auto const* cycle : cycles) {
@@ -178,6 +209,10 @@ std::optional<Skew> estimate_skew(CycleView const& of, Properties const& propert
                               .tip_mm = smooth.empty() ? raw_tip : value_at(smooth, at),
                               .reach_mm = 0.15 * cycle->amplitude_mm,
                               .friction_kN = upper ? friction_kN : -friction_kN};
+      // What smooths noise makes corners of a hold, which stand out where there is little of it.
+      if (held_at_extreme(of.disp_mm, *cycle, upper, noise) ||
+          is_held(view.disp_mm, at, reversal.tip_mm, *cycle, left_of_noise))
+        continue;
       auto const shift = best_shift(reversal, view, force_amplitude);
       if (!shift) continue;
       double const interval =

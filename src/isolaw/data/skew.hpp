@@ -9,6 +9,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "isolaw/data/properties.hpp"
 
@@ -28,8 +29,12 @@ struct Skew {
   bool significant() const;
 };
 
-// nullopt where fewer than 4 reversals of cycles that count give a value: a force that jumps or sticks, few samples,
-// too much noise. friction_kN that the force contains is taken off along the motion.
+// Whether the device is held at an extreme of the cycle, longer than a sine lingers there: the reversal is then
+// somewhere in the hold, and the force of a device that creeps is elsewhere at its end.
+bool held_at_extreme(std::span<double const> disp_mm, Cycle const& cycle, bool upper, double noise_mm);
+
+// nullopt where fewer than 4 reversals of cycles that count give a value: holds, a force that jumps or sticks, few
+// samples, too much noise. friction_kN that the force contains is taken off along the motion.
 std::optional<Skew> estimate_skew(CycleView const& view, Properties const& properties, double friction_kN = 0.0);
 
 }  // namespace isolaw::data

@@ -19,6 +19,8 @@ namespace isolaw::data {
 
 // Of a table; one with more is refused.
 inline constexpr std::size_t most_columns = 1000;
+// Of a file; one with more is refused.
+inline constexpr std::size_t most_tests = 1000;
 
 // The columns asked for, in the units of the file.
 struct Rows {

@@ -112,6 +112,10 @@ char turkish_letter(unsigned char lead, unsigned char second) {
   return second == 0x9E ? 'S' : second == 0x9F ? 's' : ' ';
 }
 
+bool is_turkish_lead(unsigned char byte) {
+  return byte == 0xC4 || byte == 0xC5;
+}
+
 // By the converter of the C library; nullopt where the bytes are no text of that encoding.
 std::optional<std::string> converted(std::string_view bytes, char const* encoding) {
   iconv_t const converter = iconv_open("UTF-8", encoding);
@@ -141,7 +145,7 @@ std::optional<LegacyText> decode_legacy(std::string_view bytes, bool (*names_cha
   };
   for (auto const& [name, shown] : {Encoding{"CP932", "Shift-JIS"}, Encoding{"CP1254", "Windows-1254 (Turkish)"}}) {
     constexpr std::size_t head = 16384;  // the names are there; cut at a line
-    auto const cut = bytes.size() <= head ? bytes.size() : bytes.rfind('\n', head);
+    auto const cut = bytes.size() <= head ? bytes.size() : bytes.find_last_of("\n\r", head);
     auto const top = converted(bytes.substr(0, cut == std::string_view::npos ? head : cut), name);
     if (!top || !names_channels(*top)) continue;
     if (auto text = converted(bytes, name)) return LegacyText{std::move(*text), shown};
@@ -209,13 +213,21 @@ std::string without_accents(std::string_view utf8) {
       text += utf8.front();
     else if (lead == 0xC3 && length == 2)
       text += latin_letters[static_cast<unsigned char>(utf8[1]) & 0x3Fu];
-    else if ((lead == 0xC4 || lead == 0xC5) && length == 2)
+    else if (is_turkish_lead(lead) && length == 2)
       text += turkish_letter(lead, static_cast<unsigned char>(utf8[1]));
     else
       text += ' ';
     utf8.remove_prefix(length);
   }
   return text;
+}
+
+bool has_turkish_letters(std::string_view utf8) {
+  for (std::size_t i = 0; i + 1 < utf8.size(); ++i) {
+    auto const lead = static_cast<unsigned char>(utf8[i]);
+    if (is_turkish_lead(lead) && turkish_letter(lead, static_cast<unsigned char>(utf8[i + 1])) != ' ') return true;
+  }
+  return false;
 }
 
 std::string in_quotes(std::string_view bytes) {

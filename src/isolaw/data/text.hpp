@@ -49,6 +49,8 @@ std::string to_utf8(std::string_view bytes);
 
 // ASCII only: accents dropped ("Déplacement" -> "Deplacement"), other characters replaced by blanks. Keeps case.
 std::string without_accents(std::string_view utf8);
+// Whether one of the letters that Turkish has beside Latin-1 stands in it, which Windows-1252 lacks.
+bool has_turkish_letters(std::string_view utf8);
 
 // 'text' for a message, cut to a readable length, control characters spelled out.
 std::string in_quotes(std::string_view bytes);

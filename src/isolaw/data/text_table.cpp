@@ -7,15 +7,15 @@
 #include <span>
 
 #include "isolaw/base/words.hpp"
+#include "isolaw/data/column_names.hpp"
 #include "isolaw/data/dialect.hpp"
 #include "isolaw/data/exporter.hpp"
 #include "isolaw/data/particulars.hpp"
+#include "isolaw/data/record_parts.hpp"
 #include "isolaw/data/text.hpp"
 
 namespace isolaw::data {
 namespace {
-
-constexpr std::size_t most_tests = 1000;
 
 // Lines of a file, which its tests share.
 struct Page {
@@ -132,9 +132,7 @@ class RowReader {
 
   // Two letters or more, one after another.
   static bool names_something(std::string_view cell) {
-    auto const letter = [](char c) {
-      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
-    };
+    auto const letter = [](char c) { return is_letter(c) || static_cast<unsigned char>(c) >= 0x80; };
     for (std::size_t i = 1; i < cell.size(); ++i)
       if (letter(cell[i - 1]) && letter(cell[i])) return true;
     return false;
@@ -217,12 +215,13 @@ class RowReader {
     rows_.numbers.push_back(i + 1);
   }
 
-  // Without touching the file: the rows before this one.
-  std::string leave_out() const {
-    return rows_.of > choice_.range.first
-               ? fmt::format("--rows {}:{}, the rows before it", choice_.range.first, rows_.of - 1)
-               : fmt::format("--rows {}:, the rows behind it", rows_.of + 1);
+  // Without touching the file.
+  std::string leave_out() {
+    if (row_count_ == 0)
+      for (auto i = header_.first_data; i < lines_.size(); ++i) row_count_ += is_row(i) ? 1u : 0u;
+    return without_row(choice_.range, rows_.of, row_count_);
   }
+  bool is_row(std::size_t i) const { return !is_comment(lines_[i]) && !is_blank(lines_[i], dialect_.delimiter); }
 
   void report_width(std::size_t i) {
     widths_.add(i + 1, fmt::format("{}: {}", counted(cells_.size(), "column"), in_quotes(lines_[i])),
@@ -231,10 +230,10 @@ class RowReader {
 
   void report_cell(std::size_t i, std::size_t k, std::string_view cell, CellKind kind) {
     auto const& column = rows_.channels[k].column;
-    if (kind == CellKind::grouped)
+    if (kind == CellKind::grouped && !dialect_.sheet)
       numbers_.add(i + 1, fmt::format("{} in {} has thousands separators", in_quotes(cell), column),
                    fmt::format("a number with a decimal {} and no other separator", decimal_name(dialect_.decimal)),
-                   fmt::format("--thousands {}", group_word(cell)));
+                   fmt::format("--thousands {}", group_in(cell, dialect_.decimal)->typed));
     else if (kind == CellKind::not_finite)
       numbers_.add(i + 1, fmt::format("{} in {} is not a finite number", in_quotes(cell), column), "a finite number",
                    leave_out() + ", or test again");
@@ -256,24 +255,15 @@ class RowReader {
                    fmt::format("a number with a decimal {}", decimal_name(dialect_.decimal)), leave_out());
   }
 
-  // What the option calls the mark that groups the digits of a cell.
-  std::string_view group_word(std::string_view cell) const {
-    if (cell.find(dialect_.decimal == ',' ? '.' : ',') != std::string_view::npos)
-      return dialect_.decimal == ',' ? "." : ",";
-    return cell.find_first_of("'\xE2") != std::string_view::npos && cell.find("\xE2\x80\xAF") == std::string_view::npos
-               ? "\"'\""
-               : "blank";
-  }
-
   // A number under the other decimal sign: the one taken for it groups digits then.
   std::optional<std::string_view> grouped_otherwise(std::string_view cell) {
     char const other = dialect_.decimal == ',' ? '.' : ',';
     if (dialect_.thousands != '\0') return std::nullopt;
     bool const in_groups = parse_cell(cell, {dialect_.decimal, other}).kind == CellKind::number;
-    if (in_groups) return other == ',' ? "," : ".";
+    if (in_groups) return digit_group(other).typed;
     auto const kind = parse_cell(cell, {other, dialect_.decimal}).kind;
     if (kind != CellKind::number || !all_in_threes()) return std::nullopt;
-    return dialect_.decimal == ',' ? "," : ".";
+    return digit_group(dialect_.decimal).typed;
   }
 
   // Whether what was taken for decimals are three digits in every cell, as groups are.
@@ -311,6 +301,7 @@ class RowReader {
   std::vector<Stamp> stamps_;
   std::optional<bool> in_threes_;     // looked for once
   std::vector<std::size_t> indices_;  // columns wanted
+  std::size_t row_count_ = 0;         // counted where a row is refused
   std::vector<std::string_view> cells_;
   std::vector<double> row_;
   Rows rows_;
@@ -405,19 +396,20 @@ Tests tests_of(std::shared_ptr<Page const> const& page, std::string const& place
   return tests;
 }
 
-bool is_one_column(std::span<std::string_view const> lines) {
-  auto const is_number = [](std::string_view line) {
+bool is_one_column(std::span<std::string_view const> lines, char thousands) {
+  auto const is_number = [&](std::string_view line) {
     auto const cell = std::string(trimmed(line));
-    return parse_cell(cell, '.').kind == CellKind::number || parse_cell(cell, ',').kind == CellKind::number;
+    return parse_cell(cell, {'.', thousands}).kind == CellKind::number ||
+           parse_cell(cell, {',', thousands}).kind == CellKind::number;
   };
   return 2 * std::ranges::count_if(lines, is_number) > static_cast<std::ptrdiff_t>(lines.size());
 }
 
 Dialect require_dialect(std::string const& file, std::span<std::string_view const> lines, TextOptions const& options) {
   if (auto dialect = recognise_dialect(lines, options.thousands)) return *std::move(dialect);
-  bool const one_column = is_one_column(lines);
+  bool const one_column = is_one_column(lines, options.thousands.value_or('\0'));
   if (one_column && options.one_column)
-    if (auto dialect = one_column_dialect(lines)) return *std::move(dialect);
+    if (auto dialect = one_column_dialect(lines, options.thousands)) return *std::move(dialect);
   throw Error(Complaint{
       .where = file,
       .found = one_column ? "one column of numbers" : "no rows of numbers in " + counted(lines.size(), "line"),
@@ -430,7 +422,6 @@ Dialect require_dialect(std::string const& file, std::span<std::string_view cons
 
 // Whether text outside ASCII names a channel: tells an encoding from others that its bytes may also be.
 bool has_foreign_names(std::string_view utf8) {
-  constexpr std::string_view turkish_letters[]{"Ğ", "ğ", "İ", "ı", "Ş", "ş"};  // which Windows-1252 lacks
   std::string word;
   auto const ends = [](char c) { return c == ';' || c == ',' || c == '\t' || c == '\n' || c == '\r' || c == '"'; };
   for (std::size_t i = 0; i <= utf8.size(); ++i) {
@@ -438,16 +429,13 @@ bool has_foreign_names(std::string_view utf8) {
       word += utf8[i];
       continue;
     }
-    bool const turkish =
-        std::ranges::any_of(turkish_letters, [&](auto l) { return word.find(l) != std::string::npos; });
-    if (names_a_channel(word) && (turkish || is_japanese(word))) return true;
+    if (names_a_channel(word) && (has_turkish_letters(word) || is_japanese(word))) return true;
     word.clear();
   }
   return false;
 }
 
 void refuse_width(std::string const& file, Dialect const& dialect) {
-  constexpr std::size_t most_columns = 1000;
   if (dialect.columns > most_columns)
     throw Error(Complaint{
         .where = file,
@@ -478,6 +466,10 @@ Tests text_tests(std::string_view bytes, std::string const& file, TextOptions co
   if (legacy) tests.recognised.push_back(fmt::format("the text is read as {}", legacy->encoding));
   if (page->text.windows_1252) tests.recognised.push_back("bytes that are no UTF-8 are read as Windows-1252");
   tests.recognised.push_back(page->dialect.why);
+  if (options.thousands) {
+    auto const& group = digit_group(*options.thousands);
+    tests.recognised.push_back(fmt::format("digits are grouped by {} (--thousands {})", group.said, group.word));
+  }
   return tests;
 }
 

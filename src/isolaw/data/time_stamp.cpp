@@ -39,7 +39,7 @@ class StampText {
   // A number of `least` to `most` digits.
   std::optional<int> digits(std::size_t least, std::size_t most) {
     std::size_t count = 0;
-    while (count < left_.size() && left_[count] >= '0' && left_[count] <= '9') ++count;
+    while (count < left_.size() && is_digit(left_[count])) ++count;
     if (count < least || count > most) return std::nullopt;
     auto const value = number_in<int>(left_.substr(0, count));
     left_.remove_prefix(count);
@@ -57,7 +57,7 @@ class StampText {
   // Digits behind a point or a comma, as a part of one.
   double fraction() {
     double value = 0.0, place = 0.1;
-    for (; !left_.empty() && left_.front() >= '0' && left_.front() <= '9'; left_.remove_prefix(1), place /= 10.0)
+    for (; !left_.empty() && is_digit(left_.front()); left_.remove_prefix(1), place /= 10.0)
       value += place * (left_.front() - '0');
     return value;
   }
@@ -178,7 +178,8 @@ bool take_clock(StampText& text, Stamp& stamp) {
     if ((half != "am" && half != "pm") || hours < 1.0 || hours > 12.0) return false;
     hours = std::fmod(hours, 12.0) + (half == "pm" ? 12.0 : 0.0);
   }
-  if (hours > 24.0 || minutes > 59.0 || seconds >= 61.0) return false;
+  bool const past_midnight = hours == 24.0 && (minutes > 0.0 || seconds > 0.0);
+  if (hours > 24.0 || past_midnight || minutes > 59.0 || seconds >= 61.0) return false;
   stamp.clocked = true;
   stamp.clock_s = 3600.0 * hours + 60.0 * minutes + seconds;
   return take_zone(text, stamp);
@@ -243,6 +244,7 @@ struct DatesRead {
   std::vector<double> times;
   DateOrder order = DateOrder::day_first;
   std::string why;
+  bool in_either_order = false;  // the times are the same, the date of the first is open
 };
 
 class DateReader {
@@ -272,7 +274,8 @@ class DateReader {
       return DatesRead{
           std::move(*day_first), DateOrder::day_first,
           fmt::format("{} is {} or {}: the times are the same either way", written(s),
-                      date_text(*days_in(s, DateOrder::day_first)), date_text(*days_in(s, DateOrder::month_first)))};
+                      date_text(*days_in(s, DateOrder::day_first)), date_text(*days_in(s, DateOrder::month_first))),
+          true};
     }
     return by_sequence(std::move(*day_first), std::move(*month_first));
   }
@@ -305,17 +308,21 @@ class DateReader {
         {fmt::format("{}:{}", where_, lines_[std::min(at, lines_.size() - 1)]),
          fmt::format("date {} may be {} (day first) or {} (month first)", written(s),
                      date_text(*days_in(s, DateOrder::day_first)), date_text(*days_in(s, DateOrder::month_first))),
-         "dates whose order something tells", "--date-order dmy, or --date-order mdy"});
+         "dates whose order something tells",
+         fmt::format("--date-order {}, or --date-order {}", date_order_word(DateOrder::day_first),
+                     date_order_word(DateOrder::month_first))});
     return std::nullopt;
   }
 
   std::nullopt_t refuse_date(DateOrder order) {
     for (std::size_t i = 0; i < stamps_.size(); ++i)
       if (!days_in(stamps_[i], order)) {
-        complaints_.push_back({fmt::format("{}:{}", where_, lines_[i]),
-                               fmt::format("{} is no date, {}", written(stamps_[i]), name_of(order)),
-                               "dates in one order, day first or month first",
-                               "--date-order dmy or mdy; or --columns time=none and --dt SECONDS"});
+        complaints_.push_back(
+            {fmt::format("{}:{}", where_, lines_[i]),
+             fmt::format("{} is no date, {}", written(stamps_[i]), name_of(order)),
+             "dates in one order, day first or month first",
+             fmt::format("--date-order {} or {}; or --columns time=none and --dt SECONDS",
+                         date_order_word(DateOrder::day_first), date_order_word(DateOrder::month_first))});
         break;
       }
     return std::nullopt;
@@ -361,7 +368,7 @@ std::string_view date_order_word(DateOrder order) {
 
 std::optional<Stamp> parse_stamp(std::string_view cell) {
   constexpr std::size_t longest = 48;
-  if (cell.size() < 5 || cell.size() > longest || cell.front() < '0' || cell.front() > '9') return std::nullopt;
+  if (cell.size() < 5 || cell.size() > longest || !is_digit(cell.front())) return std::nullopt;
   constexpr std::string_view japanese_year = "\xE5\xB9\xB4";
   if (cell.find(japanese_year) != std::string_view::npos) return parse_stamp(without_japanese(cell));
   if (cell.ends_with(date_cell_mark)) {
@@ -439,7 +446,7 @@ StampedTime seconds_of(std::span<Stamp const> stamps, std::span<std::size_t cons
     made.origin_s = static_cast<double>(days) * day_s + of_day;
     made.sentences.push_back(
         fmt::format("time stamps: {}seconds from the first, {} {}", read->why.empty() ? "" : read->why + "; ",
-                    read->why.ends_with("either way") ? "at" : date_text(days) + " at", clock_text(start.clock_s)));
+                    read->in_either_order ? "at" : date_text(days) + " at", clock_text(start.clock_s)));
     times = std::move(read->times);
   } else {
     made.origin_s = of_day;

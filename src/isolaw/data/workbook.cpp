@@ -11,6 +11,7 @@
 
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
+#include "isolaw/data/column_names.hpp"
 #include "isolaw/data/columns.hpp"
 #include "isolaw/data/inflate_limit.hpp"
 #include "isolaw/data/sheet_choice.hpp"
@@ -328,6 +329,19 @@ class Workbook {
     return sheet_tests(writer.take(), place);
   }
 
+  // Of a sheet of notes; nothing of one that holds a table or a long text.
+  ParticularList particulars(Sheet const& sheet) {
+    constexpr std::uint64_t longest = 1u << 16;
+    try {
+      RowWriter writer(sheet.name, texts_, dates_, longest);
+      parse(archive_, file_, sheet.entry, writer.handlers());
+      auto notes = sheet_tests(writer.take(), sheet.name);
+      return notes.tables.empty() ? std::move(notes.particulars) : ParticularList{};
+    } catch (Error const&) {  // what is not read may be of any kind
+      return {};
+    }
+  }
+
  private:
   void list_sheets(std::string const& main, std::map<std::string, std::string> const& targets) {
     parse(archive_, file_, main, {[&](std::string_view name, Attributes const& attributes) {
@@ -363,6 +377,10 @@ class Workbook {
   std::vector<bool> dates_;
 };
 
+void append(ParticularList& list, ParticularList const& more) {
+  list.insert(list.end(), more.begin(), more.end());
+}
+
 // Columns of the sheet's tests that are named as a channel is: none on a sheet of charts or notes.
 std::size_t channels_named(Tests const& tests) {
   std::size_t most = 0;
@@ -393,6 +411,9 @@ Tests workbook_tests(std::string_view bytes, std::string const& file, std::optio
                             .allowed = sheet_list(names, "sheets")});
     if (names.size() > 1) tests.sheet = sheet_key(names, index);
     tests.recognised.push_back(fmt::format("an Excel workbook, sheet {}", in_quotes(names[index])));
+    constexpr std::size_t most_beside = 30;  // notes stand among the first
+    for (std::size_t i = 0; i < std::min(names.size(), most_beside); ++i)
+      if (i != index) append(tests.particulars, workbook.particulars(workbook.sheets()[i]));
     return tests;
   }
   Tests first, named;  // the first with rows of numbers, the first that names a channel
@@ -403,7 +424,7 @@ Tests workbook_tests(std::string_view bytes, std::string const& file, std::optio
   for (std::size_t i = 0; i < names.size(); ++i) {
     auto tests = workbook.tests(workbook.sheets()[i]);
     if (tests.tables.empty()) {
-      particulars.insert(particulars.end(), tests.particulars.begin(), tests.particulars.end());
+      append(particulars, tests.particulars);
       continue;
     }
     auto const channels = channels_named(tests);
