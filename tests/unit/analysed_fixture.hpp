@@ -116,6 +116,7 @@ inline Summary analysed(Summary summary) {
     summary.outliers.push_back({.device = summary.devices[1].name,
                                 .property = "effective stiffness",
                                 .unit = "kN/mm",
+                                .law = {},
                                 .value = 0.81,
                                 .median = 0.62,
                                 .score = 5.2,

@@ -5,7 +5,9 @@
 #include <span>
 #include <utility>
 
+#include "isolaw/base/units.hpp"
 #include "isolaw/base/words.hpp"
+#include "isolaw/data/columns.hpp"
 #include "isolaw/data/text.hpp"
 
 namespace isolaw::data {
