@@ -82,6 +82,9 @@ inline std::vector<Command> commands_in(std::string const& script, std::string c
   std::istringstream lines(script);
   std::string line, in_procedure, in_variant;
   while (std::getline(lines, line)) {
+    // A tag above the given one is an expression of four words.
+    for (std::size_t at = 0; (at = line.find("[expr {$tag + ")) != std::string::npos;)
+      line.replace(at, line.find(']', at) + 1 - at, "$tag");
     std::istringstream stream(line);
     std::vector<std::string> words;
     for (std::string word; stream >> word;) words.push_back(word);
@@ -90,10 +93,10 @@ inline std::vector<Command> commands_in(std::string const& script, std::string c
     if (words.size() == 2 && words[1] == "{") in_variant = words[0];
     if (in_procedure != procedure || in_variant != variant) continue;
     if (words[0] != "uniaxialMaterial" && words[0] != "element") continue;
-    std::size_t const tags = words[0] == "element" ? 5 : words[1] == "Multiplier" ? 4 : 3;
+    std::size_t const tags = words[0] == "element" ? 5 : words[1] == "Multiplier" ? 4 : words[1] == "Parallel" ? 5 : 3;
     Command command{.name = words[1], .arguments = {}};
-    for (std::size_t i = tags; i < words.size(); ++i)
-      if (!words[i].starts_with("{*}")) command.arguments.push_back(std::stod(words[i]));
+    for (std::size_t i = tags; i < words.size() && !words[i].starts_with("{*}"); ++i)
+      command.arguments.push_back(std::stod(words[i]));
     made.push_back(std::move(command));
   }
   return made;

@@ -2,51 +2,12 @@
 // materials written for the test from the formulas.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 
 #include "isolaw/fit/box.hpp"
-#include "unit/programs_fixture.hpp"
+#include "unit/programs_folder.hpp"
 
 namespace isolaw::programs_test {
 namespace {
-
-namespace fs = std::filesystem;
-
-class Folder : public testing::Test {
- protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "isolaw-programs-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  void write(fs::path const& name, std::string const& text) const {
-    fs::create_directories((folder_ / name).parent_path());
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-  }
-  std::string read(fs::path const& name) const {
-    std::ostringstream text;
-    text << std::ifstream(folder_ / name, std::ios::binary).rdbuf();
-    return text.str();
-  }
-  // Exit code; what was printed lies in "printed".
-  int run(std::string const& command) const {
-    auto const whole = fmt::format("cd '{}' && {} > printed 2>&1", folder_.string(), command);
-    int const status = std::system(whole.c_str());
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
-  }
-  bool has(std::string const& program) const { return run("command -v " + program) == 0; }
-
-  fs::path folder_;
-};
 
 // Parameters inside the box that a record of this size would be searched in.
 std::vector<double> inside_box(laws::LawEntry const& law, double share) {
@@ -294,26 +255,74 @@ class Multiplier:
         return self.factor * self.other.set(x)
 
 
+class Parallel:
+    def __init__(self, *others):
+        self.others = [made[other] for other in others]
+
+    def set(self, x):
+        return sum(other.set(x) for other in self.others)
+
+
+class Elastic:
+    def __init__(self, E):
+        pass
+
+
+class elastomericBearingPlasticity:
+    def __init__(self, kInit, qd, alpha1, alpha2, mu, *rest):
+        self.corner = Steel01(qd, (1.0 - alpha1) * kInit, 0.0)
+        self.spring = alpha1 * kInit
+
+    def set(self, x):
+        return self.spring * x + self.corner.set(x)
+
+
+class elastomericBearingBoucWen:
+    def __init__(self, kInit, qd, alpha1, alpha2, mu, eta, beta, gamma, *rest):
+        self.uy, self.qd, self.spring = qd / ((1.0 - alpha1) * kInit), qd, alpha1 * kInit
+        self.p, self.x, self.z = (1.0, beta, gamma, eta), 0.0, 0.0
+
+    def set(self, x):
+        self.z = euler(self.z, (x - self.x) / self.uy, *self.p)
+        self.x = x
+        return self.spring * x + self.qd * self.z
+
+
 def uniaxialMaterial(kind, tag, *arguments):
     made[tag] = globals()[kind](*arguments)
 
 
-def element(*arguments):
-    print("element", *arguments)
+def element(kind, tag, i, j, *arguments):
+    global driven
+    if kind == "zeroLength":
+        assert arguments[0] == "-mat" and arguments[2:] == ("-dir", 2)
+        driven = made[arguments[1]]
+        return
+    print("element", kind, tag, i, j, *arguments)
+    driven = globals()[kind](*arguments)
 
 
-def testUniaxialMaterial(tag):
-    global tested
-    tested = made[tag]
+def timeSeries(kind, tag, dt_word, dt, values_word, *values):
+    global path, at
+    path, at = values, 0
 
 
-def setStrain(x):
-    global stress
-    stress = tested.set(x)
+def analyze(steps):
+    global at, force
+    at += 1
+    force = driven.set(path[at])
+    return 0
 
 
-def getStress():
-    return stress
+def eleForce(tag):
+    return [0.0, -force, 0.0, 0.0, force, 0.0]
+
+
+def ignored(*arguments):
+    pass
+
+
+node = fix = pattern = sp = constraints = numberer = system = algorithm = integrator = analysis = ignored
 )text";
 
 TEST_F(Folder, python_scripts_check_themselves) {
@@ -325,9 +334,9 @@ TEST_F(Folder, python_scripts_check_themselves) {
     std::string law;
     std::vector<double> parameters;
   };
-  for (auto const& c :
-       {ScriptCase{"bilinear", bilinear_parameters}, ScriptCase{"bouc-wen", bouc_wen_parameters},
-        ScriptCase{"vaiana", vaiana_parameters()}, ScriptCase{"vaiana", vaiana_parameters(800.0, 12.0)}})
+  for (auto const& c : {ScriptCase{"bilinear", bilinear_parameters}, ScriptCase{"bouc-wen", bouc_wen_parameters},
+                        ScriptCase{"vaiana", vaiana_parameters()}, ScriptCase{"vaiana", vaiana_parameters(800.0, 12.0)},
+                        ScriptCase{"vaiana", vaiana_parameters(-800.0, 12.0)}})
     for (auto const& units : unit_systems) {
       auto subject = subject_of(c.law, c.parameters);
       subject.device = "D'\"\\ \"\"\" {x} \xC3\xA8";
@@ -337,6 +346,10 @@ TEST_F(Folder, python_scripts_check_themselves) {
       EXPECT_NE(read("printed").find("PASS"), std::string::npos);
       EXPECT_EQ(read("printed").find("FAIL"), std::string::npos);
     }
+  // A build of the program by its users has another name.
+  fs::rename(folder_ / "openseespy/opensees.py", folder_ / "opensees.py");
+  fs::remove_all(folder_ / "openseespy");
+  EXPECT_EQ(run("python3 bearing.py"), 0) << read("printed");
   auto const bearing = subject_of("bilinear", bilinear_parameters);
   write("bearing.py", openseespy_script(bearing, realise(bearing), unit_systems[0]));
   ASSERT_EQ(run("python3 -c \"import bearing; bearing.bearing(7, 1, 2, 'upper', '-P', 3, '-Mz', 4)\""), 0);
@@ -348,24 +361,49 @@ TEST_F(Folder, python_scripts_check_themselves) {
   auto const at = wrong.find("n, gamma, beta, Ao");
   ASSERT_NE(at, std::string::npos);
   wrong.replace(at, 18, "n, beta, gamma, Ao");
-  write("openseespy/opensees.py", wrong);
+  write("opensees.py", wrong);
   auto const subject = subject_of("bouc-wen", bouc_wen_parameters);
   write("bearing.py", openseespy_script(subject, realise(subject), unit_systems[0]));
   EXPECT_EQ(run("python3 bearing.py"), 1) << read("printed");
   EXPECT_NE(read("printed").find("FAIL"), std::string::npos);
 }
 
-// Steel01 and HystereticAsym with Multiplier in Tcl.
+// Steel01, HystereticAsym, Multiplier, Parallel and the bilinear bearing in Tcl.
 constexpr char const* tcl_stub = R"text(
-proc model {args} {}
-proc element {args} { puts "element $args" }
+foreach ignored {wipe model node fix pattern constraints numberer system algorithm integrator analysis} {
+  proc $ignored {args} {}
+}
 proc uniaxialMaterial {kind tag args} {
   global kinds values state
   set kinds($tag) $kind
   set values($tag) $args
   set state($tag) {0.0 0.0}
 }
-proc testUniaxialMaterial {tag} { global tested; set tested $tag }
+proc element {kind tag i j args} {
+  global driven
+  if {$kind eq "zeroLength"} {
+    set driven [lindex $args 1]
+    return
+  }
+  puts "element $kind $tag $i $j $args"
+  lassign $args kInit qd alpha1
+  uniaxialMaterial Steel01 991 $qd [expr {(1.0 - $alpha1) * $kInit}] 0.0
+  uniaxialMaterial Steel01 992 1e30 [expr {$alpha1 * $kInit}] 0.0
+  uniaxialMaterial Parallel 993 991 992
+  set driven 993
+}
+proc timeSeries {kind tag dt_word dt values_word values} {
+  global path at
+  set path $values
+  set at 0
+}
+proc analyze {steps} {
+  global path at driven force
+  incr at
+  set force [step $driven [lindex $path $at]]
+  return 0
+}
+proc eleForce {tag} { global force; list 0.0 [expr {-$force}] 0.0 0.0 $force 0.0 }
 proc step {tag x} {
   global kinds values state
   lassign $state($tag) before f
@@ -393,13 +431,15 @@ proc step {tag x} {
       lassign $values($tag) other factor
       set f [expr {$factor * [step $other $x]}]
     }
+    Parallel {
+      set f 0.0
+      foreach other $values($tag) { set f [expr {$f + [step $other $x]}] }
+    }
     default { error "no $kinds($tag)" }
   }
   set state($tag) [list $x $f]
   return $f
 }
-proc setStrain {x} { global tested stress; set stress [step $tested $x] }
-proc getStress {} { global stress; return $stress }
 )text";
 
 TEST_F(Folder, tcl_scripts_check_themselves) {
@@ -415,13 +455,14 @@ TEST_F(Folder, tcl_scripts_check_themselves) {
     ASSERT_EQ(run("tclsh run.tcl"), 0) << read("printed");
     EXPECT_NE(read("printed").find(good ? "PASS" : "FAIL"), std::string::npos) << read("printed");
     EXPECT_NE(read("printed").find(good ? "returned 1" : "returned 0"), std::string::npos) << read("printed");
-    // The way of a program that passes arguments on.
-    write("run.tcl", "source stub.tcl\nset argv check\nsource bearing.tcl\n");
-    EXPECT_EQ(run("tclsh run.tcl"), 0) << read("printed");
+    // The way of a program that passes arguments on; a script that sources the file has arguments of its own.
+    write("run.tcl", "source stub.tcl\nset argv check\nset argv0 bearing.tcl\nsource bearing.tcl\n");
+    EXPECT_EQ(run("tclsh run.tcl"), good ? 0 : 1) << read("printed");
     EXPECT_NE(read("printed").find(good ? "PASS" : "FAIL"), std::string::npos) << read("printed");
   };
   for (auto const& units : unit_systems) {
-    for (auto const& parameters : {vaiana_parameters(), vaiana_parameters(800.0, 12.0)})
+    for (auto const& parameters :
+         {vaiana_parameters(), vaiana_parameters(800.0, 12.0), vaiana_parameters(-800.0, 12.0)})
       check(subject_of("vaiana", parameters), units, true);
     auto subject = subject_of("bilinear", bilinear_parameters);
     subject.device = "x [exec false] {\\";

@@ -19,6 +19,7 @@ int export_law(ExportArguments const& a) {
   auto const subject = programs::make_subject(contents, study::build_summary(contents), a.law, a.device, units);
   auto const made = programs::write_export(subject, target, units, a.anyway);
   for (auto const& warning : subject.doubts.warnings) say("warning: {}\n", printable(warning));
+  for (auto const& sentence : subject.beyond) say("warning: {}\n", printable(sentence));
   for (auto const& objection : made.let_through) say("{}\n", printable(study::let_through(objection)));
   if (!a.out) {
     std::fwrite(made.text.data(), 1, made.text.size(), stdout);

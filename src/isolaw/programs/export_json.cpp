@@ -83,8 +83,22 @@ void write_forms(JsonWriter& out, Realisation const& realisation, SelfCheck cons
     if (form.lower) write_commands(out, "lower", *form.lower, units);
     if (form.upper) write_commands(out, "upper", *form.upper, units);
     write(out, "from_law", form.from_law);
-    out.member("far_off", far_off(form.from_law));
+    out.member("far_off", far_off(form.from_law) || far_off(form.other_cycles));
     if (form.finer) write(out, "from_law_in_finer_steps", *form.finer);
+    out.key("other_cycles").begin_array();
+    for (auto const& c : form.other_cycles) {
+      out.begin_object().member("amplitude_share", c.amplitude_share).member("rate_share", c.rate_share);
+      out.member("energy_percent", c.energy).member("peak_percent", c.peak).end_object();
+    }
+    out.end_array();
+    out.key("steps_needed");
+    if (form.steps)
+      out.begin_object()
+          .member("per_cycle", form.steps->per_cycle)
+          .member("energy_percent", form.steps->energy)
+          .end_object();
+    else
+      out.null();
     if (form.from_measured) write(out, "from_measured", *form.from_measured);
     out.key("expected").begin_object().member("tolerance_of_peak", check.forms[i].tolerance);
     for (auto const& variant : check.forms[i].variants) write(out, variant.name, variant.force);
@@ -115,7 +129,7 @@ std::string export_json(Subject const& subject, Realisation const& realisation, 
                      realisation.substitute_parameters);
   write_validity(out, subject);
   out.member("prediction", subject.doubts.prediction).member("objection", subject.doubts.objection);
-  out.member("warnings", subject.doubts.warnings);
+  out.member("warnings", subject.doubts.warnings).member("beyond_the_tests", subject.beyond);
   out.key("bounds").begin_object();
   write_factors(out, "lower", subject.bounds.lower);
   write_factors(out, "upper", subject.bounds.upper);

@@ -26,6 +26,9 @@ Realisation realised(Subject const& subject, Objections& objections) {
   if (auto const& form = made.forms.front(); far_off(form.from_law))
     objections.push_back(
         fmt::format("{}, the nearest there is, is far off: {}", form.nominal.title, deviation_text(form.from_law)));
+  else if (far_off(form.other_cycles))
+    objections.push_back(fmt::format("{}, the nearest there is, is more than {:.0f} % off away from the tests: {}",
+                                     form.nominal.title, other_cycle_far_off_percent, text(form.other_cycles)));
   return made;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <variant>
 
@@ -10,10 +11,6 @@
 
 namespace isolaw::programs {
 namespace {
-
-// Where the logarithm of HystereticAsym may lose the distance to the limit curve: exp(-35) of it is about the rounding
-// of the force. Beyond it is chance that decides, at each step, whether what is left is positive.
-constexpr double largest_exponent = 35.0;
 
 Form steel01(laws::BilinearForm const& v) {
   return {.id = "material",
@@ -164,6 +161,25 @@ std::string no_material_of(laws::LawEntry const& law, laws::LimitCurvesForm cons
   return {};
 }
 
+// The travel in one direction beyond which the distance to the limit curve, f0 exp(-alpha travel), may be lost to the
+// rounding of the forces that it is computed from: largest where the branch begins at rest and ends on the curve.
+double longest_travel(laws::LimitCurve const& v) {
+  constexpr double roundings = 16.0 * std::numeric_limits<double>::epsilon();
+  double travel = 0.0;
+  // The force that is lost grows with the travel, and so each estimate lies on the other side of the one before.
+  for (double low = 0.0, high = 60.0 / v.alpha; high - low > 1e-4 * high;) {
+    travel = 0.5 * (low + high);
+    double const hardening = std::abs(v.beta1) * (std::exp(std::abs(v.beta2) * travel) + std::abs(v.beta2) * travel);
+    double const lost = roundings * (std::abs(v.Kb) * travel + v.f0 + hardening);
+    (v.f0 * std::exp(-v.alpha * travel) > lost ? low : high) = travel;
+  }
+  return travel;
+}
+
+// Where a curve softens instead (beta1 < 0) the hysteretic part, linear in ka, kb and fo, is split: 1.1 times it without
+// the curve beside -0.1 times it with the curve, so that every argument is one that the program takes.
+constexpr double surplus = 0.1;
+
 // The hardening's coefficient in HystereticAsym is one unit of force, whatever the units: written in units of its own
 // size and multiplied by it, the law does not change with the unit system. Without hardening there is no such trap.
 Form hysteretic_asym(laws::LimitCurve const& v) {
@@ -172,20 +188,32 @@ Form hysteretic_asym(laws::LimitCurve const& v) {
             .exactness = Exactness::every_step,
             .commands = {},
             .condition = "the force turns into no number (NaN) without a message on a longer travel in one direction",
-            .longest_travel_mm = largest_exponent / v.alpha};
-  bool const hardens = v.beta1 != 0.0;
-  double const unit = hardens ? v.beta1 : 1.0, kb = v.Kb / unit + (hardens ? v.beta2 : 0.0), f0 = v.f0 / unit;
-  double const power = hardens ? 0.0 : 1.0;
-  form.commands.push_back({"HystereticAsym",
-                           {{"ka", kb + 2.0 * v.alpha * f0, power, -1},
-                            {"kb", kb, power, -1},
-                            {"fo", f0, power, 0},
-                            {"b1", hardens ? v.beta2 : 0.0, 0, -1},
-                            {"b2", 0.0, 0, 0},
-                            {"gamma", 0.0, 0, -1}}});
-  if (hardens) {
+            .longest_travel_mm = longest_travel(v),
+            .since = "3.5.0"};
+  // Of a factor times the hysteretic part and the curve exp(b1 u) - 1 - b1 u of one unit of force.
+  auto const part = [&](double kb, double f0, double b1, double force_power) {
+    form.commands.push_back({"HystereticAsym",
+                             {{"ka", kb + 2.0 * v.alpha * f0, force_power, -1},
+                              {"kb", kb, force_power, -1},
+                              {"fo", f0, force_power, 0},
+                              {"b1", b1, 0, -1},
+                              {"b2", 0.0, 0, 0},
+                              {"gamma", 0.0, 0, -1}}});
+  };
+  double const curve = v.beta1, b1 = v.beta2, size = std::abs(curve);
+  if (curve == 0.0) {
+    part(v.Kb, v.f0, 0.0, 1.0);
+  } else if (curve > 0.0) {
+    part(v.Kb / size + b1, v.f0 / size, b1, 0.0);
+    form.commands.push_back({"Multiplier", {{"factor", size, 1, 0}}});
     form.title += " in a Multiplier";
-    form.commands.push_back({"Multiplier", {{"factor", unit, 1, 0}}});
+  } else {
+    double const kb = v.Kb - size * b1, whole = 1.0 + surplus;
+    part(whole * kb, whole * v.f0, 0.0, 1.0);
+    part(surplus * kb / size, surplus * v.f0 / size, b1, 0.0);
+    form.commands.push_back({"Multiplier", {{"factor", -size, 1, 0}}});
+    form.commands.push_back({"Parallel", {}});
+    form.title += ", two of them in Parallel, one in a Multiplier";
   }
   return form;
 }

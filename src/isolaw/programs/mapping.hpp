@@ -36,6 +36,7 @@ struct Form {
   std::string condition = {};  // where it holds, beyond the records; "" for everywhere
   // The longest travel in one direction that it stands, in mm; empty: any.
   std::optional<double> longest_travel_mm = {};
+  std::string since = {};  // the first version of the program that has it; "" where any has
 };
 
 std::vector<Command> in_units(Form const& form, UnitSystem const& units);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string_view>
 #include <utility>
 
 #include "isolaw/base/error.hpp"
@@ -78,41 +80,48 @@ class BearingPlasticity final : public Material {
   double k_, qd_, alpha1_, alpha2_, mu_, plastic_ = 0.0;
 };
 
-// z after a step of backward Euler: z = z0 + dx (A - |z|^n (gamma + beta sgn(dx z))). The root is enclosed before it is
-// sought: from z0 the equation moves towards saturation or by no more than A |dx|.
-double implicit_z(double z0, double dx, double A, double beta, double gamma, double n) {
-  auto const gap = [&](double z) {
-    return z - z0 - dx * (A - std::pow(std::abs(z), n) * (gamma + beta * sign(dx * z)));
-  };
+// How a program looks for z: Newton's rule from a start, so many times at most, to a change below the tolerance.
+struct Iteration {
+  double tolerance = 1e-8;
+  int most = 20;
+};
+
+// z after a step of backward Euler: z = z0 + dx (A - |z|^n (gamma + beta sgn(dx z))). No number where the program's
+// iteration does not come to an end: its force is then a chance's.
+double implicit_z(double z0, double dx, double A, double beta, double gamma, double n, double start,
+                  Iteration const& iteration) {
   if (dx == 0.0) return z0;
-  double const along = std::abs(dx);
-  double low = z0, high = z0, stride = A * along;
-  for (int i = 0; i < 200 && gap(low) > 0.0; ++i, stride *= 2.0) low -= stride;
-  stride = A * along;
-  for (int i = 0; i < 200 && gap(high) < 0.0; ++i, stride *= 2.0) high += stride;
-  for (int i = 0; i < 200 && low < high; ++i) {
-    double const middle = low + 0.5 * (high - low);
-    if (middle == low || middle == high) break;
-    (gap(middle) > 0.0 ? high : low) = middle;
+  constexpr double least = std::numeric_limits<double>::epsilon();  // for |z|^(n-1) at 0
+  double z = start;
+  for (int i = 0; i < iteration.most; ++i) {
+    double const size = z == 0.0 ? least : std::abs(z), shape = gamma + beta * sign(dx * z);
+    double const gap = z - z0 - dx * (A - std::pow(size, n) * shape);
+    double const slope = 1.0 + dx * n * std::pow(size, n - 1.0) * (z == 0.0 ? 0.0 : sign(z)) * shape;
+    double const change = gap / slope;
+    z -= change;
+    if (std::abs(change) <= iteration.tolerance) return z;
   }
-  return std::abs(gap(low)) < std::abs(gap(high)) ? low : high;
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 // alpha ko n gamma beta Ao deltaA deltaNu deltaEta [tol maxIter]: z is a length.
 class BoucWen final : public Material {
  public:
   explicit BoucWen(std::span<double const> a) : alpha_(a[0]), k_(a[1]), n_(a[2]), gamma_(a[3]), beta_(a[4]), A_(a[5]) {
+    if (a.size() > 10) iteration_ = {.tolerance = a[9], .most = static_cast<int>(a[10])};
     if (a[6] != 0.0 || a[7] != 0.0 || a[8] != 0.0)
       throw Error({.where = "BoucWen", .found = "deltaA, deltaNu or deltaEta", .allowed = "0: no degradation"});
   }
   double force(double x) override {
-    z_ = implicit_z(z_, x - x_, A_, beta_, gamma_, n_);
+    constexpr double start = 0.01;  // at every step, whatever the units
+    z_ = implicit_z(z_, x - x_, A_, beta_, gamma_, n_, start, iteration_);
     x_ = x;
     return alpha_ * k_ * x + (1.0 - alpha_) * k_ * z_;
   }
 
  private:
   double alpha_, k_, n_, gamma_, beta_, A_, x_ = 0.0, z_ = 0.0;
+  Iteration iteration_;
 };
 
 // z of 1 at the yield displacement uy.
@@ -120,10 +129,11 @@ class DimensionlessBoucWen final : public Material {
  public:
   struct Parameters {
     double k, uy, qd, alpha1, alpha2, mu, eta, beta, gamma;
+    Iteration iteration;
   };
   explicit DimensionlessBoucWen(Parameters const& p) : p_(p) {}
   double force(double x) override {
-    z_ = implicit_z(z_, (x - x_) / p_.uy, 1.0, p_.beta, p_.gamma, p_.eta);
+    z_ = implicit_z(z_, (x - x_) / p_.uy, 1.0, p_.beta, p_.gamma, p_.eta, z_, p_.iteration);
     x_ = x;
     return p_.qd * z_ + p_.alpha1 * p_.k * x + p_.alpha2 * p_.k * sign(x) * std::pow(std::abs(x), p_.mu);
   }
@@ -134,20 +144,31 @@ class DimensionlessBoucWen final : public Material {
 };
 
 // Both lists of arguments end with: alpha1 alpha2 mu eta beta gamma.
-DimensionlessBoucWen::Parameters with_shape(double k, double uy, double qd, std::span<double const> a) {
-  return {
-      .k = k, .uy = uy, .qd = qd, .alpha1 = a[2], .alpha2 = a[3], .mu = a[4], .eta = a[5], .beta = a[6], .gamma = a[7]};
+DimensionlessBoucWen::Parameters with_shape(double k, double uy, double qd, std::span<double const> a,
+                                            Iteration const& iteration) {
+  return {.k = k,
+          .uy = uy,
+          .qd = qd,
+          .alpha1 = a[2],
+          .alpha2 = a[3],
+          .mu = a[4],
+          .eta = a[5],
+          .beta = a[6],
+          .gamma = a[7],
+          .iteration = iteration};
 }
 
 // E fy alphaL alphaNL mu eta beta gamma [tol maxIter].
 DimensionlessBoucWen::Parameters bouc_wen_original(std::span<double const> a) {
   double const uy = a[1] / a[0], qd = a[1] - a[2] * a[0] * uy - a[3] * a[0] * std::pow(uy, a[4]);
-  return with_shape(a[0], uy, qd, a);
+  return with_shape(a[0], uy, qd, a,
+                    a.size() > 9 ? Iteration{.tolerance = a[8], .most = static_cast<int>(a[9])} : Iteration{});
 }
 
 // kInit qd alpha1 alpha2 mu eta beta gamma.
 DimensionlessBoucWen::Parameters bearing_bouc_wen(std::span<double const> a) {
-  return with_shape(a[0], a[1] / ((1.0 - a[2]) * a[0]), a[1], a);
+  return with_shape(a[0], a[1] / ((1.0 - a[2]) * a[0]), a[1], a,
+                    {.tolerance = bearing_tolerance, .most = bearing_iterations});
 }
 
 // ka kb fo b1 b2 gamma. Nothing keeps the logarithm's argument positive: on a long branch the distance to the limit
@@ -182,7 +203,22 @@ class Multiplier final : public Material {
   double factor_;
 };
 
-std::unique_ptr<Material> make_one(Command const& command, std::unique_ptr<Material> before) {
+class Parallel final : public Material {
+ public:
+  Parallel(std::unique_ptr<Material> one, std::unique_ptr<Material> other)
+      : one_(std::move(one)), other_(std::move(other)) {}
+  double force(double x) override { return one_->force(x) + other_->force(x); }
+
+ private:
+  std::unique_ptr<Material> one_, other_;
+};
+
+// How many materials a command stands on.
+std::size_t inner_count(std::string_view name) {
+  return name == "Multiplier" ? 1 : name == "Parallel" ? 2 : 0;
+}
+
+std::unique_ptr<Material> make_one(Command const& command, std::vector<std::unique_ptr<Material>> inner) {
   auto const& a = command.arguments;
   auto const expect = [&](std::size_t least, std::size_t most) {
     if (a.size() < least || a.size() > most)
@@ -199,22 +235,59 @@ std::unique_ptr<Material> make_one(Command const& command, std::unique_ptr<Mater
   if (command.name == "elastomericBearingPlasticity") return expect(5, 5), std::make_unique<BearingPlasticity>(a);
   if (command.name == "elastomericBearingBoucWen")
     return expect(8, 8), std::make_unique<DimensionlessBoucWen>(bearing_bouc_wen(a));
-  if (command.name == "Multiplier" && before)
-    return expect(1, 1), std::make_unique<Multiplier>(std::move(before), a[0]);
+  if (command.name == "Multiplier") return expect(1, 1), std::make_unique<Multiplier>(std::move(inner[0]), a[0]);
+  if (command.name == "Parallel")
+    return expect(0, 0), std::make_unique<Parallel>(std::move(inner[0]), std::move(inner[1]));
   throw Error(
       {.where = command.name,
        .found = "no material that is replayed here",
        .allowed =
-           "Steel01, Steel02, BoucWen, BoucWenOriginal, HystereticAsym, Multiplier of one before it, elastomericBearingPlasticity, elastomericBearingBoucWen"});
+           "Steel01, Steel02, BoucWen, BoucWenOriginal, HystereticAsym, Multiplier of one before it, Parallel of two, elastomericBearingPlasticity, elastomericBearingBoucWen"});
 }
 
 }  // namespace
 
-std::unique_ptr<Material> make_material(std::span<Command const> commands) {
-  std::unique_ptr<Material> made;
-  for (auto const& command : commands) made = make_one(command, std::move(made));
-  if (!made) throw Error({.where = "material", .found = "no command", .allowed = "one or more"});
+std::vector<Tags> tags_of(std::span<Command const> commands) {
+  std::vector<Tags> made;
+  std::vector<std::size_t> free;  // tags that nothing has taken
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    auto& tags = made.emplace_back(Tags{.own = i + 1 == commands.size() ? 0 : i + 1, .inner = {}});
+    auto const wanted = inner_count(commands[i].name);
+    if (free.size() < wanted)
+      throw Error({.where = commands[i].name,
+                   .found = fmt::format("{} materials before it", free.size()),
+                   .allowed = fmt::format("{}", wanted)});
+    tags.inner.assign(free.end() - static_cast<std::ptrdiff_t>(wanted), free.end());
+    free.resize(free.size() - wanted);
+    free.push_back(tags.own);
+  }
+  if (free.size() != 1)
+    throw Error({.where = "material",
+                 .found = fmt::format("{} that nothing stands on", free.size()),
+                 .allowed = "one: the last command"});
   return made;
+}
+
+std::string refused_by_program(std::span<Command const> commands) {
+  for (auto const& [name, a] : commands) {
+    if (!std::ranges::all_of(a, [](double v) { return std::isfinite(v); })) return name + " takes numbers alone";
+    if (name != "HystereticAsym" || a.size() < 3) continue;
+    if (!(a[0] > 0.0)) return fmt::format("{} takes ka above 0, here {:.4g}", name, a[0]);
+    if (!(a[1] < a[0])) return fmt::format("{} takes kb below ka, here {:.4g} and {:.4g}", name, a[1], a[0]);
+    if (!(a[2] > 0.0)) return fmt::format("{} takes fo above 0, here {:.4g}", name, a[2]);
+  }
+  return {};
+}
+
+std::unique_ptr<Material> make_material(std::span<Command const> commands) {
+  auto const tags = tags_of(commands);
+  std::vector<std::unique_ptr<Material>> made(commands.size());  // by their own tag
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    std::vector<std::unique_ptr<Material>> inner;
+    for (auto const tag : tags[i].inner) inner.push_back(std::move(made[tag]));
+    made[tags[i].own] = make_one(commands[i], std::move(inner));
+  }
+  return std::move(made.front());
 }
 
 std::vector<double> replay(std::span<Command const> commands, std::span<double const> disp) {

@@ -6,9 +6,9 @@
 // Filippou et al. 1983 as in that manual, likewise. BoucWen: Wen 1976
 // as in Haukaas and Der Kiureghian 2003, z by backward Euler. BoucWenOriginal and elastomericBearingBoucWen: Park, Wen
 // and Ang 1986, z dimensionless, backward Euler. elastomericBearingPlasticity: return mapping. HystereticAsym: Vaiana
-// et al. 2018/2021, algebraic. Multiplier: a factor on the force.
-// The programs iterate for z; here the equation is solved to rounding, so an iteration that ends early shows in the
-// self-check of the exported file and not here.
+// et al. 2018/2021, algebraic. Multiplier: a factor on the force. Parallel: the sum of two.
+// Where the programs iterate for z by Newton's rule so does this, from where they begin and as often: a force is no number
+// where that does not end.
 #pragma once
 
 #include <memory>
@@ -25,13 +25,29 @@ class Material {
   virtual double force(double disp) = 0;
 };
 
-// One command of a program: the name of the material or element and its arguments after the tags.
+// What the bearing's -iter option is given; the program's own is 25 times.
+inline constexpr int bearing_iterations = 100;
+inline constexpr double bearing_tolerance = 1e-9;
+
+// One command of a program: the name of the material or element and its arguments after the tags. What stands on other
+// materials comes after them: a Multiplier takes the last one that nothing has taken, Parallel the last two.
 struct Command {
   std::string name;
   std::vector<double> arguments;
 };
 
-// Throws Error: unknown name, too few or too many arguments. A Multiplier takes the material before it in `commands`.
+// The tags of commands: the last one has the tag that is asked for, those that it stands on the ones after that.
+struct Tags {
+  std::size_t own = 0;             // above the tag asked for
+  std::vector<std::size_t> inner;  // of what it stands on
+};
+// Throws Error: a command that lacks what it stands on, or one that nothing takes before the last.
+std::vector<Tags> tags_of(std::span<Command const> commands);
+
+// What the program refuses in the arguments: "" where it takes them. Limits as its parsers state them.
+std::string refused_by_program(std::span<Command const> commands);
+
+// Throws Error: unknown name, too few or too many arguments, or as tags_of.
 std::unique_ptr<Material> make_material(std::span<Command const> commands);
 
 // Force after each displacement, from the virgin state at displacement 0. NaN stays NaN to the end, as in the program.

@@ -100,8 +100,23 @@ double longest_step(History const& history) {
   return longest;
 }
 
+// Of the check's path, in every unit system: an iteration of the program begins at a number without a unit.
+bool has_a_force(Form const& form, Subject const& subject) {
+  return std::ranges::all_of(unit_systems, [&](UnitSystem const& units) {
+    return std::ranges::all_of(replay_kN(form, units, subject.protocol.disp_mm),
+                               [](double f) { return std::isfinite(f); });
+  });
+}
+
 Realised replayed(Form const& form, Subject const& subject) {
-  Realised made{.nominal = form, .lower = {}, .upper = {}, .from_law = {}, .finer = {}, .from_measured = {}};
+  Realised made{.nominal = form,
+                .lower = {},
+                .upper = {},
+                .from_law = {},
+                .finer = {},
+                .from_measured = {},
+                .other_cycles = {},
+                .steps = {}};
   for (auto const& history : subject.histories) {
     auto const force = replay_kN(form, record_units, history.disp_mm);
     keep_worst(made.from_law, deviation(history, force, history.law_kN));
@@ -114,6 +129,7 @@ Realised replayed(Form const& form, Subject const& subject) {
     auto const fine = replay_kN(form, record_units, refined(history.disp_mm, finer_steps));
     keep_worst(*made.finer, deviation(history, every(fine, finer_steps), history.law_kN));
   }
+  if (form.exactness == Exactness::small_steps) made.steps = steps_needed(subject, form);
   return made;
 }
 
@@ -143,36 +159,45 @@ void add_bounds(Realised& realised, std::size_t index, laws::LawEntry const& law
   realised.upper = form(bounds.upper);
 }
 
-InPlace nearest(Subject const& subject) {
-  InPlace best;
-  for (std::string_view const id : {corner_law, smooth_law}) {
-    auto found = fit_in_place(subject, id);
-    if (found.law != nullptr && (best.law == nullptr || found.objective < best.objective)) best = std::move(found);
-  }
-  return best;
+// The laws that may stand in, the nearest first.
+std::vector<InPlace> stand_ins(Subject const& subject) {
+  std::vector<InPlace> made;
+  for (std::string_view const id : {corner_law, smooth_law})
+    if (auto found = fit_in_place(subject, id); found.law != nullptr) made.push_back(std::move(found));
+  std::ranges::stable_sort(made, {}, &InPlace::objective);
+  return made;
 }
 
 Realisation refit(Subject const& subject, Realisation made) {
-  auto const fitted = nearest(subject);
-  if (fitted.law == nullptr) {
+  auto const fitted = stand_ins(subject);
+  if (fitted.empty()) {
     made.explanation += fmt::format("; neither {} nor {} could be fitted in its place", corner_law, smooth_law);
     return made;
   }
-  auto const mapping = map_law(*fitted.law, fitted.parameters);
-  for (std::size_t i = 0; i < mapping.forms.size(); ++i) {
-    auto realised = replayed(mapping.forms[i], subject);
-    if (!std::isfinite(realised.from_law.largest)) continue;
-    add_bounds(realised, i, *fitted.law, fitted.parameters, subject.bounds);
-    made.forms.push_back(std::move(realised));
+  for (auto const& one : fitted) {
+    auto const mapping = map_law(*one.law, one.parameters);
+    for (std::size_t i = 0; i < mapping.forms.size(); ++i) {
+      auto const& form = mapping.forms[i];
+      auto realised = replayed(form, subject);
+      if (!std::isfinite(realised.from_law.largest) || !has_a_force(form, subject)) continue;
+      realised.other_cycles =
+          other_cycles(subject, [&](History const& h) { return replay_kN(form, record_units, h.disp_mm); });
+      add_bounds(realised, i, *one.law, one.parameters, subject.bounds);
+      made.forms.push_back(std::move(realised));
+    }
+    if (made.forms.empty()) continue;
+    made.fidelity = Fidelity::refitted;
+    made.substitute = std::string(one.law->info.id);
+    made.substitute_parameters = one.parameters;
+    made.explanation += fmt::format(
+        "; in its place the nearest {} law{}, fitted to this law's force on the record of {}", made.substitute,
+        &one == fitted.data() ? "" : ", the nearest whose force the program finds", subject.histories.front().device);
+    if (!subject.law->info.traits.rate_independent)
+      made.explanation += ", at the rate of that record: other rates are not represented";
+    return made;
   }
-  if (made.forms.empty()) return made;
-  made.fidelity = Fidelity::refitted;
-  made.substitute = std::string(fitted.law->info.id);
-  made.substitute_parameters = fitted.parameters;
-  made.explanation += fmt::format("; in its place the nearest {} law, fitted to this law's force on the record of {}",
-                                  made.substitute, subject.histories.front().device);
-  if (!subject.law->info.traits.rate_independent)
-    made.explanation += ", at the rate of that record: other rates are not represented";
+  made.explanation +=
+      fmt::format("; the force of {} or {} in its place is one that the program does not find", corner_law, smooth_law);
   return made;
 }
 
@@ -185,6 +210,10 @@ bool far_off(Deviation const& from_law) {
   return !(from_law.largest <= far_off_percent) || !(from_law.rms <= far_off_rms_percent) ||
          beyond(from_law.K_eff, study::adequate_K_eff_percent) ||
          beyond(from_law.energy, study::adequate_energy_percent);
+}
+
+bool far_off(std::vector<OtherCycle> const& cycles) {
+  return std::ranges::any_of(cycles, [](auto const& c) { return !(c.largest() <= other_cycle_far_off_percent); });
 }
 
 std::string_view name(Fidelity fidelity) {
@@ -234,9 +263,14 @@ std::vector<double> replay_kN(Form const& form, UnitSystem const& units, std::sp
 }
 
 std::string failure_of(Form const& form, Subject const& subject, Realised& realised) {
+  if (auto why = refused_by_program(in_units(form, record_units)); !why.empty())
+    return "the program refuses it: " + why;
   realised = replayed(form, subject);
   auto const& found = realised.from_law;
-  if (!std::isfinite(found.largest)) return "its force is no number (NaN) on the calibration record";
+  if (!std::isfinite(found.largest) || !has_a_force(form, subject))
+    return form.exactness == Exactness::small_steps
+               ? "the program's iteration for its force does not end on the calibration record, or on the check's cycles"
+               : "its force is no number (NaN) on the calibration record";
   if (breaks_beyond_the_test(form, subject, realised.longest_travel_mm))
     return fmt::format(
         "its force may be no number (NaN) where the isolator moves {} times as far as in the tests{}", overtravel,

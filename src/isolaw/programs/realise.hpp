@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "isolaw/fit/box.hpp"
+#include "isolaw/programs/away.hpp"
 #include "isolaw/programs/mapping.hpp"
 #include "isolaw/programs/subject.hpp"
 
@@ -39,6 +40,8 @@ struct Realised {
   Deviation from_law;                      // the worst over the histories, at the sampling of the records
   std::optional<Deviation> finer;          // with steps finer_steps times smaller, where that matters
   std::optional<Deviation> from_measured;  // of a device's record
+  std::vector<OtherCycle> other_cycles;    // of a re-fit
+  std::optional<StepsNeeded> steps;  // of a form that is exact as the step goes to zero; empty: none of those tried
   double longest_travel_mm = 0.0, longest_step_mm = 0.0;  // of the records: in one direction, and between samples
 };
 inline constexpr int finer_steps = 16;
@@ -65,6 +68,7 @@ inline constexpr std::string_view corner_law = "bilinear", smooth_law = "bouc-we
 // peak force, or misses its stiffness or energy by more than an adequate law may (study/adequacy.hpp), is far off.
 inline constexpr double far_off_percent = 50.0, far_off_rms_percent = 10.0;
 bool far_off(Deviation const& from_law);
+bool far_off(std::vector<OtherCycle> const& cycles);
 
 // The nearest parameters of another law to this law's force on the first history.
 struct InPlace {

@@ -12,6 +12,13 @@ std::vector<double> as_written(std::vector<double> values) {
 
 }  // namespace
 
+std::string tags_text(Form const& form) {
+  auto const inner = form.commands.size() - 1;
+  if (inner == 0) return {};
+  return inner == 1 ? "uses the tag after the given one too"
+                    : fmt::format("uses the {} tags after the given one too", inner);
+}
+
 SelfCheck self_check(Subject const& subject, Realisation const& realisation, UnitSystem const& units) {
   SelfCheck made;
   for (double const x : subject.protocol.disp_mm) made.disp.push_back(units.from_mm(x));
@@ -25,7 +32,8 @@ SelfCheck self_check(Subject const& subject, Realisation const& realisation, Uni
     auto const add = [&](std::string name, Form const& variant) {
       auto commands = in_units(variant, units);
       auto force = replay(commands, made.disp);
-      form.variants.push_back({std::move(name), std::move(commands), std::move(force)});
+      auto tags = tags_of(commands);
+      form.variants.push_back({std::move(name), std::move(commands), std::move(tags), std::move(force)});
     };
     add("nominal", realised.nominal);
     if (realised.lower) add("lower", *realised.lower);

@@ -13,6 +13,7 @@ namespace isolaw::programs {
 struct CheckedVariant {
   std::string name;  // "nominal", "lower", "upper"
   std::vector<Command> commands;
+  std::vector<Tags> tags;     // of the commands
   std::vector<double> force;  // expected of the program
 };
 
@@ -28,6 +29,9 @@ struct SelfCheck {
   std::vector<double> disp, law;  // the script's units
   std::vector<CheckedForm> forms;
 };
+
+// What a function of a script takes beside its tag: "uses tags 2 and 3 above it too"; "" where nothing.
+std::string tags_text(Form const& form);
 
 SelfCheck self_check(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 

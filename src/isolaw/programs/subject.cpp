@@ -12,12 +12,12 @@
 #include "isolaw/base/words.hpp"
 #include "isolaw/campaign/maker.hpp"
 #include "isolaw/fit/objective.hpp"
+#include "isolaw/programs/away.hpp"
 
 namespace isolaw::programs {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr int samples_per_cycle = 80;
 
 // What a program is driven through: the samples and, where the laws turned between them, the turning points.
 History history_of(campaign::Device const& device, laws::TurningPoints turning_points) {
@@ -42,20 +42,6 @@ History history_of(campaign::Device const& device, laws::TurningPoints turning_p
     double const t = step.sample ? record.time_s[sample] : 0.5 * (record.time_s[sample - 1] + record.time_s[sample]);
     add(t, step.x1, step.v1, step.sample ? record.force_kN[sample] : nan);
     if (step.sample) ++sample;
-  }
-  return made;
-}
-
-History protocol_of(double amplitude_mm, double frequency_Hz) {
-  History made;
-  auto const omega = 2.0 * std::numbers::pi * frequency_Hz;
-  for (int i = 0; i <= 2 * samples_per_cycle; ++i) {
-    double const phase = 2.0 * std::numbers::pi * i / samples_per_cycle;
-    double const size = i <= samples_per_cycle ? 0.5 * amplitude_mm : amplitude_mm;
-    made.time_s.push_back(i / (samples_per_cycle * frequency_Hz));
-    // Exactly zero there, whatever sin makes of pi.
-    made.disp_mm.push_back(i % (samples_per_cycle / 2) == 0 ? 0.0 : size * std::sin(phase));
-    made.vel_mm_s.push_back(size * omega * std::cos(phase));
   }
   return made;
 }
@@ -278,6 +264,20 @@ void add_measured(Subject& subject, study::Summary const& summary) {
 
 }  // namespace
 
+History two_cycles(double first_mm, double second_mm, double frequency_Hz, int steps_per_cycle) {
+  History made;
+  auto const omega = 2.0 * std::numbers::pi * frequency_Hz;
+  for (int i = 0; i <= 2 * steps_per_cycle; ++i) {
+    double const phase = 2.0 * std::numbers::pi * i / steps_per_cycle;
+    double const size = i <= steps_per_cycle ? first_mm : second_mm;
+    made.time_s.push_back(i / (steps_per_cycle * frequency_Hz));
+    // Exactly zero there, whatever sin makes of pi.
+    made.disp_mm.push_back(i % (steps_per_cycle / 2) == 0 ? 0.0 : size * std::sin(phase));
+    made.vel_mm_s.push_back(size * omega * std::cos(phase));
+  }
+  return made;
+}
+
 std::string plain_name(std::string_view name) {
   constexpr std::size_t longest = 40;
   std::string made;
@@ -334,7 +334,7 @@ Subject make_subject(campaign::Contents const& contents, study::Summary const& s
   subject.doubts = study::doubts(summary, law, one);
   add_measured(subject, summary);
   subject.frequency_Hz = subject.tested.highest_Hz.value_or(0.5);
-  subject.protocol = protocol_of(subject.tested.disp_mm, subject.frequency_Hz);
+  subject.protocol = two_cycles(0.5 * subject.tested.disp_mm, subject.tested.disp_mm, subject.frequency_Hz);
   for (auto const& history : subject.histories)
     subject.dead_band_mm = std::max(subject.dead_band_mm, history.dead_band_mm);
   auto const as_fitted = [&](History& history) {
@@ -347,6 +347,7 @@ Subject make_subject(campaign::Contents const& contents, study::Summary const& s
   subject.protocol.law_kN = law_force(*subject.law, subject.parameters, subject.protocol);
   require_finite(subject, where);
   subject.bounds = bounds_of(summary, subject, units);
+  subject.beyond = beyond_the_tests(subject, units);
   return subject;
 }
 

@@ -79,8 +79,13 @@ struct Subject {
   double dead_band_mm = 0.0;                               // of the device's record; of a lot the largest
   std::optional<double> K_eff_kN_per_mm, damping_percent;  // measured: of the device, or the mean of the lot
   double design_disp_mm = 0.0;                             // amplitude of the reported cycle
+  std::vector<std::string> beyond;  // what the law does beyond the tests (away.hpp), in the units asked for
   std::vector<std::string> notes;
 };
+
+// Two cycles from rest, of sines, the second from half the points on; the force is left empty.
+inline constexpr int protocol_steps = 80;
+History two_cycles(double first_mm, double second_mm, double frequency_Hz, int steps_per_cycle = protocol_steps);
 
 // A name as programs take names: each run of other characters than letters and digits becomes one underscore.
 std::string plain_name(std::string_view name);

@@ -55,8 +55,26 @@ std::vector<Fact> replay_facts(Subject const& subject, Realisation const& realis
       made.push_back({fmt::format("  in steps {} times smaller", finer_steps), deviation_text(*form.finer)});
     if (form.from_measured && first == 0)
       made.push_back({"  against the measured force", deviation_text(*form.from_measured)});
+    if (!form.other_cycles.empty())
+      made.push_back(
+          {"  at other amplitudes",
+           text(form.other_cycles) +
+               (std::ranges::any_of(form.other_cycles, [](auto const& c) { return !(c.largest() <= marked_percent); })
+                    ? fmt::format("; MORE THAN {:.0f} % OFF", marked_percent)
+                    : std::string())});
+    if (form.nominal.exactness == Exactness::small_steps)
+      made.push_back(
+          {"  time step",
+           form.steps
+               ? fmt::format(
+                     "{} steps to a cycle ({:.3g} s at the tested {:.3g} Hz) or more: the energy of a cycle is then {:+.2g} % off",
+                     form.steps->per_cycle, 1.0 / (form.steps->per_cycle * subject.frequency_Hz), subject.frequency_Hz,
+                     form.steps->energy)
+               : fmt::format("no number of steps tried keeps the energy of a cycle within {} %", step_energy_percent)});
     for (std::size_t i = first; i < next; ++i) {
       auto const& one = forms[i].nominal;
+      if (!one.since.empty())
+        made.push_back({"  " + one.title.substr(one.title.find(' ') + 1), "in OpenSees from " + one.since + " on"});
       if (one.condition.empty()) continue;
       made.push_back(
           {"  " + one.title.substr(one.title.find(' ') + 1),
@@ -65,6 +83,21 @@ std::vector<Fact> replay_facts(Subject const& subject, Realisation const& realis
                                 : std::string())});
     }
   }
+  return made;
+}
+
+// What an analysis meets beyond the tests, and where the bearing moves in two directions.
+std::vector<Fact> away_facts(Subject const& subject, Realisation const& realisation) {
+  std::vector<Fact> made;
+  for (auto const& sentence : subject.beyond) made.push_back({"Beyond the tests", sentence});
+  bool const coupled =
+      std::ranges::any_of(realisation.forms, [](Realised const& form) { return form.nominal.id == "bearing"; });
+  if (auto const springs = coupled ? std::nullopt : two_springs(subject))
+    made.push_back(
+        {"Two directions",
+         fmt::format(
+             "no coupled element has this law; two springs at right angles, on a circle of the tested amplitude, give up to {:.3g} times the peak force of one and {:.3g} times the energy that a coupled bearing of constant strength would have",
+             springs->force, springs->energy)});
   return made;
 }
 
@@ -107,6 +140,11 @@ std::string argument_values(Command const& command, std::string_view separator) 
     text += count ? fmt::format("{:.0f}", command.arguments[i]) : exactly(command.arguments[i]);
   }
   return text;
+}
+
+std::string element_options(Command const& command, std::string_view separator, std::string_view quote) {
+  if (command.name != "elastomericBearingBoucWen") return {};
+  return fmt::format("{0}{1}-iter{1}{0}{2}{0}{3}", separator, quote, bearing_iterations, exactly(bearing_tolerance));
 }
 
 std::string argument_names(Form const& form) {
@@ -167,7 +205,10 @@ std::vector<Fact> validity(Subject const& subject, UnitSystem const& units) {
 std::vector<Fact> bound_facts(Subject const& subject, bool one_factor) {
   auto const& bounds = subject.bounds;
   auto const text = [&](std::optional<BoundFactors> const& factors) {
-    return factors ? factor_text(*factors, one_factor) : std::string("none");
+    if (!factors) return std::string("none");
+    bool const own = std::abs(factors->stiffness - 1.0) < 1e-9 && std::abs(factors->strength - 1.0) < 1e-9;
+    return factor_text(*factors, one_factor) +
+           (own ? ", the nominal itself: this one stands at that end of the lot" : "");
   };
   std::vector<Fact> made{
       {"Lower bound", text(bounds.lower)}, {"Upper bound", text(bounds.upper)}, {"Bounds from", bounds.source}};
@@ -210,6 +251,7 @@ std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, 
                   subject.fitted.part.empty()
                       ? "nothing was tested, and the law is an extrapolation"
                       : "of what it was fitted to the law is a prediction, and beyond the tests an extrapolation"});
+  for (auto& fact : away_facts(subject, realisation)) made.push_back(std::move(fact));
   for (auto& fact : bound_facts(subject, false)) made.push_back(std::move(fact));
   for (auto const& note : subject.notes) made.push_back({"Note", note});
   return made;

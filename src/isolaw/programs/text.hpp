@@ -24,6 +24,10 @@ std::string exactly(double value);
 std::string argument_values(Command const& command, std::string_view separator);
 // "Command argument argument; Command ...".
 std::string argument_names(Form const& form);
+
+// What an element's command ends with, before the options of its user: iterations for z as the materials have them,
+// where the program's own 25 are too few. "" for most.
+std::string element_options(Command const& command, std::string_view separator, std::string_view quote);
 // For people: five significant digits.
 std::string briefly(double value);
 

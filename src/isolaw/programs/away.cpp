@@ -1,0 +1,183 @@
+#include "isolaw/programs/away.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <span>
+
+#include "isolaw/base/words.hpp"
+#include "isolaw/programs/realise.hpp"
+
+namespace isolaw::programs {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+double work(std::span<double const> x, std::span<double const> f) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < x.size(); ++i) sum += 0.5 * (f[i] + f[i - 1]) * (x[i] - x[i - 1]);
+  return sum;
+}
+
+double peak(std::span<double const> f) {
+  double most = 0.0;
+  for (double const v : f) most = std::isfinite(v) ? std::max(most, std::abs(v)) : infinite;
+  return most;
+}
+
+// The second of the history's two cycles.
+struct Cycle {
+  std::vector<double> x, f;
+};
+Cycle second_of(History const& history, std::vector<double> const& force) {
+  auto const from = static_cast<std::ptrdiff_t>((history.disp_mm.size() - 1) / 2);
+  return {{history.disp_mm.begin() + from, history.disp_mm.end()}, {force.begin() + from, force.end()}};
+}
+
+History cycles_at(Subject const& subject, double amplitude_share, double rate_share,
+                  int steps_per_cycle = protocol_steps) {
+  double const amplitude = amplitude_share * subject.tested.disp_mm;
+  auto made = two_cycles(amplitude, amplitude, rate_share * subject.frequency_Hz, steps_per_cycle);
+  made.refinement = subject.refinement;
+  made.dead_band_mm = subject.dead_band_mm;
+  return made;
+}
+
+std::vector<double> own_force(Subject const& subject, History const& history) {
+  return law_force(*subject.law, subject.parameters, history);
+}
+
+std::optional<double> percent_of(double value, double truth) {
+  if (!(truth > 0.0) || !std::isfinite(truth)) return std::nullopt;
+  return std::isfinite(value) ? 100.0 * (value - truth) / truth : infinite;
+}
+
+std::string share_text(double share) {
+  return share == 0.25 ? "a quarter" : share == 0.5 ? "half" : share == 0.75 ? "three quarters" : "the whole";
+}
+
+}  // namespace
+
+double OtherCycle::largest() const {
+  return std::max(std::abs(energy.value_or(0.0)), std::abs(peak.value_or(0.0)));
+}
+
+std::vector<OtherCycle> other_cycles(Subject const& subject, ForceOf const& stand_in) {
+  std::vector<OtherCycle> made;
+  auto const compare = [&](double amplitude_share, double rate_share) {
+    auto const history = cycles_at(subject, amplitude_share, rate_share);
+    auto const law = second_of(history, own_force(subject, history)), other = second_of(history, stand_in(history));
+    made.push_back({.amplitude_share = amplitude_share,
+                    .rate_share = rate_share,
+                    .energy = percent_of(work(other.x, other.f), work(law.x, law.f)),
+                    .peak = percent_of(peak(other.f), peak(law.f))});
+  };
+  for (double const share : {0.25, 0.5, 0.75, 1.0}) compare(share, 1.0);
+  if (!subject.law->info.traits.rate_independent) compare(1.0, 0.5);
+  return made;
+}
+
+std::string text(std::vector<OtherCycle> const& cycles) {
+  std::vector<std::string> parts;
+  auto const number = [](std::optional<double> const& value) {
+    return !value ? std::string("-") : std::isfinite(*value) ? fmt::format("{:+.0f}", *value) : "no number";
+  };
+  for (auto const& c : cycles)
+    parts.push_back(fmt::format("{}{}: energy {} %, peak {} %", share_text(c.amplitude_share),
+                                c.rate_share == 1.0 ? "" : " at half the rate", number(c.energy), number(c.peak)));
+  return "of the tested amplitude, " + joined(parts, "; ");
+}
+
+std::vector<std::string> beyond_the_tests(Subject const& subject, UnitSystem const& units) {
+  auto const tested = cycles_at(subject, 1.0, 1.0);
+  auto const tested_cycle = second_of(tested, own_force(subject, tested));
+  double const tested_peak = peak(tested_cycle.f);
+  auto const kN = [&](double force) { return fmt::format("{:.4g} {}", units.from_kN(force), units.force.symbol); };
+  std::vector<std::string> made;
+  for (double const times : beyond_times) {
+    auto const history = cycles_at(subject, times, 1.0);
+    auto const [x, f] = second_of(history, own_force(subject, history));
+    double const most = peak(f);
+    auto const at = fmt::format("at {:.4g} times the tested displacement ", times);
+    if (!std::isfinite(most)) {
+      made.push_back(at + "there is no finite force");
+      continue;
+    }
+    // A slope below zero where the displacement grows, on the way to a peak and beyond what was tested.
+    double steepest_fall = 0.0, fall_at = 0.0;
+    for (std::size_t i = 1; i < x.size(); ++i) {
+      bool const outwards = std::abs(x[i]) > std::abs(x[i - 1]);
+      if (!outwards || std::abs(x[i]) <= subject.tested.disp_mm) continue;
+      double const slope = (f[i] - f[i - 1]) / (x[i] - x[i - 1]);
+      if (slope < steepest_fall) steepest_fall = slope, fall_at = x[i];
+    }
+    if (most < 0.999 * tested_peak)
+      made.push_back(
+          fmt::format("{}the peak force is {}, less than the {} at the tested one", at, kN(most), kN(tested_peak)));
+    else if (most > times * times * tested_peak)
+      made.push_back(fmt::format("{}the peak force is {}, {:.3g} times the {} at the tested one", at, kN(most),
+                                 most / tested_peak, kN(tested_peak)));
+    if (steepest_fall < -1e-3 * tested_peak / subject.tested.disp_mm)
+      made.push_back(fmt::format("{}the stiffness is below zero, {:.3g} {}/{} at {:.4g} {}", at,
+                                 units.convert(steepest_fall, 1, -1), units.force.symbol, units.length.symbol,
+                                 units.from_mm(fall_at), units.length.symbol));
+    if (work(x, f) < 0.0) made.push_back(at + "a cycle gives energy back");
+  }
+  return made;
+}
+
+std::optional<StepsNeeded> steps_needed(Subject const& subject, Form const& form) {
+  auto const fine = cycles_at(subject, 1.0, 1.0, 5120);
+  auto const exact = second_of(fine, own_force(subject, fine));
+  double const energy = work(exact.x, exact.f);
+  for (int steps = 20; steps <= 1280; steps *= 2) {
+    auto const history = cycles_at(subject, 1.0, 1.0, steps);
+    // The force at the program's steps, integrated along the sine through them: the error is of the force alone.
+    auto const [x, f] = second_of(history, replay_kN(form, unit_systems[0], history.disp_mm));
+    auto const law = second_of(history, own_force(subject, history));
+    auto const error = energy > 0.0 ? 100.0 * (work(x, f) - work(law.x, law.f)) / energy : infinite;
+    if (std::abs(error) <= step_energy_percent) return StepsNeeded{steps, error};
+  }
+  return std::nullopt;
+}
+
+std::optional<TwoSprings> two_springs(Subject const& subject) {
+  // One comes from rest to the circle along its axis, then both follow it; the second turn is looked at.
+  double const amplitude = subject.tested.disp_mm;
+  constexpr int steps = protocol_steps, quarter = steps / 4;
+  auto const along_x = cycles_at(subject, 1.0, 1.0);
+  History x, y;
+  for (int i = 0; i <= quarter + 2 * steps; ++i) {
+    double const phase = 2.0 * std::numbers::pi * (i - quarter) / steps;
+    double const omega = 2.0 * std::numbers::pi * subject.frequency_Hz;
+    auto const add = [&](History& to, double disp, double vel) {
+      to.time_s.push_back(i / (steps * subject.frequency_Hz));
+      to.disp_mm.push_back(disp);
+      to.vel_mm_s.push_back(vel);
+    };
+    bool const coming = i <= quarter;
+    add(x, i == 0 ? 0.0 : amplitude * std::cos(phase), -amplitude * omega * std::sin(phase));
+    add(y, coming ? 0.0 : amplitude * std::sin(phase), coming ? 0.0 : amplitude * omega * std::cos(phase));
+  }
+  for (auto* history : {&x, &y}) {
+    history->refinement = subject.refinement;
+    history->dead_band_mm = subject.dead_band_mm;
+  }
+  auto const fx = own_force(subject, x), fy = own_force(subject, y);
+  auto const one = second_of(along_x, own_force(subject, along_x));
+  TwoSprings made;
+  std::size_t const from = quarter + steps;
+  for (std::size_t i = from; i < fx.size(); ++i) made.force = std::max(made.force, std::hypot(fx[i], fy[i]));
+  auto const turn = [&](std::vector<double> const& v) { return std::span(v).subspan(from); };
+  made.energy = work(turn(x.disp_mm), turn(fx)) + work(turn(y.disp_mm), turn(fy));
+  double const force = peak(one.f), energy = 0.5 * std::numbers::pi * work(one.x, one.f);
+  if (!(force > 0.0) || !(energy > 0.0) || !std::isfinite(made.force)) return std::nullopt;
+  made.force /= force;
+  made.energy /= energy;
+  return made;
+}
+
+}  // namespace isolaw::programs
