@@ -37,11 +37,24 @@ Set<Values> with_bounds(Subject const& subject, Values const& nominal, std::stri
   return made;
 }
 
+// How far a law in the law's place is from it.
+struct Errors {
+  Deviation on_records;
+  std::vector<OtherCycle> on_other_cycles;
+};
+
+Errors errors_of(Subject const& subject, laws::LawEntry const& law, std::span<double const> parameters) {
+  return {deviation_of_law(subject, law, parameters),
+          other_cycles(subject, [&](History const& history) { return law_force(law, parameters, history); })};
+}
+
 // Values that were fitted in the law's place, with how far they are from it.
 template <class Values>
-Set<Values> fitted_set(Subject const& subject, Values const& nominal, std::string_view what, Deviation const& error) {
-  bool const far = far_off(error);
-  return with_bounds(subject, nominal, fmt::format("{}{}: {}", far ? "FAR OFF, " : "", what, deviation_text(error)),
+Set<Values> fitted_set(Subject const& subject, Values const& nominal, std::string_view what, Errors const& errors) {
+  bool const far = far_off(errors.on_records) || far_off(errors.on_other_cycles);
+  return with_bounds(subject, nominal,
+                     fmt::format("{}{}: {}; {}", far ? "FAR OFF, " : "", what, deviation_text(errors.on_records),
+                                 text(errors.on_other_cycles)),
                      !far);
 }
 
@@ -65,11 +78,10 @@ Wen sharp(Corner const& v) {
   return {.alpha = v.K2 / v.K1, .Ke = v.K1, .beta = half, .gamma = half, .n = sharpest};
 }
 
-std::optional<Wen> fitted_bouc_wen(Subject const& subject, std::vector<fit::Override> const& overrides,
-                                   Deviation& error) {
+std::optional<Wen> fitted_bouc_wen(Subject const& subject, std::vector<fit::Override> const& overrides, Errors& error) {
   auto const found = fit_in_place(subject, smooth_law, overrides);
   if (found.law == nullptr) return std::nullopt;
-  error = deviation_of_law(subject, *found.law, found.parameters);
+  error = errors_of(subject, *found.law, found.parameters);
   return bouc_wen_values(*found.law, found.parameters);
 }
 
@@ -87,13 +99,13 @@ using CornerSet = std::optional<Set<Corner>>;
 WenSet plastic_wen(Subject const& subject) {
   if (auto const v = bilinear_values(*subject.law, subject.parameters)) {
     auto const s = sharp(*v);
-    auto const error = deviation_of_law(subject, laws::find_law(smooth_law), parameters_of(s));
+    auto const error = errors_of(subject, laws::find_law(smooth_law), parameters_of(s));
     return fitted_set(subject, s, "the corner as an exponent of 20, from the law", error);
   }
   auto const v = bouc_wen_values(*subject.law, subject.parameters);
   if (v && std::abs(v->beta - v->gamma) <= 1e-9 * std::abs(v->beta + v->gamma) && v->n >= 1.0)
     return with_bounds(subject, *v, "exact: beta = gamma");
-  Deviation error;
+  Errors error;
   auto const found = fitted_bouc_wen(subject, {tie_gamma(), set("n", {1.0, sharpest})}, error);
   if (!found) return std::nullopt;
   auto const what =
@@ -105,7 +117,7 @@ WenSet plastic_wen(Subject const& subject) {
 }
 
 WenSet rubber_isolator(Subject const& subject) {
-  Deviation error;
+  Errors error;
   auto const found = fitted_bouc_wen(subject, {tie_gamma(), set("n", {2.0, 2.0})}, error);
   if (!found) return std::nullopt;
   return fitted_set(subject, *found, "re-fitted with exponent 2 and beta = gamma; from the law", error);
@@ -116,7 +128,7 @@ WenSet free_bouc_wen(Subject const& subject, WenSet const& wen) {
   if (bilinear_values(*subject.law, subject.parameters)) return wen;
   if (auto const v = bouc_wen_values(*subject.law, subject.parameters))
     return with_bounds(subject, *v, "the law's own equation; the program's integration comes on top");
-  Deviation error;
+  Errors error;
   auto const found = fitted_bouc_wen(subject, {}, error);
   if (!found) return std::nullopt;
   return fitted_set(subject, *found, "re-fitted; from the law", error);
@@ -126,7 +138,7 @@ CornerSet bilinear(Subject const& subject) {
   if (auto const v = bilinear_values(*subject.law, subject.parameters)) return with_bounds(subject, *v, "exact");
   auto const found = fit_in_place(subject, corner_law);
   if (found.law == nullptr) return std::nullopt;
-  auto const error = deviation_of_law(subject, *found.law, found.parameters);
+  auto const error = errors_of(subject, *found.law, found.parameters);
   return fitted_set(subject, *bilinear_values(*found.law, found.parameters), "re-fitted; from the law", error);
 }
 
@@ -286,9 +298,11 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units, Objecti
   fact("Of", (subject.lot ? std::string("the lot: one law for all its devices") : "device " + subject.device) +
                  (subject.title.empty() ? "" : ", lot " + subject.title));
   fact("Parameters", parameter_text(*subject.law, subject.parameters));
+  for (auto const& f : measured_facts(subject)) fact(f.label, f.text);
   fact("Prediction", subject.doubts.prediction);
   for (auto const& warning : subject.doubts.warnings) fact("Warning", warning);
   for (auto const& f : validity(subject, units)) fact(f.label, f.text);
+  for (auto const& f : away_facts(subject, {})) fact(f.label, f.text);
   for (auto const& f : bound_facts(subject, false)) fact(f.label, f.text);
   fact(
       "Errors below",

@@ -69,20 +69,6 @@ void compare_properties(Deviation& made, History const& history, std::span<doubl
   made.energy = percent(cycle.energy_kN_mm, properties.reported->energy_kN_mm);
 }
 
-void keep_worst(Deviation& worst, Deviation const& other) {
-  auto const larger = [](std::optional<double>& a, std::optional<double> b) {
-    if (b && (!a || std::abs(*b) > std::abs(*a))) a = b;
-  };
-  if (other.largest > worst.largest) {
-    worst.at_s = other.at_s;
-    worst.at_sample = other.at_sample;
-  }
-  worst.largest = std::max(worst.largest, other.largest);
-  worst.rms = std::max(worst.rms, other.rms);
-  larger(worst.K_eff, other.K_eff);
-  larger(worst.energy, other.energy);
-}
-
 double longest_travel(History const& history) {
   double longest = 0.0, travel = 0.0;
   for (std::size_t i = 1; i < history.disp_mm.size(); ++i) {
@@ -252,6 +238,20 @@ Deviation deviation(History const& history, std::span<double const> force, std::
   made.rms = 100.0 * std::sqrt(squares / static_cast<double>(count)) / peak;
   compare_properties(made, history, force, other);
   return made;
+}
+
+void keep_worst(Deviation& worst, Deviation const& other) {
+  auto const larger = [](std::optional<double>& a, std::optional<double> b) {
+    if (b && (!a || std::abs(*b) > std::abs(*a))) a = b;
+  };
+  if (other.largest > worst.largest) {
+    worst.at_s = other.at_s;
+    worst.at_sample = other.at_sample;
+  }
+  worst.largest = std::max(worst.largest, other.largest);
+  worst.rms = std::max(worst.rms, other.rms);
+  larger(worst.K_eff, other.K_eff);
+  larger(worst.energy, other.energy);
 }
 
 std::vector<double> replay_kN(Form const& form, UnitSystem const& units, std::span<double const> disp_mm) {

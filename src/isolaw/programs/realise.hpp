@@ -32,6 +32,7 @@ struct Deviation {
 };
 // `other` is the reference; values that are not numbers in it are left out. A force that is no number gives infinity.
 Deviation deviation(History const& history, std::span<double const> force_kN, std::span<double const> other_kN);
+void keep_worst(Deviation& worst, Deviation const& other);
 
 // A form with what its replay came to.
 struct Realised {

@@ -86,21 +86,6 @@ std::vector<Fact> replay_facts(Subject const& subject, Realisation const& realis
   return made;
 }
 
-// What an analysis meets beyond the tests, and where the bearing moves in two directions.
-std::vector<Fact> away_facts(Subject const& subject, Realisation const& realisation) {
-  std::vector<Fact> made;
-  for (auto const& sentence : subject.beyond) made.push_back({"Beyond the tests", sentence});
-  bool const coupled =
-      std::ranges::any_of(realisation.forms, [](Realised const& form) { return form.nominal.id == "bearing"; });
-  if (auto const springs = coupled ? std::nullopt : two_springs(subject))
-    made.push_back(
-        {"Two directions",
-         fmt::format(
-             "no coupled element has this law; two springs at right angles, on a circle of the tested amplitude, give up to {:.3g} times the peak force of one and {:.3g} times the energy that a coupled bearing of constant strength would have",
-             springs->force, springs->energy)});
-  return made;
-}
-
 std::string factor_text(BoundFactors const& factors, bool one_factor) {
   if (factors.separate && !one_factor)
     return fmt::format("stiffness (K_d) x {:.4g}, strength (Q_d) x {:.4g}", factors.stiffness, factors.strength);
@@ -202,6 +187,35 @@ std::vector<Fact> validity(Subject const& subject, UnitSystem const& units) {
           {"Temperature", range_of(t.temperature_min_C, t.temperature_max_C, "C")}};
 }
 
+std::vector<Fact> measured_facts(Subject const& subject) {
+  std::vector<Fact> made;
+  if (subject.objective)
+    made.push_back({"Fitted to the tests with",
+                    fmt::format("objective {:.4g}{} (mean deviation over the standard deviation of the force)",
+                                *subject.objective, subject.lot ? ", mean of the devices" : "")});
+  Deviation worst;
+  for (auto const& history : subject.histories)
+    if (!history.measured_kN.empty()) keep_worst(worst, deviation(history, history.law_kN, history.measured_kN));
+  if (worst.largest > 0.0)
+    made.push_back({fmt::format("The law against the measured force{}", subject.lot ? "s (the worst of them)" : ""),
+                    deviation_text(worst)});
+  return made;
+}
+
+std::vector<Fact> away_facts(Subject const& subject, Realisation const& realisation) {
+  std::vector<Fact> made;
+  for (auto const& sentence : subject.beyond) made.push_back({"Beyond the tests", sentence});
+  bool const coupled =
+      std::ranges::any_of(realisation.forms, [](Realised const& form) { return form.nominal.id == "bearing"; });
+  if (auto const springs = coupled ? std::nullopt : two_springs(subject))
+    made.push_back(
+        {"Two directions",
+         fmt::format(
+             "no coupled element has this law; two springs at right angles, on a circle of the tested amplitude, give up to {:.3g} times the peak force of one and {:.3g} times the energy that a coupled bearing of constant strength would have",
+             springs->force, springs->energy)});
+  return made;
+}
+
 std::vector<Fact> bound_facts(Subject const& subject, bool one_factor) {
   auto const& bounds = subject.bounds;
   auto const text = [&](std::optional<BoundFactors> const& factors) {
@@ -232,10 +246,7 @@ std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, 
            (subject.title.empty() ? "" : ", lot " + subject.title)},
       {"Parameters", fmt::format("{} (units of the law: {}, {}, s)", parameter_text(*subject.law, subject.parameters),
                                  law.force.symbol, law.length.symbol)}};
-  if (subject.objective)
-    made.push_back({"Fitted to the tests with",
-                    fmt::format("objective {:.4g}{} (mean deviation over the standard deviation of the force)",
-                                *subject.objective, subject.lot ? ", mean of the devices" : "")});
+  for (auto& fact : measured_facts(subject)) made.push_back(std::move(fact));
   made.push_back({"Prediction", subject.doubts.prediction});
   for (auto const& warning : subject.doubts.warnings) made.push_back({"Warning", warning});
   made.push_back({"Units of this file", fmt::format("{}, {}, s", units.force.symbol, units.length.symbol)});

@@ -47,6 +47,10 @@ std::vector<std::string> fact_lines(std::vector<Fact> const& facts);
 std::string parameter_text(laws::LawEntry const& law, std::span<double const> parameters);
 // Where the law was tested, or "not stated".
 std::vector<Fact> validity(Subject const& subject, UnitSystem const& units);
+// How far the law is from what was measured.
+std::vector<Fact> measured_facts(Subject const& subject);
+// What an analysis meets beyond the tests, and where the bearing moves in two directions.
+std::vector<Fact> away_facts(Subject const& subject, Realisation const& realisation);
 std::vector<Fact> bound_facts(Subject const& subject, bool one_factor);
 std::string deviation_text(Deviation const& deviation);
 
