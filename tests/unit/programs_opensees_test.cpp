@@ -191,17 +191,19 @@ TEST_F(OpenSees, travel_that_is_claimed_is_stood) {
         for (auto const inner : tags[i].inner) script += fmt::format(" {}", inner + 1);
         script += argument_values(commands[i], " ") + "\n";
       }
-      // In three ways of cutting the same travel; the last step takes the whole of it back.
+      // In three ways of cutting the same travel, from rest and from one side to the other.
       script += fmt::format(
-          "uniaxialTest 1\nforeach steps {{37 1000 20011}} {{\n  for {{set i 1}} {{$i <= $steps}} {{incr i}} {{\n"
-          "    strainUniaxialTest [expr {{{0} * $i / $steps}}]\n    set f [stressUniaxialTest]\n"
-          "    if {{$f != $f}} {{puts \"no number at [expr {{{0} * $i / $steps}}]\"; exit 2}}\n  }}\n"
-          "  strainUniaxialTest 0.0\n  set f [stressUniaxialTest]\n  if {{$f != $f}} {{puts \"no number on the way back\"; exit 3}}\n}}\n",
-          *form.longest_travel_mm);
+          "uniaxialTest 1\nproc go {{from to steps}} {{\n  for {{set i 1}} {{$i <= $steps}} {{incr i}} {{\n"
+          "    strainUniaxialTest [expr {{$from + ($to - $from) * double($i) / $steps}}]\n    set f [stressUniaxialTest]\n"
+          "    if {{$f != $f}} {{puts \"no number between $from and $to\"; exit 2}}\n  }}\n}}\n"
+          "foreach steps {{37 1000 20011}} {{\n  go 0.0 {0} $steps\n  go {0} 0.0 $steps\n  go 0.0 -{1} $steps\n  go -{1} {1} $steps\n"
+          "  go {1} 0.0 $steps\n}}\n",
+          *form.longest_travel_mm, 0.5 * *form.longest_swing_mm);
       write("travel.tcl", script);
       EXPECT_EQ(run_tcl("travel.tcl"), 0) << beta1 << " " << alpha << " " << *form.longest_travel_mm << read("printed");
       // It is no small part of what the program stands.
       EXPECT_GT(*form.longest_travel_mm * 1e-3 * alpha, 20.0) << beta1;
+      EXPECT_GE(*form.longest_swing_mm, *form.longest_travel_mm) << beta1;
     }
 }
 

@@ -130,16 +130,22 @@ std::vector<std::string> beyond_the_tests(Subject const& subject, UnitSystem con
 }
 
 std::optional<StepsNeeded> steps_needed(Subject const& subject, Form const& form) {
-  auto const fine = cycles_at(subject, 1.0, 1.0, 5120);
-  auto const exact = second_of(fine, own_force(subject, fine));
-  double const energy = work(exact.x, exact.f);
-  for (int steps = 20; steps <= 1280; steps *= 2) {
+  constexpr int finest = 2560;
+  auto const replayed = [&](int steps) {
     auto const history = cycles_at(subject, 1.0, 1.0, steps);
-    // The force at the program's steps, integrated along the sine through them: the error is of the force alone.
-    auto const [x, f] = second_of(history, replay_kN(form, unit_systems[0], history.disp_mm));
-    auto const law = second_of(history, own_force(subject, history));
-    auto const error = energy > 0.0 ? 100.0 * (work(x, f) - work(law.x, law.f)) / energy : infinite;
-    if (std::abs(error) <= step_energy_percent) return StepsNeeded{steps, error};
+    return second_of(history, replay_kN(form, unit_systems[0], history.disp_mm));
+  };
+  auto const fine = replayed(finest);
+  double const energy = work(fine.x, fine.f);
+  if (!(energy > 0.0)) return std::nullopt;
+  for (int steps = 20; 2 * steps <= finest; steps *= 2) {
+    auto const [x, f] = replayed(steps);
+    // At the same points: what the sum over few points leaves out is no error of the force.
+    std::vector<double> there;
+    for (std::size_t i = 0; i < fine.f.size(); i += static_cast<std::size_t>(finest / steps))
+      there.push_back(fine.f[i]);
+    double const error = 100.0 * (work(x, f) - work(x, there)) / energy;
+    if (std::abs(error) <= step_energy_percent) return StepsNeeded{.per_cycle = steps, .energy = error};
   }
   return std::nullopt;
 }

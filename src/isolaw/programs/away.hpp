@@ -35,8 +35,8 @@ inline constexpr double marked_percent = 10.0, other_cycle_far_off_percent = 30.
 inline constexpr double beyond_times[] = {1.25, 1.5};
 std::vector<std::string> beyond_the_tests(Subject const& subject, UnitSystem const& units);
 
-// The fewest steps a cycle at which a form's energy is within so many percent of the law's, of 20, 40, ..., 1280; and
-// that energy's error. Empty: none of them.
+// The fewest steps a cycle at which a form's energy is within so many percent of its own in steps of a 2,560th, of 20,
+// 40, ..., 1280; and that energy's error. Empty: none of them.
 inline constexpr double step_energy_percent = 1.0;
 struct StepsNeeded {
   int per_cycle = 0;

@@ -78,6 +78,9 @@ void write_forms(JsonWriter& out, Realisation const& realisation, SelfCheck cons
     out.member("longest_travel", form.nominal.longest_travel_mm
                                      ? std::optional(units.from_mm(*form.nominal.longest_travel_mm))
                                      : std::nullopt);
+    out.member("longest_swing", form.nominal.longest_swing_mm
+                                    ? std::optional(units.from_mm(*form.nominal.longest_swing_mm))
+                                    : std::nullopt);
     out.member("longest_step_of_the_records", units.from_mm(form.longest_step_mm));
     write_commands(out, "nominal", form.nominal, units);
     if (form.lower) write_commands(out, "lower", *form.lower, units);

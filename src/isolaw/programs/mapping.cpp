@@ -162,15 +162,17 @@ std::string no_material_of(laws::LawEntry const& law, laws::LimitCurvesForm cons
 }
 
 // The travel in one direction beyond which the distance to the limit curve, f0 exp(-alpha travel), may be lost to the
-// rounding of the forces that it is computed from: largest where the branch begins at rest and ends on the curve.
-double longest_travel(laws::LimitCurve const& v) {
+// rounding of the forces that it is computed from. These are at a displacement of so many times the travel: all of it
+// from rest, half of it from one side to the other.
+double longest_travel(laws::LimitCurve const& v, double reach) {
   constexpr double roundings = 16.0 * std::numeric_limits<double>::epsilon();
   double travel = 0.0;
   // The force that is lost grows with the travel, and so each estimate lies on the other side of the one before.
   for (double low = 0.0, high = 60.0 / v.alpha; high - low > 1e-4 * high;) {
     travel = 0.5 * (low + high);
-    double const hardening = std::abs(v.beta1) * (std::exp(std::abs(v.beta2) * travel) + std::abs(v.beta2) * travel);
-    double const lost = roundings * (std::abs(v.Kb) * travel + v.f0 + hardening);
+    double const disp = reach * travel, hardening = std::abs(v.beta2) * disp;
+    double const lost =
+        roundings * (std::abs(v.Kb) * disp + v.f0 + std::abs(v.beta1) * (std::exp(hardening) + hardening));
     (v.f0 * std::exp(-v.alpha * travel) > lost ? low : high) = travel;
   }
   return travel;
@@ -187,8 +189,10 @@ Form hysteretic_asym(laws::LimitCurve const& v) {
             .title = "uniaxialMaterial HystereticAsym",
             .exactness = Exactness::every_step,
             .commands = {},
-            .condition = "the force turns into no number (NaN) without a message on a longer travel in one direction",
-            .longest_travel_mm = longest_travel(v),
+            .condition =
+                "the force turns into no number (NaN) without a message on a longer travel in one direction from rest",
+            .longest_travel_mm = longest_travel(v, 1.0),
+            .longest_swing_mm = longest_travel(v, 0.5),
             .since = "3.5.0"};
   // Of a factor times the hysteretic part and the curve exp(b1 u) - 1 - b1 u of one unit of force.
   auto const part = [&](double kb, double f0, double b1, double force_power) {

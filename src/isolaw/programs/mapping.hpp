@@ -34,8 +34,8 @@ struct Form {
   Exactness exactness = Exactness::every_step;
   std::vector<MappedCommand> commands;
   std::string condition = {};  // where it holds, beyond the records; "" for everywhere
-  // The longest travel in one direction that it stands, in mm; empty: any.
-  std::optional<double> longest_travel_mm = {};
+  // The longest travel in one direction that it stands, from rest and between two sides alike, in mm; empty: any.
+  std::optional<double> longest_travel_mm = {}, longest_swing_mm = {};
   std::string since = {};  // the first version of the program that has it; "" where any has
 };
 

@@ -121,7 +121,7 @@ Realised replayed(Form const& form, Subject const& subject) {
 
 // Tried, and computed where the form says how much travel it stands: rounding decides there, and may spare one record.
 bool breaks_beyond_the_test(Form const& form, Subject const& subject, double travel_mm) {
-  if (form.longest_travel_mm && *form.longest_travel_mm < overtravel * travel_mm) return true;
+  if (form.longest_swing_mm && *form.longest_swing_mm < overtravel * travel_mm) return true;
   for (auto const& history : subject.histories) {
     auto disp = history.disp_mm;
     for (double& x : disp) x *= overtravel;
@@ -274,9 +274,9 @@ std::string failure_of(Form const& form, Subject const& subject, Realised& reali
   if (breaks_beyond_the_test(form, subject, realised.longest_travel_mm))
     return fmt::format(
         "its force may be no number (NaN) where the isolator moves {} times as far as in the tests{}", overtravel,
-        form.longest_travel_mm
+        form.longest_swing_mm
             ? fmt::format(": it stands no travel beyond about {:.4g} mm in one direction, the tests have {:.4g} mm",
-                          *form.longest_travel_mm, realised.longest_travel_mm)
+                          *form.longest_swing_mm, realised.longest_travel_mm)
             : std::string());
   if (form.exactness == Exactness::every_step)
     return found.largest <= exact_percent

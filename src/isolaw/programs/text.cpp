@@ -67,7 +67,7 @@ std::vector<Fact> replay_facts(Subject const& subject, Realisation const& realis
           {"  time step",
            form.steps
                ? fmt::format(
-                     "{} steps to a cycle ({:.3g} s at the tested {:.3g} Hz) or more: the energy of a cycle is then {:+.2g} % off",
+                     "{} steps to a cycle ({:.3g} s at the tested {:.3g} Hz) or more: the integration then changes the energy of a cycle by {:+.2g} %",
                      form.steps->per_cycle, 1.0 / (form.steps->per_cycle * subject.frequency_Hz), subject.frequency_Hz,
                      form.steps->energy)
                : fmt::format("no number of steps tried keeps the energy of a cycle within {} %", step_energy_percent)});

@@ -1,0 +1,106 @@
+// Away from the tested cycle: stand-ins, the law beyond the tests, steps to a cycle, two springs for one bearing.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "isolaw/programs/away.hpp"
+#include "isolaw/programs/realise.hpp"
+#include "unit/programs_fixture.hpp"
+
+namespace isolaw::programs_test {
+namespace {
+
+UnitSystem const& kN_mm = unit_systems[0];
+
+TEST(OtherCycles, OfTheLawItselfAndOfTwiceItsForce) {
+  auto const subject = subject_of("bouc-wen", bouc_wen_parameters);
+  auto const law = [&](History const& h) { return law_force(*subject.law, subject.parameters, h); };
+  auto const same = other_cycles(subject, law);
+  ASSERT_EQ(same.size(), 4u);
+  for (auto const& c : same) EXPECT_EQ(c.largest(), 0.0) << c.amplitude_share;
+  EXPECT_FALSE(far_off(same));
+  auto const twice = other_cycles(subject, [&](History const& h) {
+    auto force = law(h);
+    for (double& f : force) f *= 2.0;
+    return force;
+  });
+  for (auto const& c : twice) {
+    EXPECT_NEAR(*c.energy, 100.0, 1e-9);
+    EXPECT_NEAR(*c.peak, 100.0, 1e-9);
+  }
+  EXPECT_TRUE(far_off(twice));
+  EXPECT_NE(text(twice).find("a quarter: energy +100 %, peak +100 %; half: "), std::string::npos) << text(twice);
+}
+
+// 30.1 % at one of them is enough, 29.9 % is not.
+TEST(OtherCycles, OneThatIsFarOffIsEnough) {
+  std::vector<OtherCycle> cycles{{1.0, 1.0, 29.9, -29.9}, {0.5, 1.0, 2.0, {}}};
+  EXPECT_FALSE(far_off(cycles));
+  cycles[1].energy = -30.1;
+  EXPECT_TRUE(far_off(cycles));
+}
+
+TEST(OtherCycles, OfALawThatDependsOnTheRateAreAlsoAtHalfOfIt) {
+  auto const& law = laws::find_law("power-masing-viscous");
+  std::vector<double> parameters(law.parameters.size());
+  parameters[law.index_of("Y")] = 80.0;
+  parameters[law.index_of("g")] = 0.36;
+  parameters[law.index_of("K")] = 45.0;
+  parameters[law.index_of("C")] = 60.0;
+  parameters[law.index_of("U")] = 0.25;
+  auto const subject = subject_of(law.info.id, parameters);
+  auto const cycles = other_cycles(subject, [&](History const& h) { return law_force(law, parameters, h); });
+  ASSERT_EQ(cycles.size(), 5u);
+  EXPECT_EQ(cycles.back().rate_share, 0.5);
+}
+
+TEST(BeyondTheTests, ALawThatGoesOnIsNotMentioned) {
+  for (auto const& [law, parameters] : {std::pair("bilinear", bilinear_parameters), {"bouc-wen", bouc_wen_parameters}})
+    EXPECT_TRUE(beyond_the_tests(subject_of(law, parameters), kN_mm).empty()) << law;
+}
+
+TEST(BeyondTheTests, AFallingPeakASlopeBelowZeroAndSteepGrowthAreSaid) {
+  // 0.6 kN/mm less 8 kN (exp(x / 40 mm) - 1): the limit curve turns at 44 mm.
+  auto const falling = beyond_the_tests(subject_of("vaiana", vaiana_parameters(-8000.0, 25.0)), kN_mm);
+  auto const says = [](std::vector<std::string> const& sentences, std::string_view part) {
+    return std::ranges::any_of(sentences, [&](auto const& s) { return s.find(part) != std::string::npos; });
+  };
+  EXPECT_TRUE(says(falling, "at 1.25 times the tested displacement the stiffness is below zero"));
+  auto const steep = beyond_the_tests(subject_of("vaiana", vaiana_parameters(800.0, 40.0)), kN_mm);
+  EXPECT_TRUE(says(steep, "at 1.25 times the tested displacement the peak force is "));
+  EXPECT_TRUE(says(steep, " times the "));
+  // Tested to 60 mm, where it is about to turn: at 1.5 times the peak is that of before.
+  auto const turning = beyond_the_tests(subject_of("vaiana", vaiana_parameters(-2000.0, 60.0), 200, 60.0), kN_mm);
+  EXPECT_TRUE(says(turning, "at 1.5 times the tested displacement"));
+}
+
+TEST(StepsNeeded, AreTheFewestThatKeepTheEnergy) {
+  auto const subject = subject_of("bouc-wen", bouc_wen_parameters);
+  auto const form = map_law(*subject.law, subject.parameters).forms.front();
+  auto const found = steps_needed(subject, form);
+  ASSERT_TRUE(found);
+  EXPECT_LE(std::abs(found->energy), step_energy_percent);
+  EXPECT_NE(found->energy, 0.0);
+  // Backward Euler is of the first order: in half as many steps the error is about twice as large.
+  if (found->per_cycle > 20) {
+    EXPECT_GT(std::abs(found->energy), 0.3 * step_energy_percent);
+  }
+}
+
+// Rigid and plastic: on a circle both springs stand at their strength, at most sqrt(2) times one's; each takes 4 Q A a turn
+// and a coupled bearing of strength Q takes 2 pi A Q.
+TEST(TwoSpringsForOne, OfAPlasticLawAreThoseOfItsClosedForm) {
+  auto const found = two_springs(subject_of("bilinear", {2000.0, 1e-9, 0.02}));
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->force, std::numbers::sqrt2, 1e-3);
+  EXPECT_NEAR(found->energy, 4.0 / std::numbers::pi, 2e-3);
+}
+
+TEST(TwoSpringsForOne, OfAnElasticLawAreOneForce) {
+  auto const found = two_springs(subject_of("bilinear", {0.5, 0.4999, 100.0}));
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->force, 1.0, 1e-3);
+}
+
+}  // namespace
+}  // namespace isolaw::programs_test
