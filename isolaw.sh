@@ -25,6 +25,8 @@ build_packages=(ca-certificates cmake g++ gnuplot-nox libboost-dev libcli11-dev 
   libmatio-dev libminizip-dev librandom123-dev libsqlite3-dev libssl-dev libtomlplusplus-dev libxlsxwriter-dev
   ninja-build nlohmann-json3-dev npm pybind11-dev python3-dev python3-numpy zlib1g-dev)
 test_packages=(chromium qemu-user tcl xz-utils)
+# What OpenSees needs, where it lies beside the checkout: tests run exports in it, and are skipped without.
+[ -x ../shared/opensees/OpenSees ] && test_packages+=(liblapack3 libgfortran5)
 
 install_missing() {
   command -v dpkg-query >/dev/null || { echo "isolaw.sh: not a Debian system; install the packages listed here by other means" >&2; return; }

@@ -52,8 +52,8 @@ TEST_F(Bearing, inspect_recognises_columns_units_and_cycles_and_says_that_time_i
   for (auto const& block : found["blocks"]) EXPECT_EQ(block["cycles"].size(), 7u);
 }
 
-// Every ninth sample after the average of as many, from the virgin start: what the literature's laws and power-masing are
-// known to reach there, by other programs (docs/league.md has the rest).
+// Every ninth sample after the average of as many, from the virgin start: what the literature's laws and power-masing
+// are known to reach there, by other programs (docs/league.md has the rest).
 TEST_F(Bearing, laws_reach_what_is_known_of_them) {
   if (!fs::exists(file)) GTEST_SKIP() << "measured data are not here: " << file;
   struct Known {

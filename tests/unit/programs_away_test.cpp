@@ -87,8 +87,8 @@ TEST(StepsNeeded, AreTheFewestThatKeepTheEnergy) {
   }
 }
 
-// Rigid and plastic: on a circle both springs stand at their strength, at most sqrt(2) times one's; each takes 4 Q A a turn
-// and a coupled bearing of strength Q takes 2 pi A Q.
+// Rigid and plastic: on a circle both springs stand at their strength, at most sqrt(2) times one's; each takes 4 Q A a
+// turn and a coupled bearing of strength Q takes 2 pi A Q.
 TEST(TwoSpringsForOne, OfAPlasticLawAreThoseOfItsClosedForm) {
   auto const found = two_springs(subject_of("bilinear", {2000.0, 1e-9, 0.02}));
   ASSERT_TRUE(found);

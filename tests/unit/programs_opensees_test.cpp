@@ -107,8 +107,8 @@ struct Response {
 
 class InTime : public OpenSees {
  protected:
-  // kN and mm. The mass has a period of two seconds on the stiffness after yielding, which four cycles of near that period
-  // excite; `element` makes element 1 between nodes 1 and 2, in `dimensions`.
+  // kN and mm. The mass has a period of two seconds on the stiffness after yielding, which four cycles of near that
+  // period excite; `element` makes element 1 between nodes 1 and 2, in `dimensions`.
   Response shaken(Subject const& subject, Realisation const& realisation, std::string const& element, int dimensions,
                   double step_s, double acceleration) const {
     write("bearing.tcl", opensees_script(subject, realisation, unit_systems[0]));

@@ -105,8 +105,8 @@ TEST(KikuchiAiken, ItsOwnFunctions) {
     }
 }
 
-// The second branch of the secant stiffness: above xn the force at the peak is (1 + s1 (m - xn)) times that of the first,
-// and a closed loop dissipates the share h of what that gives.
+// The second branch of the secant stiffness: above xn the force at the peak is (1 + s1 (m - xn)) times that of the
+// first, and a closed loop dissipates the share h of what that gives.
 TEST(KikuchiAiken, SecondBranchOfTheStiffness) {
   Values<KikuchiAiken> const stiffening{60, 0.4, 0.22, -2e-4, 0.42, -4e-4, 0.0, 30, 0.004, 10.19171, 5};
   constexpr int steps = 4000;
@@ -186,9 +186,9 @@ TEST(KikuchiAiken, DampingIsThatOfTheLoop) {
   }
 }
 
-// From rest to rest, and in the cycle after, energy is dissipated anywhere in the box and at twice its size; at five times
-// its size, where h may have come to 0, in the cycle after: all that one has then is what closes its branches, and on the
-// way to a peak whose force grows faster than the peak less is put in than comes back.
+// From rest to rest, and in the cycle after, energy is dissipated anywhere in the box and at twice its size; at five
+// times its size, where h may have come to 0, in the cycle after: all that one has then is what closes its branches,
+// and on the way to a peak whose force grows faster than the peak less is put in than comes back.
 TEST(KikuchiAiken, CyclesDissipate) {
   for (double const amplitude : {2.0, 50.0, 208.0, 416.0, 1040.0})
     for (std::uint32_t i = 0; i < 500; ++i) {

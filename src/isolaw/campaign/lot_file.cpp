@@ -133,7 +133,8 @@ void for_each_vertical_option(Visit&& visit) {
     if (!option.of_test) visit(option);
 }
 
-// K_v = 1234.0, vertical = "file.csv", or a table with the file, the loads and how it is read. `take_file` judges a name.
+// K_v = 1234.0, vertical = "file.csv", or a table with the file, the loads and how it is read. `take_file` judges a
+// name.
 void read_vertical_input(TomlTable& table, std::filesystem::path const& directory,
                          std::function<void(std::string const&)> const& take_file, std::string const& lot_file,
                          std::vector<Complaint>& complaints, VerticalInput& vertical) {

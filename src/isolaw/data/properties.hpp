@@ -72,8 +72,8 @@ struct Properties {
   // The third cycle that counts (the last where there are fewer) of the block of largest amplitude, the first of these;
   // empty when refused.
   std::optional<Cycle> reported;
-  // Why there is none: a signal that cannot be true, not cyclic, less than one cycle, fewer than 20 samples per cycle, a
-  // counted cycle that gives energy back or has no positive stiffness.
+  // Why there is none: a signal that cannot be true, not cyclic, less than one cycle, fewer than 20 samples per cycle,
+  // a counted cycle that gives energy back or has no positive stiffness.
   std::string refusal;
   bool is_false = false;                    // it is of a signal that cannot be true, or of such a cycle
   std::vector<SignalFault> faults;          // of a whole record; no cycle counts where there are any

@@ -18,8 +18,8 @@ struct Span {
   std::size_t first = 0, count = 0;
 };
 
-// What --from and --to ask for; nullopt: it cannot be had, which is among the complaints. `dashes` is what stands before
-// both names where the option is called otherwise.
+// What --from and --to ask for; nullopt: it cannot be had, which is among the complaints. `dashes` is what stands
+// before both names where the option is called otherwise.
 std::optional<Span> span_of_time(std::vector<double> const& time_s, ReadOptions const& options,
                                  std::string const& place, std::vector<Complaint>& complaints,
                                  std::string_view dashes = "--");

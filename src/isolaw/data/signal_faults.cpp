@@ -329,8 +329,8 @@ class Record {
     return true;
   }
 
-  // A channel with noise does not repeat itself to the last digit. What a smooth signal leaves in the measure of noise is
-  // none.
+  // A channel with noise does not repeat itself to the last digit. What a smooth signal leaves in the measure of noise
+  // is none.
   bool has_noise(Signal const& signal) const {
     double const smooth = 4.0 * std::pow(std::numbers::pi / static_cast<double>(half_cycle_), 4.0) * signal.half_range;
     return signal.noise > std::max(3.0 * signal.quantum, smooth);
@@ -474,8 +474,8 @@ class Record {
     if (std::abs(sum) > top_deviations * noise * std::sqrt(count) + same_level * level * count) tops.off_level += 1.0;
   }
 
-  // Force that goes up on its way, meets a level at a corner, keeps it to the reversal and beyond, and leaves it steeply.
-  // A device that yields comes to its level as steeply as it leaves it, or ever more slowly.
+  // Force that goes up on its way, meets a level at a corner, keeps it to the reversal and beyond, and leaves it
+  // steeply. A device that yields comes to its level as steeply as it leaves it, or ever more slowly.
   void clipped_force_in_noise(double sign) {
     for (double const wider : {1.0, 3.0}) {
       double const noise = wider * std::hypot(force_.noise, 0.3 * force_.quantum);
@@ -826,7 +826,8 @@ std::vector<Spike> spikes(std::span<double const> values) {
     if (std::abs(values[i] - (values[i - 1] + values[i + 1]) / 2.0) <= least / 4.0) continue;
     auto const beside = neighbours_of(values, i);
     double const off = std::abs(values[i] - beside.expected);
-    // The last sample before a jump or a corner lies on the line of those before it, the first after it of those behind.
+    // The last sample before a jump or a corner lies on the line of those before it, the first after it of those
+    // behind.
     auto const on_line = [&](std::size_t near, std::size_t far) {
       return std::abs(values[i] - (2.0 * values[near] - values[far])) < on_one_side * off;
     };

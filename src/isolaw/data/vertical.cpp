@@ -96,8 +96,8 @@ struct Secant {
   double K_v() const { return (high.load_kN - low.load_kN) / (high.disp_mm - low.disp_mm); }
 };
 
-// Where the loading leaves the lower load for the last time, and where it first comes to the upper one: what creeps while
-// a load is held is not between them.
+// Where the loading leaves the lower load for the last time, and where it first comes to the upper one: what creeps
+// while a load is held is not between them.
 Secant secant_of(Compression const& c, Loading const& loading, LoadRange const& range) {
   auto const& load = c.load_kN;
   Secant made;

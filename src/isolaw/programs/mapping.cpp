@@ -178,8 +178,8 @@ double longest_travel(laws::LimitCurve const& v, double reach) {
   return travel;
 }
 
-// Where a curve softens instead (beta1 < 0) the hysteretic part, linear in ka, kb and fo, is split: 1.1 times it without
-// the curve beside -0.1 times it with the curve, so that every argument is one that the program takes.
+// Where a curve softens instead (beta1 < 0) the hysteretic part, linear in ka, kb and fo, is split: 1.1 times it
+// without the curve beside -0.1 times it with the curve, so that every argument is one that the program takes.
 constexpr double surplus = 0.1;
 
 // The hardening's coefficient in HystereticAsym is one unit of force, whatever the units: written in units of its own

@@ -7,8 +7,8 @@
 // as in Haukaas and Der Kiureghian 2003, z by backward Euler. BoucWenOriginal and elastomericBearingBoucWen: Park, Wen
 // and Ang 1986, z dimensionless, backward Euler. elastomericBearingPlasticity: return mapping. HystereticAsym: Vaiana
 // et al. 2018/2021, algebraic. Multiplier: a factor on the force. Parallel: the sum of two.
-// Where the programs iterate for z by Newton's rule so does this, from where they begin and as often: a force is no number
-// where that does not end.
+// Where the programs iterate for z by Newton's rule so does this, from where they begin and as often: a force is no
+// number where that does not end.
 #pragma once
 
 #include <memory>

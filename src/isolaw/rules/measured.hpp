@@ -49,8 +49,8 @@ struct Design {
   std::optional<double> of(Quantity quantity) const;
 };
 
-// "K_eff=1.2,damping=15,disp=150": K_eff, K_d and K_v in kN/mm, damping in percent, energy in kN mm, Q_d and load in kN,
-// disp in mm, frequency in Hz. Throws Error: unknown or repeated names, what is no positive number.
+// "K_eff=1.2,damping=15,disp=150": K_eff, K_d and K_v in kN/mm, damping in percent, energy in kN mm, Q_d and load in
+// kN, disp in mm, frequency in Hz. Throws Error: unknown or repeated names, what is no positive number.
 Design parse_design(std::string_view text);
 
 // One value that a rule set derives from the counting cycles; both sides, or both extremes, are values of their own.
