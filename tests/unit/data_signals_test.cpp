@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "isolaw/data/holds.hpp"
 #include "isolaw/data/signal_faults.hpp"
 #include "motions.hpp"
 #include "signals.hpp"
@@ -195,12 +196,12 @@ TEST(Signals, a_device_that_yields_flat_is_left_alone) {
   EXPECT_EQ(rate.missed, 0);
 }
 
-TEST(Signals, spikes_are_found_from_three_percent_of_the_peak) {
+TEST(Signals, spikes_are_found_from_five_percent_of_the_peak) {
   for (bool const of_force : {true, false}) {
     auto const rate = rate_of(30000, false, [&](Plan& plan, Drawn& random) {
       auto made = finish(random, plan, true_motion(plan));
       auto& x = of_force ? made.force_kN_ : made.disp_mm;
-      double const size = random.on_logs(0.03, 2.0) * (random.chance(0.5) ? 1.0 : -1.0);
+      double const size = random.on_logs(0.05, 2.0) * (random.chance(0.5) ? 1.0 : -1.0);
       auto const where = static_cast<std::size_t>(random.whole(3, static_cast<int>(x.size()) - 4));
       if (std::abs(size) < 20.0 * (of_force ? plan.force_noise : plan.disp_noise)) return Found::left_out;
       // A jump or a corner of the signal itself beside it.
@@ -369,6 +370,19 @@ TEST(Signals, a_time_gap_does_not_change_the_frequency) {
         EXPECT_EQ(properties.blocks.front().counted().size(), static_cast<std::size_t>(cycles));
         EXPECT_NEAR(*properties.blocks.front().frequency_Hz, 0.5, 0.005);
       }
+}
+
+// As many samples a cycle in a slow part as in a fast one: its intervals are long, and are no jumps.
+TEST(Signals, a_slow_part_with_as_many_samples_a_cycle_has_its_own_frequency) {
+  auto motion = Motion().sine(50.0, 0.5, 8).sine(100.0, 0.5, 4).end().loop();
+  std::size_t const slow = 8 * 200;
+  double const from = motion.time_s[slow];
+  for (auto i = slow; i < motion.time_s.size(); ++i) motion.time_s[i] = from + 25.0 * (motion.time_s[i] - from);
+  auto const properties = motion.properties();
+  ASSERT_EQ(properties.blocks.size(), 2u);
+  EXPECT_NEAR(*properties.blocks[0].frequency_Hz, 0.5, 0.005);
+  EXPECT_NEAR(*properties.blocks[1].frequency_Hz, 0.02, 0.0002);
+  EXPECT_TRUE(time_gaps(motion.disp_mm, motion.time_s).empty());
 }
 
 // The peak that the clock jumps over is no reason to call what is left a pre-load or a build-up.

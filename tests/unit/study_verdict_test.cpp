@@ -43,6 +43,16 @@ TEST(DeviceVerdict, OfWhatWasNotComparedIsNamed) {
             "not assessed");
 }
 
+// A device whose test in shear was compared with nothing does not pass for its compression test.
+TEST(DeviceVerdict, ACompressionTestAloneIsNoPass) {
+  EXPECT_EQ(text_of({line("K_eff", Verdict::not_assessed), line("damping", Verdict::not_assessed),
+                     line("K_v", Verdict::pass, 8.3)}),
+            "not assessed");
+  EXPECT_EQ(device_verdict({line("K_eff", Verdict::not_assessed), line("K_v", Verdict::fail, -44.0)}).verdict,
+            Verdict::fail);
+  EXPECT_EQ(text_of({line("K_eff", Verdict::pass), line("K_v", Verdict::pass)}), "pass");
+}
+
 TEST(DeviceVerdict, InformationOnWhatHasNoLimitIsNoVerdict) {
   EXPECT_EQ(text_of({line("K_eff", Verdict::not_assessed), line("Q_d", Verdict::information, 3.0, "")}),
             "not assessed");

@@ -121,10 +121,12 @@ std::vector<Gap> time_gaps(std::span<double const> x, std::span<double const> ti
   double const longest = std::ranges::max(intervals);
   double const interval = num::median(intervals);
   if (!(longest > most_intervals * interval)) return {};
+  // One by itself: several long intervals in a row are a slower part, sampled as often in a cycle.
+  auto const is_long = [&](std::size_t i) { return intervals[i] > most_intervals * interval; };
   std::vector<Gap> gaps;
   for (std::size_t i = 0; i + 1 < time_s.size(); ++i) {
-    double const length = time_s[i + 1] - time_s[i];
-    if (!(length > most_intervals * interval)) continue;
+    double const length = intervals[i];
+    if (!is_long(i) || (i > 0 && is_long(i - 1)) || (i + 1 < intervals.size() && is_long(i + 1))) continue;
     double const before = i > 0 ? std::abs(x[i] - x[i - 1]) : 0.0;
     double const after = i + 2 < x.size() ? std::abs(x[i + 2] - x[i + 1]) : 0.0;
     double const speed = std::max(before, after) / interval;

@@ -20,7 +20,7 @@ namespace {
 
 // --- spikes ---------------------------------------------------------------------------------------------------------
 
-constexpr double least_spike = 0.02;       // of the half range
+constexpr double least_spike = 0.04;       // of the half range: a true record has kinks of 3 % in a sample
 constexpr double spike_deviations = 13.0;  // of the noise
 constexpr double spike_quanta = 2.5;
 // Over what the neighbours leave of a cubic through them, rms: a corner comes to 7.4, a step to 5.6.
@@ -179,7 +179,8 @@ class Record {
   std::vector<SignalFault> find() {
     std::size_t constexpr fewest = 16;
     if (raw_disp_.size() < fewest) return {};
-    auto const of_disp = spikes(raw_disp_), of_force = spikes(raw_force_);
+    auto const of_disp = spikes(raw_disp_);
+    auto of_force = spikes(raw_force_);
     disp_ = signal_of(raw_disp_, of_disp);
     force_ = signal_of(raw_force_, of_force);
     if (!(disp_.half_range > 0.0 && force_.half_range > 0.0) || !std::isfinite(disp_.half_range + force_.half_range))
@@ -199,6 +200,7 @@ class Record {
       if (!clipped_force(sign)) clipped_force_in_noise(sign);
     stuck_displacement();
     stuck_force();
+    std::erase_if(of_force, [&](Spike const& spike) { return is_of_every_turn(spike, of_force); });
     name_spikes("displacement", "mm", of_disp);
     name_spikes("force", "kN", of_force);
     return std::move(found_);
@@ -758,6 +760,25 @@ class Record {
           fmt::format("force is recorded without its sign: displacement goes both ways, the force at its peaks does "
                       "not, at {}",
                       at({turns_.begin() + 1, turns_.end() - 1})));
+  }
+
+  // Where motion turns force may jump, and a sample in the jump lies off its neighbours: at some turns more, by where the
+  // samples happen to lie. What other turns have too is how the device or its rig is.
+  bool is_of_every_turn(Spike const& spike, std::vector<Spike> const& all) const {
+    constexpr std::size_t beside = 2, least_turns = 2;
+    constexpr double as_much = 0.35;
+    auto const near = [](std::size_t a, std::size_t b) { return (a > b ? a - b : b - a) <= beside; };
+    if (std::ranges::none_of(turns_, [&](auto turn) { return near(turn, spike.at); })) return false;
+    double const off = std::abs(spike.value - spike.expected);
+    std::size_t others = 0;
+    for (auto const turn : turns_) {
+      if (std::ranges::any_of(all, [&](Spike const& other) { return near(turn, other.at); })) continue;
+      double most = 0.0;
+      for (auto i = std::max(turn, beside + 1) - beside; i <= turn + beside && i + 1 < raw_force_.size(); ++i)
+        most = std::max(most, std::abs(raw_force_[i] - neighbours_of(raw_force_, i).expected));
+      if (most > as_much * off) ++others;
+    }
+    return others >= least_turns;
   }
 
   void name_spikes(std::string const& channel, std::string_view unit, std::vector<Spike> const& off) {

@@ -83,10 +83,10 @@ std::vector<OtherCycle> other_cycles(Subject const& subject, ForceOf const& stan
 std::string text(std::vector<OtherCycle> const& cycles) {
   std::vector<std::string> parts;
   auto const number = [](std::optional<double> const& value) {
-    return !value ? std::string("-") : std::isfinite(*value) ? fmt::format("{:+.0f}", *value) : "no number";
+    return !value ? std::string("-") : std::isfinite(*value) ? fmt::format("{:+.0f} %", *value) : "no number";
   };
   for (auto const& c : cycles)
-    parts.push_back(fmt::format("{}{}: energy {} %, peak {} %", share_text(c.amplitude_share),
+    parts.push_back(fmt::format("{}{}: energy {}, peak {}", share_text(c.amplitude_share),
                                 c.rate_share == 1.0 ? "" : " at half the rate", number(c.energy), number(c.peak)));
   return "of the tested amplitude, " + joined(parts, "; ");
 }

@@ -7,7 +7,10 @@ export const isLeftOut = (device) =>
 
 // The worst of a device's verdicts, with what could not be assessed of it.
 export function deviceVerdict(device) {
-  const verdict = isLeftOut(device) ? 'not assessed' : worstVerdict(device.assessments.map((a) => a.verdict));
+  const worst = isLeftOut(device) ? 'not assessed' : worstVerdict(device.assessments.map((a) => a.verdict));
+  // Of a device that is tested in shear a compression test alone says too little to pass.
+  const inShear = device.assessments.some((a) => a.verdict === 'pass' && a.quantity !== 'K_v');
+  const verdict = worst === 'pass' && !inShear ? 'not assessed' : worst;
   const named = (wanted) => [
     ...new Set(device.assessments.filter((a) => a.verdict === wanted).map((a) => a.quantity)),
   ];
