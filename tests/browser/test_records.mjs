@@ -442,6 +442,10 @@ export function extend(report, { tests = {}, verified = true, assessed = true, l
       const cycle = block.cycles.find((c) => c.number === device.reported.number);
       device.assessments = assessments_of(cycle, block.number, nominal, verified);
     }
+  for (const device of report.devices)
+    device.verdict =
+      ['fail', 'pass', 'information', 'not assessed'].find((verdict) => device.assessments.some((a) => a.verdict === verdict)) ??
+      (assessed && device.properties_refusal ? 'not assessed' : null);
   report.assessment = {
     rule_set: !assessed
       ? null

@@ -71,6 +71,19 @@ TEST(DeviceVerdict, AFailureNamesTheLineFarthestOff) {
   EXPECT_EQ(device_verdict(lines).failed, std::vector<std::string>{"K_eff"});
 }
 
+TEST(VerdictOnADevice, IsNotAssessedWhereItsRecordHasNoPropertiesAndNothingWhereNothingIsAsked) {
+  LotAcceptance lot;
+  DeviceResult device;
+  EXPECT_FALSE(verdict_on(lot, device));
+  device.properties.refusal = "not cyclic";
+  EXPECT_FALSE(verdict_on(lot, device));
+  lot.rules.id = "mine";
+  ASSERT_TRUE(verdict_on(lot, device));
+  EXPECT_EQ(*verdict_on(lot, device), Verdict::not_assessed);
+  device.acceptance.assessments = {line("K_eff", Verdict::not_assessed), line("K_v", Verdict::pass)};
+  EXPECT_EQ(*verdict_on(lot, device), Verdict::not_assessed);
+}
+
 TEST(VerdictSummary, CountsDevicesAndNamesFailures) {
   Summary summary;
   EXPECT_EQ(verdict_summary(summary), "");

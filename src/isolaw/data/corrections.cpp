@@ -17,6 +17,7 @@
 #include "isolaw/data/record.hpp"
 #include "isolaw/data/record_parts.hpp"
 #include "isolaw/data/signal_faults.hpp"
+#include "isolaw/data/spikes.hpp"
 
 namespace isolaw::data {
 namespace {

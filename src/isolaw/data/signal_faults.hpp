@@ -17,7 +17,6 @@
 namespace isolaw::data {
 
 enum class FaultKind { clipped, stuck, spike, rectified };
-std::string_view name(FaultKind kind);
 std::string_view said_of(FaultKind kind);  // "clipped", "stuck", "disturbed by spikes", "without its sign"
 
 struct SignalFault {
@@ -30,14 +29,6 @@ struct SignalFault {
 // time_s may be empty; else all are of one length. O(n log n) in time, O(n) in memory.
 std::vector<SignalFault> signal_faults(std::span<double const> disp_mm, std::span<double const> force_kN,
                                        std::span<double const> time_s = {});
-
-// A single sample off its neighbours, and what they say it should be.
-struct Spike {
-  std::size_t at = 0;
-  double value = 0.0;
-  double expected = 0.0;
-};
-std::vector<Spike> spikes(std::span<double const> values);
 
 // "sample 213 (2.12 s)", "samples 3, 17 and 21"; index from 0. At most five are named.
 std::string sample_text(std::span<std::size_t const> samples, std::span<double const> time_s);

@@ -86,6 +86,13 @@ DeviceVerdict device_verdict(std::vector<rules::Assessment> const& assessments) 
   return made;
 }
 
+std::optional<Verdict> verdict_on(LotAcceptance const& lot, DeviceResult const& device) {
+  auto const& assessments = device.acceptance.assessments;
+  if (!assessments.empty()) return device_verdict(assessments).verdict;
+  bool const left_out = lot.has_rules() && !device.properties.refusal.empty();
+  return left_out ? std::optional(Verdict::not_assessed) : std::nullopt;
+}
+
 std::string verdict_summary(Summary const& summary) {
   auto const& acceptance = summary.acceptance;
   if (!acceptance.has_rules()) return {};

@@ -2,6 +2,7 @@
 // half of a standard's requirements kept is no pass of the standard.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,10 @@ struct DeviceVerdict {
   std::string text() const;
 };
 DeviceVerdict device_verdict(std::vector<rules::Assessment> const& assessments);
+
+// The word for a device of an inspection or a campaign: not assessed where its record has no properties that a rule set
+// could be held to; nullopt where nothing was asked.
+std::optional<rules::Verdict> verdict_on(LotAcceptance const& lot, DeviceResult const& device);
 
 // "NTC 2018: 8 of 10 devices pass, 2 fail: D03 K_eff +23.0 %, D07 damping -16.2 %", and what of the lot itself fails;
 // empty without a rule set.

@@ -21,7 +21,7 @@ void write_effects(JsonWriter& out, std::vector<data::Effect> const& effects) {
   out.end_array();
 }
 
-void write_device(JsonWriter& out, DeviceResult const& device) {
+void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const& device) {
   write_members(out, "name", device.name, "file", device.file, "sha256", device.sha256, "status", device.status,
                 "message", device.message, "samples", device.raw.size());
   out.key("columns").begin_object();
@@ -32,7 +32,7 @@ void write_device(JsonWriter& out, DeviceResult const& device) {
   // Sheet and test are null where the file has but one.
   write_members(out, "sheet", device.raw.layout.sheet, "test", device.raw.layout.test, "recognised",
                 device.raw.recognised, "warnings", device.raw.warnings);
-  write_properties(out, device);
+  write_properties(out, lot, device);
   write_effects(out, device.effects);
 }
 
@@ -43,12 +43,12 @@ std::string inspection_json(Summary const& summary) {
   out.begin_object();
   out.member("schema", inspection_schema).member("isolaw", summary.version);
   if (summary.devices.size() == 1) {
-    write_device(out, summary.devices.front());
+    write_device(out, summary.acceptance, summary.devices.front());
   } else {
     out.member("title", summary.title).key("devices").begin_array();
     for (auto const& device : summary.devices) {
       out.begin_object();
-      write_device(out, device);
+      write_device(out, summary.acceptance, device);
       out.end_object();
     }
     out.end_array();

@@ -7,6 +7,7 @@
 #include "isolaw/render/json/results_json.hpp"
 #include "isolaw/study/acceptance_results.hpp"
 #include "isolaw/study/cycle_results.hpp"
+#include "isolaw/study/verdict.hpp"
 
 namespace isolaw::render {
 namespace {
@@ -156,7 +157,7 @@ void write_lot(JsonWriter& out, LotAcceptance const& acceptance) {
 
 }  // namespace
 
-void write_properties(JsonWriter& out, DeviceResult const& device) {
+void write_properties(JsonWriter& out, LotAcceptance const& lot, DeviceResult const& device) {
   auto const& acceptance = device.acceptance;
   auto const& properties = device.properties;
   out.key("blocks").begin_array();
@@ -176,6 +177,9 @@ void write_properties(JsonWriter& out, DeviceResult const& device) {
                 "counting_block_choice", acceptance.choice);
   write_levels(out, device);
   write_vertical(out, device);
+  out.key("verdict");
+  auto const verdict = verdict_on(lot, device);
+  verdict ? out.value(rules::name(*verdict)) : out.null();
   write_assessments(out.key("assessments"), acceptance.assessments, acceptance.block);
 }
 

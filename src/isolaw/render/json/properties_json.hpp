@@ -9,7 +9,7 @@ namespace isolaw::render {
 
 // Members of a device's object: blocks, reported, properties_refusal, samples_per_cycle, notes, corrections,
 // counting_block, assessments.
-void write_properties(JsonWriter& out, DeviceResult const& device);
+void write_properties(JsonWriter& out, LotAcceptance const& lot, DeviceResult const& device);
 
 // The object of the lot: rule_set, design, lot.
 void write_acceptance(JsonWriter& out, LotAcceptance const& acceptance);

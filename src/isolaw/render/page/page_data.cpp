@@ -96,15 +96,15 @@ void write_scored(JsonWriter& out, data::FitRecord const& record) {
   out.end_array();
 }
 
-void write_device(JsonWriter& out, DeviceResult const& device, std::vector<std::size_t> const& drawn,
-                  std::size_t most) {
+void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const& device,
+                  std::vector<std::size_t> const& drawn, std::size_t most) {
   auto const& record = device.record;
   out.begin_object();
   write_members(out, "name", device.name, "file", device.file, "sha256", device.sha256, "status", device.status,
                 "message", device.message, "serial", device.serial, "lot", device.lot, "test_date", device.test_date);
   out.member("temperature_C", device.temperature_C).member("rubber_thickness_mm", device.rubber_thickness_mm);
   out.member("rubber_area_mm2", device.rubber_area_mm2);
-  write_properties(out, device);
+  write_properties(out, lot, device);
   write_raw(out, device.raw, most);
   write_members(out, "recognised", device.raw.recognised, "warnings", device.raw.warnings, "cleaning", record.cleaning);
   write_scored(out, record);
@@ -359,7 +359,8 @@ std::string page_data_json(Summary const& summary) {
   out.key("assessment");
   write_acceptance(out, summary.acceptance);
   out.key("devices").begin_array();
-  for (std::size_t i = 0; i < summary.devices.size(); ++i) write_device(out, summary.devices[i], drawn[i], most);
+  for (std::size_t i = 0; i < summary.devices.size(); ++i)
+    write_device(out, summary.acceptance, summary.devices[i], drawn[i], most);
   out.end_array();
   out.key("laws").begin_array();
   for (auto const& law : summary.laws) write_law(out, summary, law, drawn);

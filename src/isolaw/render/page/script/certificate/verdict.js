@@ -1,16 +1,11 @@
-import { devices, report } from '../report.js';
-import { worstVerdict } from '../verdicts.js';
+import { devices } from '../report.js';
 
 // A rule set that could say nothing of a device, for its record has no properties.
-export const isLeftOut = (device) =>
-  Boolean(report.assessment?.rule_set) && device.assessments.length === 0 && Boolean(device.properties_refusal);
+export const isLeftOut = (device) => device.verdict === 'not assessed' && device.assessments.length === 0;
 
-// The worst of a device's verdicts, with what could not be assessed of it.
+// What a device's assessments come to, with what could not be assessed of it.
 export function deviceVerdict(device) {
-  const worst = isLeftOut(device) ? 'not assessed' : worstVerdict(device.assessments.map((a) => a.verdict));
-  // Of a device that is tested in shear a compression test alone says too little to pass.
-  const inShear = device.assessments.some((a) => a.verdict === 'pass' && a.quantity !== 'K_v');
-  const verdict = worst === 'pass' && !inShear ? 'not assessed' : worst;
+  const { verdict } = device;
   const named = (wanted) => [
     ...new Set(device.assessments.filter((a) => a.verdict === wanted).map((a) => a.quantity)),
   ];
