@@ -123,6 +123,11 @@ class Process {
   fs::path output_, errors_;
 };
 
+// Held to the Italian code with these design values.
+inline Words held_to(std::string const& design) {
+  return {"--rules", "ntc-2018", "--design", design};
+}
+
 // Analyses and figures cost far more than the short searches of most tests, which ask about other things: none unless
 // asked for.
 inline Words without_extras(Words words) {

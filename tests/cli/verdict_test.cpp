@@ -12,7 +12,6 @@ class Terminal : public InFreshDirectory {
     write("lot/D1.csv", csv(record()));  // K_eff 0.7 kN/mm
     write("lot/D2.csv", csv(record({.stiffness_kN_per_mm = 0.7})));
   }
-  static Words held_to(std::string const& design) { return {"--rules", "ntc-2018", "--design", design}; }
 };
 
 TEST_F(Terminal, a_pass_of_a_device_says_what_was_not_compared) {

@@ -15,7 +15,6 @@ class Vertical : public InFreshDirectory {
     for (auto const* name : {"compression.csv", "compression-preload.csv", "compression-negative.csv"})
       fs::copy_file(wart_folder / name, path(name));
   }
-  static Words held_to(std::string const& design) { return {"--rules", "ntc-2018", "--design", design}; }
   Words const quick{"--laws", "bilinear",      "--runs", "1",         "--population",
                     "4",      "--generations", "1",      "--figures", "none"};
   Json vertical_of(Words const& words) {

@@ -14,6 +14,7 @@
 
 #include "campaign_fixture.hpp"
 #include "isolaw/base/error.hpp"
+#include "refusal.hpp"
 #include "setting_samples.hpp"
 
 namespace isolaw::campaign {
@@ -66,15 +67,6 @@ TEST(Settings, PairsReadBack) {
   expect_same(settings_from_pairs(to_pairs(other)), other);
 }
 
-std::string refusal(std::function<void()> const& action) {
-  try {
-    action();
-  } catch (Error const& error) {
-    return error.what();
-  }
-  return "";
-}
-
 bool holds(std::string const& text, std::string const& part) {
   return text.find(part) != std::string::npos;
 }
@@ -87,7 +79,7 @@ TEST(EverySetting, HasADefaultThatItMayHaveAndHelpWhereItIsAnOption) {
     SCOPED_TRACE(setting.key);
     Settings usual;
     usual.complete();
-    EXPECT_EQ(refusal([&] { setting.set(usual, setting.get(usual)); }), "");
+    EXPECT_EQ(refusal_of([&] { setting.set(usual, setting.get(usual)); }), "");
     EXPECT_NE(setting.get(usual), another(setting));
     EXPECT_TRUE(setting.stored_only || !setting.help.empty());
     for (auto const word : setting.words) EXPECT_TRUE(holds(setting.help, std::string(word))) << setting.help;
@@ -133,7 +125,7 @@ TEST(EverySetting, RefusesWhatItMayNotBeByItsName) {
   for (auto const& setting : setting_table())
     for (auto const& value : not_allowed(setting)) {
       SCOPED_TRACE(fmt::format("{} {}", setting.key, value.dump()));
-      auto const given = refusal([&] {
+      auto const given = refusal_of([&] {
         Settings made;
         apply({{std::string(setting.key), value}}, made);
       });
@@ -142,7 +134,7 @@ TEST(EverySetting, RefusesWhatItMayNotBeByItsName) {
       EXPECT_TRUE(holds(given, "; allowed: ")) << given;
       auto pairs = to_pairs(with(setting, another(setting)));
       std::ranges::find(pairs, setting.key, &std::pair<std::string, std::string>::first)->second = value.dump();
-      auto const stored = refusal([&] { settings_from_pairs(pairs); });
+      auto const stored = refusal_of([&] { settings_from_pairs(pairs); });
       EXPECT_TRUE(value == setting.get({}) || stored.starts_with(setting.where())) << stored;
     }
 }
@@ -151,7 +143,7 @@ TEST(EverySetting, IsMissedWhereAStoreLacksIt) {
   for (auto const& setting : setting_table()) {
     auto pairs = to_pairs(with(setting, another(setting)));
     std::erase_if(pairs, [&](auto const& pair) { return pair.first == setting.key; });
-    EXPECT_TRUE(holds(refusal([&] { settings_from_pairs(pairs); }), setting.where() + ": is missing"));
+    EXPECT_TRUE(holds(refusal_of([&] { settings_from_pairs(pairs); }), setting.where() + ": is missing"));
   }
 }
 
@@ -161,7 +153,7 @@ TEST(Settings, WhatOneMethodAloneHasChoosesItUnlessAnotherOneIsNamed) {
   EXPECT_EQ(made.method, Method::genetic);
   EXPECT_EQ(made.genetic.population, 40);
   EXPECT_EQ(
-      refusal([&] {
+      refusal_of([&] {
         apply({{"population", 40}, {"method", "best"}}, made);
       }),
       "--population: belongs to method ga, and the method is best; allowed: with method ga, which it also chooses where no method is named");
@@ -169,7 +161,7 @@ TEST(Settings, WhatOneMethodAloneHasChoosesItUnlessAnotherOneIsNamed) {
 
 TEST(Settings, EverythingWrongIsSaidAtOnce) {
   Settings made;
-  auto const said = refusal([&] { apply({{"runs", 0}, {"smooth", 4}}, made); });
+  auto const said = refusal_of([&] { apply({{"runs", 0}, {"smooth", 4}}, made); });
   EXPECT_EQ(said, "--runs: 0; allowed: 1 to 100000\n--smooth: 4; allowed: an odd number of samples, 1 for none");
 }
 
@@ -217,7 +209,7 @@ TEST(Settings, ValidateRefusesWhatIsOutOfRangeOrDoesNotGoTogether) {
   auto const with_change = [](std::function<void(Settings&)> const& change) {
     Settings s;
     change(s);
-    return refusal([&] { s.validate(); });
+    return refusal_of([&] { s.validate(); });
   };
   auto const ga = [](Settings& s) -> opt::GeneticOptions& {
     s.method = Method::genetic;
@@ -253,7 +245,7 @@ TEST(Words, Laws) {
   EXPECT_EQ(parse_laws("abe,paper").size(), paper.size());
   EXPECT_EQ(parse_laws("abe,paper").front(), "abe");
   for (auto const* text : {"", "bilinear,", "bilinear;abe", "Bilinear", "Paper"}) {
-    auto const said = refusal([&] { parse_laws(text); });
+    auto const said = refusal_of([&] { parse_laws(text); });
     EXPECT_TRUE(holds(said, "hwang-wu")) << "'" << text << "' must be refused with the list of laws: " << said;
   }
 }
@@ -268,7 +260,7 @@ TEST(Words, ThinningIsANumberOrAll) {
     EXPECT_EQ(made.clean.samples_per_cycle, 150);
   }
   for (auto const* text : {"", "many", "200.5", "200 ", "1e2", "99999999999", "19"})
-    EXPECT_TRUE(holds(refusal([&] { thinning.set(made, text); }), "20 or more, or all")) << text;
+    EXPECT_TRUE(holds(refusal_of([&] { thinning.set(made, text); }), "20 or more, or all")) << text;
 }
 
 }  // namespace

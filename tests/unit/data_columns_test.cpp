@@ -2,6 +2,7 @@
 #include "data_fixture.hpp"
 #include "isolaw/data/column_names.hpp"
 #include "isolaw/data/columns.hpp"
+#include "refusal.hpp"
 
 namespace isolaw::data::testing {
 namespace {
@@ -220,15 +221,6 @@ TEST_F(ColumnsTest, TwoVerticalLoadsAreAWarning) {
 
 // --- options --------------------------------------------------------------------------------------------------------
 
-std::string thrown(auto call) {
-  try {
-    call();
-  } catch (Error const& error) {
-    return error.what();
-  }
-  return {};
-}
-
 TEST(ColumnOptions, AreParsed) {
   EXPECT_EQ(parse_columns("time=1, disp=Displacement [mm],FORCE=3"),
             (std::map<Channel, std::string>{
@@ -239,11 +231,11 @@ TEST(ColumnOptions, AreParsed) {
 }
 
 TEST(ColumnOptions, AreRefused) {
-  EXPECT_EQ(thrown([] { parse_columns("displ=1,force,disp=2,disp=3"); }),
+  EXPECT_EQ(refusal_of([] { parse_columns("displ=1,force,disp=2,disp=3"); }),
             "--columns: unknown channel 'displ'; allowed: time, disp, force, load\n"
             "--columns: force has no value; allowed: CHANNEL=VALUE,...\n"
             "--columns: disp is given twice; allowed: one value per channel");
-  EXPECT_EQ(thrown([] { parse_units("disp=furlong,force=mm"); }),
+  EXPECT_EQ(refusal_of([] { parse_units("disp=furlong,force=mm"); }),
             "--units disp: unknown unit 'furlong'; allowed: mm, cm, m, in\n"
             "--units force: mm is a length; allowed: kN, N, MN, tonf, kgf, daN, kip, lbf");
 }

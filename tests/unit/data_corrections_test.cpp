@@ -8,6 +8,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/data/corrections.hpp"
 #include "motions.hpp"
+#include "refusal.hpp"
 
 namespace isolaw::data::testing {
 namespace {
@@ -43,12 +44,7 @@ void expect_same(Cycle const& a, Cycle const& b, double share) {
 }
 
 std::string refusal(Corrections const& corrections, TestRecord record = bearing()) {
-  try {
-    correct(record, corrections);
-  } catch (Error const& error) {
-    return error.what();
-  }
-  return {};
+  return refusal_of([&] { correct(record, corrections); });
 }
 
 TEST(Corrections, NoneLeaveTheRecordAlone) {

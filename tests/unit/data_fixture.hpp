@@ -15,6 +15,7 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/data/read.hpp"
+#include "refusal.hpp"
 
 namespace isolaw::data::testing {
 
@@ -49,16 +50,11 @@ class Files : public ::testing::Test {
   std::string refusal(std::string_view bytes, ReadOptions const& options = {},
                       std::string_view file_name = "test.csv") {
     auto const file = write(bytes, file_name);
-    try {
-      read_record(file, options);
-    } catch (Error const& error) {
-      std::string text = error.what();
-      auto const path = file.generic_string();
-      for (auto at = text.find(path); at != std::string::npos; at = text.find(path))
-        text.replace(at, path.size(), "FILE");
-      return text;
-    }
-    return {};
+    auto text = refusal_of([&] { read_record(file, options); });
+    auto const path = file.generic_string();
+    for (auto at = text.find(path); at != std::string::npos; at = text.find(path))
+      text.replace(at, path.size(), "FILE");
+    return text;
   }
 
  private:

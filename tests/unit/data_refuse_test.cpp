@@ -6,6 +6,7 @@
 #include "data_fixture.hpp"
 #include "isolaw/base/units.hpp"
 #include "isolaw/data/text.hpp"
+#include "refusal.hpp"
 
 namespace isolaw::data::testing {
 namespace {
@@ -14,12 +15,7 @@ using Refuse = Files;
 using namespace std::string_literals;
 
 std::string thrown_for(std::filesystem::path const& file) {
-  try {
-    read_record(file);
-  } catch (Error const& error) {
-    return error.what();
-  }
-  return {};
+  return refusal_of([&] { read_record(file); });
 }
 
 // --- not text -------------------------------------------------------------------------------------------------------

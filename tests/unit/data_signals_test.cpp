@@ -76,6 +76,14 @@ Rate rate_of(unsigned first_seed, bool holds, std::function<Found(Plan&, Drawn&)
   return rate;
 }
 
+// Whether the fault of this depth is found; what is not is printed.
+Found found_at(double depth, auto const& made, std::string const& channel) {
+  auto const faults = faults_of(made);
+  if (stands(faults, channel)) return Found::yes;
+  std::cout << "not found: depth " << depth << ", " << made.text << text_of(faults) << "\n";
+  return Found::no;
+}
+
 TEST(Signals, a_true_record_is_left_alone) {
   auto const rate = rate_of(0, true, [](Plan& plan, Drawn& random) {
     auto const made = finish(random, plan, true_motion(plan));
@@ -100,12 +108,7 @@ TEST(Signals, clipped_displacement_is_found_from_one_percent_of_the_amplitude) {
       }
       auto made = finish(random, plan, motion);
       if (noise_first) clip(made.disp_mm, (1.0 - depth) * plan.amplitude_mm, sides);
-      auto const faults = faults_of(made);
-      bool const found = stands(faults, "displacement");
-      if (!found)
-        std::cout << "not found: "
-                  << "depth " << depth << ", " << made.text << text_of(faults) << "\n";
-      return found ? Found::yes : Found::no;
+      return found_at(depth, made, "displacement");
     });
     EXPECT_GT(rate.drawn, 200);
     EXPECT_LE(200 * rate.missed, rate.drawn);
@@ -121,12 +124,7 @@ TEST(Signals, clipped_force_is_found_from_three_percent) {
     auto made = finish(random, plan, true_motion(plan));
     auto const [least, largest] = std::ranges::minmax(made.force_kN_);
     clip(made.force_kN_, (1.0 - depth) * std::min(largest, -least), sides);
-    auto const faults = faults_of(made);
-    bool const found = stands(faults, "force");
-    if (!found)
-      std::cout << "not found: "
-                << "depth " << depth << ", " << made.text << text_of(faults) << "\n";
-    return found ? Found::yes : Found::no;
+    return found_at(depth, made, "force");
   });
   EXPECT_GT(rate.drawn, 200);
   EXPECT_LE(200 * rate.missed, rate.drawn);

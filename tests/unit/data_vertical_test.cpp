@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "data_fixture.hpp"
+#include "refusal.hpp"
 
 namespace isolaw::data::testing {
 namespace {
@@ -33,12 +34,7 @@ VerticalTest test_of(Press const& press) {
 }
 
 std::string refusal(VerticalTest const& test) {
-  try {
-    vertical_stiffness(test);
-  } catch (Error const& error) {
-    return error.what();
-  }
-  return {};
+  return refusal_of([&] { vertical_stiffness(test); });
 }
 
 TEST(Vertical, OfALinearDeviceIsItsStiffness) {
@@ -206,15 +202,10 @@ TEST_F(VerticalFiles, OfARigThatShearsTooAreOfTheVerticalOnes) {
 }
 
 TEST_F(VerticalFiles, AreRefusedWithWhatALotFileTakes) {
-  try {
-    read_vertical(write("a;b\n0.0;10\n0.1;110\n0.2;210\n"), {}, {});
-    FAIL();
-  } catch (Error const& error) {
-    std::string const said = error.what();
-    EXPECT_NE(said.find("no column is recognised as the vertical displacement"), std::string::npos) << said;
-    EXPECT_NE(said.find("no column is recognised as the vertical load"), std::string::npos) << said;
-    EXPECT_NE(said.find("as keys of the device's table 'vertical' in a lot file"), std::string::npos) << said;
-  }
+  auto const said = refusal_of([&] { read_vertical(write("a;b\n0.0;10\n0.1;110\n0.2;210\n"), {}, {}); });
+  EXPECT_NE(said.find("no column is recognised as the vertical displacement"), std::string::npos) << said;
+  EXPECT_NE(said.find("no column is recognised as the vertical load"), std::string::npos) << said;
+  EXPECT_NE(said.find("as keys of the device's table 'vertical' in a lot file"), std::string::npos) << said;
   ReadOptions told;
   told.columns = {{Channel::disp, "a"}, {Channel::load, "b"}};
   told.units = {{Channel::disp, "mm"}, {Channel::load, "MN"}};

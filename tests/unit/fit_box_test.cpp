@@ -16,6 +16,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/fit/joint_limits.hpp"
 #include "laws/unit_powers.hpp"
+#include "refusal.hpp"
 
 namespace isolaw::fit {
 namespace {
@@ -183,12 +184,7 @@ TEST(ParseOverride, ATieNamesTheOtherAndReadsBack) {
 
 // What is said about a wrong --set; "" when it was accepted.
 std::string refusal(std::string_view text) {
-  try {
-    auto const made = parse_override(text);
-  } catch (Error const& error) {
-    return error.what();
-  }
-  return "";
+  return refusal_of([&] { parse_override(text); });
 }
 
 void expect_parts(std::string_view override_text, std::vector<std::string> const& parts) {
@@ -244,16 +240,13 @@ std::string joint_refusal(std::string_view law, std::vector<char const*> const& 
                           std::optional<laws::RecordScales> const& record = {}) {
   std::vector<Override> overrides;
   for (auto const* text : texts) overrides.push_back(parse_override(text));
-  try {
+  return refusal_of([&] {
     auto const& entry = laws::find_law(law);
     if (record)
       require_joint_limits(entry, make_box(entry, BoxKind::scaled, *record, overrides), overrides);
     else
       require_joint_limits(entry, overrides);
-  } catch (Error const& error) {
-    return error.what();
-  }
-  return {};
+  });
 }
 
 TEST(JointLimits, WhatLiesWhollyOutsideIsRefused) {

@@ -15,6 +15,7 @@
 
 #include "isolaw/base/error.hpp"
 #include "not_finite.hpp"
+#include "refusal.hpp"
 
 namespace isolaw::opt {
 namespace {
@@ -81,15 +82,6 @@ FunctionProblem flat(double value, std::size_t dimension = 2) {
   return {dimension, [value](Point) { return value; }};
 }
 
-std::string message_of(std::function<void()> const& call) {
-  try {
-    call();
-  } catch (Error const& error) {
-    return error.what();
-  }
-  return "";
-}
-
 // --- options --------------------------------------------------------------------------------------------------------
 
 TEST(GeneticOptions, DefaultsAreThePapers) {
@@ -105,7 +97,7 @@ TEST(GeneticOptions, TheSmallestAllowedRun) {
 }
 
 TEST(Genetic, RefusesAProblemWithoutParameters) {
-  EXPECT_NE(message_of([] { minimise_genetic(flat(1.0, 0), num::Stream(1)); }).find("no free parameter"),
+  EXPECT_NE(refusal_of([] { minimise_genetic(flat(1.0, 0), num::Stream(1)); }).find("no free parameter"),
             std::string::npos);
 }
 

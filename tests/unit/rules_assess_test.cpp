@@ -39,13 +39,13 @@ TEST(Design, IsReadFromText) {
 }
 
 TEST(Design, RefusesWhatItDoesNotKnow) {
-  auto const said = complaints([] { parse_design("Keff=1.2,damping=-1,disp=nan,disp=1,disp=2,load=1kN,load"); });
+  auto const said = refusal_of([] { parse_design("Keff=1.2,damping=-1,disp=nan,disp=1,disp=2,load=1kN,load"); });
   expect_parts(
       said, {"unknown design value 'Keff'", "K_eff=..., K_d=..., K_v=... in kN/mm", "damping='-1'; allowed: a positive",
              "disp='nan'", "disp is given twice", "load='1kN'", "'load' has no '='"});
-  EXPECT_NE(complaints([] { parse_design(""); }), "");
-  EXPECT_NE(complaints([] { parse_design("K_eff=1e999"); }), "");
-  EXPECT_NE(complaints([] { parse_design("K_v=-3"); }), "");
+  EXPECT_NE(refusal_of([] { parse_design(""); }), "");
+  EXPECT_NE(refusal_of([] { parse_design("K_eff=1e999"); }), "");
+  EXPECT_NE(refusal_of([] { parse_design("K_v=-3"); }), "");
 }
 
 TEST(Limits, ComparePeakToPeakStiffnessOfTheThirdCycle) {

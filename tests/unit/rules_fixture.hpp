@@ -10,6 +10,7 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/rules/lot_view.hpp"
+#include "refusal.hpp"
 
 namespace isolaw::rules::testing {
 
@@ -62,16 +63,6 @@ inline Assessment const& find(std::vector<Assessment> const& all, std::string_vi
   ADD_FAILURE() << "no line of " << quantity;
   static Assessment const none;
   return none;
-}
-
-template <class Action>
-std::string complaints(Action&& action) {
-  try {
-    action();
-  } catch (Error const& error) {
-    return error.what();
-  }
-  return "";
 }
 
 inline void expect_parts(std::string const& said, std::vector<std::string> const& parts) {

@@ -177,7 +177,7 @@ TEST(LotView, JudgesTheSample) {
   EXPECT_EQ(sample(5, 28).verdict, Verdict::fail);
   EXPECT_EQ(sample(6, {}).verdict, Verdict::not_assessed);
   EXPECT_EQ(lot_view(rules_of(limits), lot_of({1.0}), {}, 28).sample.verdict, Verdict::not_assessed);
-  expect_parts(complaints([&] { sample(6, 5); }), {"--lot-size: 5 with 6 devices tested"});
+  expect_parts(refusal_of([&] { sample(6, 5); }), {"--lot-size: 5 with 6 devices tested"});
   EXPECT_EQ(lot_view(RuleSet{}, lot_of({1.0}), {}, 28).sample.reason, "no rule set was asked for");
   EXPECT_EQ(lot_view(rules_of(limits), lot_of({1.0}), {}, 28).sample.reason,
             rules_of(limits).id + " has no rule for the sample");

@@ -35,7 +35,7 @@ void expect_limit(RuleSet const& set, Quantity quantity, Scope scope, std::optio
 }
 
 std::string refused(std::string_view tail) {  // the first line of the tail is line 11
-  return complaints([&] { rules_of(tail); });
+  return refusal_of([&] { rules_of(tail); });
 }
 
 constexpr std::string_view one_limit = "[[limit]]\nquantity = \"K_eff\"\napplies_to = \"each\"\nwithin_percent = 20\n";
@@ -164,7 +164,7 @@ TEST(ReadRules, ASignedFileIsVerified) {
   unsigned_text.replace(unsigned_text.find("the test"), 8, "");
   EXPECT_FALSE(read_rule_text(unsigned_text, "rules.toml").verified());
   unsigned_text.replace(unsigned_text.find("verified_by = \"\""), 16, "verified_by = \"  \"");
-  expect_parts(complaints([&] { read_rule_text(unsigned_text, "rules.toml"); }), {"rules.toml:5: ", "blanks alone"});
+  expect_parts(refusal_of([&] { read_rule_text(unsigned_text, "rules.toml"); }), {"rules.toml:5: ", "blanks alone"});
 }
 
 TEST(ReadRules, SaysEverythingThatIsWrongAtOnce) {
@@ -214,7 +214,7 @@ TEST(ReadRules, CountsCyclesInExactlyOneWay) {
   auto const with = [](std::string_view cycles) {
     auto text = head + std::string(one_limit);
     text.replace(text.find("one = 3"), 7, cycles);
-    return complaints([&] { read_rule_text(text, "rules.toml"); });
+    return refusal_of([&] { read_rule_text(text, "rules.toml"); });
   };
   EXPECT_EQ(with("one = 1"), "");
   expect_parts(with(""), {"rules.toml:9: not exactly one way"});
@@ -224,7 +224,7 @@ TEST(ReadRules, CountsCyclesInExactlyOneWay) {
 }
 
 TEST(ReadRules, RefusesHostileFiles) {
-  auto const read = [](std::string const& text) { return complaints([&] { read_rule_text(text, "rules.toml"); }); };
+  auto const read = [](std::string const& text) { return refusal_of([&] { read_rule_text(text, "rules.toml"); }); };
   expect_parts(read(std::string(largest_rule_file + 1, '#')), {"a rule file of at most"});
   expect_parts(read("a = " + std::string(100'000, '[')), {"rules.toml:1: ", "nested deeper than any rule file needs"});
   expect_parts(read("id = "), {"rules.toml:1: "});
@@ -243,17 +243,17 @@ TEST(ReadRules, RefusesHostileFiles) {
 }
 
 TEST(FindRules, NamesWhatThereIs) {
-  expect_parts(complaints([] { find_rule_set("no-such"); }),
+  expect_parts(refusal_of([] { find_rule_set("no-such"); }),
                {"no-such: no such file", "ntc-2018", "or a rule file", "isolaw rules template"});
-  expect_parts(complaints([] { rule_set_text("no-such"); }), {"no rule set 'no-such'", "ntc-2018, template"});
-  expect_parts(complaints([] { find_rule_set("/dev"); }), {"is a directory"});
+  expect_parts(refusal_of([] { rule_set_text("no-such"); }), {"no rule set 'no-such'", "ntc-2018, template"});
+  expect_parts(refusal_of([] { find_rule_set("/dev"); }), {"is a directory"});
 }
 
 // An empty text is that of a campaign that is held to nothing.
 TEST(FindRules, AnEmptyFileIsNoRuleSet) {
   auto const path = std::filesystem::temp_directory_path() / "isolaw-empty-rules.toml";
   std::ofstream(path).close();
-  expect_parts(complaints([&] { load_rule_text(path.string()); }), {"an empty file", "isolaw rules template"});
+  expect_parts(refusal_of([&] { load_rule_text(path.string()); }), {"an empty file", "isolaw rules template"});
   std::filesystem::remove(path);
 }
 

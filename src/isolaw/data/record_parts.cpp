@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "isolaw/base/error.hpp"
 #include "isolaw/base/hash.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/data/columns.hpp"

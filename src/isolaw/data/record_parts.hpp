@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "isolaw/base/error.hpp"
 #include "isolaw/data/read.hpp"
 
 namespace isolaw::data {

@@ -31,9 +31,9 @@ struct Neighbours {
 };
 
 Neighbours neighbours_of(std::span<double const> x, std::size_t i) {
-  constexpr std::size_t count = 6, unknowns = 4;
+  constexpr std::size_t count = 6, coefficients = 4;
   auto const begin = std::min(i >= 3 ? i - 3 : 0, x.size() - count - 1);
-  std::array<std::array<double, unknowns>, count> rows{};
+  std::array<std::array<double, coefficients>, count> rows{};
   std::array<double, count> values{};
   std::size_t row = 0;
   for (auto k = begin; row < count; ++k) {
@@ -48,7 +48,7 @@ Neighbours neighbours_of(std::span<double const> x, std::size_t i) {
   std::array<std::size_t, 3> const powers{3, 2, 1};
   for (std::size_t p = 0; p < powers.size(); ++p) {
     double size = 0.0, with_ones = 0.0, with_values = 0.0;
-    std::array<double, unknowns> with{};
+    std::array<double, coefficients> with{};
     for (std::size_t r = 0; r < count; ++r) {
       double const column = rows[r][powers[p]];
       size += column * column;

@@ -1,0 +1,362 @@
+#include "isolaw/data/clipping.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "isolaw/num/statistics.hpp"
+
+namespace isolaw::data {
+namespace {
+
+constexpr std::size_t least_plateau = 3;   // samples
+constexpr std::size_t least_evidence = 9;  // samples on all plateaus of one side
+constexpr double least_depth = 0.001;      // of the half range, that a plateau cuts off
+constexpr double depth_quanta = 2.5;
+constexpr double noise_width = 7.0;     // standard deviations, from top to bottom of a noisy plateau
+constexpr double least_flatness = 0.5;  // of the hump that a parabola of the flanks would have on a noisy plateau
+constexpr double flat_thirds = 0.197;   // that hump: middle less outer thirds of two thirds of it, of the depth
+constexpr double least_turn = 0.08;     // of the force that the depth stands for: its turn within a plateau
+constexpr double short_plateau = 0.24;  // of half a cycle: no hold is as short
+constexpr double past_the_tip = 0.006;  // of the amplitude: clipped force lasts beyond the reversal
+constexpr double top_deviations = 4.0;  // of the noise: no sample of a plateau in noise is farther from its level
+constexpr double least_third = 4.0;     // samples in each third of all plateaus in noise
+constexpr double most_window = 0.2;     // of the half range: the way before a plateau in noise that is looked at
+constexpr double least_window = 0.01;
+constexpr double least_cut = 0.01;     // of the half range of force, that a plateau in noise cuts off
+constexpr double most_uneven = 0.15;   // of that, from third to third of it
+constexpr double same_level = 0.002;   // of the level
+constexpr double least_return = 0.12;  // of what the way out says that displacement comes back by on the plateau
+constexpr double most_bend = 1.5;      // of the slope before such a plateau, from window to window
+constexpr double least_corner = 5.0;   // slopes that fall by one factor from window to window come to 1
+constexpr double least_back = 0.1;     // of the way to the tip: less is force recorded late
+
+class Clipping {
+ public:
+  explicit Clipping(SignalPair const& pair) : pair_(pair) {}
+
+  std::vector<SignalFault> find() {
+    for (double const sign : {1.0, -1.0}) clipped_displacement(sign);
+    for (double const sign : {1.0, -1.0})
+      if (!clipped_force(sign)) clipped_force_in_noise(sign);
+    return std::move(found_);
+  }
+
+ private:
+  void add(FaultKind kind, std::string channel, std::vector<std::size_t> samples, std::string sentence) {
+    found_.push_back(
+        {.kind = kind, .channel = std::move(channel), .samples = std::move(samples), .sentence = std::move(sentence)});
+  }
+
+  // Stretches of samples within `width` below the largest value of sign * x.
+  static std::vector<SampleRange> plateaus(Signal const& signal, double sign, double width) {
+    std::vector<SampleRange> runs;
+    double level = -std::numeric_limits<double>::infinity();
+    for (double const value : signal.x) level = std::max(level, sign * value);
+    for (std::size_t i = 0; i < signal.x.size(); ++i) {
+      if (sign * signal.x[i] < level - width) continue;
+      if (runs.empty() || runs.back().last + 1 != i) runs.push_back({.first = i, .last = i});
+      runs.back().last = i;
+    }
+    std::erase_if(runs, [](SampleRange const& run) { return run.size() < least_plateau; });
+    return runs;
+  }
+
+  // How much of a parabola a plateau cuts off, from the flanks as far away as it is long; of a triangle four times as
+  // much.
+  std::optional<double> depth_of(Signal const& signal, double sign, SampleRange const& run) const {
+    auto const reach = std::min(run.size(), std::max<std::size_t>(1, pair_.half_cycle / 4));
+    double sum = 0.0, count = 0.0;
+    double const level = mean_of(signal.x, run.first, run.last + 1);
+    if (run.first >= reach) sum += sign * (level - signal.x[run.first - reach]), count += 1.0;
+    if (run.last + reach < signal.x.size()) sum += sign * (level - signal.x[run.last + reach]), count += 1.0;
+    return count > 0.0 ? std::optional(sum / count / 8.0) : std::nullopt;
+  }
+
+  void clipped_displacement(double sign) {
+    if (!clipped_within(sign, same_value * 2.0 * pair_.disp.half_range, true))
+      clipped_within(sign, std::max(noise_width * pair_.disp.noise, 2.2 * pair_.disp.quantum), false);
+  }
+
+  // A plateau with what noise and steps of the digitiser break it up into.
+  SampleRange whole(double sign, SampleRange run) const {
+    double const low =
+        sign * pair_.disp.x[run.first] - std::max(noise_width * pair_.disp.noise, 3.0 * pair_.disp.quantum);
+    while (run.first > 0 && sign * pair_.disp.x[run.first - 1] >= low) --run.first;
+    while (run.last + 1 < pair_.size() && sign * pair_.disp.x[run.last + 1] >= low) ++run.last;
+    return run;
+  }
+
+  // What is measured on a plateau, without its first and last sixth, which may still be motion: middle third less the
+  // outer ones, of displacement and force, and the variance of that in white noise of one.
+  struct Plateau {
+    SampleRange run;
+    double depth = 0.0, hump = 0.0, turn = 0.0, range = 0.0, variance = 0.0;
+  };
+
+  Plateau measure(double sign, SampleRange const& run, double depth) const {
+    auto const inner = run.size() - 2 * (run.size() / 6);
+    auto const third = std::max<std::size_t>(1, inner / 3);
+    auto const begin = run.first + run.size() / 6, end = begin + inner;
+    auto const bulge = [&](std::vector<double> const& x) {
+      double const ends = (mean_of(x, begin, begin + third) + mean_of(x, end - third, end)) / 2.0;
+      return sign * (mean_of(x, begin + third, end - third) - ends);
+    };
+    auto const [least, largest] = std::ranges::minmax(std::span(pair_.force.x).subspan(begin, inner));
+    return {.run = run,
+            .depth = depth,
+            .hump = bulge(pair_.disp.x),
+            .turn = bulge(pair_.force.x),
+            .range = largest - least,
+            .variance = 1.0 / static_cast<double>(inner - 2 * third) + 0.5 / static_cast<double>(third)};
+  }
+
+  bool clipped_within(double sign, double width, bool exact) {
+    std::vector<Plateau> runs;
+    std::size_t longest = 0;
+    double const deep = std::max(least_depth * pair_.disp.half_range, depth_quanta * pair_.disp.quantum);
+    for (auto const& run : plateaus(pair_.disp, sign, width)) {
+      auto const depth = depth_of(pair_.disp, sign, run);
+      if (!depth || !(*depth > deep) || (!runs.empty() && runs.back().run.last >= run.last)) continue;
+      auto const found = measure(sign, whole(sign, run), *depth);
+      if (found.run.first == 0 || found.run.last + 1 == pair_.size()) continue;  // a rest at one end of the record
+      double const humped = least_flatness / 2.0 * flat_thirds * *depth;
+      if (!exact && found.hump - 2.0 * pair_.disp.noise * std::sqrt(found.variance) > humped) continue;
+      longest = std::max(longest, run.size());
+      runs.push_back(found);
+    }
+    std::size_t samples = 0;
+    for (auto const& plateau : runs) samples += plateau.run.size();
+    if (samples < least_evidence) return false;
+    // Above its ends the force is in the middle of plateaus on which it turned.
+    auto const count = static_cast<double>(runs.size());
+    auto const mean = [&](auto member) {
+      double sum = 0.0;
+      for (auto const& plateau : runs) sum += std::invoke(member, plateau);
+      return sum / count;
+    };
+    double const shared = std::sqrt(mean(&Plateau::variance) / count), depth = num::median_over(runs, &Plateau::depth);
+    double const hump = mean(&Plateau::hump), turn = mean(&Plateau::turn);
+    if (!exact && hump + 3.0 * pair_.disp.noise * shared > least_flatness * flat_thirds * depth) return false;
+    double const wanted = least_turn * pair_.stiffness() * depth;
+    bool const clear = 3.0 * pair_.force.noise * shared < wanted;
+    double const length = mean([](Plateau const& plateau) { return static_cast<double>(plateau.run.size()); });
+    bool const no_hold = length + 1.0 < short_plateau * static_cast<double>(pair_.half_cycle);
+    bool const reversed = num::median_over(runs, &Plateau::range) > most_of_force * 2.0 * pair_.force.half_range;
+    if (!(reversed || (clear ? turn > wanted : no_hold))) return false;
+    std::vector<std::size_t> first;
+    for (auto const& plateau : runs) first.push_back(plateau.run.first);
+    auto const& shown = runs.front().run;
+    add(FaultKind::clipped, "displacement", first,
+        fmt::format("displacement is clipped at {:.5g} mm: it stays there for up to {} samples, from {}, while the "
+                    "force goes on",
+                    num::median({pair_.disp.x.begin() + static_cast<std::ptrdiff_t>(shown.first),
+                                 pair_.disp.x.begin() + static_cast<std::ptrdiff_t>(shown.last) + 1}),
+                    longest, pair_.at(first)));
+    return true;
+  }
+
+  // The force runs into its plateaus much less steeply than it leaves them: a device that yields does both alike.
+  bool is_cut_off(std::vector<SampleRange> const& runs) const {
+    auto const beside = std::max<std::size_t>(3, pair_.half_cycle / 24);
+    std::vector<double> ratios, into;
+    for (auto const& run : runs) {
+      if (run.size() <= least_plateau || run.first < beside || run.last + beside >= pair_.size()) continue;
+      auto const slope = [&](std::size_t from, std::size_t to) {
+        return std::abs(pair_.force.x[to] - pair_.force.x[from]) /
+               std::max(std::abs(pair_.disp.x[to] - pair_.disp.x[from]), 1e-6 * pair_.disp.half_range);
+      };
+      // Within one sample a device that yields may be there; what is cut off is not steeper there than before.
+      into.push_back(std::max(slope(run.first - beside, run.first - 1), slope(run.first - 1, run.first)));
+      ratios.push_back(into.back() / std::max(slope(run.last, run.last + beside), 1e-12));
+      double const clear = std::max(3.0 * pair_.force.quantum, 6.0 * pair_.force.noise);
+      if (std::abs(pair_.force.x[run.first - 1] - pair_.force.x[run.first - beside]) < clear) into.back() = 0.0;
+    }
+    return !ratios.empty() && num::median(into) > 0.1 * pair_.stiffness() && num::median(ratios) < 0.4;
+  }
+
+  bool clipped_force(double sign) {
+    auto const runs = plateaus(pair_.force, sign, same_value * 2.0 * pair_.force.half_range);
+    std::vector<std::size_t> first;
+    std::size_t longest = 0;
+    double const least = std::max({past_the_tip * pair_.disp.half_range,
+                                   depth_quanta * pair_.force.quantum / pair_.stiffness(), 8.0 * pair_.disp.noise});
+    bool const noisy = pair_.has_noise(pair_.force);
+    bool const cut = is_cut_off(runs);
+    for (auto const& run : runs) {
+      if (run.size() <= least_plateau) continue;
+      auto const begin = pair_.disp.x.begin() + static_cast<std::ptrdiff_t>(run.first);
+      auto const end = pair_.disp.x.begin() + static_cast<std::ptrdiff_t>(run.last) + 1;
+      auto const tip = sign > 0.0 ? std::max_element(begin, end) : std::min_element(begin, end);
+      double const back = sign * (*tip - pair_.disp.x[run.last]), way = sign * (*tip - pair_.disp.x[run.first]);
+      bool const returns = back > std::max(least, least_back * way) && end - tip > 2;
+      bool const moves = *std::max_element(begin, end) - *std::min_element(begin, end) > least;
+      bool const repeats = noisy && run.size() > least_plateau + 1 && moves;
+      // The top of a smooth peak on a coarse digitiser is no plateau.
+      bool const deep = depth_of(pair_.force, sign, run).value_or(0.0) > depth_quanta * pair_.force.quantum;
+      if (!repeats && !(deep && ((cut && moves) || (returns && tip != begin)))) continue;
+      first.push_back(run.first);
+      longest = std::max(longest, run.size());
+    }
+    if (first.empty()) return false;
+    name_clipped_force(pair_.force.x[first.front()], longest, first);
+    return true;
+  }
+
+  void name_clipped_force(double level, std::size_t longest, std::vector<std::size_t> const& first) {
+    add(FaultKind::clipped, "force", first,
+        fmt::format("force is clipped at {:.5g} kN: it stays there for up to {} samples, from {}, while the device "
+                    "moves",
+                    level, longest, pair_.at(first)));
+  }
+
+  // Where a plateau of force in noise lies, and what the force does before and after it, added up over the plateaus.
+  struct Tops {
+    std::vector<std::size_t> first;
+    std::size_t longest = 0;
+    double way = 0.0, returned = 0.0;                    // into the plateau to the tip, and back from it
+    double rise_before = 0.0, rise = 0.0, window = 0.0;  // in two windows of displacement before it, of one width
+    double rise_last = 0.0, last_way = 0.0;              // within its first sample
+    std::array<double, 4> drop{}, drop_way{};  // right after it, within 1, 2, 4 samples and a 24th of half a cycle
+    std::array<double, 3> third{};             // sums above the level: of its way to the tip
+    std::array<double, 3> samples{};
+    double off_level = 0.0;  // plateaus that are not at the level of the others
+  };
+
+  // The level that most of the highest samples share.
+  double top_level(double sign, double noise) const {
+    double level = -std::numeric_limits<double>::infinity();
+    for (double const value : pair_.force.x) level = std::max(level, sign * value);
+    level -= top_deviations * noise;
+    for (int pass = 0; pass < 4; ++pass) {
+      std::vector<double> members;
+      for (double const value : pair_.force.x)
+        if (sign * value >= level - top_deviations * noise) members.push_back(sign * value);
+      level = num::median(std::move(members));
+    }
+    return level;
+  }
+
+  // Of samples that noise throws out of the band now and then.
+  std::vector<SampleRange> tops_of(double sign, double low) const {
+    constexpr std::size_t bridged = 2;
+    std::vector<SampleRange> runs;
+    for (std::size_t i = 0; i < pair_.size(); ++i) {
+      if (sign * pair_.force.x[i] < low) continue;
+      if (runs.empty() || i - runs.back().last > bridged + 1) runs.push_back({.first = i, .last = i});
+      runs.back().last = i;
+    }
+    std::erase_if(runs, [](SampleRange const& run) { return run.size() <= least_plateau; });
+    return runs;
+  }
+
+  void add_top(double sign, double level, double noise, SampleRange const& run, Tops& tops) const {
+    auto const next = std::ranges::lower_bound(pair_.turns, run.first);
+    if (next == pair_.turns.begin() || next == pair_.turns.end() || *next > run.last + 1) return;
+    auto const before = *(next - 1), tip = std::min(*next, run.last);
+    auto const beside = std::max<std::size_t>(3, pair_.half_cycle / 24);
+    if (run.last + beside >= pair_.size()) return;
+    auto const x = [&](std::size_t i) { return sign * pair_.disp.x[i]; };
+    auto const y = [&](std::size_t i) { return sign * pair_.force.x[i]; };
+    double const way = x(tip) - x(run.first);
+    double const window = std::min({way / 2.0, most_window * pair_.disp.half_range, (x(run.first) - x(before)) / 2.0});
+    if (!(window > std::max(least_window * pair_.disp.half_range, 8.0 * pair_.disp.noise))) return;
+    auto near = run.first, far = run.first;
+    while (near > before && (x(near) > x(run.first) - window || run.first - near < 2)) --near;
+    far = near;
+    while (far > before && (x(far) > x(near) - window || near - far < 2)) --far;
+    if (far == before) return;
+    tops.first.push_back(run.first);
+    tops.longest = std::max(tops.longest, run.size());
+    tops.way += way;
+    tops.returned += std::max(0.0, x(tip) - x(run.last));
+    // Of one width, however coarse the samples are.
+    double const corner = (x(run.first) + x(run.first - 1)) / 2.0;
+    tops.rise += (level - top_deviations * noise - y(near)) / std::max(corner - x(near), window / 4.0) * window;
+    tops.rise_before += (y(near) - y(far)) / (x(near) - x(far)) * window;
+    tops.window += window;
+    tops.rise_last += y(run.first) - y(run.first - 1);
+    tops.last_way += x(run.first) - x(run.first - 1);
+    std::array<std::size_t, 4> const lags{1, 2, 4, beside};
+    for (std::size_t k = 0; k < lags.size(); ++k) {
+      auto const after = std::min(run.last + lags[k], pair_.size() - 1);
+      tops.drop[k] += level - y(after);
+      tops.drop_way[k] += x(run.last) - x(after);
+    }
+    double sum = 0.0;
+    for (auto i = run.first + 1; i <= tip; ++i) {
+      auto const part = static_cast<std::size_t>(std::clamp(3.0 * (x(i) - x(run.first)) / way, 0.0, 2.0));
+      tops.third[part] += y(i) - level;
+      tops.samples[part] += 1.0;
+      sum += y(i) - level;
+    }
+    auto const count = static_cast<double>(tip - run.first);
+    if (std::abs(sum) > top_deviations * noise * std::sqrt(count) + same_level * level * count) tops.off_level += 1.0;
+  }
+
+  // Force that goes up on its way, meets a level at a corner, keeps it to the reversal and beyond, and leaves it
+  // steeply. A device that yields comes to its level as steeply as it leaves it, or ever more slowly.
+  void clipped_force_in_noise(double sign) {
+    for (double const wider : {1.0, 3.0}) {
+      double const noise = wider * std::hypot(pair_.force.noise, 0.3 * pair_.force.quantum);
+      double const level = top_level(sign, noise);
+      Tops tops;
+      for (auto const& run : tops_of(sign, level - top_deviations * noise)) add_top(sign, level, noise, run, tops);
+      if (!is_clipped(tops, noise)) continue;
+      name_clipped_force(sign * level, tops.longest, tops.first);
+      return;
+    }
+  }
+
+  bool is_clipped(Tops const& tops, double noise) const {
+    auto const count = static_cast<double>(tops.first.size());
+    if (count == 0.0 || *std::ranges::min_element(tops.samples) < least_third) return false;
+    if (tops.off_level > count / 4.0) return false;
+    double slope = tops.rise / tops.window, slope_before = tops.rise_before / tops.window;
+    double leaves = 0.0;
+    double const unsure = 4.0 * pair_.disp.noise * std::sqrt(2.0 * count) + 1e-3 * pair_.disp.half_range * count;
+    for (std::size_t k = 0; k < tops.drop.size(); ++k)
+      if (tops.drop[k] > 2.0 * top_deviations * noise * count)
+        leaves = std::max(leaves, tops.drop[k] / std::max(tops.drop_way[k], unsure));
+    // What the plateau cuts off at the tip.
+    double const depth = slope * tops.way / count;
+    auto const [lowest, highest] = std::ranges::minmax(
+        std::array{tops.third[0] / tops.samples[0], tops.third[1] / tops.samples[1], tops.third[2] / tops.samples[2]});
+    double const uneven = highest - lowest + 2.0 * noise * std::sqrt(2.0 / *std::ranges::min_element(tops.samples));
+    if (!(depth > std::max(least_cut * pair_.force.half_range, 4.0 * noise) && uneven < most_uneven * depth))
+      return false;
+    double const flat = uneven / (tops.way / count);
+    bool const corner = slope > 0.1 * pair_.stiffness() && slope_before > 0.3 * slope &&
+                        slope_before < most_bend * slope && slope * slope > least_corner * slope_before * flat;
+    if (!corner) return false;
+    double const back = tops.returned / tops.way;
+    if (back > 0.25 && tops.way < 0.6 * pair_.disp.half_range * count) return true;
+    double const last = (tops.rise_last - top_deviations * noise * std::sqrt(2.0 * count)) /
+                        std::max(tops.last_way, 1e-3 * pair_.disp.half_range * count);
+    if (!(std::max({slope, slope_before, last}) < 0.4 * leaves)) return false;
+    // Where the samples tell it, the force comes back to the level later than displacement to its peak.
+    double const expected = depth / leaves;
+    double const told = std::max(8.0 * pair_.disp.noise, past_the_tip * pair_.disp.half_range);
+    return expected < 2.0 * told || tops.returned / count > least_return * expected;
+  }
+
+  SignalPair const& pair_;
+  std::vector<SignalFault> found_;
+};
+
+}  // namespace
+
+std::vector<SignalFault> clipped_channels(SignalPair const& pair) {
+  return Clipping(pair).find();
+}
+
+}  // namespace isolaw::data

@@ -1,0 +1,54 @@
+// Displacement and force of a record as the search for faults looks at them: without spikes, with what a digitiser and
+// noise make of them, and the turning points of the motion.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "isolaw/data/spikes.hpp"
+
+namespace isolaw::data {
+
+// Of the faults of a signal, not of one kind of them alone.
+inline constexpr double same_value = 1e-9;    // of the range
+inline constexpr double most_of_force = 0.6;  // of its range, that no hold relaxes by
+
+// A stretch of samples.
+struct SampleRange {
+  std::size_t first = 0;
+  std::size_t last = 0;
+  std::size_t size() const { return last - first + 1; }
+};
+
+struct Signal {
+  std::vector<double> x;
+  double half_range = 0.0;
+  double quantum = 0.0;  // the smallest step between two values
+  double noise = 0.0;    // standard deviation
+};
+
+struct SignalPair {
+  Signal disp, force;
+  std::span<double const> time;  // as recorded; may be empty
+  std::vector<std::size_t> turns;
+  std::size_t half_cycle = 0;  // samples, median
+  double interval = 0.0;       // s
+
+  SignalPair(std::span<double const> disp_mm, std::span<double const> force_kN, std::span<double const> time_s,
+             std::vector<Spike> const& of_disp, std::vector<Spike> const& of_force);
+
+  bool moves() const;  // both channels, by finite amounts
+  std::size_t size() const { return disp.x.size(); }
+  double stiffness() const { return force.half_range / disp.half_range; }
+  bool gap_after(std::size_t i) const;
+  // A channel with noise does not repeat itself to the last digit. What a smooth signal leaves in the measure of noise
+  // is none.
+  bool has_noise(Signal const& signal) const;
+  std::string at(std::span<std::size_t const> samples) const;  // "samples 3 (0.02 s) and 17 (0.16 s)"
+};
+
+double mean_of(std::span<double const> x, std::size_t begin, std::size_t end);
+
+}  // namespace isolaw::data
