@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 #include <string>
 #include <string_view>
@@ -265,12 +266,23 @@ TEST(ErrorBudget, ARecordWithoutCyclesHasItsTimeAssessedOnly) {
 struct SkewCount {
   int estimated = 0, late = 0;
 };
-SkewCount called_late(unsigned first_seed, int count, double late_rad, Bounds const& bounds, bool holds = false) {
+void rubber_or_lead(Plan& plan, Drawn& random) {
+  plan.device = random.chance(0.5) ? Device::rubber : Device::lead;
+}
+// Smooth loops that turn sharply: after a reversal their force is no polynomial of the way back.
+void sharp(Plan& plan, Drawn& random) {
+  plan.device = Device::bouc_wen;
+  plan.exponent = random.whole(1, 2);
+  plan.yields_at = random.on_logs(0.01, 0.2);
+  plan.stiffness_ratio = random.between(10.0, 30.0);
+}
+SkewCount called_late(unsigned first_seed, int count, double late_rad, Bounds const& bounds, bool holds = false,
+                      std::function<void(Plan&, Drawn&)> const& choose_device = rubber_or_lead) {
   SkewCount found;
   for (int k = 0; k < count; ++k) {
     Drawn random(first_seed + static_cast<unsigned>(k));
     auto plan = draw(random, bounds, holds);
-    plan.device = random.chance(0.5) ? Device::rubber : Device::lead;
+    choose_device(plan, random);
     plan.cycles = random.chance(0.5) ? 3 : random.whole(2, 20);
     if (plan.cycles > 5) plan.samples = std::min(plan.samples, 200);
     auto motion = true_motion(plan);
@@ -294,6 +306,23 @@ TEST(ErrorBudget, SynchronousChannelsAreCalledLateLessThanOnceInFiveHundred) {
       called_late(80000, 3000, 0.0, {.most_disp_noise = 0.008, .most_force_noise = 0.03, .most_samples = 400});
   EXPECT_GT(found.estimated, 800);
   EXPECT_LE(500 * found.late, found.estimated);
+}
+
+TEST(ErrorBudget, SharpLoopsAreNotCalledLateForTheirShape) {
+  for (double const most_noise : {1.1e-5, 0.005}) {
+    auto const found = called_late(
+        110000, 2000, 0.0, {.most_disp_noise = most_noise / 5.0, .most_force_noise = most_noise, .most_samples = 1000},
+        false, sharp);
+    EXPECT_GT(found.estimated, 1000);
+    EXPECT_LE(500 * found.late, found.estimated) << found.late << " of " << found.estimated;
+  }
+}
+
+TEST(ErrorBudget, ALateChannelOfASharpLoopIsFoundWhereSamplesTellIt) {
+  auto const found = called_late(
+      120000, 600, 0.05, {.most_disp_noise = 2e-4, .most_force_noise = 0.002, .fewest_samples = 200}, false, sharp);
+  EXPECT_GT(found.estimated, 300);
+  EXPECT_GE(10 * found.late, 9 * found.estimated) << found.late << " of " << found.estimated;
 }
 
 TEST(ErrorBudget, HoldsAreNoLateChannel) {

@@ -18,7 +18,7 @@
 namespace isolaw::data::testing {
 
 enum class Waveform { sine, triangle, stages, trapezoid, dwell, one_sided };
-enum class Device { rubber, lead, friction, relaxing, viscous };
+enum class Device { rubber, lead, friction, relaxing, viscous, bouc_wen };  // the last is not drawn by draw()
 
 struct Made {
   std::string text;  // what was drawn
@@ -69,6 +69,9 @@ struct Plan {
   Device device = Device::rubber;
   int samples = 200, cycles = 3, bits = 0;
   double amplitude_mm = 100.0, frequency_Hz = 0.5, disp_noise = 0.0, force_noise = 0.0;
+  // Of a Bouc-Wen loop: what it yields at, of the amplitude; K1/K2; the exponent.
+  double yields_at = 0.02, stiffness_ratio = 20.0;
+  int exponent = 1;
 };
 
 inline Plan draw(Drawn& random, Bounds const& bounds, bool holds) {
@@ -119,6 +122,17 @@ inline std::vector<double> force_of(Device device, std::vector<double> const& x,
   if (device == Device::viscous) elastic = 0.8, Q = 0.1, way = 0.1, damper = 0.3;
   double z = 0.0, m = 0.0, before = x.front();
   std::vector<double> F;
+  if (device == Device::bouc_wen) {
+    double const uy = plan.yields_at * D, share = 1.0 / plan.stiffness_ratio;
+    for (double const now : x) {
+      double const step = (now - before) / uy;
+      auto const rate = [&](double at) { return at * step > 0.0 ? 1.0 - std::pow(std::abs(at), plan.exponent) : 1.0; };
+      z += step * rate(z + step / 2.0 * rate(z));  // midpoint
+      F.push_back(100.0 * (share * now / uy + (1.0 - share) * z));
+      before = now;
+    }
+    return F;
+  }
   for (double const now : x) {
     double const dx = now - before;
     if (dx != 0.0) z += (std::copysign(1.0, dx) - z) * (1.0 - std::exp(-std::abs(dx) / (way * D)));
@@ -177,7 +191,7 @@ inline Made finish(Drawn& random, Plan const& plan, Clean clean) {
   made.disp_mm = clean.disp_mm;
   made.force_kN_ = clean.force_kN;
   static char const* const waveforms[]{"sine", "triangle", "stages", "trapezoid", "dwell", "one-sided"};
-  static char const* const devices[]{"rubber", "lead", "friction", "relaxing", "viscous"};
+  static char const* const devices[]{"rubber", "lead", "friction", "relaxing", "viscous", "bouc-wen"};
   made.text = std::string(waveforms[static_cast<int>(plan.waveform)]) + " " + devices[static_cast<int>(plan.device)] +
               " N=" + std::to_string(plan.samples) + " cycles=" + std::to_string(plan.cycles) +
               " bits=" + std::to_string(plan.bits) + " noise=" + std::to_string(plan.disp_noise) + "," +

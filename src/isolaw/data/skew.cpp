@@ -14,19 +14,23 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double window = 0.08;          // of a cycle, to each side of a reversal: half a radian
+constexpr double wide = 0.08;            // of a cycle, to each side of a reversal: half a radian
+constexpr double narrow = 0.04;          // a quarter of the way in displacement, where a sharp loop is smooth too
 constexpr double farthest_shift = 0.04;  // of a cycle: a quarter of a radian
 constexpr int shifts = 41;
 constexpr std::size_t least_in_window = 12;  // in a window: twice the unknowns
 constexpr std::size_t most_samples = 400;    // in a window: of more, every so many-th is used
 constexpr std::size_t most_cycles = 12;
 constexpr int least_reversals = 4;
-constexpr double poor_fit = 0.012;    // rms of the force's amplitude: the force is not smooth there
-constexpr double least_late = 0.015;  // rad
+constexpr double poor_fit = 0.012;             // rms of the force's amplitude: the force is not smooth there
+constexpr double good_fit = 0.0012;            // beyond noise: of more, the shape of the loop may read as a shift
+constexpr double least_late = 0.015;           // rad
+constexpr double least_late_by_shape = 0.045;  // where a loop is too sharp for its samples
 constexpr double least_early = 0.04;
 constexpr double standard_errors = 4.0;     // at least
 constexpr double by_chance = 0.001;         // of the records, one side
 constexpr double most_agree = 0.75;         // of the reversals
+constexpr double most_apart = 0.004;        // rad, of the two windows
 constexpr double quiet = 0.0005;            // of the amplitude: noise of displacement that does no harm
 constexpr double too_noisy = 0.01;          // of the amplitude
 constexpr double smoothed_over = 0.06;      // of a cycle, to each side: takes 0.02 % from a sine
@@ -75,7 +79,7 @@ double residual(std::vector<Row>& rows, std::vector<double>& values) {
 
 // What is left when the force is taken to be `shift` samples late. Displacement is shifted, not the force: it is the
 // smoother of the two, and interpolating noise would make it smaller between samples.
-double left_at(double shift, Reversal const& reversal, CycleView const& view) {
+double left_at(double shift, double window, Reversal const& reversal, CycleView const& view) {
   double const half = window * reversal.cycle;
   auto const begin = static_cast<std::size_t>(std::ceil(reversal.at - half));
   auto const end = static_cast<std::size_t>(std::floor(reversal.at + half));
@@ -92,21 +96,29 @@ double left_at(double shift, Reversal const& reversal, CycleView const& view) {
   return residual(rows, values) / static_cast<double>(values.size());
 }
 
-// The shift in samples at which least is left, nullopt at the edge of the search or where the fit is poor.
-std::optional<double> best_shift(Reversal const& reversal, CycleView const& view, double force_amplitude) {
+struct Shift {
+  double samples = 0.0;
+  double left = 0.0;  // rms, of the force's amplitude
+};
+
+// The shift at which least is left, nullopt at the edge of the search or where the fit is poor.
+std::optional<Shift> best_shift(double window, Reversal const& reversal, CycleView const& view,
+                                double force_amplitude) {
   double const farthest = farthest_shift * reversal.cycle;
   double const step = 2.0 * farthest / (shifts - 1);
   double const room = window * reversal.cycle + farthest + 2.0;
   if (reversal.at < room || reversal.at + room > static_cast<double>(view.disp_mm.size() - 1)) return std::nullopt;
   if (2.0 * window * reversal.cycle < static_cast<double>(least_in_window)) return std::nullopt;
   std::array<double, shifts> left{};
-  for (int k = 0; k < shifts; ++k) left[static_cast<std::size_t>(k)] = left_at(-farthest + k * step, reversal, view);
+  for (int k = 0; k < shifts; ++k)
+    left[static_cast<std::size_t>(k)] = left_at(-farthest + k * step, window, reversal, view);
   auto const best = static_cast<std::size_t>(std::ranges::min_element(left) - left.begin());
   if (best == 0 || best + 1 == shifts) return std::nullopt;
-  if (!(std::sqrt(left[best]) <= poor_fit * force_amplitude)) return std::nullopt;
+  double const least = std::sqrt(left[best]) / force_amplitude;
+  if (!(least <= poor_fit)) return std::nullopt;
   double const curvature = left[best - 1] - 2.0 * left[best] + left[best + 1];
   double const offset = curvature > 0.0 ? (left[best - 1] - left[best + 1]) / (2.0 * curvature) : 0.0;
-  return -farthest + (static_cast<double>(best) + offset) * step;
+  return Shift{.samples = -farthest + (static_cast<double>(best) + offset) * step, .left = least};
 }
 
 // Whether the device stays within a band about the tip for longer than a sine lingers there.
@@ -163,6 +175,35 @@ std::vector<double> smoothed(std::span<double const> x, std::size_t half) {
   return smooth;
 }
 
+// What one reversal says.
+struct Sample {
+  double phase = 0.0;              // rad
+  double late = 0.0;               // s, or samples
+  double left = 0.0, noise = 0.0;  // of the force's amplitude, rms
+  double samples = 0.0;            // in the window
+};
+
+std::optional<Skew> skew_of(std::vector<Sample> const& samples, double least_uncertainty) {
+  if (static_cast<int>(samples.size()) < least_reversals) return std::nullopt;
+  auto const count = static_cast<double>(samples.size());
+  Skew found;
+  found.force_late = num::median_over(samples, &Sample::late);
+  found.phase = num::median_over(samples, &Sample::phase);
+  found.reversals = static_cast<int>(samples.size());
+  auto const agrees = [&](Sample const& each) { return each.late / found.force_late >= 0.5; };
+  found.agreement = static_cast<double>(std::ranges::count_if(samples, agrees)) / count;
+  double squares = 0.0;
+  for (auto const& each : samples) squares += (each.late - found.force_late) * (each.late - found.force_late);
+  found.uncertainty = std::max(2.0 * std::sqrt(squares / (count - 1.0) / count), least_uncertainty);
+  double excess = 0.0, chance = 0.0;
+  for (auto const& each : samples) {
+    excess += (each.left * each.left - each.noise * each.noise) / count;
+    chance += 2.0 * std::pow(each.noise, 4.0) / each.samples / count / count;
+  }
+  found.is_followed = excess < good_fit * good_fit + 2.0 * std::sqrt(chance);
+  return found;
+}
+
 }  // namespace
 
 bool held_at_extreme(std::span<double const> disp_mm, Cycle const& cycle, bool upper, double noise_mm) {
@@ -176,14 +217,14 @@ bool Skew::significant() const {
   boost::math::students_t const chance(std::max(1, reversals - 1));
   double const errors = std::max(standard_errors, boost::math::quantile(boost::math::complement(chance, by_chance)));
   return std::abs(force_late) > errors / 2.0 * uncertainty && agreement >= most_agree &&
-         (phase > least_late || phase < -least_early);
+         (phase > (is_followed ? least_late : least_late_by_shape) || phase < -least_early);
 }
 
 std::optional<Skew> estimate_skew(CycleView const& of, Properties const& properties, double friction_kN) {
   auto const cycles = chosen_cycles(properties);
   if (cycles.empty()) return std::nullopt;
   auto const amplitude = std::ranges::min(cycles, {}, &Cycle::amplitude_mm)->amplitude_mm;
-  double const noise = noise_deviation(of.disp_mm);
+  double const noise = noise_deviation(of.disp_mm), force_noise = noise_deviation(of.force_kN);
   if (noise > too_noisy * amplitude) return std::nullopt;
   CycleView view = of;
   std::vector<double> smooth;
@@ -196,7 +237,7 @@ std::optional<Skew> estimate_skew(CycleView const& of, Properties const& propert
     view.disp_mm = smooth;
     left_of_noise *= 1.5 / std::sqrt(2.0 * static_cast<double>(half) + 1.0);  // 9 / (4 (2 h + 1)) of the variance
   }
-  std::vector<double> phases, intervals;
+  std::vector<Sample> of_wide, of_narrow;
   for (auto const* cycle : cycles) {
     auto const peaks = peak_positions(view.disp_mm, cycle->first, cycle->last);
     double const length = samples_of(cycle);
@@ -213,35 +254,35 @@ std::optional<Skew> estimate_skew(CycleView const& of, Properties const& propert
       if (held_at_extreme(of.disp_mm, *cycle, upper, noise) ||
           is_held(view.disp_mm, at, reversal.tip_mm, *cycle, left_of_noise))
         continue;
-      auto const shift = best_shift(reversal, view, force_amplitude);
-      if (!shift) continue;
-      double const interval =
-          view.time_s.empty()
-              ? 1.0
-              : (value_at(view.time_s, reversal.at + 1.0) - value_at(view.time_s, reversal.at - 1.0)) / 2.0;
-      phases.push_back(2.0 * std::numbers::pi * *shift / length);
-      intervals.push_back(interval * length / (2.0 * std::numbers::pi));
+      auto const add = [&](double window, std::vector<Sample>& to) {
+        auto const shift = best_shift(window, reversal, view, force_amplitude);
+        if (!shift) return;
+        double const interval =
+            view.time_s.empty()
+                ? 1.0
+                : (value_at(view.time_s, reversal.at + 1.0) - value_at(view.time_s, reversal.at - 1.0)) / 2.0;
+        to.push_back({.phase = 2.0 * std::numbers::pi * shift->samples / length,
+                      .late = shift->samples * interval,
+                      .left = shift->left,
+                      .noise = force_noise / force_amplitude,
+                      .samples = 2.0 * window * length});
+      };
+      add(wide, of_wide);
+      if (noise < quiet / 4.0 * amplitude) add(narrow, of_narrow);
     }
   }
-  if (static_cast<int>(phases.size()) < least_reversals) return std::nullopt;
-  std::vector<double> late;
-  for (std::size_t k = 0; k < phases.size(); ++k) late.push_back(phases[k] * intervals[k]);
-  Skew found;
-  found.force_late = num::median(late);
-  found.phase = num::median(phases);
-  found.reversals = static_cast<int>(late.size());
-  auto const agrees = [&](double value) { return value / found.force_late >= 0.5; };
-  found.agreement = static_cast<double>(std::ranges::count_if(late, agrees)) / static_cast<double>(late.size());
-  double squares = 0.0;
-  for (double const value : late) squares += (value - found.force_late) * (value - found.force_late);
-  auto const count = static_cast<double>(late.size());
   double const sampling =
       view.time_s.empty() ? 1.0
                           : (view.time_s.back() - view.time_s.front()) / static_cast<double>(view.time_s.size() - 1);
   // Friction changes sign between two samples.
   double const least = (friction_kN != 0.0 ? 0.5 : 0.1) * sampling;
-  found.uncertainty = std::max(2.0 * std::sqrt(squares / (count - 1.0) / count), least);
-  return found;
+  auto const found = skew_of(of_wide, least);
+  auto const near = skew_of(of_narrow, least);
+  // What the wide window has from the shape of the loop alone, the narrow one has not; it is the worse one in noise.
+  if (!near || !found) return near ? near : found;
+  double const apart = std::abs(near->phase - found->phase);
+  double const unsure = std::abs(near->uncertainty * near->phase / near->force_late);
+  return !found->is_followed && apart > std::max(most_apart, unsure) ? near : found;
 }
 
 }  // namespace isolaw::data

@@ -19,13 +19,14 @@ struct Skew {
   double force_late = 0.0;  // in s, or in samples without time; negative: the force is early
   // Twice the standard error over the reversals, at least a tenth of a sampling interval, half of one with friction.
   double uncertainty = 0.0;
-  double phase = 0.0;      // the same angle of a cycle, rad: 2 pi f force_late
-  double agreement = 0.0;  // share of the reversals that show at least half of it
-  int reversals = 0;       // that gave a value
+  double phase = 0.0;       // the same angle of a cycle, rad: 2 pi f force_late
+  double agreement = 0.0;   // share of the reversals that show at least half of it
+  int reversals = 0;        // that gave a value
+  bool is_followed = true;  // by the two curves, within noise; else the loop is so sharp that its shape may look late
 
   // Beyond the standard errors that one record in a thousand reaches by chance (Student's t of as many reversals), four
-  // at least, most reversals agreeing, and beyond what the shape of a loop alone comes to: a sharp
-  // loop reads as up to 0.035 rad early, none as more than 0.008 rad late.
+  // at least, most reversals agreeing, and beyond what the shape of a loop alone comes to: a loop that is followed as
+  // up to 0.035 rad early and 0.008 rad late, a sharper one as 0.04 rad late.
   bool significant() const;
 };
 
