@@ -111,8 +111,23 @@ TEST(Signals, clipped_displacement_is_found_from_one_percent_of_the_amplitude) {
       return found_at(depth, made, "displacement");
     });
     EXPECT_GT(rate.drawn, 200);
-    EXPECT_LE(200 * rate.missed, rate.drawn);
+    // In noise that comes after, a clipped triangle may be a trapezoid.
+    EXPECT_LE((noise_first ? 200 : 40) * rate.missed, rate.drawn) << rate.missed << " of " << rate.drawn;
   }
+}
+
+TEST(Signals, trapezoids_with_short_holds_are_left_alone) {
+  auto const rate = rate_of(130000, false, [](Plan& plan, Drawn& random) {
+    plan.waveform = Waveform::trapezoid;
+    double const hold = random.between(0.02, 0.12);  // of a cycle, at each peak
+    plan.overdriven = 1.0 / (1.0 - 2.0 * hold);
+    auto const made = finish(random, plan, true_motion(plan));
+    auto const faults = faults_of(made);
+    if (!faults.empty()) std::cout << "hold " << hold << ", " << made.text << text_of(faults) << "\n";
+    return faults.empty() ? Found::yes : Found::no;
+  });
+  EXPECT_GT(rate.drawn, 300);
+  EXPECT_LE(100 * rate.missed, rate.drawn) << rate.missed << " of " << rate.drawn;
 }
 
 TEST(Signals, clipped_force_is_found_from_three_percent) {

@@ -9,7 +9,6 @@ namespace isolaw::rules {
 namespace {
 
 using testing::block;
-using testing::complaints;
 using testing::cycle;
 using testing::expect_parts;
 using testing::find;

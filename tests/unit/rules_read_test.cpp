@@ -9,7 +9,6 @@
 namespace isolaw::rules {
 namespace {
 
-using testing::complaints;
 using testing::expect_parts;
 using testing::head;
 using testing::rules_of;

@@ -72,6 +72,7 @@ struct Plan {
   // Of a Bouc-Wen loop: what it yields at, of the amplitude; K1/K2; the exponent.
   double yields_at = 0.02, stiffness_ratio = 20.0;
   int exponent = 1;
+  double overdriven = 1.4;  // of a trapezoid: the triangle that it is cut from, of the amplitude
 };
 
 inline Plan draw(Drawn& random, Bounds const& bounds, bool holds) {
@@ -89,17 +90,17 @@ inline Plan draw(Drawn& random, Bounds const& bounds, bool holds) {
 }
 
 // Displacement in parts of the amplitude, `phase` in cycles from the start.
-inline double shape_of(Waveform waveform, double phase, int cycles) {
+inline double shape_of(Plan const& plan, double phase) {
   double const part = phase - std::floor(phase);
   auto const triangle = [](double p) { return p < 0.25 ? 4.0 * p : p < 0.75 ? 2.0 - 4.0 * p : 4.0 * p - 4.0; };
   double const sine = std::sin(2.0 * std::numbers::pi * part);
-  switch (waveform) {
+  switch (plan.waveform) {
     case Waveform::triangle:
       return triangle(part);
     case Waveform::stages:
-      return sine * (phase < cycles / 2 ? 0.5 : 1.0);
+      return sine * (phase < plan.cycles / 2 ? 0.5 : 1.0);
     case Waveform::trapezoid:
-      return std::clamp(1.4 * triangle(part), -1.0, 1.0);
+      return std::clamp(plan.overdriven * triangle(part), -1.0, 1.0);
     case Waveform::dwell: {  // half cosines between holds, at the peaks and at zero
       double const p = 8.0 * part;
       auto const rise = [](double u) { return 0.5 - 0.5 * std::cos(std::numbers::pi * std::clamp(u, 0.0, 1.0)); };
@@ -164,10 +165,8 @@ inline Clean true_motion(Plan const& plan) {
   int const rest = plan.samples / 4 * finer;
   std::vector<double> x;
   for (int i = -rest; i <= n + rest; ++i)
-    x.push_back(i < 0 || i > n
-                    ? 0.0
-                    : plan.amplitude_mm *
-                          shape_of(plan.waveform, static_cast<double>(i) / (plan.samples * finer), plan.cycles));
+    x.push_back(i < 0 || i > n ? 0.0
+                               : plan.amplitude_mm * shape_of(plan, static_cast<double>(i) / (plan.samples * finer)));
   auto const F = force_of(plan.device, x, dt, plan);
   Clean clean;
   for (std::size_t i = 0; i < x.size(); i += finer) {

@@ -26,6 +26,7 @@ constexpr double noise_width = 7.0;     // standard deviations, from top to bott
 constexpr double least_flatness = 0.5;  // of the hump that a parabola of the flanks would have on a noisy plateau
 constexpr double flat_thirds = 0.197;   // that hump: middle less outer thirds of two thirds of it, of the depth
 constexpr double least_turn = 0.08;     // of the force that the depth stands for: its turn within a plateau
+constexpr double slower = 0.85;         // of the fastest before
 constexpr double short_plateau = 0.24;  // of half a cycle: no hold is as short
 constexpr double past_the_tip = 0.006;  // of the amplitude: clipped force lasts beyond the reversal
 constexpr double top_deviations = 4.0;  // of the noise: no sample of a plateau in noise is farther from its level
@@ -120,6 +121,22 @@ class Clipping {
             .variance = 1.0 / static_cast<double>(inner - 2 * third) + 0.5 / static_cast<double>(third)};
   }
 
+  // Whether displacement comes to its plateaus more slowly than it went before.
+  bool slows_before(std::vector<Plateau> const& runs) const {
+    auto const lag = std::max<std::size_t>(2, pair_.half_cycle / 24);
+    std::vector<double> ratios;
+    for (auto const& plateau : runs) {
+      auto const first = plateau.run.first;
+      if (first < 2 * lag + 1) continue;
+      auto const way = [&](std::size_t i) { return std::abs(pair_.disp.x[i] - pair_.disp.x[i - lag]); };
+      double fastest = 0.0;
+      for (auto i = std::max(lag, first - std::min(first, pair_.half_cycle)); i < first; ++i)
+        fastest = std::max(fastest, way(i));
+      ratios.push_back(way(first - 1) / fastest);  // the last sample may lie in the corner
+    }
+    return !ratios.empty() && num::median(std::move(ratios)) < slower;
+  }
+
   bool clipped_within(double sign, double width, bool exact) {
     std::vector<Plateau> runs;
     std::size_t longest = 0;
@@ -152,7 +169,10 @@ class Clipping {
     double const length = mean([](Plateau const& plateau) { return static_cast<double>(plateau.run.size()); });
     bool const no_hold = length + 1.0 < short_plateau * static_cast<double>(pair_.half_cycle);
     bool const reversed = num::median_over(runs, &Plateau::range) > most_of_force * 2.0 * pair_.force.half_range;
-    if (!(reversed || (clear ? turn > wanted : no_hold))) return false;
+    // Where the force tells nothing, a short hold between straight ways looks like a clipped triangle; a way that slows
+    // down and then meets a corner is a clipped sine, and noise that ends on a level is cut off there.
+    bool const cut = no_hold && (slows_before(runs) || (exact && pair_.has_noise(pair_.disp)));
+    if (!(reversed || (clear ? turn > wanted : cut))) return false;
     std::vector<std::size_t> first;
     for (auto const& plateau : runs) first.push_back(plateau.run.first);
     auto const& shown = runs.front().run;

@@ -1,5 +1,5 @@
-// Channels that stand for a while in which the other goes on: a slow writer, a cable, a sensor that sticks. A device that
-// rests, yields, slips or has play moves one of them too, which is told apart here.
+// Channels that stand for a while in which the other goes on: a slow writer, a cable, a sensor that sticks. A device
+// that rests, yields, slips or has play moves one of them too, which is told apart here.
 #pragma once
 
 #include <vector>
