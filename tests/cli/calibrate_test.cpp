@@ -125,7 +125,7 @@ TEST_F(Calibrate, summary_has_the_documented_schema) {
   ASSERT_EQ(calibrate("O").code, 0);
   auto const s = json("O/summary.json");
   EXPECT_EQ(keys(s), (Words{"schema", "isolaw", "seed", "settings", "devices", "laws", "title", "outliers", "complete",
-                            "missing_runs", "missing_analyses", "warnings"}));
+                            "missing_runs", "missing_analyses", "warnings", "recommendations"}));
   EXPECT_EQ(s["schema"], 1);
   ASSERT_EQ(s["isolaw"].size(), 1u);
   EXPECT_EQ(s["isolaw"][0]["version"], ISOLAW_VERSION);

@@ -188,6 +188,38 @@ TEST(SummaryJson, ExactText) {
       "topic": "at bound",
       "sentence": "line: k at its upper bound on D\"1"
     }
+  ],
+  "recommendations": [
+    {
+      "purpose": "untested-device",
+      "law": null,
+      "sure": "weak",
+      "error": null,
+      "why": "One device was tested and every block fitted: nothing says how a law holds elsewhere.",
+      "would_decide": "the rest of the campaign, which the same command computes; a test at another amplitude or rate, kept from the fit; tests of more devices",
+      "measure": "",
+      "ties": []
+    },
+    {
+      "purpose": "these-tests",
+      "law": "line",
+      "sure": "weak",
+      "error": 0.1,
+      "why": "Errs by 10 % fitted to each device. Weak: the campaign is not complete.",
+      "would_decide": "the rest of the campaign, which the same command computes",
+      "measure": "fitted to each device",
+      "ties": []
+    },
+    {
+      "purpose": "simplest",
+      "law": "line",
+      "sure": "weak",
+      "error": 0.1,
+      "why": "Errs by 10 % fitted to each device, with 1 parameter. Weak: the campaign is not complete.",
+      "would_decide": "the rest of the campaign, which the same command computes; a test at another amplitude or rate, kept from the fit; tests of more devices",
+      "measure": "fitted to each device",
+      "ties": []
+    }
   ]
 }
 )");
@@ -207,7 +239,7 @@ TEST(SummaryJson, KeysInTheAgreedOrder) {
   auto const json = Json::parse(summary_json(fixture::lot()));
   EXPECT_EQ(keys(json),
             (std::vector<std::string>{"schema", "isolaw", "seed", "settings", "devices", "laws", "title", "outliers",
-                                      "complete", "missing_runs", "missing_analyses", "warnings"}));
+                                      "complete", "missing_runs", "missing_analyses", "warnings", "recommendations"}));
   EXPECT_EQ(keys(json["laws"][1]["devices"][2]["parameters"]),
             (std::vector<std::string>{"kb+", "f0+", "alpha+", "beta1-", "beta2+"}));
 }

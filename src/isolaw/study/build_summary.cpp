@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 #include <utility>
+#include <variant>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/version.hpp"
@@ -220,6 +221,15 @@ void add_lot_statistics(LawResult& law) {
   law.beta_note = robustness.note;
 }
 
+// By the best run of the first device it was identified on.
+bool in_programs(LawResult const& law, laws::LawEntry const& entry) {
+  auto const fit = std::ranges::find_if(law.devices, [](auto const& f) { return f.objective.best.has_value(); });
+  if (fit == law.devices.end()) return false;
+  std::vector<double> values;
+  for (auto const& parameter : fit->parameters) values.push_back(*parameter.value.best);
+  return !std::holds_alternative<laws::NoForm>(entry.canonical(values));
+}
+
 // Accuracy of a law: mean over devices of the mean over runs; its spread is over all runs.
 void add_accuracy(LawResult& law, std::vector<double> const& all_objectives) {
   std::vector<double> means;
@@ -284,6 +294,7 @@ Summary build_summary(campaign::Contents const& contents) {
       }
       law.devices.push_back(device_fit(contents, search, runs));
     }
+    law.in_programs = in_programs(law, entry);
     add_accuracy(law, all_objectives);
     add_lot_statistics(law);
     add_lot_analysis(law, contents);

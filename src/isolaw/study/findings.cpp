@@ -34,11 +34,6 @@ bool dominates(LawResult const& a, LawResult const& b) {
   return no_worse && (*a.objective.mean < *b.objective.mean || *a.beta < *b.beta);
 }
 
-std::string capitalised(std::string text) {
-  if (!text.empty() && text.front() >= 'a' && text.front() <= 'z') text.front() = static_cast<char>(text.front() - 32);
-  return text;
-}
-
 // What beta says of a law, in words; miss_text() is what the objective says.
 std::string scatter(LawResult const& law) {
   return fmt::format("parameters lie up to {} from the lot's mean, averaged over the parameters", percent(*law.beta));
@@ -471,6 +466,8 @@ Findings findings(Summary const& summary) {
         .push_back(index);
   }
   Findings all;
+  all.recommendations = recommendations(summary);
+  all.verdict = verdict_sentence(summary, all.recommendations);
   all.headline = headline(summary, front, best);
   for (std::size_t place = 0; place < front.size(); ++place)
     all.verdicts.push_back(front_verdict(summary, front, place));

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "isolaw/study/recommendation.hpp"
 #include "isolaw/study/summary.hpp"
 
 namespace isolaw::study {
@@ -44,7 +45,9 @@ struct Warning {
 };
 
 struct Findings {
-  std::string headline;                // the decision in one sentence
+  std::string verdict;  // the answer in one sentence; "" for an inspection
+  std::vector<Recommendation> recommendations;
+  std::string headline;                // the choice between accuracy and robustness
   std::vector<LawVerdict> verdicts;    // the front from accurate to robust, then dominated, inadequate, unranked laws
   std::vector<Warning> warnings;       // most serious topic first
   std::vector<std::string> converged;  // what changes without the optimiser's noise, and what an engineer meets

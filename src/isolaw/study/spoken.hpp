@@ -20,4 +20,9 @@ inline std::string percent(double fraction) {
   return with_decimals(value, std::abs(value) < 9.95 ? 1 : 0) + " %";
 }
 
+inline std::string capitalised(std::string text) {
+  if (!text.empty() && text.front() >= 'a' && text.front() <= 'z') text.front() = static_cast<char>(text.front() - 32);
+  return text;
+}
+
 }  // namespace isolaw::study

@@ -131,6 +131,7 @@ struct LawResult {
   std::optional<lot::Population> population;
   std::optional<double> fitted_objective, predicted_objective, worst_predicted;  // over blocks, then devices
   std::optional<PredictionGrade> prediction_grade;                               // where blocks are predicted
+  bool in_programs = false;  // analysis programs have its form for these parameters, bounds and records aside
   std::string reduced_form;  // how to search the form without the redundant parameter; "" where there is none to offer
   std::vector<std::string> notes;  // how the law was read where the source is ambiguous
   std::vector<DeviceFit> devices;

@@ -71,6 +71,20 @@ void write_outliers(JsonWriter& out, std::vector<OutlyingDevice> const& outliers
   out.end_array();
 }
 
+void write_recommendations(JsonWriter& out, study::Summary const& summary,
+                           std::vector<study::Recommendation> const& made) {
+  out.key("recommendations").begin_array();
+  for (auto const& each : made) {
+    out.begin_object().member("purpose", study::name(each.purpose)).key("law");
+    each.law ? out.value(summary.laws[*each.law].id) : out.null();
+    out.member("sure", study::name(each.sure)).member("error", each.error).member("why", each.why);
+    out.member("would_decide", each.would_decide).member("measure", each.measure).key("ties").begin_array();
+    for (auto const law : each.ties) out.value(summary.laws[law].id);
+    out.end_array().end_object();
+  }
+  out.end_array();
+}
+
 void write_warnings(JsonWriter& out, std::vector<study::Warning> const& warnings) {
   out.key("warnings").begin_array();
   for (auto const& warning : warnings)

@@ -54,6 +54,10 @@ void write_intervals(JsonWriter& out, DeviceFit const& fit);
 void write_blocks(JsonWriter& out, std::vector<BlockScore> const& blocks, Digits digits);
 void write_outliers(JsonWriter& out, std::vector<OutlyingDevice> const& outliers, Digits digits);
 
+// "recommendations": of every purpose, laws by id.
+void write_recommendations(JsonWriter& out, study::Summary const& summary,
+                           std::vector<study::Recommendation> const& made);
+
 // "warnings": what findings() warns of, `topic` and `sentence` each.
 void write_warnings(JsonWriter& out, std::vector<study::Warning> const& warnings);
 

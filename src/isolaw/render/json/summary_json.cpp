@@ -126,6 +126,7 @@ std::string summary_json(Summary const& summary) {
   auto const runs = summary.missing_runs(), analyses = summary.missing_analyses();
   write_members(out, "complete", runs == 0 && analyses == 0, "missing_runs", runs, "missing_analyses", analyses);
   write_warnings(out, warnings(summary));
+  write_recommendations(out, summary, recommendations(summary));
   out.end_object();
   return out.take() + "\n";
 }

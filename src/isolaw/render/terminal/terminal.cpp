@@ -306,6 +306,20 @@ std::string heading(Summary const& summary, int width) {
   return wrapped("", text, 0, width);
 }
 
+// The verdict, then what is told of each purpose.
+std::string answer(Summary const& summary, Findings const& found, int width) {
+  if (found.verdict.empty()) return {};
+  auto text = wrapped("", found.verdict, 0, width);
+  for (auto const& each : found.recommendations) {
+    auto const law =
+        each.law ? fmt::format("{} ({})", summary.laws[*each.law].id, name(each.sure)) : std::string("none");
+    auto const open =
+        each.would_decide.empty() ? std::string() : fmt::format(" Would tell more: {}.", each.would_decide);
+    text += wrapped("", fmt::format("{}: {}. {}{}", title(each.purpose), law, each.why, open), 2, width);
+  }
+  return text + '\n';
+}
+
 }  // namespace
 
 std::string wrapped(std::string_view bullet, std::string_view text, int indent, int width) {
@@ -334,7 +348,8 @@ std::string wrapped(std::string_view bullet, std::string_view text, int indent, 
 std::string ranking(Summary const& summary, int width) {
   width = std::max(width, 60);
   auto const found = findings(summary);
-  std::string text = heading(summary, width) + '\n' + law_table(summary) + compared_on(summary, width) + '\n';
+  std::string text = heading(summary, width) + '\n' + answer(summary, found, width) + law_table(summary) +
+                     compared_on(summary, width) + '\n';
   text += wrapped("", found.headline, 0, width);
   if (auto const converged = converged_table(summary, width); !converged.empty()) text += '\n' + converged;
   if (auto const prediction = prediction_table(summary); !prediction.empty()) text += '\n' + prediction;

@@ -1,0 +1,53 @@
+// Which law to take, for what: one answer from everything that a campaign tells of its laws. docs/decision.md has the
+// rule and what outranks what.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/study/summary.hpp"
+
+namespace isolaw::study {
+
+enum class Purpose {
+  untested_device,  // design of a building: devices and amplitudes that were not tested
+  these_tests,      // description of what was measured
+  simplest          // the fewest parameters that serve
+};
+std::string_view name(Purpose purpose);   // "untested-device", "these-tests", "simplest"
+std::string_view title(Purpose purpose);  // "For a device that was not tested", ...
+
+enum class Sure { clear, tie, weak };
+std::string_view name(Sure sure);
+
+struct Recommendation {
+  Purpose purpose = Purpose::untested_device;
+  std::optional<std::size_t> law;  // index into Summary::laws; empty: none can be recommended
+  Sure sure = Sure::weak;          // what makes a choice weak outranks that it ties
+  std::optional<double> error;     // of that law, as the purpose measures it; 0 is perfect
+  std::string measure;             // what that error is of
+  std::vector<std::size_t> ties;   // the laws that cannot be told from it, best first, without it
+  std::string why;                 // one sentence or two
+  std::string would_decide;        // the test that would; "" where nothing is open
+};
+
+// Of every purpose, in their order; none for an inspection.
+std::vector<Recommendation> recommendations(Summary const& summary);
+
+// The answer in one sentence: what the page and the terminal open with.
+std::string verdict_sentence(Summary const& summary, std::vector<Recommendation> const& made);
+
+// Two laws tie where their mean difference over the devices is within this many standard errors of it, or, of one
+// device, which has no scatter, within this share of the smaller error.
+inline constexpr double tie_errors = 2.0, tie_share = 0.15;
+// What the simplest law may lose against the best: this share of its error, or this much.
+inline constexpr double simple_share = 0.5, simple_error = 0.02;
+// A search of which fewer runs than this end near the least objective is no sure one.
+inline constexpr double found_share = 0.5;
+// And of a law the tests should leave no larger share of the parameters open, where nothing shows that it predicts.
+inline constexpr double open_share = 0.5;
+
+}  // namespace isolaw::study

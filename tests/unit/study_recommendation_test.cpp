@@ -1,0 +1,202 @@
+// Which law is recommended, on cases whose answer is known.
+#include "isolaw/study/recommendation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "contains.hpp"
+#include "isolaw/study/build_analysis.hpp"
+
+namespace isolaw::study {
+namespace {
+
+struct Law {
+  std::string id;
+  std::vector<double> errors;  // least objective, of each device
+  std::vector<double> left_out = {};
+  std::optional<double> predicted = {};
+  int parameters = 4, open = 0, at_bound = 0;
+  std::optional<double> found = 1.0;
+};
+
+double mean(std::vector<double> const& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+LawResult made(Law const& of) {
+  LawResult law;
+  law.id = of.id;
+  law.objective = {mean(of.errors), 0.0, std::ranges::min(of.errors)};
+  law.objective_converged = mean(of.errors);
+  law.success_share = of.found;
+  if (!of.left_out.empty()) law.loo_objective = mean(of.left_out);
+  if (of.predicted) {
+    law.predicted_objective = of.predicted;
+    law.worst_predicted = of.predicted;
+    law.fitted_objective = mean(of.errors);
+    law.prediction_grade = graded(mean(of.errors), *of.predicted, *of.predicted);
+  }
+  for (std::size_t d = 0; d < of.errors.size(); ++d) {
+    DeviceFit fit;
+    fit.device = "D" + std::to_string(d);
+    fit.runs = 1;
+    fit.objective = {of.errors[d], 0.0, of.errors[d]};
+    fit.optimum = of.errors[d];
+    fit.K_eff_error_percent = fit.energy_error_percent = 1.0;
+    if (!of.left_out.empty()) fit.left_out_objective = of.left_out[d];
+    if (of.predicted) fit.blocks = {{1, true, of.errors[d]}, {2, false, *of.predicted}};
+    for (int p = 0; p < of.parameters; ++p) {
+      ParameterFit parameter;
+      parameter.name = "p" + std::to_string(p);
+      parameter.value = {1.0, 0.0, 1.0};
+      parameter.upper = 2.0;
+      if (p < of.at_bound) parameter.at_bound = "upper";
+      parameter.analysis = ParameterAnalysis{};
+      parameter.analysis->identifiability = p < of.open ? "undetermined" : "determined";
+      fit.parameters.push_back(parameter);
+    }
+    law.devices.push_back(fit);
+  }
+  return law;
+}
+
+Summary summary_of(std::vector<Law> const& laws) {
+  Summary summary;
+  for (std::size_t d = 0; d < laws.front().errors.size(); ++d) {
+    DeviceResult device;
+    device.name = "D" + std::to_string(d);
+    device.status = "ok";
+    summary.devices.push_back(device);
+  }
+  for (auto const& law : laws) summary.laws.push_back(made(law));
+  return summary;
+}
+
+Recommendation of(Summary const& summary, Purpose purpose) {
+  auto const made = recommendations(summary);
+  EXPECT_EQ(made.size(), 3u);
+  return made.at(static_cast<std::size_t>(purpose));
+}
+
+std::string law_of(Summary const& summary, Recommendation const& made) {
+  return made.law ? summary.laws[*made.law].id : "none";
+}
+
+TEST(Recommendation, OfAClearWinnerIsClear) {
+  auto const summary = summary_of(
+      {{"near", {0.02, 0.021, 0.022}, {0.03, 0.031, 0.032}}, {"far", {0.08, 0.081, 0.082}, {0.09, 0.091, 0.092}}});
+  for (auto const purpose : {Purpose::untested_device, Purpose::these_tests, Purpose::simplest}) {
+    auto const made = of(summary, purpose);
+    EXPECT_EQ(law_of(summary, made), "near");
+    EXPECT_EQ(made.sure, Sure::clear) << made.why;
+    EXPECT_TRUE(made.ties.empty());
+  }
+  EXPECT_NEAR(*of(summary, Purpose::untested_device).error, 0.031, 1e-12);
+  EXPECT_NEAR(*of(summary, Purpose::these_tests).error, 0.021, 1e-12);
+}
+
+TEST(Recommendation, OfLawsWithinTheScatterOfTheDevicesIsATie) {
+  auto const summary = summary_of({{"a", {0.030, 0.050, 0.040}, {0.040, 0.060, 0.050}, {}, 9},
+                                   {"b", {0.045, 0.035, 0.043}, {0.055, 0.045, 0.054}, {}, 4}});
+  auto const made = of(summary, Purpose::untested_device);
+  EXPECT_EQ(made.sure, Sure::tie) << made.why;
+  EXPECT_EQ(law_of(summary, made), "b");  // fewer parameters
+  EXPECT_EQ(made.ties, std::vector<std::size_t>{0});
+  EXPECT_TRUE(contains(made.why, "ties with it within the scatter over the devices")) << made.why;
+  EXPECT_NE(made.would_decide, "");
+}
+
+// As near as it gets to what it was fitted to, and wrong elsewhere.
+TEST(Recommendation, IsNeverALawThatPredictsBadly) {
+  auto const summary =
+      summary_of({{"overfit", {0.01}, {}, 2.7}, {"poor", {0.015}, {}, 0.4}, {"sound", {0.05}, {}, 0.08}});
+  for (auto const& made : recommendations(summary)) EXPECT_EQ(law_of(summary, made), "sound") << made.why;
+  EXPECT_TRUE(
+      contains(of(summary, Purpose::these_tests).why, "overfit is nearer (1.0 %), but its prediction is unusable"));
+}
+
+TEST(Recommendation, OfAFairPredictionIsWeakAndOneDeviceTiesByShare) {
+  auto const summary = summary_of(
+      {{"bouc-wen", {0.072}, {}, 0.190, 6}, {"abe", {0.047}, {}, 0.210, 13}, {"bilinear", {0.098}, {}, 0.240, 3}});
+  auto const made = of(summary, Purpose::untested_device);
+  EXPECT_EQ(law_of(summary, made), "bouc-wen");
+  EXPECT_EQ(made.ties, std::vector<std::size_t>{1});
+  EXPECT_EQ(made.sure, Sure::weak);
+  EXPECT_TRUE(contains(made.why, "abe ties with it within what one device can tell")) << made.why;
+  EXPECT_TRUE(contains(made.why, "fair")) << made.why;
+  EXPECT_EQ(law_of(summary, of(summary, Purpose::simplest)), "bilinear");
+}
+
+TEST(Recommendation, IsNoneWhereAllCollapse) {
+  auto const summary = summary_of({{"a", {0.03}, {}, 5.0}, {"b", {0.06}, {}, 0.5}});
+  for (auto const& made : recommendations(summary)) {
+    EXPECT_FALSE(made.law);
+    EXPECT_FALSE(made.error);
+    EXPECT_TRUE(contains(made.why, "rediction of a (unusable) and b (poor)")) << made.why;
+  }
+  EXPECT_TRUE(contains(verdict_sentence(summary, recommendations(summary)), "No law can be recommended"));
+}
+
+TEST(Recommendation, OfOneDeviceFittedWholeIsForTheseTestsAlone) {
+  auto const summary = summary_of({{"a", {0.03}}, {"b", {0.08}}});
+  auto const untested = of(summary, Purpose::untested_device);
+  EXPECT_FALSE(untested.law);
+  EXPECT_TRUE(contains(untested.why, "nothing says how a law holds elsewhere")) << untested.why;
+  EXPECT_TRUE(contains(untested.would_decide, "kept from the fit")) << untested.would_decide;
+  EXPECT_EQ(law_of(summary, of(summary, Purpose::these_tests)), "a");
+  EXPECT_EQ(verdict_sentence(summary, recommendations(summary)),
+            "For these tests take a: 3.0 % off; for other devices or amplitudes no law can be recommended.");
+}
+
+TEST(Recommendation, IsWeakWhereTheSearchDidNotConverge) {
+  auto summary =
+      summary_of({{"a", {0.03, 0.031}, {0.04, 0.041}, {}, 4, 0, 0, 0.1}, {"b", {0.08, 0.081}, {0.09, 0.091}}});
+  auto const made = of(summary, Purpose::these_tests);
+  EXPECT_EQ(law_of(summary, made), "a");
+  EXPECT_EQ(made.sure, Sure::weak);
+  EXPECT_TRUE(contains(made.why, "of its searches ended near its least objective")) << made.why;
+  summary = summary_of({{"a", {0.03, 0.031}, {0.04, 0.041}}});
+  summary.expected_runs = 10;
+  EXPECT_EQ(of(summary, Purpose::these_tests).sure, Sure::weak);
+}
+
+TEST(Recommendation, IsWeakWhereTheTestsLeaveParametersOpenOrTheBoxHoldsThem) {
+  auto const open = summary_of({{"a", {0.03, 0.031, 0.032}, {0.04, 0.041, 0.042}, {}, 4, 3}});
+  EXPECT_EQ(of(open, Purpose::untested_device).sure, Sure::weak);
+  EXPECT_EQ(of(open, Purpose::these_tests).sure, Sure::clear);
+  auto const held = summary_of({{"a", {0.03, 0.031, 0.032}, {0.04, 0.041, 0.042}, {}, 4, 0, 2}});
+  EXPECT_EQ(of(held, Purpose::untested_device).sure, Sure::weak) << of(held, Purpose::untested_device).why;
+}
+
+TEST(Recommendation, LeavesOutALawThatWasRefusedOnADevice) {
+  auto summary = summary_of({{"partial", {0.01, 0.011}, {0.02, 0.021}}, {"whole", {0.05, 0.051}, {0.06, 0.061}}});
+  summary.laws[0].devices[1] = DeviceFit{};
+  summary.laws[0].devices[1].device = "D1";
+  summary.laws[0].devices[1].refusal = "no time channel";
+  for (auto const& made : recommendations(summary)) EXPECT_EQ(law_of(summary, made), "whole");
+  // A device that could not be read is no device of the choice.
+  DeviceResult refused;
+  refused.name = "bad";
+  refused.status = "refused";
+  summary.devices.push_back(refused);
+  for (auto const& made : recommendations(summary)) EXPECT_EQ(law_of(summary, made), "whole");
+}
+
+TEST(Recommendation, OfTheSimplestMayLoseHalfOfTheBest) {
+  auto const summary = summary_of({{"best", {0.040, 0.041, 0.042}, {0.05, 0.051, 0.052}, {}, 12},
+                                   {"plain", {0.055, 0.056, 0.057}, {0.070, 0.071, 0.072}, {}, 3},
+                                   {"rough", {0.09, 0.091, 0.092}, {0.10, 0.11, 0.12}, {}, 2}});
+  auto const made = of(summary, Purpose::simplest);
+  EXPECT_EQ(law_of(summary, made), "plain") << made.why;
+  EXPECT_TRUE(contains(made.why, "with 3 parameters; best by 5.1 %, with 12")) << made.why;
+}
+
+TEST(Recommendation, OfAnInspectionIsNone) {
+  EXPECT_TRUE(recommendations(Summary{}).empty());
+  EXPECT_EQ(verdict_sentence(Summary{}, {}), "");
+}
+
+}  // namespace
+}  // namespace isolaw::study
