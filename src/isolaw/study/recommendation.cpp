@@ -70,7 +70,7 @@ std::size_t calibrated(LawResult const& law) {
   return static_cast<std::size_t>(std::ranges::count_if(parameters, &ParameterFit::free));
 }
 
-// Of the parameters that were examined on the devices, those that the tests do not determine; empty without an analysis.
+// Of the parameters that were examined on the devices, those that the tests do not determine; empty without analysis.
 std::optional<double> share_open(LawResult const& law) {
   int examined = 0, open = 0;
   for (auto const& fit : law.devices)
