@@ -3,28 +3,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "isolaw/fit/box.hpp"
+#include "unit/programs_box.hpp"
 #include "unit/programs_folder.hpp"
 
 namespace isolaw::programs_test {
 namespace {
-
-// Parameters inside the box that a record of this size would be searched in.
-std::vector<double> inside_box(laws::LawEntry const& law, double share) {
-  data::FitRecord record;
-  auto const history = cycles({50.0, 150.0}, 200);
-  auto const force = law_force(laws::find_law("bilinear"), bilinear_parameters, history);
-  record.time_s = history.time_s;
-  record.disp_mm = history.disp_mm;
-  record.vel_mm_s = history.vel_mm_s;
-  record.force_kN = force;
-  auto const box = fit::make_box(law, fit::BoxKind::scaled, fit::scales_of(record, law.info), {});
-  std::vector<double> point(box.free_count()), values(law.parameters.size());
-  for (std::size_t i = 0; i < point.size(); ++i)
-    point[i] = std::fmod(share + 0.31 * static_cast<double>(i), 1.0) * 0.6 + 0.2;
-  box.expand(point, values);
-  return values;
-}
 
 constexpr double shares[] = {0.1, 0.35, 0.6};
 
@@ -80,6 +63,17 @@ void drive(Material m) {
     std::printf("%.17g %.17g %.17g %.17g %.17g %.17g %.17g ", force, m.tangent(), m.damping(), (above - force) / h,
                 (force - below) / h, (faster - force) / h, (force - slower) / h);
     m.commit();
+    // From its numbers on, in another.
+    std::vector<double> numbers(m.state_size());
+    m.save(numbers.data());
+    Material loaded = fresh;
+    loaded.trial(0.1 + p.x, p.v);
+    loaded.commit();
+    bool const taken = loaded.load(numbers.data(), numbers.size());
+    if (!taken || loaded.load(numbers.data(), numbers.size() - 1) || loaded.force() != m.force() ||
+        loaded.tangent() != m.tangent() || loaded.damping() != m.damping())
+      std::printf("a state is lost\n");
+    m = loaded;
     // Once more at rest there.
     double const on = m.trial(p.x + h, p.v), back = m.trial(p.x - h, p.v), held = m.trial(p.x, p.v);
     std::printf("%.17g %.17g %.17g\n", m.tangent(), (on - held) / h, (held - back) / h);

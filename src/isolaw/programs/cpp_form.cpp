@@ -1,0 +1,120 @@
+#include "isolaw/programs/cpp_form.hpp"
+
+#include <fmt/format.h>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/programs/header_parts.hpp"
+#include "isolaw/programs/self_check.hpp"
+#include "isolaw/programs/text.hpp"
+
+namespace isolaw::programs {
+namespace {
+
+// "Kb+" is Kb_p.
+std::string member(std::string_view name) {
+  std::string made;
+  for (char const c : name) made += c == '+' ? std::string("_p") : c == '-' ? std::string("_m") : std::string(1, c);
+  return made;
+}
+
+std::string parameters_struct(Subject const& subject) {
+  std::string text = fmt::format("// In the law's own units: {}, {}, s.\nstruct Parameters {{\n",
+                                 subject.law->info.force.symbol, subject.law->info.length.symbol);
+  for (std::size_t i = 0; i < subject.parameters.size(); ++i) {
+    auto const& p = subject.law->parameters[i];
+    text += fmt::format("  double {} = {};  // {}: {}\n", member(p.name), exactly(subject.parameters[i]), p.unit,
+                        p.meaning);
+  }
+  return text + "};\n";
+}
+
+std::string constants(Subject const& subject, UnitSystem const& units) {
+  auto const& law = subject.law->info;
+  std::string text = fmt::format(
+      "inline constexpr double length_to_law = {};  // {} per {} of the program\n"
+      "inline constexpr double force_from_law = {};  // {} of the program per {}\n"
+      "inline constexpr int substeps = {};  // of a step, as the law was integrated when it was identified\n"
+      "inline constexpr double nominal = 1.0;  // factors on the force\n",
+      exactly(units.length.in_record_units / law.length.in_record_units), law.length.symbol, units.length.symbol,
+      exactly(law.force.in_record_units / units.force.in_record_units), units.force.symbol, law.force.symbol,
+      subject.refinement);
+  if (law.traits.remembers)
+    text += fmt::format("inline constexpr double dead_band = {};  // {}: motion within it to both sides is none\n",
+                        exactly(subject.dead_band_mm / law.length.in_record_units), law.length.symbol);
+  if (subject.bounds.lower)
+    text += fmt::format("inline constexpr double lower = {};\n", exactly(subject.bounds.lower->overall));
+  if (subject.bounds.upper)
+    text += fmt::format("inline constexpr double upper = {};\n", exactly(subject.bounds.upper->overall));
+  return text;
+}
+
+}  // namespace
+
+std::string cpp_law(Subject const& subject, UnitSystem const& units) {
+  auto const parts = header_parts(subject.law->info.id);
+  if (parts.empty())
+    throw Error({.where = "law " + std::string(subject.law->info.id),
+                 .found = "no C++ form of it",
+                 .allowed = "another target"});
+  auto const space = identifier(subject);
+  std::string text = fmt::format(
+      "#include <algorithm>\n#include <cmath>\n#include <cstddef>\n#include <vector>\n\nnamespace {} {{\n\n", space);
+  text += parameters_struct(subject) + "\n" + constants(subject, units) + "\n";
+  text += std::string(header_numbers()) + "\n";
+  for (auto const part : parts) text += std::string(part) + "\n";
+  return text + std::string(header_material()) + fmt::format("\n}}  // namespace {}\n", space);
+}
+
+std::string cpp_check(Subject const& subject, UnitSystem const& units, std::string_view material) {
+  std::vector<double> disp, velocity, force;
+  for (double const x : subject.protocol.disp_mm) disp.push_back(units.from_mm(x));
+  for (double const v : subject.protocol.vel_mm_s) velocity.push_back(units.from_mm(v));
+  for (double const f : subject.protocol.law_kN) force.push_back(units.from_kN(f));
+  return fmt::format(
+      R"text(
+#ifdef ISOLAW_SELF_CHECK
+#include <cstdio>
+
+int main() {{
+  // Two cycles at {:.4g} Hz, at half and at the whole tested amplitude, and the force of the law.
+  double const disp[] = {{
+{}
+  }};
+  double const velocity[] = {{
+{}
+  }};
+  double const expected[] = {{
+{}
+  }};
+  {}::{} material;
+  double largest = 0.0, peak = 0.0;
+  bool numbers = true;
+  for (std::size_t i = 0; i < sizeof(disp) / sizeof(disp[0]); ++i) {{
+    material.trial(1.1 * disp[i], velocity[i]);  // a trial that is not kept must leave nothing behind
+    double const force = material.trial(disp[i], velocity[i]);
+    material.commit();
+    numbers = numbers && force == force;
+    peak = std::max(peak, std::abs(expected[i]));
+    largest = std::max(largest, std::abs(force - expected[i]));
+  }}
+  bool const pass = numbers && peak > 0.0 && largest <= 1e-6 * peak;
+  std::printf("isolaw {}: largest difference %.3g of the peak force (allowed 1e-06): %s\n", largest / peak,
+              pass ? "PASS" : "FAIL");
+  return pass ? 0 : 1;
+}}
+#endif
+)text",
+      subject.frequency_Hz, number_lines(disp, ", ", "      "), number_lines(velocity, ", ", "      "),
+      number_lines(force, ", ", "      "), identifier(subject), material, subject.law->info.id);
+}
+
+std::string cpp_facts(Subject const& subject, UnitSystem const& units, std::string_view program) {
+  std::string text;
+  for (auto const& line : fact_lines(
+           facts_of_the_law(subject, units, program,
+                            "the law itself, computed as isolaw computes it, one step for each step of the analysis")))
+    text += "// " + line + "\n";
+  return text + "//\n";
+}
+
+}  // namespace isolaw::programs
