@@ -163,7 +163,7 @@ TEST_F(Analysis, what_one_block_was_fitted_to_predicts_the_other) {
   EXPECT_EQ(summary["laws"][0]["prediction_collapses"], false);
   EXPECT_TRUE(contains(read("O/tables/prediction.csv"), "bilinear,a,\"block 2, predicted\",the device itself,"));
   // Who takes the law from there is told.
-  for (auto const* target : {"opensees", "cpp", "sheet", "csv"}) {
+  for (auto const* target : {"opensees", "cpp", "opensees-cpp", "abaqus", "sheet", "csv"}) {
     auto const text = isolaw({"export", "O", "--law", "bilinear", "--device", "a", "--to", target}).out;
     for (auto const* part : {"block 1 of the tests alone", "Displacement fitted", "up to 50 mm", "Displacement tested",
                              "up to 100 mm", "good: objective 0.0"})
@@ -204,7 +204,7 @@ TEST_F(Analysis, a_law_that_cannot_predict_is_refused_unless_asked_for_anyway) {
   EXPECT_EQ(laws[1]["prediction_grade"], "unusable");
   EXPECT_EQ(laws[1]["prediction_collapses"], true);
   std::vector<Words> commands;
-  for (auto const* target : {"opensees", "openseespy", "cpp", "sheet", "csv", "json"})
+  for (auto const* target : {"opensees", "openseespy", "cpp", "sheet", "csv", "json", "opensees-cpp", "abaqus"})
     commands.push_back({"export", "O", "--law", "hwang-wu", "--device", "a", "--to", target});
   commands.push_back({"simulate", "hwang-wu", "--from", "O", "--device", "a", "--motion", "a.csv"});
   for (auto const& command : commands) {
@@ -231,7 +231,7 @@ TEST_F(Analysis, exports_say_what_is_known_against_the_law) {
   auto const o = isolaw({"calibrate", "a.csv", "--laws", "bilinear", "--runs", "2", "--analysis", "full",
                          "--replicates", "0", "--set", "bilinear.K1=0.1:1", "--out", "O"});
   ASSERT_EQ(o.code, 0) << o;
-  for (auto const* target : {"opensees", "openseespy", "cpp", "sheet", "csv", "json"}) {
+  for (auto const* target : {"opensees", "openseespy", "cpp", "opensees-cpp", "abaqus", "sheet", "csv", "json"}) {
     auto const made = isolaw({"export", "O", "--law", "bilinear", "--device", "a", "--to", target});
     EXPECT_EQ(made.code, 0) << made;
     EXPECT_TRUE(contains(made.out, "bilinear: K1 at its upper bound on a")) << target;

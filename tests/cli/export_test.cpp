@@ -263,10 +263,14 @@ TEST_F(Export, of_devices_with_hostile_names_stays_a_comment) {
     auto const o = exported("bilinear", "x\"\"\"; } {$a`b` [exec touch HACKED] \\", to);
     ASSERT_EQ(o.code, 0) << o;
     std::istringstream lines(o.out);
+    bool const is_cpp = to == "cpp" || to == "opensees-cpp" || to == "abaqus";
     for (std::string line; std::getline(lines, line);) {
-      EXPECT_FALSE(line.ends_with("\\")) << line;
+      // Macros of C++ go on, nothing that is said does.
+      if (!is_cpp || line.starts_with("//")) {
+        EXPECT_FALSE(line.ends_with("\\")) << line;
+      }
       if (line.find("exec touch") == std::string::npos) continue;
-      EXPECT_TRUE(line.starts_with(to == "cpp" ? "// " : "# ")) << line;
+      EXPECT_TRUE(line.starts_with(is_cpp ? "// " : "# ")) << line;
       EXPECT_EQ(line.find_first_of("[]{}$`\"\\"), std::string::npos) << line;
     }
   }

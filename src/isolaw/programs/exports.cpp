@@ -15,6 +15,8 @@
 namespace isolaw::programs {
 namespace {
 
+constexpr std::string_view the_law_itself = "--to opensees-cpp, abaqus or cpp, the law itself";
+
 // Where the program's materials can give the law, or one near to it.
 Realisation realised(Subject const& subject, Objections& objections) {
   auto made = realise(subject);
@@ -22,7 +24,7 @@ Realisation realised(Subject const& subject, Objections& objections) {
     throw Error({.where = "law " + std::string(subject.law->info.id),
                  .found = made.explanation,
                  .allowed = "a law that the program's materials can give",
-                 .advice = "--to cpp, the law itself as a C++ header"});
+                 .advice = std::string(the_law_itself)});
   if (auto const& form = made.forms.front(); far_off(form.from_law))
     objections.push_back(
         fmt::format("{}, the nearest there is, is far off: {}", form.nominal.title, deviation_text(form.from_law)));
@@ -38,6 +40,9 @@ constexpr std::array all{
     Target{"openseespy", [](Subject const& s, UnitSystem const& units,
                             Objections& objections) { return openseespy_script(s, realised(s, objections), units); }},
     Target{"cpp", [](Subject const& s, UnitSystem const& units, Objections&) { return cpp_header(s, units); }},
+    Target{"opensees-cpp",
+           [](Subject const& s, UnitSystem const& units, Objections&) { return opensees_material(s, units); }},
+    Target{"abaqus", [](Subject const& s, UnitSystem const& units, Objections&) { return abaqus_element(s, units); }},
     // It holds the law itself, and says of each form how far off it is.
     Target{"json",
            [](Subject const& s, UnitSystem const& units, Objections&) { return export_json(s, realise(s), units); }},
@@ -68,7 +73,7 @@ Export write_export(Subject const& subject, Target const& target, UnitSystem con
     throw Error({.where = where,
                  .found = joined(to_form, "; "),
                  .allowed = "a form that is near to the law",
-                 .advice = "--to cpp, the law itself as a C++ header; or --anyway"});
+                 .advice = fmt::format("{}; or --anyway", the_law_itself)});
   if (!subject.doubts.objection.empty()) made.let_through.push_back(subject.doubts.objection);
   std::ranges::move(to_form, std::back_inserter(made.let_through));
   return made;

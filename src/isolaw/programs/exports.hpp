@@ -33,6 +33,8 @@ Export write_export(Subject const& subject, Target const& target, UnitSystem con
 std::string opensees_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string openseespy_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string cpp_header(Subject const& subject, UnitSystem const& units);
+std::string opensees_material(Subject const& subject, UnitSystem const& units);
+std::string abaqus_element(Subject const& subject, UnitSystem const& units);
 std::string export_json(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string value_sheet(Subject const& subject, UnitSystem const& units, Objections& objections);
 std::string protocol_csv(Subject const& subject, UnitSystem const& units);

@@ -43,4 +43,10 @@ std::vector<std::string_view> header_parts(std::string_view law) {
   return parts;
 }
 
+bool remembers_turning_points(std::string_view law) {
+  auto const parts = header_parts(law);
+  return std::ranges::any_of(parts,
+                             [](std::string_view text) { return text.find("struct TurningPoints") != text.npos; });
+}
+
 }  // namespace isolaw::programs

@@ -10,5 +10,7 @@ namespace isolaw::programs {
 std::vector<std::string_view> header_parts(std::string_view law);
 std::string_view header_numbers();
 std::string_view header_material();
+// Whether its state grows with what the motion left open.
+bool remembers_turning_points(std::string_view law);
 
 }  // namespace isolaw::programs

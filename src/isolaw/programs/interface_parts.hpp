@@ -1,0 +1,15 @@
+// What exported C++ has around the law for one program: the files of interface/, with the marks @mark@ replaced.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace isolaw::programs {
+
+using Marks = std::span<std::pair<std::string_view, std::string> const>;
+// Throws std::logic_error for a file or a mark that is not there.
+std::string interface_part(std::string_view file, Marks marks);
+
+}  // namespace isolaw::programs

@@ -1,0 +1,392 @@
+// The law itself in two programs' own interfaces: the material of OpenSees against a stand-in for its headers (and in the
+// program, where it is at hand), the element of Abaqus called by Fortran.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <numbers>
+
+#include "unit/programs_box.hpp"
+#include "unit/programs_folder.hpp"
+
+namespace isolaw::programs_test {
+namespace {
+
+fs::path const stand_ins = ISOLAW_PROGRAMS_STAND_INS;
+
+History path_of(Subject const& subject) {
+  auto made = cycles({40.0, 150.0, 90.0, 60.0, 20.0}, 60);
+  // Samples at 0 exactly belong to the side that they come from.
+  for (double& x : made.disp_mm) x = std::abs(x) < 1e-9 ? 0.0 : x;
+  made.refinement = subject.refinement;
+  made.dead_band_mm = subject.dead_band_mm;
+  return made;
+}
+
+struct OfLaw {
+  Subject subject;
+  History path;
+  std::vector<double> force_kN;
+  std::string name() const { return identifier(subject); }
+};
+
+// Every law of the catalogue, with numbers that fill its memory.
+std::vector<OfLaw> every_law() {
+  std::vector<OfLaw> made;
+  for (auto const& law : laws::catalogue())
+    for (double const share : {0.5, 0.35, 0.1}) {
+      OfLaw of{subject_of(law.info.id, inside_box(law, share)), {}, {}};
+      of.subject.refinement = law.info.id == "abe" ? 2 : 1;
+      of.path = path_of(of.subject);
+      of.force_kN = law_force(law, of.subject.parameters, of.path);
+      if (!std::ranges::all_of(of.force_kN, [](double f) { return std::isfinite(f); })) continue;
+      made.push_back(std::move(of));
+      break;
+    }
+  EXPECT_EQ(made.size(), laws::catalogue().size());
+  return made;
+}
+
+UnitSystem const& metres = unit_systems[1];
+
+std::string points_of(History const& path) {
+  std::string text;
+  for (std::size_t i = 0; i < path.disp_mm.size(); ++i)
+    text += fmt::format("    {{{}, {}}},\n", metres.from_mm(path.disp_mm[i]), metres.from_mm(path.vel_mm_s[i]));
+  return text;
+}
+
+class OpenSeesMaterial : public Folder {
+ protected:
+  std::string includes(std::vector<OfLaw> const& all) const {
+    std::string text;
+    for (auto const& of : all) {
+      auto const file = of.name() + ".cpp";
+      write(file, opensees_material(of.subject, metres));
+      text += "#include \"" + file + "\"\n";
+    }
+    return text;
+  }
+};
+
+TEST_F(OpenSeesMaterial, is_every_law_through_trials_copies_and_messages) {
+  auto const all = every_law();
+  auto text = includes(all) + "#include \"drive.hpp\"\nint main() {\n";
+  for (auto const& of : all)
+    text += fmt::format(
+        "  {{\n    Point const motion[] = {{\n{1}    }};\n    drive<{0}::UserMaterial>(OPS_{0}, motion);\n  }}\n",
+        of.name(), points_of(of.path));
+  write("driven.cpp", text + "}\n");
+  ASSERT_EQ(run(fmt::format(ISOLAW_COMPILER
+                            " -std=c++17 -O1 -Wall -Wextra -Woverloaded-virtual -Werror -I '{}' driven.cpp -o driven",
+                            (stand_ins / "opensees").string())),
+            0)
+      << read("printed").substr(0, 3000);
+  ASSERT_EQ(run("./driven"), 0);
+  std::istringstream printed(read("printed"));
+  for (auto const& of : all) {
+    SCOPED_TRACE(of.subject.law->info.id);
+    double const upper = of.subject.bounds.upper->overall, peak = peak_of(of.force_kN);
+    for (std::size_t i = 0; i < of.force_kN.size(); ++i) {
+      double force = 0.0, tangent = 0.0, damping = 0.0;
+      std::string line;
+      ASSERT_TRUE(std::getline(printed, line));
+      std::istringstream numbers(line);
+      ASSERT_TRUE(numbers >> force >> tangent >> damping) << line;
+      ASSERT_NEAR(force, 1e3 * upper * of.force_kN[i], 1e3 * 1e-10 * peak) << i;
+      if (of.subject.law->info.traits.rate_independent) {
+        ASSERT_EQ(damping, 0.0);
+      }
+    }
+  }
+  std::string rest;
+  EXPECT_FALSE(std::getline(printed, rest)) << rest;
+}
+
+// Against the program's own headers; and in the program, where it lies beside the checkout: a mass on the bearing, shaken,
+// and the law's force along the motion that was reached.
+TEST_F(OpenSeesMaterial, is_every_law_in_the_program_itself) {
+  char const* const source = std::getenv("OPENSEES_SOURCE");
+  if (source == nullptr)
+    GTEST_SKIP() << "OPENSEES_SOURCE names no checkout of OpenSees: compiled against a stand-in for its headers alone";
+  auto const all = every_law();
+  write("all.cpp", includes(all));
+  // As the file itself says.
+  auto const file = read(all.front().name() + ".cpp");
+  auto const begin = file.find("-I$s "), end = file.find("this-file", begin);
+  ASSERT_NE(begin, std::string::npos);
+  ASSERT_NE(end, std::string::npos);
+  auto folders = file.substr(begin, end - begin);
+  for (std::size_t at = 0; (at = folders.find("\n//", at)) != std::string::npos;) folders.replace(at, 3, " ");
+  auto const compiled = [&](std::string const& from, std::string const& made) {
+    return run(fmt::format("s='{}/SRC'; " ISOLAW_COMPILER " -std=c++17 -O1 -fPIC -shared {} '{}' -o {}", source,
+                           folders, from, made));
+  };
+  // One library for all of them, which each is found in by its own name.
+  ASSERT_EQ(compiled("all.cpp", "all.so"), 0) << read("printed").substr(0, 3000);
+
+  auto const program = fs::path(ISOLAW_DATA_DIR).parent_path() / "opensees/OpenSees";
+  if (!fs::exists(program))
+    GTEST_SKIP() << "OpenSees is not here: compiled against its headers, not loaded: " << program;
+  ASSERT_EQ(compiled((stand_ins / "opensees/loader.cpp").string(), "loader.so"), 0) << read("printed").substr(0, 3000);
+  for (auto const& of : all) {
+    SCOPED_TRACE(of.name());
+    fs::create_symlink("all.so", folder_ / (of.name() + ".so"));
+    // A first motion may have no bounded slope, by which Newton's rule goes to and fro.
+    // N, m. A period of two seconds on the secant to the tested amplitude; the ground is as strong as moves it so far.
+    double const secant = 1e6 * peak_of(of.force_kN) / 150.0, mass = secant / (std::numbers::pi * std::numbers::pi);
+    write(
+        "shaken.tcl",
+        fmt::format(
+            "load ./loader.so Loader\nmodel basic -ndm 2 -ndf 3\nloadedMaterial {} 1 upper\n"
+            "node 1 0 0\nnode 2 0 0\nfix 1 1 1 1\nfix 2 0 1 1\nmass 2 {} {} {}\nelement zeroLength 1 1 2 -mat 1 -dir 1\n",
+            of.name(), mass, mass, mass) +
+            "set values {}\nfor {set i 0} {$i < 600} {incr i} {lappend values [expr {0.5 * sin(0.032 * $i) * min(1.0, 0.005 * $i)}]}\n"
+            "timeSeries Path 1 -dt 0.01 -values $values\npattern UniformExcitation 1 1 -accel 1\n"
+            "constraints Plain\nnumberer Plain\nsystem FullGeneral\ntest NormDispIncr 1e-10 50\nalgorithm KrylovNewton\n"
+            "integrator Newmark 0.5 0.25\nanalysis Transient\n"
+            "for {set i 1} {$i < 600} {incr i} {\n  if {[analyze 1 0.01] != 0} {puts \"ended at $i\"; exit 2}\n"
+            "  puts \"at [nodeDisp 2 1] [nodeVel 2 1] [lindex [eleForce 1] 3]\"\n}\n");
+    ASSERT_EQ(run(fmt::format("LD_LIBRARY_PATH=. '{}' shaken.tcl", program.string())), 0) << read("printed");
+    History reached{
+        .device = "D", .time_s = {0.0}, .disp_mm = {0.0}, .vel_mm_s = {0.0}, .measured_kN = {}, .law_kN = {}};
+    reached.refinement = of.path.refinement;
+    reached.dead_band_mm = of.path.dead_band_mm;
+    std::vector<double> force;
+    std::istringstream lines(read("printed"));
+    for (std::string line, word; std::getline(lines, line);) {
+      std::istringstream values(line);
+      double x = 0.0, v = 0.0, f = 0.0;
+      if (!(values >> word >> x >> v >> f) || word != "at") continue;
+      reached.time_s.push_back(reached.time_s.back() + 0.01);
+      reached.disp_mm.push_back(1e3 * x);
+      reached.vel_mm_s.push_back(1e3 * v);
+      force.push_back(1e-3 * f);
+    }
+    ASSERT_EQ(force.size(), 599U) << read("printed").substr(0, 2000);
+    EXPECT_GT(peak_of(reached.disp_mm), 10.0);
+    auto const expected = law_force(*of.subject.law, of.subject.parameters, reached);
+    double const upper = of.subject.bounds.upper->overall, peak = upper * peak_of(expected);
+    // The program prints displacements of which rounding may choose the side of a corner.
+    for (std::size_t i = 0; i < force.size(); ++i) ASSERT_NEAR(force[i], upper * expected[i + 1], 1e-7 * peak) << i;
+  }
+}
+
+class AbaqusElement : public Folder {};
+
+TEST_F(AbaqusElement, is_every_law_through_iterations_and_cutbacks) {
+  if (!has("gfortran"))
+    GTEST_SKIP() << "no gfortran (isolaw.sh installs it): the element cannot be called as Abaqus does";
+  auto const all = every_law();
+  double const step_s = 2.0 / 60.0;
+  std::string text = "#define ISOLAW_NO_UEL\n", calls;
+  auto motion = fmt::format("{} {}\n", all.size(), all.front().path.disp_mm.size() - 1);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    auto const& of = all[k];
+    write(of.name() + ".cpp", abaqus_element(of.subject, metres));
+    text += "#include \"" + of.name() + ".cpp\"\n";
+    calls += fmt::format("    case {}: return {}::element(ISOLAW_UEL_USED);\n", k + 1, of.name());
+    auto const file = read(of.name() + ".cpp");
+    auto const at = file.find("VARIABLES=");
+    ASSERT_NE(at, std::string::npos);
+    motion += fmt::format("{} {} {}\n", k + 1, std::stoi(file.substr(at + 10)), step_s);
+    // At rest at zero every element begins.
+    for (std::size_t i = 1; i < of.path.disp_mm.size(); ++i)
+      motion += fmt::format("{} {}\n", metres.from_mm(of.path.disp_mm[i]), metres.from_mm(of.path.vel_mm_s[i]));
+  }
+  write("motion.txt", motion);
+  write("joined.cpp", text + "extern \"C\" void FOR_NAME(uel, UEL)(ISOLAW_UEL_ARGUMENTS) {\n  switch (*JTYPE) {\n" +
+                          calls + "  }\n}\n");
+  ASSERT_EQ(run(ISOLAW_COMPILER " -std=c++17 -O1 -Wall -Wextra -Werror -c joined.cpp"), 0)
+      << read("printed").substr(0, 3000);
+  ASSERT_EQ(run(fmt::format("gfortran -O1 -Wall -fcheck=all '{}' joined.o -lstdc++ -o driven",
+                            (stand_ins / "abaqus/drive_uel.f90").string())),
+            0)
+      << read("printed").substr(0, 3000);
+  ASSERT_EQ(run("./driven"), 0) << read("printed").substr(0, 3000);
+  std::istringstream printed(read("printed"));
+  for (auto const& of : all) {
+    SCOPED_TRACE(of.subject.law->info.id);
+    // At the start the velocity is none.
+    auto path = of.path;
+    path.vel_mm_s[0] = 0.0;
+    auto const expected = law_force(*of.subject.law, of.subject.parameters, path);
+    double const peak = 1.5e3 * peak_of(expected);
+    double work = 0.0;
+    for (std::size_t i = 1; i < expected.size(); ++i) {
+      std::string line;
+      ASSERT_TRUE(std::getline(printed, line));
+      std::istringstream numbers(line);
+      double force = 0.0, matrix = 0.0, stiffness = 0.0, damping = 0.0, energy = 0.0;
+      ASSERT_TRUE(numbers >> force >> matrix >> stiffness >> damping >> energy) << line;
+      ASSERT_NEAR(force, 1.5e3 * expected[i], 1e-10 * peak) << i;
+      ASSERT_NEAR(matrix, stiffness + damping * 2.0 / step_s, 1e-9 * (std::abs(matrix) + std::abs(stiffness))) << i;
+      work += 0.5 * 1.5e3 * ((i > 1 ? expected[i - 1] : 0.0) + expected[i]) *
+              metres.from_mm(path.disp_mm[i] - path.disp_mm[i - 1]);
+      ASSERT_NEAR(energy, work, 1e-9 * peak * 0.15) << i;
+    }
+  }
+  std::string rest;
+  EXPECT_FALSE(std::getline(printed, rest)) << rest;
+}
+
+// What one call gives, from C.
+constexpr char const* calls_of_one = R"text(
+#include "one.cpp"
+#include <cstring>
+#include <exception>
+
+struct Stopped : std::exception {};
+extern "C" void FOR_NAME(xit, XIT)() { throw Stopped(); }
+extern "C" void FOR_NAME(stdb_abqerr, STDB_ABQERR)(int const*, char const* text, int const*, double const*, char const*,
+                                                   std::size_t length, std::size_t) {
+  std::printf("stopped: %.*s\n", static_cast<int>(length), text);
+}
+
+struct Call {
+  std::vector<double> svars, rhs, matrix, properties{1.0}, u{0.0, 0.0}, du{0.0, 0.0}, v{0.0, 0.0};
+  double energy[8] = {}, params[3] = {0.0, 0.25, 0.5}, step = 0.1, next = 1.0;
+  int flags[5] = {1, 0, 1, 0, 0}, nodes = 2, right_sides = 1;
+
+  void made(int procedure, int task, int perturbation = 0) {
+    flags[0] = procedure, flags[2] = task, flags[3] = perturbation;
+    int freedoms = static_cast<int>(u.size()), count = static_cast<int>(svars.size()), given = static_cast<int>(properties.size()), one = 1;
+    rhs.assign(u.size() * static_cast<std::size_t>(right_sides), 7.0), matrix.assign(u.size() * u.size(), 7.0);
+    try {
+      FOR_NAME(uel, UEL)(rhs.data(), matrix.data(), svars.data(), energy, &freedoms, &right_sides, &count, properties.data(), &given,
+          nullptr, nullptr, &nodes, u.data(), du.data(), v.data(), nullptr, &one, nullptr, &step, &one, &one, &one, params, nullptr,
+          nullptr, nullptr, nullptr, nullptr, flags, &freedoms, nullptr, nullptr, &next, nullptr, nullptr, nullptr);
+    } catch (Stopped const&) {}
+  }
+  void moved(double x, double velocity = 0.0) {
+    du[1] = x - u[1], u[1] = x, v[1] = velocity;
+  }
+};
+)text";
+
+TEST_F(AbaqusElement, answers_each_task_of_a_step) {
+  write("one.cpp", abaqus_element(subject_of("bilinear", bilinear_parameters), unit_systems[0]));
+  write("calls.cpp", std::string(calls_of_one) + R"text(
+int main() {
+  // K1 = 2.5, K2 = 0.4 from 18 mm on; strength 37.8.
+  Call c;
+  c.svars.assign(32, 0.0);
+  c.params[0] = -0.1;
+  c.moved(10.0);
+  c.made(11, 1);
+  std::printf("%.10g %.10g %.10g\n", c.rhs[0], c.rhs[1], c.matrix[0]);  // 0.9 of the force 25, of the slope 2.5
+  c.moved(30.0);
+  c.made(11, 5);
+  std::printf("%.10g\n", c.rhs[0]);  // 0.9 * 49.8 + 0.05 * (25 + 0)
+  c.made(11, 1);
+  std::printf("%.10g\n", c.rhs[0]);  // 0.9 * 49.8 + 0.1 * 25
+  c.moved(31.0);
+  c.made(11, 5);
+  std::printf("%.10g\n", c.rhs[0]);  // 0.9 * 50.2 + 0.05 * (49.8 + 25)
+  auto const before = c.svars;
+  c.du = {0.0, -2.0, 0.0, -3.0};
+  c.right_sides = 2;
+  c.u[1] = 30.0;
+  c.made(1, 100);
+  std::printf("%.10g %.10g %d\n", c.rhs[0], c.rhs[2], c.svars == before);  // the slope of the direction before
+  c.right_sides = 1;
+  c.made(1, 1, 1);
+  std::printf("%.10g %.10g %d\n", c.rhs[0], c.matrix[3], c.svars == before);
+  c.made(41, 2);
+  std::printf("%.10g %.10g %d\n", c.rhs[0], c.matrix[3], c.svars == before);
+  c.made(41, 4);
+  std::printf("%.10g %.10g\n", c.rhs[0], c.matrix[3]);
+  c.made(11, 6);
+  std::printf("%.10g %.10g\n", c.rhs[0], c.matrix[3]);
+  // In a plane, along (3, 4) / 5.
+  Call plane;
+  plane.svars.assign(32, 0.0);
+  plane.properties = {2.0, 3.0, 4.0};
+  plane.u = {1.0, 1.0, 7.0, 9.0};  // 10 along it
+  plane.du = plane.v = {0.0, 0.0, 0.0, 0.0};
+  plane.made(1, 1);
+  std::printf("%.10g %.10g %.10g %.10g\n", plane.rhs[0], plane.rhs[1], plane.rhs[2], plane.rhs[3]);
+  std::printf("%.10g %.10g %.10g\n", plane.matrix[0], plane.matrix[1], plane.matrix[2]);
+  // No number, and what is refused.
+  plane.u[0] = std::nan("");
+  plane.made(1, 1);
+  std::printf("%.10g\n", plane.next);
+  plane.properties = {2.0};
+  plane.made(1, 1);
+  plane.properties = {-2.0, 3.0, 4.0};
+  plane.made(1, 1);
+  plane.nodes = 3;
+  plane.made(1, 1);
+  Call small;
+  small.svars.assign(5, 0.0);
+  small.moved(1.0);
+  small.made(1, 1);
+  small.svars[0] = 2.5;
+  small.made(1, 1);
+}
+)text");
+  ASSERT_EQ(run(ISOLAW_COMPILER " -std=c++17 -O1 -Wall -Wextra -Werror calls.cpp -o calls"), 0)
+      << read("printed").substr(0, 3000);
+  ASSERT_EQ(run("./calls"), 0) << read("printed");
+  EXPECT_EQ(
+      read("printed"),
+      "22.5 -22.5 2.25\n46.07\n47.32\n48.92\n-0.8 -1.2 1\n-0.8 0.4 1\n0 0.4 1\n0 0\n49.8 0\n"
+      "30 40 -30 -40\n1.8 2.4 -1.8\n0.25\n"
+      "stopped: isolaw bilinear, element 1: with more than one displacement to a node the properties are the factor and the direction\n"
+      "stopped: isolaw bilinear, element 1: the first property, a factor on the force, is above 0\n"
+      "stopped: isolaw bilinear, element 1: two nodes with one to three displacements each are allowed, not 3 with 4 in all\n"
+      "stopped: isolaw bilinear, element 1: the motion turned more often than it can remember: raise VARIABLES= of *USER ELEMENT\n"
+      "stopped: isolaw bilinear, element 1: its variables hold no state of this law: is VARIABLES= of *USER ELEMENT as this file says?\n");
+}
+
+// A free vibration leaves turning point in turning point.
+TEST_F(AbaqusElement, remembers_a_long_free_vibration_and_stops_where_there_is_no_room) {
+  for (std::string_view const id : {"ramberg-osgood", "kikuchi-aiken"}) {
+    auto const& law = laws::find_law(id);
+    write("one.cpp", abaqus_element(subject_of(id, inside_box(law, 0.5)), unit_systems[0]));
+    write("calls.cpp", std::string(calls_of_one) + fmt::format(R"text(
+int main() {{
+  Call c;
+  c.svars.assign({}::variables, 0.0);
+  for (int turns = 0; turns < 2000; ++turns) {{
+    auto const before = c.svars;
+    c.moved((turns % 2 == 0 ? 150.0 : -150.0) * std::pow(0.99, turns));
+    c.made(1, 1);
+    if (c.svars == before) {{
+      std::printf("%d\n", turns);
+      return 0;
+    }}
+  }}
+}}
+)text",
+                                                               identifier(subject_of(id, inside_box(law, 0.5)))));
+    ASSERT_EQ(run(ISOLAW_COMPILER " -std=c++17 -O1 -Wall -Wextra -Werror calls.cpp -o calls"), 0)
+        << read("printed").substr(0, 3000);
+    ASSERT_EQ(run("./calls"), 0) << read("printed");
+    std::istringstream said(read("printed"));
+    std::string line;
+    ASSERT_TRUE(std::getline(said, line));
+    EXPECT_NE(line.find("raise VARIABLES="), std::string::npos) << line;
+    int turns = 0;
+    ASSERT_TRUE(said >> turns);
+    EXPECT_GE(turns, 200) << id;
+  }
+}
+
+// And the checks that the files carry; that of the element goes through the element.
+TEST_F(AbaqusElement, checks_itself_as_the_material_does) {
+  for (std::string_view const id : {"bilinear", "hwang-wu", "kikuchi-aiken"}) {
+    auto const subject = subject_of(id, inside_box(laws::find_law(id), 0.35));
+    for (auto const& text : {abaqus_element(subject, unit_systems[2]), opensees_material(subject, unit_systems[2])}) {
+      write("one.cpp", text);
+      ASSERT_EQ(
+          run(ISOLAW_COMPILER " -std=c++17 -O1 -Wall -Wextra -Werror -DISOLAW_SELF_CHECK -x c++ one.cpp -o check"), 0)
+          << read("printed").substr(0, 3000);
+      EXPECT_EQ(run("./check"), 0) << id << read("printed");
+      EXPECT_NE(read("printed").find("PASS"), std::string::npos);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace isolaw::programs_test
