@@ -8,6 +8,7 @@
 
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
+#include "isolaw/programs/header_parts.hpp"
 
 namespace isolaw::programs {
 namespace {
@@ -255,6 +256,8 @@ std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, 
     made.push_back({"Fitted in its place", fmt::format("{}: {}", realisation.substitute,
                                                        parameter_text(laws::find_law(realisation.substitute),
                                                                       realisation.substitute_parameters))});
+  if (!realisation.substitute.empty() && !header_parts(law.id).empty())
+    made.push_back({"The law itself", "--to opensees-cpp writes it as a material of OpenSees, to compile"});
   for (auto& fact : replay_facts(subject, realisation, units)) made.push_back(std::move(fact));
   for (auto const& refused : realisation.refused) made.push_back({"Refused", refused});
   for (auto& fact : validity(subject, units)) made.push_back(std::move(fact));
