@@ -14,8 +14,8 @@ namespace {
 
 fs::path const stand_ins = ISOLAW_PROGRAMS_STAND_INS;
 
-// A slow motion that grows and falls off, a quick one on it that turns within a side as well, and tremor within the dead band:
-// what is remembered of it all counts.
+// A slow motion that grows and falls off, quicker ones on it that turn within a side too, and tremor within the dead
+// band: what is remembered of it all counts.
 History path_of(Subject const& subject) {
   constexpr int points = 420;
   constexpr double step_s = 0.02;
@@ -31,7 +31,7 @@ History path_of(Subject const& subject) {
     double const size = 1.2 * std::sin(0.5 * omega * t), growth = 0.6 * omega * std::cos(0.5 * omega * t);
     double x = 0.0, v = 0.0;
     for (auto const [amplitude_mm, frequency_Hz] :
-         {Part{90.0, 0.47}, Part{45.0, 2.1}, Part{8.0, 4.3}, Part{0.4, 11.0}}) {
+         {Part{90.0, 0.47}, Part{45.0, 2.1}, Part{10.0, 7.3}, Part{0.4, 11.0}}) {
       double const rate = 2.0 * std::numbers::pi * frequency_Hz, value = amplitude_mm * std::sin(rate * t);
       x += size * value;
       v += growth * value + size * rate * amplitude_mm * std::cos(rate * t);
@@ -127,8 +127,8 @@ TEST_F(OpenSeesMaterial, is_every_law_through_trials_copies_and_messages) {
   EXPECT_FALSE(std::getline(printed, rest)) << rest;
 }
 
-// Against the program's own headers; and in the program, where it lies beside the checkout: a mass on the bearing, shaken,
-// and the law's force along the motion that was reached.
+// Against the program's own headers; and in the program, where it lies beside the checkout: a mass on the bearing is
+// shaken, and the law's force along the motion that was reached is that of the element.
 TEST_F(OpenSeesMaterial, is_every_law_in_the_program_itself) {
   char const* const source = std::getenv("OPENSEES_SOURCE");
   if (source == nullptr)
@@ -361,6 +361,19 @@ int main() {
       "stopped: isolaw bilinear, element 1: two nodes with one to three displacements each are allowed, not 3 with 4 in all\n"
       "stopped: isolaw bilinear, element 1: the motion turned more often than it can remember: raise VARIABLES= of *USER ELEMENT\n"
       "stopped: isolaw bilinear, element 1: its variables hold no state of this law: is VARIABLES= of *USER ELEMENT as this file says?\n");
+}
+
+// Compiled by Abaqus, it goes by the names that its header gives.
+TEST_F(AbaqusElement, has_the_names_that_the_programs_header_gives) {
+  if (!has("nm")) GTEST_SKIP() << "no nm: the names cannot be read";
+  write("one.cpp", abaqus_element(subject_of("bilinear", bilinear_parameters), unit_systems[0]));
+  write("with/aba_for_c.h", "#define FOR_NAME(a, A) A\n");
+  ASSERT_EQ(run(ISOLAW_COMPILER " -std=c++17 -c one.cpp -o plain.o"), 0) << read("printed").substr(0, 3000);
+  ASSERT_EQ(run(ISOLAW_COMPILER " -std=c++17 -I with -c one.cpp -o named.o"), 0) << read("printed").substr(0, 3000);
+  EXPECT_EQ(run("nm plain.o | grep -q ' T uel_$' && nm plain.o | grep -q ' U xit_$'"), 0);
+  EXPECT_EQ(run("nm named.o | grep -q ' T UEL$' && nm named.o | grep -q ' U XIT$'"), 0);
+  // The head by which the program knows a function in C++.
+  EXPECT_EQ(run("grep -qE '^extern \"C\" void FOR_NAME\\(uel' one.cpp"), 0);
 }
 
 // In a static step the velocity is that of the increment: what backward differences give in time.
