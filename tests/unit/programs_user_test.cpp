@@ -1,5 +1,5 @@
-// The law itself in two programs' own interfaces: the material of OpenSees against a stand-in for its headers (and in the
-// program, where it is at hand), the element of Abaqus called by Fortran.
+// The law itself in two programs' own interfaces: the material of OpenSees against a stand-in for its headers (and in
+// the program, where it is at hand), the element of Abaqus called by Fortran.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
