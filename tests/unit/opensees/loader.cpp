@@ -1,5 +1,5 @@
-// A command for the Tcl program of OpenSees, which loads this file: a material of a library by the program's own search and
-// parser. The program's uniaxialMaterial comes to them too, behind what a build of its parts leaves out.
+// A command for the Tcl program of OpenSees, which loads this file: a material of a library by the program's own search
+// and parser. Its uniaxialMaterial comes to them as well, after what a build of parts of the program may lack.
 #include <cstring>
 #include <string>
 

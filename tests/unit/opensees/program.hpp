@@ -1,5 +1,5 @@
-// What an exported material asks of OpenSees, with the signatures that the program has and just enough behind them. Written
-// for the tests from what the program's interface is; no text of the program.
+// What an exported material asks of OpenSees, with the signatures that the program has and just enough behind them.
+// Written for the tests from what the program's interface is; no text of the program.
 #pragma once
 
 #include <cstdlib>
