@@ -11,8 +11,8 @@ namespace isolaw::programs {
 
 // What every export states, as comments.
 std::string cpp_facts(Subject const& subject, UnitSystem const& units, std::string_view program);
-// What it includes, then namespace identifier(subject), with Parameters and Material. Throws Error for a law that has no
-// such form.
+// What it includes, then namespace identifier(subject), with Parameters and Material. Throws Error for a law that has
+// no such form.
 std::string cpp_law(Subject const& subject, UnitSystem const& units);
 // With ISOLAW_SELF_CHECK: a program that drives `material`, a type of that namespace with trial(disp, velocity) and
 // commit(), along the protocol.
