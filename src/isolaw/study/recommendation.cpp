@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <ranges>
 #include <utility>
 
@@ -209,6 +210,39 @@ std::string why_none(Summary const& summary, Purpose purpose) {
              : "no law has an error to compare";
 }
 
+// Why a law may not be taken; empty where it may.
+std::string ruled_out(Summary const& summary, LawResult const& law, bool known, double error) {
+  if (!law.objective.mean) return "was not identified";
+  if (!inadequacy(law).empty()) return "does not describe the devices";
+  if (!law.prediction_holds()) return fmt::format("its prediction is {}", name(*law.prediction_grade));
+  if (!may_be_taken(summary, law)) return "was not identified on every device";
+  if (!known) return "nothing shows how it holds elsewhere";
+  return error > fair_prediction
+             ? fmt::format("an error of {} is {}", percent(error), name(graded(error, error, error)))
+             : std::string();
+}
+
+// Of every law, the chosen ones first, in their order.
+std::vector<Standing> standings_of(Summary const& summary, bool untested, std::vector<Candidate> const& chosen) {
+  std::vector<Standing> made, out;
+  for (auto const& c : chosen) made.push_back({c.index, made.empty() ? Place::taken : Place::tied, c.known.error, {}});
+  auto const first_behind = static_cast<std::ptrdiff_t>(made.size());
+  for (std::size_t i = 0; i < summary.laws.size(); ++i) {
+    if (std::ranges::find(chosen, i, &Candidate::index) != chosen.end()) continue;
+    auto const& law = summary.laws[i];
+    auto const known = untested ? known_for_untested(law) : known_of_tests(law);
+    auto const error = known ? std::optional(known->error) : std::nullopt;
+    auto reason = ruled_out(summary, law, known.has_value(), error.value_or(0.0));
+    auto& to = reason.empty() ? made : out;
+    to.push_back({i, reason.empty() ? Place::behind : Place::ruled_out, error, std::move(reason)});
+  }
+  auto const by_error = [](Standing const& s) { return s.error.value_or(std::numeric_limits<double>::infinity()); };
+  std::ranges::stable_sort(made.begin() + first_behind, made.end(), {}, by_error);
+  std::ranges::stable_sort(out, {}, by_error);
+  made.insert(made.end(), out.begin(), out.end());
+  return made;
+}
+
 // A law that follows the tests more closely and may not be taken is asked after.
 std::string closer_but_refused(Summary const& summary, Candidate const& taken, Purpose purpose) {
   if (purpose != Purpose::these_tests) return {};
@@ -238,7 +272,11 @@ Recommendation recommend(Summary const& summary, Purpose purpose) {
     if (!known || known->error > fair_prediction) continue;
     candidates.push_back({.index = i, .law = &law, .known = *known, .parameters = calibrated(law)});
   }
-  if (candidates.empty()) return none(summary, purpose, why_none(summary, purpose));
+  if (candidates.empty()) {
+    auto made = none(summary, purpose, why_none(summary, purpose));
+    made.standings = standings_of(summary, untested, {});
+    return made;
+  }
   std::ranges::stable_sort(candidates, {}, [](auto const& c) { return c.known.error; });
   auto const& best = candidates.front();
 
@@ -270,6 +308,7 @@ Recommendation recommend(Summary const& summary, Purpose purpose) {
   made.law = taken.index;
   made.error = taken.known.error;
   made.measure = measure_of(untested, *taken.law);
+  made.standings = standings_of(summary, untested, chosen);
   Names tied;
   for (auto const& c : chosen | std::views::drop(1)) {
     made.ties.push_back(c.index);
@@ -308,6 +347,11 @@ std::string_view title(Purpose purpose) {
   constexpr std::string_view titles[]{"For devices and amplitudes not tested", "For these tests",
                                       "Simplest that serves"};
   return titles[static_cast<std::size_t>(purpose)];
+}
+
+std::string_view name(Place place) {
+  constexpr std::string_view names[]{"taken", "ties", "behind", "ruled out"};
+  return names[static_cast<std::size_t>(place)];
 }
 
 std::string_view name(Sure sure) {

@@ -23,15 +23,26 @@ std::string_view title(Purpose purpose);  // "For a device that was not tested",
 enum class Sure { clear, tie, weak };
 std::string_view name(Sure sure);
 
+// Where a law stands for a purpose.
+enum class Place { taken, tied, behind, ruled_out };
+std::string_view name(Place place);  // "taken", "ties", "behind", "ruled out"
+struct Standing {
+  std::size_t law = 0;  // index into Summary::laws
+  Place place = Place::behind;
+  std::optional<double> error;  // as the purpose measures it
+  std::string reason;           // why it is ruled out, as the end of a sentence about it
+};
+
 struct Recommendation {
   Purpose purpose = Purpose::untested_device;
-  std::optional<std::size_t> law;  // index into Summary::laws; empty: none can be recommended
-  Sure sure = Sure::weak;          // what makes a choice weak outranks that it ties
-  std::optional<double> error;     // of that law, as the purpose measures it; 0 is perfect
-  std::string measure;             // what that error is of
-  std::vector<std::size_t> ties;   // the laws that cannot be told from it, best first, without it
-  std::string why;                 // one sentence or two
-  std::string would_decide;        // the test that would; "" where nothing is open
+  std::optional<std::size_t> law;   // index into Summary::laws; empty: none can be recommended
+  Sure sure = Sure::weak;           // what makes a choice weak outranks that it ties
+  std::optional<double> error;      // of that law, as the purpose measures it; 0 is perfect
+  std::string measure;              // what that error is of
+  std::vector<std::size_t> ties;    // the laws that cannot be told from it, best first, without it
+  std::vector<Standing> standings;  // of every law, best first, those ruled out last
+  std::string why;                  // one sentence or two
+  std::string would_decide;         // the test that would; "" where nothing is open
 };
 
 // Of every purpose, in their order; none for an inspection.
