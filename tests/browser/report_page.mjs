@@ -293,6 +293,7 @@ function check_records(name, seen, { laws = true, verified = true, assessed = tr
 // A law that does not describe the devices has a mark of its own, the same in the plot and in the list. Runs in the page.
 async function look_at_inadequate() {
   const report = JSON.parse(document.getElementById('isolaw-data').textContent);
+  document.querySelector('#figure-answer button[value=robustness]')?.click();
   document.getElementById('figure-front').scrollIntoView();
   await new Promise((done) => setTimeout(done, 200));
   const { data } = document.querySelector('#figure-front .plot');
@@ -342,6 +343,8 @@ async function look_at_analysis() {
   const converged = figure('converged').cloneNode(true);
   for (const badge of converged.querySelectorAll('.badge')) badge.remove();
   const said = converged.textContent.replace(/\s/g, '');
+  const badged = [...document.querySelectorAll('.verdicts li')].filter((item) => item.querySelector('.badge'));
+  document.querySelector('#figure-answer button[value=robustness]')?.click();
   await see('front');
   const views = [];
   for (const button of document.querySelectorAll('#figure-front .choice button')) {
@@ -399,7 +402,6 @@ async function look_at_analysis() {
     await see('lot-correlation');
   }
   const collapsing = report.laws.filter((one) => one.prediction_collapses).map((one) => one.id);
-  const badged = [...document.querySelectorAll('.verdicts li')].filter((item) => item.querySelector('.badge'));
   return {
     views,
     placed: [

@@ -136,7 +136,7 @@ TEST(Recommendation, IsNoneWhereAllCollapse) {
     EXPECT_FALSE(made.error);
     EXPECT_TRUE(contains(made.why, "rediction of a (unusable) and b (poor)")) << made.why;
   }
-  EXPECT_TRUE(contains(verdict_sentence(summary, recommendations(summary)), "No law can be recommended"));
+  EXPECT_TRUE(contains(verdict_sentence(recommendations(summary)), "No law can be recommended"));
 }
 
 TEST(Recommendation, OfOneDeviceFittedWholeIsForTheseTestsAlone) {
@@ -146,8 +146,8 @@ TEST(Recommendation, OfOneDeviceFittedWholeIsForTheseTestsAlone) {
   EXPECT_TRUE(contains(untested.why, "nothing says how a law holds elsewhere")) << untested.why;
   EXPECT_TRUE(contains(untested.would_decide, "kept from the fit")) << untested.would_decide;
   EXPECT_EQ(law_of(summary, of(summary, Purpose::these_tests)), "a");
-  EXPECT_EQ(verdict_sentence(summary, recommendations(summary)),
-            "For these tests take a: 3.0 % off; for other devices or amplitudes no law can be recommended.");
+  EXPECT_EQ(verdict_sentence(recommendations(summary)),
+            "For these tests take a: 3.0 % off fitted to each device; for other devices or amplitudes no law can be recommended.");
 }
 
 TEST(Recommendation, IsWeakWhereTheSearchDidNotConverge) {
@@ -195,7 +195,7 @@ TEST(Recommendation, OfTheSimplestMayLoseHalfOfTheBest) {
 
 TEST(Recommendation, OfAnInspectionIsNone) {
   EXPECT_TRUE(recommendations(Summary{}).empty());
-  EXPECT_EQ(verdict_sentence(Summary{}, {}), "");
+  EXPECT_EQ(verdict_sentence({}), "");
 }
 
 }  // namespace

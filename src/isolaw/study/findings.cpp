@@ -429,6 +429,32 @@ std::string_view name(Role role) {
   return names[static_cast<std::size_t>(role)];
 }
 
+std::string_view action(Warning const& warning) {
+  struct Row {
+    std::string_view topic, action;
+  };
+  static constexpr std::string_view records = "Look at the records", laws = "Do not lean on these laws",
+                                    search = "Search longer or in finer steps",
+                                    parameters = "Fix parameters, widen their boxes, or test more";
+  static constexpr Row rows[]{{"not complete", "Continue the campaign"},
+                              {"refused", records},
+                              {"copies", records},
+                              {"degradation", records},
+                              {"record", records},
+                              {"outlier", records},
+                              {"law not identified", laws},
+                              {"not adequate", laws},
+                              {"prediction", laws},
+                              {"failed runs", search},
+                              {"failed evaluations", search},
+                              {"search", search},
+                              {"integration", search},
+                              {"undetermined", parameters},
+                              {"at bound", parameters}};
+  auto const found = std::ranges::find(rows, warning.topic, &Row::topic);
+  return found == std::end(rows) ? "Take care" : found->action;
+}
+
 std::vector<Warning> warnings(Summary const& whole, Summary const& summary) {
   std::vector<Warning> all;
   warn_of_missing_runs(summary, all);
@@ -467,7 +493,7 @@ Findings findings(Summary const& summary) {
   }
   Findings all;
   all.recommendations = recommendations(summary);
-  all.verdict = verdict_sentence(summary, all.recommendations);
+  all.verdict = verdict_sentence(all.recommendations);
   all.headline = headline(summary, front, best);
   for (std::size_t place = 0; place < front.size(); ++place)
     all.verdicts.push_back(front_verdict(summary, front, place));

@@ -43,6 +43,8 @@ struct Warning {
   std::string topic;
   std::string sentence;
 };
+// What a reader does about a warning: "Look at the records", ...; those of one action stand together on the page.
+std::string_view action(Warning const& warning);
 
 struct Findings {
   std::string verdict;  // the answer in one sentence; "" for an inspection

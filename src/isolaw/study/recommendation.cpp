@@ -176,10 +176,16 @@ std::string test_that_decides(Summary const& summary, Purpose purpose, bool open
   return joined(tests, "; ");
 }
 
+std::string_view object_of(Purpose purpose) {
+  constexpr std::string_view names[]{"devices and amplitudes that were not tested", "these tests", "simplicity"};
+  return names[static_cast<std::size_t>(purpose)];
+}
+
 Recommendation none(Summary const& summary, Purpose purpose, std::string why) {
   Recommendation made;
   made.purpose = purpose;
   made.why = capitalised(std::move(why)) + ".";
+  made.answer = fmt::format("No law can be recommended for {}.", object_of(purpose));
   made.would_decide = test_that_decides(summary, purpose, true);
   return made;
 }
@@ -332,6 +338,10 @@ Recommendation recommend(Summary const& summary, Purpose purpose) {
   made.why += closer_but_refused(summary, taken, purpose);
   made.why += ".";
   if (!weak.empty()) made.why += fmt::format(" Weak: {}.", joined(weak, "; "));
+  auto laws = taken.law->id;
+  for (auto const& id : tied) laws += " or " + id;
+  made.answer = fmt::format("Take {}{}{}: {} off {}.", laws, tied.empty() ? "" : ", which tie",
+                            made.sure == Sure::weak ? ", with care" : "", percent(taken.known.error), made.measure);
   made.would_decide = test_that_decides(summary, purpose, made.sure != Sure::clear);
   return made;
 }
@@ -367,22 +377,14 @@ std::vector<Recommendation> recommendations(Summary const& summary) {
   return made;
 }
 
-std::string verdict_sentence(Summary const& summary, std::vector<Recommendation> const& made) {
+std::string verdict_sentence(std::vector<Recommendation> const& made) {
   if (made.empty()) return {};
-  auto const& design = made.front();
-  auto const laws = [&](Recommendation const& of) {
-    auto text = summary.laws[*of.law].id;
-    for (auto const tied : of.ties) text += " or " + summary.laws[tied].id;
-    return text + (of.ties.empty() ? "" : ", which tie");
-  };
-  if (design.law)
-    return fmt::format("Take {}{}: {} off {}.", laws(design), design.sure == Sure::weak ? ", with care" : "",
-                       percent(*design.error), design.measure);
-  auto const& tests = made[1];
-  if (tests.law)
-    return fmt::format("For these tests take {}: {} off; for other devices or amplitudes no law can be recommended.",
-                       laws(tests), percent(*tests.error));
-  return "No law can be recommended. " + tests.why;
+  auto const &design = made[0], &tests = made[1];
+  if (design.law) return design.answer;
+  if (!tests.law) return "No law can be recommended. " + tests.why;
+  auto answer = tests.answer;
+  answer.pop_back();  // its full stop
+  return "For these tests t" + answer.substr(1) + "; for other devices or amplitudes no law can be recommended.";
 }
 
 }  // namespace isolaw::study

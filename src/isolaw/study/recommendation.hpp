@@ -41,6 +41,7 @@ struct Recommendation {
   std::string measure;              // what that error is of
   std::vector<std::size_t> ties;    // the laws that cannot be told from it, best first, without it
   std::vector<Standing> standings;  // of every law, best first, those ruled out last
+  std::string answer;               // one sentence: take this law, or none
   std::string why;                  // one sentence or two
   std::string would_decide;         // the test that would; "" where nothing is open
 };
@@ -49,7 +50,7 @@ struct Recommendation {
 std::vector<Recommendation> recommendations(Summary const& summary);
 
 // The answer in one sentence: what the page and the terminal open with.
-std::string verdict_sentence(Summary const& summary, std::vector<Recommendation> const& made);
+std::string verdict_sentence(std::vector<Recommendation> const& made);
 
 // Two laws tie where their mean difference over the devices is within this many standard errors of it, or, of one
 // device, which has no scatter, within this share of the smaller error.

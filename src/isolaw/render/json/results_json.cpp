@@ -80,7 +80,12 @@ void write_recommendations(JsonWriter& out, study::Summary const& summary,
     out.member("sure", study::name(each.sure)).member("error", each.error).member("why", each.why);
     out.member("would_decide", each.would_decide).member("measure", each.measure).key("ties").begin_array();
     for (auto const law : each.ties) out.value(summary.laws[law].id);
-    out.end_array().end_object();
+    out.end_array().key("standings").begin_array();
+    for (auto const& standing : each.standings) {
+      out.begin_object().member("law", summary.laws[standing.law].id).member("place", study::name(standing.place));
+      out.member("error", standing.error).member("reason", standing.reason).end_object();
+    }
+    out.end_array().member("answer", each.answer).end_object();
   }
   out.end_array();
 }
@@ -88,7 +93,11 @@ void write_recommendations(JsonWriter& out, study::Summary const& summary,
 void write_warnings(JsonWriter& out, std::vector<study::Warning> const& warnings) {
   out.key("warnings").begin_array();
   for (auto const& warning : warnings)
-    out.begin_object().member("topic", warning.topic).member("sentence", warning.sentence).end_object();
+    out.begin_object()
+        .member("topic", warning.topic)
+        .member("sentence", warning.sentence)
+        .member("action", study::action(warning))
+        .end_object();
   out.end_array();
 }
 

@@ -1,7 +1,8 @@
 // What the reader has chosen, and what follows it.
 
 import { devices, drawable, examinedLaws, firstExamined, lotLaws, ranking, tested } from './report.js';
-import { VIEWS } from './views.js';
+import { FIRST } from './purposes.js';
+import { FIRST_VIEW } from './views.js';
 
 // A figure names the keys that change it.
 export const chosen = {
@@ -10,7 +11,8 @@ export const chosen = {
   block: 'all',
   laws: new Set(ranking.slice(0, 2).map((law) => law.index)),
   grouping: 'law',
-  view: VIEWS[0]?.id,
+  purpose: FIRST, // of the first screen
+  view: FIRST_VIEW,
   examined: examinedLaws[0]?.index ?? null, // a law
   parameter: firstExamined(examinedLaws[0]), // its place among the law's
   lotLaw: lotLaws[0]?.index ?? null,

@@ -10,7 +10,6 @@ import { determinationSection } from './determination/section.js';
 import { devicesSection } from './devices/section.js';
 import { element } from './dom.js';
 import { buildFigure, drawn, redraw, redrawDependents, render, reserve } from './figure.js';
-import { withBadges } from './laws.js';
 import { loopsSection } from './loops/section.js';
 import { oneLawSection } from './one_law/section.js';
 import { parametersSection } from './parameters/section.js';
@@ -65,8 +64,6 @@ function buildPage() {
     );
     if (section.id === 'decision' && report.missing_runs + report.missing_analyses > 0)
       node.append(element('p', { class: 'warnings' }, element('b', {}, incomplete())));
-    if (section.id === 'decision')
-      node.append(element('p', { class: 'headline' }, ...withBadges(report.findings.headline)));
     const grid = element('div', { class: 'figures' });
     if (section.controls) grid.append(element('div', { class: 'controls' }, ...section.controls()));
     grid.append(...figures.map((figure) => buildFigure(figure, observer)));

@@ -5,21 +5,22 @@ import { isInadequate, predictionNote } from '../laws.js';
 import { paddedRange } from '../plotting.js';
 import { laws, ranking, resultColumns } from '../report.js';
 import { enumerate, plain } from '../text.js';
-import { VIEWS, hasFront, isPlaced } from '../views.js';
+import { drawErrors, errorsCaption } from './errors.js';
+import { VIEWS, isPlaced } from '../views.js';
 
-const FRONT_HEIGHT = 390;
+const FRONT_HEIGHT = 360;
+const ofRobustness = () => chosen.purpose === 'robustness';
 
 export const frontFigure = {
   id: 'front',
   width: 'wide',
-  title: 'Accuracy against robustness',
-  wanted: () => hasFront,
-  depends: ['view'],
+  title: 'The laws compared',
+  depends: ['view', 'purpose'],
   controls: VIEWS.length > 1 ? viewControl : null,
-  caption: frontCaption,
+  caption: () => (ofRobustness() ? frontCaption() : errorsCaption()),
   csv: frontData,
   height: () => FRONT_HEIGHT,
-  draw: drawFront,
+  draw: (look, width) => (ofRobustness() ? drawFront(look, width) : drawErrors(look)),
 };
 
 function frontData() {
@@ -57,12 +58,14 @@ function viewControl() {
     button.addEventListener('click', () => choose({ view: view.id }));
     return button;
   });
+  const group = element('div', { class: 'choice', role: 'group', 'aria-label': 'View' }, ...buttons);
   const follow = () => {
     for (const button of buttons) button.setAttribute('aria-pressed', String(button.value === chosen.view));
+    group.hidden = !ofRobustness();
   };
   onChoice(follow);
   follow();
-  return [element('div', { class: 'choice', role: 'group', 'aria-label': 'View' }, ...buttons)];
+  return [group];
 }
 
 function frontCaption() {

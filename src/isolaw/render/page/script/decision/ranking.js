@@ -1,15 +1,18 @@
+import { chosen } from '../choice.js';
 import { element, onScreen } from '../dom.js';
 import { roleTone } from '../icons.js';
 import { lawName } from '../laws.js';
+import { purposeOf } from '../purposes.js';
 import { laws, lawsByObjective, report, resultColumns } from '../report.js';
 import { tableOf } from '../tables.js';
 import { DASH, fixed, isNumber, objectiveText, percentText } from '../text.js';
 
 export const rankingFigure = {
   id: 'ranking',
-  title: 'Ranking by mean objective',
+  title: 'Ranking',
+  depends: ['purpose'],
   caption: () =>
-    'OF: mean absolute error of the force divided by the standard deviation of the measured force, over devices and runs. ' +
+    ORDERS[chosen.purpose] + ' OF: mean absolute error of the force divided by the standard deviation of the measured force, over devices and runs. ' +
     'β: how far the parameters stray from their mean over the lot. Errors of stiffness and energy: mean magnitude over devices, best fit against the record.' +
     onScreen(
       laws.some((law) => isNumber(law.success_share))
@@ -21,6 +24,20 @@ export const rankingFigure = {
   csv: rankingData,
   build: rankingTable,
 };
+
+const ORDERS = {
+  'untested-device': 'In the order of the error on what was not fitted.',
+  'these-tests': 'In the order of the least objective.',
+  robustness: 'In the order of \u03b2.',
+};
+
+// As the reader chose; laws that were not identified come last.
+function ordered() {
+  const purpose = purposeOf(chosen.purpose);
+  if (purpose.order) return purpose.order;
+  const place = (law) => (isNumber(law.beta) ? law.beta : Infinity);
+  return [...lawsByObjective].sort((a, b) => place(a) - place(b)).concat(laws.filter((law) => law.objective.mean === null));
+}
 
 function rankingData() {
   const ofLaw = resultColumns('laws', ['id', 'objective', 'beta', 'on_front', 'success_share']);
@@ -49,5 +66,5 @@ function rankingTable() {
     { title: 'parameters', unit: 'calibrated', number: true, cell: (law) => String(law.parameters.filter((p) => p.free).length || DASH) },
     { title: 'Description', screen: true, cell: (law) => element('td', { class: 'note text screen' }, law.title) },
   ];
-  return tableOf(columns, [...lawsByObjective, ...laws.filter((law) => law.objective.mean === null)], 'Ranking of the laws');
+  return tableOf(columns, ordered(), 'Ranking of the laws');
 }

@@ -1,4 +1,4 @@
-import { objectiveBarsFigure } from './bars.js';
+import { answerFigure } from './answer.js';
 import { frontFigure } from './front.js';
 import { rankingFigure } from './ranking.js';
 import { convergedFigure, verdictsFigure } from './verdicts.js';
@@ -7,5 +7,5 @@ export const decisionSection = {
   id: 'decision',
   title: 'The decision',
   laws: true,
-  figures: [frontFigure, objectiveBarsFigure, convergedFigure, verdictsFigure, rankingFigure],
+  figures: [answerFigure, frontFigure, verdictsFigure, rankingFigure, convergedFigure],
 };

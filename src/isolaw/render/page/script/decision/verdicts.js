@@ -1,6 +1,8 @@
+import { chosen } from '../choice.js';
 import { element, shortList } from '../dom.js';
 import { marker, roleTone } from '../icons.js';
 import { lawName, withBadges } from '../laws.js';
+import { errorText, purposeOf, standingsOf } from '../purposes.js';
 import { laws, report } from '../report.js';
 import { sentence } from '../text.js';
 
@@ -19,10 +21,32 @@ export const convergedFigure = {
     ),
 };
 
-export const verdictsFigure = { id: 'verdicts', width: 'narrow', title: '', build: verdictList };
+export const verdictsFigure = { id: 'verdicts', width: 'narrow', title: '', depends: ['purpose'], build: verdictList };
 
+const ROLES = { taken: 'most accurate', ties: 'most accurate', behind: 'not ranked', 'ruled out': 'not adequate' };
+
+// Beside the badge of a prediction nothing more is said of it.
+const said = (place, reason) =>
+  reason ? (reason.startsWith('its prediction') ? '' : ', ' + sentence(reason)) : place === 'behind' ? '' : ', ' + place;
+
+// What the chosen purpose makes of the laws, best first.
 function verdictList() {
-  const items = report.findings.verdicts.map((verdict) => {
+  const purpose = purposeOf(chosen.purpose);
+  const items = purpose.recommendation
+    ? standingsOf(purpose).map(({ law, place, error, reason }) =>
+        element(
+          'li',
+          { class: place === 'taken' || place === 'ties' ? null : 'brief' },
+          marker(ROLES[place]),
+          element('div', {}, lawName(law), ' ' + errorText(error) + said(place, reason)),
+        ),
+      )
+    : rankedList();
+  return element('div', {}, element('ul', { class: 'verdicts' }, ...items), cares());
+}
+
+function rankedList() {
+  return report.findings.verdicts.map((verdict) => {
     const law = laws[verdict.law];
     const tone = roleTone(verdict.role);
     const inOneLine = tone === 'poor' || tone === 'muted';
@@ -34,15 +58,27 @@ function verdictList() {
       element('div', {}, lawName(law), role, inOneLine ? null : element('br'), sentence(verdict.sentence)),
     );
   });
-  const care =
-    report.findings.warnings.length === 0
-      ? element(
-          'p',
-          { class: 'calm' },
-          'Nothing stands out: no device was refused, no run failed, no parameter lies at its bound.',
-        )
-      : takeCare();
-  return element('div', {}, element('ul', { class: 'verdicts' }, ...items), care);
+}
+
+// Warnings by what a reader does about them, each behind its number.
+function cares() {
+  const { warnings } = report.findings;
+  if (warnings.length === 0)
+    return element('p', { class: 'calm' }, 'Nothing stands out: no device was refused, no run failed, no parameter lies at its bound.');
+  const actions = [...new Set(warnings.map(({ action }) => action))];
+  return element(
+    'div',
+    { class: 'warnings' },
+    ...actions.map((action) => {
+      const some = warnings.filter((warning) => warning.action === action);
+      return element(
+        'details',
+        {},
+        element('summary', {}, action + ' (' + some.length + ')'),
+        element('ul', {}, ...some.map((warning) => element('li', {}, warning.sentence))),
+      );
+    }),
+  );
 }
 
 export function takeCare() {

@@ -1,0 +1,55 @@
+import { choose, chosen, onChoice } from '../choice.js';
+import { element } from '../dom.js';
+import { withBadges } from '../laws.js';
+import { PURPOSES, numbersOf, purposeOf } from '../purposes.js';
+import { sentence } from '../text.js';
+
+const TONES = { clear: 'good', tie: 'care', weak: 'care' };
+
+// The verdict first: one sentence, how sure, three numbers, why, and the test that would tell more.
+export const answerFigure = { id: 'answer', title: '', depends: ['purpose'], controls: purposeControl, build: answer };
+
+function answer() {
+  const purpose = purposeOf(chosen.purpose);
+  const { recommendation } = purpose;
+  const numbers = numbersOf(purpose).map(([value, what]) =>
+    element('div', {}, element('b', {}, value), element('span', {}, what)),
+  );
+  const sure = recommendation?.law
+    ? element('span', { class: 'sure ' + TONES[recommendation.sure] }, recommendation.sure)
+    : null;
+  const open = recommendation?.would_decide;
+  return element(
+    'div',
+    { class: 'answer' },
+    element('p', { class: 'headline' }, ...withBadges(purpose.answer), ...(sure ? [' ', sure] : [])),
+    element('div', { class: 'numbers' }, ...numbers),
+    recommendation ? element('p', { class: 'why' }, reasons(recommendation)) : null,
+    open ? element('p', { class: 'why' }, 'Would tell more: ' + open + '.') : null,
+  );
+}
+
+// What the sentence above does not say yet: the numbers stand beside it.
+function reasons({ law, why }) {
+  if (!law) return why;
+  const weak = why.indexOf(' Weak: ');
+  const nearer = /; ([^;.]*? is nearer [^;]*?)\.( |$)/.exec(why);
+  return [nearer ? sentence(nearer[1]) : '', weak < 0 ? '' : why.slice(weak + 1)].filter(Boolean).join(' ');
+}
+
+function purposeControl() {
+  const buttons = PURPOSES.map(({ id, title }) => {
+    const button = element('button', { type: 'button', value: id }, title);
+    button.addEventListener('click', () => choose({ purpose: id }));
+    return button;
+  });
+  const follow = () => {
+    for (const button of buttons) button.setAttribute('aria-pressed', String(button.value === chosen.purpose));
+  };
+  onChoice(follow);
+  follow();
+  return [
+    element('span', { id: 'purpose-label' }, 'A law for'),
+    element('div', { class: 'choice', role: 'group', 'aria-labelledby': 'purpose-label' }, ...buttons),
+  ];
+}
