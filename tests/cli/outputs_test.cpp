@@ -3,6 +3,7 @@
 #include <map>
 #include <sstream>
 
+#include "cli/models.hpp"
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 #include "isolaw/laws/catalogue.hpp"
@@ -61,7 +62,8 @@ TEST_F(Outputs, EveryWriterOnAllLawsWithDefaultOptions) {
     for (auto const* device : {"a", "lot"})
       for (auto const& target : programs::targets()) {
         std::string const to(target.name);
-        sound({"export", "O", "--law", id, "--device", device, "--to", to, "--out", id + device + to});
+        sound(Words{"export", "O", "--law", id, "--device", device, "--to", to, "--out", id + device + to} +
+              needed_by(target, path(".")));
       }
   }
   sound(Words{"inspect", "a.csv", "b.csv", "c.csv", "--out", "I"} + tests);

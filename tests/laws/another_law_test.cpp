@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/models.hpp"
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 #include "isolaw/fit/objective.hpp"
@@ -95,7 +96,9 @@ TEST_F(AnotherLawInTheProgram, IsHeldToItsJointLimit) {
 TEST_F(AnotherLawInTheProgram, IsExported) {
   ASSERT_EQ(calibrated().code, 0);
   auto const to = [&](std::string_view target) {
-    return isolaw({"export", "C", "--law", another_law, "--device", "a", "--to", std::string(target)});
+    Words words{"export", "C", "--law", another_law, "--device", "a", "--to", std::string(target)};
+    for (auto const& word : cli_test::needed_by(programs::find_target(target), path("."))) words.push_back(word);
+    return isolaw(words);
   };
   constexpr std::array<std::string_view, 3> law_itself{"cpp", "opensees-cpp", "abaqus"};
   for (auto const& target : programs::targets()) {

@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 
 #include "isolaw/base/words.hpp"
-#include "unit/programs_folder.hpp"
+#include "unit/programs_in_opensees.hpp"
 
 namespace isolaw::programs_test {
 namespace {
-
-fs::path const opensees = fs::path(ISOLAW_DATA_DIR).parent_path() / "opensees";
 
 struct Exported {
   std::string name, law;
@@ -21,24 +19,6 @@ std::vector<Exported> const exported{{"corner", "bilinear", bilinear_parameters,
                                      {"curves", "vaiana", vaiana_parameters()},
                                      {"hardening curves", "vaiana", vaiana_parameters(800.0, 12.0)},
                                      {"softening curves", "vaiana", vaiana_parameters(-800.0, 12.0)}};
-
-class OpenSees : public Folder {
- protected:
-  void SetUp() override {
-    Folder::SetUp();
-    if (!fs::exists(opensees / "OpenSees")) GTEST_SKIP() << "OpenSees is not here: " << opensees;
-    write("starts.tcl", "puts ready\n");
-    if (run(fmt::format("'{}' starts.tcl", (opensees / "OpenSees").string())) != 0 ||
-        read("printed").find("ready") == std::string::npos)
-      GTEST_SKIP() << "OpenSees does not start (needs Debian's tcl, liblapack3, libgfortran5): " << read("printed");
-    fs::create_directories(folder_ / "openseespy");
-    write("openseespy/__init__.py", "");
-    fs::create_symlink(opensees / "opensees.so", folder_ / "openseespy/opensees.so");
-  }
-  int run_tcl(std::string const& arguments) const {
-    return run(fmt::format("'{}' {}", (opensees / "OpenSees").string(), arguments));
-  }
-};
 
 TEST_F(OpenSees, scripts_check_themselves) {
   for (auto const& c : exported)

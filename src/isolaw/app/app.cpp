@@ -185,6 +185,8 @@ int dispatch(CLI::App& app, int argc, char** argv) {
       "--units", export_arguments.units,
       fmt::format("{} ({})", joined(programs::unit_systems | std::views::transform(&programs::UnitSystem::id)),
                   programs::unit_systems[0].id));
+  for (auto const& option : programs::model_table()) add_option(export_command, option, export_arguments.model);
+  add_option(export_command, seed, export_arguments.seed);
   export_command.add_option("--out", export_arguments.out, "file to write (standard output)");
   export_command.add_flag("--anyway", export_arguments.anyway,
                           "though the law's prediction is unusable, or what stands in for it is far off");

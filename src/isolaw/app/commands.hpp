@@ -71,6 +71,7 @@ struct ExportArguments {
   Values acceptance;  // of the bounds; what is given overrides what the store says
   std::optional<std::string> units;
   std::optional<std::filesystem::path> out;  // empty: standard output
+  Values model, seed;                        // of programs::model_table(); of the draws, of campaign::setting_table()
   bool anyway = false;                       // whatever speaks against it
 };
 // A law of a campaign for an analysis program.

@@ -1,31 +1,56 @@
+#include <fmt/format.h>
+
 #include <cstdio>
 
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/lot_of.hpp"
 #include "isolaw/app/output.hpp"
 #include "isolaw/app/say.hpp"
+#include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
+#include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/programs/exports.hpp"
+#include "isolaw/programs/model_text.hpp"
 #include "isolaw/study/build_summary.hpp"
 
 namespace isolaw::app {
 
 int export_law(ExportArguments const& a) {
   auto const& target = programs::find_target(a.to);
+  if (!target.of_model && (!a.model.empty() || !a.seed.empty()))
+    throw Error({.where = "--" + std::string(a.model.empty() ? a.seed.begin()->first : a.model.begin()->first),
+                 .found = fmt::format("is given with --to {}", a.to),
+                 .allowed = "a target that writes a whole model: " + joined(programs::model_targets())});
   auto const& units = a.units ? programs::find_unit_system(*a.units) : programs::unit_systems[0];
   auto contents = campaign::Store::read(a.directory / "campaign.sqlite");
   apply(a.acceptance, contents.acceptance);
-  auto const subject = programs::make_subject(contents, study::build_summary(contents), a.law, a.device, units);
+  auto const summary = study::build_summary(contents);
+  auto subject = programs::make_subject(contents, summary, a.law, a.device, units);
+  if (target.of_model) {
+    programs::ModelOptions options;
+    lay_over(programs::model_table(), a.model, options);
+    if (!a.seed.empty() && options.draws == 0)
+      throw Error({.where = "--seed", .found = "is given without draws", .allowed = "with --draws N, which it seeds"});
+    auto settings = contents.settings;
+    campaign::apply(a.seed, settings);
+    subject.model = programs::make_model(options, contents, summary, a.law, a.device, settings.seed);
+  }
   auto const made = programs::write_export(subject, target, units, a.anyway);
   for (auto const& warning : subject.doubts.warnings) say("warning: {}\n", printable(warning));
   for (auto const& sentence : subject.beyond) say("warning: {}\n", printable(sentence));
+  if (subject.model)
+    for (auto const& caution : programs::model_cautions(subject, units)) say("warning: {}\n", printable(caution));
   for (auto const& objection : made.let_through) say("{}\n", printable(study::let_through(objection)));
+  std::vector<std::filesystem::path> inputs;
+  for (auto const* key : {"layout", "ground-motion", "ground-motion-y"})
+    if (auto const given = a.model.find(key); given != a.model.end()) inputs.emplace_back(text_of(given->second));
   if (!a.out) {
     std::fwrite(made.text.data(), 1, made.text.size(), stdout);
     return exit_done;
   }
-  write_output(*a.out, made.text, {});
+  write_output(*a.out, made.text, inputs);
   say("{}\n", shown(*a.out));
   return exit_done;
 }

@@ -6,6 +6,7 @@
 
 #include "isolaw/base/words.hpp"
 #include "isolaw/programs/exports.hpp"
+#include "isolaw/programs/script_addition.hpp"
 #include "isolaw/programs/self_check.hpp"
 #include "isolaw/programs/text.hpp"
 
@@ -144,26 +145,28 @@ std::string check_procedure(SelfCheck const& check) {
 
 }  // namespace
 
-std::string opensees_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units) {
+std::string opensees_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
+                            ScriptAddition const& addition) {
   auto const check = self_check(subject, realisation, units);
   auto const space = identifier(subject);
   std::string text;
   for (auto const& line : fact_lines(facts(subject, realisation, units, "OpenSees (Tcl)"))) text += "# " + line + "\n";
+  for (auto const& line : fact_lines(addition.facts)) text += "# " + line + "\n";
   text += fmt::format(
       "#\n# To use:   source this file; {0}::{1} 1        (or: 1 lower, 1 upper)\n"
       "# To check: OpenSees this-file check              (exit code 0 where all agree, 1 where not)\n"
-      "#           or, in a program that holds no model: source this file; {0}::self_check\n\n"
-      "namespace eval {0} {{\n",
-      space, check.forms.front().function);
+      "#           or, in a program that holds no model: source this file; {0}::self_check\n"
+      "{2}\nnamespace eval {0} {{\n",
+      space, check.forms.front().function, addition.usage);
   for (auto const& form : check.forms) text += procedure(form);
-  text += check_procedure(check) + "}\n\n";
+  text += check_procedure(check) + addition.procedures + "}\n\n";
   // The program itself ends with 0 after an error in a script.
   text += fmt::format(
       "if {{[info exists argv0] && [info script] eq $argv0 && [info exists argv] && [lindex $argv 0] eq \"check\"}} {{\n"
       "  if {{[catch {{ {}::self_check }} all]}} {{\n    puts stderr $::errorInfo\n    exit 1\n  }}\n"
       "  exit [expr {{$all ? 0 : 1}}]\n}}\n",
       space);
-  return text;
+  return text + addition.dispatch;
 }
 
 }  // namespace isolaw::programs

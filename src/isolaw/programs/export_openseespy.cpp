@@ -5,6 +5,7 @@
 
 #include "isolaw/base/words.hpp"
 #include "isolaw/programs/exports.hpp"
+#include "isolaw/programs/script_addition.hpp"
 #include "isolaw/programs/self_check.hpp"
 #include "isolaw/programs/text.hpp"
 
@@ -43,15 +44,17 @@ std::string function(CheckedForm const& form) {
 
 }  // namespace
 
-std::string openseespy_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units) {
+std::string openseespy_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
+                              ScriptAddition const& addition) {
   auto const check = self_check(subject, realisation, units);
   std::string text;
   for (auto const& line : fact_lines(facts(subject, realisation, units, "OpenSeesPy"))) text += "# " + line + "\n";
+  for (auto const& line : fact_lines(addition.facts)) text += "# " + line + "\n";
   text += fmt::format(
       "#\n# To use:   import this module; {0}(1) or {0}(1, \"upper\")\n"
-      "# To check: python3 this-file (exit code 0 where all agree)\n\n"
+      "# To check: python3 this-file (exit code 0 where all agree)\n{1}\n"
       "try:\n    import openseespy.opensees as ops\nexcept ImportError:  # a build of one's own\n    import opensees as ops\n\n\n",
-      check.forms.front().function);
+      check.forms.front().function, addition.usage);
   for (auto const& form : check.forms) text += function(form);
   text += fmt::format(
       "# Displacements of the self-check, and the force of the law itself along them.\nDISP = [\n{}\n]\nLAW = [\n{}\n]\n",
@@ -125,12 +128,12 @@ def self_check():
     return everything
 
 
-if __name__ == "__main__":
-    import sys
-
-    sys.exit(0 if self_check() else 1)
 )python";
-  return text;
+  text += addition.procedures;
+  text += "if __name__ == \"__main__\":\n";
+  // A model has imported what it needs.
+  return text + (addition.dispatch.empty() ? "    import sys\n\n    sys.exit(0 if self_check() else 1)\n"
+                                           : "    " + addition.dispatch);
 }
 
 }  // namespace isolaw::programs

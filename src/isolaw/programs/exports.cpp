@@ -10,6 +10,7 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/words.hpp"
+#include "isolaw/programs/model_text.hpp"
 #include "isolaw/programs/text.hpp"
 
 namespace isolaw::programs {
@@ -34,11 +35,30 @@ Realisation realised(Subject const& subject, Objections& objections) {
   return made;
 }
 
+// With the form of every isolator of every draw.
+Realisation realised_model(Subject const& subject, Objections& objections) {
+  auto made = realised(subject, objections);
+  auto const worst = add_draws(made, subject);
+  if (far_off(worst) && !far_off(made.forms.front().from_law))
+    objections.push_back(fmt::format("of the draws, the worst is far off its own law: {}", deviation_text(worst)));
+  return made;
+}
+
 constexpr std::array all{
     Target{"opensees", [](Subject const& s, UnitSystem const& units,
                           Objections& objections) { return opensees_script(s, realised(s, objections), units); }},
     Target{"openseespy", [](Subject const& s, UnitSystem const& units,
                             Objections& objections) { return openseespy_script(s, realised(s, objections), units); }},
+    Target{"opensees-model",
+           [](Subject const& s, UnitSystem const& units, Objections& objections) {
+             return opensees_model(s, realised_model(s, objections), units);
+           },
+           true},
+    Target{"openseespy-model",
+           [](Subject const& s, UnitSystem const& units, Objections& objections) {
+             return openseespy_model(s, realised_model(s, objections), units);
+           },
+           true},
     Target{"cpp", [](Subject const& s, UnitSystem const& units, Objections&) { return cpp_header(s, units); }},
     Target{"opensees-cpp",
            [](Subject const& s, UnitSystem const& units, Objections&) { return opensees_material(s, units); }},
@@ -55,6 +75,13 @@ std::span<Target const> targets() {
   return all;
 }
 
+std::vector<std::string_view> model_targets() {
+  std::vector<std::string_view> made;
+  for (auto const& target : all)
+    if (target.of_model) made.push_back(target.name);
+  return made;
+}
+
 Target const& find_target(std::string_view name) {
   for (auto const& target : all)
     if (target.name == name) return target;
@@ -67,6 +94,10 @@ Export write_export(Subject const& subject, Target const& target, UnitSystem con
   auto const where =
       study::whose(subject.law->info.id, subject.lot ? std::nullopt : std::optional<std::string_view>(subject.device));
   study::require_taken(subject.doubts, where, anyway);
+  if (target.of_model && !subject.model)
+    throw Error({.where = fmt::format("--to {}", target.name),
+                 .found = "a law without a model",
+                 .allowed = "a layout of isolators, their mass and the motion of the ground"});
   Objections to_form;
   made.text = target.write(subject, units, to_form);
   if (!to_form.empty() && !anyway)

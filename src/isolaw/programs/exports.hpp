@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "isolaw/programs/realise.hpp"
+#include "isolaw/programs/script_addition.hpp"
 #include "isolaw/programs/subject.hpp"
 #include "isolaw/programs/unit_system.hpp"
 
@@ -18,8 +19,10 @@ using Objections = std::vector<std::string>;
 struct Target {
   std::string_view name;
   std::string (*write)(Subject const& subject, UnitSystem const& units, Objections& objections);
+  bool of_model = false;  // of a whole building: the subject needs its Model
 };
 std::span<Target const> targets();
+std::vector<std::string_view> model_targets();     // names of those that write a whole building
 Target const& find_target(std::string_view name);  // throws Error that lists them
 
 struct Export {
@@ -30,8 +33,13 @@ struct Export {
 // is not asked for `anyway`.
 Export write_export(Subject const& subject, Target const& target, UnitSystem const& units, bool anyway);
 
-std::string opensees_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
-std::string openseespy_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
+std::string opensees_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
+                            ScriptAddition const& addition = {});
+std::string openseespy_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
+                              ScriptAddition const& addition = {});
+// The same with the subject's model; its draws are already among the realisation's forms.
+std::string opensees_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
+std::string openseespy_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string cpp_header(Subject const& subject, UnitSystem const& units);
 std::string opensees_material(Subject const& subject, UnitSystem const& units);
 std::string abaqus_element(Subject const& subject, UnitSystem const& units);

@@ -98,6 +98,7 @@ Realised replayed(Form const& form, Subject const& subject) {
   Realised made{.nominal = form,
                 .lower = {},
                 .upper = {},
+                .draws = {},
                 .from_law = {},
                 .finer = {},
                 .from_measured = {},

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "isolaw/fit/box.hpp"
@@ -38,10 +39,11 @@ void keep_worst(Deviation& worst, Deviation const& other);
 struct Realised {
   Form nominal;
   std::optional<Form> lower, upper;
-  Deviation from_law;                      // the worst over the histories, at the sampling of the records
-  std::optional<Deviation> finer;          // with steps finer_steps times smaller, where that matters
-  std::optional<Deviation> from_measured;  // of a device's record
-  std::vector<OtherCycle> other_cycles;    // of a re-fit
+  std::vector<std::pair<std::string, Form>> draws = {};  // by name, of a model's isolators (model_text.hpp)
+  Deviation from_law;                                    // the worst over the histories, at the sampling of the records
+  std::optional<Deviation> finer;                        // with steps finer_steps times smaller, where that matters
+  std::optional<Deviation> from_measured;                // of a device's record
+  std::vector<OtherCycle> other_cycles;                  // of a re-fit
   std::optional<StepsNeeded> steps;  // of a form that is exact as the step goes to zero; empty: none of those tried
   double longest_travel_mm = 0.0, longest_step_mm = 0.0;  // of the records: in one direction, and between samples
 };
@@ -53,7 +55,8 @@ struct Realisation {
   std::vector<Realised> forms;  // the first is the one to use
   std::string substitute;       // the law that was fitted in its place
   std::vector<double> substitute_parameters;
-  std::vector<std::string> refused;  // forms whose replay failed, and how
+  std::vector<std::string> refused;         // forms whose replay failed, and how
+  std::optional<Deviation> draws_from_law;  // the worst of a model's draws against its own law, on the first history
 };
 
 // Largest deviation from the law, in percent of the peak force, of a form that is called exact; and of one that is

@@ -38,6 +38,7 @@ SelfCheck self_check(Subject const& subject, Realisation const& realisation, Uni
     add("nominal", realised.nominal);
     if (realised.lower) add("lower", *realised.lower);
     if (realised.upper) add("upper", *realised.upper);
+    for (auto const& [name, drawn] : realised.draws) add(name, drawn);
     made.forms.push_back(std::move(form));
   }
   return made;

@@ -10,6 +10,7 @@
 
 #include "isolaw/campaign/contents.hpp"
 #include "isolaw/laws/catalogue.hpp"
+#include "isolaw/programs/model.hpp"
 #include "isolaw/programs/unit_system.hpp"
 #include "isolaw/study/doubts.hpp"
 #include "isolaw/study/ranges.hpp"
@@ -81,6 +82,7 @@ struct Subject {
   double design_disp_mm = 0.0;                             // amplitude of the reported cycle
   std::vector<std::string> beyond;  // what the law does beyond the tests (away.hpp), in the units asked for
   std::vector<std::string> notes;
+  std::optional<Model> model;  // of the targets that write a whole building
 };
 
 // Two cycles from rest, of sines, the second from half the points on; the force is left empty.

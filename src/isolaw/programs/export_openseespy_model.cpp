@@ -1,0 +1,252 @@
+// OpenSeesPy: the module of the law with a building on it, as the Tcl export has it.
+#include <fmt/format.h>
+
+#include "isolaw/base/words.hpp"
+#include "isolaw/programs/exports.hpp"
+#include "isolaw/programs/model_text.hpp"
+#include "isolaw/programs/script_addition.hpp"
+
+namespace isolaw::programs {
+namespace {
+
+std::string python_data(ModelNumbers const& n, UnitSystem const& units) {
+  std::string bearings, cases;
+  for (auto const& b : n.bearings)
+    bearings += fmt::format("    (\"{}\", {}, {}, {}, {}, {}, {}),\n", b.name, exactly(b.x), exactly(b.y),
+                            exactly(b.angle_rad), exactly(b.load), exactly(b.K_v), exactly(b.mass));
+  for (auto const& each : n.cases) cases += (cases.empty() ? "\"" : ", \"") + each + "\"";
+  std::string text = fmt::format(
+      "# The model. Of each isolator: name, x, y, angle [rad], load, vertical stiffness, mass above it.\n"
+      "BEARINGS = [\n{}]\n"
+      "# What is carried, its centre, and the mass's moment of inertia about it.\n"
+      "WEIGHT, MASS, INERTIA, CENTRE = {}, {}, {}, ({}, {})\n"
+      "HELD = {}\n"
+      "# Newton's rule ends where a displacement changes by less; the isolators were tested up to.\n"
+      "TOLERANCE, TESTED = {}, {}\n"
+      "CASES = [{}]\n"
+      "# The ground: seconds between its samples, steps of the analysis to each, accelerations [{}/s2].\n"
+      "SAMPLE_S, PIECES = {}, {}\n",
+      bearings, exactly(n.weight), exactly(n.mass), exactly(n.inertia), exactly(n.x), exactly(n.y), n.held ? 1 : 0,
+      exactly(n.tolerance), exactly(n.tested), cases, units.length.symbol, exactly(n.motion_step_s), n.pieces);
+  text += "ACCELERATIONS = [\n";
+  for (auto const& motion : n.motions)
+    text += fmt::format("    [\n{}\n    ],\n", number_lines(motion, ", ", "        "));
+  text += fmt::format("]\nSLAB_HEADER = \"{}\"\nPEAKS_HEADER = \"{}\"\nFORCE, LENGTH = \"{}\", \"{}\"\n\n\n",
+                      slab_header(units), peaks_header(units), units.force.symbol, units.length.symbol);
+  return text;
+}
+
+std::string python_isolator(ModelNumbers const& n) {
+  return n.coupled
+             ? "        bearing(i, i, top, variant(case, i), \"-P\", axial, \"-T\", 1, \"-My\", 1, \"-Mz\", 1, \"-orient\", 0.0, 0.0, 1.0, c, s, 0.0)\n"
+             : fmt::format(
+                   "        {}(tag, variant(case, i))\n"
+                   "        ops.element(\"zeroLength\", i, i, top, \"-mat\", tag, tag, axial, \"-dir\", 1, 2, 3, \"-orient\", c, s, 0.0, -s, c, 0.0)\n",
+                   n.function);
+}
+
+constexpr std::string_view python_build_head = R"python(def variant(case, i):
+    """Of the law: which of its variants isolator number i has in a case."""
+    return f"{case}_{i}" if case.startswith("draw_") else case
+
+
+def build(case):
+    """Nodes 1 to n on the ground, n + 1 to 2 n above the isolators, 2 n + 1 at the centre of the mass; elements 1 to n."""
+    ops.wipe()
+    ops.model("basic", "-ndm", 3, "-ndf", 6)
+    n = len(BEARINGS)
+    slab = 2 * n + 1
+    ops.node(slab, *CENTRE, 0.0)
+    ops.fix(slab, 0, 0, 1, 1, 1, HELD)
+    ops.mass(slab, MASS, MASS, 0.0, 0.0, 0.0, INERTIA)
+    ops.uniaxialMaterial("Elastic", 1, 0.0)
+    for i, (_, x, y, angle, _, stiffness, own) in enumerate(BEARINGS, 1):
+        top = n + i
+        ops.node(i, x, y, 0.0)
+        ops.node(top, x, y, 0.0)
+        ops.fix(i, 1, 1, 1, 1, 1, 1)
+        ops.fix(top, 0, 0, 0, 1, 1, HELD)
+        ops.mass(top, 0.0, 0.0, own, 0.0, 0.0, 0.0)
+        tag, axial = 10 * i, 10 * i + 9
+        ops.uniaxialMaterial("Elastic", axial, stiffness)
+        c, s = math.cos(angle), math.sin(angle)
+)python";
+
+constexpr std::string_view python_rest = R"python(    # The program takes no rigid diaphragm whose turning is held.
+    if HELD:
+        ops.equalDOF(slab, n + 1, 1, 2)
+    else:
+        ops.rigidDiaphragm(3, slab, *range(n + 1, 2 * n + 1))
+
+
+def equations():
+    ops.constraints("Transformation")
+    ops.numberer("RCM")
+    ops.system("BandGeneral")
+    ops.test("NormDispIncr", TOLERANCE, 50)
+    ops.algorithm("Newton")
+
+
+def vertical(i):
+    return -ops.eleForce(i)[8]
+
+
+def gravity():
+    """The loads, which stay."""
+    n = len(BEARINGS)
+    ops.timeSeries("Linear", 1)
+    ops.pattern("Plain", 1, 1)
+    for i, bearing_ in enumerate(BEARINGS, 1):
+        ops.load(n + i, 0.0, 0.0, -bearing_[4], 0.0, 0.0, 0.0)
+    equations()
+    ops.integrator("LoadControl", 0.1)
+    ops.analysis("Static")
+    if ops.analyze(10) != 0:
+        raise RuntimeError("no equilibrium under the vertical loads")
+    carried = sum(vertical(i) for i in range(1, n + 1))
+    if abs(carried - WEIGHT) > 1e-6 * WEIGHT:
+        raise RuntimeError(f"the isolators carry {carried} of {WEIGHT}")
+    ops.loadConst("-time", 0.0)
+    ops.wipeAnalysis()
+
+
+def step(dt):
+    """One step; where Newton's rule does not end, in ten parts, each with another rule where it must be. 0: done."""
+    if ops.analyze(1, dt) == 0:
+        return 0
+    for _ in range(10):
+        if ops.analyze(1, dt / 10.0) == 0:
+            continue
+        ops.algorithm("KrylovNewton")
+        failed = ops.analyze(1, dt / 10.0)
+        ops.algorithm("Newton")
+        if failed != 0:
+            return failed
+    return 0
+
+
+def opened(*names):
+    return open(os.path.join(*names), "w", encoding="utf-8")
+
+
+def shake(case, folder):
+    """Shakes the model of one case; writes what it did to folder/case. Returns largest displacement, its isolator, that
+    of the slab's centre, largest shear along x and y and of both, turning, what is left, lines of the isolators' peaks."""
+    build(case)
+    gravity()
+    for tag, values in enumerate(ACCELERATIONS, 2):
+        ops.timeSeries("Path", tag, "-dt", SAMPLE_S, "-values", *(float(a) for a in values))
+        ops.pattern("UniformExcitation", tag, tag - 1, "-accel", tag)
+    equations()
+    ops.integrator("Newmark", 0.5, 0.25)
+    ops.analysis("Transient")
+    os.makedirs(os.path.join(folder, case), exist_ok=True)
+    n = len(BEARINGS)
+    slab = 2 * n + 1
+    names = [each[0] for each in BEARINGS]
+    far, strong, left = [0.0] * n, [0.0] * n, [0.0] * n
+    load = [vertical(i) for i in range(1, n + 1)]
+    most_slab = most_x = most_y = most = most_turn = 0.0
+    dt = SAMPLE_S / PIECES
+    with opened(folder, case, "slab.csv") as slab_file, opened(folder, case, "bearings.csv") as bearing_file:
+        print(SLAB_HEADER, file=slab_file)
+        print("time [s]", *(f"{name} {what}" for name in names for what in
+                            (f"ux [{LENGTH}]", f"uy [{LENGTH}]", f"Fx [{FORCE}]", f"Fy [{FORCE}]")),
+              sep=",", file=bearing_file)
+        print("0.0,0.0,0.0,0.0,0.0,0.0", file=slab_file)
+        print("0.0" + ",0.0" * (4 * n), file=bearing_file)
+        for sample in range(1, len(ACCELERATIONS[0])):
+            for _ in range(PIECES):
+                if step(dt) != 0:
+                    raise RuntimeError(f"case {case}: no equilibrium at {ops.getTime()} s")
+                sum_x = sum_y = 0.0
+                row = []
+                for i in range(n):
+                    ux, uy = ops.nodeDisp(n + 1 + i)[:2]
+                    force_x, force_y = ops.eleForce(i + 1)[6:8]
+                    sum_x += force_x
+                    sum_y += force_y
+                    left[i], force = math.hypot(ux, uy), math.hypot(force_x, force_y)
+                    if not (left[i] < 1e30 and force < 1e30):
+                        raise RuntimeError(f"case {case}: displacement or force is no number at {ops.getTime()} s")
+                    far[i], strong[i] = max(far[i], left[i]), max(strong[i], force)
+                    row += [f"{value:.10g}" for value in (ux, uy, force_x, force_y)]
+                ux, uy, _, _, _, turn = ops.nodeDisp(slab)
+                most_slab = max(most_slab, math.hypot(ux, uy))
+                most_x, most_y = max(most_x, abs(sum_x)), max(most_y, abs(sum_y))
+                most, most_turn = max(most, math.hypot(sum_x, sum_y)), max(most_turn, abs(turn))
+            time = f"{sample * SAMPLE_S:.10g}"
+            print(time, *(f"{value:.10g}" for value in (ux, uy, turn, sum_x, sum_y)), sep=",", file=slab_file)
+            print(time, *row, sep=",", file=bearing_file)
+    ops.wipe()
+    worst = far.index(max(far))
+    lines = [f"{case},{names[i]},{far[i]:.8g},{strong[i]:.8g},{load[i]:.8g},{left[i]:.8g}" for i in range(n)]
+    return far[worst], names[worst], most_slab, most_x, most_y, most, most_turn, math.hypot(ux, uy), lines
+
+
+def table_row(*cells):
+    print("{:<10} {:>12} {:<12} {:>12} {:>12} {:>12} {:>12} {:>12} {:>12}".format(*cells))
+
+
+def run(folder, which=()):
+    """Every case, or those named; prints the largest values of each and writes them to folder/peaks.csv."""
+    for case in which:
+        if case not in CASES:
+            raise ValueError(f"no case {case}; there is: {' '.join(CASES)}")
+    os.makedirs(folder, exist_ok=True)
+    table_row("case", "isolator", "which", "slab", "Vx", "Vy", "V/weight", "turning", "left")
+    table_row("", f"[{LENGTH}]", "", f"[{LENGTH}]", f"[{FORCE}]", f"[{FORCE}]", "", "[rad]", f"[{LENGTH}]")
+    beyond, drawn = [], []
+    with opened(folder, "peaks.csv") as peaks:
+        print(PEAKS_HEADER, file=peaks)
+        for case in which or CASES:
+            far, name, slab, sum_x, sum_y, both, turn, left, lines = shake(case, folder)
+            print(*lines, sep="\n", file=peaks, flush=True)
+            table_row(case, f"{far:.5g}", name, f"{slab:.5g}", f"{sum_x:.5g}", f"{sum_y:.5g}", f"{both / WEIGHT:.4g}",
+                      f"{turn:.3g}", f"{left:.3g}")
+            if far > TESTED:
+                beyond.append(f"{case} moves {name} by {far:.4g}")
+            if case.startswith("draw_"):
+                drawn.append((far, slab, sum_x, sum_y, both / WEIGHT, turn, left))
+    if len(drawn) > 1:
+        for what, of in (("mean", lambda values: sum(values) / len(values)), ("largest", max)):
+            far, *others = [f"{of(values):.4g}" for values in zip(*drawn)]
+            table_row(what, far, "of draws", *others)
+    if beyond:
+        print(f"WARNING: beyond the {TESTED:.4g} {LENGTH} that were tested, where the law is an extrapolation: "
+              + "; ".join(beyond))
+    print("written:", folder)
+
+
+def main(arguments):
+    """Exit code: of the analyses with run, else of the check."""
+    if not arguments or arguments[0] != "run":
+        return 0 if self_check() else 1
+    try:
+        run(arguments[1] if len(arguments) > 1 else "FOLDER", arguments[2:])
+    except (RuntimeError, ValueError, OSError) as error:
+        print("isolaw:", error, file=sys.stderr)
+        return 1
+    return 0
+
+
+)python";
+
+}  // namespace
+
+std::string openseespy_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units) {
+  auto const numbers = model_numbers(subject, realisation, units);
+  auto const folder = identifier(subject) + "_results";
+  ScriptAddition made;
+  made.facts = model_facts(subject, realisation, units);
+  made.usage = run_usage("python3 this-file", folder, numbers);
+  auto rest = std::string(python_rest);
+  constexpr std::string_view place = "FOLDER\"";
+  rest.replace(rest.find(place), place.size(), folder + "\"");
+  made.procedures = "import math\nimport os\nimport sys\n\n" + python_data(numbers, units) +
+                    std::string(python_build_head) + python_isolator(numbers) + rest;
+  made.dispatch = "sys.exit(main(sys.argv[1:]))\n";
+  return openseespy_script(subject, realisation, units, made);
+}
+
+}  // namespace isolaw::programs

@@ -1,0 +1,241 @@
+#include "isolaw/programs/layout.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <ranges>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/units.hpp"
+#include "isolaw/base/words.hpp"
+#include "isolaw/data/dialect.hpp"
+#include "isolaw/data/text.hpp"
+
+namespace isolaw::programs {
+namespace {
+
+// A column of a layout: what it may be called, the first of them in messages; its unit in ours.
+struct LayoutColumn {
+  std::vector<std::string_view> names;
+  std::string units;  // what is accepted; "" for text
+  std::optional<double> (*in_ours)(std::string_view unit);
+  void (*set)(Place& place, double value);
+  bool required = false, above_zero = false;
+};
+
+std::optional<double> of(Dimension dimension, std::string_view text) {
+  auto const unit = parse_unit(text);
+  return unit && unit->dimension == dimension ? std::optional(unit->in_record_units) : std::nullopt;
+}
+std::optional<double> length_in_mm(std::string_view text) {
+  return of(Dimension::length, text);
+}
+std::optional<double> force_in_kN(std::string_view text) {
+  return of(Dimension::force, text);
+}
+std::optional<double> angle_in_deg(std::string_view text) {
+  auto const small = lower(trimmed(text));
+  if (small == "deg" || small == "degrees" || small == "\xC2\xB0") return 1.0;
+  return small == "rad" ? std::optional(180.0 / std::numbers::pi) : std::nullopt;
+}
+
+std::vector<LayoutColumn> const& layout_columns() {
+  static std::vector<LayoutColumn> const known{
+      {.names = {"name", "bearing", "isolator", "id"}, .units = {}, .in_ours = nullptr, .set = nullptr},
+      {.names = {"x"},
+       .units = known_units(Dimension::length),
+       .in_ours = length_in_mm,
+       .set = [](Place& place, double value) { place.x_mm = value; },
+       .required = true},
+      {.names = {"y"},
+       .units = known_units(Dimension::length),
+       .in_ours = length_in_mm,
+       .set = [](Place& place, double value) { place.y_mm = value; },
+       .required = true},
+      {.names = {"load", "vertical load", "weight", "n"},
+       .units = known_units(Dimension::force),
+       .in_ours = force_in_kN,
+       .set = [](Place& place, double value) { place.load_kN = value; },
+       .above_zero = true},
+      {.names = {"K_v", "kv", "axial"},
+       .units = "kN/mm, kN/m, N/m and the like",
+       .in_ours = parse_stiffness,
+       .set = [](Place& place, double value) { place.K_v_kN_per_mm = value; },
+       .above_zero = true},
+      {.names = {"angle", "orientation"},
+       .units = "deg, rad",
+       .in_ours = angle_in_deg,
+       .set = [](Place& place, double value) { place.angle_deg = value; }}};
+  return known;
+}
+
+// "load [kN]", "load (kN)": what stands in the brackets is the unit, of whatever kind.
+std::pair<std::string_view, std::string_view> name_and_unit(std::string_view cell) {
+  auto const open = cell.find_first_of("[(");
+  if (open == std::string_view::npos) return {trimmed(cell), {}};
+  auto const inside = cell.substr(open + 1);
+  return {trimmed(cell.substr(0, open)), trimmed(inside.substr(0, inside.find_first_of("])")))};
+}
+
+std::string columns_text() {
+  return "columns x and y, and where they are known name, load, K_v and angle, with their units: 'name, x [m], y [m], load [kN]'";
+}
+
+struct FoundColumn {
+  LayoutColumn const* column = nullptr;
+  double unit = 1.0;
+};
+
+std::vector<FoundColumn> found_columns(std::vector<std::string_view> const& header, std::string const& where,
+                                       std::vector<Complaint>& complaints) {
+  std::vector<FoundColumn> made;
+  for (auto const cell : header) {
+    auto const [base, unit] = name_and_unit(cell);
+    auto const named = [wanted = lower(base)](LayoutColumn const& column) {
+      return std::ranges::any_of(column.names, [&](auto name) { return lower(name) == wanted; });
+    };
+    auto const& known = layout_columns();
+    auto const column = std::ranges::find_if(known, named);
+    if (column == known.end()) {
+      complaints.push_back(
+          {.where = where, .found = fmt::format("column {}", data::in_quotes(cell)), .allowed = columns_text()});
+      made.push_back({});
+      continue;
+    }
+    if (std::ranges::find(made, &*column, &FoundColumn::column) != made.end())
+      complaints.push_back(
+          {.where = where, .found = fmt::format("column {} twice", column->names.front()), .allowed = "one of them"});
+    FoundColumn one{.column = &*column};
+    if (column->in_ours != nullptr) {
+      auto const size = column->in_ours(unit);
+      if (!size)
+        complaints.push_back(
+            {.where = where,
+             .found = unit.empty() ? fmt::format("column {} has no unit", data::in_quotes(cell))
+                                   : fmt::format("column {} is in {}", data::in_quotes(base), data::in_quotes(unit)),
+             .allowed = fmt::format("'{} [UNIT]', the unit one of {}", column->names.front(), column->units)});
+      one.unit = size.value_or(1.0);
+    }
+    made.push_back(one);
+  }
+  for (auto const& column : layout_columns())
+    if (column.required && std::ranges::find(made, &column, &FoundColumn::column) == made.end())
+      complaints.push_back(
+          {.where = where, .found = fmt::format("no column {}", column.names.front()), .allowed = columns_text()});
+  return made;
+}
+
+void check_together(std::vector<Place> const& places, std::string const& file, std::vector<Complaint>& complaints) {
+  constexpr double apart_mm = 1.0;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      auto const &a = places[j], &b = places[i];
+      if (a.name == b.name)
+        complaints.push_back(
+            {.where = file, .found = fmt::format("two bearings called {}", data::in_quotes(a.name)), .allowed = "one"});
+      if (std::hypot(a.x_mm - b.x_mm, a.y_mm - b.y_mm) < apart_mm)
+        complaints.push_back(
+            {.where = file,
+             .found = fmt::format("bearings {} and {} stand in one place, x = {:.6g} mm, y = {:.6g} mm",
+                                  data::in_quotes(a.name), data::in_quotes(b.name), b.x_mm, b.y_mm),
+             .allowed = fmt::format("bearings {} mm apart or more", apart_mm)});
+    }
+}
+
+}  // namespace
+
+std::optional<std::pair<double, std::string_view>> number_and_unit(std::string_view text) {
+  text = trimmed(text);
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0.0;
+  auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
+  return std::pair(value, trimmed(text.substr(static_cast<std::size_t>(end - text.data()))));
+}
+
+std::optional<double> parse_stiffness(std::string_view unit) {
+  auto const slash = unit.find('/');
+  if (slash == std::string_view::npos) return std::nullopt;
+  auto const force = force_in_kN(unit.substr(0, slash)), length = length_in_mm(unit.substr(slash + 1));
+  return force && length ? std::optional(*force / *length) : std::nullopt;
+}
+
+std::vector<Place> read_layout(std::filesystem::path const& file) {
+  return read_layout_text(data::load_text(file), file.generic_string());
+}
+
+std::vector<Place> read_layout_text(std::string_view bytes, std::string const& name) {
+  data::check_text(name, bytes);
+  auto const lines = data::split_lines(bytes).lines;
+  std::optional<std::size_t> header_line;
+  std::size_t below = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (data::is_comment(lines[i]) || trimmed(lines[i]).empty()) continue;
+    if (header_line)
+      ++below;
+    else
+      header_line = i;
+  }
+  auto const nothing = [&] {
+    return Error({.where = name, .found = "no bearings", .allowed = "a row for each, under " + columns_text()});
+  };
+  if (!header_line || below == 0) throw nothing();
+  // By the header, as a table of one or two bearings has little else to tell it by.
+  auto const& head = lines[*header_line];
+  auto const has = [&](char c) { return head.find(c) != std::string_view::npos; };
+  char const delimiter = has(';') ? ';' : has('\t') ? '\t' : has(',') ? ',' : ' ';
+  // Decimal commas stand beside another delimiter than the comma.
+  auto const dialect = data::recognise_dialect(lines);
+  char const decimal = delimiter != ',' && dialect && dialect->decimal == ',' ? ',' : '.';
+  std::vector<std::string_view> cells;
+  data::split_cells(head, delimiter, cells);
+  std::vector<Complaint> complaints;
+  auto const columns = found_columns(cells, fmt::format("{}:{}", name, *header_line + 1), complaints);
+  if (!complaints.empty()) throw Error(std::move(complaints));
+  std::vector<Place> made;
+  for (auto i = *header_line + 1; i < lines.size(); ++i) {
+    if (data::is_comment(lines[i]) || data::is_blank(lines[i], delimiter)) continue;
+    auto const where = fmt::format("{}:{}", name, i + 1);
+    data::split_cells(lines[i], delimiter, cells);
+    if (cells.size() != columns.size()) {
+      complaints.push_back({.where = where,
+                            .found = counted(cells.size(), "cell"),
+                            .allowed = fmt::format("{}, as the header has", columns.size())});
+      continue;
+    }
+    Place place;
+    place.name = fmt::format("b{}", made.size() + 1);
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      auto const& [column, unit] = columns[k];
+      if (column->in_ours == nullptr) {
+        if (!cells[k].empty()) place.name = data::to_utf8(cells[k]);
+        continue;
+      }
+      auto const cell = data::parse_cell(cells[k], data::NumberFormat(decimal));
+      bool const number = cell.kind == data::CellKind::number && std::isfinite(cell.value);
+      if (number && !(column->above_zero && !(cell.value > 0.0)))
+        column->set(place, cell.value * unit);
+      else
+        complaints.push_back(
+            {.where = where,
+             .found = fmt::format("{} is {}", column->names.front(),
+                                  cells[k].empty() ? std::string("missing") : data::in_quotes(cells[k])),
+             .allowed = column->above_zero ? "a number above 0" : "a finite number"});
+    }
+    made.push_back(std::move(place));
+  }
+  if (!complaints.empty()) throw Error(std::move(complaints));
+  if (made.empty()) throw nothing();
+  if (made.size() > most_places)
+    throw Error(
+        {.where = name, .found = counted(made.size(), "bearing"), .allowed = fmt::format("1 to {}", most_places)});
+  check_together(made, name, complaints);
+  if (!complaints.empty()) throw Error(std::move(complaints));
+  return made;
+}
+
+}  // namespace isolaw::programs

@@ -1,0 +1,55 @@
+// A building on isolators, as the targets opensees-model and openseespy-model write it: bearings under a slab that is
+// rigid in its plane, their loads and vertical springs, the slab's mass, the motion of the ground, and what is varied
+// from one analysis to the next. All in kN, mm and s.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "isolaw/base/option.hpp"
+#include "isolaw/campaign/contents.hpp"
+#include "isolaw/data/ground_motion.hpp"
+#include "isolaw/programs/layout.hpp"
+#include "isolaw/study/summary.hpp"
+
+namespace isolaw::programs {
+
+// As the user gives it; a row each in model_table().
+struct ModelOptions {
+  std::optional<std::string> layout, mass, gyration, axial, ground_motion, ground_motion_y;
+  std::optional<double> ground_motion_dt;
+  double scale = 1.0;
+  int draws = 0;  // 0: the bounds
+};
+std::vector<Option<ModelOptions>> const& model_table();
+
+struct ModelBearing {
+  std::string name;
+  double x_mm = 0.0, y_mm = 0.0, angle_deg = 0.0, load_kN = 0.0, K_v_kN_per_mm = 0.0;
+};
+
+struct Model {
+  std::string layout;  // the file
+  std::vector<ModelBearing> bearings;
+  double weight_kN = 0.0, x_mm = 0.0, y_mm = 0.0, gyration_mm = 0.0;  // of what is carried; its centre
+  std::string weight_from, centre_from, gyration_from, K_v_from;      // in words
+  std::vector<data::GroundMotion> motions;                            // along x, and along y where there are two
+  double scale = 1.0;
+  // Of the law, for each draw one vector for each bearing; empty: the analyses are of the bounds.
+  std::vector<std::vector<std::vector<double>>> draws;
+  std::uint64_t seed = 0;
+  std::vector<std::string> draws_said;
+};
+
+// Sets of parameters that one file holds at most, a material and a check for each.
+inline constexpr int most_drawn_sets = 2000;
+
+// `device` as the command line has it, a name or "lot": whose compression tests give K_v. Throws one Error of what
+// lacks: a layout, a motion, mass, K_v; motions of two lengths; a law without a population where draws are asked for.
+Model make_model(ModelOptions const& options, campaign::Contents const& contents, study::Summary const& summary,
+                 std::string_view law, std::string_view device, std::uint64_t seed);
+
+}  // namespace isolaw::programs

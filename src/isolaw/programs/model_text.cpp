@@ -1,0 +1,277 @@
+#include "isolaw/programs/model_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/words.hpp"
+
+namespace isolaw::programs {
+namespace {
+
+constexpr std::string_view coupled_form = "bearing";
+
+// An analysis takes no longer steps than these: half a hundredth of a second follows what ground motions hold.
+constexpr double longest_model_step_s = 0.005;
+// Where the law's own step is not known.
+constexpr double careful_model_step_s = 0.001;
+
+Form const* with_id(Mapping const& mapping, std::string_view id) {
+  auto const found = std::ranges::find(mapping.forms, id, &Form::id);
+  return found == mapping.forms.end() ? nullptr : &*found;
+}
+
+// The step that the form's integration asks for, or the longest that an analysis takes.
+double step_asked_s(Subject const& subject, Realised const& form) {
+  if (form.nominal.exactness == Exactness::every_step) return longest_model_step_s;
+  if (!form.steps) return careful_model_step_s;
+  return std::min(longest_model_step_s, 1.0 / (form.steps->per_cycle * subject.frequency_Hz));
+}
+
+std::size_t place_of_model_form(Realisation const& realisation) {
+  auto const& forms = realisation.forms;
+  auto const found = std::ranges::find_if(forms, [](Realised const& form) { return form.nominal.id == coupled_form; });
+  return found == forms.end() ? 0 : static_cast<std::size_t>(found - forms.begin());
+}
+
+std::string range_text(double low, double high) {
+  return low == high ? fmt::format("{:.4g}", low) : fmt::format("{:.4g} to {:.4g}", low, high);
+}
+
+// Whether the form's force changes by more than its sign where its displacement does.
+bool is_one_sided(Form const& form, Subject const& subject) {
+  auto mirrored = subject.protocol.disp_mm;
+  for (double& x : mirrored) x = -x;
+  auto const force = replay_kN(form, unit_systems[0], subject.protocol.disp_mm),
+             other = replay_kN(form, unit_systems[0], mirrored);
+  double peak = 0.0, largest = 0.0;
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    peak = std::max(peak, std::abs(force[i]));
+    largest = std::max(largest, std::abs(force[i] + other[i]));
+  }
+  constexpr double rounding = 1e-6;
+  return largest > rounding * peak;
+}
+
+std::string shown_name(std::string const& name) {
+  auto made = harmless(name);
+  // A cell of the results.
+  std::ranges::replace(made, ',', '_');
+  return made;
+}
+
+}  // namespace
+
+Realised const& form_of_model(Realisation const& realisation) {
+  return realisation.forms[place_of_model_form(realisation)];
+}
+Realised& form_of_model(Realisation& realisation) {
+  return realisation.forms[place_of_model_form(realisation)];
+}
+
+std::string drawn_variant(std::size_t draw, std::size_t bearing) {
+  return fmt::format("draw_{}_{}", draw, bearing);
+}
+
+Deviation add_draws(Realisation& realisation, Subject const& subject) {
+  auto const& model = *subject.model;
+  Deviation worst;
+  if (model.draws.empty()) return worst;
+  auto& of_model = form_of_model(realisation);
+  auto one = subject;
+  one.model.reset();
+  one.histories.resize(1);
+  one.histories[0].measured_kN.clear();
+  auto const fails = [&](std::size_t draw, std::size_t bearing, std::string why) {
+    return Error({.where = fmt::format("--draws, draw {}, bearing {}", draw + 1, model.bearings[bearing].name),
+                  .found = fmt::format("{} cannot be had with {}: {}", of_model.nominal.title,
+                                       parameter_text(*subject.law, model.draws[draw][bearing]), why),
+                  .allowed = "draws that the program's materials can give",
+                  .advice = "another --seed, or the bounds: without --draws"});
+  };
+  for (std::size_t draw = 0; draw < model.draws.size(); ++draw)
+    for (std::size_t bearing = 0; bearing < model.draws[draw].size(); ++bearing) {
+      one.parameters = model.draws[draw][bearing];
+      for (auto* history : {&one.histories[0], &one.protocol})
+        history->law_kN = law_force(*one.law, one.parameters, *history);
+      auto const* law = one.law;
+      auto parameters = one.parameters;
+      if (!realisation.substitute.empty()) {
+        auto fitted = fit_in_place(one, realisation.substitute);
+        if (fitted.law == nullptr) throw fails(draw, bearing, "no " + realisation.substitute + " law could be fitted");
+        law = fitted.law;
+        parameters = std::move(fitted.parameters);
+      }
+      auto const mapping = map_law(*law, parameters);
+      auto const* form = with_id(mapping, of_model.nominal.id);
+      if (form == nullptr) throw fails(draw, bearing, mapping.why.empty() ? "it has another form" : mapping.why);
+      Realised realised;
+      auto const failure = failure_of(*form, one, realised);
+      // A stand-in is not the law, and is told by how far it is off.
+      bool const has_force = std::isfinite(realised.from_law.largest);
+      if (!failure.empty() && (realisation.substitute.empty() || !has_force)) throw fails(draw, bearing, failure);
+      keep_worst(worst, realised.from_law);
+      of_model.draws.emplace_back(drawn_variant(draw + 1, bearing + 1), *form);
+    }
+  realisation.draws_from_law = worst;
+  return worst;
+}
+
+ModelNumbers model_numbers(Subject const& subject, Realisation const& realisation, UnitSystem const& units) {
+  auto const& model = *subject.model;
+  auto const& form = form_of_model(realisation);
+  ModelNumbers made;
+  made.function = form.nominal.id;
+  made.coupled = made.function == coupled_form;
+  made.gravity = units.from_mm(data::gravity_mm_s2);
+  made.weight = units.from_kN(model.weight_kN);
+  made.mass = made.weight / made.gravity;
+  auto const gyration = units.from_mm(model.gyration_mm);
+  made.inertia = made.mass * gyration * gyration;
+  made.x = units.from_mm(model.x_mm);
+  made.y = units.from_mm(model.y_mm);
+  for (auto const& b : model.bearings) {
+    auto const load = units.from_kN(b.load_kN);
+    made.bearings.push_back({.name = shown_name(b.name),
+                             .x = units.from_mm(b.x_mm),
+                             .y = units.from_mm(b.y_mm),
+                             .angle_rad = b.angle_deg * std::numbers::pi / 180.0,
+                             .load = load,
+                             .K_v = units.convert(b.K_v_kN_per_mm, 1, -1),
+                             .mass = load / made.gravity});
+  }
+  made.motion_step_s = model.motions.front().step_s;
+  made.pieces = static_cast<int>(std::ceil(made.motion_step_s / step_asked_s(subject, form) - 1e-9));
+  for (auto const& motion : model.motions) {
+    auto& values = made.motions.emplace_back();
+    for (double const a : motion.acceleration_mm_s2) values.push_back(units.from_mm(model.scale * a));
+  }
+  made.tolerance = units.from_mm(1e-8);
+  made.tested = units.from_mm(subject.tested.disp_mm);
+  if (!model.draws.empty()) {
+    made.cases = {"nominal"};
+    for (std::size_t i = 1; i <= model.draws.size(); ++i) made.cases.push_back(fmt::format("draw_{}", i));
+  } else {
+    if (form.lower) made.cases.emplace_back("lower");
+    made.cases.emplace_back("nominal");
+    if (form.upper) made.cases.emplace_back("upper");
+  }
+  made.held = model.bearings.size() == 1;
+  return made;
+}
+
+std::vector<std::string> model_cautions(Subject const& subject, UnitSystem const& units) {
+  // Laboratories hold the load within so much.
+  constexpr double held_within = 0.2;
+  auto const &low = subject.tested.load_min_kN, &high = subject.tested.load_max_kN;
+  if (!low || !high) return {};
+  auto const [least, most] = std::ranges::minmax(subject.model->bearings, {}, &ModelBearing::load_kN);
+  if (least.load_kN >= (1.0 - held_within) * *low && most.load_kN <= (1.0 + held_within) * *high) return {};
+  auto const text = [&](double a, double b) { return range_text(units.from_kN(a), units.from_kN(b)); };
+  return {fmt::format("the isolators carry {} {} and were tested under {}: their law is that of the tests",
+                      text(least.load_kN, most.load_kN), units.force.symbol, text(*low, *high))};
+}
+
+std::vector<Fact> model_facts(Subject const& subject, Realisation const& realisation, UnitSystem const& units) {
+  auto const& model = *subject.model;
+  auto const numbers = model_numbers(subject, realisation, units);
+  auto const length = units.length.symbol, force = units.force.symbol;
+  auto const extent = [&](auto place) {
+    auto const [low, high] = std::ranges::minmax(numbers.bearings, {}, place);
+    return fmt::format("{:.5g} to {:.5g}", low.*place, high.*place);
+  };
+  std::vector<Fact> made;
+  made.push_back(
+      {"Model", fmt::format("{} under a slab that is rigid in its plane, above fixed ground; x and y in plan, z up",
+                            counted(numbers.bearings.size(), "isolator"))});
+  made.push_back({"Layout", fmt::format("{}: x {}, y {} {}", model.layout, extent(&ModelNumbers::One::x),
+                                        extent(&ModelNumbers::One::y), length)});
+  made.push_back(
+      {"Weight carried", fmt::format("{:.6g} {} ({}), a mass of {:.6g} {} s2/{} with g = {:.6g} {}/s2", numbers.weight,
+                                     force, model.weight_from, numbers.mass, force, length, numbers.gravity, length)});
+  made.push_back({"Its centre", fmt::format("x = {:.5g}, y = {:.5g} {}, {}; no accidental eccentricity", numbers.x,
+                                            numbers.y, length, model.centre_from)});
+  made.push_back({"Turning in plan", numbers.held
+                                         ? std::string("held: one isolator gives a slab no stiffness against it")
+                                         : fmt::format("radius of gyration {:.5g} {}, {}",
+                                                       units.from_mm(model.gyration_mm), length, model.gyration_from)});
+  auto const [least, most] = std::ranges::minmax(numbers.bearings, {}, &ModelNumbers::One::load);
+  made.push_back({"Load on an isolator", fmt::format("{} {}", range_text(least.load, most.load), force)});
+  for (auto const& caution : model_cautions(subject, units)) made.push_back({"Warning", caution});
+  auto const [softest, stiffest] = std::ranges::minmax(numbers.bearings, {}, &ModelNumbers::One::K_v);
+  made.push_back(
+      {"Vertical springs", fmt::format("{} {}/{}, {}; elastic, tension as compression",
+                                       range_text(softest.K_v, stiffest.K_v), force, length, model.K_v_from)});
+  made.push_back(
+      {"Isolators",
+       numbers.coupled
+           ? std::string("an element that couples the two directions in plan")
+           : std::string("two springs at right angles, along the axes of its angle: they do not know of each other")});
+  if (is_one_sided(form_of_model(realisation).nominal, subject))
+    made.push_back(
+        {"  their sides",
+         "the law is not the same in both directions: what is positive in the tests is here along the axes of an isolator's angle"});
+  made.push_back({"Rotations",
+                  "the slab and the ground hold both ends of an isolator level; its own stiffness against twist is 0"});
+  made.push_back(
+      {"Not in the model",
+       "the structure above; damping beside that of the law; what the vertical load does to the law, P-delta, uplift, tilting and vertical motion of the slab"});
+  if (subject.K_eff_kN_per_mm) {
+    auto const total = *subject.K_eff_kN_per_mm * static_cast<double>(numbers.bearings.size());
+    made.push_back(
+        {"Period", fmt::format("{:.3g} s with the measured K_eff at {:.4g} {}",
+                               2.0 * std::numbers::pi * std::sqrt(model.weight_kN / data::gravity_mm_s2 / total),
+                               units.from_mm(subject.design_disp_mm), length)});
+  }
+  for (std::size_t i = 0; i < model.motions.size(); ++i) {
+    auto const& motion = model.motions[i];
+    double peak = 0.0;
+    for (double const a : motion.acceleration_mm_s2) peak = std::max(peak, std::abs(a));
+    made.push_back({i == 0 ? "Ground motion along x" : "Ground motion along y",
+                    fmt::format("{}: {}; peak {:.4g} g{}", motion.file, motion.recognised,
+                                model.scale * peak / data::gravity_mm_s2,
+                                model.scale == 1.0
+                                    ? std::string()
+                                    : fmt::format(" with the factor {:g} that is in its numbers here", model.scale))});
+  }
+  made.push_back({"Step of the analysis",
+                  fmt::format("{:.4g} s, {} to a sample of the motion; Newmark's rule (0.5, 0.25), Newton's",
+                              numbers.motion_step_s / numbers.pieces, numbers.pieces)});
+  made.push_back({"Analyses", model.draws.empty()
+                                  ? joined(numbers.cases)
+                                  : fmt::format("nominal, and {} draws, seed {}, each isolator with a law of its own",
+                                                model.draws.size(), model.seed)});
+  for (auto const& sentence : model.draws_said) made.push_back({"  draws", sentence});
+  if (auto const& worst = realisation.draws_from_law)
+    made.push_back(
+        {"  draws against their own laws",
+         fmt::format("the worst, on the record of {}: {}", subject.histories.front().device, deviation_text(*worst))});
+  return made;
+}
+
+std::string run_usage(std::string_view command, std::string const& folder, ModelNumbers const& numbers) {
+  constexpr std::size_t few = 4;
+  auto const cases = numbers.cases.size() > few
+                         ? std::vector<std::string>{numbers.cases[0], numbers.cases[1], "...", numbers.cases.back()}
+                         : numbers.cases;
+  return fmt::format(
+      "# To run:   {} run [FOLDER [CASES]]    (exit code 0 where every analysis came to its end, 1 where not)\n"
+      "#           writes peaks.csv and a folder for each case to FOLDER ({}); cases: {}\n",
+      command, folder, joined(cases));
+}
+
+std::string slab_header(UnitSystem const& units) {
+  auto const l = units.length.symbol, f = units.force.symbol;
+  return fmt::format("time [s],ux [{0}],uy [{0}],turning [rad],Vx [{1}],Vy [{1}]", l, f);
+}
+
+std::string peaks_header(UnitSystem const& units) {
+  auto const l = units.length.symbol, f = units.force.symbol;
+  return fmt::format(
+      "case,bearing,largest displacement [{0}],largest force [{1}],vertical load [{1}],left at the end [{0}]", l, f);
+}
+
+}  // namespace isolaw::programs

@@ -1,0 +1,55 @@
+// What the Tcl and the Python text of a model share: which form carries the bearings, its steps in time, tags, cases,
+// and what is said of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "isolaw/programs/self_check.hpp"
+#include "isolaw/programs/text.hpp"
+
+namespace isolaw::programs {
+
+// The form that a model is made of: the bearing that couples its two directions where there is one, else springs.
+Realised& form_of_model(Realisation& realisation);
+Realised const& form_of_model(Realisation const& realisation);
+
+// A form for every bearing of every draw, as further variants of the model's form. What stands in for the law does for
+// them too, fitted to each. Throws Error that names the first draw and bearing whose law the program cannot give.
+// Returns the worst deviation of them from their own law.
+Deviation add_draws(Realisation& realisation, Subject const& subject);
+std::string drawn_variant(std::size_t draw, std::size_t bearing);  // both from 1: "draw_3_12"
+
+// In the units of the file.
+struct ModelNumbers {
+  bool coupled = false;
+  std::string function;  // "bearing", "material"
+  double gravity = 0.0, mass = 0.0, inertia = 0.0, x = 0.0, y = 0.0, weight = 0.0;
+  struct One {
+    std::string name;
+    double x, y, angle_rad, load, K_v, mass;
+  };
+  std::vector<One> bearings;
+  double motion_step_s = 0.0;
+  int pieces = 1;  // steps of the analysis to one of the motion
+  std::vector<std::vector<double>> motions;
+  double tolerance = 0.0;          // of Newton's rule, a displacement
+  double tested = 0.0;             // displacement
+  std::vector<std::string> cases;  // "lower", "nominal", ...; "nominal", "draw_1", ...
+  bool held = false;               // against turning: of one bearing
+};
+ModelNumbers model_numbers(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
+
+// What of the model lies outside the tests, a sentence each.
+std::vector<std::string> model_cautions(Subject const& subject, UnitSystem const& units);
+
+std::vector<Fact> model_facts(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
+
+// Lines of comment: how the analyses are run.
+std::string run_usage(std::string_view command, std::string const& folder, ModelNumbers const& numbers);
+
+// What the files of results are headed with.
+std::string slab_header(UnitSystem const& units);
+std::string peaks_header(UnitSystem const& units);
+
+}  // namespace isolaw::programs

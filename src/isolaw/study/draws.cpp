@@ -1,0 +1,68 @@
+#include "isolaw/study/draws.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/hash.hpp"
+#include "isolaw/laws/catalogue.hpp"
+#include "isolaw/study/findings.hpp"
+
+namespace isolaw::study {
+
+Draws draw_devices(campaign::Contents const& contents, Summary const& summary, std::string_view law_id,
+                   std::size_t count, std::uint64_t seed, std::string_view place) {
+  auto const& entry = laws::find_law(law_id);
+  auto const law = std::ranges::find(summary.laws, law_id, &LawResult::id);
+  auto const where = fmt::format("{}, law {}", place, law_id);
+  if (law == summary.laws.end())
+    throw Error({.where = where, .found = "the law is not in this campaign", .allowed = "one of its laws"});
+  if (!law->population || !law->population->has_covariance())
+    throw Error({.where = where,
+                 .found = law->population                    ? law->population->note
+                          : contents.device_analyses.empty() ? std::string("no analysis was made")
+                                                             : std::string("no parameter of the law is free"),
+                 .allowed = "a law that was analysed on two devices or more",
+                 .advice = "isolaw calibrate ... --analysis full"});
+  auto const& population = *law->population;
+  std::vector<lot::Limits> limits;
+  for (auto const& name : population.names) {
+    auto const& physical = entry.parameters[entry.index_of(name)].physical;
+    limits.push_back({physical.lower, physical.upper});
+  }
+  num::Stream const stream(seed);
+  auto const drawn =
+      lot::sample(population, count, stream.split(stable_hash("population")).split(stable_hash(law_id)), limits);
+  Draws made{.parameters = &parameters_of(*law),
+             .values = {},
+             .population = &population,
+             .rejected = drawn.rejected,
+             .pulled_back = drawn.pulled_back};
+  for (auto const& values : drawn.values) {
+    auto& device = made.values.emplace_back();
+    for (auto const& p : *made.parameters) {
+      auto const source = p.tied_to.empty() ? p.name : p.tied_to;
+      auto const at = place_of(population, source);
+      device.push_back(at                                          ? values[*at]
+                       : law->reduced && source == entry.redundant ? entry.redundant_value
+                                                                   : *p.value.best);
+    }
+  }
+  return made;
+}
+
+std::vector<std::string> sentences(Draws const& draws) {
+  auto const& population = *draws.population;
+  std::vector<std::string> made{
+      fmt::format("{} devices of a population estimated from {}; {} of {} directions have scatter", draws.values.size(),
+                  population.devices, population.directions, population.names.size())};
+  if (draws.rejected > 0)
+    made.push_back(fmt::format(
+        "{} draws outside the physical limits were drawn again, {} pulled back to the median: the limits shape the sample",
+        draws.rejected, draws.pulled_back));
+  if (!population.note.empty()) made.push_back(population.note);
+  return made;
+}
+
+}  // namespace isolaw::study

@@ -1,0 +1,152 @@
+// The same law by every way out: `simulate`, the exported C++ header and the exported table, step by step along one path.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "cli/run.hpp"
+#include "isolaw/laws/catalogue.hpp"
+
+namespace isolaw::cli_test {
+namespace {
+
+// Displacement, velocity and force of a table of ours.
+struct Walk {
+  std::vector<double> disp_mm, vel_mm_s, force_kN;
+};
+
+Walk walk_of(std::string const& csv) {
+  Walk made;
+  std::istringstream lines(csv);
+  for (std::string line, cell; std::getline(lines, line);) {
+    if (line.empty() || line.starts_with('#') || line.starts_with("time")) continue;
+    std::vector<double> values;
+    std::istringstream cells(line);
+    while (std::getline(cells, cell, ',')) values.push_back(std::stod(cell));
+    made.disp_mm.push_back(values.at(1));
+    made.vel_mm_s.push_back(values.at(2));
+    made.force_kN.push_back(values.at(3));
+  }
+  return made;
+}
+
+double largest(std::vector<double> const& force) {
+  double peak = 0.0;
+  for (double const f : force) peak = std::max(peak, std::abs(f));
+  return peak;
+}
+
+void expect_alike(std::vector<double> const& a, std::vector<double> const& b, double tolerance,
+                  std::string const& what) {
+  ASSERT_EQ(a.size(), b.size()) << what;
+  double const peak = largest(b);
+  double worst = 0.0;
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (!(std::abs(a[i] - b[i]) <= worst)) {
+      worst = std::abs(a[i] - b[i]);
+      at = i;
+    }
+  EXPECT_GT(peak, 1.0) << what;
+  EXPECT_LE(worst, tolerance * peak) << what << ", sample " << at + 1;
+}
+
+class Agreement : public InFreshDirectory {
+ protected:
+  // Two devices' worth of cycles with a rounded corner, 60 samples a cycle.
+  void SetUp() override {
+    InFreshDirectory::SetUp();
+    std::string text = "time [s],disp [mm],force [kN]\n";
+    double z = 0.0, before = 0.0;
+    for (int i = 0; i <= 180; ++i) {
+      double const x = (i < 60 ? 60.0 : 100.0) * std::sin(2.0 * std::numbers::pi * i / 60.0);
+      z += (1.0 - z / 20.0 * (x > before ? 1.0 : -1.0)) * 2.0 * (x - before) / (1.0 + std::abs(x - before) * 0.1);
+      before = x;
+      text += fmt::format("{:.4f},{:.5f},{:.5f}\n", i / 30.0, x, 0.4 * x + std::clamp(z, -20.0, 20.0));
+    }
+    write("a.csv", text);
+    // A path that the tests did not take: an irregular one with turns of every size, from rest.
+    text = "time [s],disp [mm]\n";
+    for (int i = 0; i <= 400; ++i) {
+      double const t = 0.02 * i;
+      text += fmt::format(
+          "{:.3f},{:.12f}\n", t,
+          std::min(1.0, t) * (55.0 * std::sin(2.9 * t) + 30.0 * std::sin(6.1 * t) + 10.0 * std::sin(17.0 * t)));
+    }
+    write("motion.csv", text);
+  }
+  Outcome finished(Words const& command) { return Process(command, path("."), path("out"), path("err")).wait(); }
+};
+
+TEST_F(Agreement, simulate_header_and_table_of_every_law_agree_at_every_step) {
+  auto const o = isolaw({"calibrate", "a.csv", "--laws", "all", "--runs", "1", "--population", "20", "--generations",
+                         "5", "--dead-band", "0", "--out", "C"});
+  ASSERT_LE(o.code, 1) << o;
+  struct Case {
+    std::string law;
+    Walk table, simulated;
+  };
+  std::vector<Case> cases;
+  std::string includes = "#include <cstdio>\n#include <cstring>\n", drives;
+  for (auto const& entry : laws::catalogue()) {
+    std::string const law(entry.info.id);
+    SCOPED_TRACE(law);
+    auto const exported = [&](std::string const& to, std::string const& file) {
+      auto const made = isolaw({"export", "C", "--law", law, "--device", "a", "--to", to, "--anyway", "--out", file});
+      EXPECT_EQ(made.code, 0) << made;
+    };
+    exported("cpp", law + ".hpp");
+    exported("csv", law + ".csv");
+    auto const simulated = [&](std::string const& motion) {
+      auto const made = isolaw({"simulate", law, "--from", "C", "--device", "a", "--motion", motion, "--turning-points",
+                                "sampled", "--anyway"});
+      EXPECT_EQ(made.code, 0) << made;
+      return walk_of(made.out);
+    };
+    cases.push_back({law, walk_of(read(law + ".csv")), simulated("motion.csv")});
+    // Along the table's own path; laws that depend on velocity are given there what the file has, and not its slope.
+    if (entry.info.traits.rate_independent)
+      expect_alike(simulated(law + ".csv").force_kN, cases.back().table.force_kN, 1e-8, "simulate against the table");
+    std::string space = "isolaw_" + law + "_a";
+    std::ranges::replace(space, '-', '_');
+    includes += "#include \"" + law + ".hpp\"\n";
+    drives += fmt::format("  if (!std::strcmp(law, \"{}\")) drive({}::Material());\n", law, space);
+  }
+  write("drive.cpp", includes + R"(
+template <class Material>
+void drive(Material m) {
+  double x, v;
+  while (std::scanf("%lf %lf", &x, &v) == 2) {
+    m.trial(x + 3.0, v);  // of which nothing may stay
+    std::printf("%.17g\n", m.trial(x, v));
+    m.commit();
+  }
+}
+int main(int, char** argv) {
+  char const* law = argv[1];
+)" + drives + "}\n");
+  auto const built = finished({ISOLAW_COMPILER, "-std=c++17", "-O1", "drive.cpp", "-o", "drive"});
+  ASSERT_EQ(built.code, 0) << built;
+  for (auto const& c : cases) {
+    SCOPED_TRACE(c.law);
+    auto const header = [&](Walk const& walk) {
+      std::string path_text;
+      for (std::size_t i = 0; i < walk.disp_mm.size(); ++i)
+        path_text += fmt::format("{} {}\n", walk.disp_mm[i], walk.vel_mm_s[i]);
+      write("path", path_text);
+      auto const driven = finished({"sh", "-c", "./drive " + c.law + " < path"});
+      EXPECT_EQ(driven.code, 0) << driven;
+      std::vector<double> force;
+      std::istringstream values(driven.out);
+      for (double f = 0.0; values >> f;) force.push_back(f);
+      return force;
+    };
+    // Both compute in double; the table has ten digits of path and force.
+    expect_alike(header(c.simulated), c.simulated.force_kN, 1e-10, "header against simulate");
+    expect_alike(header(c.table), c.table.force_kN, 1e-7, "header against the table");
+  }
+  EXPECT_EQ(cases.size(), laws::catalogue().size());
+}
+
+}  // namespace
+}  // namespace isolaw::cli_test
