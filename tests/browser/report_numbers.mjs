@@ -45,6 +45,8 @@ async function drawn() {
       symbol: marker?.symbol ?? null,
     }));
   };
+  for (const button of ['#figure-answer button[value=robustness]', '#figure-front button[value=published]'])
+    document.querySelector(button)?.click();
   const seen = {
     front: await plot('front'),
     published: Object.fromEntries(

@@ -290,6 +290,65 @@ function check_records(name, seen, { laws = true, verified = true, assessed = tr
   expect(same(seen.sections, sections), name, 'sections ' + seen.sections);
 }
 
+// The first screen: what it says for every purpose, and how many words it takes. Runs in the page.
+async function look_at_answer() {
+  const report = JSON.parse(document.getElementById('isolaw-data').textContent);
+  const wait = (ms) => new Promise((done) => setTimeout(done, ms));
+  for (const details of document.querySelectorAll('#decision details')) details.open = false;
+  scrollTo(0, 0);
+  await wait(200);
+  const seen = [];
+  const texts = document.createTreeWalker(document.querySelector('main'), NodeFilter.SHOW_TEXT);
+  let words = 0;
+  while (texts.nextNode()) {
+    const range = document.createRange();
+    range.selectNode(texts.currentNode);
+    const box = range.getBoundingClientRect();
+    if (box.height > 0 && box.bottom <= innerHeight && !texts.currentNode.parentNode.closest('svg, button, details:not([open]) > ul'))
+      words += texts.currentNode.textContent.split(/\s+/).filter((word) => /\w/.test(word)).length;
+  }
+  const name = (node) => node.querySelector('b').textContent;
+  for (const button of document.querySelectorAll('#figure-answer .choice button')) {
+    button.click();
+    for (const id of ['answer', 'front', 'verdicts', 'ranking']) {
+      document.getElementById('figure-' + id).scrollIntoView();
+      await wait(120);
+    }
+    const headline = document.querySelector('#figure-answer .headline').cloneNode(true);
+    for (const node of headline.querySelectorAll('.badge, .sure')) node.remove();
+    const { data } = document.querySelector('#figure-front .plot');
+    seen.push({
+      purpose: button.value,
+      pressed: document.querySelectorAll('#figure-answer [aria-pressed=true]').length,
+      headline: headline.textContent.replace(/\s/g, ''),
+      numbers: document.querySelectorAll('#figure-answer .numbers b').length,
+      list: [...document.querySelectorAll('.verdicts li')].map(name),
+      ranking: [...document.querySelectorAll('#figure-ranking tbody tr')].map(name),
+      chart: data[0].type === 'bar' ? [...data[0].y].reverse() : data.flatMap((trace) => trace.text ?? []),
+    });
+  }
+  return { words, seen, report: { recommendations: report.findings.recommendations, headline: report.findings.headline } };
+}
+
+function check_answer(name, { words, seen, report }, { width }) {
+  const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
+  expect(width < 1000 || words <= 120, name, `${words} words on the first screen`);
+  expect(seen.length >= 2, name, `${seen.length} purposes`);
+  for (const { purpose, pressed, headline, numbers, list, ranking, chart } of seen) {
+    const of = report.recommendations.find((one) => one.purpose === purpose);
+    expect(pressed === 1 && numbers === 3, name, `${purpose}: ${pressed} pressed, ${numbers} numbers`);
+    expect(headline === (of?.answer ?? report.headline).replace(/\s/g, ''), name, `${purpose}: headline ${headline}`);
+    if (!of) {
+      expect(same([...chart].sort(), [...new Set(chart)].sort()) && chart.every((law) => list.includes(law)), name, `${purpose}: chart ${chart}`);
+      continue;
+    }
+    const order = of.standings.map(({ law }) => law);
+    expect(same(list, order) && same(ranking, order), name, `${purpose}: list ${list}, ranking ${ranking}, order ${order}`);
+    expect(same(chart, of.standings.filter(({ error }) => error !== null).map(({ law }) => law)), name, `${purpose}: chart ${chart}`);
+    if (of.law) expect(list[0] === of.law && headline.includes(of.law), name, `${purpose}: ${of.law} is not first`);
+  }
+}
+
 // A law that does not describe the devices has a mark of its own, the same in the plot and in the list. Runs in the page.
 async function look_at_inadequate() {
   const report = JSON.parse(document.getElementById('isolaw-data').textContent);
@@ -491,7 +550,7 @@ function check_analysis(name, seen, { devices }) {
   expect(seen.apart === seen.outliers, name, `${seen.apart} of ${seen.outliers} devices that stand apart`);
   expect(seen.predictedRows === seen.predicted, name, 'rows of the prediction');
   expect(
-    seen.collapsing.length > 0 && same(seen.badged, seen.collapsing) && same(seen.flagged, seen.collapsing),
+    seen.collapsing.length > 0 && same([...seen.badged].sort(), [...seen.collapsing].sort()) && same(seen.flagged, seen.collapsing),
     name,
     'predictions that collapse: ' + seen.badged + '; ' + seen.flagged,
   );
@@ -741,6 +800,7 @@ async function check(browser, directory, one) {
 
   const megabytes = readFileSync(file).length / 1e6;
   expect(megabytes < 30, name, `${megabytes.toFixed(1)} MB`);
+  if (identified) check_answer(name, await page.evaluate(`(${look_at_answer})()`), one);
   if (identified) check_order(name, await page.evaluate(`(${look_at_order})()`));
   if (identified) check_energy(name, await page.evaluate(`(${look_at_energy})()`));
 

@@ -470,7 +470,7 @@ export function extend(report, { tests = {}, verified = true, assessed = true, l
     report.laws = [];
     // As of an inspection: what is said of devices and records stays.
     const warnings = report.findings.warnings.filter(({ topic }) => ['refused', 'copies', 'record'].includes(topic));
-    report.findings = { headline: '', beta_note: '', verdicts: [], converged: [], warnings };
+    report.findings = { recommendations: [], headline: '', beta_note: '', verdicts: [], converged: [], warnings };
   }
   return report;
 }

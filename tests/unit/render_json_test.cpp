@@ -182,11 +182,13 @@ TEST(SummaryJson, ExactText) {
   "warnings": [
     {
       "topic": "not complete",
-      "sentence": "not complete: 1 of 4 runs are there; every number and the choice of a law may still change"
+      "sentence": "not complete: 1 of 4 runs are there; every number and the choice of a law may still change",
+      "action": "Continue the campaign"
     },
     {
       "topic": "at bound",
-      "sentence": "line: k at its upper bound on D\"1"
+      "sentence": "line: k at its upper bound on D\"1",
+      "action": "Fix parameters, widen their boxes, or test more"
     }
   ],
   "recommendations": [
@@ -198,7 +200,16 @@ TEST(SummaryJson, ExactText) {
       "why": "One device was tested and every block fitted: nothing says how a law holds elsewhere.",
       "would_decide": "the rest of the campaign, which the same command computes; a test at another amplitude or rate, kept from the fit; tests of more devices",
       "measure": "",
-      "ties": []
+      "ties": [],
+      "standings": [
+        {
+          "law": "line",
+          "place": "ruled out",
+          "error": null,
+          "reason": "nothing shows how it holds elsewhere"
+        }
+      ],
+      "answer": "No law can be recommended for devices and amplitudes that were not tested."
     },
     {
       "purpose": "these-tests",
@@ -208,7 +219,16 @@ TEST(SummaryJson, ExactText) {
       "why": "Errs by 10 % fitted to each device. Weak: the campaign is not complete.",
       "would_decide": "the rest of the campaign, which the same command computes",
       "measure": "fitted to each device",
-      "ties": []
+      "ties": [],
+      "standings": [
+        {
+          "law": "line",
+          "place": "taken",
+          "error": 0.1,
+          "reason": ""
+        }
+      ],
+      "answer": "Take line, with care: 10 % off fitted to each device."
     },
     {
       "purpose": "simplest",
@@ -218,7 +238,16 @@ TEST(SummaryJson, ExactText) {
       "why": "Errs by 10 % fitted to each device, with 1 parameter. Weak: the campaign is not complete.",
       "would_decide": "the rest of the campaign, which the same command computes; a test at another amplitude or rate, kept from the fit; tests of more devices",
       "measure": "fitted to each device",
-      "ties": []
+      "ties": [],
+      "standings": [
+        {
+          "law": "line",
+          "place": "taken",
+          "error": 0.1,
+          "reason": ""
+        }
+      ],
+      "answer": "Take line, with care: 10 % off fitted to each device."
     }
   ]
 }

@@ -211,9 +211,10 @@ std::string why_none(Summary const& summary, Purpose purpose) {
   if (!failing.empty()) parts.push_back(fmt::format("the prediction of {} does not hold", enumerate(failing)));
   if (!partial.empty()) parts.push_back(fmt::format("{} was not identified on every device", enumerate(partial)));
   if (!parts.empty()) return joined(parts, "; ");
-  return purpose == Purpose::untested_device
-             ? "one device was tested and every block fitted: nothing says how a law holds elsewhere"
-             : "no law has an error to compare";
+  if (purpose != Purpose::untested_device) return "no law has an error to compare";
+  return device_names(summary).size() > 1
+             ? "every block was fitted, and no device was left out of the lot's law (--analysis full does that)"
+             : "one device was tested and every block fitted: nothing says how a law holds elsewhere";
 }
 
 // Why a law may not be taken; empty where it may.

@@ -268,7 +268,6 @@ void write_law(JsonWriter& out, Summary const& summary, LawResult const& law,
 void write_findings(JsonWriter& out, Summary const& summary) {
   auto const found = findings(summary);
   out.key("findings").begin_object();
-  out.member("verdict", found.verdict);
   write_recommendations(out, summary, found.recommendations);
   out.member("headline", found.headline).member("beta_note", found.beta_note);
   out.key("verdicts").begin_array();

@@ -2,7 +2,7 @@
 
 import { chosen } from '../choice.js';
 import { errorText, purposeOf, standingsOf } from '../purposes.js';
-import { enumerate, isNumber, plain } from '../text.js';
+import { isNumber, plain } from '../text.js';
 
 const COLOURS = { taken: 'good', ties: 'good', behind: 'measured', 'ruled out': 'paper' };
 const shown = () => standingsOf(purposeOf(chosen.purpose)).filter(({ error }) => isNumber(error));
@@ -17,13 +17,9 @@ function edge(bars) {
 export function errorsCaption() {
   const { recommendation } = purposeOf(chosen.purpose);
   const bars = shown();
-  const out = bars.filter(({ place }) => place === 'ruled out');
-  if (bars.length === 0) return 'No law has an error here: nothing was kept from the fit, and one device has no others.';
-  return (
-    'Mean absolute error of the force over its standard deviation, ' +
-    (recommendation.measure || 'as known') + '. Shorter is better' +
-    (out.length > 0 ? '; hollow: ruled out (' + enumerate(out.map(({ law }) => law.id)) + ').' : '.')
-  );
+  const out = bars.some(({ place }) => place === 'ruled out');
+  if (bars.length === 0) return 'No law has an error here.';
+  return 'Error of the force over its standard deviation, ' + (recommendation.measure || 'as known') + (out ? '; hollow: ruled out.' : '.');
 }
 
 export function drawErrors(look) {
