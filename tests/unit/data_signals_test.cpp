@@ -290,6 +290,73 @@ TEST(Signals, a_channel_that_stuck_before_its_noise_is_found) {
   }
 }
 
+// Three to twenty samples of nought, or of another value off the path, while the other channel goes on.
+TEST(Signals, a_channel_that_drops_out_is_found) {
+  for (bool const of_force : {true, false})
+    for (bool const to_nought : {true, false}) {
+      auto const rate = rate_of(130000, false, [&](Plan& plan, Drawn& random) {
+        auto made = finish(random, plan, true_motion(plan));
+        auto& x = of_force ? made.force_kN_ : made.disp_mm;
+        double const amplitude = of_force ? made.force_kN : made.amplitude_mm;
+        int const length = random.whole(3, std::min(20, plan.samples / 8));
+        auto const rest = plan.samples / 4;
+        auto const from =
+            static_cast<std::size_t>(random.whole(rest + 5, rest + plan.samples * plan.cycles - length - 5));
+        auto const to = from + static_cast<std::size_t>(length);
+        double const level = to_nought ? 0.0 : amplitude * random.between(-1.5, 1.5);
+        // Clearly off the path on both sides, and no jump of the signal's own beside it.
+        double const off = std::min(std::abs(level - x[from - 1]), std::abs(level - x[to]));
+        bool const one_way = (level - x[from - 1]) * (level - x[to]) > 0.0;
+        if (!one_way || off < 0.3 * amplitude ||
+            off < 20.0 * amplitude * (of_force ? plan.force_noise : plan.disp_noise))
+          return Found::left_out;
+        if (near_a_turn(plan, made, from, 8 + static_cast<std::size_t>(length)) ||
+            near_a_turn(plan, made, to, 8 + static_cast<std::size_t>(length)))
+          return Found::left_out;
+        for (auto i = from; i < to; ++i) x[i] = level;
+        auto const faults = faults_of(made);
+        bool const found = faults.size() == 1 && faults.front().kind == FaultKind::dropout &&
+                           faults.front().channel == (of_force ? "force" : "displacement") &&
+                           faults.front().samples == std::vector{from};
+        if (!found)
+          std::cout << "not found: " << length << " from " << from << ", " << made.text << text_of(faults) << "\n";
+        return found ? Found::yes : Found::no;
+      });
+      EXPECT_GT(rate.drawn, 100);
+      EXPECT_LE(50 * rate.missed, rate.drawn);
+      std::cout << "dropouts: " << rate.missed << " of " << rate.drawn << " missed\n";
+    }
+}
+
+TEST(Signals, a_true_record_does_not_drop_out) {
+  for (unsigned seed = 200000; seed < 204000; ++seed) {
+    Drawn random(seed);
+    auto plan = draw(random, {.most_disp_noise = seed % 2 == 0 ? 0.0 : 0.002, .fewest_samples = 20}, true);
+    if (seed % 4 == 0) plan.device = Device::friction;
+    if (seed % 8 == 0) plan.disp_noise = plan.force_noise = 0.0;
+    auto const made = finish(random, plan, true_motion(plan));
+    EXPECT_TRUE(dropouts(made.disp_mm, made.force_kN_, Other::may_stand).empty()) << made.text;
+    EXPECT_TRUE(dropouts(made.force_kN_, made.disp_mm, Other::moves).empty()) << made.text;
+  }
+}
+
+TEST(Signals, a_dropout_is_said_with_its_samples) {
+  std::vector<double> disp, force, time;
+  for (int i = 0; i < 400; ++i) {
+    double const phase = 2.0 * std::numbers::pi * i / 100.0;
+    disp.push_back(100.0 * std::sin(phase));
+    force.push_back(60.0 * std::sin(phase) + 20.0 * std::cos(phase));
+    time.push_back(0.01 * i);
+  }
+  EXPECT_TRUE(signal_faults(disp, force, time).empty());
+  for (std::size_t i = 212; i < 217; ++i) force[i] = 0.0;
+  auto const faults = signal_faults(disp, force, time);
+  ASSERT_EQ(faults.size(), 1u) << text_of(faults);
+  EXPECT_EQ(said_of(faults.front().kind), "interrupted");
+  EXPECT_EQ(faults.front().sentence.find("force drops out, from sample 213 (2.12 s): 0 kN in 5 samples, between "), 0u)
+      << faults.front().sentence;
+}
+
 TEST(Signals, a_channel_without_its_sign_is_found) {
   for (bool const of_force : {true, false}) {
     auto const rate = rate_of(50000, false, [&](Plan& plan, Drawn& random) {

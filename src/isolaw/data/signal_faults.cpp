@@ -62,26 +62,10 @@ std::vector<SignalFault> rectified_channels(SignalPair const& pair) {
   return {};
 }
 
-std::vector<SignalFault> named(std::string const& channel, std::string_view unit, std::vector<Spike> const& off,
-                               SignalPair const& pair) {
-  if (off.empty()) return {};
-  std::vector<std::size_t> samples;
-  auto const* largest = &off.front();
-  for (auto const& spike : off) {
-    samples.push_back(spike.at);
-    if (std::abs(spike.value - spike.expected) > std::abs(largest->value - largest->expected)) largest = &spike;
-  }
-  auto sentence = fmt::format("{} has {} of a single sample, at {}: {:.5g} {} where its neighbours say {:.5g}", channel,
-                              off.size() == 1 ? "a spike" : fmt::format("{} spikes, each", off.size()),
-                              pair.at(samples), largest->value, unit, largest->expected);
-  return {
-      {.kind = FaultKind::spike, .channel = channel, .samples = std::move(samples), .sentence = std::move(sentence)}};
-}
-
 }  // namespace
 
 std::string_view said_of(FaultKind kind) {
-  constexpr std::string_view names[]{"clipped", "stuck", "disturbed by spikes", "without its sign"};
+  constexpr std::string_view names[]{"clipped", "stuck", "disturbed by spikes", "without its sign", "interrupted"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -98,10 +82,48 @@ std::string sample_text(std::span<std::size_t const> samples, std::span<double c
   return text;
 }
 
+std::vector<SignalFault> spike_faults(std::string const& channel, std::string_view unit, std::vector<Spike> const& off,
+                                      std::span<double const> time_s) {
+  if (off.empty()) return {};
+  std::vector<std::size_t> samples;
+  auto const* largest = &off.front();
+  for (auto const& spike : off) {
+    samples.push_back(spike.at);
+    if (std::abs(spike.value - spike.expected) > std::abs(largest->value - largest->expected)) largest = &spike;
+  }
+  auto sentence = fmt::format("{} has {} of a single sample, at {}: {:.5g} {} where its neighbours say {:.5g}", channel,
+                              off.size() == 1 ? "a spike" : fmt::format("{} spikes, each", off.size()),
+                              sample_text(samples, time_s), largest->value, unit, largest->expected);
+  return {
+      {.kind = FaultKind::spike, .channel = channel, .samples = std::move(samples), .sentence = std::move(sentence)}};
+}
+
+std::vector<SignalFault> dropout_faults(std::string const& channel, std::string_view unit,
+                                        std::vector<Dropout> const& gone, std::span<double const> time_s) {
+  if (gone.empty()) return {};
+  std::vector<std::size_t> samples;
+  auto const* longest = &gone.front();
+  for (auto const& one : gone) {
+    samples.push_back(one.samples.first);
+    if (one.samples.size() > longest->samples.size()) longest = &one;
+  }
+  auto sentence = fmt::format("{} drops out, from {}: {:.5g} {} in {} samples, between {:.5g} and {:.5g}", channel,
+                              sample_text(samples, time_s), longest->level, unit, longest->samples.size(),
+                              longest->before, longest->after);
+  return {
+      {.kind = FaultKind::dropout, .channel = channel, .samples = std::move(samples), .sentence = std::move(sentence)}};
+}
+
 std::vector<SignalFault> signal_faults(std::span<double const> disp_mm, std::span<double const> force_kN,
                                        std::span<double const> time_s) {
   std::size_t constexpr fewest = 16;
   if (disp_mm.size() < fewest) return {};
+  auto const gone_disp = dropouts(disp_mm, force_kN, Other::may_stand),
+             gone_force = dropouts(force_kN, disp_mm, Other::moves);
+  // What has dropped out is looked at no further.
+  auto const whole_disp = bridged(disp_mm, gone_disp), whole_force = bridged(force_kN, gone_force);
+  disp_mm = whole_disp;
+  force_kN = whole_force;
   auto const of_disp = spikes(disp_mm);
   auto const of_force = spikes(force_kN);
   SignalPair const pair(disp_mm, force_kN, time_s, of_disp, of_force);
@@ -117,10 +139,12 @@ std::vector<SignalFault> signal_faults(std::span<double const> disp_mm, std::spa
   add(rectified_channels(pair));
   add(clipped_channels(pair));
   add(stuck_channels(pair, is_clipped("displacement"), is_clipped("force")));
-  add(named("displacement", "mm", of_disp, pair));
+  add(dropout_faults("displacement", "mm", gone_disp, time_s));
+  add(dropout_faults("force", "kN", gone_force, time_s));
+  add(spike_faults("displacement", "mm", of_disp, time_s));
   auto single = of_force;
   std::erase_if(single, [&](Spike const& spike) { return is_of_every_turn(spike, of_force, force_kN, pair.turns); });
-  add(named("force", "kN", single, pair));
+  add(spike_faults("force", "kN", single, time_s));
   return found;
 }
 

@@ -1,5 +1,5 @@
-// Signals that cannot be true: a channel at the end of its range, one that stands still while the other goes on, single
-// samples far off their neighbours, a channel recorded without its sign. What is computed from such a record is wrong
+// Signals that cannot be true: a channel at the end of its range, one that stands still while the other goes on, one that
+// drops out for some samples, single samples far off their neighbours, a channel recorded without its sign. What is computed from such a record is wrong
 // however it is computed, so it has no properties; limits and rates: docs/properties.md.
 //
 // A plateau of displacement is a hold where the force only relaxes on it, faster at first than later, and clipping
@@ -14,10 +14,14 @@
 #include <string_view>
 #include <vector>
 
+#include "isolaw/data/dropouts.hpp"
+#include "isolaw/data/spikes.hpp"
+
 namespace isolaw::data {
 
-enum class FaultKind { clipped, stuck, spike, rectified };
-std::string_view said_of(FaultKind kind);  // "clipped", "stuck", "disturbed by spikes", "without its sign"
+enum class FaultKind { clipped, stuck, spike, rectified, dropout };
+std::string_view said_of(
+    FaultKind kind);  // "clipped", "stuck", "disturbed by spikes", "without its sign", "interrupted"
 
 struct SignalFault {
   FaultKind kind = FaultKind::clipped;
@@ -29,6 +33,12 @@ struct SignalFault {
 // time_s may be empty; else all are of one length. O(n log n) in time, O(n) in memory.
 std::vector<SignalFault> signal_faults(std::span<double const> disp_mm, std::span<double const> force_kN,
                                        std::span<double const> time_s = {});
+
+// One fault for all spikes, and one for all dropouts, of a channel; none where there are none.
+std::vector<SignalFault> spike_faults(std::string const& channel, std::string_view unit, std::vector<Spike> const& off,
+                                      std::span<double const> time_s);
+std::vector<SignalFault> dropout_faults(std::string const& channel, std::string_view unit,
+                                        std::vector<Dropout> const& gone, std::span<double const> time_s);
 
 // "sample 213 (2.12 s)", "samples 3, 17 and 21"; index from 0. At most five are named.
 std::string sample_text(std::span<std::size_t const> samples, std::span<double const> time_s);

@@ -8,8 +8,11 @@
 #include <utility>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/hash.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
+#include "isolaw/data/cycles.hpp"
+#include "isolaw/data/vertical_signals.hpp"
 
 namespace isolaw::data {
 namespace {
@@ -59,6 +62,20 @@ Compression compression_of(VerticalTest const& test) {
   return made;
 }
 
+constexpr double noise_left = 0.0005;         // of the range, by averaging
+constexpr std::size_t least_of_loading = 10;  // averages a loading is long at least
+
+// The mean of 2 half + 1 samples; of fewer at the ends.
+std::vector<double> averaged(std::vector<double> const& x, std::size_t half) {
+  std::vector<double> sums(x.size() + 1, 0.0), made(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) sums[i + 1] = sums[i] + x[i];
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    auto const reach = std::min({half, i, x.size() - 1 - i});
+    made[i] = (sums[i + reach + 1] - sums[i - reach]) / static_cast<double>(2 * reach + 1);
+  }
+  return made;
+}
+
 // Loadings between reversals of the load that are more than noise; one that the record ends in is among them.
 std::vector<Loading> all_loadings(std::vector<double> const& load) {
   auto const [least, largest] = std::ranges::minmax(load);
@@ -79,6 +96,30 @@ std::vector<Loading> all_loadings(std::vector<double> const& load) {
   if (rising) found.push_back({low, high});
   std::erase_if(found, [&](Loading const& l) { return load[l.last] < same_peak * largest; });
   return found;
+}
+
+std::size_t counting_among(std::vector<Loading> const& loadings) {
+  return std::min(static_cast<std::size_t>(usual_loading), loadings.size()) - 1;
+}
+
+// The largest of noisy loads lies above the load, and the samples beside a limit are those that noise has brought there:
+// together they make the device look stiffer, by 2 to 7 % for 1 % of noise. Both channels are averaged alike, so that
+// what is linear stays as it is.
+Compression without_noise(Compression compression) {
+  auto const loadings = all_loadings(compression.load_kN);
+  if (loadings.empty()) return compression;
+  auto const part = [](std::vector<double> const& x) {
+    auto const [least, largest] = std::ranges::minmax(x);
+    return largest > least ? noise_deviation(x) / (largest - least) : 0.0;
+  };
+  double const noise = std::max(part(compression.load_kN), part(compression.disp_mm));
+  auto const& counting = loadings[counting_among(loadings)];
+  double const longest = static_cast<double>((counting.last - counting.first) / least_of_loading);
+  auto const half = static_cast<std::size_t>(std::min(longest, std::pow(noise / noise_left, 2.0)) / 2.0);
+  if (half == 0) return compression;
+  compression.load_kN = averaged(compression.load_kN, half);
+  compression.disp_mm = averaged(compression.disp_mm, half);
+  return compression;
 }
 
 struct Point {
@@ -135,6 +176,17 @@ LoadRange held_range(VerticalTest const& test, Compression const& c, Loading con
   return {std::max(asked.low_kN, least), std::min(asked.high_kN, largest)};
 }
 
+void refuse_faults(VerticalTest const& test, Compression const& compression) {
+  std::vector<Complaint> complaints;
+  for (auto const& fault : vertical_faults(compression.disp_mm, compression.load_kN))
+    complaints.push_back(
+        {.where = test.file,
+         .found = fault.sentence,
+         .allowed = {},
+         .advice = "another test, the part of the file that was not disturbed (rows), or K_v as stated"});
+  if (!complaints.empty()) throw Error(std::move(complaints));
+}
+
 void warn_about_size(VerticalStiffness& made) {
   constexpr double softest = 1.0, stiffest = 1e5;
   if (made.K_v_kN_per_mm >= softest && made.K_v_kN_per_mm <= stiffest) return;
@@ -186,6 +238,14 @@ VerticalTest read_vertical(std::filesystem::path const& file, ReadOptions const&
   }
 }
 
+std::string curve_hash(VerticalTest const& test) {
+  std::string hashes;
+  for (auto const* values : {&test.disp_mm, &test.load_kN})
+    hashes +=
+        sha256({static_cast<char const*>(static_cast<void const*>(values->data())), values->size() * sizeof(double)});
+  return sha256(hashes);
+}
+
 VerticalStiffness vertical_stiffness(VerticalTest const& test) {
   VerticalStiffness made;
   if (test.stated_kN_per_mm) {
@@ -196,15 +256,18 @@ VerticalStiffness vertical_stiffness(VerticalTest const& test) {
   }
   if (test.load_kN.empty() || test.load_kN.size() != test.disp_mm.size())
     throw Error({.where = test.file, .found = "no samples of a vertical test"});
-  auto const compression = compression_of(test);
+  auto const recorded = compression_of(test);
+  refuse_faults(test, recorded);
+  auto const compression = without_noise(recorded);
   auto const loadings = all_loadings(compression.load_kN);
   if (loadings.empty())
     throw Error({.where = test.file,
                  .found = "the vertical load does not rise",
                  .allowed = "one loading or more, from a small load to the largest"});
   auto const count = static_cast<int>(loadings.size());
-  int const number = std::min(usual_loading, count);
-  auto const& counting = loadings[static_cast<std::size_t>(number - 1)];
+  auto const place = counting_among(loadings);
+  auto const number = static_cast<int>(place) + 1;
+  auto const& counting = loadings[place];
   auto const range = held_range(test, compression, counting);
   auto const secant = secant_of(compression, counting, range);
   made.K_v_kN_per_mm = secant.K_v();

@@ -32,6 +32,10 @@ struct VerticalTest {
   std::optional<double> stated_kN_per_mm = {};     // without a record
   std::vector<std::string> recognised = {};        // one sentence per decision in reading
   std::string refusal = {};                        // why it gives no stiffness; empty for a usable one
+  // What it gave when it was read, by which a store is checked: the stiffness, and the hash of both signals. Empty
+  // without, as of stores that hold neither.
+  std::optional<double> found_kN_per_mm = {};
+  std::string curve_sha256 = {};
 
   bool given() const { return !file.empty() || stated_kN_per_mm; }
   bool operator==(VerticalTest const&) const = default;
@@ -53,7 +57,10 @@ struct VerticalStiffness {
 VerticalTest read_vertical(std::filesystem::path const& file, ReadOptions const& options,
                            std::optional<LoadRange> const& loads);
 
-// Throws Error: no loading holds both loads, displacement that does not follow the load.
+// Of both signals as they stand in memory.
+std::string curve_hash(VerticalTest const& test);
+
+// Throws Error: a signal that cannot be true, no loading that holds both loads, displacement that does not follow the load.
 VerticalStiffness vertical_stiffness(VerticalTest const& test);
 
 }  // namespace isolaw::data
