@@ -157,12 +157,37 @@ TEST_F(Json, RowsMayHoldShortArrays) {
   EXPECT_NE(refusal(tests + "]").find("more than 1000 tests"), std::string::npos);
 }
 
-TEST_F(Json, TimeStampsAreLeftToOtherFormats) {
-  EXPECT_NE(refusal(R"({"t": ["10:00:00.1", "10:00:00.2", "10:00:00.3"], "disp_mm": [0, 1, 2], "force_kN": [1, 2, 3]})",
-                    with("time=t", "time=s"))
-                .find("FILE:1: '10:00:00.1' in column 1 't' is a time stamp; allowed: numbers; time stamps are read in "
-                      "text and workbooks; try: --columns time=none --dt SECONDS"),
-            std::string::npos);
+TEST_F(Json, TimeStampsAreReadAsInText) {
+  auto const record =
+      read(R"({"t": ["10:00:00.1", "10:00:00.2", "10:00:00.3"], "disp_mm": [0, 1, 2], "force_kN": [1, 2, 3]})",
+           with("time=t"));
+  ASSERT_EQ(record.time_s.size(), 3u);
+  EXPECT_NEAR(record.time_s[2], 0.2, 1e-9);
+  EXPECT_TRUE(says(record.recognised, "time: column 1 't', as asked for; time stamps, read in s"));
+  auto const rows = R"([{"when": "31.05.2024 23:59:59.9", "disp_mm": 0, "force_kN": 1},
+    {"when": "01.06.2024 00:00:00.0", "disp_mm": 1, "force_kN": 2}, {"when": "01.06.2024 00:00:00.1", "disp_mm": 2, "force_kN": 3}])";
+  EXPECT_NEAR(read(rows).time_s[2], 0.2, 1e-6);
+  // Beside a column of dates; a part of the rows alone.
+  auto options = with("time=clock");
+  options.rows = RowRange{.first = 2, .last = 4};
+  auto const joined = read(
+      R"({"day": ["2024-05-02", "2024-05-02", "2024-05-03", "2024-05-03"],
+          "clock": ["23:59:59.8", "23:59:59.9", "00:00:00.0", "00:00:00.1"], "disp_mm": [0, 1, 2, 1], "force_kN": [1, 2, 3, 2]})",
+      options);
+  ASSERT_EQ(joined.time_s.size(), 3u);
+  EXPECT_NEAR(joined.time_s[2], 0.2, 1e-6);
+  EXPECT_NE(
+      refusal(R"({"t": ["10:00:00.1", 0.2, "10:00:00.3"], "disp_mm": [0, 1, 2], "force_kN": [1, 2, 3]})",
+              with("time=t", "time=s"))
+          .find("FILE:1: '10:00:00.1' in column 1 't' is a time stamp; allowed: numbers, or time stamps of one kind in "
+                "the whole column; try: --columns time=none --dt SECONDS"),
+      std::string::npos);
+  EXPECT_NE(
+      refusal(R"({"t": ["03/04/24 23:59:59.9", "04/04/24 00:00:00.0", "05/04/24 00:00:00.1"], "disp_mm": [0, 1, 2],
+                       "force_kN": [1, 2, 3]})",
+              with("time=t"))
+          .find("--date-order dmy"),
+      std::string::npos);
 }
 
 // What would do nothing is not said to have been done.
@@ -171,10 +196,9 @@ TEST_F(Json, OptionsOfTextAreRefused) {
   ReadOptions options;
   options.thousands = ' ';
   options.skip_footer = true;
-  options.date_order = DateOrder::month_first;
   auto const rest =
       ": FILE holds numbers, not their text; allowed: delimited text; try: leave it out, or give it to other files alone";
-  EXPECT_EQ(refusal(text, options), fmt::format("--thousands blank{0}\n--footer skip{0}\n--date-order mdy{0}", rest));
+  EXPECT_EQ(refusal(text, options), fmt::format("--thousands blank{0}\n--footer skip{0}", rest));
 }
 
 TEST_F(Json, WhatIsNoNumberIsAtItsRow) {

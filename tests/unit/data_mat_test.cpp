@@ -55,6 +55,43 @@ TEST_P(Matlab, VectorsByTheirNames) {
   EXPECT_TRUE(says(record.recognised, "4 samples, elements 1 to 4"));
 }
 
+// 2024-05-02 09:00:00 and half a second on: datenum is a spreadsheet's day and 693960 more.
+TEST_P(Matlab, DatenumIsReadAsSeconds) {
+  double const start = 45414.0 + 693960.0 + 9.0 / 24.0;
+  auto const record = read(made([&](MatWriter& w) {
+    w.array("datenum", {start, start + 0.5 / 86400.0, start + 1.0 / 86400.0, start + 1.5 / 86400.0})
+        .array("disp_mm", disp)
+        .array("force_kN", force);
+  }));
+  ASSERT_EQ(record.time_s.size(), 4u);
+  EXPECT_NEAR(record.time_s[3], 1.5, 1e-4);
+  EXPECT_TRUE(says(record.recognised, "2024-05-02 at 09:00:00")) << record.recognised.back();
+  auto const odd =
+      made([&](MatWriter& w) { w.array("datenum", time_s).array("disp_mm", disp).array("force_kN", force); });
+  EXPECT_NE(refusal(odd).find("0 is no day of a test; allowed: days of MATLAB's datenum, 1954 to 2119"),
+            std::string::npos)
+      << refusal(odd);
+}
+
+TEST_P(Matlab, TimesThatAreNoNumbersAreAskedFor) {
+  auto const file = made([](MatWriter& w) {
+    w.texts("t", {"2024-05-02T10:00:00.0", "2024-05-02T10:00:00.1", "2024-05-02T10:00:00.2", "2024-05-02T10:00:00.3"})
+        .array("disp_mm", disp)
+        .array("force_kN", force);
+  });
+  auto const said = refusal(file);
+  EXPECT_NE(
+      said.find("'t' holds dates or times, but no numbers; allowed: seconds, or days of datenum; try: save seconds(t "
+                "- t(1)), or datenum(t) under that name; --columns time=none, or --dt SECONDS"),
+      std::string::npos)
+      << said;
+  auto options = with("time=none");
+  EXPECT_FALSE(read(file, options).has_time());
+  options = {};
+  options.dt_s = 0.1;
+  EXPECT_NEAR(read(file, options).time_s[3], 0.3, 1e-12);
+}
+
 TEST_P(Matlab, VariablesAskedFor) {
   auto const text = made([](MatWriter& w) {
     w.array("Tout", time_s)

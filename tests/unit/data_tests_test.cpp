@@ -151,8 +151,25 @@ TEST_F(SeveralTests, LabViewFilesAreReadAfterTheirEndOfHeader) {
   ASSERT_EQ(second.size(), 101u);
   EXPECT_NEAR(second.disp_mm[25], 50.0, 1e-8);
   auto const without = read(lvm_head("No") + lvm_part(loop, false));
-  EXPECT_FALSE(without.has_time());
+  ASSERT_TRUE(without.has_time());
+  EXPECT_DOUBLE_EQ(without.time_s[200], 2.0);
+  EXPECT_TRUE(
+      says(without.recognised, "sampling interval 0.01 s (100 Hz), as the header of the file has it (Delta_X)"));
   EXPECT_EQ(without.disp_mm, record.disp_mm);
+  ReadOptions told;
+  told.dt_s = 0.02;
+  EXPECT_DOUBLE_EQ(read(lvm_head("No") + lvm_part(loop, false), told).time_s[200], 4.0);
+  told = {};
+  told.columns[Channel::time] = "none";
+  EXPECT_FALSE(read(lvm_head("No") + lvm_part(loop, false), told).has_time());
+  for (std::string const other : {"Delta_X\t0,01\t0,02\n", "Delta_X\t\t\n"}) {
+    auto part = lvm_part(loop, false);
+    std::string const line = "Delta_X\t0,01\t0,01\n";
+    part.replace(part.find(line), line.size(), other);
+    auto const open = read(lvm_head("No") + part);
+    EXPECT_FALSE(open.has_time()) << other;
+    EXPECT_TRUE(says(open.recognised, "no time column: rate-dependent laws need --dt SECONDS")) << other;
+  }
   auto const later = read(lvm_head("No") + lvm_part(small, false) + "\n" + lvm_part(loop, false), test("2"));
   EXPECT_EQ(later.disp_mm, record.disp_mm);
 }

@@ -128,6 +128,14 @@ class MatWriter {
     std::size_t size[2] = {1, value.size()};
     return add(Mat_VarCreate(name.c_str(), MAT_C_CHAR, MAT_T_UINT8, 2, size, value.data(), 0));
   }
+  // A matrix of characters, a text of equal length in each row.
+  MatWriter& texts(std::string const& name, std::vector<std::string> const& rows) {
+    std::string columns;
+    for (std::size_t k = 0; k < rows.front().size(); ++k)
+      for (auto const& row : rows) columns += row[k];
+    std::size_t size[2] = {rows.size(), rows.front().size()};
+    return add(Mat_VarCreate(name.c_str(), MAT_C_CHAR, MAT_T_UINT8, 2, size, columns.data(), 0));
+  }
   MatWriter& structure(std::string const& name, std::vector<Named> structs) {
     std::vector<char const*> names;
     for (auto const& [field, values] : structs.front()) names.push_back(field.c_str());

@@ -19,7 +19,7 @@ using Lexicon = std::span<std::string_view const>;
 // English, Italian, German, French, Spanish, Turkish; lower case without accents.
 constexpr std::string_view time_words[]{"time",     "tempo", "zeit", "temps",   "tiempo",
                                         "messzeit", "zaman", "sure", "prufzeit"};
-constexpr std::string_view calendar_words[]{"datetime", "date", "datum", "data", "fecha", "tarih"};
+constexpr std::string_view calendar_words[]{"datetime", "datenum", "date", "datum", "data", "fecha", "tarih"};
 constexpr std::string_view disp_words[]{"disp",        "weg",       "stroke",   "corsa",       "extension",   "hub",
                                         "scorrimento", "deplasman", "otelenme", "standardweg", "traversenweg"};
 constexpr std::string_view disp_stems[]{"displ",         "spost",     "verschieb",

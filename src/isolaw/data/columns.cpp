@@ -156,11 +156,24 @@ class Resolver {
                "one column for time", options_for(Channel::time, found));
       return;
     }
-    if (found.empty()) return;
+    if (found.empty()) return report_objects();
     auto& time = result_.channels[Channel::time];
     time.index = found.front();
     why_[Channel::time] = why;
     take_stamps(time);
+  }
+
+  // A time that only MATLAB reads would be missed in silence.
+  void report_objects() {
+    if (options_.dt_s) return;
+    for (auto const& variable : header_.objects)
+      if (meaning_of(variable).channel == Channel::time || data::names_a_calendar(variable))
+        complain(
+            header_place(), fmt::format("{} holds dates or times, but no numbers", in_quotes(variable)),
+            "seconds, or days of datenum",
+            fmt::format(
+                "save seconds({0} - {0}(1)), or datenum({0}) under that name; --columns time=none, or --dt SECONDS",
+                printable(variable)));
   }
 
   bool names_a_calendar(std::size_t index) const {

@@ -178,6 +178,19 @@ bool begins_test(std::string_view line, Dialect const& dialect, std::string_view
   return cells.size() == dialect.columns && !has_number(cells, dialect) && count_channels(cells) >= 2;
 }
 
+// The interval that a row of the header gives to every channel alike.
+std::optional<double> lvm_interval(Names const& given, Dialect const& dialect) {
+  std::optional<double> interval;
+  for (std::size_t k = 1; k < given.size(); ++k) {
+    if (given[k].empty()) continue;
+    auto const cell = parse_cell(given[k], dialect.format());
+    if (cell.kind != CellKind::number || !(cell.value > 0.0) || interval.value_or(cell.value) != cell.value)
+      return std::nullopt;
+    interval = cell.value;
+  }
+  return interval;
+}
+
 // LabVIEW's measurement files (.lvm): after the last end of header the names, one more than there are columns where no
 // row has a comment; units of the channels in a row of their own above it, those of the time are seconds.
 bool read_lvm_header(std::span<std::string_view const> above, Dialect const& dialect, Header& header) {
@@ -192,7 +205,9 @@ bool read_lvm_header(std::span<std::string_view const> above, Dialect const& dia
   auto cells = split_names(above[names], dialect.delimiter);
   while (cells.size() > dialect.columns && (cells.back().empty() || lower(cells.back()) == "comment")) cells.pop_back();
   if (cells.size() != dialect.columns || lower(cells.front()) != "x_value") return false;
-  if (!dialect.numeric.front()) cells.front().clear();  // X_Columns No
+  bool const timed = dialect.numeric.front();
+  if (!timed) cells.front().clear();  // X_Columns No
+  bool of_times = true;
   Names units(dialect.columns);
   for (std::size_t i = 0; i < *end; ++i) {
     auto const given = split_names(above[i], dialect.delimiter);
@@ -201,9 +216,12 @@ bool read_lvm_header(std::span<std::string_view const> above, Dialect const& dia
     for (std::size_t k = 1; of_y && k < given.size(); ++k) units[k] = given[k];
     if (given.size() > 1 && of_x) units[0] = given[1];
     if (given.size() > 1 && of_time && lower(given[1]) == "time" && units[0].empty()) units[0] = "s";
+    if (given.size() > 1 && of_time) of_times = lower(given[1]) == "time";
+    if (!timed && opens(above[i], "Delta_X")) header.interval_s = lvm_interval(given, dialect);
     if (!of_x && !of_time && !of_y && !is_blank(above[i], dialect.delimiter)) header.passed_over.push_back(i);
   }
   if (std::ranges::any_of(units, [](auto const& unit) { return !unit.empty(); })) header.units = std::move(units);
+  if (!of_times) header.interval_s.reset();
   header.passed_over.push_back(*end);
   header.name_line = names;
   header.names = std::move(cells);

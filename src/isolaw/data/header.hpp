@@ -30,10 +30,13 @@ struct Header {
   };
   std::optional<Mismatch> mismatch;
 
+  std::optional<double> interval_s;  // between rows, where no column has the time and the header has the interval
+
   bool own_axis = false;             // channels are named after the axis of the machine, which may lie any way
   std::string_view row = "line";     // what a row is called: "line", "row", "element"
   bool lettered = false;             // columns have letters, as in a workbook
   bool by_name = false;              // columns are variables: named, not numbered, in what is advised
+  std::vector<std::string> objects;  // variables that only the program reads which wrote them, or that hold no numbers
   std::vector<std::string> complex;  // variables of complex numbers, which no channel is read from
   std::string listing;               // what the file holds besides, where that is more than its columns
 };

@@ -69,6 +69,8 @@ bool is_table(Branch const& part) {
 void put(NumberColumn& column, Value const& value) {
   if (std::isnan(value.number) && column.odd_cells.size() < most_odd_cells && !value.text.empty())
     column.odd_cells.emplace(column.values.size(), value.text.substr(0, longest_text));
+  if (value.is_text && column.stamps.size() == column.values.size())
+    if (auto const stamp = parse_stamp(value.text)) column.stamps.push_back(*stamp);
   column.values.push_back(value.number);
 }
 

@@ -35,6 +35,7 @@ struct MatColumns {
 
   void add(std::string name, MatVariable const& variable, MatSlice slice) {
     columns.push_back({.name = name, .unit = variable.unit, .length = static_cast<std::size_t>(slice.count)});
+    columns.back().datenum = lower(name).find("datenum") != std::string::npos;
     origins.push_back({&variable, slice, std::move(name)});
   }
 };
@@ -123,6 +124,19 @@ std::vector<std::string> complex_of(std::vector<MatVariable> const& variables, s
   return names;
 }
 
+// Variables that may hold times and no numbers, of one struct where it is named, by the names they have in it.
+std::vector<std::string> objects_of(std::vector<MatVariable> const& variables, std::string const& owner) {
+  std::vector<std::string> names;
+  for (auto const& v : variables) {
+    bool const of_text = v.kind == "cell" || (v.kind == "char" && !v.size.empty() && v.size[0] >= fewest_values);
+    bool const of_class =
+        v.kind == "table or object" || v.kind == "object" || v.kind == "datetime" || v.kind == "duration";
+    if ((of_text || of_class) && owner_of(v.name) == owner)
+      names.push_back(owner.empty() ? v.name : v.name.substr(owner.size() + 1));
+  }
+  return names;
+}
+
 class MatTable : public NumberTable {
  public:
   MatTable(std::string const& file, std::shared_ptr<MatFile const> mat, MatColumns found, std::string all,
@@ -136,6 +150,7 @@ class MatTable : public NumberTable {
     header_.by_name = true;
     header_.listing = std::move(all);
     header_.complex = complex_of(file_->variables(), owner);
+    header_.objects = objects_of(file_->variables(), owner);
   }
 
   std::string place_of(std::size_t column) const override { return fmt::format("{}:{}", name_, origins_[column].name); }

@@ -12,6 +12,14 @@
 
 namespace isolaw::data {
 
+StampKind NumberColumn::kind() const {
+  if (datenum) return StampKind::serial_number;
+  if (stamps.empty() || stamps.size() != values.size()) return StampKind::none;
+  auto const first = kind_of(stamps.front());
+  return std::ranges::all_of(stamps, [&](auto const& stamp) { return kind_of(stamp) == first; }) ? first
+                                                                                                 : StampKind::none;
+}
+
 NumberTable::NumberTable(std::string place, std::vector<NumberColumn> columns, std::string_view row,
                          std::string recognised, std::string title)
     : Table(std::move(place)), list_(std::move(columns)), recognised_(std::move(recognised)) {
@@ -23,6 +31,7 @@ NumberTable::NumberTable(std::string place, std::vector<NumberColumn> columns, s
   for (auto const& column : list_) {
     if (named) header_.names.push_back(column.name);
     if (units) header_.units.push_back(column.unit);
+    header_.stamps.push_back(column.kind());
   }
 }
 
@@ -48,7 +57,7 @@ void NumberTable::report_odd(std::size_t column, RawChannel const& raw, RowChoic
     auto const odd = list_[column].odd_cells.find(i);
     if (odd != list_[column].odd_cells.end() && parse_stamp(odd->second))
       findings.add(i + 1, fmt::format("{} in {} is a time stamp", in_quotes(odd->second), raw.column),
-                   "numbers; time stamps are read in text and workbooks", "--columns time=none --dt SECONDS");
+                   "numbers, or time stamps of one kind in the whole column", "--columns time=none --dt SECONDS");
     else if (odd != list_[column].odd_cells.end())
       findings.add(i + 1, fmt::format("{} in {} is not a number", in_quotes(odd->second), raw.column), "a number",
                    leave_out(i + 1));
@@ -57,6 +66,28 @@ void NumberTable::report_odd(std::size_t column, RawChannel const& raw, RowChoic
                    "a finite number", leave_out(i + 1) + ", or test again");
   }
   findings.append_to(complaints);
+}
+
+std::vector<Stamp> NumberTable::stamps_of(Column const& column, std::vector<Complaint>& complaints) const {
+  auto const& own = list_[column.index];
+  if (own.datenum) {
+    std::vector<Stamp> stamps;
+    for (double const days : values(column.index)) {
+      double const serial = days - datenum_of_serial;
+      if (!may_be_serial(serial)) {
+        complaints.push_back({place_of(column.index), fmt::format("{} is no day of a test", days),
+                              "days of MATLAB's datenum, 1954 to 2119", "--columns time=none --dt SECONDS"});
+        return {};
+      }
+      stamps.push_back(stamp_of_serial(serial));
+    }
+    return stamps;
+  }
+  auto stamps = own.stamps;
+  if (!column.date_column) return stamps;
+  auto const& dates = list_[*column.date_column].stamps;
+  for (std::size_t i = 0; i < std::min(stamps.size(), dates.size()); ++i) stamps[i] = on_date(stamps[i], dates[i]);
+  return stamps;
 }
 
 Rows NumberTable::read(Columns const& columns, RowChoice const& choice, std::vector<Complaint>& complaints) const {
@@ -70,12 +101,16 @@ Rows NumberTable::read(Columns const& columns, RowChoice const& choice, std::vec
       break;
     }
   if (complaints.size() > before) return rows;
+  std::vector<Stamp> stamps;
   for (auto const& [channel, column] : columns.channels) {
-    rows.channels.push_back({.channel = channel,
-                             .column = column_text(column.index, header_),
-                             .unit = column.unit ? std::string(column.unit->symbol) : std::string(),
-                             .values = values(column.index)});
-    report_odd(column.index, rows.channels.back(), choice, complaints);
+    bool const stamped = column.stamp != StampKind::none;
+    if (stamped) stamps = stamps_of(column, complaints);
+    rows.channels.push_back(
+        {.channel = channel,
+         .column = column_text(column.index, header_),
+         .unit = column.unit ? std::string(column.unit->symbol) : std::string(),
+         .values = stamped ? std::vector<double>(list_[column.index].length, 0.0) : values(column.index)});
+    if (!stamped) report_odd(column.index, rows.channels.back(), choice, complaints);
   }
   auto const length = rows.channels.empty() ? 0 : rows.channels.front().values.size();
   rows.of = length;
@@ -87,6 +122,17 @@ Rows NumberTable::read(Columns const& columns, RowChoice const& choice, std::vec
     rows.numbers.push_back(i + 1);
   }
   for (auto& raw : rows.channels) raw.values.resize(rows.numbers.size());
+  if (stamps.size() != length || complaints.size() > before) return rows;
+  for (std::size_t i = 0; i < rows.numbers.size(); ++i) stamps[i] = stamps[rows.numbers[i] - 1];
+  stamps.resize(rows.numbers.size());
+  for (auto& raw : rows.channels) {
+    if (columns.channels.at(raw.channel).stamp == StampKind::none || stamps.empty()) continue;
+    auto time = seconds_of(stamps, rows.numbers, place_, header_.row, choice.date_order, complaints);
+    raw.values = std::move(time.time_s);
+    rows.origin_s = time.origin_s;
+    rows.dated = time.dated;
+    for (auto const& sentence : time.sentences) rows.recognised.push_back(raw.column + ", " + sentence);
+  }
   return rows;
 }
 

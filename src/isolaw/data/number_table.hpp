@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "isolaw/data/table.hpp"
+#include "isolaw/data/time_stamp.hpp"
 
 namespace isolaw::data {
 
@@ -16,6 +17,10 @@ struct NumberColumn {
   std::size_t length = 0;
   std::vector<double> values = {};                    // may be read only when the column is asked for
   std::map<std::size_t, std::string> odd_cells = {};  // the first few that are no number, by position from 0
+  std::vector<Stamp> stamps = {};                     // of a column that holds time stamps: as many as values
+  bool datenum = false;                               // numbers are MATLAB's days
+
+  StampKind kind() const;  // of the stamps, where all are of one
 };
 
 class NumberTable : public Table {
@@ -36,6 +41,8 @@ class NumberTable : public Table {
  private:
   void report_odd(std::size_t column, RawChannel const& raw, RowChoice const& choice,
                   std::vector<Complaint>& complaints) const;
+  // The stamps of a channel, of every row.
+  std::vector<Stamp> stamps_of(Column const& column, std::vector<Complaint>& complaints) const;
   void check_lengths(Columns const& columns, std::vector<Complaint>& complaints) const;
 
   std::string recognised_;

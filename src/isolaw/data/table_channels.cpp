@@ -23,8 +23,9 @@ void describe_part(Rows const& rows, RowRange const& range, std::vector<std::str
                                    range.last.value_or(rows.of), rows.of, rows_text(range)));
 }
 
-void describe_rows(Rows const& rows, std::string_view row, TestRecord const& record, bool timed,
+void describe_rows(Rows const& rows, Header const& header, TestRecord const& record, bool timed, bool of_header,
                    std::vector<std::string>& recognised) {
+  auto const row = header.row;
   recognised.push_back(fmt::format("{}, {}s {} to {}", counted(rows.numbers.size(), "sample"), row,
                                    rows.numbers.front(), rows.numbers.back()));
   if (rows.comments > 0)
@@ -37,8 +38,9 @@ void describe_rows(Rows const& rows, std::string_view row, TestRecord const& rec
   }
   double const mean = (record.time_s.back() - record.time_s.front()) / static_cast<double>(record.time_s.size() - 1);
   recognised.push_back(fmt::format("sampling interval {:.6g} s ({:.6g} Hz), {}", mean, 1.0 / mean,
-                                   record.layout.dt_s ? fmt::format("as asked for (--dt {})", *record.layout.dt_s)
-                                                      : "on average over the time column"));
+                                   of_header            ? std::string("as the header of the file has it (Delta_X)")
+                                   : record.layout.dt_s ? fmt::format("as asked for (--dt {})", *record.layout.dt_s)
+                                                        : "on average over the time column"));
 }
 
 // Of a file without a time column: counted from the first row of the file, whatever part of it is read.
@@ -131,10 +133,14 @@ void store_channels(Rows& rows, Columns const& columns, std::size_t skipped, Tes
 
 }  // namespace
 
-RecordPart read_channels(Tests const& tests, Table const& table, TestRecord record, ReadOptions const& options,
+RecordPart read_channels(Tests const& tests, Table const& table, TestRecord record, ReadOptions const& asked,
                          Wanted wanted, std::optional<FirstStamp> const& origin) {
   auto const& place = table.place();
-  auto const columns = recognise_columns(place, table.header(), table.columns(), options, wanted);
+  auto const columns = recognise_columns(place, table.header(), table.columns(), asked, wanted);
+  auto options = asked;
+  bool const of_header = table.header().interval_s && !asked.dt_s && wanted.time &&
+                         !asked.columns.contains(Channel::time) && !columns.channels.contains(Channel::time);
+  if (of_header) options.dt_s = table.header().interval_s;
   auto complaints = columns.complaints;
   table.check(complaints);
   check_interval(place, options, table.header(), columns, complaints);
@@ -165,7 +171,7 @@ RecordPart read_channels(Tests const& tests, Table const& table, TestRecord reco
   store_channels(rows, columns, skipped, made);
   describe_part(rows, range, made.recognised);
   append(made.recognised, rows.recognised);
-  describe_rows(rows, table.header().row, made, wanted.time, made.recognised);
+  describe_rows(rows, table.header(), made, wanted.time, of_header, made.recognised);
   if (wanted.disp && wanted.force) part.exchange_advice = exchange_advice(columns, table.header());
   return part;
 }

@@ -171,11 +171,7 @@ class RowReader {
     if (date_column_) {
       auto const date = parse_stamp(cells_[*date_column_]);
       if (!date || !date->dated || !stamp->clocked) return std::nullopt;
-      stamp->dated = true;
-      stamp->days = date->days;
-      stamp->first = date->first;
-      stamp->second = date->second;
-      stamp->year = date->year;
+      stamp = on_date(*stamp, *date);
     }
     if (!stamps_.empty() && stamp->dated != stamps_.front().dated) return std::nullopt;
     return stamp;

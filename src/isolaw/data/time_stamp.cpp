@@ -403,6 +403,15 @@ Stamp stamp_of_serial(double days) {
   return stamp;
 }
 
+Stamp on_date(Stamp clock, Stamp const& date) {
+  clock.dated = true;
+  clock.days = date.days;
+  clock.first = date.first;
+  clock.second = date.second;
+  clock.year = date.year;
+  return clock;
+}
+
 bool may_be_date(std::string_view text) {
   std::string plain(trimmed(text));
   std::erase(plain, ' ');

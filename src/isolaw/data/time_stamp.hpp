@@ -31,6 +31,10 @@ std::string_view date_order_word(DateOrder order);  // "dmy"
 std::optional<Stamp> parse_stamp(std::string_view cell);
 StampKind kind_of(Stamp const& stamp);
 Stamp stamp_of_serial(double days);
+// MATLAB counts days from the year 0: its datenum less this is a spreadsheet's day.
+inline constexpr double datenum_of_serial = 693960.0;
+// A time of day on the day of a date.
+Stamp on_date(Stamp clock, Stamp const& date);
 // Whether a person may have written a date so: one of the calendar, or words with a year ("spring 2024").
 bool may_be_date(std::string_view text);
 // Days of dates that a test may have, with a part of a day: 1954 to 2119.
