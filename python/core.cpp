@@ -141,7 +141,51 @@ RecordPtr record_of_file(std::filesystem::path const& file, bool motion, std::op
              .raw = motion ? data::read_motion(file, options) : data::read_record(file, options)});
 }
 
-std::string inspected(Record const& record) {
+// A compression test: a file, K_v in kN/mm, or a dict of the file, the loads and how it is read; None for none.
+campaign::VerticalInput vertical_input(py::handle const& given, std::string const& where) {
+  campaign::VerticalInput made;
+  if (given.is_none()) return made;
+  auto const take_file = [&](py::handle const& file) {
+    made.file = file.cast<std::filesystem::path>();
+    made.shown_file = printable(made.file.filename().string());
+  };
+  if (py::isinstance<py::dict>(given)) {
+    auto const told = given.cast<py::dict>();
+    std::vector<data::Reading> rows;
+    for (auto const& row : data::reading_table())
+      if (!row.of_test) rows.push_back(row);
+    py::dict reading;
+    for (auto const& [key, value] : told) {
+      auto const name = key.cast<std::string>();
+      if (name == "file")
+        take_file(value);
+      else if (name == "loads")
+        made.loads = data::parse_loads(value.cast<std::string>());
+      else if (std::ranges::any_of(rows, [&](auto const& row) { return row.python() == name; }))
+        reading[key] = value;
+      else
+        throw Error({.where = where,
+                     .found = "unknown keyword " + in_quotes(name),
+                     .allowed = "file, loads and the keywords of read_motion"});
+    }
+    lay_over(rows, given_of(rows, reading), made.read);
+    if (made.file.empty())
+      throw Error({.where = where, .found = "a compression test without a file", .allowed = "file=...", .advice = {}});
+    return made;
+  }
+  if (py::isinstance<py::float_>(given) || (py::isinstance<py::int_>(given) && !py::isinstance<py::bool_>(given))) {
+    made.stated_kN_per_mm = given.cast<double>();
+    if (!(*made.stated_kN_per_mm > 0.0) || !std::isfinite(*made.stated_kN_per_mm))
+      throw Error({.where = where,
+                   .found = fmt::format("{}", *made.stated_kN_per_mm),
+                   .allowed = "vertical stiffness in kN/mm, above 0"});
+    return made;
+  }
+  take_file(given);
+  return made;
+}
+
+std::string inspected(Record const& record, py::object const& vertical) {
   if (record.raw.force_kN.empty())
     throw Error({.where = record.name, .found = "a motion without force", .allowed = "a record of a test"});
   Contents contents;
@@ -151,6 +195,9 @@ std::string inspected(Record const& record) {
                               .refusal = {},
                               .raw = record.raw,
                               .record = data::clean(record.raw, {})});
+  auto const compression = vertical_input(vertical, "vertical");
+  py::gil_scoped_release const released;
+  contents.devices.front().vertical = campaign::prepare_vertical(compression, {});
   return render::inspection_json(study::build_summary(contents));
 }
 
@@ -363,8 +410,8 @@ py::dict runs_of(Campaign const& campaign, std::string const& law, std::string c
 // The campaign runs in a thread of its own, without the interpreter's lock; the caller's thread waits, hands progress
 // to Python and listens for signals, which Python delivers to its main thread alone. An exception of either stops the
 // search.
-CampaignPtr calibrated(std::vector<RecordPtr> const& records, py::dict const& given, CalibrateOptions options,
-                       py::object const& progress) {
+CampaignPtr calibrated(std::vector<RecordPtr> const& records, py::dict const& given, py::dict const& vertical,
+                       CalibrateOptions options, py::object const& progress) {
   auto const settings = settings_of(given);
   lay_over(campaign::acceptance_table(), given_of(campaign::acceptance_table(), given), options.acceptance);
   std::vector<campaign::NamedRecord> named;
@@ -374,6 +421,16 @@ CampaignPtr calibrated(std::vector<RecordPtr> const& records, py::dict const& gi
     named.back().record.file = printable(std::filesystem::path(record->raw.file).filename().string());
     if (record->raw.force_kN.empty())
       throw Error({.where = record->name, .found = "a motion without force", .allowed = "records of tests"});
+  }
+  for (auto const& [key, test] : vertical) {
+    auto const name = key.cast<std::string>();
+    auto const found = std::ranges::find(named, name, &campaign::NamedRecord::name);
+    if (found == named.end())
+      throw Error({.where = "vertical",
+                   .found = in_quotes(name) + ": no such device",
+                   .allowed = "names of the records",
+                   .advice = fmt::format("vertical={{'{}': FILE}}", named.empty() ? "D1" : named.front().name)});
+    found->vertical = vertical_input(test, "vertical of " + in_quotes(name));
   }
   std::mutex mutex;
   std::condition_variable changed;
@@ -514,7 +571,8 @@ PYBIND11_MODULE(_core, m) {
       .def(
           "__len__", [](Record const& r) { return r.raw.size(); }, "Number of samples.")
       .def(
-          "_inspection_json", [](Record const& r) { return inspected(r); }, py::call_guard<py::gil_scoped_release>());
+          "_inspection_json", [](Record const& r, py::object const& vertical) { return inspected(r, vertical); },
+          py::arg("vertical"));
 
   m.def("read", &record_of_file, py::arg("file"), py::arg("motion"), py::arg("name"), py::arg("how"));
 
@@ -619,7 +677,7 @@ PYBIND11_MODULE(_core, m) {
   m.def("load", &loaded, py::arg("directory"));
   m.def(
       "calibrate",
-      [](std::vector<RecordPtr> const& records, py::dict const& given, int jobs,
+      [](std::vector<RecordPtr> const& records, py::dict const& given, py::dict const& vertical, int jobs,
          std::optional<std::filesystem::path> out, bool fresh, std::string title, py::object const& progress) {
         if (jobs < 0 || jobs > campaign::most_jobs)
           throw Error({.where = "jobs",
@@ -627,8 +685,8 @@ PYBIND11_MODULE(_core, m) {
                        .allowed = fmt::format("0 to {}", campaign::most_jobs)});
         CalibrateOptions options{.directory = std::move(out), .fresh = fresh, .title = std::move(title)};
         options.run.jobs = jobs;
-        return calibrated(records, given, std::move(options), progress);
+        return calibrated(records, given, vertical, std::move(options), progress);
       },
-      py::arg("records"), py::arg("given"), py::arg("jobs"), py::arg("out"), py::arg("fresh"), py::arg("title"),
-      py::arg("progress"));
+      py::arg("records"), py::arg("given"), py::arg("vertical"), py::arg("jobs"), py::arg("out"), py::arg("fresh"),
+      py::arg("title"), py::arg("progress"));
 }

@@ -137,6 +137,12 @@ def record(disp_mm, force_kN, time_s=None, load_kN=None, *, name="record"):
     return _core.record(name, disp_mm, force_kN, time_s, load_kN)
 
 
+def _vertical(test):
+    if isinstance(test, _os.PathLike):
+        return _os.fspath(test)
+    return {k: _os.fspath(v) if k == "file" else v for k, v in test.items()} if isinstance(test, dict) else test
+
+
 def motion(disp_mm, time_s=None, *, name="motion"):
     """A displacement history of arrays, shape (samples,), in mm and s: a Record whose ``force_kN`` is None.
 
@@ -145,14 +151,15 @@ def motion(disp_mm, time_s=None, *, name="motion"):
     return _core.record(name, disp_mm, None, time_s, None)
 
 
-def properties(record):
+def properties(record, *, vertical=None):
     """Properties of a test cycle by cycle, from raw values: the dict that ``isolaw inspect --json`` prints.
 
     ``blocks`` lists the blocks of cycles of one amplitude and frequency with ``cycles``, each with K_eff in kN/mm,
     damping in percent of critical, energy per cycle in kN mm and more (docs/inspection-json.md, with formulas and their
-    sources in docs/properties.md). Raises Error for a motion without force.
+    sources in docs/properties.md). vertical: the device's compression test, as in calibrate; ``vertical`` of the result
+    has what it gives, or why it gives nothing. Raises Error for a motion without force.
     """
-    return _json.loads(record._inspection_json())
+    return _json.loads(record._inspection_json(_vertical(vertical)))
 
 
 # --- laws -------------------------------------------------------------------------------------------------------------
@@ -360,7 +367,7 @@ def _all_samples(how):
 
 
 @_takes(settings() | _OPTIONS["acceptance"])
-def calibrate(records, laws="usual", *, jobs=0, out=None, fresh=False, title="", progress=None, **given):
+def calibrate(records, laws="usual", *, vertical=None, jobs=0, out=None, fresh=False, title="", progress=None, **given):
     """Fits laws to records, as ``isolaw calibrate`` does: with the same settings and seed the numbers are the same.
 
     records: a Record or a path, or a list of them; each is a device of the lot, under its name.
@@ -373,6 +380,8 @@ def calibrate(records, laws="usual", *, jobs=0, out=None, fresh=False, title="",
     bootstrap. settings() lists all of these with their limits.
     rules: a rule set the tests are held to, by name or a file. design: design values, as a dict or as text:
     ``{"K_eff": 1.2, "damping": 15}``. lot_size: devices of the production lot, tested or not.
+    vertical: compression tests, a dict by device name: a file, K_v in kN/mm, or a dict with ``file``, ``loads``
+    (``"300:1000"``, in kN) and keywords of read_motion. One that gives no stiffness says why in the summary.
     jobs: threads, 0 for one per core; the numbers do not depend on it. out: a directory for store and reports, where an
     interrupted campaign is continued by the same call; fresh starts over there. title: of the lot.
     progress: called as progress(done, total, analysis, best) from the calling thread; best is a dict of the least
@@ -390,7 +399,8 @@ def calibrate(records, laws="usual", *, jobs=0, out=None, fresh=False, title="",
     given = _all_samples(given) | {"laws": laws if isinstance(laws, str) else list(laws)}
     if not isinstance(given.get("set", ""), str):
         given["set"] = list(given["set"])
-    return Campaign(_core.calibrate(devices, given, jobs, out, fresh, title, progress))
+    tests = {name: _vertical(test) for name, test in (vertical or {}).items()}
+    return Campaign(_core.calibrate(devices, given, tests, jobs, out, fresh, title, progress))
 
 
 def load(directory):

@@ -9,6 +9,7 @@ __version__: str
 
 _Path = str | PathLike[str]
 _Floats = NDArray[np.float64]
+_Vertical = _Path | float | Mapping[str, Any]
 _Parameters = Mapping[str, float] | ArrayLike
 
 class Error(ValueError):
@@ -85,7 +86,7 @@ def record(
     name: str = "record",
 ) -> Record: ...
 def motion(disp_mm: ArrayLike, time_s: ArrayLike | None = None, *, name: str = "motion") -> Record: ...
-def properties(record: Record) -> dict[str, Any]: ...
+def properties(record: Record, *, vertical: _Vertical | None = None) -> dict[str, Any]: ...
 def settings() -> dict[str, dict[str, Any]]: ...
 def laws() -> dict[str, dict[str, Any]]: ...
 def box(
@@ -190,6 +191,7 @@ def calibrate(
     design: str | Mapping[str, float] | None = None,
     lot_size: int | None = None,
     # the end of what it wrote
+    vertical: Mapping[str, _Vertical] | None = None,
     jobs: int = 0,
     out: _Path | None = None,
     fresh: bool = False,

@@ -17,6 +17,13 @@ class Vertical : public InFreshDirectory {
   }
   Words const quick{"--laws", "bilinear",      "--runs", "1",         "--population",
                     "4",      "--generations", "1",      "--figures", "none"};
+  static void execute(fs::path const& store, std::string const& sql) {
+    sqlite3* db = nullptr;
+    ASSERT_EQ(sqlite3_open(store.c_str(), &db), SQLITE_OK);
+    EXPECT_EQ(sqlite3_exec(db, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(db);
+    EXPECT_GT(sqlite3_changes(db), 0);
+    sqlite3_close(db);
+  }
   Json vertical_of(Words const& words) {
     auto const o = isolaw(Words{"inspect"} + words + Words{"--json"});
     return Json::parse(o.out)["vertical"];
@@ -82,9 +89,14 @@ TEST_F(Vertical, of_a_lot_is_given_in_the_lot_file) {
 
 TEST_F(Vertical, that_gives_no_stiffness_is_said_and_the_device_stays) {
   auto const alone = isolaw({"inspect", "D1.csv", "--vertical", "D1=compression-preload.csv"});
-  expect_refused(alone,
-                 {"vertical test", "the loading goes from 400 to 1000 kN, K_v is asked for between 300 and 1000 kN",
-                  "loads = \"400:1000\""});
+  EXPECT_EQ(alone.code, 1) << alone;
+  EXPECT_TRUE(contains(alone.out, "K_eff")) << alone;  // of its own record
+  EXPECT_TRUE(contains(alone.out, "no vertical stiffness K_v, see the warnings")) << alone;
+  EXPECT_TRUE(contains(
+      alone.out,
+      "vertical test: compression-preload.csv: the loading goes from 400 to 1000 kN, K_v is asked for between 300 and 1000 kN"))
+      << alone;
+  EXPECT_TRUE(contains(alone.out, "loads = \"400:1000\"")) << alone;
   auto const lot = isolaw({"inspect", "D1.csv", "D2.csv", "--vertical", "D1=compression-preload.csv"});
   EXPECT_EQ(lot.code, 1) << lot;
   EXPECT_TRUE(contains(lot.out, "D1: vertical test: compression-preload.csv: the loading goes")) << lot;
@@ -143,6 +155,65 @@ TEST_F(Vertical, that_cannot_be_read_does_not_stop_a_campaign) {
   EXPECT_EQ(o.code, 1) << o;
   EXPECT_TRUE(contains(o.err, "D1: no vertical stiffness\n  nothere.csv: no such file")) << o;
   EXPECT_TRUE(contains(read("O/summary.json"), "vertical test: nothere.csv: no such file"));
+}
+
+TEST_F(Vertical, of_which_a_signal_cannot_be_true_gives_no_stiffness) {
+  write("spike.csv", [&] {
+    auto text = read("compression.csv");
+    std::size_t at = 0;
+    for (int line = 0; line < 240; ++line) at = text.find('\n', at) + 1;
+    auto const comma = text.find_first_of(",;\t", at), end = text.find_first_of("\r\n", at);
+    return text.replace(comma + 1, end - comma - 1, "2800");
+  }());
+  auto const o = isolaw({"inspect", "D1.csv", "--vertical", "D1=spike.csv"});
+  EXPECT_EQ(o.code, 1) << o;
+  EXPECT_TRUE(contains(o.out, "spike.csv: vertical load has a spike of a single sample, at sample ")) << o;
+  EXPECT_TRUE(contains(o.out, "no vertical stiffness K_v")) << o;
+}
+
+TEST_F(Vertical, under_two_devices_is_said) {
+  for (std::string const command : {"inspect", "calibrate"}) {
+    auto words =
+        Words{command, "D1.csv", "D2.csv", "--vertical", "D1=compression.csv", "--vertical", "D2=compression.csv"};
+    if (command == "calibrate") words = words + Words{"--out", "O"} + quick;
+    auto const o = isolaw(words);
+    EXPECT_TRUE(contains(o.out + o.err, "D1 and D2 hold the same compression test, whose K_v counts 2 times")) << o;
+  }
+}
+
+TEST_F(Vertical, that_was_changed_in_the_store_is_found_by_check) {
+  ASSERT_EQ(isolaw(Words{"calibrate", "D1.csv", "--out", "O", "--vertical", "D1=compression.csv"} + quick).code, 0);
+  EXPECT_EQ(isolaw({"check", "O"}).code, 0);
+  auto const store = path("O/campaign.sqlite");
+  auto const kept = query(store, "SELECT hex(\"values\") FROM series WHERE channel = 'vertical_load_kN'").front();
+  // One sample that K_v is not made from, 100 kN for 50, then all of them.
+  execute(store, "UPDATE series SET \"values\" = x'" + std::string(12, '0') + "5940" + kept.substr(16) +
+                     "' WHERE channel = 'vertical_load_kN'");
+  auto const one = isolaw({"check", "O"});
+  EXPECT_EQ(one.code, 1) << one;
+  EXPECT_TRUE(contains(one.out + one.err, "D1: the curve of its compression test is not the one that was read")) << one;
+  execute(store,
+          "UPDATE series SET \"values\" = (SELECT \"values\" FROM series WHERE channel = 'vertical_disp_mm') "
+          "WHERE channel = 'vertical_load_kN'");
+  auto const all = isolaw({"check", "O"});
+  EXPECT_TRUE(contains(all.out + all.err, "D1: its compression test gives K_v = ")) << all;
+}
+
+TEST_F(Vertical, of_a_campaign_stays_unless_its_lot_file_drops_it) {
+  Words const campaign = Words{"calibrate", "D1.csv", "--out", "O"} + quick;
+  ASSERT_EQ(isolaw(campaign + Words{"--vertical", "D1=compression.csv"}).code, 0);
+  auto const without = isolaw(campaign);
+  EXPECT_EQ(without.code, 0) << without;
+  EXPECT_TRUE(contains(without.err, "the compression tests that this campaign holds stay: D1 (compression.csv)"))
+      << without;
+  EXPECT_TRUE(contains(read("O/tables/vertical.csv"), "D1,1200.")) << read("O/tables/vertical.csv");
+  write("lot.toml", "[[device]]\nname = \"D1\"\nfile = \"D1.csv\"\n");
+  auto const dropped = isolaw(Words{"calibrate", "lot.toml", "--out", "O"} + quick);
+  EXPECT_TRUE(contains(dropped.err,
+                       "no longer in the lot file, and their K_v no longer in this campaign: the compression "
+                       "tests of D1 (compression.csv)"))
+      << dropped;
+  EXPECT_EQ(query(path("O/campaign.sqlite"), "SELECT vertical FROM device"), Words{""});
 }
 
 }  // namespace

@@ -40,6 +40,26 @@ class Campaigns(unittest.TestCase):
                 cwd=self.path)  # fmt: skip
         self.assertEqual(made.summary, json.loads((self.path / "G/summary.json").read_text()))
 
+    def test_compression_tests_are_those_of_the_program(self):
+        loads = [500.0 * (1.0 - np.cos(2.0 * np.pi * i / 100.0)) for i in range(300)]
+        lines = [f"{load / 1200.0:.6f},{load:.3f}" for load in loads]
+        (self.path / "v.csv").write_text("\n".join(["Vertical displacement [mm],Vertical load [kN]", *lines]) + "\n")
+        vertical = {"a": self.path / "v.csv", "b": {"file": self.path / "v.csv", "loads": "400:900"}}
+        made = isolaw.calibrate(self.files, "bilinear", runs=1, analysis=False, vertical=vertical)
+        made.write(self.path / "V")
+        table = (self.path / "V/tables/vertical.csv").read_text()
+        self.assertRegex(table, "\na,1[12][0-9][0-9]")
+        self.assertRegex(table, "\nb,1[12][0-9][0-9].*,400,")
+        self.assertTrue("hold the same compression test" in str(made.summary["warnings"]))
+        properties = isolaw.properties(isolaw.read_record(self.files[0]), vertical=1100.0)
+        self.assertEqual(properties["vertical"]["K_v_kN_per_mm"], 1100.0)
+        absent = isolaw.properties(isolaw.read_record(self.files[0]), vertical="nothere.csv")
+        self.assertIn("no such file", absent["vertical"]["refusal"])
+        for wrong, said in (({"c": "v.csv"}, "'c': no such device"), ({"a": {"loads": "1:2"}}, "without a file"),
+                            ({"a": {"file": "v.csv", "skew": 1}}, "unknown keyword 'skew'"), ({"a": -1.0}, "above 0")):  # fmt: skip
+            with self.assertRaisesRegex(isolaw.Error, said):
+                isolaw.calibrate(self.files, "bilinear", vertical=wrong)
+
     def test_records_of_arrays_give_the_numbers_of_files(self):
         records = [isolaw.record(x, f, t, name=name) for name, (t, x, f) in (("a", arrays(20.0)), ("b", arrays(24.0)))]
         made = isolaw.calibrate(records, LAWS, runs=2, seed=7, analysis=False)

@@ -56,7 +56,8 @@ DirectoryLock::~DirectoryLock() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-Continued open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh) {
+Continued open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh,
+                         LeftOut vertical) {
   // A kill between the two leaves the former store without its reports, which can be made again: never reports of one
   // campaign beside the store of another.
   auto const create = [&] {
@@ -76,14 +77,24 @@ Continued open_or_create(std::filesystem::path const& file, campaign::Contents& 
                  .found = "the campaign there differs: " + joined(changed, "; "),
                  .allowed = "the same settings and records, to continue it; devices, laws and runs may be added",
                  .advice = "--fresh to start over, or another --out DIR"});
+  Continued made;
+  for (auto& device : contents.devices) {
+    auto const there = std::ranges::find(stored.devices, device.name, &campaign::Device::name);
+    if (there == stored.devices.end() || !there->vertical.given() || device.vertical.given()) continue;
+    bool const stays = vertical == LeftOut::stays;
+    auto const& file_name = there->vertical.file;
+    (stays ? made.kept_vertical : made.dropped_vertical)
+        .push_back(fmt::format("{} ({})", device.name, file_name.empty() ? "as stated" : file_name));
+    if (stays) device.vertical = there->vertical;
+  }
   bool const described =
       stored.title == contents.title && stored.acceptance == contents.acceptance &&
       stored.settings.analysis == contents.settings.analysis &&
       std::ranges::equal(stored.devices, contents.devices, {}, &campaign::Device::info, &campaign::Device::info) &&
       std::ranges::equal(stored.devices, contents.devices, {}, &campaign::Device::vertical,
                          &campaign::Device::vertical);
-  Continued made{.added = campaign::growth(stored, contents),
-                 .released = contents.acceptance.rules.empty() ? stored.acceptance.rules_file : ""};
+  made.added = campaign::growth(stored, contents);
+  made.released = contents.acceptance.rules.empty() ? stored.acceptance.rules_file : "";
   campaign::take_over(std::move(stored), contents);
   if (!contents.complete()) require_own(file, contents.makers);
   if (!made.added.empty())

@@ -31,10 +31,17 @@ class DirectoryLock {
 struct Continued {
   std::vector<std::string> added;  // "2 devices", ...
   std::string released;            // the rule set that the tests were held to, where they are held to none now
+  // Devices whose compression test was not given again, each with what it was: kept, or gone with the lot file's line.
+  std::vector<std::string> kept_vertical, dropped_vertical;
 };
+
+// What a device that is given without its compression test means: a lot file says all there is of a device; where
+// records are named, a test that the campaign holds stays with it.
+enum class LeftOut { stays, is_gone };
 
 // Takes over what an interrupted or finished campaign of the same settings and inputs computed, or of fewer devices,
 // laws or runs; starts anew where there is none or `fresh` says so. Throws Error where another campaign is there.
-Continued open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh);
+Continued open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh,
+                         LeftOut vertical = LeftOut::stays);
 
 }  // namespace isolaw

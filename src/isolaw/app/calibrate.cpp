@@ -90,11 +90,18 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
   DirectoryLock const lock(directory);
   auto const file = directory / store_name;
   render::remove_leftovers(directory);
-  auto const [added, released] = open_or_create(file, contents, arguments.fresh);
+  auto const [added, released, kept, dropped] =
+      open_or_create(file, contents, arguments.fresh, is_of_lot_file(arguments) ? LeftOut::is_gone : LeftOut::stays);
   if (!added.empty()) say("grows by {}\n", joined(added));
   if (!released.empty())
     say("no longer held to rule set {}: --rules {} holds the tests to it again, without another search\n",
         printable(released), printable(released));
+  if (!kept.empty())
+    say("the compression tests that this campaign holds stay: {}; --vertical DEVICE=FILE gives another\n",
+        printable(joined(kept)));
+  if (!dropped.empty())
+    say("no longer in the lot file, and their K_v no longer in this campaign: the compression tests of {}\n",
+        printable(joined(dropped)));
   if (!contents.complete() && !contents.runs.empty())
     say("continuing: {} {} there already\n", counted(contents.runs.size(), "run"),
         contents.runs.size() == 1 ? "is" : "are");

@@ -45,8 +45,6 @@ int inspect(InspectArguments const& arguments) {
     for (auto const& file : lot.devices.front().files) data::read_record(file, lot.devices.front().read);
     throw Error({.where = printable(contents.devices.front().name), .found = contents.devices.front().refusal});
   }
-  if (contents.devices.size() == 1 && !contents.devices.front().vertical.refusal.empty())
-    throw Error({.where = "vertical test", .found = contents.devices.front().vertical.refusal});
   auto const summary = study::build_summary(contents);
   print(arguments.json ? render::inspection_json(summary) : render::inspection_text(summary));
   if (arguments.out) {

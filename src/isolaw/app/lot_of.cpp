@@ -197,6 +197,10 @@ campaign::Lot lot_of(CalibrateArguments const& a) {
   return lot;
 }
 
+bool is_of_lot_file(CalibrateArguments const& a) {
+  return a.inputs.size() == 1 && is_lot_file(a.inputs.front());
+}
+
 std::filesystem::path output_directory(CalibrateArguments const& a, campaign::Lot const& lot) {
   if (lot.out) return *lot.out;
   return std::filesystem::path("out") / name_of(a.inputs, lot.devices.size());

@@ -8,6 +8,7 @@ namespace isolaw::app {
 
 // The lot file or the lot of the files named, with the options of the command line laid over it.
 campaign::Lot lot_of(CalibrateArguments const& arguments);
+bool is_of_lot_file(CalibrateArguments const& arguments);
 
 // The files named; in place of a directory the records in it by name, directories below it left out. Throws Error for
 // one without records.

@@ -52,6 +52,23 @@ void check_record(Device const& device, Settings const& settings, std::vector<st
   }
 }
 
+// The curve is as it was read whichever build reads it now; what it gives is not.
+void check_vertical(Device const& device, std::vector<std::string>& faults, std::vector<std::string>& found) {
+  auto const& test = device.vertical;
+  if (!test.curve_sha256.empty() && test.curve_sha256 != data::curve_hash(test))
+    faults.push_back(fmt::format("{}: the curve of its compression test is not the one that was read", device.name));
+  if (!test.found_kN_per_mm) return;
+  try {
+    double const again = data::vertical_stiffness(test).K_v_kN_per_mm;
+    if (!close(again, *test.found_kN_per_mm))
+      found.push_back(fmt::format("{}: its compression test gives K_v = {} kN/mm, stored is {}", device.name, again,
+                                  *test.found_kN_per_mm));
+  } catch (Error const& error) {
+    found.push_back(fmt::format("{}: its compression test gives no K_v, stored is {} kN/mm: {}", device.name,
+                                *test.found_kN_per_mm, error.what()));
+  }
+}
+
 void check_box(Device const& device, Search const& search, Settings const& settings, std::vector<std::string>& faults) {
   auto const& law = laws::find_law(search.law);
   auto const box = search_box(law, device.record, settings).parameters;
@@ -197,6 +214,7 @@ Check check(std::filesystem::path const& file) {
   auto& found = result.of_another_build ? result.differences : result.faults;
   for (auto const& device : contents.devices)
     if (device.usable()) check_record(device, contents.settings, found);
+  for (auto const& device : contents.devices) check_vertical(device, result.faults, found);
   std::map<std::pair<std::size_t, std::string_view>, Search const*> searches;
   for (auto const& search : contents.searches) {
     searches[{search.device, search.law}] = &search;

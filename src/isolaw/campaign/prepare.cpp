@@ -50,25 +50,6 @@ std::string hash_of_files(DeviceInput const& input) {
   return hashes;
 }
 
-// What cannot be read or gives no stiffness is kept with its reason: the device is identified all the same.
-data::VerticalTest prepare_vertical(DeviceInput const& input) {
-  auto const& given = input.vertical;
-  data::VerticalTest test;
-  if (given.stated_kN_per_mm) test.stated_kN_per_mm = given.stated_kN_per_mm;
-  if (given.file.empty()) return test;
-  try {
-    test = data::read_vertical(given.file, given.read, given.loads);
-    data::vertical_stiffness(test);
-  } catch (Error const& error) {
-    std::vector<std::string> texts;
-    for (auto const& complaint : error.complaints()) texts.push_back(to_string(complaint));
-    test.refusal = with_shown_files(joined(texts, "; "), input.directory);
-  }
-  test.file = given.shown_file;
-  for (auto& line : test.recognised) line = with_shown_files(std::move(line), input.directory);
-  return test;
-}
-
 Device prepare_device(DeviceInput const& input, data::CleanOptions const& cleaning) {
   Device device{.name = input.name, .file = input.shown_file, .info = input.info};
   try {
@@ -82,7 +63,7 @@ Device prepare_device(DeviceInput const& input, data::CleanOptions const& cleani
     device.raw.sha256 = hash_of_files(input);
   }
   device.raw.file = input.shown_file;
-  device.vertical = prepare_vertical(input);
+  device.vertical = prepare_vertical(input.vertical, input.directory);
   return device;
 }
 
@@ -112,7 +93,8 @@ Contents without_devices(std::string const& title, Acceptance const& acceptance,
 void check_names(std::vector<NamedRecord> const& records) {
   std::vector<Complaint> complaints;
   std::set<std::string> seen;
-  for (auto const& [name, record, info] : records) {
+  for (auto const& one : records) {
+    auto const& name = one.name;
     auto const where = "device '" + printable(name) + "'";
     if (name.empty() || name.size() > longest_name || !is_printable(name))
       complaints.push_back({where, "is no name", fmt::format("printable text of at most {} bytes", longest_name), {}});
@@ -138,6 +120,7 @@ Device cleaned(NamedRecord&& given, data::CleanOptions const& cleaning) {
                 .file = given.record.file,
                 .info = std::move(given.info),
                 .raw = std::move(given.record)};
+  device.vertical = prepare_vertical(given.vertical, {});
   try {
     device.record = data::clean(device.raw, cleaning);
   } catch (Error const& error) {
@@ -179,6 +162,25 @@ Contents with_searches(Contents contents, std::vector<std::string> const& laws) 
 fit::SearchBox search_box(laws::LawEntry const& law, data::FitRecord const& record, Settings const& settings) {
   auto box = fit::make_box(law, settings.box, fit::scales_of(record, law.info), settings.overrides);
   return settings.method == Method::best ? fit::on_logarithmic_scales(std::move(box), law) : box;
+}
+
+// What cannot be read or gives no stiffness is kept with its reason: the device is identified all the same.
+data::VerticalTest prepare_vertical(VerticalInput const& given, std::filesystem::path const& directory) {
+  data::VerticalTest test;
+  if (given.stated_kN_per_mm) test.stated_kN_per_mm = given.stated_kN_per_mm;
+  if (given.file.empty()) return test;
+  try {
+    test = data::read_vertical(given.file, given.read, given.loads);
+    test.curve_sha256 = data::curve_hash(test);
+    test.found_kN_per_mm = data::vertical_stiffness(test).K_v_kN_per_mm;
+  } catch (Error const& error) {
+    std::vector<std::string> texts;
+    for (auto const& complaint : error.complaints()) texts.push_back(to_string(complaint));
+    test.refusal = with_shown_files(joined(texts, "; "), directory);
+  }
+  test.file = given.shown_file;
+  for (auto& line : test.recognised) line = with_shown_files(std::move(line), directory);
+  return test;
 }
 
 Contents prepare_devices(Lot const& lot) {

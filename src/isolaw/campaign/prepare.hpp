@@ -2,6 +2,7 @@
 // boxes made.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,14 @@ struct NamedRecord {
   std::string name;
   data::TestRecord record;
   DeviceInfo info = {};
+  VerticalInput vertical = {};
 };
 // The same of these. Throws Error also for names that no lot file could hold.
 Contents prepare(std::vector<NamedRecord> records, Settings const& settings, std::string const& title);
+
+// A compression test, read; with its reason where it gives no stiffness. Names of files are those of a lot file in
+// `directory`.
+data::VerticalTest prepare_vertical(VerticalInput const& given, std::filesystem::path const& directory);
 
 // Only that: devices as they are read and cleaned, no boxes, none of the laws. Never throws for a device.
 Contents prepare_devices(Lot const& lot);

@@ -33,6 +33,8 @@ std::string to_json(data::VerticalTest const& test) {
       {"file", test.file}, {"sha256", test.sha256}, {"recognised", test.recognised}, {"refusal", test.refusal}};
   if (test.loads) made["loads_kN"] = {test.loads->low_kN, test.loads->high_kN};
   if (test.stated_kN_per_mm) made["stated_kN_per_mm"] = *test.stated_kN_per_mm;
+  if (test.found_kN_per_mm) made["K_v_kN_per_mm"] = *test.found_kN_per_mm;
+  if (!test.curve_sha256.empty()) made["curve_sha256"] = test.curve_sha256;
   return made.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 data::VerticalTest vertical_of(std::string const& json) {
@@ -43,6 +45,8 @@ data::VerticalTest vertical_of(std::string const& json) {
   test.refusal = from.at("refusal").get<std::string>();
   if (from.contains("loads_kN"))
     test.loads = {from["loads_kN"].at(0).get<double>(), from["loads_kN"].at(1).get<double>()};
+  if (from.contains("K_v_kN_per_mm")) test.found_kN_per_mm = from["K_v_kN_per_mm"].get<double>();
+  if (from.contains("curve_sha256")) test.curve_sha256 = from["curve_sha256"].get<std::string>();
   if (from.contains("stated_kN_per_mm")) test.stated_kN_per_mm = from["stated_kN_per_mm"].get<double>();
   return test;
 }
