@@ -1,6 +1,7 @@
 // isolaw export: every law to every target, what is asked for wrongly, and that the store alone decides.
 #include <fmt/format.h>
 
+#include <cctype>
 #include <cmath>
 #include <numbers>
 
@@ -59,6 +60,42 @@ std::string expected_fidelity(laws::LawEntry const& law, Json const& exported) {
   if (std::holds_alternative<laws::NoForm>(form) || std::holds_alternative<laws::LimitCurvesForm>(form))
     return "re-fitted";
   return std::holds_alternative<laws::BoucWenForm>(form) ? "exact as the step goes to zero" : "exact";
+}
+
+// Whoever takes a law away hears what its devices did not keep, in the file and on the terminal.
+TEST_F(Export, and_simulate_say_that_the_rule_set_is_not_kept_and_who_was_refused) {
+  write("c.csv", "time [s],disp [mm],force [kN]\n0,1,2\n1,1,2\n2,1,2\n");
+  auto const made = isolaw(Words{"calibrate", "a.csv", "b.csv", "c.csv", "--laws", "bilinear", "--runs", "1",
+                                 "--analysis", "full", "--out", "C"} +
+                           held_to("K_eff=5,damping=1,disp=100"));
+  ASSERT_EQ(made.code, 1) << made;
+  std::string const lot = "the lot does not keep its rule set: NTC 2018: 0 of 2 devices pass, 2 fail: a ";
+  std::string const refused = "1 of the lot's 3 devices is refused, and no part of its law: c";
+  auto const unwrapped = [](std::string const& text) {
+    std::string words;
+    for (char const c : text)
+      if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '%') words += c;
+    return words;
+  };
+  for (auto const& target : programs::targets()) {
+    SCOPED_TRACE(target.name);
+    auto const of_lot = exported("bilinear", "lot", std::string(target.name), {"--anyway"});
+    EXPECT_TRUE(contains(of_lot.err, "warning: " + lot)) << of_lot.err;
+    EXPECT_TRUE(contains(of_lot.err, "warning: " + refused)) << of_lot.err;
+    EXPECT_TRUE(contains(unwrapped(of_lot.out), unwrapped("0 of 2 devices pass, 2 fail: a "))) << of_lot.out;
+    EXPECT_TRUE(contains(unwrapped(of_lot.out), unwrapped("of its law: c"))) << of_lot.out;
+    auto const of_device = exported("bilinear", "a", std::string(target.name), {"--anyway"});
+    EXPECT_TRUE(contains(of_device.err, "warning: a fails NTC 2018: ")) << of_device.err;
+    EXPECT_FALSE(contains(of_device.err, refused)) << of_device.err;
+    EXPECT_TRUE(contains(unwrapped(of_device.out), unwrapped("a fails NTC 2018"))) << of_device.out;
+  }
+  write("u.csv", "time [s],disp [mm]\n0,0\n0.5,10\n1,20\n1.5,30\n");
+  auto const simulated =
+      isolaw({"simulate", "bilinear", "--from", "C", "--device", "lot", "--motion", "u.csv", "--anyway"});
+  for (auto const& text : {simulated.out, simulated.err}) {
+    EXPECT_TRUE(contains(text, lot)) << simulated;
+    EXPECT_TRUE(contains(text, refused)) << simulated;
+  }
 }
 
 TEST_F(Export, gives_every_law_to_every_target) {

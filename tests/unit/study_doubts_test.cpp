@@ -1,5 +1,6 @@
 // Grades of prediction, what is adequate, whose parameters the box holds, and what goes with a law that is taken from a
 // campaign; docs/decision.md.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -284,6 +285,32 @@ TEST(Doubts, NameCopiesOfARecord) {
   EXPECT_TRUE(contains(doubts_of(summary, "bilinear", std::nullopt), copies));
   EXPECT_TRUE(contains(doubts_of(summary, "bilinear", "D2"), copies));
   EXPECT_FALSE(contains(doubts_of(summary, "bilinear", "D3"), copies));
+}
+
+// Who takes the law of a lot away hears that the lot fails, and which of its devices the law says nothing of.
+TEST(Doubts, SayWhatIsNotKeptAndWhichDevicesWereRefused) {
+  auto summary = fixture::lot();
+  auto const count = summary.devices.size();
+  summary.devices.back().status = "refused";
+  auto const refused = fmt::format("1 of the lot's {} devices is refused, and no part of its law: {}", count,
+                                   summary.devices.back().name);
+  EXPECT_TRUE(contains(doubts_of(summary, "bilinear", std::nullopt), refused))
+      << doubts_of(summary, "bilinear", std::nullopt);
+  EXPECT_FALSE(contains(doubts_of(summary, "bilinear", "D1"), refused));
+  summary.acceptance.rules.id = "mine";
+  summary.acceptance.rules.title = "My rules";
+  summary.acceptance.rules.verified_by = "me";
+  rules::Assessment fails;
+  fails.quantity = "K_eff";
+  fails.limit = "from -20 % to +20 %";
+  fails.verdict = rules::Verdict::fail;
+  fails.deviation = "+23.0 %";
+  fails.deviation_percent = 23.0;
+  summary.devices[1].acceptance.assessments = {fails};
+  EXPECT_TRUE(
+      contains(doubts_of(summary, "bilinear", std::nullopt), "the lot does not keep its rule set: My rules: 0 of"));
+  EXPECT_TRUE(contains(doubts_of(summary, "bilinear", "D2"), "D2 fails My rules: K_eff +23.0 %"));
+  EXPECT_FALSE(contains(doubts_of(summary, "bilinear", "D1"), "My rules"));
 }
 
 }  // namespace

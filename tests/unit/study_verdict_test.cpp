@@ -63,6 +63,14 @@ TEST(DeviceVerdict, InformationOnWhatHasNoLimitIsNoVerdict) {
   EXPECT_EQ(text_of({}), "not assessed");
 }
 
+TEST(DeviceVerdict, NamesEveryQuantityThatFails) {
+  auto lines = std::vector{line("K_eff, positive side", Verdict::fail, 23.0),
+                           line("K_eff, negative side", Verdict::fail, -31.0), line("damping", Verdict::fail, -45.0)};
+  EXPECT_EQ(text_of(lines), "fail: damping -45.0 %, K_eff -31.0 %");
+  for (auto const* name : {"energy", "Q_d", "K_v"}) lines.push_back(line(name, Verdict::fail, 25.0));
+  EXPECT_EQ(text_of(lines), "fail: damping -45.0 %, K_eff -31.0 %, energy +25.0 % and 2 more");
+}
+
 TEST(DeviceVerdict, AFailureNamesTheLineFarthestOff) {
   auto const lines = {line("K_eff, positive side", Verdict::fail, 23.0),
                       line("K_eff, negative side", Verdict::fail, -31.0), line("damping", Verdict::pass, 1.0),
@@ -111,6 +119,13 @@ TEST(VerdictSummary, CountsDevicesAndNamesFailures) {
   EXPECT_EQ(
       verdict_summary(summary),
       "NTC 2018: 3 of 5 devices pass as far as assessed (not assessed: damping), 1 fails: D03 K_eff +23.0 %, 1 not assessed; the lot fails: sample size 5 devices, limit 6 or more of 28\n");
+  add("D07", {line("K_eff", Verdict::fail, 23.0), line("damping", Verdict::fail, 30.0)});
+  EXPECT_NE(verdict_summary(summary).find("2 fail: D03 K_eff +23.0 %, D07 damping +30.0 % and K_eff +23.0 %, "),
+            std::string::npos)
+      << verdict_summary(summary);
+  EXPECT_EQ(verdict_against(summary, "D07"), "D07 fails NTC 2018: damping +30.0 %, K_eff +23.0 %");
+  EXPECT_EQ(verdict_against(summary, "D01"), "");
+  summary.devices.pop_back();
   for (int i = 0; i < 20; ++i) add("X", {line("K_eff", Verdict::fail, 23.0)});
   EXPECT_NE(verdict_summary(summary).find(", 21 fail: D03"), std::string::npos) << verdict_summary(summary);
   EXPECT_NE(verdict_summary(summary).find(" and 11 more, 1 not assessed"), std::string::npos);

@@ -21,11 +21,11 @@
 namespace isolaw::study {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::infinity();
+constexpr double no_value = std::numeric_limits<double>::infinity();
 
 // The least objective of a search's runs and of its analysis.
 double least_objective(campaign::Contents const& contents, campaign::Search const& search) {
-  double least = none;
+  double least = no_value;
   if (auto const* best = contents.best_run(search.device, search.law)) least = best->objective;
   if (auto const* a = contents.analysis_of(search.device, search.law))
     least = std::min(least, a->determination.objective);
@@ -354,8 +354,8 @@ void add_analysis(DeviceFit& made, campaign::Contents const& contents, campaign:
 std::vector<bool> front_of(std::vector<LawResult> const& laws, Coordinate robust, Coordinate accurate) {
   std::vector<double> x, y;
   for (auto const& law : laws) {
-    x.push_back(robust(law).value_or(none));
-    y.push_back(accurate(law).value_or(none));
+    x.push_back(robust(law).value_or(no_value));
+    y.push_back(accurate(law).value_or(no_value));
   }
   return opt::non_dominated(x, y);
 }

@@ -8,6 +8,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/study/build_analysis.hpp"
 #include "isolaw/study/findings.hpp"
+#include "isolaw/study/verdict.hpp"
 
 namespace isolaw::study {
 namespace {
@@ -55,6 +56,16 @@ std::string prediction_of(LawResult const& law) {
       why.empty() ? "" : "; it collapses: " + why);
 }
 
+// Devices whose records say nothing to the law of the lot.
+std::string left_out_of_lot(Summary const& summary) {
+  std::vector<std::string> names;
+  for (auto const& device : summary.devices)
+    if (device.status != "ok") names.push_back(device.name);
+  if (names.empty()) return {};
+  return fmt::format("{} of the lot's {} devices {} refused, and no part of its law: {}", names.size(),
+                     summary.devices.size(), names.size() == 1 ? "is" : "are", enumerate(names));
+}
+
 }  // namespace
 
 Doubts doubts(Summary const& summary, std::string_view law, std::optional<std::string_view> device) {
@@ -62,6 +73,9 @@ Doubts doubts(Summary const& summary, std::string_view law, std::optional<std::s
   // How the search went on its way there says nothing against what it found.
   constexpr std::array<std::string_view, 1> passed_over{"failed evaluations"};
   Doubts made;
+  if (auto against = verdict_against(summary, device); !against.empty()) made.warnings.push_back(std::move(against));
+  if (!device)
+    if (auto left_out = left_out_of_lot(summary); !left_out.empty()) made.warnings.push_back(std::move(left_out));
   for (auto& [topic, sentence] : warnings(summary, part_of(summary, whole, device)))
     if (std::ranges::find(passed_over, topic) == passed_over.end()) made.warnings.push_back(std::move(sentence));
   made.prediction = prediction_of(whole);

@@ -11,7 +11,8 @@
 namespace isolaw::study {
 
 struct Doubts {
-  // Warnings of findings.hpp that concern the law on the device: the campaign, the search, the parameters, the
+  // What of its rule set the device, or the lot, does not keep; which devices the law of the lot says nothing of; and
+  // the warnings of findings.hpp that concern the law on the device: the campaign, the search, the parameters, the
   // prediction, the record.
   std::vector<std::string> warnings;
   // "good: objective .03 on the blocks it was not fitted to (...)", or that it was not asked for.

@@ -250,6 +250,32 @@ void warn_of_copies(Summary const& summary, Summary const& part, std::vector<War
   }
 }
 
+// One compression test cannot be that of two devices.
+void warn_of_vertical_copies(Summary const& summary, Summary const& part, std::vector<Warning>& warnings) {
+  std::vector<std::vector<DeviceResult const*>> groups;
+  for (auto const& device : summary.devices) {
+    auto const& test = device.vertical_test;
+    if (test.load_kN.empty()) continue;
+    auto const same = [&](auto const& group) {
+      auto const& other = group.front()->vertical_test;
+      return other.load_kN == test.load_kN && other.disp_mm == test.disp_mm;
+    };
+    auto found = std::ranges::find_if(groups, same);
+    if (found == groups.end()) found = groups.insert(groups.end(), {{}});
+    found->push_back(&device);
+  }
+  for (auto const& group : groups) {
+    bool const concerned = std::ranges::any_of(group, [&](auto const* device) {
+      return std::ranges::find(part.devices, device->name, &DeviceResult::name) != part.devices.end();
+    });
+    if (group.size() < 2 || !concerned) continue;
+    Names names;
+    for (auto const* device : group) names.push_back(device->name);
+    warnings.push_back({"copies", fmt::format("{} hold the same compression test, whose K_v counts {} times",
+                                              enumerate(names), group.size())});
+  }
+}
+
 void warn_of_devices(Summary const& summary, std::vector<Warning>& warnings) {
   for (auto const& device : summary.devices)
     if (device.status != "ok")
@@ -460,6 +486,7 @@ std::vector<Warning> warnings(Summary const& whole, Summary const& summary) {
   warn_of_missing_runs(summary, all);
   warn_of_devices(summary, all);
   warn_of_copies(whole, summary, all);
+  warn_of_vertical_copies(whole, summary, all);
   warn_of_degradation(summary, all);
   for (auto const warn : {warn_of_refused_laws, warn_of_failed_runs, warn_of_failed_evaluations})
     for (auto const& law : summary.laws) warn(law, all);

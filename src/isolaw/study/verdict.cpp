@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
+#include <utility>
 
 #include "isolaw/base/printable.hpp"
 
@@ -48,14 +51,26 @@ void add_lot(std::vector<std::string>& failures, LotAcceptance const& acceptance
 }  // namespace
 
 std::string DeviceVerdict::text() const {
-  if (verdict == Verdict::fail) return "fail: " + worst;
+  if (verdict == Verdict::fail) return "fail: " + failures_text();
   if (verdict != Verdict::pass || not_assessed.empty()) return std::string(rules::name(verdict));
   return fmt::format("pass ({}; not assessed: {})", fmt::join(passed, ", "), fmt::join(not_assessed, ", "));
 }
 
+std::string DeviceVerdict::failures_text(std::string_view between) const {
+  constexpr std::size_t shown = 3;
+  auto const count = std::min(shown, failures.size());
+  auto const text =
+      fmt::format("{}", fmt::join(failures.begin(), failures.begin() + static_cast<std::ptrdiff_t>(count), between));
+  return failures.size() > count ? fmt::format("{} and {} more", text, failures.size() - count) : text;
+}
+
 DeviceVerdict device_verdict(std::vector<rules::Assessment> const& assessments) {
   DeviceVerdict made;
-  double farthest = -1.0;
+  struct Farthest {
+    double off = 0.0;
+    std::string name, text;
+  };
+  std::vector<Farthest> off;  // of each quantity
   bool limits = false, information = false;
   for (auto const& a : assessments) {
     // A quantity without a limit asks for nothing.
@@ -66,10 +81,15 @@ DeviceVerdict device_verdict(std::vector<rules::Assessment> const& assessments) 
     if (a.verdict == Verdict::not_assessed) add_once(made.not_assessed, property_of(a));
     if (a.verdict != Verdict::fail) continue;
     add_once(made.failed, property_of(a));
-    double const off = std::abs(a.deviation_percent.value_or(0.0));
-    if (off > farthest) made.worst = failure(a);
-    farthest = std::max(farthest, off);
+    Farthest const line{.off = std::abs(a.deviation_percent.value_or(0.0)), .name = property_of(a), .text = failure(a)};
+    auto const same = std::ranges::find(off, line.name, &Farthest::name);
+    if (same == off.end())
+      off.push_back(line);
+    else if (line.off > same->off)
+      *same = line;
   }
+  std::ranges::stable_sort(off, std::ranges::greater(), &Farthest::off);
+  for (auto& line : off) made.failures.push_back(std::move(line.text));
   if (!limits)
     information = std::ranges::any_of(assessments, [](auto const& a) { return a.verdict == Verdict::information; });
   // Of a quantity with two sides, one of which could not be compared, none is said to pass.
@@ -107,7 +127,7 @@ std::string verdict_summary(Summary const& summary) {
     auto const verdict = device_verdict(device.acceptance.assessments);
     passed += verdict.verdict == Verdict::pass ? 1u : 0u;
     if (verdict.verdict == Verdict::fail)
-      failures.push_back(fmt::format("{} {}", printable(device.name), verdict.worst));
+      failures.push_back(fmt::format("{} {}", printable(device.name), verdict.failures_text(" and ")));
     if (verdict.verdict == Verdict::pass)
       for (auto const& name : verdict.not_assessed) add_once(missing, name);
   }
@@ -124,6 +144,22 @@ std::string verdict_summary(Summary const& summary) {
   add_lot(lot, acceptance);
   if (!lot.empty()) text += fmt::format("; the lot fails: {}", fmt::join(lot, "; "));
   return text + "\n";
+}
+
+std::string verdict_against(Summary const& summary, std::optional<std::string_view> device) {
+  auto const& rules = summary.acceptance.rules;
+  if (!summary.acceptance.has_rules() || !rules.verified()) return {};
+  if (device) {
+    auto const found = std::ranges::find(summary.devices, *device, &DeviceResult::name);
+    if (found == summary.devices.end()) return {};
+    auto const verdict = device_verdict(found->acceptance.assessments);
+    if (verdict.verdict != Verdict::fail) return {};
+    return fmt::format("{} fails {}: {}", printable(found->name), short_title(rules), verdict.failures_text());
+  }
+  if (!acceptance_failed(summary)) return {};
+  auto text = verdict_summary(summary);
+  while (text.ends_with('\n')) text.pop_back();
+  return "the lot does not keep its rule set: " + text;
 }
 
 }  // namespace isolaw::study
