@@ -6,6 +6,7 @@ expected of each file stands in warts.json; tests/cli/warts_test.cpp holds them 
 true (disp-*, force-*, time-gap) and those that may (true*) are of a smooth device: 0.5 kN/mm and 30 kN that follow the
 way within 12.5 mm, K_eff is 0.8 kN/mm."""
 import datetime
+import json
 import math
 import os
 import zipfile
@@ -184,14 +185,14 @@ def text_files():
 
 # Load and displacement of a compression test: `loadings` from `least` to `largest` kN along d(P), unloaded with some
 # hysteresis; the first loading settles by a tenth more.
-def compression(name, head, disp_of, loadings=3, least=50.0, largest=1000.0, load_sign=1.0, settles=0.02, unloads=True):
+def compression(name, head, disp_of, loadings=3, least=50.0, largest=1000.0, load_sign=1.0, settles=0.02, unloads=True, end=math.inf):
     lines = [head]
     for number in range(loadings):
         for i in range(100 if unloads else 51):
             load = least + (largest - least) * 0.5 * (1.0 - math.cos(2.0 * math.pi * i / 100.0))
             back = 0.03 * math.sin(math.pi * (load - least) / (largest - least)) if i > 50 else 0.0
             settled = settles * min(number + (load - least) / (largest - least) if number == 0 else 1.0, 1.0)
-            lines.append(f'{disp_of(load) + back + settled:.5f};{load_sign * load:.3f}')
+            lines.append(f'{min(disp_of(load) + back + settled, end):.5f};{load_sign * load:.3f}')
     write(name, ('\n'.join(lines) + '\n').encode())
 
 
@@ -203,6 +204,7 @@ def compression_tests():
     compression('compression-ramp.csv', 'Displacement [mm];Load [kN]', lambda p: scale * p ** 0.8, loadings=1, least=0.0, settles=0.0, unloads=False)
     compression('compression-negative.csv', 'Weg vertikal [mm];Vertikalkraft [kN]', lambda p: 0.3 + p / 1200.0, load_sign=-1.0)
     compression('compression-preload.csv', english, lambda p: p / 1200.0, least=400.0)
+    compression('compression-clipped.csv', english, lambda p: 0.3 + p / 1200.0, end=0.9)
 
 
 def machine(name, head, row, encoding='utf-8', end='\r\n'):
@@ -230,9 +232,27 @@ def machines():
             'Channels\t2\t\t\r\nSamples\t301\t301\t\r\nDate\t2024/05/02\t2024/05/02\t\r\nTime\t10:00:00.25\t10:00:00.25\t\r\n'
             'Y_Unit_Label\tmm\tkN\t\r\nX_Dimension\tTime\tTime\t\r\nX0\t0.0E+0\t0.0E+0\t\r\nDelta_X\t0.020000\t0.020000\t\r\n***End_of_Header***\t\t\t\r\n'
             'X_Value\tDisplacement\tForce\tComment', tabs)
+    # Without a column of times: the header has their interval, where all channels share one.
+    head = ('LabVIEW Measurement\t\r\nSeparator\tTab\r\nDecimal_Separator\t.\r\nX_Columns\tNo\r\n***End_of_Header***\t\r\n\t\r\n'
+            'Channels\t2\t\t\r\nSamples\t301\t301\t\r\nY_Unit_Label\tmm\tkN\t\r\nX_Dimension\tTime\tTime\t\r\nX0\t0.0E+0\t0.0E+0\t\r\n'
+            'Delta_X\t{}\t0.020000\t\r\n***End_of_Header***\t\t\t\r\nX_Value\tDisplacement\tForce\tComment')
+    for name, interval_of_one in (('labview-no-x.lvm', '0.020000'), ('labview-two-rates.lvm', '0.010000')):
+        machine(name, head.format(interval_of_one), lambda t, x, f: f'\t{x:.4f}\t{f:.4f}')
     write('machine.tdm', b'<?xml version="1.0" encoding="UTF-8" standalone="no" ?>\n<usi:tdm xmlns:usi="http://www.ni.com/Schemas/USI/1_0" version="1.0">\n</usi:tdm>\n')
     write('machine.tdms', b'TDSm' + bytes(24))
     write('machine.id_comp', b'TDAT' + bytes(24))
+
+
+# JSON whose times are texts.
+def json_stamps():
+    def arrays(name, times):
+        write(name, json.dumps({'time': times, 'disp_mm': [round(x, 3) for _, x, _ in device], 'force_kN': [round(f, 3) for _, _, f in device]}).encode())
+
+    iso = [stamp('%Y-%m-%dT%H:%M:%S.%f', t, cut=3) for t, _, _ in device]
+    arrays('iso.json', iso)
+    arrays('iso-and-seconds.json', iso[:200] + [round(t, 2) for t, _, _ in device[200:]])
+    write('iso-rows.json', json.dumps([{'Timestamp': when, 'disp_mm': round(x, 3), 'force_kN': round(f, 3)}
+                                       for when, (_, x, f) in zip(iso, device)]).encode())
 
 
 def sine(i):
@@ -292,6 +312,8 @@ def signals():
     spoilt('disp-spike.csv', 1, {160: -20.0})
     spoilt('force-spikes.csv', 2, {60: 6.0, 133: -9.0, 241: 15.0})
     spoilt('force-dropout.csv', 2, {170: -true[170][2]})
+    signal('force-dropouts.csv', [(t, x, 0.0 if 163 <= i <= 168 else f) for i, (t, x, f) in enumerate(true)])
+    signal('disp-dropouts.csv', [(t, -9.9 if 215 <= i <= 219 else x, f) for i, (t, x, f) in enumerate(true)])
     signal('time-gap.csv', [(t + (2.5 if i > 140 else 0.0), x, f) for i, (t, x, f) in enumerate(true)])
 
 
@@ -301,4 +323,5 @@ units_and_names()
 text_files()
 compression_tests()
 machines()
+json_stamps()
 signals()
