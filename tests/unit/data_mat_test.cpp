@@ -413,6 +413,32 @@ TEST_F(Mat73, ValuesThatAreNotThere) {
   EXPECT_NE(refusal(text, with("disp=disp_mm,force=disp_mm")).find("1000000000"), std::string::npos);
 }
 
+// A datetime is six numbers that say where it is kept.
+TEST_F(Mat73, ADatetimeIsAskedFor) {
+  auto const text = made([&](hid_t file) {
+    add(file, "disp_mm", disp);
+    add(file, "force_kN", force);
+    add(file, "t", {3707764736.0, 2.0, 1.0, 1.0, 1.0, 1.0});
+    auto const type = H5Tcopy(H5T_C_S1);
+    H5Tset_size(type, 8);
+    auto const space = H5Screate(H5S_SCALAR);
+    auto const set = H5Dopen2(file, "t", H5P_DEFAULT);
+    auto const kind = H5Acreate2(set, "MATLAB_class", type, space, H5P_DEFAULT, H5P_DEFAULT);
+    H5Awrite(kind, type, "datetime");
+    int const decode = 3;
+    auto const object = H5Acreate2(set, "MATLAB_object_decode", H5T_NATIVE_INT, space, H5P_DEFAULT, H5P_DEFAULT);
+    H5Awrite(object, H5T_NATIVE_INT, &decode);
+    H5Aclose(object);
+    H5Aclose(kind);
+    H5Dclose(set);
+    H5Sclose(space);
+    H5Tclose(type);
+  });
+  EXPECT_NE(refusal(text).find("'t' holds dates or times, but no numbers; allowed: seconds, or days of datenum"),
+            std::string::npos)
+      << refusal(text);
+}
+
 TEST_F(Mat73, UnitsInAttributes) {
   auto const text = made([&](hid_t file) {
     add(file, "force_kN", force);

@@ -104,7 +104,9 @@ void describe(hid_t data_set, std::string const& name, Write const& write) {
   auto const kind = kind_of(data_set, type);
   auto const stored = H5Tget_class(type);
   bool const empty = H5Aexists(data_set, "MATLAB_empty") > 0;
-  bool const numeric = (stored == H5T_FLOAT || stored == H5T_INTEGER) && kind != "char" && kind != "cell" && !empty;
+  bool const object = H5Aexists(data_set, "MATLAB_object_decode") > 0;  // numbers say where its values are
+  bool const numeric =
+      (stored == H5T_FLOAT || stored == H5T_INTEGER) && kind != "char" && kind != "cell" && !empty && !object;
   auto unit = attribute(data_set, "units");
   if (unit.empty()) unit = attribute(data_set, "unit");
   auto line = fmt::format("{}\t{}\t{}\t{}\t", numeric ? 1 : 0, name, printable(kind), is_printable(unit) ? unit : "");
