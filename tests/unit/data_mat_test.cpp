@@ -73,11 +73,20 @@ TEST_P(Matlab, DatenumIsReadAsSeconds) {
       << refusal(odd);
 }
 
-TEST_P(Matlab, TimesThatAreNoNumbersAreAskedFor) {
-  auto const file = made([](MatWriter& w) {
-    w.texts("t", {"2024-05-02T10:00:00.0", "2024-05-02T10:00:00.1", "2024-05-02T10:00:00.2", "2024-05-02T10:00:00.3"})
+TEST_P(Matlab, CharactersThatAreTimeStampsAreRead) {
+  auto const record = read(made([](MatWriter& w) {
+    w.texts("t", {"2024-05-02T10:00:00.0", "2024-05-02T10:00:00.1", "2024-05-02T10:00:00.2", "2024-05-02T10:00:00.4"})
         .array("disp_mm", disp)
         .array("force_kN", force);
+  }));
+  ASSERT_EQ(record.time_s.size(), 4u);
+  EXPECT_NEAR(record.time_s[3], 0.4, 1e-9);
+  EXPECT_TRUE(says(record.recognised, "time: variable 't', by its name; time stamps, read in s"));
+}
+
+TEST_P(Matlab, TimesThatAreNoNumbersAreAskedFor) {
+  auto const file = made([](MatWriter& w) {
+    w.texts("t", {"first ", "second", "third ", "fourth"}).array("disp_mm", disp).array("force_kN", force);
   });
   auto const said = refusal(file);
   EXPECT_NE(

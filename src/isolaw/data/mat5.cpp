@@ -34,9 +34,11 @@ enum Type : std::uint32_t {
   mi_int64 = 12,
   mi_uint64 = 13,
   mi_matrix = 14,
-  mi_compressed = 15
+  mi_compressed = 15,
+  mi_utf8 = 16,
+  mi_utf16 = 17
 };
-constexpr std::uint32_t struct_class = 2, first_numeric_class = 6, last_numeric_class = 15;
+constexpr std::uint32_t struct_class = 2, char_class = 4, first_numeric_class = 6, last_numeric_class = 15;
 constexpr std::array<std::string_view, 18> class_names{
     "unknown", "cell",  "struct", "object", "char",   "sparse", "double", "single",   "int8",
     "uint8",   "int16", "uint16", "int32",  "uint32", "int64",  "uint64", "function", "table or object"};
@@ -200,16 +202,16 @@ constexpr Stored stored_as(Type type) {
 
 // Of a type that is no number: nullptr.
 Stored const* stored(std::uint32_t type) {
-  static constexpr std::array table{stored_as<std::int8_t>(mi_int8),   stored_as<std::uint8_t>(mi_uint8),
-                                    stored_as<std::int16_t>(mi_int16), stored_as<std::uint16_t>(mi_uint16),
-                                    stored_as<std::int32_t>(mi_int32), stored_as<std::uint32_t>(mi_uint32),
-                                    stored_as<std::int64_t>(mi_int64), stored_as<std::uint64_t>(mi_uint64),
-                                    stored_as<float>(mi_single),       stored_as<double>(mi_double)};
+  static constexpr std::array table{
+      stored_as<std::int8_t>(mi_int8),     stored_as<std::uint8_t>(mi_uint8),   stored_as<std::int16_t>(mi_int16),
+      stored_as<std::uint16_t>(mi_uint16), stored_as<std::int32_t>(mi_int32),   stored_as<std::uint32_t>(mi_uint32),
+      stored_as<std::int64_t>(mi_int64),   stored_as<std::uint64_t>(mi_uint64), stored_as<float>(mi_single),
+      stored_as<double>(mi_double),        stored_as<std::uint8_t>(mi_utf8),    stored_as<std::uint16_t>(mi_utf16)};
   auto const found = std::ranges::find(table, type, [](Stored const& row) { return std::uint32_t{row.type}; });
   return found == table.end() ? nullptr : &*found;
 }
 
-// Asked for every array of numbers: what is wanted of it, if anything.
+// Asked for every array: what is wanted of it, if anything.
 using Chooser = std::function<std::optional<MatSlice>(MatVariable const&)>;
 
 class Walk {
@@ -237,7 +239,7 @@ class Walk {
     if (complex) variable.kind = "complex " + variable.kind;
     variable.numeric = kind >= first_numeric_class && kind <= last_numeric_class && !complex;
     auto const slice = wanted_(variable);
-    if (variable.numeric && elements(variable) > 0) {
+    if ((variable.numeric || (kind == char_class && slice)) && elements(variable) > 0) {
       auto const [tag, form] = values_tag(reader, variable);
       if (slice) read_values(reader, tag, form, *slice, elements(variable));
     }

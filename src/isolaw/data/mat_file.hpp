@@ -40,7 +40,7 @@ class MatFile {
   MatFile& operator=(MatFile const&) = delete;
 
   std::vector<MatVariable> const& variables() const { return variables_; }
-  // Throws Error: damaged, or grows beyond the limit when it is unpacked.
+  // Of characters, their codes. Throws Error: damaged, or grows beyond the limit when it is unpacked.
   virtual std::vector<double> values(MatVariable const& variable, MatSlice const& slice) const = 0;
   // "MATLAB file of version 5"
   virtual std::string_view version() const = 0;

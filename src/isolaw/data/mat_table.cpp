@@ -68,6 +68,35 @@ MatColumns columns_of(std::vector<MatVariable> const& variables) {
   return found;
 }
 
+// Matrices of characters whose rows are time stamps, each as a column.
+void add_stamps(MatFile const& mat, std::uint64_t longest, MatColumns& found) {
+  constexpr std::uint64_t widest = 48;
+  std::size_t left = 4;  // to be looked at: each is a walk through the file
+  for (auto const& v : mat.variables()) {
+    if (v.kind != "char" || v.size.size() != 2) continue;
+    auto const rows = v.size[0], width = v.size[1];
+    if (rows < fewest_values || width > widest || rows > longest / widest) continue;
+    if (left-- == 0) break;
+    auto const codes = mat.values(v, {.first = 0, .stride = 1, .count = rows * width});
+    if (codes.size() != rows * width) continue;
+    NumberColumn column{.name = v.name, .length = static_cast<std::size_t>(rows)};
+    for (std::size_t i = 0; i < rows; ++i) {
+      std::string text;
+      for (std::size_t k = 0; k < width; ++k) {
+        double const code = codes[k * rows + i];
+        text += code > 0.0 && code < 128.0 ? static_cast<char>(code) : '?';
+      }
+      auto const stamp = parse_stamp(trimmed(text));
+      if (!stamp) break;
+      column.stamps.push_back(*stamp);
+    }
+    if (column.stamps.size() != rows) continue;
+    column.values.assign(column.length, 0.0);
+    found.columns.push_back(std::move(column));
+    found.origins.push_back({&v, {.first = 0, .stride = 1, .count = rows}, v.name});
+  }
+}
+
 std::string size_text(MatVariable const& v) {
   return v.size.empty() ? v.kind : fmt::format("{} {}", fmt::join(v.size, " x "), v.kind);
 }
@@ -201,6 +230,7 @@ Tests mat_tests(std::string_view bytes, std::string const& file, std::optional<s
   std::shared_ptr<MatFile const> mat =
       bytes.starts_with("MATLAB 7.3") ? open_mat73(bytes, file) : open_mat5(bytes, file);
   auto found = columns_of(mat->variables());
+  if (!found.columns.empty()) add_stamps(*mat, unpacked_limit(bytes.size()) / bytes_per_sample, found);
   auto all = listing(mat->variables(), found);
   if (found.columns.empty())
     throw Error(Complaint{

@@ -70,8 +70,6 @@ std::vector<std::string> idle_options(std::string_view bytes, ReadOptions const&
   std::vector<std::string> found;
   if (options.thousands) found.push_back(fmt::format("--thousands {}", digit_group(*options.thousands).typed));
   if (numbers && options.skip_footer) found.emplace_back("--footer skip");
-  if (is_mat(bytes) && options.date_order)
-    found.push_back(fmt::format("--date-order {}", date_order_word(*options.date_order)));
   return found;
 }
 
