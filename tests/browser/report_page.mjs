@@ -298,13 +298,13 @@ async function look_at_answer() {
   scrollTo(0, 0);
   await wait(200);
   const seen = [];
-  const texts = document.createTreeWalker(document.querySelector('main'), NodeFilter.SHOW_TEXT);
+  const texts = document.createTreeWalker(document.querySelector('main'), window.NodeFilter.SHOW_TEXT);
   let words = 0;
   while (texts.nextNode()) {
     const range = document.createRange();
     range.selectNode(texts.currentNode);
     const box = range.getBoundingClientRect();
-    if (box.height > 0 && box.bottom <= innerHeight && !texts.currentNode.parentNode.closest('svg, button, details:not([open]) > ul'))
+    if (box.height > 0 && box.bottom <= window.innerHeight && !texts.currentNode.parentNode.closest('svg, button, details:not([open]) > ul'))
       words += texts.currentNode.textContent.split(/\s+/).filter((word) => /\w/.test(word)).length;
   }
   const name = (node) => node.querySelector('b').textContent;

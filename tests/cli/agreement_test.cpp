@@ -1,4 +1,5 @@
-// The same law by every way out: `simulate`, the exported C++ header and the exported table, step by step along one path.
+// The same law by every way out: `simulate`, the exported C++ header and the exported table, step by step along one
+// path.
 #include <fmt/format.h>
 
 #include <cmath>

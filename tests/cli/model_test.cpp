@@ -1,5 +1,5 @@
-// isolaw export of a whole building: the example lot's laws to both targets, run in the real program where it lies beside
-// the checkout; and what is asked for wrongly.
+// isolaw export of a whole building: the example lot's laws to both targets, run in the real program where it lies
+// beside the checkout; and what is asked for wrongly.
 #include "cli/models.hpp"
 #include "cli/records.hpp"
 

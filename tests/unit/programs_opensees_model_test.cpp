@@ -183,7 +183,8 @@ TEST_F(ModelInOpenSees, an_eccentric_building_turns) {
   EXPECT_TRUE(contains(peaks, fmt::format("nominal,C,"))) << peaks;
 }
 
-// Springs at right angles know nothing of each other: what one direction does is as if it were alone. A coupled bearing is weaker along x where it moves along y too.
+// Springs at right angles know nothing of each other: what one direction does is as if it were alone. A coupled bearing
+// is weaker along x where it moves along y too.
 TEST_F(ModelInOpenSees, two_components_meet_in_coupled_bearings_alone) {
   for (auto const& b : {buildings[3], buildings[0]}) {
     auto model = four(b.acceleration_mm_s2);

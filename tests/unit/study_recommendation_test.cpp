@@ -146,8 +146,9 @@ TEST(Recommendation, OfOneDeviceFittedWholeIsForTheseTestsAlone) {
   EXPECT_TRUE(contains(untested.why, "nothing says how a law holds elsewhere")) << untested.why;
   EXPECT_TRUE(contains(untested.would_decide, "kept from the fit")) << untested.would_decide;
   EXPECT_EQ(law_of(summary, of(summary, Purpose::these_tests)), "a");
-  EXPECT_EQ(verdict_sentence(recommendations(summary)),
-            "For these tests take a: 3.0 % off fitted to each device; for other devices or amplitudes no law can be recommended.");
+  EXPECT_EQ(
+      verdict_sentence(recommendations(summary)),
+      "For these tests take a: 3.0 % off fitted to each device; for other devices or amplitudes no law can be recommended.");
 }
 
 TEST(Recommendation, IsWeakWhereTheSearchDidNotConverge) {

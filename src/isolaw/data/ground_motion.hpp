@@ -12,7 +12,8 @@ namespace isolaw::data {
 
 inline constexpr double gravity_mm_s2 = 9806.65;
 
-// One of this unit in mm/s2: "g", "gal", "m/s2", "cm/s^2", "in/sec2"; brackets and blanks ignored. nullopt when unknown.
+// One of this unit in mm/s2: "g", "gal", "m/s2", "cm/s^2", "in/sec2"; brackets and blanks ignored. nullopt when
+// unknown.
 std::optional<double> parse_acceleration(std::string_view unit);
 inline constexpr std::string_view known_accelerations = "g, gal, mm/s2, cm/s2, m/s2, in/s2";
 
@@ -23,8 +24,8 @@ struct GroundMotion {
   std::string recognised;                  // in one sentence, how it was read
 };
 
-// Throws one Error of all that is wrong: values that are no numbers, times that are not equally spaced, no column with a
-// unit of acceleration or several, fewer samples than the file says. `step_s` is for a file that has no time, and
+// Throws one Error of all that is wrong: values that are no numbers, times that are not equally spaced, no column with
+// a unit of acceleration or several, fewer samples than the file says. `step_s` is for a file that has no time, and
 // refused where it says otherwise than the file.
 GroundMotion read_ground_motion(std::filesystem::path const& file, std::optional<double> step_s = {});
 // The same of a file's bytes; `name` is the file in messages.

@@ -1,6 +1,7 @@
-// Signals that cannot be true: a channel at the end of its range, one that stands still while the other goes on, one that
-// drops out for some samples, single samples far off their neighbours, a channel recorded without its sign. What is computed from such a record is wrong
-// however it is computed, so it has no properties; limits and rates: docs/properties.md.
+// Signals that cannot be true: a channel at the end of its range, one that stands still while the other goes on, one
+// that drops out for some samples, single samples far off their neighbours, a channel recorded without its sign. What
+// is computed from such a record is wrong however it is computed, so it has no properties; limits and rates:
+// docs/properties.md.
 //
 // A plateau of displacement is a hold where the force only relaxes on it, faster at first than later, and clipping
 // where the force goes on rising and turns within it; a plateau of force is yielding where it ends with the motion's

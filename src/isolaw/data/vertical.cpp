@@ -102,9 +102,9 @@ std::size_t counting_among(std::vector<Loading> const& loadings) {
   return std::min(static_cast<std::size_t>(usual_loading), loadings.size()) - 1;
 }
 
-// The largest of noisy loads lies above the load, and the samples beside a limit are those that noise has brought there:
-// together they make the device look stiffer, by 2 to 7 % for 1 % of noise. Both channels are averaged alike, so that
-// what is linear stays as it is.
+// The largest of noisy loads lies above the load, and the samples beside a limit are those that noise has brought
+// there: together they make the device look stiffer, by 2 to 7 % for 1 % of noise. Both channels are averaged alike, so
+// that what is linear stays as it is.
 Compression without_noise(Compression compression) {
   auto const loadings = all_loadings(compression.load_kN);
   if (loadings.empty()) return compression;

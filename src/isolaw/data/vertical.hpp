@@ -60,7 +60,8 @@ VerticalTest read_vertical(std::filesystem::path const& file, ReadOptions const&
 // Of both signals as they stand in memory.
 std::string curve_hash(VerticalTest const& test);
 
-// Throws Error: a signal that cannot be true, no loading that holds both loads, displacement that does not follow the load.
+// Throws Error: a signal that cannot be true, no loading that holds both loads, displacement that does not follow the
+// load.
 VerticalStiffness vertical_stiffness(VerticalTest const& test);
 
 }  // namespace isolaw::data

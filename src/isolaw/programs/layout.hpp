@@ -19,9 +19,9 @@ struct Place {
 
 inline constexpr std::size_t most_places = 2000;
 
-// Throws one Error of all that is wrong: no rows, a column that is unknown, missing or without its unit, values that are
-// no finite numbers, loads and stiffnesses that are not above zero, loads that are given for some bearings only, two
-// bearings of one name or in one place.
+// Throws one Error of all that is wrong: no rows, a column that is unknown, missing or without its unit, values that
+// are no finite numbers, loads and stiffnesses that are not above zero, loads that are given for some bearings only,
+// two bearings of one name or in one place.
 std::vector<Place> read_layout(std::filesystem::path const& file);
 std::vector<Place> read_layout_text(std::string_view bytes, std::string const& name);
 
