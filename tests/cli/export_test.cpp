@@ -79,12 +79,13 @@ TEST_F(Export, and_simulate_say_that_the_rule_set_is_not_kept_and_who_was_refuse
   };
   for (auto const& target : programs::targets()) {
     SCOPED_TRACE(target.name);
-    auto const of_lot = exported("bilinear", "lot", std::string(target.name), {"--anyway"});
+    auto const more = Words{"--anyway"} + needed_by(target, directory());
+    auto const of_lot = exported("bilinear", "lot", std::string(target.name), more);
     EXPECT_TRUE(contains(of_lot.err, "warning: " + lot)) << of_lot.err;
     EXPECT_TRUE(contains(of_lot.err, "warning: " + refused)) << of_lot.err;
     EXPECT_TRUE(contains(unwrapped(of_lot.out), unwrapped("0 of 2 devices pass, 2 fail: a "))) << of_lot.out;
     EXPECT_TRUE(contains(unwrapped(of_lot.out), unwrapped("of its law: c"))) << of_lot.out;
-    auto const of_device = exported("bilinear", "a", std::string(target.name), {"--anyway"});
+    auto const of_device = exported("bilinear", "a", std::string(target.name), more);
     EXPECT_TRUE(contains(of_device.err, "warning: a fails NTC 2018: ")) << of_device.err;
     EXPECT_FALSE(contains(of_device.err, refused)) << of_device.err;
     EXPECT_TRUE(contains(unwrapped(of_device.out), unwrapped("a fails NTC 2018"))) << of_device.out;

@@ -67,6 +67,12 @@ function panelsCaption() {
   );
 }
 
+// Runs that end in one place differ in digits that nobody reads.
+function atLeast(least, [low, high]) {
+  const more = Math.max(0, least - (high - low)) / 2;
+  return [low - more, high + more];
+}
+
 function drawPanels(look, width) {
   const law = laws[chosen.law],
     places = panelPlaces(law);
@@ -85,7 +91,7 @@ function drawPanels(look, width) {
     const { entries, lot } = overDevices(law, place),
       { factor, exponent } = rowFormat(entries.map(({ row }) => row.mean));
     const values = entries.flatMap(({ row }) => [(row.mean - (row.std ?? 0)) / factor, (row.mean + (row.std ?? 0)) / factor]);
-    const range = paddedRange([...values, lot / factor], 0.08);
+    const range = atLeast(0.02 * Math.abs(lot / factor), paddedRange([...values, lot / factor], 0.08));
     const percent = (value) => (lot !== 0 ? 100 * ((value * factor) / lot - 1) : 0); // of a negative mean falling upwards
     layout['xaxis' + x] = {
       ...abscissa, domain: [left, left + wide], anchor: 'y' + y, tickfont: { size: 10.5 }, automargin: false,
