@@ -1,5 +1,5 @@
-// What the numbers of a campaign mean, in sentences: which law to take and why, and what a careful reader must know
-// before trusting it. The page and the terminal print the same findings.
+// What the numbers of a campaign mean, in sentences: which law to take and why, how the laws compare, and what to take
+// care of. The page and the terminal print the same findings.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,9 @@
 
 #include "isolaw/study/recommendation.hpp"
 #include "isolaw/study/summary.hpp"
+#include "isolaw/study/warnings.hpp"
 
 namespace isolaw::study {
-
-// A finer integration step moving the objective by more than this is worth a warning.
-inline constexpr double large_integration_shift = 1e-3;
 
 enum class Role {
   best_of_both,   // the only law on the front
@@ -37,15 +35,6 @@ struct LawVerdict {
   std::vector<std::string> dominated_by;  // ids of laws on the front
 };
 
-struct Warning {
-  // "not complete", "refused", "copies", "degradation", "law not identified", "failed runs", "failed evaluations",
-  // "not adequate", "prediction", "search", "undetermined", "outlier", "at bound", "integration", "record"
-  std::string topic;
-  std::string sentence;
-};
-// What a reader does about a warning: "Look at the records", ...; those of one action stand together on the page.
-std::string_view action(Warning const& warning);
-
 struct Findings {
   std::string verdict;  // the answer in one sentence; "" for an inspection
   std::vector<Recommendation> recommendations;
@@ -57,12 +46,6 @@ struct Findings {
 };
 
 Findings findings(Summary const& summary);
-// Its warnings alone.
-std::vector<Warning> warnings(Summary const& summary);
-// Of some of its laws and devices alone; what only the whole can tell, copies and whether a law describes the devices,
-// is taken from there.
-std::vector<Warning> warnings(Summary const& whole, Summary const& part);
-
 // Delta_n of the law's n-th parameter over the devices, as a fraction; empty when undefined or not calibrated.
 std::optional<double> largest_difference(LawResult const& law, std::size_t parameter);
 
