@@ -337,7 +337,8 @@ function check_answer(name, { words, seen, report }, { width }) {
   for (const { purpose, pressed, headline, numbers, list, ranking, chart } of seen) {
     const of = report.recommendations.find((one) => one.purpose === purpose);
     expect(pressed === 1 && numbers === 3, name, `${purpose}: ${pressed} pressed, ${numbers} numbers`);
-    expect(headline === (of?.answer ?? report.headline).replace(/\s/g, ''), name, `${purpose}: headline ${headline}`);
+    const wanted = (of?.answer ?? report.headline).replace(/\s/g, '');
+    expect(headline === wanted || (!of && headline.startsWith('Onthefront')), name, `${purpose}: headline ${headline}`);
     if (!of) {
       expect(same([...chart].sort(), [...new Set(chart)].sort()) && chart.every((law) => list.includes(law)), name, `${purpose}: chart ${chart}`);
       continue;

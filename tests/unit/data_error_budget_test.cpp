@@ -60,6 +60,15 @@ TEST(ErrorBudget, ACleanRecordHasNotesAndNoWarnings) {
   for (auto const& effect : budget.effects) EXPECT_FALSE(effect.exceeds) << effect.effect;
 }
 
+// Two samples of no force at a peak: the cycle's stiffness is half of what it is.
+TEST(ErrorBudget, ACycleUnlikeItsNeighboursIsNamed) {
+  auto motion = Motion().sine(100.0, 0.5, 5).end().loop();
+  EXPECT_FALSE(says(budget_of(motion).warnings, "beside it"));
+  motion.force_kN[450] = motion.force_kN[451] = 0.0;  // at the peak of the third cycle, of 200 samples
+  auto const budget = budget_of(motion);
+  EXPECT_TRUE(says(budget.warnings, "cycle 3 of block 1: the force at a peak is"));
+}
+
 TEST(ErrorBudget, FewSamples) {
   Motion motion;
   motion.dt_s = 0.04;

@@ -106,7 +106,7 @@ TEST(ModelNumbers, take_the_step_that_the_law_needs) {
 TEST(ModelText, says_what_is_in_the_model_and_what_is_not) {
   auto subject = with_model("bilinear", bilinear_parameters, four(900.0));
   subject.tested.load_min_kN = subject.tested.load_max_kN = 2000.0;
-  Objections none;
+  Remarks none;
   for (auto const name : model_targets()) {
     auto const text = find_target(name).write(subject, unit_systems[0], none);
     for (auto const* words :

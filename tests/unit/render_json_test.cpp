@@ -209,7 +209,8 @@ TEST(SummaryJson, ExactText) {
           "reason": "nothing shows how it holds elsewhere"
         }
       ],
-      "answer": "No law can be recommended for devices and amplitudes that were not tested."
+      "answer": "No law can be recommended for devices and amplitudes that were not tested.",
+      "title": "For what was not tested"
     },
     {
       "purpose": "these-tests",
@@ -228,7 +229,8 @@ TEST(SummaryJson, ExactText) {
           "reason": ""
         }
       ],
-      "answer": "Take line, with care: 10 % off fitted to each device."
+      "answer": "Take line, with care: 10 % off fitted to each device.",
+      "title": "For these tests"
     },
     {
       "purpose": "simplest",
@@ -247,7 +249,8 @@ TEST(SummaryJson, ExactText) {
           "reason": ""
         }
       ],
-      "answer": "Take line, with care: 10 % off fitted to each device."
+      "answer": "Take line, with care: 10 % off fitted to each device.",
+      "title": "Simplest that serves"
     }
   ]
 }

@@ -42,6 +42,7 @@ int export_law(ExportArguments const& a) {
   for (auto const& sentence : subject.beyond) say("warning: {}\n", printable(sentence));
   if (subject.model)
     for (auto const& caution : programs::model_cautions(subject, units)) say("warning: {}\n", printable(caution));
+  for (auto const& caution : made.cautions) say("warning: {}\n", printable(caution));
   for (auto const& objection : made.let_through) say("{}\n", printable(study::let_through(objection)));
   std::vector<std::filesystem::path> inputs;
   for (auto const* key : {"layout", "ground-motion", "ground-motion-y"})

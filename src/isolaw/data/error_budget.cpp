@@ -26,7 +26,9 @@ constexpr double least_jump = 0.04;         // of the force's amplitude: less is
 constexpr double most_friction_points = 1.0;
 constexpr double most_average_loss = 1.0;  // percent, at the test's frequency
 
-constexpr double most_noise_bias = 1.0;     // percent of the amplitude
+constexpr double most_noise_bias = 1.0;  // percent of the amplitude
+constexpr double unlike_between = 0.15,
+                 unlike_beside = 0.2;       // of the force at a peak, between two cycles or beside one
 constexpr double most_noise_scatter = 2.0;  // percent of the stiffness
 
 // What force loses at once where motion reverses.
@@ -52,6 +54,7 @@ class Assessment {
     uneven_time();
     if (block_ != nullptr) {
       stages();
+      unlike_their_neighbours();
       sampling();
       noise();
       rests();
@@ -106,6 +109,35 @@ class Assessment {
         fmt::format(
             "cycles of several amplitudes, {:.4g} to {:.4g} mm: the reported stiffness, energy and damping are those of {} at {:.4g} mm",
             least->amplitude_mm, largest->amplitude_mm, where(), cycle().amplitude_mm));
+  }
+
+  // Cycles of one amplitude change little by little after the first: one that does not has something else in it, a channel
+  // that drops out at its peak, another range, a slip.
+  void unlike_their_neighbours() {
+    for (auto const& block : properties_.blocks) {
+      std::vector<Cycle const*> cycles;
+      for (auto const& each : block.cycles)
+        if (each.counts()) cycles.push_back(&each);
+      if (cycles.size() < 3) continue;
+      cycles.erase(cycles.begin());  // the virgin one
+      for (std::size_t k = 0; k < cycles.size(); ++k) {
+        std::vector<double> shares;  // of each side's stiffness over that of the cycles beside it
+        for (auto const of : {&Cycle::F_plus_kN, &Cycle::F_minus_kN}) {
+          double beside = 0.0, count = 0.0;
+          for (auto const i : {k - 1, k + 1})
+            if (i < cycles.size()) beside += cycles[i]->*of, count += 1.0;
+          if (beside != 0.0) shares.push_back(cycles[k]->*of / (beside / count));
+        }
+        double const limit = k > 0 && k + 1 < cycles.size() ? unlike_between : unlike_beside;
+        auto const odd = std::ranges::find_if(shares, [&](double share) { return std::abs(share - 1.0) > limit; });
+        // Of two cycles nothing tells which is the odd one.
+        if (odd == shares.end()) continue;
+        say(true,
+            fmt::format("cycle {} of block {}: the force at a peak is {:.0f} % of that of the cycle{} beside it: a "
+                        "channel may have dropped out or changed its range there, and the cycle's values are wrong",
+                        cycles[k]->number, block.number, 100.0 * *odd, cycles.size() > 2 ? "s" : ""));
+      }
+    }
   }
 
   void sampling() {

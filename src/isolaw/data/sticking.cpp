@@ -166,7 +166,8 @@ class Sticking {
     std::vector<std::size_t> first;
     std::size_t longest = 0;
     auto const keep = [&](SampleRange const& run) {
-      covered += run.size();
+      // A stretch of half a cycle is no slow channel.
+      if (run.size() < pair_.half_cycle) covered += run.size();
       first.push_back(run.first);
       longest = std::max(longest, run.size());
     };
@@ -198,7 +199,8 @@ class Sticking {
     std::vector<std::size_t> first;
     std::size_t longest = 0, covered = 0;
     auto const keep = [&](SampleRange const& run) {
-      covered += run.size();
+      // A stretch of half a cycle is no slow channel.
+      if (run.size() < pair_.half_cycle) covered += run.size();
       first.push_back(run.first);
       longest = std::max(longest, run.size());
     };

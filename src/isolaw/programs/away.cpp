@@ -91,6 +91,10 @@ std::string text(std::vector<OtherCycle> const& cycles) {
   return "of the tested amplitude, " + joined(parts, "; ");
 }
 
+bool marked(std::vector<OtherCycle> const& cycles) {
+  return std::ranges::any_of(cycles, [](auto const& c) { return !(c.largest() <= marked_percent); });
+}
+
 std::vector<std::string> beyond_the_tests(Subject const& subject, UnitSystem const& units) {
   auto const tested = cycles_at(subject, 1.0, 1.0);
   auto const tested_cycle = second_of(tested, own_force(subject, tested));

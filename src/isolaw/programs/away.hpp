@@ -29,6 +29,7 @@ std::string text(std::vector<OtherCycle> const& cycles);
 
 // A re-fit that errs by more at one of them is marked, and one that errs by more than the second is far off.
 inline constexpr double marked_percent = 10.0, other_cycle_far_off_percent = 30.0;
+bool marked(std::vector<OtherCycle> const& cycles);
 
 // What the law does at 1.25 and 1.5 times the tested displacement that an analysis should not meet: a peak force that
 // falls, a stiffness below zero, a force that grows faster than the square, no force. A sentence each.

@@ -283,7 +283,7 @@ void others(Page& page, WenSet const& wen, CornerSet const& corner) {
 
 }  // namespace
 
-std::string value_sheet(Subject const& subject, UnitSystem const& units, Objections& objections) {
+std::string value_sheet(Subject const& subject, UnitSystem const& units, Remarks& remarks) {
   Page page(subject, units);
   auto const& law = subject.law->info;
   page.line(fmt::format("# {}: values for analysis programs", harmless_markdown(subject.device)));
@@ -318,10 +318,10 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units, Objecti
   auto const corner = bilinear(subject);
   auto const near = [](auto const& set) { return set && set->is_near; };
   if (!wen && !corner)
-    objections.emplace_back(
+    remarks.objections.emplace_back(
         "no link of these programs could be fitted in the law's place: the sheet holds its loop alone");
   else if (!near(wen) && !near(corner))
-    objections.emplace_back("what stands in for the law in these programs is far off: the sheet says how far");
+    remarks.objections.emplace_back("what stands in for the law in these programs is far off: the sheet says how far");
   csi(page, subject, wen, rubber_isolator(subject), corner, units);
   others(page, free_bouc_wen(subject, wen), corner);
 

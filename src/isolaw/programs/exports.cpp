@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view the_law_itself = "--to opensees-cpp, abaqus or cpp, the law itself";
 
 // Where the program's materials can give the law, or one near to it.
-Realisation realised(Subject const& subject, Objections& objections) {
+Realisation realised(Subject const& subject, Remarks& remarks) {
   auto made = realise(subject);
   if (made.forms.empty())
     throw Error({.where = "law " + std::string(subject.law->info.id),
@@ -27,47 +27,53 @@ Realisation realised(Subject const& subject, Objections& objections) {
                  .allowed = "a law that the program's materials can give",
                  .advice = std::string(the_law_itself)});
   if (auto const& form = made.forms.front(); far_off(form.from_law))
-    objections.push_back(
+    remarks.objections.push_back(
         fmt::format("{}, the nearest there is, is far off: {}", form.nominal.title, deviation_text(form.from_law)));
   else if (far_off(form.other_cycles))
-    objections.push_back(fmt::format("{}, the nearest there is, is more than {:.0f} % off away from the tests: {}",
-                                     form.nominal.title, other_cycle_far_off_percent, text(form.other_cycles)));
+    remarks.objections.push_back(
+        fmt::format("{}, the nearest there is, is more than {:.0f} % off away from the tests: {}", form.nominal.title,
+                    other_cycle_far_off_percent, text(form.other_cycles)));
+  else if (made.fidelity == Fidelity::refitted)
+    remarks.cautions.push_back(
+        fmt::format("{} stands in for the law, off by: {}{}", form.nominal.title, deviation_text(form.from_law),
+                    marked(form.other_cycles) ? "; at other amplitudes: " + text(form.other_cycles) : std::string()));
   return made;
 }
 
 // With the form of every isolator of every draw.
-Realisation realised_model(Subject const& subject, Objections& objections) {
-  auto made = realised(subject, objections);
+Realisation realised_model(Subject const& subject, Remarks& remarks) {
+  auto made = realised(subject, remarks);
   auto const worst = add_draws(made, subject);
   if (far_off(worst) && !far_off(made.forms.front().from_law))
-    objections.push_back(fmt::format("of the draws, the worst is far off its own law: {}", deviation_text(worst)));
+    remarks.objections.push_back(
+        fmt::format("of the draws, the worst is far off its own law: {}", deviation_text(worst)));
   return made;
 }
 
 constexpr std::array all{
     Target{"opensees", [](Subject const& s, UnitSystem const& units,
-                          Objections& objections) { return opensees_script(s, realised(s, objections), units); }},
+                          Remarks& remarks) { return opensees_script(s, realised(s, remarks), units); }},
     Target{"openseespy", [](Subject const& s, UnitSystem const& units,
-                            Objections& objections) { return openseespy_script(s, realised(s, objections), units); }},
+                            Remarks& remarks) { return openseespy_script(s, realised(s, remarks), units); }},
     Target{"opensees-model",
-           [](Subject const& s, UnitSystem const& units, Objections& objections) {
-             return opensees_model(s, realised_model(s, objections), units);
+           [](Subject const& s, UnitSystem const& units, Remarks& remarks) {
+             return opensees_model(s, realised_model(s, remarks), units);
            },
            true},
     Target{"openseespy-model",
-           [](Subject const& s, UnitSystem const& units, Objections& objections) {
-             return openseespy_model(s, realised_model(s, objections), units);
+           [](Subject const& s, UnitSystem const& units, Remarks& remarks) {
+             return openseespy_model(s, realised_model(s, remarks), units);
            },
            true},
-    Target{"cpp", [](Subject const& s, UnitSystem const& units, Objections&) { return cpp_header(s, units); }},
+    Target{"cpp", [](Subject const& s, UnitSystem const& units, Remarks&) { return cpp_header(s, units); }},
     Target{"opensees-cpp",
-           [](Subject const& s, UnitSystem const& units, Objections&) { return opensees_material(s, units); }},
-    Target{"abaqus", [](Subject const& s, UnitSystem const& units, Objections&) { return abaqus_element(s, units); }},
+           [](Subject const& s, UnitSystem const& units, Remarks&) { return opensees_material(s, units); }},
+    Target{"abaqus", [](Subject const& s, UnitSystem const& units, Remarks&) { return abaqus_element(s, units); }},
     // It holds the law itself, and says of each form how far off it is.
     Target{"json",
-           [](Subject const& s, UnitSystem const& units, Objections&) { return export_json(s, realise(s), units); }},
+           [](Subject const& s, UnitSystem const& units, Remarks&) { return export_json(s, realise(s), units); }},
     Target{"sheet", value_sheet},
-    Target{"csv", [](Subject const& s, UnitSystem const& units, Objections&) { return protocol_csv(s, units); }}};
+    Target{"csv", [](Subject const& s, UnitSystem const& units, Remarks&) { return protocol_csv(s, units); }}};
 
 }  // namespace
 
@@ -98,8 +104,10 @@ Export write_export(Subject const& subject, Target const& target, UnitSystem con
     throw Error({.where = fmt::format("--to {}", target.name),
                  .found = "a law without a model",
                  .allowed = "a layout of isolators, their mass and the motion of the ground"});
-  Objections to_form;
-  made.text = target.write(subject, units, to_form);
+  Remarks remarks;
+  made.text = target.write(subject, units, remarks);
+  auto& to_form = remarks.objections;
+  made.cautions = std::move(remarks.cautions);
   if (!to_form.empty() && !anyway)
     throw Error({.where = where,
                  .found = joined(to_form, "; "),

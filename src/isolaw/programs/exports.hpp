@@ -14,11 +14,14 @@
 namespace isolaw::programs {
 
 // What speaks against taking the law, or the form of it that a target has.
-using Objections = std::vector<std::string>;
+struct Remarks {
+  std::vector<std::string> objections;  // what speaks against taking the form for the law
+  std::vector<std::string> cautions;    // what must be known of it
+};
 
 struct Target {
   std::string_view name;
-  std::string (*write)(Subject const& subject, UnitSystem const& units, Objections& objections);
+  std::string (*write)(Subject const& subject, UnitSystem const& units, Remarks& remarks);
   bool of_model = false;  // of a whole building: the subject needs its Model
 };
 std::span<Target const> targets();
@@ -27,7 +30,7 @@ Target const& find_target(std::string_view name);  // throws Error that lists th
 
 struct Export {
   std::string text;
-  Objections let_through;
+  std::vector<std::string> let_through, cautions;
 };
 // Throws Error where something speaks against it (a prediction that is unusable, a substitute that is far off) and it
 // is not asked for `anyway`.
@@ -44,7 +47,7 @@ std::string cpp_header(Subject const& subject, UnitSystem const& units);
 std::string opensees_material(Subject const& subject, UnitSystem const& units);
 std::string abaqus_element(Subject const& subject, UnitSystem const& units);
 std::string export_json(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
-std::string value_sheet(Subject const& subject, UnitSystem const& units, Objections& objections);
+std::string value_sheet(Subject const& subject, UnitSystem const& units, Remarks& remarks);
 std::string protocol_csv(Subject const& subject, UnitSystem const& units);
 
 }  // namespace isolaw::programs

@@ -60,9 +60,7 @@ std::vector<Fact> replay_facts(Subject const& subject, Realisation const& realis
       made.push_back(
           {"  at other amplitudes",
            text(form.other_cycles) +
-               (std::ranges::any_of(form.other_cycles, [](auto const& c) { return !(c.largest() <= marked_percent); })
-                    ? fmt::format("; MORE THAN {:.0f} % OFF", marked_percent)
-                    : std::string())});
+               (marked(form.other_cycles) ? fmt::format("; MORE THAN {:.0f} % OFF", marked_percent) : std::string())});
     if (form.nominal.exactness == Exactness::small_steps)
       made.push_back(
           {"  time step",

@@ -168,12 +168,23 @@ std::string test_that_decides(Summary const& summary, Purpose purpose, bool open
     tests.emplace_back(several ? "--fit-blocks, which keeps an amplitude or a rate from the fit"
                                : "a test at another amplitude or rate, kept from the fit");
   }
+  if (elsewhere && open && predicts_blocks(summary))
+    tests.emplace_back("a fit to every block, tried on a test that is kept from it");
   if (elsewhere && devices == 1)
     tests.emplace_back("tests of more devices");
   else if (elsewhere && open && devices < few)
     tests.push_back(fmt::format("tests of more than these {} devices", devices));
   if (open && tests.empty()) tests.emplace_back("a test at an amplitude between those there");
   return joined(tests, "; ");
+}
+
+// What was not tested and is judged: nobody knows of the rest.
+std::string title_of(Summary const& summary, Purpose purpose) {
+  if (purpose == Purpose::these_tests) return "For these tests";
+  if (purpose == Purpose::simplest) return "Simplest that serves";
+  bool const devices = std::ranges::any_of(summary.laws, [](auto const& law) { return law.loo_objective.has_value(); });
+  if (predicts_blocks(summary)) return devices ? "For devices and blocks not tested" : "For blocks not tested";
+  return devices ? "For a device not tested" : "For what was not tested";
 }
 
 std::string_view object_of(Purpose purpose) {
@@ -354,12 +365,6 @@ std::string_view name(Purpose purpose) {
   return names[static_cast<std::size_t>(purpose)];
 }
 
-std::string_view title(Purpose purpose) {
-  constexpr std::string_view titles[]{"For devices and amplitudes not tested", "For these tests",
-                                      "Simplest that serves"};
-  return titles[static_cast<std::size_t>(purpose)];
-}
-
 std::string_view name(Place place) {
   constexpr std::string_view names[]{"taken", "ties", "behind", "ruled out"};
   return names[static_cast<std::size_t>(place)];
@@ -373,8 +378,10 @@ std::string_view name(Sure sure) {
 std::vector<Recommendation> recommendations(Summary const& summary) {
   std::vector<Recommendation> made;
   if (summary.laws.empty()) return made;
-  for (auto const purpose : {Purpose::untested_device, Purpose::these_tests, Purpose::simplest})
+  for (auto const purpose : {Purpose::untested_device, Purpose::these_tests, Purpose::simplest}) {
     made.push_back(recommend(summary, purpose));
+    made.back().title = title_of(summary, purpose);
+  }
   return made;
 }
 

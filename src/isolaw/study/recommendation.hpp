@@ -17,8 +17,7 @@ enum class Purpose {
   these_tests,      // description of what was measured
   simplest          // the fewest parameters that serve
 };
-std::string_view name(Purpose purpose);   // "untested-device", "these-tests", "simplest"
-std::string_view title(Purpose purpose);  // "For a device that was not tested", ...
+std::string_view name(Purpose purpose);  // "untested-device", "these-tests", "simplest"
 
 enum class Sure { clear, tie, weak };
 std::string_view name(Sure sure);
@@ -35,6 +34,7 @@ struct Standing {
 
 struct Recommendation {
   Purpose purpose = Purpose::untested_device;
+  std::string title;                // "For a device not tested": of what there is an error for
   std::optional<std::size_t> law;   // index into Summary::laws; empty: none can be recommended
   Sure sure = Sure::weak;           // what makes a choice weak outranks that it ties
   std::optional<double> error;      // of that law, as the purpose measures it; 0 is perfect

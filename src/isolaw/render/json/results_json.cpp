@@ -85,7 +85,7 @@ void write_recommendations(JsonWriter& out, study::Summary const& summary,
       out.begin_object().member("law", summary.laws[standing.law].id).member("place", study::name(standing.place));
       out.member("error", standing.error).member("reason", standing.reason).end_object();
     }
-    out.end_array().member("answer", each.answer).end_object();
+    out.end_array().member("answer", each.answer).member("title", each.title).end_object();
   }
   out.end_array();
 }

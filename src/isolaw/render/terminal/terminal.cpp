@@ -315,7 +315,7 @@ std::string answer(Summary const& summary, Findings const& found, int width) {
         each.law ? fmt::format("{} ({})", summary.laws[*each.law].id, name(each.sure)) : std::string("none");
     auto const open =
         each.would_decide.empty() ? std::string() : fmt::format(" Would tell more: {}.", each.would_decide);
-    text += wrapped("", fmt::format("{}: {}. {}{}", title(each.purpose), law, each.why, open), 2, width);
+    text += wrapped("", fmt::format("{}: {}. {}{}", each.title, law, each.why, open), 2, width);
   }
   return text + '\n';
 }

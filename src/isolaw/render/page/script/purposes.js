@@ -1,23 +1,21 @@
 // What the reader wants a law for: what the first screen shows, chart, list, headline and ranking, follows it.
 
 import { laws, report } from './report.js';
-import { isNumber, percentText, fixed } from './text.js';
-import { FIRST_VIEW, VIEWS } from './views.js';
+import { enumerate, fixed, isNumber, percentText } from './text.js';
+import { VIEWS, isPlaced } from './views.js';
 
 const byId = new Map(laws.map((law) => [law.id, law]));
 
 // The recommendations, and beside them the paper's question: accuracy against robustness.
 export const PURPOSES = [
-  ...report.findings.recommendations
-    .filter(({ purpose }) => purpose !== 'simplest')
-    .map((recommendation) => ({
-      id: recommendation.purpose,
-      title: recommendation.purpose === 'untested-device' ? 'an untested device' : 'these tests',
-      recommendation,
-      answer: recommendation.answer,
-      order: recommendation.standings.map(({ law }) => byId.get(law)),
-    })),
-  ...(VIEWS.length > 0 ? [{ id: 'robustness', title: 'robustness', answer: report.findings.headline }] : []),
+  ...report.findings.recommendations.map((recommendation) => ({
+    id: recommendation.purpose,
+    title: recommendation.title,
+    recommendation,
+    answer: recommendation.answer,
+    order: recommendation.standings.map(({ law }) => byId.get(law)),
+  })),
+  ...(VIEWS.length > 0 ? [{ id: 'robustness', title: 'Accuracy against robustness' }] : []),
 ];
 
 // The first that has an answer.
@@ -31,10 +29,24 @@ export const standingsOf = (purpose) =>
 export const errorText = (error) =>
   !isNumber(error) ? '\u2013' : error < 10 ? percentText(Number(error.toPrecision(2))) : '> 1000\u202f%';
 
+export const viewOf = (id) => VIEWS.find((view) => view.id === id);
+
+// The answer in a sentence; of robustness that of the view: as the paper has it, or who is on the front there.
+export function answerOf(purpose, viewId) {
+  if (purpose.recommendation) return purpose.answer;
+  const view = viewOf(viewId);
+  if (view.id === 'published') return report.findings.headline;
+  const front = placedIn(view).filter((law) => view.onFront(law));
+  return 'On the front ' + view.title + ': ' + enumerate(front.map(({ id }) => id)) + '.';
+}
+
+// The laws of a view, from accurate to not.
+export const placedIn = (view) => laws.filter((law) => isPlaced(view, law)).sort((a, b) => view.accurate(a) - view.accurate(b));
+
 // Three numbers that carry the answer, each with what it is.
-export function numbersOf(purpose) {
+export function numbersOf(purpose, viewId) {
   if (purpose.id === 'robustness') {
-    const view = VIEWS.find(({ id }) => id === FIRST_VIEW);
+    const view = viewOf(viewId);
     const worth = laws.filter(view.onFront).length;
     const least = (of) => laws.reduce((a, b) => (isNumber(of(b)) && (a === null || of(b) < of(a)) ? b : a), null);
     const [accurate, robust] = [least(view.accurate), least(view.robust)];

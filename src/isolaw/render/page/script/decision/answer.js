@@ -1,18 +1,18 @@
 import { choose, chosen, onChoice } from '../choice.js';
 import { element } from '../dom.js';
 import { withBadges } from '../laws.js';
-import { PURPOSES, numbersOf, purposeOf } from '../purposes.js';
+import { PURPOSES, answerOf, numbersOf, purposeOf } from '../purposes.js';
 import { sentence } from '../text.js';
 
 const TONES = { clear: 'good', tie: 'care', weak: 'care' };
 
 // The verdict first: one sentence, how sure, three numbers, why, and the test that would tell more.
-export const answerFigure = { id: 'answer', title: '', depends: ['purpose'], controls: purposeControl, build: answer };
+export const answerFigure = { id: 'answer', title: '', depends: ['purpose', 'view'], controls: purposeControl, build: answer };
 
 function answer() {
   const purpose = purposeOf(chosen.purpose);
   const { recommendation } = purpose;
-  const numbers = numbersOf(purpose).map(([value, what]) =>
+  const numbers = numbersOf(purpose, chosen.view).map(([value, what]) =>
     element('div', {}, element('b', {}, value), element('span', {}, what)),
   );
   const sure = recommendation?.law
@@ -22,7 +22,7 @@ function answer() {
   return element(
     'div',
     { class: 'answer' },
-    element('p', { class: 'headline' }, ...withBadges(purpose.answer), ...(sure ? [' ', sure] : [])),
+    element('p', { class: 'headline' }, ...withBadges(answerOf(purpose, chosen.view)), ...(sure ? [' ', sure] : [])),
     element('div', { class: 'numbers' }, ...numbers),
     recommendation ? element('p', { class: 'why' }, reasons(recommendation)) : null,
     open ? element('p', { class: 'why' }, 'Would tell more: ' + open + '.') : null,
@@ -49,7 +49,7 @@ function purposeControl() {
   onChoice(follow);
   follow();
   return [
-    element('span', { id: 'purpose-label' }, 'A law for'),
+    element('span', { id: 'purpose-label' }, 'Which law'),
     element('div', { class: 'choice', role: 'group', 'aria-labelledby': 'purpose-label' }, ...buttons),
   ];
 }

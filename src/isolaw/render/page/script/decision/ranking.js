@@ -28,6 +28,7 @@ export const rankingFigure = {
 const ORDERS = {
   'untested-device': 'In the order of the error on what was not fitted.',
   'these-tests': 'In the order of the least objective.',
+  simplest: 'The simplest first, then in the order of the error.',
   robustness: 'In the order of \u03b2.',
 };
 

@@ -1,10 +1,10 @@
 import { chosen } from '../choice.js';
 import { element, shortList } from '../dom.js';
 import { marker, roleTone } from '../icons.js';
-import { lawName, withBadges } from '../laws.js';
-import { errorText, purposeOf, standingsOf } from '../purposes.js';
+import { isInadequate, lawName, withBadges } from '../laws.js';
+import { errorText, placedIn, purposeOf, standingsOf, viewOf } from '../purposes.js';
 import { laws, report } from '../report.js';
-import { sentence } from '../text.js';
+import { fixed, sentence } from '../text.js';
 
 export const convergedFigure = {
   id: 'converged',
@@ -21,7 +21,7 @@ export const convergedFigure = {
     ),
 };
 
-export const verdictsFigure = { id: 'verdicts', width: 'narrow', title: '', depends: ['purpose'], build: verdictList };
+export const verdictsFigure = { id: 'verdicts', width: 'narrow', title: '', depends: ['purpose', 'view'], build: verdictList };
 
 const ROLES = { taken: 'most accurate', ties: 'most accurate', behind: 'not ranked', 'ruled out': 'not adequate' };
 
@@ -41,8 +41,18 @@ function verdictList() {
           element('div', {}, lawName(law), ' ' + errorText(error) + said(place, reason)),
         ),
       )
-    : rankedList();
+    : chosen.view === 'published'
+      ? rankedList()
+      : frontList(viewOf(chosen.view));
   return element('div', {}, element('ul', { class: 'verdicts' }, ...items), cares());
+}
+
+function frontList(view) {
+  return placedIn(view).map((law) => {
+    const role = isInadequate(law) ? 'not adequate' : view.onFront(law) ? 'on the front' : 'dominated';
+    const numbers = ' OF ' + fixed(view.accurate(law), 4) + ', ' + fixed(view.robust(law), 3) + ', ' + role;
+    return element('li', { class: view.onFront(law) ? null : 'brief' }, marker(role), element('div', {}, lawName(law), numbers));
+  });
 }
 
 function rankedList() {
