@@ -245,6 +245,7 @@ TEST_F(BadInput, units_that_make_no_isolator_are_warned_of) {
   EXPECT_TRUE(contains(stiff, "stiffer than any isolator's: are displacements really in mm and forces in MN?"));
   EXPECT_TRUE(contains(stiff, "--units disp=UNIT,force=UNIT"));
   EXPECT_TRUE(contains(inspected("time [s],displacement [m],force [N]"), "softer than any isolator's"));
+  EXPECT_TRUE(contains(inspected("time [s],displacement [m],force [MN]"), "a way that no isolator goes"));
 }
 
 // --- refused properties, but a fit ---------------------------------------------------------------------------------

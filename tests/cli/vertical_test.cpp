@@ -106,6 +106,16 @@ TEST_F(Vertical, that_gives_no_stiffness_is_said_and_the_device_stays) {
   EXPECT_TRUE(contains(held.out, "nothere.csv: no such file")) << held;
 }
 
+TEST_F(Vertical, softer_down_than_a_bearing_is_warned_of) {
+  write("lot.toml",
+        "[[device]]\nname = \"a\"\nfile = \"D1.csv\"\n"
+        "[device.vertical]\nfile = \"compression.csv\"\nloads = \"0.3:1\"\nunits = { load = \"N\" }\n");
+  auto const o = isolaw({"inspect", "lot.toml"});
+  EXPECT_EQ(o.code, 0) << o;
+  EXPECT_TRUE(contains(o.out, "vertical test: 1.2 kN/mm is less than 3 times the horizontal stiffness")) << o;
+  EXPECT_FALSE(contains(isolaw({"inspect", "D1.csv", "--vertical", "D1=compression.csv"}).out, "less than 3 times"));
+}
+
 TEST_F(Vertical, is_refused_where_it_belongs_to_no_device) {
   expect_refused(isolaw({"inspect", "D1.csv", "--vertical", "D7=compression.csv"}),
                  {"--vertical", "'D7=compression.csv': no such device", "DEVICE is 'D1'", "--vertical D1=FILE"});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <ranges>
 #include <utility>
@@ -111,8 +112,8 @@ class Assessment {
             least->amplitude_mm, largest->amplitude_mm, where(), cycle().amplitude_mm));
   }
 
-  // Cycles of one amplitude change little by little after the first: one that does not has something else in it, a channel
-  // that drops out at its peak, another range, a slip.
+  // Cycles of one amplitude change little by little after the first: one that does not has something else in it, a
+  // channel that drops out at its peak, another range, a slip. The farthest of each block is named.
   void unlike_their_neighbours() {
     for (auto const& block : properties_.blocks) {
       std::vector<Cycle const*> cycles;
@@ -120,23 +121,28 @@ class Assessment {
         if (each.counts()) cycles.push_back(&each);
       if (cycles.size() < 3) continue;
       cycles.erase(cycles.begin());  // the virgin one
-      for (std::size_t k = 0; k < cycles.size(); ++k) {
-        std::vector<double> shares;  // of each side's stiffness over that of the cycles beside it
+      Cycle const* oddest = nullptr;
+      double share = 1.0;  // of the force at its peak over that of the cycles beside it
+      auto const distance = [](double of) {
+        return of > 0.0 ? std::abs(std::log(of)) : std::numeric_limits<double>::infinity();
+      };
+      for (std::size_t k = 0; k < cycles.size(); ++k)
         for (auto const of : {&Cycle::F_plus_kN, &Cycle::F_minus_kN}) {
           double beside = 0.0, count = 0.0;
           for (auto const i : {k - 1, k + 1})
             if (i < cycles.size()) beside += cycles[i]->*of, count += 1.0;
-          if (beside != 0.0) shares.push_back(cycles[k]->*of / (beside / count));
+          if (beside == 0.0) continue;
+          double const found = cycles[k]->*of / (beside / count);
+          if (!(std::abs(found - 1.0) > (count > 1.0 ? unlike_between : unlike_beside)) ||
+              distance(found) < distance(share))
+            continue;
+          oddest = cycles[k];
+          share = found;
         }
-        double const limit = k > 0 && k + 1 < cycles.size() ? unlike_between : unlike_beside;
-        auto const odd = std::ranges::find_if(shares, [&](double share) { return std::abs(share - 1.0) > limit; });
-        // Of two cycles nothing tells which is the odd one.
-        if (odd == shares.end()) continue;
-        say(true,
-            fmt::format("cycle {} of block {}: the force at a peak is {:.0f} % of that of the cycle{} beside it: a "
-                        "channel may have dropped out or changed its range there, and the cycle's values are wrong",
-                        cycles[k]->number, block.number, 100.0 * *odd, cycles.size() > 2 ? "s" : ""));
-      }
+      if (oddest == nullptr) continue;
+      say(true, fmt::format("cycle {} of block {}: the force at a peak is {:.0f} % of that of the cycles beside it: a "
+                            "channel may have dropped out or changed its range there, and the cycle's values are wrong",
+                            oddest->number, block.number, 100.0 * share));
     }
   }
 

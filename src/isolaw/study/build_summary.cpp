@@ -1,5 +1,7 @@
 #include "isolaw/study/build_summary.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <span>
 #include <utility>
@@ -48,6 +50,14 @@ void add_vertical(DeviceResult& result) {
   if (!test.refusal.empty()) warn(test.refusal);
   if (result.vertical)
     for (auto const& warning : result.vertical->warnings) warn(warning);
+  // Bearings carry: each is far stiffer down than aside.
+  constexpr double least_ratio = 3.0;
+  auto const& reported = result.properties.reported;
+  if (result.vertical && reported && result.vertical->K_v_kN_per_mm < least_ratio * reported->K_eff_kN_per_mm)
+    warn(
+        fmt::format("{:.4g} kN/mm is less than {:.0f} times the horizontal stiffness: is it a compression test, in the "
+                    "units that its file states?",
+                    result.vertical->K_v_kN_per_mm, least_ratio));
 }
 
 rules::VerticalValue vertical_value(DeviceResult const& device) {
@@ -75,12 +85,12 @@ DeviceResult device_result(campaign::Device const& device, int smooth) {
   result.raw = device.raw;
   result.record = device.record;
   result.vertical_test = device.vertical;
-  add_vertical(result);
-  if (!device.usable()) {
+  if (device.usable())
+    result.properties = data::cyclic_properties(device.raw);
+  else
     result.properties.refusal = device.refusal;
-    return result;
-  }
-  result.properties = data::cyclic_properties(device.raw);
+  add_vertical(result);
+  if (!device.usable()) return result;
   auto budget = data::error_budget(device.raw, result.properties, smooth);
   result.notes = std::move(budget.notes);
   result.effects = std::move(budget.effects);
