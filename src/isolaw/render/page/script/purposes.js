@@ -66,7 +66,7 @@ export function numbersOf(purpose, viewId) {
     ];
   const free = first.law.parameters.filter((parameter) => parameter.free).length;
   return [
-    [errorText(recommendation.error), 'error ' + recommendation.measure],
+    [errorText(recommendation.error), 'its error'],
     [second ? errorText(second.error) : '\u2013', second ? 'next, ' + second.law.id : 'no other law'],
     [String(free), free === 1 ? 'parameter' : 'parameters'],
   ];
