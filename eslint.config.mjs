@@ -22,5 +22,5 @@ const rules = {
 
 export default [
   { files: ['src/**/*.js'], languageOptions: { globals: browser }, rules },
-  { files: ['tests/browser/*.mjs', '*.mjs'], languageOptions: { globals: { ...browser, ...node } }, rules },
+  { files: ['tests/browser/*.mjs', '*.mjs'], languageOptions: { globals: { ...browser, ...node, asSet: 'readonly', reportAsShown: 'readonly' } }, rules },
 ];

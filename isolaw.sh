@@ -3,7 +3,7 @@
 #   ./isolaw.sh setup        install what is missing: Debian packages, one npm package
 #   ./isolaw.sh build        configure and build (preset `release`, or ISOLAW_PRESET=developer|sanitize|sanitize-thread)
 #   ./isolaw.sh run          setup, build, identify the example lot into out/published-lot/
-#   ./isolaw.sh test         setup, build, run all tests
+#   ./isolaw.sh test         setup, build, run all tests (npm's axe-core too)
 #   ./isolaw.sh sanitize     the fuzz corpora, bad and hostile input and every writer of outputs under address and
 #                            undefined-behaviour sanitizers; tools/reliability.sh runs everything under them
 #   ./isolaw.sh fuzz [SECONDS]  every fuzz target for so long (60), with clang; fails at a finding
@@ -82,6 +82,8 @@ case "${1:-help}" in
     ;;
   test)
     setup "${test_packages[@]}"
+    # The test of the page that skips without it.
+    [ -e node_modules/axe-core/axe.min.js ] || step npm ci --no-audit --no-fund --loglevel=error
     build
     step ctest --preset "$preset" -j "$one_waits" "${@:2}"
     ;;

@@ -18,6 +18,30 @@ const FLAGS = [
   '--remote-debugging-pipe',
 ];
 
+// The page's data with laws and parameters called as the page calls them. Runs in the page.
+function reportAsShown() {
+  const report = JSON.parse(document.getElementById('isolaw-data').textContent);
+  const names = Object.fromEntries(report.laws.map(({ id, name }) => [id, name]));
+  const named = (id) => names[id] ?? id;
+  for (const one of report.findings.recommendations) {
+    one.law = named(one.law);
+    one.ties = one.ties.map(named);
+    for (const standing of one.standings) standing.law = named(standing.law);
+  }
+  for (const law of report.published?.laws ?? []) law.law = named(law.law);
+  for (const law of report.laws) {
+    law.id = law.name;
+    for (const parameter of law.parameters) parameter.name = (report.notation.parameters[parameter.name] ?? [parameter.name]).join('');
+  }
+  return report;
+}
+
+// What the page makes of a sentence of the program: symbols set. Runs in the page.
+function asSet(text) {
+  const { words } = JSON.parse(document.getElementById('isolaw-data').textContent).notation;
+  return text.replace(/(?<![\w./-])[A-Za-z]\w*(?![\w/-]|[.]\w)/g, (word) => (Object.hasOwn(words, word) ? words[word].join('') : word));
+}
+
 export class Chromium {
   constructor(program) {
     this.profile = mkdtempSync(join(tmpdir(), 'isolaw-chromium-'));
@@ -95,6 +119,7 @@ export class Chromium {
     });
     await page.send('Page.navigate', { url });
     await loaded;
+    await page.evaluate(`window.reportAsShown = ${reportAsShown}; window.asSet = ${asSet}; 0`);
     return page;
   }
 

@@ -10,8 +10,8 @@
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/render/write.hpp"
 #include "isolaw/study/build_summary.hpp"
+#include "isolaw/study/table_a5.hpp"
 #include "unit/campaign_fixture.hpp"
-#include "verification/table_a5.hpp"
 
 namespace {
 

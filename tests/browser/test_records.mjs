@@ -383,6 +383,30 @@ function lot_of(devices, nominal, verified, assessed, hostile) {
   };
 }
 
+// The verdict of the whole.
+function result_of({ devices, assessment: { lot } }, verified, assessed) {
+  const none = { word: null, failing: [], not_assessed: [], requirements: [], mark_is_red: false };
+  if (!assessed) return { ...none, sentence: 'no verdict: no rule set', mark: null };
+  if (!verified) return { ...none, sentence: 'no verdict, the limits of this set are not verified', mark: 'LIMITS NOT VERIFIED' };
+  const failing = devices.filter(({ verdict }) => verdict === 'fail').map(({ name }) => ({ device: name, remark: 'K_eff +30.0 %' }));
+  const of_lot = [lot.sample, ...lot.quantities.flatMap((quantity) => quantity.mean_limits)].filter(({ verdict }) => verdict === 'fail');
+  failing.push(...of_lot.map(({ quantity }) => ({ device: null, remark: quantity })));
+  const word = failing.length > 0 ? 'FAIL' : 'INCOMPLETE';
+  return {
+    word,
+    sentence: failing.map(({ device, remark }) => (device ?? 'the lot') + ' ' + remark).join(', ') + '; not assessed: K_v',
+    failing,
+    not_assessed: devices.filter((device) => device.assessments.length === 0).map(({ name }) => ({ device: name, remark: 'refused' })),
+    requirements: [
+      { name: 'K_eff', verdict: failing.length > 0 ? 'fail' : 'pass' },
+      { name: 'damping', verdict: 'pass' },
+      { name: 'K_v', verdict: 'not assessed' },
+    ],
+    mark: word,
+    mark_is_red: true,
+  };
+}
+
 // `tests`: raw records by name of the device ({disp, force, time?, load?}); a made-up one for the others that were not
 // refused. A record with cyclic: false has no cycles.
 export function extend(report, { tests = {}, verified = true, assessed = true, laws = true, scored = true } = {}) {
@@ -398,6 +422,9 @@ export function extend(report, { tests = {}, verified = true, assessed = true, l
       notes: [`128 samples per cycle ${hostile}`],
       corrections: d === 0 ? ['force moved back by 4 ms against displacement (--skew-ms 4)'] : [],
       assessments: [],
+      doubts: [],
+      verdict_brief: '',
+      verdict_text: '',
       reported: null,
       counting_block: null,
       counting_block_choice: '',
@@ -443,9 +470,12 @@ export function extend(report, { tests = {}, verified = true, assessed = true, l
       device.assessments = assessments_of(cycle, block.number, nominal, verified);
     }
   for (const device of report.devices)
+  {
     device.verdict =
       ['fail', 'pass', 'information', 'not assessed'].find((verdict) => device.assessments.some((a) => a.verdict === verdict)) ??
       (assessed && device.properties_refusal ? 'not assessed' : null);
+    device.verdict_brief = device.verdict_text = device.verdict ?? '';
+  }
   report.assessment = {
     rule_set: !assessed
       ? null
@@ -466,8 +496,11 @@ export function extend(report, { tests = {}, verified = true, assessed = true, l
         : [],
     lot: lot_of(report.devices, nominal, verified, assessed, hostile),
   };
+  report.result = result_of(report, verified, assessed);
   if (!laws) {
     report.laws = [];
+    report.published = null;
+    report.by_objective = [];
     // As of an inspection: what is said of devices and records stays.
     const warnings = report.findings.warnings.filter(({ topic }) => ['refused', 'copies', 'record'].includes(topic));
     report.findings = { recommendations: [], headline: '', beta_note: '', verdicts: [], converged: [], warnings };

@@ -234,11 +234,11 @@ TEST_F(Analysis, exports_say_what_is_known_against_the_law) {
   for (auto const* target : {"opensees", "openseespy", "cpp", "opensees-cpp", "abaqus", "sheet", "csv", "json"}) {
     auto const made = isolaw({"export", "O", "--law", "bilinear", "--device", "a", "--to", target});
     EXPECT_EQ(made.code, 0) << made;
-    EXPECT_TRUE(contains(made.out, "bilinear: K1 at its upper bound on a")) << target;
-    EXPECT_TRUE(contains(made.err, "warning: bilinear: K1 at its upper bound on a")) << target;
+    EXPECT_TRUE(contains(made.out, "Bilinear: K1 at its upper bound on a")) << target;
+    EXPECT_TRUE(contains(made.err, "warning: Bilinear: K1 at its upper bound on a")) << target;
   }
   auto const simulated = isolaw({"simulate", "bilinear", "--from", "O", "--device", "a", "--motion", "a.csv"});
-  EXPECT_TRUE(contains(simulated.err, "warning: bilinear: K1 at its upper bound on a"));
+  EXPECT_TRUE(contains(simulated.err, "warning: Bilinear: K1 at its upper bound on a"));
   EXPECT_TRUE(contains(simulated.out, "# warning: bilinear: K1 at its upper bound on a"));
 }
 

@@ -125,7 +125,7 @@ TEST_F(Calibrate, summary_has_the_documented_schema) {
   ASSERT_EQ(calibrate("O").code, 0);
   auto const s = json("O/summary.json");
   EXPECT_EQ(keys(s), (Words{"schema", "isolaw", "seed", "settings", "devices", "laws", "title", "outliers", "complete",
-                            "missing_runs", "missing_analyses", "warnings", "recommendations"}));
+                            "missing_runs", "missing_analyses", "warnings", "recommendations", "published"}));
   EXPECT_EQ(s["schema"], 1);
   ASSERT_EQ(s["isolaw"].size(), 1u);
   EXPECT_EQ(s["isolaw"][0]["version"], ISOLAW_VERSION);
@@ -150,6 +150,7 @@ TEST_F(Calibrate, summary_has_the_documented_schema) {
                                 "on_front",
                                 "devices",
                                 "beta_note",
+                                "name",
                                 "title",
                                 "notes",
                                 "success_share",
@@ -220,7 +221,7 @@ TEST_F(Calibrate, summary_has_the_documented_schema) {
         ASSERT_TRUE(fit["parameters"].contains(name)) << name;
         auto const& parameter = fit["parameters"][std::string(name)];
         EXPECT_EQ(keys(parameter), (Words{"unit", "mean", "std", "best", "at_bound", "free", "lower", "upper",
-                                          "percent_of_lot", "tied_to", "identifiability"}));
+                                          "percent_of_lot", "tied_to", "paper_name", "identifiability"}));
         EXPECT_EQ(parameter["unit"], unit);
         for (auto const* key : {"mean", "std", "best", "lower", "upper"})
           EXPECT_TRUE(parameter[key].is_number()) << name << key;

@@ -94,7 +94,7 @@ TEST_F(Settings, best_value_at_an_edge_of_its_box_is_reported) {
   auto const K2 = parameter("K2");
   EXPECT_LE(K2["best"].get<double>(), 3.001);
   EXPECT_EQ(K2["at_bound"], "lower");
-  EXPECT_TRUE(contains(o.out, "bilinear: K2 at its lower bound on one"));
+  EXPECT_TRUE(contains(o.out, "Bilinear: K2 at its lower bound on one"));
   EXPECT_TRUE(contains(read("O/tables/parameters.csv"), "one lower"));
 }
 

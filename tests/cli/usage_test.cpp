@@ -180,6 +180,14 @@ TEST_F(Catalogue, says_what_parameters_must_meet_together) {
   EXPECT_EQ(Json::parse(isolaw({"laws", "abe", "--json"}).out)["together"], Json::array());
 }
 
+TEST_F(Catalogue, says_what_the_paper_calls_a_parameter) {
+  EXPECT_TRUE(contains(isolaw({"laws", "bilinear"}).out, "yield displacement; F_y in the paper's tables\n"));
+  EXPECT_TRUE(contains(isolaw({"laws", "--markdown"}).out, "yield displacement; F\\_y in the paper's tables |"));
+  auto const bilinear = Json::parse(isolaw({"laws", "bilinear", "--json"}).out)["parameters"];
+  EXPECT_EQ(bilinear[0]["paper_name"], Json(nullptr));
+  EXPECT_EQ(bilinear[2]["paper_name"], "F_y");
+}
+
 TEST_F(Catalogue, knows_the_published_boxes) {
   // Table 4 of the paper for law 1.
   auto const bilinear = Json::parse(isolaw({"laws", "bilinear", "--json"}).out)["parameters"];

@@ -16,10 +16,10 @@ class Terminal : public InFreshDirectory {
 
 TEST_F(Terminal, a_pass_of_a_device_says_what_was_not_compared) {
   auto const o = isolaw(Words{"inspect", "lot"} + held_to("K_eff=0.8,disp=100") + Words{"--lot-size", "2"});
-  EXPECT_TRUE(contains(o.out, "pass (K_eff; not assessed: damping, K_v, ")) << o;
+  EXPECT_TRUE(contains(o.out, "pass on 1 of 5 (K_eff; not assessed: damping, K_v, ")) << o;
   EXPECT_FALSE(contains(o.out, "  pass\n")) << o;
   auto const one = isolaw(Words{"inspect", "lot/D1.csv"} + held_to("K_eff=0.8,disp=100"));
-  EXPECT_TRUE(contains(one.out, "device: pass (K_eff; not assessed: damping, K_v, ")) << one;
+  EXPECT_TRUE(contains(one.out, "device: pass on 1 of 5 (K_eff; not assessed: damping, K_v, ")) << one;
 }
 
 TEST_F(Terminal, a_single_device_shows_the_line_of_the_lot_that_fails) {
@@ -47,13 +47,71 @@ TEST_F(Terminal, calibrate_and_report_end_with_the_verdict) {
   auto const o = isolaw(Words{"calibrate", "lot", "--out", "O"} + quick + held_to("K_eff=0.72,disp=100") +
                         Words{"--lot-size", "2"});
   EXPECT_EQ(o.code, 1) << o;
-  auto const line = "NTC 2018: 1 of 2 devices pass as far as assessed (not assessed: damping, K_v, ";
+  auto const line =
+      "FAIL: NTC 2018: 1 of 2 devices fails: D2 K_eff +25.0 %; pass on 1 of 6 requirements; not assessed: ";
   EXPECT_TRUE(contains(o.out, line)) << o;
-  EXPECT_TRUE(contains(o.out, "1 fails: D2 K_eff +25.0 %")) << o;
   EXPECT_TRUE(contains(isolaw({"report", "O"}).out, line));
   EXPECT_TRUE(contains(isolaw({"report", "O", "--rules", "asce-7-22"}).out,
                        "ASCE/SEI 7-22: no verdict, the limits of this set are not verified"));
   EXPECT_EQ(Json::parse(isolaw({"report", "O", "--json"}).out)["devices"].size(), 2u);
+}
+
+// With one requirement not assessed nothing anywhere passes as a whole.
+TEST_F(Terminal, an_inspection_says_pass_fail_or_incomplete_first_everywhere) {
+  write("mine.toml",
+        "id = \"mine\"\ntitle = \"Contract\"\nedition = \"1\"\nsource = \"none\"\nverified_by = \"me\"\n"
+        "[formulas]\nstiffness = \"peak_to_peak\"\ndamping = \"peak_to_peak\"\n[cycles]\none = 3\n"
+        "[[limit]]\nquantity = \"K_eff\"\napplies_to = \"each\"\nwithin_percent = 20\n"
+        "[[limit]]\nquantity = \"K_v\"\napplies_to = \"each\"\nlower_percent = -30\n");
+  auto const found = [&](std::string const& design, std::string const& first, int code) {
+    auto const o = isolaw(Words{"inspect", "lot", "--rules", "mine.toml", "--design", design, "--out", "I"});
+    EXPECT_EQ(o.code, code) << o;
+    EXPECT_TRUE(o.out.starts_with(first)) << o;
+    auto const file = json("I/inspection.json");
+    EXPECT_TRUE(first.starts_with(file["result"]["word"].get<std::string>() + ": ")) << file["result"];
+    auto const page = page_data(read("I/inspection.html"));
+    EXPECT_EQ(page["result"], file["result"]);
+    return file;
+  };
+  auto const open = found("K_eff=0.8", "INCOMPLETE: Contract: pass on 1 of 2 requirements; not assessed: K_v\n", 0);
+  EXPECT_EQ(open["result"]["mark"], "INCOMPLETE");
+  EXPECT_EQ(open["result"]["requirements"],
+            Json::parse(R"([{"name": "K_eff", "verdict": "pass"}, {"name": "K_v", "verdict": "not assessed"}])"));
+  for (auto const& device : open["devices"]) {
+    EXPECT_EQ(device["verdict_brief"], "pass on 1 of 2");
+    EXPECT_EQ(device["verdict_text"], "pass on 1 of 2 (K_eff; not assessed: K_v)");
+  }
+  auto const failing = found("K_eff=0.72", "FAIL: Contract: 1 of 2 devices fails: D2 K_eff +25.0 %; pass on 0 of 2", 1);
+  EXPECT_EQ(failing["result"]["failing"], Json::parse(R"([{"device": "D2", "remark": "K_eff +25.0 %"}])"));
+  auto const none = isolaw({"inspect", "lot", "--json"});
+  EXPECT_TRUE(Json::parse(none.out)["result"]["word"].is_null());
+  EXPECT_TRUE(isolaw({"inspect", "lot"}).out.starts_with("No verdict: no rule set\n"));
+  auto const one = isolaw({"inspect", "lot/D1.csv", "--rules", "mine.toml", "--design", "K_eff=0.8"});
+  EXPECT_TRUE(one.out.starts_with("INCOMPLETE: Contract: ")) << one;
+}
+
+TEST_F(Terminal, a_refused_device_leaves_an_inspection_incomplete) {
+  write("lot/D3.csv", "time [s],disp [mm],force [kN]\n0,1,2\n1,1,2\n2,1,2\n");
+  auto const o = isolaw(Words{"inspect", "lot"} + held_to("K_eff=0.8,disp=100"));
+  EXPECT_EQ(o.code, 1) << o;
+  EXPECT_TRUE(o.out.starts_with("INCOMPLETE: ")) << o;
+  EXPECT_TRUE(contains(o.out.substr(0, o.out.find('\n')), "without a verdict: D3")) << o;
+}
+
+TEST_F(Terminal, design_values_without_a_rule_set_are_asked_about) {
+  auto const o = isolaw({"inspect", "lot/D1.csv", "--design", "K_eff=0.8"});
+  EXPECT_EQ(o.code, 0) << o;
+  EXPECT_TRUE(contains(
+      o.err, "design values K_eff=0.8: no device is held to them without a rule set; try: --rules NAME, one of "))
+      << o;
+  EXPECT_TRUE(contains(o.err, "ntc-2018")) << o;
+  EXPECT_EQ(isolaw(Words{"inspect", "lot/D1.csv"} + held_to("K_eff=0.8,disp=100")).err, "");
+}
+
+TEST_F(Terminal, the_example_lot_is_marked_as_not_measured) {
+  ASSERT_EQ(isolaw({"example", "E"}).code, 0);
+  auto const o = isolaw(Words{"inspect", "E/lot.toml", "--json"} + held_to("K_eff=0.62,damping=19.5,disp=208"));
+  EXPECT_EQ(Json::parse(o.out)["result"]["mark"], "NOT MEASURED");
 }
 
 TEST_F(Terminal, a_damping_below_one_percent_is_asked_about) {

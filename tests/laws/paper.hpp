@@ -15,8 +15,9 @@
 #include <vector>
 
 #include "isolaw/laws/catalogue.hpp"
+#include "isolaw/study/table_a5.hpp"
 #include "laws/candidates.hpp"
-#include "verification/table_a5.hpp"
+#include "verification/table_4.hpp"
 
 namespace isolaw::law_tests {
 

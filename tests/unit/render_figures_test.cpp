@@ -1,5 +1,6 @@
 // The figures: what their data say, that names of users are never commands, and what gnuplot makes of them.
 #include <expat.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -9,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 #include <string>
@@ -16,9 +18,15 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/write_file.hpp"
+#include "isolaw/render/figures/figure_script.hpp"
 #include "isolaw/render/figures/figures.hpp"
 #include "isolaw/render/figures/gnuplot.hpp"
+#include "isolaw/render/page/html.hpp"
+#include "isolaw/render/page/page_data.hpp"
 #include "isolaw/render/write.hpp"
+#include "isolaw/study/findings.hpp"
+#include "isolaw/study/law_look.hpp"
+#include "isolaw/study/spoken.hpp"
 #include "unit/analysed_fixture.hpp"
 #include "unit/study_fixture.hpp"
 
@@ -107,6 +115,53 @@ TEST(FileStems, AnEndingMakesNoOtherName) {
   EXPECT_EQ(stems, (std::vector<std::string>{"a_abe", "a_2", "b", "B_Abe-y0_2", "b_x"}));
 }
 
+// The published study's laws as it draws them: standard deviation by mean, its printed values in blocks of their own.
+TEST(Figures, OfThePublishedStudyHaveItsPrintedValues) {
+  auto const made = figures_of(fixture::lot(3, 7));
+  auto const objective = blocks(made.at("published_objective").data);
+  ASSERT_EQ(objective.size(), 14u) << "seven laws, here and published";
+  ASSERT_EQ(objective[0].size(), 3u);
+  ASSERT_EQ(objective[1].size(), 10u);
+  EXPECT_EQ(objective[1][0][1], "P1");
+  EXPECT_EQ(value(objective[1][0][2]), 0.11);
+  EXPECT_EQ(value(objective[1][0][3]), 0.00524);
+  EXPECT_NEAR(value(objective[1][0][4]), 0.00524 / 0.11, 1e-12);
+
+  auto const bilinear = blocks(made.at("published_parameters_bilinear").data);
+  ASSERT_EQ(bilinear.size(), 6u) << "three parameters";
+  EXPECT_EQ(value(bilinear[0][0][2]), value(blocks(made.at("parameters_bilinear").data)[0][0][2]));
+  EXPECT_NEAR(value(bilinear[0][0][4]), value(bilinear[0][0][3]) / value(bilinear[0][0][2]), 1e-12);
+  auto const& yield = bilinear[5];
+  ASSERT_EQ(yield.size(), 10u);
+  EXPECT_EQ(value(yield[2][2]), 52.2);
+  EXPECT_NEAR(value(yield[2][4]), 3.61 / 52.2, 1e-12);
+  double mean = 0.0;
+  for (auto const& row : yield) mean += value(row[2]) / 10.0;
+  EXPECT_NEAR(value(yield[2][5]), 100.0 * (52.2 / mean - 1.0), 1e-9);
+  EXPECT_TRUE(made.contains("published_parameters_abe"));
+  EXPECT_TRUE(made.contains("published_parameters_abe-y0"));
+}
+
+TEST(Figures, OfThePublishedStudyNeedTwoOfItsLaws) {
+  auto summary = fixture::lot(3, 1);
+  for (auto const& [name, figure] : figures_of(summary)) EXPECT_FALSE(name.starts_with("published")) << name;
+  summary = fixture::lot(3, 2);
+  summary.laws[1].id = "power-masing";
+  for (auto const& [name, figure] : figures_of(summary)) EXPECT_FALSE(name.starts_with("published")) << name;
+}
+
+// Figs. 5 and 7 stand among those of the default: one of all laws on a device, one of all devices.
+TEST(Figures, LoopsOfAllLawsAndEachDeviceAgainstTheMeanAreDrawnByDefault) {
+  auto const summary = fixture::lot(3, 7);
+  auto const made = figures_of(summary);
+  auto const is_of_loops = [](auto const& one) { return one.first.starts_with("loops_"); };
+  ASSERT_EQ(std::ranges::count_if(made, is_of_loops), 1);
+  auto const& loops = std::ranges::find_if(made, is_of_loops)->second;
+  for (auto const& law : summary.laws)
+    EXPECT_NE(loops.script.find("'" + called(law)), std::string::npos) << law.id << " has no panel";
+  EXPECT_TRUE(made.contains("objective_by_device"));
+}
+
 TEST(FigureChoice, IsOneOfThree) {
   EXPECT_EQ(figure_choice("all"), FigureChoice::all);
   EXPECT_THROW(figure_choice("some"), Error);
@@ -115,7 +170,7 @@ TEST(FigureChoice, IsOneOfThree) {
 TEST(Figures, FrontHoldsEveryLawAndTheFrontInOrder) {
   auto const summary = fixture::lot(3, 7);
   auto const data = blocks(figures_of(summary).at("front").data);
-  ASSERT_EQ(data.size(), 2u);
+  ASSERT_EQ(data.size(), 3u);
   ASSERT_EQ(data[0].size(), summary.laws.size());
   for (std::size_t i = 0; i < summary.laws.size(); ++i) {
     auto const& law = summary.laws[i];
@@ -123,10 +178,57 @@ TEST(Figures, FrontHoldsEveryLawAndTheFrontInOrder) {
     EXPECT_EQ(value(data[0][i][1]), *law.beta);
     EXPECT_EQ(value(data[0][i][2]), *law.objective.mean);
     EXPECT_EQ(data[0][i][3], law.on_front ? "1" : "0");
+    EXPECT_EQ(data[0][i][4], law.on_front ? "filled" : "open");
   }
   Row front;
   for (auto const& row : data[1]) front.push_back(row[0]);
   EXPECT_EQ(front, (Row{"bilinear", "vaiana", "abe", "jankowski"}));  // by rising beta
+  Row published, its_front;
+  for (auto const& row : data[2]) {
+    published.push_back(row[0]);
+    if (row[3] == "1") its_front.push_back(row[0]);
+  }
+  EXPECT_EQ(published, (Row{"1", "2", "3", "4", "5", "6"}));
+  EXPECT_EQ(its_front, (Row{"1", "2", "3", "5"}));
+  EXPECT_NEAR(value(data[2][1][1]), 0.3030, 5e-5);
+  EXPECT_NEAR(value(data[2][1][2]), 0.079, 1e-12);
+}
+
+TEST(Figures, ALawThatDoesNotDescribeTheDevicesIsCrossedAndLeavesItsPlace) {
+  auto summary = fixture::lot(3, 2);
+  // The second is beaten in both respects by the first alone, which misses the stiffness.
+  summary.laws[0].objective.mean = 0.05;
+  summary.laws[1].on_front = false;
+  EXPECT_EQ(blocks(figures_of(summary).at("front").data)[0][1][4], "open");
+  for (auto& fit : summary.laws[0].devices) fit.K_eff_error_percent = 60.0;
+  auto const figure = figures_of(summary).at("front");
+  EXPECT_EQ(blocks(figure.data)[0][0][4], "cross");
+  EXPECT_EQ(blocks(figure.data)[0][1][4], "filled");
+  EXPECT_NE(figure.script.find("title 'not adequate'"), std::string::npos);
+}
+
+TEST(Figures, LawsHaveTheColoursAndMarkersOfThePageAndItsOrder) {
+  auto const summary = fixture::lot(3, 7);
+  auto const page = html(summary);
+  auto const figure = figures_of(summary).at("objective");
+  auto const data = nlohmann::json::parse(page_data_json(summary));
+  ASSERT_EQ(data["symbols"].size(), law_look_count);
+  for (std::size_t i = 0; i < law_look_count; ++i) {
+    EXPECT_EQ(data["symbols"][i], law_looks[i].symbol);
+    EXPECT_NE(page.find(fmt::format("--law-{}: {};", i + 1, law_looks[i].colour)), std::string::npos);
+    EXPECT_NE(figure.script.find(fmt::format("set style line {} lc rgb '{}' lw 1.2 pt {} ", i + 1, law_looks[i].colour,
+                                             law_looks[i].point)),
+              std::string::npos);
+  }
+  // Laws from the smallest objective, each in its own style.
+  std::size_t at = figure.script.find("set xrange");
+  std::size_t drawn = figure.script.find("set multiplot");
+  for (std::size_t const law : data["by_objective"]) {
+    at = figure.script.find(law_tic(called(summary.laws[law])), at);
+    EXPECT_NE(at, std::string::npos) << summary.laws[law].id;
+    drawn = figure.script.find(fmt::format("with points ls {}", law + 1), drawn);
+    EXPECT_NE(drawn, std::string::npos) << summary.laws[law].id;
+  }
 }
 
 TEST(Figures, FrontsOfAnalysesAreThereWithThem) {
@@ -137,8 +239,8 @@ TEST(Figures, FrontsOfAnalysesAreThereWithThem) {
   summary.laws[0].beta_converged = 0.3;
   summary.laws[0].loo_objective = 0.2;
   auto const made = figures_of(summary);
-  EXPECT_EQ(blocks(made.at("front_converged").data)[0], (std::vector<Row>{{"bilinear", "0.3", "0.12", "0"}}));
-  EXPECT_EQ(blocks(made.at("front_left_out").data)[0], (std::vector<Row>{{"bilinear", "0.2", "0.12", "0"}}));
+  EXPECT_EQ(blocks(made.at("front_converged").data)[0], (std::vector<Row>{{"bilinear", "0.3", "0.12", "0", "open"}}));
+  EXPECT_EQ(blocks(made.at("front_left_out").data)[0], (std::vector<Row>{{"bilinear", "0.2", "0.12", "0", "open"}}));
 }
 
 TEST(Figures, ObjectiveOfEveryDeviceAndGapsWhereThereIsNone) {
@@ -149,10 +251,12 @@ TEST(Figures, ObjectiveOfEveryDeviceAndGapsWhereThereIsNone) {
   refused.refusal = "not for it";
   auto const data = blocks(figures_of(summary).at("objective").data);
   ASSERT_EQ(data.size(), 3u);
-  for (std::size_t law = 0; law < 3; ++law) {
-    ASSERT_EQ(data[law].size(), 3u);  // the device that could not be read has no place
+  auto const order = by_objective(summary);
+  for (std::size_t place = 0; place < 3; ++place) {
+    auto const law = order[place];
+    ASSERT_EQ(data[place].size(), 3u);  // the device that could not be read has no place
     for (std::size_t d = 0; d < 3; ++d) {
-      auto const& row = data[law][d];
+      auto const& row = data[place][d];
       auto const& objective = summary.laws[law].devices[d].objective;
       EXPECT_EQ(row[1], summary.devices[d].name);
       if (!objective.mean) {
@@ -195,13 +299,13 @@ TEST(Figures, ParametersPanelByPanel) {
     EXPECT_EQ(value(data[0][d][4]), *parameter.percent_of_lot);
     EXPECT_EQ(value(data[1][d][2]), *summary.laws[0].devices[d].parameters[2].value.mean);
   }
-  EXPECT_NE(figure.script.find("K1 (kN/mm)"), std::string::npos);
-  EXPECT_EQ(figure.script.find("K2 (kN/mm)"), std::string::npos);
+  EXPECT_NE(figure.script.find("{/:Italic K}_{1} (kN/mm)"), std::string::npos);
+  EXPECT_EQ(figure.script.find("{/:Italic K}_{2} (kN/mm)"), std::string::npos);
 }
 
 TEST(Figures, LargeValuesAreDrawnInPowersOfTenWithTheirUnit) {
   auto const figure = figures_of(fixture::lot()).at("parameters_vaiana");
-  EXPECT_NE(figure.script.find("'kb+ (10^{3} N/m)'"), std::string::npos);
+  EXPECT_NE(figure.script.find("'{/:Italic k}_{b+} (10^{3} N/m)'"), std::string::npos);
   EXPECT_NE(figure.script.find("($3/1000)"), std::string::npos);
 }
 
@@ -265,41 +369,42 @@ TEST(Figures, LoopsAndRecordsOfEveryDevice) {
   EXPECT_EQ(std::ranges::count_if(made, [](auto const& named) { return named.first.starts_with("loops_"); }), 9 + 3);
 }
 
-TEST(Figures, LoopsOfAllLawsOfTheFirstDeviceAlone) {
+TEST(Figures, LoopsOfAllLawsOfTheDeviceThatStandsForTheLotAlone) {
   auto summary = fixture::lot();
-  auto& refused = summary.laws[1].devices[0];
+  auto& refused = summary.laws[1].devices[1];
   refused = DeviceFit{};
-  refused.device = "D1";
+  refused.device = "D2";
   refused.refusal = "it's not for this record";
   auto const of_lot = figures_of(summary);
-  auto const& figure = of_lot.at("loops_D1");
-  EXPECT_FALSE(of_lot.contains("loops_D2"));
+  auto const& figure = of_lot.at("loops_D2");
+  EXPECT_FALSE(of_lot.contains("loops_D1"));
   auto const data = blocks(figure.data);
-  auto const& record = summary.devices[0].record;
+  auto const& record = summary.devices[1].record;
   ASSERT_EQ(data[0].size(), record.size());
+  ASSERT_EQ(by_objective(summary), (std::vector<std::size_t>{1, 2, 0}));
   for (std::size_t const i : {std::size_t{0}, record.size() / 2, record.size() - 1}) {
     EXPECT_EQ(value(data[0][i][1]), record.disp_mm[i]);
     EXPECT_EQ(value(data[0][i][2]), record.force_kN[i]);
-    EXPECT_EQ(value(data[0][i][3]), summary.laws[0].devices[0].force_kN[i]);
-    EXPECT_EQ(data[0][i][4], "NaN");
-    EXPECT_EQ(value(data[0][i][5]), summary.laws[2].devices[0].force_kN[i]);
+    EXPECT_EQ(data[0][i][3], "NaN");
+    EXPECT_EQ(value(data[0][i][4]), summary.laws[2].devices[1].force_kN[i]);
+    EXPECT_EQ(value(data[0][i][5]), summary.laws[0].devices[1].force_kN[i]);
   }
   EXPECT_NE(figure.script.find("refused: it''s not for this"), std::string::npos);
-  // Of the first device that there is one of.
-  summary.devices[0].record = {};
-  EXPECT_TRUE(figures_of(summary).contains("loops_D2"));
-  EXPECT_FALSE(figures_of(summary).contains("loops_D1"));
+  // Of the next nearest where it has no record.
+  summary.devices[1].record = {};
+  EXPECT_TRUE(figures_of(summary).contains("loops_D1"));
+  EXPECT_FALSE(figures_of(summary).contains("loops_D2"));
 }
 
 TEST(Figures, ALawThatRunsAwayLeavesTheOthersTheirScale) {
   auto summary = fixture::lot();
   auto const highest = [&] {
-    auto const script = figures_of(summary).at("loops_D1").script;
+    auto const script = figures_of(summary).at("loops_D2").script;
     auto const from = script.find(':', script.find("set yrange [")) + 1;
     return std::stod(script.substr(from, script.find(']', from) - from));
   };
-  double const peak = std::ranges::max(summary.devices[0].record.force_kN);
-  for (double& f : summary.laws[1].devices[0].force_kN) f *= 1e4;
+  double const peak = std::ranges::max(summary.devices[1].record.force_kN);
+  for (double& f : summary.laws[1].devices[1].force_kN) f *= 1e4;
   EXPECT_LT(highest(), 2.5 * peak);
 }
 
@@ -394,7 +499,7 @@ TEST_F(Drawn, NamesArePrintedAsTheyAre) {
   auto const summary = hostile_lot();
   write_figures(summary, FigureChoice::lot, dir_);
   auto const front = text_of_svg(content(figure("front.svg")));
-  for (auto const& law : summary.laws) EXPECT_NE(front.find(law.id), std::string::npos) << law.id;
+  for (auto const& law : summary.laws) EXPECT_NE(front.find(called(law)), std::string::npos) << law.id;
   auto const convergence = text_of_svg(content(figure("convergence_bilinear.svg")));
   EXPECT_NE(convergence.find("it's `touch drawn_by_a_nam"), std::string::npos);
   EXPECT_NE(convergence.find("a/b\\c\\n\"d\"  #e"), std::string::npos);

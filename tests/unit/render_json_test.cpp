@@ -120,6 +120,7 @@ TEST(SummaryJson, ExactText) {
               "upper": 2,
               "percent_of_lot": null,
               "tied_to": null,
+              "paper_name": null,
               "identifiability": null
             }
           },
@@ -150,6 +151,7 @@ TEST(SummaryJson, ExactText) {
         }
       ],
       "beta_note": "one device",
+      "name": "line",
       "title": "Line",
       "notes": [],
       "success_share": null,
@@ -198,7 +200,7 @@ TEST(SummaryJson, ExactText) {
       "sure": "weak",
       "error": null,
       "why": "One device was tested and every block fitted: nothing says how a law holds elsewhere.",
-      "would_decide": "the rest of the campaign, which the same command computes; a test at another amplitude or rate, kept from the fit; tests of more devices",
+      "would_decide": "the rest of the campaign, which the same command computes; another amplitude or rate, kept from the fit; more devices",
       "measure": "",
       "ties": [],
       "standings": [
@@ -210,7 +212,9 @@ TEST(SummaryJson, ExactText) {
         }
       ],
       "answer": "No law can be recommended for devices and amplitudes that were not tested.",
-      "title": "For what was not tested"
+      "title": "For what was not tested",
+      "valid": "",
+      "programs": ""
     },
     {
       "purpose": "these-tests",
@@ -230,7 +234,9 @@ TEST(SummaryJson, ExactText) {
         }
       ],
       "answer": "Take line, with care: 10 % off fitted to each device.",
-      "title": "For these tests"
+      "title": "For these tests",
+      "valid": "",
+      "programs": "Not in OpenSees: export --to opensees-cpp"
     },
     {
       "purpose": "simplest",
@@ -238,7 +244,7 @@ TEST(SummaryJson, ExactText) {
       "sure": "weak",
       "error": 0.1,
       "why": "Errs by 10 % fitted to each device, with 1 parameter. Weak: the campaign is not complete.",
-      "would_decide": "the rest of the campaign, which the same command computes; a test at another amplitude or rate, kept from the fit; tests of more devices",
+      "would_decide": "the rest of the campaign, which the same command computes; another amplitude or rate, kept from the fit; more devices",
       "measure": "fitted to each device",
       "ties": [],
       "standings": [
@@ -250,9 +256,12 @@ TEST(SummaryJson, ExactText) {
         }
       ],
       "answer": "Take line, with care: 10 % off fitted to each device.",
-      "title": "Simplest that serves"
+      "title": "Simplest that serves",
+      "valid": "",
+      "programs": "Not in OpenSees: export --to opensees-cpp"
     }
-  ]
+  ],
+  "published": null
 }
 )");
 }
@@ -269,9 +278,9 @@ TEST(SummaryJson, TellsHowManyRunsWereMissing) {
 
 TEST(SummaryJson, KeysInTheAgreedOrder) {
   auto const json = Json::parse(summary_json(fixture::lot()));
-  EXPECT_EQ(keys(json),
-            (std::vector<std::string>{"schema", "isolaw", "seed", "settings", "devices", "laws", "title", "outliers",
-                                      "complete", "missing_runs", "missing_analyses", "warnings", "recommendations"}));
+  EXPECT_EQ(keys(json), (std::vector<std::string>{"schema", "isolaw", "seed", "settings", "devices", "laws", "title",
+                                                  "outliers", "complete", "missing_runs", "missing_analyses",
+                                                  "warnings", "recommendations", "published"}));
   EXPECT_EQ(keys(json["laws"][1]["devices"][2]["parameters"]),
             (std::vector<std::string>{"kb+", "f0+", "alpha+", "beta1-", "beta2+"}));
 }

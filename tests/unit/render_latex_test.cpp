@@ -10,6 +10,7 @@
 #include "isolaw/render/tables/latex_tables.hpp"
 #include "isolaw/render/tables/tables.hpp"
 #include "isolaw/study/front_view.hpp"
+#include "isolaw/study/spoken.hpp"
 #include "unit/study_fixture.hpp"
 
 namespace isolaw::render {
@@ -95,8 +96,8 @@ TEST(Latex, TableA5HasMeanStdAndBestOfEveryDevice) {
   fit.parameters[0].value = {1.6, 0.07, 1.61};
   auto const tex = table_a5_tex(summary);
   expect_balanced(tex);
-  EXPECT_NE(tex.find("bilinear & $\\mathit{OF}$ & $0.1100$ & $0.0052$ & $0.1000$ & "), std::string::npos) << tex;
-  EXPECT_NE(tex.find(" & K1 (kN/mm) & $1.600$ & $0.070$ & $1.610$ & "), std::string::npos);
+  EXPECT_NE(tex.find("Bilinear & $\\mathit{OF}$ & $0.1100$ & $0.0052$ & $0.1000$ & "), std::string::npos) << tex;
+  EXPECT_NE(tex.find(" & $K_{1}$ (kN/mm) & $1.600$ & $0.070$ & $1.610$ & "), std::string::npos);
   EXPECT_NE(tex.find("\\usepackage{booktabs,longtable}"), std::string::npos);
 }
 
@@ -105,7 +106,7 @@ TEST(Latex, TableA5StatesLargeValuesInAPowerOfTen) {
   auto& value = summary.laws[1].devices[1].parameters[0].value;
   value = {437000.0, 1720.0, 440000.0};
   auto const tex = table_a5_tex(summary);
-  EXPECT_NE(tex.find(" & kb+ ($10^{5}$ N/m) & "), std::string::npos);
+  EXPECT_NE(tex.find(" & $k_{b+}$ ($10^{5}$ N/m) & "), std::string::npos);
   EXPECT_NE(tex.find(" & $4.370$ & $0.017$ & $4.400$"), std::string::npos);
 }
 
@@ -154,12 +155,13 @@ TEST(Latex, RobustnessAndFront) {
   auto const summary = fixture::lot(3, 7);
   auto const robustness = robustness_tex(summary);
   expect_balanced(robustness);
-  for (auto const& law : summary.laws) EXPECT_NE(robustness.find("\n" + law.id + " & "), std::string::npos) << law.id;
-  EXPECT_NE(robustness.find("bilinear & $0.1370$ & $0.01250$ & $0.1288$ & $0.1421$ & yes \\\\"), std::string::npos);
+  for (auto const& law : summary.laws)
+    EXPECT_NE(robustness.find("\n" + called(law) + " & "), std::string::npos) << law.id;
+  EXPECT_NE(robustness.find("Bilinear & $0.1370$ & $0.01250$ & $0.1288$ & $0.1421$ & yes \\\\"), std::string::npos);
   auto const front = front_tex(summary);
   expect_balanced(front);
-  EXPECT_NE(front.find("jankowski & $0.07900$ & $0.3030$ & yes & -- \\\\"), std::string::npos);
-  EXPECT_NE(front.find("bouc-wen & $0.08900$ & $0.2171$ & no & vaiana \\\\"), std::string::npos) << front;
+  EXPECT_NE(front.find("Jankowski & $0.07900$ & $0.3030$ & yes & -- \\\\"), std::string::npos);
+  EXPECT_NE(front.find("Bouc-Wen & $0.08900$ & $0.2171$ & no & Vaiana \\\\"), std::string::npos) << front;
   for (auto const* tex : {&robustness, &front})
     for (auto const& line : lines(*tex))
       if (is_row(line) && line.find("multicolumn") == std::string::npos) {
@@ -178,20 +180,34 @@ TEST(Front, DominatedByThoseOnIt) {
 TEST(Front, CsvIsSortedByAccuracy) {
   auto const rows = lines(front_csv(fixture::lot(3, 4)));
   ASSERT_EQ(rows.size(), 5u);
-  EXPECT_EQ(rows[1], "as published,jankowski,0.079,0.303,yes,\r");
-  EXPECT_EQ(rows[2], "as published,vaiana,0.088,0.2164,yes,\r");
-  EXPECT_EQ(rows[3], "as published,hwang-wu,0.117,0.3341,no,\"jankowski, vaiana\"\r");
-  EXPECT_EQ(rows[4], "as published,bilinear,0.137,0.1421,yes,\r");
+  EXPECT_EQ(rows[1], "mean of the runs,jankowski,0.079,0.303,yes,\r");
+  EXPECT_EQ(rows[2], "mean of the runs,vaiana,0.088,0.2164,yes,\r");
+  EXPECT_EQ(rows[3], "mean of the runs,hwang-wu,0.117,0.3341,no,\"jankowski, vaiana\"\r");
+  EXPECT_EQ(rows[4], "mean of the runs,bilinear,0.137,0.1421,yes,\r");
+}
+
+TEST(TableA5, ThePapersNameWhereItIsAnotherOne) {
+  auto summary = fixture::lot();
+  for (auto& fit : summary.laws[0].devices)
+    if (fit.parameters.size() > 2) fit.parameters[2].paper_name = "F_y";
+  auto const rows = lines(table_a5_csv(summary));
+  EXPECT_TRUE(rows[3].starts_with("bilinear,K2,kN/mm,yes,,")) << rows[3];
+  EXPECT_TRUE(rows[4].starts_with("bilinear,xy,mm,yes,F_y,")) << rows[4];
+  auto const tex = table_a5_tex(summary);
+  EXPECT_NE(tex.find(" & $x_{y}$ (mm), paper: $F_{y}$ & "), std::string::npos);
+  EXPECT_EQ(count("paper: ", tex), count(" & $x_{y}$ (mm)", tex));
+  expect_balanced(tex);
 }
 
 TEST(TableA5, CsvHasTheBestToo) {
   auto summary = fixture::lot();
   summary.laws[0].devices[0].parameters[0].value = {1.6, 0.07, 1.61};
   auto const rows = lines(table_a5_csv(summary));
-  EXPECT_EQ(rows[0],
-            "law,quantity,unit,calibrated,D1 mean,D1 std,D1 best,D2 mean,D2 std,D2 best,D3 mean,D3 std,D3 best\r");
-  EXPECT_TRUE(rows[1].starts_with("bilinear,OF,-,,")) << rows[1];
-  EXPECT_TRUE(rows[2].starts_with("bilinear,K1,kN/mm,yes,1.6,0.07,1.61,")) << rows[2];
+  EXPECT_EQ(
+      rows[0],
+      "law,quantity,unit,calibrated,in the paper,D1 mean,D1 std,D1 best,D2 mean,D2 std,D2 best,D3 mean,D3 std,D3 best\r");
+  EXPECT_TRUE(rows[1].starts_with("bilinear,OF,-,,,")) << rows[1];
+  EXPECT_TRUE(rows[2].starts_with("bilinear,K1,kN/mm,yes,,1.6,0.07,1.61,")) << rows[2];
 }
 
 }  // namespace

@@ -40,10 +40,10 @@ TEST(Findings, PublishedLotHasThePublishedFront) {
       found.verdicts[0].sentence,
       "Misses the measured force by 7.9 % of its standard deviation on average; its parameters lie up to 30 % from the lot's mean, averaged over the parameters.");
   EXPECT_EQ(found.verdicts[2].sentence,
-            "Scatters less than abe (22 % against 26 %) and errs less than bilinear (8.8 % against 13.7 %).");
+            "Scatters less than Abe (22 % against 26 %) and errs less than Bilinear (8.8 % against 13.7 %).");
   EXPECT_EQ(
       found.headline,
-      "4 of 6 laws are worth considering: the choice lies between accuracy (jankowski) and robustness (bilinear); the best compromise is vaiana.");
+      "4 of 6 laws are worth considering: the choice lies between accuracy (Jankowski) and robustness (Bilinear); the best compromise is Vaiana.");
 }
 
 // A law that is on the front by the optimiser's noise alone is no compromise.
@@ -56,7 +56,7 @@ TEST(Findings, CompromiseStaysOnTheFrontWithoutNoise) {
   mark("bilinear");
   EXPECT_NE(findings(summary).headline.find("none between them holds up"), std::string::npos);
   mark("abe");
-  EXPECT_NE(findings(summary).headline.find("the best compromise is abe"), std::string::npos);
+  EXPECT_NE(findings(summary).headline.find("the best compromise is Abe"), std::string::npos);
 }
 
 TEST(Findings, OneLawOnTheFrontIsBestOfBoth) {
@@ -97,10 +97,10 @@ TEST(Findings, WarningsThatMatter) {
   }
   EXPECT_EQ(topics,
             (std::vector<std::string>{"refused", "law not identified", "failed runs", "at bound", "integration"}));
-  EXPECT_TRUE(contains(all, "hwang-wu was not identified on D1 and D2: no time channel")) << all;
-  EXPECT_TRUE(contains(all, "bilinear: 3 of 60 runs failed, the first on D3: infinite force")) << all;
-  EXPECT_TRUE(contains(all, "vaiana: alpha+ at its upper bound on D1 and D3")) << all;
-  EXPECT_TRUE(contains(all, "bilinear: a finer integration step would move the objective by up to 0.002 on D2")) << all;
+  EXPECT_TRUE(contains(all, "Hwang-Wu was not identified on D1 and D2: no time channel")) << all;
+  EXPECT_TRUE(contains(all, "Bilinear: 3 of 60 runs failed, the first on D3: infinite force")) << all;
+  EXPECT_TRUE(contains(all, "Vaiana: alpha+ at its upper bound on D1 and D3")) << all;
+  EXPECT_TRUE(contains(all, "Bilinear: a finer integration step would move the objective by up to 0.002 on D2")) << all;
 }
 
 TEST(Findings, NothingIdentified) {

@@ -64,7 +64,7 @@ TEST(Adequacy, OfALawThatMissesTheForceOrTheStiffness) {
   // Who takes it away is told, and so is who reads the warnings alone.
   auto const with_it = doubts(summary, "jankowski", summary.devices.front().name).warnings;
   EXPECT_TRUE(
-      contains(with_it.front(), "jankowski does not describe the devices: it misses the measured force by 51.0 %"));
+      contains(with_it.front(), "Jankowski does not describe the devices: it misses the measured force by 51.0 %"));
   for (auto& one : summary.laws) one.objective.mean = 0.5;
   EXPECT_TRUE(findings(summary).headline.starts_with("No law describes these devices: ")) << findings(summary).headline;
 }
@@ -88,7 +88,7 @@ TEST(Adequacy, ParametersAtBoundsMakeNoLawRobust) {
       << found.sentence;
   auto const headline = findings(summary).headline;
   EXPECT_TRUE(contains(headline, "3 of 6 laws are worth considering")) << headline;
-  EXPECT_TRUE(contains(headline, "robustness (vaiana)")) << headline;
+  EXPECT_TRUE(contains(headline, "robustness (Vaiana)")) << headline;
 }
 
 TEST(Prediction, ThatIsPoorIsNoCompromiseAndIsSaid) {
@@ -155,19 +155,19 @@ TEST(Adequacy, OfALawOnTheFrontHidesNoOther) {
   miss_the_stiffness(law(summary, "vaiana"));
   miss_the_stiffness(law(summary, "bilinear"));
   EXPECT_EQ(findings(summary).headline,
-            "hwang-wu is both the most accurate and the most robust law of those that describe the devices.");
+            "Hwang-Wu is both the most accurate and the most robust law of those that describe the devices.");
   EXPECT_EQ(verdict(summary, "hwang-wu").role, Role::best_of_both);
 }
 
 TEST(Adequacy, OfALawWithoutBetaLeavesTheNext) {
   auto summary = fixture::lot(1, 3);
-  EXPECT_TRUE(findings(summary).headline.starts_with("vaiana is the most accurate law; how robust it is"));
+  EXPECT_TRUE(findings(summary).headline.starts_with("Vaiana is the most accurate law; how robust it is"));
   miss_the_stiffness(law(summary, "vaiana"));
   EXPECT_TRUE(findings(summary).headline.starts_with(
-      "hwang-wu is the most accurate law of those that describe the devices; how robust it is"))
+      "Hwang-Wu is the most accurate law of those that describe the devices; how robust it is"))
       << findings(summary).headline;
   EXPECT_TRUE(contains(verdict(summary, "hwang-wu").sentence, "the least of those that describe the devices"));
-  EXPECT_TRUE(contains(verdict(summary, "bilinear").sentence, "1.17 times that of hwang-wu"));
+  EXPECT_TRUE(contains(verdict(summary, "bilinear").sentence, "1.17 times that of Hwang-Wu"));
 }
 
 void hold_by_the_box(LawResult& law) {
@@ -180,13 +180,13 @@ TEST(Adequacy, AFrontThatTheBoxHoldsHasNoRobustEnd) {
   auto summary = fixture::lot(10, 6);
   for (auto& one : summary.laws) hold_by_the_box(one);
   auto const headline = findings(summary).headline;
-  EXPECT_TRUE(headline.starts_with("jankowski is the most accurate law; what ")) << headline;
+  EXPECT_TRUE(headline.starts_with("Jankowski is the most accurate law; what ")) << headline;
   EXPECT_EQ(verdict(summary, "bilinear").role, Role::held_by_box);
   summary = fixture::lot(10, 2);
   law(summary, "vaiana").beta = 0.1;
   hold_by_the_box(law(summary, "vaiana"));
   EXPECT_EQ(verdict(summary, "vaiana").role, Role::most_accurate);
-  EXPECT_TRUE(findings(summary).headline.starts_with("vaiana is the most accurate law; how robust it is"))
+  EXPECT_TRUE(findings(summary).headline.starts_with("Vaiana is the most accurate law; how robust it is"))
       << findings(summary).headline;
 }
 
@@ -209,7 +209,7 @@ TEST(Prediction, MayBeUnusableWithoutCollapsing) {
     for (auto const& warning : found.warnings) text += warning.sentence + "\n";
     return text;
   };
-  EXPECT_TRUE(contains(said(), "vaiana: its prediction is unusable: OF 0.65")) << said();
+  EXPECT_TRUE(contains(said(), "Vaiana: its prediction is unusable: OF 0.65")) << said();
   EXPECT_FALSE(contains(said(), "collapse")) << said();
   worse.fitted_objective = 0.0;
   EXPECT_TRUE(contains(said(), "it collapses: they are missed, and those it was fitted to are not")) << said();
@@ -229,9 +229,9 @@ TEST(Adequacy, OfTheLotsLawForAnotherDevice) {
     one.loo_worst_device = "D1";
   }
   auto const said = [&] { return findings(summary).converged.front(); };
-  EXPECT_TRUE(contains(said(), "with bilinear, the least of all, and")) << said();
+  EXPECT_TRUE(contains(said(), "with Bilinear, the least of all, and")) << said();
   miss_the_stiffness(law(summary, "bilinear"));
-  EXPECT_TRUE(contains(said(), "with vaiana, the least of those that describe the devices and predict, and")) << said();
+  EXPECT_TRUE(contains(said(), "with Vaiana, the least of those that describe the devices and predict, and")) << said();
 }
 
 std::string doubts_of(Summary const& summary, std::string_view id, std::optional<std::string_view> device) {
@@ -308,7 +308,7 @@ TEST(Doubts, SayWhatIsNotKeptAndWhichDevicesWereRefused) {
   fails.deviation_percent = 23.0;
   summary.devices[1].acceptance.assessments = {fails};
   EXPECT_TRUE(
-      contains(doubts_of(summary, "bilinear", std::nullopt), "the lot does not keep its rule set: My rules: 0 of"));
+      contains(doubts_of(summary, "bilinear", std::nullopt), "the lot does not keep its rule set: My rules: 1 of"));
   EXPECT_TRUE(contains(doubts_of(summary, "bilinear", "D2"), "D2 fails My rules: K_eff +23.0 %"));
   EXPECT_FALSE(contains(doubts_of(summary, "bilinear", "D1"), "My rules"));
 }

@@ -124,7 +124,7 @@ TEST(Recommendation, OfAFairPredictionIsWeakAndOneDeviceTiesByShare) {
   EXPECT_EQ(law_of(summary, made), "bouc-wen");
   EXPECT_EQ(made.ties, std::vector<std::size_t>{1});
   EXPECT_EQ(made.sure, Sure::weak);
-  EXPECT_TRUE(contains(made.why, "abe ties with it within what one device can tell")) << made.why;
+  EXPECT_TRUE(contains(made.why, "Abe ties with it within what one device can tell")) << made.why;
   EXPECT_TRUE(contains(made.why, "fair")) << made.why;
   EXPECT_EQ(law_of(summary, of(summary, Purpose::simplest)), "bilinear");
 }

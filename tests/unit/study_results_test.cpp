@@ -10,6 +10,8 @@
 
 #include "isolaw/study/acceptance_results.hpp"
 #include "isolaw/study/cycle_results.hpp"
+#include "isolaw/study/published_results.hpp"
+#include "isolaw/study/value_doubts.hpp"
 
 namespace isolaw::study {
 namespace {
@@ -69,6 +71,8 @@ TEST(Results, AreDocumentedInTheirOrderWithTheirUnitsAndMeaning) {
   expect_all_documented(lot_law_results, documented("`laws[].lot`"));
   expect_all_documented(fit_results, documented("`laws[].devices[]`"));
   expect_all_documented(outlier_results, documented("`outliers[]`"));
+  expect_all_documented(published_law_results, documented("`published.laws[]`"));
+  expect_all_documented(published_statement_results, documented("`published.statements[]`"));
   expect_members(score_results, columns(fit_results, {"blocks"})[0]);
   expect_members(interval_results, columns(fit_results, {"intervals"})[0]);
   expect_documented(parameter_results, parameter);
@@ -78,6 +82,10 @@ TEST(Results, AreDocumentedInTheirOrderWithTheirUnitsAndMeaning) {
 
 TEST(Results, OfRecordsAreDocumentedInTheirOrderWithTheirUnitsAndMeaning) {
   auto const of = [](std::string const& heading) { return documented(heading, "inspection-json.md"); };
+  expect_all_documented(verdict_results, of("`result`"));
+  expect_members(remark_results, columns(verdict_results, {"failing"})[0]);
+  expect_members(requirement_results, columns(verdict_results, {"requirements"})[0]);
+  expect_all_documented(doubt_results, of("`doubts[]`"));
   expect_all_documented(effect_results, of("`effects[]`"));
   expect_all_documented(block_results, of("`blocks[]`"));
   expect_all_documented(cycle_results, of("`blocks[].cycles[]`"));

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "isolaw/study/value_doubts.hpp"
+#include "isolaw/study/warnings.hpp"
+
 namespace isolaw::study {
 namespace {
 
@@ -34,11 +37,11 @@ TEST(DeviceVerdict, OfWhatWasNotComparedIsNamed) {
   EXPECT_EQ(text_of({line("K_eff, positive side", Verdict::pass), line("K_eff, negative side", Verdict::pass),
                      line("damping, positive side", Verdict::not_assessed),
                      line("damping, negative side", Verdict::not_assessed), line("K_v", Verdict::not_assessed)}),
-            "pass (K_eff; not assessed: damping, K_v)");
+            "pass on 1 of 3 (K_eff; not assessed: damping, K_v)");
   // A side that could not be compared leaves the quantity without a pass.
   EXPECT_EQ(text_of({line("K_eff, positive side", Verdict::pass), line("K_eff, negative side", Verdict::not_assessed),
                      line("damping", Verdict::pass)}),
-            "pass (damping; not assessed: K_eff)");
+            "pass on 1 of 2 (damping; not assessed: K_eff)");
   EXPECT_EQ(text_of({line("K_eff, positive side", Verdict::pass), line("K_eff, negative side", Verdict::not_assessed)}),
             "not assessed");
 }
@@ -92,43 +95,161 @@ TEST(VerdictOnADevice, IsNotAssessedWhereItsRecordHasNoPropertiesAndNothingWhere
   EXPECT_EQ(*verdict_on(lot, device), Verdict::not_assessed);
 }
 
-TEST(VerdictSummary, CountsDevicesAndNamesFailures) {
+Summary verified_lot() {
   Summary summary;
-  EXPECT_EQ(verdict_summary(summary), "");
   summary.acceptance.rules.id = "ntc-2018";
   summary.acceptance.rules.title = "NTC 2018, elastomeric isolators";
-  EXPECT_EQ(verdict_summary(summary), "NTC 2018: no verdict, the limits of this set are not verified\n");
   summary.acceptance.rules.verified_by = "me";
-  auto const add = [&](char const* name, std::vector<Assessment> lines, char const* status = "ok") {
+  return summary;
+}
+
+void add(Summary& summary, std::string name, std::vector<Assessment> lines, std::string status = "ok") {
+  auto& device = summary.devices.emplace_back();
+  device.name = std::move(name);
+  device.status = std::move(status);
+  if (device.status != "ok") device.message = "line 7: not a number";
+  device.acceptance.assessments = std::move(lines);
+}
+
+TEST(OverallVerdict, PassesOnlyWhereEveryRequirementAndEveryDeviceIsAssessed) {
+  auto summary = verified_lot();
+  add(summary, "D01", {line("K_eff", Verdict::pass), line("damping", Verdict::pass)});
+  add(summary, "D02",
+      {line("K_eff", Verdict::pass), line("damping", Verdict::pass), line("Q_d", Verdict::information, 3.0, "")});
+  EXPECT_EQ(overall_verdict(summary).text(), "PASS: NTC 2018: 2 devices keep all 2 requirements");
+  EXPECT_EQ(overall_verdict(summary).mark, "");
+
+  auto open = summary;
+  open.devices[1].acceptance.assessments[1].verdict = Verdict::not_assessed;
+  EXPECT_EQ(overall_verdict(open).text(), "INCOMPLETE: NTC 2018: pass on 1 of 2 requirements; not assessed: damping");
+  EXPECT_EQ(overall_verdict(open).mark, "INCOMPLETE");
+  EXPECT_TRUE(overall_verdict(open).is_red);
+
+  auto refused = summary;
+  add(refused, "D03", {}, "refused");
+  EXPECT_EQ(overall_verdict(refused).text(),
+            "INCOMPLETE: NTC 2018: pass on 2 of 2 requirements; without a verdict: D03");
+  ASSERT_EQ(overall_verdict(refused).not_assessed.size(), 1u);
+  EXPECT_EQ(overall_verdict(refused).not_assessed[0].remark, "line 7: not a number");
+
+  auto sample = summary;
+  sample.acceptance.rules.sample.emplace();
+  sample.acceptance.lot.sample.quantity = "sample size";
+  EXPECT_EQ(overall_verdict(sample).text(),
+            "INCOMPLETE: NTC 2018: pass on 2 of 3 requirements; not assessed: sample size");
+
+  auto shear = verified_lot();
+  add(shear, "D01", {line("K_v", Verdict::pass)});
+  EXPECT_EQ(overall_verdict(shear).word, "INCOMPLETE");
+}
+
+TEST(OverallVerdict, FailsByADeviceOrTheLotWhateverIsOpen) {
+  auto summary = verified_lot();
+  add(summary, "D01", {line("K_eff", Verdict::pass), line("damping", Verdict::not_assessed)});
+  add(summary, "D02", {line("K_eff", Verdict::fail, 23.0), line("damping", Verdict::pass)});
+  add(summary, "D03", {}, "refused");
+  auto made = overall_verdict(summary);
+  EXPECT_EQ(
+      made.text(),
+      "FAIL: NTC 2018: 1 of 3 devices fails: D02 K_eff +23.0 %; pass on 0 of 2 requirements; not assessed: damping; "
+      "without a verdict: D03");
+  ASSERT_EQ(made.failing.size(), 1u);
+  EXPECT_EQ(made.failing[0].device, "D02");
+  EXPECT_EQ(made.mark, "FAIL");
+  EXPECT_EQ(made.requirements[0].verdict, Verdict::fail);
+
+  auto lot = verified_lot();
+  add(lot, "D01", {line("K_eff", Verdict::pass)});
+  auto& quantity = lot.acceptance.lot.quantities.emplace_back();
+  quantity.mean_limits = {line("K_eff, mean of 1 devices", Verdict::fail, 30.0)};
+  EXPECT_EQ(
+      overall_verdict(lot).text(),
+      "FAIL: NTC 2018: the lot fails: K_eff, mean of 1 devices +30.0 %, limit from -20 % to +20 %; pass on 1 of 2 "
+      "requirements");
+  EXPECT_EQ(overall_verdict(lot).failing[0].device, "");
+}
+
+TEST(OverallVerdict, HasNoWordWithoutAVerifiedSet) {
+  Summary summary;
+  add(summary, "D01", {});
+  EXPECT_EQ(overall_verdict(summary).text(), "no verdict: no rule set");
+  EXPECT_EQ(overall_verdict(summary).mark, "");
+  EXPECT_EQ(verdict_summary(summary), "");
+  summary = verified_lot();
+  summary.acceptance.rules.verified_by.clear();
+  add(summary, "D01", {line("K_eff", Verdict::information, 90.0)});
+  EXPECT_EQ(overall_verdict(summary).word, "");
+  EXPECT_EQ(verdict_summary(summary), "NTC 2018: no verdict, the limits of this set are not verified\n");
+  EXPECT_EQ(overall_verdict(summary).mark, "LIMITS NOT VERIFIED");
+  EXPECT_FALSE(overall_verdict(summary).is_red);
+}
+
+TEST(OverallVerdict, OfWhatWasNotMeasuredIsMarkedSoWhateverItIs) {
+  auto summary = verified_lot();
+  summary.title = "Example lot: rebuilt, not measured";
+  add(summary, "D01", {line("K_eff", Verdict::pass)});
+  EXPECT_EQ(overall_verdict(summary).word, "PASS");
+  EXPECT_EQ(overall_verdict(summary).mark, "NOT MEASURED");
+  EXPECT_FALSE(overall_verdict(summary).is_red);
+  summary.devices[0].acceptance.assessments[0].verdict = Verdict::fail;
+  EXPECT_EQ(overall_verdict(summary).mark, "NOT MEASURED");
+}
+
+TEST(OverallVerdict, NamesTenDevicesThatFailAndCountsTheOthers) {
+  auto summary = verified_lot();
+  for (int i = 0; i < 21; ++i)
+    add(summary, "X", {line("K_eff", Verdict::fail, 23.0), line("damping", Verdict::fail, 30.0)});
+  auto const text = verdict_summary(summary);
+  EXPECT_NE(text.find("21 of 21 devices fail: X damping +30.0 % and K_eff +23.0 %, X "), std::string::npos) << text;
+  EXPECT_NE(text.find(" and 11 more; pass on 0 of 2"), std::string::npos) << text;
+  EXPECT_EQ(overall_verdict(summary).failing.size(), 21u);
+  EXPECT_EQ(verdict_against(summary, "X"), "X fails NTC 2018: damping +30.0 %, K_eff +23.0 %");
+  summary.devices[0].name = "Y";
+  summary.devices[0].acceptance.assessments = {line("K_eff", Verdict::pass)};
+  EXPECT_EQ(verdict_against(summary, "Y"), "");
+}
+
+// What the measurement may have done to a value stands beside it.
+TEST(ValueDoubts, ALeadOrFrictionSaysWhatTheDampingWouldBe) {
+  DeviceResult device;
+  auto damping = line("damping, positive side", Verdict::pass);
+  damping.value = 18.0;
+  device.acceptance.assessments = {damping, damping, line("damping over vertical load", Verdict::not_assessed)};
+  device.acceptance.assessments[1].value = 19.0;
+  device.acceptance.assessments[2].value = 99.0;
+  EXPECT_TRUE(value_doubts(device).empty());
+  device.effects = {{data::damping_by_skew, 6.3, "points", std::nullopt, false}};
+  ASSERT_EQ(value_doubts(device).size(), 1u);
+  EXPECT_EQ(value_doubts(device)[0].text(), "damping 18.5 %, or 12.2 % if the lead of the force is a channel's");
+  device.effects = {{data::damping_by_skew, -2.0, "points", std::nullopt, true},
+                    {data::damping_by_rig_friction, 0.3, "points", std::nullopt, false}};
+  ASSERT_EQ(value_doubts(device).size(), 1u) << "0.3 points of 18.5 are none";
+  EXPECT_EQ(value_doubts(device)[0].text(), "damping 18.5 %, or 20.5 % if the force, a late channel, is moved back");
+  device.effects = {{data::damping_by_rig_friction, 1.5, "points", std::nullopt, false}};
+  EXPECT_EQ(value_doubts(device)[0].otherwise, 17.0);
+  device.raw.corrections = {"friction of the rig of 2 kN taken off along the motion"};
+  EXPECT_TRUE(value_doubts(device).empty());
+}
+
+TEST(InFewLines, RemarksThatDifferInTheirNumbersAloneAreOne) {
+  Summary summary;
+  for (std::string const name : {"D01", "D02", "D03", "D04", "D05"}) {
     auto& device = summary.devices.emplace_back();
     device.name = name;
-    device.status = status;
-    device.acceptance.assessments = std::move(lines);
-  };
-  add("D01", {line("K_eff", Verdict::pass)});
-  add("D02", {line("K_eff", Verdict::pass)});
-  EXPECT_EQ(verdict_summary(summary), "NTC 2018: 2 of 2 devices pass\n");
-  add("D03", {line("K_eff", Verdict::fail, 23.0), line("damping", Verdict::not_assessed)});
-  add("D04", {line("K_eff", Verdict::not_assessed)});
-  add("D05", {line("K_eff", Verdict::pass), line("damping", Verdict::not_assessed)});
-  add("D06", {}, "refused");
-  auto& sample = summary.acceptance.lot.sample;
-  sample = line("sample size", Verdict::fail, {}, "6 or more of 28");
-  sample.value = 5.0;
-  sample.unit = "devices";
-  EXPECT_EQ(
-      verdict_summary(summary),
-      "NTC 2018: 3 of 5 devices pass as far as assessed (not assessed: damping), 1 fails: D03 K_eff +23.0 %, 1 not assessed; the lot fails: sample size 5 devices, limit 6 or more of 28\n");
-  add("D07", {line("K_eff", Verdict::fail, 23.0), line("damping", Verdict::fail, 30.0)});
-  EXPECT_NE(verdict_summary(summary).find("2 fail: D03 K_eff +23.0 %, D07 damping +30.0 % and K_eff +23.0 %, "),
-            std::string::npos)
-      << verdict_summary(summary);
-  EXPECT_EQ(verdict_against(summary, "D07"), "D07 fails NTC 2018: damping +30.0 %, K_eff +23.0 %");
-  EXPECT_EQ(verdict_against(summary, "D01"), "");
-  summary.devices.pop_back();
-  for (int i = 0; i < 20; ++i) add("X", {line("K_eff", Verdict::fail, 23.0)});
-  EXPECT_NE(verdict_summary(summary).find(", 21 fail: D03"), std::string::npos) << verdict_summary(summary);
-  EXPECT_NE(verdict_summary(summary).find(" and 11 more, 1 not assessed"), std::string::npos);
+    device.status = "ok";
+    auto const k = summary.devices.size();
+    device.raw.disp_mm = device.raw.force_kN = {0.0, static_cast<double>(k)};
+    device.raw.warnings = {"noise of 0." + std::to_string(k) + " mm, K2 of -1e-0" + std::to_string(k)};
+    device.properties.reported.emplace();
+  }
+  summary.devices[4].raw.warnings.push_back("a column is constant");
+  auto const all = warnings(summary);
+  ASSERT_EQ(all.size(), 6u);
+  EXPECT_EQ(all[1].sentence, "D02: noise of 0.2 mm, K2 of -1e-02");  // whole in JSON and on the page
+  auto const few = in_few_lines(all);
+  ASSERT_EQ(few.size(), 2u);
+  EXPECT_EQ(few[0].sentence, "D01, D02 and 3 more: noise of 0.1 to 0.5 mm, K2 of -1e-01 to -1e-05");
+  EXPECT_EQ(few[1].sentence, "D05: a column is constant");
 }
 
 }  // namespace

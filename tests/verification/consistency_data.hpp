@@ -8,7 +8,7 @@
 #include <array>
 #include <string_view>
 
-#include "verification/table_a5.hpp"
+#include "isolaw/study/table_a5.hpp"
 
 namespace isolaw::consistency {
 

@@ -16,6 +16,7 @@ Json interval_json(laws::Interval const& interval) {
 Json json_of(laws::LawEntry const& law) {
   Json json;
   json["id"] = law.info.id;
+  json["name"] = law.info.name;
   json["title"] = law.info.title;
   json["source"] = law.info.source;
   json["units"] = {law.info.force.symbol, law.info.length.symbol, "s"};
@@ -31,7 +32,8 @@ Json json_of(laws::LawEntry const& law) {
                                   {"meaning", p.meaning},
                                   {"physical", interval_json(p.physical)},
                                   {"published", p.published ? interval_json(*p.published) : Json(nullptr)},
-                                  {"fixed", p.fixed_by_default ? Json(*p.fixed_by_default) : Json(nullptr)}});
+                                  {"fixed", p.fixed_by_default ? Json(*p.fixed_by_default) : Json(nullptr)},
+                                  {"paper_name", p.paper_name.empty() ? Json(nullptr) : Json(p.paper_name)}});
   json["together"] = Json::array();
   for (auto const& limit : law.joint_limits) json["together"].push_back(limit.statement);
   return json;

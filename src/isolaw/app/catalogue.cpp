@@ -31,6 +31,11 @@ std::string markdown_interval(std::optional<laws::Interval> const& interval) {
   return interval ? fmt::format("{:g} to {:g}", interval->lower, interval->upper) : std::string("–");
 }
 
+// Where its tables call it otherwise.
+std::string in_the_paper(laws::ParameterInfo const& parameter) {
+  return parameter.paper_name.empty() ? std::string() : fmt::format("; {} in the paper's tables", parameter.paper_name);
+}
+
 std::string together(laws::LawEntry const& law) {
   return joined(law.joint_limits | std::views::transform(&laws::JointLimitEntry::statement));
 }
@@ -49,7 +54,8 @@ void print_markdown() {
     if (!law.info.note.empty()) fmt::print("{}\n", render::wrapped("", plain_markdown(law.info.note), 0, 120));
     fmt::print("| parameter | unit | meaning | paper |\n|---|---|---|---|\n");
     for (auto const& p : law.parameters)
-      fmt::print("| {} | {} | {}{} | {} |\n", plain_markdown(p.name), p.unit, plain_markdown(p.meaning),
+      fmt::print("| {} | {} | {}{}{} | {} |\n", plain_markdown(p.name), p.unit, plain_markdown(p.meaning),
+                 plain_markdown(in_the_paper(p)),
                  p.fixed_by_default ? fmt::format("; fixed at {:g} unless freed", *p.fixed_by_default) : "",
                  markdown_interval(p.published));
     if (!law.joint_limits.empty()) fmt::print("\nTogether: {}.\n", plain_markdown(together(law)));
@@ -70,8 +76,8 @@ void print_law(laws::LawEntry const& law) {
     auto const bound = [&](double laws::Interval::*end) {
       return p.published ? fmt::format("{:g}", (*p.published).*end) : std::string("-");
     };
-    fmt::print("  {:<10} {:<10} {:>12} {:>12}  {}{}\n", p.name, p.unit, bound(&laws::Interval::lower),
-               bound(&laws::Interval::upper), p.meaning,
+    fmt::print("  {:<10} {:<10} {:>12} {:>12}  {}{}{}\n", p.name, p.unit, bound(&laws::Interval::lower),
+               bound(&laws::Interval::upper), p.meaning, in_the_paper(p),
                p.fixed_by_default ? fmt::format(" (fixed at {:g})", *p.fixed_by_default) : "");
   }
   if (!law.joint_limits.empty()) fmt::print("  together: {}\n", together(law));

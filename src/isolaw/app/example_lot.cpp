@@ -10,14 +10,13 @@
 #include <fstream>
 #include <functional>
 #include <numbers>
-#include <span>
 #include <sstream>
 
-#include "isolaw/app/published_means.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/fit/objective.hpp"
 #include "isolaw/num/random.hpp"
+#include "isolaw/study/table_a5.hpp"
 
 namespace isolaw::app {
 namespace {
@@ -32,12 +31,16 @@ struct Sample {
   double time_s, disp_mm, force_kN, load_kN;
 };
 
-std::vector<double> force_of(std::string_view law_id, std::span<PublishedMean const> means, std::size_t device,
-                             std::vector<double> const& disp_mm, std::vector<double> const& vel_mm_s) {
+std::vector<double> force_of(std::string_view law_id, std::size_t device, std::vector<double> const& disp_mm,
+                             std::vector<double> const& vel_mm_s) {
   auto const& law = laws::find_law(law_id);
+  auto const printed = std::ranges::find(table_a5::laws, law_id, &table_a5::Law::id);
   std::vector<double> parameters;
   for (auto const& info : law.parameters) parameters.push_back(info.fixed_by_default.value_or(0.0));
-  for (auto const& mean : means) parameters[law.index_of(mean.parameter)] = mean.value[device];
+  for (auto const& parameter : printed->parameters)
+    if (auto const place = std::ranges::find(law.parameters, parameter.name, &laws::ParameterInfo::name);
+        place != law.parameters.end())  // abe-y0 has no p
+      parameters[static_cast<std::size_t>(place - law.parameters.begin())] = parameter.mean[device];
 
   data::FitRecord const motion{.time_s = {}, .disp_mm = disp_mm, .vel_mm_s = vel_mm_s, .force_kN = {}, .cleaning = {}};
   return fit::LawOnMotion(law, motion, laws::Integration::converged).force_kN(parameters);
@@ -57,9 +60,8 @@ std::vector<Sample> record_of(std::size_t device) {
     x.push_back(amplitude_mm * std::sin(w * t) + tremor_mm * sway);
     v.push_back(amplitude_mm * w * std::cos(w * t) + tremor_mm * wt * std::cos(wt * t + tremor_phase));
   }
-  std::array const forces{
-      force_of("jankowski", published_jankowski, device, x, v), force_of("vaiana", published_vaiana, device, x, v),
-      force_of("hwang-wu", published_hwang_wu, device, x, v), force_of("abe-y0", published_abe_y0, device, x, v)};
+  std::array const forces{force_of("jankowski", device, x, v), force_of("vaiana", device, x, v),
+                          force_of("hwang-wu", device, x, v), force_of("abe-y0", device, x, v)};
   std::vector<Sample> samples;
   for (std::size_t i = 0; i < count; ++i) {
     double const force = (forces[0][i] + forces[1][i] + forces[2][i] + forces[3][i]) / 4.0;
@@ -145,7 +147,7 @@ seed = 1
 smooth = 5
 
 )toml";
-  for (std::size_t d = 0; d < published_devices; ++d)
+  for (std::size_t d = 0; d < table_a5::devices; ++d)
     text += fmt::format(
         "[[device]]\nname = \"D{0:02}\"\nfile = \"{1}\"\nserial = \"{0}\"\nlot = \"published\"\n"
         "rubber-thickness-mm = 208.0\nrubber-area-mm2 = 282743.0\n\n",
@@ -189,7 +191,7 @@ Made by `isolaw example DIR` (`src/isolaw/app/example_lot.cpp`); a test compares
 std::vector<TextFile> example_lot() {
   std::vector<TextFile> files{{"lot.toml", lot_text()}, {"README.md", readme_text()}};
   auto const written_as = dialects();
-  for (std::size_t d = 0; d < published_devices; ++d)
+  for (std::size_t d = 0; d < table_a5::devices; ++d)
     files.push_back({file_name(d), record_text(written_as[d], record_of(d))});
   return files;
 }

@@ -124,6 +124,12 @@ void apply(Values const& given, campaign::Acceptance& acceptance) {
   lay_over(campaign::acceptance_table(), given, acceptance);
   load_rules(acceptance);
   if (acceptance.design.empty()) return;
+  if (acceptance.rules.empty()) {
+    std::vector<std::string> sets;
+    for (auto const& set : rules::built_in_rule_sets()) sets.push_back(set.id);
+    say("design values {}: no device is held to them without a rule set; try: --rules NAME, one of {}, or --rules FILE\n",
+        printable(acceptance.design), joined(sets));
+  }
   auto const damping = rules::parse_design(acceptance.design).damping_percent;
   if (damping && *damping < 1.0)
     say("--design damping={:g}: damping is in percent, and below 1 % is no damping of an isolator; try: damping={:g}\n",

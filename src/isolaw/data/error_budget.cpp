@@ -208,8 +208,8 @@ class Assessment {
     double const points = 50.0 * std::abs(found->phase);
     bool const is_late = found->significant() && late > 0.0;
     budget_.effects.push_back({"skew", late, unit, scale * found->uncertainty, is_late});
-    budget_.effects.push_back({"damping by skew", found->significant() ? -std::copysign(points, late) : 0.0, "points",
-                               std::nullopt, is_late});
+    budget_.effects.push_back(
+        {damping_by_skew, found->significant() ? -std::copysign(points, late) : 0.0, "points", std::nullopt, is_late});
     auto const times = fmt::format("{:.3g} {} (+- {:.2g}, {} reversals)", std::abs(late), unit,
                                    scale * found->uncertainty, found->reversals);
     auto const beside = jump.said ? std::string(", its jump there taken off") : std::string();
@@ -230,7 +230,7 @@ class Assessment {
     if (!cycle().N_mean_kN) return;
     double const friction = assumed_friction * std::abs(*cycle().N_mean_kN);
     double const points = friction_damping_points(friction, cycle().K_eff_kN_per_mm, cycle().amplitude_mm);
-    add("damping by rig friction of 0.5 % of the vertical load", points, "points");
+    add(damping_by_rig_friction, points, "points");
     say(false,
         fmt::format(
             "rig friction of 0.5 % of the vertical load of {:.4g} kN would be {:.3g} kN and add {:.2g} points of damping (2 F_f / (pi K D))",
@@ -281,7 +281,7 @@ class Assessment {
                      .said = typical > least_jump * std::abs(force) && jumps[jumps.size() / 4] >= 0.5 * typical};
     if (!found.said) return found;
     double const points = friction_damping_points(typical / 2.0, cycle().K_eff_kN_per_mm, cycle().amplitude_mm);
-    bool const exceeds = add("damping by the jump", points, "points", most_friction_points);
+    bool const exceeds = add(damping_by_jump, points, "points", most_friction_points);
     say(exceeds,
         fmt::format(
             "force drops by {:.3g} kN at once where motion reverses, as friction of {:.3g} kN does: if that is the rig's, it adds {:.2g} points of damping (--rig-friction {:.3g} takes it off)",

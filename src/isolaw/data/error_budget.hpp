@@ -24,6 +24,10 @@ struct Budget {
   std::vector<Effect> effects;        // all that was assessed
 };
 
+// Effects on the damping, in points that they add to it.
+inline constexpr char const *damping_by_skew = "damping by skew", *damping_by_jump = "damping by the jump",
+                            *damping_by_rig_friction = "damping by rig friction of 0.5 % of the vertical load";
+
 // `smooth` is the window in samples of the moving average the laws will see, 1 for none.
 Budget error_budget(CycleView const& view, Properties const& properties, int smooth = 1);
 Budget error_budget(TestRecord const& record, Properties const& properties, int smooth = 1);

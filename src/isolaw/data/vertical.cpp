@@ -9,6 +9,7 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/hash.hpp"
+#include "isolaw/base/number_text.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/data/cycles.hpp"
@@ -168,11 +169,11 @@ LoadRange held_range(VerticalTest const& test, Compression const& c, Loading con
   double const missed = near_range_end * asked.high_kN;
   if (least > asked.low_kN + missed || largest < asked.high_kN - missed)
     throw Error({.where = test.file,
-                 .found = fmt::format(
-                     "the loading goes from {:.4g} to {:.4g} kN, K_v is asked for between {:.4g} and {:.4g} kN", least,
-                     largest, asked.low_kN, asked.high_kN),
+                 .found = fmt::format("the loading goes from {} to {} kN, K_v is asked for between {} and {} kN",
+                                      number_text(least), number_text(largest), number_text(asked.low_kN),
+                                      number_text(asked.high_kN)),
                  .allowed = "a loading that holds both",
-                 .advice = fmt::format("loads = \"{:.4g}:{:.4g}\" beside the file", least, largest)});
+                 .advice = fmt::format("loads = \"{}:{}\" beside the file", number_text(least), number_text(largest))});
   return {std::max(asked.low_kN, least), std::min(asked.high_kN, largest)};
 }
 
@@ -191,8 +192,8 @@ void warn_about_size(VerticalStiffness& made) {
   constexpr double softest = 1.0, stiffest = 1e5;
   if (made.K_v_kN_per_mm >= softest && made.K_v_kN_per_mm <= stiffest) return;
   made.warnings.push_back(
-      fmt::format("a vertical stiffness of {:.4g} kN/mm is {} than any isolator's: are the units right?",
-                  made.K_v_kN_per_mm, made.K_v_kN_per_mm > stiffest ? "stiffer" : "softer"));
+      fmt::format("a vertical stiffness of {} kN/mm is {} than any isolator's: are the units right?",
+                  number_text(made.K_v_kN_per_mm), made.K_v_kN_per_mm > stiffest ? "stiffer" : "softer"));
 }
 
 std::string_view ordinal_end(int number) {
@@ -288,8 +289,8 @@ VerticalStiffness vertical_stiffness(VerticalTest const& test) {
                                           ? secant_of(compression, each, range).K_v()
                                           : made.K_v_kN_per_mm);
   made.turned = compression.turned;
-  made.how = fmt::format("dF_v/dd_v, {}{} loading of {}, from {:.4g} to {:.4g} kN", number, ordinal_end(number), count,
-                         made.loads->low_kN, made.loads->high_kN);
+  made.how = fmt::format("dF_v/dd_v, {}{} loading of {}, from {} to {} kN", number, ordinal_end(number), count,
+                         number_text(made.loads->low_kN), number_text(made.loads->high_kN));
   warn_about_size(made);
   return made;
 }

@@ -37,11 +37,14 @@ inline constexpr ParameterInfo n_info =
 inline constexpr ParameterInfo Y0_info =
     parameter("Y0", "kN", "yield force", positive, Interval{10.0, 70.0}, {0.02, 0.8, force});
 inline constexpr ParameterInfo Uh_info =
-    parameter("Uh", "mm", "displacement at which hardening begins", positive, Interval{50.0, 150.0}, {0.2, 4.0, disp});
+    parameter("Uh", "mm", "displacement at which hardening begins", positive, Interval{50.0, 150.0}, {0.2, 4.0, disp})
+        .in_paper("X_h");
 inline constexpr ParameterInfo U0_info =
-    parameter("U0", "mm", "yield displacement", positive, Interval{2.0, 6.0}, {0.005, 0.3, disp}, Scale::logarithmic);
+    parameter("U0", "mm", "yield displacement", positive, Interval{2.0, 6.0}, {0.005, 0.3, disp}, Scale::logarithmic)
+        .in_paper("X_0");
 inline constexpr ParameterInfo Us_info = parameter("Us", "mm", "peak displacement over which it grows", positive,
-                                                   Interval{5.0, 50.0}, {0.01, 3.0, disp}, Scale::logarithmic);
+                                                   Interval{5.0, 50.0}, {0.01, 3.0, disp}, Scale::logarithmic)
+                                             .in_paper("X_s");
 inline constexpr ParameterInfo K2_info =
     parameter("K2", "kN/mm", "hardening stiffness", any_value, Interval{0.01, 0.5}, {0.0, 1.2, stiffness});
 inline constexpr ParameterInfo r_info =
@@ -135,6 +138,7 @@ T inverse_Ut_at(Params const& p, Constants<T> const& c, double x, double peak0) 
 struct Abe {
   static constexpr LawInfo info{
       .id = "abe",
+      .name = "Abe",
       .title = "Abe, peak-dependent hysteresis with growing yield force",
       .source = "Cucuzza et al. 2025, Eqs. (15)-(21)",
       .force = kN,

@@ -11,6 +11,7 @@ namespace isolaw::laws {
 struct AbeY0 {
   static constexpr LawInfo info{
       .id = "abe-y0",
+      .name = "Abe (constant yield)",
       .title = "Abe with constant yield force",
       .source = "Cucuzza et al. 2025, Eqs. (15)-(21) with Yt = Y0",
       .force = kN,

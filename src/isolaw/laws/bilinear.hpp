@@ -12,6 +12,7 @@ namespace isolaw::laws {
 struct Bilinear {
   static constexpr LawInfo info{
       .id = "bilinear",
+      .name = "Bilinear",
       .title = "Bilinear, kinematic hardening",
       .source = "Cucuzza et al. 2025, Eq. (1)",
       .force = kN,
@@ -36,7 +37,8 @@ struct Bilinear {
       {&Params<T>::K2,
        parameter("K2", "kN/mm", "post-elastic stiffness", any_value, Interval{0.35, 0.95}, {0.05, 1.0, stiffness})},
       {&Params<T>::xy,
-       parameter("xy", "mm", "yield displacement", not_negative, Interval{30.0, 80.0}, {0.01, 0.6, disp})},
+       parameter("xy", "mm", "yield displacement", not_negative, Interval{30.0, 80.0}, {0.01, 0.6, disp})
+           .in_paper("F_y")},
   });
 
   static constexpr std::array joint_limits{

@@ -18,6 +18,7 @@ namespace isolaw::laws {
 struct BoucWen {
   static constexpr LawInfo info{
       .id = "bouc-wen",
+      .name = "Bouc-Wen",
       .title = "Bouc-Wen, smooth hysteresis",
       .source = "Cucuzza et al. 2025, Eqs. (13)-(14)",
       .force = kN,

@@ -21,6 +21,7 @@ namespace isolaw::laws {
 struct Bwbn {
   static constexpr LawInfo info{
       .id = "bwbn",
+      .name = "Bouc-Wen-Baber-Noori",
       .title = "Bouc-Wen-Baber-Noori, degradation and pinching",
       .source = "Baber and Noori 1986, Eqs. of z and h; Foliente 1995",
       .force = kN,

@@ -105,8 +105,18 @@ std::span<LawEntry const> catalogue() {
   return all;
 }
 
+namespace {
+
+constexpr auto id_of = [](LawEntry const& law) { return law.info.id; };
+
+}  // namespace
+
+std::string_view called(std::string_view id) {
+  auto const found = std::ranges::find(catalogue(), id, id_of);
+  return found == catalogue().end() ? id : found->info.name;
+}
+
 LawEntry const& find_law(std::string_view id) {
-  auto const id_of = [](LawEntry const& law) { return law.info.id; };
   auto const found = std::ranges::find(catalogue(), id, id_of);
   if (found != catalogue().end()) return *found;
   throw Error({.where = "law '" + std::string(id) + "'",

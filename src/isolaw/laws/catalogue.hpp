@@ -66,4 +66,7 @@ std::string_view memory_of(LawInfo const& law);
 // Throws Error that lists the laws.
 LawEntry const& find_law(std::string_view id);
 
+// Its name among people; the id itself of a law that is not there.
+std::string_view called(std::string_view id);
+
 }  // namespace isolaw::laws

@@ -29,6 +29,7 @@ inline double rate_at_reference(RecordScales const& s) {
 struct Gallardo {
   static constexpr LawInfo info{
       .id = "gallardo",
+      .name = "Gallardo",
       .title = "Gallardo, softening elastic part and hysteresis",
       .source = "Gallardo, de la Llera, Restrepo and Chen 2023, Eqs. of the shear model, with the authors' programs",
       .force = kN,

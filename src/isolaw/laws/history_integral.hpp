@@ -16,6 +16,7 @@ namespace isolaw::laws {
 struct HistoryIntegral {
   static constexpr LawInfo info{
       .id = "history-integral",
+      .name = "History integral",
       .title = "Deformation-history integral, two memories",
       .source = "Masaki et al. and Kasai et al., Eq. of one direction with exponential weights; two terms",
       .force = kN,

@@ -17,6 +17,7 @@ namespace isolaw::laws {
 struct HwangWu {
   static constexpr LawInfo info{
       .id = "hwang-wu",
+      .name = "Hwang-Wu",
       .title = "Hwang-Wu, degrading spring and dashpot",
       .source = "Cucuzza et al. 2025, Eqs. (22)-(24)",
       .force = N,

@@ -11,6 +11,7 @@ namespace isolaw::laws {
 struct Jankowski {
   static constexpr LawInfo info{
       .id = "jankowski",
+      .name = "Jankowski",
       .title = "Jankowski, non-linear spring and dashpot",
       .source = "Cucuzza et al. 2025, Eqs. (2)-(5)",
       .force = N,

@@ -126,6 +126,7 @@ class Loops {
 struct KikuchiAiken {
   static constexpr LawInfo info{
       .id = "kikuchi-aiken",
+      .name = "Kikuchi-Aiken",
       .title = "Kikuchi-Aiken, loops between the peaks so far",
       .source = "Kikuchi and Aiken 1997, Eqs. of Q1, Q2 and their inner branches",
       .force = kN,

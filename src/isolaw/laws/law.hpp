@@ -81,6 +81,13 @@ struct ParameterInfo {
   ScaledInterval scaled;                        // the search box of a device of any size
   Scale scaled_search = Scale::linear;          // how the scaled box is searched
   std::optional<double> fixed_by_default = {};  // the value of a parameter that is not calibrated unless freed
+  std::string_view paper_name = {};             // in its tables 4 and A.5, where that is another one
+
+  constexpr ParameterInfo in_paper(std::string_view other_name) const {
+    ParameterInfo made = *this;
+    made.paper_name = other_name;
+    return made;
+  }
 };
 
 // The same as a line of a law's table.
@@ -116,8 +123,9 @@ struct Traits {
 enum class LawSet { paper, usual, further };
 
 struct LawInfo {
-  std::string_view id;
-  std::string_view title;
+  std::string_view id;     // what is typed, and what files hold
+  std::string_view name;   // what people say: a sentence, a figure
+  std::string_view title;  // what a catalogue says
   std::string_view source;
   Unit force, length;  // time is always in seconds
   Traits traits;

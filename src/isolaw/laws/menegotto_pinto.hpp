@@ -15,6 +15,7 @@ namespace isolaw::laws {
 struct MenegottoPinto {
   static constexpr LawInfo info{
       .id = "menegotto-pinto",
+      .name = "Menegotto-Pinto",
       .title = "Menegotto-Pinto, smooth branches to asymptotes",
       .source = "Menegotto and Pinto 1973, the Equation of a branch; Filippou et al. 1983, that of R",
       .force = kN,

@@ -19,6 +19,7 @@ namespace isolaw::laws {
 struct Ozdemir {
   static constexpr LawInfo info{
       .id = "ozdemir",
+      .name = "Ozdemir",
       .title = "Ozdemir, rate-independent flow about a backstress",
       .source = "Ozdemir 1976, Eqs. of force and backstress; Graesser and Cozzarelli 1991",
       .force = kN,

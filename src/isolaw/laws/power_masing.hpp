@@ -16,6 +16,7 @@ namespace isolaw::laws {
 struct PowerMasing {
   static constexpr LawInfo info{
       .id = "power-masing",
+      .name = "Power-law Masing",
       .title = "Power-law Masing with scragging",
       .source = "isolaw, Eqs. below; found by a search over some 145 structures",
       .force = kN,

@@ -11,6 +11,7 @@ namespace isolaw::laws {
 struct PowerMasingViscous : PowerMasing {
   static constexpr LawInfo info{
       .id = "power-masing-viscous",
+      .name = "Power-law Masing (dashpot)",
       .title = "Power-law Masing with scragging and a dashpot",
       .source = "isolaw, Eqs. of power-masing and a viscous force",
       .force = kN,

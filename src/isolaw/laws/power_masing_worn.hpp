@@ -13,6 +13,7 @@ namespace isolaw::laws {
 struct PowerMasingWorn : PowerMasing {
   static constexpr LawInfo info{
       .id = "power-masing-worn",
+      .name = "Power-law Masing (wear)",
       .title = "Power-law Masing with scragging, wear and a kept force",
       .source = "isolaw, Eqs. of power-masing and two terms; chosen by prediction among some 45",
       .force = kN,

@@ -13,6 +13,7 @@ namespace isolaw::laws {
 struct PowerScragging {
   static constexpr LawInfo info{
       .id = "power-scragging",
+      .name = "Power law with fading memory",
       .title = "Power law with fading memory and scragging",
       .source = "isolaw, Eqs. below; found by a search over some 145 structures",
       .force = kN,

@@ -12,6 +12,7 @@ namespace isolaw::laws {
 struct RambergOsgood {
   static constexpr LawInfo info{
       .id = "ramberg-osgood",
+      .name = "Ramberg-Osgood",
       .title = "Ramberg-Osgood with Masing's rules",
       .source = "Ramberg and Osgood 1943, Eq. of the skeleton; Jennings 1964",
       .force = kN,

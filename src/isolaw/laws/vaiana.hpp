@@ -13,6 +13,7 @@ namespace isolaw::laws {
 struct Vaiana {
   static constexpr LawInfo info{
       .id = "vaiana",
+      .name = "Vaiana",
       .title = "Vaiana, asymmetric transcendental",
       .source = "Cucuzza et al. 2025, Eqs. (6)-(12)",
       .force = N,
@@ -42,9 +43,11 @@ struct Vaiana {
       {&Params<T>::Kb_m, parameter("Kb-", "N/m", "slope of the unloading limit curve", any_value, Interval{1e5, 6e5},
                                    {0.0, 1.2, stiffness})},
       {&Params<T>::f0_p, parameter("f0+", "N", "half distance of the limit curves, loading", not_negative,
-                                   Interval{1e4, 1e5}, {0.0, 2.5, strength})},
+                                   Interval{1e4, 1e5}, {0.0, 2.5, strength})
+                             .in_paper("F_0+")},
       {&Params<T>::f0_m, parameter("f0-", "N", "half distance of the limit curves, unloading", not_negative,
-                                   Interval{1e4, 1e5}, {0.0, 2.5, strength})},
+                                   Interval{1e4, 1e5}, {0.0, 2.5, strength})
+                             .in_paper("F_0-")},
       {&Params<T>::alpha_p, parameter("alpha+", "1/m", "rate of approach to the limit curve, loading", not_negative,
                                       Interval{0.0, 50.0}, {0.5, 50.0, per_disp}, Scale::logarithmic)},
       {&Params<T>::alpha_m, parameter("alpha-", "1/m", "rate of approach to the limit curve, unloading", not_negative,

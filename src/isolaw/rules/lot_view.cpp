@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/number_text.hpp"
 #include "isolaw/num/statistics.hpp"
 #include "isolaw/num/tolerance_factor.hpp"
 
@@ -257,13 +258,13 @@ std::vector<Outlier> find_outliers(std::string_view quantity, std::string_view u
   for (std::size_t i = 0; i < values.size(); ++i) {
     double const score = std::abs(scores[i]);
     if (score <= num::outlying_score) continue;
-    outliers.push_back(
-        {.device = names[i],
-         .value = values[i],
-         .score = score,
-         .reason = fmt::format("{} {:.4g} {} is {:.3g} % {} the median {:.4g}: modified z {:.1f}, above {}", quantity,
-                               values[i], unit_text, 100.0 * std::abs(values[i] - centre) / std::abs(centre),
-                               values[i] > centre ? "above" : "below", centre, score, num::outlying_score)});
+    outliers.push_back({.device = names[i],
+                        .value = values[i],
+                        .score = score,
+                        .reason = fmt::format(
+                            "{} {} {} is {:.3g} % {} the median {}: modified z {:.1f}, above {}", quantity,
+                            number_text(values[i]), unit_text, 100.0 * std::abs(values[i] - centre) / std::abs(centre),
+                            values[i] > centre ? "above" : "below", number_text(centre), score, num::outlying_score)});
   }
   return outliers;
 }

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/number_text.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
 
@@ -258,8 +259,8 @@ std::vector<std::string> unmet_conditions(RuleSet const& rules, BlockValues cons
                ? "vertical load of the test not known: its record needs a load channel"
                : "vertical load at which the design values hold not known: give load=KN among the design values");
     else if (!is_near(*block.load_mean_kN, *design.load_kN, *test.load_tolerance_percent))
-      note(fmt::format("mean vertical load {:.4g} kN, design values hold under {:.4g} kN within {:g} %",
-                       *block.load_mean_kN, *design.load_kN, *test.load_tolerance_percent));
+      note(fmt::format("mean vertical load {} kN, design values hold under {} kN within {:g} %",
+                       number_text(*block.load_mean_kN), number_text(*design.load_kN), *test.load_tolerance_percent));
   }
   return unmet;
 }

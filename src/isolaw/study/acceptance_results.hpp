@@ -5,6 +5,7 @@
 
 #include "isolaw/study/acceptance.hpp"
 #include "isolaw/study/results.hpp"
+#include "isolaw/study/verdict.hpp"
 
 namespace isolaw::study {
 
@@ -100,6 +101,27 @@ inline constexpr Result<rules::LotQuantity> test_factor_results[]{
     {"max", "", "lambda_test max", "the largest", of_test<&rules::TestFactors::max>},
     {"max_cycle", "", "max cycle", "where it was measured", of_test<&rules::TestFactors::max_cycle>},
     {"max_device", "", "", "on which device", get<&rules::LotQuantity::test_max_device>},
+};
+
+// The verdict of the whole.
+inline constexpr Result<OverallVerdict> verdict_results[]{
+    {"word", "", "verdict", "`\"PASS\"`, `\"FAIL\"` or `\"INCOMPLETE\"`", word<&OverallVerdict::word>},
+    {"sentence", "", "", "what it stands on, or why there is none", get<&OverallVerdict::sentence>},
+    {"failing", "", "", "`device` (null: the lot itself) and `remark`, what of it fails", nested<OverallVerdict>},
+    {"not_assessed", "", "", "`device` without a verdict and `remark`, why", nested<OverallVerdict>},
+    {"requirements", "", "",
+     "what the set asks for, each once: `name` and `verdict`, a pass where every device and side passes",
+     nested<OverallVerdict>},
+    {"mark", "", "", "what stands across a certificate that is not to be signed", word<&OverallVerdict::mark>},
+    {"mark_is_red", "", "", "for what fails or is incomplete; else it is grey", get<&OverallVerdict::is_red>},
+};
+inline constexpr Result<DeviceRemark> remark_results[]{
+    {"device", "", "", "", word<&DeviceRemark::device>},
+    {"remark", "", "", "", get<&DeviceRemark::remark>},
+};
+inline constexpr Result<Requirement> requirement_results[]{
+    {"name", "", "", "", get<&Requirement::name>},
+    {"verdict", "", "", "", get<&Requirement::verdict>},
 };
 
 // A device that stands apart, and the quantity by which it does.

@@ -7,8 +7,10 @@
 #include <limits>
 #include <utility>
 
+#include "isolaw/base/number_text.hpp"
 #include "isolaw/study/adequacy.hpp"
 #include "isolaw/study/build_analysis.hpp"
+#include "isolaw/study/findings.hpp"
 #include "isolaw/study/spoken.hpp"
 
 namespace isolaw::study {
@@ -16,11 +18,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-// Four digits, without an exponent where a person would write none.
-std::string plain(double value) {
-  return std::abs(value) >= 1000.0 && std::abs(value) < 1e7 ? fmt::format("{:.0f}", value)
-                                                            : fmt::format("{:.4g}", value);
-}
 std::string error_percent(double fraction) {
   return fmt::format("{:.1f} %", 100.0 * fraction);
 }
@@ -33,7 +30,7 @@ Names on(Summary const& summary, bool LawResult::*front) {
     return law->objective_converged.value_or(law->objective.mean.value_or(std::numeric_limits<double>::infinity()));
   });
   Names names;
-  for (auto const* law : laws) names.push_back(law->id);
+  for (auto const* law : laws) names.push_back(called(*law));
   return names;
 }
 
@@ -47,7 +44,7 @@ std::string changed_beta(LawResult const& law) {
   if (law.reduced) reasons.emplace_back("in its reduced form");
   if (!law.left_out_of_beta.empty()) reasons.push_back("without " + enumerate(law.left_out_of_beta, 4));
   auto const why = reasons.empty() ? std::string() : fmt::format(" ({})", fmt::join(reasons, ", "));
-  return fmt::format("{} {} instead of {}{}", law.id, percent(*law.beta_converged), percent(*law.beta), why);
+  return fmt::format("{} {} instead of {}{}", called(law), percent(*law.beta_converged), percent(*law.beta), why);
 }
 
 // Why it changes: of all laws at once.
@@ -67,15 +64,15 @@ std::string reasons_of_change(Summary const& summary) {
 }
 
 void say_what_changed(Summary const& summary, Names& sentences) {
-  auto const published = on(summary, &LawResult::on_front), converged = on(summary, &LawResult::on_front_converged);
+  auto const runs = on(summary, &LawResult::on_front), converged = on(summary, &LawResult::on_front_converged);
   if (converged.empty()) return;
-  if (published == converged)
+  if (runs == converged)
     sentences.push_back(fmt::format("Without the optimiser's noise the front is the same: {}.", enumerate(converged)));
   else
-    sentences.push_back(published.empty()
-                            ? fmt::format("Without the optimiser's noise the front is {}.", enumerate(converged))
-                            : fmt::format("Without the optimiser's noise the front is {}, as published it is {}.",
-                                          enumerate(converged), enumerate(published)));
+    sentences.push_back(
+        runs.empty() ? fmt::format("Without the optimiser's noise the front is {}.", enumerate(converged))
+                     : fmt::format("Without the optimiser's noise the front is {}, of the mean of the runs it is {}.",
+                                   enumerate(converged), enumerate(runs)));
   Names changes;
   for (auto const& law : summary.laws)
     if (auto text = changed_beta(law); !text.empty()) changes.push_back(std::move(text));
@@ -96,7 +93,7 @@ void say_what_an_engineer_meets(Summary const& summary, Names& sentences) {
   if (best == nullptr) return;
   auto text = fmt::format(
       "Taken for a device that was not tested, the lot's one law is {} wrong on average with {}, the least of {}, and {} at worst ({})",
-      error_percent(*best->loo_objective), best->id,
+      error_percent(*best->loo_objective), called(*best),
       best == least ? "all" : "those that describe the devices and predict", error_percent(*best->loo_worst),
       best->loo_worst_device);
   if (best->objective_converged)
@@ -110,7 +107,7 @@ void say_what_is_predicted(Summary const& summary, Names& sentences) {
   for (auto const& law : summary.laws) {
     if (!law.predicted_objective) continue;
     if (law.prediction_unusable()) {
-      unusable.push_back(law.id);
+      unusable.push_back(called(law));
       continue;
     }
     if (best == nullptr || *law.predicted_objective < *best->predicted_objective) best = &law;
@@ -121,8 +118,9 @@ void say_what_is_predicted(Summary const& summary, Names& sentences) {
     return;
   }
   auto text = fmt::format(
-      "Of the laws fitted to some blocks, {} predicts the others best: {} (OF {:.3g} against {:.3g} where it was fitted)",
-      best->id, name(*best->prediction_grade), *best->predicted_objective, *best->fitted_objective);
+      "Of the laws fitted to some blocks, {} predicts the others best: {} (OF {} against {} where it was fitted)",
+      called(*best), name(*best->prediction_grade), number_text(*best->predicted_objective, 3),
+      number_text(*best->fitted_objective, 3));
   if (!unusable.empty()) text += fmt::format("; the prediction of {} is unusable", enumerate(unusable));
   sentences.push_back(text + ".");
 }
@@ -139,21 +137,23 @@ void say_what_is_determined(Summary const& summary, Names& sentences) {
         weakly += p.analysis->identifiability == "weakly determined" ? 1 : 0;
       }
     auto const share = [&](int count) { return percent(static_cast<double>(count) / static_cast<double>(free)); };
-    if (free > 0) parts.push_back(fmt::format("{} {} (and {} weakly)", law.id, share(determined), share(weakly)));
+    if (free > 0) parts.push_back(fmt::format("{} {} (and {} weakly)", called(law), share(determined), share(weakly)));
   }
   if (!parts.empty())
     sentences.push_back(fmt::format("Share of the parameters that the tests determine: {}.", fmt::join(parts, ", ")));
 }
 
-void warn_of_prediction(LawResult const& law, std::vector<Warning>& warnings) {
+void warn_of_prediction(Summary const& summary, LawResult const& law, std::vector<Warning>& warnings) {
   if (law.prediction_holds()) return;
   auto text = fmt::format(
-      "{}: its prediction is {}: OF {:.3g} on blocks it was not fitted to ({:.3g} at worst), against {:.3g} on those it was fitted to",
-      law.id, name(*law.prediction_grade), *law.predicted_objective, *law.worst_predicted, *law.fitted_objective);
+      "{}: its prediction is {}: OF {} on blocks it was not fitted to ({} at worst), against {} on those it was fitted to",
+      called(law), name(*law.prediction_grade), number_text(*law.predicted_objective, 3),
+      number_text(*law.worst_predicted, 3), number_text(*law.fitted_objective, 3));
   if (law.prediction_unusable()) {
     auto const why = collapse(*law.fitted_objective, *law.predicted_objective, *law.worst_predicted);
     if (!why.empty()) text += "; it collapses: " + why;
     text += "; it is no law for other amplitudes or frequencies than those it was fitted to";
+    if (auto const mm = largest_displacement(summary, law)) text += fmt::format(", up to {} mm", number_text(*mm, 3));
   }
   warnings.push_back({"prediction", std::move(text)});
 }
@@ -165,7 +165,7 @@ void warn_of_success(Summary const& summary, std::vector<Warning>& warnings) {
     auto const text =
         fmt::format("{} of the runs ended within 0.1 % of the least objective ({})",
                     *law.success_share == 0.0 ? "none" : percent(*law.success_share), law.success_reference);
-    beside(missed, text).push_back(law.id);
+    beside(missed, text).push_back(called(law));
   }
   for (auto const& [text, laws] : missed)
     warnings.push_back({"search", fmt::format("{}: {}", enumerate(laws, 20), text)});
@@ -183,7 +183,7 @@ void warn_of_undetermined(LawResult const& law, std::vector<Warning>& warnings) 
   Names parts;
   for (auto const& [name, count] : blind)
     parts.push_back(count == devices ? name : fmt::format("{} ({} of {} devices)", name, count, devices));
-  auto text = fmt::format("{}: the tests do not determine {}", law.id, enumerate(parts, 6));
+  auto text = fmt::format("{}: the tests do not determine {}", called(law), enumerate(parts, 6));
   if (!law.reduced_form.empty())
     text += fmt::format("; {} searches a form of the same loops without the redundant one", law.reduced_form);
   warnings.push_back({"undetermined", std::move(text)});
@@ -194,8 +194,8 @@ void warn_of_outliers(Summary const& summary, std::vector<Warning>& warnings) {
   for (auto const& outlier : summary.outliers) {
     auto const unit = outlier.unit.empty() ? std::string() : " " + outlier.unit;
     beside(devices, outlier.device)
-        .push_back(fmt::format("{} {}{} ({:+.0f} % from the median)", outlier.property, plain(outlier.value), unit,
-                               outlier.percent));
+        .push_back(fmt::format("{} {}{} ({:+.0f} % from the median)", outlier.property, number_text(outlier.value),
+                               unit, outlier.percent));
   }
   for (auto const& [device, properties] : devices)
     warnings.push_back({"outlier", fmt::format("{} stands apart from its lot: {}", device, enumerate(properties, 4))});
@@ -214,7 +214,7 @@ std::vector<std::string> converged_sentences(Summary const& summary) {
 }
 
 void warn_of_analysis(Summary const& summary, std::vector<Warning>& warnings) {
-  for (auto const& law : summary.laws) warn_of_prediction(law, warnings);
+  for (auto const& law : summary.laws) warn_of_prediction(summary, law, warnings);
   warn_of_success(summary, warnings);
   for (auto const& law : summary.laws) warn_of_undetermined(law, warnings);
   bool several_blocks = false, predicted = false;

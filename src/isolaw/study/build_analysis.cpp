@@ -282,8 +282,8 @@ void add_outliers(Summary& summary) {
         return fit != nullptr ? fit->*member : std::nullopt;
       };
     };
-    add(fmt::format("misfit of {}", law.id), "", law.id, misfit(&DeviceFit::optimum));
-    add(fmt::format("misfit of {} as fitted to the other devices", law.id), "", law.id,
+    add(fmt::format("misfit of {}", called(law)), "", law.id, misfit(&DeviceFit::optimum));
+    add(fmt::format("misfit of {} as fitted to the other devices", called(law)), "", law.id,
         misfit(&DeviceFit::left_out_objective));
   }
   for (auto const& found : lot::find_outliers(names, values)) {

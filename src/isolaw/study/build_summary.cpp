@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/number_text.hpp"
 #include "isolaw/base/version.hpp"
 #include "isolaw/campaign/maker.hpp"
 #include "isolaw/data/properties.hpp"
@@ -55,9 +56,9 @@ void add_vertical(DeviceResult& result) {
   auto const& reported = result.properties.reported;
   if (result.vertical && reported && result.vertical->K_v_kN_per_mm < least_ratio * reported->K_eff_kN_per_mm)
     warn(
-        fmt::format("{:.4g} kN/mm is less than {:.0f} times the horizontal stiffness: is it a compression test, in the "
+        fmt::format("{} kN/mm is less than {:.0f} times the horizontal stiffness: is it a compression test, in the "
                     "units that its file states?",
-                    result.vertical->K_v_kN_per_mm, least_ratio));
+                    number_text(result.vertical->K_v_kN_per_mm), least_ratio));
 }
 
 rules::VerticalValue vertical_value(DeviceResult const& device) {
@@ -181,8 +182,11 @@ DeviceFit device_fit(campaign::Contents const& contents, campaign::Search const&
     if (best == nullptr || run->objective < best->objective) best = run;
 
   made.objective = statistic(collect(usable, [](campaign::Run const& run) { return run.objective; }));
-  for (std::size_t i = 0; i < search.box.parameters.size(); ++i)
+  auto const& law = laws::find_law(search.law);
+  for (std::size_t i = 0; i < search.box.parameters.size(); ++i) {
     made.parameters.push_back(parameter_fit(search.box.parameters[i], i, usable, best));
+    made.parameters.back().paper_name = law.parameters[law.index_of(made.parameters.back().name)].paper_name;
+  }
   for (std::size_t i = 0; i < search.box.parameters.size(); ++i)
     if (auto const other = search.box.parameters[i].tied_to)
       made.parameters[i].tied_to = search.box.parameters[*other].name;

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/number_text.hpp"
 #include "isolaw/study/build_analysis.hpp"
 #include "isolaw/study/findings.hpp"
 #include "isolaw/study/verdict.hpp"
@@ -50,10 +51,10 @@ Summary part_of(Summary const& summary, LawResult const& law, std::optional<std:
 std::string prediction_of(LawResult const& law) {
   if (!law.prediction_grade) return "not asked for: no block of the tests was kept from the fit";
   auto const why = collapse(*law.fitted_objective, *law.predicted_objective, *law.worst_predicted);
-  return fmt::format(
-      "{}: objective {:.3g} on the blocks it was not fitted to ({:.3g} at worst), {:.3g} on those it was{}",
-      name(*law.prediction_grade), *law.predicted_objective, *law.worst_predicted, *law.fitted_objective,
-      why.empty() ? "" : "; it collapses: " + why);
+  return fmt::format("{}: objective {} on the blocks it was not fitted to ({} at worst), {} on those it was{}",
+                     name(*law.prediction_grade), number_text(*law.predicted_objective, 3),
+                     number_text(*law.worst_predicted, 3), number_text(*law.fitted_objective, 3),
+                     why.empty() ? "" : "; it collapses: " + why);
 }
 
 // Devices whose records say nothing to the law of the lot.
@@ -76,8 +77,9 @@ Doubts doubts(Summary const& summary, std::string_view law, std::optional<std::s
   if (auto against = verdict_against(summary, device); !against.empty()) made.warnings.push_back(std::move(against));
   if (!device)
     if (auto left_out = left_out_of_lot(summary); !left_out.empty()) made.warnings.push_back(std::move(left_out));
-  for (auto& [topic, sentence] : warnings(summary, part_of(summary, whole, device)))
-    if (std::ranges::find(passed_over, topic) == passed_over.end()) made.warnings.push_back(std::move(sentence));
+  for (auto& warning : warnings(summary, part_of(summary, whole, device)))
+    if (std::ranges::find(passed_over, warning.topic) == passed_over.end())
+      made.warnings.push_back(std::move(warning.sentence));
   made.prediction = prediction_of(whole);
   if (whole.prediction_unusable()) made.objection = "its prediction is " + made.prediction;
   return made;

@@ -11,6 +11,7 @@
 #include "isolaw/study/adequacy.hpp"
 #include "isolaw/study/analysis_findings.hpp"
 #include "isolaw/study/build_analysis.hpp"
+#include "isolaw/study/ranges.hpp"
 #include "isolaw/study/spoken.hpp"
 
 namespace isolaw::study {
@@ -123,14 +124,14 @@ LawVerdict front_verdict(Summary const& summary, std::vector<std::size_t> const&
                                    place + 1 < front.size() ? "that no box keeps so"
                                    : among(summary).empty() ? "of all"
                                                             : among(summary).substr(1),
-                                   error_percent(law), error_percent(accurate), accurate.id);
+                                   error_percent(law), error_percent(accurate), called(accurate));
   } else {
     auto const& accurate = laws[front[place - 1]];
     auto const& robust = laws[front[place + 1]];
     if (place == compromise(summary, front)) verdict.role = Role::compromise;
-    verdict.sentence =
-        fmt::format("Scatters less than {} ({} against {}) and errs less than {} ({} against {}).", accurate.id,
-                    percent(*law.beta), percent(*accurate.beta), robust.id, error_percent(law), error_percent(robust));
+    verdict.sentence = fmt::format("Scatters less than {} ({} against {}) and errs less than {} ({} against {}).",
+                                   called(accurate), percent(*law.beta), percent(*accurate.beta), called(robust),
+                                   error_percent(law), error_percent(robust));
   }
   verdict.sentence += caution(law);
   return verdict;
@@ -139,12 +140,16 @@ LawVerdict front_verdict(Summary const& summary, std::vector<std::size_t> const&
 LawVerdict dominated_verdict(Summary const& summary, std::vector<std::size_t> const& front, std::size_t index) {
   auto const& law = summary.laws[index];
   LawVerdict verdict{index, Role::dominated, {}, {}};
+  std::vector<std::string> dominating;
   for (std::size_t const other : front)
-    if (dominates(summary.laws[other], law)) verdict.dominated_by.push_back(summary.laws[other].id);
+    if (dominates(summary.laws[other], law)) {
+      verdict.dominated_by.push_back(summary.laws[other].id);
+      dominating.push_back(called(summary.laws[other]));
+    }
   auto const numbers = fmt::format("error {}, scatter {}", error_percent(law), percent(*law.beta));
   verdict.sentence = verdict.dominated_by.empty()
                          ? fmt::format("is not on the front ({}).", numbers)
-                         : fmt::format("is dominated by {} ({}).", enumerate(verdict.dominated_by), numbers);
+                         : fmt::format("is dominated by {} ({}).", enumerate(dominating), numbers);
   return verdict;
 }
 
@@ -158,7 +163,7 @@ LawVerdict unranked_verdict(Summary const& summary, std::size_t index, LawResult
                                    among(summary).empty() ? "of all" : among(summary).substr(1), caution(law));
   } else {
     verdict.sentence = fmt::format("has a mean error of {}, {} times that of {}.", error_percent(law),
-                                   with_decimals(*law.objective.mean / *best.objective.mean, 2), best.id);
+                                   with_decimals(*law.objective.mean / *best.objective.mean, 2), called(best));
   }
   return verdict;
 }
@@ -168,38 +173,38 @@ std::string headline(Summary const& summary, std::vector<std::size_t> const& fro
   auto const& laws = summary.laws;
   auto const flagged = [&](std::size_t index) {
     auto const& law = laws[index];
-    return law.id +
+    return called(law) +
            (law.prediction_holds() ? "" : fmt::format(", whose prediction is {}", name(*law.prediction_grade))) +
            (pinned(law).decides() ? ", which its box holds together" : "");
   };
   if (front.size() == 1 && pinned(laws[front[0]]).decides())
-    return fmt::format("{} is the most accurate law{}; how robust it is cannot be said.{}", laws[front[0]].id,
+    return fmt::format("{} is the most accurate law{}; how robust it is cannot be said.{}", called(laws[front[0]]),
                        among(summary), caution(laws[front[0]]));
   if (front.size() == 1)
-    return fmt::format("{} is both the most accurate and the most robust law{}.{}", laws[front[0]].id, among(summary),
-                       caution(laws[front[0]]));
+    return fmt::format("{} is both the most accurate and the most robust law{}.{}", called(laws[front[0]]),
+                       among(summary), caution(laws[front[0]]));
   if (front.size() > 1) {
     auto const middle = compromise(summary, front), end = robust_end(summary, front);
     if (end == 0)
       return fmt::format("{} is the most accurate law{}; what scatters less is held together by its box.{}",
-                         laws[front[0]].id, among(summary), caution(laws[front[0]]));
+                         called(laws[front[0]]), among(summary), caution(laws[front[0]]));
     auto const held = std::ranges::count_if(
         front, [&](std::size_t law) { return law != front[0] && law != front[end] && pinned(laws[law]).decides(); });
     return fmt::format(
         "{} of {} laws are worth considering: the choice lies between accuracy ({}) and robustness ({}){}.",
         front.size() - static_cast<std::size_t>(held), laws.size(), flagged(front.front()), flagged(front[end]),
-        middle < front.size() ? fmt::format("; the best compromise is {}", laws[front[middle]].id)
+        middle < front.size() ? fmt::format("; the best compromise is {}", called(laws[front[middle]]))
         : end > 1
             ? "; none between them holds up (off the front without the optimiser's noise, held by its box, or its prediction does not hold)"
             : "");
   }
   if (best < laws.size())
-    return fmt::format("{} is the most accurate law{}; how robust it is cannot be said.{}", laws[best].id,
+    return fmt::format("{} is the most accurate law{}; how robust it is cannot be said.{}", called(laws[best]),
                        among(summary), caution(laws[best]));
   auto const ranking = by_objective(summary);
   if (ranking.empty() || !laws[ranking.front()].objective.mean) return "No law could be identified.";
   auto const& nearest = laws[ranking.front()];
-  return fmt::format("No law describes these devices: {}, the nearest, {}.", nearest.id, inadequacy(nearest));
+  return fmt::format("No law describes these devices: {}, the nearest, {}.", called(nearest), inadequacy(nearest));
 }
 
 std::string note_on_beta(Summary const& summary) {
@@ -278,6 +283,16 @@ std::optional<double> mean_magnitude(LawResult const& law, std::optional<double>
     ++count;
   }
   return count > 0 ? std::optional(sum / count) : std::nullopt;
+}
+
+std::optional<double> largest_displacement(Summary const& summary, LawResult const& law) {
+  Ranges ranges;
+  for (auto const& device : summary.devices) {
+    auto const* fit = fit_of(law, device.name);
+    if (fit != nullptr && fit->objective.mean && device.record.size() > 0) ranges.add(device.record);
+  }
+  double const mm = law.prediction_holds() ? ranges.tested.disp_mm : ranges.fitted.disp_mm;
+  return mm > 0.0 ? std::optional(mm) : std::nullopt;
 }
 
 std::vector<std::size_t> by_objective(Summary const& summary) {

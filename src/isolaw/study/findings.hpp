@@ -52,6 +52,10 @@ std::optional<double> largest_difference(LawResult const& law, std::size_t param
 // Mean over devices of the magnitude of an error, `error` being a member such as &DeviceFit::K_eff_error_percent.
 std::optional<double> mean_magnitude(LawResult const& law, std::optional<double> DeviceFit::*error);
 
+// The largest displacement at which a law was shown to hold: of what was fitted, and of what it predicts where it does.
+// Empty where it was identified on no device.
+std::optional<double> largest_displacement(Summary const& summary, LawResult const& law);
+
 // Indices of the laws by rising mean objective; laws without one come last, in their order.
 std::vector<std::size_t> by_objective(Summary const& summary);
 

@@ -1,27 +1,50 @@
 #include "isolaw/study/front_view.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "isolaw/study/adequacy.hpp"
 
 namespace isolaw::study {
 
 std::string_view name(FrontView view) {
-  return view == FrontView::published   ? "as published"
+  return view == FrontView::runs        ? "mean of the runs"
          : view == FrontView::converged ? "without the optimiser's noise"
                                         : "device left out";
 }
 
+std::string_view key(FrontView view) {
+  return view == FrontView::runs ? "runs" : view == FrontView::converged ? "converged" : "left-out";
+}
+
+namespace {
+
+bool beats(FrontPoint const& one, FrontPoint const& other) {
+  return one.x <= other.x && one.y <= other.y && (one.x < other.x || one.y < other.y);
+}
+
+bool stands_among(std::vector<FrontPoint> const& points, FrontPoint const& point) {
+  if (!point.is_adequate || point.on_front) return point.is_adequate;
+  return std::ranges::any_of(points, [](auto const& one) { return !one.is_adequate; }) &&
+         std::ranges::none_of(points, [&](auto const& one) { return one.is_adequate && beats(one, point); });
+}
+
+}  // namespace
+
 std::vector<FrontPoint> front_points(Summary const& summary, FrontView view) {
   std::vector<FrontPoint> points;
   for (auto const& law : summary.laws) {
-    auto const x = view == FrontView::published   ? law.beta
+    auto const x = view == FrontView::runs        ? law.beta
                    : view == FrontView::converged ? law.beta_converged
                                                   : law.loo_objective;
-    auto const y = view == FrontView::published ? law.objective.mean : law.objective_converged;
-    bool const on_front = view == FrontView::published   ? law.on_front
+    auto const y = view == FrontView::runs ? law.objective.mean : law.objective_converged;
+    bool const on_front = view == FrontView::runs        ? law.on_front
                           : view == FrontView::converged ? law.on_front_converged
                                                          : law.on_front_loo;
-    if (x && y && std::isfinite(*x) && std::isfinite(*y)) points.push_back({law.id, *x, *y, on_front});
+    if (x && y && std::isfinite(*x) && std::isfinite(*y))
+      points.push_back({law.id, *x, *y, on_front, false, inadequacy(law).empty()});
   }
+  for (auto& point : points) point.stands = stands_among(points, point);
   return points;
 }
 
@@ -29,8 +52,7 @@ std::vector<std::string> dominating(std::vector<FrontPoint> const& points, Front
   std::vector<std::string> laws;
   if (point.on_front) return laws;
   for (auto const& other : points)
-    if (other.on_front && other.x <= point.x && other.y <= point.y && (other.x < point.x || other.y < point.y))
-      laws.push_back(other.law);
+    if (other.on_front && beats(other, point)) laws.push_back(other.law);
   return laws;
 }
 

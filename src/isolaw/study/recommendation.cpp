@@ -8,6 +8,7 @@
 #include <ranges>
 #include <utility>
 
+#include "isolaw/base/number_text.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/study/adequacy.hpp"
 #include "isolaw/study/build_analysis.hpp"
@@ -165,16 +166,16 @@ std::string test_that_decides(Summary const& summary, Purpose purpose, bool open
     bool const several = std::ranges::any_of(summary.devices, [](auto const& device) {
       return device.status == "ok" && device.properties.blocks.size() > 1;
     });
-    tests.emplace_back(several ? "--fit-blocks, which keeps an amplitude or a rate from the fit"
-                               : "a test at another amplitude or rate, kept from the fit");
+    tests.emplace_back(several ? "--fit-blocks, an amplitude or rate kept from the fit"
+                               : "another amplitude or rate, kept from the fit");
   }
   if (elsewhere && open && predicts_blocks(summary))
-    tests.emplace_back("a fit to every block, tried on a test that is kept from it");
+    tests.emplace_back("a further test, kept from a fit to every block");
   if (elsewhere && devices == 1)
-    tests.emplace_back("tests of more devices");
+    tests.emplace_back("more devices");
   else if (elsewhere && open && devices < few)
-    tests.push_back(fmt::format("tests of more than these {} devices", devices));
-  if (open && tests.empty()) tests.emplace_back("a test at an amplitude between those there");
+    tests.push_back(fmt::format("more than these {} devices", devices));
+  if (open && tests.empty()) tests.emplace_back("an amplitude between those there");
   return joined(tests, "; ");
 }
 
@@ -210,11 +211,11 @@ std::string why_none(Summary const& summary, Purpose purpose) {
   for (auto const& law : summary.laws) {
     if (!law.objective.mean) continue;
     if (!inadequacy(law).empty())
-      far.push_back(law.id);
+      far.push_back(called(law));
     else if (!law.prediction_holds())
-      failing.push_back(fmt::format("{} ({})", law.id, name(*law.prediction_grade)));
+      failing.push_back(fmt::format("{} ({})", called(law), name(*law.prediction_grade)));
     else if (!may_be_taken(summary, law))
-      partial.push_back(law.id);
+      partial.push_back(called(law));
   }
   Names parts;
   if (!far.empty())
@@ -235,9 +236,7 @@ std::string ruled_out(Summary const& summary, LawResult const& law, bool known, 
   if (!law.prediction_holds()) return fmt::format("its prediction is {}", name(*law.prediction_grade));
   if (!may_be_taken(summary, law)) return "was not identified on every device";
   if (!known) return "nothing shows how it holds elsewhere";
-  return error > fair_prediction
-             ? fmt::format("an error of {} is {}", percent(error), name(graded(error, error, error)))
-             : std::string();
+  return error > fair_prediction ? fmt::format("its error is {}", name(graded(error, error, error))) : std::string();
 }
 
 // Of every law, the chosen ones first, in their order.
@@ -273,8 +272,8 @@ std::string closer_but_refused(Summary const& summary, Candidate const& taken, P
     least = known->error;
   }
   return closest == nullptr ? std::string()
-                            : fmt::format("; {} is nearer ({}), but its prediction is {}", closest->id, percent(least),
-                                          name(*closest->prediction_grade));
+                            : fmt::format("; {} is nearer ({}), but its prediction is {}", called(*closest),
+                                          percent(least), name(*closest->prediction_grade));
 }
 
 Recommendation recommend(Summary const& summary, Purpose purpose) {
@@ -330,7 +329,7 @@ Recommendation recommend(Summary const& summary, Purpose purpose) {
   Names tied;
   for (auto const& c : chosen | std::views::drop(1)) {
     made.ties.push_back(c.index);
-    tied.push_back(c.law->id);
+    tied.push_back(called(*c.law));
   }
   auto const& weak = taken.weak;
   made.sure = !weak.empty() ? Sure::weak : !made.ties.empty() ? Sure::tie : Sure::clear;
@@ -338,23 +337,26 @@ Recommendation recommend(Summary const& summary, Purpose purpose) {
   made.why = fmt::format("Errs by {} {}", percent(taken.known.error), made.measure);
   if (purpose == Purpose::simplest) made.why += fmt::format(", with {}", counted(taken.parameters, "parameter"));
   if (purpose == Purpose::simplest && taken.index != best.index)
-    made.why += fmt::format("; {} by {}, with {}", best.law->id, percent(best.known.error), best.parameters);
+    made.why += fmt::format("; {} by {}, with {}", called(*best.law), percent(best.known.error), best.parameters);
   if (!tied.empty())
     made.why +=
         fmt::format("; {} {} with it within {}", enumerate(tied), tied.size() == 1 ? "ties" : "tie",
                     device_names(summary).size() > 1 ? "the scatter over the devices" : "what one device can tell");
   else if (purpose != Purpose::simplest && candidates.size() > 1) {
     auto const& next = candidates[best.index == taken.index ? 1 : 0];
-    made.why += fmt::format("; {} by {}", next.law->id, percent(next.known.error));
+    made.why += fmt::format("; {} by {}", called(*next.law), percent(next.known.error));
   }
   made.why += closer_but_refused(summary, taken, purpose);
   made.why += ".";
   if (!weak.empty()) made.why += fmt::format(" Weak: {}.", joined(weak, "; "));
-  auto laws = taken.law->id;
+  auto laws = called(*taken.law);
   for (auto const& id : tied) laws += " or " + id;
   made.answer = fmt::format("Take {}{}{}: {} off {}.", laws, tied.empty() ? "" : ", which tie",
                             made.sure == Sure::weak ? ", with care" : "", percent(taken.known.error), made.measure);
   made.would_decide = test_that_decides(summary, purpose, made.sure != Sure::clear);
+  if (auto const mm = largest_displacement(summary, *taken.law))
+    made.valid = fmt::format("up to {} mm", number_text(*mm, 3));
+  if (!taken.law->in_programs) made.programs = "Not in OpenSees: export --to opensees-cpp";
   return made;
 }
 

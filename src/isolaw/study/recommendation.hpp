@@ -44,6 +44,8 @@ struct Recommendation {
   std::string answer;               // one sentence: take this law, or none
   std::string why;                  // one sentence or two
   std::string would_decide;         // the test that would; "" where nothing is open
+  std::string valid;                // where it was shown to hold: "up to 230 mm"; "" without a law
+  std::string programs;             // what an analysis takes it by where programs lack it; "" where they have it
 };
 
 // Of every purpose, in their order; none for an inspection.

@@ -14,6 +14,7 @@
 #include <variant>
 #include <vector>
 
+#include "isolaw/laws/catalogue.hpp"
 #include "isolaw/study/summary.hpp"
 
 namespace isolaw::study {
@@ -111,6 +112,8 @@ inline constexpr Result<LawResult> law_results[]{
      get<&LawResult::on_front>},
     {"devices", "", "", "the fits, one object per device the law was tried on", nested<LawResult>},
     {"beta_note", "", "note", "why `beta` is null; empty otherwise", get<&LawResult::beta_note>},
+    {"name", "", "", "as people call the law: `\"Abe (constant yield)\"`",
+     [](LawResult const& law) { return value_of(laws::called(law.id)); }},
     {"title", "", "", "of the law", get<&LawResult::title>},
     {"notes", "", "", "how its source was read where it is incomplete", get<&LawResult::notes>},
     {"success_share", "-", "success share",
@@ -246,6 +249,8 @@ inline constexpr Result<ParameterFit> parameter_results[]{
      "difference of `mean` from the mean of the device means, relative to the magnitude `beta` uses",
      get<&ParameterFit::percent_of_lot>},
     {"tied_to", "", "", "the parameter whose value it takes", word<&ParameterFit::tied_to>},
+    {"paper_name", "", "in the paper", "its name in Tables 4 and A.5 of Cucuzza et al. 2025",
+     word<&ParameterFit::paper_name>},
 };
 
 // Beside those of a parameter that an analysis has examined.

@@ -6,7 +6,15 @@
 #include <cmath>
 #include <string>
 
+#include "isolaw/laws/catalogue.hpp"
+#include "isolaw/study/summary.hpp"
+
 namespace isolaw::study {
+
+// A law as sentences name it; its id is for what is typed.
+inline std::string called(LawResult const& law) {
+  return std::string(laws::called(law.id));
+}
 
 // Nobody reads three hundred digits.
 inline std::string with_decimals(double value, int decimals) {

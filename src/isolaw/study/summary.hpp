@@ -56,6 +56,7 @@ struct ParameterFit {
   std::optional<double> percent_of_lot;  // difference of the mean from the mean over devices, percent
   std::string at_bound;                  // "", "lower" or "upper": of the best run
   std::string tied_to;                   // the parameter whose value it takes; "" for none
+  std::string paper_name;                // in the tables of Cucuzza et al. 2025, where it is another one; else ""
   std::optional<ParameterAnalysis> analysis;
 };
 

@@ -9,7 +9,10 @@
 #include <functional>
 #include <utility>
 
+#include "isolaw/base/number_text.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
+#include "isolaw/study/findings.hpp"
 
 namespace isolaw::study {
 namespace {
@@ -28,7 +31,7 @@ std::string property_of(rules::Assessment const& a) {
 std::string failure(rules::Assessment const& a) {
   if (!a.deviation.empty()) return fmt::format("{} {}", property_of(a), a.deviation);
   if (!a.value) return property_of(a);
-  return fmt::format("{} {:.4g}{}{}", property_of(a), *a.value, a.unit.empty() ? "" : " ", a.unit);
+  return fmt::format("{} {}{}{}", property_of(a), number_text(*a.value), a.unit.empty() ? "" : " ", a.unit);
 }
 
 // The part of a set's title that people call it by: "NTC 2018" of "NTC 2018, elastomeric isolators: ...".
@@ -36,16 +39,82 @@ std::string short_title(rules::RuleSet const& rules) {
   return printable(rules.title.substr(0, rules.title.find_first_of(",:")));
 }
 
-void add_lot(std::vector<std::string>& failures, LotAcceptance const& acceptance) {
+// One that fails on one device fails, one that is open on one is open.
+void add(std::vector<Requirement>& requirements, std::string const& name, Verdict verdict) {
+  auto found = std::ranges::find(requirements, name, &Requirement::name);
+  if (found == requirements.end()) {
+    requirements.push_back({.name = name, .verdict = verdict});
+    return;
+  }
+  if (found->verdict == Verdict::fail || verdict == Verdict::pass) return;
+  found->verdict = verdict;
+}
+
+void add_lot(OverallVerdict& made, LotAcceptance const& acceptance) {
   auto const& lot = acceptance.lot;
-  auto const add = [&](rules::Assessment const& a) {
+  auto const of_lot = [&](std::string const& name, rules::Assessment const& a) {
+    add(made.requirements, name, a.verdict);
     if (a.verdict == Verdict::fail)
-      failures.push_back(fmt::format("{}, limit {}", a.deviation.empty() ? failure(a) : a.quantity + " " + a.deviation,
-                                     printable(a.limit)));
+      made.failing.push_back(
+          {.device = {},
+           .remark = fmt::format("{}, limit {}", a.deviation.empty() ? failure(a) : a.quantity + " " + a.deviation,
+                                 printable(a.limit))});
   };
-  add(lot.sample);
+  if (acceptance.rules.sample) of_lot(lot.sample.quantity, lot.sample);
   for (auto const& quantity : lot.quantities)
-    for (auto const& limit : quantity.mean_limits) add(limit);
+    for (auto const& limit : quantity.mean_limits) of_lot(fmt::format("mean {}", name(quantity.quantity)), limit);
+}
+
+void add_device(OverallVerdict& made, DeviceResult const& device) {
+  auto const& lines = device.acceptance.assessments;
+  auto const name = printable(device.name);
+  if (device.status != "ok" || lines.empty()) {
+    auto const& why = device.status != "ok" ? device.message : device.properties.refusal;
+    made.not_assessed.push_back({.device = name, .remark = printable(on_one_line(why))});
+    return;
+  }
+  for (auto const& a : lines)
+    if (!a.limit.empty()) add(made.requirements, property_of(a), a.verdict);
+  auto const own = device_verdict(lines);
+  if (own.verdict == Verdict::fail)
+    made.failing.push_back({.device = name, .remark = own.failures_text(" and ")});
+  else if (own.verdict != Verdict::pass && own.not_assessed.empty() && !own.passed.empty())
+    made.not_assessed.push_back({.device = name, .remark = "a compression test alone is no pass"});
+}
+
+// "2 of 10 devices fail: D03 K_eff +23.0 %, D07 damping -16.2 %; the lot fails: sample size ..."
+void say_failures(OverallVerdict const& made, std::size_t devices, std::vector<std::string>& parts) {
+  std::vector<std::string> of_devices, of_lot;
+  for (auto const& [device, remark] : made.failing)
+    device.empty() ? of_lot.push_back(remark) : of_devices.push_back(device + " " + remark);
+  if (auto const count = of_devices.size(); count > 0) {
+    constexpr std::size_t shown = 10;
+    of_devices.resize(std::min(count, shown));
+    parts.push_back(fmt::format("{} of {} fail{}: {}{}", count, counted(devices, "device"), count == 1 ? "s" : "",
+                                fmt::join(of_devices, ", "),
+                                count > shown ? fmt::format(" and {} more", count - shown) : ""));
+  }
+  if (!of_lot.empty()) parts.push_back(fmt::format("the lot fails: {}", fmt::join(of_lot, "; ")));
+}
+
+std::string sentence_of(OverallVerdict const& made, std::size_t devices) {
+  std::vector<std::string> parts, open, without;
+  say_failures(made, devices, parts);
+  std::size_t passed = 0;
+  for (auto const& [name, verdict] : made.requirements) {
+    passed += verdict == Verdict::pass ? 1u : 0u;
+    if (verdict == Verdict::not_assessed) open.push_back(name);
+  }
+  auto const all = made.requirements.size();
+  if (made.word == "PASS")
+    parts.push_back(fmt::format("{} {} {} requirement{}", counted(devices, "device"), devices == 1 ? "keeps" : "keep",
+                                all == 1 ? std::string("the") : fmt::format("all {}", all), all == 1 ? "" : "s"));
+  else if (all > 0)
+    parts.push_back(fmt::format("pass on {} of {}{}", passed, counted(all, "requirement"),
+                                open.empty() ? "" : fmt::format("; not assessed: {}", fmt::join(open, ", "))));
+  for (auto const& [device, remark] : made.not_assessed) without.push_back(device);
+  if (!without.empty()) parts.push_back(fmt::format("without a verdict: {}", enumerate(without)));
+  return fmt::format("{}", fmt::join(parts, "; "));
 }
 
 }  // namespace
@@ -53,7 +122,12 @@ void add_lot(std::vector<std::string>& failures, LotAcceptance const& acceptance
 std::string DeviceVerdict::text() const {
   if (verdict == Verdict::fail) return "fail: " + failures_text();
   if (verdict != Verdict::pass || not_assessed.empty()) return std::string(rules::name(verdict));
-  return fmt::format("pass ({}; not assessed: {})", fmt::join(passed, ", "), fmt::join(not_assessed, ", "));
+  return fmt::format("{} ({}; not assessed: {})", brief(), fmt::join(passed, ", "), fmt::join(not_assessed, ", "));
+}
+
+std::string DeviceVerdict::brief() const {
+  if (verdict != Verdict::pass || not_assessed.empty()) return std::string(rules::name(verdict));
+  return fmt::format("pass on {} of {}", passed.size(), passed.size() + not_assessed.size());
 }
 
 std::string DeviceVerdict::failures_text(std::string_view between) const {
@@ -113,37 +187,33 @@ std::optional<Verdict> verdict_on(LotAcceptance const& lot, DeviceResult const& 
   return left_out ? std::optional(Verdict::not_assessed) : std::nullopt;
 }
 
-std::string verdict_summary(Summary const& summary) {
+OverallVerdict overall_verdict(Summary const& summary) {
+  OverallVerdict made;
   auto const& acceptance = summary.acceptance;
-  if (!acceptance.has_rules()) return {};
   auto const title = short_title(acceptance.rules);
-  if (!acceptance.rules.verified())
-    return fmt::format("{}: no verdict, the limits of this set are not verified\n", title);
-  std::size_t passed = 0, usable = 0;
-  std::vector<std::string> failures, missing, lot;
-  for (auto const& device : summary.devices) {
-    if (device.status != "ok") continue;
-    ++usable;
-    auto const verdict = device_verdict(device.acceptance.assessments);
-    passed += verdict.verdict == Verdict::pass ? 1u : 0u;
-    if (verdict.verdict == Verdict::fail)
-      failures.push_back(fmt::format("{} {}", printable(device.name), verdict.failures_text(" and ")));
-    if (verdict.verdict == Verdict::pass)
-      for (auto const& name : verdict.not_assessed) add_once(missing, name);
+  if (!acceptance.has_rules()) {
+    made.sentence = "no verdict: no rule set";
+  } else if (!acceptance.rules.verified()) {
+    made.sentence = fmt::format("{}: no verdict, the limits of this set are not verified", title);
+    made.mark = "LIMITS NOT VERIFIED";
+  } else {
+    for (auto const& device : summary.devices) add_device(made, device);
+    add_lot(made, acceptance);
+    bool const open = !made.not_assessed.empty() || std::ranges::find(made.requirements, Verdict::not_assessed,
+                                                                      &Requirement::verdict) != made.requirements.end();
+    bool const nothing = made.requirements.empty() && made.not_assessed.empty();
+    if (!nothing) made.word = !made.failing.empty() ? "FAIL" : open ? "INCOMPLETE" : "PASS";
+    made.sentence = nothing ? fmt::format("{}: no verdict, the set limits nothing of these tests", title)
+                            : fmt::format("{}: {}", title, sentence_of(made, summary.devices.size()));
+    if (made.word != "PASS") made.mark = made.word, made.is_red = !nothing;
   }
-  auto text = fmt::format("{}: {} of {} devices pass", title, passed, usable);
-  if (!missing.empty()) text += fmt::format(" as far as assessed (not assessed: {})", fmt::join(missing, ", "));
-  auto const count = failures.size();
-  if (count > 0) {
-    constexpr std::size_t shown = 10;
-    failures.resize(std::min(count, shown));
-    text += fmt::format(", {} fail{}: {}{}", count, count == 1 ? "s" : "", fmt::join(failures, ", "),
-                        count > shown ? fmt::format(" and {} more", count - shown) : "");
-  }
-  if (passed + count < usable) text += fmt::format(", {} not assessed", usable - passed - count);
-  add_lot(lot, acceptance);
-  if (!lot.empty()) text += fmt::format("; the lot fails: {}", fmt::join(lot, "; "));
-  return text + "\n";
+  // Of what was not measured nothing is shown of devices, whatever the limits say.
+  if (summary.title.find(not_measured) != std::string::npos) made.mark = "NOT MEASURED", made.is_red = false;
+  return made;
+}
+
+std::string verdict_summary(Summary const& summary) {
+  return summary.acceptance.has_rules() ? overall_verdict(summary).text() + "\n" : std::string();
 }
 
 std::string verdict_against(Summary const& summary, std::optional<std::string_view> device) {
@@ -157,9 +227,7 @@ std::string verdict_against(Summary const& summary, std::optional<std::string_vi
     return fmt::format("{} fails {}: {}", printable(found->name), short_title(rules), verdict.failures_text());
   }
   if (!acceptance_failed(summary)) return {};
-  auto text = verdict_summary(summary);
-  while (text.ends_with('\n')) text.pop_back();
-  return "the lot does not keep its rule set: " + text;
+  return "the lot does not keep its rule set: " + overall_verdict(summary).sentence;
 }
 
 }  // namespace isolaw::study

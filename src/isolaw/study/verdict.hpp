@@ -18,8 +18,10 @@ struct DeviceVerdict {
   // What failed, each quantity by its line farthest off the design value, the farthest first: "K_eff +23.0 %".
   std::vector<std::string> failures;
 
-  // "pass (K_eff; not assessed: damping)", "fail: K_eff +23.0 %, damping -16.2 %"
+  // "pass on 1 of 2 (K_eff; not assessed: damping)", "fail: K_eff +23.0 %, damping -16.2 %"
   std::string text() const;
+  // The same in a table's cell: "pass on 1 of 2", "fail", "pass" where all were compared.
+  std::string brief() const;
   // The first of the failures, and how many more there are.
   std::string failures_text(std::string_view between = ", ") const;
 };
@@ -29,8 +31,36 @@ DeviceVerdict device_verdict(std::vector<rules::Assessment> const& assessments);
 // could be held to; nullopt where nothing was asked.
 std::optional<rules::Verdict> verdict_on(LotAcceptance const& lot, DeviceResult const& device);
 
-// "NTC 2018: 8 of 10 devices pass, 2 fail: D03 K_eff +23.0 %, D07 damping -16.2 %", and what of the lot itself fails;
-// empty without a rule set.
+// What the set asks for, each once: "K_eff" for both sides of every device, "sample size", "mean K_eff".
+struct Requirement {
+  std::string name;
+  rules::Verdict verdict = rules::Verdict::not_assessed;  // passes where every device and line does
+};
+
+// A device and what is said of it; the lot itself has no name.
+struct DeviceRemark {
+  std::string device, remark;
+};
+
+// One verdict of the whole. FAIL: a device or the lot does not keep a limit of a verified set. INCOMPLETE: none fails,
+// but a requirement or a device was not assessed. PASS: neither. Without a verified set there is no word.
+struct OverallVerdict {
+  std::string word;      // "PASS", "FAIL", "INCOMPLETE", or empty
+  std::string sentence;  // what it stands on, devices and requirements named; without a word why there is none
+  std::vector<DeviceRemark> failing, not_assessed;
+  std::vector<Requirement> requirements;
+  // What stands across a certificate that nobody can sign, and whether in red; empty: it can be signed.
+  std::string mark;
+  bool is_red = false;
+
+  std::string text() const { return word.empty() ? sentence : word + ": " + sentence; }
+};
+OverallVerdict overall_verdict(Summary const& summary);
+
+// A lot whose title says this is not of devices; the example lot's does.
+inline constexpr std::string_view not_measured = "not measured";
+
+// The text of it on a line of its own; empty without a rule set.
 std::string verdict_summary(Summary const& summary);
 // The same on one line, where the set is verified and something is not kept; else empty. Of the device alone, where one
 // is named.

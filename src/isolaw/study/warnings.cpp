@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <utility>
 
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/study/adequacy.hpp"
 #include "isolaw/study/analysis_findings.hpp"
 #include "isolaw/study/energy_fall.hpp"
@@ -18,6 +20,11 @@ namespace isolaw::study {
 namespace {
 
 using Names = std::vector<std::string>;
+
+Warning of_devices(std::string topic, Names devices, std::string remark) {
+  auto sentence = fmt::format("{}: {}", enumerate(devices), remark);
+  return {std::move(topic), std::move(sentence), std::move(devices), std::move(remark)};
+}
 
 void warn_of_missing_runs(Summary const& summary, std::vector<Warning>& warnings) {
   if (summary.missing_runs() > 0)
@@ -124,13 +131,13 @@ void warn_of_degradation(Summary const& summary, std::vector<Warning>& warnings)
                           own)
             : fmt::format("no law follows this degradation over cycles ({} comes nearest, with {}): each is right",
                           of->id, own);
-    warnings.push_back(
-        {"degradation",
-         fmt::format("{}: the energy of a cycle falls by {} from cycle {} to {} of block {}, and {} for "
-                     "some cycles in between{}",
-                     device.name, percent(nearest->measured_percent / 100.0), nearest->first_cycle, nearest->last_cycle,
-                     nearest->block, who,
-                     is_given(summary, "fit-cycles") ? "" : "; --fit-cycles fits to the first or to the last ones")});
+    warnings.push_back(of_devices(
+        "degradation", {device.name},
+        fmt::format("the energy of a cycle falls by {} from cycle {} to {} of block {}, and {} for "
+                    "some cycles in between{}",
+                    percent(nearest->measured_percent / 100.0), nearest->first_cycle, nearest->last_cycle,
+                    nearest->block, who,
+                    is_given(summary, "fit-cycles") ? "" : "; --fit-cycles fits to the first or to the last ones")));
   }
 }
 
@@ -139,7 +146,7 @@ void warn_of_refused_laws(LawResult const& law, std::vector<Warning>& warnings) 
   for (auto const& fit : law.devices)
     if (!fit.refusal.empty()) beside(reasons, fit.refusal).push_back(fit.device);
   for (auto const& [reason, devices] : reasons) {
-    auto text = fmt::format("{} was not identified on {}: {}", law.id, enumerate(devices), on_one_line(reason));
+    auto text = fmt::format("{} was not identified on {}: {}", called(law), enumerate(devices), on_one_line(reason));
     if (law.objective.mean) text += fmt::format("; its mean and beta cover the other devices only");
     warnings.push_back({"law not identified", std::move(text)});
   }
@@ -155,7 +162,7 @@ void warn_of_failed_runs(LawResult const& law, std::vector<Warning>& warnings) {
   }
   if (failed > 0)
     warnings.push_back(
-        {"failed runs", fmt::format("{}: {} of {} runs failed, the first on {}", law.id, failed, runs, first)});
+        {"failed runs", fmt::format("{}: {} of {} runs failed, the first on {}", called(law), failed, runs, first)});
 }
 
 // What an optimiser tried in vain is no fault of the result, but it belongs to how the result was found.
@@ -168,8 +175,8 @@ void warn_of_failed_evaluations(LawResult const& law, std::vector<Warning>& warn
   if (failed > 0)
     warnings.push_back(
         {"failed evaluations",
-         fmt::format("{}: {} of {} parameter sets tried ({}) gave no finite force and were passed over", law.id, failed,
-                     evaluations, percent(static_cast<double>(failed) / static_cast<double>(evaluations)))});
+         fmt::format("{}: {} of {} parameter sets tried ({}) gave no finite force and were passed over", called(law),
+                     failed, evaluations, percent(static_cast<double>(failed) / static_cast<double>(evaluations)))});
 }
 
 void warn_of_bounds(LawResult const& law, std::vector<Warning>& warnings) {
@@ -183,7 +190,7 @@ void warn_of_bounds(LawResult const& law, std::vector<Warning>& warnings) {
   }
   if (law.lot && !law.lot->at_bound.empty())
     warnings.push_back(
-        {"at bound", fmt::format("{}: of the one law for all {}", law.id, enumerate(law.lot->at_bound, 6))});
+        {"at bound", fmt::format("{}: of the one law for all {}", called(law), enumerate(law.lot->at_bound, 6))});
   if (at_bound.empty()) return;
   Names parts;
   for (auto const& [edge, devices] : at_bound) {
@@ -197,17 +204,18 @@ void warn_of_bounds(LawResult const& law, std::vector<Warning>& warnings) {
     parts.resize(most);
     parts.push_back(fmt::format("and {} more", more - most));
   }
-  warnings.push_back({"at bound", fmt::format("{}: {}", law.id, fmt::join(parts, "; "))});
+  warnings.push_back({"at bound", fmt::format("{}: {}", called(law), fmt::join(parts, "; "))});
 }
 
 void warn_of_adequacy(LawResult const& law, std::vector<Warning>& warnings) {
   if (auto const why = inadequacy(law); !why.empty())
-    warnings.push_back({"not adequate", fmt::format("{} does not describe the devices: it {}", law.id, why)});
+    warnings.push_back({"not adequate", fmt::format("{} does not describe the devices: it {}", called(law), why)});
 }
 
 void warn_of_held(LawResult const& law, std::vector<Warning>& warnings) {
   if (auto const held = pinned(law); held.decides())
-    warnings.push_back({"at bound", fmt::format("{}: {}, so that its beta is no robustness", law.id, held.text())});
+    warnings.push_back(
+        {"at bound", fmt::format("{}: {}, so that its beta is no robustness", called(law), held.text())});
 }
 
 void warn_of_integration(LawResult const& law, std::vector<Warning>& warnings) {
@@ -222,11 +230,11 @@ void warn_of_integration(LawResult const& law, std::vector<Warning>& warnings) {
     warnings.push_back(
         {"integration",
          std::isfinite(largest)
-             ? fmt::format("{}: a finer integration step would move the objective by up to {:.2g} on {}", law.id,
+             ? fmt::format("{}: a finer integration step would move the objective by up to {:.2g} on {}", called(law),
                            largest, enumerate(devices))
              : fmt::format(
                    "{}: its force is not finite in finer integration steps on {}: the result is of the steps, not of the law",
-                   law.id, enumerate(devices))});
+                   called(law), enumerate(devices))});
 }
 
 // What several records have in common is said once.
@@ -242,8 +250,61 @@ void warn_of_records(Summary const& summary, std::vector<Warning>& warnings) {
     if (!told && !device.properties.reported && !device.properties.refusal.empty())
       beside(said, fmt::format("no cyclic properties: {}", device.properties.refusal)).push_back(device.name);
   }
-  for (auto const& [sentence, names] : said)
-    warnings.push_back({"record", fmt::format("{}: {}", enumerate(names), sentence)});
+  for (auto const& [sentence, names] : said) warnings.push_back(of_devices("record", names, sentence));
+}
+
+// A text cut at its numbers: what stands between them, and they.
+struct Cut {
+  std::vector<std::string> between;  // one more than numbers
+  std::vector<std::string> numbers;
+};
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+// Digits with a sign or a point; not those of a name or of an option's value ("--skew-ms 4" has one, "F2" none).
+Cut cut_at_numbers(std::string const& text) {
+  Cut made{.between = {""}, .numbers = {}};
+  for (std::size_t i = 0; i < text.size();) {
+    bool const in_word = i > 0 && (std::isalnum(static_cast<unsigned char>(text[i - 1])) != 0 || text[i - 1] == '_');
+    bool const is_signed = (text[i] == '-' || text[i] == '+') && (i == 0 || text[i - 1] == ' ');
+    std::size_t const first = i + (is_signed ? 1 : 0);
+    if (in_word || first >= text.size() || !is_digit(text[first])) {
+      made.between.back() += text[i++];
+      continue;
+    }
+    std::size_t end = first;
+    auto const digits = [&] {
+      while (end < text.size() && is_digit(text[end])) ++end;
+    };
+    digits();
+    if (end + 1 < text.size() && text[end] == '.' && is_digit(text[end + 1])) ++end, digits();
+    if (end + 2 < text.size() && text[end] == 'e' && (text[end + 1] == '-' || text[end + 1] == '+') &&
+        is_digit(text[end + 2]))
+      end += 2, digits();
+    made.numbers.push_back(text.substr(i, end - i));
+    made.between.emplace_back();
+    i = end;
+  }
+  return made;
+}
+
+// The least and the largest as they were written, where they differ.
+std::string span_of(std::vector<std::string> const& numbers) {
+  auto const value = [](std::string const& text) { return number_in<double>(text).value_or(0.0); };
+  auto const [least, largest] = std::ranges::minmax(numbers, {}, value);
+  return value(least) == value(largest) ? least : fmt::format("{} to {}", least, largest);
+}
+
+std::string merged(std::vector<Cut> const& cuts) {
+  std::string text = cuts.front().between.front();
+  for (std::size_t k = 0; k < cuts.front().numbers.size(); ++k) {
+    std::vector<std::string> numbers;
+    for (auto const& cut : cuts) numbers.push_back(cut.numbers[k]);
+    text += span_of(numbers) + cuts.front().between[k + 1];
+  }
+  return text;
 }
 
 }  // namespace
@@ -291,6 +352,34 @@ std::vector<Warning> warnings(Summary const& whole, Summary const& summary) {
     for (auto const& law : summary.laws) warn(law, all);
   warn_of_records(summary, all);
   return all;
+}
+
+std::vector<Warning> in_few_lines(std::vector<Warning> const& warnings) {
+  struct Kind {
+    std::string topic;
+    std::vector<Cut> cuts;
+    std::size_t place = 0;  // of its line
+  };
+  std::vector<Kind> kinds;
+  std::vector<Warning> lines;
+  for (auto const& warning : warnings) {
+    auto const cut = cut_at_numbers(warning.remark);
+    auto const same = std::ranges::find_if(kinds, [&](Kind const& kind) {
+      return kind.topic == warning.topic && kind.cuts.front().between == cut.between;
+    });
+    if (warning.devices.empty() || same == kinds.end()) {
+      if (!warning.devices.empty()) kinds.push_back({warning.topic, {cut}, lines.size()});
+      lines.push_back(warning);
+      continue;
+    }
+    same->cuts.push_back(cut);
+    auto& line = lines[same->place];
+    for (auto const& name : warning.devices)
+      if (std::ranges::find(line.devices, name) == line.devices.end()) line.devices.push_back(name);
+    line.remark = merged(same->cuts);
+    line.sentence = fmt::format("{}: {}", enumerate(line.devices, 3), line.remark);
+  }
+  return lines;
 }
 
 std::vector<Warning> warnings(Summary const& summary) {

@@ -17,6 +17,9 @@ struct Warning {
   // "not adequate", "prediction", "search", "undetermined", "outlier", "at bound", "integration", "record"
   std::string topic;
   std::string sentence;
+  // Of single devices: which, and what of them; the sentence holds both.
+  std::vector<std::string> devices = {};
+  std::string remark = {};
 };
 // What a reader does about a warning: "Look at the records", ...; those of one action stand together on the page.
 std::string_view action(Warning const& warning);
@@ -26,5 +29,9 @@ std::vector<Warning> warnings(Summary const& summary);
 // Of some of its laws and devices alone; what only the whole can tell, copies and whether a law describes the devices,
 // is taken from there.
 std::vector<Warning> warnings(Summary const& whole, Summary const& part);
+
+// For a terminal: remarks of one topic that differ in their numbers alone as one, "D01, D02 and 3 more: noise of 0.1 to
+// 0.3 mm ..."; each in full stands in JSON and on the page.
+std::vector<Warning> in_few_lines(std::vector<Warning> const& warnings);
 
 }  // namespace isolaw::study

@@ -11,6 +11,7 @@ namespace isolaw::laws {
 
 struct Trilinear {
   static constexpr LawInfo info{.id = "trilinear",
+                                .name = "Trilinear",
                                 .title = "Trilinear, two elements in parallel",
                                 .source = "Cucuzza et al. 2025, Eq. (1), with one element more",
                                 .force = kN,

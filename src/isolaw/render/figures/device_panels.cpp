@@ -44,8 +44,9 @@ void draw_panel(Script& script, std::string const& file, std::size_t index, Devi
   std::string plot = "plot ";
   if (panel.reference) plot += fmt::format("{} with lines ls {} dt 3, ", in_unit(*panel.reference), black);
   script.line("{}'{}' index {} using 1:({}-{}):(0):(2*{}) with vectors heads size 0.2,90 fixed ls {} dt 1, \\", plot,
-              file, index, column(3), column(4), column(4), blue);
-  script.line("  '' index {} using 1:{}{} with points ls {}", index, column(3), axis.using_suffix(), blue);
+              file, index, column(3), column(4), column(4), style_of(panel.law));
+  script.line("  '' index {} using 1:{}{} with points {}", index, column(3), axis.using_suffix(),
+              marked_style(panel.law));
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ struct DevicePanel {
   std::string title;       // drawn above; may be empty
   std::string name, unit;  // of the quantity
   MaybeNumber reference;   // mean of the devices, which percentages are of
+  std::size_t law = 0;     // that it is of, by its place in the summary
   std::vector<DevicePoint> points;
 };
 

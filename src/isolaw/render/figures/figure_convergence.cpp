@@ -79,14 +79,14 @@ std::string convergence_data(std::string const& about, std::vector<Curves> const
   return table.take();
 }
 
-void draw_spread(Script& script, std::string const& file, std::size_t index) {
-  script.line("plot '{}' index {} using 1:3:4 with filledcurves lc rgb '#b9d9ec' fs solid 1.0 noborder, \\", file,
-              index);
-  script.line("  '' index {} using 1:2 with lines ls {}", index, blue);
+void draw_spread(Script& script, std::string const& file, std::size_t index, std::size_t law) {
+  script.line("plot '{}' index {} using 1:3:4 with filledcurves lc rgb '{}' fs transparent solid 0.25 noborder, \\",
+              file, index, law_looks[look_of(law)].colour);
+  script.line("  '' index {} using 1:2 with lines ls {}", index, style_of(law));
 }
 
 std::string device_panels_script(std::string const& name, std::string const& about, std::vector<Curves> const& curves,
-                                 std::string_view steps) {
+                                 std::string_view steps, std::size_t law) {
   auto const grid = grid_of(curves.size(), 30.0, {.left = 14.5, .right = 2.5, .bottom = 9.5, .top = 5.5});
   Script script(name, about, grid.width_mm, grid.height_mm());
   script.line("set multiplot");
@@ -97,7 +97,7 @@ std::string device_panels_script(std::string const& name, std::string const& abo
     script.line("set xlabel '{}' offset 0,raise; set ylabel '{{/:Italic OF}} (-)' offset inward,0", steps);
     script.line("set xrange [1:{}]", std::max<std::size_t>(2, curves[i].steps.size()));
     set_log_axis(script, range_of(curves[i].steps));
-    draw_spread(script, name + ".dat", i);
+    draw_spread(script, name + ".dat", i, law);
   }
   script.line("unset multiplot");
   return script.take();
@@ -105,7 +105,7 @@ std::string device_panels_script(std::string const& name, std::string const& abo
 
 // The last of the curves is of all devices.
 std::string pooled_script(std::string const& name, std::string const& about, std::vector<Curves> const& curves,
-                          std::string_view steps) {
+                          std::string_view steps, std::size_t law) {
   Script script(name, about, single_column_mm, 62.0);
   script.margins(14.0, 3.0, 9.5, 7.0);
   script.line("set xlabel '{}' offset 0,raise; set ylabel '{{/:Italic OF}} (-)' offset inward,0", steps);
@@ -115,11 +115,11 @@ std::string pooled_script(std::string const& name, std::string const& about, std
       "set key at graph 0,1.02 left bottom horizontal Left reverse samplen 1.6 width (kind eq 'svg' ? -1.5 : 1)");
   auto const all = curves.size() - 1;
   script.line(
-      "plot '{}.dat' index {} using 1:3:4 with filledcurves lc rgb '#dcecf5' fs solid 1.0 noborder title 'range', \\",
-      name, all);
+      "plot '{}.dat' index {} using 1:3:4 with filledcurves lc rgb '{}' fs transparent solid 0.2 noborder title 'range', \\",
+      name, all, law_looks[look_of(law)].colour);
   script.line("  for [i=0:{}] '' index i using 1:2 with lines lc rgb '#9a9a9a' lw 0.6 title (i==0?'devices':''), \\",
               all - 1);
-  script.line("  '' index {} using 1:2 with lines ls {} lw 1.8 title 'median'", all, blue);
+  script.line("  '' index {} using 1:2 with lines ls {} lw 1.8 title 'median'", all, style_of(law));
   return script.take();
 }
 
@@ -140,8 +140,10 @@ MaybeFigure convergence_figure(Summary const& summary, LawResult const& law) {
   auto const steps = name_of_steps(summary);
   bool const pooled = curves.size() > most_panels;
   if (pooled) curves.push_back({"all devices", spreads(fits)});
+  auto const place = place_of(summary, law);
   return Figure{name, convergence_data(about, curves, steps),
-                pooled ? pooled_script(name, about, curves, steps) : device_panels_script(name, about, curves, steps)};
+                pooled ? pooled_script(name, about, curves, steps, place)
+                       : device_panels_script(name, about, curves, steps, place)};
 }
 
 }  // namespace isolaw::render

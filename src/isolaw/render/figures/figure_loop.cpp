@@ -4,6 +4,7 @@
 #include "isolaw/render/figures/gnuplot.hpp"
 #include "isolaw/study/drawn_samples.hpp"
 #include "isolaw/study/findings.hpp"
+#include "isolaw/study/spoken.hpp"
 
 namespace isolaw::render {
 namespace {
@@ -21,7 +22,8 @@ std::string loop_data(DeviceResult const& device, DeviceFit const& fit, std::str
   return table.take();
 }
 
-std::string loop_script(std::string const& name, std::string const& about, std::string const& title, bool has_time) {
+std::string loop_script(std::string const& name, std::string const& about, std::string const& title, bool has_time,
+                        std::size_t law) {
   constexpr double height_mm = 78.0, left = 14.0, split = 80.0, top = 7.0;
   Script script(name, about, double_column_mm, height_mm);
   auto const file = name + ".dat";
@@ -31,32 +33,34 @@ std::string loop_script(std::string const& name, std::string const& about, std::
   script.line("set label 1 {} noenhanced at graph 0,1.03", gnuplot_string(shortened(title, split + 8.0)));
   script.line("set xlabel 'Displacement (mm)' offset 0,raise; set ylabel 'Force (kN)' offset inward,0");
   script.line("plot '{0}' using 2:3 with lines ls {1} dt 1 lw 1.6, '{0}' using 2:4 with lines ls {2}", file, grey,
-              vermillion);
+              style_of(law));
   script.line("unset label 1");
   script.margins(split + 16.0, 3.0, 36.0, top);
   script.line("set key at graph 1,1.02 right bottom horizontal Left reverse width (kind eq 'svg' ? -2 : 1)");
   script.line("set xlabel ''; set format x ''");
   script.line(
       "plot '{0}' using 1:3 with lines ls {1} dt 1 lw 1.6 title 'measured', '{0}' using 1:4 with lines ls {2} title 'computed'",
-      file, grey, vermillion);
+      file, grey, style_of(law));
   script.line("unset key; set format x");
   script.margins(split + 16.0, 3.0, 9.5, height_mm - 33.5);
   script.line("set xlabel '{}' offset 0,raise; set ylabel 'Residual (kN)' offset inward,0", time_label(has_time));
-  script.line("plot 0 with lines ls {} lw 0.6, '{}' using 1:5 with lines ls {}", black, file, blue);
+  script.line("plot 0 with lines ls {} lw 0.6, '{}' using 1:5 with lines ls {}", black, file, style_of(law));
   script.line("unset multiplot");
   return script.take();
 }
 
 }  // namespace
 
-MaybeFigure loops_figure(DeviceResult const& device, LawResult const& law, std::string const& stem) {
+MaybeFigure loops_figure(Summary const& summary, DeviceResult const& device, LawResult const& law,
+                         std::string const& stem) {
   auto const* fit = fit_of(law, device.name);
   auto const samples = device.record.size();
   if (fit == nullptr || samples == 0 || fit->force_kN.size() != samples) return std::nullopt;
   auto const name = "loops_" + stem + "_" + law.id;
   std::string const about = "measured and computed force, Fig. 5; residual is measured less computed";
-  return Figure{name, loop_data(device, *fit, about),
-                loop_script(name, about, law.id + ", " + device.name, device.record.has_time())};
+  return Figure{
+      name, loop_data(device, *fit, about),
+      loop_script(name, about, called(law) + ", " + device.name, device.record.has_time(), place_of(summary, law))};
 }
 
 }  // namespace isolaw::render

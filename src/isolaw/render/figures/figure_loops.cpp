@@ -8,6 +8,7 @@
 #include "isolaw/render/figures/gnuplot.hpp"
 #include "isolaw/study/drawn_samples.hpp"
 #include "isolaw/study/findings.hpp"
+#include "isolaw/study/spoken.hpp"
 
 namespace isolaw::render {
 namespace {
@@ -16,16 +17,17 @@ struct LoopPanel {
   std::string title;
   DeviceFit const* fit = nullptr;  // null: none whose loop can be drawn
   std::string absence;             // why
+  std::size_t law = 0;             // its place in the summary
 };
 
 LoopPanel loop_panel(DeviceResult const& device, LawResult const& law) {
   auto const* fit = fit_of(law, device.name);
   if (fit != nullptr && fit_status(*fit) == "ok" && fit->force_kN.size() == device.record.size())
-    return {fmt::format("{}: OF = {:.4f}", law.id, fit->objective.best.value_or(0.0)), fit, {}};
-  if (fit == nullptr) return {law.id, nullptr, "not tried"};
+    return {fmt::format("{}: OF = {:.4f}", called(law), fit->objective.best.value_or(0.0)), fit, {}};
+  if (fit == nullptr) return {called(law), nullptr, "not tried"};
   auto reason = fit->refusal.empty() ? fit->failure : fit->refusal;
   reason = reason.substr(0, reason.find("; allowed: "));  // what may be done about it fills no panel
-  return {law.id, nullptr, std::string(fit_status(*fit)) + (reason.empty() ? "" : ": " + reason)};
+  return {called(law), nullptr, std::string(fit_status(*fit)) + (reason.empty() ? "" : ": " + reason)};
 }
 
 std::string loops_data(DeviceResult const& device, std::vector<LoopPanel> const& panels, std::string const& about) {
@@ -77,7 +79,7 @@ void draw_absence(Script& script, LoopPanel const& panel, double width_mm) {
 }
 
 // The device and the key, in a strip of the whole width: no panel is wide enough for the key in one line.
-void draw_head(Script& script, Grid const& grid, std::string const& device) {
+void draw_head(Script& script, Grid const& grid, std::string const& device, std::size_t law) {
   constexpr double key_mm = 45.0;
   script.margins(grid.margins.left, grid.margins.right, grid.height_mm() - grid.head_mm, 0.5);
   // What the panels set stands from the drawing before.
@@ -87,7 +89,7 @@ void draw_head(Script& script, Grid const& grid, std::string const& device) {
               gnuplot_string(shortened(device, grid.width_mm - grid.margins.left - key_mm)));
   script.line("set key at graph 1,0.5 right center horizontal Left reverse width (kind eq 'svg' ? -1 : 1)");
   script.line("plot NaN with lines ls {} dt 1 lw 1.6 title 'measured', NaN with lines ls {} title 'computed'", grey,
-              vermillion);
+              style_of(law));
   script.line("unset key; unset label 1; set border 31 lw 0.8; set tics scale 0.6");
 }
 
@@ -116,7 +118,7 @@ std::string loops_script(std::string const& name, std::string const& about, Devi
   force = force.padded(0.05);
   Script script(name, about, grid.width_mm, grid.height_mm());
   script.line("set multiplot");
-  draw_head(script, grid, device.name);
+  draw_head(script, grid, device.name, panels.front().law);
   script.line("set xrange [{}:{}]; set yrange [{}:{}]", number(disp.low), number(disp.high), number(force.low),
               number(force.high));
   if (disp.high > disp.low) script.line("set xtics {}", number(tick_step(disp.high - disp.low)));
@@ -129,7 +131,7 @@ std::string loops_script(std::string const& name, std::string const& about, Devi
       draw_absence(script, panels[i], grid.panel_width_mm());
     else
       script.line("plot '{0}.dat' using 2:3 with lines ls {1} dt 1 lw 1.6, '' using 2:{2} with lines ls {3}", name,
-                  grey, i + 4, vermillion);
+                  grey, i + 4, style_of(panels[i].law));
   }
   script.line("unset multiplot");
   return script.take();
@@ -140,7 +142,10 @@ std::string loops_script(std::string const& name, std::string const& about, Devi
 MaybeFigure loops_of_laws_figure(Summary const& summary, DeviceResult const& device, std::string const& stem) {
   if (device.record.size() == 0) return std::nullopt;
   std::vector<LoopPanel> panels;
-  for (auto const& law : summary.laws) panels.push_back(loop_panel(device, law));
+  for (auto const law : by_objective(summary)) {
+    panels.push_back(loop_panel(device, summary.laws[law]));
+    panels.back().law = law;
+  }
   if (std::ranges::none_of(panels, [](auto const& panel) { return panel.fit != nullptr; })) return std::nullopt;
   auto const name = "loops_" + stem;
   std::string const about =

@@ -4,12 +4,15 @@
 #include "isolaw/base/words.hpp"
 #include "isolaw/render/figures/device_panels.hpp"
 #include "isolaw/render/figures/figure_script.hpp"
+#include "isolaw/study/spoken.hpp"
 
 namespace isolaw::render {
 namespace {
 
-DevicePanel objective_panel(LawResult const& law, std::vector<std::string> const& devices) {
-  DevicePanel panel{.title = law.id, .name = "OF", .unit = "-", .reference = law.objective.mean, .points = {}};
+DevicePanel objective_panel(Summary const& summary, std::size_t place, std::vector<std::string> const& devices) {
+  auto const& law = summary.laws[place];
+  DevicePanel panel{
+      .title = called(law), .name = "OF", .unit = "-", .reference = law.objective.mean, .law = place, .points = {}};
   for (auto const& device : devices) {
     auto const* fit = fit_of(law, device);
     DevicePoint point{device, {}, {}};
@@ -23,7 +26,7 @@ DevicePanel objective_panel(LawResult const& law, std::vector<std::string> const
 std::vector<DevicePanel> objective_panels(Summary const& summary) {
   auto const devices = device_names(summary);
   std::vector<DevicePanel> panels;
-  for (auto const& law : summary.laws) panels.push_back(objective_panel(law, devices));
+  for (auto const law : by_objective(summary)) panels.push_back(objective_panel(summary, law, devices));
   return panels;
 }
 
@@ -53,14 +56,13 @@ void plot_laws(Script& script, std::string const& file, std::vector<DevicePanel>
                bool with_bars) {
   for (std::size_t i = 0; i < laws.size(); ++i) {
     auto const x = place_in_law(i, laws[i].points.size());
-    int const style = static_cast<int>(i % 8) + 1;
     std::string const start = i == 0 ? "plot " : "  ";
     if (with_bars)
       script.line(
           "{}'{}' index {} using {}:($3-$4):(0):(2*$4) with vectors heads size {},90 fixed ls {} dt 1 lw 0.8, \\",
-          start, file, i, x, number(0.2 / static_cast<double>(laws[i].points.size())), style);
-    script.line("{}'{}' index {} using {}:{} with points ls {}{}", with_bars ? "  " : start, file, i, x, column, style,
-                i + 1 < laws.size() ? ", \\" : "");
+          start, file, i, x, number(0.2 / static_cast<double>(laws[i].points.size())), style_of(laws[i].law));
+    script.line("{}'{}' index {} using {}:{} with points {}{}", with_bars ? "  " : start, file, i, x, column,
+                marked_style(laws[i].law), i + 1 < laws.size() ? ", \\" : "");
   }
 }
 
@@ -74,7 +76,7 @@ std::string objective_script(std::string const& name, std::string const& about, 
                   .margins = {.left = 16.0, .right = 3.0, .bottom = 6.5, .top = 2.5}};
   Script script(name, about, grid.width_mm, grid.height_mm());
   std::vector<std::string> tics;
-  for (auto const& law : laws) tics.push_back(fmt::format("{} {}", gnuplot_string(law.title), tics.size() + 1));
+  for (auto const& law : laws) tics.push_back(fmt::format("{} {}", law_tic(law.title), tics.size() + 1));
   script.line("set xrange [0.5:{}.5]; set xtics scale 0 noenhanced ({})", laws.size(), joined(tics));
   for (std::size_t i = 1; i < laws.size(); ++i)
     script.line("set arrow from first {0}.5,graph 0 to first {0}.5,graph 1 nohead ls {1} dt 3 lw 0.5", i, grey);

@@ -12,11 +12,16 @@ namespace isolaw::render {
 MaybeFigure parameters_figure(Summary const& summary, LawResult const& law) {
   auto const devices = device_names(summary);
   auto const& parameters = parameters_of(law);
+  auto const place = place_of(summary, law);
   std::vector<DevicePanel> panels;
   for (std::size_t n = 0; n < parameters.size(); ++n) {
     if (!parameters[n].free) continue;
-    DevicePanel panel{
-        .title = {}, .name = parameters[n].name, .unit = parameters[n].unit, .reference = {}, .points = {}};
+    DevicePanel panel{.title = {},
+                      .name = parameters[n].name,
+                      .unit = parameters[n].unit,
+                      .reference = {},
+                      .law = place,
+                      .points = {}};
     std::vector<double> means;
     for (auto const& device : devices) {
       DevicePoint point{device, {}, {}};

@@ -34,7 +34,7 @@ std::string record_script(std::string const& name, std::string const& about, std
     script.line("set ylabel '{}' offset inward,0", i == 0 ? "Displacement (mm)" : "Force (kN)");
     if (i == 0) script.line("set label 1 {} noenhanced at graph 0,1.06", gnuplot_string(shortened(title, 100.0)));
     script.line(
-        "plot '{0}.dat' index 0 using 1:{1} with lines ls {2} dt 1 lw 2 title 'before cleaning', '' index 1 using 1:{1} with lines ls {3} title 'after cleaning'",
+        "plot '{0}.dat' index 0 using 1:{1} with lines ls {2} dt 1 lw 2 title 'before cleaning', '' index 1 using 1:{1} with lines ls {3} dt 2 title 'after cleaning'",
         name, i + 2, grey, vermillion);
     if (i == 0) script.line("unset label 1; unset key");
   }

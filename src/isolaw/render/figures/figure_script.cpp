@@ -5,6 +5,7 @@
 
 #include "isolaw/base/json.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/symbol.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/render/figures/gnuplot.hpp"
 
@@ -88,14 +89,11 @@ Script::Script(std::string_view name, std::string_view about, double width_mm, d
   // A letter is wider and higher in the one than in the other, as gnuplot counts them: what brings labels as near.
   line("raise = kind eq 'svg' ? 0.75 : 0.35; inward = kind eq 'svg' ? 1.4 : 0.8");
   line("set output '{}.'.kind", name);
-  line("set style line 1 lc rgb '#0072B2' lw 1.2 pt 7 ps 0.45 dt 1  # blue");
-  line("set style line 2 lc rgb '#D55E00' lw 1.2 pt 5 ps 0.45 dt 2  # vermillion");
-  line("set style line 3 lc rgb '#009E73' lw 1.2 pt 9 ps 0.55 dt 4  # bluish green");
-  line("set style line 4 lc rgb '#CC79A7' lw 1.2 pt 11 ps 0.55 dt 5  # reddish purple");
-  line("set style line 5 lc rgb '#E69F00' lw 1.2 pt 13 ps 0.55 dt 2  # orange");
-  line("set style line 6 lc rgb '#56B4E9' lw 1.2 pt 6 ps 0.45 dt 1  # sky blue");
-  line("set style line 7 lc rgb '#000000' lw 1 pt 4 ps 0.45 dt 1  # black");
-  line("set style line 8 lc rgb '#7f7f7f' lw 1 pt 8 ps 0.55 dt 3  # grey");
+  for (std::size_t i = 0; i < law_look_count; ++i)
+    line("set style line {} lc rgb '{}' lw 1.2 pt {} ps 0.55 dt 1", style_of(i), law_looks[i].colour,
+         law_looks[i].point);
+  line("set style line {} lc rgb '#000000' lw 1 pt 4 ps 0.45 dt 1  # black", black);
+  line("set style line {} lc rgb '#7f7f7f' lw 1 pt 8 ps 0.55 dt 3  # grey", grey);
   line("set border lw 0.8");
   line("set tics scale 0.6");
   line("set key samplen 2.2 spacing 1.0 noenhanced");
@@ -121,6 +119,11 @@ std::string Script::take() {
   line("unset output");
   text_ += "}\n";
   return std::exchange(text_, {});
+}
+
+std::string marked_style(std::size_t law) {
+  auto const style = fmt::format("ls {}", style_of(law));
+  return is_hollow(law) ? style + fmt::format(" pt {}", law_looks[look_of(law)].hollow) : style;
 }
 
 std::string shortened(std::string_view text, double width_mm) {
@@ -156,6 +159,11 @@ Range Range::padded_log(double share) const {
   return {low / by, high * by, false};
 }
 
+std::string law_tic(std::string name) {
+  if (auto const bracket = name.find(" ("); bracket != std::string::npos) name.replace(bracket, 1, "\\n");
+  return '"' + name + '"';
+}
+
 Scale scale_for(Range const& range, std::string_view name, std::string_view unit) {
   double const largest = std::max(std::abs(range.low), std::abs(range.high));
   int const decade = largest > 0.0 ? static_cast<int>(std::floor(std::log10(largest))) : 0;
@@ -165,7 +173,7 @@ Scale scale_for(Range const& range, std::string_view name, std::string_view unit
   std::string inside = power == 0 ? "" : fmt::format("10^{}", power);
   if (has_unit) inside += (inside.empty() ? "" : " ") + std::string(unit);
   return {std::pow(10.0, power),
-          gnuplot_label(fmt::format("{} ({})", name, inside.empty() ? std::string("-") : inside))};
+          gnuplot_string(fmt::format("{} ({})", gnuplot_symbol(name), inside.empty() ? "-" : gnuplot_text(inside)))};
 }
 
 DeviceAxis::DeviceAxis(std::vector<std::string> const& devices, double axis_mm) : count(devices.size()) {

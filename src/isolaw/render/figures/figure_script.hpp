@@ -11,14 +11,22 @@
 #include <utility>
 #include <vector>
 
+#include "isolaw/render/results.hpp"
+#include "isolaw/study/law_look.hpp"
+
 namespace isolaw::render {
 
 inline constexpr double single_column_mm = 84.0, double_column_mm = 174.0;
 inline constexpr double letter_mm = 1.5;           // mean width of one at 7 pt
 inline constexpr std::size_t most_samples = 4000;  // of one curve; more cannot be seen at this size
 
-// Line styles of every script.
-inline constexpr int blue = 1, vermillion = 2, green = 3, purple = 4, orange = 5, sky = 6, black = 7, grey = 8;
+// Line styles of every script: those of the laws by their looks, from 1, and beside them two more.
+inline constexpr int blue = 1, vermillion = 2, green = 3, sky = 6, black = law_look_count + 1, grey = black + 1;
+constexpr int style_of(std::size_t law) {
+  return static_cast<int>(look_of(law)) + 1;
+}
+// The line style with the marker of a law, by its place in the summary.
+std::string marked_style(std::size_t law);
 
 // First line of every script, by which isolaw knows its own.
 inline constexpr std::string_view script_mark = "# A figure of isolaw: ";
@@ -93,6 +101,9 @@ struct Scale {
   std::string label;  // gnuplot's, with the unit: 'K1 (10^{3} N/m)'
 };
 Scale scale_for(Range const& range, std::string_view name, std::string_view unit);
+
+// A law below an axis, as a quoted string: what is in brackets stands in a second line.
+std::string law_tic(std::string name);
 
 // A logarithmic y axis with decades, or as many values between as it takes to read it.
 void set_log_axis(Script& script, Range const& range);

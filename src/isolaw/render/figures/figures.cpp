@@ -7,6 +7,7 @@
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/render/figures/figures_of.hpp"
+#include "isolaw/study/typical_device.hpp"
 
 namespace isolaw::render {
 namespace {
@@ -19,6 +20,8 @@ void for_each_lot_figure(Summary const& summary, std::function<void(MaybeFigure 
     use(parameters_figure(summary, law));
     use(convergence_figure(summary, law));
   }
+  use(published_objective_figure(summary));
+  for (auto const& law : summary.laws) use(published_parameters_figure(summary, law));
   use(properties_figure(summary));
 }
 
@@ -30,9 +33,11 @@ std::vector<std::string> device_stems(Summary const& summary) {
   return file_stems(names, laws);
 }
 
-// Of the first device that has one.
+// Of the device that stands for the lot, else of the first that has one.
 MaybeFigure loops_of_one_device(Summary const& summary) {
   auto const stems = device_stems(summary);
+  if (auto const typical = typical_device(summary))
+    if (auto figure = loops_of_laws_figure(summary, summary.devices[*typical], stems[*typical])) return figure;
   for (std::size_t d = 0; d < summary.devices.size(); ++d)
     if (auto figure = loops_of_laws_figure(summary, summary.devices[d], stems[d])) return figure;
   return std::nullopt;
@@ -43,7 +48,7 @@ void for_each_device_figure(Summary const& summary, std::function<void(MaybeFigu
   for (std::size_t d = 0; d < summary.devices.size(); ++d) {
     use(record_figure(summary.devices[d], stems[d]));
     use(loops_of_laws_figure(summary, summary.devices[d], stems[d]));
-    for (auto const& law : summary.laws) use(loops_figure(summary.devices[d], law, stems[d]));
+    for (auto const& law : summary.laws) use(loops_figure(summary, summary.devices[d], law, stems[d]));
   }
 }
 
@@ -59,6 +64,11 @@ std::string safe_stem(std::string_view name) {
 }
 
 }  // namespace
+
+std::size_t place_of(Summary const& summary, LawResult const& law) {
+  auto const found = std::ranges::find(summary.laws, law.id, &LawResult::id);
+  return static_cast<std::size_t>(found - summary.laws.begin());
+}
 
 FigureChoice figure_choice(std::string_view name) {
   if (name == "none") return FigureChoice::none;

@@ -1,6 +1,7 @@
 // One function per figure, each from the summary to data and script. Empty where there is nothing to draw.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -11,6 +12,9 @@ namespace isolaw::render {
 
 using MaybeFigure = std::optional<Figure>;
 using MaybeNumber = std::optional<double>;
+
+// Of a law of the summary, by which it is drawn.
+std::size_t place_of(Summary const& summary, LawResult const& law);
 
 // Accuracy against robustness, Fig. 14.
 MaybeFigure front_figure(Summary const& summary, FrontView view);
@@ -23,6 +27,11 @@ MaybeFigure objective_by_device_figure(Summary const& summary);
 // A panel per calibrated parameter over the devices, Figs. 8 to 13.
 MaybeFigure parameters_figure(Summary const& summary, LawResult const& law);
 
+// The published study's laws here beside what it prints, normalised as there, Figs. 6 and 8 to 13: none where fewer
+// than two of its laws are in the campaign.
+MaybeFigure published_objective_figure(Summary const& summary);
+MaybeFigure published_parameters_figure(Summary const& summary, LawResult const& law);
+
 // Best objective over generations, or descents: median and range over the runs.
 MaybeFigure convergence_figure(Summary const& summary, LawResult const& law);
 
@@ -30,7 +39,8 @@ MaybeFigure convergence_figure(Summary const& summary, LawResult const& law);
 MaybeFigure properties_figure(Summary const& summary);
 
 // Measured and computed loop, force over time, residual, Fig. 5. `stem` names the device in the files.
-MaybeFigure loops_figure(DeviceResult const& device, LawResult const& law, std::string const& stem);
+MaybeFigure loops_figure(Summary const& summary, DeviceResult const& device, LawResult const& law,
+                         std::string const& stem);
 
 // A panel per law with the measured and the computed loop of a device, Fig. 5.
 MaybeFigure loops_of_laws_figure(Summary const& summary, DeviceResult const& device, std::string const& stem);

@@ -88,7 +88,7 @@ std::string gnuplot_string(std::string_view text) {
   return quoted + "'";
 }
 
-std::string gnuplot_label(std::string_view text) {
+std::string gnuplot_text(std::string_view text) {
   std::string label;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (std::string_view("_@&~{}\\").find(text[i]) != std::string_view::npos) label += '\\';
@@ -99,7 +99,11 @@ std::string gnuplot_label(std::string_view text) {
     label += fmt::format("{{{}}}", text.substr(i + 1, end - i - 1));
     i = end - 1;
   }
-  return gnuplot_string(label);
+  return label;
+}
+
+std::string gnuplot_label(std::string_view text) {
+  return gnuplot_string(gnuplot_text(text));
 }
 
 DataTable& DataTable::comment(std::string_view text) {

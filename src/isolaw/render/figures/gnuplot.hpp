@@ -15,7 +15,9 @@ namespace isolaw::render {
 // `noenhanced` wherever it is drawn: _, ^, {, }, @, & and ~ are then printed as they are.
 std::string gnuplot_string(std::string_view text);
 
-// Text of our own for labels in enhanced mode, as a single-quoted string: "N/m^3" has its exponent raised.
+// Text of our own for labels in enhanced mode: "N/m^3" has its exponent raised.
+std::string gnuplot_text(std::string_view text);
+// The same as a single-quoted string.
 std::string gnuplot_label(std::string_view text);
 
 // Rows of numbers and quoted words, columns separated by spaces, blocks (gnuplot's `index`) by two empty lines.

@@ -5,6 +5,7 @@
 #include "isolaw/render/json/results_json.hpp"
 #include "isolaw/study/cycle_results.hpp"
 #include "isolaw/study/findings.hpp"
+#include "isolaw/study/verdict.hpp"
 
 namespace isolaw::render {
 namespace {
@@ -42,6 +43,7 @@ std::string inspection_json(Summary const& summary) {
   JsonWriter out(JsonWriter::Layout::indented);
   out.begin_object();
   out.member("schema", inspection_schema).member("isolaw", summary.version);
+  write_verdict(out, overall_verdict(summary));
   if (summary.devices.size() == 1) {
     write_device(out, summary.acceptance, summary.devices.front());
   } else {

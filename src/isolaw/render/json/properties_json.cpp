@@ -7,6 +7,7 @@
 #include "isolaw/render/json/results_json.hpp"
 #include "isolaw/study/acceptance_results.hpp"
 #include "isolaw/study/cycle_results.hpp"
+#include "isolaw/study/value_doubts.hpp"
 #include "isolaw/study/verdict.hpp"
 
 namespace isolaw::render {
@@ -157,6 +158,26 @@ void write_lot(JsonWriter& out, LotAcceptance const& acceptance) {
 
 }  // namespace
 
+void write_verdict(JsonWriter& out, OverallVerdict const& verdict) {
+  out.key("result").begin_object();
+  write_results(out, verdict_results, verdict, Digits::shown, [&](std::string_view key) {
+    auto const write = [&](auto const& rows, auto const& all) {
+      out.begin_array();
+      for (auto const& of : all) {
+        out.begin_object();
+        write_results(out, rows, of, Digits::shown);
+        out.end_object();
+      }
+      out.end_array();
+    };
+    if (key == "requirements")
+      write(requirement_results, verdict.requirements);
+    else
+      write(remark_results, key == "failing" ? verdict.failing : verdict.not_assessed);
+  });
+  out.end_object();
+}
+
 void write_properties(JsonWriter& out, LotAcceptance const& lot, DeviceResult const& device) {
   auto const& acceptance = device.acceptance;
   auto const& properties = device.properties;
@@ -180,7 +201,17 @@ void write_properties(JsonWriter& out, LotAcceptance const& lot, DeviceResult co
   out.key("verdict");
   auto const verdict = verdict_on(lot, device);
   verdict ? out.value(rules::name(*verdict)) : out.null();
-  write_assessments(out.key("assessments"), acceptance.assessments, acceptance.block);
+  auto const said = device_verdict(acceptance.assessments);
+  write_members(out, "verdict_brief", verdict ? said.brief() : std::string(), "verdict_text",
+                verdict ? said.text() : std::string());
+  out.key("doubts").begin_array();
+  for (auto const& doubt : value_doubts(device)) {
+    out.begin_object();
+    write_results(out, doubt_results, doubt, Digits::shown);
+    out.end_object();
+  }
+  out.end_array().key("assessments");
+  write_assessments(out, acceptance.assessments, acceptance.block);
 }
 
 void write_acceptance(JsonWriter& out, LotAcceptance const& acceptance) {

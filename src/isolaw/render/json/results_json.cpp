@@ -1,5 +1,7 @@
 #include "isolaw/render/json/results_json.hpp"
 
+#include "isolaw/study/published_results.hpp"
+
 namespace isolaw::render {
 namespace {
 
@@ -85,9 +87,32 @@ void write_recommendations(JsonWriter& out, study::Summary const& summary,
       out.begin_object().member("law", summary.laws[standing.law].id).member("place", study::name(standing.place));
       out.member("error", standing.error).member("reason", standing.reason).end_object();
     }
-    out.end_array().member("answer", each.answer).member("title", each.title).end_object();
+    out.end_array().member("answer", each.answer).member("title", each.title).member("valid", each.valid);
+    out.member("programs", each.programs).end_object();
   }
   out.end_array();
+}
+
+void write_published(JsonWriter& out, study::Summary const& summary, Digits digits) {
+  out.key("published");
+  auto const made = study::published(summary);
+  if (!made) {
+    out.null();
+    return;
+  }
+  auto const rows = [&](std::string_view key, auto const& results, auto const& all) {
+    out.key(key).begin_array();
+    for (auto const& each : all) {
+      out.begin_object();
+      write_results(out, results, each, digits);
+      out.end_object();
+    }
+    out.end_array();
+  };
+  out.begin_object().member("source", made->source).member("verdict", made->verdict);
+  rows("laws", study::published_law_results, made->laws);
+  rows("statements", study::published_statement_results, made->statements);
+  out.end_object();
 }
 
 void write_warnings(JsonWriter& out, std::vector<study::Warning> const& warnings) {

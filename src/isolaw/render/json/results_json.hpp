@@ -58,6 +58,9 @@ void write_outliers(JsonWriter& out, std::vector<OutlyingDevice> const& outliers
 void write_recommendations(JsonWriter& out, study::Summary const& summary,
                            std::vector<study::Recommendation> const& made);
 
+// "published": the campaign beside the published study; null where too few of its laws are there.
+void write_published(JsonWriter& out, study::Summary const& summary, Digits digits);
+
 // "warnings": what findings() warns of, `topic` and `sentence` each.
 void write_warnings(JsonWriter& out, std::vector<study::Warning> const& warnings);
 

@@ -127,6 +127,7 @@ std::string summary_json(Summary const& summary) {
   write_members(out, "complete", runs == 0 && analyses == 0, "missing_runs", runs, "missing_analyses", analyses);
   write_warnings(out, warnings(summary));
   write_recommendations(out, summary, recommendations(summary));
+  write_published(out, summary, Digits::all);
   out.end_object();
   return out.take() + "\n";
 }

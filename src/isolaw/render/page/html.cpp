@@ -1,10 +1,13 @@
 #include "isolaw/render/page/html.hpp"
 
+#include <fmt/format.h>
+
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "isolaw/render/json/results_json.hpp"
 #include "isolaw/render/page/page_data.hpp"
+#include "isolaw/study/law_look.hpp"
 
 namespace isolaw::render {
 namespace {
@@ -44,6 +47,17 @@ std::string asked_json(campaign::Acceptance const& asked) {
   return out.take();
 }
 
+// The colours of the laws, as the style sheet names its others.
+std::string law_colours() {
+  std::string light, dark;
+  for (std::size_t i = 0; i < law_look_count; ++i) {
+    light += fmt::format(" --law-{}: {};", i + 1, law_looks[i].colour);
+    dark += fmt::format(" --law-{}: {};", i + 1, law_looks[i].on_dark);
+  }
+  return fmt::format(":root {{{} }}\n@media (prefers-color-scheme: dark) {{ :root:not([data-printing]) {{{} }} }}",
+                     light, dark);
+}
+
 }  // namespace
 
 std::string html(Summary const& summary) {
@@ -51,6 +65,7 @@ std::string html(Summary const& summary) {
   std::map<std::string_view, std::string> const contents{
       {"title", html_escaped(title)},
       {"style", std::string(embedded_text(page_files(), "page.css"))},
+      {"law_colours", law_colours()},
       {"plotly", inline_script(embedded_text(page_files(), "plotly-basic.min.js"))},
       {"asked", script_safe(asked_json(summary.asked))},
       {"data", script_safe(page_data_json(summary))},

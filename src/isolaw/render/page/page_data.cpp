@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "isolaw/analysis/determination.hpp"
+#include "isolaw/base/symbol.hpp"
 #include "isolaw/campaign/maker.hpp"
 #include "isolaw/num/statistics.hpp"
 #include "isolaw/render/json/properties_json.hpp"
@@ -14,6 +16,11 @@
 #include "isolaw/study/cycle_results.hpp"
 #include "isolaw/study/drawn_samples.hpp"
 #include "isolaw/study/findings.hpp"
+#include "isolaw/study/front_view.hpp"
+#include "isolaw/study/law_look.hpp"
+#include "isolaw/study/published_results.hpp"
+#include "isolaw/study/typical_device.hpp"
+#include "isolaw/study/verdict.hpp"
 
 namespace isolaw::render {
 namespace {
@@ -115,7 +122,7 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
 }
 
 // What of a parameter is the same on every device: it stands once, in the law.
-constexpr auto of_the_law = columns(parameter_results, {"unit", "free"});
+constexpr auto of_the_law = columns(parameter_results, {"unit", "free", "paper_name"});
 
 // Columns, not rows: the names of the properties stand once a fit, those of the parameters in the law.
 void write_parameter_columns(JsonWriter& out, std::vector<ParameterFit> const& parameters) {
@@ -212,7 +219,7 @@ void write_lot_law(JsonWriter& out, LotLaw const& lot) {
   write_results(out, lot_law_results, lot, Digits::shown, [&](std::string_view key) {
     write_values(out, key == "parameters" ? lot.parameters : lot.worst_parameters, shown_digits);
   });
-  out.end_object();
+  out.member("at_bound", lot.at_bound).end_object();
 }
 
 // What is shown of it: not its covariances.
@@ -282,6 +289,28 @@ void write_findings(JsonWriter& out, Summary const& summary) {
   out.member("converged", found.converged).end_object();
 }
 
+// In which order laws are shown, which device of the lot is shown first, how laws are marked.
+void write_shown(JsonWriter& out, Summary const& summary) {
+  out.key("by_objective").begin_array();
+  for (auto const law : by_objective(summary))
+    if (summary.laws[law].objective.mean) out.value(std::uint64_t{law});
+  out.end_array().key("typical_device");
+  if (auto const device = typical_device(summary))
+    out.value(std::uint64_t{*device});
+  else
+    out.null();
+  out.key("symbols").begin_array();
+  for (auto const& look : law_looks) out.value(look.symbol);
+  out.end_array().key("stands").begin_object();
+  for (auto const view : front_views) {
+    std::vector<std::string> standing;
+    for (auto const& point : front_points(summary, view))
+      if (point.stands) standing.push_back(point.law);
+    out.member(key(view), standing);
+  }
+  out.end_object();
+}
+
 // What the words of the verdicts mean, so that the page says it with the numbers that were used.
 void write_thresholds(JsonWriter& out) {
   out.key("thresholds").begin_object();
@@ -320,6 +349,8 @@ void write_all_headings(JsonWriter& out) {
   write_headings(out, "determination", analysis_results);
   write_headings(out, "scores", score_results);
   write_headings(out, "outliers", outlier_results);
+  write_headings(out, "published_laws", study::published_law_results);
+  write_headings(out, "published_statements", study::published_statement_results);
   write_headings(out, "blocks", block_results);
   write_headings(out, "cycles", cycle_results);
   write_headings(out, "stability", stability_results);
@@ -335,6 +366,32 @@ void write_all_headings(JsonWriter& out) {
     out.begin_object().member("name", name).member("key", key).end_object();
   }
   out.end_array();
+}
+
+// How names are set: [letter, index].
+void write_symbols(JsonWriter& out, Summary const& summary) {
+  std::set<std::string_view> parameters;
+  for (auto const& law : summary.laws)
+    for (auto const& parameter : parameters_of(law)) {
+      parameters.insert(parameter.name);
+      if (!parameter.paper_name.empty()) parameters.insert(parameter.paper_name);
+    }
+  std::set<std::string_view> words;
+  for (auto const word : symbol_words()) words.insert(word);
+  for (auto const name : parameters)
+    if (symbol_of(name).is_greek()) words.insert(name);
+  auto const write = [&](std::string_view key, std::set<std::string_view> const& names) {
+    out.key(key).begin_object();
+    for (auto const name : names) {
+      auto const symbol = symbol_of(name);
+      out.key(name).begin_array().value(symbol.letter).value(symbol.index).end_array();
+    }
+    out.end_object();
+  };
+  out.key("notation").begin_object();
+  write("words", words);
+  write("parameters", parameters);
+  out.end_object();
 }
 
 }  // namespace
@@ -354,9 +411,13 @@ std::string page_data_json(Summary const& summary) {
   for (auto const& setting : summary.settings) out.key(setting.key).json(setting.json);
   out.end_object();
   write_findings(out, summary);
+  write_shown(out, summary);
   write_outliers(out.key("outliers"), summary.outliers, Digits::shown);
+  write_published(out, summary, Digits::shown);
   write_thresholds(out);
   write_all_headings(out);
+  write_symbols(out, summary);
+  write_verdict(out, overall_verdict(summary));
   out.key("assessment");
   write_acceptance(out, summary.acceptance);
   out.key("devices").begin_array();

@@ -24,7 +24,7 @@ std::string identifiability_csv(Summary const& summary) {
 std::string converged_csv(Summary const& summary) {
   constexpr auto of_law =
       columns(law_results, {"id", "objective_converged", "beta_converged", "on_front_converged",
-                            "beta: beta, as published", "on_front: on front, as published", "success_share",
+                            "beta: beta, mean of the runs", "on_front: on front, mean of the runs", "success_share",
                             "success_reference", "loo_objective", "loo_worst", "loo_worst_device", "on_front_loo"});
   constexpr auto of_lot =
       columns(lot_law_results, {"mean_objective", "worst_objective", "least_worst_objective", "least_worst_bound"});

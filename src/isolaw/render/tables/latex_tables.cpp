@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/symbol.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/render/tables/table_rows.hpp"
 #include "isolaw/study/findings.hpp"
+#include "isolaw/study/spoken.hpp"
 
 namespace isolaw::render {
 namespace {
@@ -106,9 +108,10 @@ std::string block_row(LawResult const& law, Quantity const& quantity, std::vecto
   int const power = power_of(law, quantity);
   auto unit = latex_unit(quantity.unit);
   if (power != 0) unit = fmt::format("$10^{{{}}}${}{}", power, unit.empty() ? "" : " ", unit);
-  std::string row = quantity.n ? "" : latex_text(law.id);
-  row += " & " + (quantity.n ? latex_text(quantity.name) : std::string("$\\mathit{OF}$"));
+  std::string row = quantity.n ? "" : latex_text(called(law));
+  row += " & " + (quantity.n ? latex_symbol(quantity.name) : std::string("$\\mathit{OF}$"));
   if (!unit.empty()) row += " (" + unit + ")";
+  if (!quantity.paper_name.empty()) row += ", paper: " + latex_symbol(quantity.paper_name);
   if (!quantity.free) row += ", fixed";
   for (std::size_t i = 0; i < columns; ++i) {
     if (i >= devices.size()) {
@@ -143,10 +146,11 @@ Letters longest_texts(Summary const& summary, std::vector<std::string> const& de
   auto const raise = [](std::size_t& to, std::size_t letters) { to = std::max(to, letters); };
   for (auto const& device : devices) raise(longest.head, std::min(printable(device).size(), longest_head));
   for (auto const& law : summary.laws) {
-    raise(longest.law, law.id.size());
+    raise(longest.law, called(law).size());
     for (auto const& quantity : quantities_of(law)) {
       int const power = power_of(law, quantity);
-      raise(longest.quantity, quantity.name.size() + quantity.unit.size() + 8);  // a power of ten, brackets
+      auto const there = quantity.paper_name.empty() ? std::size_t{0} : quantity.paper_name.size() + 8;
+      raise(longest.quantity, quantity.name.size() + quantity.unit.size() + there + 8);  // a power of ten, brackets
       for (auto const& fit : law.devices) {
         auto const statistic = statistic_of(fit, quantity);
         raise(longest.value, visible(latex_number(scaled(statistic.mean, power))));
@@ -268,7 +272,7 @@ std::string robustness_tex(Summary const& summary) {
   text += "Law & \\multicolumn{3}{c}{$\\mathit{OF}$} & $\\beta$ & Non-dominated \\\\\n\\cmidrule(lr){2-4}\n";
   text += " & mean & std & best & & \\\\\n\\midrule\n";
   for (auto const& law : summary.laws)
-    text += fmt::format("{} & {} & {} & {} & {} & {} \\\\\n", latex_text(law.id), latex_number(law.objective.mean),
+    text += fmt::format("{} & {} & {} & {} & {} & {} \\\\\n", latex_text(called(law)), latex_number(law.objective.mean),
                         latex_number(law.objective.std), latex_number(law.objective.best), latex_number(law.beta),
                         yes(law.on_front));
   return text + "\\bottomrule\n\\end{tabular}\n";
@@ -288,9 +292,10 @@ std::string front_tex(Summary const& summary) {
     text +=
         fmt::format("Law & $\\mathit{{OF}}$ & {} & Non-dominated & Dominated by \\\\\n\\midrule\n", head_of_x(view));
     for (auto const& point : points) {
-      auto const others = dominating(points, point);
+      auto others = dominating(points, point);
+      for (auto& law : others) law = laws::called(law);
       text +=
-          fmt::format("{} & {} & {} & {} & {} \\\\\n", latex_text(point.law), latex_number(point.y),
+          fmt::format("{} & {} & {} & {} & {} \\\\\n", latex_text(laws::called(point.law)), latex_number(point.y),
                       latex_number(point.x), yes(point.on_front), others.empty() ? "--" : latex_text(joined(others)));
     }
   }

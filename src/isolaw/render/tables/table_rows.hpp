@@ -16,6 +16,7 @@ struct Quantity {
   std::string name, unit;
   bool free = true;
   std::optional<std::size_t> n;
+  std::string paper_name = {};  // in the paper's tables, where it is another one
 };
 std::vector<Quantity> quantities_of(LawResult const& law);
 

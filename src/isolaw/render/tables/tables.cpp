@@ -88,7 +88,7 @@ std::string robustness_csv(Summary const& summary) {
 
 std::string table_a5_csv(Summary const& summary) {
   CsvTable table;
-  table.add("law", "quantity", "unit", "calibrated");
+  table.add("law", "quantity", "unit", "calibrated", "in the paper");
   auto const devices = device_names(summary);
   for (auto const& device : devices) table.add(device + " mean", device + " std", device + " best");
   table.end_row();
@@ -96,6 +96,7 @@ std::string table_a5_csv(Summary const& summary) {
     for (auto const& quantity : quantities_of(law)) {
       table.add(law.id, quantity.name, quantity.unit);
       quantity.n ? table.add(quantity.free) : table.empty(1);
+      table.add(quantity.paper_name);
       for (auto const& device : devices) table.add(statistic_of(law, device, quantity));
       table.end_row();
     }

@@ -7,10 +7,12 @@
 #include <cmath>
 #include <iterator>
 
+#include "isolaw/base/number_text.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/study/cycle_results.hpp"
 #include "isolaw/study/findings.hpp"
+#include "isolaw/study/spoken.hpp"
 #include "isolaw/study/verdict.hpp"
 
 namespace isolaw::render {
@@ -33,7 +35,7 @@ void print_list(std::string& text, char const* title, std::vector<std::string> c
 void print_channel(std::string& text, char const* name, std::vector<double> const& values, char const* unit) {
   if (values.empty()) return;
   auto const [least, largest] = std::ranges::minmax(values);
-  add(text, "  {:<14}{:>12.4g} to {:>10.4g} {}\n", name, least, largest, unit);
+  add(text, "  {:<14}{:>12} to {:>10} {}\n", name, number_text(least), number_text(largest), unit);
 }
 
 std::string number(std::optional<double> const& value, int decimals) {
@@ -78,10 +80,10 @@ void print_block(std::string& text, DeviceResult const& device, data::Block cons
   auto const& reported = device.properties.reported;
   for (auto const& c : block.cycles) {
     int const stiffness = decimals_for(std::abs(c.K_eff_kN_per_mm));
-    add(text, "  {:>5} {:>9.2f} {:>9.{}f} {:>9} {:>9} {:>10.4g} {:>8} {:>9.4g} {:>9.{}f}",
+    add(text, "  {:>5} {:>9.2f} {:>9.{}f} {:>9} {:>9} {:>10} {:>8} {:>9} {:>9.{}f}",
         c.counts() ? fmt::to_string(c.number) : "-", c.amplitude_mm, c.K_eff_kN_per_mm, stiffness,
-        number(c.K_plus(), stiffness), number(c.K_minus(), stiffness), c.energy_kN_mm, number(c.damping(), 2), c.Q_d_kN,
-        c.K_d_kN_per_mm, stiffness);
+        number(c.K_plus(), stiffness), number(c.K_minus(), stiffness), number_text(c.energy_kN_mm),
+        number(c.damping(), 2), number_text(c.Q_d_kN), c.K_d_kN_per_mm, stiffness);
     if (loads) add(text, " {:>9}", number(c.N_mean_kN, 1));
     if (reported && c.counts() && reported->block == c.block && reported->number == c.number) text += "  reported";
     if (!c.counts()) add(text, "  not counted: {}", c.not_counted);
@@ -194,8 +196,8 @@ void print_devices(std::string& text, Summary const& summary) {
     else if (cycle == nullptr)
       add(text, "no cyclic properties: {}\n", device.properties.refusal);
     else
-      add(text, "{:>5} {:>5} {:>9.2f} {:>9.4f} {:>10.4g} {:>8}  {}\n", cycle->block, cycle->number, cycle->amplitude_mm,
-          cycle->K_eff_kN_per_mm, cycle->energy_kN_mm, number(cycle->damping(), 2),
+      add(text, "{:>5} {:>5} {:>9.2f} {:>9.4f} {:>10} {:>8}  {}\n", cycle->block, cycle->number, cycle->amplitude_mm,
+          cycle->K_eff_kN_per_mm, number_text(cycle->energy_kN_mm), number(cycle->damping(), 2),
           summary.acceptance.has_rules() ? device_verdict(acceptance.assessments).text() : "");
   }
 }
@@ -203,7 +205,7 @@ void print_devices(std::string& text, Summary const& summary) {
 void print_quantities(std::string& text, rules::LotView const& lot) {
   add(text, "\n{:<9} {:<6} {:>3} {:>10} {:>7} {:>10} {:>10} {:>10} {:>8} {:>8}\n", "lot", "unit", "n", "mean", "CoV %",
       "min", "max", "design", "mean %", "worst %");
-  auto const significant = [](std::optional<double> const& v) { return v ? fmt::format("{:.4g}", *v) : "-"; };
+  auto const significant = [](std::optional<double> const& v) { return v ? number_text(*v) : "-"; };
   auto const percent = [](std::optional<double> const& v) { return v ? fmt::format("{:+.1f}", *v) : "-"; };
   for (auto const& q : lot.quantities)
     add(text, "{:<9} {:<6} {:>3} {:>10} {:>7} {:>10} {:>10} {:>10} {:>8} {:>8}\n", rules::name(q.quantity), q.unit,
@@ -221,9 +223,9 @@ void print_factors(std::string& text, rules::LotView const& lot) {
       "max", "lower", "upper");
   for (auto const& q : lot.quantities)
     for (auto const& b : q.bounds) {
-      add(text, "  {:<9} {:<28} {:>7} {:>7.3f} {:>10} {:>10.4g} {}", rules::name(q.quantity), b.source,
+      add(text, "  {:<9} {:<28} {:>7} {:>7.3f} {:>10} {:>10} {}", rules::name(q.quantity), b.source,
           b.no_lower.empty() ? fmt::format("{:.3f}", b.combined.min) : "-", b.combined.max,
-          b.no_lower.empty() ? fmt::format("{:.4g}", b.lower) : "-", b.upper, q.unit);
+          b.no_lower.empty() ? number_text(b.lower) : "-", number_text(b.upper), q.unit);
       if (!b.no_lower.empty()) add(text, "  {} (k = {:.4g})", b.no_lower, *q.tolerance_factor);
       text += '\n';
     }
@@ -234,10 +236,10 @@ void print_factors(std::string& text, rules::LotView const& lot) {
           t->min_cycle, printable(q.test_min_device), t->max, t->max_cycle, printable(q.test_max_device));
 }
 
-// Of several devices: what each table row leaves out. A refusal stands in the row.
+// Of several devices: what each table row leaves out, what many share once. A refusal stands in the row.
 void print_warnings(std::string& text, Summary const& summary) {
   std::vector<std::string> lines;
-  for (auto const& warning : findings(summary).warnings)
+  for (auto const& warning : in_few_lines(findings(summary).warnings))
     if (warning.topic != "refused") lines.push_back(printable(warning.sentence));
   print_list(text, "Warnings", lines);
 }
@@ -263,7 +265,7 @@ void print_lot(std::string& text, Summary const& summary) {
 }  // namespace
 
 std::string inspection_text(Summary const& summary) {
-  std::string text;
+  auto text = study::capitalised(overall_verdict(summary).text()) + "\n\n";
   if (summary.devices.size() == 1) {
     print_device_in_full(text, summary.devices.front());
     print_rule_set(text, summary.acceptance);

@@ -46,6 +46,12 @@ std::string fixed(std::optional<double> const& value, int decimals) {
   return value && std::isfinite(*value) ? bounded(*value, decimals) : "–";
 }
 
+// A standard deviation below what is printed of its mean is no zero.
+std::string spread(std::optional<double> const& std) {
+  constexpr double least = 1e-4;
+  return std && *std > 0.0 && *std < least / 2.0 ? "<1e-4" : fixed(std, 4);
+}
+
 // A law in a table: its place, its name, cells aligned to the right, what stands after them.
 struct Row {
   std::string place, id;
@@ -84,7 +90,7 @@ std::string law_table(Summary const& summary) {
     bool const found = law.objective.mean.has_value();
     rows.push_back({found ? std::to_string(++place) : "–",
                     printable(law.id),
-                    {found ? fixed(law.objective.mean, 4) + " ± " + fixed(law.objective.std, 4) : "–",
+                    {found ? fixed(law.objective.mean, 4) + " ± " + spread(law.objective.std) : "–",
                      fixed(law.objective.best, 4), fixed(law.beta, 3), front_mark(found && law.beta, law.on_front),
                      fixed(mean_magnitude(law, &DeviceFit::K_eff_error_percent), 1),
                      fixed(mean_magnitude(law, &DeviceFit::energy_error_percent), 1)}});
@@ -315,8 +321,11 @@ std::string answer(Summary const& summary, Findings const& found, int width) {
         each.law ? fmt::format("{} ({})", summary.laws[*each.law].id, name(each.sure)) : std::string("none");
     auto const open =
         each.would_decide.empty() ? std::string() : fmt::format(" Would tell more: {}.", each.would_decide);
-    text += wrapped("", fmt::format("{}: {}. {}{}", each.title, law, each.why, open), 2, width);
+    auto const shown = each.valid.empty() ? std::string() : fmt::format(" Shown {}.", each.valid);
+    text += wrapped("", fmt::format("{}: {}. {}{}{}", each.title, law, each.why, shown, open), 2, width);
   }
+  if (auto const& lacking = found.recommendations.front().programs; !lacking.empty())
+    text += wrapped("", lacking + ".", 2, width);
   return text + '\n';
 }
 
@@ -357,7 +366,7 @@ std::string ranking(Summary const& summary, int width) {
   for (auto const& sentence : found.converged) text += wrapped("", sentence, 0, width);
   if (!found.warnings.empty()) {
     text += "\nTake care:\n";
-    for (auto const& warning : found.warnings) text += wrapped("  -", warning.sentence, 4, width);
+    for (auto const& warning : in_few_lines(found.warnings)) text += wrapped("  -", warning.sentence, 4, width);
   }
   text += '\n';
   if (found.beta_note.empty()) return text + front_plot(summary, width);

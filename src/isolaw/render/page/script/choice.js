@@ -1,23 +1,31 @@
 // What the reader has chosen, and what follows it.
 
-import { devices, drawable, examinedLaws, firstExamined, lotLaws, ranking, tested } from './report.js';
-import { FIRST } from './purposes.js';
+import {
+  devices, drawable, examinedLaws, firstExamined, lotLaws, predictedByFit, ranking, report, tested,
+} from './report.js';
+import { FIRST, recommended } from './purposes.js';
 import { FIRST_VIEW } from './views.js';
+
+// The device that stands for the lot, where it can be shown.
+const shownFirst = (among) => among.find((device) => device.index === report.typical_device) ?? among[0];
 
 // A figure names the keys that change it.
 export const chosen = {
-  device: drawable[0]?.index ?? null,
-  tested: tested.find((device) => device.blocks.length > 0)?.index ?? tested[0]?.index ?? null,
+  device: shownFirst(drawable)?.index ?? null,
+  tested:
+    (tested.find(({ verdict }) => verdict === 'fail') ?? shownFirst(tested.filter((device) => device.blocks.length > 0)) ?? tested[0])?.index ??
+    null,
   block: 'all',
-  laws: new Set(ranking.slice(0, 2).map((law) => law.index)),
+  laws: new Set(recommended.map((law) => law.index)),
   grouping: 'law',
   purpose: FIRST, // of the first screen
   view: FIRST_VIEW,
   examined: examinedLaws[0]?.index ?? null, // a law
   parameter: firstExamined(examinedLaws[0]), // its place among the law's
   lotLaw: lotLaws[0]?.index ?? null,
+  predicted: predictedByFit[1]?.index ?? null, // beside the law that predicts best
   law: ranking[0]?.index ?? null, // of the parameters
-  order: 'objective', // of the laws on a device
+  order: { key: 'best OF\n-', down: false }, // of the laws on a device
 };
 
 // What follows a choice: controls that show the same one, figures that depend on it.

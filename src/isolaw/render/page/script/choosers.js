@@ -20,6 +20,6 @@ export function deviceChooser(id, among, key) {
 }
 
 export const lawChooser = (key, among, changes = () => ({})) =>
-  chooser(key, 'Law', among.map((law) => [law.index, law.id]), chosen[key], (index) =>
+  chooser(key, 'Law', among.map((law) => [law.index, law.name]), chosen[key], (index) =>
     choose({ [key]: Number(index), ...changes(laws[index]) }),
   );

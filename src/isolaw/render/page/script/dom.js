@@ -1,11 +1,18 @@
 // Elements of the document, and whether it is on paper.
 
+import { typeset, unset } from './symbols.js';
+
+// What is typed and what files are called stands as it is.
+const LITERAL = new Set(['code', 'pre', 'a', 'kbd']);
+
+const setIn = (tag) => (child) => (typeof child === 'string' && !LITERAL.has(tag) ? typeset(child) : [child]);
+
 export function element(tag, attributes = {}, ...children) {
   const node = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
-    if (value !== null && value !== undefined && value !== false) node.setAttribute(name, value === true ? '' : value);
+    if (value !== null && value !== undefined && value !== false) node.setAttribute(name, value === true ? '' : unset(String(value)));
   }
-  node.append(...children.filter((child) => child !== null && child !== undefined));
+  node.append(...children.filter((child) => child !== null && child !== undefined).flatMap(setIn(tag)));
   return node;
 }
 

@@ -5,6 +5,7 @@
 import { download } from './csv.js';
 import { element } from './dom.js';
 import { PLOT_CONFIG, styled, theme } from './plotting.js';
+import { typeset, unset } from './symbols.js';
 
 export const drawn = new Map(); // figure -> {node, body, caption, seen, stale}
 
@@ -20,16 +21,25 @@ export function render(figure) {
   const place = drawn.get(figure);
   if (place.stale && figure.build) place.body.replaceChildren(figure.build());
   place.stale = false;
-  if (figure.caption) place.caption.textContent = figure.caption();
+  if (figure.caption) place.caption.replaceChildren(...typeset(figure.caption()));
   if (!figure.draw) return;
   const look = theme();
   const width = place.body.clientWidth,
     height = reserve(figure);
   const { traces, layout } = figure.draw(look, width);
-  place.body.setAttribute('aria-label', figure.title + '. ' + (figure.caption ? figure.caption() : ''));
   Plotly.react(place.body, traces, styled({ ...layout, width, height }, look), {
     ...PLOT_CONFIG,
     displayModeBar: width > 480 ? 'hover' : false,
+  });
+  describe(place.body, [figure.title, figure.caption?.()].filter(Boolean).join('. '));
+}
+
+// A plot is one picture to those who do not see it, its buttons beside it.
+function describe(body, text) {
+  body.querySelectorAll('.main-svg').forEach((svg, i) => {
+    if (i > 0) return svg.setAttribute('aria-hidden', 'true');
+    svg.setAttribute('role', 'img');
+    return svg.setAttribute('aria-label', unset(text));
   });
 }
 
@@ -45,7 +55,7 @@ export function buildFigure(figure, observer) {
     head.append(button);
   }
   const controls = figure.controls ? element('div', { class: 'controls' }, ...figure.controls()) : null;
-  const body = element('div', figure.draw ? { class: 'plot', role: 'img', 'aria-label': figure.title } : {});
+  const body = element('div', figure.draw ? { class: 'plot' } : {});
   const caption = figure.caption ? element('figcaption') : null;
   const node = element(
     'figure',
@@ -56,7 +66,7 @@ export function buildFigure(figure, observer) {
     caption,
   );
   if (figure.build) body.append(figure.build());
-  if (figure.caption) caption.textContent = figure.caption();
+  if (figure.caption) caption.replaceChildren(...typeset(figure.caption()));
   drawn.set(figure, { node, body, caption, seen: false, stale: Boolean(figure.draw) });
   observer.observe(node);
   node.figure = figure;

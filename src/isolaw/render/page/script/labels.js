@@ -1,39 +1,66 @@
 // Where labels of a plot go.
 
-// Where each label of a scatter goes: the first side where it meets no point, no label placed before, and not the
-// stair that joins `stair`, the indices of points from left to right. Ranges as drawn, width and height in pixels.
-export function labelPlaces(points, stair, xRange, yRange, width, height) {
-  const at = points.map((p) => [
-    ((p.x - xRange[0]) / (xRange[1] - xRange[0])) * width,
-    (1 - (p.y - yRange[0]) / (yRange[1] - yRange[0])) * height,
-  ]);
-  const taken = at.map(([x, y]) => [x - 7, y - 7, x + 7, y + 7]);
-  for (let k = 1; k < stair.length; ++k) {
-    const [x0, y0] = at[stair[k - 1]],
-      [x1, y1] = at[stair[k]];
-    taken.push([x0, y0 - 1, x1, y0 + 1], [x1 - 1, y0, x1 + 1, y1]);
+const MARKER = 8, // pixels about a point that belong to its marker
+  LETTERS = 16; // height of a label
+
+const meet = (a, b) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
+
+// Whether a line from one point to another enters a box.
+function enters([x0, y0], [x1, y1], box) {
+  const steps = Math.max(2, Math.ceil(Math.hypot(x1 - x0, y1 - y0) / 4));
+  for (let k = 1; k < steps; ++k) {
+    const x = x0 + ((x1 - x0) * k) / steps,
+      y = y0 + ((y1 - y0) * k) / steps;
+    if (x > box[0] && x < box[2] && y > box[1] && y < box[3]) return true;
   }
-  return points.map((point, i) => {
-    const [x, y] = at[i],
-      w = 7 * point.label.length,
-      h = 16;
-    const sides = {
-      'top center': [x - w / 2, y - 8 - h, x + w / 2, y - 8],
-      'middle right': [x + 9, y - h / 2, x + 9 + w, y + h / 2],
-      'bottom center': [x - w / 2, y + 8, x + w / 2, y + 8 + h],
-      'middle left': [x - 9 - w, y - h / 2, x - 9, y + h / 2],
-      'top right': [x + 5, y - 5 - h, x + 5 + w, y - 5],
-      'bottom right': [x + 5, y + 5, x + 5 + w, y + 5 + h],
-    };
-    const free =
-      Object.keys(sides).find((side) => {
-        const b = sides[side];
-        if (b[0] < -40 || b[2] > width + 10) return false;
-        return taken.every((t, k) => k === i || b[2] < t[0] || t[2] < b[0] || b[3] < t[1] || t[3] < b[1]);
-      }) ?? 'top center';
-    taken.push(sides[free]);
-    return free;
+  return false;
+}
+
+// Where each label of a scatter goes: beside its point or, joined to it by a line, where there is room; on no point, on no
+// label and inside the plot, not on the stair that joins `stair`, the indices of points from left to right, where it can
+// be helped. points: [{x, y, width}], in pixels of a plot of that width and height, `others` those that have no label; gives
+// the middles of the labels.
+export function labelPlaces(points, stair, width, height, others = []) {
+  const markers = [...points, ...others].map(({ x, y }) => [x - MARKER, y - MARKER, x + MARKER, y + MARKER]);
+  const steps = stair.slice(1).flatMap((to, k) => {
+    const [{ x: x0, y: y0 }, { x: x1, y: y1 }] = [points[stair[k]], points[to]];
+    return [
+      [Math.min(x0, x1), y0 - 1, Math.max(x0, x1), y0 + 1],
+      [x1 - 1, Math.min(y0, y1), x1 + 1, Math.max(y0, y1)],
+    ];
   });
+  const placed = [],
+    lines = [];
+  for (const [i, point] of points.entries()) {
+    const w = point.width / 2 + 1,
+      h = LETTERS / 2;
+    const sides = [[0, -1], [1, 0], [0, 1], [-1, 0], [1, -1], [1, 1], [-1, 1], [-1, -1]].map(([dx, dy]) => ({
+      x: point.x + dx * (w + (dy === 0 ? MARKER + 2 : 4)),
+      y: point.y + dy * (h + (dx === 0 ? MARKER + 1 : 4)),
+      beside: true,
+    }));
+    const anywhere = [];
+    for (let y = h + 2; y <= height - h - 2; y += 3)
+      for (let x = w + 2; x <= width - w - 2; x += 6) anywhere.push({ x, y, beside: false });
+    const cost = ({ x, y, beside }, place) => {
+      const box = [x - w, y - h, x + w, y + h];
+      if (box[0] < 1 || box[1] < 1 || box[2] > width - 1 || box[3] > height - 1) return Infinity;
+      if ([...markers, ...placed].some((other) => meet(box, other))) return Infinity;
+      const covered = steps.filter((step) => meet(box, step)).length + lines.filter(([from, to]) => enters(from, to, box)).length;
+      if (beside) return place + 30 * covered;
+      const from = [point.x, point.y];
+      const crossed = [...markers.filter((_, k) => k !== i), ...placed].filter((other) => enters(from, [x, y], other)).length;
+      return 40 + Math.hypot(Math.max(0, Math.abs(x - point.x) - w), Math.max(0, Math.abs(y - point.y) - h)) + 200 * crossed + 30 * covered;
+    };
+    const cheapest = (some) =>
+      some.map((candidate, place) => ({ candidate, cost: cost(candidate, place) })).reduce((a, b) => (b.cost < a.cost ? b : a));
+    const near = cheapest(sides);
+    const best = (near.cost < 30 ? near : cheapest([...sides, ...anywhere])).candidate;
+    placed.push([best.x - w, best.y - h, best.x + w, best.y + h]);
+    if (!best.beside) lines.push([[point.x, point.y], [best.x, best.y]]);
+    point.label = best;
+  }
+  return points.map(({ label }) => label);
 }
 
 // Places of least movement for labels that are `gap` apart at least, between `low` and `high`; `wanted` ascends.

@@ -2,14 +2,12 @@
 
 import { element } from './dom.js';
 import { colourOf, isAgain } from './plotting.js';
-import { laws, report } from './report.js';
+import { doesNotPredict, laws, report } from './report.js';
 import { enumerate } from './text.js';
 
 export function lawKey(law) {
   return element('span', { class: isAgain(law) ? 'key again' : 'key', style: `border-color: var(--${colourOf(law)})` });
 }
-
-const doesNotPredict = (law) => law.prediction_grade === 'poor' || law.prediction_grade === 'unusable';
 
 // A law's name; where it does not predict, that stands beside it wherever it is recommended.
 function predictionBadge(law) {
@@ -20,11 +18,13 @@ function predictionBadge(law) {
   );
 }
 
+export const nameOf = (id) => laws.find((law) => law.id === id)?.name ?? id;
+
 export const lawName = (law) =>
   element(
     'span',
     {},
-    element('b', { class: 'strong' }, law.id),
+    element('b', { class: 'strong' }, law.name),
     ...(doesNotPredict(law) ? [' ', predictionBadge(law)] : []),
   );
 
@@ -32,17 +32,17 @@ export const lawName = (law) =>
 export function withBadges(text) {
   const parts = [text];
   for (const law of laws.filter(doesNotPredict)) {
-    const name = new RegExp('(?<![\\w-])' + law.id.replace(/[^\w]/g, '\\$&') + '(?![\\w-])');
+    const name = new RegExp('(?<![\\w-])' + law.name.replace(/[^\w]/g, '\\$&') + '(?![\\w-]| [(])');
     const at = parts.findIndex((part) => typeof part === 'string' && name.test(part));
     if (at < 0) continue;
-    const end = parts[at].search(name) + law.id.length;
+    const end = parts[at].search(name) + law.name.length;
     parts.splice(at, 1, parts[at].slice(0, end) + ' ', predictionBadge(law), parts[at].slice(end));
   }
   return parts;
 }
 
 export function predictionNote(among) {
-  const graded = (grade) => among.filter((law) => law.prediction_grade === grade).map((law) => law.id);
+  const graded = (grade) => among.filter((law) => law.prediction_grade === grade).map((law) => law.name);
   const parts = ['unusable', 'poor'].filter((grade) => graded(grade).length > 0);
   return parts.length > 0
     ? ' Prediction across the record: ' + parts.map((grade) => grade + ' of ' + enumerate(graded(grade))).join('; ') + '.'

@@ -16,13 +16,18 @@ import { parametersSection } from './parameters/section.js';
 import { predictionSection } from './prediction/section.js';
 import { propertiesSection } from './properties/section.js';
 import { provenanceSection } from './provenance/section.js';
+import { publishedSection } from './published/section.js';
 import { devices, inspection, laws, report, usable } from './report.js';
+import { joinTables, partTables } from './tables.js';
+import { typeset } from './symbols.js';
 import { count } from './text.js';
+import { verdictSection } from './verdict/section.js';
+import { WORDS } from './verdicts.js';
 
 // In the order of the page.
 const SECTIONS = [
-  decisionSection, accuracySection, loopsSection, parametersSection, determinationSection, oneLawSection,
-  predictionSection, propertiesSection, devicesSection, certificateSection, provenanceSection,
+  verdictSection, decisionSection, accuracySection, loopsSection, parametersSection, determinationSection, oneLawSection,
+  predictionSection, publishedSection, propertiesSection, devicesSection, certificateSection, provenanceSection,
 ];
 
 function buildPage() {
@@ -34,6 +39,11 @@ function buildPage() {
     ...(inspection ? [] : [count(laws.length, 'law'), 'seed ' + report.seed]),
     'isolaw ' + report.isolaw,
   ].join(' \u00b7 ');
+  const { word } = report.result;
+  if (word && !inspection)
+    document
+      .getElementById('facts')
+      .append(' \u00b7 ', element('a', { class: 'word ' + WORDS[word].tone, href: '#devices', title: report.result.sentence }, word));
   document.getElementById('colophon').append(
     'Made by isolaw ' + report.isolaw +
       (inspection ? ' from the test records' : ' from the campaign\u2019s store') + '. This file needs no network',
@@ -62,14 +72,16 @@ function buildPage() {
       { id: section.id, 'aria-labelledby': section.id + '-title' },
       element('h2', { id: section.id + '-title' }, section.title),
     );
+    section.adorn?.(node);
     if (section.id === 'decision' && report.missing_runs + report.missing_analyses > 0)
       node.append(element('p', { class: 'warnings' }, element('b', {}, incomplete())));
     const grid = element('div', { class: 'figures' });
-    if (section.controls) grid.append(element('div', { class: 'controls' }, ...section.controls()));
+    const controls = section.controls?.() ?? [];
+    if (controls.length > 0) grid.append(element('div', { class: 'controls' }, ...controls));
     grid.append(...figures.map((figure) => buildFigure(figure, observer)));
     node.append(grid);
     main.append(node);
-    contents.append(element('a', { href: '#' + section.id }, section.title));
+    contents.append(element('a', { href: '#' + section.id }, section.short ?? section.title));
   }
   onChoice(redrawDependents);
   for (const figure of drawn.keys()) if (figure.draw) reserve(figure);
@@ -107,14 +119,16 @@ window.addEventListener('beforeprint', () => {
   document.documentElement.dataset.printing = '';
   redraw({ everything: true });
   for (const details of document.querySelectorAll('details.law')) details.print();
-  for (const details of document.querySelectorAll('.warnings details, .steps.warned')) details.open = true;
+  for (const details of document.querySelectorAll('.warnings details, .steps.warned, #figure-published-laws details')) details.open = true;
+  partTables();
 });
 
 window.addEventListener('afterprint', () => {
   delete document.documentElement.dataset.printing;
+  joinTables();
   for (const details of document.querySelectorAll('details.law')) details.restore();
   redraw();
-  for (const [figure, place] of drawn) if (figure.caption) place.caption.textContent = figure.caption();
+  for (const [figure, place] of drawn) if (figure.caption) place.caption.replaceChildren(...typeset(figure.caption()));
 });
 
 window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => redraw());

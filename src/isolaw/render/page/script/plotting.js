@@ -1,13 +1,15 @@
 // What all plots share.
 
+import { report } from './report.js';
+import { inFigure } from './symbols.js';
 import { isNumber, plain, significant } from './text.js';
 
-// Colours return after so many laws; symbols are then open and keys dashed.
-const COLOURS = 8;
+// Colours and symbols return after so many laws; symbols are then open and keys dashed.
+export const SYMBOLS = report.symbols;
+const COLOURS = SYMBOLS.length;
 export const colourOf = (law) => 'law-' + ((law.index % COLOURS) + 1);
 export const isAgain = (law) => law.index >= COLOURS;
 
-export const SYMBOLS = ['circle', 'square', 'diamond', 'triangle-up', 'triangle-down', 'cross', 'x', 'star'];
 const DASHES = ['solid', 'dash', 'dashdot', 'dot', 'longdash', 'longdashdot', '6px,3px', '10px,3px,2px,3px'];
 export const NARROW = 620; // pixels: a telephone
 
@@ -53,10 +55,12 @@ export function styled(layout, look) {
     const own = result[name];
     const title =
       typeof own.title === 'string'
-        ? { text: own.title, standoff: 6, font: { size: 12.5, color: look.colour('muted') } }
+        ? { text: inFigure(own.title), standoff: 6, font: { size: 12.5, color: look.colour('muted') } }
         : own.title;
     result[name] = { ...axis, ...own, title };
   }
+  if (result.annotations)
+    result.annotations = result.annotations.map((one) => ({ ...one, text: inFigure(one.text ?? '') }));
   return result;
 }
 
@@ -75,6 +79,13 @@ export function paddedRange(values, share) {
     high = Math.max(...values),
     margin = share * (high - low || Math.abs(low) || 1);
   return [low - margin, high + margin];
+}
+
+// The width of a text in a plot, in pixels.
+const pen = document.createElement('canvas').getContext('2d');
+export function textWidth(look, text, size) {
+  pen.font = size + 'px ' + look.font;
+  return pen.measureText(text).width;
 }
 
 // Places of equal width with names below, as many as there is room for.

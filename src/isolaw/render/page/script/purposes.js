@@ -1,7 +1,7 @@
 // What the reader wants a law for: what the first screen shows, chart, list, headline and ranking, follows it.
 
-import { laws, report } from './report.js';
-import { enumerate, fixed, isNumber, percentText } from './text.js';
+import { doesNotPredict, laws, lawsByObjective, report } from './report.js';
+import { THIN, enumerate, fixed, isNumber, percentText } from './text.js';
 import { VIEWS, isPlaced } from './views.js';
 
 const byId = new Map(laws.map((law) => [law.id, law]));
@@ -29,15 +29,26 @@ export const standingsOf = (purpose) =>
 export const errorText = (error) =>
   !isNumber(error) ? '\u2013' : error < 10 ? percentText(Number(error.toPrecision(2))) : '> 1000\u202f%';
 
+const NAMED_AT_FIRST = 3;
+
+// The laws that are named first wherever laws can be chosen: those of the first answer, none that does not predict.
+export const recommended = (() => {
+  const purpose = PURPOSES.find(({ id }) => id === FIRST);
+  const named = purpose?.recommendation?.law
+    ? standingsOf(purpose).filter(({ place }) => place === 'taken' || place === 'ties').map(({ law }) => law)
+    : lawsByObjective.slice(0, 1);
+  return named.filter((law) => !doesNotPredict(law)).slice(0, NAMED_AT_FIRST);
+})();
+
 export const viewOf = (id) => VIEWS.find((view) => view.id === id);
 
-// The answer in a sentence; of robustness that of the view: as the paper has it, or who is on the front there.
+// The answer in a sentence; of robustness that of the view: the program's of the mean of the runs, else who is on the front.
 export function answerOf(purpose, viewId) {
   if (purpose.recommendation) return purpose.answer;
   const view = viewOf(viewId);
-  if (view.id === 'published') return report.findings.headline;
+  if (view.id === 'runs') return report.findings.headline;
   const front = placedIn(view).filter((law) => view.onFront(law));
-  return 'On the front ' + view.title + ': ' + enumerate(front.map(({ id }) => id)) + '.';
+  return 'On the front ' + view.title + ': ' + enumerate(front.map(({ name }) => name)) + '.';
 }
 
 // The laws of a view, from accurate to not.
@@ -52,8 +63,8 @@ export function numbersOf(purpose, viewId) {
     const [accurate, robust] = [least(view.accurate), least(view.robust)];
     return [
       [String(worth), (worth === 1 ? 'law' : 'laws') + ' on the front'],
-      [fixed(view.accurate(accurate), 4), 'least OF, ' + accurate.id],
-      [fixed(view.robust(robust), 3), 'least \u03b2, ' + robust.id],
+      [fixed(view.accurate(accurate), 4), 'least OF, ' + accurate.name],
+      [fixed(view.robust(robust), 3), 'least \u03b2, ' + robust.name],
     ];
   }
   const { recommendation } = purpose;
@@ -61,13 +72,15 @@ export function numbersOf(purpose, viewId) {
   if (!recommendation.law)
     return [
       [String(laws.length), laws.length === 1 ? 'law tried' : 'laws tried'],
-      [errorText(first?.error), 'least error, ' + first?.law.id],
+      [errorText(first?.error), 'least error, ' + first?.law.name],
       ['none', 'can be taken'],
     ];
   const free = first.law.parameters.filter((parameter) => parameter.free).length;
+  const parameters = [String(free), free === 1 ? 'parameter' : 'parameters'];
+  const shown = [recommendation.valid.replace('up to ', '').replace(' ', THIN), 'shown to'];
   return [
-    [errorText(recommendation.error), 'its error'],
-    [second ? errorText(second.error) : '\u2013', second ? 'next, ' + second.law.id : 'no other law'],
-    [String(free), free === 1 ? 'parameter' : 'parameters'],
+    [errorText(recommendation.error), 'error'],
+    [second ? errorText(second.error) : '\u2013', second ? 'next, ' + second.law.name : 'no other law'],
+    purpose.id === 'simplest' || recommendation.valid === '' ? parameters : shown,
   ];
 }

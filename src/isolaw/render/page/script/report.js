@@ -27,13 +27,16 @@ export const tested = devices.filter((device) => device.raw?.samples > 0); // wh
 export const inspection = laws.length === 0; // records alone, no identification
 export const ranking = report.findings.verdicts.map((verdict) => laws[verdict.law]);
 
-export const lawsByObjective = laws
-  .filter((law) => law.objective.mean !== null)
-  .sort((a, b) => a.objective.mean - b.objective.mean);
+export const lawsByObjective = report.by_objective.map((index) => laws[index]);
 
 export const examinedLaws = lawsByObjective.filter((law) => law.devices.some((fit) => fit.determination !== null));
 export const lotLaws = lawsByObjective.filter((law) => law.lot !== null);
+// Those that miss the blocks they were not fitted to.
+export const doesNotPredict = (law) => law.prediction_grade === 'poor' || law.prediction_grade === 'unusable';
 export const predictedLaws = lawsByObjective.filter((law) => law.predicted_objective !== null);
+
+// The best at what it was not fitted to first.
+export const predictedByFit = [...predictedLaws].sort((a, b) => a.predicted_objective - b.predicted_objective);
 
 // Places of the parameters that were examined on some device.
 export function examinedPlaces(law) {

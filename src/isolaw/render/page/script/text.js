@@ -87,10 +87,16 @@ export function rangeText([low, high], unit) {
 export const limitText = (limit) => (limit ? sentence(limit).replace(/-(?=\d)/g, MINUS) : DASH);
 export const deviation = (percent, decimals = 1) => (isNumber(percent) ? signed(percent, decimals) + THIN + '%' : DASH);
 
+// A standard deviation below what is printed is no zero.
+export function spreadText(std, decimals) {
+  const least = 10 ** -decimals;
+  return ' \u00b1 ' + (std > 0 && std < least / 2 ? '<' + fixed(least, decimals) : fixed(std, decimals));
+}
+
 export const objectiveText = (statistic) =>
   statistic.mean === null
     ? DASH
-    : fixed(statistic.mean, 4) + (statistic.std === null ? '' : ' \u00b1 ' + fixed(statistic.std, 4));
+    : fixed(statistic.mean, 4) + (statistic.std === null ? '' : spreadText(statistic.std, 4));
 
 export function enumerate(names, most = 5) {
   if (names.length > most) return names.slice(0, most - 1).join(', ') + ' and ' + (names.length - most + 1) + ' more';

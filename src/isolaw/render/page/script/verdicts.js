@@ -27,12 +27,15 @@ export const VERDICTS = {
   'not assessed': { tone: 'muted', filled: false, path: 'M1.5 6 H10.5', mark: '', symbol: 'line-ew-open' },
 };
 
-export function verdictBadge(verdict) {
+// Of the whole, by the colours of those of single limits.
+export const WORDS = { PASS: { tone: 'good', verdict: 'pass' }, FAIL: { tone: 'poor', verdict: 'fail' }, INCOMPLETE: { tone: 'care', verdict: 'not assessed' } };
+
+export function verdictBadge(verdict, text = verdict) {
   const known = VERDICTS[verdict] ?? VERDICTS['not assessed'];
   const colour = 'var(--' + known.tone + ')';
   const shapes = [[known.path, known.filled ? colour : 'none', colour]];
   if (known.mark) shapes.push([known.mark, 'none', known.filled ? 'var(--paper)' : colour]);
-  return element('span', { class: 'verdict ' + known.tone }, icon(...shapes), verdict);
+  return element('span', { class: 'verdict ' + known.tone }, icon(...shapes), text);
 }
 
 export function assessmentData(among) {

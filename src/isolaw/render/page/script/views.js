@@ -4,7 +4,7 @@ import { isNumber } from './text.js';
 // Accuracy against robustness, three ways; those that some law has both coordinates of.
 export const VIEWS = [
   {
-    id: 'published',
+    id: 'runs',
     title: 'mean of the runs',
     robust: (law) => law.beta,
     accurate: (law) => law.objective.mean,
@@ -12,7 +12,7 @@ export const VIEWS = [
     whyNot: (law) => law.beta_note,
     axes: ['robustness index β [-], smaller is more robust', 'mean objective OF [-], smaller is more accurate'],
     columns: ['beta [-]', 'mean OF [-]'],
-    says: 'as the paper has it: lower is more accurate, further left its parameters agree better from device to device.',
+    says: 'lower is more accurate, further left its parameters agree better from device to device.',
   },
   {
     id: 'converged',

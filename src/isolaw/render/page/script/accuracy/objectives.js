@@ -27,9 +27,9 @@ export const objectiveDevicesFigure = {
       (chosen.grouping === 'law' ? '; the line across is the law\u2019s mean over the devices. ' : '. ') +
       (best === worst
         ? ''
-        : best.id +
+        : best.name +
           ' is closest to the records on average (' +
-          fixed(best.objective.mean, 4) + '), ' + worst.id + ' furthest (' + fixed(worst.objective.mean, 4) + '). ');
+          fixed(best.objective.mean, 4) + '), ' + worst.name + ' furthest (' + fixed(worst.objective.mean, 4) + '). ');
     if (hardness.length > 1)
       text +=
         hardness[0].device.name +
@@ -57,7 +57,7 @@ function drawObjectives(look) {
       }))
       .filter((entry) => isNumber(entry.fit?.objective.mean));
     traces.push({
-      name: plain(law.id),
+      name: plain(law.name),
       mode: 'markers',
       x: found.map((entry) => entry.x),
       y: found.map((entry) => entry.fit.objective.mean),
@@ -68,7 +68,7 @@ function drawObjectives(look) {
       marker: { color: look.law(law), symbol: symbolOf(law), size: members * groups > 300 ? 5 : 7 },
       text: found.map((entry) => plain(entry.device.name)),
       customdata: found.map((entry) => objectiveText(entry.fit.objective)),
-      hovertemplate: '<b>' + plain(law.id) + '</b> on %{text}<br>OF %{customdata}<extra></extra>',
+      hovertemplate: '<b>' + plain(law.name) + '</b> on %{text}<br>OF %{customdata}<extra></extra>',
     });
     if (byLaw) {
       traces.push({
@@ -77,7 +77,7 @@ function drawObjectives(look) {
       });
     }
   });
-  const names = byLaw ? lawsByObjective.map((law) => law.id) : shown.map((device) => short(device.name));
+  const names = byLaw ? lawsByObjective.map((law) => law.name) : shown.map((device) => short(device.name));
   return {
     traces,
     layout: {

@@ -76,7 +76,7 @@ function spreadCaption() {
     'Standard deviation of OF over the runs, a mark a device: what the search adds by itself.' +
     (least.law === most.law
       ? ''
-      : ' Smallest for ' + least.law.id + ' (median ' + significant(least.value, 2) + '), largest for ' + most.law.id +
+      : ' Smallest for ' + least.law.name + ' (median ' + significant(least.value, 2) + '), largest for ' + most.law.name +
         ' (' + significant(most.value, 2) + ').')
   );
 }
@@ -87,7 +87,7 @@ function relativeCaption() {
     'Mean OF of a device against the mean over the devices. A law whose marks lie close together suits all devices alike' +
     (least.law === most.law
       ? '.'
-      : ': ' + least.law.id + ' does most (within ' + fixed(least.value, 0) + THIN + '%), ' + most.law.id + ' least (' +
+      : ': ' + least.law.name + ' does most (within ' + fixed(least.value, 0) + THIN + '%), ' + most.law.name + ' least (' +
         fixed(most.value, 0) + THIN + '%).')
   );
 }
@@ -100,13 +100,13 @@ function byLaw(entries, look, text) {
     traces: shownLaws.map((law, i) => {
       const own = entries.filter((entry) => entry.law === law);
       return {
-        name: plain(law.id), mode: 'markers', x: own.map(({ device }) => i + 0.64 * places.get(device)),
+        name: plain(law.name), mode: 'markers', x: own.map(({ device }) => i + 0.64 * places.get(device)),
         y: own.map(({ value }) => value), text: own.map(({ device }) => plain(device.name)), customdata: own.map(text),
         marker: { color: look.law(law), symbol: symbolOf(law), size: entries.length > 300 ? 4 : 6 },
-        hovertemplate: '<b>' + plain(law.id) + '</b> on %{text}<br>%{customdata}<extra></extra>',
+        hovertemplate: '<b>' + plain(law.name) + '</b> on %{text}<br>%{customdata}<extra></extra>',
       };
     }),
-    xaxis: namedAxis(shownLaws.map((law) => law.id), shownLaws.length),
+    xaxis: namedAxis(shownLaws.map((law) => law.name), shownLaws.length),
   };
 }
 

@@ -1,7 +1,7 @@
 import { element } from '../dom.js';
 import { lotQuantities } from '../lot.js';
 import { report } from '../report.js';
-import { tableOf } from '../tables.js';
+import { said, tableOf } from '../tables.js';
 import { THIN, count, significant, unitText } from '../text.js';
 
 export const certificateBoundsFigure = {
@@ -63,14 +63,14 @@ function boundsTable() {
   const bounds = boundRows();
   const first = (i) => i === 0 || bounds[i - 1].property !== bounds[i].property;
   const columns = [
-    { title: 'Property', pinned: true, cell: (b, i) => element('b', { class: 'strong' }, first(i) ? b.property : '') },
-    { title: 'Unit', tight: true, cell: (b, i) => (first(i) ? unitText(b.unit) : '') },
-    { title: 'Design value', number: true, cell: (b, i) => (first(i) ? significant(b.nominal, 4) : '') },
-    { title: 'Mean of the lot', number: true, cell: (b, i) => (first(i) ? significant(b.mean, 4) : '') },
+    { title: 'Property', pinned: true, cell: (b, i) => said(first(i), element('b', { class: 'strong' }, b.property)) },
+    { title: 'Unit', tight: true, cell: (b, i) => said(first(i), element('span', {}, unitText(b.unit))) },
+    { title: 'Design value', number: true, cell: (b, i) => said(first(i), element('span', {}, significant(b.nominal, 4))) },
+    { title: 'Mean of the lot', number: true, cell: (b, i) => said(first(i), element('span', {}, significant(b.mean, 4))) },
     { title: 'Lower bound', number: true, cell: (b) => significant(b.lower, 4) },
     { title: 'Upper bound', number: true, cell: (b) => significant(b.upper, 4) },
     { title: 'Bounds', tight: true, cell: (b) => b.of },
     { title: 'From', cell: (b) => element('td', { class: 'note text' }, b.from) },
   ];
-  return tableOf(columns, bounds, 'Lower and upper bound values', (_, i) => (first(i) ? 'group' : null));
+  return tableOf(columns, bounds, 'Lower and upper bound values', { className: (_, i) => (first(i) ? 'group' : null) });
 }

@@ -3,7 +3,7 @@ import { element } from '../dom.js';
 import { deviceValue, lotQuantities } from '../lot.js';
 import { devices, headingOf, report } from '../report.js';
 import { tableOf } from '../tables.js';
-import { DASH, enumerate, fixed, significant, unitText } from '../text.js';
+import { DASH, enumerate, fixed, sentence, significant, unitText } from '../text.js';
 import { verdictBadge } from '../verdicts.js';
 import { commonlyOpen, deviceVerdict } from './verdict.js';
 
@@ -21,6 +21,7 @@ const certificateProperties = () =>
   lotQuantities.length > 0
     ? lotQuantities.map((quantity) => ({
         title: quantity.quantity,
+        quantity: quantity.quantity,
         unit: quantity.unit,
         value: (device) => deviceValue(device, quantity.quantity)?.value,
       }))
@@ -29,16 +30,19 @@ const certificateProperties = () =>
         value: (device) => reportedCycle(device)?.[key],
       }));
 
-// What sets a device apart, in its test and in the laws' misfits.
-function apart(device) {
-  const own = (outliers) => outliers.filter((outlier) => outlier.device === device.name);
-  const tested = lotQuantities.length > 0;
-  return [
-    ...(tested ? own(report.assessment.lot.outliers).map((outlier) => outlier.quantity) : []),
-    // Misfits have no unit; of the others the lot has spoken.
-    ...own(report.outliers).filter((outlier) => !tested || outlier.unit === '').map((outlier) => outlier.property),
-  ];
-}
+// What sets a device apart in its test: what laws make of it is no matter of a certificate.
+const apart = (device) =>
+  lotQuantities.length > 0
+    ? report.assessment.lot.outliers.filter((outlier) => outlier.device === device.name).map((outlier) => outlier.quantity)
+    : [];
+
+// What the measurement itself may have done to a value: each condition by a letter, said once below.
+const conditions = [...new Set(devices.flatMap((device) => device.doubts.map(({ condition }) => condition)))];
+const letter = (condition) => String.fromCharCode(97 + conditions.indexOf(condition));
+const doubtsOf = (device, quantity) =>
+  device.doubts
+    .filter((doubt) => doubt.quantity === quantity)
+    .sort((a, b) => conditions.indexOf(a.condition) - conditions.indexOf(b.condition));
 
 function certificateCaption() {
   const marked = devices.some((device) => apart(device).length > 0);
@@ -51,7 +55,8 @@ function certificateCaption() {
       ? '\u25be: stands apart from the lot (modified z-score above 3.5).'
       : unjudged.length > 0 || lotQuantities.length === 0
         ? 'Outliers not judged' + (unjudged.length > 0 ? ': ' + unjudged.join('; ') : '') + '.'
-        : 'No device stands apart from the lot.')
+        : 'No device stands apart from the lot.') +
+    conditions.map((condition) => ' ' + letter(condition) + ': if ' + sentence(condition) + '.').join('')
   );
 }
 
@@ -79,19 +84,36 @@ function certificateTable() {
     const remark =
       device.status !== 'ok' ? 'refused: ' + device.message : device.properties_refusal ? device.properties_refusal : [enumerate(failed), missing.length > 0 ? 'not assessed: ' + enumerate(missing) : '', outlying.length > 0 ? '\u25be ' + enumerate(outlying, 3) : ''].filter(Boolean).join('; ');
     const below = remark ? element('small', {}, remark) : null;
-    return element('td', { class: 'reasoned' }, verdict ? verdictBadge(verdict) : DASH, below);
+    return element('td', { class: 'reasoned' }, verdict ? verdictBadge(verdict, device.verdict_brief) : DASH, below);
   };
+  const doubted = (device, quantity, value) =>
+    element(
+      'td',
+      { class: 'number' },
+      significant(value, 4),
+      doubtsOf(device, quantity).length > 0
+        ? element(
+            'small',
+            {},
+            'or ',
+            ...doubtsOf(device, quantity).flatMap(({ otherwise, condition }, i) => [
+              (i > 0 ? ', ' : '') + significant(otherwise, 3),
+              element('sup', {}, letter(condition)),
+            ]),
+          )
+        : null,
+    );
   const hash = ({ sha256 }) => element('span', { class: 'hash', title: sha256 }, sha256.slice(0, 8));
   const columns = [
     { title: 'Device', pinned: true, cell: (device) => element('b', { class: 'strong' }, device.name) },
     ...certificateColumns(),
-    { title: 'Amplitude', unit: 'mm', number: true, screen: sameAmplitude, cell: (device) => fixed(reportedBlock(device)?.amplitude_mm, 1) },
-    { title: 'Frequency', unit: 'Hz', number: true, screen: sameFrequency, cell: (device) => significant(reportedBlock(device)?.frequency_Hz, 2) },
-    ...certificateProperties().map(({ title, unit, value }) => ({
-      title, unit: unitText(unit), number: true, cell: (device) => significant(value(device), 4),
+    ...(sameAmplitude ? [] : [{ title: 'Amplitude', unit: 'mm', number: true, cell: (device) => fixed(reportedBlock(device)?.amplitude_mm, 1) }]),
+    ...(sameFrequency ? [] : [{ title: 'Frequency', unit: 'Hz', number: true, cell: (device) => significant(reportedBlock(device)?.frequency_Hz, 2) }]),
+    ...certificateProperties().map(({ title, quantity = title, unit, value }) => ({
+      title, unit: unitText(unit), number: true, cell: (device) => doubted(device, quantity, value(device)),
     })),
     { title: 'Verdict', cell: judged },
-    { title: 'File', screen: true, cell: hash },
+    { title: 'File', cell: hash },
   ];
   return tableOf(columns, devices, 'The certificate: devices');
 }
@@ -102,7 +124,7 @@ function certificateData() {
     columns: [
       'device', 'serial', 'lot', 'tested', 'temperature [°C]', 'amplitude [mm]', 'frequency [Hz]',
       ...properties.map(({ title, unit }) => title + ' [' + (unit || '-') + ']'),
-      'verdict', 'outside the limits', 'not assessed', 'stands apart by', 'file', 'sha256',
+      'verdict', 'outside the limits', 'not assessed', 'stands apart by', 'in doubt', 'file', 'sha256',
     ],
     rows: devices.map((device) => {
       const block = reportedBlock(device);
@@ -111,7 +133,8 @@ function certificateData() {
         device.name, device.serial, device.lot, device.test_date, device.temperature_C,
         block?.amplitude_mm ?? null, block?.frequency_Hz ?? null,
         ...properties.map(({ value }) => value(device) ?? null),
-        verdict ?? '', device.status === 'ok' ? failed.join('; ') || device.properties_refusal : device.message, open.join('; '), apart(device).join('; '), device.file, device.sha256,
+        verdict ?? '', device.status === 'ok' ? failed.join('; ') || device.properties_refusal : device.message, open.join('; '), apart(device).join('; '),
+        device.doubts.map(({ quantity, otherwise, unit, condition }) => quantity + ' ' + otherwise + ' ' + unit + ' if ' + condition).join('; '), device.file, device.sha256,
       ];
     }),
   };

@@ -1,11 +1,10 @@
 import { reportedBlock, reportedCycle } from '../cycles.js';
-import { element, termList } from '../dom.js';
-import { lotQuantities, sampleText } from '../lot.js';
+import { element } from '../dom.js';
+import { lotQuantities } from '../lot.js';
 import { devices, report } from '../report.js';
 import { THIN, count, enumerate, isNumber, limitText, sentence, significant, spanText, trimmed } from '../text.js';
-import { concerns, verdictBadge, worstVerdict } from '../verdicts.js';
+import { WORDS, concerns, verdictBadge } from '../verdicts.js';
 import { blank } from './blank.js';
-import { commonlyOpen, deviceVerdict, isLeftOut } from './verdict.js';
 
 export const certificateHeadFigure = {
   id: 'certificate-head',
@@ -37,8 +36,7 @@ function certificateHead() {
     area ? 'area ' + area + THIN + 'mm\u00b2' : '',
   ].filter(Boolean);
   const compressed = devices.filter((device) => device.vertical?.file).length;
-  const limits = limitSentences(),
-    remarks = certificateRemarks();
+  const limits = limitSentences();
   const facts = [
     ['Laboratory', blank('Laboratory')],
     ['Client, project', blank('Client, project')],
@@ -70,13 +68,20 @@ function certificateHead() {
       : []),
     ...(limits.length > 0 ? [['Limits', limits.join('; ')]] : []),
     ['Result', certificateResult()],
-    ...(remarks.length > 0 ? [['Remarks', listOf(remarks)]] : []),
   ];
+  const long = new Set(['Blocks tested', 'Held to', 'Design values', 'Limits', 'Result']);
   return element(
     'div',
     {},
     element('p', { class: 'certificate-title' }, 'Test certificate: ' + (report.title || 'isolation devices')),
-    termList('facts-list', facts.map(([term, said]) => [term, typeof said === 'string' ? sentence(said) : said])),
+    element(
+      'dl',
+      { class: 'facts-list in-two' },
+      ...facts.flatMap(([term, said]) => {
+        const whole = { class: long.has(term) ? 'whole' : null };
+        return [element('dt', whole, term), element('dd', whole, typeof said === 'string' ? sentence(said) : said)];
+      }),
+    ),
   );
 }
 
@@ -88,9 +93,6 @@ function numberBlank() {
   });
   return line;
 }
-
-const listOf = (sentences) =>
-  element('ul', { class: 'plain-list' }, ...sentences.map((text) => element('li', {}, sentence(text))));
 
 // Limits with their clauses, each said once.
 function limitSentences() {
@@ -111,45 +113,11 @@ function limitSentences() {
     );
 }
 
-// What a reader of the sheet must know of the records: doubts, corrections, what the program was told of them.
-function certificateRemarks() {
-  const topics = new Set(['copies', 'record', 'refused']);
-  // 'all devices' is said of `fewest` devices or more.
-  const withDevices = (textsOf, fewest) => {
-    const all = (names) => names.length === devices.length && names.length >= fewest;
-    const found = new Map();
-    for (const device of devices) for (const text of textsOf(device)) found.set(text, [...(found.get(text) ?? []), device.name]);
-    return [...found].map(([text, names]) => (all(names) ? 'all devices' : enumerate(names)) + ': ' + text);
-  };
-  // What the program was told of a record stands with its option in brackets; how columns were recognised does not.
-  const told = (device) => device.recognised.filter((line) => /\(--[a-z]/.test(line));
-  return [
-    ...report.findings.warnings.filter((warning) => topics.has(warning.topic)).map((warning) => warning.sentence),
-    ...withDevices(({ corrections }) => corrections, 2).map((text) => 'corrected, ' + text),
-    ...withDevices(told, 1),
-  ];
-}
-
+// What was shown, and what was not: the word never without its sentence.
 function certificateResult() {
-  if (!report.assessment?.rule_set) return 'values, no verdict';
-  const { sample } = report.assessment.lot;
-  const verdicts = devices.map((device) => deviceVerdict(device).verdict);
-  const times = (verdict) => verdicts.filter((found) => found === verdict).length;
-  const lot = lotQuantities
-    .filter((quantity) => quantity.verdict)
-    .map(({ quantity, verdict, reason }) => ({ what: 'mean ' + quantity + ' of the lot', verdict, reason }));
-  if (sample?.verdict) lot.unshift({ what: 'size of the sample: ' + sampleText({ ...sample, verdict: '' }), verdict: sample.verdict, reason: '' });
-  const open = commonlyOpen();
-  const said = [
-    ...lot.map(({ what, verdict, reason }) => what + ': ' + verdict + (reason ? ' (' + reason + ')' : '')),
-    times('fail') > 0 ? count(times('fail'), 'device') + ' outside a limit' : '',
-    times('pass') > 0 ? count(times('pass'), 'device') + ' within the limits that could be assessed' : '',
-    times('information') > 0 ? count(times('information'), 'device') + ' compared, without verdict' : '',
-    times('not assessed') + times(null) > 0 ? count(times('not assessed') + times(null), 'device') + ' not assessed' : '',
-    open.length > 0 ? 'not assessed on any device: ' + open.join(', ') : '',
-  ].filter(Boolean);
-  const worst = worstVerdict([...verdicts.filter(Boolean), ...lot.map(({ verdict }) => verdict)]);
-  // A lot does not pass while one of its devices could not be looked at.
-  const overall = worst === 'pass' && devices.some(isLeftOut) ? 'not assessed' : worst;
-  return element('div', {}, overall ? verdictBadge(overall) : null, listOf(said));
+  const { word, sentence: said } = report.result;
+  if (!word) return sentence(said) + '.';
+  const badge = verdictBadge(WORDS[word].verdict, word);
+  badge.classList.add('word', WORDS[word].tone);
+  return element('div', {}, badge, ' ' + sentence(said) + '.');
 }

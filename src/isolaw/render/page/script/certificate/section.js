@@ -1,17 +1,34 @@
 // The certificate: what a laboratory signs, on one or two pages of its own.
 
 import { element } from '../dom.js';
+import { report } from '../report.js';
 import { certificateBoundsFigure } from './bounds.js';
 import { certificateDevicesFigure } from './devices.js';
 import { certificateHeadFigure } from './head.js';
+import { certificateRemarksFigure } from './remarks.js';
 import { certificateRecordsFigure, certificateSignatureFigure } from './signatures.js';
 
 export const certificateSection = {
   id: 'certificate',
   title: 'Certificate',
   controls: certificateControls,
-  figures: [certificateHeadFigure, certificateDevicesFigure, certificateBoundsFigure, certificateSignatureFigure, certificateRecordsFigure],
+  adorn: mark,
+  // What is signed stands on the page of the values.
+  figures: [certificateHeadFigure, certificateDevicesFigure, certificateSignatureFigure, certificateRemarksFigure, certificateBoundsFigure, certificateRecordsFigure],
 };
+
+// Across every page of what is not to be signed: as a background it repeats.
+function mark(section) {
+  const { mark: text, mark_is_red: red } = report.result;
+  if (!text) return;
+  const svg =
+    '<svg xmlns="http://www.w3.org/2000/svg" width="680" height="460"><text x="340" y="250" text-anchor="middle" transform="rotate(-24 340 230)"' +
+    ' font-family="sans-serif" font-weight="700" font-size="' + (text.length > 12 ? 54 : 84) + '" fill="' + (red ? '#bc4214' : '#808a92') +
+    '" fill-opacity="0.2">' + text + '</text></svg>';
+  section.classList.add('marked');
+  section.dataset.mark = text;
+  section.style.backgroundImage = 'url("data:image/svg+xml,' + encodeURIComponent(svg) + '")';
+}
 
 // Prints this section alone.
 function certificateControls() {

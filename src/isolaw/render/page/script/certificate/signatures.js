@@ -40,7 +40,9 @@ function signatureBlock() {
       element('span', { class: 'certificate-number' }),
       ' \u2013 ' + (report.title || 'isolation devices') + ', ' + count(devices.length, 'device'),
     ),
-    element('div', { class: 'signers' }, signer('Tested by'), signer('Checked by'), signer('Accepted by')),
+    report.result.mark
+      ? element('p', { class: 'unsigned' }, 'Not for signature: ' + report.result.mark.toLowerCase() + '.')
+      : element('div', { class: 'signers' }, signer('Tested by'), signer('Checked by'), signer('Accepted by')),
     element(
       'p',
       { class: 'fine' },

@@ -1,8 +1,5 @@
 import { devices } from '../report.js';
 
-// A rule set that could say nothing of a device, for its record has no properties.
-export const isLeftOut = (device) => device.verdict === 'not assessed' && device.assessments.length === 0;
-
 // What a device's assessments come to, with what could not be assessed of it.
 export function deviceVerdict(device) {
   const { verdict } = device;

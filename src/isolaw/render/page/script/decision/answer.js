@@ -26,6 +26,7 @@ function answer() {
     element('div', { class: 'numbers' }, ...numbers),
     recommendation ? element('p', { class: 'why' }, reasons(recommendation)) : null,
     open ? element('p', { class: 'why' }, 'Would tell more: ' + open + '.') : null,
+    recommendation?.programs ? element('p', { class: 'why' }, recommendation.programs + '.') : null,
   );
 }
 

@@ -1,6 +1,7 @@
 // The error of each law for what it is wanted for.
 
 import { chosen } from '../choice.js';
+import { NARROW, textWidth } from '../plotting.js';
 import { errorText, purposeOf, standingsOf } from '../purposes.js';
 import { isNumber, plain } from '../text.js';
 
@@ -10,32 +11,54 @@ const shown = () => standingsOf(purposeOf(chosen.purpose)).filter(({ error }) =>
 // A law that runs away would hide the others: its bar ends at the edge, its number does not.
 function edge(bars) {
   const taken = bars.filter(({ place }) => place !== 'ruled out').map(({ error }) => error);
-  const all = bars.map(({ error }) => error);
-  return Math.min(Math.max(...all), 1.6 * Math.max(...(taken.length > 0 ? taken : [Math.min(...all)])));
+  const all = bars.map(({ error }) => error),
+    largest = Math.max(...(taken.length > 0 ? taken : [Math.min(...all)])),
+    near = all.filter((error) => error <= 2 * largest);
+  return near.length === all.length ? Math.max(...all) : Math.max(1.6 * largest, 1.15 * Math.max(...near));
 }
+
+const isCut = (error, most) => error > 1.001 * most;
+const BAR = 0.62;
+
+export const errorsHeight = () => Math.max(360, 70 + 28 * shown().length);
 
 export function errorsCaption() {
-  const { recommendation } = purposeOf(chosen.purpose);
   const bars = shown();
-  const out = bars.some(({ place }) => place === 'ruled out');
+  const said = [
+    bars.some(({ place }) => place === 'ruled out') ? 'hollow: ruled out' : '',
+    bars.some(({ error }) => isCut(error, edge(bars))) ? 'broken: longer than drawn' : '',
+  ].filter(Boolean);
   if (bars.length === 0) return 'No law has an error here.';
-  return 'Error of the force over its standard deviation, ' + (recommendation.measure || 'as known') + (out ? '; hollow: ruled out.' : '.');
+  return ['Error over the force\u2019s standard deviation', ...said].join('; ') + '.';
 }
 
-export function drawErrors(look) {
+// Two strokes across the end of a bar that is cut, in pixels from there.
+function breakMark(look, x, y) {
+  const stroke = (from, colour, width) => ({
+    type: 'line', layer: 'above', xsizemode: 'pixel', ysizemode: 'pixel', xanchor: x, yanchor: y, x0: from, x1: from + 8, y0: -16, y1: 16,
+    line: { color: look.colour(colour), width },
+  });
+  return [stroke(-27, 'paper', 6), stroke(-30.5, 'poor', 1.2), stroke(-23.5, 'poor', 1.2)];
+}
+
+export function drawErrors(look, width) {
   const bars = shown().reverse();
   const most = bars.length > 0 ? edge(bars) : 1;
+  const tails = bars.map(({ error }) => textWidth(look, errorText(error), 12.5));
+  const names = bars.map(({ law }) => plain(law.name));
   return {
     traces: [
       {
         type: 'bar',
         orientation: 'h',
-        y: bars.map(({ law }) => plain(law.id)),
+        y: names,
         x: bars.map(({ error }) => 100 * Math.min(error, most)),
         text: bars.map(({ error }) => errorText(error)),
         textposition: 'outside',
+        textangle: 0,
+        constraintext: 'none',
         cliponaxis: false,
-        width: 0.62,
+        width: BAR,
         marker: {
           color: bars.map(({ place }) => look.colour(COLOURS[place])),
           line: {
@@ -47,8 +70,10 @@ export function drawErrors(look) {
       },
     ],
     layout: {
-      xaxis: { title: 'error [%]', range: [0, 118 * most] },
-      yaxis: { showgrid: false, type: 'category' },
+      margin: { l: 54, r: 14 + Math.max(0, ...tails), t: 10, b: 44 },
+      shapes: bars.flatMap(({ error }, i) => (isCut(error, most) ? breakMark(look, 100 * most, names[i]) : [])),
+      xaxis: { title: 'error [%]', range: [0, 102 * most], nticks: width < NARROW ? 5 : 8 },
+      yaxis: { showgrid: false, type: 'category', dtick: 1 },
     },
   };
 }

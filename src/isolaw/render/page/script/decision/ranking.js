@@ -1,5 +1,5 @@
 import { chosen } from '../choice.js';
-import { element, onScreen } from '../dom.js';
+import { element } from '../dom.js';
 import { roleTone } from '../icons.js';
 import { lawName } from '../laws.js';
 import { purposeOf } from '../purposes.js';
@@ -14,13 +14,11 @@ export const rankingFigure = {
   caption: () =>
     ORDERS[chosen.purpose] + ' OF: mean absolute error of the force divided by the standard deviation of the measured force, over devices and runs. ' +
     'β: how far the parameters stray from their mean over the lot. Errors of stiffness and energy: mean magnitude over devices, best fit against the record.' +
-    onScreen(
-      laws.some((law) => isNumber(law.success_share))
-        ? ' Found: runs that ended within ' +
-            percentText(report.thresholds.found_within) +
-            ' of the least objective of the campaign; where they are few, the mean says more of the search than of the law.'
-        : '',
-    ),
+    (laws.some((law) => isNumber(law.success_share))
+      ? ' Found: runs that ended within ' +
+        percentText(report.thresholds.found_within) +
+        ' of the least objective of the campaign; where they are few, the mean says more of the search than of the law.'
+      : ''),
   csv: rankingData,
   build: rankingTable,
 };
@@ -63,9 +61,9 @@ function rankingTable() {
     { title: 'Verdict', tight: true, cell: (law) => verdict(roles.get(law.index)) },
     { title: 'stiffness error', unit: '%', number: true, cell: (law) => fixed(law.K_eff_error_percent, 1) },
     { title: 'energy error', unit: '%', number: true, cell: (law) => fixed(law.energy_error_percent, 1) },
-    ...(searched ? [{ title: 'found', unit: '% of runs', number: true, screen: true, cell: found }] : []),
+    ...(searched ? [{ title: 'found', unit: '% of runs', number: true, cell: found }] : []),
     { title: 'parameters', unit: 'calibrated', number: true, cell: (law) => String(law.parameters.filter((p) => p.free).length || DASH) },
-    { title: 'Description', screen: true, cell: (law) => element('td', { class: 'note text screen' }, law.title) },
+    { title: 'Description', cell: (law) => element('td', { class: 'note text' }, law.title) },
   ];
   return tableOf(columns, ordered(), 'Ranking of the laws');
 }

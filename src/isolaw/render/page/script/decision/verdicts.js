@@ -41,7 +41,7 @@ function verdictList() {
           element('div', {}, lawName(law), ' ' + errorText(error) + said(place, reason)),
         ),
       )
-    : chosen.view === 'published'
+    : chosen.view === 'runs'
       ? rankedList()
       : frontList(viewOf(chosen.view));
   return element('div', {}, element('ul', { class: 'verdicts' }, ...items), cares());

@@ -24,7 +24,7 @@ export function cellBeside(button, key) {
 // One cell is pressed and reached by the tabulator, the arrow keys lead to the others.
 export function markChosenCell(body) {
   if (!body) return;
-  for (const button of body.querySelectorAll('button[tabindex="0"]')) {
+  for (const button of body.querySelectorAll('td button[tabindex="0"]')) {
     button.tabIndex = -1;
     button.setAttribute('aria-pressed', 'false');
   }
@@ -32,7 +32,7 @@ export function markChosenCell(body) {
     'button[data-device="' + chosen.device + '"][data-parameter="' + chosen.parameter + '"]',
   );
   own?.setAttribute('aria-pressed', 'true');
-  const reached = own ?? body.querySelector('button');
+  const reached = own ?? body.querySelector('td button');
   if (reached) reached.tabIndex = 0;
 }
 

@@ -5,6 +5,7 @@ import { ROUND, icon } from '../icons.js';
 import {
   devices, examinedLaws, examinedPlaces, firstExamined, laws, report, resultColumns, usable,
 } from '../report.js';
+import { symbol } from '../symbols.js';
 import { table } from '../tables.js';
 import { DASH, count, enumerate, percentText, rangeText, unitText } from '../text.js';
 import { cellBeside, chooseCell, markChosenCell } from './cells.js';
@@ -42,14 +43,14 @@ function determinedCaption() {
   const fits = law.devices.filter((fit) => fit.determination);
   const blind = examinedPlaces(law)
     .map((place) => ({
-      name: law.parameters[place].name,
+      name: symbol(law.parameters[place].name),
       times: fits.filter((fit) => fit.determination[place]?.identifiability === 'undetermined').length,
     }))
     .filter(({ times }) => times > 0);
   const missing = usable.filter((device) => !law.fitOn.get(device.index)?.determination).map((device) => device.name);
   return (
     (blind.length === 0
-      ? 'The tests determine every parameter of ' + law.id + ' that does not lie at its bound.'
+      ? 'The tests determine every parameter of ' + law.name + ' that does not lie at its bound.'
       : 'The tests leave open ' +
         enumerate(
           blind.map(({ name, times }) =>
@@ -88,14 +89,14 @@ function determinedTable() {
     { title: 'Device', pinned: true, name: true },
     ...places.map((place) => {
       const { name, unit } = law.parameters[place];
-      return { title: element('span', {}, name), full: name + ' [' + unitText(unit) + ']', mark: true };
+      return { title: element('span', {}, symbol(name)), full: symbol(name) + ' [' + unitText(unit) + ']', mark: true };
     }),
   ];
   const cell = (fit, place) => {
     const one = examination(law, fit.device, place);
     if (!one) return element('td', { class: 'mark note' }, DASH);
     const text =
-      one.parameter.name +
+      symbol(one.parameter.name) +
       ' on ' + devices[fit.device].name + ': ' + one.verdict + ', ' + rangeText(one.open, one.parameter.unit);
     const button = element(
       'button',
@@ -110,7 +111,7 @@ function determinedTable() {
       },
       determinationMark(one.verdict),
     );
-    return element('td', { class: 'mark' }, button);
+    return element('td', { class: 'mark', 'data-sort': one.verdict }, button);
   };
   const shares = places.map((place) => {
     const verdicts = fits.map((fit) => fit.determination[place]?.identifiability).filter(Boolean);
@@ -124,6 +125,7 @@ function determinedTable() {
         ? [
             {
               className: 'group',
+              foot: true,
               cells: [
                 element(
                   'span',
@@ -136,13 +138,13 @@ function determinedTable() {
           ]
         : []),
     ],
-    'Whether the tests determine the parameters of ' + law.id,
+    'Whether the tests determine the parameters of ' + law.name,
   );
   body.classList.add('marks');
   body.classList.toggle('upright', places.length > 12);
-  body.addEventListener('click', (event) => chooseCell(event.target.closest('button')));
+  body.addEventListener('click', (event) => chooseCell(event.target.closest('td button')));
   body.addEventListener('keydown', (event) => {
-    const next = cellBeside(event.target.closest('button'), event.key);
+    const next = cellBeside(event.target.closest('td button'), event.key);
     if (!next) return;
     event.preventDefault();
     chooseCell(next);

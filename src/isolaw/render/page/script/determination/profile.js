@@ -1,6 +1,7 @@
 import { chosen } from '../choice.js';
 import { emptyPlot, paddedRange } from '../plotting.js';
 import { devices, examinedLaws, laws } from '../report.js';
+import { inFigure, symbol } from '../symbols.js';
 import {
   MINUS, fixed, isNumber, plain, rangeText, rowFormat, significant, superscript, unitText, withUnit,
 } from '../text.js';
@@ -23,14 +24,14 @@ const PROFILE_HEIGHT = 400;
 function profileCaption() {
   const one = chosenExamination();
   const law = laws[chosen.examined],
-    where = law.id + ' on ' + devices[chosen.device].name;
+    where = law.name + ' on ' + devices[chosen.device].name;
   if (!one) return where + ' was not examined.';
   const { name, unit } = one.parameter;
   const ends = one.ends[0] && one.ends[1] ? 'both ends are' : one.ends[0] ? 'the lower end is' : 'the upper end is';
   return (
-    where + '. ' + name + ' is held at each point and all others are fitted again. Below the dashed line, ' +
+    where + '. ' + symbol(name) + ' is held at each point and all others are fitted again. Below the dashed line, ' +
     significant(one.fit.rise, 2) + ' above the least objective of ' + fixed(one.fit.optimum, 4) +
-    ', the loops get no worse to the eye: there ' + name + ' may be ' + rangeText(one.open, unit) +
+    ', the loops get no worse to the eye: there ' + symbol(name) + ' may be ' + rangeText(one.open, unit) +
     (one.ends.some(Boolean) ? ' (' + ends + ' the search box\u2019s)' : '') + ', so it is ' + one.verdict + '.'
   );
 }
@@ -63,7 +64,7 @@ function parameterAxis({ name, unit }, values) {
     of: (value) => value / factor,
     share: (place) => ((log ? Math.log10(place) : place) - start[0]) / (start[1] - start[0]), // of the width
     layout: {
-      title: plain(name + ' [' + scaled + unitText(unit) + ']'),
+      title: inFigure(symbol(name)) + plain(' [' + scaled + unitText(unit) + ']'),
       type: log ? 'log' : 'linear',
       range: start,
       ...(log ? { dtick: 1, exponentformat: 'power', tickprefix: sign < 0 ? MINUS : '' } : { nticks: 7 }),

@@ -27,16 +27,16 @@ function tradeOffs() {
   const law = laws[chosen.examined],
     fit = law.fitOn.get(chosen.device);
   const name = devices[chosen.device].name;
-  if (!fit?.determination) return element('p', { class: 'empty' }, law.id + ' on ' + name + ' was not examined.');
+  if (!fit?.determination) return element('p', { class: 'empty' }, law.name + ' on ' + name + ' was not examined.');
   return element(
     'div',
     { class: 'prose' },
     fit.trade_offs.length === 0
-      ? element('p', {}, 'On ' + name + ' no parameters of ' + law.id + ' change together unseen.')
+      ? element('p', {}, 'On ' + name + ' no parameters of ' + law.name + ' change together unseen.')
       : element(
           'div',
           {},
-          element('p', {}, 'The loops of ' + law.id + ' on ' + name + ':'),
+          element('p', {}, 'The loops of ' + law.name + ' on ' + name + ':'),
           element('ul', { class: 'sentences' }, ...fit.trade_offs.map((text) => element('li', {}, sentence(text)))),
         ),
     law.reduced_form

@@ -1,7 +1,7 @@
 import { element } from '../dom.js';
 import { lotQuantities } from '../lot.js';
 import { report, resultColumns } from '../report.js';
-import { tableOf } from '../tables.js';
+import { said, tableOf } from '../tables.js';
 import { DASH, fixed, isNumber, significant, unitText } from '../text.js';
 
 export const factorsFigure = {
@@ -39,7 +39,7 @@ function factorTable() {
   const note = (factor) =>
     element('td', { class: 'note text' }, [factor.note, factor.no_lower_bound].filter(Boolean).join('; '));
   const columns = [
-    { title: 'Property', pinned: true, cell: (factor, i) => element('b', { class: 'strong' }, first(i) ? factor.property : '') },
+    { title: 'Property', pinned: true, cell: (factor, i) => said(first(i), element('b', { class: 'strong' }, factor.property)) },
     { title: 'Source', tight: true, cell: (factor) => factor.source },
     { title: 'Spread of', tight: true, cell: spreadOf },
     { title: '\u03bb min', number: true, cell: (factor) => fixed(factor.lambda_min, 3) },
@@ -49,7 +49,7 @@ function factorTable() {
     { title: 'Unit', tight: true, cell: (factor) => unitText(factor.unit) },
     { title: 'Note', cell: note },
   ];
-  return tableOf(columns, factors, 'Property modification factors', (_, i) => (first(i) ? 'group' : null));
+  return tableOf(columns, factors, 'Property modification factors', { className: (_, i) => (first(i) ? 'group' : null) });
 }
 
 function factorData() {

@@ -1,4 +1,4 @@
-import { element, onScreen } from '../dom.js';
+import { element } from '../dom.js';
 import { lotQuantities } from '../lot.js';
 import { devices, report, resultColumns } from '../report.js';
 import { tableOf } from '../tables.js';
@@ -24,9 +24,7 @@ function lotCaption() {
     (isNumber(lot.tested) ? count(lot.tested, 'device') + ' with values' : 'Devices with values') +
     (isNumber(lot.size) ? ' of ' + lot.size : '') +
     (isNumber(lot.required) ? ', ' + lot.required + ' required' : '') + '. CoV: standard deviation over the mean.' +
-    onScreen(
-      ' Tolerance: interval that holds 95\u202f% of all devices with 95\u202f% confidence, if normally distributed.',
-    ) +
+    ' Tolerance: interval that holds 95\u202f% of all devices with 95\u202f% confidence, if normally distributed.' +
     (failing.length > 0 ? ' Outside a limit: ' + enumerate(failing) + '.' : '')
   );
 }
@@ -63,7 +61,7 @@ function lotTable() {
   const tolerance = (q) =>
     element(
       'td',
-      { class: 'number screen' },
+      { class: 'number' },
       range(q.tolerance_lower, q.tolerance_upper),
       below(isNumber(q.tolerance_k) && 'k ' + fixed(q.tolerance_k, 3)),
       below(q.no_lower_bound?.split(':')[0]),
@@ -79,8 +77,8 @@ function lotTable() {
     { title: 'Design value', number: true, cell: (q) => significant(q.nominal, 4) },
     { title: 'Deviation', unit: 'mean; worst', number: true, cell: deviations },
     { title: 'Limits', unit: 'each device; mean', cell: limits },
-    { title: '5 to 95 %', unit: 'fractiles', number: true, screen: true, cell: (q) => range(q.fractile_5, q.fractile_95) },
-    { title: 'Tolerance', unit: '95/95, k', number: true, screen: true, cell: tolerance },
+    { title: '5 to 95 %', unit: 'fractiles', number: true, cell: (q) => range(q.fractile_5, q.fractile_95) },
+    { title: 'Tolerance', unit: '95/95, k', number: true, cell: tolerance },
   ];
   return tableOf(columns, lotQuantities, 'The lot, one row a property');
 }

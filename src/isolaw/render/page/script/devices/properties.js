@@ -1,7 +1,7 @@
 import { counted, countedCycles, cycleData, isReported, noCycles, reportedCycle } from '../cycles.js';
 import { element, onScreen } from '../dom.js';
 import { devices, headingOf, numberColumn } from '../report.js';
-import { table } from '../tables.js';
+import { said, table } from '../tables.js';
 import { DASH, THIN, count, fixed, isNumber, significant, spanText } from '../text.js';
 
 export const testPropertiesFigure = {
@@ -29,22 +29,22 @@ function propertiesCaption() {
 function propertiesTable() {
   const some = (key) => devices.some((device) => device[key] !== null && device[key] !== '');
   const facts = [
-    { key: 'serial', title: 'Serial', screen: true, text: (d) => d.serial },
-    { key: 'lot', title: 'Lot', screen: true, text: (d) => d.lot },
+    { key: 'serial', title: 'Serial', text: (d) => d.serial },
+    { key: 'lot', title: 'Lot', text: (d) => d.lot },
     { key: 'test_date', title: 'Tested', text: (d) => d.test_date },
     { key: 'temperature_C', title: 'Temp.', unit: '°C', number: true, text: (d) => fixed(d.temperature_C, 1) },
   ].filter((fact) => some(fact.key));
   const strained = devices.some((device) => countedCycles(device).some((cycle) => isNumber(cycle.strain_percent)));
   const ofBlock = (column) => ({ ...column, of: (block) => column.text(block) });
   const ofCycle = (column) => ({ ...column, of: (_, cycle) => column.text(cycle) });
-  const scragging = numberColumn('stability', 'first_to_third', { title: 'Scragging', unit: 'K_eff 1st/3rd', screen: true });
+  const scragging = numberColumn('stability', 'first_to_third', { title: 'Scragging', unit: 'K_eff 1st/3rd' });
   const several = devices.some((device) => device.blocks.length > 1);
   const numbers = [
     ofBlock({ title: 'Block', number: true, text: (block) => String(block.number) }),
     ofCycle({ title: 'Cycle', number: true, text: (cycle) => String(cycle.number) }),
     ofCycle(numberColumn('cycles', 'amplitude_mm')),
     ...(strained ? [ofCycle(numberColumn('cycles', 'strain_percent', { title: 'Shear strain' }))] : []),
-    ofBlock(numberColumn('blocks', 'frequency_Hz', { screen: true })),
+    ofBlock(numberColumn('blocks', 'frequency_Hz')),
     ofCycle(numberColumn('cycles', 'K_eff_kN_per_mm', { title: 'Effective stiffness' })),
     ofCycle(numberColumn('cycles', 'energy_kN_mm')),
     ofCycle(numberColumn('cycles', 'damping_percent')),
@@ -60,8 +60,8 @@ function propertiesTable() {
       .filter(Boolean)
       .join('; ');
     const lead = (first) => [
-      element('b', { class: 'strong' }, first ? device.name : ''),
-      ...facts.map((fact) => (first ? fact.text(device) : '')),
+      said(first, element('b', { class: 'strong' }, device.name)),
+      ...facts.map((fact) => said(first, element('span', {}, fact.text(device)))),
     ];
     const blocks = device.blocks.filter((block) => counted(block).length > 0);
     if (blocks.length === 0) {

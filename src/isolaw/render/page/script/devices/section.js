@@ -1,3 +1,5 @@
+import { devices, inspection } from '../report.js';
+import { verdictFigure } from '../verdict/band.js';
 import { factorsFigure } from './factors.js';
 import { lotFigure } from './lot_table.js';
 import { outliersFigure } from './outliers.js';
@@ -7,8 +9,12 @@ import { lotStabilityFigure } from './stability.js';
 import { lotStripsFigure } from './strips.js';
 import { verdictTableFigure } from './verdicts.js';
 
+// An inspection opens with its verdict and the strips. Of one device alone its own cycles and limits have said it.
+const ofLot = [lotFigure, ...(inspection ? [] : [lotStripsFigure]), outliersFigure, verdictTableFigure, lotStabilityFigure];
+const alone = inspection && devices.length === 1;
+
 export const devicesSection = {
   id: 'devices',
   title: 'Lot and devices',
-  figures: [ruleSetFigure, lotFigure, lotStripsFigure, outliersFigure, verdictTableFigure, lotStabilityFigure, factorsFigure, testPropertiesFigure],
+  figures: [...(inspection ? [] : [verdictFigure]), ruleSetFigure, ...(alone ? [] : ofLot), factorsFigure, ...(alone ? [] : [testPropertiesFigure])],
 };

@@ -15,7 +15,7 @@ export const lotStripsFigure = {
   caption: () =>
     'One mark a device; ringed: ' +
     (chosen.tested === null ? 'none' : devices[chosen.tested].name) +
-    '. Solid line: mean of the lot; dashed: design value; band: limits of one device. Outliers are named.',
+    '. Solid line: mean of the lot; dashed: design value; band: limits of one device. Outliers and what is outside its limits are named.',
   csv: stripData,
   height: () => stripLayout().height,
   draw: drawStrips,
@@ -134,9 +134,9 @@ function drawStrips(look, width) {
   return { traces, layout };
 }
 
-// Names of outliers above the strip, moved apart; right of the strip's own heading.
+// Names of outliers and of devices outside their limits above the strip, moved apart; right of the strip's own heading.
 function outlierLabels(points, quantity, range, width) {
-  const found = points.filter(({ device }) => outlierOf(device, quantity)).sort((a, b) => a.value - b.value);
+  const found = points.filter(({ device, verdict }) => verdict === 'fail' || outlierOf(device, quantity)).sort((a, b) => a.value - b.value);
   const pixel = (value) => ((value - range[0]) / (range[1] - range[0])) * width;
   const names = found.map(({ device }) => '\u25be ' + short(device.name, 12));
   const widest = Math.max(0, ...names.map((name) => 7 * name.length)) + 6;

@@ -68,8 +68,8 @@ const runsAway = (cycles, place) => cycles.some(({ computed }) => computed[place
 function energyCaption() {
   const { device, fits, cycles } = energies();
   if (cycles.length === 0) return device.name + ' has no cycle to compare: ' + noCycles(device) + '.';
-  const said = fits.map(({ law }, place) => law.id + ' ' + signed(totalError(cycles, place), 1) + THIN + '%');
-  const away = fits.filter((_, place) => runsAway(cycles, place)).map(({ law }) => law.id);
+  const said = fits.map(({ law }, place) => law.name + ' ' + signed(totalError(cycles, place), 1) + THIN + '%');
+  const away = fits.filter((_, place) => runsAway(cycles, place)).map(({ law }) => law.name);
   return (
     'Area of the measured loop of each cycle (bars) and of the best fits\u2019 loops (markers), of the samples drawn.' +
     (said.length > 0 ? ' Over all cycles the laws dissipate, against the measurement: ' + said.join(', ') + '.' : '') +
@@ -81,7 +81,7 @@ function energyCaption() {
 function energyData() {
   const { fits, cycles } = energies();
   return {
-    columns: ['block', 'cycle', 'measured energy [kN mm]', ...fits.map(({ law }) => law.id + ' energy [kN mm]')],
+    columns: ['block', 'cycle', 'measured energy [kN mm]', ...fits.map(({ law }) => law.name + ' energy [kN mm]')],
     rows: cycles.map(({ block, cycle, measured, computed }) => [block.number, cycle.number, measured, ...computed]),
   };
 }
@@ -102,7 +102,7 @@ function drawEnergy(look, width) {
         hovertemplate: '%{customdata}: %{y:.0f} kN mm<extra>measured</extra>',
       },
       ...fits.map(({ law }, place) => ({
-        name: plain(law.id), mode: 'markers', y: cycles.map(({ computed }) => computed[place]),
+        name: plain(law.name), mode: 'markers', y: cycles.map(({ computed }) => computed[place]),
         // Side by side, so that none hides another.
         x: x.map((value) => value + (0.5 * (place + 1)) / (fits.length + 1) - 0.25),
         marker: { color: look.law(law), symbol: symbolOf(law), size: 8, line: { color: look.colour('paper'), width: 1 } },
@@ -110,7 +110,7 @@ function drawEnergy(look, width) {
           ({ measured, computed }, i) =>
             places[i] + ': ' + fixed(computed[place], 0) + ' kN mm' + against(computed[place], measured),
         ),
-        hovertemplate: '%{customdata}<extra>' + plain(law.id) + '</extra>',
+        hovertemplate: '%{customdata}<extra>' + plain(law.name) + '</extra>',
       })),
     ],
     layout: {

@@ -30,8 +30,8 @@ export const measuredCurve = (look, x, y, hover) => ({
 
 export const fitCurves = (look, fits, x, hover) =>
   fits.map(({ law, force }, place) => ({
-    name: plain(law.id), mode: 'lines', x, y: force, line: { color: look.law(law), width: 1.8, dash: dashOf(place) },
-    hovertemplate: hover + '<extra>' + plain(law.id) + '</extra>',
+    name: plain(law.name), mode: 'lines', x, y: force, line: { color: look.law(law), width: 1.8, dash: dashOf(place) },
+    hovertemplate: hover + '<extra>' + plain(law.name) + '</extra>',
   }));
 
 // Whether a time of the record lies in a part the laws were judged by.
@@ -55,7 +55,7 @@ export function cutOff(among) {
     [low, high] = forceRange(F, fits.map(({ force }) => force));
   const away = fits.filter(({ force }) => force.some((f) => f < low || f > high));
   if (away.length === 0) return '';
-  const largest = ({ law, force }) => law.id + ' to ' + significant(Math.max(...force.map(Math.abs)), 2) + THIN + 'kN';
+  const largest = ({ law, force }) => law.name + ' to ' + significant(Math.max(...force.map(Math.abs)), 2) + THIN + 'kN';
   return ' Off the scale: ' + enumerate(away.map(largest)) + '.';
 }
 
@@ -68,7 +68,7 @@ export function loopData(among = chosenLaws()) {
       device.record.has_time ? 'time [s]' : 'sample',
       'displacement [mm]',
       'measured force [kN]',
-      ...fits.map(({ law }) => law.id + ' force [kN]'),
+      ...fits.map(({ law }) => law.name + ' force [kN]'),
     ],
     rows: measured.x.map((x, i) => [measured.t[i], x, measured.F[i], ...fits.map(({ force }) => force[i])]),
   };

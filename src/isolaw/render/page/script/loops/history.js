@@ -23,7 +23,7 @@ function historyCaption() {
   const scored = measured.t.map((t) => isScored(device, t));
   const worst = fitsOn(device, chosenLaws()).map(
     ({ law, force }) =>
-      law.id + ' ' +
+      law.name + ' ' +
       significant(Math.max(...force.map((f, i) => (scored[i] ? Math.abs(measured.F[i] - f) : 0))), 3) + THIN + 'kN',
   );
   return (
@@ -58,7 +58,7 @@ function drawHistory(look) {
       ...fits.map(({ law, force }, place) => ({
         mode: 'lines', x: measured.t, y: force.map((f, i) => measured.F[i] - f), yaxis: 'y2', showlegend: false,
         line: { color: look.law(law), width: 1.4, dash: dashOf(place) },
-        hovertemplate: 'residual %{y:.1f} kN<extra>' + plain(law.id) + '</extra>',
+        hovertemplate: 'residual %{y:.1f} kN<extra>' + plain(law.name) + '</extra>',
       })),
     ],
     layout: {

@@ -2,7 +2,7 @@ import { chosen } from '../choice.js';
 import { onScreen } from '../dom.js';
 import { devices } from '../report.js';
 import { THIN, fixed, signed } from '../text.js';
-import { LOOP_HEIGHT, chosenLaws, cutOff, fitCurves, fitsOn, isScored, loopData, measuredCurve, record } from './fits.js';
+import { LOOP_HEIGHT, chosenLaws, cutOff, fitCurves, fitsOn, forceRange, isScored, loopData, measuredCurve, record } from './fits.js';
 
 export const loopFigure = {
   id: 'loop',
@@ -21,7 +21,7 @@ function loopCaption() {
   const missing = chosenLaws().filter((law) => !law.fitOn.get(device.index)?.force_kN);
   const said = fitsOn(device, chosenLaws()).map(
     ({ law, fit }) =>
-      law.id + ': OF ' + fixed(fit.objective.best, 4) +
+      law.name + ': OF ' + fixed(fit.objective.best, 4) +
       ', effective stiffness ' + signed(fit.K_eff_error_percent, 1) + THIN + '%, energy ' +
       signed(fit.energy_error_percent, 1) + THIN + '%, damping ' + signed(fit.damping_error_percent, 1) + THIN + '%',
   );
@@ -38,7 +38,7 @@ function loopCaption() {
     missing
       .map(
         (law) =>
-          ' ' + law.id + ' has no fit here' +
+          ' ' + law.name + ' has no fit here' +
           (law.fitOn.get(device.index)?.message ? ' (' + law.fitOn.get(device.index).message + ')' : '') + '.',
       )
       .join('') +
@@ -59,6 +59,7 @@ function drawLoop(look) {
   const device = devices[chosen.device],
     measured = record(device);
   const hover = '%{x:.1f} mm, %{y:.1f} kN';
+  const fits = fitsOn(device, chosenLaws());
   const halves = parted(measured.F, measured.t.map((t) => isScored(device, t)));
   return {
     traces: [
@@ -72,8 +73,12 @@ function drawLoop(look) {
           ]
         : []),
       measuredCurve(look, measured.x, halves.inside, hover),
-      ...fitCurves(look, fitsOn(device, chosenLaws()), measured.x, hover),
+      ...fitCurves(look, fits, measured.x, hover),
     ],
-    layout: { showlegend: true, xaxis: { title: 'displacement [mm]' }, yaxis: { title: 'force [kN]' } },
+    layout: {
+      showlegend: true,
+      xaxis: { title: 'displacement [mm]' },
+      yaxis: { title: 'force [kN]', range: forceRange(measured.F, fits.map(({ force }) => force)) },
+    },
   };
 }

@@ -3,7 +3,7 @@ import { panelHeading } from '../plotting.js';
 import { devices, laws } from '../report.js';
 import { fixed, plain } from '../text.js';
 import { cutOff, fitsOn, forceRange, loopData, record } from './fits.js';
-import { ORDERS, inOrder } from './table.js';
+import { inOrder, orderText } from './table.js';
 
 export const loopOverviewFigure = {
   id: 'loop-overview',
@@ -12,7 +12,7 @@ export const loopOverviewFigure = {
   wanted: () => chosen.device !== null,
   caption: () =>
     'The best fit of each law (coloured) over the measured loop of ' + devices[chosen.device].name +
-    ' (grey), in one scale, ' + ORDERS.find((order) => order.key === chosen.order).first + ' first.' + cutOff(laws),
+    ' (grey), in one scale, ' + orderText() + '.' + cutOff(laws),
   csv: () => loopData(laws),
   height: (width) => overviewGrid(fitsOn(devices[chosen.device], laws).length, width).height,
   draw: drawOverview,
@@ -59,7 +59,7 @@ function drawOverview(look, width) {
       domain: [top - h, top], anchor: 'x' + suffix, nticks: 5, range: [low, high], title: column === 0 ? 'kN' : '',
       matches: i > 0 ? 'y' : undefined, showticklabels: column === 0,
     };
-    layout.annotations.push(panelHeading(look, left, top, '<b>' + plain(law.id) + '</b>  OF ' + fixed(fit.objective.best, 4)));
+    layout.annotations.push(panelHeading(look, left, top, '<b>' + plain(law.name) + '</b>  OF ' + fixed(fit.objective.best, 4)));
     const axes = { xaxis: 'x' + suffix, yaxis: 'y' + suffix, mode: 'lines', showlegend: false };
     traces.push(
       {
@@ -68,7 +68,7 @@ function drawOverview(look, width) {
       },
       {
         ...axes, x: measured.x, y: force, line: { color: look.law(law), width: 1.5 },
-        hovertemplate: '%{x:.1f} mm, %{y:.1f} kN<extra>' + plain(law.id) + '</extra>',
+        hovertemplate: '%{x:.1f} mm, %{y:.1f} kN<extra>' + plain(law.name) + '</extra>',
       },
     );
   });

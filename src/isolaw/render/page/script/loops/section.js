@@ -26,7 +26,7 @@ function loopControls() {
       box.checked ? chosen.laws.add(law.index) : chosen.laws.delete(law.index);
       choose({ laws: chosen.laws });
     });
-    return element('label', {}, box, lawKey(law), law.id);
+    return element('label', {}, box, lawKey(law), law.name);
   });
   return [
     deviceChooser('device', drawable, 'device'),

@@ -1,5 +1,6 @@
 import { element } from '../dom.js';
 import { lotLaws } from '../report.js';
+import { symbol } from '../symbols.js';
 import { table } from '../tables.js';
 import { DASH, fixed, isNumber } from '../text.js';
 import { ofLot } from './of_lot.js';
@@ -27,16 +28,16 @@ function correlations(law) {
 function correlationCaption() {
   const law = ofLot(),
     strong = correlations(law).filter(({ value }) => Math.abs(value) >= 0.7);
-  if (correlations(law).length === 0) return law.id + ' has no correlation to show.';
+  if (correlations(law).length === 0) return law.name + ' has no correlation to show.';
   return (
     'Correlation of the parameters of ' +
-    law.id + ' between devices, blue: together, rust: against one another; \u2013: a parameter that does not vary. ' +
+    law.name + ' between devices, blue: together, rust: against one another; \u2013: a parameter that does not vary. ' +
     (strong.length === 0
       ? 'No two go closely together.'
       : 'Closest: ' +
         strong
           .slice(0, 3)
-          .map(({ names, value }) => names.join(' and ') + ' (' + fixed(value, 2) + ')')
+          .map(({ names, value }) => names.map(symbol).join(' and ') + ' (' + fixed(value, 2) + ')')
           .join(', ') +
         '. Draw a device\u2019s parameters together, never one by one.')
   );
@@ -53,14 +54,14 @@ function correlationTable() {
   const law = ofLot();
   const { parameters = [], correlation = [], note = '' } = law.population ?? {};
   if (correlation.length === 0)
-    return element('p', { class: 'empty' }, note || 'No correlation was estimated for ' + law.id + '.');
+    return element('p', { class: 'empty' }, note || 'No correlation was estimated for ' + law.name + '.');
   const columns = [
-    { title: '', pinned: true, tight: true },
-    ...parameters.slice(0, -1).map((name) => ({ title: element('span', {}, name), full: name, mark: true })),
+    { title: 'Parameter', pinned: true, tight: true },
+    ...parameters.slice(0, -1).map((name) => ({ title: element('span', {}, symbol(name)), full: symbol(name), mark: true })),
   ];
   const rows = parameters.slice(1).map((name, i) => ({
     cells: [
-      name,
+      symbol(name),
       ...parameters.slice(0, -1).map((other, j) => {
         if (j > i) return element('td');
         const value = correlation[i + 1][j];
@@ -70,14 +71,14 @@ function correlationTable() {
           {
             class: 'mark heat ' + (value < 0 ? 'against' : 'together'),
             style: '--share: ' + Math.min(1, Math.abs(value)).toFixed(3),
-            title: name + ' with ' + other + ': ' + fixed(value, 3),
+            title: symbol(name) + ' with ' + symbol(other) + ': ' + fixed(value, 3),
           },
           fixed(value, 2),
         );
       }),
     ],
   }));
-  const body = table(columns, rows, 'Correlation of the parameters of ' + law.id);
+  const body = table(columns, rows, 'Correlation of the parameters of ' + law.name, { sorts: false }); // a triangle
   body.classList.add('marks');
   return body;
 }

@@ -21,7 +21,7 @@ function lotLawsCaption() {
     'OF of each device\u2019s own law, of the one law with the least mean over the lot, and of the law of all other devices on the one left out. Least worst: the law that is least bad for its worst device; where the descents are global, no law gets below the bound.' +
     (best
       ? ' For a device that was not tested, ' +
-        best.id + ' misses least: ' + fixed(best.loo_objective, 4) +
+        best.name + ' misses least: ' + fixed(best.loo_objective, 4) +
         ' on average, against ' + fixed(best.objective_converged, 4) + ' of each device\u2019s own law.'
       : '')
   );

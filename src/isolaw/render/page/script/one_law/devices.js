@@ -22,7 +22,7 @@ function lotDevicesCaption() {
     .filter((fit) => isNumber(fit.left_out_objective) && isNumber(fit.optimum))
     .sort((a, b) => b.left_out_objective - b.optimum - (a.left_out_objective - a.optimum));
   return (
-    law.id +
+    law.name +
     ': from the circle to the square is what sharing one law costs a device, to the diamond what it costs not to have tested it.' +
     (cost.length > 1
       ? ' Most for ' +

@@ -1,4 +1,5 @@
 import { lotLaws } from '../report.js';
+import { symbol } from '../symbols.js';
 import { table } from '../tables.js';
 import { DASH, fixed, isNumber, rowFormat, significant, superscript, unitText } from '../text.js';
 import { ofLot } from './of_lot.js';
@@ -23,11 +24,16 @@ function inPopulation(law, name) {
 function lotParametersCaption() {
   const law = ofLot();
   return (
-    law.id +
+    law.name +
     ' as one law for all devices, and as the devices scatter: median of the lot, standard deviation between devices without the uncertainty of their fits.' +
     (law.population?.note ? ' ' + law.population.note[0].toUpperCase() + law.population.note.slice(1) + '.' : '')
   );
 }
+
+const atBound = (law, name) => law.lot.at_bound.some((text) => text.startsWith(name + ' '));
+
+// None beyond what the fits themselves leave open.
+const scatterText = (scatter) => (scatter > 0 ? fixed(100 * scatter, 1) : 'not resolvable');
 
 function lotParametersTable() {
   const law = ofLot();
@@ -48,14 +54,14 @@ function lotParametersTable() {
     const text = (value) => (apart ? significant(value) : fixed(value / format.factor, format.decimals));
     return {
       cells: [
-        parameter.name,
+        symbol(parameter.name) + (atBound(law, parameter.name) ? ', at bound' : ''),
         (format.exponent !== 0 ? '10' + superscript(format.exponent) + ' ' : '') + unitText(parameter.unit),
         ...values.map((value) => (isNumber(value) ? text(value) : DASH)),
-        parameter.free ? (isNumber(scatter) ? fixed(100 * scatter, 1) : DASH) : 'fixed',
+        parameter.free ? (isNumber(scatter) ? scatterText(scatter) : DASH) : 'fixed',
       ],
     };
   });
-  return table(columns, rows, 'Parameters of the lot\u2019s law ' + law.id);
+  return table(columns, rows, 'Parameters of the lot\u2019s law ' + law.name);
 }
 
 function lotParametersData() {

@@ -7,6 +7,7 @@ import { lotParametersFigure } from './parameters.js';
 export const oneLawSection = {
   id: 'one-law',
   title: 'One law for the lot',
+  short: 'One law',
   laws: true,
   figures: [lotLawsFigure, lotDevicesFigure, lotParametersFigure, lotCorrelationFigure, lotOutliersFigure],
 };

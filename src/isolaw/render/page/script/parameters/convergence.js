@@ -36,7 +36,7 @@ function convergenceOf(fit) {
 function convergenceCaption() {
   const law = laws[chosen.law],
     all = law.devices.map((fit) => convergenceOf(fit)).filter(Boolean);
-  if (all.length === 0) return 'No run of ' + law.id + ' has a history.';
+  if (all.length === 0) return 'No run of ' + law.name + ' has a history.';
   const settled = all.map(({ step, median }) => {
     const last = median[median.length - 1];
     return step[median.findIndex((value) => value <= 1.01 * last)];
@@ -44,7 +44,7 @@ function convergenceCaption() {
   const spreads = all.map(({ highest, lowest }) => highest[highest.length - 1] / lowest[lowest.length - 1] - 1);
   return (
     'Best OF so far: median over the runs (line) and, on the chosen device, smallest to largest (band). The median run of ' +
-    law.id + ' is within 1' + THIN + '% of its end after ' + spanText(settled, 0) + ' ' + stepName + 's; at the end the runs of a device differ by up to ' +
+    law.name + ' is within 1' + THIN + '% of its end after ' + spanText(settled, 0) + ' ' + stepName + 's; at the end the runs of a device differ by up to ' +
     significant(100 * Math.max(...spreads), 2) + THIN + '%.'
   );
 }

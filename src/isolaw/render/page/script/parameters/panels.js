@@ -4,6 +4,7 @@ import { chosen } from '../choice.js';
 import { isPrinting } from '../dom.js';
 import { NARROW, namedAxis, paddedRange, panelHeading } from '../plotting.js';
 import { laws, usable } from '../report.js';
+import { inFigure, symbol } from '../symbols.js';
 import {
   THIN, enumerate, fixed, isNumber, mean, plain, rowFormat, signed, significant, superscript, unitText,
 } from '../text.js';
@@ -57,12 +58,12 @@ function panelsCaption() {
   return (
     'Mean over the runs \u00b1 standard deviation (left), and the difference from the mean over the devices, dotted (right). ' +
     (strayed.length > 1
-      ? strayed[0].name + ' differs most from device to device (' + fixed(100 * strayed[0].delta, 0) + THIN + '%), ' +
-        strayed[strayed.length - 1].name + ' least (' + fixed(100 * strayed[strayed.length - 1].delta, 0) + THIN + '%).'
+      ? symbol(strayed[0].name) + ' differs most from device to device (' + fixed(100 * strayed[0].delta, 0) + THIN + '%), ' +
+        symbol(strayed[strayed.length - 1].name) + ' least (' + fixed(100 * strayed[strayed.length - 1].delta, 0) + THIN + '%).'
       : '') +
     (usable.some((device) => device.name.length > 6) ? ' Devices are numbered in the order of the lot.' : '') +
     (bound.length > 0
-      ? ' Open marks: the best run lies at a bound of its box (' + enumerate(bound.map((place) => law.parameters[place].name)) + ').'
+      ? ' Open marks: the best run lies at a bound of its box (' + enumerate(bound.map((place) => symbol(law.parameters[place].name))) + ').'
       : '')
   );
 }
@@ -105,7 +106,7 @@ function drawPanels(look, width) {
       };
     const { unit } = law.parameters[place];
     const scale = [exponent !== 0 ? '10' + superscript(exponent) : '', unit && unit !== '1' ? unitText(unit) : ''].filter(Boolean).join(' ');
-    const title = '<b>' + plain(law.parameters[place].name) + '</b>';
+    const title = '<b>' + inFigure(symbol(law.parameters[place].name)) + '</b>';
     layout.annotations.push(panelHeading(look, left, top, title + (scale ? ' [' + plain(scale) + ']' : '')));
     layout.shapes.push({
       type: 'line', xref: 'x' + x + ' domain', x0: 0, x1: 1, yref: 'y' + y, y0: lot / factor, y1: lot / factor,

@@ -1,8 +1,9 @@
 import { element } from '../dom.js';
 import { devices, laws, ranking, resultColumns, usable } from '../report.js';
+import { symbol } from '../symbols.js';
 import { table } from '../tables.js';
 import {
-  DASH, THIN, count, fixed, isNumber, mean, rowFormat, signed, significant, superscript, trimmed, unitText,
+  DASH, THIN, count, fixed, isNumber, mean, rowFormat, signed, significant, spreadText, superscript, trimmed, unitText,
 } from '../text.js';
 
 export const parameterTablesFigure = {
@@ -12,7 +13,7 @@ export const parameterTablesFigure = {
   wanted: () => laws.some((law) => law.parameters.length > 0),
   caption: () =>
     'Mean over the runs, ± standard deviation, and the difference of the device from the lot\u2019s mean in percent. ▲ ▼: the best run lies at the upper or lower ' +
-    'bound of its search box, so the bound, not the record, decided the value. Δ: largest difference of a device from the lot\u2019s mean; β is its mean over the calibrated parameters.',
+    'bound of its search box, so the bound, not the record, decided the value. ≈: the tests do not determine it. Δ: largest difference of a device from the lot\u2019s mean; β is its mean over the calibrated parameters.',
   csv: parameterData,
   build: parameterTables,
 };
@@ -24,6 +25,15 @@ function bounds(law, place) {
   return { same, lower: found[0].lower, upper: found[0].upper };
 }
 
+const isOpen = (fit, place) => fit.determination?.[place]?.identifiability === 'undetermined';
+
+// With the paper's name where it has another one.
+function nameCell({ name, paper_name: other }) {
+  if (!other) return symbol(name);
+  const small = element('small', { class: 'paper-name' }, 'paper: ' + symbol(other));
+  return element('th', { scope: 'row', class: 'pinned' }, symbol(name), small);
+}
+
 function parameterTable(law, shown) {
   const columns = [
     { title: 'Quantity', pinned: true },
@@ -33,14 +43,14 @@ function parameterTable(law, shown) {
     { title: 'Δ', unit: '%', number: true },
     ...shown.map((device) => ({ title: device.name, full: device.name, name: true, number: true })),
   ];
-  const cell = (value, std, difference, bound, format, best) => {
+  const cell = (value, std, difference, bound, format, best, open = false) => {
     const text = [
       element(
         'span',
         { class: 'cell-mean', 'data-mark': bound === 'upper' ? '▲' : '▼' },
-        fixed(value / format.factor, format.decimals),
+        open ? '≈' + THIN + significant(value / format.factor, 2) : fixed(value / format.factor, format.decimals),
       ),
-      std === null ? null : element('span', { class: 'cell-std' }, '± ' + fixed(std / format.factor, format.decimals)),
+      std === null || open ? null : element('span', { class: 'cell-std' }, spreadText(std / format.factor, format.decimals)),
       difference === null ? null : element('span', { class: 'cell-difference' }, signed(difference, 1) + THIN + '%'),
     ];
     const title = bound ? 'the best run, ' + significant(best, 4) + ', lies at the ' + bound + ' bound' : null;
@@ -70,7 +80,7 @@ function parameterTable(law, shown) {
       lot = mean(means.filter(isNumber));
     return {
       cells: [
-        parameter.name,
+        nameCell(parameter),
         (format.exponent !== 0 ? '10' + superscript(format.exponent) + ' ' : '') +
           (parameter.unit ? unitText(parameter.unit) : '-'),
         element(
@@ -90,13 +100,13 @@ function parameterTable(law, shown) {
           const fit = law.fitOn.get(device.index),
             p = fit?.parameters[place];
           return isNumber(p?.mean)
-            ? cell(p.mean, parameter.free ? p.std : null, parameter.free ? p.percent_of_lot : null, p.at_bound, format, p.best)
+            ? cell(p.mean, parameter.free ? p.std : null, parameter.free ? p.percent_of_lot : null, p.at_bound, format, p.best, isOpen(fit, place))
             : none(fit);
         }),
       ],
     };
   });
-  return table(columns, [objective, ...rows], 'Parameters of ' + law.id);
+  return table(columns, [objective, ...rows], 'Parameters of ' + law.name);
 }
 
 const DEVICES_PER_PRINTED_BLOCK = 6;
@@ -116,7 +126,7 @@ function parameterTables() {
         element(
           'summary',
           {},
-          element('b', {}, law.id),
+          element('b', {}, law.name),
           element('span', {}, law.title),
           element(
             'span',
@@ -124,7 +134,7 @@ function parameterTables() {
             'OF ' + fixed(law.objective.mean, 4) + (law.beta === null ? '' : ', β ' + fixed(law.beta, 3)),
           ),
           widest
-            ? element('span', {}, widest.name + ' strays most, ' + fixed(100 * widest.delta, 0) + THIN + '%')
+            ? element('span', {}, symbol(widest.name) + ' strays most, ' + fixed(100 * widest.delta, 0) + THIN + '%')
             : null,
           bound > 0 ? element('span', {}, count(bound, 'parameter') + ' at a bound somewhere') : null,
         ),
@@ -165,13 +175,13 @@ export function parameterData() {
   ]);
   const relative = ({ mean, std }) => (isNumber(std) && mean !== 0 ? Math.abs(std / mean) : null);
   return {
-    columns: ['law', 'parameter', 'unit', 'device', ...columns, 'std/|mean| [-]'],
+    columns: ['law', 'parameter', 'in the paper', 'unit', 'device', ...columns, 'std/|mean| [-]'],
     rows: laws.flatMap((law) =>
       law.parameters.flatMap((parameter, i) =>
         law.devices
           .filter((fit) => fit.parameters[i])
           .map((fit) => [
-            law.id, parameter.name, parameter.unit, devices[fit.device].name, ...cells(fit.parameters[i]),
+            law.id, parameter.name, parameter.paper_name, parameter.unit, devices[fit.device].name, ...cells(fit.parameters[i]),
             relative(fit.parameters[i]),
           ]),
       ),

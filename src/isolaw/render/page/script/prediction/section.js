@@ -1,7 +1,8 @@
 import { element } from '../dom.js';
-import { devices, predictedLaws, report, resultColumns } from '../report.js';
+import { devices, predictedByFit, predictedLaws, report, resultColumns } from '../report.js';
 import { tableOf } from '../tables.js';
 import { DASH, THIN, enumerate, fixed, mean, short, significant } from '../text.js';
+import { predictedLoopsFigure } from './loops.js';
 
 const predictionsFigure = {
   id: 'predictions',
@@ -15,8 +16,9 @@ const predictionsFigure = {
 export const predictionSection = {
   id: 'prediction',
   title: 'Prediction across the record',
+  short: 'Prediction', // in the contents
   laws: true,
-  figures: [predictionsFigure],
+  figures: [predictionsFigure, predictedLoopsFigure],
 };
 
 // A column per block, and apart for a block that is fitted on some devices and predicted on others.
@@ -46,14 +48,14 @@ const missText = (objective) => (objective < 10 ? fixed(objective, 4) : signific
 
 function predictionCaption() {
   const { good_prediction: good, fair_prediction: fair, poor_prediction: poor, ...limits } = report.thresholds;
-  const best = [...predictedLaws].sort((a, b) => a.predicted_objective - b.predicted_objective)[0],
+  const [best] = predictedByFit,
     closest = [...predictedLaws].sort((a, b) => a.fitted_objective - b.fitted_objective)[0];
-  const unusable = predictedLaws.filter((law) => law.prediction_grade === 'unusable').map((law) => law.id);
+  const unusable = predictedLaws.filter((law) => law.prediction_grade === 'unusable').map((law) => law.name);
   return (
     'Every law runs through the whole record and was fitted to the blocks so marked alone. ' +
     (best === closest
-      ? best.id + ' is closest both to the blocks it was fitted to and to the others.'
-      : closest.id + ' is closest to the blocks it was fitted to, ' + best.id + ' to the others.') +
+      ? best.name + ' is closest both to the blocks it was fitted to and to the others.'
+      : closest.name + ' is closest to the blocks it was fitted to, ' + best.name + ' to the others.') +
     (unusable.length > 0
       ? ' The prediction of ' +
         enumerate(unusable) + ' is unusable: no law for other amplitudes or frequencies than those of the fit.'
@@ -85,7 +87,7 @@ function predictionTable() {
   const ratio = (law) =>
     law.fitted_objective > 0 ? significant(law.predicted_objective / law.fitted_objective, 2) : DASH;
   const columns = [
-    { title: 'Law', pinned: true, tight: true, cell: (law) => element('b', { class: 'strong' }, law.id) },
+    { title: 'Law', pinned: true, tight: true, cell: (law) => element('b', { class: 'strong' }, law.name) },
     { title: 'Prediction', tight: true, cell: verdict },
     ...blocks.map((block) => ({
       title: 'Block ' + block.block,

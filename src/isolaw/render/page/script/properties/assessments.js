@@ -12,7 +12,9 @@ export const assessmentsFigure = {
   depends: ['tested'],
   wanted: () => chosen.tested !== null && devices.some((device) => device.assessments.length > 0),
   caption: () =>
-    devices[chosen.tested].name + ' alone; the lot follows below.' +
+    (devices.length > 1
+      ? devices[chosen.tested].name + ' alone; the lot follows below.'
+      : 'Block ' + devices[chosen.tested].counting_block + ', ' + devices[chosen.tested].counting_block_choice + '.') +
     (isVerified() ? '' : ' Deviations are information, no verdict.'),
   csv: () => assessmentData([devices[chosen.tested]]),
   build: assessmentTable,
@@ -31,12 +33,12 @@ function assessmentTable() {
   const columns = [
     { title: 'Quantity', pinned: true, cell: (a) => element('b', { class: 'strong' }, a.quantity) },
     { title: 'Verdict', cell: verdict },
-    { title: 'Block', number: true, screen: true, cell: (a) => (isNumber(a.block) && a.block > 0 ? String(a.block) : DASH) },
+    { title: 'Block', number: true, cell: (a) => (isNumber(a.block) && a.block > 0 ? String(a.block) : DASH) },
     { title: 'Value', number: true, cell: (a) => withUnit(a.value, a.unit) },
     { title: 'Design value', number: true, cell: (a) => withUnit(a.nominal, a.unit) },
     { title: 'Deviation', number: true, cell: (a) => deviation(a.deviation_percent) },
     { title: 'Limits', cell: (a) => element('td', { class: 'tight' }, limitText(a.limit)) },
-    { title: 'Formula', screen: true, cell: (a) => a.formula },
+    { title: 'Formula', cell: (a) => a.formula },
     { title: 'Clause', cell: (a) => element('td', { class: 'note clause' }, a.clause) },
   ];
   return tableOf(columns, device.assessments, 'Assessment of the chosen device');

@@ -9,7 +9,8 @@ export const cycleHistoryFigure = {
   id: 'cycle-history',
   title: 'Displacement history with blocks and cycles',
   depends: ['tested'],
-  wanted: () => chosen.tested !== null,
+  // Of one block the loops, in their colours from first to last, say the same.
+  wanted: () => chosen.tested !== null && !(inspection && devices.every((device) => device.blocks.length === 1 || device.status !== 'ok')),
   caption: cycleHistoryCaption,
   csv: rawData,
   height: () => 320,

@@ -22,7 +22,7 @@ export const propertiesSection = {
   id: 'properties',
   title: 'Properties',
   controls: propertyControls,
-  figures: [warningsFigure, cyclesFigure, stabilityFigure, cycleHistoryFigure, cycleTableFigure, levelsFigure, assessmentsFigure],
+  figures: [warningsFigure, cyclesFigure, stabilityFigure, cycleHistoryFigure, cycleTableFigure, levelsFigure, ...(inspection && devices.length === 1 ? [] : [assessmentsFigure])],
 };
 
 function propertyControls() {
@@ -44,6 +44,7 @@ function propertyControls() {
     select.value = chosen.block;
   });
   select.addEventListener('change', () => choose({ block: select.value === 'all' ? 'all' : Number(select.value) }));
+  if (inspection && tested.length === 1 && tested[0].blocks.length < 2) return []; // nothing to choose
   return tested.length === 0
     ? [element('p', { class: 'empty' }, 'No record could be read.')]
     : [deviceChooser('tested', tested, 'tested'), element('label', {}, 'Block', select)];

@@ -2,10 +2,9 @@ import { chosen } from '../choice.js';
 import { blockText, cycleData, isReported, noCycles } from '../cycles.js';
 import { element, onScreen } from '../dom.js';
 import { devices, numberColumn } from '../report.js';
-import { table } from '../tables.js';
+import { said, table } from '../tables.js';
 import { DASH, isNumber } from '../text.js';
 
-const ON_PAPER = ['amplitude_mm', 'K_eff_kN_per_mm', 'energy_kN_mm', 'damping_percent', 'Q_d_kN', 'K_d_kN_per_mm', 'strain_percent', 'G_MPa'];
 const SHOWN = [
   'amplitude_mm', 'F_plus_kN', 'F_minus_kN', 'K_eff_kN_per_mm', 'K_plus_kN_per_mm', 'K_minus_kN_per_mm', 'energy_kN_mm',
   'damping_percent', 'Q_d_kN', 'K_d_kN_per_mm', 'v_max_mm_s', 'N_mean_kN', 'strain_percent', 'G_MPa',
@@ -28,7 +27,8 @@ function cycleTableCaption() {
   return (
     device.name +
     ', from raw values. In bold the reported cycle: the third of the block of largest amplitude, or its last; grey: not counted.' +
-    onScreen(' K+ and K\u2212: force over displacement per side. The CSV holds more columns.')
+    ' K+ and K\u2212: force over displacement per side.' +
+    onScreen(' The CSV holds more columns.')
   );
 }
 
@@ -37,7 +37,7 @@ function cycleTable() {
   const all = device.blocks.flatMap((block) => block.cycles.map((cycle) => ({ block, cycle })));
   if (all.length === 0) return element('p', { class: 'empty' }, 'No cycles: ' + noCycles(device));
   const shown = SHOWN.filter((key) => all.some(({ cycle }) => isNumber(cycle[key]))).map((key) =>
-    numberColumn('cycles', key, { screen: !ON_PAPER.includes(key) }),
+    numberColumn('cycles', key),
   );
   const columns = [
     { title: 'Block', pinned: true, name: true },
@@ -55,7 +55,7 @@ function cycleTable() {
         element(
           'span',
           {},
-          first ? blockText(block).replace(/^block /, '') : '',
+          said(first, element('span', {}, blockText(block).replace(/^block /, ''))),
           cycle.counts ? null : element('small', {}, 'not counted: ' + cycle.reason),
         ),
         cycle.counts ? String(cycle.number) : DASH,

@@ -7,10 +7,9 @@ const settingsFigure = {
   id: 'settings',
   width: 'narrow',
   title: 'Settings',
+  wanted: () => !inspection, // nothing was searched
   caption: () =>
-    inspection
-      ? 'Properties are of raw values; they depend on the files and on how these were read.'
-      : 'The same files, settings and seed give the same results, whatever the number of threads.',
+    'The same files, settings and seed give the same results, whatever the number of threads.',
   build: () => termList('settings', settingRows()),
   csv: () => ({ columns: ['setting', 'value'], rows: settingRows() }),
 };
@@ -19,6 +18,7 @@ const filesFigure = {
   id: 'files',
   width: 'wide',
   title: 'Input files',
+  wanted: () => !inspection, // they stand with the certificate
   caption: () => 'SHA-256 of each file as it was read: a changed file is another input.',
   csv: () => ({
     columns: ['device', 'file', 'sha256', 'status', 'message'],
@@ -62,7 +62,6 @@ export const provenanceSection = {
 function settingRows() {
   const text = (value) => (Array.isArray(value) ? value.join(', ') || 'none' : String(value));
   const { rule_set: rules = null, design = [], lot = null } = report.assessment ?? {};
-  if (inspection) return [['isolaw', report.isolaw]]; // nothing was searched, and properties are of raw values
   return [
     ['isolaw', report.isolaw],
     ['seed', report.seed],
@@ -120,7 +119,7 @@ function stepsList() {
         'ul',
         {},
         ...sentences.map((text) => element('li', {}, text)),
-        element('li', {}, 'SHA-256 ', element('code', {}, device.sha256)),
+        inspection ? null : element('li', {}, 'SHA-256 ', element('code', {}, device.sha256)),
       ),
     );
   });
@@ -137,7 +136,7 @@ function lawNotes() {
         element(
           'details',
           { class: 'steps' },
-          element('summary', {}, element('b', {}, law.id), ' \u2013 ' + law.title),
+          element('summary', {}, element('b', {}, law.name), ' \u2013 ' + law.title),
           element('ul', {}, ...law.notes.map((note) => element('li', {}, note))),
         ),
       ),

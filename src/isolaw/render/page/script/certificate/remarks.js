@@ -1,0 +1,30 @@
+import { element } from '../dom.js';
+import { devices, report } from '../report.js';
+import { enumerate, sentence } from '../text.js';
+
+export const certificateRemarksFigure = {
+  id: 'certificate-remarks',
+  title: 'Remarks',
+  long: true,
+  wanted: () => certificateRemarks().length > 0,
+  build: () => element('ul', { class: 'sentences' }, ...certificateRemarks().map((text) => element('li', {}, sentence(text)))),
+};
+
+// What a reader of the sheet must know of the records: doubts, corrections, what the program was told of them.
+function certificateRemarks() {
+  const topics = new Set(['copies', 'record', 'refused']);
+  // 'all devices' is said of `fewest` devices or more.
+  const withDevices = (textsOf, fewest) => {
+    const all = (names) => names.length === devices.length && names.length >= fewest;
+    const found = new Map();
+    for (const device of devices) for (const text of textsOf(device)) found.set(text, [...(found.get(text) ?? []), device.name]);
+    return [...found].map(([text, names]) => (all(names) ? 'all devices' : enumerate(names)) + ': ' + text);
+  };
+  // What the program was told of a record stands with its option in brackets; how columns were recognised does not.
+  const told = (device) => device.recognised.filter((line) => /\(--[a-z]/.test(line));
+  return [
+    ...report.findings.warnings.filter((warning) => topics.has(warning.topic)).map((warning) => warning.sentence),
+    ...withDevices(({ corrections }) => corrections, 2).map((text) => 'corrected, ' + text),
+    ...withDevices(told, 1),
+  ];
+}

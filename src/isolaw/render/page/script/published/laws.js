@@ -1,0 +1,50 @@
+// The study's numbers beside those of the campaign, law by law.
+
+import { element } from '../dom.js';
+import { nameOf } from '../laws.js';
+import { laws, report, resultColumns } from '../report.js';
+import { tableOf } from '../tables.js';
+import { DASH, fixed, sentence, significant } from '../text.js';
+
+export const publishedLawsFigure = {
+  id: 'published-laws',
+  title: 'Its laws, here and in its Table A.5',
+  wanted: () => report.published !== null,
+  caption: () =>
+    'Published: its own ten devices, 20 runs of a genetic algorithm each, objectives printed to two digits. \u03c3, of OF over the runs: mean over the devices; ' +
+    'a genetic algorithm as it is described there scatters farther than the table says. Front: among these laws alone.',
+  csv: () => {
+    const { columns, cells } = resultColumns('published_laws');
+    return { columns, rows: report.published.laws.map(cells) };
+  },
+  build: () => element('div', {}, lawTable(), readings()),
+};
+
+function lawTable() {
+  const pair = (title, key, text) => [
+    { title, unit: 'here', number: true, cell: (law) => text(law[key]) },
+    { title, unit: 'published', number: true, cell: (law) => text(law['published_' + key]) },
+  ];
+  const frontHere = (law) => (law.beta === null || !law.compared ? DASH : law.on_front ? 'yes' : 'no');
+  const columns = [
+    { title: 'No.', tight: true, cell: (law) => String(law.number) },
+    { title: 'Law', tight: true, cell: (law) => element('b', { class: 'strong' }, nameOf(law.law)) },
+    ...pair('mean OF', 'objective', (value) => fixed(value, 4)),
+    ...pair('\u03c3, runs', 'std_over_runs', (value) => significant(value, 2)),
+    ...pair('\u03c3, devices', 'std_over_devices', (value) => significant(value, 2)),
+    ...pair('\u03b2', 'beta', (value) => fixed(value, 3)),
+    { title: 'front', unit: 'here / published', tight: true, cell: (law) => frontHere(law) + ' / ' + (law.published_on_front ? 'yes' : 'no') },
+  ];
+  return tableOf(columns, report.published.laws, 'Laws of the published study');
+}
+
+// How the study is read where it is open.
+function readings() {
+  const notes = report.published.laws.flatMap(({ law: id }) =>
+    (laws.find((law) => law.id === id)?.notes ?? []).map((note) =>
+      element('li', {}, element('b', {}, id), ': ' + sentence(note)),
+    ),
+  );
+  if (notes.length === 0) return null;
+  return element('details', {}, element('summary', {}, 'How its laws are read'), element('ul', { class: 'sentences' }, ...notes));
+}

@@ -1,0 +1,38 @@
+// What the study says, and whether it holds here.
+
+import { element } from '../dom.js';
+import { report, resultColumns } from '../report.js';
+import { tableOf } from '../tables.js';
+
+export const verdictFigure = {
+  id: 'published-verdict',
+  title: '',
+  wanted: () => report.published !== null,
+  build: () => element('p', { class: 'headline' }, report.published.verdict),
+};
+
+export const statementsFigure = {
+  id: 'published-statements',
+  title: 'What it says, and what is found here',
+  wanted: () => report.published !== null,
+  caption: () => 'Statements of ' + report.published.source + ', in our words, judged by the mean objective over the runs and \u03b2 alone.',
+  csv: () => {
+    const { columns, cells } = resultColumns('published_statements');
+    return { columns, rows: report.published.statements.map(cells) };
+  },
+  build: statementTable,
+};
+
+const judged = (holds) => (holds === null ? 'open' : holds ? 'holds' : 'does not');
+const mark = (holds) => element('span', { class: holds === null ? 'muted' : holds ? 'good' : 'poor' }, judged(holds));
+
+function statementTable() {
+  const columns = [
+    { title: 'Statement', cell: ({ text }) => element('th', { scope: 'row', class: 'text' }, text) },
+    { title: 'Here', tight: true, cell: ({ here }) => mark(here) },
+    { title: 'In its Table A.5', tight: true, cell: ({ in_table: holds }) => mark(holds) },
+    { title: 'Found here', cell: ({ found }) => element('td', { class: 'note text' }, found) },
+    { title: 'Where', tight: true, cell: ({ where }) => where },
+  ];
+  return tableOf(columns, report.published.statements, 'Statements of the published study');
+}

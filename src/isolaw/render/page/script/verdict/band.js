@@ -1,0 +1,30 @@
+import { element, shortList } from '../dom.js';
+import { report } from '../report.js';
+import { sentence } from '../text.js';
+import { WORDS, verdictBadge } from '../verdicts.js';
+
+// The verdict of the whole, in a word and a sentence; then what fails and passes, and the devices behind the sentence.
+// What is not assessed the sentence names.
+export const verdictFigure = { id: 'verdict', title: '', build: band };
+
+function band() {
+  const { word, sentence: said, requirements, failing, not_assessed: without } = report.result;
+  const remark = ({ device, remark: what }) => element('li', {}, element('b', {}, device ?? 'The lot'), ' ' + sentence(what));
+  // Ten stand in the sentence.
+  const rest = [...(failing.length > 10 ? failing : []), ...without];
+  return element(
+    'div',
+    { class: 'band ' + (word ? WORDS[word].tone : 'muted') },
+    word ? element('p', { class: 'word' }, word) : null,
+    element('p', { class: 'said' }, sentence(said[0].toUpperCase() + said.slice(1)) + '.'),
+    element(
+      'ul',
+      { class: 'requirements' },
+      ...['fail', 'pass'].map((verdict) => {
+        const names = requirements.filter((one) => one.verdict === verdict).map(({ name }) => name);
+        return names.length > 0 ? element('li', {}, verdictBadge(verdict), ' ' + names.join(', ')) : null;
+      }),
+    ),
+    rest.length > 0 ? element('div', { class: 'remarks' }, ...shortList(rest.map(remark), 5, 4)) : null,
+  );
+}

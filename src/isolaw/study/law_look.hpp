@@ -1,0 +1,41 @@
+// How a law is drawn, wherever it is: on the page and in figures for print. Colours that colour-blind readers tell
+// apart (after Okabe, Ito 2008), each with its fellow for a dark screen, and markers that grey print keeps.
+#pragma once
+
+#include <cstddef>
+#include <iterator>
+#include <string_view>
+
+namespace isolaw::study {
+
+struct LawLook {
+  std::string_view colour, on_dark;
+  std::string_view symbol;    // the page's marker
+  int point = 0, hollow = 0;  // gnuplot's markers, filled and not
+};
+
+inline constexpr LawLook law_looks[]{
+    {"#0072b2", "#56a8e0", "circle", 7, 6},
+    {"#bf4408", "#ff8a4c", "square", 5, 4},
+    {"#009e73", "#35c49a", "diamond", 13, 12},
+    {"#b8558f", "#e08fc0", "triangle-up", 9, 8},
+    {"#d99a00", "#f0b93a", "triangle-down", 11, 10},
+    {"#3aa0dc", "#8fd0f7", "cross", 1, 1},
+    {"#6b4fa0", "#a98fe0", "x", 2, 2},
+    {"#5d6a73", "#a9b4bc", "star", 3, 3},
+};
+inline constexpr std::size_t law_look_count = std::size(law_looks);
+
+// Of a law by its place in the summary; they return after so many laws, with hollow markers.
+constexpr std::size_t look_of(std::size_t law) {
+  return law % law_look_count;
+}
+constexpr bool is_hollow(std::size_t law) {
+  return law >= law_look_count;
+}
+
+// Where a law stands in accuracy against robustness: filled on the front, hollow where it is beaten, a cross where it
+// does not describe the devices.
+inline constexpr int front_point = 7, beaten_point = 12, inadequate_point = 2;
+
+}  // namespace isolaw::study

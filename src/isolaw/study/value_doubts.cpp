@@ -1,0 +1,63 @@
+#include "isolaw/study/value_doubts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+#include "isolaw/data/error_budget.hpp"
+
+namespace isolaw::study {
+namespace {
+
+constexpr double least_share = 0.02;
+
+// As it is held to the rule set, the mean of both sides, else of the cycle that is reported.
+std::optional<double> stated_damping(DeviceResult const& device) {
+  auto const quantity = std::string(rules::name(rules::Quantity::damping));
+  double sum = 0.0, count = 0.0;
+  for (auto const& a : device.acceptance.assessments)
+    if (a.value && (a.quantity == quantity || a.quantity.starts_with(quantity + ","))) sum += *a.value, count += 1.0;
+  if (count > 0.0) return sum / count;
+  return device.properties.reported ? device.properties.reported->damping() : std::nullopt;
+}
+
+std::optional<double> effect_of(DeviceResult const& device, std::string_view effect) {
+  auto const found = std::ranges::find(device.effects, effect, &data::Effect::effect);
+  return found == device.effects.end() ? std::nullopt : std::optional(found->value);
+}
+
+}  // namespace
+
+std::string ValueDoubt::text() const {
+  return fmt::format("{} {:.3g} {}, or {:.3g} {} if {}", quantity, value, unit, otherwise, unit, condition);
+}
+
+std::vector<ValueDoubt> value_doubts(DeviceResult const& device) {
+  std::vector<ValueDoubt> doubts;
+  auto const damping = stated_damping(device);
+  if (!damping || !(*damping > 0.0)) return doubts;
+  // `points` are what the effect adds to the damping.
+  auto const add = [&](std::optional<double> points, std::string condition) {
+    if (!points || std::abs(*points) < least_share * *damping) return;
+    doubts.push_back({.quantity = std::string(rules::name(rules::Quantity::damping)),
+                      .value = *damping,
+                      .otherwise = std::max(0.0, *damping - *points),
+                      .unit = "%",
+                      .condition = std::move(condition)});
+  };
+  auto const skew = effect_of(device, data::damping_by_skew);
+  add(skew,
+      skew.value_or(0.0) < 0.0 ? "the force, a late channel, is moved back" : "the lead of the force is a channel's");
+  auto const jump = effect_of(device, data::damping_by_jump);
+  bool const friction_is_off = std::ranges::any_of(
+      device.raw.corrections, [](auto const& text) { return text.starts_with("friction of the rig"); });
+  add(jump, "the jump of force at reversals is the rig's friction");
+  if (!jump && !friction_is_off)
+    add(effect_of(device, data::damping_by_rig_friction), "the rig's friction is 0.5 % of the vertical load");
+  return doubts;
+}
+
+}  // namespace isolaw::study

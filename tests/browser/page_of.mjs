@@ -1,0 +1,54 @@
+// Pages of made-up lots for the tests of the browser, and what these tests share.
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { Chromium } from './chromium.mjs';
+import { extend, with_data } from './test_records.mjs';
+
+// Runs `test` with a browser and what makes pages; ends the process, with 77 where there is no browser.
+export async function withBrowser(program, makePage, test) {
+  if (!program || !existsSync(program)) {
+    console.log('skipped: no Chromium found (install chromium, or configure with -DISOLAW_CHROMIUM=FILE)');
+    process.exit(77);
+  }
+  const directory = mkdtempSync(join(tmpdir(), 'isolaw-browser-')),
+    browser = new Chromium(program),
+    failures = [];
+  const expect = (holds, name, what) => {
+    if (!holds) failures.push(`${name}: ${what}`);
+  };
+  // `records`: what test_records.mjs makes of the page's data; `state`: of make_page.cpp.
+  const written = new Map();
+  const open = async ({ devices, laws, state, records, width, height = 800, dark }) => {
+    const name = [devices, laws, state ?? 'plain', records ? JSON.stringify(records) : 'as-written'].join('-').replace(/[^\w-]/g, '');
+    if (!written.has(name)) {
+      const out = join(directory, name);
+      execFileSync(makePage, [out, String(devices), String(laws), ...(state ? [state] : [])], { stdio: ['ignore', 'ignore', 'inherit'] });
+      const file = join(out, 'report.html');
+      if (records) writeFileSync(file, with_data(readFileSync(file, 'utf8'), (report) => extend(report, records)));
+      written.set(name, file);
+    }
+    const page = await browser.open(pathToFileURL(written.get(name)).href, { width, height, dark });
+    page.resize = async (wide) => {
+      await page.send('Emulation.setDeviceMetricsOverride', { width: wide, height, deviceScaleFactor: 1, mobile: wide < 500 });
+      await page.evaluate('new Promise((done) => setTimeout(done, 300))');
+    };
+    // As on paper of 180 mm between its margins.
+    page.print = async () => {
+      await page.resize(681);
+      await page.send('Emulation.setEmulatedMedia', { media: 'print' });
+      await page.evaluate("dispatchEvent(new Event('beforeprint')); new Promise((done) => setTimeout(done, 500))");
+    };
+    return page;
+  };
+  try {
+    await test({ open, expect });
+  } finally {
+    await browser.close();
+    rmSync(directory, { recursive: true, force: true });
+  }
+  for (const failure of failures) console.log('FAILED ' + failure);
+  process.exit(failures.length === 0 ? 0 : 1);
+}
