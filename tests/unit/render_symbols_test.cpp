@@ -40,8 +40,8 @@ TEST(NumberText, HasNoPowerOfTenBelowAMillion) {
   EXPECT_EQ(number_text(28390.4), "28390");
   EXPECT_EQ(number_text(1999.6), "2000");
   EXPECT_EQ(number_text(0.028391), "0.02839");
-  EXPECT_EQ(number_text(16059.41, 3), "16059");
-  EXPECT_EQ(number_text(-12345.6), "-12346");
+  EXPECT_EQ(number_text(16059.41, 3), "16100");
+  EXPECT_EQ(number_text(-12345.6), "-12350");
   EXPECT_EQ(number_text(2.5e6), "2.5e+06");
   EXPECT_EQ(number_text(0.0), "0");
 }

@@ -1,7 +1,7 @@
 // The contract of a law: what its file says about it, the record as it sees it, and how one is run over a record.
 //
 // A law is a struct with
-//   info                       LawInfo: id, title, source, units, traits, notes on how the source was read
+//   info                       LawInfo: id, name, title, source, units, traits, notes on how the source was read
 //   Params<T>                  its parameters, in the paper's symbols
 //   rows<T>                    one Row per parameter, in the order of reports: member, name, unit, meaning, limits,
 //                              boxes

@@ -206,7 +206,7 @@ Judged published_front(ByNumber const& laws) {
   for (int const number : all) {
     if (!law_of(laws, number).numbers.on_front) continue;
     front.push_back(number);
-    names.push_back(law_of(laws, number).law);
+    names.emplace_back(laws::called(law_of(laws, number).law));
   }
   return {front == expected, "not dominated: " + enumerate(names, study_laws)};
 }

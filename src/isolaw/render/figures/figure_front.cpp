@@ -80,14 +80,21 @@ std::vector<FrontPoint> published_points(Summary const& summary, FrontView view)
 std::vector<NamePlace> place_names(std::vector<FrontPoint> const& points, std::vector<FrontPoint> const& published,
                                    Range const& x, Range const& y, double width_mm, double height_mm) {
   constexpr double letter_height_mm = 2.6, marker_mm = 1.3, line_mm = 0.4;
-  static constexpr std::array<NamePlace, 8> candidates{{{2.0, 0.0, "left"},
-                                                        {-2.0, 0.0, "right"},
-                                                        {0.0, 2.4, "center"},
-                                                        {0.0, -2.4, "center"},
-                                                        {1.6, 1.9, "left"},
-                                                        {1.6, -1.9, "left"},
-                                                        {-1.6, 1.9, "right"},
-                                                        {-1.6, -1.9, "right"}}};
+  // Beside the point, then a line farther.
+  static constexpr std::array<NamePlace, 14> candidates{{{2.0, 0.0, "left"},
+                                                         {-2.0, 0.0, "right"},
+                                                         {0.0, 2.4, "center"},
+                                                         {0.0, -2.4, "center"},
+                                                         {1.6, 1.9, "left"},
+                                                         {1.6, -1.9, "left"},
+                                                         {-1.6, 1.9, "right"},
+                                                         {-1.6, -1.9, "right"},
+                                                         {0.0, 5.0, "center"},
+                                                         {0.0, -5.0, "center"},
+                                                         {1.6, 4.5, "left"},
+                                                         {1.6, -4.5, "left"},
+                                                         {-1.6, 4.5, "right"},
+                                                         {-1.6, -4.5, "right"}}};
   auto const at = [&](FrontPoint const& point) {
     return std::pair((point.x - x.low) / (x.high - x.low) * width_mm, (point.y - y.low) / (y.high - y.low) * height_mm);
   };

@@ -73,7 +73,7 @@ std::string objective_script(std::string const& name, std::string const& about, 
                   .rows = static_cast<int>(panels),
                   .width_mm = double_column_mm,
                   .panel_height_mm = 34.0,
-                  .margins = {.left = 16.0, .right = 3.0, .bottom = 6.5, .top = 2.5}};
+                  .margins = {.left = 16.0, .right = 3.0, .bottom = 9.5, .top = 2.5}};
   Script script(name, about, grid.width_mm, grid.height_mm());
   std::vector<std::string> tics;
   for (auto const& law : laws) tics.push_back(fmt::format("{} {}", law_tic(law.title), tics.size() + 1));

@@ -188,7 +188,7 @@ MaybeFigure published_objective_figure(Summary const& summary) {
                   .rows = 3,
                   .width_mm = double_column_mm,
                   .panel_height_mm = 34.0,
-                  .margins = {.left = 16.0, .right = 3.0, .bottom = 6.5, .top = 2.5},
+                  .margins = {.left = 16.0, .right = 3.0, .bottom = 9.5, .top = 2.5},
                   .head_mm = 4.0};
   Script script(name, about, grid.width_mm, grid.height_mm());
   std::vector<std::string> tics;

@@ -6,6 +6,7 @@
 
 #include "isolaw/analysis/determination.hpp"
 #include "isolaw/base/symbol.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/campaign/maker.hpp"
 #include "isolaw/num/statistics.hpp"
 #include "isolaw/render/json/properties_json.hpp"
@@ -376,10 +377,15 @@ void write_symbols(JsonWriter& out, Summary const& summary) {
       parameters.insert(parameter.name);
       if (!parameter.paper_name.empty()) parameters.insert(parameter.paper_name);
     }
+  // "a10", unless a device is called so.
+  auto const is_no_other_word = [&](std::string_view name) {
+    return name.size() > 1 && std::ranges::any_of(name, is_digit) &&
+           std::ranges::find(summary.devices, name, &DeviceResult::name) == summary.devices.end();
+  };
   std::set<std::string_view> words;
   for (auto const word : symbol_words()) words.insert(word);
   for (auto const name : parameters)
-    if (symbol_of(name).is_greek()) words.insert(name);
+    if (symbol_of(name).is_greek() || is_no_other_word(name)) words.insert(name);
   auto const write = [&](std::string_view key, std::set<std::string_view> const& names) {
     out.key(key).begin_object();
     for (auto const name : names) {

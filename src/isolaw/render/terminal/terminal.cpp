@@ -49,7 +49,8 @@ std::string fixed(std::optional<double> const& value, int decimals) {
 // A standard deviation below what is printed of its mean is no zero.
 std::string spread(std::optional<double> const& std) {
   constexpr double least = 1e-4;
-  return std && *std > 0.0 && *std < least / 2.0 ? "<1e-4" : fixed(std, 4);
+  if (!std || *std >= least / 2.0) return fixed(std, 4);
+  return *std > 0.0 ? "<1e-4" : "0";
 }
 
 // A law in a table: its place, its name, cells aligned to the right, what stands after them.

@@ -30,7 +30,7 @@ export const LEGEND = { orientation: 'h', x: 0, y: 1.02, xanchor: 'left', yancho
 // A layout in the page's typography; axes are merged over the common axis style.
 export function styled(layout, look) {
   const axis = {
-    gridcolor: look.colour('grid'), zerolinecolor: look.colour('rule'), linecolor: look.colour('rule'), showline: true,
+    gridcolor: look.colour('grid'), zerolinecolor: look.colour('rule'), linecolor: look.colour('rule'), showline: true, exponentformat: 'SI', minexponent: 6,
     tickfont: { size: 11.5 }, title: { standoff: 6 }, automargin: true, ticks: '',
   };
   const result = {

@@ -8,7 +8,9 @@ const { words, parameters } = report.notation;
 
 export const symbol = (name) => (parameters[name] ? MARK + name + MARK : name);
 
-const escaped = Object.keys(words).map((word) => word.replace(/[^\w]/g, '\\$&'));
+const escaped = Object.keys(words)
+  .sort((a, b) => b.length - a.length)
+  .map((word) => word.replace(/[^\w]/g, '\\$&'));
 // Not within a name of a file or another word; "1.6e+04" as a power of ten.
 const SET = new RegExp(
   MARK + '([^' + MARK + ']+)' + MARK + '|(?<![\\w./-])(' + escaped.join('|') + ')(?![\\w/-]|[.]\\w)|(?<=\\d)e([+-]\\d\\d)(?!\\w)',

@@ -43,7 +43,7 @@ export function significant(value, digits = 3) {
   const exponent = Math.floor(Math.log10(Math.abs(value)));
   if (exponent >= 6 || exponent < -3)
     return typeset((value / 10 ** exponent).toFixed(digits - 1)) + '\u00b710' + superscript(exponent);
-  return typeset(value.toFixed(Math.max(0, digits - 1 - exponent)));
+  return typeset(Number(value.toPrecision(digits)).toFixed(Math.max(0, digits - 1 - exponent)));
 }
 
 // As the program says that a result is printed.
@@ -87,8 +87,9 @@ export function rangeText([low, high], unit) {
 export const limitText = (limit) => (limit ? sentence(limit).replace(/-(?=\d)/g, MINUS) : DASH);
 export const deviation = (percent, decimals = 1) => (isNumber(percent) ? signed(percent, decimals) + THIN + '%' : DASH);
 
-// A standard deviation below what is printed is no zero.
+// A standard deviation below what is printed is no zero; where there is none it is not printed.
 export function spreadText(std, decimals) {
+  if (std === 0) return '';
   const least = 10 ** -decimals;
   return ' \u00b1 ' + (std > 0 && std < least / 2 ? '<' + fixed(least, decimals) : fixed(std, decimals));
 }
