@@ -239,7 +239,7 @@ TEST_F(Analysis, exports_say_what_is_known_against_the_law) {
   }
   auto const simulated = isolaw({"simulate", "bilinear", "--from", "O", "--device", "a", "--motion", "a.csv"});
   EXPECT_TRUE(contains(simulated.err, "warning: Bilinear: K1 at its upper bound on a"));
-  EXPECT_TRUE(contains(simulated.out, "# warning: bilinear: K1 at its upper bound on a"));
+  EXPECT_TRUE(contains(simulated.out, "# warning: Bilinear: K1 at its upper bound on a"));
 }
 
 // Runs of the paper's method end above the least objective, which the analysis finds.

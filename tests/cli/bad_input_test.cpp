@@ -311,7 +311,7 @@ TEST_F(BadInput, without_time_the_two_rate_dependent_laws_are_refused_and_the_ot
     EXPECT_TRUE(contains(fit["message"].get<std::string>(),
                          "allowed: rate-independent laws (bilinear, vaiana, bouc-wen, abe, abe-y0"));
     EXPECT_TRUE(contains(fit["message"].get<std::string>(), "try: --dt SECONDS"));
-    EXPECT_TRUE(contains(o.out, law["id"].get<std::string>() + " was not identified on notime"));
+    EXPECT_TRUE(contains(o.out, law["name"].get<std::string>() + " was not identified on notime"));
     EXPECT_TRUE(contains(read("O/tables/objective.csv"), law["id"].get<std::string>() + ",notime,,,,0,0,"));
   }
   EXPECT_TRUE(contains(read("O/report.html"), "no time channel"));
@@ -360,7 +360,7 @@ TEST_F(BadInput, a_law_without_any_finite_force_is_a_failed_law_not_a_failed_cam
   auto const o = isolaw({"calibrate", "a.csv", "--laws", "vaiana,bilinear", "--set", "vaiana.beta1+=1", "--set",
                          "vaiana.beta2+=1e9", "--runs", "2", "--population", "8", "--generations", "2", "--out", "O"});
   EXPECT_EQ(o.code, 1) << o;
-  EXPECT_TRUE(contains(o.out, "vaiana: 2 of 2 runs failed"));
+  EXPECT_TRUE(contains(o.out, "Vaiana: 2 of 2 runs failed"));
   auto const laws = json("O/summary.json")["laws"];
   auto const& failed = laws[0]["devices"][0];
   EXPECT_EQ(failed["status"], "failed");
