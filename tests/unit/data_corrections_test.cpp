@@ -90,6 +90,31 @@ TEST(Corrections, FrictionOfTheRigIsTakenOff) {
   EXPECT_EQ(by_load.force_kN, record.force_kN);
 }
 
+// Which way the sample at a peak moves is the noise's: it decides nothing, whether the rig rubs or not.
+TEST(Corrections, FrictionTakenOffLeavesThePeaksToTheForce) {
+  auto const truth = bearing();
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> noise(0.0, 0.02);
+  for (double const of_the_rig : {0.0, 8.0}) {
+    auto record = truth;
+    for (std::size_t i = 1; i + 1 < record.size(); ++i) {
+      double const motion = record.disp_mm[i + 1] - record.disp_mm[i - 1];
+      record.force_kN[i] += motion > 0.0 ? of_the_rig : motion < 0.0 ? -of_the_rig : 0.0;
+    }
+    for (double& x : record.disp_mm) x += noise(random);
+    correct(record, {.friction_kN = 8.0});
+    auto const wanted = cyclic_properties(truth).blocks, found = cyclic_properties(record).blocks;
+    ASSERT_EQ(wanted.size(), found.size());
+    for (std::size_t b = 0; b < wanted.size(); ++b)
+      for (std::size_t c = 0; c < wanted[b].cycles.size(); ++c) {
+        auto const &was = wanted[b].cycles[c], &is = found[b].cycles[c];
+        if (!was.counts()) continue;
+        EXPECT_NEAR(is.F_plus_kN, was.F_plus_kN, 2.0) << of_the_rig << ' ' << c;
+        EXPECT_NEAR(is.F_minus_kN, was.F_minus_kN, 2.0) << of_the_rig << ' ' << c;
+      }
+  }
+}
+
 TEST(Corrections, InertiaOfAMovingMassIsTakenOff) {
   auto const truth = reported(bearing());
   auto record = bearing();

@@ -128,7 +128,7 @@ TEST(OverallVerdict, PassesOnlyWhereEveryRequirementAndEveryDeviceIsAssessed) {
   auto refused = summary;
   add(refused, "D03", {}, "refused");
   EXPECT_EQ(overall_verdict(refused).text(),
-            "INCOMPLETE: NTC 2018: pass on 2 of 2 requirements; without a verdict: D03");
+            "INCOMPLETE: NTC 2018: pass on 2 of 2 requirements with 2 of 3 devices; without a verdict: D03");
   ASSERT_EQ(overall_verdict(refused).not_assessed.size(), 1u);
   EXPECT_EQ(overall_verdict(refused).not_assessed[0].remark, "line 7: not a number");
 
@@ -151,7 +151,7 @@ TEST(OverallVerdict, FailsByADeviceOrTheLotWhateverIsOpen) {
   auto made = overall_verdict(summary);
   EXPECT_EQ(
       made.text(),
-      "FAIL: NTC 2018: 1 of 3 devices fails: D02 K_eff +23.0 %; pass on 0 of 2 requirements; not assessed: damping; "
+      "FAIL: NTC 2018: 1 of 3 devices fails: D02 K_eff +23.0 %; pass on 0 of 2 requirements with 2 of 3 devices; not assessed: damping; "
       "without a verdict: D03");
   ASSERT_EQ(made.failing.size(), 1u);
   EXPECT_EQ(made.failing[0].device, "D02");
@@ -210,6 +210,58 @@ TEST(OverallVerdict, NamesTenDevicesThatFailAndCountsTheOthers) {
 }
 
 // What the measurement may have done to a value stands beside it.
+TEST(OverallVerdict, OneRecordIsNoTestOfTwoDevices) {
+  auto summary = verified_lot();
+  add(summary, "D01", {line("K_eff", Verdict::pass)});
+  add(summary, "D02", {line("K_eff", Verdict::pass)});
+  for (auto& device : summary.devices) device.raw.disp_mm = device.raw.force_kN = {0.0, 1.0, 2.0};
+  auto const made = overall_verdict(summary);
+  EXPECT_EQ(made.text(),
+            "INCOMPLETE: NTC 2018: pass on 1 of 1 requirement with 1 of 2 devices; without a verdict: D02");
+  ASSERT_EQ(made.not_assessed.size(), 1u);
+  EXPECT_EQ(made.not_assessed[0].remark, "its record is that of D01");
+  EXPECT_EQ(made.mark, "INCOMPLETE");
+  summary.devices[1].raw.force_kN[1] = 1.5;
+  EXPECT_EQ(overall_verdict(summary).word, "PASS");
+}
+
+TEST(OverallVerdict, SaysWhatWasStatedAndIsNotCompared) {
+  auto summary = verified_lot();
+  add(summary, "D01", {line("K_eff", Verdict::pass)});
+  summary.acceptance.design.K_eff_kN_per_mm = 0.7;
+  EXPECT_EQ(overall_verdict(summary).text(), "PASS: NTC 2018: 1 device keeps the requirement");
+  summary.acceptance.design.disp_mm = 400.0;
+  summary.acceptance.design.K_v_kN_per_mm = 1000.0;
+  EXPECT_EQ(overall_verdict(summary).text(),
+            "PASS: NTC 2018: 1 device keeps the requirement; stated and not compared: K_v, disp");
+  summary.acceptance.rules.test.displacement_tolerance_percent = 5.0;
+  EXPECT_EQ(overall_verdict(summary).text(),
+            "PASS: NTC 2018: 1 device keeps the requirement; stated and not compared: K_v");
+}
+
+TEST(OverallVerdict, SaysWhatWouldNotBeKept) {
+  auto summary = verified_lot();
+  auto damping = line("damping", Verdict::pass);
+  damping.value = 18.5;
+  damping.nominal = 18.0;
+  damping.lower_percent = -15.0;
+  add(summary, "D01", {damping});
+  summary.devices[0].effects = {{data::damping_by_skew, 3.0, "points", std::nullopt, false}};
+  EXPECT_EQ(overall_verdict(summary).text(), "PASS: NTC 2018: 1 device keeps the requirement") << "15.5 % is kept";
+  summary.devices[0].effects[0].value = 6.0;
+  EXPECT_EQ(overall_verdict(summary).text(),
+            "PASS: NTC 2018: 1 device keeps the requirement; would not be kept: damping of 1 device if the lead of the "
+            "force is a channel's");
+}
+
+TEST(OverallVerdict, SaysThatNothingWasMeasured) {
+  auto summary = verified_lot();
+  add(summary, "D01", {line("K_eff", Verdict::pass)});
+  summary.title = "Rebuilt, not measured";
+  EXPECT_EQ(overall_verdict(summary).text(), "PASS: NTC 2018: 1 device keeps the requirement; not measured");
+  EXPECT_EQ(overall_verdict(summary).mark, "NOT MEASURED");
+}
+
 TEST(ValueDoubts, ALeadOrFrictionSaysWhatTheDampingWouldBe) {
   DeviceResult device;
   auto damping = line("damping, positive side", Verdict::pass);

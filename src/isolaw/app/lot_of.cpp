@@ -75,9 +75,18 @@ std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path>
       continue;
     }
     std::vector<std::filesystem::path> inside;
-    for (auto const& entry : std::filesystem::directory_iterator(input))
-      if (entry.is_regular_file() && data::is_record_name(entry.path().filename().string()))
+    std::vector<std::string> passed_over;
+    for (auto const& entry : std::filesystem::directory_iterator(input)) {
+      auto const name = entry.path().filename().string();
+      if (!entry.is_regular_file() || name.starts_with('.')) continue;
+      if (data::is_record_name(name))
         inside.push_back(entry.path());
+      else
+        passed_over.push_back(printable(name));
+    }
+    std::ranges::sort(passed_over);
+    if (!inside.empty() && !passed_over.empty())
+      say("note: {}: not read, no test records by their names: {}\n", shown(input), shortened(passed_over, 6));
     if (inside.empty())
       throw Error({.where = input.string(),
                    .found = "a directory without test records",

@@ -89,17 +89,62 @@ void remove_skew(TestRecord& record, double skew_s) {
           skew_s > 0.0 ? "end" : "start"));
 }
 
-// +1, -1 or 0: the motion at each sample, from reversal to reversal. At the reversal itself the neighbours tell whether
-// the true peak comes before or after the sample.
-std::vector<double> directions(std::vector<double> const& x) {
+// Where friction turns about a reversal: from the way of approach to the other at `at`, where it acts `there` times that.
+struct Turn {
+  std::size_t at;
+  double there;
+};
+
+// Displacement hardly moves about its peak, so that its noise would decide. The force tells: with friction taken off it
+// runs smoothest where the turn is right. A rig that does not rub gives no turn away: then none acts at the peak.
+Turn turn_about(std::size_t peak, double approach, std::vector<double> const& force,
+                std::vector<double> const& friction) {
+  constexpr std::size_t reach = 2;
+  Turn best{peak, 0.0};
+  if (peak < reach + 2 || peak + reach + 2 >= force.size()) return best;
+  auto const roughness = [&](Turn const& turn) {
+    auto const rest = [&](std::size_t i) {
+      double const way = i < turn.at ? 1.0 : i == turn.at ? turn.there : -1.0;
+      return force[i] - way * approach * friction[i];
+    };
+    double sum = 0.0;
+    for (auto i = peak - reach - 1; i <= peak + reach + 1; ++i) {
+      double const bend = rest(i - 1) - 2.0 * rest(i) + rest(i + 1);
+      sum += bend * bend;
+    }
+    return sum;
+  };
+  constexpr double clearly = 0.5;
+  double least = clearly * roughness(best);
+  for (auto at = peak - reach; at <= peak + reach; ++at)
+    for (double const there : {0.0, 1.0}) {
+      Turn const turn{at, there};
+      if (double const found = roughness(turn); found < least) best = turn, least = found;
+    }
+  return best;
+}
+
+// +1, -1 or 0: the motion at each sample, from reversal to reversal, where friction acts.
+std::vector<double> directions(std::vector<double> const& x, std::vector<double> const& force,
+                               std::vector<double> const& friction) {
   auto const sign = [](double value) { return value > 0.0 ? 1.0 : value < 0.0 ? -1.0 : 0.0; };
   std::vector<double> found(x.size(), 0.0);
   auto const motion = reversals(x);
   if (motion.at.size() < 2) return found;
+  std::vector<std::pair<Turn, double>> turns;  // and the way of approach
   for (std::size_t k = 1; k < motion.at.size(); ++k) {
     double const direction = sign(x[motion.at[k]] - x[motion.at[k - 1]]);
     for (auto i = motion.at[k - 1] + 1; i < motion.at[k]; ++i) found[i] = direction;
-    if (auto const peak = motion.at[k]; peak + 1 < x.size()) found[peak] = sign(x[peak + 1] - x[peak - 1]);
+    auto const peak = motion.at[k];
+    if (peak + 1 >= x.size()) continue;
+    auto const turn = turn_about(peak, direction, force, friction);
+    turns.push_back({turn, direction});
+  }
+  for (std::size_t k = 0; k < turns.size(); ++k) {
+    auto const& [turn, approach] = turns[k];
+    auto const peak = motion.at[k + 1];
+    for (auto i = std::min(turn.at, peak); i <= std::max(turn.at, peak); ++i)
+      found[i] = approach * (i < turn.at ? 1.0 : i == turn.at ? turn.there : -1.0);
   }
   // After the last extreme the record moves less than the band, or turns once more and ends.
   double const tail = sign(x.back() - x[motion.at.back()]);
@@ -111,11 +156,13 @@ std::vector<double> directions(std::vector<double> const& x) {
 }
 
 void remove_friction(TestRecord& record, Corrections const& corrections) {
-  auto const direction = directions(record.disp_mm);
   bool const constant = corrections.friction_kN.has_value();
   double const factor = constant ? *corrections.friction_kN : *corrections.friction_coefficient;
-  for (std::size_t i = 0; i < record.size(); ++i)
-    record.force_kN[i] -= direction[i] * factor * (constant ? 1.0 : std::abs(record.load_kN[i]));
+  std::vector<double> friction(record.size(), factor);
+  if (!constant)
+    for (std::size_t i = 0; i < record.size(); ++i) friction[i] *= std::abs(record.load_kN[i]);
+  auto const direction = directions(record.disp_mm, record.force_kN, friction);
+  for (std::size_t i = 0; i < record.size(); ++i) record.force_kN[i] -= direction[i] * friction[i];
   note(record,
        constant
            ? fmt::format("friction of the rig of {:.6g} kN taken off along the motion", factor)

@@ -295,6 +295,25 @@ std::optional<double> largest_displacement(Summary const& summary, LawResult con
   return mm > 0.0 ? std::optional(mm) : std::nullopt;
 }
 
+std::vector<std::vector<DeviceResult const*>> devices_of_one_record(Summary const& summary) {
+  std::vector<std::vector<DeviceResult const*>> groups;
+  for (auto const& device : summary.devices) {
+    if (device.raw.size() == 0 && device.sha256.empty()) continue;
+    auto const same = [&](auto const& group) {
+      auto const& other = *group.front();
+      bool const samples =
+          device.raw.size() > 0 && other.raw.disp_mm == device.raw.disp_mm && other.raw.force_kN == device.raw.force_kN;
+      bool const refused = other.raw.size() == 0 && device.raw.size() == 0;
+      return samples || (refused && other.sha256 == device.sha256);
+    };
+    auto found = std::ranges::find_if(groups, same);
+    if (found == groups.end()) found = groups.insert(groups.end(), {{}});
+    found->push_back(&device);
+  }
+  std::erase_if(groups, [](auto const& group) { return group.size() < 2; });
+  return groups;
+}
+
 std::vector<std::size_t> by_objective(Summary const& summary) {
   std::vector<std::size_t> order(summary.laws.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

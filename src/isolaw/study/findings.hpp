@@ -56,6 +56,9 @@ std::optional<double> mean_magnitude(LawResult const& law, std::optional<double>
 // Empty where it was identified on no device.
 std::optional<double> largest_displacement(Summary const& summary, LawResult const& law);
 
+// Devices that hold the same record, by two or more. Of one that takes no part its file says so, of others the samples.
+std::vector<std::vector<DeviceResult const*>> devices_of_one_record(Summary const& summary);
+
 // Indices of the laws by rising mean objective; laws without one come last, in their order.
 std::vector<std::size_t> by_objective(Summary const& summary);
 

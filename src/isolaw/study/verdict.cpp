@@ -13,6 +13,7 @@
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/study/findings.hpp"
+#include "isolaw/study/value_doubts.hpp"
 
 namespace isolaw::study {
 namespace {
@@ -97,6 +98,59 @@ void say_failures(OverallVerdict const& made, std::size_t devices, std::vector<s
   if (!of_lot.empty()) parts.push_back(fmt::format("the lot fails: {}", fmt::join(of_lot, "; ")));
 }
 
+// One test is not that of two devices: what it shows of one is not known of the other.
+void add_copies(OverallVerdict& made, Summary const& summary) {
+  for (auto const& group : devices_of_one_record(summary))
+    for (std::size_t i = 1; i < group.size(); ++i)
+      if (group[i]->status == "ok" && !group[i]->acceptance.assessments.empty())
+        made.not_assessed.push_back({.device = printable(group[i]->name),
+                                     .remark = fmt::format("its record is that of {}", printable(group[0]->name))});
+}
+
+// Design values that were stated and that nothing of the set is compared with.
+std::string not_compared(LotAcceptance const& acceptance, std::vector<Requirement> const& requirements) {
+  auto const& test = acceptance.rules.test;
+  std::vector<std::string> names;
+  for (auto const& [name, value, unit] : design_values(acceptance.design)) {
+    bool const is_condition = (name == "disp" && test.displacement_tolerance_percent) ||
+                              (name == "frequency" && test.frequency_tolerance_percent) ||
+                              (name == "load" && test.load_tolerance_percent);
+    bool const is_required = std::ranges::any_of(
+        requirements, [&](auto const& one) { return one.name == name || one.name == "mean " + name; });
+    if (!is_condition && !is_required) names.push_back(name);
+  }
+  return names.empty() ? std::string() : "stated and not compared: " + joined(names);
+}
+
+// Values that are kept as measured and would not be kept otherwise.
+std::string in_doubt(Summary const& summary) {
+  struct Lost {
+    std::string quantity, condition;
+    int devices = 0;
+  };
+  std::vector<Lost> found;
+  for (auto const& device : summary.devices)
+    for (auto const& doubt : value_doubts(device)) {
+      bool const lost = std::ranges::any_of(device.acceptance.assessments, [&](auto const& a) {
+        if (a.verdict != Verdict::pass || property_of(a) != doubt.quantity || !a.nominal || *a.nominal == 0.0)
+          return false;
+        double const percent = 100.0 * (doubt.otherwise / *a.nominal - 1.0);
+        return (a.lower_percent && percent < *a.lower_percent) || (a.upper_percent && percent > *a.upper_percent);
+      });
+      if (!lost) continue;
+      auto const of = [&](auto const& one) {
+        return one.quantity == doubt.quantity && one.condition == doubt.condition;
+      };
+      auto at = std::ranges::find_if(found, of);
+      if (at == found.end()) at = found.insert(found.end(), {doubt.quantity, doubt.condition, 0});
+      ++at->devices;
+    }
+  std::vector<std::string> parts;
+  for (auto const& [quantity, condition, count] : found)
+    parts.push_back(fmt::format("{} of {} if {}", quantity, counted(count, "device"), condition));
+  return parts.empty() ? std::string() : "would not be kept: " + joined(parts, "; ");
+}
+
 std::string sentence_of(OverallVerdict const& made, std::size_t devices) {
   std::vector<std::string> parts, open, without;
   say_failures(made, devices, parts);
@@ -110,8 +164,12 @@ std::string sentence_of(OverallVerdict const& made, std::size_t devices) {
     parts.push_back(fmt::format("{} {} {} requirement{}", counted(devices, "device"), devices == 1 ? "keeps" : "keep",
                                 all == 1 ? std::string("the") : fmt::format("all {}", all), all == 1 ? "" : "s"));
   else if (all > 0)
-    parts.push_back(fmt::format("pass on {} of {}{}", passed, counted(all, "requirement"),
-                                open.empty() ? "" : fmt::format("; not assessed: {}", fmt::join(open, ", "))));
+    parts.push_back(
+        fmt::format("pass on {} of {}{}{}", passed, counted(all, "requirement"),
+                    made.not_assessed.empty() || devices == 1
+                        ? std::string()
+                        : fmt::format(" with {} of {}", devices - made.not_assessed.size(), counted(devices, "device")),
+                    open.empty() ? "" : fmt::format("; not assessed: {}", fmt::join(open, ", "))));
   for (auto const& [device, remark] : made.not_assessed) without.push_back(device);
   if (!without.empty()) parts.push_back(fmt::format("without a verdict: {}", enumerate(without)));
   return fmt::format("{}", fmt::join(parts, "; "));
@@ -198,6 +256,7 @@ OverallVerdict overall_verdict(Summary const& summary) {
     made.mark = "LIMITS NOT VERIFIED";
   } else {
     for (auto const& device : summary.devices) add_device(made, device);
+    add_copies(made, summary);
     add_lot(made, acceptance);
     bool const open = !made.not_assessed.empty() || std::ranges::find(made.requirements, Verdict::not_assessed,
                                                                       &Requirement::verdict) != made.requirements.end();
@@ -205,10 +264,16 @@ OverallVerdict overall_verdict(Summary const& summary) {
     if (!nothing) made.word = !made.failing.empty() ? "FAIL" : open ? "INCOMPLETE" : "PASS";
     made.sentence = nothing ? fmt::format("{}: no verdict, the set limits nothing of these tests", title)
                             : fmt::format("{}: {}", title, sentence_of(made, summary.devices.size()));
+    for (auto const& more : {not_compared(acceptance, made.requirements), in_doubt(summary)})
+      if (!nothing && !more.empty()) made.sentence += "; " + more;
     if (made.word != "PASS") made.mark = made.word, made.is_red = !nothing;
   }
   // Of what was not measured nothing is shown of devices, whatever the limits say.
-  if (summary.title.find(not_measured) != std::string::npos) made.mark = "NOT MEASURED", made.is_red = false;
+  if (summary.title.find(not_measured) != std::string::npos) {
+    made.mark = "NOT MEASURED";
+    made.is_red = false;
+    made.sentence += "; not measured";
+  }
   return made;
 }
 

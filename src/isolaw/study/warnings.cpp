@@ -37,25 +37,10 @@ void warn_of_missing_runs(Summary const& summary, std::vector<Warning>& warnings
                                                     summary.expected_analyses)});
 }
 
-// A record under two names counts twice, and makes parameters look less scattered than they are. Of a device that takes
-// no part the file says so, of others the samples. Those that a device of `part` is among.
+// A record under two names counts twice, and makes parameters look less scattered than they are. Those that a device of
+// `part` is among.
 void warn_of_copies(Summary const& summary, Summary const& part, std::vector<Warning>& warnings) {
-  std::vector<std::vector<DeviceResult const*>> groups;  // devices of one record each
-  for (auto const& device : summary.devices) {
-    if (device.raw.size() == 0 && device.sha256.empty()) continue;
-    auto const same = [&](auto const& group) {
-      auto const& other = *group.front();
-      bool const samples =
-          device.raw.size() > 0 && other.raw.disp_mm == device.raw.disp_mm && other.raw.force_kN == device.raw.force_kN;
-      bool const refused = other.raw.size() == 0 && device.raw.size() == 0;
-      return samples || (refused && other.sha256 == device.sha256);
-    };
-    auto found = std::ranges::find_if(groups, same);
-    if (found == groups.end()) found = groups.insert(groups.end(), {{}});
-    found->push_back(&device);
-  }
-  for (auto const& group : groups) {
-    if (group.size() < 2) continue;
+  for (auto const& group : devices_of_one_record(summary)) {
     Names names;
     for (auto const* device : group) names.push_back(device->name);
     if (std::ranges::none_of(part.devices,

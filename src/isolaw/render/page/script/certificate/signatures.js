@@ -42,7 +42,7 @@ function signatureBlock() {
     ),
     report.result.mark
       ? element('p', { class: 'unsigned' }, 'Not for signature: ' + report.result.mark.toLowerCase() + '.')
-      : element('div', { class: 'signers' }, signer('Tested by'), signer('Checked by'), signer('Accepted by')),
+      : element('div', { class: 'signers' }, signer('Tested by'), signer('Checked by'), report.result.word === 'PASS' ? signer('Accepted by') : null),
     element(
       'p',
       { class: 'fine' },
