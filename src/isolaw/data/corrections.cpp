@@ -89,7 +89,7 @@ void remove_skew(TestRecord& record, double skew_s) {
           skew_s > 0.0 ? "end" : "start"));
 }
 
-// Where friction turns about a reversal: from the way of approach to the other at `at`, where it acts `there` times that.
+// Where friction turns about a reversal: from the way of approach to the other at `at`, where `there` of it acts.
 struct Turn {
   std::size_t at;
   double there;
