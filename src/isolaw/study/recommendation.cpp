@@ -130,7 +130,7 @@ Names weaknesses(Summary const& summary, Candidate const& candidate, Purpose pur
   // A prediction that holds has shown that what the tests leave open does not matter there.
   if (purpose == Purpose::untested_device && !law.prediction_grade)
     if (auto const share = share_open(law); share && *share > open_share)
-      found.push_back(fmt::format("the tests leave {} of its parameters open", percent(*share)));
+      found.push_back(fmt::format("the tests do not determine {} of its parameters", percent(*share)));
   return found;
 }
 

@@ -18,6 +18,9 @@ export const PURPOSES = [
   ...(VIEWS.length > 0 ? [{ id: 'robustness', title: 'Accuracy against robustness' }] : []),
 ];
 
+// The colour of an answer, by how sure it is.
+export const TONES = { clear: 'good', tie: 'care', weak: 'care' };
+
 // The first that has an answer.
 export const FIRST = (PURPOSES.find(({ recommendation }) => recommendation?.law) ?? PURPOSES[0])?.id;
 

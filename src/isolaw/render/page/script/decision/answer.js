@@ -1,10 +1,9 @@
 import { choose, chosen, onChoice } from '../choice.js';
 import { element } from '../dom.js';
 import { withBadges } from '../laws.js';
-import { PURPOSES, answerOf, numbersOf, purposeOf } from '../purposes.js';
+import { PURPOSES, TONES, answerOf, numbersOf, purposeOf } from '../purposes.js';
 import { sentence } from '../text.js';
 
-const TONES = { clear: 'good', tie: 'care', weak: 'care' };
 
 // The verdict first: one sentence, how sure, three numbers, why, and the test that would tell more.
 export const answerFigure = { id: 'answer', title: '', depends: ['purpose', 'view'], controls: purposeControl, build: answer };

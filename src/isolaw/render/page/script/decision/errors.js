@@ -2,10 +2,12 @@
 
 import { chosen } from '../choice.js';
 import { NARROW, textWidth } from '../plotting.js';
-import { errorText, purposeOf, standingsOf } from '../purposes.js';
+import { TONES, errorText, purposeOf, standingsOf } from '../purposes.js';
 import { isNumber, plain } from '../text.js';
 
-const COLOURS = { taken: 'good', ties: 'good', behind: 'measured', 'ruled out': 'paper' };
+// What is recommended has the colour of its answer.
+const COLOURS = { behind: 'measured', 'ruled out': 'paper' };
+const colourOf = (place) => COLOURS[place] ?? TONES[purposeOf(chosen.purpose).recommendation.sure];
 const shown = () => standingsOf(purposeOf(chosen.purpose)).filter(({ error }) => isNumber(error));
 
 // A law that runs away would hide the others: its bar ends at the edge, its number does not.
@@ -60,7 +62,7 @@ export function drawErrors(look, width) {
         cliponaxis: false,
         width: BAR,
         marker: {
-          color: bars.map(({ place }) => look.colour(COLOURS[place])),
+          color: bars.map(({ place }) => look.colour(colourOf(place))),
           line: {
             width: bars.map(({ place }) => (place === 'ruled out' ? 1.5 : 0)),
             color: bars.map(() => look.colour('poor')),

@@ -4,7 +4,7 @@ import { spread } from '../labels.js';
 import { deviceValue, lotQuantities } from '../lot.js';
 import { LEGEND, NARROW, paddedRange, panelHeading } from '../plotting.js';
 import { devices, report } from '../report.js';
-import { isNumber, plain, short, unitText, withUnit } from '../text.js';
+import { isNumber, plain, short, trimmed, unitText, withUnit } from '../text.js';
 import { VERDICTS } from '../verdicts.js';
 
 export const lotStripsFigure = {
@@ -15,7 +15,7 @@ export const lotStripsFigure = {
   caption: () =>
     'One mark a device; ringed: ' +
     (chosen.tested === null ? 'none' : devices[chosen.tested].name) +
-    '. Solid line: mean of the lot; dashed: design value; band: limits of one device. Outliers and what is outside its limits are named.',
+    '. Outliers and what is outside its limits are named.',
   csv: stripData,
   height: () => stripLayout().height,
   draw: drawStrips,
@@ -78,6 +78,12 @@ function drawStrips(look, width) {
     };
     const unit = quantity.unit ? ' [' + plain(unitText(quantity.unit)) + ']' : '';
     layout.annotations.push(panelHeading(look, 0, top, '<b>' + plain(quantity.quantity) + '</b>' + unit, 12.5));
+    const said = limitsSaid(quantity, band);
+    if (said)
+      layout.annotations.push({
+        text: plain(said), xref: 'paper', yref: 'paper', x: 1, y: top, xanchor: 'right', yanchor: 'bottom', showarrow: false,
+        font: { size: 11.5, color: look.colour('muted') },
+      });
     const whole = { xref: 'x' + suffix, yref: 'y' + suffix + ' domain', y0: 0, y1: 1, layer: 'below' };
     if (band)
       layout.shapes.push({
@@ -124,19 +130,55 @@ function drawStrips(look, width) {
         y: [height.get(own.device)],
         marker: { symbol: 'circle-open', size: 15, line: { width: 2 }, color: look.colour('ink') },
       });
+    const axes = { xref: 'x' + suffix, yref: 'y' + suffix };
+    const labels = outlierLabels(points, quantity, range, width - margin.l - margin.r - (said ? 6.5 * said.length : 0), height);
     layout.annotations.push(
-      ...outlierLabels(points, quantity, range, width - margin.l - margin.r).map((label) => ({
-        ...label, xref: 'x' + suffix, yref: 'paper', y: top, yanchor: 'bottom', showarrow: false,
-        font: { size: 11.5, color: look.colour('care') },
+      ...labels.map((label) => ({
+        ...(label.xanchor ? axes : { xref: axes.xref, yref: 'paper', y: top, yanchor: 'bottom' }), showarrow: false,
+        font: { size: 11.5, color: look.colour('care') }, ...label,
       })),
     );
   });
-  return { traces, layout };
+  return { traces: [...traces, ...legendOfLines(look, rows)], layout };
 }
 
-// Names of outliers and of devices outside their limits above the strip, moved apart; right of the strip's own heading.
-function outlierLabels(points, quantity, range, width) {
+function limitsSaid(quantity, band) {
+  const parts = [];
+  if (band) parts.push('limits ' + band.map((limit) => (isNumber(limit) ? trimmed(limit) : 'none')).join(' to '));
+  if (isNumber(quantity.nominal)) parts.push('design ' + trimmed(quantity.nominal));
+  return parts.join(', ');
+}
+
+// What the lines, the band and the ring are, as entries of the legend: traces that hold no point.
+function legendOfLines(look, rows) {
+  const entry = (name, style) => ({ name, x: [null], y: [null], hoverinfo: 'skip', ...style });
+  const line = (colour, dash) => ({ mode: 'lines', line: { color: look.colour(colour), width: 1.4, dash } });
+  const mark = (marker) => ({ mode: 'markers', marker });
+  const made = [];
+  if (rows.some(({ quantity }) => isNumber(quantity.mean))) made.push(entry('mean of the lot', line('muted', 'solid')));
+  if (rows.some(({ quantity }) => isNumber(quantity.nominal))) made.push(entry('design', line('good', 'dash')));
+  if (rows.some(({ quantity }) => limitBand(quantity)))
+    made.push(entry('limits of one device', mark({ symbol: 'square', size: 13, color: look.colour('band') })));
+  if (chosen.tested !== null)
+    made.push(
+      entry(plain(short(devices[chosen.tested].name, 12)), mark({ symbol: 'circle-open', size: 12, line: { width: 2 }, color: look.colour('ink') })),
+    );
+  return made;
+}
+
+// Names of outliers and of devices outside their limits: beside a mark where they are few, otherwise above the strip, moved
+// apart, right of the strip's own heading.
+function outlierLabels(points, quantity, range, width, height) {
   const found = points.filter(({ device, verdict }) => verdict === 'fail' || outlierOf(device, quantity)).sort((a, b) => a.value - b.value);
+  const few = 3;
+  if (found.length <= few)
+    return found.map(({ device, value }) => {
+      const leftwards = value > range[0] + 0.8 * (range[1] - range[0]);
+      return {
+        x: value, y: height.get(device), xanchor: leftwards ? 'right' : 'left', xshift: leftwards ? -9 : 9,
+        text: plain(short(device.name, 12)),
+      };
+    });
   const pixel = (value) => ((value - range[0]) / (range[1] - range[0])) * width;
   const names = found.map(({ device }) => '\u25be ' + short(device.name, 12));
   const widest = Math.max(0, ...names.map((name) => 7 * name.length)) + 6;
