@@ -3,25 +3,36 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "isolaw/num/row_kernels.hpp"
 
 namespace isolaw::analysis {
 namespace {
 
 void values_of_residuals(opt::DeviationProblem const& problem, opt::Points const& points, std::span<double> values) {
-  auto const weights = problem.weights();
-  std::vector<double> residuals(points.size() * weights.size());
-  problem.residuals(points, residuals);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    double sum = 0.0;
-    for (std::size_t j = 0; j < weights.size(); ++j) sum += weights[j] * std::abs(residuals[i * weights.size() + j]);
-    values[i] = std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
-  }
+  std::size_t const stride = num::padded(points.size());
+  std::vector<double> rows(stride * problem.weights().size()), sums(stride);
+  problem.residual_rows(points, stride, rows);
+  num::row_kernels().sizes({rows.data(), stride, problem.weights()}, points.size(), 0.0, sums.data());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    values[i] = std::isfinite(sums[i]) ? sums[i] : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
 
+Reweighted::Reweighted(opt::DeviationProblem const& base, std::vector<double> weights)
+    : base_(base), weights_(std::move(weights)) {
+  if (auto const* fewer = base.outline()) outline_ = std::make_unique<Reweighted>(*fewer, base.on_outline(weights_));
+}
+
 void Reweighted::evaluate(opt::Points const& points, std::span<double> values) const {
   values_of_residuals(*this, points, values);
+}
+
+Held::Held(opt::DeviationProblem const& base, std::size_t coordinate, double value)
+    : base_(base), coordinate_(coordinate), value_(value) {
+  if (auto const* fewer = base.outline()) outline_ = std::make_unique<Held>(*fewer, coordinate, value);
 }
 
 opt::Points Held::with_held(opt::Points const& points) const {
@@ -37,13 +48,40 @@ void Held::residuals(opt::Points const& points, std::span<double> values) const 
   base_.residuals(with_held(points), values);
 }
 
+void Held::residual_rows(opt::Points const& points, std::size_t stride, std::span<double> rows) const {
+  base_.residual_rows(with_held(points), stride, rows);
+}
+
 Joint::Joint(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box, std::span<double const> shares)
     : box_(box) {
+  std::vector<double> used;
   for (std::size_t d = 0; d < models.size(); ++d) {
     if (shares[d] <= 0.0) continue;
-    models_.push_back(models[d]);
-    for (double const weight : models[d]->residual_weights()) weights_.push_back(shares[d] * weight);
+    add(*models[d], shares[d]);
+    used.push_back(shares[d]);
   }
+  for (auto const* model : models_) {
+    auto outline = model->outline();
+    if (!outline) return;
+    fewer_.push_back(std::move(*outline));
+  }
+  outline_.reset(new Joint(box));
+  for (std::size_t d = 0; d < fewer_.size(); ++d) outline_->add(fewer_[d], used[d]);
+}
+
+void Joint::add(fit::LawOnRecord const& model, double share) {
+  models_.push_back(&model);
+  for (double const weight : model.residual_weights()) weights_.push_back(share * weight);
+}
+
+std::vector<double> Joint::on_outline(std::span<double const> weights) const {
+  std::vector<double> made;
+  for (auto const* model : models_) {
+    auto const some = model->on_outline(weights.first(model->samples()));
+    made.insert(made.end(), some.begin(), some.end());
+    weights = weights.subspan(model->samples());
+  }
+  return made;
 }
 
 void Joint::evaluate(opt::Points const& points, std::span<double> values) const {
@@ -61,6 +99,15 @@ void Joint::residuals(opt::Points const& points, std::span<double> values) const
       std::ranges::copy(std::span(room).subspan(i * model->samples(), model->samples()),
                         values.begin() + static_cast<std::ptrdiff_t>(i * weights_.size() + before));
     before += model->samples();
+  }
+}
+
+void Joint::residual_rows(opt::Points const& points, std::size_t stride, std::span<double> rows) const {
+  for (auto const* model : models_) {
+    model->residual_rows(
+        points.size(), [&](std::size_t i, std::span<double> parameters) { box_.expand(points[i], parameters); }, stride,
+        rows);
+    rows = rows.subspan(model->samples() * stride);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -17,29 +18,36 @@ using Interrupted = std::function<bool()>;
 // The same residuals with other weights, which must sum to 1.
 class Reweighted final : public opt::DeviationProblem {
  public:
-  Reweighted(opt::DeviationProblem const& base, std::vector<double> weights)
-      : base_(base), weights_(std::move(weights)) {}
+  Reweighted(opt::DeviationProblem const& base, std::vector<double> weights);
   std::size_t dimension() const override { return base_.dimension(); }
   void evaluate(opt::Points const& points, std::span<double> values) const override;
   std::span<double const> weights() const override { return weights_; }
   void residuals(opt::Points const& points, std::span<double> values) const override {
     base_.residuals(points, values);
   }
+  void residual_rows(opt::Points const& points, std::size_t stride, std::span<double> rows) const override {
+    base_.residual_rows(points, stride, rows);
+  }
+  DeviationProblem const* outline() const override { return outline_.get(); }
+  std::vector<double> on_outline(std::span<double const> weights) const override { return base_.on_outline(weights); }
 
  private:
   opt::DeviationProblem const& base_;
   std::vector<double> weights_;
+  std::unique_ptr<Reweighted> outline_;
 };
 
 // The problem of the other coordinates where one of them is held.
 class Held final : public opt::DeviationProblem {
  public:
-  Held(opt::DeviationProblem const& base, std::size_t coordinate, double value)
-      : base_(base), coordinate_(coordinate), value_(value) {}
+  Held(opt::DeviationProblem const& base, std::size_t coordinate, double value);
   std::size_t dimension() const override { return base_.dimension() - 1; }
   void evaluate(opt::Points const& points, std::span<double> values) const override;
   std::span<double const> weights() const override { return base_.weights(); }
   void residuals(opt::Points const& points, std::span<double> values) const override;
+  void residual_rows(opt::Points const& points, std::size_t stride, std::span<double> rows) const override;
+  DeviationProblem const* outline() const override { return outline_.get(); }
+  std::vector<double> on_outline(std::span<double const> weights) const override { return base_.on_outline(weights); }
 
  private:
   opt::Points with_held(opt::Points const& points) const;
@@ -47,10 +55,11 @@ class Held final : public opt::DeviationProblem {
   opt::DeviationProblem const& base_;
   std::size_t coordinate_;
   double value_;
+  std::unique_ptr<Held> outline_;
 };
 
 // One parameter vector for several records: the weighted mean of their objectives. `shares` sum to 1; a record whose
-// share is 0 is not computed.
+// share is 0 is not computed. The outline is that of all records, where each has one.
 class Joint final : public opt::DeviationProblem {
  public:
   Joint(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box, std::span<double const> shares);
@@ -58,11 +67,19 @@ class Joint final : public opt::DeviationProblem {
   void evaluate(opt::Points const& points, std::span<double> values) const override;
   std::span<double const> weights() const override { return weights_; }
   void residuals(opt::Points const& points, std::span<double> values) const override;
+  void residual_rows(opt::Points const& points, std::size_t stride, std::span<double> rows) const override;
+  DeviationProblem const* outline() const override { return outline_.get(); }
+  std::vector<double> on_outline(std::span<double const> weights) const override;
 
  private:
+  explicit Joint(fit::SearchBox const& box) : box_(box) {}
+  void add(fit::LawOnRecord const& model, double share);
+
   fit::SearchBox const& box_;
   std::vector<fit::LawOnRecord const*> models_;  // those with a share
   std::vector<double> weights_;
+  std::vector<fit::LawOnRecord> fewer_;  // their outlines, which outline_ is made of
+  std::unique_ptr<Joint> outline_;
 };
 
 }  // namespace isolaw::analysis

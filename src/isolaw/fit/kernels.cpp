@@ -41,11 +41,17 @@ void objectives(double const* parameters, KernelRecord const& record, laws::Inte
   for (std::size_t i = 0; i < Block; i += part) sums<Law, part>(parameters + i, Block, record, integration, out + i);
 }
 
-template <class Law, std::size_t W, class T = num::Batch<W>>
-void forces(double const* parameters, laws::Path const& path, laws::Integration integration, double* out) {
-  auto const params = load<Law, W, T>(parameters);
-  laws::run<Law, T>(params, path, integration,
-                    [&](std::size_t i, T const& force) ISOLAW_LAMBDA { force.store(out + i * W); });
+template <class Law, std::size_t Block, class T = num::Batch<Block>>
+void residuals(double const* parameters, laws::Path const& path, laws::Integration integration, double const* measured,
+               double scale, double* rows, std::size_t stride) {
+  constexpr auto part = Block > 4 * num::vector_lanes ? narrow_block : Block;
+  using Part = num::Batch<part>;
+  for (std::size_t first = 0; first < Block; first += part) {
+    auto const params = load<Law, part, Part>(parameters + first, Block);
+    laws::run<Law, Part>(params, path, integration, [&](std::size_t i, Part const& force) ISOLAW_LAMBDA {
+      ((Part(measured[i]) - force) * Part(scale)).store(rows + i * stride + first);
+    });
+  }
 }
 
 }  // namespace
@@ -53,7 +59,8 @@ void forces(double const* parameters, laws::Path const& path, laws::Integration 
 using Kernels = std::array<Kernel, std::tuple_size_v<laws::AllLaws>>;
 extern Kernels const ISOLAW_KERNELS;
 constinit Kernels const ISOLAW_KERNELS = []<class... Law>(std::tuple<Law...>*) {
-  return Kernels{Kernel{objectives<Law, wide_block>, objectives<Law, narrow_block>, forces<Law, narrow_block>}...};
+  return Kernels{Kernel{objectives<Law, wide_block>, objectives<Law, narrow_block>, residuals<Law, residual_block>,
+                        residuals<Law, narrow_block>}...};
 }(static_cast<laws::AllLaws*>(nullptr));
 
 }  // namespace isolaw::fit

@@ -10,6 +10,7 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/words.hpp"
+#include "isolaw/num/row_kernels.hpp"
 #include "isolaw/num/statistics.hpp"
 
 namespace isolaw::fit {
@@ -28,6 +29,23 @@ std::vector<double> taken(std::vector<double> const& values, std::span<std::size
   some.reserve(samples.size());
   for (std::size_t const i : samples) some.push_back(values[i]);
   return some;
+}
+
+// Shares of some of the samples, which stand for the others too: a value between two of them is taken for the line
+// through these.
+std::vector<double> shared_among(std::span<std::size_t const> kept, std::span<double const> shares) {
+  std::vector<double> made(kept.size(), 0.0);
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    made[k] += shares[kept[k]];
+    if (k + 1 == kept.size()) break;
+    auto const gap = static_cast<double>(kept[k + 1] - kept[k]);
+    for (std::size_t i = kept[k] + 1; i < kept[k + 1]; ++i) {
+      double const nearness = static_cast<double>(i - kept[k]) / gap;
+      made[k] += (1.0 - nearness) * shares[i];
+      made[k + 1] += nearness * shares[i];
+    }
+  }
+  return made;
 }
 
 // Weights of the trapezoidal rule over the true time stamps, divided by the duration; only intervals between two scored
@@ -185,21 +203,13 @@ std::optional<LawOnRecord> LawOnRecord::outline() const {
   LawOnRecord made = *this;
   made.motion_ = motion_.at(kept);
   made.measured_ = taken(measured_, kept);
-  made.share_.assign(kept.size(), 0.0);
-  // A residual between two that are kept is taken for the line through them.
-  for (std::size_t k = 0; k < kept.size(); ++k) {
-    made.share_[k] += share_[kept[k]];
-    if (k + 1 == kept.size()) break;
-    auto const gap = static_cast<double>(kept[k + 1] - kept[k]);
-    for (std::size_t i = kept[k] + 1; i < kept[k + 1]; ++i) {
-      double const nearness = static_cast<double>(i - kept[k]) / gap;
-      made.share_[k] += (1.0 - nearness) * share_[i];
-      made.share_[k + 1] += nearness * share_[i];
-    }
-  }
-  made.weight_ = made.share_;
+  made.weight_ = made.share_ = shared_among(kept, share_);
   for (double& w : made.weight_) w /= spread_;
   return made;
+}
+
+std::vector<double> LawOnRecord::on_outline(std::span<double const> shares) const {
+  return shared_among(motion_.outline(), shares);
 }
 
 double LawOnRecord::misfit(std::vector<double> const& force) const {
@@ -247,33 +257,43 @@ void LawOnRecord::objectives(std::size_t count, std::function<void(std::size_t, 
   }
 }
 
-void LawOnRecord::residuals(std::size_t count, std::function<void(std::size_t, std::span<double>)> const& candidate,
-                            std::span<double> values, InstructionSet set) const {
+void LawOnRecord::residual_rows(std::size_t count, std::function<void(std::size_t, std::span<double>)> const& candidate,
+                                std::size_t stride, std::span<double> rows, InstructionSet set) const {
   std::size_t const dimension = law().parameters.size(), samples = measured_.size();
-  std::vector<double> one(dimension), block(dimension * narrow_block), force;
-  auto const into = [&](std::size_t i, double const* forces, std::size_t stride) {
-    for (std::size_t j = 0; j < samples; ++j) values[i * samples + j] = (measured_[j] - forces[j * stride]) / spread_;
-  };
+  std::vector<double> one(dimension);
   if (set == InstructionSet::scalar) {
-    force.resize(samples);
+    std::vector<double> force(samples);
     for (std::size_t i = 0; i < count; ++i) {
       candidate(i, one);
       law().evaluate(one, motion_.path(), motion_.integration(), force);
-      into(i, force.data(), 1);
+      for (std::size_t j = 0; j < samples; ++j) rows[j * stride + i] = (measured_[j] - force[j]) / spread_;
     }
+    for (std::size_t i = count; i < num::padded(count); ++i)
+      for (std::size_t j = 0; j < samples; ++j) rows[j * stride + i] = 0.0;
     return;
   }
   auto const code = kernel(set, law().index);
-  force.resize(samples * narrow_block);
-  for (std::size_t first = 0; first < count; first += narrow_block) {
-    std::size_t const used = std::min(count - first, narrow_block);
-    for (std::size_t lane = 0; lane < narrow_block; ++lane) {
+  std::vector<double> block(dimension * residual_block);
+  for (std::size_t first = 0; first < count;) {
+    bool const wide = count - first > narrow_block;
+    std::size_t const width = wide ? residual_block : narrow_block, used = std::min(count - first, width);
+    for (std::size_t lane = 0; lane < width; ++lane) {
       candidate(lane < used ? first + lane : first, one);
-      for (std::size_t p = 0; p < dimension; ++p) block[p * narrow_block + lane] = one[p];
+      for (std::size_t p = 0; p < dimension; ++p) block[p * width + lane] = one[p];
     }
-    code.forces(block.data(), motion_.path(), motion_.integration(), force.data());
-    for (std::size_t lane = 0; lane < used; ++lane) into(first + lane, force.data() + lane, narrow_block);
+    (wide ? code.residuals : code.narrow_residuals)(block.data(), motion_.path(), motion_.integration(),
+                                                    measured_.data(), 1.0 / spread_, rows.data() + first, stride);
+    first += used;
   }
+}
+
+void LawOnRecord::residuals(std::size_t count, std::function<void(std::size_t, std::span<double>)> const& candidate,
+                            std::span<double> values, InstructionSet set) const {
+  std::size_t const stride = num::padded(count), samples = measured_.size();
+  std::vector<double> rows(stride * samples);
+  residual_rows(count, candidate, stride, rows, set);
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = 0; j < samples; ++j) values[i * samples + j] = rows[j * stride + i];
 }
 
 double LawOnRecord::integration_shift(std::span<double const> parameters) const {
@@ -308,6 +328,12 @@ IdentificationProblem::IdentificationProblem(LawOnRecord const& model, SearchBox
 void IdentificationProblem::evaluate(opt::Points const& points, std::span<double> values) const {
   model_.objectives(
       points.size(), [&](std::size_t i, std::span<double> parameters) { box_.expand(points[i], parameters); }, values);
+}
+
+void IdentificationProblem::residual_rows(opt::Points const& points, std::size_t stride, std::span<double> rows) const {
+  model_.residual_rows(
+      points.size(), [&](std::size_t i, std::span<double> parameters) { box_.expand(points[i], parameters); }, stride,
+      rows);
 }
 
 void IdentificationProblem::residuals(opt::Points const& points, std::span<double> values) const {

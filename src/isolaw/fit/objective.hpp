@@ -77,6 +77,8 @@ class LawOnRecord {
   // On the samples of the loop's outline, each with the weight of those it stands for; nullopt where that spares
   // little, and where the integration's steps are the samples. Its objective is about this one's.
   std::optional<LawOnRecord> outline() const;
+  // Shares of the outline's samples where those of all samples are these.
+  std::vector<double> on_outline(std::span<double const> shares) const;
 
   laws::LawEntry const& law() const { return motion_.law(); }
   int refinement() const { return motion_.refinement(); }
@@ -94,6 +96,10 @@ class LawOnRecord {
   // after another; not finite where a force is not. Agrees with the scalar path as `objectives` does.
   void residuals(std::size_t count, std::function<void(std::size_t, std::span<double>)> const& candidate,
                  std::span<double> values, InstructionSet set = instruction_set()) const;
+  // The same side by side: of sample j and candidate i at rows[j * stride + i]. `stride` is num::padded(count) or more;
+  // what stands beside the last candidate is anything.
+  void residual_rows(std::size_t count, std::function<void(std::size_t, std::span<double>)> const& candidate,
+                     std::size_t stride, std::span<double> rows, InstructionSet set = instruction_set()) const;
 
   // Share of each sample in the objective, which is the sum of weight * |residual|.
   std::span<double const> residual_weights() const { return share_; }
@@ -130,7 +136,9 @@ class IdentificationProblem final : public opt::DeviationProblem {
   void evaluate(opt::Points const& points, std::span<double> values) const override;
   std::span<double const> weights() const override { return model_.residual_weights(); }
   void residuals(opt::Points const& points, std::span<double> values) const override;
+  void residual_rows(opt::Points const& points, std::size_t stride, std::span<double> rows) const override;
   DeviationProblem const* outline() const override { return outline_.get(); }
+  std::vector<double> on_outline(std::span<double const> weights) const override { return model_.on_outline(weights); }
 
  private:
   struct WithoutOutline {};

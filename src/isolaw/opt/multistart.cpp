@@ -9,6 +9,7 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/num/linear.hpp"
+#include "isolaw/num/row_kernels.hpp"
 
 namespace isolaw::opt {
 namespace {
@@ -24,16 +25,21 @@ namespace tuning {
 struct Stage {
   double smoothing;
   int iterations;
-  double least_gain = 0.0;  // over `patience` iterations at the last delta
+  double least_gain = 0.0;   // over `patience` iterations at the last delta
+  std::size_t patience = 4;  // single iterations stutter where a residual crosses zero
 };
 // Half the residuals' size: the corner of the absolute value is still rounded off, and the outline's third of the
 // residuals tells the same valley as all of them (logged).
 constexpr Stage approach{.smoothing = 0.5, .iterations = 25};
 // To the tolerance of a hit, 5e-4, and no further: the end is only counted. Its least gain is below that tolerance.
 constexpr Stage settle{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4};
+// The same from the outline's floor, which lies so close to that of all residuals that little is left to do.
+constexpr Stage finish{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 3};
+// To about a ten-thousandth of the value: of many descents none is reported by itself.
+constexpr Stage finish_briefly{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 2};
+constexpr double rounding_after_outline = 0.03;  // the first delta there, as a share of the value
 // For the digits that are reported.
 constexpr Stage polish{.smoothing = 0.003, .iterations = 60};
-constexpr std::size_t patience = 4;  // single iterations stutter where a residual crosses zero
 
 constexpr double gain_worth_staying = 3e-3;  // at a delta that is not the stage's last: less, and delta falls
 // About half a decade: the floor of the next delta lies within a few steps of this one's.
@@ -85,17 +91,6 @@ using num::Index;
 using num::Matrix;
 using num::Vector;
 
-Eigen::Map<Vector const> vector(std::span<double const> values) {
-  return {values.data(), static_cast<Index>(values.size())};
-}
-
-// A point with its residuals.
-struct Located {
-  std::vector<double> x;
-  std::vector<double> residuals;
-  double value = infinity;  // sum of weight * |residual|
-};
-
 // The problem, or its outline, with what it has cost.
 class Counting {
  public:
@@ -106,27 +101,29 @@ class Counting {
   void show_whole() { problem_ = &whole_; }
 
   std::size_t dimension() const { return problem_->dimension(); }
-  std::span<double const> weights() const { return problem_->weights(); }
 
-  // Of these points, to be asked for with `of` and `value`.
-  void residuals(Points const& points) {
-    room_.resize(points.size() * weights().size());
-    problem_->residuals(points, room_);
-    computed_ += room_.size();
-    for (std::size_t i = 0; i < points.size(); ++i) failed_ += std::isfinite(value(i)) ? 0 : weights().size();
+  // The residuals of these points, of which the first `known` have been computed before and do not count again.
+  void compute(Points const& points, std::size_t known = 0) {
+    auto const weights = problem_->weights();
+    stride_ = num::padded(points.size());
+    rows_.resize(stride_ * weights.size());
+    problem_->residual_rows(points, stride_, rows_);
+    values_ = sizes(0.0, points.size());
+    computed_ += (points.size() - known) * weights.size();
+    for (std::size_t i = known; i < points.size(); ++i) failed_ += std::isfinite(values_[i]) ? 0 : weights.size();
     result_.evaluations = in_points(computed_);
     result_.failed_evaluations = in_points(failed_);
   }
-  std::span<double const> of(std::size_t i) const {
-    return std::span(room_).subspan(i * weights().size(), weights().size());
+  // Of the points computed last: sum of weight * |residual|, and of weight * sqrt(residual^2 + delta^2).
+  double value(std::size_t i) const { return values_[i]; }
+  std::vector<double> sizes(double delta, std::size_t points) const {
+    std::vector<double> sums(stride_);
+    num::row_kernels().sizes(table(), points, delta, sums.data());
+    for (double& sum : sums) sum = std::isfinite(sum) ? sum : infinity;
+    return sums;
   }
-  double value(std::size_t i) const { return smoothed(of(i), 0.0); }
-  double smoothed(std::span<double const> r, double delta) const {
-    auto const w = weights();
-    double sum = 0.0;
-    for (std::size_t j = 0; j < r.size(); ++j) sum += w[j] * std::sqrt(r[j] * r[j] + delta * delta);
-    return std::isfinite(sum) ? sum : infinity;
-  }
+  num::RowTable table() const { return {rows_.data(), stride_, problem_->weights()}; }
+  std::size_t columns() const { return stride_; }
 
  private:
   int in_points(std::size_t residuals) const {
@@ -137,8 +134,13 @@ class Counting {
   DeviationProblem const* problem_;
   DeviationProblem const& whole_;
   Found& result_;
-  std::vector<double> room_;
-  std::size_t computed_ = 0, failed_ = 0;  // residuals
+  std::vector<double> rows_, values_;
+  std::size_t stride_ = 0, computed_ = 0, failed_ = 0;  // the last two: residuals
+};
+
+struct Located {
+  std::vector<double> x;
+  double value = infinity;  // sum of weight * |residual|
 };
 
 // A descent from one point. Three stages: `approach` finds the valley, by the problem's outline where it has one,
@@ -155,28 +157,39 @@ class Descent {
   double value() const { return best_.value; }
   std::vector<double> const& x() const { return best_.x; }
 
-  void approach() {
-    if (!problem_.has_outline()) return go(tuning::approach);
+  void approach() { problem_.has_outline() ? by_outline(tuning::approach) : go(tuning::approach); }
+  // By the outline first, where there is one, and from its floor by all residuals.
+  void settle(tuning::Stage const& finish = tuning::finish) { floor_of_outline() ? go(finish) : go(tuning::settle); }
+  void polish() {
+    floor_of_outline();
+    go(tuning::polish);
+  }
+
+  bool floor_of_outline() {
+    if (!problem_.has_outline()) return false;
+    by_outline(tuning::settle);
+    delta_ = std::min(delta_, tuning::rounding_after_outline * here_.value);
+    return true;
+  }
+
+ private:
+  void by_outline(tuning::Stage const& stage) {
     Located const start = std::exchange(best_, {});
     problem_.show_outline();
     move_to(start.x);
-    if (usable()) go(tuning::approach);
+    if (usable()) go(stage);
     problem_.show_whole();
     auto const found = std::exchange(best_, start);
     move_to(found.x.empty() ? start.x : found.x);
     if (!usable()) here_ = start;
   }
-  void settle() { go(tuning::settle); }
-  void polish() { go(tuning::polish); }
 
- private:
   void go(tuning::Stage const& stage) {
     using namespace tuning;
     std::vector<double> values;  // at the last delta
     for (int i = 0; i < stage.iterations; ++i) {
-      double const before = problem_.smoothed(here_.residuals, delta_);
-      bool const moved = iterate();
-      double const after = problem_.smoothed(here_.residuals, delta_);
+      auto const [before, after] = iterate();
+      bool const moved = after < before;
       if (moved && after <= before * (1.0 - gain_worth_staying)) continue;
       if (delta_ > stage.smoothing * here_.value) {
         delta_ = std::max(fall_of_delta * std::min(delta_, here_.value), 0.999 * stage.smoothing * here_.value);
@@ -185,83 +198,81 @@ class Descent {
       }
       values.push_back(after);
       if (!moved || after > before * (1.0 - noise_of_gain)) return;
-      if (values.size() > patience && after > values[values.size() - 1 - patience] * (1.0 - stage.least_gain)) return;
+      if (values.size() > stage.patience && after > values[values.size() - 1 - stage.patience] * (1.0 - stage.least_gain)) return;
     }
   }
 
   void move_to(std::span<double const> x) {
     Points one(n_, 1);
     std::ranges::copy(x, one[0].begin());
-    problem_.residuals(one);
-    take(one[0], 0);
+    problem_.compute(one);
+    take(one[0], problem_.value(0));
   }
 
-  void take(std::span<double const> x, std::size_t i) {
+  void take(std::span<double const> x, double value) {
     here_.x.assign(x.begin(), x.end());
-    auto const r = problem_.of(i);
-    here_.residuals.assign(r.begin(), r.end());
-    here_.value = problem_.value(i);
+    here_.value = value;
     if (here_.value < best_.value) best_ = here_;
   }
 
-  // Derivatives of the residuals by one-sided differences into the box; zero where the neighbour has no value.
-  Matrix jacobian() {
+  // Slope and curvatures of the rounded sum here, from one-sided differences into the box; zero along a coordinate whose
+  // neighbour has no value. Curvature of the rounded absolute value: of the parabola that touches it here and lies above
+  // it elsewhere, and its own, which is that of the residuals near zero alone. The former steps too shortly, the latter
+  // too far.
+  struct Slopes {
+    Vector gradient;
+    Matrix cautious, bold;
+    double value = 0.0;
+  };
+  Slopes slopes() {
     constexpr double step = tuning::difference_step;
-    Points points(n_, n_);
-    for (std::size_t k = 0; k < n_; ++k) {
-      std::ranges::copy(here_.x, points[k].begin());
-      points[k][k] += here_.x[k] > 0.5 ? -step : step;
+    Points points(n_, n_ + 1);
+    for (std::size_t i = 0; i <= n_; ++i) std::ranges::copy(here_.x, points[i].begin());
+    for (std::size_t k = 0; k < n_; ++k) points[k + 1][k] += here_.x[k] > 0.5 ? -step : step;
+    problem_.compute(points, 1);
+    std::size_t const columns = problem_.columns();
+    std::vector<double> counts(columns, 0.0), gradient(columns), cautious(columns * columns), bold(columns * columns);
+    for (std::size_t k = 1; k <= n_; ++k) counts[k] = std::isfinite(problem_.value(k)) ? 1.0 : 0.0;
+    auto const n = static_cast<Index>(n_);
+    Slopes made{.gradient = Vector(n), .cautious = Matrix(n, n), .bold = Matrix(n, n)};
+    num::row_kernels().normal(problem_.table(), n_ + 1, counts.data(), delta_, tuning::cautious_share,
+                              tuning::bold_share, {gradient.data(), cautious.data(), bold.data(), &made.value});
+    Vector per_step(n);
+    for (std::size_t k = 0; k < n_; ++k) per_step[static_cast<Index>(k)] = 1.0 / (points[k + 1][k] - here_.x[k]);
+    for (Index a = 0; a < n; ++a) {
+      auto const row = static_cast<std::size_t>(a + 1);
+      made.gradient[a] = gradient[row] * per_step[a];
+      for (Index b = 0; b <= a; ++b) {
+        auto const at = row * columns + static_cast<std::size_t>(b + 1);
+        double const scale = per_step[a] * per_step[b];
+        made.cautious(a, b) = made.cautious(b, a) = cautious[at] * scale;
+        made.bold(a, b) = made.bold(b, a) = bold[at] * scale;
+      }
     }
-    problem_.residuals(points);
-    Matrix J(here_.residuals.size(), n_);
-    for (std::size_t k = 0; k < n_; ++k) {
-      auto column = J.col(static_cast<Index>(k));
-      if (std::isfinite(problem_.value(k)))
-        column = (vector(problem_.of(k)) - vector(here_.residuals)) / (points[k][k] - here_.x[k]);
-      else
-        column.setZero();
-    }
-    return J;
+    return made;
   }
 
-  // False when no step was an improvement.
-  bool iterate() {
+  // The rounded sum before and after; the same when no step was an improvement.
+  std::pair<double, double> iterate() {
     using namespace tuning;
-    auto const J = jacobian();
-    auto const r = vector(here_.residuals).array();
-    // Curvature of the rounded absolute value: of the parabola that touches it here and lies above it elsewhere, and
-    // its own, which is that of the residuals near zero alone. The former steps too shortly, the latter too far.
-    Eigen::ArrayXd const size = (r.square() + delta_ * delta_).sqrt();
-    Vector const above = vector(problem_.weights()).array() / size;
-    Vector const own = above.array() * (delta_ / size).square();
-    Vector const g = num::apply_transposed(J, Vector(above.array() * r));
-    Matrix const cautious = num::weighted_gram(J, above);
-    Matrix const bold = cautious_share * cautious + num::weighted_gram(J, own, bold_share);
-
-    double const value = problem_.smoothed(here_.residuals, delta_);
+    auto const here = slopes();
     auto const stretch = [](std::size_t i) { return std::pow(damping_ratio, static_cast<double>(i / 2) - 1.0); };
     for (int attempt = 0; attempt < rises && damping_ <= most_damping; ++attempt) {
       Points points(n_, tried);
       for (std::size_t i = 0; i < tried; ++i)
-        propose(i % 2 == 0 ? cautious : bold, g, damping_ * stretch(i), points[i]);
-      problem_.residuals(points);
-      std::size_t best = tried;
-      double least = value;
-      for (std::size_t i = 0; i < tried; ++i) {
-        double const v = problem_.smoothed(problem_.of(i), delta_);
-        if (v >= least) continue;
-        least = v;
-        best = i;
-      }
-      if (best < tried) {
+        propose(i % 2 == 0 ? here.cautious : here.bold, here.gradient, damping_ * stretch(i), points[i]);
+      problem_.compute(points);
+      auto const values = problem_.sizes(delta_, tried);
+      auto const best = static_cast<std::size_t>(std::min_element(values.begin(), values.begin() + tried) - values.begin());
+      if (values[best] < here.value) {
         damping_ = std::clamp(damping_ * stretch(best) / std::sqrt(damping_ratio), least_carried, most_carried);
-        take(points[best], best);
-        return true;
+        take(points[best], problem_.value(best));
+        return {here.value, values[best]};
       }
       damping_ *= damping_rise;
     }
     damping_ = usual_damping;
-    return false;
+    return {here.value, here.value};
   }
 
   // here + the damped Newton step, inside the box. A coordinate at an edge that the step would leave stays there.
@@ -468,7 +479,7 @@ Found descend(DeviationProblem const& problem, std::span<double const> start, do
   Found result;
   Counting counting(problem, result);
   Descent descent(counting, start, rounding);
-  if (descent.usable()) brief ? descent.settle() : descent.polish();
+  if (descent.usable()) brief ? descent.settle(tuning::finish_briefly) : descent.polish();
   if (!descent.usable()) return result;
   result.best = descent.x();
   result.best_value = descent.value();

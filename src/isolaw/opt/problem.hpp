@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "isolaw/num/row_kernels.hpp"
+
 namespace isolaw::opt {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -41,8 +43,13 @@ class DeviationProblem : public Problem {
   virtual std::span<double const> weights() const = 0;  // of each residual; 0 or more, with a sum of 1
   // Residuals of each point, one point after another. Not finite where a point failed.
   virtual void residuals(Points const& points, std::span<double> values) const = 0;
+  // The same side by side: residual j of point i is rows[j * stride + i]; stride: num::padded(points.size()) or more.
+  // What stands beside the last point is anything.
+  virtual void residual_rows(Points const& points, std::size_t stride, std::span<double> rows) const;
   // The same problem by fewer residuals, good enough to find a valley by; null where there is none.
   virtual DeviationProblem const* outline() const { return nullptr; }
+  // Weights of the outline's residuals that stand for these of all; for a problem that has an outline.
+  virtual std::vector<double> on_outline(std::span<double const> weights) const;
 };
 
 // The best point found, and what it cost.

@@ -1,32 +1,23 @@
+#include "isolaw/num/instruction_set.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <ranges>
-#include <tuple>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/words.hpp"
-#include "isolaw/fit/kernels.hpp"
-#include "isolaw/laws/all_laws.hpp"
 
 #if defined(ISOLAW_X86_KERNELS) && !defined(ISOLAW_CPU_LEVELS)
 #include <cpuid.h>
 #endif
 
-namespace isolaw::fit {
-
-inline constexpr std::size_t law_count = std::tuple_size_v<laws::AllLaws>;
-extern std::array<Kernel, law_count> const kernels_portable;
-#if defined(ISOLAW_X86_KERNELS)
-extern std::array<Kernel, law_count> const kernels_avx2, kernels_avx512;
-#endif
-
+namespace isolaw::num {
 namespace {
 
 struct Candidate {
   InstructionSet set;
   std::string_view name;
-  std::array<Kernel, law_count> const* kernels;  // none: the catalogue's evaluate
   bool (*runs_here)();
 };
 
@@ -69,19 +60,15 @@ bool has_x86_64_v4() {
 
 // Slowest first.
 constexpr std::array candidates {
-  Candidate{InstructionSet::scalar, "scalar", nullptr, always},
+  Candidate{InstructionSet::scalar, "scalar", always},
 #if defined(ISOLAW_X86_KERNELS)
-      Candidate{InstructionSet::portable, "sse2", &kernels_portable, always},
-      Candidate{InstructionSet::avx2, "avx2", &kernels_avx2, has_x86_64_v3},
-      Candidate{InstructionSet::avx512, "avx512", &kernels_avx512, has_x86_64_v4},
+      Candidate{InstructionSet::portable, "sse2", always},
+      Candidate{InstructionSet::avx2, "avx2", has_x86_64_v3},
+      Candidate{InstructionSet::avx512, "avx512", has_x86_64_v4},
 #else
-      Candidate{InstructionSet::portable, "portable", &kernels_portable, always},
+      Candidate{InstructionSet::portable, "portable", always},
 #endif
 };
-
-Candidate const& candidate(InstructionSet set) {
-  return *std::ranges::find(candidates, set, &Candidate::set);
-}
 
 }  // namespace
 
@@ -116,8 +103,4 @@ InstructionSet instruction_set() {
   return chosen;
 }
 
-Kernel kernel(InstructionSet set, std::size_t law) {
-  return candidate(set).kernels->at(law);
-}
-
-}  // namespace isolaw::fit
+}  // namespace isolaw::num
