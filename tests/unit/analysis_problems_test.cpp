@@ -98,6 +98,57 @@ TEST(Held, TheCoordinateStaysWhereverItStands) {
   }
 }
 
+// Side by side what `residuals` gives one after another.
+void expect_the_same_side_by_side(opt::DeviationProblem const& problem, opt::Points const& at) {
+  std::size_t const samples = problem.weights().size(), stride = num::padded(at.size());
+  auto const expected = residuals_of(problem, at);
+  std::vector<double> rows(stride * samples);
+  problem.residual_rows(at, stride, rows);
+  for (std::size_t i = 0; i < at.size(); ++i)
+    for (std::size_t j = 0; j < samples; ++j) EXPECT_EQ(rows[j * stride + i], expected[i * samples + j]);
+}
+
+TEST(Held, ResidualsSideBySide) {
+  Plain const base(3);
+  expect_the_same_side_by_side(base, points(3, {0.1, 0.2, 0.3, 0.6, 0.7, 0.8}));
+  expect_the_same_side_by_side(Held(base, 1, 0.25), points(2, {0.1, 0.2, 0.6, 0.7}));
+}
+
+// A descent by the outline of a problem made of others is one of the same problem.
+void expect_an_outline_of_it(opt::DeviationProblem const& problem, opt::Points const& at) {
+  auto const* outline = problem.outline();
+  ASSERT_NE(outline, nullptr);
+  EXPECT_EQ(outline->dimension(), problem.dimension());
+  EXPECT_LT(outline->weights().size(), problem.weights().size() / 2);
+  auto const on_outline = problem.on_outline(problem.weights());
+  ASSERT_EQ(on_outline.size(), outline->weights().size());
+  for (std::size_t j = 0; j < on_outline.size(); ++j) EXPECT_NEAR(on_outline[j], outline->weights()[j], 1e-15);
+  double const whole = values_of(problem, at)[0];
+  EXPECT_NEAR(values_of(*outline, at)[0], whole, 0.03 * whole);
+}
+
+TEST(Outline, OfWhatIsMadeOfOthers) {
+  auto const twin = twins::twin_in_box("bilinear", twins::growing_cycles(3, 300));
+  fit::LawOnRecord const model(*twin.law, twin.record, laws::Integration::converged);
+  fit::IdentificationProblem const problem(model, twin.box);
+  auto const at = points(3, {0.3, 0.4, 0.6});
+  expect_an_outline_of_it(problem, at);
+  // Half of the record counts twice.
+  std::vector<double> weights(problem.weights().begin(), problem.weights().end());
+  double sum = 0.0;
+  for (std::size_t j = 0; j < weights.size(); ++j) sum += weights[j] *= j < weights.size() / 2 ? 2.0 : 0.0;
+  for (double& weight : weights) weight /= sum;
+  Reweighted const reweighted(problem, weights);
+  expect_an_outline_of_it(reweighted, at);
+  Held const held(problem, 1, 0.4);
+  expect_an_outline_of_it(held, points(2, {0.3, 0.6}));
+  expect_an_outline_of_it(Held(reweighted, 1, 0.4), points(2, {0.3, 0.6}));
+  fit::LawOnRecord const* const models[]{&model, &model, &model};
+  Joint const joint(models, twin.box, std::vector{0.5, 0.0, 0.5});
+  expect_an_outline_of_it(joint, at);
+  expect_the_same_side_by_side(joint, points(3, {0.3, 0.4, 0.6, 0.1, 0.2, 0.9}));
+}
+
 class JointProblem : public testing::Test {
  protected:
   JointProblem() {

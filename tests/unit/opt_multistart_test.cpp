@@ -118,7 +118,7 @@ TEST(Multistart, RepeatsItselfAndCountsWhatItDoes) {
 
   EXPECT_TRUE(std::ranges::is_sorted(first.history, std::greater{}));
   EXPECT_EQ(first.history.back(), first.best_value);
-  EXPECT_EQ(first.best_value, problem.value(first.best));
+  EXPECT_NEAR(first.best_value, problem.value(first.best), 1e-14);
   EXPECT_EQ(first.history.size(), static_cast<std::size_t>(first.starts) + 1);
   EXPECT_GE(first.starts, 16);
   EXPECT_GE(first.hits, 3);
@@ -149,7 +149,7 @@ TEST(Multistart, ApproachesByTheOutlineAndCountsItsShare) {
   EXPECT_EQ(found.outcome, Outcome::confirmed);
   EXPECT_NEAR(found.best.at(0), 0.2, 1e-2);
   EXPECT_NEAR(found.best.at(1), 0.5, 1e-2);
-  EXPECT_EQ(found.best_value, problem.value(found.best));
+  EXPECT_NEAR(found.best_value, problem.value(found.best), 1e-14);
   EXPECT_GT(problem.fewer().seen, problem.seen / 4);
   EXPECT_EQ(found.evaluations, static_cast<int>((4 * problem.seen + problem.fewer().seen + 3) / 4));
 }
@@ -164,7 +164,7 @@ TEST(Multistart, IsNotMisledByABadOutline) {
     EXPECT_EQ(found.outcome, Outcome::confirmed);
     EXPECT_NEAR(found.best.at(0), 0.2, 1e-2);
     EXPECT_NEAR(found.best.at(1), 0.5, 1e-2);
-    EXPECT_EQ(found.best_value, problem->value(found.best));
+    EXPECT_NEAR(found.best_value, problem->value(found.best), 1e-14);
     EXPECT_LE(found.failed_evaluations, found.evaluations);
   }
 }
@@ -231,8 +231,8 @@ TEST(Descend, GoesToTheNearMinimumAndNeverAboveItsStart) {
     std::vector<double> const start{from};
     auto const found = descend(problem, start, 0.1);
     EXPECT_NEAR(found.best.at(0), 0.3, 2e-3) << from;
-    EXPECT_LE(found.best_value, problem.value(start)) << from;
-    EXPECT_EQ(found.best_value, problem.value(found.best)) << from;
+    EXPECT_LE(found.best_value, problem.value(start) + 1e-14) << from;
+    EXPECT_NEAR(found.best_value, problem.value(found.best), 1e-14) << from;
   }
 }
 

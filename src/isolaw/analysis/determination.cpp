@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "isolaw/analysis/sensitivity.hpp"
+#include "isolaw/base/ahead.hpp"
 #include "isolaw/opt/multistart.hpp"
 
 namespace isolaw::analysis {
@@ -39,7 +40,7 @@ class Examination {
         interrupted_(interrupted),
         free_(free_parameters(box)),
         best_(std::move(optimum)) {
-    if (!free_.empty()) best_value_ = value_at(best_);
+    if (!free_.empty()) best_value_ = value_at(best_, made_.evaluations);
   }
 
   Determination run() {
@@ -89,12 +90,12 @@ class Examination {
   // the residuals there are as good as distributed exponentially on both sides, with the objective as mean magnitude.
   double visible_change() const { return std::max(std::sqrt(2.0 * best_value_ * rise_), rise_); }
 
-  double value_at(Point const& point) {
+  double value_at(Point const& point, int& evaluations) const {
     opt::Points one(point.size(), 1);
     std::ranges::copy(point, one[0].begin());
     double value = 0.0;
     problem_.evaluate(one, std::span(&value, 1));
-    ++made_.evaluations;
+    ++evaluations;
     return value;
   }
   double value_of(std::size_t k) const { return free_[k]->at(best_[k]); }
@@ -191,22 +192,44 @@ class Examination {
     double end = 0.0;                               // coordinate where the rise is reached
     bool open = false;                              // it is not, up to the edge of the box
   };
+  // Both sides of a parameter; where one comes upon a lower objective it ends there.
+  struct Sides {
+    Side below = {}, above = {};
+    int evaluations = 0;
+    Point lower_at = {};
+    double lower = 0.0;
 
-  // False when a lower objective turned up.
+    bool found_lower() const { return !lower_at.empty(); }
+  };
+
+  // False when a lower objective turned up: what comes after it is not looked at.
   bool profile_all(bool may_restart) {
-    for (std::size_t k = 0; k < free_.size(); ++k) {
+    std::vector<Sides> made(free_.size());
+    Ahead profiles(made.size(), [&](std::size_t k) { made[k] = profiled(k, may_restart); });
+    for (std::size_t k = 0; k < made.size(); ++k) {
       if (interrupted_ && interrupted_()) throw GivenUp();
-      auto const [reach, follow] = first_order(k);
-      auto const below = profile_side(k, -1.0, reach, follow, may_restart);
-      if (lower_found_) return lower_found_ = false;
-      auto const above = profile_side(k, 1.0, reach, follow, may_restart);
-      if (lower_found_) return lower_found_ = false;
-      made_.parameters.push_back(judged(k, below, above));
+      profiles.need(k);
+      made_.evaluations += made[k].evaluations;
+      if (made[k].found_lower()) {
+        best_ = made[k].lower_at;
+        best_value_ = made[k].lower;
+        return false;
+      }
+      made_.parameters.push_back(judged(k, made[k].below, made[k].above));
     }
     return true;
   }
 
-  Side profile_side(std::size_t k, double sign, double reach, Vector const& follow, bool may_restart) {
+  Sides profiled(std::size_t k, bool may_restart) const {
+    auto const [reach, follow] = first_order(k);
+    Sides made;
+    made.below = profile_side(k, -1.0, reach, follow, may_restart, made);
+    if (!made.found_lower()) made.above = profile_side(k, 1.0, reach, follow, may_restart, made);
+    return made;
+  }
+
+  Side profile_side(std::size_t k, double sign, double reach, Vector const& follow, bool may_restart,
+                    Sides& sides) const {
     constexpr double enough = 4.0;  // times the rise: to be drawn
     double const room = sign > 0.0 ? 1.0 - best_[k] : best_[k];
     Side side;
@@ -219,14 +242,14 @@ class Examination {
     for (int i = 0; i < most_points && distance < room; ++i) {
       double const next = std::min(distance + step, room);
       double const u = std::clamp(best_[k] + sign * next, 0.0, 1.0);
-      auto const [point, value] = refitted(k, u, others);
+      auto const [point, value] = refitted(k, u, others, sides.evaluations);
       if (may_restart && value < best_value_ * (1.0 - 1e-4) - 1e-9) {
-        best_ = with(point, k, u);
-        auto const polished = opt::descend(problem_, best_);
-        made_.evaluations += polished.evaluations;
-        if (polished.usable()) best_ = polished.best;
-        best_value_ = std::min(value, polished.best_value);
-        lower_found_ = true;
+        sides.lower_at = with(point, k, u);
+        sides.lower = value;
+        auto const polished = opt::descend(problem_, sides.lower_at);
+        sides.evaluations += polished.evaluations;
+        if (polished.usable()) sides.lower_at = polished.best;
+        sides.lower = std::min(value, polished.best_value);
         return side;
       }
       if (side.points.empty() && value > best_value_ + enough * rise_ && step > 1e-7 && i < 6) {
@@ -245,11 +268,11 @@ class Examination {
   }
 
   // The objective with coordinate k held at u, the others fitted again from `others`.
-  std::pair<Point, double> refitted(std::size_t k, double u, Point const& others) {
+  std::pair<Point, double> refitted(std::size_t k, double u, Point const& others, int& evaluations) const {
     Held const held(problem_, k, u);
-    if (others.empty()) return {Point(), value_at({u})};
+    if (others.empty()) return {Point(), value_at({u}, evaluations)};
     auto found = opt::descend(held, others, 0.2, true);
-    made_.evaluations += found.evaluations;
+    evaluations += found.evaluations;
     return {std::move(found.best), found.best_value};
   }
 
@@ -306,7 +329,6 @@ class Examination {
   Point best_;
   double best_value_ = 0.0;
   double rise_ = 0.0;
-  bool lower_found_ = false;
   Matrix weighted_;  // Jacobian by coordinates, rows times the root of their weights
   Determination made_;
 };

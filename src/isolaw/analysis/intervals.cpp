@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "isolaw/analysis/sensitivity.hpp"
+#include "isolaw/base/ahead.hpp"
 #include "isolaw/opt/multistart.hpp"
 
 namespace isolaw::analysis {
@@ -203,15 +204,20 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
                                          std::max<std::size_t>(1, made.samples / 8));
     covariance = covariance_in_box(curvature(seen), variance_of_score(seen, neighbours.correlation) *
                                                         freedom_lost(made.samples, n, neighbours.correlation));
-    for (int replicate = 0; replicate < options.replicates; ++replicate) {
-      if (interrupted && interrupted()) return std::nullopt;
-      num::Draws draws(stream, static_cast<std::uint32_t>(replicate), 0);
+    auto const count = static_cast<std::size_t>(std::max(0, options.replicates));
+    std::vector<opt::Found> again(count);
+    Ahead replicates(count, [&](std::size_t i) {
+      num::Draws draws(stream, static_cast<std::uint32_t>(i), 0);
       Reweighted const resampled(problem, drawn(model.residual_weights(), made.samples, made.block, draws));
-      auto const again = opt::descend(resampled, start, 0.3, true);
-      made.evaluations += again.evaluations;
-      if (!again.usable()) continue;
+      again[i] = opt::descend(resampled, start, 0.3, true);
+    });
+    for (std::size_t i = 0; i < count; ++i) {
+      if (interrupted && interrupted()) return std::nullopt;
+      replicates.need(i);
+      made.evaluations += again[i].evaluations;
+      if (!again[i].usable()) continue;
       ++made.replicates;
-      for (std::size_t k = 0; k < n; ++k) refits[k].push_back(again.best[k]);
+      for (std::size_t k = 0; k < n; ++k) refits[k].push_back(again[i].best[k]);
     }
   }
 

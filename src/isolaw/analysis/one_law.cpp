@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "isolaw/base/ahead.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/opt/multistart.hpp"
 
@@ -98,11 +99,13 @@ std::optional<OneLaw> least_mean(std::span<fit::LawOnRecord const* const> models
 
   opt::Found best;
   int evaluations = 0;
-  for (auto const& start : starts) {
+  std::vector<opt::Found> ends(starts.size());
+  Ahead descents(starts.size(), [&](std::size_t i) { ends[i] = opt::descend(problem, starts[i], 1.0); });
+  for (std::size_t i = 0; i < starts.size(); ++i) {
     if (interrupted && interrupted()) return std::nullopt;
-    auto found = opt::descend(problem, start, 1.0);
-    evaluations += found.evaluations;
-    if (found.best_value < best.best_value) best = std::move(found);
+    descents.need(i);
+    evaluations += ends[i].evaluations;
+    if (ends[i].best_value < best.best_value) best = std::move(ends[i]);
   }
   if (!best.usable()) return std::nullopt;
   auto made = judged(models, expanded(box, best.best));

@@ -10,49 +10,63 @@
 #include <thread>
 #include <vector>
 
+#include "isolaw/base/ahead.hpp"
+
 namespace isolaw::campaign {
 
 std::size_t for_each_in_parallel(std::size_t count, std::size_t threads, std::function<void(std::size_t)> const& work) {
-  threads = std::clamp<std::size_t>(threads, 1, std::max<std::size_t>(count, 1));
-  std::atomic<std::size_t> next = 0;
+  if (count == 0) return 1;
+  threads = std::max<std::size_t>(threads, 1);
+  std::atomic<std::size_t> next = 0, busy = 0;
+  Crew crew;
   std::mutex one_at_a_time;
   std::exception_ptr failure;
   std::vector<std::size_t> left;
   left.reserve(threads);
-  auto const work_along = [&] {
+  // False where memory ran out.
+  auto const work_through = [&] {
     for (auto i = next++; i < count; i = next++) {
       try {
         work(i);
       } catch (std::bad_alloc const&) {
         std::scoped_lock const lock(one_at_a_time);
         left.push_back(i);
-        return;
+        return false;
       } catch (...) {
         next = count;
         std::scoped_lock const lock(one_at_a_time);
         if (!failure) failure = std::current_exception();
       }
     }
+    return true;
+  };
+  auto const work_along = [&] {
+    Membership const member(crew);
+    bool const stays = work_through();
+    --busy;
+    crew.changed();
+    if (stays) crew.help_until([&] { return busy == 0; });
   };
   std::size_t helpers = 0;
   {
     std::latch counted(1);
-    std::vector<std::jthread> crew;
-    crew.reserve(threads - 1);
+    std::vector<std::jthread> started;
+    started.reserve(threads - 1);
     try {
       for (std::size_t id = 0; id + 1 < threads; ++id)
-        crew.emplace_back([&, id] {
+        started.emplace_back([&, id] {
           counted.wait();
           if (id < helpers) work_along();
         });
-      helpers = crew.size();
+      helpers = started.size();
     } catch (std::system_error const&) {
-      helpers = crew.size() / 2;
+      helpers = started.size() / 2;
     } catch (std::bad_alloc const&) {
-      helpers = crew.size() / 2;
+      helpers = started.size() / 2;
     }
+    busy = helpers + 1;
     counted.count_down();
-    while (crew.size() > helpers) crew.pop_back();
+    while (started.size() > helpers) started.pop_back();
     work_along();
   }
   if (failure) std::rethrow_exception(failure);

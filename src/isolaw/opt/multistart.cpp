@@ -1,12 +1,14 @@
 #include "isolaw/opt/multistart.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <span>
 #include <utility>
 
+#include "isolaw/base/ahead.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/num/linear.hpp"
 #include "isolaw/num/row_kernels.hpp"
@@ -91,10 +93,26 @@ using num::Index;
 using num::Matrix;
 using num::Vector;
 
+// Residuals that were computed, and those of points that failed.
+struct Cost {
+  std::size_t computed = 0, failed = 0;
+  Cost& operator+=(Cost const& other) {
+    computed += other.computed;
+    failed += other.failed;
+    return *this;
+  }
+};
+void say(Cost const& cost, DeviationProblem const& problem, Found& result) {
+  std::size_t const each = problem.weights().size();
+  auto const in_points = [&](std::size_t residuals) { return static_cast<int>((residuals + each - 1) / each); };
+  result.evaluations = in_points(cost.computed);
+  result.failed_evaluations = in_points(cost.failed);
+}
+
 // The problem, or its outline, with what it has cost.
 class Counting {
  public:
-  Counting(DeviationProblem const& problem, Found& result) : problem_(&problem), whole_(problem), result_(result) {}
+  explicit Counting(DeviationProblem const& problem) : problem_(&problem), whole_(problem) {}
 
   bool has_outline() const { return whole_.outline() != nullptr; }
   void show_outline() { problem_ = whole_.outline(); }
@@ -102,18 +120,16 @@ class Counting {
 
   std::size_t dimension() const { return problem_->dimension(); }
 
-  // The residuals of these points, of which the first `known` have been computed before and do not count again.
-  void compute(Points const& points, std::size_t known = 0) {
+  void compute(Points const& points) {
     auto const weights = problem_->weights();
     stride_ = num::padded(points.size());
     rows_.resize(stride_ * weights.size());
     problem_->residual_rows(points, stride_, rows_);
     values_ = sizes(0.0, points.size());
-    computed_ += (points.size() - known) * weights.size();
-    for (std::size_t i = known; i < points.size(); ++i) failed_ += std::isfinite(values_[i]) ? 0 : weights.size();
-    result_.evaluations = in_points(computed_);
-    result_.failed_evaluations = in_points(failed_);
+    cost_.computed += points.size() * weights.size();
+    for (std::size_t i = 0; i < points.size(); ++i) cost_.failed += std::isfinite(values_[i]) ? 0 : weights.size();
   }
+  Cost const& cost() const { return cost_; }
   // Of the points computed last: sum of weight * |residual|, and of weight * sqrt(residual^2 + delta^2).
   double value(std::size_t i) const { return values_[i]; }
   std::vector<double> sizes(double delta, std::size_t points) const {
@@ -126,16 +142,11 @@ class Counting {
   std::size_t columns() const { return stride_; }
 
  private:
-  int in_points(std::size_t residuals) const {
-    std::size_t const each = whole_.weights().size();
-    return static_cast<int>((residuals + each - 1) / each);
-  }
-
   DeviationProblem const* problem_;
   DeviationProblem const& whole_;
-  Found& result_;
   std::vector<double> rows_, values_;
-  std::size_t stride_ = 0, computed_ = 0, failed_ = 0;  // the last two: residuals
+  std::size_t stride_ = 0;
+  Cost cost_;
 };
 
 struct Located {
@@ -147,7 +158,7 @@ struct Located {
 // `settle` its floor, `polish` the last digits.
 class Descent {
  public:
-  Descent(Counting& problem, std::span<double const> start, double rounding = 1.0)
+  Descent(DeviationProblem const& problem, std::span<double const> start, double rounding = 1.0)
       : problem_(problem), n_(problem.dimension()) {
     move_to(start);
     delta_ = rounding * here_.value;
@@ -155,15 +166,13 @@ class Descent {
 
   bool usable() const { return std::isfinite(here_.value); }
   double value() const { return best_.value; }
-  std::vector<double> const& x() const { return best_.x; }
+  Located const& best() const { return best_; }
+  Cost const& cost() const { return problem_.cost(); }
 
   void approach() { problem_.has_outline() ? by_outline(tuning::approach) : go(tuning::approach); }
   // By the outline first, where there is one, and from its floor by all residuals.
   void settle(tuning::Stage const& finish = tuning::finish) { floor_of_outline() ? go(finish) : go(tuning::settle); }
-  void polish() {
-    floor_of_outline();
-    go(tuning::polish);
-  }
+  void polish() { go(tuning::polish); }
 
   bool floor_of_outline() {
     if (!problem_.has_outline()) return false;
@@ -229,7 +238,7 @@ class Descent {
     Points points(n_, n_ + 1);
     for (std::size_t i = 0; i <= n_; ++i) std::ranges::copy(here_.x, points[i].begin());
     for (std::size_t k = 0; k < n_; ++k) points[k + 1][k] += here_.x[k] > 0.5 ? -step : step;
-    problem_.compute(points, 1);
+    problem_.compute(points);
     std::size_t const columns = problem_.columns();
     std::vector<double> counts(columns, 0.0), gradient(columns), cautious(columns * columns), bold(columns * columns);
     for (std::size_t k = 1; k <= n_; ++k) counts[k] = std::isfinite(problem_.value(k)) ? 1.0 : 0.0;
@@ -307,7 +316,7 @@ class Descent {
     }
   }
 
-  Counting& problem_;
+  Counting problem_;
   std::size_t n_;
   Located here_, best_;
   double delta_ = 0.0;
@@ -340,28 +349,39 @@ std::vector<double> with_two_drawn_anew(std::vector<double> x, num::Draws& draws
   return x;
 }
 
+// A descent to be counted: where it has come to after the approach, and where to after settling, if it was settled.
+struct Descended {
+  Located approached, settled;
+  Cost to_approach, to_settle;
+  bool usable = false;
+};
+
 // One search: its descents so far, and when they are enough.
 class Search {
  public:
   Search(DeviationProblem const& problem, num::Stream const& stream, MultistartOptions const& options)
-      : options_(options), stream_(stream), counting_(problem, result_) {}
+      : problem_(problem), options_(options), stream_(stream) {}
 
   MultistartResult run(std::function<bool()> const& interrupted) {
     for (std::uint32_t round = 0; !enough(); ++round) {
       if (result_.evaluations >= options_.most_evaluations) return ended(Outcome::budget_spent);
       num::Draws draws(stream_, round, 0);
-      auto const points = latin_hypercube(counting_.dimension(), static_cast<std::size_t>(options_.scattered), draws);
+      auto const points = latin_hypercube(problem_.dimension(), static_cast<std::size_t>(options_.scattered), draws);
+      std::vector<Descended> made(points.size());
+      Ahead descents(points.size(), [&](std::size_t i) { made[i] = descended(points[i]); });
       for (std::size_t i = 0; i < points.size() && !enough(); ++i) {
         if (interrupted && interrupted()) return ended(Outcome::interrupted);
-        scattered_.push_back(descend(points[i]));
+        descents.need(i);
+        scattered_.push_back(count_in(made[i]));
       }
       if (!result_.usable()) return ended(Outcome::no_finite_value);
       int const hops = is_wide() ? options_.scattered : options_.hops;
       for (int hop = 1; hop <= hops && !enough(); ++hop) {
         if (interrupted && interrupted()) return ended(Outcome::interrupted);
         num::Draws wind(stream_, round, static_cast<std::uint32_t>(hop));
-        descend(hop % 2 != 0 ? with_two_drawn_anew(result_.best, wind)
-                             : disturbed(result_.best, tuning::least_power_of_hop, tuning::most_power_of_hop, wind));
+        count_in(descended(hop % 2 != 0 ? with_two_drawn_anew(result_.best, wind)
+                                        : disturbed(result_.best, tuning::least_power_of_hop,
+                                                    tuning::most_power_of_hop, wind)));
       }
     }
     refine(interrupted);
@@ -392,36 +412,57 @@ class Search {
     return agreed ? std::max(least, starts / tuning::part_when_agreed) : starts;
   }
 
-  bool is_wide() const { return counting_.dimension() > tuning::wide; }
+  bool is_wide() const { return problem_.dimension() > tuning::wide; }
 
-  void keep(Descent const& descent) {
-    if (descent.value() >= result_.best_value) return;
-    result_.best_value = descent.value();
-    result_.best = descent.x();
+  void keep(Located const& end) {
+    if (end.value >= result_.best_value) return;
+    result_.best_value = end.value;
+    result_.best = end.x;
+    best_so_far_ = end.value;
+  }
+  void add(Cost const& cost) {
+    cost_ += cost;
+    say(cost_, problem_, result_);
   }
 
-  double descend(std::span<double const> start) {
-    Descent descent(counting_, start);
-    if (descent.usable()) {
-      descent.approach();
-      if (descent.value() < tuning::promising * result_.best_value) descent.settle();
-      keep(descent);
-    }
-    ends_.push_back(descent.value());
-    end_points_.push_back(descent.x());
+  // Also ahead of its turn: settled where it is promising by the best value that is known then, which is not below that
+  // of its turn.
+  Descended descended(std::span<double const> start) const {
+    Descended made;
+    Descent descent(problem_, start);
+    made.usable = descent.usable();
+    if (made.usable) descent.approach();
+    made.approached = descent.best();
+    made.to_approach = descent.cost();
+    if (made.usable && descent.value() < tuning::promising * best_so_far_) descent.settle();
+    made.settled = descent.best();
+    made.to_settle = descent.cost();
+    return made;
+  }
+
+  // In its turn.
+  double count_in(Descended const& descent) {
+    bool const settled = descent.approached.value < tuning::promising * result_.best_value;
+    auto const& end = settled ? descent.settled : descent.approached;
+    add(settled ? descent.to_settle : descent.to_approach);
+    if (descent.usable) keep(end);
+    ends_.push_back(end.value);
+    end_points_.push_back(end.x);
     result_.history.push_back(result_.best_value);
-    return descent.value();
+    return end.value;
   }
 
   // The last digits. Where the ends at the best value scatter, its valley's floor is ragged: the next best ends are
   // taken further too, and small hops follow until several in a row gain nothing.
   void refine(std::function<bool()> const& interrupted) {
     auto const polish = [&](std::vector<double> const& start) {
-      Descent descent(counting_, start);
-      if (!descent.usable()) return;
-      descent.approach();
-      if (descent.value() < tuning::worth_polishing * result_.best_value) descent.polish();
-      keep(descent);
+      Descent descent(problem_, start);
+      if (descent.usable()) {
+        descent.approach();
+        if (descent.value() < tuning::worth_polishing * result_.best_value) descent.polish();
+        keep(descent.best());
+      }
+      add(descent.cost());
     };
     auto const hits = count(ends_, within(options_.hit_tolerance));
     auto const agreeing = count(ends_, within(tuning::sharp * options_.hit_tolerance));
@@ -452,10 +493,12 @@ class Search {
     return result_;
   }
 
+  DeviationProblem const& problem_;
   MultistartOptions const& options_;
   num::Stream stream_;
   MultistartResult result_;
-  Counting counting_;
+  Cost cost_;
+  std::atomic<double> best_so_far_ = infinity;  // result_'s, for whoever descends ahead
   std::vector<double> ends_, scattered_;         // values at which descents ended: all, and those from scattered points
   std::vector<std::vector<double>> end_points_;  // of all
 };
@@ -477,11 +520,15 @@ MultistartResult minimise_multistart(DeviationProblem const& problem, num::Strea
 Found descend(DeviationProblem const& problem, std::span<double const> start, double rounding, bool brief) {
   require_dimension(problem);
   Found result;
-  Counting counting(problem, result);
-  Descent descent(counting, start, rounding);
-  if (descent.usable()) brief ? descent.settle(tuning::finish_briefly) : descent.polish();
+  Descent descent(problem, start, rounding);
+  if (descent.usable() && brief) descent.settle(tuning::finish_briefly);
+  if (descent.usable() && !brief) {
+    descent.floor_of_outline();
+    descent.polish();
+  }
+  say(descent.cost(), problem, result);
   if (!descent.usable()) return result;
-  result.best = descent.x();
+  result.best = descent.best().x;
   result.best_value = descent.value();
   return result;
 }

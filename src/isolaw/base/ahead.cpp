@@ -1,0 +1,102 @@
+#include "isolaw/base/ahead.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace isolaw {
+namespace {
+
+thread_local Crew* crew_of_thread = nullptr;
+
+}  // namespace
+
+Crew* Crew::current() {
+  return crew_of_thread;
+}
+
+Membership::Membership(Crew& crew) : before_(std::exchange(crew_of_thread, &crew)) {}
+Membership::~Membership() {
+  crew_of_thread = before_;
+}
+
+void Crew::offer(Ahead& work) {
+  {
+    std::scoped_lock const lock(mutex_);
+    offered_.push_back(&work);
+  }
+  news_.notify_all();
+}
+
+void Crew::withdraw(Ahead& work) {
+  std::unique_lock lock(mutex_);
+  std::erase(offered_, &work);
+  news_.wait(lock, [&] { return work.helpers_ == 0; });
+}
+
+void Crew::changed() {
+  // Whoever is about to wait holds the mutex: it either sees the change or is told of it.
+  { std::scoped_lock const lock(mutex_); }
+  news_.notify_all();
+}
+
+void Crew::help_until(std::function<bool()> const& finished) {
+  std::unique_lock lock(mutex_);
+  while (!finished()) {
+    auto const found = std::ranges::find_if(offered_, [](Ahead const* work) { return work->has_open(); });
+    if (found == offered_.end()) {
+      news_.wait(lock);
+      continue;
+    }
+    Ahead& work = **found;
+    ++work.helpers_;
+    lock.unlock();
+    work.do_one();
+    lock.lock();
+    if (--work.helpers_ == 0) news_.notify_all();
+  }
+}
+
+Ahead::Ahead(std::size_t count, std::function<void(std::size_t)> work)
+    : work_(std::move(work)), states_(count), failures_(count), crew_(Crew::current()) {
+  if (crew_ != nullptr && count > 1) crew_->offer(*this);
+}
+
+Ahead::~Ahead() {
+  next_open_ = states_.size();
+  if (crew_ != nullptr && states_.size() > 1) crew_->withdraw(*this);
+}
+
+void Ahead::perform(std::size_t i) {
+  try {
+    work_(i);
+  } catch (...) {
+    failures_[i] = std::current_exception();
+  }
+  states_[i] = State::done;
+  states_[i].notify_all();
+}
+
+bool Ahead::do_one() {
+  for (auto i = next_open_++; i < states_.size(); i = next_open_++) {
+    auto expected = State::open;
+    if (!states_[i].compare_exchange_strong(expected, State::taken)) continue;
+    perform(i);
+    return true;
+  }
+  next_open_ = states_.size();
+  return false;
+}
+
+void Ahead::need(std::size_t i) {
+  auto expected = State::open;
+  if (states_[i].compare_exchange_strong(expected, State::taken)) {
+    perform(i);
+  } else {
+    // Another thread is at it: rather than wait, the next ones.
+    while (states_[i] != State::done && do_one()) continue;
+    states_[i].wait(State::taken);
+  }
+  if (failures_[i]) std::rethrow_exception(failures_[i]);
+}
+
+}  // namespace isolaw

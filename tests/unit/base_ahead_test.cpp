@@ -1,0 +1,92 @@
+// Work done ahead: each item once, in time, whoever does it; what fails is told to who needs it.
+#include "isolaw/base/ahead.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <numeric>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include "isolaw/campaign/parallel.hpp"
+
+namespace isolaw {
+namespace {
+
+TEST(Ahead, WithoutACrewNothingIsDoneThatIsNotNeeded) {
+  std::vector<int> done(5, 0);
+  {
+    Ahead work(5, [&](std::size_t i) { ++done[i]; });
+    work.need(1);
+    work.need(0);
+    work.need(1);
+  }
+  EXPECT_EQ(done, (std::vector{1, 1, 0, 0, 0}));
+}
+
+TEST(Ahead, WhatFailedIsToldToWhoNeedsIt) {
+  Ahead work(2, [](std::size_t i) {
+    if (i == 1) throw std::runtime_error("item 1");
+  });
+  work.need(0);
+  EXPECT_THROW(work.need(1), std::runtime_error);
+  EXPECT_THROW(work.need(1), std::runtime_error);
+}
+
+// One task for four threads: the others can only help with what it offers.
+TEST(Ahead, ThreadsWithoutATaskHelp) {
+  std::atomic<int> at_once = 0, most = 0;
+  std::vector<std::atomic<int>> done(64);
+  campaign::for_each_in_parallel(1, 4, [&](std::size_t) {
+    Ahead work(done.size(), [&](std::size_t i) {
+      int const now = ++at_once;
+      for (int seen = most; seen < now && !most.compare_exchange_weak(seen, now);) continue;
+      // Until another one is there as well; given up after a while on a machine that is too busy to start it.
+      for (int waited = 0; most < 2 && waited < 5000; ++waited)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      ++done[i];
+      --at_once;
+    });
+    for (std::size_t i = 0; i < done.size(); ++i) {
+      work.need(i);
+      EXPECT_EQ(done[i], 1);
+    }
+  });
+  EXPECT_GE(most, 2);
+  for (auto const& times : done) EXPECT_EQ(times, 1);
+}
+
+TEST(Ahead, WhatIsGivenUpIsNotBegunAndNothingIsLeftRunning) {
+  for (int repeat = 0; repeat < 50; ++repeat) {
+    std::atomic<int> running = 0;
+    campaign::for_each_in_parallel(3, 4, [&](std::size_t) {
+      std::vector<int> room(100, 0);
+      {
+        Ahead work(room.size(), [&](std::size_t i) {
+          ++running;
+          ++room[i];
+          --running;
+        });
+        work.need(0);
+      }
+      EXPECT_LE(std::accumulate(room.begin(), room.end(), 0), 100);
+    });
+    EXPECT_EQ(running, 0);
+  }
+}
+
+TEST(Ahead, WorkInsideWorkEnds) {
+  std::atomic<int> sum = 0;
+  campaign::for_each_in_parallel(2, 3, [&](std::size_t) {
+    Ahead outer(6, [&](std::size_t) {
+      Ahead inner(7, [&](std::size_t) { ++sum; });
+      for (std::size_t i = 0; i < 7; ++i) inner.need(i);
+    });
+    for (std::size_t i = 0; i < 6; ++i) outer.need(i);
+  });
+  EXPECT_EQ(sum, 2 * 6 * 7);
+}
+
+}  // namespace
+}  // namespace isolaw
