@@ -62,8 +62,7 @@ bool has_x86_64_v4() {
 constexpr std::array candidates {
   Candidate{InstructionSet::scalar, "scalar", always},
 #if defined(ISOLAW_X86_KERNELS)
-      Candidate{InstructionSet::portable, "sse2", always},
-      Candidate{InstructionSet::avx2, "avx2", has_x86_64_v3},
+      Candidate{InstructionSet::portable, "sse2", always}, Candidate{InstructionSet::avx2, "avx2", has_x86_64_v3},
       Candidate{InstructionSet::avx512, "avx512", has_x86_64_v4},
 #else
       Candidate{InstructionSet::portable, "portable", always},

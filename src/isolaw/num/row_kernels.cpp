@@ -35,7 +35,8 @@ struct Chunk {
 
 template <class T>
 void add_products(double const (&left)[chunk][most_columns], double const (&right)[chunk][most_columns],
-                  std::size_t rows, std::size_t first_left, std::size_t first_right, std::size_t columns, double* sums) {
+                  std::size_t rows, std::size_t first_left, std::size_t first_right, std::size_t columns,
+                  double* sums) {
   T a[tile];
   for (std::size_t i = 0; i < tile; ++i) a[i] = T::load(sums + (first_left + i) * columns + first_right);
   for (std::size_t j = 0; j < rows; ++j) {

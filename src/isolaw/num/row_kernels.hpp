@@ -25,9 +25,9 @@ struct RowTable {
 // What a step from the point of column 0 needs of a table whose other columns are its neighbours: sums over the rows of
 // weight * differences of the columns from column 0, by the curvatures of sqrt(r^2 + delta^2), r being column 0's.
 struct NormalSums {
-  double* gradient;            // [columns] of difference * r / size, size being that root
-  double *cautious, *bold;     // [columns][columns], lower triangle, of products of two differences
-  double *value;               // sum of weight * size
+  double* gradient;         // [columns] of difference * r / size, size being that root
+  double *cautious, *bold;  // [columns][columns], lower triangle, of products of two differences
+  double* value;            // sum of weight * size
 };
 
 struct RowKernels {

@@ -53,7 +53,8 @@ constexpr double difference_step = 1e-6;
 // Of the two curvatures in the bold steps: the bold one alone is zero where no residual is near zero.
 constexpr double bold_share = 0.9, cautious_share = 0.1;
 
-constexpr std::size_t tried = 4;        // steps of an iteration; eight find the same for more evaluations (logged)
+// Steps of an iteration: a block of candidates, which is as dear half empty (docs/performance.md).
+constexpr std::size_t tried = 8;
 constexpr double damping_ratio = 20.0;  // between trial steps: with the larger two a decade and more beyond the usual
 constexpr double damping_rise = 1e4;    // when all of them were in vain: past the largest of them
 constexpr int rises = 4;                // from the usual damping to the most
@@ -207,7 +208,9 @@ class Descent {
       }
       values.push_back(after);
       if (!moved || after > before * (1.0 - noise_of_gain)) return;
-      if (values.size() > stage.patience && after > values[values.size() - 1 - stage.patience] * (1.0 - stage.least_gain)) return;
+      if (values.size() > stage.patience &&
+          after > values[values.size() - 1 - stage.patience] * (1.0 - stage.least_gain))
+        return;
     }
   }
 
@@ -272,7 +275,8 @@ class Descent {
         propose(i % 2 == 0 ? here.cautious : here.bold, here.gradient, damping_ * stretch(i), points[i]);
       problem_.compute(points);
       auto const values = problem_.sizes(delta_, tried);
-      auto const best = static_cast<std::size_t>(std::min_element(values.begin(), values.begin() + tried) - values.begin());
+      auto const best =
+          static_cast<std::size_t>(std::min_element(values.begin(), values.begin() + tried) - values.begin());
       if (values[best] < here.value) {
         damping_ = std::clamp(damping_ * stretch(best) / std::sqrt(damping_ratio), least_carried, most_carried);
         take(points[best], problem_.value(best));
@@ -379,9 +383,9 @@ class Search {
       for (int hop = 1; hop <= hops && !enough(); ++hop) {
         if (interrupted && interrupted()) return ended(Outcome::interrupted);
         num::Draws wind(stream_, round, static_cast<std::uint32_t>(hop));
-        count_in(descended(hop % 2 != 0 ? with_two_drawn_anew(result_.best, wind)
-                                        : disturbed(result_.best, tuning::least_power_of_hop,
-                                                    tuning::most_power_of_hop, wind)));
+        count_in(descended(hop % 2 != 0
+                               ? with_two_drawn_anew(result_.best, wind)
+                               : disturbed(result_.best, tuning::least_power_of_hop, tuning::most_power_of_hop, wind)));
       }
     }
     refine(interrupted);
@@ -498,7 +502,7 @@ class Search {
   num::Stream stream_;
   MultistartResult result_;
   Cost cost_;
-  std::atomic<double> best_so_far_ = infinity;  // result_'s, for whoever descends ahead
+  std::atomic<double> best_so_far_ = infinity;   // result_'s, for whoever descends ahead
   std::vector<double> ends_, scattered_;         // values at which descents ended: all, and those from scattered points
   std::vector<std::vector<double>> end_points_;  // of all
 };

@@ -4,8 +4,8 @@
 // again (basin hopping). A descent is a Levenberg-Marquardt iteration with bounds on sum w sqrt(r^2 + delta^2), the
 // absolute value rounded off at its corner; delta falls from the size of the residuals, where the sum behaves as a sum
 // of squares, to a hundredth of it. The Jacobian comes from differences, all of it in one batch, and every iteration
-// tries several steps at once. Far from the floor it goes by the problem's outline, where there is one: a third of the
-// residuals find the same valleys. The search ends when enough descents have ended at the best value: soon where nearly
+// tries several steps at once. It goes by the problem's outline, where there is one, down to the outline's floor: a third
+// of the residuals find the same valleys; the last iterations are by all of them. The search ends when enough descents have ended at the best value: soon where nearly
 // all of the scattered ones do, later where there are other valleys, and after all its starts where few have. In more
 // than fourteen dimensions as many hops as scattered starts are made, and two and a half times as many descents.
 //
@@ -38,7 +38,8 @@ struct MultistartResult : SearchResult {
 
 // Outcomes: confirmed; budget_spent; interrupted; no_finite_value where none of the first scattered points had a value.
 // Evaluations by the outline count as its share of the residuals; the history ends with the value after the last
-// refinement. Deterministic for a given stream. `interrupted`, when given, is asked before each start.
+// refinement. Deterministic for a given stream, however many threads help (base/ahead.hpp). `interrupted`, when given,
+// is asked before each start.
 // Throws Error for a problem without dimensions.
 MultistartResult minimise_multistart(DeviationProblem const& problem, num::Stream const& stream,
                                      MultistartOptions const& options = {},
