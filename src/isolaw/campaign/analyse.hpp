@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "isolaw/campaign/contents.hpp"
+#include "isolaw/campaign/profile.hpp"
 #include "isolaw/campaign/store.hpp"
 
 namespace isolaw::campaign {
@@ -22,6 +23,7 @@ struct AnalyseOptions {
   std::size_t threads = 1;
   std::function<void(std::size_t done, std::size_t total)> progress;  // called from one thread at a time
   std::function<bool()> interrupted;                                  // asked from any thread
+  Profile* profile = nullptr;
 };
 
 // Makes the analyses that are missing and adds them to the store and to `contents`, whose runs must be complete and

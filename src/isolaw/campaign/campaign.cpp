@@ -138,6 +138,7 @@ std::vector<Task> missing_runs(Contents const& contents, std::vector<Target> con
 }  // namespace
 
 bool run(Contents& contents, std::filesystem::path const& file, RunOptions const& options) {
+  Meter own(options.profile);
   std::vector<Target> targets;
   num::Stream const campaign(contents.settings.seed);
   for (auto const& search : contents.searches) {
@@ -168,6 +169,7 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
   std::mutex one_writer;
   auto const perform = [&](Task const& task) {
     if (asked_to_stop()) return;
+    Meter meter(options.profile);
     auto const& target = targets[task.target];
     auto const result = search_by(contents.settings, target, task.number, asked_to_stop);
     if (result.outcome == Outcome::interrupted) return;
@@ -179,15 +181,21 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
     note(run);
     store.add(run);  // after it nothing may fail: a run that ran out of memory is tried again
     ++progress.done;
+    meter.count_evaluations(Phase::search, run.evaluations);
     contents.runs.push_back(std::move(run));
     if (options.progress) options.progress(progress);
+    meter.lap(Phase::search);
   };
 
   std::size_t const jobs =
       options.jobs > 0 ? static_cast<std::size_t>(options.jobs) : std::max(1U, std::thread::hardware_concurrency());
+  own.lap(Phase::search);
   auto worked = for_each_in_parallel(tasks.size(), jobs, [&](std::size_t i) { perform(tasks[i]); });
+  own.restart();
   bool short_of_threads = worked < std::min(jobs, tasks.size());
   std::ranges::sort(contents.runs, {}, [](Run const& r) { return std::tie(r.device, r.law, r.number); });
+  own.lap(Phase::search);
+  if (options.profile != nullptr) options.profile->mark({Phase::search});
   if (contents.settings.analysis && contents.runs.size() == contents.expected_runs() && !asked_to_stop()) {
     progress.analysis = true;
     auto const threads = analyse(contents, store,
@@ -198,7 +206,9 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
                                         progress.total = total;
                                         if (options.progress) options.progress(progress);
                                       },
-                                  .interrupted = asked_to_stop});
+                                  .interrupted = asked_to_stop,
+                                  .profile = options.profile});
+    own.restart();
     if (threads < jobs) {
       worked = short_of_threads ? std::min(worked, threads) : threads;
       short_of_threads = true;
@@ -207,6 +217,7 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
   if (short_of_threads && options.short_of_threads) options.short_of_threads(static_cast<int>(worked));
   bool const complete = contents.complete();  // also when the wish to stop came during the last run
   store.finish();                             // also when interrupted: whoever reads it next finds one plain file
+  own.lap(Phase::report);
   return complete;
 }
 

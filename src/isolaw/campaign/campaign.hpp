@@ -8,6 +8,7 @@
 #include <string>
 
 #include "isolaw/campaign/contents.hpp"
+#include "isolaw/campaign/profile.hpp"
 
 namespace isolaw::campaign {
 
@@ -22,6 +23,7 @@ struct RunOptions {
   std::function<void(Progress const&)> progress;   // called from one thread at a time; must not throw
   std::function<bool()> interrupted;               // asked between generations or starts, from any thread
   std::function<void(int)> short_of_threads = {};  // told at the end how many there were where the system gave fewer
+  Profile* profile = nullptr;                      // what the phases cost is added to it
 };
 
 // Runs what `store` does not hold yet and adds it. The result of a run depends on (seed, device name, law, number) and

@@ -10,6 +10,7 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/words.hpp"
+#include "isolaw/fit/work_counter.hpp"
 #include "isolaw/num/statistics.hpp"
 
 namespace isolaw::fit {
@@ -211,6 +212,7 @@ double LawOnRecord::misfit(std::vector<double> const& force) const {
 double LawOnRecord::objective(std::span<double const> parameters, std::vector<double>& work) const {
   work.resize(measured_.size());
   law().evaluate(parameters, motion_.path(), motion_.integration(), work);
+  count_block(law(), motion_.integration(), Block::scalar, motion_.path());
   return misfit(work);
 }
 
@@ -241,6 +243,7 @@ void LawOnRecord::objectives(std::size_t count, std::function<void(std::size_t, 
       for (std::size_t p = 0; p < dimension; ++p) block[p * width + lane] = one[p];
     }
     (width == wide_block ? code.wide : code.narrow)(block.data(), record, motion_.integration(), sums.data());
+    count_block(law(), motion_.integration(), width == wide_block ? Block::wide : Block::narrow, motion_.path());
     for (std::size_t lane = 0; lane < used; ++lane)
       values[first + lane] = usable[lane] && std::isfinite(sums[lane]) ? sums[lane] : infinite;
     first += used;
@@ -259,6 +262,7 @@ void LawOnRecord::residuals(std::size_t count, std::function<void(std::size_t, s
     for (std::size_t i = 0; i < count; ++i) {
       candidate(i, one);
       law().evaluate(one, motion_.path(), motion_.integration(), force);
+      count_block(law(), motion_.integration(), Block::scalar, motion_.path());
       into(i, force.data(), 1);
     }
     return;
@@ -272,6 +276,7 @@ void LawOnRecord::residuals(std::size_t count, std::function<void(std::size_t, s
       for (std::size_t p = 0; p < dimension; ++p) block[p * narrow_block + lane] = one[p];
     }
     code.forces(block.data(), motion_.path(), motion_.integration(), force.data());
+    count_block(law(), motion_.integration(), Block::residuals, motion_.path());
     for (std::size_t lane = 0; lane < used; ++lane) into(first + lane, force.data() + lane, narrow_block);
   }
 }
@@ -282,6 +287,7 @@ double LawOnRecord::integration_shift(std::span<double const> parameters) const 
   double const here = objective(parameters, force);
   auto const fine = motion_.path(shift_refinement * refinement());
   law().evaluate(parameters, fine, laws::Integration::converged, force);
+  count_block(law(), laws::Integration::converged, Block::scalar, fine);
   return std::abs(misfit(force) - here);
 }
 
