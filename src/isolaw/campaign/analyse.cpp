@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <string_view>
@@ -29,6 +30,16 @@ struct LawOnLot {
     return made;
   }
 };
+
+int evaluations_of(DeviceAnalysis const& made) {
+  return made.determination.evaluations + made.intervals.evaluations;
+}
+int evaluations_of(LotAnalysis const& made) {
+  return made.mean.evaluations + made.worst.law.evaluations;
+}
+int evaluations_of(LeftOutAnalysis const& made) {
+  return made.left_out.evaluations;
+}
 
 class Analysis {
  public:
@@ -88,8 +99,10 @@ class Analysis {
       if (contents_.best_run(search.device, search.law) != nullptr &&
           contents_.analysis_of(search.device, search.law) == nullptr)
         tasks.push_back(&search);
-    each(tasks.size(), contents_.device_analyses, Phase::intervals,
-         [&](std::size_t i, Meter& meter) { return examined(*tasks[i], meter); });
+    each(
+        tasks.size(), contents_.device_analyses, {Phase::intervals, TaskKind::device},
+        [&](std::size_t i) { return std::string_view(tasks[i]->law); },
+        [&](std::size_t i, Meter& meter) { return examined(*tasks[i], meter); });
     std::ranges::sort(contents_.device_analyses, {}, by_device_and_law);
     mark({Phase::determination, Phase::intervals});
   }
@@ -153,9 +166,10 @@ class Analysis {
     std::vector<LawOnLot const*> tasks;
     for (auto const& lot : lots)
       if (lot_analysis_of(lot.law) == nullptr) tasks.push_back(&lot);
-    each(tasks.size(), contents_.lot_analyses, Phase::lot, [&](std::size_t i, Meter& meter) {
+    auto const law_of = [&](std::size_t i) { return tasks[i]->law; };
+    each(tasks.size(), contents_.lot_analyses, {Phase::lot, TaskKind::lot}, law_of, [&](std::size_t i, Meter& meter) {
       auto made = fitted(*tasks[i]);
-      if (made) meter.count_evaluations(Phase::lot, made->mean.evaluations + made->worst.law.evaluations);
+      if (made) meter.count_evaluations(Phase::lot, evaluations_of(*made));
       return made;
     });
     std::ranges::sort(contents_.lot_analyses, {}, &LotAnalysis::law);
@@ -185,18 +199,21 @@ class Analysis {
         });
         if (!there) tasks.emplace_back(&lot, i);
       }
-    each(tasks.size(), contents_.left_out, Phase::left_out, [&](std::size_t i, Meter& meter) {
-      auto const& [lot, place] = tasks[i];
-      LeftOutAnalysis found{.device = lot->devices[place], .law = std::string(lot->law)};
-      found.left_out.objective = std::nan("");
-      auto const* of_all = lot_analysis_of(lot->law);
-      auto left_out = of_all == nullptr || of_all->mean.parameters.empty()
-                          ? std::nullopt
-                          : analysis::leave_out(lot->pointers(), lot->box, of_all->mean.parameters, lot->optima, place);
-      if (left_out) found.left_out = std::move(*left_out);
-      meter.count_evaluations(Phase::left_out, found.left_out.evaluations);
-      return std::optional(std::move(found));
-    });
+    auto const law_of = [&](std::size_t i) { return tasks[i].first->law; };
+    each(tasks.size(), contents_.left_out, {Phase::left_out, TaskKind::left_out}, law_of,
+         [&](std::size_t i, Meter& meter) {
+           auto const& [lot, place] = tasks[i];
+           LeftOutAnalysis found{.device = lot->devices[place], .law = std::string(lot->law)};
+           found.left_out.objective = std::nan("");
+           auto const* of_all = lot_analysis_of(lot->law);
+           auto left_out =
+               of_all == nullptr || of_all->mean.parameters.empty()
+                   ? std::nullopt
+                   : analysis::leave_out(lot->pointers(), lot->box, of_all->mean.parameters, lot->optima, place);
+           if (left_out) found.left_out = std::move(*left_out);
+           meter.count_evaluations(Phase::left_out, evaluations_of(found));
+           return std::optional(std::move(found));
+         });
     std::ranges::sort(contents_.left_out, {}, by_device_and_law);
     mark({Phase::left_out});
   }
@@ -212,22 +229,33 @@ class Analysis {
 
   // Work by several threads; what a piece of it returns is stored and added to `where`, which none of them reads. What
   // it has not said another phase took was for this one.
-  template <class Made, class Work>
-  void each(std::size_t count, std::vector<Made>& where, Phase phase, Work&& work) {
+  struct Part {
+    Phase phase;
+    TaskKind kind;
+  };
+  template <class Made, class LawOf, class Work>
+  void each(std::size_t count, std::vector<Made>& where, Part part, LawOf&& law_of, Work&& work) {
+    if (options_.estimate != nullptr) {
+      std::map<std::string, std::size_t> left;
+      for (std::size_t i = 0; i < count; ++i) ++left[std::string(law_of(i))];
+      options_.estimate->expect_left(part.kind, left);
+    }
     if (count == 0) return;
     where.reserve(where.size() + count);
     auto const worked = for_each_in_parallel(count, options_.threads, [&](std::size_t i) {
       if (interrupted()) return;
       Meter meter(options_.profile);
+      TimedTask timed(options_.estimate, part.kind, law_of(i));
       auto found = work(i, meter);
       if (!found) return;
       {
         std::scoped_lock const lock(one_writer_);
         store_.add(*found);
+        timed.done(evaluations_of(*found), options_.task_done);
         where.push_back(std::move(*found));
         if (options_.progress) options_.progress(contents_.analyses(), total_);
       }
-      meter.lap(phase);
+      meter.lap(part.phase);
     });
     if (worked < std::min(options_.threads, count)) threads_ = std::min(threads_, worked);
   }

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <tuple>
+#include <utility>
 
 #include "isolaw/base/processor_time.hpp"
 #include "isolaw/fit/workload.hpp"
@@ -71,6 +72,7 @@ BlockCost measured_cost(double budget_s, std::size_t kinds) {
   return [=](BlockKind const& kind, double steps_per_block) {
     auto const [entry, is_new] = known->try_emplace({kind.law, kind.integration, kind.block}, 0.0);
     if (is_new) {
+      auto const counted = std::exchange(work_of_this_thread(), {});  // to which measuring adds nothing
       auto const samples = static_cast<std::size_t>(std::clamp(steps_per_block, fewest, most));
       SpeedTest const test(laws::catalogue()[kind.law], kind.integration, samples);
       // The first pass only tells how many blocks the clock resolves.
@@ -82,6 +84,7 @@ BlockCost measured_cost(double budget_s, std::size_t kinds) {
       entry->second = test.seconds_per_sample(
           kind.block, blocks * width,
           {.least_passes = 2, .most_passes = 50, .enough_s = budget_s / static_cast<double>(kinds)});
+      work_of_this_thread() = counted;
     }
     return entry->second;
   };
