@@ -80,6 +80,15 @@ TEST(EstimateTest, WhatWasThereBeforeIsDoneWork) {
   EXPECT_EQ(estimate.left_s(5.0), 0.0);
 }
 
+TEST(EstimateTest, ATaskThatNobodyExpectedIsNoneOfTheWork) {
+  Estimate estimate(1);
+  estimate.expect(TaskKind::run, "a", {.evaluations = 10.0, .evaluation_s = 1.0}, 1, 0);
+  auto const other = estimate.begin(TaskKind::lot, "b", 0.0);
+  EXPECT_DOUBLE_EQ(estimate.left_s(5.0), 10.0);
+  estimate.end(other, 10, 20.0);
+  EXPECT_GT(estimate.left_s(20.0), 0.0);
+}
+
 TEST(EstimateTest, TasksThatAreNotToBeDoneAfterAllAreNotWaitedFor) {
   Estimate estimate(1);
   for (auto const* law : {"a", "b"})

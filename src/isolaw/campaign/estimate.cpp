@@ -52,6 +52,7 @@ void Estimate::expect_left(TaskKind kind, std::map<std::string, std::size_t> con
 
 std::size_t Estimate::begin(TaskKind kind, std::string_view law, double now_s) {
   std::scoped_lock const lock(mutex_);
+  groups_.try_emplace({kind, std::string(law)});
   running_.emplace(next_, Running{kind, std::string(law), now_s});
   return next_++;
 }

@@ -1,6 +1,7 @@
 #include "isolaw/campaign/profile.hpp"
 
 #include <algorithm>
+#include <new>
 #include <utility>
 
 #include "isolaw/base/processor_time.hpp"
@@ -74,9 +75,12 @@ void Meter::restart() {
 
 void Meter::lap(Phase phase) {
   if (profile_ == nullptr) return;
-  double const now_s = thread_time_s();
-  profile_->add(phase, now_s - before_s_, std::exchange(fit::work_of_this_thread(), {}));
-  before_s_ = now_s;
+  double const now_s = thread_time_s(), since_s = std::exchange(before_s_, now_s);
+  auto const work = std::exchange(fit::work_of_this_thread(), {});
+  try {
+    profile_->add(phase, now_s - since_s, work);
+  } catch (std::bad_alloc const&) {  // what was measured is done, and may be stored: it must not be done again
+  }
 }
 
 void Meter::count_evaluations(Phase phase, int evaluations) const {
