@@ -470,7 +470,8 @@ CampaignPtr calibrated(std::vector<RecordPtr> const& records, py::dict const& gi
       if (stop) continue;
       try {
         if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-        if (told && !progress.is_none()) progress(told->done, told->total, told->analysis, told->best);
+        if (told && !progress.is_none())
+          progress(told->done, told->total, told->analysis, told->best, told->share, told->left_s);
       } catch (...) {
         asked = std::current_exception();
         stop = true;

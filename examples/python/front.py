@@ -57,8 +57,9 @@ def main():
     options.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/front"))
     asked = options.parse_args()
 
-    def show(done, total, analysis, best):
-        print(f"\r{done} of {total} runs", end="" if done < total else "\n", file=sys.stderr, flush=True)
+    def show(done, total, analysis, best, share, left_s):
+        told = f"\r{done} of {total} runs, {share:.0%}, {left_s:.0f} s left "
+        print(told, end="" if done < total else "\n", file=sys.stderr, flush=True)
 
     rows = fitted(asked.laws, asked.runs, asked.generations, show).front()
     print(f"{'law':<12}{'accuracy':>12}{'robustness':>12}  front")

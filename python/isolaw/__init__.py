@@ -361,6 +361,23 @@ class Campaign:
         self._core.write(_os.fspath(directory))
 
 
+def _as_it_takes(progress):
+    """A function that is told everything, and tells `progress` what it takes."""
+    try:
+        takes = list(_inspect.signature(progress).parameters.values())
+    except (TypeError, ValueError):  # of a built-in function
+        takes = []
+    everything = any(one.kind is one.VAR_KEYWORD for one in takes)
+    by_position = [one for one in takes if one.kind in (one.POSITIONAL_ONLY, one.POSITIONAL_OR_KEYWORD)]
+    by_name = {one.name for one in takes if one not in by_position[:4] and one.kind is not one.POSITIONAL_ONLY}
+    wanted = [name for name in ("share", "left_s") if everything or name in by_name]
+
+    def told(done, total, analysis, best, share, left_s):
+        progress(done, total, analysis, best, **{name: {"share": share, "left_s": left_s}[name] for name in wanted})
+
+    return told
+
+
 def _all_samples(how):
     """None samples per cycle, which would otherwise mean the default, as the option has it."""
     return how | {"samples_per_cycle": "all"} if how.get("samples_per_cycle", 0) is None else how
@@ -384,8 +401,9 @@ def calibrate(records, laws="usual", *, vertical=None, jobs=0, out=None, fresh=F
     (``"300:1000"``, in kN) and keywords of read_motion. One that gives no stiffness says why in the summary.
     jobs: threads, 0 for one per core; the numbers do not depend on it. out: a directory for store and reports, where an
     interrupted campaign is continued by the same call; fresh starts over there. title: of the lot.
-    progress: called as progress(done, total, analysis, best) from the calling thread; best is a dict of the least
-    objective so far by law; an exception it raises ends the search and is raised here.
+    progress: called as progress(done, total, analysis, best) from the calling thread, of runs, then of analyses; best is
+    a dict of the least objective so far by law. Where it takes keywords ``share`` or ``left_s``: the share of all work
+    that is done, and the seconds left. An exception it raises ends the search and is raised here.
 
     Returns a Campaign. Ctrl-C ends the search with KeyboardInterrupt, and what has finished is kept in ``out``. A device
     that cannot be used is refused in the summary, the others go on. Raises Error for wrong input and where no device is
@@ -400,7 +418,8 @@ def calibrate(records, laws="usual", *, vertical=None, jobs=0, out=None, fresh=F
     if not isinstance(given.get("set", ""), str):
         given["set"] = list(given["set"])
     tests = {name: _vertical(test) for name, test in (vertical or {}).items()}
-    return Campaign(_core.calibrate(devices, given, tests, jobs, out, fresh, title, progress))
+    told = None if progress is None else _as_it_takes(progress)
+    return Campaign(_core.calibrate(devices, given, tests, jobs, out, fresh, title, told))
 
 
 def load(directory):

@@ -196,6 +196,6 @@ def calibrate(
     out: _Path | None = None,
     fresh: bool = False,
     title: str = "",
-    progress: Callable[[int, int, bool, dict[str, float]], object] | None = None,
+    progress: Callable[..., object] | None = None,
 ) -> Campaign: ...
 def load(directory: _Path) -> Campaign: ...

@@ -256,10 +256,71 @@ TEST_F(Calibrate, summary_records_the_settings_of_lot_file_and_command_line) {
   EXPECT_EQ(settings["center"], true);
 }
 
-TEST_F(Calibrate, json_prints_the_bytes_of_summary_json) {
+// summary.json holds no times: the profile follows it on standard output alone.
+TEST_F(Calibrate, json_prints_summary_json_and_the_profile_of_run_json) {
   auto const o = calibrate("O", {"--json"});
   EXPECT_EQ(o.code, 0) << o;
-  EXPECT_EQ(o.out, read("O/summary.json"));
+  auto const summary = read("O/summary.json");
+  ASSERT_TRUE(summary.ends_with("\n}\n"));
+  auto const same = summary.substr(0, summary.size() - 3) + ",\n  \"profile\": [";
+  EXPECT_EQ(o.out.substr(0, same.size()), same);
+  auto const printed = Json::parse(o.out);
+  EXPECT_EQ(printed["profile"], json("O/run.json")["profile"]);
+  EXPECT_EQ(std::prev(printed.end()).key(), "profile");
+}
+
+TEST_F(Calibrate, the_profile_adds_up_to_the_total) {
+  ASSERT_EQ(calibrate("O", {"--laws", "jankowski,abe", "--jobs", "2"}).code, 0);
+  auto const run = json("O/run.json");
+  std::vector<std::string> phases;
+  std::map<std::string, double> sum;
+  for (auto const& phase : run["profile"]) {
+    phases.push_back(phase["phase"]);
+    for (auto const* key : {"cpu_seconds", "wall_seconds", "kernel_seconds", "evaluations"})
+      sum[key] += phase[key].get<double>();
+  }
+  EXPECT_EQ(phases, (Words{"read", "search", "determination", "intervals", "lot", "left_out", "report"}));
+  // Threads that start and end are in no phase.
+  double const wall = run["total_seconds"], cpu = run["cpu_seconds"];
+  EXPECT_NEAR(sum["wall_seconds"], wall, 0.02 * wall + 2e-3);
+  EXPECT_NEAR(sum["cpu_seconds"], cpu, 0.02 * cpu + 5e-3);
+  EXPECT_GT(sum["kernel_seconds"], 0.0);
+  double evaluations = 0.0;
+  auto const summary = json("O/summary.json");
+  for (auto const& law : summary["laws"])
+    for (auto const& device : law["devices"]) evaluations += device["evaluations"].get<double>();
+  EXPECT_EQ(run["profile"][1]["evaluations"], evaluations);
+}
+
+// The same blocks at the same cost, but for records, candidates, what else the machine does and blocks that are not
+// full: a factor of its own for each.
+TEST_F(Calibrate, kernel_seconds_are_what_bench_measures_times_evaluations_times_samples) {
+  Words const command{"calibrate",
+                      "ex/lot.toml",
+                      "--laws",
+                      "bouc-wen",
+                      "--population",
+                      "128",
+                      "--generations",
+                      "30",
+                      "--runs",
+                      "2",
+                      "--samples-per-cycle",
+                      "all",
+                      "--analysis",
+                      "none",
+                      "--figures",
+                      "none",
+                      "--out",
+                      "O"};
+  ASSERT_EQ(isolaw(command).code, 0);
+  auto const searched = json("O/run.json")["profile"][1];
+  auto const bench = Json::parse(isolaw({"bench", "--json"}).out);
+  auto const samples = static_cast<double>(std::ranges::count(read("ex/device-01.csv"), '\n') - 1);
+  double const expected =
+      1e-9 * bench["laws"]["bouc-wen"].get<double>() * searched["evaluations"].get<double>() * samples;
+  EXPECT_GT(searched["kernel_seconds"].get<double>(), expected / 5.0);
+  EXPECT_LT(searched["kernel_seconds"].get<double>(), expected * 5.0);
 }
 
 TEST_F(Calibrate, report_makes_the_same_outputs_from_the_store_alone_and_does_not_touch_it) {

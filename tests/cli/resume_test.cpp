@@ -380,7 +380,7 @@ TEST_F(Changed, progress_is_shown_on_a_terminal) {
   close(other);
   close(terminal);
   EXPECT_EQ(result.code, 0) << shown;
-  for (auto const* part : {"/32 runs", "/s  ", " left", "bilinear 0.", "32/32 runs", "\r"})
+  for (auto const* part : {"/32 runs", " %  ", " left", "bilinear 0.", "100 %  0 s left  32/32 runs", "\r"})
     EXPECT_TRUE(contains(shown, part));
 }
 

@@ -187,6 +187,16 @@ class Campaigns(unittest.TestCase):
         self.assertEqual([one[0] for one in seen], sorted(one[0] for one in seen))
         self.assertTrue(all(one[1] == 8 and "bouc-wen" in one[3] for one in seen))
 
+        shares = []
+
+        def of_all_work(done, total, analysis, best, *, share, left_s):
+            shares.append((share, left_s))
+
+        isolaw.calibrate(self.files, "bilinear", runs=2, replicates=0, progress=of_all_work, jobs=2)
+        self.assertEqual(shares[-1], (1.0, 0.0))
+        isolaw.calibrate(self.files, "bilinear", runs=1, analysis=False, progress=lambda *told, **more: shares.append(more))
+        self.assertEqual(shares[-1], {"share": 1.0, "left_s": 0.0})
+
         class Enough(Exception):
             pass
 

@@ -87,7 +87,7 @@ void add_calibrate(CLI::App& c, CalibrateArguments& a) {
   add_figures(c, a.figures);
   c.add_flag("--fresh", a.fresh, "start over where the directory holds another campaign");
   c.add_flag("--allow-outside", a.allow_outside, "the lot file may name records outside its own folder");
-  c.add_flag("--json", a.json, "print summary.json instead of the ranking");
+  c.add_flag("--json", a.json, "print summary.json and the profile instead of the ranking");
 }
 
 void add_simulate(CLI::App& c, SimulateArguments& a) {

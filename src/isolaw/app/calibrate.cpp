@@ -18,6 +18,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/file.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/processor_time.hpp"
 #include "isolaw/base/shell.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/base/write_file.hpp"
@@ -71,6 +72,9 @@ void warn_of_idle_overrides(campaign::Settings const& settings) {
 int calibrate(CalibrateArguments const& arguments, std::vector<std::string> const& command_line) {
   using Clock = std::chrono::steady_clock;
   auto const start = Clock::now();
+  double const cpu_at_start_s = process_time_s();
+  campaign::Profile profile;
+  campaign::Meter own(&profile);
   std::time_t const started_at = std::time(nullptr);
   auto const figures = render::figure_choice(arguments.figures);
   fit::instruction_set();  // throws before anything is written, also where no run is left to do
@@ -111,6 +115,8 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
   std::erase(words, "--fresh");
   auto const command = shell_quoted(words);
   bool finished = false;
+  own.lap(campaign::Phase::read);
+  profile.mark({campaign::Phase::read});
   try {
     SignalGuard const guard;
     ProgressLine line;
@@ -122,12 +128,14 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
                                   [](int threads) {
                                     say("the system gave no more threads or memory: {} worked; try: --jobs {}\n",
                                         threads, threads);
-                                  }});
+                                  },
+                              .profile = &profile});
   } catch (std::exception const&) {
     say("stopped: {} finished runs are kept in {}\nonce the fault is mended, continue with: {}\n", contents.runs.size(),
         shown(file), command);
     throw;
   }
+  own.restart();
   if (!finished) {
     auto const analyses =
         contents.analyses() > 0 ? fmt::format(" and {} analyses", contents.analyses()) : std::string();
@@ -141,18 +149,24 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
   render::write_outputs(summary, directory);
   // Figures are for print, and no part of the study: their time is told apart from its.
   auto const before_figures = Clock::now();
+  double const cpu_s = process_time_s() - cpu_at_start_s;
+  own.lap(campaign::Phase::report);
+  profile.mark({campaign::Phase::report});
   draw_figures(summary, figures, directory);
-  write_file(
-      directory / "run.json",
-      render::run_json(
-          {.command = command,
-           .directory = std::filesystem::absolute(directory).string(),
-           .started_at = started_at,
-           .search_s = search_s,
-           .total_s = std::chrono::duration<double>(before_figures - start).count(),
-           .figures_s = std::chrono::duration<double>(Clock::now() - before_figures).count(),
-           .jobs = lot.jobs.value_or(0) > 0 ? *lot.jobs : static_cast<int>(std::thread::hardware_concurrency())}));
-  print(summary, arguments.json);
+  double const figures_s = std::chrono::duration<double>(Clock::now() - before_figures).count();
+  auto const profiled = render::profile_json(profile);
+  write_file(directory / "run.json",
+             render::run_json(
+                 {.command = command,
+                  .directory = std::filesystem::absolute(directory).string(),
+                  .started_at = started_at,
+                  .search_s = search_s,
+                  .total_s = std::chrono::duration<double>(before_figures - start).count(),
+                  .figures_s = figures_s,
+                  .cpu_s = cpu_s,
+                  .jobs = lot.jobs.value_or(0) > 0 ? *lot.jobs : static_cast<int>(std::thread::hardware_concurrency()),
+                  .profile = profiled}));
+  print(summary, arguments.json, profiled);
   say("results: {} (open {})\n", shown(directory), shown(directory / "report.html"));
   return exit_code(summary);
 }

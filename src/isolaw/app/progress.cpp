@@ -28,35 +28,25 @@ ProgressLine::~ProgressLine() {
 void ProgressLine::show(campaign::Progress const& progress) {
   if (progress.total == 0) return;
   auto const now = Clock::now();
-  if (analysis_ != progress.analysis) {  // the analyses that follow the runs have a rate of their own
-    analysis_ = progress.analysis;
-    first_ = true;
-    start_ = now;
-  }
   auto const* what = progress.analysis ? "analyses" : "runs";
-  if (first_) {
-    done_at_start_ = progress.done - 1;  // runs finished before an interruption do not count for the rate
-    first_ = false;
-  }
   bool const last = progress.done == progress.total;
   // In a log file a line now and then, so that a long search is seen to be alive.
   auto const pause = terminal_ ? std::chrono::milliseconds(100) : std::chrono::seconds(30);
   if (terminal_ ? !last && now - last_ < pause : now - last_ < pause) return;
   last_ = now;
-  double const elapsed = std::chrono::duration<double>(now - start_).count();
-  double const rate = static_cast<double>(progress.done - done_at_start_) / std::max(elapsed, 1e-3);
-  double const left = static_cast<double>(progress.total - progress.done) / rate;
+  // Of all work, whole only when it is.
+  auto const percent = static_cast<int>(100.0 * progress.share);
   if (!terminal_) {
-    say("{}/{} {}, {:.1f}/s, {} left\n", progress.done, progress.total, what, rate, duration(left));
+    say("{} % done, {} left, {}/{} {}\n", percent, duration(progress.left_s), progress.done, progress.total, what);
     return;
   }
   drawn_ = true;
   constexpr std::size_t cells = 20;
-  auto const filled = cells * progress.done / progress.total;
+  auto const filled = static_cast<std::size_t>(static_cast<double>(cells) * progress.share);
   std::string bar;
   for (std::size_t i = 0; i < cells; ++i) bar += i < filled ? "#" : "-";
-  auto line =
-      fmt::format("[{}] {}/{} {}  {:.1f}/s  {} left ", bar, progress.done, progress.total, what, rate, duration(left));
+  auto line = fmt::format("[{}] {} %  {} left  {}/{} {} ", bar, percent, duration(progress.left_s), progress.done,
+                          progress.total, what);
   for (auto const& [law, best] : progress.best) line += fmt::format(" {} {:.4f}", law, best);
   line.resize(std::min(line.size(), static_cast<std::size_t>(terminal_width(STDERR_FILENO) - 1)));
   say("\r{}\033[K", line);

@@ -1,4 +1,4 @@
-// A progress line on a terminal: share done, rate, time left, best objective per law.
+// A progress line on a terminal: share of all work and time left, runs or analyses, best objective per law.
 #pragma once
 
 #include <chrono>
@@ -20,11 +20,7 @@ class ProgressLine {
   using Clock = std::chrono::steady_clock;
   bool terminal_;
   bool drawn_ = false;
-  Clock::time_point start_ = Clock::now();
-  Clock::time_point last_ = start_;
-  std::size_t done_at_start_ = 0;
-  bool first_ = true;
-  bool analysis_ = false;
+  Clock::time_point last_ = Clock::now();
 };
 
 }  // namespace isolaw::app

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "isolaw/render/figures/figures.hpp"
 #include "isolaw/study/summary.hpp"
@@ -12,8 +13,8 @@ namespace isolaw::app {
 // Figures that cannot be drawn are no failure: their data and scripts are there.
 void draw_figures(study::Summary const& summary, render::FigureChoice choice, std::filesystem::path const& directory);
 
-// The ranking and the verdicts, or summary.json.
-void print(study::Summary const& summary, bool json);
+// The ranking and the verdicts, or summary.json, with a campaign's profile where there is one.
+void print(study::Summary const& summary, bool json, std::string_view profile = {});
 
 // Exit code 1 whenever a device was refused, a law could not be searched on a device, a run failed, or a limit of the
 // rule set is not kept.

@@ -7,8 +7,14 @@ namespace isolaw {
 namespace {
 
 thread_local Crew* crew_of_thread = nullptr;
+thread_local HelpWatch* watch_of_thread = nullptr;
 
 }  // namespace
+
+HelpWatch::HelpWatch() : before_(std::exchange(watch_of_thread, this)) {}
+HelpWatch::~HelpWatch() {
+  watch_of_thread = before_;
+}
 
 Crew* Crew::current() {
   return crew_of_thread;
@@ -50,14 +56,18 @@ void Crew::help_until(std::function<bool()> const& finished) {
     Ahead& work = **found;
     ++work.helpers_;
     lock.unlock();
+    auto* const before = std::exchange(watch_of_thread, work.watch_);
+    if (work.watch_ != nullptr) work.watch_->help_begins();
     work.do_one();
+    if (work.watch_ != nullptr) work.watch_->help_ends();
+    watch_of_thread = before;
     lock.lock();
     if (--work.helpers_ == 0) news_.notify_all();
   }
 }
 
 Ahead::Ahead(std::size_t count, std::function<void(std::size_t)> work)
-    : work_(std::move(work)), states_(count), failures_(count), crew_(Crew::current()) {
+    : work_(std::move(work)), states_(count), failures_(count), crew_(Crew::current()), watch_(watch_of_thread) {
   if (crew_ != nullptr && count > 1) crew_->offer(*this);
 }
 

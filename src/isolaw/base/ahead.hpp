@@ -14,6 +14,21 @@ namespace isolaw {
 
 class Ahead;
 
+// Is told of help, on the thread that gives it, before and after each item; while it lives, of whatever its thread, and
+// who helps it, offers.
+class HelpWatch {
+ public:
+  HelpWatch();
+  virtual ~HelpWatch();
+  HelpWatch(HelpWatch const&) = delete;
+  HelpWatch& operator=(HelpWatch const&) = delete;
+  virtual void help_begins() = 0;
+  virtual void help_ends() = 0;
+
+ private:
+  HelpWatch* before_;
+};
+
 // Threads that help one another. Who is a member (see Membership) offers its work to all others.
 class Crew {
  public:
@@ -71,6 +86,7 @@ class Ahead {
   std::atomic<std::size_t> next_open_ = 0;
   std::size_t helpers_ = 0;  // guarded by the crew's mutex
   Crew* crew_;
+  HelpWatch* watch_;
 };
 
 }  // namespace isolaw

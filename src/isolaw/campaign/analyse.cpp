@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <string_view>
@@ -30,6 +31,16 @@ struct LawOnLot {
   }
 };
 
+int evaluations_of(DeviceAnalysis const& made) {
+  return made.determination.evaluations + made.intervals.evaluations;
+}
+int evaluations_of(LotAnalysis const& made) {
+  return made.mean.evaluations + made.worst.law.evaluations;
+}
+int evaluations_of(LeftOutAnalysis const& made) {
+  return made.left_out.evaluations;
+}
+
 class Analysis {
  public:
   Analysis(Contents& contents, Store& store, AnalyseOptions const& options)
@@ -39,7 +50,9 @@ class Analysis {
     take_what_holds();
     examine_devices();
     if (interrupted()) return threads_;
+    Meter own(options_.profile);
     auto const lots = laws_on_lot();
+    own.lap(Phase::lot);
     fit_lots(lots);
     if (interrupted()) return threads_;
     leave_each_out(lots);
@@ -86,12 +99,16 @@ class Analysis {
       if (contents_.best_run(search.device, search.law) != nullptr &&
           contents_.analysis_of(search.device, search.law) == nullptr)
         tasks.push_back(&search);
-    each(tasks.size(), contents_.device_analyses, [&](std::size_t i) { return examined(*tasks[i]); });
+    each(
+        tasks.size(), contents_.device_analyses, {Phase::intervals, TaskKind::device},
+        [&](std::size_t i) { return std::string_view(tasks[i]->law); },
+        [&](std::size_t i, Meter& meter) { return examined(*tasks[i], meter); });
     std::ranges::sort(contents_.device_analyses, {}, by_device_and_law);
+    mark({Phase::determination, Phase::intervals});
   }
 
   // nullopt when interrupted.
-  std::optional<DeviceAnalysis> examined(Search const& search) const {
+  std::optional<DeviceAnalysis> examined(Search const& search, Meter& meter) const {
     auto const& best = *contents_.best_run(search.device, search.law);
     auto const model = law_on_device(contents_, search.device, search.law, best.refinement);
     auto const box = examined_box(search);
@@ -112,9 +129,12 @@ class Analysis {
     auto determination = analysis::determine(model, box, optimum, options_.interrupted);
     if (!determination) return std::nullopt;
     determination->evaluations += evaluations;
+    meter.lap(Phase::determination);
     auto intervals = analysis::intervals(model, box, determination->optimum, stream.split(1),
                                          {.replicates = contents_.settings.replicates}, options_.interrupted);
     if (!intervals) return std::nullopt;
+    meter.count_evaluations(Phase::determination, determination->evaluations);
+    meter.count_evaluations(Phase::intervals, intervals->evaluations);
     return DeviceAnalysis{.device = search.device,
                           .law = search.law,
                           .refinement = best.refinement,
@@ -146,8 +166,14 @@ class Analysis {
     std::vector<LawOnLot const*> tasks;
     for (auto const& lot : lots)
       if (lot_analysis_of(lot.law) == nullptr) tasks.push_back(&lot);
-    each(tasks.size(), contents_.lot_analyses, [&](std::size_t i) { return fitted(*tasks[i]); });
+    auto const law_of = [&](std::size_t i) { return tasks[i]->law; };
+    each(tasks.size(), contents_.lot_analyses, {Phase::lot, TaskKind::lot}, law_of, [&](std::size_t i, Meter& meter) {
+      auto made = fitted(*tasks[i]);
+      if (made) meter.count_evaluations(Phase::lot, evaluations_of(*made));
+      return made;
+    });
     std::ranges::sort(contents_.lot_analyses, {}, &LotAnalysis::law);
+    mark({Phase::lot});
   }
 
   // nullopt when interrupted. Without parameters where no start has a finite force on every device.
@@ -173,18 +199,23 @@ class Analysis {
         });
         if (!there) tasks.emplace_back(&lot, i);
       }
-    each(tasks.size(), contents_.left_out, [&](std::size_t i) {
-      auto const& [lot, place] = tasks[i];
-      LeftOutAnalysis found{.device = lot->devices[place], .law = std::string(lot->law)};
-      found.left_out.objective = std::nan("");
-      auto const* of_all = lot_analysis_of(lot->law);
-      auto left_out = of_all == nullptr || of_all->mean.parameters.empty()
-                          ? std::nullopt
-                          : analysis::leave_out(lot->pointers(), lot->box, of_all->mean.parameters, lot->optima, place);
-      if (left_out) found.left_out = std::move(*left_out);
-      return std::optional(std::move(found));
-    });
+    auto const law_of = [&](std::size_t i) { return tasks[i].first->law; };
+    each(tasks.size(), contents_.left_out, {Phase::left_out, TaskKind::left_out}, law_of,
+         [&](std::size_t i, Meter& meter) {
+           auto const& [lot, place] = tasks[i];
+           LeftOutAnalysis found{.device = lot->devices[place], .law = std::string(lot->law)};
+           found.left_out.objective = std::nan("");
+           auto const* of_all = lot_analysis_of(lot->law);
+           auto left_out =
+               of_all == nullptr || of_all->mean.parameters.empty()
+                   ? std::nullopt
+                   : analysis::leave_out(lot->pointers(), lot->box, of_all->mean.parameters, lot->optima, place);
+           if (left_out) found.left_out = std::move(*left_out);
+           meter.count_evaluations(Phase::left_out, evaluations_of(found));
+           return std::optional(std::move(found));
+         });
     std::ranges::sort(contents_.left_out, {}, by_device_and_law);
+    mark({Phase::left_out});
   }
 
   LotAnalysis const* lot_analysis_of(std::string_view law) const {
@@ -192,19 +223,39 @@ class Analysis {
     return found == contents_.lot_analyses.end() ? nullptr : &*found;
   }
 
-  // Work by several threads; what a piece of it returns is stored and added to `where`, which none of them reads.
-  template <class Made, class Work>
-  void each(std::size_t count, std::vector<Made>& where, Work&& work) {
+  void mark(std::initializer_list<Phase> of) {
+    if (options_.profile != nullptr) options_.profile->mark(of);
+  }
+
+  // Work by several threads; what a piece of it returns is stored and added to `where`, which none of them reads. What
+  // it has not said another phase took was for this one.
+  struct Part {
+    Phase phase;
+    TaskKind kind;
+  };
+  template <class Made, class LawOf, class Work>
+  void each(std::size_t count, std::vector<Made>& where, Part part, LawOf&& law_of, Work&& work) {
+    if (options_.estimate != nullptr) {
+      std::map<std::string, std::size_t> left;
+      for (std::size_t i = 0; i < count; ++i) ++left[std::string(law_of(i))];
+      options_.estimate->expect_left(part.kind, left);
+    }
     if (count == 0) return;
     where.reserve(where.size() + count);
     auto const worked = for_each_in_parallel(count, options_.threads, [&](std::size_t i) {
       if (interrupted()) return;
-      auto found = work(i);
+      Meter meter(options_.profile);
+      TimedTask timed(options_.estimate, part.kind, law_of(i));
+      auto found = work(i, meter);
       if (!found) return;
-      std::scoped_lock const lock(one_writer_);
-      store_.add(*found);
-      where.push_back(std::move(*found));
-      if (options_.progress) options_.progress(contents_.analyses(), total_);
+      {
+        std::scoped_lock const lock(one_writer_);
+        store_.add(*found);
+        timed.done(evaluations_of(*found), options_.task_done);
+        where.push_back(std::move(*found));
+        if (options_.progress) options_.progress(contents_.analyses(), total_);
+      }
+      meter.lap(part.phase);
     });
     if (worked < std::min(options_.threads, count)) threads_ = std::min(threads_, worked);
   }

@@ -6,6 +6,8 @@
 #include <functional>
 
 #include "isolaw/campaign/contents.hpp"
+#include "isolaw/campaign/estimate.hpp"
+#include "isolaw/campaign/profile.hpp"
 #include "isolaw/campaign/store.hpp"
 
 namespace isolaw::campaign {
@@ -22,6 +24,9 @@ struct AnalyseOptions {
   std::size_t threads = 1;
   std::function<void(std::size_t done, std::size_t total)> progress;  // called from one thread at a time
   std::function<bool()> interrupted;                                  // asked from any thread
+  Profile* profile = nullptr;
+  Estimate* estimate = nullptr;
+  TaskDone task_done = {};
 };
 
 // Makes the analyses that are missing and adds them to the store and to `contents`, whose runs must be complete and

@@ -6,6 +6,8 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
+#include <new>
+#include <optional>
 #include <set>
 #include <thread>
 #include <tuple>
@@ -138,6 +140,7 @@ std::vector<Task> missing_runs(Contents const& contents, std::vector<Target> con
 }  // namespace
 
 bool run(Contents& contents, std::filesystem::path const& file, RunOptions const& options) {
+  Meter own(options.profile);
   std::vector<Target> targets;
   num::Stream const campaign(contents.settings.seed);
   for (auto const& search : contents.searches) {
@@ -150,8 +153,23 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
   if (tasks.empty() && contents.complete() && Store::is_plain(file)) return true;
   auto store = Store::open(file);
 
+  std::size_t const jobs =
+      options.jobs > 0 ? static_cast<std::size_t>(options.jobs) : std::max(1U, std::thread::hardware_concurrency());
   Progress progress{
       .done = contents.runs.size(), .total = contents.runs.size() + tasks.size(), .analysis = false, .best = {}};
+  std::optional<Estimate> estimate;
+  if (options.progress || options.task_done) expect_all(estimate.emplace(jobs), contents);
+  auto* const estimated = estimate ? &*estimate : nullptr;
+  auto const tell = [&] {
+    if (!options.progress) return;
+    try {
+      double const now_s = TimedTask::now_s();
+      progress.share = estimate->share(now_s);
+      progress.left_s = estimate->left_s(now_s);
+    } catch (std::bad_alloc const&) {  // what is told of the work before stands
+    }
+    options.progress(progress);
+  };
   auto const note = [&](Run const& run) {
     if (!run.usable()) return;
     auto const [entry, is_new] = progress.best.try_emplace(run.law, run.objective);
@@ -168,7 +186,9 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
   std::mutex one_writer;
   auto const perform = [&](Task const& task) {
     if (asked_to_stop()) return;
+    Meter meter(options.profile);
     auto const& target = targets[task.target];
+    TimedTask timed(estimated, TaskKind::run, target.search->law);
     auto const result = search_by(contents.settings, target, task.number, asked_to_stop);
     if (result.outcome == Outcome::interrupted) return;
     auto run = finished(target, task.number, result);
@@ -179,15 +199,20 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
     note(run);
     store.add(run);  // after it nothing may fail: a run that ran out of memory is tried again
     ++progress.done;
+    meter.count_evaluations(Phase::search, run.evaluations);
+    timed.done(run.evaluations, options.task_done);
     contents.runs.push_back(std::move(run));
-    if (options.progress) options.progress(progress);
+    tell();
+    meter.lap(Phase::search);
   };
 
-  std::size_t const jobs =
-      options.jobs > 0 ? static_cast<std::size_t>(options.jobs) : std::max(1U, std::thread::hardware_concurrency());
+  own.lap(Phase::search);
   auto worked = for_each_in_parallel(tasks.size(), jobs, [&](std::size_t i) { perform(tasks[i]); });
+  own.restart();
   bool short_of_threads = worked < std::min(jobs, tasks.size());
   std::ranges::sort(contents.runs, {}, [](Run const& r) { return std::tie(r.device, r.law, r.number); });
+  own.lap(Phase::search);
+  if (options.profile != nullptr) options.profile->mark({Phase::search});
   if (contents.settings.analysis && contents.runs.size() == contents.expected_runs() && !asked_to_stop()) {
     progress.analysis = true;
     auto const threads = analyse(contents, store,
@@ -196,9 +221,13 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
                                       [&](std::size_t done, std::size_t total) {
                                         progress.done = done;
                                         progress.total = total;
-                                        if (options.progress) options.progress(progress);
+                                        tell();
                                       },
-                                  .interrupted = asked_to_stop});
+                                  .interrupted = asked_to_stop,
+                                  .profile = options.profile,
+                                  .estimate = estimated,
+                                  .task_done = options.task_done});
+    own.restart();
     if (threads < jobs) {
       worked = short_of_threads ? std::min(worked, threads) : threads;
       short_of_threads = true;
@@ -207,6 +236,7 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
   if (short_of_threads && options.short_of_threads) options.short_of_threads(static_cast<int>(worked));
   bool const complete = contents.complete();  // also when the wish to stop came during the last run
   store.finish();                             // also when interrupted: whoever reads it next finds one plain file
+  own.lap(Phase::report);
   return complete;
 }
 

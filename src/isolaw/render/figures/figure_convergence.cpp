@@ -140,7 +140,7 @@ MaybeFigure convergence_figure(Summary const& summary, LawResult const& law) {
   auto const steps = name_of_steps(summary);
   bool const pooled = curves.size() > most_panels;
   if (pooled) curves.push_back({"all devices", spreads(fits)});
-  auto const place = place_of(summary, law);
+  auto const place = place_in_summary(summary, law);
   return Figure{name, convergence_data(about, curves, steps),
                 pooled ? pooled_script(name, about, curves, steps, place)
                        : device_panels_script(name, about, curves, steps, place)};

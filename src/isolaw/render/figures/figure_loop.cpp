@@ -60,7 +60,7 @@ MaybeFigure loops_figure(Summary const& summary, DeviceResult const& device, Law
   std::string const about = "measured and computed force, Fig. 5; residual is measured less computed";
   return Figure{
       name, loop_data(device, *fit, about),
-      loop_script(name, about, called(law) + ", " + device.name, device.record.has_time(), place_of(summary, law))};
+      loop_script(name, about, called(law) + ", " + device.name, device.record.has_time(), place_in_summary(summary, law))};
 }
 
 }  // namespace isolaw::render

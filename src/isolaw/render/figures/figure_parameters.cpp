@@ -12,7 +12,7 @@ namespace isolaw::render {
 MaybeFigure parameters_figure(Summary const& summary, LawResult const& law) {
   auto const devices = device_names(summary);
   auto const& parameters = parameters_of(law);
-  auto const place = place_of(summary, law);
+  auto const place = place_in_summary(summary, law);
   std::vector<DevicePanel> panels;
   for (std::size_t n = 0; n < parameters.size(); ++n) {
     if (!parameters[n].free) continue;

@@ -65,7 +65,7 @@ std::string safe_stem(std::string_view name) {
 
 }  // namespace
 
-std::size_t place_of(Summary const& summary, LawResult const& law) {
+std::size_t place_in_summary(Summary const& summary, LawResult const& law) {
   auto const found = std::ranges::find(summary.laws, law.id, &LawResult::id);
   return static_cast<std::size_t>(found - summary.laws.begin());
 }

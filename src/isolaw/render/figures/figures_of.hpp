@@ -14,7 +14,7 @@ using MaybeFigure = std::optional<Figure>;
 using MaybeNumber = std::optional<double>;
 
 // Of a law of the summary, by which it is drawn.
-std::size_t place_of(Summary const& summary, LawResult const& law);
+std::size_t place_in_summary(Summary const& summary, LawResult const& law);
 
 // Accuracy against robustness, Fig. 14.
 MaybeFigure front_figure(Summary const& summary, FrontView view);

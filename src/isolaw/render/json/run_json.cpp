@@ -5,11 +5,47 @@
 #include <sys/utsname.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "isolaw/base/json.hpp"
 #include "isolaw/campaign/maker.hpp"
 
 namespace isolaw::render {
+
+namespace {
+
+// Of times: to the microsecond.
+double shown(double seconds) {
+  return std::round(1e6 * seconds) / 1e6;
+}
+
+}  // namespace
+
+std::string profile_json(campaign::Profile const& profile) {
+  JsonWriter out;
+  auto const kernels = profile.kernel_seconds();
+  out.begin_array();
+  for (auto const phase : campaign::phases) {
+    auto const& cost = profile[phase];
+    out.begin_object()
+        .member("phase", std::string(campaign::name(phase)))
+        .member("cpu_seconds", shown(cost.cpu_s))
+        .member("wall_seconds", shown(cost.wall_s))
+        .member("kernel_seconds", shown(kernels[static_cast<std::size_t>(phase)]))
+        .member("evaluations", cost.evaluations)
+        .end_object();
+  }
+  out.end_array();
+  return out.take();
+}
+
+std::string with_profile(std::string summary_json, std::string_view profile) {
+  JsonWriter out(JsonWriter::Layout::indented);
+  out.begin_object().key("profile").json(profile).end_object();
+  summary_json.resize(summary_json.rfind("\n}"));
+  return fmt::format("{},{}\n", summary_json, out.take().substr(1));
+}
 
 std::string run_json(RunFacts const& facts) {
   utsname system{};
@@ -25,6 +61,8 @@ std::string run_json(RunFacts const& facts) {
   json["search_seconds"] = facts.search_s;
   json["total_seconds"] = facts.total_s;
   json["figures_seconds"] = facts.figures_s;
+  json["cpu_seconds"] = facts.cpu_s;
+  json["profile"] = nlohmann::ordered_json::parse(facts.profile);
   json["threads"] = facts.jobs;
   json["host"] = system.nodename;
   json["system"] = fmt::format("{} {} {}", system.sysname, system.release, system.machine);

@@ -1,0 +1,108 @@
+#include "isolaw/fit/block_cost.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <memory>
+#include <tuple>
+#include <utility>
+
+#include "isolaw/base/processor_time.hpp"
+#include "isolaw/fit/workload.hpp"
+#include "isolaw/num/random.hpp"
+
+namespace isolaw::fit {
+namespace {
+
+std::size_t candidates_of(Block block) {
+  switch (block) {
+    case Block::scalar: return 1;
+    case Block::wide: return wide_block;
+    case Block::residuals: return residual_block;
+    default: return narrow_block;
+  }
+}
+
+}  // namespace
+
+SpeedTest::SpeedTest(laws::LawEntry const& law, laws::Integration integration, std::size_t samples)
+    : samples_(samples),
+      model_(law, workload(samples), integration),
+      box_(make_box(law, BoxKind::published, scales_of(workload(samples), law.info), {})),
+      points_(candidates * box_.free_count()) {
+  num::Draws draws(num::Stream(1), 0, 0);
+  for (double& coordinate : points_) coordinate = draws.uniform();
+}
+
+std::vector<double> SpeedTest::objectives() const {
+  std::vector<double> made(candidates);
+  auto const candidate = [&](std::size_t i, std::span<double> values) {
+    box_.expand(std::span(points_).subspan(i * box_.free_count(), box_.free_count()), values);
+  };
+  model_.objectives(candidates, candidate, made);
+  return made;
+}
+
+double SpeedTest::seconds_per_sample(Block block, std::size_t of_candidates, Effort const& effort) const {
+  std::size_t const width = candidates_of(block), blocks = std::max<std::size_t>(of_candidates / width, 1);
+  bool const of_residuals = block == Block::residuals || block == Block::narrow_residuals;
+  std::vector<double> values(of_residuals ? width * samples_ : width), one(model_.law().parameters.size()),
+      work;
+  auto const compute = [&](std::size_t first) {
+    auto const candidate = [&](std::size_t i, std::span<double> parameters) {
+      auto const at = (first + i) % candidates * box_.free_count();
+      box_.expand(std::span(points_).subspan(at, box_.free_count()), parameters);
+    };
+    if (of_residuals) return model_.residual_rows(width, candidate, width, values);
+    if (block != Block::scalar) return model_.objectives(width, candidate, values);
+    candidate(0, one);
+    values[0] = model_.objective(one, work);
+  };
+  double best = std::numeric_limits<double>::infinity(), spent = 0.0;
+  for (int pass = 0; pass < effort.least_passes || (spent < effort.enough_s && pass < effort.most_passes); ++pass) {
+    double const start = thread_time_s();
+    for (std::size_t i = 0; i < blocks; ++i) compute(i * width);
+    double const seconds = thread_time_s() - start;
+    best = std::min(best, seconds);
+    spent += seconds;
+  }
+  return best / static_cast<double>(blocks * samples_);
+}
+
+BlockCost measured_cost(double budget_s, std::size_t kinds) {
+  // A record of as many samples as a block had: what a block costs once is a larger part of fewer. No longer than what
+  // `isolaw bench` takes, from where on that part is small.
+  constexpr double fewest = 50.0, most = 600.0, resolved_s = 20e-6;
+  using Known = std::map<std::tuple<std::size_t, laws::Integration, Block>, double>;
+  auto known = std::make_shared<Known>();
+  return [=](BlockKind const& kind, double steps_per_block) {
+    auto const [entry, is_new] = known->try_emplace({kind.law, kind.integration, kind.block}, 0.0);
+    if (is_new) {
+      auto const counted = std::exchange(work_of_this_thread(), {});  // to which measuring adds nothing
+      auto const samples = static_cast<std::size_t>(std::clamp(steps_per_block, fewest, most));
+      SpeedTest const test(laws::catalogue()[kind.law], kind.integration, samples);
+      // The first pass only tells how many blocks the clock resolves.
+      auto const width = candidates_of(kind.block);
+      double const once =
+          test.seconds_per_sample(kind.block, width, {.least_passes = 1, .most_passes = 1, .enough_s = 0.0});
+      auto const blocks = static_cast<std::size_t>(
+          std::clamp(resolved_s / (once * static_cast<double>(samples)), 1.0, SpeedTest::candidates / 1.0));
+      entry->second = test.seconds_per_sample(
+          kind.block, blocks * width,
+          {.least_passes = 2, .most_passes = 50, .enough_s = budget_s / static_cast<double>(kinds)});
+      work_of_this_thread() = counted;
+    }
+    return entry->second;
+  };
+}
+
+double kernel_seconds(WorkCount const& work, BlockCost const& cost) {
+  double sum = 0.0;
+  work.for_each([&](BlockKind const& kind, BlockWork const& of) {
+    auto const steps = static_cast<double>(of.steps);
+    sum += steps * cost(kind, steps / static_cast<double>(of.blocks));
+  });
+  return sum;
+}
+
+}  // namespace isolaw::fit

@@ -1,0 +1,130 @@
+#include "isolaw/campaign/profile.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "isolaw/base/processor_time.hpp"
+#include "isolaw/campaign/campaign.hpp"
+#include "isolaw/campaign/prepare.hpp"
+#include "isolaw/campaign/store.hpp"
+#include "unit/campaign_fixture.hpp"
+
+namespace isolaw::campaign {
+namespace {
+
+class ProfileOfCampaign : public testing::Folder {
+ protected:
+  Lot lot(std::string laws, bool analysis) const {
+    Lot made;
+    made.settings.laws = parse_laws(laws);
+    made.settings.analysis = analysis;
+    made.settings.replicates = 40;
+    made.settings.complete();
+    made.devices = {testing::device_input("soft", {write("soft.csv", testing::record_text(1.0))}),
+                    testing::device_input("stiff", {write("stiff.csv", testing::record_text(1.3))})};
+    return made;
+  }
+  Contents run_with(Profile* profile, Lot const& of, int jobs) const {
+    auto contents = prepare(of);
+    std::filesystem::remove(file());
+    Store::create(file(), contents);
+    EXPECT_TRUE(run(contents, file(), {.jobs = jobs, .progress = {}, .interrupted = {}, .profile = profile}));
+    return contents;
+  }
+  std::filesystem::path file() const { return folder / "campaign.sqlite"; }
+};
+
+double sum_of(Profile const& profile, double PhaseCost::*what) {
+  return std::accumulate(phases.begin(), phases.end(), 0.0,
+                         [&](double sum, Phase phase) { return sum + profile[phase].*what; });
+}
+
+TEST(ProfileTest, TimeThatGoesByIsSharedByProcessorTimeSinceTheMarkBefore) {
+  Profile profile;
+  profile.add(Phase::determination, 100.0, {});
+  profile.mark({Phase::read});
+  double const read_s = profile[Phase::read].wall_s;
+  EXPECT_GE(read_s, 0.0);
+  EXPECT_EQ(profile[Phase::determination].wall_s, 0.0);
+  profile.add(Phase::determination, 3.0, {});
+  profile.add(Phase::intervals, 1.0, {});
+  profile.mark({Phase::determination, Phase::intervals});
+  EXPECT_GT(profile[Phase::intervals].wall_s, 0.0);
+  EXPECT_NEAR(profile[Phase::determination].wall_s, 3.0 * profile[Phase::intervals].wall_s,
+              1e-9 * profile[Phase::determination].wall_s);
+  EXPECT_EQ(profile[Phase::read].wall_s, read_s);
+}
+
+TEST(ProfileTest, KernelSecondsOfAPhaseAreItsCountTimesTheCost) {
+  fit::WorkCount searched, examined;
+  searched.add({0, laws::Integration::converged, fit::Block::wide}, 500);
+  searched.add({0, laws::Integration::converged, fit::Block::wide}, 100);
+  examined.add({0, laws::Integration::converged, fit::Block::wide}, 300);
+  examined.add({1, laws::Integration::paper, fit::Block::scalar}, 50);
+  Profile profile;
+  profile.add(Phase::search, 1.0, searched);
+  profile.add(Phase::determination, 1.0, examined);
+  std::vector<double> lengths;
+  auto const seconds = profile.kernel_seconds([&](fit::BlockKind const& kind, double steps_per_block) {
+    if (lengths.size() < 2) lengths.push_back(steps_per_block);
+    return kind.law == 0 ? 2.0 : 0.1;
+  });
+  EXPECT_EQ(lengths, (std::vector<double>{300.0, 50.0}));  // measured for all phases together
+  EXPECT_EQ(seconds[static_cast<std::size_t>(Phase::search)], 1200.0);
+  EXPECT_DOUBLE_EQ(seconds[static_cast<std::size_t>(Phase::determination)], 605.0);
+  EXPECT_EQ(seconds[static_cast<std::size_t>(Phase::lot)], 0.0);
+}
+
+TEST_F(ProfileOfCampaign, EvaluationsOfAPhaseAreThoseThatItsResultsSay) {
+  Profile profile;
+  auto const contents = run_with(&profile, lot("bilinear,jankowski", true), 2);
+  std::uint64_t runs = 0, determination = 0, intervals = 0, lots = 0, left_out = 0;
+  for (auto const& run : contents.runs) runs += static_cast<std::uint64_t>(run.evaluations);
+  for (auto const& made : contents.device_analyses) {
+    determination += static_cast<std::uint64_t>(made.determination.evaluations);
+    intervals += static_cast<std::uint64_t>(made.intervals.evaluations);
+  }
+  for (auto const& made : contents.lot_analyses)
+    lots += static_cast<std::uint64_t>(made.mean.evaluations + made.worst.law.evaluations);
+  for (auto const& made : contents.left_out) left_out += static_cast<std::uint64_t>(made.left_out.evaluations);
+  EXPECT_EQ(profile[Phase::search].evaluations, runs);
+  EXPECT_EQ(profile[Phase::determination].evaluations, determination);
+  EXPECT_EQ(profile[Phase::intervals].evaluations, intervals);
+  EXPECT_EQ(profile[Phase::lot].evaluations, lots);
+  EXPECT_EQ(profile[Phase::left_out].evaluations, left_out);
+  for (auto const phase : {Phase::search, Phase::determination, Phase::intervals, Phase::lot, Phase::left_out}) {
+    EXPECT_GT(profile[phase].evaluations, 0u) << name(phase);
+    EXPECT_GT(profile[phase].cpu_s, 0.0) << name(phase);
+    EXPECT_GT(profile[phase].wall_s, 0.0) << name(phase);
+  }
+}
+
+// Of processor time, which waiting does not add to.
+TEST_F(ProfileOfCampaign, PhasesAddUpToTheProcessorTimeOfTheProcess) {
+  Profile profile;
+  auto campaign = lot("jankowski,bouc-wen", true);
+  campaign.settings.runs = 1;
+  auto contents = prepare(campaign);
+  Store::create(file(), contents);
+  double const before_s = process_time_s();
+  EXPECT_TRUE(run(contents, file(), {.jobs = 2, .progress = {}, .interrupted = {}, .profile = &profile}));
+  double const took_s = process_time_s() - before_s;
+  EXPECT_NEAR(sum_of(profile, &PhaseCost::cpu_s), took_s, 0.02 * took_s + 0.01);
+  double kernels = 0.0;
+  for (double const seconds : profile.kernel_seconds()) kernels += seconds;
+  EXPECT_GT(kernels, 0.1 * took_s);
+  EXPECT_LT(kernels, 5.0 * took_s);
+}
+
+TEST_F(ProfileOfCampaign, WhatWasThereCostsNothing) {
+  auto contents = run_with(nullptr, lot("bilinear", false), 1);
+  Profile profile;
+  EXPECT_TRUE(run(contents, file(), {.jobs = 1, .progress = {}, .interrupted = {}, .profile = &profile}));
+  EXPECT_EQ(profile[Phase::search].evaluations, 0u);
+  fit::WorkCount const& work = profile[Phase::search].work;
+  work.for_each([](auto const&, auto const&) { ADD_FAILURE(); });
+}
+
+}  // namespace
+}  // namespace isolaw::campaign
