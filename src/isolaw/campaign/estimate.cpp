@@ -90,6 +90,7 @@ std::map<Estimate::Key, double> Estimate::unit_s(double now_s) const {
   std::array<Ratio, task_kinds> kinds;     // of evaluations, dear ones counting more
   for (auto const& [key, group] : groups_) {
     double const evaluation_s = group.likely.evaluation_s;
+    if (evaluation_s <= 0.0) continue;  // nobody expected it
     for (auto* ratio : {&all, &laws[key.second]}) ratio->add(group.measured_s, group.evaluations * evaluation_s);
     kinds[static_cast<std::size_t>(key.first)].add(
         group.evaluations * evaluation_s,
@@ -144,6 +145,7 @@ double Estimate::left_s(double now_s) const {
     for (auto const& [id, task] : running_)
       if (static_cast<std::size_t>(task.kind) == kind)
         work -= std::clamp(now_s - task.since_s, 0.0, unit.at({task.kind, task.law}));
+    work = std::max(work, 0.0);
     sum += std::max(work / static_cast<double>(threads_), std::min(work, longest));
   }
   return sum;

@@ -1,5 +1,4 @@
-// What a block of candidates costs here, measured in this process: for `isolaw bench` and for the profile of a
-// campaign.
+// What a block of candidates costs here, measured in this process: for `isolaw bench` and a campaign's profile.
 #pragma once
 
 #include <cstddef>
