@@ -62,7 +62,7 @@ TEST_F(BlockCounts, EveryBlockIsCountedWithItsStepsByLawIntegrationAndWidth) {
   if (instruction_set() == InstructionSet::scalar) GTEST_SKIP() << "no blocks";
   auto const work = work_of([] {
     objectives(model("bilinear"), 100);  // three of 32, and one of 8 that four candidates half fill
-    residuals(model("bilinear"), 18);     // one of 16, one of 8
+    residuals(model("bilinear"), 18);    // one of 16, one of 8
     objectives(model("bouc-wen", paper), 8);
   });
   EXPECT_EQ(counted(work), (std::vector<Counted>{{"bilinear", converged, Block::narrow, {1, 100}},
