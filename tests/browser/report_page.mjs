@@ -669,6 +669,7 @@ async function look_at_energy() {
   const report = reportAsShown();
   const figure = document.getElementById('figure-loop-energy');
   figure.scrollIntoView();
+  for (let tries = 0; tries < 100 && !figure.querySelector('.plot')?.data; ++tries) await wait(100);
   await wait(300);
   const device = report.devices[document.getElementById('device').value];
   const cycles = device.blocks.flatMap((block) => block.cycles.filter((cycle) => cycle.counts));
