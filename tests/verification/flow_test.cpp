@@ -19,11 +19,18 @@ namespace isolaw::laws {
 namespace {
 
 template <Reach reach>
-struct Tabulated : SaturatingFlow<double, reach> {
-  Tabulated(double n, double kappa) { this->tabulate(n, kappa); }
+struct Fitted : SaturatingFlow<double, reach> {
+  Fitted(double n, double kappa) { this->fit(n, kappa); }
 };
-using Within = Tabulated<Reach::within_saturation>;
-using Beyond = Tabulated<Reach::beyond_saturation>;
+using Within = Fitted<Reach::within_saturation>;
+using Beyond = Fitted<Reach::beyond_saturation>;
+
+double later(Within const& flow, double u, double travel) {
+  return flow.value_at(flow.time_at(u) + travel);
+}
+double later(Beyond& flow, double u, double travel) {
+  return flow.advance(u, travel).u;
+}
 
 constexpr double exponents[] = {0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.1, 1.25, 1.5, 2.0, 2.5, 3.0};
 
@@ -94,7 +101,7 @@ std::vector<double> const rising_places{-1.0, -0.9, -0.5, -0.1, -0.01, -1e-4, -1
 
 template <class Flow>
 double largest_rising_error(double n, double kappa, std::vector<double> const& places) {
-  Flow const flow(n, kappa);
+  Flow flow(n, kappa);
   double worst = 0.0;
   std::vector<double> leg;  // travel from each place to the next
   for (std::size_t i = 0; i + 1 < places.size(); ++i) leg.push_back(travel(n, kappa, places[i], places[i + 1]));
@@ -102,7 +109,7 @@ double largest_rising_error(double n, double kappa, std::vector<double> const& p
     double t = 0.0;
     for (std::size_t k = i + 1; k < places.size(); ++k) {
       t += leg[k - 1];
-      double const error = std::abs(flow.value_at(flow.time_at(places[i]) + t) - places[k]);
+      double const error = std::abs(later(flow, places[i], t) - places[k]);
       if (!(error <= worst)) worst = error;
     }
   }
@@ -138,12 +145,10 @@ TEST(SaturatingFlow, TheLargerTableFollowsTheEquationToo) {
 TEST(SaturatingFlow, FallsToSaturationFromAbove) {
   std::vector<double> const places{50.0, 30.0, 12.0, 5.0, 2.5, 1.6, 1.2, 1.05, 1.01, 1.0001};
   for (double const n : abe_exponents) {
-    Beyond const flow(n, abe_kappa);
+    Beyond flow(n, abe_kappa);
     for (std::size_t i = 0; i < places.size(); ++i)
       for (std::size_t k = i + 1; k < places.size(); ++k) {
         double const t = travel(n, abe_kappa, places[i], places[k]);
-        EXPECT_NEAR(flow.value_at(flow.time_at(places[i]) + t), places[k], claimed_error * places[k])
-            << "n " << n << ", from " << places[i];
         EXPECT_NEAR(flow.advance(places[i], t).u, places[k], claimed_error * places[k])
             << "n " << n << ", from " << places[i];
       }
@@ -154,11 +159,11 @@ TEST(SaturatingFlow, FallsToSaturationFromAbove) {
 // the table may have: a conversion is two Newton steps from a good guess, which leaves 1e-13 or so of a cell.
 template <class Flow>
 double largest_drift(double n, double kappa, std::vector<double> const& places) {
-  Flow const flow(n, kappa);
+  Flow flow(n, kappa);
   double worst = 0.0;
   for (double const u : places) {
     double moved = u;
-    for (int i = 0; i < 10000; ++i) moved = flow.value_at(flow.time_at(moved));
+    for (int i = 0; i < 10000; ++i) moved = later(flow, moved, 0.0);
     double const drift = std::abs(moved - u) / std::max(1.0, std::abs(u));
     if (!(drift <= worst)) worst = drift;
   }
@@ -205,7 +210,7 @@ TEST(SaturatingFlow, RisesMonotonicallyToSaturation) {
 
 TEST(SaturatingFlow, FallsMonotonicallyToSaturation) {
   for (double const n : abe_exponents) {
-    Beyond const flow(n, abe_kappa);
+    Beyond flow(n, abe_kappa);
     for (double const u : {1.001, 1.7, 6.0, 50.0}) {
       double const far = 100.0 + 60.0 / n;
       double before = u * (1.0 + 1e-12);
@@ -227,7 +232,7 @@ TEST(SaturatingFlow, FallsMonotonicallyToSaturation) {
 TEST(SaturatingFlow, RatesAreThoseOfTheEquation) {
   auto const rate = [](double n, double u) { return u < 0.0 ? 1.0 + std::pow(-u, n) : 1.0 - std::pow(u, n); };
   for (double const n : abe_exponents) {
-    Beyond const flow(n, abe_kappa);
+    Beyond flow(n, abe_kappa);
     for (double const u : {-20.0, -1.0, -0.3, -0.01, 0.01, 0.2, 0.8, 0.999, 1.2, 5.0, 40.0})
       for (double const t : {0.0, 0.02, 0.3, 2.0}) {
         auto const moved = flow.advance(u, t);

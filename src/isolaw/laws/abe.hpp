@@ -195,7 +195,7 @@ struct Abe {
     state.growth = growth_at(p, state.constants, first.x1);
     state.per_p_plus_1 = T(1.0) / (p.p + T(1.0));
     state.per_Y0 = T(1.0) / p.Y0;
-    if (integration == Integration::converged) state.flow.tabulate(p.n, T(1.0));
+    if (integration == Integration::converged) state.flow.fit(p.n, T(1.0));
     return state;
   }
 
@@ -270,9 +270,7 @@ struct Abe {
     T const travel = abe_parts::travel(p, state.constants, piece);
     auto const moved = state.flow.advance(direction * state.F2 * state.per_Y0 * per_mean, travel);
     T const d = (after - before) * per_mean, relaxed = p.n * travel, relaxed2 = relaxed * relaxed;
-    // Rates fall along the flow; close to saturation both are lost to rounding.
-    T const ratio = max(T(0.0), min(moved.rate1 / moved.rate0, one));
-    T const first = d * relaxed / sqrt(one + relaxed2 * T(1.0 / 36.0)) * (one - ratio) * T(1.0 / 12.0);
+    T const first = d * relaxed / sqrt(one + relaxed2 * T(1.0 / 36.0)) * (one - moved.ratio) * T(1.0 / 12.0);
     T const second =
         d * d * relaxed / (one + relaxed2) * (one - p.n) * (one - T(0.5) * (moved.rate0 + moved.rate1)) * T(1.0 / 24.0);
     T const limit = T(0.5) * abs(d);

@@ -91,7 +91,7 @@ struct BoucWen {
     if (integration == Integration::paper) return state;
     state.z_max = exp2((log2(p.A) - log2(both)) / p.n);
     state.rate = p.A / state.z_max;
-    state.flow.tabulate(p.n, (p.beta - p.gamma) / both);
+    state.flow.fit(p.n, (p.beta - p.gamma) / both);
     return state;
   }
 

@@ -121,7 +121,7 @@ struct Gallardo {
     state.per_uy = T(1.0) / p.uy;
     state.strongest = strength_at(p, p.phimax);
     // In units of `strongest` unloading is 1 + (2 B - 1) strongest^n |u|^n.
-    state.flow.tabulate(p.n, (T(2.0) * p.B - T(1.0)) / (T(1.0) - T(2.0) * p.phimax));
+    state.flow.fit(p.n, (T(2.0) * p.B - T(1.0)) / (T(1.0) - T(2.0) * p.phimax));
     state.zero = state.flow.time_at(T(0.0));
     return state;
   }

@@ -33,10 +33,13 @@
 namespace isolaw::laws {
 
 using num::abs;
+using num::any;
 using num::at;
 using num::cell_of;
 using num::exp;
 using num::exp2;
+using num::expm1;
+using num::fifth_root;
 using num::log2;
 using num::max;
 using num::min;
