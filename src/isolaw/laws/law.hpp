@@ -12,6 +12,7 @@
 //   step, memory)
 // and, where it has them,
 //   step_paper(...)            the same by one classical Runge-Kutta step, where that differs
+//   crowded                    true: so much in flight that kernels take fewer lanes at once
 //   joint_limits               what parameters must meet together: a JointLimit each
 //   reduced(params)            parameters of the same forces in which `redundant`, which trades off with
 //                              `redundant_with`, has the value `redundant_value`: where one can be fixed without loss

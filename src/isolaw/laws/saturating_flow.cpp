@@ -11,11 +11,11 @@ namespace {
 
 // Zeros of the Jacobi polynomial of degree 17 for the weight (1 - y)^(-1/2) (1 + y)^(15/2): interpolation there errs
 // evenly in u = x G, not in G.
-constexpr Nodes::Values jacobi_zeros{-0.8482704490830196, -0.7392800838264653,  -0.6169071342523251, -0.4823317952843121,
-                                     -0.33811348743513536, -0.18729277640369482, -0.03315075851919065,
-                                     0.12091734632512882, 0.27149840143588966,  0.4152466151456183, 0.5489627083391597,
-                                     0.6696677314400188,  0.7746709342528856,   0.8616306552991432, 0.9286071082791034,
-                                     0.9741060103410049,  0.9971121446778988};
+constexpr Nodes::Values jacobi_zeros{
+    -0.8482704490830196,  -0.7392800838264653,  -0.6169071342523251, -0.4823317952843121, -0.33811348743513536,
+    -0.18729277640369482, -0.03315075851919065, 0.12091734632512882, 0.27149840143588966, 0.4152466151456183,
+    0.5489627083391597,   0.6696677314400188,   0.7746709342528856,  0.8616306552991432,  0.9286071082791034,
+    0.9741060103410049,   0.9971121446778988};
 
 // Of the polynomial that is 1 at zero number j and 0 at the others.
 long double lagrange(std::size_t j, long double y) {
@@ -51,14 +51,13 @@ Nodes make() {
   }
   for (std::size_t i = 0; i < terms; ++i)
     for (std::size_t j = 0; j < terms; ++j)
-      nodes.mean[i][j] = static_cast<double>(integral([&](long double s) {
-        return 5.0L * s * s * s * s * lagrange(j, 2.0L * nodes.place[i] * s - 1.0L);
-      }));
+      nodes.mean[i][j] = static_cast<double>(integral(
+          [&](long double s) { return 5.0L * s * s * s * s * lagrange(j, 2.0L * nodes.place[i] * s - 1.0L); }));
   // T_k(y) = 2 y T_(k-1) - T_(k-2).
   for (std::size_t k = 0; k < terms; ++k)
     for (std::size_t i = 0; i < terms; ++i)
-      nodes.power[i][k] = k < 2 ? (i == k ? 1.0 : 0.0)
-                                : (i > 0 ? 2.0 * nodes.power[i - 1][k - 1] : 0.0) - nodes.power[i][k - 2];
+      nodes.power[i][k] =
+          k < 2 ? (i == k ? 1.0 : 0.0) : (i > 0 ? 2.0 * nodes.power[i - 1][k - 1] : 0.0) - nodes.power[i][k - 2];
   // Of the polynomials that are 1 at one zero: exact sums over the places cos(pi (m + 1/2) / terms).
   for (std::size_t k = 0; k < terms; ++k)
     for (std::size_t j = 0; j < terms; ++j) {
@@ -69,10 +68,10 @@ Nodes make() {
       }
       nodes.chebyshev[k][j] = static_cast<double>(sum * (k == 0 ? 1.0L : 2.0L) / terms);
     }
-  // From up to three places above, the end of the side among them.
+  // From the places above, the end of the side among them.
   auto const above = [&](std::size_t i) { return i < terms ? nodes.place[i] : 1.0; };
   for (std::size_t i = 0; i < terms; ++i) {
-    std::size_t const count = std::min<std::size_t>(3, terms - i);
+    std::size_t const count = std::min(guesses, terms - i);
     for (std::size_t a = 0; a < count; ++a) {
       double weight = 1.0;
       for (std::size_t b = 0; b < count; ++b)

@@ -36,26 +36,27 @@ namespace isolaw::laws {
 
 namespace flow_parts {
 
-inline constexpr std::size_t terms = 17;
+inline constexpr std::size_t terms = 17, guesses = 6;
 
 // What the fit needs, the same for all candidates; made at the first call.
 struct Nodes {
   using Values = std::array<double, terms>;
-  Values place;         // v, or |u|^(1/5) over its largest, ascending in (0, 1)
-  Values fifth;         // its fifth power
+  Values place;  // v, or |u|^(1/5) over its largest, ascending in (0, 1)
+  Values fifth;  // its fifth power
   Values log2_fifth;
   Values inverse_place;
   std::array<Values, terms> mean;  // of a function of |u| from 0 to |u|, at each place, from its values at the places
   // Of the Chebyshev polynomials T_k(y), y = 2 place - 1, from values at the places, and of y^k from these: at once the
   // sums would lose six digits more.
   std::array<Values, terms> chebyshev, power;
-  std::array<std::array<double, 3>, terms> guess;  // of a smooth function from its values at the three places above
+  std::array<std::array<double, guesses>, terms> guess;  // of a smooth function from its values at the places above
 
   static Nodes const& get();
 };
 
 // Where the polynomials hold; beyond, the table does.
 inline constexpr double least_n = 0.01, largest_kappa = 3.0;
+inline constexpr double sharp_n = 1.5;  // beyond, the curve bends so that G takes another pass
 inline constexpr double least_rest = 0.05, least_rate = 0.05;
 inline constexpr double saturated = 1e-13;  // E below which t is no longer counted
 
@@ -75,11 +76,9 @@ class SaturatingFlow {
 
   // The place of u on the curve, as a time, and the value at a time: value_at(time_at(u) + travel) is u a travel later.
   // The two are inverse within rounding, so that repeated conversion does not drift.
-  T time_at(T const& u) const
-    requires(!beyond);
-  T value_at(T const& time) const
-    requires(!beyond)
-  {
+  T time_at(T const& u) const;
+  T value_at(T const& time) const {
+    static_assert(!beyond);
     Mask const below = time < T(0.0);
     T value = any(below) ? value_at<true>(time, below) : value_at<false>(time, below);
     if (tabulated_) value = select(outside_ > T(0.0), table_.value_at(time + table_zero_), value);
@@ -91,8 +90,7 @@ class SaturatingFlow {
   struct Advance {
     T u, rate0, rate1, ratio;
   };
-  Advance advance(T const& u, T const& travel)
-    requires(beyond);
+  Advance advance(T const& u, T const& travel);
 
  private:
   // |u| = x G(2 x^(1/5) - 1), x = w H(2 w^(1/5) - 1) with w = |u| / largest_u; x is 1 at largest_u (or saturation).
@@ -143,8 +141,8 @@ class SaturatingFlow {
   template <bool mixed>
   Slope value_of(Mask const& below, T const& x) const {
     T const v = fifth_root(x);
-    auto const g = with_slope(
-        [&](std::size_t i) { return of<mixed>(below, rising_.value[i], unloading_.value[i]); }, v + v - T(1.0));
+    auto const g = with_slope([&](std::size_t i) { return of<mixed>(below, rising_.value[i], unloading_.value[i]); },
+                              v + v - T(1.0));
     return {x * g.value, g.value + T(0.4) * v * g.slope};
   }
   template <bool mixed>
@@ -199,7 +197,8 @@ void SaturatingFlow<T, reach>::Side::fit(T const& n, T const& kappa, T const& re
   for (std::size_t k = 1; k < terms; ++k) end = end + inverse[k];
   per_end = one / end;
   for (std::size_t k = 0; k < terms; ++k) inverse[k] = inverse[k] * per_end;
-  // Where v, which is place H^(1/5), has its fixed places: from above down.
+  // Where v, which is place H^(1/5), has its fixed places: from above down, so that those before say where about.
+  bool const sharp = any(n > T(flow_parts::sharp_n));
   std::array<T, terms + 1> place;
   place[terms] = one;
   for (std::size_t i = terms; i-- > 0;) {
@@ -207,13 +206,18 @@ void SaturatingFlow<T, reach>::Side::fit(T const& n, T const& kappa, T const& re
     if (i + 1 < terms) {
       auto const& weight = nodes.guess[i];
       at = T(weight[0]) * place[i + 1];
-      for (std::size_t k = 1; k < 3 && i + k < terms; ++k) at = at + T(weight[k]) * place[i + 1 + k];
+      for (std::size_t k = 1; k < flow_parts::guesses && i + k < terms; ++k) at = at + T(weight[k]) * place[i + 1 + k];
     }
-    for (int pass = 0; pass < (i + 1 < terms ? 2 : 3); ++pass) {
-      auto const h = with_slope([&](std::size_t k) { return inverse[k]; }, at + at - one);
+    auto const better = [&](T const& guess) -> T {
+      auto const h = with_slope([&](std::size_t k) { return inverse[k]; }, guess + guess - one);
       T const root = fifth_root(h.value), five = T(5.0) * h.value;
-      at = at - (at * root - T(nodes.place[i])) * five / (root * (five + (at + at) * h.slope));
-    }
+      return guess - (guess * root - T(nodes.place[i])) * five / (root * (five + (guess + guess) * h.slope));
+    };
+    at = better(at);
+    if (i + 4 >= terms)
+      at = better(at);
+    else if (sharp)
+      at = select(n > T(flow_parts::sharp_n), better(at), at);
     place[i] = at;
     T const stretch = at * T(nodes.inverse_place[i]), square = stretch * stretch;
     nodal[i] = T(largest_u) * (square * square * stretch);
@@ -280,9 +284,8 @@ T SaturatingFlow<T, reach>::value_at(T const& time, Mask const& below) const {
 }
 
 template <class T, Reach reach>
-T SaturatingFlow<T, reach>::time_at(T const& u) const
-  requires(!beyond)
-{
+T SaturatingFlow<T, reach>::time_at(T const& u) const {
+  static_assert(!beyond);
   Mask const below = u < T(0.0);
   T time = any(below) ? time_at<true>(u, below) : time_at<false>(u, below);
   if (tabulated_) time = select(outside_ > T(0.0), table_.time_at(u) - table_zero_, time);
@@ -310,9 +313,8 @@ T SaturatingFlow<T, reach>::time_at(T const& u, Mask const& below) const {
 }
 
 template <class T, Reach reach>
-auto SaturatingFlow<T, reach>::advance(T const& u, T const& travel) -> Advance
-  requires(beyond)
-{
+auto SaturatingFlow<T, reach>::advance(T const& u, T const& travel) -> Advance {
+  static_assert(beyond);
   T const one(1.0), zero(0.0), size = abs(u), w = min(size, T(largest_u));
   T const less = expm1(-(n_ * travel));
   // 1 - E, of either sign, and back.

@@ -94,10 +94,10 @@ inline constexpr double expm1_terms[] = {0x1.0000000000000p+0,  0x1.000000000000
                                          0x1.a01a014498ae6p-13, 0x1.a01997c656a0fp-16, 0x1.71deec62e8918p-19,
                                          0x1.28af42a60c9fap-22, 0x1.add773f1864b3p-26};
 // (1 - r)^(-4/5) for |r| <= 0.1551, relative error 6.2e-14.
-inline constexpr double fifth_root_terms[] = {
-    0x1.ffffffffffe17p-1, 0x1.9999999998dcdp-1, 0x1.70a3d70b97f13p-1, 0x1.58106251289e7p-1,
-    0x1.46dc5ad4239cfp-1, 0x1.39c94b1496699p-1, 0x1.2f556f2eab700p-1, 0x1.26ab754546262p-1,
-    0x1.1ebe68daca01fp-1, 0x1.184271bf2f816p-1, 0x1.2755d98415d35p-1, 0x1.23a77d79fff6cp-1};
+inline constexpr double fifth_root_terms[] = {0x1.ffffffffffe17p-1, 0x1.9999999998dcdp-1, 0x1.70a3d70b97f13p-1,
+                                              0x1.58106251289e7p-1, 0x1.46dc5ad4239cfp-1, 0x1.39c94b1496699p-1,
+                                              0x1.2f556f2eab700p-1, 0x1.26ab754546262p-1, 0x1.1ebe68daca01fp-1,
+                                              0x1.184271bf2f816p-1, 0x1.2755d98415d35p-1, 0x1.23a77d79fff6cp-1};
 // The first 52 bits of x^(-1/5) are about this less a fifth of those of x, as whole numbers.
 inline constexpr double fifth_root_guess = 0x1.7febced916873p+52;
 inline constexpr double log2_e = 0x1.71547652b82fep+0;
@@ -184,8 +184,7 @@ template <class T>
   T const rest =
       L::multiply_add(whole, L::all(-elementary::ln2_low), L::multiply_add(whole, L::all(-elementary::ln2_high), x));
   T const power = L::from_bits(L::bits(shifted) << 52);
-  return L::multiply_add(power, rest * elementary::polynomial<T>(elementary::expm1_terms, rest),
-                         power - L::all(1.0));
+  return L::multiply_add(power, rest * elementary::polynomial<T>(elementary::expm1_terms, rest), power - L::all(1.0));
 }
 
 // From a guess of x^(-1/5) by the bits of x, as far as it is off.
