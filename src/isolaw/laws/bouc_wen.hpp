@@ -1,6 +1,6 @@
 // Bouc-Wen: smooth hysteresis with post-yield stiffness.
 // Source: Cucuzza et al. 2025, Eqs. (13)-(14), after Wen 1976; K_i and K_j of Eq. (13) are the one elastic stiffness
-// Ke. Units kN, mm.  Step: between reversals dz/dx depends on z alone, and its exact flow is read from a table made
+// Ke. Units kN, mm.  Step: between reversals dz/dx depends on z alone, and its exact flow is a polynomial fitted
 // once per candidate (saturating_flow.hpp); `paper`: one classical Runge-Kutta step per sample, which blows up beyond
 // dx of about two yield displacements.
 #pragma once

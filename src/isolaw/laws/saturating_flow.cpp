@@ -17,12 +17,31 @@ constexpr Nodes::Values jacobi_zeros{
     0.5489627083391597,   0.6696677314400188,   0.7746709342528856,  0.8616306552991432,  0.9286071082791034,
     0.9741060103410049,   0.9971121446778988};
 
-// Of the polynomial that is 1 at zero number j and 0 at the others.
-long double lagrange(std::size_t j, long double y) {
+// Of the polynomial that is 1 at number j of these zeros and 0 at the others.
+template <std::size_t Count>
+long double lagrange(std::array<std::size_t, Count> const& zeros, std::size_t j, long double y) {
   long double product = 1.0L;
-  for (std::size_t i = 0; i < terms; ++i)
-    if (i != j) product *= (y - jacobi_zeros[i]) / (static_cast<long double>(jacobi_zeros[j]) - jacobi_zeros[i]);
+  for (std::size_t i = 0; i < Count; ++i)
+    if (i != j)
+      product *=
+          (y - jacobi_zeros[zeros[i]]) / (static_cast<long double>(jacobi_zeros[zeros[j]]) - jacobi_zeros[zeros[i]]);
   return product;
+}
+constexpr auto all = [] {
+  std::array<std::size_t, terms> made{};
+  for (std::size_t i = 0; i < terms; ++i) made[i] = i;
+  return made;
+}();
+
+// Coefficient k of the polynomial's Chebyshev series: exact sums over the places cos(pi (m + 1/2) / terms).
+template <std::size_t Count>
+double chebyshev(std::array<std::size_t, Count> const& zeros, std::size_t k, std::size_t j) {
+  long double sum = 0.0L;
+  for (std::size_t m = 0; m < terms; ++m) {
+    long double const angle = std::numbers::pi_v<long double> * (static_cast<long double>(m) + 0.5L) / terms;
+    sum += std::cos(angle * k) * lagrange(zeros, j, std::cos(angle));
+  }
+  return static_cast<double>(sum * (k == 0 ? 1.0L : 2.0L) / terms);
 }
 
 // The integral over [0, 1], exact for polynomials of degree 32 (Clenshaw and Curtis).
@@ -52,22 +71,19 @@ Nodes make() {
   for (std::size_t i = 0; i < terms; ++i)
     for (std::size_t j = 0; j < terms; ++j)
       nodes.mean[i][j] = static_cast<double>(integral(
-          [&](long double s) { return 5.0L * s * s * s * s * lagrange(j, 2.0L * nodes.place[i] * s - 1.0L); }));
+          [&](long double s) { return 5.0L * s * s * s * s * lagrange(all, j, 2.0L * nodes.place[i] * s - 1.0L); }));
   // T_k(y) = 2 y T_(k-1) - T_(k-2).
   for (std::size_t k = 0; k < terms; ++k)
     for (std::size_t i = 0; i < terms; ++i)
       nodes.power[i][k] =
           k < 2 ? (i == k ? 1.0 : 0.0) : (i > 0 ? 2.0 * nodes.power[i - 1][k - 1] : 0.0) - nodes.power[i][k - 2];
-  // Of the polynomials that are 1 at one zero: exact sums over the places cos(pi (m + 1/2) / terms).
   for (std::size_t k = 0; k < terms; ++k)
-    for (std::size_t j = 0; j < terms; ++j) {
-      long double sum = 0.0L;
-      for (std::size_t m = 0; m < terms; ++m) {
-        long double const angle = std::numbers::pi_v<long double> * (static_cast<long double>(m) + 0.5L) / terms;
-        sum += std::cos(angle * k) * lagrange(j, std::cos(angle));
-      }
-      nodes.chebyshev[k][j] = static_cast<double>(sum * (k == 0 ? 1.0L : 2.0L) / terms);
-    }
+    for (std::size_t j = 0; j < terms; ++j) nodes.chebyshev[k][j] = chebyshev(all, k, j);
+  for (std::size_t k = 0; k < Nodes::few.size(); ++k) {
+    for (std::size_t j = 0; j < Nodes::few.size(); ++j) nodes.chebyshev_of_few[k][j] = chebyshev(Nodes::few, k, j);
+    for (std::size_t i = 0; i < terms; ++i)
+      nodes.at_places[i][k] = static_cast<double>(std::cos(k * std::acos(static_cast<long double>(jacobi_zeros[i]))));
+  }
   // From the places above, the end of the side among them.
   auto const above = [&](std::size_t i) { return i < terms ? nodes.place[i] : 1.0; };
   for (std::size_t i = 0; i < terms; ++i) {

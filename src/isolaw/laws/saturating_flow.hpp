@@ -49,6 +49,10 @@ struct Nodes {
   // Of the Chebyshev polynomials T_k(y), y = 2 place - 1, from values at the places, and of y^k from these: at once the
   // sums would lose six digits more.
   std::array<Values, terms> chebyshev, power;
+  // The same through a few of the places alone, and T_k at all: what they leave is small, and rounds to less.
+  static constexpr std::array<std::size_t, 7> few{0, 2, 5, 8, 11, 14, 16};
+  std::array<std::array<double, few.size()>, few.size()> chebyshev_of_few;
+  std::array<std::array<double, few.size()>, terms> at_places;
   std::array<std::array<double, guesses>, terms> guess;  // of a smooth function from its values at the places above
 
   static Nodes const& get();
@@ -140,10 +144,10 @@ class SaturatingFlow {
   // |u| and d|u| / dx.
   template <bool mixed>
   Slope value_of(Mask const& below, T const& x) const {
-    T const v = fifth_root(x);
+    T const v = rounded(fifth_root(x));
     auto const g = with_slope([&](std::size_t i) { return of<mixed>(below, rising_.value[i], unloading_.value[i]); },
                               v + v - T(1.0));
-    return {x * g.value, g.value + T(0.4) * v * g.slope};
+    return {rounded(x * g.value), rounded(g.value + T(0.4) * v * g.slope)};
   }
   template <bool mixed>
   T value_at(T const& time, Mask const& below) const;
@@ -184,8 +188,20 @@ void SaturatingFlow<T, reach>::Side::fit(T const& n, T const& kappa, T const& re
     if (bends) nodal[i] = nodal[i] / (one + bend * ((one - rest * u) * decay));
   }
   auto const interpolate = [&](Coefficients& found) {
+    constexpr auto& few = flow_parts::Nodes::few;
+    std::array<T, few.size()> rough;
+    for (std::size_t k = 0; k < few.size(); ++k) {
+      rough[k] = T(nodes.chebyshev_of_few[k][0]) * nodal[few[0]];
+      for (std::size_t j = 1; j < few.size(); ++j)
+        rough[k] = rough[k] + T(nodes.chebyshev_of_few[k][j]) * nodal[few[j]];
+    }
     Coefficients c;
-    for (std::size_t k = 0; k < terms; ++k) c[k] = transform(nodes.chebyshev, nodal, k);
+    for (std::size_t i = 0; i < terms; ++i)
+      for (std::size_t k = 0; k < few.size(); ++k) nodal[i] = nodal[i] - T(nodes.at_places[i][k]) * rough[k];
+    for (std::size_t k = 0; k < terms; ++k) {
+      c[k] = transform(nodes.chebyshev, nodal, k);
+      if (k < few.size()) c[k] = c[k] + rough[k];
+    }
     for (std::size_t k = 0; k < terms; ++k) {
       found[k] = T(nodes.power[k][k]) * c[k];
       for (std::size_t j = k + 2; j < terms; j += 2) found[k] = found[k] + T(nodes.power[k][j]) * c[j];
@@ -273,10 +289,10 @@ T SaturatingFlow<T, reach>::value_at(T const& time, Mask const& below) const {
   T const one(1.0), way = abs(time), rate = of<mixed>(below, rising_.rate, unloading_.rate);
   T inside = way;
   if constexpr (mixed) inside = select(below, min(way, first_time_), way);
-  T x = -expm1(-(rate * inside));
+  T x = rounded(-expm1(-rounded(rate * inside)));
   if (bends_) x = x / (one + of<mixed>(below, rising_.bend, unloading_.bend) * (one - x));
-  x = x * of<mixed>(below, rising_.per_end, unloading_.per_end);
-  T const v = fifth_root(x), u = x * polynomial<mixed>(&Side::value, below, v + v - one);
+  x = rounded(x * of<mixed>(below, rising_.per_end, unloading_.per_end));
+  T const v = rounded(fifth_root(x)), u = rounded(x * polynomial<mixed>(&Side::value, below, v + v - one));
   if constexpr (mixed)
     return select(below, -(u + first_rate_ * (way - inside)), min(u, one));
   else
@@ -295,14 +311,14 @@ template <class T, Reach reach>
 template <bool mixed>
 T SaturatingFlow<T, reach>::time_at(T const& u, Mask const& below) const {
   constexpr double ln2 = 0.69314718055994530942;
-  T const one(1.0), size = abs(u), w = min(size, one), root = fifth_root(w);
-  T x = w * polynomial<mixed>(&Side::inverse, below, root + root - one);
+  T const one(1.0), size = abs(u), w = min(size, one), root = rounded(fifth_root(w));
+  T x = rounded(w * polynomial<mixed>(&Side::inverse, below, root + root - one));
   // Newton's method from what H gives.
   for (int pass = 0; pass < 2; ++pass) {
     auto const found = value_of<mixed>(below, x);
     x = x - (found.value - w) / found.slope;
   }
-  x = x * of<mixed>(below, rising_.end, unloading_.end);
+  x = rounded(x * of<mixed>(below, rising_.end, unloading_.end));
   T E = one - x;
   if (bends_) E = E / (one + of<mixed>(below, rising_.bend, unloading_.bend) * x);
   T const way = -T(ln2) * log2(max(E, T(flow_parts::saturated))) / of<mixed>(below, rising_.rate, unloading_.rate);
@@ -324,7 +340,7 @@ auto SaturatingFlow<T, reach>::advance(T const& u, T const& travel) -> Advance {
     T per_end;
   };
   auto const start = [&]<bool mixed>(Mask const& below, std::bool_constant<mixed>) -> Start {
-    T const root = fifth_root(w * T(1.0 / largest_u));
+    T const root = rounded(fifth_root(w * T(1.0 / largest_u)));
     T const x = w * T(1.0 / largest_u) * polynomial<mixed>(&Side::inverse, below, root + root - one);
     return {x * of<mixed>(below, rising_.end, unloading_.end), x, value_of<mixed>(below, x),
             of<mixed>(below, rising_.per_end, unloading_.per_end)};
