@@ -16,7 +16,7 @@
 // So |u| = x G(v), and back x = |u| H(|u|^(1/5)), with G and H of degree 16. They are fitted once per candidate: travel
 // to 17 fixed places by quadrature, the pole of 1 / (1 - |u|^n) taken out in closed form; H by interpolation; G at 17
 // fixed v, found on H by Newton's method. All of that is arithmetic and fixed matrices, the same for all candidates.
-// Largest error in u over n in [0.01, 3], kappa in (-1, 3]: 1e-7, but for n > 2 with kappa > 1, where it grows to 2e-5;
+// Largest error in u over n in [0.01, 3], kappa in (-1, 3]: 1e-7 (abe's with n < 0.1: 3e-7), but for n > 2 with kappa > 1, where it grows to 2e-5;
 // near kappa = -1 the equation magnifies it by up to 1 / (1 + kappa) (tests/verification).
 // Elsewhere, and for abe beyond |u| = 3, a lane takes the table of tabulated_flow.hpp, error 1e-5.
 // Rejected: that table for all (its gathers made AVX2 as slow as SSE2); coefficients as polynomials of n and kappa
@@ -170,7 +170,7 @@ void SaturatingFlow<T, reach>::Side::fit(T const& n, T const& kappa, T const& re
   constexpr double log2_largest = beyond ? 1.5849625007211562 : 0.0;
   T const one(1.0), zero(0.0);
   auto const transform = [](auto const& matrix, Coefficients const& values, std::size_t row) {
-    T sum = T(matrix[row][0]) * values[0];
+    T sum = rounded(T(matrix[row][0]) * values[0]);
     for (std::size_t k = 1; k < terms; ++k) sum = sum + T(matrix[row][k]) * values[k];
     return sum;
   };
@@ -178,7 +178,7 @@ void SaturatingFlow<T, reach>::Side::fit(T const& n, T const& kappa, T const& re
   Coefficients smooth, nodal;
   for (std::size_t i = 0; i < terms; ++i) {
     T const u(largest_u * nodes.fifth[i]);
-    T const flow = one + kappa * exp2(n * T(nodes.log2_fifth[i] + log2_largest)), pole = n * (one - rest * u);
+    T const flow = one + kappa * exp2(n * T(nodes.log2_fifth[i] + log2_largest)), pole = rounded(n * (one - rest * u));
     smooth[i] = select(rest > zero, pole - flow, pole) / (flow * pole);
   }
   for (std::size_t i = 0; i < terms; ++i) {
@@ -191,7 +191,7 @@ void SaturatingFlow<T, reach>::Side::fit(T const& n, T const& kappa, T const& re
     constexpr auto& few = flow_parts::Nodes::few;
     std::array<T, few.size()> rough;
     for (std::size_t k = 0; k < few.size(); ++k) {
-      rough[k] = T(nodes.chebyshev_of_few[k][0]) * nodal[few[0]];
+      rough[k] = rounded(T(nodes.chebyshev_of_few[k][0]) * nodal[few[0]]);
       for (std::size_t j = 1; j < few.size(); ++j)
         rough[k] = rough[k] + T(nodes.chebyshev_of_few[k][j]) * nodal[few[j]];
     }
@@ -203,12 +203,12 @@ void SaturatingFlow<T, reach>::Side::fit(T const& n, T const& kappa, T const& re
       if (k < few.size()) c[k] = c[k] + rough[k];
     }
     for (std::size_t k = 0; k < terms; ++k) {
-      found[k] = T(nodes.power[k][k]) * c[k];
+      found[k] = rounded(T(nodes.power[k][k]) * c[k]);
       for (std::size_t j = k + 2; j < terms; j += 2) found[k] = found[k] + T(nodes.power[k][j]) * c[j];
     }
   };
   interpolate(inverse);
-  for (std::size_t k = 0; k < terms; ++k) inverse[k] = T(largest_u) * inverse[k];
+  for (std::size_t k = 0; k < terms; ++k) inverse[k] = rounded(T(largest_u) * inverse[k]);
   end = inverse[0];
   for (std::size_t k = 1; k < terms; ++k) end = end + inverse[k];
   per_end = one / end;
@@ -221,7 +221,7 @@ void SaturatingFlow<T, reach>::Side::fit(T const& n, T const& kappa, T const& re
     T at(nodes.place[i]);
     if (i + 1 < terms) {
       auto const& weight = nodes.guess[i];
-      at = T(weight[0]) * place[i + 1];
+      at = rounded(T(weight[0]) * place[i + 1]);
       for (std::size_t k = 1; k < flow_parts::guesses && i + k < terms; ++k) at = at + T(weight[k]) * place[i + 1 + k];
     }
     auto const better = [&](T const& guess) -> T {
