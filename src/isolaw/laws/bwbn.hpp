@@ -146,7 +146,7 @@ struct Bwbn {
       return pace * (one - z1 * exp(-off * off)) / (one + p.deta * done);
     };
     auto const value = [&](T const& time) -> T {
-      return zu * (state.flow.value_at(begin + time) + beyond * exp(-p.n * time));
+      return rounded(zu * (state.flow.value_at(begin + rounded(time)) + beyond * exp(-p.n * time)));
     };
     T const speed1 = speed(z, state.e);
     T const z_2 = value(half * speed1), speed2 = speed(z_2, state.e + half * state.share * z);
