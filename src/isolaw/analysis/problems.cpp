@@ -12,9 +12,9 @@ namespace {
 
 void values_of_residuals(opt::DeviationProblem const& problem, opt::Points const& points, std::span<double> values) {
   std::size_t const stride = num::padded(points.size());
-  std::vector<double> rows(stride * problem.weights().size()), sums(stride);
+  std::vector<double> rows(stride * problem.weights().size()), sums(stride), rounded(stride);
   problem.residual_rows(points, stride, rows);
-  num::row_kernels().sizes({rows.data(), stride, problem.weights()}, points.size(), 0.0, sums.data());
+  num::row_kernels().sizes({rows.data(), stride, problem.weights()}, points.size(), 0.0, sums.data(), rounded.data());
   for (std::size_t i = 0; i < points.size(); ++i)
     values[i] = std::isfinite(sums[i]) ? sums[i] : std::numeric_limits<double>::infinity();
 }

@@ -16,10 +16,14 @@ namespace {
 
 std::size_t candidates_of(Block block) {
   switch (block) {
-    case Block::scalar: return 1;
-    case Block::wide: return wide_block;
-    case Block::residuals: return residual_block;
-    default: return narrow_block;
+    case Block::scalar:
+      return 1;
+    case Block::wide:
+      return wide_block;
+    case Block::residuals:
+      return residual_block;
+    default:
+      return narrow_block;
   }
 }
 
@@ -46,8 +50,7 @@ std::vector<double> SpeedTest::objectives() const {
 double SpeedTest::seconds_per_sample(Block block, std::size_t of_candidates, Effort const& effort) const {
   std::size_t const width = candidates_of(block), blocks = std::max<std::size_t>(of_candidates / width, 1);
   bool const of_residuals = block == Block::residuals || block == Block::narrow_residuals;
-  std::vector<double> values(of_residuals ? width * samples_ : width), one(model_.law().parameters.size()),
-      work;
+  std::vector<double> values(of_residuals ? width * samples_ : width), one(model_.law().parameters.size()), work;
   auto const compute = [&](std::size_t first) {
     auto const candidate = [&](std::size_t i, std::span<double> parameters) {
       auto const at = (first + i) % candidates * box_.free_count();

@@ -24,6 +24,7 @@ struct RowTable {
 
 // What a step from the point of column 0 needs of a table whose other columns are its neighbours: sums over the rows of
 // weight * differences of the columns from column 0, by the curvatures of sqrt(r^2 + delta^2), r being column 0's.
+// Where a column is not finite, all sums that it has a part in are not.
 struct NormalSums {
   double* gradient;         // [columns] of difference * r / size, size being that root
   double *cautious, *bold;  // [columns][columns], lower triangle, of products of two differences
@@ -31,14 +32,13 @@ struct NormalSums {
 };
 
 struct RowKernels {
-  // sums[c] = sum of weight * sqrt(r^2 + delta^2), of weight * |r| where delta is 0; for padded(columns) of them.
-  void (*sizes)(RowTable const& table, std::size_t columns, double delta, double* sums);
+  // values[c] = sum of weight * |r|, rounded[c] = sum of weight * sqrt(r^2 + delta^2), for padded(columns) of them.
+  void (*sizes)(RowTable const& table, std::size_t columns, double delta, double* values, double* rounded);
 
   // `cautious` by weight / size, the parabola that lies above; `bold` by cautious_share of that and bold_share of the
-  // curvature itself, weight * delta^2 / size^3. A column whose `counts` is 0 adds nothing, whatever stands in it.
-  // Columns up to padded(columns); at most most_columns.
-  void (*normal)(RowTable const& table, std::size_t columns, double const* counts, double delta, double cautious_share,
-                 double bold_share, NormalSums const& sums);
+  // curvature itself, weight * delta^2 / size^3. Columns up to padded(columns); at most most_columns.
+  void (*normal)(RowTable const& table, std::size_t columns, double delta, double cautious_share, double bold_share,
+                 NormalSums const& sums);
 };
 inline constexpr std::size_t most_columns = 64;
 

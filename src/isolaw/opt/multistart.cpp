@@ -121,31 +121,36 @@ class Counting {
 
   std::size_t dimension() const { return problem_->dimension(); }
 
+  // Of each point: sum of weight * |residual|, and of weight * sqrt(residual^2 + delta^2); infinite where it failed.
+  struct Sizes {
+    std::vector<double> value, rounded;
+  };
+  Sizes sizes(Points const& points, double delta) {
+    compute(points);
+    Sizes made{.value = std::vector<double>(stride_), .rounded = std::vector<double>(stride_)};
+    num::row_kernels().sizes(table(), points.size(), delta, made.value.data(), made.rounded.data());
+    for (auto* sums : {&made.value, &made.rounded})
+      for (double& sum : *sums) sum = std::isfinite(sum) ? sum : infinity;
+    for (std::size_t i = 0; i < points.size(); ++i) count_failure(!std::isfinite(made.value[i]));
+    return made;
+  }
+  // Residuals alone, for `table`.
   void compute(Points const& points) {
     auto const weights = problem_->weights();
     stride_ = num::padded(points.size());
     rows_.resize(stride_ * weights.size());
     problem_->residual_rows(points, stride_, rows_);
-    values_ = sizes(0.0, points.size());
     cost_.computed += points.size() * weights.size();
-    for (std::size_t i = 0; i < points.size(); ++i) cost_.failed += std::isfinite(values_[i]) ? 0 : weights.size();
   }
+  void count_failure(bool failed) { cost_.failed += failed ? problem_->weights().size() : 0; }
   Cost const& cost() const { return cost_; }
-  // Of the points computed last: sum of weight * |residual|, and of weight * sqrt(residual^2 + delta^2).
-  double value(std::size_t i) const { return values_[i]; }
-  std::vector<double> sizes(double delta, std::size_t points) const {
-    std::vector<double> sums(stride_);
-    num::row_kernels().sizes(table(), points, delta, sums.data());
-    for (double& sum : sums) sum = std::isfinite(sum) ? sum : infinity;
-    return sums;
-  }
   num::RowTable table() const { return {rows_.data(), stride_, problem_->weights()}; }
   std::size_t columns() const { return stride_; }
 
  private:
   DeviationProblem const* problem_;
   DeviationProblem const& whole_;
-  std::vector<double> rows_, values_;
+  std::vector<double> rows_;
   std::size_t stride_ = 0;
   Cost cost_;
 };
@@ -217,8 +222,7 @@ class Descent {
   void move_to(std::span<double const> x) {
     Points one(n_, 1);
     std::ranges::copy(x, one[0].begin());
-    problem_.compute(one);
-    take(one[0], problem_.value(0));
+    take(one[0], problem_.sizes(one, 0.0).value[0]);
   }
 
   void take(std::span<double const> x, double value) {
@@ -243,22 +247,25 @@ class Descent {
     for (std::size_t k = 0; k < n_; ++k) points[k + 1][k] += here_.x[k] > 0.5 ? -step : step;
     problem_.compute(points);
     std::size_t const columns = problem_.columns();
-    std::vector<double> counts(columns, 0.0), gradient(columns), cautious(columns * columns), bold(columns * columns);
-    for (std::size_t k = 1; k <= n_; ++k) counts[k] = std::isfinite(problem_.value(k)) ? 1.0 : 0.0;
+    std::vector<double> gradient(columns), cautious(columns * columns), bold(columns * columns);
     auto const n = static_cast<Index>(n_);
-    Slopes made{.gradient = Vector(n), .cautious = Matrix(n, n), .bold = Matrix(n, n)};
-    num::row_kernels().normal(problem_.table(), n_ + 1, counts.data(), delta_, tuning::cautious_share,
-                              tuning::bold_share, {gradient.data(), cautious.data(), bold.data(), &made.value});
-    Vector per_step(n);
-    for (std::size_t k = 0; k < n_; ++k) per_step[static_cast<Index>(k)] = 1.0 / (points[k + 1][k] - here_.x[k]);
-    for (Index a = 0; a < n; ++a) {
-      auto const row = static_cast<std::size_t>(a + 1);
-      made.gradient[a] = gradient[row] * per_step[a];
-      for (Index b = 0; b <= a; ++b) {
-        auto const at = row * columns + static_cast<std::size_t>(b + 1);
-        double const scale = per_step[a] * per_step[b];
-        made.cautious(a, b) = made.cautious(b, a) = cautious[at] * scale;
-        made.bold(a, b) = made.bold(b, a) = bold[at] * scale;
+    Slopes made{.gradient = Vector::Zero(n), .cautious = Matrix::Zero(n, n), .bold = Matrix::Zero(n, n)};
+    num::row_kernels().normal(problem_.table(), n_ + 1, delta_, tuning::cautious_share, tuning::bold_share,
+                              {gradient.data(), cautious.data(), bold.data(), &made.value});
+    auto const failed = [&](std::size_t column) { return !std::isfinite(cautious[column * columns + column]); };
+    auto const per_step = [&](std::size_t k) { return 1.0 / (points[k + 1][k] - here_.x[k]); };
+    for (std::size_t a = 0; a < n_; ++a) {
+      problem_.count_failure(failed(a + 1));
+      if (failed(a + 1)) continue;
+      auto const row = static_cast<Index>(a);
+      made.gradient[row] = gradient[a + 1] * per_step(a);
+      for (std::size_t b = 0; b <= a; ++b) {
+        if (failed(b + 1)) continue;
+        auto const column = static_cast<Index>(b);
+        auto const at = (a + 1) * columns + b + 1;
+        double const scale = per_step(a) * per_step(b);
+        made.cautious(row, column) = made.cautious(column, row) = cautious[at] * scale;
+        made.bold(row, column) = made.bold(column, row) = bold[at] * scale;
       }
     }
     return made;
@@ -273,14 +280,13 @@ class Descent {
       Points points(n_, tried);
       for (std::size_t i = 0; i < tried; ++i)
         propose(i % 2 == 0 ? here.cautious : here.bold, here.gradient, damping_ * stretch(i), points[i]);
-      problem_.compute(points);
-      auto const values = problem_.sizes(delta_, tried);
-      auto const best =
-          static_cast<std::size_t>(std::min_element(values.begin(), values.begin() + tried) - values.begin());
-      if (values[best] < here.value) {
+      auto const [values, rounded] = problem_.sizes(points, delta_);
+      auto const least = std::min_element(rounded.begin(), rounded.begin() + tried);
+      auto const best = static_cast<std::size_t>(least - rounded.begin());
+      if (*least < here.value) {
         damping_ = std::clamp(damping_ * stretch(best) / std::sqrt(damping_ratio), least_carried, most_carried);
-        take(points[best], problem_.value(best));
-        return {here.value, values[best]};
+        take(points[best], values[best]);
+        return {here.value, *least};
       }
       damping_ *= damping_rise;
     }
