@@ -1,4 +1,5 @@
-// What a block of candidates costs here, measured in this process: for `isolaw bench` and for the profile of a campaign.
+// What a block of candidates costs here, measured in this process: for `isolaw bench` and for the profile of a
+// campaign.
 #pragma once
 
 #include <cstddef>

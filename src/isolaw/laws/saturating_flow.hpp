@@ -16,12 +16,12 @@
 // So |u| = x G(v), and back x = |u| H(|u|^(1/5)), with G and H of degree 16. They are fitted once per candidate: travel
 // to 17 fixed places by quadrature, the pole of 1 / (1 - |u|^n) taken out in closed form; H by interpolation; G at 17
 // fixed v, found on H by Newton's method. All of that is arithmetic and fixed matrices, the same for all candidates.
-// Largest error in u over n in [0.01, 3], kappa in (-1, 3]: 1e-7 (abe's with n < 0.1: 3e-7), but for n > 2 with kappa > 1, where it grows to 2e-5;
-// near kappa = -1 the equation magnifies it by up to 1 / (1 + kappa) (tests/verification).
-// Elsewhere, and for abe beyond |u| = 3, a lane takes the table of tabulated_flow.hpp, error 1e-5.
-// Rejected: that table for all (its gathers made AVX2 as slow as SSE2); coefficients as polynomials of n and kappa
-// (2,400 numbers still leave 1e-6); Runge-Kutta with sub-steps (32 per sample still leave 3.8 % in the objective of abe
-// near its optimum), and an exponential step with frozen exponent (first order where n < 1 and u crosses 0).
+// Largest error in u over n in [0.01, 3], kappa in (-1, 3]: 1e-7 (abe's with n < 0.1: 3e-7), but for n > 2 with kappa >
+// 1, where it grows to 2e-5; near kappa = -1 the equation magnifies it by up to 1 / (1 + kappa) (tests/verification).
+// Elsewhere, and for abe beyond |u| = 3, a lane takes the table of tabulated_flow.hpp, error 1e-5. Rejected: that table
+// for all (its gathers made AVX2 as slow as SSE2); coefficients as polynomials of n and kappa (2,400 numbers still
+// leave 1e-6); Runge-Kutta with sub-steps (32 per sample still leave 3.8 % in the objective of abe near its optimum),
+// and an exponential step with frozen exponent (first order where n < 1 and u crosses 0).
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// The exact flow of the hysteretic laws between two reversals from a table, where saturating_flow.hpp has no polynomial.
+// The exact flow of the hysteretic laws between two reversals from a table, where saturating_flow.hpp has no
+// polynomial.
 //
 // Bouc-Wen's z and Abe's F2, divided by their saturation value and taken positive in the direction of motion, obey one
 // autonomous equation in dimensionless travel t:

@@ -1,5 +1,6 @@
-// 2^x, e^x, e^x - 1, log2 x, |x|^p and x^(1/5) without branches, tables or library calls, for code that runs many lanes at once: the body
-// of a loop over doubles that a compiler turns into vector instructions, or the same body on vectors themselves.
+// 2^x, e^x, e^x - 1, log2 x, |x|^p and x^(1/5) without branches, tables or library calls, for code that runs many lanes
+// at once: the body of a loop over doubles that a compiler turns into vector instructions, or the same body on vectors
+// themselves.
 //
 //   function           largest error (with / without fused multiply-add; pinned in tests/unit) and where it holds
 //   fast_exp2(x)       0.9 / 1.2 ULP in [-1022, 1023.5); +inf from 1023.5 on; gradual down to -1022.5, 0 below

@@ -1,5 +1,5 @@
-// Sums over tables of residuals: one row for each of them, one column for each candidate. What a descent spends its time
-// on beside the law itself, compiled once for every instruction set.
+// Sums over tables of residuals: one row for each of them, one column for each candidate. What a descent spends its
+// time on beside the law itself, compiled once for every instruction set.
 #pragma once
 
 #include <cstddef>

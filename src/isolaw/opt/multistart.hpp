@@ -4,10 +4,11 @@
 // again (basin hopping). A descent is a Levenberg-Marquardt iteration with bounds on sum w sqrt(r^2 + delta^2), the
 // absolute value rounded off at its corner; delta falls from the size of the residuals, where the sum behaves as a sum
 // of squares, to a hundredth of it. The Jacobian comes from differences, all of it in one batch, and every iteration
-// tries several steps at once. It goes by the problem's outline, where there is one, down to the outline's floor: a third
-// of the residuals find the same valleys; the last iterations are by all of them. The search ends when enough descents have ended at the best value: soon where nearly
-// all of the scattered ones do, later where there are other valleys, and after all its starts where few have. In more
-// than fourteen dimensions as many hops as scattered starts are made, and two and a half times as many descents.
+// tries several steps at once. It goes by the problem's outline, where there is one, down to the outline's floor: a
+// third of the residuals find the same valleys; the last iterations are by all of them. The search ends when enough
+// descents have ended at the best value: soon where nearly all of the scattered ones do, later where there are other
+// valleys, and after all its starts where few have. In more than fourteen dimensions as many hops as scattered starts
+// are made, and two and a half times as many descents.
 //
 // Points are not screened by their value before a descent: in the laws' boxes the low ones lie in the wrong valleys.
 #pragma once
