@@ -122,6 +122,39 @@ constexpr auto exact_exp2 = [](long double x) { return std::exp2(x); };
 constexpr auto exact_exp = [](long double x) { return std::exp(x); };
 constexpr auto exact_log2 = [](long double x) { return std::log2(x); };
 
+// Relative errors; the lanes of a batch are held to these functions by the tests of the laws.
+template <class F, class Exact>
+double largest_relative(std::vector<double> const& arguments, F f, Exact exact) {
+  double largest = 0.0;
+  for (double const x : arguments) {
+    long double const truth = exact(static_cast<long double>(x));
+    auto const error = static_cast<double>(std::abs((static_cast<long double>(f(x)) - truth) / truth));
+    if (!(error <= largest)) largest = error;  // NaN counts
+  }
+  return largest;
+}
+
+TEST(Elementary, Expm1) {
+  auto const exact = [](long double x) { return std::expm1(x); };
+  auto const here = [](double x) { return fast_expm1(x); };
+  EXPECT_LE(largest_relative(uniform(-700.0, 700.0), here, exact), 4e-16);
+  EXPECT_LE(largest_relative(uniform(-2.0, 2.0), here, exact), 4e-16);
+  EXPECT_LE(largest_relative(binades(1e-300, 1.0), here, exact), 4e-16);
+  EXPECT_EQ(fast_expm1(0.0), 0.0);
+  EXPECT_EQ(fast_expm1(-1e9), -1.0);
+  EXPECT_EQ(fast_expm1(1e9), fast_expm1(700.0));
+  EXPECT_TRUE(std::isnan(fast_expm1(not_a_number)));
+}
+
+TEST(Elementary, FifthRoot) {
+  auto const exact = [](long double x) { return std::pow(x, 0.2L); };
+  auto const here = [](double x) { return fast_fifth_root(x); };
+  EXPECT_LE(largest_relative(uniform(0.0, 40.0), here, exact), 6.5e-14);
+  EXPECT_LE(largest_relative(binades(1e-290, 1e290), here, exact), 6.5e-14);
+  EXPECT_EQ(fast_fifth_root(0.0), 0.0);
+  EXPECT_TRUE(std::isnan(fast_fifth_root(not_a_number)));
+}
+
 TEST(Elementary, Exp2) {
   Checked const wide(uniform(-1022.0, 1023.4999), exact_exp2), narrow(uniform(-2.0, 2.0), exact_exp2);
   for (auto const& route : routes()) {

@@ -1,5 +1,5 @@
-// The tabulated flow of the differential laws against quadrature. The travel from u0 to u1 is the integral of du /
-// rate(u), which Gauss-Kronrod and tanh-sinh give to twelve digits and more; the table must arrive at u1 after that
+// The flow of the differential laws against quadrature. The travel from u0 to u1 is the integral of du /
+// rate(u), which Gauss-Kronrod and tanh-sinh give to twelve digits and more; the flow must arrive at u1 after that
 // travel.
 #include <gtest/gtest.h>
 
@@ -19,11 +19,18 @@ namespace isolaw::laws {
 namespace {
 
 template <Reach reach>
-struct Tabulated : SaturatingFlow<double, reach> {
-  Tabulated(double n, double kappa) { this->tabulate(n, kappa); }
+struct Fitted : SaturatingFlow<double, reach> {
+  Fitted(double n, double kappa) { this->fit(n, kappa); }
 };
-using Within = Tabulated<Reach::within_saturation>;
-using Beyond = Tabulated<Reach::beyond_saturation>;
+using Within = Fitted<Reach::within_saturation>;
+using Beyond = Fitted<Reach::beyond_saturation>;
+
+double later(Within const& flow, double u, double travel) {
+  return flow.value_at(flow.time_at(u) + travel);
+}
+double later(Beyond& flow, double u, double travel) {
+  return flow.advance(u, travel).u;
+}
 
 constexpr double exponents[] = {0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.1, 1.25, 1.5, 2.0, 2.5, 3.0};
 
@@ -31,12 +38,16 @@ constexpr double exponents[] = {0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0,
 // box of an unknown device.
 constexpr double kappas[] = {-0.99, -0.9, -0.75, -0.5, 0.0, 1.0, 3.0};
 
-// The table with the falling piece is abe's: kappa = 1, n at most 1 in any box.
+// The flow beyond saturation is abe's: kappa = 1, n at most 1 in any box.
 constexpr double abe_exponents[] = {0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0};
 constexpr double abe_kappa = 1.0;
 
-// "below 1e-5" in the words of saturating_flow.hpp.
-constexpr double claimed_error = 1e-5;
+// In the words of saturating_flow.hpp; beyond |u| = 3 the table has the lane.
+constexpr double claimed_error = 1e-7, claimed_error_of_table = 1e-5;
+double claimed(double n, double kappa) {
+  if (n <= 2.0 && kappa <= 1.0) return claimed_error * std::max(1.0, 0.5 / (1.0 + kappa));
+  return kappa > 1.0 && n > 1.5 ? 2e-5 : 5e-7 * std::max(1.0, 0.5 / (1.0 + kappa));
+}
 
 // Travel on the unloading piece from u0 < u1 <= 0. The integrand is bounded; |u|^n has a singular derivative at 0,
 // where tanh-sinh puts its points.
@@ -94,7 +105,7 @@ std::vector<double> const rising_places{-1.0, -0.9, -0.5, -0.1, -0.01, -1e-4, -1
 
 template <class Flow>
 double largest_rising_error(double n, double kappa, std::vector<double> const& places) {
-  Flow const flow(n, kappa);
+  Flow flow(n, kappa);
   double worst = 0.0;
   std::vector<double> leg;  // travel from each place to the next
   for (std::size_t i = 0; i + 1 < places.size(); ++i) leg.push_back(travel(n, kappa, places[i], places[i + 1]));
@@ -102,7 +113,7 @@ double largest_rising_error(double n, double kappa, std::vector<double> const& p
     double t = 0.0;
     for (std::size_t k = i + 1; k < places.size(); ++k) {
       t += leg[k - 1];
-      double const error = std::abs(flow.value_at(flow.time_at(places[i]) + t) - places[k]);
+      double const error = std::abs(later(flow, places[i], t) - places[k]);
       if (!(error <= worst)) worst = error;
     }
   }
@@ -116,20 +127,20 @@ TEST(SaturatingFlow, FollowsTheEquationFromBelowSaturation) {
     double worst = 0.0;
     for (double const n : exponents) {
       double const error = largest_rising_error<Within>(n, kappa, rising_places);
-      EXPECT_LT(error, claimed_error * std::max(1.0, 0.5 / (1.0 + kappa))) << "n " << n << ", kappa " << kappa;
+      EXPECT_LT(error, claimed(n, kappa)) << "n " << n << ", kappa " << kappa;
       worst = std::max(worst, error);
     }
     RecordProperty("largest_error_at_kappa_" + std::to_string(kappa), std::to_string(worst));
   }
 }
 
-// The larger table also starts below -1, where errors are judged by the rate of the start, 1 + |u|^n.
-TEST(SaturatingFlow, TheLargerTableFollowsTheEquationToo) {
+// abe also starts below -1, where errors are judged by the rate of the start, 1 + |u|^n.
+TEST(SaturatingFlow, FollowsTheEquationFromFarBelowToo) {
   auto places = rising_places;
   places.insert(places.begin(), {-50.0, -20.0, -7.0, -2.0});
   for (double const n : abe_exponents) {
-    EXPECT_LT(largest_rising_error<Beyond>(n, abe_kappa, rising_places), claimed_error) << "n " << n;
-    EXPECT_LT(largest_rising_error<Beyond>(n, abe_kappa, places), claimed_error * (1.0 + std::pow(50.0, n)))
+    EXPECT_LT(largest_rising_error<Beyond>(n, abe_kappa, rising_places), 3.0 * claimed_error) << "n " << n;
+    EXPECT_LT(largest_rising_error<Beyond>(n, abe_kappa, places), claimed_error_of_table * (1.0 + std::pow(50.0, n)))
         << "n " << n;
   }
 }
@@ -138,27 +149,25 @@ TEST(SaturatingFlow, TheLargerTableFollowsTheEquationToo) {
 TEST(SaturatingFlow, FallsToSaturationFromAbove) {
   std::vector<double> const places{50.0, 30.0, 12.0, 5.0, 2.5, 1.6, 1.2, 1.05, 1.01, 1.0001};
   for (double const n : abe_exponents) {
-    Beyond const flow(n, abe_kappa);
+    Beyond flow(n, abe_kappa);
     for (std::size_t i = 0; i < places.size(); ++i)
       for (std::size_t k = i + 1; k < places.size(); ++k) {
         double const t = travel(n, abe_kappa, places[i], places[k]);
-        EXPECT_NEAR(flow.value_at(flow.time_at(places[i]) + t), places[k], claimed_error * places[k])
-            << "n " << n << ", from " << places[i];
-        EXPECT_NEAR(flow.advance(places[i], t).u, places[k], claimed_error * places[k])
-            << "n " << n << ", from " << places[i];
+        double const error = places[i] > 3.0 ? claimed_error_of_table : 5.0 * claimed_error;
+        EXPECT_NEAR(flow.advance(places[i], t).u, places[k], error * places[k]) << "n " << n << ", from " << places[i];
       }
   }
 }
 
 // Every reversal converts forth and back. Ten thousand of them must not move a device by a hundredth of the error that
-// the table may have: a conversion is two Newton steps from a good guess, which leaves 1e-13 or so of a cell.
+// the flow may have: a conversion is two Newton steps from a good guess.
 template <class Flow>
 double largest_drift(double n, double kappa, std::vector<double> const& places) {
-  Flow const flow(n, kappa);
+  Flow flow(n, kappa);
   double worst = 0.0;
   for (double const u : places) {
     double moved = u;
-    for (int i = 0; i < 10000; ++i) moved = flow.value_at(flow.time_at(moved));
+    for (int i = 0; i < 10000; ++i) moved = later(flow, moved, 0.0);
     double const drift = std::abs(moved - u) / std::max(1.0, std::abs(u));
     if (!(drift <= worst)) worst = drift;
   }
@@ -181,7 +190,7 @@ TEST(SaturatingFlow, RoundTripsDoNotDriftBeyondSaturation) {
         << "n " << n;
 }
 
-// Monotone in the travel, never past saturation, and there in the end, within the 1e-7 at which the table ends: from u
+// Monotone in the travel, never past saturation, and there in the end, within 1e-7: from u
 // = -1 the curve reaches zero within a travel of 1 / (1 + kappa), then 1 - u falls like exp(-n t). The allowances are
 // for rounding.
 TEST(SaturatingFlow, RisesMonotonicallyToSaturation) {
@@ -195,7 +204,7 @@ TEST(SaturatingFlow, RisesMonotonicallyToSaturation) {
           double const now = flow.value_at(start + far * std::pow(i / 2000.0, 3.0));
           ASSERT_GE(now, before) << "n " << n << ", kappa " << kappa << ", from " << u;
           ASSERT_LE(now, 1.0) << "n " << n << ", kappa " << kappa << ", from " << u;
-          before = now - 1e-15;
+          before = now - 1e-13;
         }
         EXPECT_NEAR(before, 1.0, 2e-7) << "n " << n << ", kappa " << kappa << ", from " << u;
         EXPECT_LE(flow.value_at(start + 1e9), 1.0);
@@ -205,7 +214,7 @@ TEST(SaturatingFlow, RisesMonotonicallyToSaturation) {
 
 TEST(SaturatingFlow, FallsMonotonicallyToSaturation) {
   for (double const n : abe_exponents) {
-    Beyond const flow(n, abe_kappa);
+    Beyond flow(n, abe_kappa);
     for (double const u : {1.001, 1.7, 6.0, 50.0}) {
       double const far = 100.0 + 60.0 / n;
       double before = u * (1.0 + 1e-12);
@@ -213,7 +222,7 @@ TEST(SaturatingFlow, FallsMonotonicallyToSaturation) {
         double const now = flow.advance(u, far * std::pow(i / 2000.0, 3.0)).u;
         ASSERT_LE(now, before) << "n " << n << ", from " << u;
         ASSERT_GE(now, 1.0) << "n " << n << ", from " << u;
-        before = now + 1e-15 * now;
+        before = now + 1e-13 * now;
       }
       EXPECT_NEAR(before, 1.0, 2e-7) << "n " << n << ", from " << u;
     }
@@ -227,12 +236,12 @@ TEST(SaturatingFlow, FallsMonotonicallyToSaturation) {
 TEST(SaturatingFlow, RatesAreThoseOfTheEquation) {
   auto const rate = [](double n, double u) { return u < 0.0 ? 1.0 + std::pow(-u, n) : 1.0 - std::pow(u, n); };
   for (double const n : abe_exponents) {
-    Beyond const flow(n, abe_kappa);
+    Beyond flow(n, abe_kappa);
     for (double const u : {-20.0, -1.0, -0.3, -0.01, 0.01, 0.2, 0.8, 0.999, 1.2, 5.0, 40.0})
       for (double const t : {0.0, 0.02, 0.3, 2.0}) {
         auto const moved = flow.advance(u, t);
-        // The polynomial of a cell bends more than its value errs: 1e-3 of a rate that lies between 0 and 2 (or 1 +
-        // 40^n).
+        // The polynomial of a cell of the table bends more than its value errs: 1e-3 of a rate that lies between 0 and
+        // 2 (or 1 + 40^n).
         double const scale = 1e-3 * (1.0 + std::pow(std::abs(u), n));
         EXPECT_NEAR(moved.rate0, rate(n, u), scale) << "n " << n << ", from " << u;
         if (std::abs(moved.u) > 1e-5) {

@@ -166,9 +166,12 @@ TEST(Ozdemir, CyclesDissipate) {
   for (double const amplitude : {2.0, 50.0, 208.0})
     for (std::uint32_t i = 0; i < 200; ++i) {
       auto const x = through({0.0, amplitude, 0.0, -amplitude, 0.0, amplitude, 0.0, -amplitude, 0.0}, 100);
-      auto const force = forces<Ozdemir>(scaled_candidate<Ozdemir>(i), laws::make_path(x, {}));
-      EXPECT_GT(energy(x, force, 0), 0.0) << amplitude << " mm, " << i;
-      EXPECT_GT(energy(x, force, 400), 0.0) << amplitude << " mm, " << i;
+      auto const candidate = scaled_candidate<Ozdemir>(i);
+      auto const force = forces<Ozdemir>(candidate, laws::make_path(x, {}));
+      // Of a cycle that is all but elastic no more is left than the flow errs.
+      double const error = 3e-7 * candidate[index_of<Ozdemir>("Y")] * amplitude;
+      EXPECT_GT(energy(x, force, 0), -error) << amplitude << " mm, " << i;
+      EXPECT_GT(energy(x, force, 400), -error) << amplitude << " mm, " << i;
     }
 }
 
@@ -234,7 +237,7 @@ TEST(Bwbn, IsBoucWenWithoutPinching) {
     auto const form = std::get<laws::BoucWenForm>(Bwbn::canonical(params));
     EXPECT_LT(largest_difference(forces<laws::BoucWen>({form.alpha, form.Ke, 1.0, form.beta, form.n, form.gamma}, path),
                                  force),
-              1e-10 * largest_magnitude(force))
+              1e-9 * largest_magnitude(force))
         << i;
   }
 }

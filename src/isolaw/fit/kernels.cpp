@@ -3,6 +3,7 @@
 // that is made of batches.
 #include "isolaw/fit/kernels.hpp"
 
+#include <algorithm>
 #include <array>
 #include <tuple>
 
@@ -34,10 +35,18 @@ void sums(double const* parameters, std::size_t block, KernelRecord const& recor
   sum.store(out);
 }
 
+// Laws with so much in flight that eight vectors at once cost more than four and four.
+template <class Law>
+inline constexpr bool crowded = requires {
+  Law::crowded;
+};
+
 // Where a wide block fills more registers than there are, in parts.
 template <class Law, std::size_t Block, class T = num::Batch<Block>>
 void objectives(double const* parameters, KernelRecord const& record, laws::Integration integration, double* out) {
-  constexpr auto part = Block > 8 * num::vector_lanes ? narrow_block : Block;
+  constexpr auto part = Block > 8 * num::vector_lanes ? narrow_block
+                        : crowded<Law>                ? std::min(Block, 4 * num::vector_lanes)
+                                                      : Block;
   for (std::size_t i = 0; i < Block; i += part) sums<Law, part>(parameters + i, Block, record, integration, out + i);
 }
 

@@ -178,6 +178,7 @@ struct Abe {
   });
 
   static Canonical canonical(Params<double> const&) { return abe_parts::beyond_programs; }
+  static constexpr bool crowded = true;  // fit/kernels.cpp
 
   template <class T>
   struct State {
@@ -195,7 +196,7 @@ struct Abe {
     state.growth = growth_at(p, state.constants, first.x1);
     state.per_p_plus_1 = T(1.0) / (p.p + T(1.0));
     state.per_Y0 = T(1.0) / p.Y0;
-    if (integration == Integration::converged) state.flow.tabulate(p.n, T(1.0));
+    if (integration == Integration::converged) state.flow.fit(p.n, T(1.0));
     return state;
   }
 
@@ -203,12 +204,11 @@ struct Abe {
   static T step(Params<T> const& p, State<T>& state, Step const& step) {
     auto& c = state.constants;
     if (step.length > 0.0) {
-      // Shorter pieces where |x|^p is not smooth (about x = 0) and where Ut changes within the step (a new peak).
+      // Shorter pieces about x = 0, where |x|^p is not smooth.
       double const nearest = step.x0 * step.x1 <= 0.0 ? 0.0 : std::min(std::abs(step.x0), std::abs(step.x1));
-      bool const rough = nearest < 4.0 * step.length || step.peak1 > step.peak0;
       // Elsewhere no piece is longer than a sample of 200 per sine cycle. In this order infinite displacements give 64.
       int const smooth = static_cast<int>(std::ceil(std::min(64.0, step.length / (0.0317 * step.peak1))));
-      int const pieces = std::max(nearest < 1.5 * step.length ? 8 : rough ? 6 : 1, smooth);
+      int const pieces = std::max(nearest < 1.5 * step.length ? 5 : nearest < 4.0 * step.length ? 2 : 1, smooth);
       double x = step.x0;
       for (int i = 1; i <= pieces; ++i) {
         double const end = i == pieces ? step.x1 : step.x0 + step.dx * i / pieces;
@@ -255,26 +255,29 @@ struct Abe {
   // and from the curvature of Phi in Y (|u|^n = 1 - f with the sign of u)
   //     n (1 - n) d^2 t/24 (1 - f).
   // Over a long travel F2 ends at the yield force of the end, d/2 above the mean: the first term is carried over into
-  // that limit, the second fades. The mean of |x / Uh|^p is exact: its integral is x |x / Uh|^p / (p + 1); for pieces
-  // so short that the difference would lose its digits, the mean of the ends.
+  // that limit, the second fades. The mean of |x / Uh|^p over x is exact: its integral is x |x / Uh|^p / (p + 1); for
+  // pieces so short that the difference would lose its digits, the mean of the ends. The mean wanted is that over the
+  // travel: where the peak grows, and the travel per x with it falls by its growth over Us + peak, the covariance of two
+  // straight lines is added.
   template <class T>
   static void advance(Params<T> const& p, State<T>& state, abe_parts::Piece const& piece) {
     T const one(1.0), direction(piece.direction), before = state.growth;
     T const after = growth_at(p, state.constants, piece.x1);
     double const size = std::max(std::abs(piece.x0), std::abs(piece.x1));
     bool const tiny = piece.length <= std::max(1e-6 * size, num::smallest_power_base);
-    T const mean = tiny ? T(0.5) * (before + after)
-                        : (rounded(T(piece.x1) * after) - T(piece.x0) * before) * state.per_p_plus_1 *
-                              T(1.0 / (piece.x1 - piece.x0));
+    T mean = tiny ? T(0.5) * (before + after)
+                  : (rounded(T(piece.x1) * after) - T(piece.x0) * before) * state.per_p_plus_1 *
+                        T(1.0 / (piece.x1 - piece.x0));
+    double const growth = piece.peak1 - piece.peak0;
+    if (growth > 0.0) mean = mean - T(growth / 12.0) * (after - before) / (p.Us + T(0.5 * (piece.peak0 + piece.peak1)));
     T const Yt = p.Y0 * (one + mean), per_mean = one / (one + mean);
     T const travel = abe_parts::travel(p, state.constants, piece);
     auto const moved = state.flow.advance(direction * state.F2 * state.per_Y0 * per_mean, travel);
-    T const d = (after - before) * per_mean, relaxed = p.n * travel, relaxed2 = relaxed * relaxed;
-    // Rates fall along the flow; close to saturation both are lost to rounding.
-    T const ratio = max(T(0.0), min(moved.rate1 / moved.rate0, one));
-    T const first = d * relaxed / sqrt(one + relaxed2 * T(1.0 / 36.0)) * (one - ratio) * T(1.0 / 12.0);
-    T const second =
-        d * d * relaxed / (one + relaxed2) * (one - p.n) * (one - T(0.5) * (moved.rate0 + moved.rate1)) * T(1.0 / 24.0);
+    T const d = (after - before) * per_mean, relaxed = p.n * travel, some = T(1.0 / 12.0) * relaxed;
+    // relaxed (1 + some) fade is relaxed - relaxed^3 / 72 .. for short travel and 6 for long.
+    T const fade = one / (one + some + T(2.0) * some * some), fade2 = fade * fade;
+    T const first = d * (some + some * some) * fade * (one - moved.ratio);
+    T const second = d * d * (some * (fade2 * fade2)) * (one - p.n) * (T(0.5) - T(0.25) * (moved.rate0 + moved.rate1));
     T const limit = T(0.5) * abs(d);
     T const effect = max(-limit, min(rounded(first) + second, limit));
     state.F2 = rounded(direction * Yt * (moved.u + effect));

@@ -60,7 +60,7 @@ struct AbeY0 {
   static State<T> start(Params<T> const& p, Step const& first, Integration integration) {
     State<T> state;
     state.constants = abe_parts::constants<T>(p, first);
-    if (integration == Integration::converged) state.flow.tabulate(p.n, T(1.0));
+    if (integration == Integration::converged) state.flow.fit(p.n, T(1.0));
     return state;
   }
 

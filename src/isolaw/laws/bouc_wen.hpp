@@ -1,6 +1,6 @@
 // Bouc-Wen: smooth hysteresis with post-yield stiffness.
 // Source: Cucuzza et al. 2025, Eqs. (13)-(14), after Wen 1976; K_i and K_j of Eq. (13) are the one elastic stiffness
-// Ke. Units kN, mm.  Step: between reversals dz/dx depends on z alone, and its exact flow is read from a table made
+// Ke. Units kN, mm.  Step: between reversals dz/dx depends on z alone, and its exact flow is a polynomial fitted
 // once per candidate (saturating_flow.hpp); `paper`: one classical Runge-Kutta step per sample, which blows up beyond
 // dx of about two yield displacements.
 #pragma once
@@ -91,7 +91,7 @@ struct BoucWen {
     if (integration == Integration::paper) return state;
     state.z_max = exp2((log2(p.A) - log2(both)) / p.n);
     state.rate = p.A / state.z_max;
-    state.flow.tabulate(p.n, (p.beta - p.gamma) / both);
+    state.flow.fit(p.n, (p.beta - p.gamma) / both);
     return state;
   }
 

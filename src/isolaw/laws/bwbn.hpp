@@ -111,7 +111,7 @@ struct Bwbn {
     state.z = select(min(p.beta, both) > T(0.0), T(0.0), T(std::numeric_limits<double>::quiet_NaN()));
     state.strength = exp2((log2(p.A) - log2(both)) / p.n);
     state.share = (T(1.0) - p.alpha) * p.ko;
-    state.flow.tabulate(p.n, (p.beta - p.gamma) / both);
+    state.flow.fit(p.n, (p.beta - p.gamma) / both);
     return state;
   }
 
@@ -128,7 +128,7 @@ struct Bwbn {
 
  private:
   static constexpr double pieces_to_the_peak = 50.0;
-  static constexpr double end_of_curve = 0.9999998874648379;  // 1 / (1 + e^-16), the last node of the flow's table
+  static constexpr double end_of_curve = 1.0 - 1e-12;  // about as far as the flow counts time
 
   template <class T>
   static void advance(Params<T> const& p, State<T>& state, double towards, double way) {
@@ -146,7 +146,7 @@ struct Bwbn {
       return pace * (one - z1 * exp(-off * off)) / (one + p.deta * done);
     };
     auto const value = [&](T const& time) -> T {
-      return zu * (state.flow.value_at(begin + time) + beyond * exp(-p.n * time));
+      return rounded(zu * (state.flow.value_at(begin + rounded(time)) + rounded(beyond * exp(-p.n * time))));
     };
     T const speed1 = speed(z, state.e);
     T const z_2 = value(half * speed1), speed2 = speed(z_2, state.e + half * state.share * z);

@@ -3,7 +3,7 @@
 // Source: Gallardo, de la Llera, Restrepo and Chen 2023, with the authors' programs; docs/laws.md. Strain there is x
 // over the height of the rubber, here x over 100 mm; uy is a displacement. Units kN, mm.  Step: exact. The states of
 // the elastic part are the displacement's alone (Memory). Between turns z runs along one curve for z dx < 0 and along
-// another for z dx > 0, each of one shape whatever phi: both are read from one table (saturating_flow.hpp), at their
+// another for z dx > 0, each of one shape whatever phi: both are one flow's (saturating_flow.hpp), at their
 // own scales.
 #pragma once
 
@@ -121,7 +121,7 @@ struct Gallardo {
     state.per_uy = T(1.0) / p.uy;
     state.strongest = strength_at(p, p.phimax);
     // In units of `strongest` unloading is 1 + (2 B - 1) strongest^n |u|^n.
-    state.flow.tabulate(p.n, (T(2.0) * p.B - T(1.0)) / (T(1.0) - T(2.0) * p.phimax));
+    state.flow.fit(p.n, (T(2.0) * p.B - T(1.0)) / (T(1.0) - T(2.0) * p.phimax));
     state.zero = state.flow.time_at(T(0.0));
     return state;
   }

@@ -12,6 +12,7 @@
 //   step, memory)
 // and, where it has them,
 //   step_paper(...)            the same by one classical Runge-Kutta step, where that differs
+//   crowded                    true: so much in flight that kernels take fewer lanes at once
 //   joint_limits               what parameters must meet together: a JointLimit each
 //   reduced(params)            parameters of the same forces in which `redundant`, which trades off with
 //                              `redundant_with`, has the value `redundant_value`: where one can be fixed without loss
@@ -33,10 +34,13 @@
 namespace isolaw::laws {
 
 using num::abs;
+using num::any;
 using num::at;
 using num::cell_of;
 using num::exp;
 using num::exp2;
+using num::expm1;
+using num::fifth_root;
 using num::log2;
 using num::max;
 using num::min;

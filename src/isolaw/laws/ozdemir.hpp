@@ -76,7 +76,7 @@ struct Ozdemir {
   static State<T> start(Params<T> const& p, Step const&, Integration) {
     State<T> state;
     state.rate = p.K / p.Y;
-    state.flow.tabulate(p.n, T(1.0));
+    state.flow.fit(p.n, T(1.0));
     return state;
   }
 

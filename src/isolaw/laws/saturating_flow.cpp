@@ -1,70 +1,108 @@
-// The nodes of the flow's table. Here and not in the header, where every instruction set that kernels are compiled for
+// The matrices of the flow's fit. Here and not in the header, where every instruction set that kernels are compiled for
 // would bring along its own copy.
 #include "isolaw/laws/saturating_flow.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace isolaw::laws::flow_parts {
 namespace {
 
-struct Point {
-  double u, slope, log2_abs_u;  // slope: du/dw of the grading
-};
+// Zeros of the Jacobi polynomial of degree 17 for the weight (1 - y)^(-1/2) (1 + y)^(15/2): interpolation there errs
+// evenly in u = x G, not in G.
+constexpr Nodes::Values jacobi_zeros{
+    -0.8482704490830196,  -0.7392800838264653,  -0.6169071342523251, -0.4823317952843121, -0.33811348743513536,
+    -0.18729277640369482, -0.03315075851919065, 0.12091734632512882, 0.27149840143588966, 0.4152466151456183,
+    0.5489627083391597,   0.6696677314400188,   0.7746709342528856,  0.8616306552991432,  0.9286071082791034,
+    0.9741060103410049,   0.9971121446778988};
 
-Point below_zero(double w) {  // |u| = e^w
-  return {-std::exp(w), std::exp(w), w * num::log2_e};
+// Of the polynomial that is 1 at number j of these zeros and 0 at the others.
+template <std::size_t Count>
+long double lagrange(std::array<std::size_t, Count> const& zeros, std::size_t j, long double y) {
+  long double product = 1.0L;
+  for (std::size_t i = 0; i < Count; ++i)
+    if (i != j)
+      product *=
+          (y - jacobi_zeros[zeros[i]]) / (static_cast<long double>(jacobi_zeros[zeros[j]]) - jacobi_zeros[zeros[i]]);
+  return product;
 }
-Point below_one(double w) {  // u = 1 / (1 + e^-w)
-  double const e = std::exp(-w), u = 1.0 / (1.0 + e);
-  return {u, u * u * e, -std::log1p(e) * num::log2_e};
-}
-Point above_minus_one(double w) {  // u = -1 / (1 + e^-w)
-  Point p = below_one(w);
-  p.u = -p.u;
-  return p;
-}
-Point above_one(double w) {  // u = 1 + e^w
-  double const e = std::exp(w);
-  return {1.0 + e, e, std::log1p(e) * num::log2_e};
-}
+constexpr auto all = [] {
+  std::array<std::size_t, terms> made{};
+  for (std::size_t i = 0; i < terms; ++i) made[i] = i;
+  return made;
+}();
 
-// Appends the nodes of one grading, w from `first` to `last` (either way), to `nodes` from index `at` on.
-template <std::size_t Count, class Grading>
-std::size_t append(Nodes<Count>& nodes, std::size_t at, Grading grading, double first, double last) {
-  constexpr double inner = 0.27639320225002103;  // (1 - 1/sqrt(5)) / 2
-  int const cells = static_cast<int>(std::lround(std::abs(last - first) / spacing));
-  for (int i = 0; i <= cells; ++i, ++at) {
-    double const w = first + (last - first) * i / cells;
-    Point const node = grading(w);
-    nodes.key[at] = node.u > 1.0 ? falling_origin - node.u : node.u;
-    nodes.inverse_abs_u[at] = 1.0 / std::abs(node.u);
-    nodes.log2_abs_u[at] = node.log2_abs_u;
-    if (i == cells) continue;
-    double const h = (last - first) / cells;
-    Point const a = grading(w + inner * h), b = grading(w + (1.0 - inner) * h), end = grading(w + h);
-    nodes.cells[at] = {.log2_abs_u = {a.log2_abs_u, b.log2_abs_u},
-                       .weight = {spacing / 12.0 * node.slope, spacing * 5.0 / 12.0 * a.slope,
-                                  spacing * 5.0 / 12.0 * b.slope, spacing / 12.0 * end.slope}};
+// Coefficient k of the polynomial's Chebyshev series: exact sums over the places cos(pi (m + 1/2) / terms).
+template <std::size_t Count>
+double chebyshev(std::array<std::size_t, Count> const& zeros, std::size_t k, std::size_t j) {
+  long double sum = 0.0L;
+  for (std::size_t m = 0; m < terms; ++m) {
+    long double const angle = std::numbers::pi_v<long double> * (static_cast<long double>(m) + 0.5L) / terms;
+    sum += std::cos(angle * k) * lagrange(zeros, j, std::cos(angle));
   }
-  return at;
+  return static_cast<double>(sum * (k == 0 ? 1.0L : 2.0L) / terms);
+}
+
+// The integral over [0, 1], exact for polynomials of degree 32 (Clenshaw and Curtis).
+template <class F>
+long double integral(F&& f) {
+  constexpr int n = 32;
+  long double sum = 0.0L;
+  for (int k = 0; k <= n; ++k) {
+    long double const angle = std::numbers::pi_v<long double> * k / n;
+    long double weight = 1.0L;
+    for (int j = 1; j <= n / 2; ++j)
+      weight -= (j == n / 2 ? 1.0L : 2.0L) / (4.0L * j * j - 1.0L) * std::cos(2.0L * j * angle);
+    sum += (k == 0 || k == n ? 0.5L : 1.0L) * weight / n * f(0.5L * (1.0L + std::cos(angle)));
+  }
+  return sum;
+}
+
+Nodes make() {
+  Nodes nodes;
+  for (std::size_t i = 0; i < terms; ++i) {
+    double const place = 0.5 * (1.0 + jacobi_zeros[i]);
+    nodes.place[i] = place;
+    nodes.inverse_place[i] = 1.0 / place;
+    nodes.fifth[i] = std::pow(place, 5.0);
+    nodes.log2_fifth[i] = 5.0 * std::log2(place);
+  }
+  for (std::size_t i = 0; i < terms; ++i)
+    for (std::size_t j = 0; j < terms; ++j)
+      nodes.mean[i][j] = static_cast<double>(integral(
+          [&](long double s) { return 5.0L * s * s * s * s * lagrange(all, j, 2.0L * nodes.place[i] * s - 1.0L); }));
+  // T_k(y) = 2 y T_(k-1) - T_(k-2).
+  for (std::size_t k = 0; k < terms; ++k)
+    for (std::size_t i = 0; i < terms; ++i)
+      nodes.power[i][k] =
+          k < 2 ? (i == k ? 1.0 : 0.0) : (i > 0 ? 2.0 * nodes.power[i - 1][k - 1] : 0.0) - nodes.power[i][k - 2];
+  for (std::size_t k = 0; k < terms; ++k)
+    for (std::size_t j = 0; j < terms; ++j) nodes.chebyshev[k][j] = chebyshev(all, k, j);
+  for (std::size_t k = 0; k < Nodes::few.size(); ++k) {
+    for (std::size_t j = 0; j < Nodes::few.size(); ++j) nodes.chebyshev_of_few[k][j] = chebyshev(Nodes::few, k, j);
+    for (std::size_t i = 0; i < terms; ++i)
+      nodes.at_places[i][k] = static_cast<double>(std::cos(k * std::acos(static_cast<long double>(jacobi_zeros[i]))));
+  }
+  // From the places above, the end of the side among them.
+  auto const above = [&](std::size_t i) { return i < terms ? nodes.place[i] : 1.0; };
+  for (std::size_t i = 0; i < terms; ++i) {
+    std::size_t const count = std::min(guesses, terms - i);
+    for (std::size_t a = 0; a < count; ++a) {
+      double weight = 1.0;
+      for (std::size_t b = 0; b < count; ++b)
+        if (a != b) weight *= (above(i) - above(i + 1 + b)) / (above(i + 1 + a) - above(i + 1 + b));
+      nodes.guess[i][a] = weight;
+    }
+  }
+  return nodes;
 }
 
 }  // namespace
 
-template <Reach reach>
-auto Layout<reach>::nodes() -> Nodes<count> const& {
-  static Nodes<count> const made = [] {
-    Nodes<count> n;
-    auto const unloading = falls ? below_zero : above_minus_one;
-    append(n, append(n, 0, unloading, start_w, smallest_w), below_one, smallest_w, largest_w);
-    if constexpr (falls) append(n, rising, above_one, reach_w, -largest_w);
-    for (std::size_t i = 0; i + 1 < count; ++i) n.inverse_rise[i] = 1.0 / (n.key[i + 1] - n.key[i]);
-    return n;
-  }();
+Nodes const& Nodes::get() {
+  static Nodes const made = make();
   return made;
 }
-
-template struct Layout<Reach::within_saturation>;
-template struct Layout<Reach::beyond_saturation>;
 
 }  // namespace isolaw::laws::flow_parts

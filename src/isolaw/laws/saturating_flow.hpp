@@ -4,248 +4,376 @@
 // autonomous equation in dimensionless travel t:
 //     du/dt = 1 - u^n            for u >= 0  (from both sides towards saturation, u = 1)
 //     du/dt = 1 + kappa |u|^n    for u <  0  (unloading, u rises to 0)
-// Every device history between reversals is a piece of one curve u(t), so it is tabulated once per candidate and each
-// sample costs a lookup, however large the step: no step size, no stability limit, no power per sample.
+// Every device history between reversals is a piece of one curve u(t), counted from u = 0. On either side of 0 one
+// polynomial gives |u|: no table to search, no gather, no power per sample, no step size, no stability limit.
 //
-// Nodes are graded geometrically towards u = 0, where u^n is not smooth for n < 1, and towards saturation on both
-// sides; times between nodes by four-point Lobatto quadrature, u(t) within a cell by the quintic that takes value,
-// slope and curvature at both ends.
-// Largest error in u over n in [0.01, 3]: below 1e-5 for kappa in [-1/2, 3]; below 1e-5 / (2 (1 + kappa)) down to
-// kappa = -0.99, where the equation itself magnifies what happens near u = -1 (tests/verification).
-// The table costs about 500 powers.
-// Rejected: Runge-Kutta with sub-steps (32 per sample still leave 3.8 % in the objective of abe near its optimum), and
-// an exponential step with frozen exponent (first order where n < 1 and u crosses 0).
+// The variable keeps it short. With E = exp(-rate |t|) and x = (1 - E) / (1 + bend E):
+//   - u is analytic in exp(-n t) at saturation, so rate = n there, and n |kappa|^(1/n) where unloading tends to a rest;
+//     it is negative where unloading speeds up;
+//   - bend = 2^(n-1) - 1 takes away the pole that u has beyond saturation for n > 1 (exactly for n = 2, u = tanh t);
+//   - at 0, where u = t - t^(n+1) / (n + 1) ..., the variable is v = x^(1/5), in which u is 5 (1 + n) times
+//     differentiable.
+// So |u| = x G(v), and back x = |u| H(|u|^(1/5)), with G and H of degree 16. They are fitted once per candidate: travel
+// to 17 fixed places by quadrature, the pole of 1 / (1 - |u|^n) taken out in closed form; H by interpolation; G at 17
+// fixed v, found on H by Newton's method. All of that is arithmetic and fixed matrices, the same for all candidates.
+// Largest error in u over n in [0.01, 3], kappa in (-1, 3]: 1e-7 (abe's with n < 0.1: 3e-7), but for n > 2 with kappa >
+// 1, where it grows to 2e-5; near kappa = -1 the equation magnifies it by up to 1 / (1 + kappa) (tests/verification).
+// Elsewhere, and for abe beyond |u| = 3, a lane takes the table of tabulated_flow.hpp, error 1e-5. Rejected: that table
+// for all (its gathers made AVX2 as slow as SSE2); coefficients as polynomials of n and kappa (2,400 numbers still
+// leave 1e-6); Runge-Kutta with sub-steps (32 per sample still leave 3.8 % in the objective of abe near its optimum),
+// and an exponential step with frozen exponent (first order where n < 1 and u crosses 0).
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "isolaw/laws/law.hpp"
+#include "isolaw/laws/tabulated_flow.hpp"
 
 namespace isolaw::laws {
 
-// Whether |u| can exceed 1, as it does where the saturation value itself shrinks (abe).
-enum class Reach { within_saturation, beyond_saturation };
-
 namespace flow_parts {
 
-// Fixed nodes and what the quadrature of each cell needs. `key` ascends with time along the curve: it is u itself on
-// the rising piece, and falling_origin - u on the piece that falls to saturation from above, so that one search serves
-// both.
-template <std::size_t Count>
+inline constexpr std::size_t terms = 17, guesses = 6;
+
+// What the fit needs, the same for all candidates; made at the first call.
 struct Nodes {
-  std::array<double, Count> key{};
-  std::array<double, Count> inverse_abs_u{};
-  std::array<double, Count> log2_abs_u{};
-  std::array<double, Count - 1> inverse_rise{};  // 1 / (key[i+1] - key[i])
-  struct Cell {
-    std::array<double, 2> log2_abs_u{};  // at the two inner Lobatto points
-    std::array<double, 4> weight{};      // |du| of the four points, in order
-  };
-  std::array<Cell, Count - 1> cells{};
+  using Values = std::array<double, terms>;
+  Values place;  // v, or |u|^(1/5) over its largest, ascending in (0, 1)
+  Values fifth;  // its fifth power
+  Values log2_fifth;
+  Values inverse_place;
+  std::array<Values, terms> mean;  // of a function of |u| from 0 to |u|, at each place, from its values at the places
+  // Of the Chebyshev polynomials T_k(y), y = 2 place - 1, from values at the places, and of y^k from these: at once the
+  // sums would lose six digits more.
+  std::array<Values, terms> chebyshev, power;
+  // The same through a few of the places alone, and T_k at all: what they leave is small, and rounds to less.
+  static constexpr std::array<std::size_t, 7> few{0, 2, 5, 8, 11, 14, 16};
+  std::array<std::array<double, few.size()>, few.size()> chebyshev_of_few;
+  std::array<std::array<double, few.size()>, terms> at_places;
+  std::array<std::array<double, guesses>, terms> guess;  // of a smooth function from its values at the places above
+
+  static Nodes const& get();
 };
 
-inline constexpr double spacing = 1.0 / 3.0;  // of w, in all gradings
-inline constexpr double smallest_w = -12.0;   // |u| = 6e-6: between -6e-6 and 6e-6 the curve is a straight line
-inline constexpr double largest_w = 16.0;     // |1 - u| = 1e-7: closer to saturation u stays there
-inline constexpr double unloading_w = 14.0;   // |1 + u| = 8e-7: where unloading starts within saturation
-inline constexpr double reach_w = 4.0;        // |u| = 55: beyond, the rate is frozen at its value there
-// Keys of the falling piece, 4.4 to 59, lie above those of the rising one.
-inline constexpr double falling_origin = 60.0;
-
-// Keeps what is saturated inside the last cell of its piece, where rounding would take it to the next.
-inline constexpr double just_below_one = 1.0 - 1e-15;
-
-constexpr std::size_t node_count(double first, double last) {
-  double const width = last > first ? last - first : first - last;
-  return static_cast<std::size_t>(width / spacing + 0.5) + 1;
-}
-
-// The nodes of a reach: from -1 (or -55) through 0 up to saturation, then, beyond saturation, from 55 down to it.
-// Within saturation they are graded towards -1 as well, where the rate 1 + kappa |u|^n nearly vanishes for kappa close
-// to -1.
-template <Reach reach>
-struct Layout {
-  static constexpr bool falls = reach == Reach::beyond_saturation;
-  static constexpr double start_w = falls ? reach_w : unloading_w;
-  static constexpr std::size_t negative = node_count(start_w, smallest_w);
-  static constexpr std::size_t rising = negative + node_count(smallest_w, largest_w);
-  static constexpr std::size_t count = rising + (falls ? node_count(reach_w, -largest_w) : 0);
-
-  static Nodes<count> const& nodes();  // made at the first call
-};
-extern template struct Layout<Reach::within_saturation>;
-extern template struct Layout<Reach::beyond_saturation>;
+// Where the polynomials hold; beyond, the table does.
+inline constexpr double least_n = 0.01, largest_kappa = 3.0;
+inline constexpr double sharp_n = 1.5;  // beyond, the curve bends so that G takes another pass
+inline constexpr double least_rest = 0.05, least_rate = 0.05;
+inline constexpr double saturated = 1e-13;  // E below which t is no longer counted
 
 }  // namespace flow_parts
 
 template <class T, Reach reach = Reach::within_saturation>
 class SaturatingFlow {
-  using Layout = flow_parts::Layout<reach>;
-  static constexpr std::size_t count = Layout::count;
+  static constexpr bool beyond = reach == Reach::beyond_saturation;
+  static constexpr double largest_n = beyond ? 1.3 : 3.05;
+  static constexpr double largest_u = beyond ? 3.0 : 1.0;
+  using Mask = decltype(std::declval<T>() < std::declval<T>());
+  using Coefficients = std::array<T, flow_parts::terms>;
 
  public:
-  // Makes the table, in place: it is large. n > 0; kappa > -1. Anything else gives values that are not finite.
-  void tabulate(T const& exponent, T const& unloading);
+  // n > 0; kappa > -1, and 1 beyond saturation. Anything else gives values that are not finite.
+  void fit(T const& n, T const& kappa);
 
   // The place of u on the curve, as a time, and the value at a time: value_at(time_at(u) + travel) is u a travel later.
   // The two are inverse within rounding, so that repeated conversion does not drift.
-  T time_at(T const& u) const { return place_of(u).time(); }
-  T value_at(T const& time) const { return value_of_key(place_at(time).key() + first_rate_ * min(time, T(0.0))); }
-
-  // u after the given travel, also from beyond saturation, and the rates du/dt before and after.
-  struct Advance {
-    T u, rate0, rate1;
-  };
-  Advance advance(T const& u, T const& travel) const {
-    Place const start = place_of(u);
-    T time = start.time() + travel;
-    // Whoever rises stays below saturation, and must not run on into the falling piece of the table.
-    if constexpr (Layout::falls)
-      time = select(u > T(1.0), time, min(time, time_[Layout::rising - 1] * T(flow_parts::just_below_one)));
-    Place const end = place_at(time);
-    T const sign = select(u > T(1.0), T(-1.0), T(1.0));
-    return {value_of_key(end.key() + first_rate_ * min(time, T(0.0))), sign * start.rate(), sign * end.rate()};
+  T time_at(T const& u) const;
+  T value_at(T const& time) const {
+    static_assert(!beyond);
+    Mask const below = time < T(0.0);
+    T value = any(below) ? value_at<true>(time, below) : value_at<false>(time, below);
+    if (tabulated_) value = select(outside_ > T(0.0), table_.value_at(time + table_zero_), value);
+    return value;
   }
+
+  // u after the given travel, also from beyond saturation, the rates du/dt before and after and what one is of the
+  // other, which is well defined where both vanish.
+  struct Advance {
+    T u, rate0, rate1, ratio;
+  };
+  Advance advance(T const& u, T const& travel);
 
  private:
-  // Value, slope and curvature of the key over time at a node.
-  struct Motion {
-    T rate, curvature;
+  // |u| = x G(2 x^(1/5) - 1), x = w H(2 w^(1/5) - 1) with w = |u| / largest_u; x is 1 at largest_u (or saturation).
+  struct Side {
+    Coefficients value, inverse;
+    T rate, bend, end, per_end;  // end: (1 - E) / (1 + bend E) where x = 1
+    void fit(T const& n, T const& kappa, T const& rest, bool bends);
   };
-  static Motion motion_at(std::size_t i, T const& n, T const& kappa);
-  static T duration_of(std::size_t cell, T const& n, T const& kappa, T const& rate0, T const& rate1);
-  void fit_cell(std::size_t i, T const& duration, Motion const& a, Motion const& b);
-
-  // In a cell the key is a polynomial of the time since its begin. In this order in the table.
-  struct Cell {
-    T begin, duration;
-    std::array<T, 6> c;
-
-    explicit Cell(std::array<T, 8> const& v) : begin(v[0]), duration(v[1]), c{v[2], v[3], v[4], v[5], v[6], v[7]} {}
-    T value(T const& t) const { return c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * (c[4] + t * c[5])))); }
-    T rate(T const& t) const {
-      return c[1] + t * (T(2.0) * c[2] + t * (T(3.0) * c[3] + t * (T(4.0) * c[4] + t * T(5.0) * c[5])));
-    }
-    T inside(T const& t) const { return max(T(0.0), min(t, duration)); }
-  };
-  // A point of the curve: its cell and the time since the cell's begin.
-  struct Place {
-    Cell cell;
-    T t;
-    T before;  // time before the first node, 0 from there on
-
-    T time() const { return cell.begin + t + before; }
-    T key() const { return cell.value(t); }
-    T rate() const { return cell.rate(t); }  // of the key
-  };
-  Place place_of(T const& u) const;
-  Place place_at(T const& time) const;
-  static T value_of_key(T const& key) {
-    if constexpr (Layout::falls) return select(key > T(1.0), T(flow_parts::falling_origin) - key, key);
-    return key;
+  // A coefficient of either side, lane by lane; `mixed` says that there are lanes below.
+  template <bool mixed>
+  static T of(Mask const& below, T const& above_zero, T const& below_zero) {
+    if constexpr (mixed)
+      return select(below, below_zero, above_zero);
+    else
+      return above_zero;
   }
+  // Even and odd powers apart: half the latency.
+  template <bool mixed>
+  T polynomial(Coefficients Side::*c, Mask const& below, T const& y) const {
+    auto const at = [&](std::size_t i) { return of<mixed>(below, (rising_.*c)[i], (unloading_.*c)[i]); };
+    T const square = y * y;
+    T even = at(flow_parts::terms - 1), odd = at(flow_parts::terms - 2);
+    for (std::size_t i = flow_parts::terms - 1; i > 2; i -= 2) {
+      even = even * square + at(i - 2);
+      odd = odd * square + at(i - 3);
+    }
+    return (even * square + at(0)) + y * odd;
+  }
+  struct Slope {
+    T value, slope;
+  };
+  template <class At>
+  static Slope with_slope(At const& at, T const& y) {
+    T const square = y * y;
+    T even = at(flow_parts::terms - 1), odd = at(flow_parts::terms - 2), even_slope(0.0), odd_slope(0.0);
+    for (std::size_t i = flow_parts::terms - 1; i > 2; i -= 2) {
+      even_slope = even_slope * square + even;
+      odd_slope = odd_slope * square + odd;
+      even = even * square + at(i - 2);
+      odd = odd * square + at(i - 3);
+    }
+    even_slope = even_slope * square + even;
+    even = even * square + at(0);
+    T const slopes = even_slope + y * odd_slope, twice = y + y;
+    return {even + y * odd, odd + twice * slopes};
+  }
+  // |u| and d|u| / dx.
+  template <bool mixed>
+  Slope value_of(Mask const& below, T const& x) const {
+    T const v = rounded(fifth_root(x));
+    auto const g = with_slope([&](std::size_t i) { return of<mixed>(below, rising_.value[i], unloading_.value[i]); },
+                              v + v - T(1.0));
+    return {rounded(x * g.value), rounded(g.value + T(0.4) * v * g.slope)};
+  }
+  template <bool mixed>
+  T value_at(T const& time, Mask const& below) const;
+  template <bool mixed>
+  T time_at(T const& u, Mask const& below) const;
 
-  std::array<T, count> time_;  // of the nodes
-  num::Rows8<T, count - 1> cells_;
-  T first_rate_;
+  Side rising_, unloading_;
+  T n_;
+  T first_time_, first_rate_;  // of unloading, at u = -1: beyond, the rate is frozen
+  T outside_;                  // 1 in lanes that the polynomials are not for
+  bool bends_ = false, tabulated_ = false;
+  TabulatedFlow<T, reach> table_;  // made where a lane needs it
+  T kappa_, table_zero_;
 };
 
 template <class T, Reach reach>
-void SaturatingFlow<T, reach>::tabulate(T const& exponent, T const& unloading) {
-  T const nan(std::numeric_limits<double>::quiet_NaN());
-  T const n = select(exponent > T(0.0), exponent, nan), kappa = select(unloading > T(-1.0), unloading, nan);
-  Motion before = motion_at(0, n, kappa);
-  first_rate_ = before.rate;
-  time_[0] = T(0.0);
-  for (std::size_t i = 0; i + 1 < count; ++i) {
-    Motion const after = motion_at(i + 1, n, kappa);
-    T const duration = duration_of(i, n, kappa, before.rate, after.rate);
-    time_[i + 1] = time_[i] + duration;
-    fit_cell(i, duration, before, after);
-    before = after;
-  }
-}
-
-template <class T, Reach reach>
-auto SaturatingFlow<T, reach>::motion_at(std::size_t i, T const& n, T const& kappa) -> Motion {
-  auto const& nodes = Layout::nodes();
-  T const one(1.0), power_n = exp2(n * T(nodes.log2_abs_u[i]));
-  T const per_u = n * power_n * T(nodes.inverse_abs_u[i]);  // d(|u|^n) / d|u|
-  if (i < Layout::negative) {
-    T const rate = one + kappa * power_n;
-    return {rate, -kappa * per_u * rate};
-  }
-  T const rate = i < Layout::rising ? one - power_n : power_n - one;
-  return {rate, -per_u * rate};
-}
-
-template <class T, Reach reach>
-T SaturatingFlow<T, reach>::duration_of(std::size_t i, T const& n, T const& kappa, T const& rate0, T const& rate1) {
-  auto const& nodes = Layout::nodes();
-  T const one(1.0);
-  if (i + 1 == Layout::rising) return one;  // between the pieces; never entered
-  if (i + 1 == Layout::negative) {
-    // Through zero: the mean of |u|^n over each half is 1 / (n + 1) of its value at the node.
-    T const mean0 = one - (one - rate0) / (n + one), mean1 = one - (one - rate1) / (n + one);
-    return T(-nodes.key[i]) / mean0 + T(nodes.key[i + 1]) / mean1;
-  }
-  auto const& cell = nodes.cells[i];
-  auto const inner_rate = [&](std::size_t k) {
-    T const power_n = exp2(n * T(cell.log2_abs_u[k]));
-    return i < Layout::negative ? one + kappa * power_n : i < Layout::rising ? one - power_n : power_n - one;
+void SaturatingFlow<T, reach>::Side::fit(T const& n, T const& kappa, T const& rest, bool bends) {
+  using flow_parts::terms;
+  auto const& nodes = flow_parts::Nodes::get();
+  constexpr double log2_largest = beyond ? 1.5849625007211562 : 0.0;
+  T const one(1.0), zero(0.0);
+  auto const transform = [](auto const& matrix, Coefficients const& values, std::size_t row) {
+    T sum = rounded(T(matrix[row][0]) * values[0]);
+    for (std::size_t k = 1; k < terms; ++k) sum = sum + T(matrix[row][k]) * values[k];
+    return sum;
   };
-  return T(cell.weight[0]) / rate0 + T(cell.weight[1]) / inner_rate(0) + T(cell.weight[2]) / inner_rate(1) +
-         T(cell.weight[3]) / rate1;
-}
-
-template <class T, Reach reach>
-void SaturatingFlow<T, reach>::fit_cell(std::size_t i, T const& h, Motion const& a, Motion const& b) {
-  auto const& nodes = Layout::nodes();
-  T const zero(0.0), begin = time_[i], key(nodes.key[i]), rise(nodes.key[i + 1] - nodes.key[i]);
-  T const per_h = T(1.0) / h, mean = rise * per_h;
-  bool const straight = i + 1 == Layout::negative || i + 1 == Layout::rising;
-  if (straight) {
-    cells_.set(i, {begin, h, key, mean, zero, zero, zero, zero});
-    return;
+  // dt/d|u| without its pole at the rest.
+  Coefficients smooth, nodal;
+  for (std::size_t i = 0; i < terms; ++i) {
+    T const u(largest_u * nodes.fifth[i]);
+    T const flow = one + kappa * exp2(n * T(nodes.log2_fifth[i] + log2_largest)), pole = rounded(n * (one - rest * u));
+    smooth[i] = select(rest > zero, pole - flow, pole) / (flow * pole);
   }
-  // Quintic Hermite: what is missing to the mean rate at both ends, and the curvatures.
-  T const d0 = a.rate - mean, d1 = b.rate - mean, c0 = a.curvature * h, c1 = b.curvature * h;
-  T const third = T(-6.0) * d0 - T(4.0) * d1 - T(1.5) * c0 + T(0.5) * c1;
-  T const fourth = T(8.0) * d0 + T(7.0) * d1 + T(1.5) * c0 - c1;
-  T const fifth = T(-3.0) * (d0 + d1) - T(0.5) * (c0 - c1);
-  T const per_h2 = per_h * per_h;
-  cells_.set(i, {begin, h, key, a.rate, T(0.5) * a.curvature, third * per_h2, fourth * per_h2 * per_h,
-                 fifth * per_h2 * per_h2});
+  for (std::size_t i = 0; i < terms; ++i) {
+    T const u(largest_u * nodes.fifth[i]);
+    T const less = expm1(-(rate * (u * transform(nodes.mean, smooth, i)))), decay = one + less;
+    nodal[i] = rounded(rest * decay) - less * T(1.0 / (largest_u * nodes.fifth[i]));
+    if (bends) nodal[i] = nodal[i] / (one + bend * ((one - rest * u) * decay));
+  }
+  auto const interpolate = [&](Coefficients& found) {
+    constexpr auto& few = flow_parts::Nodes::few;
+    std::array<T, few.size()> rough;
+    for (std::size_t k = 0; k < few.size(); ++k) {
+      rough[k] = rounded(T(nodes.chebyshev_of_few[k][0]) * nodal[few[0]]);
+      for (std::size_t j = 1; j < few.size(); ++j)
+        rough[k] = rough[k] + T(nodes.chebyshev_of_few[k][j]) * nodal[few[j]];
+    }
+    Coefficients c;
+    for (std::size_t i = 0; i < terms; ++i)
+      for (std::size_t k = 0; k < few.size(); ++k) nodal[i] = nodal[i] - T(nodes.at_places[i][k]) * rough[k];
+    for (std::size_t k = 0; k < terms; ++k) {
+      c[k] = transform(nodes.chebyshev, nodal, k);
+      if (k < few.size()) c[k] = c[k] + rough[k];
+    }
+    for (std::size_t k = 0; k < terms; ++k) {
+      found[k] = rounded(T(nodes.power[k][k]) * c[k]);
+      for (std::size_t j = k + 2; j < terms; j += 2) found[k] = found[k] + T(nodes.power[k][j]) * c[j];
+    }
+  };
+  interpolate(inverse);
+  for (std::size_t k = 0; k < terms; ++k) inverse[k] = rounded(T(largest_u) * inverse[k]);
+  end = inverse[0];
+  for (std::size_t k = 1; k < terms; ++k) end = end + inverse[k];
+  per_end = one / end;
+  for (std::size_t k = 0; k < terms; ++k) inverse[k] = rounded(inverse[k] * per_end);
+  // Where v, which is place H^(1/5), has its fixed places: from above down, so that those before say where about.
+  bool const sharp = any(n > T(flow_parts::sharp_n));
+  std::array<T, terms + 1> place;
+  place[terms] = one;
+  for (std::size_t i = terms; i-- > 0;) {
+    T at(nodes.place[i]);
+    if (i + 1 < terms) {
+      auto const& weight = nodes.guess[i];
+      at = rounded(T(weight[0]) * place[i + 1]);
+      for (std::size_t k = 1; k < flow_parts::guesses && i + k < terms; ++k) at = at + T(weight[k]) * place[i + 1 + k];
+    }
+    auto const better = [&](T const& guess) -> T {
+      auto const h = with_slope([&](std::size_t k) { return inverse[k]; }, guess + guess - one);
+      T const root = fifth_root(h.value), five = T(5.0) * h.value;
+      return guess - (guess * root - T(nodes.place[i])) * five / (root * (five + (guess + guess) * h.slope));
+    };
+    at = better(at);
+    if (i + 4 >= terms)
+      at = better(at);
+    else if (sharp)
+      at = select(n > T(flow_parts::sharp_n), better(at), at);
+    place[i] = at;
+    T const stretch = at * T(nodes.inverse_place[i]), square = stretch * stretch;
+    nodal[i] = rounded(T(largest_u) * (square * square * stretch));
+  }
+  interpolate(value);
 }
 
 template <class T, Reach reach>
-auto SaturatingFlow<T, reach>::place_at(T const& time) const -> Place {
-  Cell const cell(cells_.get(cell_of(time_, time)));
-  return {cell, cell.inside(time - cell.begin), T(0.0)};
+void SaturatingFlow<T, reach>::fit(T const& n, T const& kappa) {
+  T const one(1.0), zero(0.0);
+  n_ = n;
+  kappa_ = kappa;
+  // Written so that NaN is outside.
+  auto const within = [&](T const& x, double least, double largest) {
+    return select(x < T(least), zero, select(x <= T(largest), one, zero));
+  };
+  T const fitting = within(n, flow_parts::least_n, largest_n) *
+                    (beyond ? within(kappa, 1.0, 1.0) : within(kappa, -1.0, flow_parts::largest_kappa)) *
+                    select(kappa > T(-1.0), one, zero);
+  outside_ = one - fitting;
+  rising_.rate = n;
+  if constexpr (beyond) {
+    rising_.bend = unloading_.bend = zero;
+    unloading_.rate = -n;
+    rising_.fit(n, -one, one, false);
+    unloading_.fit(n, one, zero, false);
+    tabulated_ = false;
+  } else {
+    rising_.bend = select(n > T(1.3), exp2(n - one) - one, zero);
+    // Where |u| would come to rest, 1 / rest; 0 for none.
+    T const power = exp2(log2(max(-kappa, T(1e-300))) / n);
+    T const rest = select(power > T(flow_parts::least_rest), power, zero), least = T(flow_parts::least_rate) * n;
+    unloading_.rate = select(rest > zero, n * rest, -max(T(0.4) * n * kappa, least));
+    unloading_.bend = select(rest > zero, rising_.bend, zero);
+    bends_ = any(rising_.bend > zero);
+    rising_.fit(n, -one, one, bends_);
+    unloading_.fit(n, kappa, rest, bends_);
+    first_rate_ = one + kappa;
+    first_time_ = zero;
+    tabulated_ = false;
+    first_time_ = -time_at(-one);
+    tabulated_ = any(outside_ > zero);
+    if (tabulated_) {
+      table_.tabulate(n, kappa);
+      table_zero_ = table_.time_at(zero);
+    }
+  }
 }
 
 template <class T, Reach reach>
-auto SaturatingFlow<T, reach>::place_of(T const& u) const -> Place {
-  auto const& nodes = Layout::nodes();
-  T const lowest(nodes.key.front());
-  T key = u;
-  // Above the reach the falling piece starts at its first node: there the rate hardly changes over a step.
-  if constexpr (Layout::falls)
-    key = select(u > T(1.0), max(T(flow_parts::falling_origin) - u, T(nodes.key[Layout::rising])),
-                 min(u, T(nodes.key[Layout::rising - 1] * flow_parts::just_below_one)));
-  T const last(Layout::falls ? nodes.key.back() : nodes.key[Layout::rising - 1]);
-  T const inside = min(max(key, lowest), last);
-  auto const index = cell_of(nodes.key, inside);
-  Cell const cell(cells_.get(index));
-  // First guess: the cubic Hermite polynomial of the inverse function; then Newton.
-  T const one(1.0), inverse_rise(at(nodes.inverse_rise, index)), rise = one / inverse_rise;
-  T const r = (inside - cell.c[0]) * inverse_rise, left = one - r;
-  T const m0 = rise / cell.c[1], m1 = rise / cell.rate(cell.duration);
-  T t = cell.inside(r * (m0 * left * left + r * (cell.duration * (T(3.0) - T(2.0) * r) - m1 * left)));
-  for (int i = 0; i < 2; ++i) t = cell.inside(t - (cell.value(t) - inside) / cell.rate(t));
-  return {cell, t, min(key - lowest, T(0.0)) / first_rate_};
+template <bool mixed>
+T SaturatingFlow<T, reach>::value_at(T const& time, Mask const& below) const {
+  T const one(1.0), way = abs(time), rate = of<mixed>(below, rising_.rate, unloading_.rate);
+  T inside = way;
+  if constexpr (mixed) inside = select(below, min(way, first_time_), way);
+  T x = rounded(-expm1(-rounded(rate * inside)));
+  if (bends_) x = x / (one + of<mixed>(below, rising_.bend, unloading_.bend) * (one - x));
+  x = rounded(x * of<mixed>(below, rising_.per_end, unloading_.per_end));
+  T const v = rounded(fifth_root(x)), u = rounded(x * polynomial<mixed>(&Side::value, below, v + v - one));
+  if constexpr (mixed)
+    return select(below, -(u + first_rate_ * (way - inside)), min(u, one));
+  else
+    return min(u, one);
+}
+
+template <class T, Reach reach>
+T SaturatingFlow<T, reach>::time_at(T const& u) const {
+  static_assert(!beyond);
+  Mask const below = u < T(0.0);
+  T time = any(below) ? time_at<true>(u, below) : time_at<false>(u, below);
+  if (tabulated_) time = select(outside_ > T(0.0), table_.time_at(u) - table_zero_, time);
+  return time;
+}
+template <class T, Reach reach>
+template <bool mixed>
+T SaturatingFlow<T, reach>::time_at(T const& u, Mask const& below) const {
+  constexpr double ln2 = 0.69314718055994530942;
+  T const one(1.0), size = abs(u), w = min(size, one), root = rounded(fifth_root(w));
+  T x = rounded(w * polynomial<mixed>(&Side::inverse, below, root + root - one));
+  // Newton's method from what H gives.
+  for (int pass = 0; pass < 2; ++pass) {
+    auto const found = value_of<mixed>(below, x);
+    x = x - (found.value - w) / found.slope;
+  }
+  x = rounded(x * of<mixed>(below, rising_.end, unloading_.end));
+  T E = one - x;
+  if (bends_) E = E / (one + of<mixed>(below, rising_.bend, unloading_.bend) * x);
+  T const way = -T(ln2) * log2(max(E, T(flow_parts::saturated))) / of<mixed>(below, rising_.rate, unloading_.rate);
+  if constexpr (mixed)
+    return select(below, -(way + (size - w) / first_rate_), way);
+  else
+    return way;
+}
+
+template <class T, Reach reach>
+auto SaturatingFlow<T, reach>::advance(T const& u, T const& travel) -> Advance {
+  static_assert(beyond);
+  T const one(1.0), zero(0.0), size = abs(u), w = min(size, T(largest_u));
+  T const less = expm1(-(n_ * travel));
+  // 1 - E, of either sign, and back.
+  struct Start {
+    T s, x;
+    Slope u;
+    T per_end;
+  };
+  auto const start = [&]<bool mixed>(Mask const& below, std::bool_constant<mixed>) -> Start {
+    T const root = rounded(fifth_root(w * T(1.0 / largest_u)));
+    T const x = w * T(1.0 / largest_u) * polynomial<mixed>(&Side::inverse, below, root + root - one);
+    return {x * of<mixed>(below, rising_.end, unloading_.end), x, value_of<mixed>(below, x),
+            of<mixed>(below, rising_.per_end, unloading_.per_end)};
+  };
+  Mask const below0 = u < zero;
+  Start const a = any(below0) ? start(below0, std::true_type()) : start(below0, std::false_type());
+  T const E0 = one - a.s, s = a.s - E0 * less;
+  auto const finish = [&]<bool mixed>(Mask const& below, std::bool_constant<mixed>) -> Start {
+    T const per_end = of<mixed>(below, rising_.per_end, unloading_.per_end), x = min(s * per_end, one);
+    return {s, x, value_of<mixed>(below, x), per_end};
+  };
+  Mask const below1 = s < zero;
+  Start const b = any(below1) ? finish(below1, std::true_type()) : finish(below1, std::false_type());
+  T const decay = one + less, slope0 = a.u.slope * abs(a.per_end), slope1 = b.u.slope * abs(b.per_end);
+  T const rate = n_ * E0, ratio = decay * slope1 / slope0;
+  // By the difference from where the fit has u, so that what H errs does not add up.
+  T end = select(below1, -b.u.value, b.u.value) + (w - a.u.value) * select(below0, -ratio, ratio);
+  end = select(u > one, max(end, one), min(end, one));
+  Advance moved{end, rate * slope0, rate * decay * slope1, ratio};
+  Mask const outside = select(outside_ > zero, T(2.0 * largest_u), size) > T(largest_u);
+  if (any(outside)) {
+    if (!tabulated_) {
+      table_.tabulate(n_, kappa_);
+      tabulated_ = true;
+    }
+    auto const other = table_.advance(u, travel);
+    moved.u = select(outside, other.u, moved.u);
+    moved.rate0 = select(outside, other.rate0, moved.rate0);
+    moved.rate1 = select(outside, other.rate1, moved.rate1);
+    // Rates fall along the flow; close to saturation both are lost to rounding.
+    moved.ratio = select(outside, max(zero, min(other.rate1 / other.rate0, one)), moved.ratio);
+  }
+  return moved;
 }
 
 }  // namespace isolaw::laws

@@ -63,6 +63,16 @@ Dual<N> exp2(Dual<N> const& u) {
   return Dual<N>::chain(u, f, f * 0.69314718055994530942);
 }
 template <std::size_t N>
+Dual<N> expm1(Dual<N> const& u) {
+  return Dual<N>::chain(u, std::expm1(u.value), std::exp(u.value));
+}
+// At 0 the root is as steep as can be: taken for level there.
+template <std::size_t N>
+Dual<N> fifth_root(Dual<N> const& u) {
+  double const f = std::pow(u.value, 0.2);
+  return Dual<N>::chain(u, f, u.value > 0.0 ? 0.2 * f / u.value : 0.0);
+}
+template <std::size_t N>
 Dual<N> log2(Dual<N> const& u) {
   return Dual<N>::chain(u, std::log2(u.value), 1.44269504088896340736 / u.value);
 }

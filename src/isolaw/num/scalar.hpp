@@ -2,6 +2,8 @@
 // all of them: laws call these names unqualified (law.hpp brings the double overloads in, the others come by ADL).
 //
 //   abs exp exp2 log2 sqrt min max        as in <cmath>
+//   expm1(x), fifth_root(x)               e^x - 1 and, for x >= 0, x^(1/5)
+//   any(condition)                        whether it is true in any lane
 //   select(condition, a, b)               a where true, b elsewhere, lane by lane; both are evaluated
 //   rounded(x)                            x, but a product is rounded before it goes into a sum: in a sum of two
 //                                         products it says which of them is not fused
@@ -24,6 +26,15 @@ inline double exp(double x) {
 }
 inline double exp2(double x) {
   return std::exp2(x);
+}
+inline double expm1(double x) {
+  return std::expm1(x);
+}
+inline double fifth_root(double x) {
+  return std::pow(x, 0.2);
+}
+inline bool any(bool condition) {
+  return condition;
 }
 inline double log2(double x) {
   return std::log2(x);
