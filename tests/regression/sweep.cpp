@@ -126,8 +126,8 @@ int run(bool writing, char const* path) {
   auto const common = record(file);
   bool within = true;
   if (!writing)
-    fmt::print("  {:21} {:>10} {:>8} {:>8}  {:>10} {:>8}  {:>7}  {}\n  {:21} {:>29} {:>19}\n", "law", "objective", "force",
-               "lanes", "objective", "force", "flagged", "by one build only", "", "converged", "paper");
+    fmt::print("  {:21} {:>10} {:>8} {:>8}  {:>10} {:>8}  {:>7}  {}\n  {:21} {:>29} {:>19}\n", "law", "objective",
+               "force", "lanes", "objective", "force", "flagged", "by one build only", "", "converged", "paper");
   for (auto const& law : laws::catalogue()) {
     std::array<Difference, integrations.size()> found;
     for (std::size_t i = 0; i < found.size(); ++i) found[i] = sweep(law, integrations[i], common, file);
@@ -136,9 +136,9 @@ int run(bool writing, char const* path) {
     bool const holds = converged.within(fit::evaluation_tolerance) && paper.within(fit::evaluation_tolerance);
     within = within && holds;
     fmt::print("  {:21} {:10.1e} {:8.1e} {:8.1e}  {:10.1e} {:8.1e}  {:7}  {} of {}{}\n", law.info.id,
-               converged.objective, converged.force, converged.lanes, paper.objective, paper.force, converged.flagged + paper.flagged,
-               converged.flagged_once + paper.flagged_once, converged.compared + paper.compared,
-               holds ? "" : "  BEYOND THE BOUND");
+               converged.objective, converged.force, converged.lanes, paper.objective, paper.force,
+               converged.flagged + paper.flagged, converged.flagged_once + paper.flagged_once,
+               converged.compared + paper.compared, holds ? "" : "  BEYOND THE BOUND");
   }
   if (!writing) fmt::print("  bound {:.0e}: {}\n", fit::evaluation_tolerance, within ? "holds" : "BROKEN");
   return within ? 0 : 1;

@@ -69,7 +69,7 @@ Dual<N> expm1(Dual<N> const& u) {
 // At 0 the root is as steep as can be: taken for level there.
 template <std::size_t N>
 Dual<N> fifth_root(Dual<N> const& u) {
-  double const f = std::pow(u.value, 0.2);
+  double const f = fifth_root(u.value);
   return Dual<N>::chain(u, f, u.value > 0.0 ? 0.2 * f / u.value : 0.0);
 }
 template <std::size_t N>

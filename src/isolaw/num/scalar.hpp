@@ -16,6 +16,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "isolaw/num/elementary.hpp"
+
 namespace isolaw::num {
 
 inline double abs(double x) {
@@ -31,7 +33,7 @@ inline double expm1(double x) {
   return std::expm1(x);
 }
 inline double fifth_root(double x) {
-  return std::pow(x, 0.2);
+  return fast_fifth_root(x);  // as lanes compute it
 }
 inline bool any(bool condition) {
   return condition;
