@@ -1,0 +1,190 @@
+// Laws of the plane: the law of one direction on a line, turned motions, tangents, lanes.
+#include "isolaw/laws/plane.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "isolaw/laws/catalogue.hpp"
+#include "isolaw/num/batch.hpp"
+
+namespace isolaw::plane_test {
+namespace {
+
+using laws::plane::Vector;
+using Walk = std::vector<Vector<double>>;
+
+// A wandering motion from the origin that turns often and comes back, in fractions of `size`.
+Walk wander(double size, unsigned seed, std::size_t count = 400) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  Walk made{{0.0, 0.0}};
+  Vector<double> goal{0.0, 0.0};
+  while (made.size() < count) {
+    goal = {size * uniform(random), size * uniform(random)};
+    auto const from = made.back();
+    int const pieces = 2 + static_cast<int>(random() % 12);
+    for (int i = 1; i <= pieces; ++i) made.push_back(from + (static_cast<double>(i) / pieces) * (goal - from));
+  }
+  return made;
+}
+
+Vector<double> rotated(Vector<double> const& a, double angle) {
+  double const c = std::cos(angle), s = std::sin(angle);
+  return {c * a.x - s * a.y, s * a.x + c * a.y};
+}
+
+template <class Law>
+std::vector<Vector<double>> forces(typename Law::template Params<double> const& p, Walk const& walk) {
+  auto state = Law::template start<double>(p);
+  std::vector<Vector<double>> made;
+  auto from = walk.front();
+  for (auto const& to : walk) {
+    made.push_back(Law::template step<double>(p, state, from, to, 0.005));
+    from = to;
+  }
+  return made;
+}
+
+double peak_of(std::vector<Vector<double>> const& forces) {
+  double peak = 0.0;
+  for (auto const& f : forces) peak = std::max(peak, std::hypot(f.x, f.y));
+  return peak;
+}
+
+template <class Law>
+struct Case;
+template <>
+struct Case<laws::plane::Bilinear> {
+  static constexpr laws::Bilinear::Params<double> parameters[] = {{6.0, 0.9, 5.9}, {1.5, 0.5, 30.0}, {2.0, 2.0, 5.0}};
+  static constexpr double size = 100.0, line_tolerance = 1e-12;
+};
+
+template <class Law>
+class PlaneLaw : public testing::Test {};
+template <class Tuple>
+struct TypesOf;
+template <class... Law>
+struct TypesOf<std::tuple<Law...>> {
+  using Types = testing::Types<Law...>;
+};
+TYPED_TEST_SUITE(PlaneLaw, TypesOf<laws::plane::AllLaws>::Types);
+
+TYPED_TEST(PlaneLaw, on_a_line_is_the_law_of_one_direction) {
+  auto const& law = laws::find_law(TypeParam::info.id);
+  for (auto const& p : Case<TypeParam>::parameters)
+    for (double const angle : {0.0, 0.7, 2.5}) {
+      auto const walk = wander(Case<TypeParam>::size, 7);
+      std::vector<double> x, values, expected(walk.size());
+      for (auto const& at : walk) x.push_back(at.x);
+      for (auto const member : laws::members<typename TypeParam::OneDirection, double>) values.push_back(p.*member);
+      law.evaluate(values, laws::make_path(x, {}), laws::Integration::converged, expected);
+      Walk line;
+      for (double const at : x) line.push_back(rotated({at, 0.0}, angle));
+      auto const got = forces<TypeParam>(p, line);
+      double const peak = peak_of(got);
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        auto const f = rotated(got[i], -angle);
+        ASSERT_NEAR(f.x, expected[i], Case<TypeParam>::line_tolerance * peak) << i;
+        ASSERT_NEAR(f.y, 0.0, Case<TypeParam>::line_tolerance * peak) << i;
+      }
+    }
+}
+
+TYPED_TEST(PlaneLaw, turns_with_the_motion) {
+  for (auto const& p : Case<TypeParam>::parameters) {
+    auto const walk = wander(Case<TypeParam>::size, 3);
+    auto const straight = forces<TypeParam>(p, walk);
+    double const peak = peak_of(straight);
+    for (double const angle : {0.1, 1.0, std::numbers::pi / 2, 4.0}) {
+      Walk other;
+      for (auto const& at : walk) other.push_back(rotated(at, angle));
+      auto const got = forces<TypeParam>(p, other);
+      for (std::size_t i = 0; i < walk.size(); ++i) {
+        auto const f = rotated(got[i], -angle);
+        ASSERT_NEAR(f.x, straight[i].x, 1e-12 * peak) << i;
+        ASSERT_NEAR(f.y, straight[i].y, 1e-12 * peak) << i;
+      }
+    }
+  }
+}
+
+// Tangents are those of the steps as computed: central differences where they agree with themselves.
+TYPED_TEST(PlaneLaw, tangents_are_slopes) {
+  for (auto const& p : Case<TypeParam>::parameters) {
+    auto const walk = wander(Case<TypeParam>::size, 5);
+    auto state = TypeParam::template start<double>(p);
+    double const h = 1e-6 * Case<TypeParam>::size;
+    std::size_t compared = 0;
+    double peak = 0.0;
+    for (std::size_t i = 1; i < walk.size(); ++i) {
+      auto const trial = laws::plane::force_and_tangent(TypeParam{}, p, state, walk[i - 1], walk[i], 0.005);
+      auto const at = [&](double dx, double dy) {
+        auto copy = state;
+        return TypeParam::template step<double>(p, copy, walk[i - 1], walk[i] + Vector<double>{dx, dy}, 0.005);
+      };
+      peak = std::max(peak, std::hypot(trial.force.x, trial.force.y));
+      double const stiff = peak / Case<TypeParam>::size;
+      Vector<double> const right = at(h, 0.0), left = at(-h, 0.0), up = at(0.0, h), down = at(0.0, -h),
+                           here = at(0.0, 0.0);
+      EXPECT_NEAR(here.x, trial.force.x, 1e-13 * peak);
+      EXPECT_NEAR(here.y, trial.force.y, 1e-13 * peak);
+      double const slopes[2][2] = {{(right.x - left.x) / (2 * h), (up.x - down.x) / (2 * h)},
+                                   {(right.y - left.y) / (2 * h), (up.y - down.y) / (2 * h)}};
+      double const bend = std::abs(right.x + left.x - 2 * here.x) + std::abs(up.y + down.y - 2 * here.y);
+      if (bend < 1e-4 * h * stiff) {
+        ++compared;
+        for (std::size_t r = 0; r < 2; ++r)
+          for (std::size_t c = 0; c < 2; ++c) ASSERT_NEAR(trial.tangent[r][c], slopes[r][c], 1e-4 * stiff) << i;
+      }
+      state = trial.after;
+    }
+    EXPECT_GT(compared, walk.size() / 2);
+  }
+}
+
+// Lanes with parameters and motions of their own are the scalar path.
+TYPED_TEST(PlaneLaw, lanes_are_scalars) {
+  constexpr std::size_t lanes = 8;
+  using T = num::Batch<lanes>;
+  using Params = typename TypeParam::template Params<double>;
+  std::vector<Params> each;
+  std::vector<Walk> walks;
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    each.push_back(Case<TypeParam>::parameters[lane % std::size(Case<TypeParam>::parameters)]);
+    walks.push_back(wander(Case<TypeParam>::size, 11 + static_cast<unsigned>(lane)));
+  }
+  auto const lanes_of = [&](auto&& one) {
+    double values[lanes];
+    for (std::size_t lane = 0; lane < lanes; ++lane) values[lane] = one(lane);
+    return T::load(values);
+  };
+  typename TypeParam::template Params<T> p;
+  for (std::size_t k = 0; k < laws::members<typename TypeParam::OneDirection, T>.size(); ++k)
+    p.*laws::members<typename TypeParam::OneDirection, T>[k] = lanes_of(
+        [&](std::size_t lane) { return each[lane].*laws::members<typename TypeParam::OneDirection, double>[k]; });
+  auto state = TypeParam::template start<T>(p);
+  std::vector<std::vector<Vector<double>>> expected;
+  for (std::size_t lane = 0; lane < lanes; ++lane) expected.push_back(forces<TypeParam>(each[lane], walks[lane]));
+  auto const point = [&](std::size_t i) {
+    return Vector<T>{lanes_of([&](std::size_t lane) { return walks[lane][i].x; }),
+                     lanes_of([&](std::size_t lane) { return walks[lane][i].y; })};
+  };
+  for (std::size_t i = 1; i < 400; ++i) {
+    Vector<T> const f = TypeParam::template step<T>(p, state, point(i - 1), point(i), 0.005);
+    double x[lanes], y[lanes];
+    f.x.store(x);
+    f.y.store(y);
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      double const peak = peak_of(expected[lane]);
+      ASSERT_NEAR(x[lane], expected[lane][i].x, 1e-11 * peak) << i << " lane " << lane;
+      ASSERT_NEAR(y[lane], expected[lane][i].y, 1e-11 * peak) << i << " lane " << lane;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace isolaw::plane_test
