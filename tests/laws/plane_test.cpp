@@ -62,6 +62,41 @@ struct Case<laws::plane::Bilinear> {
   static constexpr laws::Bilinear::Params<double> parameters[] = {{6.0, 0.9, 5.9}, {1.5, 0.5, 30.0}, {2.0, 2.0, 5.0}};
   static constexpr double size = 100.0, line_tolerance = 1e-12;
 };
+template <>
+struct Case<laws::plane::BoucWen> {
+  static constexpr laws::BoucWen::Params<double> parameters[] = {
+      {0.1, 3.0, 1.0, 0.05, 2.0, 0.05},  {0.2, 2.0, 1.5, 0.09, 2.0, -0.05}, {0.2, 2.0, 1.5, 0.03, 2.0, 0.05},
+      {0.1, 3.0, 1.0, 0.05, 1.0, 0.05},  {0.1, 3.0, 1.2, 0.09, 0.6, -0.05}, {0.1, 3.0, 1.0, 0.03, 1.4, 0.05},
+      {0.1, 3.0, 1.0, 0.002, 3.0, 0.001}};
+  static constexpr double size = 100.0, line_tolerance = 1e-6;
+};
+template <>
+struct Case<laws::plane::AbeY0> {
+  static constexpr laws::AbeY0::Params<double> parameters[] = {
+      {0.5, 8.0, 0.3, 0.8, 7.0, 0.3, 40.0, 100.0, 4.0, 20.0, 0.2, 0.1},
+      {0.5, 80.0, 0.3, 0.8, 7.0, 0.1, 40.0, 100.0, 4.0, 20.0, 0.2, 0.1},
+      {0.5, 8.0, 0.3, 0.8, 7.0, 1.0, 40.0, 100.0, 8.0, 20.0, 0.2, 0.1}};
+  static constexpr double size = 100.0, line_tolerance = 1e-6;
+};
+template <>
+struct Case<laws::plane::Abe> {
+  static constexpr laws::Abe::Params<double> parameters[] = {
+      {0.5, 8.0, 0.3, 0.8, 7.0, 0.3, 20.0, 100.0, 0.8, 4.0, 20.0, 0.2, 0.1},
+      {0.5, 8.0, 0.3, 0.8, 7.0, 0.7, 20.0, 100.0, 1.5, 4.0, 20.0, 0.2, 0.1}};
+  static constexpr double size = 100.0, line_tolerance = 1e-4;
+};
+template <>
+struct Case<laws::plane::Vaiana> {
+  static constexpr laws::Vaiana::Params<double> parameters[] = {
+      {3e5, 3e5, 4e4, 4e4, 30.0, 30.0, 0.0, 0.0, 20.0, 20.0, 0, 0, 0, 0, 0, 0}};
+  static constexpr double size = 0.1, line_tolerance = 1e-12;
+};
+template <>
+struct Case<laws::plane::HistoryIntegral> {
+  static constexpr laws::HistoryIntegral::Params<double> parameters[] = {{40.0, 0.6, 30.0, 12.0, 0.4, 0.2},
+                                                                         {40.0, 1.0, 30.0, 12.0, 0.0, 0.2}};
+  static constexpr double size = 100.0, line_tolerance = 1e-12;
+};
 
 template <class Law>
 class PlaneLaw : public testing::Test {};
