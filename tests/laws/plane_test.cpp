@@ -221,5 +221,63 @@ TYPED_TEST(PlaneLaw, lanes_are_scalars) {
   }
 }
 
+// A lane has the bits that it has beside copies of itself; one that is not a number stays alone.
+TYPED_TEST(PlaneLaw, lanes_do_not_know_one_another) {
+  constexpr std::size_t lanes = 8;
+  using T = num::Batch<lanes>;
+  auto const run = [](bool alone) {
+    auto const& known = Case<TypeParam>::parameters;
+    typename TypeParam::template Params<T> p;
+    for (std::size_t k = 0; k < laws::members<typename TypeParam::OneDirection, T>.size(); ++k) {
+      double values[lanes];
+      for (std::size_t lane = 0; lane < lanes; ++lane)
+        values[lane] =
+            known[alone ? 0 : lane % std::size(known)].*laws::members<typename TypeParam::OneDirection, double>[k];
+      if (!alone) values[5] = std::nan("");
+      p.*laws::members<typename TypeParam::OneDirection, T>[k] = T::load(values);
+    }
+    auto state = TypeParam::template start<T>(p);
+    std::vector<Walk> walks;
+    for (unsigned lane = 0; lane < lanes; ++lane)
+      walks.push_back(wander(Case<TypeParam>::size, alone ? 20 : 20 + lane));
+    std::vector<double> made;
+    for (std::size_t i = 1; i < 100; ++i) {
+      auto const at = [&](std::size_t index) {
+        double x[lanes], y[lanes];
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+          x[lane] = walks[lane][index].x;
+          y[lane] = walks[lane][index].y;
+        }
+        return Vector<T>{T::load(x), T::load(y)};
+      };
+      auto const f = TypeParam::template step<T>(p, state, at(i - 1), at(i), 0.005);
+      double x[lanes], y[lanes];
+      f.x.store(x);
+      f.y.store(y);
+      made.insert(made.end(), {x[0], y[0]});
+      EXPECT_EQ(alone, std::isfinite(x[5])) << i;
+    }
+    return made;
+  };
+  EXPECT_EQ(run(true), run(false));
+}
+
+// Nothing moves: the force is what it was; a step of a thousand yield lengths ends, and is saturated.
+TYPED_TEST(PlaneLaw, at_rest_and_far_away) {
+  auto const& p = Case<TypeParam>::parameters[0];
+  auto state = TypeParam::template start<double>(p);
+  double const size = Case<TypeParam>::size;
+  Vector<double> const a{0.3 * size, -0.2 * size}, far{1e5 * size, 0.0};
+  auto const first = TypeParam::template step<double>(p, state, {0.0, 0.0}, a, 0.005);
+  auto const again = TypeParam::template step<double>(p, state, a, a, 0.005);
+  EXPECT_DOUBLE_EQ(again.x, first.x);
+  EXPECT_DOUBLE_EQ(again.y, first.y);
+  auto const rest = laws::plane::force_and_tangent(TypeParam{}, p, state, a, a, 0.005);
+  EXPECT_GT(rest.tangent[0][0], 0.0);
+  EXPECT_GT(rest.tangent[1][1], 0.0);
+  auto const there = TypeParam::template step<double>(p, state, a, far, 0.005);
+  EXPECT_TRUE(std::isfinite(there.x) && std::isfinite(there.y));
+}
+
 }  // namespace
 }  // namespace isolaw::plane_test

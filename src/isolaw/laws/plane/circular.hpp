@@ -17,7 +17,7 @@ struct Circular {
     T const e = exp(-y), e2 = e * e, per = one / (one + e2);
     SineCosine const of(min(y, T(half_pi)));
     T const per_cos = one / max(of.cosine, T(num::smallest_power_base));
-    auto const small = y < T(smallest), hyperbolic = c > T(0.0);
+    auto const small = y<T(smallest), hyperbolic = c> T(0.0);
     T const series = c * x * x;
     tan = select(small, x - x * series * T(1.0 / 3), per_k * select(hyperbolic, (one - e2) * per, of.sine * per_cos));
     sec = select(small, one - T(0.5) * series, select(hyperbolic, two * e * per, per_cos));
@@ -28,7 +28,7 @@ struct Circular {
     T const one(1.0), k = sqrt(abs(c)), v = k * tan, per_k = one / max(k, T(num::smallest_power_base));
     T const ratio = (one + v) / max(one - v, T(num::smallest_power_base));
     T const area = T(0.5 / num::log2_e) * log2(max(ratio, one));
-    auto const small = v < T(smallest), hyperbolic = c > T(0.0);
+    auto const small = v<T(smallest), hyperbolic = c> T(0.0);
     return select(small, tan + tan * (c * tan * tan) * T(1.0 / 3), per_k * select(hyperbolic, area, arc(v)));
   }
 
@@ -41,13 +41,15 @@ struct Circular {
     T sine, cosine;
     explicit SineCosine(T const& angle) : sine(angle), cosine(angle) {
       T const one(1.0), y = T(0.125) * angle, y2 = y * y;
-      sine = y * (one - y2 * T(1.0 / 6) *
-                            (one - y2 * T(1.0 / 20) *
-                                       (one - y2 * T(1.0 / 42) * (one - y2 * T(1.0 / 72) * (one - y2 * T(1.0 / 110))))));
+      sine =
+          y * (one - y2 * T(1.0 / 6) *
+                         (one - y2 * T(1.0 / 20) *
+                                    (one - y2 * T(1.0 / 42) * (one - y2 * T(1.0 / 72) * (one - y2 * T(1.0 / 110))))));
       // 1 - cos, which keeps its digits
       T fall = y2 * T(0.5) *
-             (one - y2 * T(1.0 / 12) *
-                        (one - y2 * T(1.0 / 30) * (one - y2 * T(1.0 / 56) * (one - y2 * T(1.0 / 90) * (one - y2 * T(1.0 / 132))))));
+               (one - y2 * T(1.0 / 12) *
+                          (one - y2 * T(1.0 / 30) *
+                                     (one - y2 * T(1.0 / 56) * (one - y2 * T(1.0 / 90) * (one - y2 * T(1.0 / 132))))));
       for (int i = 0; i < 3; ++i) {
         T const before = one - fall;
         fall = T(2.0) * sine * sine;

@@ -33,8 +33,7 @@ struct HistoryIntegral {
     state.quick = fading(state.quick, way, per_quick);
     state.peak = max(state.peak, norm(to));
     // At the origin of an unmoved device there is no force, and for g < 1 no bounded slope.
-    T const stiffness =
-        select(state.peak > T(0.0), p.K / reference * power(state.peak / reference, p.g - one), T(0.0));
+    T const stiffness = select(state.peak > T(0.0), p.K / reference * power(state.peak / reference, p.g - one), T(0.0));
     return stiffness * to + (p.S * (one - p.s)) * state.slow + (p.S * p.s) * state.quick;
   }
 };

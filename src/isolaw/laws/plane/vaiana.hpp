@@ -15,10 +15,9 @@ struct Vaiana {
   using Params = OneDirection::Params<T>;
 
   static constexpr std::array joint_limits{
-      JointLimit<Params<double>>{"Kb+ = Kb- , f0+ = f0- , alpha+ = alpha-",
-                                 [](Params<double> const& p) {
-                                   return p.Kb_p == p.Kb_m && p.f0_p == p.f0_m && p.alpha_p == p.alpha_m;
-                                 }},
+      JointLimit<Params<double>>{
+          "Kb+ = Kb- , f0+ = f0- , alpha+ = alpha-",
+          [](Params<double> const& p) { return p.Kb_p == p.Kb_m && p.f0_p == p.f0_m && p.alpha_p == p.alpha_m; }},
       JointLimit<Params<double>>{"beta1+ = beta1- = gamma1+ = gamma1- = 0", [](Params<double> const& p) {
                                    return p.beta1_p == 0.0 && p.beta1_m == 0.0 && p.gamma1_p == 0.0 &&
                                           p.gamma1_m == 0.0;
