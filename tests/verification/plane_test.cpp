@@ -40,8 +40,10 @@ laws::AbeY0::Params<double> abe(double n, double U) {
 
 TEST(PlaneLaws, a_straight_step_of_bouc_wen_with_n_2_is_hyperbolic) {
   using Law = laws::plane::BoucWen;
-  S<Law> state{{0.6, 0.5}};
-  auto const z = Law::step<double>(bouc_wen(2.0, 0.5, 0.5), state, {0.0, 0.0}, {0.7, 0.0}, 0.01);
+  auto const p = bouc_wen(2.0, 0.5, 0.5);
+  auto state = Law::start<double>(p);
+  state.z = {0.6, 0.5};
+  auto const z = Law::step<double>(p, state, {0.0, 0.0}, {0.7, 0.0}, 0.01);
   EXPECT_NEAR(z.x, 0.883861376045, 1e-12);
   EXPECT_NEAR(z.y, 0.292343085539, 1e-12);
 }
@@ -49,11 +51,12 @@ TEST(PlaneLaws, a_straight_step_of_bouc_wen_with_n_2_is_hyperbolic) {
 TEST(PlaneLaws, a_straight_step_of_bouc_wen_switches_where_the_component_along_it_is_none) {
   using Law = laws::plane::BoucWen;
   auto const p = bouc_wen(2.0, 0.9, 0.1);
-  S<Law> state{{-0.6, 0.5}};
+  auto state = Law::start<double>(p);
+  state.z = {-0.6, 0.5};
   auto const z = Law::step<double>(p, state, {0.0, 0.0}, {1.5, 0.0}, 0.01);
   EXPECT_NEAR(z.x, 0.739476218300, 1e-12);
   EXPECT_NEAR(z.y, 0.296582148814, 1e-12);
-  state = {{-0.6, 0.5}};
+  state.z = {-0.6, 0.5};
   auto const at_zero = Law::step<double>(p, state, {0.0, 0.0}, {0.550677413306, 0.0}, 0.01);
   EXPECT_NEAR(at_zero.x, 0.0, 1e-12);
   EXPECT_NEAR(at_zero.y, 0.440567110531, 1e-12);

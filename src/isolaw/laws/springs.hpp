@@ -15,6 +15,12 @@ namespace isolaw::laws {
 
 inline constexpr int usual_springs = 16;
 
+// Of one spring: its force in that of the law, and its way in that of the device along it.
+struct SpringShares {
+  double force, way;  // rf, rs / rf
+};
+SpringShares spring_shares(int count);
+
 class Springs {
  public:
   // `law`: virgin, in its own units, which displacements and forces here have too. At least two springs.
@@ -33,7 +39,7 @@ class Springs {
     Online law;
   };
   std::vector<Spring> springs_;
-  double force_share_, way_share_;  // rf, rs / rf
+  SpringShares share_;
 };
 
 }  // namespace isolaw::laws

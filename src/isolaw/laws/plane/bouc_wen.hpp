@@ -25,29 +25,34 @@ struct BoucWen {
 
   template <class T>
   struct State {
-    Vector<T> z{T(0.0), T(0.0)};  // in units of its largest size
+    Vector<T> z{T(0.0), T(0.0)};      // in units of its largest size
+    T z_max = T(0.0), rate = T(0.0);  // that size, and travel of z for travel of the device
+    T unloading = T(0.0);             // c for p < 0
   };
 
   template <class T>
-  static State<T> start(Params<T> const&) {
-    return {};
+  static State<T> start(Params<T> const& p) {
+    T const both = p.beta + p.gamma, not_a_number(std::numeric_limits<double>::quiet_NaN());
+    State<T> state;
+    state.z_max = select(min(p.beta, both) > T(0.0), exp2((log2(p.A) - log2(both)) / p.n), not_a_number);
+    state.rate = p.A / state.z_max;
+    state.unloading = (p.gamma - p.beta) / both;
+    return state;
   }
 
   template <class T>
   static Vector<T> step(Params<T> const& p, State<T>& state, Vector<T> const& from, Vector<T> const& to, double) {
-    T const zero(0.0), one(1.0), both = p.beta + p.gamma, not_a_number(std::numeric_limits<double>::quiet_NaN());
-    T const z_max = select(min(p.beta, both) > zero, exp2((log2(p.A) - log2(both)) / p.n), not_a_number);
-    T const unloading = (p.gamma - p.beta) / both, rate = p.A / z_max;
+    T const zero(0.0), one(1.0);
     Straight<T> const way(from, to);
     Split<T> z(state.z, way.direction);
-    T const travel = rate * way.length;
+    T const travel = state.rate * way.length;
     auto const is_two = abs(p.n - T(2.0)) <= zero;
     T const closed = select(is_two, travel, zero), stepped = select(is_two, zero, travel);
-    if (any(closed > zero)) flow_of_two(z, closed, unloading);
-    if (any(stepped > zero)) flow(z, min(stepped, T(longest_memory)), p.n, unloading);
+    if (any(closed > zero)) flow_of_two(z, closed, state.unloading);
+    if (any(stepped > zero)) flow(z, min(stepped, T(longest_memory)), p.n, state.unloading);
     // Where nothing moves derivatives alone do: elastically.
-    state.z = chosen(travel <= zero, state.z + rate * way.moved, z.joined(way.direction));
-    return (p.alpha * p.Ke) * to + ((one - p.alpha) * p.Ke * z_max) * state.z;
+    state.z = chosen(travel <= zero, state.z + state.rate * way.moved, z.joined(way.direction));
+    return (p.alpha * p.Ke) * to + ((one - p.alpha) * p.Ke * state.z_max) * state.z;
   }
 
  private:
@@ -78,9 +83,9 @@ struct BoucWen {
       T const pull = c * at.along * power(square(at), fall);
       return Split<T>(one - pull * at.along, -pull * at.across);
     };
-    // n times the larger |c| is the steepest slope.
+    // n |c| is the steepest slope.
     auto const longest = [&](Split<T> const& at, T const& c) {
-      T const own = one / (one + n * abs(c));
+      T const own = one / max(n * abs(c), one);
       return T(step_share) * max(min(sqrt(square(at)), own), T(least_distance));
     };
     T l = zero;
