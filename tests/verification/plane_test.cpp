@@ -206,6 +206,34 @@ TEST(PlaneLaws, bouc_wen_of_any_sharpness_follows_its_differential_form) {
     }
 }
 
+// What the form in components does instead: docs/bidirectional.md has these numbers.
+TEST(PlaneLaws, the_form_in_components_turns_with_the_axes) {
+  constexpr int samples = 10000;
+  auto const force = [&](double angle, double beta, bool in_components) {
+    double const c = std::cos(angle), s = std::sin(angle), gamma = 1.0 - beta;
+    Vector<double> from{0.0, 0.0}, z{0.0, 0.0};
+    std::vector<Vector<double>> made;
+    for (int i = 1; i <= 2 * samples; ++i) {
+      double const phase = 2.0 * pi * i / samples, x = 5.0 * std::sin(phase), y = 2.5 * std::sin(2.0 * phase);
+      Vector<double> const to{c * x - s * y, s * x + c * y}, d = to - from;
+      double const along = laws::plane::dot(d, z);
+      double const size = in_components ? std::abs(d.x * z.x) + std::abs(d.y * z.y) : std::abs(along);
+      z = z + d - (beta * size + gamma * along) * z;
+      from = to;
+      if (i > samples) made.push_back({c * z.x + s * z.y, c * z.y - s * z.x});
+    }
+    return made;
+  };
+  for (double const beta : {0.5, 0.9})
+    for (bool const in_components : {true, false}) {
+      auto const straight = force(0.0, beta, in_components), turned = force(0.4, beta, in_components);
+      double worst = 0.0;
+      for (std::size_t i = 0; i < straight.size(); ++i)
+        worst = std::max(worst, std::hypot(straight[i].x - turned[i].x, straight[i].y - turned[i].y));
+      EXPECT_NEAR(worst, !in_components ? 0.0 : beta == 0.5 ? 0.041 : 0.070, in_components ? 1e-3 : 1e-12) << beta;
+    }
+}
+
 TEST(PlaneLaws, abe_of_any_sharpness_follows_its_differential_form) {
   for (double const n : {0.01, 0.1, 0.3, 0.7, 1.0}) {
     auto const slope = [&](Vector<double> const& q, Vector<double> const& d) {

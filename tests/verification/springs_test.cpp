@@ -79,6 +79,28 @@ TEST(Springs, energies_of_bilinear_ones) {
     EXPECT_NEAR(work(e.springs, circles), e.energy, 0.3) << e.springs;
 }
 
+// The knee that is lost, of 16 springs: what docs/bidirectional.md says.
+TEST(Springs, lose_work_at_small_amplitudes) {
+  constexpr int steps = 2000;
+  auto const change_percent = [&](double size) {
+    std::vector<Vector<double>> path;
+    for (int i = 1; i <= 2 * steps; ++i) path.push_back({size * std::sin(2.0 * pi * i / steps), 0.0});
+    laws::Online law = bilinear();
+    double of_law = 0.0, before = 0.0, x = 0.0;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      double const force = law.trial(path[i].x, 0.0).force;
+      law.commit();
+      if (i >= steps) of_law += 0.5 * (force + before) * (path[i].x - x);
+      before = force;
+      x = path[i].x;
+    }
+    return 100.0 * (walked(Springs(bilinear()), path, steps).work / of_law - 1.0);
+  };
+  double const Dy = 30.0 / 5.1;
+  EXPECT_NEAR(change_percent(2.0 * Dy), -8.1, 0.1);
+  EXPECT_NEAR(change_percent(25.0 * Dy), -0.68, 0.02);
+}
+
 TEST(Springs, turn_by_their_own_angle_exactly_and_by_any_within_a_spring) {
   std::vector<Vector<double>> path;
   for (int i = 1; i <= 500; ++i)

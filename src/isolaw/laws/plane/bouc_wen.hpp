@@ -1,7 +1,7 @@
 // Bouc-Wen in the plane, in the form that does not see the axes.
 // Source: Park, Wen and Ang 1986, written for the direction of motion:
 //     dz = A dx - z |z|^(n-2) (z.dx) (beta sgn(z.dx) + gamma)
-// The form often printed, with |z_x dx_x| + |z_y dx_y|, turns with the axes by one or two per cent of the strength.
+// The form often printed, with |z_x dx_x| + |z_y dx_y|, turns with the axes by some per cent of the strength.
 // Step: in units of the largest |z| and of its travel, with p along and s across the motion and c = 1 for p > 0, (gamma
 // - beta) / (gamma + beta) for p < 0,
 //     p' = 1 - c |z|^(n-2) p^2,   s' = -c |z|^(n-2) p s
