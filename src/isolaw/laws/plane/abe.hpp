@@ -18,7 +18,7 @@ struct AbeOf {
   using OneDirection = Law;
   static constexpr LawInfo const& info = OneDirection::info;
   template <class T>
-  using Params = OneDirection::template Params<T>;
+  using Params = typename OneDirection::template Params<T>;
 
   template <class T>
   struct State {
