@@ -321,5 +321,115 @@ TEST_F(Simulate, measured_motions) {
   expect_refused(isolaw(start + Words{ground}), {"a record of acceleration", "UNITS OF G"});
 }
 
+// Two displacements of one file.
+std::string orbit(double angle, double across = 0.6) {
+  std::string text = "time [s],east [mm],north [mm]\n";
+  for (int i = 0; i <= 300; ++i) {
+    double const x = 80.0 * std::sin(0.06 * i), y = across * 80.0 * std::sin(0.1 * i);
+    text += fmt::format("{},{},{}\n", 0.01 * i, std::cos(angle) * x - std::sin(angle) * y,
+                        std::sin(angle) * x + std::cos(angle) * y);
+  }
+  return text;
+}
+Words in_plane(std::string const& how, Words const& more = {}) {
+  return Words{"--motion", "m.csv", "--columns", "disp=east", "--second-disp", "north", "--bidirectional", how} + more;
+}
+Words const bouc_wen{"simulate", "bouc-wen", "--set",     "alpha=0.1", "--set", "Ke=3",  "--set",
+                     "A=1",      "--set",    "beta=0.05", "--set",     "n=1.2", "--set", "gamma=0.05"};
+
+TEST_F(Simulate, two_displacements_give_two_forces_that_turn_with_them) {
+  write("m.csv", orbit(0.0));
+  auto const o = isolaw(bouc_wen + in_plane("coupled"));
+  ASSERT_EQ(o.code, 0) << o;
+  auto const straight = parsed(o.out);
+  EXPECT_EQ(
+      straight.header,
+      "time [s],displacement x [mm],displacement y [mm],velocity x [mm/s],velocity y [mm/s],force x [kN],force y [kN]");
+  double const angle = 0.8;
+  write("m.csv", orbit(angle));
+  auto const turned = parsed(isolaw(bouc_wen + in_plane("coupled")).out);
+  for (std::size_t i = 0; i < straight.columns[0].size(); ++i) {
+    double const x = straight.columns[5][i], y = straight.columns[6][i];
+    EXPECT_NEAR(turned.columns[5][i], std::cos(angle) * x - std::sin(angle) * y, 1e-9) << i;
+    EXPECT_NEAR(turned.columns[6][i], std::sin(angle) * x + std::cos(angle) * y, 1e-9) << i;
+  }
+}
+
+TEST_F(Simulate, two_directions_along_one_are_the_law_coupled_exactly_and_springs_nearly) {
+  write("m.csv", orbit(0.0, 0.0));
+  auto const one = parsed(isolaw(bouc_wen + Words{"--motion", "m.csv", "--columns", "disp=east"}).out);
+  // A displacement that does not change is no motion to a reader: two parts in a million of it is.
+  write("m.csv", orbit(0.0, 1e-6));
+  auto const coupled = parsed(isolaw(bouc_wen + in_plane("coupled")).out);
+  auto const o = isolaw(bouc_wen + in_plane("springs"));
+  EXPECT_TRUE(contains(o.err, "springs round the knee")) << o;
+  auto const springs = parsed(o.out);
+  auto const& force = one.columns.back();
+  ASSERT_EQ(coupled.columns[5].size(), force.size());
+  double worst = 0.0;
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    EXPECT_NEAR(coupled.columns[5][i], force[i], 1e-4) << i;
+    worst = std::max(worst, std::abs(springs.columns[5][i] - force[i]));
+  }
+  EXPECT_GT(worst, 0.01);
+  EXPECT_LT(worst, 3.0);
+}
+
+TEST_F(Simulate, what_one_direction_leaves_open_is_said_by_rule) {
+  write("m.csv", orbit(0.3));
+  write(
+      "abe.toml",
+      "K1 = 0.5\nalpha = 8\nbeta = 0.3\na = 0.8\nb = 7\nn = 0.3\nY0 = 40\nUh = 100\nU0 = 4\nUs = 20\nK2 = 0.2\nr = 0.1\n");
+  Words const abe{"simulate", "abe-y0", "--parameters", "abe.toml"};
+  auto const by_distance = isolaw(abe + in_plane("coupled"));
+  ASSERT_EQ(by_distance.code, 0) << by_distance;
+  for (auto const* word :
+       {"on a figure of eight of", "coupled, softened by distance: ", "coupled, softened by axis: ", "springs: "})
+    EXPECT_TRUE(contains(by_distance.err, word)) << word << by_distance;
+  auto const by_axis = isolaw(abe + in_plane("coupled", {"--softening", "axis"}));
+  ASSERT_EQ(by_axis.code, 0) << by_axis;
+  EXPECT_NE(by_axis.out, by_distance.out);
+}
+
+TEST_F(Simulate, springs_of_a_device_are_fitted_to_its_record) {
+  calibrated("bouc-wen,power-masing");
+  write("m.csv", orbit(0.3));
+  for (auto const* law : {"bouc-wen", "power-masing"}) {
+    Words const words{"simulate", law, "--from", "O", "--device", "d"};
+    auto const o = isolaw(words + in_plane("springs"));
+    ASSERT_EQ(o.code, 0) << o;
+    EXPECT_TRUE(contains(o.err, "springs with parameters of their own, fitted to the device's record")) << o;
+    auto const given = isolaw(words + in_plane("springs", {"--springs", "given"}));
+    ASSERT_EQ(given.code, 0) << given;
+    EXPECT_FALSE(contains(given.err, "parameters of their own"));
+    EXPECT_NE(without_comments(given.out), without_comments(o.out));
+  }
+}
+
+TEST_F(Simulate, two_directions_refuse_what_they_cannot_be) {
+  write("m.csv", orbit(0.0));
+  auto const refused = [&](Words const& words, std::string const& found) {
+    auto const o = isolaw(words);
+    EXPECT_EQ(o.code, 2) << o;
+    EXPECT_TRUE(contains(o.err, found)) << o;
+  };
+  refused(bouc_wen + in_plane("sideways"), "coupled or springs");
+  refused(bouc_wen + Words{"--motion", "m.csv", "--columns", "disp=east", "--bidirectional", "coupled"},
+          "--second-disp");
+  refused(bouc_wen + Words{"--motion", "m.csv", "--columns", "disp=east", "--second-disp", "north"}, "--bidirectional");
+  refused(bouc_wen + in_plane("springs", {"--softening", "axis"}), "each of which keeps its own peak");
+  refused(bouc_wen + in_plane("coupled", {"--softening", "axis"}), "no peak softens this law");
+  refused(bouc_wen + in_plane("springs", {"--springs", "fitted"}), "not fitted to a device's record");
+  refused(bouc_wen + in_plane("coupled", {"--springs", "given"}), "with --bidirectional springs");
+  refused(bouc_wen + in_plane("springs", {"--springs", "taken"}), "given or fitted");
+  refused(bouc_wen + in_plane("coupled", {"--softening", "up"}), "distance or axis");
+  refused(bouc_wen + in_plane("coupled", {"--integration", "paper"}), "--integration converged");
+  refused(bouc_wen + in_plane("coupled", {"--turning-points", "interpolated"}), "--turning-points sampled");
+  refused(Words{"simulate", "menegotto-pinto", "--set", "E=3", "--set", "Fy=30", "--set", "b=0.1", "--set", "R0=2",
+                "--set", "cR1=0.925", "--set", "cR2=0.15"} +
+              in_plane("coupled"),
+          "menegotto-pinto");
+}
+
 }  // namespace
 }  // namespace isolaw::cli_test

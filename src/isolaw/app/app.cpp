@@ -107,6 +107,14 @@ void add_simulate(CLI::App& c, SimulateArguments& a) {
     add_option(c, option, a.how);
   }
   c.add_option("--refinement", a.refinement, "steps per sample (1, or as the campaign had it)");
+  c.add_option("--bidirectional", a.bidirectional,
+               "two displacements, two forces: coupled, for laws with such a form, or springs around the circle");
+  c.add_option("--second-disp", a.second_disp,
+               "of --bidirectional: column of the displacement across the first, which --columns names");
+  c.add_option("--softening", a.softening,
+               "of coupled: by distance (default), or axis: each axis by the largest displacement along it");
+  c.add_option("--springs", a.springs,
+               "of springs: fitted to the device's record as they are (default with --from and a device), or given");
   c.add_option("--out", a.out, "file to write, instead of standard output");
   c.add_flag("--anyway", a.anyway, "with --from: though the law's prediction is unusable");
 }

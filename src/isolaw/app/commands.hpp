@@ -88,6 +88,7 @@ struct SimulateArguments {
   std::optional<int> refinement;
   std::optional<std::filesystem::path> out;
   bool anyway = false;  // though its prediction is unusable
+  std::optional<std::string> bidirectional, second_disp, softening, springs;
 };
 // The force of a law under a displacement history as CSV.
 int simulate(SimulateArguments const& arguments);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "isolaw/api/campaign_directory.hpp"
 #include "isolaw/api/fitted.hpp"
@@ -20,6 +21,8 @@
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/data/clean.hpp"
 #include "isolaw/data/read.hpp"
+#include "isolaw/fit/as_springs.hpp"
+#include "isolaw/fit/in_plane.hpp"
 #include "isolaw/fit/objective.hpp"
 #include "isolaw/study/build_summary.hpp"
 #include "isolaw/study/doubts.hpp"
@@ -40,6 +43,12 @@ struct Chosen {
   study::Doubts doubts;              // of a campaign's law as it was fitted
   std::string origin;                // "device 'a'", "the lot"; empty: of no campaign
   std::vector<std::string> changes;  // of --set: then it is no longer the law that the campaign fitted
+  // Of a device's law as it was fitted: what it was fitted to, and its box.
+  struct Fit {
+    data::FitRecord record;
+    fit::SearchBox box;
+  };
+  std::optional<Fit> fit = {};
 };
 
 // What --parameters, --from and --set come to; the names are checked with everything else.
@@ -68,6 +77,10 @@ Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
     made.origin = device ? "device '" + *a.device + "'" : std::string("the lot");
     made.changes = a.set;
     if (made.changes.empty()) {
+      if (auto const index = contents.device_or_lot(*a.device))
+        for (auto const& search : contents.searches)
+          if (search.device == *index && search.law == law.info.id)
+            made.fit = Chosen::Fit{contents.devices[*index].record, search.box};
       made.doubts = study::doubts(study::build_summary(contents), law.info.id, device);
       study::require_taken(made.doubts, study::whose(law.info.id, device), a.anyway);
     }
@@ -132,7 +145,8 @@ void say_what_it_is(laws::LawEntry const& law, Chosen const& chosen, data::TestR
 }
 
 // What of the motion is beyond what is known of the law.
-std::vector<std::string> cautions(laws::LawEntry const& law, FittedLaw const& chosen, data::FitRecord const& path) {
+std::vector<std::string> beyond_what_is_known(laws::LawEntry const& law, FittedLaw const& chosen,
+                                              data::FitRecord const& path) {
   std::vector<std::string> lines;
   auto const add_beyond = [&](double reached, double fitted, double tested, std::string_view unit) {
     constexpr double beyond = 1.02;
@@ -148,6 +162,11 @@ std::vector<std::string> cautions(laws::LawEntry const& law, FittedLaw const& ch
   add_beyond(largest(path.disp_mm), fitted.disp_mm, tested.disp_mm, "mm");
   if (!law.info.traits.rate_independent)
     add_beyond(largest(path.vel_mm_s), fitted.vel_mm_s.value_or(0.0), tested.vel_mm_s.value_or(0.0), "mm/s");
+  return lines;
+}
+
+std::vector<std::string> cautions(laws::LawEntry const& law, FittedLaw const& chosen, data::FitRecord const& path) {
+  auto lines = beyond_what_is_known(law, chosen, path);
   constexpr double at_zero = 1e-6;  // of the largest displacement
   if (double const x = path.disp_mm.front(); std::abs(x) > at_zero * largest(path.disp_mm))
     lines.push_back(fmt::format(
@@ -173,6 +192,206 @@ std::string csv_text(std::string_view law, std::vector<std::string> const& known
   return text;
 }
 
+// What --bidirectional and its company say; nullopt: one direction.
+struct TwoDirections {
+  laws::Bidirectional how;
+  laws::plane::Softening softening;
+  bool as_given;  // springs of the parameters as they are
+  std::string second_disp;
+};
+std::optional<TwoDirections> two_directions(SimulateArguments const& a) {
+  if (!a.bidirectional) {
+    if (a.second_disp || a.softening || a.springs)
+      throw Error({.where = a.second_disp ? "--second-disp"
+                            : a.softening ? "--softening"
+                                          : "--springs",
+                   .found = "is given alone",
+                   .allowed = "with --bidirectional coupled or springs"});
+    return std::nullopt;
+  }
+  auto const word = [](char const* option, std::string const& given, std::string_view first, std::string_view second) {
+    if (given == first || given == second) return given == first;
+    throw Error({.where = option, .found = given, .allowed = fmt::format("{} or {}", first, second)});
+  };
+  TwoDirections made{};
+  bool const coupled = word("--bidirectional", *a.bidirectional, "coupled", "springs");
+  made.how = coupled ? laws::Bidirectional::coupled : laws::Bidirectional::springs;
+  if (a.softening) {
+    if (!coupled)
+      throw Error({.where = "--softening",
+                   .found = "is given with springs, each of which keeps its own peak",
+                   .allowed = "with --bidirectional coupled"});
+    if (!word("--softening", *a.softening, "distance", "axis")) made.softening = laws::plane::Softening::by_axis;
+  }
+  if (a.springs) {
+    if (coupled)
+      throw Error({.where = "--springs",
+                   .found = "is given with a coupled law, whose parameters are those of one direction",
+                   .allowed = "with --bidirectional springs"});
+    made.as_given = word("--springs", *a.springs, "given", "fitted");
+  }
+  if (!a.second_disp)
+    throw Error({.where = "--bidirectional",
+                 .found = "is given without the second displacement",
+                 .allowed = "--second-disp COLUMN, and --columns disp=COLUMN for the first"});
+  made.second_disp = *a.second_disp;
+  return made;
+}
+
+// What says nothing about a motion in two directions.
+void require_none_of_one_direction(FittedLaw const& law) {
+  auto const refuse = [](std::string_view option, std::string_view allowed) {
+    throw Error({.where = std::string(option),
+                 .found = "is of a path in one direction, known ahead",
+                 .allowed = std::string(allowed) + " with --bidirectional"});
+  };
+  if (law.integration != laws::Integration::converged) refuse("--integration paper", "--integration converged");
+  if (law.turning_points != laws::TurningPoints::as_sampled)
+    refuse("--turning-points interpolated", "--turning-points sampled");
+}
+
+double distance(laws::plane::Vector<double> const& a) {
+  return std::hypot(a.x, a.y);
+}
+
+// The law of a device as springs with parameters of their own, and a line that says so.
+std::string fit_as_springs(laws::LawEntry const& law, Chosen::Fit const& fit, FittedLaw& taken) {
+  auto const made = fit::fitted_as_springs(law, fit.record, fit.box, taken.parameters, taken.refinement);
+  taken.parameters = made.parameters;
+  return fmt::format(
+      "springs with parameters of their own, fitted to the device's record: objective {:.4g}; {:.4g} with those of the law, whose own is {:.4g}",
+      made.fitted, made.given, made.law);
+}
+
+// What tests in one direction do not say, at the size and pace of the motion.
+std::vector<std::string> left_open(fit::LawInPlane const& law, TwoDirections const& two, fit::PlaneMotion const& motion,
+                                   bool as_given) {
+  double size = 0.0, fastest = 0.0;
+  for (auto const& at : motion.disp_mm) size = std::max(size, distance(at));
+  for (auto const& v : motion.vel_mm_s) fastest = std::max(fastest, distance(v));
+  if (size == 0.0) return {};
+  double const cycle = fastest > 0.0 ? 2.0 * std::numbers::pi * size / fastest : 1.0;
+  std::vector<std::string> lines;
+  if (two.how == laws::Bidirectional::springs && !law.law->info.traits.odd)
+    lines.push_back(fmt::format(
+        "warning: {} is not the same in both senses: springs of it have a force across the motion too, which depends on the axes",
+        law.law->info.id));
+  if (two.how == laws::Bidirectional::springs && as_given)
+    lines.push_back(fmt::format(
+        "springs round the knee: along one direction, at {:.4g} mm, their work is {:+.2f} % of that of the law as given",
+        size, 100.0 * (fit::work_of_springs_on_a_line(law, size, cycle) - 1.0)));
+  else if (law.dead_band_mm > 0.0 && law.law->info.traits.remembers)
+    lines.push_back(fmt::format(
+        "warning: the dead band of {:.4g} mm that the law was fitted with is of one direction, and not taken",
+        law.dead_band_mm));
+  // The figure is fastest at its middle, by sqrt(2).
+  // Parameters of springs are none of a coupled law.
+  if (two.how == laws::Bidirectional::springs && !as_given) return lines;
+  auto const rules = fit::on_a_figure_of_eight(law, size, std::numbers::sqrt2 * cycle);
+  if (rules.size() < 2) return lines;
+  auto const [peak, work] = fit::spread_of(rules);
+  lines.push_back(fmt::format(
+      "tests in one direction leave open, on a figure of eight of {:.4g} mm: {:.2g} % of the peak force, {:.2g} % of the work of a turn",
+      size, 100.0 * peak, 100.0 * work));
+  for (auto const& of : rules)
+    lines.push_back(fmt::format("  {}: {:.4g} kN, {:.4g} kN mm", of.rule, of.peak_kN, of.work_kN_mm));
+  return lines;
+}
+
+std::string plane_csv_text(std::string_view law, std::vector<std::string> const& known, fit::PlaneMotion const& motion,
+                           std::vector<laws::plane::Vector<double>> const& force_kN) {
+  std::string text;
+  if (!known.empty()) text += fmt::format("# isolaw {}, forces of {}\n", version(), law);
+  for (auto const& line : known) text += "# " + printable(line) + "\n";
+  bool const has_time = !motion.vel_mm_s.empty();
+  text +=
+      has_time
+          ? "time [s],displacement x [mm],displacement y [mm],velocity x [mm/s],velocity y [mm/s],force x [kN],force y [kN]\n"
+          : "displacement x [mm],displacement y [mm],force x [kN],force y [kN]\n";
+  for (std::size_t i = 0; i < motion.disp_mm.size(); ++i) {
+    auto const &d = motion.disp_mm[i], &f = force_kN[i];
+    if (has_time) {
+      auto const& v = motion.vel_mm_s[i];
+      text += fmt::format("{},{},{},{},{},{},{}\n", motion.time_s[i], d.x, d.y, v.x, v.y, f.x, f.y);
+    } else {
+      text += fmt::format("{},{},{},{}\n", d.x, d.y, f.x, f.y);
+    }
+  }
+  return text;
+}
+
+void write_or_print(SimulateArguments const& a, std::string const& text) {
+  if (!a.out) {
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return;
+  }
+  std::vector<std::filesystem::path> inputs{a.motion};
+  if (a.parameters) inputs.push_back(*a.parameters);
+  write_output(*a.out, text, inputs);
+  say("written: {}\n", shown(*a.out));
+}
+
+Error no_finite_force(laws::LawEntry const& law, std::ptrdiff_t sample) {
+  return Error({.where = "law " + std::string(law.info.id),
+                .found = fmt::format("no finite force from sample {} on with these parameters", sample + 1),
+                .allowed = "parameters of a device like this one",
+                .advice = "--refinement 4, finer steps; isolaw laws " + std::string(law.info.id)});
+}
+
+int simulate_in_plane(SimulateArguments const& a, TwoDirections const& two, laws::LawEntry const& law, Chosen chosen,
+                      data::ReadOptions options) {
+  auto& taken = chosen.law;
+  require_none_of_one_direction(taken);
+  bool const fits = two.how == laws::Bidirectional::springs && !two.as_given;
+  if (fits && a.springs && !chosen.fit)
+    throw Error({.where = "--springs",
+                 .found = "parameters that were not fitted to a device's record",
+                 .allowed = "fitted, with --from DIR and --device NAME and without --set"});
+  auto const first = data::read_motion(a.motion, options);
+  options.columns[data::Channel::disp] = two.second_disp;
+  auto const second = data::read_motion(a.motion, options);
+  if (first.size() != second.size())
+    throw Error(
+        {.where = shown(a.motion),
+         .found = fmt::format("{} values of the first displacement, {} of the second", first.size(), second.size()),
+         .allowed = "as many of each"});
+  if (!law.info.traits.rate_independent && !first.has_time())
+    throw Error({.where = "law " + std::string(law.info.id),
+                 .found = "the motion has no time channel, and this law depends on velocity",
+                 .allowed = "a rate-independent law without time",
+                 .advice = "--dt SECONDS, the sampling interval"});
+  auto const x = data::motion_of(first), y = data::motion_of(second);
+  fit::PlaneMotion motion{.time_s = x.time_s, .disp_mm = {}, .vel_mm_s = {}};
+  data::FitRecord reach = x;  // the distance and the speed, for what is known of the law
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    motion.disp_mm.push_back({x.disp_mm[i], y.disp_mm[i]});
+    reach.disp_mm[i] = distance(motion.disp_mm[i]);
+    if (!x.has_time()) continue;
+    motion.vel_mm_s.push_back({x.vel_mm_s[i], y.vel_mm_s[i]});
+    reach.vel_mm_s[i] = distance(motion.vel_mm_s[i]);
+  }
+  std::optional<std::string> springs_line;
+  if (fits && chosen.fit) springs_line = fit_as_springs(law, *chosen.fit, taken);
+  fit::LawInPlane const in_plane{&law, taken.parameters, taken.dead_band_mm, taken.refinement};
+  auto const force_kN = fit::force_kN(law, in_plane.made(two.how, two.softening), motion);
+  say_what_it_is(law, chosen, first);
+  auto lines = beyond_what_is_known(law, taken, reach);
+  if (springs_line) lines.push_back(*springs_line);
+  auto const open = left_open(in_plane, two, motion, !springs_line);
+  lines.insert(lines.end(), open.begin(), open.end());
+  for (auto const& line : lines) say("  {}\n", line);
+  if (auto const bad = std::ranges::find_if_not(force_kN, [](auto const& f) { return std::isfinite(distance(f)); });
+      bad != force_kN.end())
+    throw no_finite_force(law, bad - force_kN.begin());
+  double peak = 0.0;
+  for (auto const& f : force_kN) peak = std::max(peak, distance(f));
+  say("  {} samples, in two directions {}, force up to {:.4g} kN\n", force_kN.size(), *a.bidirectional, peak);
+  auto known = facts(chosen);
+  if (!known.empty()) known.insert(known.end(), lines.begin(), lines.end());
+  write_or_print(a, plane_csv_text(law.info.id, known, motion, force_kN));
+  return exit_done;
+}
+
 }  // namespace
 
 int simulate(SimulateArguments const& a) {
@@ -180,6 +399,7 @@ int simulate(SimulateArguments const& a) {
   auto const chosen = chosen_law(a, law);
   data::ReadOptions options;
   apply(a.read, options);
+  if (auto const two = two_directions(a)) return simulate_in_plane(a, *two, law, chosen, options);
   auto const motion = data::read_motion(a.motion, options);
   auto path = data::motion_of(motion);
   auto const& taken = chosen.law;
@@ -191,24 +411,13 @@ int simulate(SimulateArguments const& a) {
   for (auto const& line : beyond) say("  {}\n", line);
   if (auto const bad = std::ranges::find_if_not(force_kN, [](double f) { return std::isfinite(f); });
       bad != force_kN.end())
-    throw Error(
-        {.where = "law " + std::string(law.info.id),
-         .found = fmt::format("no finite force from sample {} on with these parameters", bad - force_kN.begin() + 1),
-         .allowed = "parameters of a device like this one",
-         .advice = "--refinement 4, finer steps; isolaw laws " + std::string(law.info.id)});
+    throw no_finite_force(law, bad - force_kN.begin());
   auto const [least, most] = std::ranges::minmax(force_kN);
   say("  {} samples, force from {:.4g} to {:.4g} kN\n", force_kN.size(), least, most);
   auto known = facts(chosen);
   if (!known.empty()) known.insert(known.end(), beyond.begin(), beyond.end());
   auto const text = csv_text(law.info.id, known, motion, path, force_kN);
-  if (!a.out) {
-    std::fwrite(text.data(), 1, text.size(), stdout);
-    return exit_done;
-  }
-  std::vector<std::filesystem::path> inputs{a.motion};
-  if (a.parameters) inputs.push_back(*a.parameters);
-  write_output(*a.out, text, inputs);
-  say("written: {}\n", shown(*a.out));
+  write_or_print(a, text);
   return exit_done;
 }
 

@@ -104,6 +104,8 @@ class LawOnRecord {
   // Share of each sample in the objective, which is the sum of weight * |residual|.
   std::span<double const> residual_weights() const { return share_; }
   std::size_t samples() const { return measured_.size(); }
+  // Standard deviation of the measured force, which residuals are relative to.
+  double spread_kN() const { return spread_ * law().info.force.in_record_units; }
 
   // Computed force [kN] at every sample.
   std::vector<double> force_kN(std::span<double const> parameters) const { return motion_.force_kN(parameters); }

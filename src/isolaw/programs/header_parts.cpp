@@ -35,8 +35,8 @@ bool has(std::string_view law, std::string_view text) {
 std::string_view header_numbers() {
   return part("numbers.inc");
 }
-std::string_view header_material() {
-  return part("material.inc");
+std::vector<std::string_view> header_material() {
+  return {part("motion.inc"), part("material.inc")};
 }
 
 std::vector<std::string_view> header_parts(std::string_view law) {

@@ -1,0 +1,111 @@
+#include "isolaw/fit/as_springs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "isolaw/fit/objective.hpp"
+#include "isolaw/laws/springs.hpp"
+#include "isolaw/opt/multistart.hpp"
+
+namespace isolaw::fit {
+namespace {
+
+// One or more springs that see the same motion along the first one's direction.
+struct Share {
+  LawOnMotion law;
+  double force;
+};
+
+class SpringsProblem final : public opt::DeviationProblem {
+ public:
+  SpringsProblem(LawOnRecord const& model, laws::LawEntry const& law, data::FitRecord const& record,
+                 SearchBox const& box, int refinement)
+      : model_(model), box_(box), size_(record.size()), parameters_(law.parameters.size()) {
+    constexpr int count = laws::usual_springs;
+    auto const [force_share, way_share] = laws::spring_shares(count);
+    for (int i = 0; i < count; ++i) {
+      double const along = std::cos(std::numbers::pi * i / count);
+      if (2 * i == count) continue;  // across the motion
+      // Springs to the left of it move as their neighbours to the right do, mirrored.
+      bool const mirrored = law.info.traits.odd && i > 0;
+      if (mirrored && 2 * i > count) break;
+      auto motion = record;
+      for (double& x : motion.disp_mm) x *= way_share * along;
+      for (double& v : motion.vel_mm_s) v *= way_share * along;
+      shares_.push_back(
+          {LawOnMotion(law, motion, laws::Integration::converged, laws::TurningPoints::as_sampled, refinement),
+           force_share * along * (mirrored ? 2.0 : 1.0)});
+    }
+    measured_ = record.force_kN;
+    spread_ = model.spread_kN();
+  }
+
+  std::size_t dimension() const override { return box_.free_count(); }
+  std::span<double const> weights() const override { return model_.residual_weights(); }
+  void evaluate(opt::Points const& points, std::span<double> values) const override {
+    std::vector<double> found(size_);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      residuals_at(points[i], found);
+      values[i] = of(found);
+    }
+  }
+  void residuals(opt::Points const& points, std::span<double> values) const override {
+    for (std::size_t i = 0; i < points.size(); ++i) residuals_at(points[i], values.subspan(i * size_, size_));
+  }
+  // Of all parameters of the law.
+  double objective(std::span<double const> parameters) const {
+    std::vector<double> found(size_);
+    residuals_of(parameters, found);
+    return of(found);
+  }
+
+ private:
+  double of(std::span<double const> residuals) const {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < size_; ++j) sum += weights()[j] * std::abs(residuals[j]);
+    return std::isfinite(sum) ? sum : opt::infinity;
+  }
+  void residuals_at(std::span<double const> point, std::span<double> found) const {
+    std::vector<double> parameters(parameters_);
+    box_.expand(point, parameters);
+    residuals_of(parameters, found);
+  }
+  void residuals_of(std::span<double const> parameters, std::span<double> found) const {
+    std::vector<double> one(size_);
+    std::ranges::copy(measured_, found.begin());
+    for (auto const& [law, force] : shares_) {
+      law.force_kN(parameters, one);
+      for (std::size_t j = 0; j < size_; ++j) found[j] -= force * one[j];
+    }
+    for (double& r : found) r /= spread_;
+  }
+
+  LawOnRecord const& model_;
+  SearchBox const& box_;
+  std::size_t size_, parameters_;
+  std::vector<Share> shares_;
+  std::vector<double> measured_;
+  double spread_ = 1.0;
+};
+
+}  // namespace
+
+AsSprings fitted_as_springs(laws::LawEntry const& law, data::FitRecord const& record, SearchBox const& box,
+                            std::vector<double> parameters, int refinement) {
+  LawOnRecord const model(law, record, laws::Integration::converged, laws::TurningPoints::as_sampled, refinement);
+  SpringsProblem const springs(model, law, record, box, refinement);
+  std::vector<double> work;
+  AsSprings made{.parameters = {}, .law = model.objective(parameters, work), .given = springs.objective(parameters)};
+  made.fitted = made.given;
+  made.parameters = std::move(parameters);
+  if (box.free_count() == 0) return made;
+  auto const found = opt::descend(springs, box.contract(made.parameters));
+  if (!found.usable() || found.best_value >= made.given) return made;
+  box.expand(found.best, made.parameters);
+  made.fitted = found.best_value;
+  return made;
+}
+
+}  // namespace isolaw::fit

@@ -1,0 +1,62 @@
+// Laws in two directions that take the parameters of a law of one, and give its force on any straight line through the
+// origin. A law of the plane is a struct with
+//   OneDirection                           that law; info and Params<T> are its own
+//   State<T>                               numbers T alone, so that a trial is a copy and one scalar becomes another
+//   start<T>(params) -> State<T>           at rest at the origin
+//   step<T>(params, state, from, to, dt)   advances the state over the straight step between two displacements, returns
+//                                          the force at its end; the law's units, seconds
+//   joint_limits                           where it has them, what parameters must meet to have a form in the plane
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <tuple>
+
+#include "isolaw/laws/plane/abe.hpp"
+#include "isolaw/laws/plane/bilinear.hpp"
+#include "isolaw/laws/plane/bouc_wen.hpp"
+#include "isolaw/laws/plane/history_integral.hpp"
+#include "isolaw/laws/plane/vaiana.hpp"
+#include "isolaw/num/dual.hpp"
+
+namespace isolaw::laws::plane {
+
+using AllLaws = std::tuple<Bilinear, BoucWen, Abe, AbeY0, Vaiana, HistoryIntegral>;
+
+// Those with a force that the peak softens, by the other rule.
+using LawsByAxis = std::tuple<AbeOf<laws::Abe, Softening::by_axis>, AbeOf<laws::AbeY0, Softening::by_axis>,
+                              HistoryIntegralOf<Softening::by_axis>>;
+
+// Parameters or a state as the same of another scalar.
+template <class To, class From, class T = double, class U>
+To numbers_as(From const& from, U&& one) {
+  std::array<T, sizeof(From) / sizeof(T)> const values = std::bit_cast<std::array<T, sizeof(From) / sizeof(T)>>(from);
+  std::array<decltype(one(values[0])), sizeof(From) / sizeof(T)> made;
+  for (std::size_t i = 0; i < made.size(); ++i) made[i] = one(values[i]);
+  return std::bit_cast<To>(made);
+}
+
+// A trial: nothing of it stays but by taking `after` for the state.
+template <class Law>
+struct Trial {
+  Vector<double> force;
+  std::array<std::array<double, 2>, 2> tangent;  // d force (row) / d displacement (column), of the step as computed
+  typename Law::template State<double> after;
+};
+
+template <class Law>
+Trial<Law> force_and_tangent(Law const&, typename Law::template Params<double> const& params,
+                             typename Law::template State<double> const& state, Vector<double> const& from,
+                             Vector<double> const& to, double dt) {
+  using T = num::Dual<2>;
+  auto const as_dual = [](double value) { return T(value); };
+  auto const p = numbers_as<typename Law::template Params<T>>(params, as_dual);
+  auto s = numbers_as<typename Law::template State<T>>(state, as_dual);
+  Vector<T> const force = Law::template step<T>(p, s, {T(from.x), T(from.y)}, {T(to.x, 0), T(to.y, 1)}, dt);
+  auto const after =
+      numbers_as<typename Law::template State<double>, decltype(s), T>(s, [](T const& x) { return x.value; });
+  return {{force.x.value, force.y.value}, {force.x.slope, force.y.slope}, after};
+}
+
+}  // namespace isolaw::laws::plane

@@ -1,0 +1,75 @@
+// Vectors of the plane, and what the laws of the plane need of the numbers they are made of: double, num::Dual by the
+// displacement of the trial, or num::Batch, one lane one draw, where parameters and motion are lanes and every branch
+// is a select.
+#pragma once
+
+#include "isolaw/laws/law.hpp"
+
+namespace isolaw::laws::plane {
+
+// What of the motion so far softens a force in a law that remembers the peak: tests in one direction cannot tell. The
+// second depends on the axes.
+enum class Softening { by_distance, by_axis };
+
+template <class T>
+struct Vector {
+  T x, y;
+
+  friend Vector operator+(Vector const& a, Vector const& b) { return {a.x + b.x, a.y + b.y}; }
+  friend Vector operator-(Vector const& a, Vector const& b) { return {a.x - b.x, a.y - b.y}; }
+  friend Vector operator*(T const& k, Vector const& a) { return {k * a.x, k * a.y}; }
+};
+
+template <class T>
+T dot(Vector<T> const& a, Vector<T> const& b) {
+  return rounded(a.x * b.x) + a.y * b.y;
+}
+// a quarter turn from x to y
+template <class T>
+Vector<T> turned(Vector<T> const& a) {
+  return {-a.y, a.x};
+}
+template <class T>
+T norm(Vector<T> const& a) {
+  return sqrt(dot(a, a));
+}
+template <class Condition, class T>
+Vector<T> chosen(Condition const& condition, Vector<T> const& a, Vector<T> const& b) {
+  return {select(condition, a.x, b.x), select(condition, a.y, b.y)};
+}
+
+// A straight step: its length and direction, which is that of no vector at all where nothing moves. There a derivative
+// number keeps the derivatives of `moved` alone.
+template <class T>
+struct Straight {
+  Vector<T> moved, direction;
+  T length;
+
+  Straight(Vector<T> const& from, Vector<T> const& to) : moved(to - from), length(norm(moved)) {
+    // Squares of shorter ways underflow.
+    T const shortest(1e-150);
+    auto const moves = length > shortest;
+    direction = (T(1.0) / max(length, shortest)) * moved;
+    direction = chosen(moves, direction, Vector<T>{T(0.0), T(0.0)});
+  }
+};
+
+// Components of a vector along and across a direction, and back.
+template <class T>
+struct Split {
+  T along, across;
+
+  Split(T const& p, T const& s) : along(p), across(s) {}
+  Split(Vector<T> const& a, Vector<T> const& direction) : along(dot(a, direction)), across(dot(a, turned(direction))) {}
+  Vector<T> joined(Vector<T> const& direction) const { return along * direction + across * turned(direction); }
+};
+
+// q' = rate (n - q) along a straight step: a memory of the motion that fades. At rest derivatives alone move on,
+// elastically.
+template <class T>
+Vector<T> fading(Vector<T> const& q, Straight<T> const& way, T const& rate) {
+  T const left = exp(-rate * way.length);
+  return chosen(way.length > T(0.0), way.direction + left * (q - way.direction), q + rate * way.moved);
+}
+
+}  // namespace isolaw::laws::plane

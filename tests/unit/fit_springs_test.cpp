@@ -1,0 +1,62 @@
+// A law fitted as springs: it comes back to its own springs' force, and their work on the record is then the law's.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "isolaw/fit/as_springs.hpp"
+#include "isolaw/fit/in_plane.hpp"
+#include "isolaw/fit/objective.hpp"
+
+namespace isolaw::fit {
+namespace {
+
+data::FitRecord cycles() {
+  data::FitRecord record;
+  for (int i = 0; i <= 400; ++i) {
+    double const t = 0.01 * i, size = i < 200 ? 50.0 : 120.0;
+    record.time_s.push_back(t);
+    record.disp_mm.push_back(size * std::sin(std::numbers::pi * t));
+    record.vel_mm_s.push_back(size * std::numbers::pi * std::cos(std::numbers::pi * t));
+  }
+  return record;
+}
+
+TEST(FitSprings, find_the_knee_that_they_lose) {
+  for (auto const* id : {"bilinear", "bouc-wen", "vaiana"}) {
+    auto const& law = laws::find_law(id);
+    auto record = cycles();
+    std::vector<double> const parameters =
+        law.info.id == "bilinear" ? std::vector{6.0, 0.9, 30.0 / 5.1}
+        : law.info.id == "bouc-wen"
+            ? std::vector{0.15, 6.0, 1.0, 0.08, 1.2, 0.08}
+            : std::vector{9e5, 8e5, 3e4, 2.5e4, 60.0, 50.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    record.force_kN = LawOnMotion(law, record, laws::Integration::converged).force_kN(parameters);
+    auto const box = make_box(law, BoxKind::scaled, scales_of(record, law.info), {});
+    auto const made = fitted_as_springs(law, record, box, parameters);
+    EXPECT_LT(made.law, 1e-12) << id;
+    EXPECT_GT(made.given, 0.004) << id;
+    // Three parameters have nothing to round a knee with.
+    EXPECT_LE(made.fitted, (law.info.id == "bilinear" ? 1.0 : 0.6) * made.given) << id;
+    // The objective is that of the springs as they run online along the first one.
+    auto online = LawInPlane{&law, made.parameters}.made(laws::Bidirectional::springs, {});
+    PlaneMotion motion{.time_s = record.time_s, .disp_mm = {}, .vel_mm_s = {}};
+    for (std::size_t i = 0; i < record.size(); ++i) {
+      motion.disp_mm.push_back({record.disp_mm[i], 0.0});
+      motion.vel_mm_s.push_back({record.vel_mm_s[i], 0.0});
+    }
+    auto const force = force_kN(law, online, motion);
+    std::vector<double> along;
+    for (auto const& f : force) {
+      along.push_back(f.x);
+      if (law.info.traits.odd) {
+        EXPECT_NEAR(f.y, 0.0, 1e-9);
+      }
+    }
+    EXPECT_NEAR(objective_on(record, along, {}), made.fitted, 1e-6) << id;
+  }
+}
+
+}  // namespace
+}  // namespace isolaw::fit
