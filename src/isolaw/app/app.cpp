@@ -73,6 +73,12 @@ void add_figures(CLI::App& command, std::string& figures) {
                      "for print, with data and gnuplot scripts: lot (default), all (of every device too), none");
 }
 
+void add_jobs(CLI::App& c, std::optional<int>& jobs) {
+  c.add_option("--jobs", jobs,
+               fmt::format("threads, 0 to {} (one per core); the results do not depend on it", campaign::most_jobs))
+      ->check(CLI::Range(0, campaign::most_jobs));
+}
+
 void add_calibrate(CLI::App& c, CalibrateArguments& a) {
   c.add_option("inputs", a.inputs, "a lot file (.toml), test records, or a directory of them")->required();
   for (auto const& setting : campaign::setting_table())
@@ -80,9 +86,8 @@ void add_calibrate(CLI::App& c, CalibrateArguments& a) {
   add_reading(c, a.read);
   add_acceptance(c, a.acceptance);
   add_vertical(c, a.vertical);
-  c.add_option("--jobs", a.jobs,
-               fmt::format("threads, 0 to {} (one per core); the results do not depend on it", campaign::most_jobs))
-      ->check(CLI::Range(0, campaign::most_jobs));
+  add_jobs(c, a.jobs);
+  c.add_option("--part", a.part, "K/N: only the K-th of N even shares of the runs, for isolaw merge");
   c.add_option("--out", a.out, "directory of the results (out/<name of the lot>)");
   add_figures(c, a.figures);
   c.add_flag("--fresh", a.fresh, "start over where the directory holds another campaign");
@@ -123,6 +128,20 @@ int dispatch(CLI::App& app, int argc, char** argv) {
                       return calibrate(calibrate_arguments, {argv, argv + argc});
                     }),
                 calibrate_arguments);
+
+  MergeArguments merge_arguments;
+  auto& merge_command = add("merge", "Make one campaign of the parts that several machines computed", [&] {
+    return merge(merge_arguments, {argv, argv + argc});
+  });
+  merge_command.add_option("directory", merge_arguments.directory, "directory of the whole campaign")->required();
+  merge_command.add_option("parts", merge_arguments.parts,
+                           "directories of isolaw calibrate --part, in any order; none: what is there is finished");
+  add_jobs(merge_command, merge_arguments.jobs);
+  add_figures(merge_command, merge_arguments.figures);
+  merge_command.add_flag("--copy-only", merge_arguments.copy_only,
+                         "no analyses, no reports: isolaw merge DIRECTORY makes them later");
+  merge_command.add_flag("--fresh", merge_arguments.fresh, "start over where the directory holds another campaign");
+  merge_command.add_flag("--json", merge_arguments.json, "print summary.json and the profile instead of the ranking");
 
   InitArguments init_arguments;
   auto& init_command =
