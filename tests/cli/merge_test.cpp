@@ -50,9 +50,9 @@ class Merge : public InFreshDirectory {
                  "--method",
                  "ga",
                  "--population",
-                 "10",
+                 "40",
                  "--generations",
-                 "6",
+                 "40",
                  "--analysis",
                  "full",
                  "--replicates",
@@ -106,7 +106,8 @@ TEST_F(Merge, of_seven_parts_in_any_order_one_killed_one_twice_is_what_one_machi
   Outcome result;
   while (stored_rows(path("P4/campaign.sqlite"), "run") < 1 && !killed.ended(result)) std::this_thread::sleep_for(1ms);
   killed.send(SIGKILL);
-  killed.wait();
+  EXPECT_EQ(killed.wait().code, 128 + SIGKILL);
+  EXPECT_LT(stored_rows(path("P4/campaign.sqlite"), "run"), 3);
   compute({6, 1, 7, 3, 2, 5, 4});
   ASSERT_EQ(isolaw(campaign("again", {"--part", "2/7", "--jobs", "2"})).code, 0);
   EXPECT_EQ(read("again/campaign.sqlite"), read("P2/campaign.sqlite"));

@@ -39,6 +39,15 @@ struct MergeArguments {
 // A campaign computed in parts as one machine would have computed it; where runs are missing, which.
 int merge(MergeArguments const& arguments, std::vector<std::string> const& command_line);
 
+struct PartsArguments {
+  std::filesystem::path lot;
+  CalibrateArguments calibrate;  // its inputs are the lot
+  int count = 0;
+  std::string to;  // of part_script_kinds
+};
+// A script that computes a campaign in so many parts and merges them.
+int parts(PartsArguments const& arguments, std::string const& program);
+
 struct InspectArguments {
   std::vector<std::filesystem::path> inputs;  // one lot file, or records
   Values read, acceptance;
