@@ -310,5 +310,74 @@ TEST_F(Merge, parts_are_named_as_they_may_be) {
   expect_message(isolaw(campaign("X", {"--part", "100/100"})), 0, {"part 100 of 100: 0 runs"});
 }
 
+// The scripts of isolaw parts, with names that a shell and make would take apart.
+class PartScripts : public Merge {
+ protected:
+  static Words in_parts(std::string const& to, std::string const& out) {
+    auto words = campaign(out, {"--figures", "none"});
+    words.front() = "parts";
+    words.insert(words.begin() + 2, {"5", "--to", to});
+    return words;
+  }
+  Outcome run(Words const& command, Words const& environment = {}) {
+    return Process(command, directory(), path("out"), path("err"), environment).wait();
+  }
+  static bool is_there(std::string const& program) {
+    return std::system(("command -v " + program + " >/dev/null 2>&1").c_str()) == 0;
+  }
+  void expect_merged(std::string const& out) {
+    if (!exists("W")) {
+      ASSERT_EQ(isolaw(campaign("W")).code, 1);
+    }
+    for (auto const* name : {"campaign.sqlite", "summary.json", "report.html"})
+      EXPECT_TRUE(read(fs::path(out) / name) == read(fs::path("W") / name)) << name;
+  }
+};
+
+TEST_F(PartScripts, of_make_and_parallel_end_as_one_machine_also_after_a_loss) {
+  for (std::string const to : {"make", "parallel"}) {
+    if (!is_there(to)) {
+      std::cout << "SKIPPED: no " << to << " here\n";
+      continue;
+    }
+    auto const out = "it's $(HOME) $HOME \"" + to + "\" 100%";
+    auto const printed = isolaw(in_parts(to, out));
+    ASSERT_EQ(printed.code, 0) << printed;
+    auto const script = "the '" + to + "' script";
+    write(script, printed.out);
+    auto const command = to == "make" ? Words{"make", "-f", script, "-j", "2", "-k"} : Words{"sh", script};
+    auto const o = run(command, {"ISOLAW_SCRATCH=" + path("disk of $1").string()});
+    EXPECT_TRUE(contains(o.err, "24 runs copied")) << o;
+    expect_merged(out);
+    EXPECT_FALSE(exists("disk of $1/isolaw"));
+    fs::remove_all(path(out));
+    fs::remove_all(path(out + ".parts/4"));
+    auto const again = run(command);
+    EXPECT_TRUE(contains(again.err, "24 runs copied")) << again;
+    expect_merged(out);
+  }
+}
+
+TEST_F(PartScripts, fix_the_instruction_set_and_ask_for_time_and_memory) {
+  auto const o = start(in_parts("slurm", "O"), {"ISOLAW_SIMD=scalar"}).wait();
+  ASSERT_EQ(o.code, 0) << o;
+  for (auto const* part : {"export ISOLAW_SIMD=scalar\n", "--array=\"$array\" --requeue", "--time=10 ",
+                           "--mem=", "--dependency=afterany:", "# 5 parts of work, merged into O."})
+    EXPECT_TRUE(contains(o.out, part));
+  write("s", o.out);
+  EXPECT_EQ(run({"sh", "-n", "s"}).code, 0);
+  EXPECT_EQ(run({"sh", "s", "else"}).code, 2);
+}
+
+TEST_F(PartScripts, are_refused_as_commands_are) {
+  expect_refused(isolaw(in_parts("pbs", "O")), {"--to", "'pbs'", "slurm, make, parallel"});
+  expect_refused(isolaw(in_parts("make", "a\nb")), {"holds a line break"});
+  auto none = in_parts("make", "O");
+  none[2] = "0";
+  expect_refused(isolaw(none), {"count: 0", "1 to 100000 parts"});
+  expect_message(isolaw(Words{"parts", "lot.toml", "50", "--to", "make"} + Words(none.begin() + 5, none.end())), 0,
+                 {"24 runs for 50 parts: some will have none"});
+}
+
 }  // namespace
 }  // namespace isolaw::cli_test
