@@ -209,6 +209,8 @@ Store::Taken Store::take_runs(std::filesystem::path const& other) {
   auto const theirs = Connection::to_read(other);
   require_present_schema(theirs, other);
   auto const maker = own_maker();
+  // Rows of a part lie all over the tree: what many parts changed goes from the log into the file at once.
+  db_.execute("PRAGMA wal_autocheckpoint = 16384");
   Taken taken;
   Transaction transaction(db_);
   RunWriter writer(db_);
