@@ -1,5 +1,5 @@
-// Which part of a campaign computes a run: runs in the order of what they cost in all likelihood, dealt in turn, so that
-// parts are even. The same deal on every machine: nothing is measured for it.
+// Which part of a campaign computes a run: runs in the order of what they cost in all likelihood, dealt in turn, so
+// that parts are even. The same deal on every machine: nothing is measured for it.
 #pragma once
 
 #include <cstddef>
