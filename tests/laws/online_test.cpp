@@ -9,6 +9,7 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/laws/catalogue.hpp"
+#include "laws/single_laws.hpp"
 
 namespace isolaw::online_test {
 namespace {
@@ -52,11 +53,6 @@ std::vector<double> offline(laws::LawEntry const& law, std::vector<double> const
   return force;
 }
 
-// Differential laws and their forms have tables of the flow of their own.
-double tolerance_of(laws::LawEntry const& law) {
-  return law.info.traits.path_integrated ? 1e-6 : 1e-10;
-}
-
 bool finite(std::vector<double> const& values) {
   for (double const value : values)
     if (!std::isfinite(value)) return false;
@@ -91,7 +87,7 @@ TEST_P(EveryLaw, gives_the_force_of_the_law) {
       copy.trial(3.0 * motion.x[i], 0.0);
       copy.commit();
       auto const got = online.trial(motion.x[i], motion.v[i]);
-      ASSERT_NEAR(got.force, expected[i], tolerance_of(law) * peak) << share << " " << i;
+      ASSERT_NEAR(got.force, expected[i], law_tests::form_tolerance(law) * peak) << share << " " << i;
       online.commit();
     }
   }
@@ -108,7 +104,7 @@ TEST_P(EveryLaw, goes_a_step_in_parts_as_a_refined_path_does) {
   for (double const f : expected) peak = std::max(peak, std::abs(f));
   laws::Online online(law.info.id, parameters, 0.0, 3);
   for (std::size_t i = 0; i < motion.x.size(); ++i) {
-    ASSERT_NEAR(online.trial(motion.x[i], motion.v[i]).force, expected[i], tolerance_of(law) * peak) << i;
+    ASSERT_NEAR(online.trial(motion.x[i], motion.v[i]).force, expected[i], law_tests::form_tolerance(law) * peak) << i;
     online.commit();
   }
 }

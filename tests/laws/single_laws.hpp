@@ -124,11 +124,11 @@ inline double error_of_the_rate(std::string_view law, double rate_Hz) {
   return 1e-13;  // seen: 1e-14
 }
 
-// How far the exported form of a law, whose text is given, may be from the law, of its peak: both compute the same in
-// double. But for the curve between reversals: a polynomial here, or a table of 1e-5 where there is none (kappa above 3),
-// a finer table there.
-inline double form_tolerance(std::string_view form) {
-  return form.find("class Flow {") == std::string_view::npos ? 1e-10 : 1e-5;
+// How far the online form of a law, or what is exported of it, may be from the law, of its peak: both compute the same
+// in double, but for the curve between reversals: a polynomial here, or a table of 1e-5 where there is none (kappa above
+// 3), a finer table there.
+inline double form_tolerance(laws::LawEntry const& law) {
+  return law.info.traits.exact_flow ? 1e-5 : 1e-10;
 }
 
 }  // namespace isolaw::law_tests

@@ -430,14 +430,14 @@ TEST_F(StoreTest, RefusesANewerSchemaAndChangesNothing) {
 }
 
 // Stores that lack it could not be read: see tests/stores/README.md before changing this.
-TEST(Schema, OfTheseSettingsIsSeven) {
+TEST(Schema, OfTheseSettingsIsEight) {
   std::set<std::string> keys;
   for (auto const method : {Method::best, Method::genetic}) {
     Settings settings;
     settings.method = method;
     for (auto const& [key, value] : to_pairs(settings)) keys.insert(key);
   }
-  EXPECT_EQ(schema_version, 7);
+  EXPECT_EQ(schema_version, 8);
   EXPECT_EQ(keys, (std::set<std::string>{"analysis",
                                          "box",
                                          "center",

@@ -27,8 +27,7 @@ TEST_F(Folder, headers_are_the_laws) {
     auto subject = subject_of(law.info.id, inside_box(law, 0.5));
     subject.refinement = law.info.id == "abe" ? 2 : 1;
     auto const file = std::string(law.info.id) + ".hpp", space = identifier(subject);
-    auto const form = cpp_header(subject, units);
-    write(file, form);
+    write(file, cpp_header(subject, units));
     includes += "#include \"" + file + "\"\n";
     for (double const share : shares) {
       auto const parameters = inside_box(law, share);
@@ -40,7 +39,7 @@ TEST_F(Folder, headers_are_the_laws) {
       for (double const p : parameters) list += (list.empty() ? "" : ", ") + exactly(p);
       body += fmt::format("  drive({0}::Material(1.5, {0}::Parameters{{{1}}}));\n", space, list);
       expected.push_back(force);
-      tolerances.push_back(law_tests::form_tolerance(form));
+      tolerances.push_back(law_tests::form_tolerance(law));
       names.push_back(fmt::format("{} {}", law.info.id, share));
       is_rate_independent.push_back(law.info.traits.rate_independent);
       remembers.push_back(law.info.traits.remembers);

@@ -77,6 +77,12 @@ Continued open_or_create(std::filesystem::path const& file, campaign::Contents& 
                  .found = "the campaign there differs: " + joined(changed, "; "),
                  .allowed = "the same settings and records, to continue it; devices, laws and runs may be added",
                  .advice = "--fresh to start over, or another --out DIR"});
+  if (auto const more = campaign::growth(stored, contents); contents.part && !more.empty())
+    throw Error({.where = file.string(),
+                 .found = fmt::format("part {} of a campaign that is now larger, by {}: its runs are dealt anew",
+                                      campaign::text(*contents.part), joined(more)),
+                 .allowed = "the lot and settings that it was begun with",
+                 .advice = "isolaw merge of the parts there are, then all of it grown without --part; or --fresh"});
   Continued made;
   for (auto& device : contents.devices) {
     auto const there = std::ranges::find(stored.devices, device.name, &campaign::Device::name);

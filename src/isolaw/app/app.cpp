@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "isolaw/app/commands.hpp"
+#include "isolaw/app/part_script.hpp"
 #include "isolaw/app/say.hpp"
 #include "isolaw/app/usage.hpp"
 #include "isolaw/base/error.hpp"
@@ -50,10 +51,11 @@ void add_option(CLI::App& command, OptionInfo const& option, Values& given, std:
     command.add_option_function<std::string>(name, take_word, option.help)->type_name(type);
 }
 
-// Of a motion, which has no force: `of_test` is false.
+// Of a motion, which has no force: `of_test` is false. One whose name the command takes for itself is left to the lot
+// file.
 void add_reading(CLI::App& command, Values& read, bool of_test = true) {
   for (auto const& option : data::reading_table())
-    if (of_test || !option.of_test)
+    if ((of_test || !option.of_test) && command.get_option_no_throw("--" + option.option()) == nullptr)
       add_option(command, option, read, of_test ? std::string_view() : option.motion_option);
 }
 
@@ -73,20 +75,30 @@ void add_figures(CLI::App& command, std::string& figures) {
                      "for print, with data and gnuplot scripts: lot (default), all (of every device too), none");
 }
 
-void add_calibrate(CLI::App& c, CalibrateArguments& a) {
-  c.add_option("inputs", a.inputs, "a lot file (.toml), test records, or a directory of them")->required();
+void add_jobs(CLI::App& c, std::optional<int>& jobs) {
+  c.add_option("--jobs", jobs,
+               fmt::format("threads, 0 to {} (one per core); the results do not depend on it", campaign::most_jobs))
+      ->check(CLI::Range(0, campaign::most_jobs));
+}
+
+// What decides results, and where they go.
+void add_campaign(CLI::App& c, CalibrateArguments& a) {
   for (auto const& setting : campaign::setting_table())
     if (!setting.stored_only) add_option(c, setting, a.settings);
   add_reading(c, a.read);
   add_acceptance(c, a.acceptance);
   add_vertical(c, a.vertical);
-  c.add_option("--jobs", a.jobs,
-               fmt::format("threads, 0 to {} (one per core); the results do not depend on it", campaign::most_jobs))
-      ->check(CLI::Range(0, campaign::most_jobs));
+  add_jobs(c, a.jobs);
   c.add_option("--out", a.out, "directory of the results (out/<name of the lot>)");
   add_figures(c, a.figures);
-  c.add_flag("--fresh", a.fresh, "start over where the directory holds another campaign");
   c.add_flag("--allow-outside", a.allow_outside, "the lot file may name records outside its own folder");
+}
+
+void add_calibrate(CLI::App& c, CalibrateArguments& a) {
+  c.add_option("inputs", a.inputs, "a lot file (.toml), test records, or a directory of them")->required();
+  add_campaign(c, a);
+  c.add_option("--part", a.part, "K/N: only the K-th of N even shares of the runs, for isolaw merge");
+  c.add_flag("--fresh", a.fresh, "start over where the directory holds another campaign");
   c.add_flag("--json", a.json, "print summary.json and the profile instead of the ranking");
 }
 
@@ -131,6 +143,33 @@ int dispatch(CLI::App& app, int argc, char** argv) {
                       return calibrate(calibrate_arguments, {argv, argv + argc});
                     }),
                 calibrate_arguments);
+
+  MergeArguments merge_arguments;
+  auto& merge_command = add("merge", "Make one campaign of the parts that several machines computed", [&] {
+    return merge(merge_arguments, {argv, argv + argc});
+  });
+  merge_command.add_option("directory", merge_arguments.directory, "directory of the whole campaign")->required();
+  merge_command.add_option("parts", merge_arguments.parts,
+                           "directories of isolaw calibrate --part, in any order; none: what is there is finished");
+  add_jobs(merge_command, merge_arguments.jobs);
+  add_figures(merge_command, merge_arguments.figures);
+  merge_command.add_flag("--copy-only", merge_arguments.copy_only,
+                         "no analyses, no reports: isolaw merge DIRECTORY makes them later");
+  merge_command.add_flag("--fresh", merge_arguments.fresh, "start over where the directory holds another campaign");
+  merge_command.add_flag("--json", merge_arguments.json, "print summary.json and the profile instead of the ranking");
+
+  PartsArguments parts_arguments;
+  auto& parts_command =
+      add("parts", "Print a script that computes a campaign in parts, by a cluster's scheduler, and merges them",
+          [&] { return parts(parts_arguments, argv[0]); });
+  parts_command.add_option("lot", parts_arguments.lot, "a lot file (.toml), or a directory of records")->required();
+  parts_command.add_option("count", parts_arguments.count, "parts; some two or three for each thread there is")
+      ->required();
+  parts_command
+      .add_option("--to", parts_arguments.to,
+                  joined(part_script_kinds) + " (where a record ends, its `to`, a lot file says)")
+      ->required();
+  add_campaign(parts_command, parts_arguments.calibrate);
 
   InitArguments init_arguments;
   auto& init_command =

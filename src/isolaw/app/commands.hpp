@@ -21,12 +21,32 @@ struct CalibrateArguments {
   std::vector<std::string> vertical;  // DEVICE=FILE of compression tests
   std::optional<std::filesystem::path> out;
   std::optional<int> jobs;
+  std::optional<std::string> part;  // "3/40"
   std::string figures = "lot";
   bool fresh = false;
   bool allow_outside = false;  // a lot file may name files outside its folder
   bool json = false;
 };
 int calibrate(CalibrateArguments const& arguments, std::vector<std::string> const& command_line);
+
+struct MergeArguments {
+  std::filesystem::path directory;
+  std::vector<std::filesystem::path> parts;
+  std::optional<int> jobs;
+  std::string figures = "lot";
+  bool copy_only = false, fresh = false, json = false;
+};
+// A campaign computed in parts as one machine would have computed it; where runs are missing, which.
+int merge(MergeArguments const& arguments, std::vector<std::string> const& command_line);
+
+struct PartsArguments {
+  std::filesystem::path lot;
+  CalibrateArguments calibrate;  // its inputs are the lot
+  int count = 0;
+  std::string to;  // of part_script_kinds
+};
+// A script that computes a campaign in so many parts and merges them.
+int parts(PartsArguments const& arguments, std::string const& program);
 
 struct InspectArguments {
   std::vector<std::filesystem::path> inputs;  // one lot file, or records

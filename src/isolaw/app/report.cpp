@@ -52,6 +52,9 @@ int exit_code(study::Summary const& summary) {
 
 std::string what_is_missing(study::Summary const& summary) {
   auto const runs = summary.missing_runs();
+  if (summary.part)
+    return fmt::format("this is part {} of {}, {} of its {} runs; isolaw merge OUT PARTS... makes it whole",
+                       summary.part->number, summary.part->of, summary.runs, summary.expected_here);
   return fmt::format("{} {} are missing; the last calibrate command there continues it",
                      runs > 0 ? runs : summary.missing_analyses(), runs > 0 ? "runs" : "analyses");
 }
@@ -71,7 +74,7 @@ int report(ReportArguments const& arguments) {
     not_written = error;
   }
   print(summary, arguments.json);
-  if (!contents.complete()) say("the campaign is not complete: {}\n", what_is_missing(summary));
+  if (!contents.complete() || contents.part) say("the campaign is not complete: {}\n", what_is_missing(summary));
   if (not_written) throw *not_written;
   return contents.complete() ? exit_code(summary) : exit_with_refusals;
 }

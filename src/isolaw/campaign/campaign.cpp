@@ -14,6 +14,7 @@
 
 #include "isolaw/base/hash.hpp"
 #include "isolaw/campaign/analyse.hpp"
+#include "isolaw/campaign/deal.hpp"
 #include "isolaw/campaign/parallel.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/fit/objective.hpp"
@@ -24,6 +25,7 @@ namespace {
 
 // One law on one device, ready to be searched from several threads.
 struct Target {
+  std::size_t place;  // among the campaign's searches
   Search const* search;
   fit::LawOnRecord model;
   num::Stream stream;
@@ -130,10 +132,17 @@ void refit_in_finer_steps(Target const& target, Run& run) {
 std::vector<Task> missing_runs(Contents const& contents, std::vector<Target> const& targets) {
   std::set<std::tuple<std::size_t, std::string, int>> present;
   for (auto const& run : contents.runs) present.emplace(run.device, run.law, run.number);
+  std::optional<Deal> deal;
+  if (contents.part) deal.emplace(contents, contents.part->of);
+  auto const is_of_this_part = [&](Target const& target, int number) {
+    return !deal || deal->part_of(target.place, number) == contents.part->number;
+  };
   std::vector<Task> tasks;
   for (int number = 1; number <= contents.settings.runs; ++number)
     for (std::size_t t = 0; t < targets.size(); ++t)
-      if (!present.contains({targets[t].search->device, targets[t].search->law, number})) tasks.push_back({t, number});
+      if (is_of_this_part(targets[t], number) &&
+          !present.contains({targets[t].search->device, targets[t].search->law, number}))
+        tasks.push_back({t, number});
   return tasks;
 }
 
@@ -143,15 +152,20 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
   Meter own(options.profile);
   std::vector<Target> targets;
   num::Stream const campaign(contents.settings.seed);
-  for (auto const& search : contents.searches) {
+  for (std::size_t place = 0; place < contents.searches.size(); ++place) {
+    auto const& search = contents.searches[place];
     if (!search.refusal.empty()) continue;
     auto const& device = contents.devices[search.device];
-    targets.push_back({&search, law_on_device(contents, search.device, search.law),
+    targets.push_back({place, &search, law_on_device(contents, search.device, search.law),
                        campaign.split(stable_hash(device.name)).split(stable_hash(search.law))});
   }
   auto const tasks = missing_runs(contents, targets);
-  if (tasks.empty() && contents.complete() && Store::is_plain(file)) return true;
-  auto store = Store::open(file);
+  if (tasks.empty() && contents.complete() && Store::is_plain(file)) {
+    Store::put_in_order(file);
+    return true;
+  }
+  std::optional<Store> opened = Store::open(file);
+  auto& store = *opened;
 
   std::size_t const jobs =
       options.jobs > 0 ? static_cast<std::size_t>(options.jobs) : std::max(1U, std::thread::hardware_concurrency());
@@ -159,6 +173,12 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
       .done = contents.runs.size(), .total = contents.runs.size() + tasks.size(), .analysis = false, .best = {}};
   std::optional<Estimate> estimate;
   if (options.progress || options.task_done) expect_all(estimate.emplace(jobs), contents);
+  if (estimate && contents.part) {
+    std::map<std::string, std::size_t> left;
+    for (auto const& task : tasks) ++left[targets[task.target].search->law];
+    for (auto const kind : {TaskKind::run, TaskKind::device, TaskKind::lot, TaskKind::left_out})
+      estimate->expect_left(kind, kind == TaskKind::run ? left : std::map<std::string, std::size_t>());
+  }
   auto* const estimated = estimate ? &*estimate : nullptr;
   auto const tell = [&] {
     if (!options.progress) return;
@@ -213,7 +233,8 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
   std::ranges::sort(contents.runs, {}, [](Run const& r) { return std::tie(r.device, r.law, r.number); });
   own.lap(Phase::search);
   if (options.profile != nullptr) options.profile->mark({Phase::search});
-  if (contents.settings.analysis && contents.runs.size() == contents.expected_runs() && !asked_to_stop()) {
+  bool const whole = !contents.part && contents.runs.size() == contents.expected_runs();
+  if (contents.settings.analysis && whole && !asked_to_stop()) {
     progress.analysis = true;
     auto const threads = analyse(contents, store,
                                  {.threads = jobs,
@@ -235,7 +256,9 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
   }
   if (short_of_threads && options.short_of_threads) options.short_of_threads(static_cast<int>(worked));
   bool const complete = contents.complete();  // also when the wish to stop came during the last run
-  store.finish();                             // also when interrupted: whoever reads it next finds one plain file
+  bool const plain = store.finish();          // also when interrupted: whoever reads it next finds one plain file
+  opened.reset();
+  if (complete && plain) Store::put_in_order(file);
   own.lap(Phase::report);
   return complete;
 }

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
 
 namespace isolaw::campaign {
@@ -17,6 +18,22 @@ namespace {
 using Key = std::tuple<std::size_t, std::string_view>;
 
 }  // namespace
+
+Part parse_part(std::string_view text) {
+  auto const slash = text.find('/');
+  auto const number = number_in<int>(text.substr(0, slash));
+  auto const of = slash == std::string_view::npos ? std::nullopt : number_in<int>(text.substr(slash + 1));
+  if (!number || !of || *number < 1 || *number > *of || *of > most_parts)
+    throw Error({.where = "--part",
+                 .found = in_quotes(std::string(text)),
+                 .allowed = fmt::format("K/N, part K of N: K from 1 to N, N up to {}", most_parts),
+                 .advice = "--part 1/4 to --part 4/4, for four machines"});
+  return {*number, *of};
+}
+
+std::string text(Part const& part) {
+  return fmt::format("{}/{}", part.number, part.of);
+}
 
 std::string_view name(Outcome outcome) {
   // In the order of Outcome.
@@ -29,6 +46,14 @@ std::size_t Contents::expected_runs() const {
   std::size_t expected = 0;
   for (auto const& search : searches) expected += search.refusal.empty() ? static_cast<std::size_t>(settings.runs) : 0;
   return expected;
+}
+
+std::size_t Contents::expected_here() const {
+  auto const all = expected_runs();
+  if (!part) return all;
+  // Dealt in turn, see deal.hpp.
+  auto const number = static_cast<std::size_t>(part->number), of = static_cast<std::size_t>(part->of);
+  return all < number ? 0 : (all - number) / of + 1;
 }
 
 std::size_t Contents::expected_analyses() const {

@@ -131,6 +131,17 @@ struct Acceptance {
   bool operator==(Acceptance const&) const = default;
 };
 
+// A share of a campaign's runs, for a machine of its own: number `number` of `of`. It decides which runs are computed,
+// and none of their numbers.
+struct Part {
+  int number = 1, of = 1;
+
+  bool operator==(Part const&) const = default;
+};
+inline constexpr int most_parts = 100'000;
+Part parse_part(std::string_view text);  // "3/40"; throws Error
+std::string text(Part const& part);      // and back
+
 // What the law of the lot goes by where a device may be named.
 inline constexpr std::string_view whole_lot = "lot";
 
@@ -145,13 +156,17 @@ struct Contents {
   std::vector<LotAnalysis> lot_analyses = {};        // by law
   std::vector<LeftOutAnalysis> left_out = {};        // by device, law
   std::vector<Maker> makers = {};                    // the first read the records; empty: nobody but this program
+  std::optional<Part> part = {};                     // which alone is computed, and stored here; nullopt: all
   HeldOver held_over = {};                           // of a campaign that grows; in no store
 
   std::size_t expected_runs() const;  // of every search that was not refused
-  // Analyses that are to be made, given the runs there are; 0 without analysis.
+  std::size_t expected_here() const;  // those of them that are of this part
+  // Analyses that are to be made, given the runs there are; 0 without analysis. A part makes none, but they are
+  // expected of the whole.
   std::size_t expected_analyses() const;
   std::size_t analyses() const { return device_analyses.size() + lot_analyses.size() + left_out.size(); }
-  bool complete() const { return runs.size() == expected_runs() && analyses() >= expected_analyses(); }
+  // Nothing is left to compute here.
+  bool complete() const { return runs.size() == expected_here() && (part || analyses() >= expected_analyses()); }
 
   // The usable run of least objective, the first of equals; nullptr: none.
   Run const* best_run(std::size_t device, std::string_view law) const;

@@ -66,6 +66,10 @@ bool same_devices(Contents const& a, Contents const& b) {
 
 std::vector<std::string> obstacles(Contents const& stored, Contents const& asked) {
   auto found = differences(grown(stored.settings, asked.settings), asked.settings);
+  if (stored.part != asked.part) {
+    auto const named = [](std::optional<Part> const& part) { return part ? "part " + text(*part) : "all of it"; };
+    found.push_back(fmt::format("{} there, {} now", named(stored.part), named(asked.part)));
+  }
   std::vector<std::string> gone;
   for (auto const& device : stored.devices) {
     auto const place = place_of(asked, device.name);

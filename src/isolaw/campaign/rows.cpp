@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <tuple>
@@ -216,32 +219,6 @@ Outcome outcome_from(std::string_view text) {
   return Outcome::no_finite_value;
 }
 
-void read_runs(Connection const& db, Contents& contents) {
-  std::map<std::tuple<std::size_t, std::string, int>, std::vector<double>> values;
-  Statement parameter(db,
-                      "SELECT device, law, number, value FROM run_parameter ORDER BY device, law, number, position");
-  while (parameter.row()) {
-    std::size_t device = 0;
-    std::string law;
-    int number = 0;
-    double value = 0.0;
-    parameter.read(device, law, number, value);
-    values[{device, std::move(law), number}].push_back(value);
-  }
-  Statement run(
-      db,
-      "SELECT device, law, number, outcome, objective, integration_shift, refinement, evaluations, failed_evaluations, message, history, maker FROM run ORDER BY device, law, number");
-  while (run.row()) {
-    auto& r = contents.runs.emplace_back();
-    std::string outcome;
-    run.read(r.device, r.law, r.number, outcome, r.objective, r.integration_shift, r.refinement);
-    run.read(r.evaluations, r.failed_evaluations, r.failure, r.history, r.maker);
-    r.outcome = outcome_from(outcome);
-    if (auto const found = values.find({r.device, r.law, r.number}); found != values.end())
-      r.parameters = std::move(found->second);
-  }
-}
-
 template <class Analysis>
 void read_analyses(Connection const& db, char const* select, std::vector<Analysis>& analyses) {
   Statement row(db, select);
@@ -278,6 +255,7 @@ void read_descriptions(Connection const& db, Contents& contents) {
   a.rules_file = meta(db, "rules-file");
   a.design = meta(db, "design");
   if (auto const size = meta(db, "lot-size"); !size.empty()) a.lot_size = parse_lot_size(size);
+  if (auto const part = meta(db, "part"); !part.empty()) contents.part = parse_part(part);
 }
 
 }  // namespace
@@ -292,6 +270,7 @@ void write_campaign(Connection const& db, Contents const& contents, std::vector<
   meta.bind("schema", std::to_string(schema_version)).insert();
   meta.bind("isolaw", makers.front().version).insert();
   for (auto const& [key, value] : descriptions(contents)) meta.bind(key, value).insert();
+  meta.bind("part", contents.part ? text(*contents.part) : std::string()).insert();
   Statement setting(db, "INSERT INTO setting VALUES (?, ?, ?)");
   std::size_t position = 0;
   for (auto const& [key, json] : to_pairs(contents.settings)) setting.bind(position++, key, json).insert();
@@ -320,13 +299,45 @@ void write_descriptions(Connection const& db, Contents const& contents) {
   }
 }
 
-void write_row(Connection const& db, Run const& run) {
-  Statement row(db, "INSERT INTO run VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
-  row.bind(run.device, run.law, run.number, name(run.outcome), run.objective, run.integration_shift, run.refinement);
-  row.bind(run.evaluations, run.failed_evaluations, run.failure, run.history, run.maker).insert();
-  Statement parameter(db, "INSERT INTO run_parameter VALUES (?, ?, ?, ?, ?)");
+RunWriter::RunWriter(Connection const& db)
+    : row_(db,
+           "INSERT INTO run VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (device, law, number) DO NOTHING"),
+      parameter_(db, "INSERT INTO run_parameter VALUES (?, ?, ?, ?, ?)"),
+      stored_(
+          db,
+          "SELECT outcome, objective, integration_shift, refinement, evaluations, failed_evaluations, message, history FROM run WHERE device = ? AND law = ? AND number = ?"),
+      stored_parameters_(
+          db, "SELECT value FROM run_parameter WHERE device = ? AND law = ? AND number = ? ORDER BY position") {}
+
+bool RunWriter::add_if_new(Run const& run) {
+  row_.bind(run.device, run.law, run.number, name(run.outcome), run.objective, run.integration_shift, run.refinement);
+  row_.bind(run.evaluations, run.failed_evaluations, run.failure, run.history, run.maker);
+  if (!row_.insert()) return false;
   for (std::size_t i = 0; i < run.parameters.size(); ++i)
-    parameter.bind(run.device, run.law, run.number, i, run.parameters[i]).insert();
+    parameter_.bind(run.device, run.law, run.number, i, run.parameters[i]).insert();
+  return true;
+}
+
+bool RunWriter::is_there(Run const& run) {
+  auto const bits = [](double value) { return std::isnan(value) ? 0 : std::bit_cast<std::uint64_t>(value); };
+  auto const same = [&](double a, double b) { return std::isnan(a) == std::isnan(b) && bits(a) == bits(b); };
+  Run there{.device = run.device, .law = run.law, .number = run.number};
+  std::string outcome;
+  if (!stored_.again(run.device, run.law, run.number).row()) return false;
+  stored_.read(outcome, there.objective, there.integration_shift, there.refinement, there.evaluations);
+  stored_.read(there.failed_evaluations, there.failure, there.history);
+  stored_parameters_.again(run.device, run.law, run.number);
+  while (stored_parameters_.row()) stored_parameters_.read(there.parameters.emplace_back());
+  return outcome == name(run.outcome) && same(there.objective, run.objective) &&
+         same(there.integration_shift, run.integration_shift) && there.refinement == run.refinement &&
+         there.evaluations == run.evaluations && there.failed_evaluations == run.failed_evaluations &&
+         there.failure == run.failure && std::ranges::equal(there.history, run.history, same) &&
+         std::ranges::equal(there.parameters, run.parameters, same);
+}
+
+void write_row(Connection const& db, Run const& run) {
+  if (!RunWriter(db).add_if_new(run))
+    throw Error({.found = fmt::format("run {} of {} on device {} is there already", run.number, run.law, run.device)});
 }
 
 void write_row(Connection const& db, DeviceAnalysis const& analysis) {
@@ -349,10 +360,42 @@ Contents read_campaign(Connection const& db) {
   return contents;
 }
 
-Contents read_contents(Connection const& db) {
+void read_runs(Connection const& db, std::function<void(Run)> const& visit) {
+  Statement parameter(db,
+                      "SELECT device, law, number, value FROM run_parameter ORDER BY device, law, number, position");
+  std::tuple<std::size_t, std::string, int> owner;  // of the parameter that is next
+  double value = 0.0;
+  bool more = true;
+  auto const next_parameter = [&] {
+    more = parameter.row();
+    if (more) parameter.read(std::get<0>(owner), std::get<1>(owner), std::get<2>(owner), value);
+  };
+  next_parameter();
+  Statement run(
+      db,
+      "SELECT device, law, number, outcome, objective, integration_shift, refinement, evaluations, failed_evaluations, message, history, maker FROM run ORDER BY device, law, number");
+  while (run.row()) {
+    Run r;
+    std::string outcome;
+    run.read(r.device, r.law, r.number, outcome, r.objective, r.integration_shift, r.refinement);
+    run.read(r.evaluations, r.failed_evaluations, r.failure, r.history, r.maker);
+    r.outcome = outcome_from(outcome);
+    auto const key = std::tie(r.device, r.law, r.number);
+    while (more && owner < key) next_parameter();  // of no run
+    for (; more && owner == key; next_parameter()) r.parameters.push_back(value);
+    visit(std::move(r));
+  }
+}
+
+Contents read_campaign_and_series(Connection const& db) {
   auto contents = read_campaign(db);
   read_series(db, contents);
-  read_runs(db, contents);
+  return contents;
+}
+
+Contents read_contents(Connection const& db) {
+  auto contents = read_campaign_and_series(db);
+  read_runs(db, [&](Run run) { contents.runs.push_back(std::move(run)); });
   read_analyses(db, "SELECT device, law, json, maker FROM device_analysis ORDER BY device, law",
                 contents.device_analyses);
   read_analyses(db, "SELECT law, json, maker FROM lot_analysis ORDER BY law", contents.lot_analyses);

@@ -1,6 +1,8 @@
 // The rows of a store, of the present schema, to Contents and back.
 #pragma once
 
+#include <functional>
+
 #include "isolaw/campaign/contents.hpp"
 #include "isolaw/campaign/sqlite.hpp"
 
@@ -12,12 +14,28 @@ void write_row(sqlite::Connection const& db, std::size_t id, Maker const& maker)
 // What may change afterwards, see Store::describe.
 void write_descriptions(sqlite::Connection const& db, Contents const& contents);
 void write_row(sqlite::Connection const& db, Run const& run);
+// Many runs one after the other.
+class RunWriter {
+ public:
+  explicit RunWriter(sqlite::Connection const& db);
+  // False, and nothing written, where a run of that device, law and number is there.
+  bool add_if_new(Run const& run);
+  // Whether the one there is the same, bit by bit, whoever computed it.
+  bool is_there(Run const& run);
+
+ private:
+  sqlite::Statement row_, parameter_, stored_, stored_parameters_;
+};
 void write_row(sqlite::Connection const& db, DeviceAnalysis const& analysis);
 void write_row(sqlite::Connection const& db, LotAnalysis const& analysis);
 void write_row(sqlite::Connection const& db, LeftOutAnalysis const& analysis);
 
 // Without series, runs and analyses. Throws Error or nlohmann::json::exception for rows that no Contents can hold.
 Contents read_campaign(sqlite::Connection const& db);
+// The runs in their order, one at a time.
+void read_runs(sqlite::Connection const& db, std::function<void(Run)> const& visit);
+// All but runs and analyses.
+Contents read_campaign_and_series(sqlite::Connection const& db);
 Contents read_contents(sqlite::Connection const& db);
 
 }  // namespace isolaw::campaign

@@ -104,9 +104,13 @@ constexpr std::array added_settings{AddedSetting{2, "turning-points", "\"sampled
                                     AddedSetting{4, "replicates", "0"},
                                     AddedSetting{6, "dead-band", "0.0"}};
 
-// Keys of meta that schema 3 added, empty before.
-constexpr int describes_acceptance = 3;
-constexpr std::array acceptance_keys{"rules", "rules-file", "design", "lot-size"};
+// Keys of meta that a schema added, empty before.
+struct AddedKey {
+  int since;
+  char const* key;
+};
+constexpr std::array added_keys{AddedKey{3, "rules"}, AddedKey{3, "rules-file"}, AddedKey{3, "design"},
+                                AddedKey{3, "lot-size"}, AddedKey{8, "part"}};
 
 using Declarations = std::map<std::string, std::string>;  // by name
 
@@ -209,8 +213,8 @@ void show_as_present(Connection const& db, int version) {
   for (auto const& [since, key, json] : added_settings)
     if (version < since) setting.bind(key, json).insert();
   Statement described(db, "INSERT INTO temp.meta VALUES (?, '')");
-  for (auto const* key : acceptance_keys)
-    if (version < describes_acceptance) described.bind(key).insert();
+  for (auto const& [since, key] : added_keys)
+    if (version < since) described.bind(key).insert();
 }
 
 }  // namespace

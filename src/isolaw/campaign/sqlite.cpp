@@ -150,8 +150,14 @@ void Statement::put(std::vector<double> const& values) {
   check(sqlite3_bind_blob64(statement_, ++bound_, values.data(), values.size() * sizeof(double), SQLITE_TRANSIENT));
 }
 
-void Statement::insert() {
+bool Statement::insert() {
   if (sqlite3_step(statement_) != SQLITE_DONE) fail(db_, "cannot write");
+  bool const changed = sqlite3_changes(db_) > 0;
+  start_over();
+  return changed;
+}
+
+void Statement::start_over() {
   sqlite3_reset(statement_);
   bound_ = 0;
 }

@@ -58,8 +58,13 @@ class Statement {
     (put(values), ...);
     return *this;
   }
-  // Runs an INSERT or UPDATE and makes the statement ready for the next row.
-  void insert();
+  // Runs an INSERT or UPDATE and makes the statement ready for the next row; whether it changed any.
+  bool insert();
+  // Starts a SELECT over with other values.
+  Statement& again(auto const&... values) {
+    start_over();
+    return bind(values...);
+  }
 
   // The next row of a SELECT.
   bool row();
@@ -70,6 +75,7 @@ class Statement {
   std::string whole_row();
 
  private:
+  void start_over();
   void check(int status);
   void put(std::string_view text);
   void put(std::size_t value);

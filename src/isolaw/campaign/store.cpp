@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/hash.hpp"
 #include "isolaw/campaign/analysis_json.hpp"
 #include "isolaw/campaign/consistency.hpp"
 #include "isolaw/campaign/maker.hpp"
@@ -95,6 +96,13 @@ void write_results(Connection const& db, Contents const& contents) {
   transaction.commit();
 }
 
+std::uintmax_t bytes_of_pages(Connection const& db) {
+  Statement size(db, "SELECT page_size * page_count FROM pragma_page_size, pragma_page_count");
+  std::size_t bytes = 0;
+  if (size.row()) size.read(bytes);
+  return bytes;
+}
+
 // The rows of a table, each as one text that tells values and their kinds apart.
 std::vector<std::string> rows_of(Connection const& db, std::string const& columns_and_table) {
   std::vector<std::string> found;
@@ -170,6 +178,107 @@ Contents Store::read(std::filesystem::path const& file) {
   });
 }
 
+void Store::put_in_order(std::filesystem::path const& file) {
+  // Bytes 24 to 27 count what was written to an SQLite file since it was made, transaction by transaction.
+  std::array<char, 28> header{};
+  std::ifstream(file, std::ios::binary).read(header.data(), header.size());
+  bool const written_once = header[24] == 0 && header[25] == 0 && header[26] == 0 && header[27] == 1;
+  if (written_once || !is_plain(file)) return;
+  auto const aside = unfinished(file);
+  remove_unfinished(file);
+  try {
+    auto const db = Connection::create(aside);
+    Statement(db, "ATTACH DATABASE ? AS former").bind(file.string()).insert();
+    Transaction transaction(db);
+    create_tables(db);
+    std::vector<std::string> names;
+    for (Statement table(db, "SELECT name FROM main.sqlite_master WHERE type = 'table' ORDER BY rowid"); table.row();)
+      names.push_back(table.text());
+    for (auto const& name : names)
+      db.execute(fmt::format("INSERT INTO main.\"{0}\" SELECT * FROM former.\"{0}\"", name));
+    transaction.commit();
+  } catch (Error const&) {
+    return remove_unfinished(file);  // what is there is whole, and all that was asked for
+  }
+  std::error_code error;
+  std::filesystem::rename(aside, file, error);
+  if (error) remove_unfinished(file);
+}
+
+Store::Taken Store::take_runs(std::filesystem::path const& other) {
+  auto const theirs = Connection::to_read(other);
+  require_present_schema(theirs, other);
+  auto const maker = own_maker();
+  // Rows of a part lie all over the tree: what many parts changed goes from the log into the file at once.
+  db_.execute("PRAGMA wal_autocheckpoint = 16384");
+  Taken taken;
+  Transaction transaction(db_);
+  RunWriter writer(db_);
+  auto const take = [&](Run run) {
+    require_consistent(campaign_, run);
+    run.maker = maker;
+    if (writer.add_if_new(run)) return void(++taken.added);
+    ++taken.there;
+    if (!writer.is_there(run))
+      throw Error({.where = other.string(),
+                   .found = fmt::format("run {} of {} on device '{}' is another one than that which is there already",
+                                        run.number, run.law, campaign_.devices.at(run.device).name),
+                   .allowed = "one result of a run, whoever computed it",
+                   .advice = "isolaw check on both, and the part that is not sound again"});
+  };
+  read_as_ours(other, [&] {
+    read_runs(theirs, take);
+    return Contents();
+  });
+  transaction.commit();
+  return taken;
+}
+
+Contents Store::read_beginning(std::filesystem::path const& file) {
+  auto const db = Connection::to_read(file);
+  require_present_schema(db, file);
+  return read_as_ours(file, [&] { return read_campaign(db); });
+}
+
+Contents Store::read_beginning_and_series(std::filesystem::path const& file) {
+  auto const db = Connection::to_read(file);
+  require_present_schema(db, file);
+  return read_as_ours(file, [&] {
+    auto contents = read_campaign_and_series(db);
+    require_consistent(contents);
+    return contents;
+  });
+}
+
+std::vector<std::pair<std::string, std::string>> Store::hashes_of_beginning(std::filesystem::path const& file) {
+  auto const db = Connection::to_read(file);
+  require_present_schema(db, file);
+  std::vector<std::pair<std::string, std::string>> found;
+  for (auto const& [table, rows] :
+       {std::pair("meta", "meta WHERE key <> 'part' ORDER BY key"), std::pair("setting", "setting ORDER BY position"),
+        std::pair("device", "device ORDER BY id"), std::pair("series", "series ORDER BY device, kind, channel"),
+        std::pair("search", "search ORDER BY device, law"),
+        std::pair("search_parameter", "search_parameter ORDER BY device, law, position")}) {
+    std::string hash;
+    for (Statement row(db, fmt::format("SELECT * FROM {}", rows)); row.row();) hash = sha256(hash + row.whole_row());
+    found.emplace_back(table, std::move(hash));
+  }
+  return found;
+}
+
+void Store::for_each_run(std::filesystem::path const& file,
+                         std::function<void(std::size_t, std::string const&, int)> const& visit) {
+  auto const db = Connection::to_read(file);
+  Statement run(db, "SELECT device, law, number FROM run ORDER BY device, law, number");
+  while (run.row()) {
+    std::size_t device = 0;
+    std::string law;
+    int number = 0;
+    run.read(device, law, number);
+    visit(device, law, number);
+  }
+}
+
 std::size_t Store::own_maker() {
   auto const me = this_maker();
   auto& makers = campaign_.makers;
@@ -236,6 +345,10 @@ void Store::describe(Contents const& contents) {
 std::vector<std::string> Store::integrity(std::filesystem::path const& file) {
   auto const db = Connection::to_read(file);
   std::vector<std::string> faults;
+  // A file that was cut off within a page reads as if the rest were zeros.
+  auto const bytes = std::filesystem::file_size(file);
+  if (auto const whole = bytes_of_pages(db); is_plain(file) && whole != bytes)
+    faults.push_back(fmt::format("it has {} bytes instead of {}", bytes, whole));
   for (auto const* pragma : {"PRAGMA integrity_check", "PRAGMA foreign_key_check"}) {
     Statement rows(db, pragma);
     while (rows.row())

@@ -26,8 +26,22 @@ class Store {
   static Store open(std::filesystem::path const& file);
   // Whether the file stands alone, without a write-ahead log, and can be read wherever it is copied to.
   static bool is_plain(std::filesystem::path const& file);
+  // Writes a store that stands alone anew, rows in the order of their keys: equal campaigns are then equal files, byte
+  // by byte, in whatever order and on however many machines their runs were computed. Leaves the file as it is where
+  // that is so already, and where the new one cannot be written.
+  static void put_in_order(std::filesystem::path const& file);
   // Everything in it, also of an older schema; the file is not changed. Throws Error as above.
   static Contents read(std::filesystem::path const& file);
+  // What a campaign began with, without its records' series and without results, of the present schema alone.
+  static Contents read_beginning(std::filesystem::path const& file);
+  // The same with the series.
+  static Contents read_beginning_and_series(std::filesystem::path const& file);
+  // Of every table that holds what the campaign began with, series too: its name and a hash of its rows, but for which
+  // part the store is.
+  static std::vector<std::pair<std::string, std::string>> hashes_of_beginning(std::filesystem::path const& file);
+  // Every run's device, law and number, in their order.
+  static void for_each_run(std::filesystem::path const& file,
+                           std::function<void(std::size_t, std::string const&, int)> const& visit);
   // What SQLite finds wrong with the file itself; empty when it is sound. Throws Error when it cannot be read at all.
   static std::vector<std::string> integrity(std::filesystem::path const& file);
   // Rows that are not as this program writes them, given what read() made of them; empty when there is none. Values of
@@ -43,6 +57,12 @@ class Store {
   // What the lot file says of the devices and what they are held to, on which no law depends, may be changed before a
   // campaign is continued; and a campaign without analysis may be continued with one.
   void describe(Contents const& contents);
+  // The runs of another store of this campaign, made by this program. Those that are here already must be the same.
+  // All of them or, with an Error, none; one row at a time is in memory.
+  struct Taken {
+    std::size_t added = 0, there = 0;
+  };
+  Taken take_runs(std::filesystem::path const& other);
   // No more runs: folds the write-ahead log into the one file. False when another program reads the store just now; the
   // log then stays beside it, and whoever opens the store to write next folds it in.
   bool finish();

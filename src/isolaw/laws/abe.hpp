@@ -143,7 +143,7 @@ struct Abe {
       .source = "Cucuzza et al. 2025, Eqs. (15)-(21)",
       .force = kN,
       .length = mm,
-      .traits = {.rate_independent = true, .odd = true, .path_integrated = true},
+      .traits = {.rate_independent = true, .odd = true, .path_integrated = true, .exact_flow = true},
       .formula =
           "F = F1 + F2 + F3,   Umax = largest |x| so far\n"
           "F1 = K1 (beta + (1 - beta) exp(-Umax / alpha)) x + a (1 - exp(-b |x|)) sgn(x)\n"

@@ -23,7 +23,7 @@ struct BoucWen {
       .source = "Cucuzza et al. 2025, Eqs. (13)-(14)",
       .force = kN,
       .length = mm,
-      .traits = {.rate_independent = true, .odd = true, .path_integrated = true},
+      .traits = {.rate_independent = true, .odd = true, .path_integrated = true, .exact_flow = true},
       .formula =
           "F = alpha Ke x + (1 - alpha) Ke z\n"
           "dz/dx = A - |z|^n (beta sgn(z dx) + gamma)",

@@ -26,7 +26,7 @@ struct Bwbn {
       .source = "Baber and Noori 1986, Eqs. of z and h; Foliente 1995",
       .force = kN,
       .length = mm,
-      .traits = {.rate_independent = true, .odd = true, .path_integrated = true},
+      .traits = {.rate_independent = true, .odd = true, .path_integrated = true, .exact_flow = true},
       .formula =
           "F = alpha ko x + (1 - alpha) ko z,   de = (1 - alpha) ko z dx\n"
           "dz = h (A - (1 + dnu e) |z|^n (beta sgn(z dx) + gamma)) dx / (1 + deta e)\n"

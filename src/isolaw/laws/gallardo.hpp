@@ -34,7 +34,7 @@ struct Gallardo {
       .source = "Gallardo, de la Llera, Restrepo and Chen 2023, Eqs. of the shear model, with the authors' programs",
       .force = kN,
       .length = mm,
-      .traits = {.rate_independent = true, .remembers = true},
+      .traits = {.rate_independent = true, .remembers = true, .exact_flow = true},
       .formula =
           "F = k1 (km a1 g - k2 a2 g^3 + k3 a3 g^5) + fy z,   g = x/100\n"
           "k1 = exp(-fs1 G^ps1),   k2 = exp(-fs2 G^ps2),   k3 = exp(-fs3 G^ps3),   km = exp(-fm C^pm)\n"

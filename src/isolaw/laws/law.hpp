@@ -121,6 +121,7 @@ struct Traits {
   bool path_integrated = false;   // a differential law: the integration method matters
   bool remembers = false;         // its step reads what the path remembers (Memory)
   bool masing = false;            // branches close where they began, small loops leave nothing behind
+  bool exact_flow = false;        // follows the curve of saturating_flow.hpp; its online form a table of it
 };
 
 // paper: of Cucuzza et al. 2025. usual: runs besides where nothing is said. further: runs where it is asked for.

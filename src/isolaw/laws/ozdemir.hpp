@@ -24,7 +24,7 @@ struct Ozdemir {
       .source = "Ozdemir 1976, Eqs. of force and backstress; Graesser and Cozzarelli 1991",
       .force = kN,
       .length = mm,
-      .traits = {.rate_independent = true, .odd = true},
+      .traits = {.rate_independent = true, .odd = true, .exact_flow = true},
       .formula =
           "F = alpha K (x + fT |x/100|^c erf(a x)) + z\n"
           "dz = K (dx - |dx| |z/Y|^n sgn(z))",

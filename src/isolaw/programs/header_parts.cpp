@@ -26,10 +26,6 @@ void add(std::vector<std::string_view>& parts, std::string_view text) {
   if (std::ranges::find(parts, text) == parts.end()) parts.push_back(text);
 }
 
-bool has(std::string_view law, std::string_view text) {
-  return std::ranges::any_of(header_parts(law), [&](std::string_view part) { return part.find(text) != part.npos; });
-}
-
 }  // namespace
 
 std::string_view header_numbers() {
@@ -48,10 +44,9 @@ std::vector<std::string_view> header_parts(std::string_view law) {
 }
 
 bool remembers_turning_points(std::string_view law) {
-  return has(law, "struct TurningPoints");
-}
-double header_tolerance(std::string_view law) {
-  return has(law, "class Flow {") ? 1e-4 : 1e-6;
+  auto const parts = header_parts(law);
+  return std::ranges::any_of(parts,
+                             [](std::string_view text) { return text.find("struct TurningPoints") != text.npos; });
 }
 
 }  // namespace isolaw::programs

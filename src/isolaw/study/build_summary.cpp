@@ -282,6 +282,8 @@ Summary build_summary(campaign::Contents const& contents) {
   summary.seed = contents.settings.seed;
   summary.runs = contents.runs.size();
   summary.expected_runs = contents.expected_runs();
+  summary.part = contents.part;
+  summary.expected_here = contents.expected_here();
   summary.analyses = contents.analyses();
   summary.expected_analyses = contents.expected_analyses();
   for (auto const& [key, json] : campaign::to_pairs(contents.settings))

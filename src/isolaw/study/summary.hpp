@@ -183,6 +183,8 @@ struct Summary {
   std::vector<OutlyingDevice> outliers;
   std::size_t analyses = 0, expected_analyses = 0;
   std::size_t runs = 0, expected_runs = 0;  // stored, and of a campaign that is complete
+  std::optional<campaign::Part> part;       // that alone is there; nullopt: all of it
+  std::size_t expected_here = 0;            // runs of this part
 
   std::size_t missing_runs() const { return expected_runs > runs ? expected_runs - runs : 0; }
   std::size_t missing_analyses() const { return expected_analyses > analyses ? expected_analyses - analyses : 0; }

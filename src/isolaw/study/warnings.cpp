@@ -30,7 +30,8 @@ void warn_of_missing_runs(Summary const& summary, std::vector<Warning>& warnings
   if (summary.missing_runs() > 0)
     warnings.push_back(
         {"not complete",
-         fmt::format("not complete: {} of {} runs are there; every number and the choice of a law may still change",
+         fmt::format("not complete: {}{} of {} runs are there; every number and the choice of a law may still change",
+                     summary.part ? fmt::format("part {} alone of {}: ", summary.part->number, summary.part->of) : "",
                      summary.runs, summary.expected_runs)});
   else if (summary.missing_analyses() > 0)
     warnings.push_back({"not complete", fmt::format("not complete: {} of {} analyses are there", summary.analyses,

@@ -1,0 +1,136 @@
+#include "isolaw/app/campaign_work.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <atomic>
+#include <csignal>
+#include <exception>
+#include <thread>
+
+#include "isolaw/api/campaign_directory.hpp"
+#include "isolaw/app/commands.hpp"
+#include "isolaw/app/progress.hpp"
+#include "isolaw/app/report.hpp"
+#include "isolaw/app/say.hpp"
+#include "isolaw/base/processor_time.hpp"
+#include "isolaw/base/shell.hpp"
+#include "isolaw/base/words.hpp"
+#include "isolaw/base/write_file.hpp"
+#include "isolaw/campaign/campaign.hpp"
+#include "isolaw/campaign/store.hpp"
+#include "isolaw/render/json/run_json.hpp"
+#include "isolaw/render/write.hpp"
+#include "isolaw/study/build_summary.hpp"
+
+namespace isolaw::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::atomic<bool> interrupted = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+// Ctrl-C, a polite kill and a terminal that is closed stop the search after the current generation; a second signal
+// ends the program at once. Where a closed terminal is to be ignored (nohup), it is.
+class SignalGuard {
+ public:
+  SignalGuard() {
+    interrupted = false;
+    for (std::size_t i = 0; i < signals.size(); ++i) previous_[i] = std::signal(signals[i], on_signal);
+    if (previous_.back() == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+  }
+  SignalGuard(SignalGuard const&) = delete;
+  SignalGuard& operator=(SignalGuard const&) = delete;
+  ~SignalGuard() {
+    for (std::size_t i = 0; i < signals.size(); ++i) std::signal(signals[i], previous_[i]);
+  }
+
+ private:
+  static void on_signal(int number) {
+    interrupted = true;
+    std::signal(number, SIG_DFL);
+  }
+  static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
+  std::array<void (*)(int), signals.size()> previous_{};
+};
+
+// To continue is not to start over.
+std::string to_continue(std::vector<std::string> words) {
+  std::erase(words, "--fresh");
+  return shell_quoted(words);
+}
+
+}  // namespace
+
+CampaignWork::CampaignWork(std::vector<std::string> const& command_line)
+    : command_(to_continue(command_line)),
+      start_(Clock::now()),
+      cpu_at_start_s_(process_time_s()),
+      started_at_(std::time(nullptr)) {}
+
+int CampaignWork::finish(campaign::Contents& contents, HowToWork const& how) {
+  auto const& directory = how.directory;
+  auto const file = directory / store_name;
+  bool finished = false;
+  own_.lap(campaign::Phase::read);
+  profile_.mark({campaign::Phase::read});
+  try {
+    SignalGuard const guard;
+    ProgressLine line;
+    finished = campaign::run(contents, file,
+                             {.jobs = how.jobs,
+                              .progress = [&](auto const& p) { line.show(p); },
+                              .interrupted = [] { return interrupted.load(); },
+                              .short_of_threads =
+                                  [](int threads) {
+                                    say("the system gave no more threads or memory: {} worked; try: --jobs {}\n",
+                                        threads, threads);
+                                  },
+                              .profile = &profile_});
+  } catch (std::exception const&) {
+    say("stopped: {} finished runs are kept in {}\nonce the fault is mended, continue with: {}\n", contents.runs.size(),
+        shown(file), command_);
+    throw;
+  }
+  own_.restart();
+  if (!finished) {
+    auto const analyses =
+        contents.analyses() > 0 ? fmt::format(" and {} analyses", contents.analyses()) : std::string();
+    say("interrupted: {} finished runs{} are kept in {}\nto continue: {}\n", contents.runs.size(), analyses,
+        shown(file), command_);
+    return exit_with_refusals;
+  }
+  if (contents.part) {
+    say("part {} of {}: {}, all of its share, in {}; once every part is there: isolaw merge OUT PARTS...\n",
+        contents.part->number, contents.part->of, counted(contents.runs.size(), "run"), shown(file));
+    return exit_done;  // what was refused or failed is of the whole, and told by its report
+  }
+  double const search_s = std::chrono::duration<double>(Clock::now() - start_).count();
+  // From the store, not from memory: what is printed is what `isolaw report` would print.
+  auto const summary = study::build_summary(campaign::Store::read(file));
+  render::write_outputs(summary, directory);
+  // Figures are for print, and no part of the study: their time is told apart from its.
+  auto const before_figures = Clock::now();
+  double const cpu_s = process_time_s() - cpu_at_start_s_;
+  own_.lap(campaign::Phase::report);
+  profile_.mark({campaign::Phase::report});
+  draw_figures(summary, how.figures, directory);
+  double const figures_s = std::chrono::duration<double>(Clock::now() - before_figures).count();
+  auto const profiled = render::profile_json(profile_);
+  write_file(directory / "run.json",
+             render::run_json({.command = command_,
+                               .directory = std::filesystem::absolute(directory).string(),
+                               .started_at = started_at_,
+                               .search_s = search_s,
+                               .total_s = std::chrono::duration<double>(before_figures - start_).count(),
+                               .figures_s = figures_s,
+                               .cpu_s = cpu_s,
+                               .jobs = how.jobs > 0 ? how.jobs : static_cast<int>(std::thread::hardware_concurrency()),
+                               .profile = profiled}));
+  print(summary, how.json, profiled);
+  say("results: {} (open {})\n", shown(directory), shown(directory / "report.html"));
+  return exit_code(summary);
+}
+
+}  // namespace isolaw::app

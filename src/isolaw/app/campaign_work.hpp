@@ -1,0 +1,40 @@
+// What a campaign is brought to its end by, once it is prepared and its directory is held: runs and analyses that are
+// missing, then the reports.
+#pragma once
+
+#include <chrono>
+#include <ctime>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "isolaw/campaign/contents.hpp"
+#include "isolaw/campaign/profile.hpp"
+#include "isolaw/render/figures/figures.hpp"
+
+namespace isolaw::app {
+
+struct HowToWork {
+  std::filesystem::path directory;
+  int jobs = 0;
+  render::FigureChoice figures = {};
+  bool json = false;
+};
+
+// Made when the command starts: what it took is told from then.
+class CampaignWork {
+ public:
+  explicit CampaignWork(std::vector<std::string> const& command_line);
+  // The exit code.
+  int finish(campaign::Contents& contents, HowToWork const& how);
+
+ private:
+  std::string command_;
+  std::chrono::steady_clock::time_point start_;
+  double cpu_at_start_s_;
+  std::time_t started_at_;
+  campaign::Profile profile_;
+  campaign::Meter own_{&profile_};
+};
+
+}  // namespace isolaw::app

@@ -1,0 +1,92 @@
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+
+#include "isolaw/app/commands.hpp"
+#include "isolaw/app/lot_of.hpp"
+#include "isolaw/app/part_script.hpp"
+#include "isolaw/app/say.hpp"
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/words.hpp"
+#include "isolaw/campaign/estimate.hpp"
+#include "isolaw/campaign/prepare.hpp"
+#include "isolaw/campaign/setting_table.hpp"
+#include "isolaw/data/reading.hpp"
+#include "isolaw/fit/kernels.hpp"
+
+namespace isolaw::app {
+namespace {
+
+// What was given, as words that give it again.
+std::vector<std::string> words_again(CalibrateArguments const& given) {
+  std::vector<std::string> words;
+  auto const add = [&](auto const& table, Values const& values) {
+    for (auto const& row : table)
+      if (auto const found = values.find(row.key); found != values.end())
+        for (auto& word : words_of(row, found->second)) words.push_back(std::move(word));
+  };
+  add(campaign::setting_table(), given.settings);
+  add(data::reading_table(), given.read);
+  add(campaign::acceptance_table(), given.acceptance);
+  for (auto const& test : given.vertical) words.insert(words.end(), {"--vertical", test});
+  if (given.allow_outside) words.emplace_back("--allow-outside");
+  words.emplace_back("--");
+  for (auto const& input : given.inputs) words.push_back(input.string());
+  return words;
+}
+
+// Reading the lot is what a part begins with, and threads add little to it.
+std::uint64_t memory_bytes(int jobs) {
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  constexpr double margin = 1.5;
+  constexpr std::uint64_t kibibyte = 1024, around = 128U << 20, thread = 16U << 20;
+  auto const here = static_cast<double>(used.ru_maxrss) * static_cast<double>(kibibyte);
+  return static_cast<std::uint64_t>(margin * here) + around + thread * static_cast<std::uint64_t>(jobs);
+}
+
+std::string program_of(std::string const& word) {
+  return word.find('/') == std::string::npos ? word : std::filesystem::absolute(word).lexically_normal().string();
+}
+
+}  // namespace
+
+int parts(PartsArguments const& arguments, std::string const& program) {
+  if (arguments.count < 1 || arguments.count > campaign::most_parts)
+    throw Error({.where = "count",
+                 .found = std::to_string(arguments.count),
+                 .allowed = fmt::format("1 to {} parts", campaign::most_parts)});
+  auto given = arguments.calibrate;
+  given.inputs = {arguments.lot};
+  auto const lot = lot_of(given);
+  auto const contents = campaign::prepare(lot);
+  int const jobs = std::max(1, lot.jobs.value_or(1));
+  auto const runs = contents.expected_runs();
+  auto const count = static_cast<std::size_t>(arguments.count);
+  if (runs < count) say("{} for {}: some will have none\n", counted(runs, "run"), counted(count, "part"));
+  campaign::Estimate estimate(1);
+  campaign::expect_all(estimate, contents);
+  double const all_s = estimate.left_s(0.0);
+  estimate.expect_left(campaign::TaskKind::run, {});
+  double const analyses_s = estimate.left_s(0.0);
+  auto const threads = static_cast<std::size_t>(jobs);
+  auto const in_turn = (runs + count * threads - 1) / (count * threads);  // of one thread
+  double const run_s = runs > 0 ? (all_s - analyses_s) / static_cast<double>(runs) : 0.0;
+  std::vector<std::string> of_merge{"--figures", given.figures};
+  print(part_script(arguments.to, {.program = program_of(program),
+                                   .directory = std::filesystem::current_path(),
+                                   .calibrate = words_again(given),
+                                   .merge = std::move(of_merge),
+                                   .title = contents.title,
+                                   .out = output_directory(given, lot),
+                                   .parts = arguments.count,
+                                   .jobs = jobs,
+                                   .instruction_set = std::string(fit::name(fit::instruction_set())),
+                                   .needs = {.part_s = run_s * static_cast<double>(in_turn),
+                                             .merge_s = analyses_s / jobs,
+                                             .memory_bytes = memory_bytes(jobs)}}));
+  return exit_done;
+}
+
+}  // namespace isolaw::app

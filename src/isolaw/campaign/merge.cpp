@@ -1,0 +1,180 @@
+#include "isolaw/campaign/merge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+#include <utility>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/words.hpp"
+#include "isolaw/campaign/deal.hpp"
+#include "isolaw/campaign/grow.hpp"
+#include "isolaw/campaign/maker.hpp"
+#include "isolaw/campaign/store.hpp"
+
+namespace isolaw::campaign {
+namespace {
+
+using Path = std::filesystem::path;
+
+std::string again(std::optional<Part> const& part) {
+  return part ? fmt::format("isolaw calibrate ... --part {} --fresh, which computes it again", text(*part))
+              : std::string("a copy of it");
+}
+
+void require_sound(Path const& file, std::optional<Part> const& part) {
+  auto const faults = Store::integrity(file);
+  if (!faults.empty())
+    throw Error({.where = file.string(),
+                 .found = fmt::format("is damaged: {}", faults.front()),
+                 .allowed = "stores as isolaw left them",
+                 .advice = "copying it once more, or " + again(part)});
+}
+
+// One campaign is of one build; and what runs on two instruction sets differs in last digits, which no order of parts
+// would make the same bytes.
+void require_one_maker(Path const& file, Contents const& part, Maker const& me) {
+  for (auto const& maker : part.makers) {
+    if (!same_build(maker, me))
+      throw Error(
+          {.where = file.string(),
+           .found = fmt::format("computed by isolaw {}; this is {}, whose numbers may differ", text(maker), text(me)),
+           .allowed = "parts and merge of one build",
+           .advice =
+               "the isolaw that computed all of them (isolaw --version tells its build), or " + again(part.part)});
+    if (maker.instruction_set != me.instruction_set)
+      throw Error(
+          {.where = file.string(),
+           .found = fmt::format("computed with instruction set {}; the merge runs with {}", maker.instruction_set,
+                                me.instruction_set),
+           .allowed = "one instruction set in all parts and in the merge, for one machine's numbers",
+           .advice = fmt::format("ISOLAW_SIMD={} isolaw merge ..., where all parts are of it; or ISOLAW_SIMD={} {}",
+                                 maker.instruction_set, me.instruction_set, again(part.part))});
+  }
+}
+
+// What all the others are held to.
+struct First {
+  Path file;
+  Contents contents;  // without series
+  std::vector<std::pair<std::string, std::string>> hashes;
+};
+
+void require_same_campaign(First const& first, Path const& file, Contents const& part) {
+  auto const hashes = Store::hashes_of_beginning(file);
+  if (hashes == first.hashes) return;
+  auto there = first.contents, now = part;
+  there.part = now.part = std::nullopt;
+  auto found = obstacles(there, now);
+  if (found.empty()) found = growth(there, now);
+  if (found.empty())
+    for (std::size_t i = 0; i < hashes.size(); ++i)
+      if (hashes[i] != first.hashes[i])
+        found.push_back(fmt::format("another {}", hashes[i].first == "meta" ? "title, or other rules or design values"
+                                                                            : "table '" + hashes[i].first + "'"));
+  throw Error({.where = file.string(),
+               .found = fmt::format("of another campaign than {}: {}", first.file.string(), joined(found, "; ")),
+               .allowed = "parts of one campaign: the same lot, settings and records",
+               .advice = "leaving it out, or --part again with the command of the others"});
+}
+
+void tell_missing(Path const& out, Merged& merged, MergeOptions const& options) {
+  // Without the records: whether anything is missing is a matter of keys.
+  auto const campaign = Store::read_beginning(out);
+  auto const runs = static_cast<std::size_t>(campaign.settings.runs);
+  std::map<std::pair<std::size_t, std::string_view>, std::size_t> places;
+  for (std::size_t s = 0; s < campaign.searches.size(); ++s)
+    if (campaign.searches[s].refusal.empty()) places[{campaign.searches[s].device, campaign.searches[s].law}] = s;
+  std::vector<bool> there(campaign.searches.size() * runs);
+  std::size_t count = 0;
+  Store::for_each_run(out, [&](std::size_t device, std::string const& law, int number) {
+    there.at(places.at({device, law}) * runs + static_cast<std::size_t>(number) - 1) = true;
+    ++count;
+  });
+  merged.missing = campaign.expected_runs() - count;
+  if (merged.missing == 0 || !options.missing) return;
+  std::optional<Deal> deal;
+  if (merged.parts > 0) deal.emplace(Store::read_beginning_and_series(out), merged.parts);
+  for (auto const& [key, place] : places)
+    for (std::size_t run = 0; run < runs; ++run) {
+      if (there[place * runs + run]) continue;
+      int const number = static_cast<int>(run) + 1;
+      options.missing({.device = campaign.devices.at(key.first).name,
+                       .law = std::string(key.second),
+                       .number = number,
+                       .part = deal ? deal->part_of(place, number) : 0});
+    }
+}
+
+}  // namespace
+
+Merged merge(Path const& out, std::vector<Path> const& parts, MergeOptions const& options) {
+  auto const me = this_maker();
+  Merged merged;
+  std::optional<First> first;
+  Path dealt;  // the first that says into how many
+  auto const examine = [&](Path const& file) {
+    auto const campaign = Store::read_beginning(file);
+    require_sound(file, campaign.part);
+    require_one_maker(file, campaign, me);
+    if (first)
+      require_same_campaign(*first, file, campaign);
+    else
+      first.emplace(file, campaign, Store::hashes_of_beginning(file));
+    if (!campaign.part) return;
+    if (merged.parts != 0 && merged.parts != campaign.part->of)
+      throw Error(
+          {.where = file.string(),
+           .found = fmt::format("is part {}; {} is one of {}", text(*campaign.part), dealt.string(), merged.parts),
+           .allowed = "parts of one deal",
+           .advice = "merging those of each deal into the same directory, one after the other"});
+    merged.parts = campaign.part->of;
+    if (dealt.empty()) dealt = file;
+  };
+  std::vector<Path> files;
+  for (auto const& part : parts) {
+    std::error_code unknown;
+    if (std::filesystem::exists(part, unknown))
+      files.push_back(part);
+    else
+      merged.absent.push_back(part.string());
+  }
+  bool const continues = std::filesystem::exists(out) && !options.fresh;
+  if (!continues && files.empty())
+    throw Error({.where = parts.empty() ? out.string() : parts.front().string(),
+                 .found = "no part is there",
+                 .allowed = "directories of isolaw calibrate LOT --part K/N --out DIR"});
+  if (continues) {
+    Store::remove_unfinished(out);
+    if (!Store::is_plain(out)) Store::open(out).finish();
+    examine(out);
+    if (first->contents.part)
+      throw Error({.where = out.string(),
+                   .found = fmt::format("is part {} itself", text(*first->contents.part)),
+                   .allowed = "a directory of its own for the whole campaign",
+                   .advice = "another directory, or --fresh to replace it"});
+  }
+  for (auto const& file : files) examine(file);
+  if (!continues) {
+    auto whole = Store::read_beginning_and_series(files.front());
+    whole.part.reset();
+    Store::create(out, whole, options.before_replacing).finish();
+  }
+  {
+    auto store = Store::open(out);
+    std::size_t done = 0;
+    for (auto const& file : files) {
+      auto const taken = store.take_runs(file);
+      merged.added += taken.added;
+      merged.there += taken.there;
+      if (options.progress) options.progress(++done, files.size());
+    }
+    store.finish();
+  }
+  tell_missing(out, merged, options);
+  return merged;
+}
+
+}  // namespace isolaw::campaign

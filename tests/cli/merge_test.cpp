@@ -1,0 +1,383 @@
+// A campaign computed in parts and merged is, byte by byte, the campaign of one machine; and what is no part of it is
+// refused.
+#include <sys/file.h>
+
+#include <numeric>
+
+#include "cli/records.hpp"
+#include "cli/run.hpp"
+#include "cli/store.hpp"
+
+namespace isolaw::cli_test {
+namespace {
+
+// The files of a campaign's directory but for run.json, which tells when and how it was computed; by name.
+std::map<std::string, std::string> results_in(fs::path const& directory) {
+  std::map<std::string, std::string> found;
+  for (auto const& entry : fs::recursive_directory_iterator(directory))
+    if (auto const name = fs::relative(entry.path(), directory).string(); entry.is_regular_file() && name != "run.json")
+      found[name] = read_file(entry.path());
+  return found;
+}
+
+void change(fs::path const& store, std::string const& sql) {
+  sqlite3* db = nullptr;
+  ASSERT_EQ(sqlite3_open(store.c_str(), &db), SQLITE_OK);
+  EXPECT_EQ(sqlite3_exec(db, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(db);
+  sqlite3_close(db);
+}
+
+class Merge : public InFreshDirectory {
+ protected:
+  static constexpr int parts = 7;
+
+  void SetUp() override {
+    InFreshDirectory::SetUp();
+    write("a b.csv", csv(record()));
+    write("b.csv", csv(record({.amplitude_mm = 90.0})));
+    write("c.csv", "time,displacement,force\nno record\n");
+    write("lot.toml",
+          "[[device]]\nname = \"a, 'b'\"\nfile = \"a b.csv\"\n[[device]]\nname = \"b\"\nfile = \"b.csv\"\n"
+          "[[device]]\nname = \"c\"\nfile = \"c.csv\"\n");
+  }
+  static Words campaign(std::string const& out, Words const& more = {}) {
+    return Words{"calibrate",
+                 "lot.toml",
+                 "--laws",
+                 "bilinear,vaiana,menegotto-pinto",
+                 "--runs",
+                 "4",
+                 "--method",
+                 "ga",
+                 "--population",
+                 "40",
+                 "--generations",
+                 "40",
+                 "--analysis",
+                 "full",
+                 "--replicates",
+                 "0",
+                 "--samples-per-cycle",
+                 "40",
+                 "--out",
+                 out} +
+           more;
+  }
+  static std::string dir(int number) { return fmt::format("P{}", number); }
+  static Words part(int number, Words const& more = {}) {
+    return campaign(dir(number), Words{"--part", fmt::format("{}/{}", number, parts)} + more);
+  }
+  static Words merge(std::vector<int> const& numbers, Words const& more = {}) {
+    Words words{"merge", "O", "--figures", "none"};
+    for (int const number : numbers) words.push_back(dir(number));
+    return words + more;
+  }
+  void compute(std::vector<int> const& numbers) {
+    for (int const number : numbers) {
+      auto const o = isolaw(part(number));
+      expect_message(o, 0, {fmt::format("part {} of 7: ", number), "isolaw merge OUT PARTS..."});
+      EXPECT_EQ(o.out, "");
+    }
+  }
+  static std::vector<int> all() {
+    std::vector<int> numbers(parts);
+    std::iota(numbers.begin(), numbers.end(), 1);
+    return numbers;
+  }
+  void expect_as_one_machine() {
+    if (!exists("W")) {
+      ASSERT_EQ(isolaw(campaign("W", {"--jobs", "3"})).code, 1);  // a device was refused
+    }
+    auto const one = results_in(path("W")), merged = results_in(path("O"));
+    ASSERT_TRUE(one.contains("campaign.sqlite") && one.contains("summary.json") && one.contains("report.html"));
+    EXPECT_EQ(all_rows(path("O/campaign.sqlite")), all_rows(path("W/campaign.sqlite")));
+    for (auto const& [name, bytes] : one) {
+      ASSERT_TRUE(merged.contains(name)) << name;
+      EXPECT_TRUE(merged.at(name) == bytes) << name << " differs";
+    }
+    EXPECT_EQ(merged.size(), one.size());
+  }
+};
+
+TEST_F(Merge, of_seven_parts_in_any_order_one_killed_one_twice_is_what_one_machine_computes) {
+  // Killed in the middle of its search, and continued by the same command.
+  auto const slow = Words{"--jobs", "1"};
+  auto killed = start(part(4, slow));
+  Outcome result;
+  while (stored_rows(path("P4/campaign.sqlite"), "run") < 1 && !killed.ended(result)) std::this_thread::sleep_for(1ms);
+  killed.send(SIGKILL);
+  EXPECT_EQ(killed.wait().code, 128 + SIGKILL);
+  EXPECT_LT(stored_rows(path("P4/campaign.sqlite"), "run"), 3);
+  compute({6, 1, 7, 3, 2, 5, 4});
+  ASSERT_EQ(isolaw(campaign("again", {"--part", "2/7", "--jobs", "2"})).code, 0);
+  EXPECT_EQ(read("again/campaign.sqlite"), read("P2/campaign.sqlite"));
+  auto const o = isolaw(merge({3, 7, 2, 1, 6, 4, 5}, {"again"}));
+  expect_message(o, 1, {"24 runs copied, ", " there already"});  // a device was refused
+  expect_as_one_machine();
+  EXPECT_EQ(o.out, isolaw(campaign("W")).out);
+}
+
+TEST_F(Merge, has_no_run_in_two_parts_and_every_run_in_one) {
+  compute(all());
+  Words found;
+  std::vector<int> sizes;
+  for (int const number : all()) {
+    auto const rows = query(path(dir(number)) / "campaign.sqlite", "SELECT device, law, number FROM run");
+    sizes.push_back(static_cast<int>(rows.size()));
+    found = found + rows;
+  }
+  EXPECT_EQ(found.size(), 24u);
+  std::ranges::sort(found);
+  EXPECT_EQ(std::ranges::adjacent_find(found), found.end());
+  EXPECT_LE(std::ranges::max(sizes) - std::ranges::min(sizes), 1);
+}
+
+TEST_F(Merge, names_what_is_missing_and_who_should_hold_it_and_goes_on_from_there) {
+  compute({1, 2, 3, 4, 6, 7});
+  auto const o = isolaw(merge(all()));
+  expect_message(o, 1,
+                 {"P5/campaign.sqlite: not there", "runs copied to O/campaign.sqlite",
+                  "not complete: ", "of part 5/7 (", "then again: isolaw merge O PARTS..."});
+  EXPECT_FALSE(exists("O/summary.json"));
+  // Exactly the runs of that part.
+  compute({5});
+  Words expected;
+  for (auto const& row : query(path("P5/campaign.sqlite"),
+                               "SELECT 5, replace(d.name, 'a, ''b''', '\"a, ''b''\"'), law, number "
+                               "FROM run JOIN device AS d ON d.id = run.device ORDER BY device, law, number")) {
+    expected.push_back(row);
+    std::ranges::replace(expected.back(), '|', ',');
+  }
+  std::string text = "part,device,law,run\n";
+  for (auto const& line : expected) text += line + "\n";
+  EXPECT_EQ(o.out, text);
+  // Only that part, to what was merged before.
+  expect_message(isolaw(merge({5})), 1, {"runs copied"});
+  expect_as_one_machine();
+}
+
+TEST_F(Merge, of_a_part_that_was_killed_and_not_continued_names_its_runs) {
+  compute({1, 2, 3, 5, 6, 7});
+  auto process = start(part(4));
+  process.wait();
+  change(path("P4/campaign.sqlite"),
+         "DELETE FROM run_parameter WHERE (device, law, number) = (SELECT device, law, number FROM run LIMIT 1);"
+         "DELETE FROM run WHERE (device, law, number) = (SELECT device, law, number FROM run LIMIT 1)");
+  expect_message(isolaw(merge(all())), 1, {"not complete: 1 run is missing", "of part 4/7 (1 run)"});
+  expect_message(isolaw(part(4)), 0, {"continuing: ", "all of its share"});
+  expect_message(isolaw(merge({4})), 1, {"1 run copied", "there already"});
+  expect_as_one_machine();
+}
+
+TEST_F(Merge, refuses_a_part_of_another_build_or_instruction_set_and_changes_nothing) {
+  compute({1, 2});
+  fs::copy(path("P2"), path("B"));
+  change(path("B/campaign.sqlite"), "UPDATE maker SET version = '0.0.9', build = '0123456789ab'");
+  expect_refused(isolaw({"merge", "O", "P1", "B"}),
+                 {"B/campaign.sqlite: computed by isolaw 0.0.9, build 0123456789ab; this is " ISOLAW_VERSION,
+                  "parts and merge of one build", "isolaw --version", "--part 2/7 --fresh"});
+  EXPECT_FALSE(exists("O/campaign.sqlite"));
+  fs::copy(path("P2"), path("I"));
+  change(path("I/campaign.sqlite"), "UPDATE maker SET instruction_set = 'abacus'");
+  expect_refused(isolaw({"merge", "O", "P1", "I"}),
+                 {"I/campaign.sqlite: computed with instruction set abacus; the merge runs with ",
+                  "one instruction set in all parts", "ISOLAW_SIMD=abacus isolaw merge", "--part 2/7 --fresh"});
+  EXPECT_FALSE(exists("O/campaign.sqlite"));
+  // Computed so, not only said to be.
+  auto const scalar = campaign("S", {"--part", "2/7"});
+  ASSERT_EQ(start(scalar, {"ISOLAW_SIMD=scalar"}).wait().code, 0);
+  auto const o = start({"merge", "O", "P1", "S"}, {"ISOLAW_SIMD=scalar"}).wait();
+  if (read("S/campaign.sqlite") != read("P2/campaign.sqlite"))
+    expect_refused(o, {"P1/campaign.sqlite: computed with instruction set ", "the merge runs with scalar"});
+}
+
+TEST_F(Merge, refuses_parts_of_another_campaign_saying_what_differs) {
+  compute({1});
+  auto const refused = [&](Words const& more, std::string const& what) {
+    ASSERT_EQ(isolaw(campaign("X", Words{"--part", "2/7", "--fresh"} + more)).code, 0);
+    expect_refused(isolaw({"merge", "O", "P1", "X"}),
+                   {"X/campaign.sqlite: of another campaign than P1/campaign.sqlite: ", what, "the same lot"});
+    EXPECT_FALSE(exists("O/campaign.sqlite"));
+  };
+  refused({"--seed", "9"}, "seed: 1 there, 9 now");
+  refused({"--design", "K_eff=1.2", "--rules", "ntc-2018"}, "another title, or other rules or design values");
+  write("b.csv", csv(record({.amplitude_mm = 91.0})));
+  refused({}, "b: its file has changed");
+  write("b.csv", csv(record({.amplitude_mm = 90.0})));
+  ASSERT_EQ(isolaw(campaign("Y", {"--part", "2/3"})).code, 0);
+  expect_refused(isolaw({"merge", "O", "P1", "Y"}),
+                 {"Y/campaign.sqlite: is part 2/3; P1/campaign.sqlite is one of 7", "parts of one deal"});
+  expect_refused(isolaw({"merge", "P1", "Y"}), {"part"});
+  expect_refused(isolaw({"merge", "P1", "P1"}), {"P1: is the directory that is merged into"});
+  expect_refused(isolaw({"merge", "O", "nowhere"}), {"nowhere/campaign.sqlite: no part is there"});
+}
+
+TEST_F(Merge, finds_out_a_part_that_was_cut_off_or_changed) {
+  compute({1, 2});
+  auto const bytes = read("P2/campaign.sqlite");
+  for (auto const size :
+       {bytes.size() / 2, bytes.size() - 4096, bytes.size() - 1, std::size_t{4096}, std::size_t{50}}) {
+    write("T/campaign.sqlite", std::string_view(bytes).substr(0, size));
+    auto const o = isolaw({"merge", "O", "P1", "T"});
+    expect_refused(o, {"T/campaign.sqlite"});
+    EXPECT_TRUE(o.err.find("damaged") != std::string::npos || o.err.find("not a ") != std::string::npos) << o;
+    EXPECT_FALSE(exists("O/campaign.sqlite")) << size;
+  }
+  write("T/campaign.sqlite", bytes);
+  ASSERT_EQ(isolaw({"merge", "O", "T"}).code, 1);
+  change(path("T/campaign.sqlite"), "UPDATE run SET evaluations = evaluations + 1");
+  auto const rows = all_rows(path("O/campaign.sqlite"));
+  expect_refused(isolaw({"merge", "O", "P1", "T"}),
+                 {"T/campaign.sqlite: run ", "is another one than that which is there already", "isolaw check"});
+  change(path("T/campaign.sqlite"), "UPDATE run SET number = 99; UPDATE run_parameter SET number = 99");
+  expect_refused(isolaw({"merge", "O", "T"}), {"T/campaign.sqlite", "damaged", "run 99 of "});
+  for (auto const& row : rows) EXPECT_TRUE(std::ranges::binary_search(all_rows(path("O/campaign.sqlite")), row));
+}
+
+TEST_F(Merge, is_refused_where_another_one_is_at_work) {
+  compute({1});
+  fs::create_directory(path("O"));
+  int const held = ::open(path("O").c_str(), O_RDONLY | O_DIRECTORY);
+  ASSERT_EQ(flock(held, LOCK_EX | LOCK_NB), 0);  // as a merge holds it
+  expect_refused(isolaw(merge({1})), {"O: another isolaw works in this directory"});
+  EXPECT_FALSE(exists("O/campaign.sqlite"));
+  close(held);
+  // And it is a merge that holds it so.
+  compute({2, 3, 4, 5, 6, 7});
+  auto first = start(merge(all(), {"--jobs", "1"}));
+  Outcome ended;
+  bool refused = false;
+  while (!exists("O/campaign.sqlite") && !first.ended(ended)) std::this_thread::sleep_for(1ms);
+  while (!first.ended(ended) && !refused) {
+    auto const second = isolaw(merge(all()));
+    refused = second.err.find("another isolaw works in this directory") != std::string::npos;
+    EXPECT_EQ(second.code, refused ? 2 : 1) << second;
+  }
+  if (refused) first.wait();
+  EXPECT_TRUE(refused);
+  expect_as_one_machine();
+}
+
+TEST_F(Merge, that_was_killed_is_done_again_by_the_same_command) {
+  compute(all());
+  auto process = start(merge(all(), {"--jobs", "1"}));
+  Outcome ended;
+  while (stored_rows(path("O/campaign.sqlite"), "device_analysis") < 1 && !process.ended(ended))
+    std::this_thread::sleep_for(1ms);
+  process.send(SIGKILL);
+  process.wait();
+  // And by none of the parts, which may be gone.
+  for (int const number : all()) fs::remove_all(path(dir(number)));
+  expect_message(isolaw({"merge", "O", "--figures", "none"}), 1, {"0 runs copied"});
+  expect_as_one_machine();
+}
+
+TEST_F(Merge, copies_only_if_asked_and_calibrate_ends_it_as_well) {
+  compute(all());
+  auto const o = isolaw(merge(all(), {"--copy-only"}));
+  expect_message(o, 0, {"24 runs copied"});
+  EXPECT_FALSE(exists("O/summary.json"));
+  EXPECT_EQ(isolaw(campaign("O")).code, 1);
+  expect_as_one_machine();
+}
+
+TEST_F(Merge, part_is_an_ordinary_store_that_knows_it_is_one) {
+  compute({3});
+  EXPECT_EQ(query(path("P3/campaign.sqlite"), "SELECT value FROM meta WHERE key = 'part'"), Words{"3/7"});
+  EXPECT_FALSE(exists("P3/summary.json"));
+  auto const o = isolaw({"report", "P3"});
+  expect_message(o, 1, {"this is part 3 of 7", "isolaw merge OUT PARTS..."});
+  EXPECT_EQ(json("P3/summary.json")["part"], 3);
+  EXPECT_EQ(json("P3/summary.json")["parts"], 7);
+  EXPECT_TRUE(contains(read("P3/report.html"), "part 3 alone of 7: "));
+  auto const checked = isolaw({"check", "P3"});
+  EXPECT_EQ(checked.code, 0) << checked;
+  EXPECT_TRUE(contains(checked.out, "this is part 3 of 7"));
+  expect_refused(isolaw(campaign("P3", {"--part", "4/7"})), {"part 3/7 there, part 4/7 now"});
+  expect_refused(isolaw(campaign("P3")), {"part 3/7 there, all of it now"});
+  auto more = part(3);
+  *(std::ranges::find(more, "--runs") + 1) = "5";
+  expect_refused(isolaw(more), {"P3/campaign.sqlite: part 3/7 of a campaign that is now larger, by 5 runs instead of 4",
+                                "dealt anew"});
+  expect_refused(isolaw(part(3, {"--json"})), {"--json: a part has no summary"});
+}
+
+TEST_F(Merge, parts_are_named_as_they_may_be) {
+  for (auto const* text : {"0/7", "8/7", "1", "/7", "1/", "a/b", "1/2/3", "-1/7", "1/1000001", ""})
+    expect_refused(isolaw(campaign("X", {"--part", text})), {"--part", "K/N, part K of N"});
+  EXPECT_FALSE(exists("X"));
+  // More parts than runs: the last have none, and are done.
+  expect_message(isolaw(campaign("X", {"--part", "100/100"})), 0, {"part 100 of 100: 0 runs"});
+}
+
+// The scripts of isolaw parts, with names that a shell and make would take apart.
+class PartScripts : public Merge {
+ protected:
+  static Words in_parts(std::string const& to, std::string const& out) {
+    auto words = campaign(out, {"--figures", "none"});
+    words.front() = "parts";
+    words.insert(words.begin() + 2, {"5", "--to", to});
+    return words;
+  }
+  Outcome run(Words const& command, Words const& environment = {}) {
+    return Process(command, directory(), path("out"), path("err"), environment).wait();
+  }
+  static bool is_there(std::string const& program) {
+    return std::system(("command -v " + program + " >/dev/null 2>&1").c_str()) == 0;
+  }
+  void expect_merged(std::string const& out) {
+    if (!exists("W")) {
+      ASSERT_EQ(isolaw(campaign("W")).code, 1);
+    }
+    for (auto const* name : {"campaign.sqlite", "summary.json", "report.html"})
+      EXPECT_TRUE(read(fs::path(out) / name) == read(fs::path("W") / name)) << name;
+  }
+};
+
+TEST_F(PartScripts, of_make_and_parallel_end_as_one_machine_also_after_a_loss) {
+  for (std::string const to : {"make", "parallel"}) {
+    if (!is_there(to)) {
+      std::cout << "SKIPPED: no " << to << " here\n";
+      continue;
+    }
+    auto const out = "it's $(HOME) $HOME \"" + to + "\" 100%";
+    auto const printed = isolaw(in_parts(to, out));
+    ASSERT_EQ(printed.code, 0) << printed;
+    auto const script = "the '" + to + "' script";
+    write(script, printed.out);
+    auto const command = to == "make" ? Words{"make", "-f", script, "-j", "2", "-k"} : Words{"sh", script};
+    auto const o = run(command, {"ISOLAW_SCRATCH=" + path("disk of $1").string()});
+    EXPECT_TRUE(contains(o.err, "24 runs copied")) << o;
+    expect_merged(out);
+    EXPECT_FALSE(exists("disk of $1/isolaw"));
+    fs::remove_all(path(out));
+    fs::remove_all(path(out + ".parts/4"));
+    auto const again = run(command);
+    EXPECT_TRUE(contains(again.err, "24 runs copied")) << again;
+    expect_merged(out);
+  }
+}
+
+TEST_F(PartScripts, fix_the_instruction_set_and_ask_for_time_and_memory) {
+  auto const o = start(in_parts("slurm", "O"), {"ISOLAW_SIMD=scalar"}).wait();
+  ASSERT_EQ(o.code, 0) << o;
+  for (auto const* part : {"export ISOLAW_SIMD=scalar\n", "--array=\"$array\" --requeue", "--time=10 ",
+                           "--mem=", "--dependency=afterany:", "# 5 parts of work, merged into O."})
+    EXPECT_TRUE(contains(o.out, part));
+  write("s", o.out);
+  EXPECT_EQ(run({"sh", "-n", "s"}).code, 0);
+  EXPECT_EQ(run({"sh", "s", "else"}).code, 2);
+}
+
+TEST_F(PartScripts, are_refused_as_commands_are) {
+  expect_refused(isolaw(in_parts("pbs", "O")), {"--to", "'pbs'", "slurm, make, parallel"});
+  expect_refused(isolaw(in_parts("make", "a\nb")), {"holds a line break"});
+  auto none = in_parts("make", "O");
+  none[2] = "0";
+  expect_refused(isolaw(none), {"count: 0", "1 to 100000 parts"});
+  expect_message(isolaw(Words{"parts", "lot.toml", "50", "--to", "make"} + Words(none.begin() + 5, none.end())), 0,
+                 {"24 runs for 50 parts: some will have none"});
+}
+
+}  // namespace
+}  // namespace isolaw::cli_test

@@ -1,0 +1,80 @@
+#!/usr/bin/env bash
+# A campaign as the script of `isolaw parts --to slurm` runs it on a real Slurm: the array is submitted, the node is lost in
+# the middle, what it ran is queued again, and what is merged is, byte by byte, what one machine computes. And a part that
+# is lost afterwards is submitted again by the merge.
+# slurm_test.sh ISOLAW TOOLS; exit code 77: skipped, and why.
+set -euo pipefail
+isolaw=$1 cluster=$2/slurm_here.sh
+if ! why=$("$cluster" possible); then
+  echo "SKIPPED, Slurm was not tested: $why"
+  exit 77
+fi
+work=$(mktemp -d)
+trap '"$cluster" stop "$work/slurm" || true; rm -rf "$work"' EXIT
+cd "$work"
+fail() {
+  echo "FAILED: $*" >&2
+  squeue >&2 || true
+  tail -n 20 slurm/slurmctld.log out*.parts/*.log "out 'put.parts"/*.log >&2 || true
+  exit 1
+}
+# Until the command succeeds; it asks twice a second.
+wait_for() {
+  local seconds=$1 asked
+  shift
+  for ((asked = 0; asked < 2 * seconds; ++asked)); do
+    "$@" && return
+    sleep 0.5
+  done
+  fail "not within $seconds s: $*"
+}
+
+campaign=(--laws 'abe,hwang-wu' --method ga --runs 4 --population 60 --generations 60 --samples-per-cycle 60
+  --analysis none --figures none)
+out="out 'put"
+"$isolaw" example lot >/dev/null
+"$isolaw" parts lot/lot.toml 8 --to slurm "${campaign[@]}" --out "$out" >"the script"
+"$cluster" start "$work/slurm"
+. slurm/env
+export ISOLAW_SCRATCH=$work/disk
+sh "the script"
+
+some_are_done_and_some_are_not() {
+  [ -e "$(find "$out.parts" -name campaign.sqlite | head -n 1)" ] && squeue -h -t running -o %j | grep -q -x isolaw
+}
+wait_for 120 some_are_done_and_some_are_not
+"$cluster" kill-node "$work/slurm"
+[ -z "$(squeue -h -t running)" ] || fail "the node is lost, and something runs"
+[ ! -e "$out/summary.json" ] || fail "merged before it was computed"
+before=$(find "$out.parts" -name campaign.sqlite | wc -l)
+[ "$before" -lt 8 ] || fail "nothing was left to lose"
+"$cluster" start-node "$work/slurm"
+# A job that was queued again is not eligible for two minutes, which nobody waits for here.
+sooner() {
+  local job
+  for job in $(squeue -h -r -t pending -n isolaw -o %A); do
+    scontrol update "jobid=$job" starttime=now 2>/dev/null || true
+  done
+}
+merged() {
+  sooner
+  [ -z "$(squeue -h)" ]
+}
+wait_for 240 merged
+grep -q '80 runs copied' "$out.parts/merge.log" || fail "not merged"
+"$isolaw" calibrate lot/lot.toml "${campaign[@]}" --out one >/dev/null || fail "one machine"
+for file in campaign.sqlite summary.json report.html; do
+  cmp "$out/$file" "one/$file" || fail "$file is not that of one machine"
+done
+
+# Lost afterwards: by the same command. The merge itself submits what is missing.
+rm -r "$out" "$out.parts/3" "$out.parts/7"
+again=$(sh "the script")
+case $again in *"parts 3,7: job "*) ;; *) fail "not what is missing: $again" ;; esac
+wait_for 120 merged
+cmp "$out/campaign.sqlite" one/campaign.sqlite || fail "not that of one machine"
+rm -r "$out" "$out.parts/5"
+sbatch --parsable --chdir="$out.parts" --output=merge.log --wrap "exec sh '$work/the script' merge" >/dev/null
+wait_for 120 merged
+cmp "$out/campaign.sqlite" one/campaign.sqlite || fail "a merge did not submit what was missing"
+echo "8 parts, $before of them done when the node was lost: merged to the bytes of one machine"

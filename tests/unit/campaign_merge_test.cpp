@@ -1,0 +1,180 @@
+// Parts: how runs are dealt, and that a merge is linear in rows and flat in memory up to a thousand parts.
+#include "isolaw/campaign/merge.hpp"
+
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include <fstream>
+#include <map>
+
+#include "campaign_fixture.hpp"
+#include "isolaw/campaign/deal.hpp"
+#include "isolaw/campaign/maker.hpp"
+#include "isolaw/campaign/prepare.hpp"
+#include "isolaw/campaign/store.hpp"
+
+namespace isolaw::campaign {
+namespace {
+
+class MergeTest : public testing::Folder {
+ protected:
+  Contents prepared(std::vector<std::string> laws, int runs) const {
+    Lot lot;
+    lot.settings.laws = std::move(laws);
+    lot.settings.runs = runs;
+    lot.settings.clean.samples_per_cycle = 40;
+    lot.settings.analysis = false;
+    for (auto const* name : {"a", "b"})
+      lot.devices.push_back(
+          device_input(name, {write(std::string(name) + ".csv", testing::record_text(*name == 'a' ? 1.0 : 1.2))}));
+    lot.settings.complete();
+    return prepare(lot);
+  }
+};
+
+TEST_F(MergeTest, RunsAreDealtEvenlyByTheirCost) {
+  auto const contents = prepared({"bilinear", "abe", "hwang-wu", "vaiana"}, 6);
+  for (int const parts : {1, 2, 5, 7, 48, 60}) {
+    Deal const deal(contents, parts);
+    std::vector<std::size_t> runs(static_cast<std::size_t>(parts));
+    std::vector<std::uint64_t> cost(runs.size());
+    std::uint64_t dearest = 0;
+    for (std::size_t s = 0; s < contents.searches.size(); ++s)
+      for (int number = 1; number <= 6; ++number) {
+        auto const part = static_cast<std::size_t>(deal.part_of(s, number)) - 1;
+        ASSERT_LT(part, runs.size());
+        ++runs[part];
+        cost[part] += relative_cost(contents, contents.searches[s]);
+        dearest = std::max(dearest, relative_cost(contents, contents.searches[s]));
+      }
+    EXPECT_LE(std::ranges::max(runs) - std::ranges::min(runs), 1u) << parts;
+    EXPECT_LE(std::ranges::max(cost) - std::ranges::min(cost), dearest) << parts;
+    for (int part = 1; part <= parts; ++part) {
+      auto share = contents;
+      share.part = {part, parts};
+      EXPECT_EQ(share.expected_here(), runs[static_cast<std::size_t>(part) - 1]) << part << " of " << parts;
+    }
+  }
+}
+
+// Wherever and whenever: parts of one campaign are computed by machines that never met.
+TEST_F(MergeTest, TheDealIsTheSameOnEveryMachine) {
+  auto const contents = prepared({"bilinear", "abe"}, 3);
+  Deal const deal(contents, 4);
+  std::vector<int> dealt;
+  for (std::size_t s = 0; s < contents.searches.size(); ++s)
+    for (int number = 1; number <= 3; ++number) dealt.push_back(deal.part_of(s, number));
+  EXPECT_EQ(dealt, (std::vector{3, 4, 1, 1, 2, 3, 2, 3, 4, 4, 1, 2}));  // of a: bilinear, abe; of b: bilinear, abe
+}
+
+TEST_F(MergeTest, AStoreInOrderIsTheSameFileHoweverItCameAbout) {
+  auto contents = prepared({"bilinear", "abe"}, 40);
+  std::vector<campaign::Run> runs;
+  for (auto const& search : contents.searches)
+    for (int number = 1; number <= 40; ++number)
+      runs.push_back(testing::failed_run(search.device, search.law, number, std::string(30, 'x')));
+  auto in_order = runs;
+  std::ranges::sort(in_order, {}, [](auto const& run) { return std::tie(run.device, run.law, run.number); });
+  std::string first;
+  for (int const stride : {1, 7, 159}) {  // without a factor that 160 has
+    auto const file = folder / "campaign.sqlite";
+    auto store = Store::create(file, contents);
+    for (std::size_t i = 0; i < runs.size(); ++i) store.add(runs[i * static_cast<std::size_t>(stride) % runs.size()]);
+    ASSERT_TRUE(store.finish());
+    auto const before = bytes_of(file);
+    Store::put_in_order(file);
+    auto const after = bytes_of(file);
+    if (first.empty()) first = after;
+    EXPECT_TRUE(after == first) << stride;
+    EXPECT_FALSE(after == before);
+    testing::expect_same(Store::read(file).runs, in_order);
+    EXPECT_EQ(Store::integrity(file), std::vector<std::string>{});
+    Store::put_in_order(file);  // again: nothing to do
+    EXPECT_TRUE(bytes_of(file) == first);
+  }
+}
+
+#ifdef __linux__
+
+// Counts of the process: "rchar" and "wchar" of io, "VmHWM" of status.
+std::uint64_t counted_by_system(std::string const& file, std::string const& key) {
+  std::ifstream in("/proc/self/" + file);
+  for (std::string word; in >> word;)
+    if (word == key + ":") {
+      std::uint64_t value = 0;
+      in >> value;
+      return value;
+    }
+  return 0;
+}
+
+TEST_F(MergeTest, OfAThousandPartsIsLinearInRowsAndFlatInMemory) {
+  constexpr int most = 1000, each = 5;  // parts; runs that each has of a search
+  struct Cost {
+    std::uint64_t bytes = 0;
+    std::int64_t sqlite_bytes = 0, process_kB = 0;
+  };
+  std::map<int, Cost> costs;
+  for (int const parts : {100, most}) {
+    // Part k has the runs k, k + parts, ...: so many of every search are dealt evenly.
+    auto contents = prepared({"bilinear", "vaiana"}, each * parts);
+    contents.part = {1, parts};
+    contents.makers = {this_maker()};
+    for (auto const& search : contents.searches)
+      for (int i = 0; i < each; ++i) {
+        auto run = testing::failed_run(search.device, search.law, 1 + i * parts, std::string(200, 'x'));
+        run.outcome = Outcome::confirmed;
+        run.objective = 0.1;
+        run.integration_shift = 0.0;
+        run.failure.clear();
+        run.parameters.resize(search.box.parameters.size(), 1.0);
+        run.history.assign(20, 0.1);
+        contents.runs.push_back(std::move(run));
+      }
+    auto const first = folder / "1.sqlite";
+    Store::create(first, contents).finish();
+    std::vector<std::filesystem::path> files;
+    for (int number = 1; number <= parts; ++number) {
+      files.push_back(folder / fmt::format("{}.sqlite", number));
+      if (number == 1) continue;
+      std::filesystem::copy_file(first, files.back(), std::filesystem::copy_options::overwrite_existing);
+      sqlite3* db = nullptr;
+      ASSERT_EQ(sqlite3_open(files.back().c_str(), &db), SQLITE_OK);
+      auto const sql = fmt::format(
+          "PRAGMA synchronous = OFF; BEGIN; UPDATE meta SET value = '{0}/{1}' WHERE key = 'part'; UPDATE run SET number = number + {0} - 1; "
+          "UPDATE run_parameter SET number = number + {0} - 1; COMMIT",
+          number, parts);
+      ASSERT_EQ(sqlite3_exec(db, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(db);
+      sqlite3_close(db);
+    }
+    // In an order that is none.
+    for (std::size_t i = 0; i < files.size(); ++i) std::swap(files[i], files[i * 7919 % files.size()]);
+    auto const out = folder / "campaign.sqlite";
+    std::filesystem::remove(out);
+    std::ofstream("/proc/self/clear_refs") << 5;  // the most memory, from here on
+    auto const memory_before = counted_by_system("status", "VmRSS");
+    sqlite3_memory_highwater(1);
+    auto const bytes_before = counted_by_system("io", "rchar") + counted_by_system("io", "wchar");
+    auto const merged = merge(out, files);
+    auto& cost = costs[parts];
+    cost.bytes = counted_by_system("io", "rchar") + counted_by_system("io", "wchar") - bytes_before;
+    cost.sqlite_bytes = sqlite3_memory_highwater(0);
+    cost.process_kB = static_cast<std::int64_t>(counted_by_system("status", "VmHWM") - memory_before);
+    EXPECT_EQ(merged.missing, 0u);
+    EXPECT_EQ(merged.added, contents.expected_runs());
+    EXPECT_EQ(merged.parts, parts);
+  }
+  // Rows of a part lie all over the tree: once that outgrows the page cache each moves pages of its own, and no more from
+  // there on. A merge that went through all that is there for every part would move ten times as much.
+  auto const& few = costs.at(100);
+  auto const& many = costs.at(most);
+  EXPECT_LT(static_cast<double>(many.bytes), 2.5 * most / 100 * static_cast<double>(few.bytes));
+  // Ten times the rows, and a page cache that was full before.
+  EXPECT_LT(many.sqlite_bytes, few.sqlite_bytes + (4 << 20));
+  EXPECT_LT(many.process_kB, few.process_kB + (8 << 10));
+}
+
+#endif
+
+}  // namespace
+}  // namespace isolaw::campaign
