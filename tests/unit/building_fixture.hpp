@@ -34,7 +34,7 @@ inline Plan grid(std::size_t along, std::size_t across, double spacing_mm) {
 }
 
 // A shake of several frequencies within a bell, different along x and y.
-inline Motion shaking(double step_s = 0.01, double duration_s = 12.0, double peak_g = 0.35) {
+inline Motion shaking(double step_s = 0.01, double duration_s = 12.0, double peak_g = 0.15) {
   using std::numbers::pi;
   Motion made{.name = "shaking", .step_s = step_s, .x_mm_s2 = {}};
   auto const samples = static_cast<std::size_t>(duration_s / step_s) + 1;
