@@ -62,6 +62,41 @@ struct Case<laws::plane::Bilinear> {
   static constexpr laws::Bilinear::Params<double> parameters[] = {{6.0, 0.9, 5.9}, {1.5, 0.5, 30.0}, {2.0, 2.0, 5.0}};
   static constexpr double size = 100.0, line_tolerance = 1e-12;
 };
+template <>
+struct Case<laws::plane::BoucWen> {
+  static constexpr laws::BoucWen::Params<double> parameters[] = {
+      {0.1, 3.0, 1.0, 0.05, 2.0, 0.05},  {0.2, 2.0, 1.5, 0.09, 2.0, -0.05}, {0.2, 2.0, 1.5, 0.03, 2.0, 0.05},
+      {0.1, 3.0, 1.0, 0.05, 1.0, 0.05},  {0.1, 3.0, 1.2, 0.09, 0.6, -0.05}, {0.1, 3.0, 1.0, 0.03, 1.4, 0.05},
+      {0.1, 3.0, 1.0, 0.002, 3.0, 0.001}};
+  static constexpr double size = 100.0, line_tolerance = 1e-6;
+};
+template <>
+struct Case<laws::plane::AbeY0> {
+  static constexpr laws::AbeY0::Params<double> parameters[] = {
+      {0.5, 8.0, 0.3, 0.8, 7.0, 0.3, 40.0, 100.0, 4.0, 20.0, 0.2, 0.1},
+      {0.5, 80.0, 0.3, 0.8, 7.0, 0.1, 40.0, 100.0, 4.0, 20.0, 0.2, 0.1},
+      {0.5, 8.0, 0.3, 0.8, 7.0, 1.0, 40.0, 100.0, 8.0, 20.0, 0.2, 0.1}};
+  static constexpr double size = 100.0, line_tolerance = 1e-6;
+};
+template <>
+struct Case<laws::plane::Abe> {
+  static constexpr laws::Abe::Params<double> parameters[] = {
+      {0.5, 8.0, 0.3, 0.8, 7.0, 0.3, 20.0, 100.0, 0.8, 4.0, 20.0, 0.2, 0.1},
+      {0.5, 8.0, 0.3, 0.8, 7.0, 0.7, 20.0, 100.0, 1.5, 4.0, 20.0, 0.2, 0.1}};
+  static constexpr double size = 100.0, line_tolerance = 1e-4;
+};
+template <>
+struct Case<laws::plane::Vaiana> {
+  static constexpr laws::Vaiana::Params<double> parameters[] = {
+      {3e5, 3e5, 4e4, 4e4, 30.0, 30.0, 0.0, 0.0, 20.0, 20.0, 0, 0, 0, 0, 0, 0}};
+  static constexpr double size = 0.1, line_tolerance = 1e-12;
+};
+template <>
+struct Case<laws::plane::HistoryIntegral> {
+  static constexpr laws::HistoryIntegral::Params<double> parameters[] = {{40.0, 0.6, 30.0, 12.0, 0.4, 0.2},
+                                                                         {40.0, 1.0, 30.0, 12.0, 0.0, 0.2}};
+  static constexpr double size = 100.0, line_tolerance = 1e-12;
+};
 
 template <class Law>
 class PlaneLaw : public testing::Test {};
@@ -184,6 +219,64 @@ TYPED_TEST(PlaneLaw, lanes_are_scalars) {
       ASSERT_NEAR(y[lane], expected[lane][i].y, 1e-11 * peak) << i << " lane " << lane;
     }
   }
+}
+
+// A lane has the bits that it has beside copies of itself; one that is not a number stays alone.
+TYPED_TEST(PlaneLaw, lanes_do_not_know_one_another) {
+  constexpr std::size_t lanes = 8;
+  using T = num::Batch<lanes>;
+  auto const run = [](bool alone) {
+    auto const& known = Case<TypeParam>::parameters;
+    typename TypeParam::template Params<T> p;
+    for (std::size_t k = 0; k < laws::members<typename TypeParam::OneDirection, T>.size(); ++k) {
+      double values[lanes];
+      for (std::size_t lane = 0; lane < lanes; ++lane)
+        values[lane] =
+            known[alone ? 0 : lane % std::size(known)].*laws::members<typename TypeParam::OneDirection, double>[k];
+      if (!alone) values[5] = std::nan("");
+      p.*laws::members<typename TypeParam::OneDirection, T>[k] = T::load(values);
+    }
+    auto state = TypeParam::template start<T>(p);
+    std::vector<Walk> walks;
+    for (unsigned lane = 0; lane < lanes; ++lane)
+      walks.push_back(wander(Case<TypeParam>::size, alone ? 20 : 20 + lane));
+    std::vector<double> made;
+    for (std::size_t i = 1; i < 100; ++i) {
+      auto const at = [&](std::size_t index) {
+        double x[lanes], y[lanes];
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+          x[lane] = walks[lane][index].x;
+          y[lane] = walks[lane][index].y;
+        }
+        return Vector<T>{T::load(x), T::load(y)};
+      };
+      auto const f = TypeParam::template step<T>(p, state, at(i - 1), at(i), 0.005);
+      double x[lanes], y[lanes];
+      f.x.store(x);
+      f.y.store(y);
+      made.insert(made.end(), {x[0], y[0]});
+      EXPECT_EQ(alone, std::isfinite(x[5])) << i;
+    }
+    return made;
+  };
+  EXPECT_EQ(run(true), run(false));
+}
+
+// Nothing moves: the force is what it was; a step of a thousand yield lengths ends, and is saturated.
+TYPED_TEST(PlaneLaw, at_rest_and_far_away) {
+  auto const& p = Case<TypeParam>::parameters[0];
+  auto state = TypeParam::template start<double>(p);
+  double const size = Case<TypeParam>::size;
+  Vector<double> const a{0.3 * size, -0.2 * size}, far{1e5 * size, 0.0};
+  auto const first = TypeParam::template step<double>(p, state, {0.0, 0.0}, a, 0.005);
+  auto const again = TypeParam::template step<double>(p, state, a, a, 0.005);
+  EXPECT_DOUBLE_EQ(again.x, first.x);
+  EXPECT_DOUBLE_EQ(again.y, first.y);
+  auto const rest = laws::plane::force_and_tangent(TypeParam{}, p, state, a, a, 0.005);
+  EXPECT_GT(rest.tangent[0][0], 0.0);
+  EXPECT_GT(rest.tangent[1][1], 0.0);
+  auto const there = TypeParam::template step<double>(p, state, a, far, 0.005);
+  EXPECT_TRUE(std::isfinite(there.x) && std::isfinite(there.y));
 }
 
 }  // namespace

@@ -33,6 +33,7 @@
 namespace isolaw::laws {
 
 using num::abs;
+using num::any;
 using num::at;
 using num::cell_of;
 using num::exp;

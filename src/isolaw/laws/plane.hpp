@@ -5,6 +5,7 @@
 //   start<T>(params) -> State<T>           at rest at the origin
 //   step<T>(params, state, from, to, dt)   advances the state over the straight step between two displacements, returns
 //                                          the force at its end; the law's units, seconds
+//   joint_limits                           where it has them, what parameters must meet to have a form in the plane
 #pragma once
 
 #include <array>
@@ -12,13 +13,16 @@
 #include <cstddef>
 #include <tuple>
 
+#include "isolaw/laws/plane/abe.hpp"
 #include "isolaw/laws/plane/bilinear.hpp"
-#include "isolaw/laws/plane/vector.hpp"
+#include "isolaw/laws/plane/bouc_wen.hpp"
+#include "isolaw/laws/plane/history_integral.hpp"
+#include "isolaw/laws/plane/vaiana.hpp"
 #include "isolaw/num/dual.hpp"
 
 namespace isolaw::laws::plane {
 
-using AllLaws = std::tuple<Bilinear>;
+using AllLaws = std::tuple<Bilinear, BoucWen, Abe, AbeY0, Vaiana, HistoryIntegral>;
 
 // Parameters or a state as the same of another scalar.
 template <class To, class From, class T = double, class U>

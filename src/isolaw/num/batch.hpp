@@ -211,6 +211,14 @@ ISOLAW_INLINE Batch<W> select(bool condition, Batch<W> const& a, Batch<W> const&
   return condition ? a : b;
 }
 template <std::size_t W>
+ISOLAW_INLINE bool any(Mask<W> const& condition) {
+  VectorMask all{};
+  condition.each([&](std::size_t i) ISOLAW_LAMBDA { all |= condition.part[i]; });
+  std::int64_t found = 0;
+  for (std::size_t i = 0; i < vector_lanes; ++i) found |= all[i];
+  return found != 0;
+}
+template <std::size_t W>
 ISOLAW_INLINE Batch<W> min(Batch<W> const& a, Batch<W> const& b) {
   return select(b < a, b, a);
 }

@@ -3,6 +3,7 @@
 //
 //   abs exp exp2 log2 sqrt min max        as in <cmath>
 //   select(condition, a, b)               a where true, b elsewhere, lane by lane; both are evaluated
+//   any(condition)                        whether it holds for a lane
 //   rounded(x)                            x, but a product is rounded before it goes into a sum: in a sum of two
 //                                         products it says which of them is not fused
 //   cell_of(nodes, x)                     index i of the cell nodes[i] <= x < nodes[i+1], clamped to 0 .. count-2
@@ -39,6 +40,9 @@ inline double max(double a, double b) {
 }
 inline double select(bool condition, double a, double b) {
   return condition ? a : b;
+}
+inline bool any(bool condition) {
+  return condition;
 }
 template <class T>
 T const& rounded(T const& x) {

@@ -39,7 +39,7 @@ struct Bilinear {
     T const scale = strength / (one + half * half);
     Split<T> const after(scale * (one - half * half), scale * T(2.0) * half);
     // In this order a strength that is not a number stays one.
-    state.z = select(beyond <= zero, state.z + stiffness * way.moved, after.joined(way.direction));
+    state.z = chosen(beyond <= zero, state.z + stiffness * way.moved, after.joined(way.direction));
     return p.K2 * to + state.z;
   }
 };

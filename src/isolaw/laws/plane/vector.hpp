@@ -30,8 +30,7 @@ T norm(Vector<T> const& a) {
   return sqrt(dot(a, a));
 }
 template <class Condition, class T>
-Vector<T> select(Condition const& condition, Vector<T> const& a, Vector<T> const& b) {
-  using laws::select;
+Vector<T> chosen(Condition const& condition, Vector<T> const& a, Vector<T> const& b) {
   return {select(condition, a.x, b.x), select(condition, a.y, b.y)};
 }
 
@@ -47,7 +46,7 @@ struct Straight {
     T const shortest(1e-150);
     auto const moves = length > shortest;
     direction = (T(1.0) / max(length, shortest)) * moved;
-    direction = select(moves, direction, Vector<T>{T(0.0), T(0.0)});
+    direction = chosen(moves, direction, Vector<T>{T(0.0), T(0.0)});
   }
 };
 
@@ -60,5 +59,13 @@ struct Split {
   Split(Vector<T> const& a, Vector<T> const& direction) : along(dot(a, direction)), across(dot(a, turned(direction))) {}
   Vector<T> joined(Vector<T> const& direction) const { return along * direction + across * turned(direction); }
 };
+
+// q' = rate (n - q) along a straight step: a memory of the motion that fades. At rest derivatives alone move on,
+// elastically.
+template <class T>
+Vector<T> fading(Vector<T> const& q, Straight<T> const& way, T const& rate) {
+  T const left = exp(-rate * way.length);
+  return chosen(way.length > T(0.0), way.direction + left * (q - way.direction), q + rate * way.moved);
+}
 
 }  // namespace isolaw::laws::plane

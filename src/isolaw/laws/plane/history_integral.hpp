@@ -1,0 +1,41 @@
+// History integral in the plane: q' = (n - q)/D along the way for either memory, and an elastic force towards the origin
+// that the largest distance so far softens. Step: exact along a straight path.
+#pragma once
+
+#include "isolaw/laws/history_integral.hpp"
+#include "isolaw/laws/plane/vector.hpp"
+
+namespace isolaw::laws::plane {
+
+struct HistoryIntegral {
+  using OneDirection = laws::HistoryIntegral;
+  static constexpr LawInfo const& info = OneDirection::info;
+  template <class T>
+  using Params = OneDirection::Params<T>;
+
+  template <class T>
+  struct State {
+    Vector<T> slow{T(0.0), T(0.0)}, quick{T(0.0), T(0.0)};
+    T peak = T(0.0);
+  };
+
+  template <class T>
+  static State<T> start(Params<T> const&) {
+    return {};
+  }
+
+  template <class T>
+  static Vector<T> step(Params<T> const& p, State<T>& state, Vector<T> const& from, Vector<T> const& to, double) {
+    T const one(1.0), tiny(num::smallest_power_base), reference(reference_mm);
+    Straight<T> const way(from, to);
+    T const per_slow = one / max(p.D, tiny), per_quick = per_slow / max(p.u, tiny);
+    state.slow = fading(state.slow, way, per_slow);
+    state.quick = fading(state.quick, way, per_quick);
+    state.peak = max(state.peak, norm(to));
+    // At the origin of an unmoved device there is no force, and for g < 1 no bounded slope.
+    T const stiffness = select(state.peak > T(0.0), p.K / reference * power(state.peak / reference, p.g - one), T(0.0));
+    return stiffness * to + (p.S * (one - p.s)) * state.slow + (p.S * p.s) * state.quick;
+  }
+};
+
+}  // namespace isolaw::laws::plane
