@@ -11,6 +11,7 @@
 
 #include "isolaw/base/error.hpp"
 #include "unit/building_fixture.hpp"
+#include "unit/building_whole.hpp"
 
 namespace isolaw::building {
 namespace {
@@ -145,34 +146,9 @@ TEST(BuildingIntegrate, modes_are_the_whole_equations) {
                               {.longest_step_s = 0.01, .histories = true});
 
   constexpr int n = 12;
-  using Whole = Eigen::Matrix<double, n, n>;
-  Whole M = Whole::Zero(), K = Whole::Zero(), C = Whole::Zero();
-  auto const put = [&](Diaphragm const& slab, int at) {
-    double const m = slab.mass_Mg * Mg_in_mass;
-    M.diagonal().segment<3>(at) << m, m, m * slab.gyration_mm * slab.gyration_mm;
-  };
-  put(frame.base, 0);
-  for (int i = 0; i < 3; ++i) {
-    auto const& floor = frame.floors[static_cast<std::size_t>(i)];
-    put(floor.slab, 3 * i + 3);
-    Eigen::Matrix<double, 3, n> B = Eigen::Matrix<double, 3, n>::Zero();
-    auto const& under = i == 0 ? frame.base : frame.floors[static_cast<std::size_t>(i - 1)].slab;
-    B.middleCols<3>(3 * i) = -carried(under.centre, floor.below.centre);
-    B.middleCols<3>(3 * i + 3) = carried(floor.slab.centre, floor.below.centre);
-    K += B.transpose() * floor.below.stiffness * B;
-  }
-  // 2 % in every mode on a fixed base: C = 2 zeta M_s sqrt(M_s^-1 K_s) of the motion relative to the base.
-  using Upper = Eigen::Matrix<double, 9, 9>;
-  Upper const root = M.bottomRightCorner<9, 9>().diagonal().cwiseSqrt().asDiagonal();
-  Upper const inverse = root.diagonal().cwiseInverse().asDiagonal();
-  auto const eigen = num::symmetric_eigen(inverse * K.bottomRightCorner<9, 9>() * inverse);
-  Upper const damping = 0.04 * root * eigen.vectors * eigen.values.cwiseSqrt().asDiagonal() * eigen.vectors.transpose() * root;
-  Eigen::Matrix<double, 9, n> relative;
-  relative.setZero();
-  relative.rightCols<9>().setIdentity();
-  for (int i = 0; i < 3; ++i)
-    relative.block<3, 3>(3 * i, 0) = -carried(frame.base.centre, frame.floors[static_cast<std::size_t>(i)].slab.centre);
-  C = relative.transpose() * damping * relative;
+  auto const [mass, storeys, C] = whole_equations(frame, 0.02);
+  num::Matrix const M = mass.asDiagonal();
+  num::Matrix K = storeys;
   K.topLeftCorner<2, 2>() += k * Eigen::Matrix2d::Identity();
 
   using Column = Eigen::Matrix<double, n, 1>;
@@ -183,7 +159,7 @@ TEST(BuildingIntegrate, modes_are_the_whole_equations) {
     for (int d = 0; d < n; d += 3) p(d) = -M(d, d) * motion.x_mm_s2[i], p(d + 1) = -M(d + 1, d + 1) * motion.y_mm_s2[i];
     return p;
   };
-  a = M.diagonal().cwiseInverse().asDiagonal() * load(0);
+  a = mass.cwiseInverse().asDiagonal() * load(0);
   num::Matrix const effective = K + 2.0 / dt * C + 4.0 / (dt * dt) * M;
   double worst = 0.0, largest = 0.0, worst_a = 0.0, largest_a = 0.0;
   for (std::size_t i = 1; i < motion.x_mm_s2.size(); ++i) {

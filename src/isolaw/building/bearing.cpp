@@ -43,6 +43,14 @@ using Make = std::unique_ptr<Bearing> (*)(std::span<double const>);
 
 template <class Law>
 std::unique_ptr<Bearing> make_coupled(std::span<double const> parameters) {
+  if constexpr (requires { Law::joint_limits; }) {
+    auto const params = laws::unpack<typename Law::OneDirection, double>(parameters);
+    for (auto const& limit : Law::joint_limits)
+      if (!limit.holds(params))
+        throw Error({.where = std::string(Law::info.id),
+                     .found = "parameters without a form in two directions",
+                     .allowed = std::string(limit.statement)});
+  }
   return std::make_unique<Coupled<Law>>(parameters);
 }
 
