@@ -60,10 +60,10 @@ class ImplicitRun {
 
   // At rest where it was pulled to.
   void release() {
+    first_ = total(run_.u, run_.v, 0.0).stiffness;
     run_.u[0] = options_.pulled_to.x;
     run_.u[1] = options_.pulled_to.y;
-    auto const [force, stiffness, damping] = total(run_.u, run_.v, 0.0);
-    first_ = stiffness;
+    Vector3 const force = total(run_.u, run_.v, 0.0).force;
     for (std::size_t j = 0; j < bearings_.size(); ++j) {
       bearings_[j]->commit();
       double const* at = skeleton_.bearing_at + 2 * j;
