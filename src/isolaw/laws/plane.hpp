@@ -24,6 +24,10 @@ namespace isolaw::laws::plane {
 
 using AllLaws = std::tuple<Bilinear, BoucWen, Abe, AbeY0, Vaiana, HistoryIntegral>;
 
+// Those with a force that the peak softens, by the other rule.
+using LawsByAxis = std::tuple<AbeOf<laws::Abe, Softening::by_axis>, AbeOf<laws::AbeY0, Softening::by_axis>,
+                              HistoryIntegralOf<Softening::by_axis>>;
+
 // Parameters or a state as the same of another scalar.
 template <class To, class From, class T = double, class U>
 To numbers_as(From const& from, U&& one) {

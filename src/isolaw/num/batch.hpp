@@ -205,18 +205,27 @@ template <std::size_t W>
 ISOLAW_INLINE Batch<W> select(Mask<W> const& condition, Batch<W> const& a, Batch<W> const& b) {
   return Lanes<Batch<W>>::select(condition, a, b);
 }
+// Whether it holds in any lane: to skip what no lane needs.
+template <std::size_t W>
+ISOLAW_INLINE bool any(Mask<W> const& mask) {
+  VectorMask all = mask.part[0];
+  for (std::size_t i = 1; i < W / vector_lanes; ++i) all |= mask.part[i];
+#if defined(__AVX512F__)
+  return _mm512_test_epi64_mask(std::bit_cast<__m512i>(all), std::bit_cast<__m512i>(all)) != 0;
+#elif defined(__AVX__)
+  return _mm256_movemask_pd(std::bit_cast<__m256d>(all)) != 0;
+#elif defined(__SSE2__)
+  return _mm_movemask_pd(std::bit_cast<__m128d>(all)) != 0;
+#else
+  std::int64_t bits = 0;
+  for (std::size_t i = 0; i < vector_lanes; ++i) bits |= all[i];
+  return bits != 0;
+#endif
+}
 // Branching on what the record determines is the same for all lanes.
 template <std::size_t W>
 ISOLAW_INLINE Batch<W> select(bool condition, Batch<W> const& a, Batch<W> const& b) {
   return condition ? a : b;
-}
-template <std::size_t W>
-ISOLAW_INLINE bool any(Mask<W> const& condition) {
-  VectorMask all{};
-  condition.each([&](std::size_t i) ISOLAW_LAMBDA { all |= condition.part[i]; });
-  std::int64_t found = 0;
-  for (std::size_t i = 0; i < vector_lanes; ++i) found |= all[i];
-  return found != 0;
 }
 template <std::size_t W>
 ISOLAW_INLINE Batch<W> min(Batch<W> const& a, Batch<W> const& b) {

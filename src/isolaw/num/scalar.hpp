@@ -2,8 +2,8 @@
 // all of them: laws call these names unqualified (law.hpp brings the double overloads in, the others come by ADL).
 //
 //   abs exp exp2 log2 sqrt min max        as in <cmath>
+//   any(condition)                        whether it is true in any lane
 //   select(condition, a, b)               a where true, b elsewhere, lane by lane; both are evaluated
-//   any(condition)                        whether it holds for a lane
 //   rounded(x)                            x, but a product is rounded before it goes into a sum: in a sum of two
 //                                         products it says which of them is not fused
 //   cell_of(nodes, x)                     index i of the cell nodes[i] <= x < nodes[i+1], clamped to 0 .. count-2
@@ -26,6 +26,9 @@ inline double exp(double x) {
 inline double exp2(double x) {
   return std::exp2(x);
 }
+inline bool any(bool condition) {
+  return condition;
+}
 inline double log2(double x) {
   return std::log2(x);
 }
@@ -40,9 +43,6 @@ inline double max(double a, double b) {
 }
 inline double select(bool condition, double a, double b) {
   return condition ? a : b;
-}
-inline bool any(bool condition) {
-  return condition;
 }
 template <class T>
 T const& rounded(T const& x) {

@@ -25,6 +25,10 @@ std::string parameters_struct(Subject const& subject) {
     text += fmt::format("  double {} = {};  // {}: {}\n", member(p.name), exactly(subject.parameters[i]), p.unit,
                         p.meaning);
   }
+  if (subject.law->info.traits.remembers)
+    text += fmt::format("  double dead_band = {};  // {}: motion within it to both sides is none\n",
+                        exactly(subject.dead_band_mm / subject.law->info.length.in_record_units),
+                        subject.law->info.length.symbol);
   return text + "};\n";
 }
 
@@ -38,9 +42,6 @@ std::string constants(Subject const& subject, UnitSystem const& units) {
       exactly(units.length.in_record_units / law.length.in_record_units), law.length.symbol, units.length.symbol,
       exactly(law.force.in_record_units / units.force.in_record_units), units.force.symbol, law.force.symbol,
       subject.refinement);
-  if (law.traits.remembers)
-    text += fmt::format("inline constexpr double dead_band = {};  // {}: motion within it to both sides is none\n",
-                        exactly(subject.dead_band_mm / law.length.in_record_units), law.length.symbol);
   if (subject.bounds.lower)
     text += fmt::format("inline constexpr double lower = {};\n", exactly(subject.bounds.lower->overall));
   if (subject.bounds.upper)
@@ -62,7 +63,8 @@ std::string cpp_law(Subject const& subject, UnitSystem const& units) {
   text += parameters_struct(subject) + "\n" + constants(subject, units) + "\n";
   text += std::string(header_numbers()) + "\n";
   for (auto const part : parts) text += std::string(part) + "\n";
-  return text + std::string(header_material()) + fmt::format("\n}}  // namespace {}\n", space);
+  for (auto const part : header_material()) text += std::string(part) + "\n";
+  return text + fmt::format("}}  // namespace {}\n", space);
 }
 
 std::string cpp_check(Subject const& subject, UnitSystem const& units, std::string_view material) {

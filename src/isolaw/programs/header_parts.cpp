@@ -31,8 +31,8 @@ void add(std::vector<std::string_view>& parts, std::string_view text) {
 std::string_view header_numbers() {
   return part("numbers.inc");
 }
-std::string_view header_material() {
-  return part("material.inc");
+std::vector<std::string_view> header_material() {
+  return {part("motion.inc"), part("material.inc")};
 }
 
 std::vector<std::string_view> header_parts(std::string_view law) {

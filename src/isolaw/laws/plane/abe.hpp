@@ -2,7 +2,8 @@
 // Source: Abe, Yoshida and Fujino 2004, part II, for the form F = F1 + F2 + F3 with the largest distance so far in the
 // place of the largest displacement:
 //     dF2 = (Yt / Ut) (dx - |F2 / Yt|^(n-1) F2 / Yt |dx|)
-// F1 and F3 point away from the origin with the sizes of one direction; Yt = Y0 (1 + |x / Uh|^p) or Y0. Step: sixth
+// F1 and F3 point away from the origin with the sizes of one direction; Yt = Y0 (1 + |x / Uh|^p) or Y0. What softens F1
+// beside the motion tests of one direction do not say: Softening. Step: sixth
 // order (follow.hpp), in pieces that end where the distance begins to be the largest.
 #pragma once
 
@@ -12,7 +13,7 @@
 
 namespace isolaw::laws::plane {
 
-template <class Law>
+template <class Law, Softening softening = Softening::by_distance>
 struct AbeOf {
   using OneDirection = Law;
   static constexpr LawInfo const& info = OneDirection::info;
@@ -23,6 +24,7 @@ struct AbeOf {
   struct State {
     Vector<T> f{T(0.0), T(0.0)};  // F2 / Y0
     T peak = T(0.0);
+    Vector<T> peaks{T(0.0), T(0.0)};  // along the axes
   };
 
   template <class T>
@@ -46,7 +48,13 @@ struct AbeOf {
     // Where nothing moves derivatives alone do: elastically.
     Vector<T> const at_rest = state.f + (strength(p, norm(from)) * per_U) * way.moved;
     state.f = chosen(way.length > zero, f.joined(way.direction), at_rest);
-    return radial(p, state.peak, distance1) * to + p.Y0 * state.f;
+    if constexpr (softening == Softening::by_axis) {
+      state.peaks = {max(state.peaks.x, abs(to.x)), max(state.peaks.y, abs(to.y))};
+      return Vector<T>{radial(p, state.peaks.x, distance1) * to.x, radial(p, state.peaks.y, distance1) * to.y} +
+             p.Y0 * state.f;
+    } else {
+      return radial(p, state.peak, distance1) * to + p.Y0 * state.f;
+    }
   }
 
  private:

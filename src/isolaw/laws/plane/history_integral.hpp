@@ -1,5 +1,5 @@
 // History integral in the plane: q' = (n - q)/D along the way for either memory, and an elastic force towards the origin
-// that the largest distance so far softens. Step: exact along a straight path.
+// that the largest distance so far softens, or of each axis the largest displacement along it (Softening). Step: exact along a straight path.
 #pragma once
 
 #include "isolaw/laws/history_integral.hpp"
@@ -7,7 +7,8 @@
 
 namespace isolaw::laws::plane {
 
-struct HistoryIntegral {
+template <Softening softening>
+struct HistoryIntegralOf {
   using OneDirection = laws::HistoryIntegral;
   static constexpr LawInfo const& info = OneDirection::info;
   template <class T>
@@ -16,7 +17,7 @@ struct HistoryIntegral {
   template <class T>
   struct State {
     Vector<T> slow{T(0.0), T(0.0)}, quick{T(0.0), T(0.0)};
-    T peak = T(0.0);
+    Vector<T> peaks{T(0.0), T(0.0)};  // of the distance, both alike, or along the axes
   };
 
   template <class T>
@@ -31,11 +32,18 @@ struct HistoryIntegral {
     T const per_slow = one / max(p.D, tiny), per_quick = per_slow / max(p.u, tiny);
     state.slow = fading(state.slow, way, per_slow);
     state.quick = fading(state.quick, way, per_quick);
-    state.peak = max(state.peak, norm(to));
+    constexpr bool by_axis = softening == Softening::by_axis;
+    Vector<T> const size = by_axis ? Vector<T>{abs(to.x), abs(to.y)} : Vector<T>{norm(to), norm(to)};
+    state.peaks = {max(state.peaks.x, size.x), max(state.peaks.y, size.y)};
     // At the origin of an unmoved device there is no force, and for g < 1 no bounded slope.
-    T const stiffness = select(state.peak > T(0.0), p.K / reference * power(state.peak / reference, p.g - one), T(0.0));
-    return stiffness * to + (p.S * (one - p.s)) * state.slow + (p.S * p.s) * state.quick;
+    auto const stiffness = [&](T const& peak) {
+      return select(peak > T(0.0), p.K / reference * power(peak / reference, p.g - one), T(0.0));
+    };
+    Vector<T> const elastic{stiffness(state.peaks.x) * to.x, stiffness(state.peaks.y) * to.y};
+    return elastic + (p.S * (one - p.s)) * state.slow + (p.S * p.s) * state.quick;
   }
 };
+
+using HistoryIntegral = HistoryIntegralOf<Softening::by_distance>;
 
 }  // namespace isolaw::laws::plane

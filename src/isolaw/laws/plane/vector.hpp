@@ -7,6 +7,10 @@
 
 namespace isolaw::laws::plane {
 
+// What of the motion so far softens a force in a law that remembers the peak: tests in one direction cannot tell. The
+// second depends on the axes.
+enum class Softening { by_distance, by_axis };
+
 template <class T>
 struct Vector {
   T x, y;

@@ -1,0 +1,140 @@
+// Laws online: the forces of the laws themselves, tangents, copies.
+#include "isolaw/laws/online.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/laws/catalogue.hpp"
+
+namespace isolaw::online_test {
+namespace {
+
+struct Motion {
+  std::vector<double> x, v;
+};
+
+// Of the law's own units, with cycles of several sizes.
+Motion motion_of(laws::LawEntry const& law) {
+  Motion made;
+  double const size = 100.0 / law.info.length.in_record_units;
+  for (double const share : {0.3, 1.0, 0.6, 1.5})
+    for (int i = 0; i < 100; ++i) {
+      double const phase = 2.0 * std::numbers::pi * i / 100.0;
+      double const x = share * size * std::sin(phase);
+      made.x.push_back(std::abs(x) < 1e-9 * size ? 0.0 : x);
+      made.v.push_back(share * size * 2.0 * std::numbers::pi * std::cos(phase));
+    }
+  return made;
+}
+
+std::vector<double> parameters_of(laws::LawEntry const& law, double share) {
+  laws::RecordScales const scales{.disp = 100.0 / law.info.length.in_record_units,
+                                  .force = 100.0 / law.info.force.in_record_units,
+                                  .stiffness = law.info.length.in_record_units / law.info.force.in_record_units,
+                                  .strength = 30.0 / law.info.force.in_record_units,
+                                  .velocity = 600.0 / law.info.length.in_record_units,
+                                  .work = 1e5 / law.info.length.in_record_units / law.info.force.in_record_units};
+  std::vector<double> made;
+  for (auto const& p : law.parameters) {
+    auto const box = p.scaled(scales);
+    made.push_back(p.fixed_by_default.value_or(box.lower + share * (box.upper - box.lower)));
+  }
+  return made;
+}
+
+std::vector<double> offline(laws::LawEntry const& law, std::vector<double> const& parameters, Motion const& motion) {
+  std::vector<double> force(motion.x.size());
+  law.evaluate(parameters, laws::make_path(motion.x, motion.v), laws::Integration::converged, force);
+  return force;
+}
+
+// Differential laws and their forms have tables of the flow of their own.
+double tolerance_of(laws::LawEntry const& law) {
+  return law.info.traits.path_integrated ? 1e-6 : 1e-10;
+}
+
+bool finite(std::vector<double> const& values) {
+  for (double const value : values)
+    if (!std::isfinite(value)) return false;
+  return true;
+}
+
+class EveryLaw : public testing::TestWithParam<std::string> {};
+std::vector<std::string> ids() {
+  std::vector<std::string> made;
+  for (auto const& law : laws::catalogue())
+    if (laws::has_online_form(law.info.id)) made.emplace_back(law.info.id);
+  return made;
+}
+INSTANTIATE_TEST_SUITE_P(Online, EveryLaw, testing::ValuesIn(ids()));
+
+TEST_P(EveryLaw, gives_the_force_of_the_law) {
+  auto const& law = laws::find_law(GetParam());
+  auto const motion = motion_of(law);
+  int compared = 0;
+  for (double const share : {0.1, 0.35, 0.6}) {
+    auto const parameters = parameters_of(law, share);
+    auto const expected = offline(law, parameters, motion);
+    if (!finite(expected)) continue;
+    ++compared;
+    double peak = 0.0;
+    for (double const f : expected) peak = std::max(peak, std::abs(f));
+    laws::Online online(law.info.id, parameters);
+    for (std::size_t i = 0; i < motion.x.size(); ++i) {
+      // A trial that is not kept leaves nothing behind, nor does one of a copy.
+      online.trial(-2.0 * motion.x[i], motion.v[i]);
+      laws::Online copy = online;
+      copy.trial(3.0 * motion.x[i], 0.0);
+      copy.commit();
+      auto const got = online.trial(motion.x[i], motion.v[i]);
+      ASSERT_NEAR(got.force, expected[i], tolerance_of(law) * peak) << share << " " << i;
+      online.commit();
+    }
+  }
+  EXPECT_GE(compared, 2);
+}
+
+TEST_P(EveryLaw, goes_a_step_in_parts_as_a_refined_path_does) {
+  auto const& law = laws::find_law(GetParam());
+  auto const motion = motion_of(law);
+  auto const parameters = parameters_of(law, 0.35);
+  std::vector<double> expected(motion.x.size());
+  law.evaluate(parameters, laws::make_path(motion.x, motion.v, 3), laws::Integration::converged, expected);
+  double peak = 0.0;
+  for (double const f : expected) peak = std::max(peak, std::abs(f));
+  laws::Online online(law.info.id, parameters, 0.0, 3);
+  for (std::size_t i = 0; i < motion.x.size(); ++i) {
+    ASSERT_NEAR(online.trial(motion.x[i], motion.v[i]).force, expected[i], tolerance_of(law) * peak) << i;
+    online.commit();
+  }
+}
+
+TEST(Online, follows_with_the_dead_band_of_the_record) {
+  auto const& law = laws::find_law("power-masing");
+  auto const parameters = parameters_of(law, 0.35);
+  auto const motion = motion_of(law);
+  auto const expected = offline(law, parameters, {laws::followed(motion.x, 2.0), motion.v});
+  laws::Online online(law.info.id, parameters, 2.0), without(law.info.id, parameters);
+  double away = 0.0;
+  for (std::size_t i = 0; i < motion.x.size(); ++i) {
+    ASSERT_NEAR(online.trial(motion.x[i], motion.v[i]).force, expected[i], 1e-7 * 100.0) << i;
+    away = std::max(away, std::abs(without.trial(motion.x[i], motion.v[i]).force - expected[i]));
+    online.commit();
+    without.commit();
+  }
+  EXPECT_GT(away, 0.1);
+}
+
+TEST(Online, a_law_without_a_form_is_refused) {
+  EXPECT_FALSE(laws::has_online_form("no-law"));
+  EXPECT_THROW(laws::Online("no-law", std::vector<double>{}), Error);
+  for (auto const& law : laws::catalogue())
+    EXPECT_EQ(laws::has_online_form(law.info.id), law.info.id != "trilinear") << law.info.id;
+}
+
+}  // namespace
+}  // namespace isolaw::online_test
