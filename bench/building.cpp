@@ -52,7 +52,7 @@ int main(int count, char** arguments) {
              threads, num::name(num::instruction_set()), lanes,
              1e3 * lanes * static_cast<double>(threads) / static_cast<double>(draws * motions));
   auto const one = std::span(values).first(each);
-  double const scalar = seconds([&] { respond(model, "bouc-wen", one, ground[0], {}, num::InstructionSet::scalar); });
+  double const scalar = seconds([&] { respond(model, "bouc-wen", one, ground[0], {}, Coupling::coupled, num::InstructionSet::scalar); });
   std::vector<std::unique_ptr<Bearing>> bearings;
   for (std::size_t j = 0; j < plan.bearings.size(); ++j)
     bearings.push_back(make_bearing("bouc-wen", one.subspan(6 * j, 6), Coupling::coupled));

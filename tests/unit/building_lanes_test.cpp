@@ -41,9 +41,9 @@ TEST(BuildingLanes, lanes_are_the_scalar_path) {
   auto const motion = shaking();
   auto const count = model.layout().count();
   auto const values = scattered("bilinear", usual_bilinear(bearings), 0.2);
-  auto const scalar = respond(model, "bilinear", values, motion, {}, num::InstructionSet::scalar);
+  auto const scalar = respond(model, "bilinear", values, motion, {}, Coupling::coupled, num::InstructionSet::scalar);
   for (auto const set : num::available_instruction_sets()) {
-    auto const made = respond(model, "bilinear", values, motion, {}, set);
+    auto const made = respond(model, "bilinear", values, motion, {}, Coupling::coupled, set);
     ASSERT_EQ(made.size(), draws * count);
     for (std::size_t i = 0; i < made.size(); ++i) {
       if (i % count == static_cast<std::size_t>(Measure::balance)) continue;

@@ -139,8 +139,12 @@ void equivalent_linear(Checked& made, LawSource const& source, Motion const& mot
   double at = 100.0;
   for (int i = 0; i < 60; ++i) {
     double k = 0.0, weighted = 0.0;
+    Effective one;
     for (std::size_t j = 0; j < count; ++j) {
-      auto const one = effective(source.law, std::span(bearings).subspan(j * each, each), at);
+      auto const values = std::span(bearings).subspan(j * each, each);
+      // Most are the same.
+      if (j == 0 || !std::ranges::equal(values, std::span(bearings).subspan((j - 1) * each, each)))
+        one = effective(source.law, values, at);
       k += one.stiffness_kN_mm;
       weighted += one.stiffness_kN_mm * one.damping;
     }
@@ -153,14 +157,6 @@ void equivalent_linear(Checked& made, LawSource const& source, Motion const& mot
     if (std::abs(change) < 1e-4 * at) break;
   }
   made.equivalent_mm = at;
-}
-
-std::vector<std::unique_ptr<Bearing>> bearings_of(LawSource const& source, std::vector<double> const& values) {
-  std::vector<std::unique_ptr<Bearing>> made;
-  auto const each = source.lot.size();
-  for (std::size_t j = 0; j * each < values.size(); ++j)
-    made.push_back(make_bearing(source.law, std::span(values).subspan(j * each, each), Coupling::coupled));
-  return made;
 }
 
 Coverage covered(std::vector<double> const& draws, double lower, double upper, std::vector<double> const& grid) {
@@ -222,7 +218,7 @@ std::array<double, 2> binomial_interval(std::size_t found, std::size_t of, doubl
 }
 
 Effective effective(std::string_view law, std::span<double const> parameters, double amplitude_mm) {
-  auto const bearing = make_bearing(law, parameters, Coupling::coupled);
+  auto const bearing = make_bearing(law, parameters, coupling_of(law, parameters));
   constexpr int steps = 200, cycles = 3;
   double before = 0.0, force_before = 0.0, energy = 0.0, forward = 0.0, backward = 0.0;
   for (int i = 1; i <= steps * cycles; ++i) {
@@ -275,9 +271,9 @@ Answers answer(Study const& study, RunStore const& store) {
   auto const layout = model.layout();
   auto const& settings = study.file.settings;
   auto const cases = cases_of(settings);
-  auto const first_draw = static_cast<std::size_t>(std::ranges::find(cases, Kind::draw, &Case::kind) - cases.begin());
+  auto const first_draw = static_cast<std::size_t>(std::ranges::find(cases, CaseKind::draw, &Case::kind) - cases.begin());
   auto const first_uncertain = first_draw + static_cast<std::size_t>(settings.draws);
-  auto const first_factor = static_cast<std::size_t>(std::ranges::find(cases, Kind::factor, &Case::kind) - cases.begin());
+  auto const first_factor = static_cast<std::size_t>(std::ranges::find(cases, CaseKind::factor, &Case::kind) - cases.begin());
   Answers made;
   made.weight_kN = model.structure().weight_kN();
   for (double const w : model.structure().frequency_rad_s()) made.fixed_periods_s.push_back(2.0 * pi / w);
@@ -343,8 +339,8 @@ Answers answer(Study const& study, RunStore const& store) {
       auto& checked = out.checked.emplace_back();
       auto half = options;
       half.longest_step_s = 0.5 * steps_of(study.file.motions[motion], options.longest_step_s, 0.0).dt;
-      auto const run = integrate(model, bearings_of(source, nominal), study.file.motions[motion], options);
-      auto const fine = integrate(model, bearings_of(source, nominal), study.file.motions[motion], half);
+      auto const run = integrate(model, devices.bearings(nominal), study.file.motions[motion], options);
+      auto const fine = integrate(model, devices.bearings(nominal), study.file.motions[motion], half);
       checked.outcome = run.outcome == Outcome::completed ? std::string(name(run.outcome)) : run.why;
       checked.isolator_mm = run.of(Measure::isolator);
       checked.balance = run.of(Measure::balance);

@@ -29,16 +29,16 @@ class Bearing {
   virtual std::unique_ptr<Bearing> copy() const = 0;
 };
 
-// How a law of one direction goes into the plane.
+// How a law of one direction goes into the plane (laws/in_plane.hpp).
 enum class Coupling {
-  coupled,   // the law of the plane that takes the same parameters; refused where there is none
-  separate,  // one for each direction, which know nothing of one another: for motions along x or y alone
+  coupled,  // the law of the plane that takes the same parameters
+  springs,  // any law, as springs around the circle
+  separate  // one for each direction, which know nothing of one another: exact for motions along x or y alone
 };
+// coupled where the law with these parameters has such a form, else springs.
+Coupling coupling_of(std::string_view law, std::span<double const> parameters);
 
-// At rest at its place. Throws Error: a law that is not there, values of another number, a law without a coupled form.
+// At rest at its place. Throws Error: a law that is not there, values of another number, no such form.
 std::unique_ptr<Bearing> make_bearing(std::string_view law, std::span<double const> parameters, Coupling coupling);
-
-// Whether the law has a coupled form.
-bool has_coupled_form(std::string_view law);
 
 }  // namespace isolaw::building

@@ -38,18 +38,19 @@ struct Release {
 }  // namespace
 
 std::vector<double> respond(Model const& model, std::string_view law, std::span<double const> draws,
-                            Motion const& motion, Options const& options, num::InstructionSet set) {
+                            Motion const& motion, Options const& options, Coupling coupling,
+                            num::InstructionSet set) {
   auto const& entry = laws::find_law(law);
   auto const layout = model.layout();
   std::size_t const parameters = entry.parameters.size(), bearings = layout.bearings, each = bearings * parameters;
   std::size_t const count = draws.size() / each;
   std::vector<double> out(count * layout.count());
-  auto const* const kernel = lane_kernel(set, law);
+  auto const* const kernel = coupling == Coupling::coupled ? lane_kernel(set, law) : nullptr;
   if (kernel == nullptr) {
     for (std::size_t draw = 0; draw < count; ++draw) {
       std::vector<std::unique_ptr<Bearing>> made;
       for (std::size_t j = 0; j < bearings; ++j)
-        made.push_back(make_bearing(law, draws.subspan(draw * each + j * parameters, parameters), Coupling::coupled));
+        made.push_back(make_bearing(law, draws.subspan(draw * each + j * parameters, parameters), coupling));
       auto const response = integrate_explicitly(model, made, motion, options);
       std::ranges::copy(response.measured, out.begin() + static_cast<std::ptrdiff_t>(draw * layout.count()));
     }

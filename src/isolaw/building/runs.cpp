@@ -114,12 +114,9 @@ std::string fingerprint(Study const& study) {
 }
 
 Options options_of(Study const& study, Model const& model, Devices const& devices) {
-  auto const& source = devices.source();
-  auto const nominal = devices.of({.kind = Kind::upper});
-  std::size_t const each = source.lot.size();
+  auto const stiffest = devices.bearings(devices.of({.kind = CaseKind::upper}));
   std::vector<std::array<double, 4>> first;
-  for (std::size_t j = 0; j * each < nominal.size(); ++j) {
-    auto const bearing = make_bearing(source.law, std::span(nominal).subspan(j * each, each), Coupling::coupled);
+  for (auto const& bearing : stiffest) {
     auto const force = bearing->trial({0.0, 0.0}, {0.0, 0.0}, study.file.settings.step_s);
     auto const& k = force.by_displacement;
     first.push_back({k[0][0], k[0][1], k[1][0], k[1][1]});
@@ -152,7 +149,8 @@ void run_all(Study const& study, RunStore& store, std::size_t threads, std::func
         auto const one = devices[law].of(cases[c]);
         values.insert(values.end(), one.begin(), one.end());
       }
-      auto const out = respond(model, study.laws[law].law, values, study.file.motions[motion], options[law]);
+      auto const out = respond(model, study.laws[law].law, values, study.file.motions[motion], options[law],
+                               devices[law].coupling());
       for (std::size_t c = from; c < to; ++c) {
         auto const row = out.begin() + static_cast<std::ptrdiff_t>((c - from) * count);
         made[i].push_back({law, motion, c, {row, row + static_cast<std::ptrdiff_t>(count)}});

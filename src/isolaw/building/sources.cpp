@@ -30,12 +30,12 @@ std::vector<double> with_force(std::string_view law, std::vector<double> paramet
 }
 
 std::vector<Case> cases_of(Settings const& settings) {
-  std::vector<Case> made{{.kind = Kind::nominal}, {.kind = Kind::lower}, {.kind = Kind::upper}};
-  for (std::uint32_t i = 0; i <= 2 * grid_half; ++i) made.push_back({.kind = Kind::factor, .draw = i});
-  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(settings.draws); ++i) made.push_back({.kind = Kind::draw, .draw = i});
+  std::vector<Case> made{{.kind = CaseKind::nominal}, {.kind = CaseKind::lower}, {.kind = CaseKind::upper}};
+  for (std::uint32_t i = 0; i <= 2 * grid_half; ++i) made.push_back({.kind = CaseKind::factor, .draw = i});
+  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(settings.draws); ++i) made.push_back({.kind = CaseKind::draw, .draw = i});
   for (std::uint32_t p = 0; p < static_cast<std::uint32_t>(settings.populations); ++p)
     for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(settings.draws_of_each); ++i)
-      made.push_back({.kind = Kind::uncertain, .population = p, .draw = i});
+      made.push_back({.kind = CaseKind::uncertain, .population = p, .draw = i});
   return made;
 }
 
@@ -77,11 +77,22 @@ Devices::Devices(LawSource source, std::vector<BearingPlace> places, Settings co
       for (auto const& [name, values] : source_.devices) names.push_back(name);
       throw Error({.where = where, .found = fmt::format("no device '{}'", p.device), .allowed = joined(names)});
     }
-  auto const one = make_bearing(source_.law, drawn ? source_.median : source_.lot, Coupling::coupled);
+  for (auto const* values : {&source_.lot, &source_.median})
+    if (coupling_of(source_.law, *values) == Coupling::springs) coupling_ = Coupling::springs;
+  for (auto const& [name, values] : source_.devices)
+    if (coupling_of(source_.law, values) == Coupling::springs) coupling_ = Coupling::springs;
   if (drawn)
     for (int p = 0; p < settings_.populations; ++p)
       uncertain_.push_back(population_again(source_.population, stream_.split(stable_hash("uncertain")).split(static_cast<std::uint64_t>(p)),
                                             source_.limits));
+}
+
+std::vector<std::unique_ptr<Bearing>> Devices::bearings(std::vector<double> const& values) const {
+  std::vector<std::unique_ptr<Bearing>> made;
+  auto const each = source_.lot.size();
+  for (std::size_t j = 0; j * each < values.size(); ++j)
+    made.push_back(make_bearing(source_.law, std::span(values).subspan(j * each, each), coupling_));
+  return made;
 }
 
 std::vector<double> Devices::full(std::vector<double> const& of_population) const {
@@ -104,13 +115,13 @@ std::vector<double> Devices::of(Case const& which) const {
     auto const made = lot::sample(population, draws, stream.split(which.draw), source_.limits);
     for (std::size_t j = 0; j < draws; ++j) drawn[j] = full(made.values[j]);
   };
-  if (which.kind == Kind::draw) draw(source_.population, stream_.split(stable_hash("draw")));
-  if (which.kind == Kind::uncertain)
+  if (which.kind == CaseKind::draw) draw(source_.population, stream_.split(stable_hash("draw")));
+  if (which.kind == CaseKind::uncertain)
     draw(uncertain_.at(which.population), stream_.split(stable_hash("uncertain draw")).split(which.population));
   double factor = 1.0;
-  if (which.kind == Kind::lower) factor = settings_.lower;
-  if (which.kind == Kind::upper) factor = settings_.upper;
-  if (which.kind == Kind::factor) factor = grid_factor(which.draw);
+  if (which.kind == CaseKind::lower) factor = settings_.lower;
+  if (which.kind == CaseKind::upper) factor = settings_.upper;
+  if (which.kind == CaseKind::factor) factor = grid_factor(which.draw);
 
   std::vector<double> made;
   std::size_t next = 0;

@@ -31,7 +31,7 @@ struct LawSource {
 std::vector<double> with_force(std::string_view law, std::vector<double> parameters, double factor);
 
 // What a building's bearings are in one analysis.
-enum class Kind {
+enum class CaseKind {
   nominal,   // draws are the population's median
   lower,     // the same, forces times the factors of the bound analyses
   upper,
@@ -40,7 +40,7 @@ enum class Kind {
   uncertain  // the same, of a population as uncertain as the tests leave it
 };
 struct Case {
-  Kind kind = Kind::nominal;
+  CaseKind kind = CaseKind::nominal;
   std::uint32_t population = 0, draw = 0;
   bool operator==(Case const&) const = default;
 };
@@ -56,11 +56,13 @@ std::vector<Case> cases_of(Settings const& settings);
 // Makes the sets of parameters of one law. A number depends on (seed, law, population, draw, bearing) alone.
 class Devices {
  public:
-  // Throws Error: a bearing is a draw of a law without population, or a device that was not tested; parameters that have
-  // no form in two directions.
+  // Throws Error: a bearing is a draw of a law without population, or a device that was not tested.
   Devices(LawSource source, std::vector<BearingPlace> places, Settings const& settings);
 
   LawSource const& source() const { return source_; }
+  Coupling coupling() const { return coupling_; }  // the same for all of them
+  // The bearings of one analysis.
+  std::vector<std::unique_ptr<Bearing>> bearings(std::vector<double> const& values) const;
   // [bearing][parameter]
   std::vector<double> of(Case const& which) const;
 
@@ -71,6 +73,7 @@ class Devices {
   std::vector<BearingPlace> places_;
   Settings settings_;
   num::Stream stream_;
+  Coupling coupling_ = Coupling::coupled;
   std::vector<lot::Population> uncertain_;
 };
 
