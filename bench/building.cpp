@@ -33,7 +33,8 @@ int main(int count, char** arguments) {
     for (std::size_t j = 0; j < plan.bearings.size(); ++j) {
       num::Draws numbers(num::Stream(2), static_cast<std::uint32_t>(draw), static_cast<std::uint32_t>(j));
       double const both = std::pow(15.0, -exponent);
-      for (double const v : {after / Ke, Ke * (1.0 + 0.07 * numbers.normal()), 1.0, 0.6 * both, exponent, 0.4 * both}) values.push_back(v);
+      for (double const v : {after / Ke, Ke * (1.0 + 0.07 * numbers.normal()), 1.0, 0.6 * both, exponent, 0.4 * both})
+        values.push_back(v);
     }
   auto const seconds = [](auto&& work) {
     auto const start = std::chrono::steady_clock::now();
@@ -48,11 +49,12 @@ int main(int count, char** arguments) {
       respond(model, "bouc-wen", part, ground[task / blocks], {});
     });
   });
-  fmt::print("{} draws x {} motions, {} threads, {}: {:.2f} s, {:.2f} ms of one thread a draw and motion\n", draws, motions,
-             threads, num::name(num::instruction_set()), lanes,
+  fmt::print("{} draws x {} motions, {} threads, {}: {:.2f} s, {:.2f} ms of one thread a draw and motion\n", draws,
+             motions, threads, num::name(num::instruction_set()), lanes,
              1e3 * lanes * static_cast<double>(threads) / static_cast<double>(draws * motions));
   auto const one = std::span(values).first(each);
-  double const scalar = seconds([&] { respond(model, "bouc-wen", one, ground[0], {}, Coupling::coupled, num::InstructionSet::scalar); });
+  double const scalar =
+      seconds([&] { respond(model, "bouc-wen", one, ground[0], {}, Coupling::coupled, num::InstructionSet::scalar); });
   std::vector<std::unique_ptr<Bearing>> bearings;
   for (std::size_t j = 0; j < plan.bearings.size(); ++j)
     bearings.push_back(make_bearing("bouc-wen", one.subspan(6 * j, 6), Coupling::coupled));

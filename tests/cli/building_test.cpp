@@ -20,13 +20,14 @@ class Building : public InFreshDirectory {
         double const phase = 2.0 * std::numbers::pi * i / 60.0, x = (i <= 180 ? 50.0 : 100.0) * std::sin(phase);
         hysteretic = std::clamp(hysteretic + 2.0 * (x - before), -20.0, 20.0);
         before = x;
-        text += fmt::format("{:.4f},{:.5f},{:.5f}\n", i / 30.0, x, stiffness * (0.4 * x + hysteretic + std::sin(3.0 * phase)));
+        text += fmt::format("{:.4f},{:.5f},{:.5f}\n", i / 30.0, x,
+                            stiffness * (0.4 * x + hysteretic + std::sin(3.0 * phase)));
       }
       write(name, text);
       stiffness += 0.4;
     }
-    auto const made = isolaw({"calibrate", "a.csv", "b.csv", "c.csv", "--laws", "bilinear", "--runs", "1", "--analysis", "full",
-                              "--replicates", "10", "--figures", "none", "--out", "lot"});
+    auto const made = isolaw({"calibrate", "a.csv", "b.csv", "c.csv", "--laws", "bilinear", "--runs", "1", "--analysis",
+                              "full", "--replicates", "40", "--figures", "none", "--out", "lot"});
     ASSERT_EQ(made.code, 0) << made;
   }
 };
@@ -35,7 +36,8 @@ TEST_F(Building, from_template_to_verdict) {
   campaign();
   auto const written = isolaw({"example", "case", "--building"});
   ASSERT_EQ(written.code, 0) << written;
-  EXPECT_EQ(read_file(directory() / "case/building.toml").find(isolaw({"building", "--template"}).out.substr(0, 200)), 0u);
+  EXPECT_EQ(read_file(directory() / "case/building.toml").find(isolaw({"building", "--template"}).out.substr(0, 200)),
+            0u);
   auto text = read_file(directory() / "case/building.toml");
   auto const change = [&](std::string const& from, std::string const& to) {
     auto const at = text.find(from);

@@ -25,7 +25,8 @@ TEST(BuildingIntegrate, many_bearings_are_one_of_their_sum) {
   auto const motion = shaking();
   auto const many = run(three_floors(), {.bearings = Plan{std::vector<Point>(7)}.bearings},
                         equal_bearings(7, "bilinear", usual_bilinear(7)), motion);
-  auto const one = run(three_floors(), {.bearings = {{0.0, 0.0}}}, equal_bearings(1, "bilinear", usual_bilinear(1)), motion);
+  auto const one =
+      run(three_floors(), {.bearings = {{0.0, 0.0}}}, equal_bearings(1, "bilinear", usual_bilinear(1)), motion);
   for (std::size_t i = 0; i < measures_of_all; ++i) {
     if (i == static_cast<std::size_t>(Measure::balance)) continue;
     EXPECT_NEAR(many.measured[i], one.measured[i], 1e-9 * std::abs(one.measured[i]) + 1e-12) << i;
@@ -106,18 +107,20 @@ TEST(BuildingIntegrate, scales) {
     floor.slab.mass_Mg *= 10.0;
     floor.below.stiffness *= 10.0;
   }
-  auto const heavier = run(heavy, plan, equal_bearings(4, "bilinear", {10.0 * values[0], 10.0 * values[1], values[2]}), shaking());
+  auto const heavier =
+      run(heavy, plan, equal_bearings(4, "bilinear", {10.0 * values[0], 10.0 * values[1], values[2]}), shaking());
   EXPECT_NEAR(heavier.of(Measure::isolator), base.of(Measure::isolator), 1e-9 * base.of(Measure::isolator));
   EXPECT_NEAR(heavier.of(Measure::shear), 10.0 * base.of(Measure::shear), 1e-8 * base.of(Measure::shear));
-  auto const larger =
-      run(frame, plan, equal_bearings(4, "bilinear", {values[0], values[1], 10.0 * values[2]}), shaking(0.01, 12.0, 1.5));
+  auto const larger = run(frame, plan, equal_bearings(4, "bilinear", {values[0], values[1], 10.0 * values[2]}),
+                          shaking(0.01, 12.0, 1.5));
   EXPECT_NEAR(larger.of(Measure::isolator), 10.0 * base.of(Measure::isolator), 1e-8 * base.of(Measure::isolator));
 }
 
 TEST(BuildingIntegrate, energy_and_order) {
   auto const plan = grid(3, 2, 6000.0);
   auto const at = [&](double step_s) {
-    return run(three_floors(), plan, equal_bearings(6, "bilinear", usual_bilinear(6)), shaking(), {.longest_step_s = step_s});
+    return run(three_floors(), plan, equal_bearings(6, "bilinear", usual_bilinear(6)), shaking(),
+               {.longest_step_s = step_s});
   };
   auto const coarse = at(0.005), half = at(0.0025), fine = at(0.0025 / 16);
   EXPECT_LT(std::abs(coarse.of(Measure::balance)), 1e-3);
@@ -141,9 +144,9 @@ TEST(BuildingIntegrate, modes_are_the_whole_equations) {
   auto const motion = shaking();
   double const k = 1.6 * std::pow(2.0 * std::numbers::pi / 2.0, 2);
   // Never yields.
-  auto const made = integrate(Model(structure, {.bearings = {{0.0, 0.0}}}),
-                              equal_bearings(1, "bilinear", {k, 0.0, 1e9}), motion,
-                              {.longest_step_s = 0.01, .histories = true});
+  auto const made =
+      integrate(Model(structure, {.bearings = {{0.0, 0.0}}}), equal_bearings(1, "bilinear", {k, 0.0, 1e9}), motion,
+                {.longest_step_s = 0.01, .histories = true});
 
   constexpr int n = 12;
   auto const [mass, storeys, C] = whole_equations(frame, 0.02);
@@ -179,7 +182,6 @@ TEST(BuildingIntegrate, modes_are_the_whole_equations) {
   EXPECT_LT(worst, 1e-7 * largest);
   EXPECT_LT(worst_a, 1e-6 * largest_a);
 }
-
 
 class Nothing final : public Bearing {
  public:

@@ -83,7 +83,8 @@ TEST(BuildingLanes, held_to_the_implicit_path) {
     for (std::size_t i = 0; i < count; ++i) {
       if (i == static_cast<std::size_t>(Measure::balance)) continue;
       // What remains at the end is small beside what was.
-      double const size = i == static_cast<std::size_t>(Measure::end) ? implicit.of(Measure::isolator) : implicit.measured[i];
+      double const size =
+          i == static_cast<std::size_t>(Measure::end) ? implicit.of(Measure::isolator) : implicit.measured[i];
       EXPECT_NEAR(lanes[draw * count + i], implicit.measured[i], 3e-3 * std::abs(size)) << i;
     }
     EXPECT_LT(std::abs(lanes[draw * count + static_cast<std::size_t>(Measure::balance)]), 1e-3);
@@ -94,7 +95,8 @@ TEST(BuildingLanes, held_to_the_implicit_path) {
 TEST(BuildingLanes, stable_below_stiff_floors) {
   for (double const period_s : {0.012, 0.02, 0.03}) {
     Diaphragm const light{.mass_Mg = 80.0, .gyration_mm = 7000.0}, heavy{.mass_Mg = 1520.0, .gyration_mm = 7000.0};
-    Model const model(Structure({.base = light, .floors = equal_floors(1, heavy, period_s, period_s)}), grid(3, 2, 6000.0));
+    Model const model(Structure({.base = light, .floors = equal_floors(1, heavy, period_s, period_s)}),
+                      grid(3, 2, 6000.0));
     Values values;
     for (std::size_t j = 0; j < bearings; ++j) {
       auto const one = usual_bilinear(bearings);

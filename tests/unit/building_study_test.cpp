@@ -57,16 +57,19 @@ TEST_F(BuildingFileTest, the_template_is_a_building) {
   EXPECT_EQ(made.bearings.size(), 28u);
   EXPECT_EQ(made.motions.size(), 1u);
   EXPECT_EQ(made.motions[0].y_mm_s2.size(), 20u);
-  EXPECT_NEAR(made.motions[0].x_mm_s2[3], 500.0, 1e-9);
+  EXPECT_NEAR(made.motions[0].x_mm_s2[3], 250.0, 1e-9);
   Structure const structure(made.frame);
   EXPECT_NEAR(2.0 * std::numbers::pi / structure.frequency_rad_s()[0], 0.5, 1e-9);
-  auto const given = read_building_text(building_template(), "b.toml", folder_, {(folder_ / "motion-1-x.csv").string()});
+  auto const given =
+      read_building_text(building_template(), "b.toml", folder_, {(folder_ / "motion-1-x.csv").string()});
   EXPECT_TRUE(given.motions.at(0).y_mm_s2.empty());
 }
 
 TEST_F(BuildingFileTest, what_is_wrong_is_said_once_with_its_line) {
   auto const mass = refused("mass_Mg = 700.0", "mass_Mg = -700.0");
-  EXPECT_TRUE(contains(mass, "b.toml:") && contains(mass, "mass_Mg") && contains(mass, "-700") && contains(mass, "a number above 0")) << mass;
+  EXPECT_TRUE(contains(mass, "b.toml:") && contains(mass, "mass_Mg") && contains(mass, "-700") &&
+              contains(mass, "a number above 0"))
+      << mass;
   EXPECT_TRUE(contains(refused("draws = 1000", "draws = 0"), "draws: 0")) << refused("draws = 1000", "draws = 0");
   auto const outside = refused("along = 7", "along = 9");
   EXPECT_TRUE(contains(outside, "stands outside the plan") && contains(outside, "-20 to 20 m along x")) << outside;
@@ -86,8 +89,14 @@ TEST_F(BuildingFileTest, what_is_wrong_is_said_once_with_its_line) {
 // A population of two parameters, K1 and K2, of bilinear.
 LawSource bilinear_source(double scatter, std::size_t bearings) {
   auto const nominal = usual_bilinear(bearings);
-  LawSource made{.law = "bilinear", .lot = nominal, .devices = {}, .population = {}, .place = {0, 1, std::nullopt}, .median = nominal,
-                 .limits = {{}, {}}};
+  LawSource made{.law = "bilinear",
+                 .lot = nominal,
+                 .devices = {},
+                 .population = {},
+                 .place = {0, 1, std::nullopt},
+                 .median = nominal,
+                 .limits = {{}, {}},
+                 .tested_mm = 0.0};
   auto& p = made.population;
   p.names = {"K1", "K2"};
   p.transforms = {lot::Transform::logarithm, lot::Transform::logarithm};
@@ -108,7 +117,13 @@ LawSource bilinear_source(double scatter, std::size_t bearings) {
 Study usual_study(double scatter, int draws, int populations = 0) {
   Study made;
   auto& f = made.file;
-  f.settings = {.title = "test", .laws = {"bilinear"}, .draws = draws, .populations = populations, .draws_of_each = 4, .lower = 0.9, .upper = 1.1,
+  f.settings = {.title = "test",
+                .laws = {"bilinear"},
+                .draws = draws,
+                .populations = populations,
+                .draws_of_each = 4,
+                .lower = 0.9,
+                .upper = 1.1,
                 .rest_s = 0.5};
   f.frame = three_floors();
   for (auto const& at : grid(3, 2, 6000.0).bearings) f.bearings.push_back({.at = at});
@@ -126,7 +141,8 @@ TEST(BuildingStudy, forces_of_every_law_scale) {
   }
   for (auto const& law : laws::catalogue()) {
     double const length = law.info.length.in_record_units, force = law.info.force.in_record_units;
-    laws::RecordScales const scales{100.0 / length, 100.0 / force, 1.0 * length / force, 30.0 / force, 200.0 / length, 3e4 / length / force};
+    laws::RecordScales const scales{100.0 / length, 100.0 / force,  1.0 * length / force,
+                                    30.0 / force,   200.0 / length, 3e4 / length / force};
     Values values;
     for (auto const& p : law.parameters) {
       auto const box = p.scaled(scales);
@@ -142,7 +158,8 @@ TEST(BuildingStudy, forces_of_every_law_scale) {
     double most = 0.0;
     for (double const f : one) most = std::max(most, std::abs(f));
     EXPECT_GT(most, 0.0) << law.info.id;
-    for (std::size_t i = 0; i < one.size(); ++i) EXPECT_NEAR(other[i], 1.25 * one[i], 1e-9 * most) << law.info.id << " " << i;
+    for (std::size_t i = 0; i < one.size(); ++i)
+      EXPECT_NEAR(other[i], 1.25 * one[i], 1e-9 * most) << law.info.id << " " << i;
   }
 }
 
@@ -154,7 +171,8 @@ TEST(BuildingStudy, without_scatter_a_draw_is_the_nominal_run) {
 
 TEST(BuildingStudy, a_draw_depends_on_its_number_alone) {
   auto const few = usual_study(0.07, 3), many = usual_study(0.07, 300);
-  Devices const a(few.laws[0], few.file.bearings, few.file.settings), b(many.laws[0], many.file.bearings, many.file.settings);
+  Devices const a(few.laws[0], few.file.bearings, few.file.settings),
+      b(many.laws[0], many.file.bearings, many.file.settings);
   Case const second{.kind = CaseKind::draw, .draw = 1};
   EXPECT_EQ(a.of(second), b.of(second));
   EXPECT_NE(a.of(second), a.of({.kind = CaseKind::draw, .draw = 2}));
@@ -165,7 +183,9 @@ TEST(BuildingStudy, a_draw_depends_on_its_number_alone) {
 
 TEST(BuildingStudy, refuses_bearings_that_nothing_stands_for) {
   auto study = usual_study(0.07, 3);
-  auto const said = [&] { return refusal_of([&] { Devices(study.laws[0], study.file.bearings, study.file.settings); }); };
+  auto const said = [&] {
+    return refusal_of([&] { Devices(study.laws[0], study.file.bearings, study.file.settings); });
+  };
   study.file.bearings[0] = {.at = {}, .stands = Stands::device, .device = "D07"};
   EXPECT_TRUE(contains(said(), "no device 'D07'"));
   study.file.bearings[0] = {};
@@ -176,7 +196,8 @@ TEST(BuildingStudy, refuses_bearings_that_nothing_stands_for) {
 class BuildingRuns : public testing::Test {
  protected:
   void SetUp() override {
-    file_ = fs::temp_directory_path() / ("isolaw-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".sqlite");
+    file_ = fs::temp_directory_path() /
+            ("isolaw-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".sqlite");
     fs::remove(file_);
   }
   void TearDown() override { fs::remove(file_); }
@@ -184,7 +205,8 @@ class BuildingRuns : public testing::Test {
     fs::remove(file_);
     if (interrupted) {
       RunStore store(file_, fingerprint(study), false);
-      EXPECT_THROW(run_all(study, store, threads, [](RunProgress const&) { throw std::runtime_error("stop"); }), std::runtime_error);
+      EXPECT_THROW(run_all(study, store, threads, [](RunProgress const&) { throw std::runtime_error("stop"); }),
+                   std::runtime_error);
       EXPECT_GT(store.tasks_done(), 0u);
     }
     RunStore store(file_, fingerprint(study), false);

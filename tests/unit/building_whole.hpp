@@ -10,9 +10,9 @@
 namespace isolaw::building {
 
 struct Whole {
-  num::Vector mass;         // of every degree of freedom, the base first
-  num::Matrix stiffness;    // of the storeys
-  num::Matrix damping;      // modal on a fixed base, of all modes alike
+  num::Vector mass;       // of every degree of freedom, the base first
+  num::Matrix stiffness;  // of the storeys
+  num::Matrix damping;    // modal on a fixed base, of all modes alike
 };
 
 inline Whole whole_equations(Frame const& frame, double ratio) {

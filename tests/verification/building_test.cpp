@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
-#include <boost/numeric/odeint.hpp>
 #include <algorithm>
 #include <array>
+#include <boost/numeric/odeint.hpp>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -42,8 +42,8 @@ TEST(Building, frequencies_of_two_masses) {
        {TwoMasses{5.0 / 6.0, 2.5, 0.3, {2.51499071, 0.12174447}}, TwoMasses{0.8, 2.0, 0.5, {2.04997762, 0.21815536}}}) {
     double const mass = 600.0;
     Diaphragm const slab{.mass_Mg = share * mass, .gyration_mm = 8000.0};
-    Structure const structure({.base = {.mass_Mg = (1.0 - share) * mass, .gyration_mm = 8000.0},
-                               .floors = equal_floors(1, slab, Ts, Ts)});
+    Structure const structure(
+        {.base = {.mass_Mg = (1.0 - share) * mass, .gyration_mm = 8000.0}, .floors = equal_floors(1, slab, Ts, Ts)});
     double const k = mass * Mg_in_mass * 4.0 * pi * pi / (Tb * Tb);
     Matrix3 const bearings = Vector3(k, k, k * 6.4e7 * 1.44).asDiagonal();
     auto const frequencies = structure.frequencies_on(bearings);
@@ -60,9 +60,9 @@ TEST(Building, frequencies_of_an_eccentric_deck) {
     std::array<double, 2> factors;
   };
   double const r = 7000.0, k = 20.0, mass = 500.0;
-  for (auto const& [e, ratio, factors] : {Case{0.1, 1.2, {0.9891102469, 1.2089916954}},
-                                          Case{0.2, 1.0, {0.8944271910, 1.0954451150}},
-                                          Case{0.05, 1.4, {0.9987005855, 1.4009272431}}}) {
+  for (auto const& [e, ratio, factors] :
+       {Case{0.1, 1.2, {0.9891102469, 1.2089916954}}, Case{0.2, 1.0, {0.8944271910, 1.0954451150}},
+        Case{0.05, 1.4, {0.9987005855, 1.4009272431}}}) {
     Structure const deck({.base = {.mass_Mg = mass, .gyration_mm = r}, .floors = {}});
     // Stiffness along x is off the centre along y. Omega is of the rotation about the centre of mass.
     Matrix3 bearings = Vector3(k, 100.0 * k, k * r * r * ratio * ratio).asDiagonal();
@@ -145,7 +145,8 @@ Released release(double step_s) {
   std::vector<double> const law{6.0, 0.9, 30.0 / 5.1};
   Bearings bearings;
   bearings.push_back(make_bearing("bilinear", law, Coupling::coupled));
-  Motion const still{.name = "none", .step_s = step_s, .x_mm_s2 = std::vector<double>(static_cast<std::size_t>(4.0 / step_s), 0.0)};
+  Motion const still{
+      .name = "none", .step_s = step_s, .x_mm_s2 = std::vector<double>(static_cast<std::size_t>(4.0 / step_s), 0.0)};
   auto const run = integrate(rigid_mass(100.0), bearings, still,
                              {.longest_step_s = step_s, .histories = true, .pulled_to = {150.0, 0.0}});
   Released made;
@@ -219,14 +220,15 @@ TEST(Building, torsion_of_scattered_bearings) {
   };
   constexpr double scatter = 0.07;
   constexpr std::size_t draws = 200000;
-  for (auto const& grid : {Grid{7, 4, 6000.0, .0887, 1.0035, 1.0263, 1.0471},
-                           Grid{4, 4, 6000.0, .1174, 1.0098, 1.0423, 1.0747},
-                           Grid{2, 2, 10000.0, .1755, 1.0158, 1.0809, 1.1479}}) {
+  for (auto const& grid :
+       {Grid{7, 4, 6000.0, .0887, 1.0035, 1.0263, 1.0471}, Grid{4, 4, 6000.0, .1174, 1.0098, 1.0423, 1.0747},
+        Grid{2, 2, 10000.0, .1755, 1.0158, 1.0809, 1.1479}}) {
     Plan plan;
     for (std::size_t i = 0; i < grid.along; ++i)
       for (std::size_t j = 0; j < grid.across; ++j)
-        plan.bearings.push_back({(static_cast<double>(i) - 0.5 * static_cast<double>(grid.along - 1)) * grid.spacing_mm,
-                                 (static_cast<double>(j) - 0.5 * static_cast<double>(grid.across - 1)) * grid.spacing_mm});
+        plan.bearings.push_back(
+            {(static_cast<double>(i) - 0.5 * static_cast<double>(grid.along - 1)) * grid.spacing_mm,
+             (static_cast<double>(j) - 0.5 * static_cast<double>(grid.across - 1)) * grid.spacing_mm});
     auto const n = plan.bearings.size();
     Model const model(Structure({.base = {.mass_Mg = 1000.0, .gyration_mm = 8000.0}, .floors = {}}), plan);
     auto const corners = model.plan().corners;
@@ -297,7 +299,8 @@ Independent by_odeint(Frame const& frame, double damping, Plan const& plan, std:
       auto const d = place(j, s.data()), w = place(j, s.data() + n);
       double const zx = s[2 * n + 2 * j], zy = s[2 * n + 2 * j + 1], dot = zx * w[0] + zy * w[1];
       double const z = std::hypot(zx, zy);
-      double const pull = z > 0.0 ? std::pow(z, law.n - 2.0) * dot * ((dot > 0.0 ? law.beta : -law.beta) + law.gamma) : 0.0;
+      double const pull =
+          z > 0.0 ? std::pow(z, law.n - 2.0) * dot * ((dot > 0.0 ? law.beta : -law.beta) + law.gamma) : 0.0;
       ds[2 * n + 2 * j] = law.A * w[0] - zx * pull;
       ds[2 * n + 2 * j + 1] = law.A * w[1] - zy * pull;
       double const fx = law.alpha * law.Ke * d[0] + (1.0 - law.alpha) * law.Ke * zx;
@@ -313,7 +316,9 @@ Independent by_odeint(Frame const& frame, double damping, Plan const& plan, std:
     double const gx = ground(motion.x_mm_s2), gy = ground(motion.y_mm_s2);
     for (std::size_t i = 0; i < n; ++i) {
       ds[i] = s[n + i];
-      ds[n + i] = force(static_cast<Eigen::Index>(i)) / mass(static_cast<Eigen::Index>(i)) - (i % 3 == 0 ? gx : i % 3 == 1 ? gy : 0.0);
+      ds[n + i] = force(static_cast<Eigen::Index>(i)) / mass(static_cast<Eigen::Index>(i)) - (i % 3 == 0   ? gx
+                                                                                              : i % 3 == 1 ? gy
+                                                                                                           : 0.0);
     }
   };
   namespace odeint = boost::numeric::odeint;
@@ -363,7 +368,8 @@ void compare(Frame const& frame, double damping, Plan const& plan, std::vector<B
 
 // Of a device that carries `mass_Mg`: 2.5 s after yielding, 6 % of the weight, yielding within some 15 mm.
 BoucWenValues bouc_wen_for(double mass_Mg, double n) {
-  double const mass = mass_Mg * Mg_in_mass, after = mass * 6.3165, strength = 0.06 * mass * 9806.65, Ke = after + strength / 15.0;
+  double const mass = mass_Mg * Mg_in_mass, after = mass * 6.3165, strength = 0.06 * mass * 9806.65,
+               Ke = after + strength / 15.0;
   double const z_max = strength / (Ke - after);
   double const both = std::pow(z_max, -n);
   return {after / Ke, Ke, 1.0, 0.6 * both, n, 0.4 * both};
@@ -372,7 +378,8 @@ BoucWenValues bouc_wen_for(double mass_Mg, double n) {
 TEST(Building, bouc_wen_as_a_differential_equation) {
   for (std::uint32_t i = 0; i < 5; ++i) {
     SCOPED_TRACE(i);
-    SyntheticMotion wanted{.step_s = 0.01, .duration_s = 15.0, .peak_g = 0.25 + 0.05 * i, .ground_period_s = 0.4 + 0.15 * i};
+    SyntheticMotion wanted{
+        .step_s = 0.01, .duration_s = 15.0, .peak_g = 0.25 + 0.05 * i, .ground_period_s = 0.4 + 0.15 * i};
     double const n = i % 2 == 0 ? 2.0 : 1.2;
     // Along x on a rigid mass.
     wanted.two_components = false;
@@ -381,7 +388,9 @@ TEST(Building, bouc_wen_as_a_differential_equation) {
     // In plan below two floors, with eccentricities and unequal bearings.
     wanted.two_components = true;
     Diaphragm const slab{.mass_Mg = 500.0, .gyration_mm = 6000.0};
-    Frame frame{.base = {.mass_Mg = 600.0, .gyration_mm = 6000.0}, .floors = equal_floors(2, slab, 0.4, 0.35), .damping = {0.03}};
+    Frame frame{.base = {.mass_Mg = 600.0, .gyration_mm = 6000.0},
+                .floors = equal_floors(2, slab, 0.4, 0.35),
+                .damping = {0.03}};
     frame.floors[0].below.centre = {700.0, -300.0};
     frame.floors[1].slab.centre = {-400.0, 500.0};
     Plan const plan{.bearings = {{-6000.0, -4000.0}, {6000.0, -4000.0}, {-6000.0, 4000.0}, {6000.0, 4000.0}}};

@@ -114,7 +114,8 @@ void add_simulate(CLI::App& c, SimulateArguments& a) {
 void add_building(CLI::App& c, BuildingArguments& a) {
   c.add_option("file", a.file, "the building (isolaw building --template prints one)");
   c.add_option("--from", a.from, "the campaign's directory, whose lot the bearings are of");
-  c.add_option("--motion", a.motions, "FILE, or FILE,FILE of two components, in place of the file's motions; several may follow");
+  c.add_option("--motion", a.motions,
+               "FILE, or FILE,FILE of two components, in place of the file's motions; several may follow");
   c.add_option("--out", a.out, "directory of the results (out/building)");
   c.add_option("--jobs", a.jobs,
                fmt::format("threads, 0 to {} (one per core); the results do not depend on it", campaign::most_jobs))
@@ -246,7 +247,8 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   auto& example_command = add("example", "Write the built-in example lot, or a building",
                               [&] { return example(directory, example_building); });
   example_command.add_option("directory", directory, "where to")->required();
-  example_command.add_flag("--building", example_building, "a building file with motions made for it, in place of the lot");
+  example_command.add_flag("--building", example_building,
+                           "a building file with motions made for it, in place of the lot");
 
   require_known_command(app, argc, argv);
   try {

@@ -28,25 +28,29 @@ void show_progress(building::RunProgress const& progress, std::chrono::steady_cl
 
 void print_answers(building::Study const& study, building::Answers const& answers) {
   auto text = answers.verdict + "\n\n";
-  text += fmt::format("{} motions, {} bearings, weight {:.0f} kN; means over the motions, fractiles over {} draws\n",
-                      study.file.motions.size(), study.file.bearings.size(), answers.weight_kN, study.file.settings.draws);
+  text +=
+      fmt::format("{} motions, {} bearings, weight {:.0f} kN; means over the motions, fractiles over {} draws\n",
+                  study.file.motions.size(), study.file.bearings.size(), answers.weight_kN, study.file.settings.draws);
   auto const quantities = building::quantities();
+  for (auto const& warning : answers.warnings) text += fmt::format("warning: {}\n", warning);
   for (auto const& law : answers.laws) {
-    text += fmt::format("\n{}\n{:<26}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>8}{:>8}\n", law.law, "", "lower", "nominal", "upper", "16 %",
-                        "50 %", "84 %", "95 %", "lot", "motion");
+    text += fmt::format("\n{}\n{:<26}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>8}{:>8}\n", law.law, "", "lower", "nominal",
+                        "upper", "16 %", "50 %", "84 %", "95 %", "lot", "motion");
     for (std::size_t q = 0; q < quantities.size(); ++q) {
       auto const& d = law.distributions[q];
       text += fmt::format("{:<26}", quantities[q].key);
-      for (double const v : {d.lower, d.nominal, d.upper, d.fractiles[0], d.fractiles[1], d.fractiles[2], d.fractiles[3]})
-        text += fmt::format("{:>9.4g}", v);
+      for (double const v :
+           {d.lower, d.nominal, d.upper, d.fractiles[0], d.fractiles[1], d.fractiles[2], d.fractiles[3]})
+        text += fmt::format("{:>9.4g}", std::abs(v) < 1e-9 ? 0.0 : v);
       text += fmt::format("{:>8.3f}{:>8.3f}\n", d.lot_std_ln, d.motion_std_ln);
     }
     text += fmt::format("energy error at most {:.1e}; {} runs failed\n", law.worst_balance, law.failed);
     for (std::size_t m = 0; m < law.checked.size(); ++m) {
       auto const& c = law.checked[m];
-      text += fmt::format("{}: implicit {:.2f} mm (misses {:.3f}), energy error {:.1e}, draws' path {:+.2f} %, equivalent linear {:+.0f} %: {}\n",
-                          printable(study.file.motions[m].name), c.isolator_mm, c.missed_mm, c.balance, c.lanes_off_percent,
-                          c.equivalent_error_percent, c.outcome);
+      text += fmt::format(
+          "{}: implicit {:.2f} mm (misses {:.3f}), energy error {:.1e}, draws' path {:+.2f} %, equivalent linear {:+.0f} %: {}\n",
+          printable(study.file.motions[m].name), c.isolator_mm, c.missed_mm, c.balance, c.lanes_off_percent,
+          c.equivalent_error_percent, c.outcome);
     }
   }
   print(text);
@@ -70,10 +74,12 @@ void print_arrangement(building::Study const& study, building::Answers const& an
     std::vector<building::Point> places;
     for (auto const& b : study.file.bearings) places.push_back(b.at);
     auto const made = building::arrange(places, study.file.frame.base.centre, stiffness);
-    std::string text = fmt::format("\n{}: eccentricity of stiffness {:.1f} mm, {:.1f} mm in the order of their names\nx_m,y_m,device\n", law.law,
-                                   made.eccentricity_mm, made.in_order_mm);
+    std::string text = fmt::format(
+        "\n{}: eccentricity of stiffness {:.1f} mm, {:.1f} mm in the order of their names\nx_m,y_m,device\n", law.law,
+        made.eccentricity_mm, made.in_order_mm);
     for (std::size_t i = 0; i < places.size(); ++i)
-      text += fmt::format("{:g},{:g},{}\n", places[i].x_mm / 1e3, places[i].y_mm / 1e3, printable(names[made.device[i]]));
+      text +=
+          fmt::format("{:g},{:g},{}\n", places[i].x_mm / 1e3, places[i].y_mm / 1e3, printable(names[made.device[i]]));
     print(text);
   }
 }
@@ -133,12 +139,14 @@ void write_example_building(std::filesystem::path const& directory) {
     for (auto const* axis : {"x", "y"}) {
       std::string file = fmt::format("# made, not recorded\ntime [s],acceleration_{} [m/s2]\n", axis);
       auto const& a = axis[0] == 'x' ? motion.x_mm_s2 : motion.y_mm_s2;
-      for (std::size_t k = 0; k < a.size(); ++k) file += fmt::format("{:.2f},{:.6f}\n", 0.01 * static_cast<double>(k), 1e-3 * a[k]);
+      for (std::size_t k = 0; k < a.size(); ++k)
+        file += fmt::format("{:.2f},{:.6f}\n", 0.01 * static_cast<double>(k), 1e-3 * a[k]);
       write_file(directory / fmt::format("motion-{}-{}.csv", i + 1, axis), file);
     }
     if (i == 0) continue;
     auto next = block;
-    for (std::size_t at = 0; (at = next.find("motion-1-", at)) != std::string::npos; ++at) next.replace(at, 9, fmt::format("motion-{}-", i + 1));
+    for (std::size_t at = 0; (at = next.find("motion-1-", at)) != std::string::npos; ++at)
+      next.replace(at, 9, fmt::format("motion-{}-", i + 1));
     text += next;
   }
   write_file(directory / "building.toml", text);

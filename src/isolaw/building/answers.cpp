@@ -51,7 +51,9 @@ constexpr Quantity rows[]{
     {"roof_acceleration_g", "g", "of the highest floor",
      [](Layout const& l, std::span<double const> m, double) { return m[l.acceleration(l.floors)] / 9806.65; }},
     {"storey_shear_over_weight", "-", "largest shear of any storey over the whole weight",
-     [](Layout const& l, std::span<double const> m, double weight) { return largest(m, l.storey_shear(0), l.floors) / weight; }},
+     [](Layout const& l, std::span<double const> m, double weight) {
+       return largest(m, l.storey_shear(0), l.floors) / weight;
+     }},
     {"drift_mm", "mm", "largest drift of any storey, at its centre of stiffness",
      [](Layout const& l, std::span<double const> m, double) { return largest(m, l.drift(0), l.floors); }},
     {"energy_kNm", "kN m", "work done on the bearings",
@@ -191,10 +193,12 @@ std::string verdict_of(Answers const& answers) {
   auto const& first = answers.laws.front();
   if (first.coverage.empty() || first.draws == 0) return "no draws were made";
   auto const& c = first.coverage.front();
-  auto text = fmt::format("The bounds cover {:.0f} % of {} buildings ({:.0f} to {:.0f} %) in the largest displacement of a bearing",
-                          100.0 * c.inside, first.draws, 100.0 * c.interval_low, 100.0 * c.interval_high);
-  text += c.factor_low ? fmt::format("; system factors of {:.2f}/{:.2f} would cover 95 %", *c.factor_high, *c.factor_low)
-                       : std::string("; no system factors up to 1.40/0.60 would cover 95 %");
+  auto text = fmt::format(
+      "The bounds cover {:.0f} % of {} buildings ({:.0f} to {:.0f} %) in the largest displacement of a bearing",
+      100.0 * c.inside, first.draws, 100.0 * c.interval_low, 100.0 * c.interval_high);
+  text += c.factor_low
+              ? fmt::format("; system factors of {:.2f}/{:.2f} would cover 95 %", *c.factor_high, *c.factor_low)
+              : std::string("; no system factors up to 1.40/0.60 would cover 95 %");
   if (answers.law_std_ln) {
     double const lot = first.distributions.front().lot_std_ln;
     text += *answers.law_std_ln > lot ? "; the law matters more than the lot" : "; the lot matters more than the law";
@@ -271,9 +275,11 @@ Answers answer(Study const& study, RunStore const& store) {
   auto const layout = model.layout();
   auto const& settings = study.file.settings;
   auto const cases = cases_of(settings);
-  auto const first_draw = static_cast<std::size_t>(std::ranges::find(cases, CaseKind::draw, &Case::kind) - cases.begin());
+  auto const first_draw =
+      static_cast<std::size_t>(std::ranges::find(cases, CaseKind::draw, &Case::kind) - cases.begin());
   auto const first_uncertain = first_draw + static_cast<std::size_t>(settings.draws);
-  auto const first_factor = static_cast<std::size_t>(std::ranges::find(cases, CaseKind::factor, &Case::kind) - cases.begin());
+  auto const first_factor =
+      static_cast<std::size_t>(std::ranges::find(cases, CaseKind::factor, &Case::kind) - cases.begin());
   Answers made;
   made.weight_kN = model.structure().weight_kN();
   for (double const w : model.structure().frequency_rad_s()) made.fixed_periods_s.push_back(2.0 * pi / w);
@@ -284,20 +290,27 @@ Answers answer(Study const& study, RunStore const& store) {
     out.draws = static_cast<std::size_t>(settings.draws);
     // [motion][quantity][case]
     std::vector<std::vector<std::vector<double>>> kept(
-        study.file.motions.size(), std::vector<std::vector<double>>(std::size(rows), std::vector<double>(cases.size(), std::nan(""))));
+        study.file.motions.size(),
+        std::vector<std::vector<double>>(std::size(rows), std::vector<double>(cases.size(), std::nan(""))));
     for (std::size_t motion = 0; motion < kept.size(); ++motion)
       store.each(law, motion, [&](std::size_t place, std::vector<double> const& measured) {
         bool const finite = std::ranges::all_of(measured, [](double v) { return std::isfinite(v); });
         out.failed += !finite;
         if (!finite) return;
-        for (std::size_t q = 0; q < std::size(rows); ++q) kept[motion][q][place] = rows[q].of(layout, measured, made.weight_kN);
+        for (std::size_t q = 0; q < std::size(rows); ++q)
+          kept[motion][q][place] = rows[q].of(layout, measured, made.weight_kN);
         out.worst_balance = std::max(out.worst_balance, std::abs(measure_of(measured, Measure::balance)));
       });
     for (std::size_t q = 0; q < std::size(rows); ++q) {
       auto const table = table_of(cases.size(), kept, q);
       auto const draws = part(table.mean, first_draw, static_cast<std::size_t>(settings.draws));
-      Distribution d{.nominal = table.mean[0], .lower = table.mean[1], .upper = table.mean[2], .fractiles = fractiles(draws),
-                     .uncertain_std_ln = {}, .by_motion = {}, .nominal_by_motion = {}};
+      Distribution d{.nominal = table.mean[0],
+                     .lower = table.mean[1],
+                     .upper = table.mean[2],
+                     .fractiles = fractiles(draws),
+                     .uncertain_std_ln = {},
+                     .by_motion = {},
+                     .nominal_by_motion = {}};
       // Var ln = Var over motions of the mean + mean over motions of the variance.
       std::vector<double> means;
       double within = 0.0;
@@ -323,8 +336,9 @@ Answers answer(Study const& study, RunStore const& store) {
       if (settings.populations > 1) {
         std::vector<double> medians;
         for (int p = 0; p < settings.populations; ++p)
-          medians.push_back(num::median(part(table.mean, first_uncertain + static_cast<std::size_t>(p * settings.draws_of_each),
-                                             static_cast<std::size_t>(settings.draws_of_each))));
+          medians.push_back(
+              num::median(part(table.mean, first_uncertain + static_cast<std::size_t>(p * settings.draws_of_each),
+                               static_cast<std::size_t>(settings.draws_of_each))));
         d.uncertain_std_ln = spread_ln(medians);
       }
       if (std::ranges::find(covered_quantities, rows[q].key) != std::end(covered_quantities))
@@ -356,6 +370,16 @@ Answers answer(Study const& study, RunStore const& store) {
     for (auto const& law : made.laws) medians.push_back(law.distributions.front().fractiles[1]);
     made.law_std_ln = spread_ln(medians);
   }
+  for (std::size_t i = 0; i < made.laws.size(); ++i) {
+    auto const& law = made.laws[i];
+    double const tested = study.laws[i].tested_mm, most = law.distributions.front().fractiles[3];
+    if (tested > 0.0 && most > tested)
+      made.warnings.push_back(fmt::format(
+          "{}: bearings move up to {:.0f} mm (95 % of the draws), and the tests went to {:.0f} mm: beyond it the law is extrapolated",
+          law.law, most, tested));
+    if (law.failed > 0)
+      made.warnings.push_back(fmt::format("{}: {} runs gave no finite numbers and are left out", law.law, law.failed));
+  }
   made.verdict = verdict_of(made);
   return made;
 }
@@ -369,6 +393,7 @@ std::string answers_json(Study const& study, Answers const& answers) {
   json.begin_object();
   json.member("title", study.file.settings.title);
   json.member("verdict", answers.verdict);
+  json.member("warnings", answers.warnings);
   json.member("weight_kN", answers.weight_kN);
   json.key("fixed_base_periods_s").begin_array();
   for (double const t : answers.fixed_periods_s) json.value(t);
@@ -380,7 +405,10 @@ std::string answers_json(Study const& study, Answers const& answers) {
     double peak = 0.0;
     for (std::size_t i = 0; i < m.x_mm_s2.size(); ++i)
       peak = std::max(peak, std::hypot(m.x_mm_s2[i], m.y_mm_s2.empty() ? 0.0 : m.y_mm_s2[i]));
-    json.begin_object().member("name", m.name).member("components", m.y_mm_s2.empty() ? 1 : 2).member("step_s", m.step_s);
+    json.begin_object()
+        .member("name", m.name)
+        .member("components", m.y_mm_s2.empty() ? 1 : 2)
+        .member("step_s", m.step_s);
     json.member("samples", static_cast<std::uint64_t>(m.x_mm_s2.size())).member("peak_g", peak / 9806.65).end_object();
   }
   json.end_array();
@@ -427,10 +455,15 @@ std::string answers_json(Study const& study, Answers const& answers) {
     json.end_object();
     json.key("checked").begin_array();
     for (auto const& c : law.checked) {
-      json.begin_object().member("outcome", c.outcome).member("isolator_mm", c.isolator_mm).member("energy_error", c.balance);
+      json.begin_object()
+          .member("outcome", c.outcome)
+          .member("isolator_mm", c.isolator_mm)
+          .member("energy_error", c.balance);
       json.member("step_s", c.step_s).member("missed_mm", c.missed_mm).member("lanes_off_percent", c.lanes_off_percent);
       json.member("equivalent_mm", c.equivalent_mm).member("equivalent_error_percent", c.equivalent_error_percent);
-      json.member("equivalent_period_s", c.equivalent_period_s).member("equivalent_damping", c.equivalent_damping).end_object();
+      json.member("equivalent_period_s", c.equivalent_period_s)
+          .member("equivalent_damping", c.equivalent_damping)
+          .end_object();
     }
     json.end_array().end_object();
   }

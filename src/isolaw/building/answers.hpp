@@ -36,7 +36,7 @@ struct Distribution {
 };
 
 struct Coverage {
-  double inside = 0.0;                        // share of the draws between the lower and upper bound analyses
+  double inside = 0.0;                             // share of the draws between the lower and upper bound analyses
   double interval_low = 0.0, interval_high = 0.0;  // Clopper and Pearson 1934, 95 %
   double below = 0.0, above = 0.0;
   // The least symmetric factors 1 -+ a, of a grid of analyses, between whose responses 95 % of the draws lie; none: not
@@ -47,16 +47,16 @@ struct Coverage {
 struct Checked {  // the nominal building by the implicit path, under each motion
   std::string outcome;
   double isolator_mm = 0.0, balance = 0.0, step_s = 0.0;
-  double missed_mm = 0.0;         // a third of the difference to half the step
-  double lanes_off_percent = 0.0;  // the explicit path from it
+  double missed_mm = 0.0;                                      // a third of the difference to half the step
+  double lanes_off_percent = 0.0;                              // the explicit path from it
   double equivalent_mm = 0.0, equivalent_error_percent = 0.0;  // equivalent linear analysis, of the centre
   double equivalent_period_s = 0.0, equivalent_damping = 0.0;
 };
 
 struct LawAnswer {
   std::string law;
-  std::size_t draws = 0, failed = 0;  // runs whose numbers are not finite
-  double worst_balance = 0.0;         // of the energy, of all runs
+  std::size_t draws = 0, failed = 0;        // runs whose numbers are not finite
+  double worst_balance = 0.0;               // of the energy, of all runs
   std::vector<Distribution> distributions;  // of quantities()
   std::vector<Coverage> coverage;           // of covered_quantities
   std::vector<Checked> checked;
@@ -69,6 +69,7 @@ struct Answers {
   // Between laws, standard deviation of ln of their median largest isolator displacement; beside the lot's own.
   std::optional<double> law_std_ln;
   std::string verdict;
+  std::vector<std::string> warnings;
 };
 Answers answer(Study const& study, RunStore const& store);
 

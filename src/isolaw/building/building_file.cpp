@@ -46,7 +46,7 @@ struct PlanRow {
 };
 struct MotionRow {
   std::string x = "motion-1-x.csv", y = "motion-1-y.csv";
-  double scale = 1.0;
+  double scale = 0.5;
   std::optional<double> step_s;
 };
 
@@ -59,7 +59,9 @@ using TomlKeys = std::vector<TomlKey<Target>>;
 
 template <class Target, class Place>
 TomlKey<Target> real(std::string_view key, std::string help, Place place, Limits limits = {}, bool required = false) {
-  return {number<Target>(key, std::move(help), place, std::move(limits), "-"), required};
+  auto made = number<Target>(key, help, place, std::move(limits));
+  made.help = std::move(help);
+  return {std::move(made), required};
 }
 template <class Target>
 TomlKey<Target> text(std::string_view key, std::string help, std::string Target::*place, bool required = false) {
@@ -77,7 +79,9 @@ TomlKeys<Settings> const& settings_keys() {
   static TomlKeys<Settings> const keys = [] {
     TomlKeys<Settings> made;
     made.push_back(text("title", "of the report", &Settings::title));
-    made.push_back({{{.key = "laws", .kind = Kind::list, .help = "to compare, by their ids; none: the one that the campaign recommends"},
+    made.push_back({{{.key = "laws",
+                      .kind = Kind::list,
+                      .help = "to compare, by their ids; none: the one that the campaign recommends"},
                      [](Settings const& s) -> Json { return s.laws; },
                      [](Settings& s, Json const& value) {
                        s.laws.clear();
@@ -87,17 +91,22 @@ TomlKeys<Settings> const& settings_keys() {
                     false});
     made.push_back(real<Settings>("draws", "buildings drawn: every bearing that is a draw becomes a device of its own",
                                   at(&Settings::draws), {.least = 1, .most = 1e6}));
-    made.push_back(real<Settings>("populations", "populations as uncertain as the few tests leave them, each with some draws; 0: none",
+    made.push_back(real<Settings>("populations",
+                                  "populations as uncertain as the few tests leave them, each with some draws; 0: none",
                                   at(&Settings::populations), {.least = 0, .most = 1e4}));
-    made.push_back(real<Settings>("draws_of_each", "draws of each of them", at(&Settings::draws_of_each), {.least = 2, .most = 1e4}));
+    made.push_back(real<Settings>("draws_of_each", "draws of each of them", at(&Settings::draws_of_each),
+                                  {.least = 2, .most = 1e4}));
     made.push_back(real<Settings>("seed", "of all draws", at(&Settings::seed), {.least = 0, .most = 2147483647}));
     made.push_back(real<Settings>("damping", "ratio of critical, of every mode of the superstructure on a fixed base",
                                   at(&Settings::damping), {.least = 0.0, .most = 0.5}));
-    made.push_back(real<Settings>("lower", "factor on the forces of every bearing in the lower bound analysis", at(&Settings::lower),
-                                  {.least = 0.05, .most = 1.0}, true));
-    made.push_back(real<Settings>("upper", "and in the upper", at(&Settings::upper), {.least = 1.0, .most = 20.0}, true));
-    made.push_back(real<Settings>("step_s", "longest step of integration", at(&Settings::step_s), {.least = 1e-5, .most = 0.05}));
-    made.push_back(real<Settings>("rest_s", "seconds without motion of the ground after it, until what remains is measured",
+    made.push_back(real<Settings>("lower", "factor on the forces of every bearing in the lower bound analysis",
+                                  at(&Settings::lower), {.least = 0.05, .most = 1.0}, true));
+    made.push_back(
+        real<Settings>("upper", "and in the upper", at(&Settings::upper), {.least = 1.0, .most = 20.0}, true));
+    made.push_back(
+        real<Settings>("step_s", "longest step of integration", at(&Settings::step_s), {.least = 1e-5, .most = 0.05}));
+    made.push_back(real<Settings>("rest_s",
+                                  "seconds without motion of the ground after it, until what remains is measured",
                                   at(&Settings::rest_s), {.least = 0.0, .most = 120.0}));
     return made;
   }();
@@ -107,7 +116,8 @@ TomlKeys<Settings> const& settings_keys() {
 template <class Row>
 void slab_keys(TomlKeys<Row>& made) {
   made.push_back(real<Row>("mass_Mg", "mass in Mg (t)", at(&Row::mass_Mg), positive(), true));
-  made.push_back(real<Row>("gyration_m", "radius of gyration about the vertical", at(&Row::gyration_m), positive(1e4), true));
+  made.push_back(
+      real<Row>("gyration_m", "radius of gyration about the vertical", at(&Row::gyration_m), positive(1e4), true));
 }
 template <class Row>
 void place_keys(TomlKeys<Row>& made, std::string const& of) {
@@ -128,12 +138,13 @@ TomlKeys<BaseRow> const& base_keys() {
 TomlKeys<EqualFloors> const& equal_floors_keys() {
   static auto const keys = [] {
     TomlKeys<EqualFloors> made{real<EqualFloors>("count", "floors above the base slab", at(&EqualFloors::count),
-                                             {.least = 0, .most = most_floors}, true)};
+                                                 {.least = 0, .most = most_floors}, true)};
     slab_keys(made);
-    made.push_back(real<EqualFloors>("period_x_s", "first period on a fixed base", at(&EqualFloors::period_x_s), positive(100.0), true));
+    made.push_back(real<EqualFloors>("period_x_s", "first period on a fixed base", at(&EqualFloors::period_x_s),
+                                     positive(100.0), true));
     made.push_back(real<EqualFloors>("period_y_s", "", at(&EqualFloors::period_y_s), positive(100.0), true));
-    made.push_back(real<EqualFloors>("rotation_ratio", "first rotation's frequency over the lower of the two", at(&EqualFloors::rotation_ratio),
-                                 positive(100.0)));
+    made.push_back(real<EqualFloors>("rotation_ratio", "first rotation's frequency over the lower of the two",
+                                     at(&EqualFloors::rotation_ratio), positive(100.0)));
     return made;
   }();
   return keys;
@@ -144,25 +155,30 @@ TomlKeys<FloorRow> const& floor_keys() {
     slab_keys(made);
     place_keys(made, "centre of mass");
     Limits const within{.least = -1e4, .most = 1e4};
-    made.push_back(real<FloorRow>("stiffness_x_kN_per_mm", "of the storey below it", at(&FloorRow::stiffness_x_kN_per_mm), positive(1e12), true));
-    made.push_back(real<FloorRow>("stiffness_y_kN_per_mm", "", at(&FloorRow::stiffness_y_kN_per_mm), positive(1e12), true));
-    made.push_back(real<FloorRow>("stiffness_rotation_GNm", "GN m per radian, about its centre of stiffness", at(&FloorRow::stiffness_rotation_GNm),
-                              positive(1e12), true));
-    made.push_back(real<FloorRow>("stiffness_at_x_m", "centre of stiffness in plan", at(&FloorRow::stiffness_at_x_m), within));
+    made.push_back(real<FloorRow>("stiffness_x_kN_per_mm", "of the storey below it",
+                                  at(&FloorRow::stiffness_x_kN_per_mm), positive(1e12), true));
+    made.push_back(
+        real<FloorRow>("stiffness_y_kN_per_mm", "", at(&FloorRow::stiffness_y_kN_per_mm), positive(1e12), true));
+    made.push_back(real<FloorRow>("stiffness_rotation_GNm", "GN m per radian, about its centre of stiffness",
+                                  at(&FloorRow::stiffness_rotation_GNm), positive(1e12), true));
+    made.push_back(
+        real<FloorRow>("stiffness_at_x_m", "centre of stiffness in plan", at(&FloorRow::stiffness_at_x_m), within));
     made.push_back(real<FloorRow>("stiffness_at_y_m", "", at(&FloorRow::stiffness_at_y_m), within));
     return made;
   }();
   return keys;
 }
-constexpr std::string_view stands_help = "draw: a device of the lot's population; lot: its law; lower, upper: its law times that factor; else the name of a tested device";
+constexpr std::string_view stands_help =
+    "draw: a device of the lot's population; lot: its law; lower, upper: its law times that factor; else the name of a tested device";
 TomlKeys<GridRow> const& grid_keys() {
   static auto const keys = [] {
     Limits const many{.least = 1, .most = 200};
-    return TomlKeys<GridRow>{real<GridRow>("along", "bearings along x, about the middle of the plan", at(&GridRow::along), many, true),
-                         real<GridRow>("across", "and along y", at(&GridRow::across), many, true),
-                         real<GridRow>("spacing_x_m", "", at(&GridRow::spacing_x_m), positive(1e3), true),
-                         real<GridRow>("spacing_y_m", "", at(&GridRow::spacing_y_m), positive(1e3), true),
-                         text("is", std::string(stands_help), &GridRow::is)};
+    return TomlKeys<GridRow>{
+        real<GridRow>("along", "bearings along x, about the middle of the plan", at(&GridRow::along), many, true),
+        real<GridRow>("across", "and along y", at(&GridRow::across), many, true),
+        real<GridRow>("spacing_x_m", "", at(&GridRow::spacing_x_m), positive(1e3), true),
+        real<GridRow>("spacing_y_m", "", at(&GridRow::spacing_y_m), positive(1e3), true),
+        text("is", std::string(stands_help), &GridRow::is)};
   }();
   return keys;
 }
@@ -170,8 +186,8 @@ TomlKeys<BearingRow> const& bearing_keys() {
   static auto const keys = [] {
     Limits const within{.least = -1e4, .most = 1e4};
     return TomlKeys<BearingRow>{real<BearingRow>("x_m", "place in plan", at(&BearingRow::x_m), within, true),
-                            real<BearingRow>("y_m", "", at(&BearingRow::y_m), within, true),
-                            text("is", std::string(stands_help), &BearingRow::is)};
+                                real<BearingRow>("y_m", "", at(&BearingRow::y_m), within, true),
+                                text("is", std::string(stands_help), &BearingRow::is)};
   }();
   return keys;
 }
@@ -179,9 +195,9 @@ TomlKeys<PlanRow> const& plan_keys() {
   static auto const keys = [] {
     Limits const within{.least = -1e4, .most = 1e4};
     return TomlKeys<PlanRow>{real<PlanRow>("left_m", "edges of the slab along x", at(&PlanRow::left_m), within, true),
-                         real<PlanRow>("right_m", "", at(&PlanRow::right_m), within, true),
-                         real<PlanRow>("front_m", "and along y", at(&PlanRow::front_m), within, true),
-                         real<PlanRow>("back_m", "", at(&PlanRow::back_m), within, true)};
+                             real<PlanRow>("right_m", "", at(&PlanRow::right_m), within, true),
+                             real<PlanRow>("front_m", "and along y", at(&PlanRow::front_m), within, true),
+                             real<PlanRow>("back_m", "", at(&PlanRow::back_m), within, true)};
   }();
   return keys;
 }
@@ -190,7 +206,8 @@ TomlKeys<MotionRow> const& motion_keys() {
       text("x", "file of the ground's acceleration along x: AT2, or columns with units", &MotionRow::x, true),
       text("y", "and along y; none: one component", &MotionRow::y),
       real<MotionRow>("scale", "factor on both", at(&MotionRow::scale), positive(1e3)),
-      real<MotionRow>("step_s", "seconds between samples, for files without time", at(&MotionRow::step_s), positive(10.0))};
+      real<MotionRow>("step_s", "seconds between samples, for files without time", at(&MotionRow::step_s),
+                      positive(10.0))};
   return keys;
 }
 
@@ -208,20 +225,21 @@ constexpr TableInfo of_settings{"building", "What is asked. Lengths in m, masses
     of_motion{"motion", "One for each motion; files beside this one, or isolaw building --motion in their place."};
 
 template <class Row>
-void read_row(toml::table const& from, std::string const& file, TableInfo const& info, TomlKeys<Row> const& keys, Row& row,
-              std::vector<Complaint>& complaints) {
+void read_row(toml::table const& from, std::string const& file, TableInfo const& info, TomlKeys<Row> const& keys,
+              Row& row, std::vector<Complaint>& complaints) {
   TomlTable table(from, file, fmt::format("[{}]", info.name), complaints);
   for (auto const& key : keys) {
     table.json(key.key, [&](Json const& value) { key.set(row, value); });
     if (key.required && table.find(key.key) == nullptr)
-      table.complain(fmt::format("[{}] has no {}", info.name, key.key), key.help.empty() ? "a value" : key.help);
+      table.complain(fmt::format("[{}] has no {}", info.name, key.key),
+                     key.limits ? key.limits->text() : std::string("a value"));
   }
   table.refuse_unknown();
 }
 
 template <class Row>
-std::optional<Row> read_table(TomlTable& root, std::string const& file, TableInfo const& info, TomlKeys<Row> const& keys,
-                              Row row, std::vector<Complaint>& complaints) {
+std::optional<Row> read_table(TomlTable& root, std::string const& file, TableInfo const& info,
+                              TomlKeys<Row> const& keys, Row row, std::vector<Complaint>& complaints) {
   auto const* table = root.table(info.name);
   if (table == nullptr) return std::nullopt;
   read_row(*table, file, info, keys, row, complaints);
@@ -259,7 +277,8 @@ Motion read_motion(std::filesystem::path const& folder, MotionRow const& row) {
     return path.is_absolute() ? path : folder / path;
   };
   auto const x = data::read_ground_motion(in(row.x), row.step_s);
-  Motion made{.name = std::filesystem::path(row.x).stem().string(), .step_s = x.step_s, .x_mm_s2 = x.acceleration_mm_s2};
+  Motion made{
+      .name = std::filesystem::path(row.x).stem().string(), .step_s = x.step_s, .x_mm_s2 = x.acceleration_mm_s2};
   if (!row.y.empty()) {
     auto const y = data::read_ground_motion(in(row.y), row.step_s);
     if (y.acceleration_mm_s2.size() != made.x_mm_s2.size() || std::abs(y.step_s - x.step_s) > 1e-6 * x.step_s)
@@ -286,7 +305,8 @@ void write_value(std::string& out, Json const& value) {
 }
 
 template <class Row>
-void write_table(std::string& out, TableInfo const& info, TomlKeys<Row> const& keys, Row const& row, bool list, bool in_use) {
+void write_table(std::string& out, TableInfo const& info, TomlKeys<Row> const& keys, Row const& row, bool list,
+                 bool in_use) {
   std::string_view const off = in_use ? "" : "# ";
   out += fmt::format("\n# {}\n{}{}{}{}\n", info.help, off, list ? "[[" : "[", info.name, list ? "]]" : "]");
   for (auto const& key : keys) {
@@ -315,7 +335,8 @@ Plan BuildingFile::plan() const {
 }
 
 std::string building_template() {
-  std::string out = "# A building on isolators for `isolaw building`. Lines that start with # are explanations or not in use.\n";
+  std::string out =
+      "# A building on isolators for `isolaw building`. Lines that start with # are explanations or not in use.\n";
   Settings settings;
   settings.title = "Five floors on 28 bearings";
   settings.lower = 0.9;
@@ -344,7 +365,8 @@ BuildingFile read_building_text(std::string_view content, std::string const& nam
   auto const grid = read_table(root, name, of_grid, grid_keys(), GridRow{}, complaints);
   auto const bearings = read_tables(root, name, of_bearing, bearing_keys(), BearingRow{}, most_bearings, complaints);
   auto const plan = read_table(root, name, of_plan, plan_keys(), PlanRow{}, complaints);
-  auto rows = read_tables(root, name, of_motion, motion_keys(), MotionRow{.x = {}, .y = {}, .step_s = {}}, 1000, complaints);
+  auto rows = read_tables(root, name, of_motion, motion_keys(), MotionRow{.x = {}, .y = {}, .scale = 1.0, .step_s = {}},
+                          1000, complaints);
   root.refuse_unknown();
   auto const lacks = [&](TableInfo const& info, std::string const& allowed) {
     root.complain(fmt::format("no [{}]", info.name), allowed, "isolaw building --template");
@@ -352,28 +374,33 @@ BuildingFile read_building_text(std::string_view content, std::string const& nam
   if (!settings) lacks(of_settings, "what is asked, with the bounds' factors");
   if (!base) lacks(of_base, "the slab on the bearings");
   if (equal && !floors.empty()) root.complain("[floors] and [[floor]]", "one of them");
-  if (!grid && bearings.empty()) root.complain("no bearings", "[grid], or [[bearing]] with their places", "isolaw building --template");
+  if (!grid && bearings.empty())
+    root.complain("no bearings", "[grid], or [[bearing]] with their places", "isolaw building --template");
 
   if (settings) made.settings = *settings;
   if (base)
-    made.frame.base = {.mass_Mg = base->mass_Mg, .gyration_mm = base->gyration_m * mm_in_m,
+    made.frame.base = {.mass_Mg = base->mass_Mg,
+                       .gyration_mm = base->gyration_m * mm_in_m,
                        .centre = {base->x_m * mm_in_m, base->y_m * mm_in_m}};
   made.frame.damping = {made.settings.damping};
   if (equal)
-    made.frame.floors = equal_floors(static_cast<std::size_t>(equal->count),
-                                     {.mass_Mg = equal->mass_Mg, .gyration_mm = equal->gyration_m * mm_in_m, .centre = made.frame.base.centre},
-                                     equal->period_x_s, equal->period_y_s, equal->rotation_ratio);
+    made.frame.floors = equal_floors(
+        static_cast<std::size_t>(equal->count),
+        {.mass_Mg = equal->mass_Mg, .gyration_mm = equal->gyration_m * mm_in_m, .centre = made.frame.base.centre},
+        equal->period_x_s, equal->period_y_s, equal->rotation_ratio);
   for (auto const& floor : floors)
     made.frame.floors.push_back(
         {.below = storey(floor.stiffness_x_kN_per_mm, floor.stiffness_y_kN_per_mm, floor.stiffness_rotation_GNm * 1e9,
                          {floor.stiffness_at_x_m * mm_in_m, floor.stiffness_at_y_m * mm_in_m}),
-         .slab = {.mass_Mg = floor.mass_Mg, .gyration_mm = floor.gyration_m * mm_in_m,
+         .slab = {.mass_Mg = floor.mass_Mg,
+                  .gyration_mm = floor.gyration_m * mm_in_m,
                   .centre = {floor.x_m * mm_in_m, floor.y_m * mm_in_m}}});
   double middle_x = 0.0, middle_y = 0.0;
   if (plan) {
     if (!(plan->left_m < plan->right_m) || !(plan->front_m < plan->back_m))
       root.complain(*root.find(of_plan.name), "edges in the wrong order", "left_m < right_m, front_m < back_m");
-    made.plan_mm = std::array{plan->left_m * mm_in_m, plan->right_m * mm_in_m, plan->front_m * mm_in_m, plan->back_m * mm_in_m};
+    made.plan_mm =
+        std::array{plan->left_m * mm_in_m, plan->right_m * mm_in_m, plan->front_m * mm_in_m, plan->back_m * mm_in_m};
     middle_x = 0.5 * (plan->left_m + plan->right_m), middle_y = 0.5 * (plan->front_m + plan->back_m);
   }
   if (grid)
@@ -389,10 +416,11 @@ BuildingFile read_building_text(std::string_view content, std::string const& nam
       auto const [x, y] = made.bearings[i].at;
       auto const [left, right, front, back] = *made.plan_mm;
       if (x < left || x > right || y < front || y > back) {
-        root.complain(*root.find(of_plan.name),
-                      fmt::format("bearing {} at ({:g}, {:g}) m stands outside the plan", i + 1, x / mm_in_m, y / mm_in_m),
-                      fmt::format("{:g} to {:g} m along x, {:g} to {:g} m along y", left / mm_in_m, right / mm_in_m,
-                                  front / mm_in_m, back / mm_in_m));
+        root.complain(
+            *root.find(of_plan.name),
+            fmt::format("bearing {} at ({:g}, {:g}) m stands outside the plan", i + 1, x / mm_in_m, y / mm_in_m),
+            fmt::format("{:g} to {:g} m along x, {:g} to {:g} m along y", left / mm_in_m, right / mm_in_m,
+                        front / mm_in_m, back / mm_in_m));
         break;
       }
     }
@@ -400,7 +428,10 @@ BuildingFile read_building_text(std::string_view content, std::string const& nam
     rows.clear();
     for (auto const& given : motions) {
       auto const comma = given.find(',');
-      rows.push_back({.x = given.substr(0, comma), .y = comma == std::string::npos ? "" : given.substr(comma + 1), .step_s = {}});
+      rows.push_back({.x = given.substr(0, comma),
+                      .y = comma == std::string::npos ? "" : given.substr(comma + 1),
+                      .scale = 1.0,
+                      .step_s = {}});
     }
   }
   if (rows.empty()) root.complain("no motions", "[[motion]], or --motion FILES", "isolaw building --template");
@@ -416,7 +447,9 @@ BuildingFile read_building_text(std::string_view content, std::string const& nam
 }
 
 BuildingFile read_building(std::filesystem::path const& file, std::vector<std::string> const& motions) {
-  return read_building_text(read_file(file, {.largest_bytes = 1 << 20, .allowed = "a building file", .when_too_large = "isolaw building --template"}),
+  return read_building_text(read_file(file, {.largest_bytes = 1 << 20,
+                                             .allowed = "a building file",
+                                             .when_too_large = "isolaw building --template"}),
                             file.generic_string(), file.parent_path(), motions);
 }
 

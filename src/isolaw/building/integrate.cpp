@@ -20,7 +20,11 @@ class ImplicitRun {
  public:
   ImplicitRun(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings, Motion const& motion,
               Options const& options)
-      : model_(model), skeleton_(model.skeleton()), bearings_(bearings), motion_(motion), options_(options),
+      : model_(model),
+        skeleton_(model.skeleton()),
+        bearings_(bearings),
+        motion_(motion),
+        options_(options),
         steps_(steps_of(motion, options.longest_step_s, options.rest_s)),
         ground_{.x = motion.x_mm_s2.data(),
                 .y = motion.y_mm_s2.empty() ? nullptr : motion.y_mm_s2.data(),
@@ -227,9 +231,12 @@ class ImplicitRun {
 
 std::string_view name(Outcome outcome) {
   switch (outcome) {
-    case Outcome::completed: return "completed";
-    case Outcome::not_converged: return "not converged";
-    case Outcome::not_finite: return "not finite";
+    case Outcome::completed:
+      return "completed";
+    case Outcome::not_converged:
+      return "not converged";
+    case Outcome::not_finite:
+      return "not finite";
   }
   return "";
 }

@@ -39,10 +39,11 @@ std::string_view name(Outcome outcome);
 
 struct History {
   std::vector<double> time_s;
-  std::vector<std::array<double, 3>> base;       // mm, mm, rad, relative to the ground
-  std::vector<std::array<double, 3>> velocity;   // of the same
-  std::vector<std::array<double, 2>> shear_kN;   // of all bearings
-  std::vector<std::vector<double>> acceleration;  // in space, of every diaphragm x and y, mm/s2: [sample][2 (1 + floors)]
+  std::vector<std::array<double, 3>> base;      // mm, mm, rad, relative to the ground
+  std::vector<std::array<double, 3>> velocity;  // of the same
+  std::vector<std::array<double, 2>> shear_kN;  // of all bearings
+  std::vector<std::vector<double>>
+      acceleration;  // in space, of every diaphragm x and y, mm/s2: [sample][2 (1 + floors)]
 };
 
 struct Response {

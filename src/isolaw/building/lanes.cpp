@@ -38,8 +38,7 @@ struct Release {
 }  // namespace
 
 std::vector<double> respond(Model const& model, std::string_view law, std::span<double const> draws,
-                            Motion const& motion, Options const& options, Coupling coupling,
-                            num::InstructionSet set) {
+                            Motion const& motion, Options const& options, Coupling coupling, num::InstructionSet set) {
   auto const& entry = laws::find_law(law);
   auto const layout = model.layout();
   std::size_t const parameters = entry.parameters.size(), bearings = layout.bearings, each = bearings * parameters;

@@ -39,7 +39,8 @@ RunStore::RunStore(std::filesystem::path const& file, std::string const& of, boo
   }
   Transaction transaction(db);
   db.execute("CREATE TABLE study (made_of TEXT NOT NULL, tasks INTEGER NOT NULL)");
-  db.execute("CREATE TABLE runs (law INTEGER, motion INTEGER, place INTEGER, measured BLOB, PRIMARY KEY (law, motion, place)) WITHOUT ROWID");
+  db.execute(
+      "CREATE TABLE runs (law INTEGER, motion INTEGER, place INTEGER, measured BLOB, PRIMARY KEY (law, motion, place)) WITHOUT ROWID");
   Statement(db, "INSERT INTO study VALUES (?, 0)").bind(std::string_view(of)).insert();
   transaction.commit();
 }
@@ -125,7 +126,8 @@ Options options_of(Study const& study, Model const& model, Devices const& device
           .rest_s = study.file.settings.rest_s};
 }
 
-void run_all(Study const& study, RunStore& store, std::size_t threads, std::function<void(RunProgress const&)> const& progress) {
+void run_all(Study const& study, RunStore& store, std::size_t threads,
+             std::function<void(RunProgress const&)> const& progress) {
   Model const model(Structure(study.file.frame), study.file.plan());
   auto const cases = cases_of(study.file.settings);
   auto const motions = study.file.motions.size();
@@ -142,7 +144,8 @@ void run_all(Study const& study, RunStore& store, std::size_t threads, std::func
     std::size_t const last = std::min(total, first + chunk);
     std::vector<std::vector<RunStore::Row>> made(last - first);
     campaign::for_each_in_parallel(last - first, threads, [&](std::size_t i) {
-      std::size_t const task = first + i, part = task % blocks, motion = task / blocks % motions, law = task / blocks / motions;
+      std::size_t const task = first + i, part = task % blocks, motion = task / blocks % motions,
+                        law = task / blocks / motions;
       std::vector<double> values;
       std::size_t const from = part * block, to = std::min(cases.size(), from + block);
       for (std::size_t c = from; c < to; ++c) {

@@ -33,7 +33,8 @@ class RunStore {
   std::size_t tasks_done() const;  // from the first on
   void add(std::size_t tasks_done, std::vector<Row> const& rows);
   // take(place, measured) for every run of a law under a motion, in order.
-  void each(std::size_t law, std::size_t motion, std::function<void(std::size_t, std::vector<double> const&)> const& take) const;
+  void each(std::size_t law, std::size_t motion,
+            std::function<void(std::size_t, std::vector<double> const&)> const& take) const;
 
  private:
   struct Handle;
@@ -47,7 +48,8 @@ struct RunProgress {
   std::size_t done = 0, total = 0;  // analyses
 };
 // Throws Error as Devices; std::runtime_error of what `progress` throws ends the runs, those stored remain.
-void run_all(Study const& study, RunStore& store, std::size_t threads, std::function<void(RunProgress const&)> const& progress = {});
+void run_all(Study const& study, RunStore& store, std::size_t threads,
+             std::function<void(RunProgress const&)> const& progress = {});
 
 // The step of the explicit path for a law under a motion: that of the settings, halved where the bearings are stiffer.
 Options options_of(Study const& study, Model const& model, Devices const& devices);

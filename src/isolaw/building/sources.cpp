@@ -13,11 +13,13 @@
 namespace isolaw::building {
 namespace {
 
-// "kN", "kN/mm", "kN s/mm": proportional to force.
-bool is_force(std::string_view unit, std::string_view force) {
-  if (!unit.starts_with(force)) return false;
-  unit.remove_prefix(force.size());
-  return unit.empty() || unit.front() == '/' || unit.front() == ' ';
+// The power of the force in a unit: 1 of "kN", "kN/mm" and "kN s/mm", -1 of "1/(kN mm)".
+int power_of_force(std::string_view unit, std::string_view force) {
+  auto const at = unit.find(force);
+  if (at == std::string_view::npos) return 0;
+  auto const behind = at + force.size();
+  if (behind < unit.size() && std::string_view("/ )").find(unit[behind]) == std::string_view::npos) return 0;
+  return unit.find('/') < at ? -1 : 1;
 }
 
 }  // namespace
@@ -25,14 +27,17 @@ bool is_force(std::string_view unit, std::string_view force) {
 std::vector<double> with_force(std::string_view law, std::vector<double> parameters, double factor) {
   auto const& entry = laws::find_law(law);
   for (std::size_t i = 0; i < parameters.size(); ++i)
-    if (factor != 1.0 && is_force(entry.parameters[i].unit, entry.info.force.symbol)) parameters[i] *= factor;
+    if (auto const power = power_of_force(entry.parameters[i].unit, entry.info.force.symbol);
+        factor != 1.0 && power != 0)
+      parameters[i] = power > 0 ? parameters[i] * factor : parameters[i] / factor;
   return parameters;
 }
 
 std::vector<Case> cases_of(Settings const& settings) {
   std::vector<Case> made{{.kind = CaseKind::nominal}, {.kind = CaseKind::lower}, {.kind = CaseKind::upper}};
   for (std::uint32_t i = 0; i <= 2 * grid_half; ++i) made.push_back({.kind = CaseKind::factor, .draw = i});
-  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(settings.draws); ++i) made.push_back({.kind = CaseKind::draw, .draw = i});
+  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(settings.draws); ++i)
+    made.push_back({.kind = CaseKind::draw, .draw = i});
   for (std::uint32_t p = 0; p < static_cast<std::uint32_t>(settings.populations); ++p)
     for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(settings.draws_of_each); ++i)
       made.push_back({.kind = CaseKind::uncertain, .population = p, .draw = i});
@@ -62,13 +67,18 @@ lot::Population population_again(lot::Population const& population, num::Stream 
 }
 
 Devices::Devices(LawSource source, std::vector<BearingPlace> places, Settings const& settings)
-    : source_(std::move(source)), places_(std::move(places)), settings_(settings),
-      stream_(num::Stream(static_cast<std::uint64_t>(settings.seed)).split(stable_hash("building")).split(stable_hash(source_.law))) {
+    : source_(std::move(source)),
+      places_(std::move(places)),
+      settings_(settings),
+      stream_(num::Stream(static_cast<std::uint64_t>(settings.seed))
+                  .split(stable_hash("building"))
+                  .split(stable_hash(source_.law))) {
   auto const where = fmt::format("law {}", source_.law);
   bool const drawn = std::ranges::any_of(places_, [](auto const& p) { return p.stands == Stands::draw; });
   if (drawn && !source_.population.has_covariance())
     throw Error({.where = where,
-                 .found = source_.population.note.empty() ? "no population, and bearings that are draws of it" : source_.population.note,
+                 .found = source_.population.note.empty() ? "no population, and bearings that are draws of it"
+                                                          : source_.population.note,
                  .allowed = "a law that was analysed on two devices or more",
                  .advice = "isolaw calibrate ... --analysis full, or bearings that are \"lot\""});
   for (auto const& p : places_)
@@ -83,8 +93,9 @@ Devices::Devices(LawSource source, std::vector<BearingPlace> places, Settings co
     if (coupling_of(source_.law, values) == Coupling::springs) coupling_ = Coupling::springs;
   if (drawn)
     for (int p = 0; p < settings_.populations; ++p)
-      uncertain_.push_back(population_again(source_.population, stream_.split(stable_hash("uncertain")).split(static_cast<std::uint64_t>(p)),
-                                            source_.limits));
+      uncertain_.push_back(population_again(
+          source_.population, stream_.split(stable_hash("uncertain")).split(static_cast<std::uint64_t>(p)),
+          source_.limits));
 }
 
 std::vector<std::unique_ptr<Bearing>> Devices::bearings(std::vector<double> const& values) const {

@@ -18,13 +18,14 @@ namespace isolaw::building {
 // Parameters in the law's order and units.
 struct LawSource {
   std::string law;
-  std::vector<double> lot;                            // the law of the lot
+  std::vector<double> lot;                             // the law of the lot
   std::map<std::string, std::vector<double>> devices;  // tested ones, by name
   lot::Population population;                          // without medians: no bearing may be a draw
   // Of each parameter its place in the population; none: the value of `median` holds for all.
   std::vector<std::optional<std::size_t>> place;
   std::vector<double> median;
   std::vector<lot::Limits> limits;  // of the population's parameters
+  double tested_mm = 0.0;           // largest displacement of the tests; 0: not known
 };
 
 // The same device, its forces `factor` times as large.
@@ -32,8 +33,8 @@ std::vector<double> with_force(std::string_view law, std::vector<double> paramet
 
 // What a building's bearings are in one analysis.
 enum class CaseKind {
-  nominal,   // draws are the population's median
-  lower,     // the same, forces times the factors of the bound analyses
+  nominal,  // draws are the population's median
+  lower,    // the same, forces times the factors of the bound analyses
   upper,
   factor,    // the same, forces times one of factor_grid()
   draw,      // every bearing that is a draw a device of its own

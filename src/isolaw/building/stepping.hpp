@@ -37,9 +37,15 @@ inline constexpr std::size_t measures_of_all = 10;
 struct Layout {
   std::size_t floors = 0, bearings = 0;
   ISOLAW_AWAY constexpr std::size_t acceleration(std::size_t diaphragm) const { return measures_of_all + diaphragm; }
-  ISOLAW_AWAY constexpr std::size_t storey_shear(std::size_t storey) const { return measures_of_all + 1 + floors + storey; }
-  ISOLAW_AWAY constexpr std::size_t drift(std::size_t storey) const { return measures_of_all + 1 + 2 * floors + storey; }
-  ISOLAW_AWAY constexpr std::size_t displacement(std::size_t bearing) const { return measures_of_all + 1 + 3 * floors + bearing; }
+  ISOLAW_AWAY constexpr std::size_t storey_shear(std::size_t storey) const {
+    return measures_of_all + 1 + floors + storey;
+  }
+  ISOLAW_AWAY constexpr std::size_t drift(std::size_t storey) const {
+    return measures_of_all + 1 + 2 * floors + storey;
+  }
+  ISOLAW_AWAY constexpr std::size_t displacement(std::size_t bearing) const {
+    return measures_of_all + 1 + 3 * floors + bearing;
+  }
   ISOLAW_AWAY constexpr std::size_t energy(std::size_t bearing) const { return displacement(bearing) + bearings; }
   ISOLAW_AWAY constexpr std::size_t count() const { return measures_of_all + 1 + 3 * floors + 2 * bearings; }
 };
@@ -53,12 +59,12 @@ struct ModeStep {
 // Everything that changes over a run. The arrays are the caller's.
 template <class T>
 struct Run {
-  T u[3], v[3], A[3];      // of the base: relative to the ground, and the acceleration in space
-  T f[3];                  // of the bearings on the base, at its centre of mass
+  T u[3], v[3], A[3];          // of the base: relative to the ground, and the acceleration in space
+  T f[3];                      // of the bearings on the base, at its centre of mass
   T *q, *qv, *qa, *free_part;  // [mode]
-  T *d, *force;            // [bearing][2]: displacement and force
-  T* measured;             // [Layout::count()]; peaks as squares until finish()
-  T damped_rate;           // power of the damping at the last instant
+  T *d, *force;                // [bearing][2]: displacement and force
+  T* measured;                 // [Layout::count()]; peaks as squares until finish()
+  T damped_rate;               // power of the damping at the last instant
 };
 // Scalars that a run needs beside itself.
 ISOLAW_AWAY constexpr std::size_t run_scalars(std::size_t modes, Layout const& layout) {
@@ -153,12 +159,11 @@ template <class T>
 inline void measure(Run<T>& run, Skeleton const& s, double dt, T const (&u0)[3], T const (&v0)[3],
                     double const (&ground0)[2], double const (&ground1)[2], T const& momentum0_x, T const& momentum0_y,
                     T const& momentum1_x, T const& momentum1_y) {
-  using num::max;
   using num::abs;
+  using num::max;
   Layout const layout{s.floors, s.bearings};
-  auto const keep = [&](std::size_t place, T const& value) ISOLAW_AWAY {
-    run.measured[place] = max(run.measured[place], value);
-  };
+  auto const keep = [&](std::size_t place, T const& value)
+                        ISOLAW_AWAY { run.measured[place] = max(run.measured[place], value); };
   auto const of = [](Measure which) ISOLAW_AWAY { return static_cast<std::size_t>(which); };
 
   for (std::size_t c = 0; c <= s.corners; ++c) {
@@ -197,14 +202,12 @@ inline void measure(Run<T>& run, Skeleton const& s, double dt, T const (&u0)[3],
 
   // Powers at both ends by the trapezium, but the ground's acceleration times the momentum, both linear over the step,
   // exactly.
-  auto const power = [&](double g0, double g1, T const& p0, T const& p1) ISOLAW_AWAY {
-    return T(-dt / 6.0) * (T(2.0 * g0 + g1) * p0 + T(g0 + 2.0 * g1) * p1);
-  };
-  run.measured[of(Measure::input)] += power(ground0[0], ground1[0], momentum0_x, momentum1_x) +
-                                      power(ground0[1], ground1[1], momentum0_y, momentum1_y);
+  auto const power = [&](double g0, double g1, T const& p0, T const& p1)
+                         ISOLAW_AWAY { return T(-dt / 6.0) * (T(2.0 * g0 + g1) * p0 + T(g0 + 2.0 * g1) * p1); };
+  run.measured[of(Measure::input)] +=
+      power(ground0[0], ground1[0], momentum0_x, momentum1_x) + power(ground0[1], ground1[1], momentum0_y, momentum1_y);
   T rate(0.0);
-  for (std::size_t k = 0; k < s.modes; ++k)
-    rate += T(2.0 * s.damping[k] * s.frequency[k]) * run.qv[k] * run.qv[k];
+  for (std::size_t k = 0; k < s.modes; ++k) rate += T(2.0 * s.damping[k] * s.frequency[k]) * run.qv[k] * run.qv[k];
   run.measured[of(Measure::damped)] += T(0.5 * dt) * (run.damped_rate + rate);
   run.damped_rate = rate;
 }

@@ -16,9 +16,8 @@ constexpr double gravity = 9.80665;  // kN/Mg
 void check_slab(Diaphragm const& slab, std::string const& name, std::vector<Complaint>& complaints) {
   auto const positive = [&](double value, std::string_view what, std::string_view unit) {
     if (!(value > 0.0) || !std::isfinite(value))
-      complaints.push_back({.where = name,
-                            .found = fmt::format("{} = {} {}", what, value, unit),
-                            .allowed = "a positive number"});
+      complaints.push_back(
+          {.where = name, .found = fmt::format("{} = {} {}", what, value, unit), .allowed = "a positive number"});
   };
   positive(slab.mass_Mg, "mass", "Mg");
   positive(slab.gyration_mm, "radius of gyration", "mm");
@@ -67,7 +66,8 @@ Structure::Structure(Frame frame) : frame_(std::move(frame)) {
     auto const name = fmt::format("floor {}", i + 1);
     check_slab(frame_.floors[i].slab, name, complaints);
     auto const& below = frame_.floors[i].below;
-    bool const finite = below.stiffness.allFinite() && std::isfinite(below.centre.x_mm) && std::isfinite(below.centre.y_mm);
+    bool const finite =
+        below.stiffness.allFinite() && std::isfinite(below.centre.x_mm) && std::isfinite(below.centre.y_mm);
     if (!finite || !(num::symmetric_eigen(below.stiffness).values.minCoeff() > 0.0) ||
         !below.stiffness.isApprox(below.stiffness.transpose()))
       complaints.push_back({.where = name,

@@ -57,7 +57,7 @@ std::vector<Floor> equal_floors(std::size_t count, Diaphragm const& slab, double
 
 struct Frame {
   Diaphragm base;
-  std::vector<Floor> floors;        // from below; none: a rigid mass on its bearings
+  std::vector<Floor> floors;         // from below; none: a rigid mass on its bearings
   std::vector<double> damping = {};  // ratios of the modes on a fixed base, the last holding for all further ones
 };
 
@@ -78,8 +78,8 @@ class Structure {
   std::vector<double> const& damping() const { return damping_; }
   std::vector<double> const& participation() const { return participation_; }  // Gamma [mode][3]
   // Acceleration in space of floor i's centre of mass, [floor][3]: carried(base) A + shape q''
-  std::vector<double> const& shape() const { return shape_; }            // [floor][3][mode]
-  std::vector<double> const& rigid() const { return rigid_; }            // [floor][3][3]
+  std::vector<double> const& shape() const { return shape_; }              // [floor][3][mode]
+  std::vector<double> const& rigid() const { return rigid_; }              // [floor][3][3]
   std::vector<double> const& deformation() const { return deformation_; }  // [storey][3][mode], at its centre
   std::vector<double> const& shear() const { return shear_; }              // [storey][3][mode], kN and kN mm
 

@@ -17,8 +17,8 @@ using std::numbers::pi;
 // Power over circular frequency, to a factor.
 double clough_penzien(double w, double ground, double damping) {
   double const slow = 0.1 * ground, r = w / ground, s = w / slow;
-  double const soil = (1.0 + 4.0 * damping * damping * r * r) /
-                      ((1.0 - r * r) * (1.0 - r * r) + 4.0 * damping * damping * r * r);
+  double const soil =
+      (1.0 + 4.0 * damping * damping * r * r) / ((1.0 - r * r) * (1.0 - r * r) + 4.0 * damping * damping * r * r);
   double const high_pass = std::pow(s, 4) / ((1.0 - s * s) * (1.0 - s * s) + 4.0 * damping * damping * s * s);
   return soil * high_pass;
 }
@@ -59,7 +59,8 @@ std::vector<double> component(num::Draws& numbers, SyntheticMotion const& wanted
 Motion synthetic_motion(std::uint64_t seed, std::uint32_t index, SyntheticMotion const& wanted) {
   num::Draws x(num::Stream(seed), index, 0), y(num::Stream(seed), index, 1);
   double const peak = wanted.peak_g * data::gravity_mm_s2;
-  Motion made{.name = fmt::format("synthetic {}", index + 1), .step_s = wanted.step_s, .x_mm_s2 = component(x, wanted, peak)};
+  Motion made{
+      .name = fmt::format("synthetic {}", index + 1), .step_s = wanted.step_s, .x_mm_s2 = component(x, wanted, peak)};
   if (wanted.two_components) made.y_mm_s2 = component(y, wanted, 0.85 * peak);
   return made;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/laws/catalogue.hpp"
@@ -18,10 +19,19 @@ building::LawSource law_source(campaign::Contents const& contents, Summary const
   auto const law = std::ranges::find(summary.laws, law_id, &LawResult::id);
   if (law == summary.laws.end())
     throw Error({.where = where, .found = "the law is not in this campaign", .allowed = "one of its laws"});
-  building::LawSource made{.law = std::string(law_id), .lot = {}, .devices = {}, .population = {}, .place = {}, .median = {}, .limits = {}};
+  building::LawSource made{.law = std::string(law_id),
+                           .lot = {},
+                           .devices = {},
+                           .population = {},
+                           .place = {},
+                           .median = {},
+                           .limits = {},
+                           .tested_mm = 0.0};
   for (std::size_t d = 0; d < contents.devices.size(); ++d)
-    if (auto const* analysis = contents.analysis_of(d, law_id); analysis != nullptr)
+    if (auto const* analysis = contents.analysis_of(d, law_id); analysis != nullptr) {
+      for (double const x : contents.devices[d].record.disp_mm) made.tested_mm = std::max(made.tested_mm, std::abs(x));
       made.devices.emplace(contents.devices[d].name, analysis->determination.optimum);
+    }
   // A lot of one device is that device.
   if (law->lot)
     made.lot = law->lot->parameters;

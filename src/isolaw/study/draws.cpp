@@ -18,7 +18,8 @@ std::vector<Column> columns_of(LawResult const& law, laws::LawEntry const& entry
     if (auto const at = place_of(*law.population, source))
       made.push_back({.place = at});
     else
-      made.push_back({.place = {}, .value = law.reduced && source == entry.redundant ? entry.redundant_value : *p.value.best});
+      made.push_back(
+          {.place = {}, .value = law.reduced && source == entry.redundant ? entry.redundant_value : *p.value.best});
   }
   return made;
 }
