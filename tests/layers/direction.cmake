@@ -1,4 +1,4 @@
-# base <- num <- {laws, opt, data} <- fit <- analysis <- {campaign, lot, rules} <- study <- {render, programs} <- api <- app
+# base <- num <- {laws, opt, data} <- fit <- analysis <- {campaign, lot, rules} <- building <- study <- {render, programs} <- api <- app
 # Modules of one rank do not know one another; nor do the folders of render, except `json`, which all of them may use.
 # Usage: cmake -DSOURCE=src/isolaw -P direction.cmake
 get_filename_component(SOURCE "${SOURCE}" ABSOLUTE)
@@ -12,12 +12,13 @@ set(rank_analysis 4)
 foreach(module campaign lot rules)
   set(rank_${module} 5)
 endforeach()
-set(rank_study 6)
+set(rank_building 6)
+set(rank_study 7)
 foreach(module render programs)
-  set(rank_${module} 7)
+  set(rank_${module} 8)
 endforeach()
-set(rank_api 8)
-set(rank_app 9)
+set(rank_api 9)
+set(rank_app 10)
 
 set(breaches "")
 file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/*.hpp ${SOURCE}/*.cpp)

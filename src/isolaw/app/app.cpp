@@ -131,6 +131,21 @@ void add_simulate(CLI::App& c, SimulateArguments& a) {
   c.add_flag("--anyway", a.anyway, "with --from: though the law's prediction is unusable");
 }
 
+void add_building(CLI::App& c, BuildingArguments& a) {
+  c.add_option("file", a.file, "the building (isolaw building --template prints one)");
+  c.add_option("--from", a.from, "the campaign's directory, whose lot the bearings are of");
+  c.add_option("--motion", a.motions,
+               "FILE, or FILE,FILE of two components, in place of the file's motions; several may follow");
+  c.add_option("--out", a.out, "directory of the results (out/building)");
+  c.add_option("--jobs", a.jobs,
+               fmt::format("threads, 0 to {} (one per core); the results do not depend on it", campaign::most_jobs))
+      ->check(CLI::Range(0, campaign::most_jobs));
+  c.add_flag("--arrange", a.arrange, "also put the tested devices where least eccentricity is left");
+  c.add_flag("--fresh", a.fresh, "start over where the directory holds runs of another building");
+  c.add_flag("--template", a.print_template, "print a commented building file");
+  c.add_flag("--json", a.json, "print building.json");
+}
+
 int dispatch(CLI::App& app, int argc, char** argv) {
   std::vector<std::pair<CLI::App*, std::function<int()>>> commands;
   auto const add = [&](char const* name, char const* description, std::function<int()> run) -> CLI::App& {
@@ -242,6 +257,11 @@ int dispatch(CLI::App& app, int argc, char** argv) {
                    [&] { return simulate(simulate_arguments); }),
                simulate_arguments);
 
+  BuildingArguments building_arguments;
+  add_building(add("building", "The isolated building: bearings drawn from the lot, against the bound analyses",
+                   [&] { return building(building_arguments); }),
+               building_arguments);
+
   std::string rule_set;
   auto& rules_command = add("rules", "The rule sets, or the file of one; template to write your own",
                             [&] { return list_rules(rule_set); });
@@ -270,8 +290,12 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   keywords_command.add_option("which", keywords, "settings, acceptance, reading, motion, or single ones")->required();
   keywords_command.add_option("--but", other_keywords, "not these");
 
-  auto& example_command = add("example", "Write the built-in example lot", [&] { return example(directory); });
+  bool example_building = false;
+  auto& example_command = add("example", "Write the built-in example lot, or a building",
+                              [&] { return example(directory, example_building); });
   example_command.add_option("directory", directory, "where to")->required();
+  example_command.add_flag("--building", example_building,
+                           "a building file with motions made for it, in place of the lot");
 
   require_known_command(app, argc, argv);
   try {

@@ -110,7 +110,13 @@ int list_laws(std::string const& id, bool json, bool markdown) {
   return exit_done;
 }
 
-int example(std::filesystem::path const& directory) {
+int example(std::filesystem::path const& directory, bool with_building) {
+  if (with_building) {
+    write_example_building(directory);
+    fmt::print("written: {0}\nnext: isolaw building {1} --from CAMPAIGN\n", shown(directory),
+               shown(directory / "building.toml"));
+    return exit_done;
+  }
   write_example_lot(directory);
   fmt::print("written: {0}\nnext: isolaw calibrate {1}\n", shown(directory), shown(directory / "lot.toml"));
   return exit_done;

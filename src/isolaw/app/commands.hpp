@@ -113,12 +113,23 @@ struct SimulateArguments {
 // The force of a law under a displacement history as CSV.
 int simulate(SimulateArguments const& arguments);
 
+struct BuildingArguments {
+  std::optional<std::filesystem::path> file, from, out;  // BUILDING.toml, a campaign's directory, of the results
+  std::vector<std::string> motions;                      // "x.AT2" or "x.AT2,y.AT2", in place of the file's
+  std::optional<int> jobs;
+  bool print_template = false, fresh = false, arrange = false, json = false;
+};
+// The isolated building: its bearings drawn from the lot, the bound analyses beside them.
+int building(BuildingArguments const& arguments);
+// A runnable building file with motions made for it.
+void write_example_building(std::filesystem::path const& directory);
+
 int list_rules(std::string const& name);
 int check(std::filesystem::path const& directory);
 int bench(bool json);
 int list_laws(std::string const& id, bool json, bool markdown);
 // Of whole tables (settings, acceptance, reading, motion) and of single rows, as parameters of Python.
 int list_keywords(std::vector<std::string> const& which, std::vector<std::string> const& but);
-int example(std::filesystem::path const& directory);
+int example(std::filesystem::path const& directory, bool with_building);
 
 }  // namespace isolaw::app

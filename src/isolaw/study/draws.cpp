@@ -11,6 +11,28 @@
 
 namespace isolaw::study {
 
+std::vector<Column> columns_of(LawResult const& law, laws::LawEntry const& entry) {
+  std::vector<Column> made;
+  for (auto const& p : parameters_of(law)) {
+    auto const source = p.tied_to.empty() ? p.name : p.tied_to;
+    if (auto const at = place_of(*law.population, source))
+      made.push_back({.place = at});
+    else
+      made.push_back(
+          {.place = {}, .value = law.reduced && source == entry.redundant ? entry.redundant_value : *p.value.best});
+  }
+  return made;
+}
+
+std::vector<lot::Limits> limits_of(lot::Population const& population, laws::LawEntry const& entry) {
+  std::vector<lot::Limits> made;
+  for (auto const& name : population.names) {
+    auto const& physical = entry.parameters[entry.index_of(name)].physical;
+    made.push_back({physical.lower, physical.upper});
+  }
+  return made;
+}
+
 Draws draw_devices(campaign::Contents const& contents, Summary const& summary, std::string_view law_id,
                    std::size_t count, std::uint64_t seed, std::string_view place) {
   auto const& entry = laws::find_law(law_id);
@@ -26,11 +48,7 @@ Draws draw_devices(campaign::Contents const& contents, Summary const& summary, s
                  .allowed = "a law that was analysed on two devices or more",
                  .advice = "isolaw calibrate ... --analysis full"});
   auto const& population = *law->population;
-  std::vector<lot::Limits> limits;
-  for (auto const& name : population.names) {
-    auto const& physical = entry.parameters[entry.index_of(name)].physical;
-    limits.push_back({physical.lower, physical.upper});
-  }
+  auto const limits = limits_of(population, entry);
   num::Stream const stream(seed);
   auto const drawn =
       lot::sample(population, count, stream.split(stable_hash("population")).split(stable_hash(law_id)), limits);
@@ -39,15 +57,10 @@ Draws draw_devices(campaign::Contents const& contents, Summary const& summary, s
              .population = &population,
              .rejected = drawn.rejected,
              .pulled_back = drawn.pulled_back};
+  auto const columns = columns_of(*law, entry);
   for (auto const& values : drawn.values) {
     auto& device = made.values.emplace_back();
-    for (auto const& p : *made.parameters) {
-      auto const source = p.tied_to.empty() ? p.name : p.tied_to;
-      auto const at = place_of(population, source);
-      device.push_back(at                                          ? values[*at]
-                       : law->reduced && source == entry.redundant ? entry.redundant_value
-                                                                   : *p.value.best);
-    }
+    for (auto const& column : columns) device.push_back(column.place ? values[*column.place] : column.value);
   }
   return made;
 }

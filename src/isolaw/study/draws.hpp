@@ -3,10 +3,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "isolaw/laws/catalogue.hpp"
 #include "isolaw/study/summary.hpp"
 
 namespace isolaw::study {
@@ -17,6 +19,16 @@ struct Draws {
   lot::Population const* population = nullptr;
   std::size_t rejected = 0, pulled_back = 0;  // as lot::Sample
 };
+
+// Of each parameter of the law where its value comes from: a place in the population, or a value that holds for all.
+struct Column {
+  std::optional<std::size_t> place;
+  double value = 0.0;
+};
+// Of a law with a population.
+std::vector<Column> columns_of(LawResult const& law, laws::LawEntry const& entry);
+// What the population's parameters may be.
+std::vector<lot::Limits> limits_of(lot::Population const& population, laws::LawEntry const& entry);
 
 // `count` devices; number i depends on seed, law and i alone. `where` begins the messages. Throws Error: the law is not
 // of this campaign, or has no population.

@@ -1,0 +1,63 @@
+// How long the draws of a building take: 28 bearings of bouc-wen under five floors, 20 s at 0.005 s, two components.
+//   building [DRAWS] [MOTIONS] [THREADS]    1000, 11 and 2 where nothing is said; then one draw by the scalar forms of
+//                                           both integrators
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <vector>
+
+#include "isolaw/building/lanes.hpp"
+#include "isolaw/building/synthetic_motion.hpp"
+#include "isolaw/campaign/parallel.hpp"
+#include "isolaw/num/random.hpp"
+
+int main(int count, char** arguments) {
+  using namespace isolaw;
+  using namespace isolaw::building;
+  auto const argument = [&](int i, std::size_t otherwise) {
+    return count > i ? static_cast<std::size_t>(std::strtoul(arguments[i], nullptr, 10)) : otherwise;
+  };
+  std::size_t const draws = argument(1, 1000), motions = argument(2, 11), threads = argument(3, 2);
+  double const exponent = count > 4 ? std::strtod(arguments[4], nullptr) : 1.2;
+  Diaphragm const slab{.mass_Mg = 700.0, .gyration_mm = 9000.0};
+  Plan plan;
+  for (int i = 0; i < 7; ++i)
+    for (int j = 0; j < 4; ++j) plan.bearings.push_back({6000.0 * i - 18000.0, 6000.0 * j - 9000.0});
+  Model const model(Structure({.base = slab, .floors = equal_floors(5, slab, 0.5, 0.5), .damping = {0.02}}), plan);
+  std::vector<Motion> ground;
+  for (std::size_t i = 0; i < motions; ++i) ground.push_back(synthetic_motion(1, static_cast<std::uint32_t>(i)));
+  double const after = 0.15 * 6.3, strength = 0.06 * 0.15 * 9806.65, Ke = after + strength / 15.0;
+  std::vector<double> values;
+  for (std::size_t draw = 0; draw < draws; ++draw)
+    for (std::size_t j = 0; j < plan.bearings.size(); ++j) {
+      num::Draws numbers(num::Stream(2), static_cast<std::uint32_t>(draw), static_cast<std::uint32_t>(j));
+      double const both = std::pow(15.0, -exponent);
+      for (double const v : {after / Ke, Ke * (1.0 + 0.07 * numbers.normal()), 1.0, 0.6 * both, exponent, 0.4 * both})
+        values.push_back(v);
+    }
+  auto const seconds = [](auto&& work) {
+    auto const start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  std::size_t const each = plan.bearings.size() * 6, block = 8 * lane_width, blocks = (draws + block - 1) / block;
+  double const lanes = seconds([&] {
+    campaign::for_each_in_parallel(blocks * motions, threads, [&](std::size_t task) {
+      std::size_t const first = task % blocks * block, last = std::min(draws, first + block);
+      auto const part = std::span(values).subspan(first * each, (last - first) * each);
+      respond(model, "bouc-wen", part, ground[task / blocks], {});
+    });
+  });
+  fmt::print("{} draws x {} motions, {} threads, {}: {:.2f} s, {:.2f} ms of one thread a draw and motion\n", draws,
+             motions, threads, num::name(num::instruction_set()), lanes,
+             1e3 * lanes * static_cast<double>(threads) / static_cast<double>(draws * motions));
+  auto const one = std::span(values).first(each);
+  double const scalar =
+      seconds([&] { respond(model, "bouc-wen", one, ground[0], {}, Coupling::coupled, num::InstructionSet::scalar); });
+  std::vector<std::unique_ptr<Bearing>> bearings;
+  for (std::size_t j = 0; j < plan.bearings.size(); ++j)
+    bearings.push_back(make_bearing("bouc-wen", one.subspan(6 * j, 6), Coupling::coupled));
+  double const implicit = seconds([&] { integrate(model, bearings, ground[0]); });
+  fmt::print("one draw and motion: explicit scalar {:.2f} ms, implicit {:.2f} ms\n", 1e3 * scalar, 1e3 * implicit);
+}

@@ -1,0 +1,155 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "isolaw/app/commands.hpp"
+#include "isolaw/app/say.hpp"
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/printable.hpp"
+#include "isolaw/base/write_file.hpp"
+#include "isolaw/building/answers.hpp"
+#include "isolaw/building/synthetic_motion.hpp"
+#include "isolaw/campaign/store.hpp"
+#include "isolaw/study/build_summary.hpp"
+#include "isolaw/study/building_sources.hpp"
+
+namespace isolaw::app {
+namespace {
+
+void show_progress(building::RunProgress const& progress, std::chrono::steady_clock::time_point start) {
+  double const spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  double const share = static_cast<double>(progress.done) / static_cast<double>(progress.total);
+  say("\r{:3.0f} %  {}/{} analyses  {:.0f} s left \033[K", 100.0 * share, progress.done, progress.total,
+      share > 0.0 ? spent / share * (1.0 - share) : 0.0);
+}
+
+void print_answers(building::Study const& study, building::Answers const& answers) {
+  auto text = answers.verdict + "\n\n";
+  text +=
+      fmt::format("{} motions, {} bearings, weight {:.0f} kN; means over the motions, fractiles over {} draws\n",
+                  study.file.motions.size(), study.file.bearings.size(), answers.weight_kN, study.file.settings.draws);
+  auto const quantities = building::quantities();
+  for (auto const& warning : answers.warnings) text += fmt::format("warning: {}\n", warning);
+  for (auto const& law : answers.laws) {
+    text += fmt::format("\n{}\n{:<26}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>8}{:>8}\n", law.law, "", "lower", "nominal",
+                        "upper", "16 %", "50 %", "84 %", "95 %", "lot", "motion");
+    for (std::size_t q = 0; q < quantities.size(); ++q) {
+      auto const& d = law.distributions[q];
+      text += fmt::format("{:<26}", quantities[q].key);
+      for (double const v :
+           {d.lower, d.nominal, d.upper, d.fractiles[0], d.fractiles[1], d.fractiles[2], d.fractiles[3]})
+        text += fmt::format("{:>9.4g}", std::abs(v) < 1e-9 ? 0.0 : v);
+      text += fmt::format("{:>8.3f}{:>8.3f}\n", d.lot_std_ln, d.motion_std_ln);
+    }
+    text += fmt::format("energy error at most {:.1e}; {} runs failed\n", law.worst_balance, law.failed);
+    for (std::size_t m = 0; m < law.checked.size(); ++m) {
+      auto const& c = law.checked[m];
+      text += fmt::format(
+          "{}: implicit {:.2f} mm (misses {:.3f}), energy error {:.1e}, draws' path {:+.2f} %, equivalent linear {:+.0f} %: {}\n",
+          printable(study.file.motions[m].name), c.isolator_mm, c.missed_mm, c.balance, c.lanes_off_percent,
+          c.equivalent_error_percent, c.outcome);
+    }
+  }
+  print(text);
+}
+
+// Of the building's places, the tested devices that leave least eccentricity.
+void print_arrangement(building::Study const& study, building::Answers const& answers) {
+  for (std::size_t l = 0; l < study.laws.size(); ++l) {
+    auto const& law = study.laws[l];
+    std::vector<std::string> names;
+    std::vector<double> stiffness;
+    double const at = answers.laws[l].distributions.front().nominal;
+    for (auto const& [name, values] : law.devices) {
+      names.push_back(name);
+      stiffness.push_back(building::effective(law.law, values, at).stiffness_kN_mm);
+    }
+    if (names.size() < study.file.bearings.size())
+      throw Error({.where = "--arrange",
+                   .found = fmt::format("{} tested devices for {} bearings", names.size(), study.file.bearings.size()),
+                   .allowed = "a tested device for each place"});
+    std::vector<building::Point> places;
+    for (auto const& b : study.file.bearings) places.push_back(b.at);
+    auto const made = building::arrange(places, study.file.frame.base.centre, stiffness);
+    std::string text = fmt::format(
+        "\n{}: eccentricity of stiffness {:.1f} mm, {:.1f} mm in the order of their names\nx_m,y_m,device\n", law.law,
+        made.eccentricity_mm, made.in_order_mm);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      text +=
+          fmt::format("{:g},{:g},{}\n", places[i].x_mm / 1e3, places[i].y_mm / 1e3, printable(names[made.device[i]]));
+    print(text);
+  }
+}
+
+}  // namespace
+
+int building(BuildingArguments const& a) {
+  if (a.print_template) {
+    print(building::building_template());
+    return exit_done;
+  }
+  if (!a.file || !a.from)
+    throw Error({.where = a.file ? "--from" : "isolaw building",
+                 .found = "is not given",
+                 .allowed = "isolaw building BUILDING.toml --from CAMPAIGN",
+                 .advice = "isolaw building --template"});
+  building::Study study{.file = building::read_building(*a.file, a.motions), .laws = {}};
+  auto const contents = campaign::Store::read(*a.from / "campaign.sqlite");
+  auto const summary = study::build_summary(contents);
+  auto const where = a.from->string();
+  auto& wanted = study.file.settings.laws;
+  if (wanted.empty()) wanted.push_back(study::recommended_law(summary, where));
+  for (auto const& law : wanted) study.laws.push_back(study::law_source(contents, summary, law, where));
+  // Before anything is made: what is no building, or of no lot, is said first.
+  building::Model const model(building::Structure(study.file.frame), study.file.plan());
+  auto const out = a.out.value_or(std::filesystem::path("out") / "building");
+  make_folder(out);
+  building::RunStore store(out / "building.sqlite", building::fingerprint(study), a.fresh);
+  auto const start = std::chrono::steady_clock::now();
+  bool const shown_to_somebody = isatty(STDERR_FILENO) != 0;
+  auto const threads = a.jobs.value_or(0) > 0 ? static_cast<std::size_t>(*a.jobs)
+                                              : std::max<std::size_t>(1, std::thread::hardware_concurrency());
+  building::run_all(study, store, threads, [&](building::RunProgress const& progress) {
+    if (shown_to_somebody) show_progress(progress, start);
+  });
+  if (shown_to_somebody) say("\r\033[K");
+  auto const answers = building::answer(study, store);
+  write_file(out / "building.json", building::answers_json(study, answers));
+  if (a.json)
+    print(building::answers_json(study, answers));
+  else
+    print_answers(study, answers);
+  if (a.arrange) print_arrangement(study, answers);
+  say("{}\n", shown(out / "building.json"));
+  return exit_done;
+}
+
+void write_example_building(std::filesystem::path const& directory) {
+  make_folder(directory);
+  constexpr std::uint32_t motions = 7;
+  auto text = building::building_template();
+  // The template's one motion is the first of several.
+  auto const last = text.rfind("\n[[motion]]");
+  auto const block = text.substr(last);
+  for (std::uint32_t i = 0; i < motions; ++i) {
+    auto const motion = building::synthetic_motion(1940, i, {.step_s = 0.01, .duration_s = 20.0});
+    for (auto const* axis : {"x", "y"}) {
+      std::string file = fmt::format("# made, not recorded\ntime [s],acceleration_{} [m/s2]\n", axis);
+      auto const& a = axis[0] == 'x' ? motion.x_mm_s2 : motion.y_mm_s2;
+      for (std::size_t k = 0; k < a.size(); ++k)
+        file += fmt::format("{:.2f},{:.6f}\n", 0.01 * static_cast<double>(k), 1e-3 * a[k]);
+      write_file(directory / fmt::format("motion-{}-{}.csv", i + 1, axis), file);
+    }
+    if (i == 0) continue;
+    auto next = block;
+    for (std::size_t at = 0; (at = next.find("motion-1-", at)) != std::string::npos; ++at)
+      next.replace(at, 9, fmt::format("motion-{}-", i + 1));
+    text += next;
+  }
+  write_file(directory / "building.toml", text);
+}
+
+}  // namespace isolaw::app

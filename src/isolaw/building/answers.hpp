@@ -1,0 +1,95 @@
+// What the analyses of a building say, in numbers: distributions, variance, coverage of the bound analyses, law against
+// law, and the hand method beside them. Each number is a row with its name, unit and meaning.
+//
+// A response of one draw is its mean over the motions, as designs take it; what single motions give stands beside it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/building/runs.hpp"
+
+namespace isolaw::building {
+
+struct Quantity {
+  std::string_view key, unit, meaning;
+  double (*of)(Layout const& layout, std::span<double const> measured, double weight_kN);
+};
+std::span<Quantity const> quantities();
+inline constexpr std::string_view covered_quantities[]{"isolator_mm", "shear_over_weight"};
+
+inline constexpr std::array shares{0.16, 0.50, 0.84, 0.95};
+
+struct Distribution {
+  double nominal = 0.0, lower = 0.0, upper = 0.0;  // of the analyses without draws, means over motions
+  std::array<double, 4> fractiles{};               // of the draws' means over motions, at `shares`
+  double motion_std_ln = 0.0, lot_std_ln = 0.0;    // parts of the spread of ln(response): law of total variance
+  double lot_share = 0.0;                          // of the variance
+  std::optional<double> uncertain_std_ln;          // between populations, of ln of their medians
+  std::vector<std::array<double, 4>> by_motion;    // fractiles over the draws under each motion
+  std::vector<double> nominal_by_motion;
+};
+
+struct Coverage {
+  double inside = 0.0;                             // share of the draws between the lower and upper bound analyses
+  double interval_low = 0.0, interval_high = 0.0;  // Clopper and Pearson 1934, 95 %
+  double below = 0.0, above = 0.0;
+  // The least symmetric factors 1 -+ a, of a grid of analyses, between whose responses 95 % of the draws lie; none: not
+  // within the grid.
+  std::optional<double> factor_low, factor_high;
+};
+
+struct Checked {  // the nominal building by the implicit path, under each motion
+  std::string outcome;
+  double isolator_mm = 0.0, balance = 0.0, step_s = 0.0;
+  double missed_mm = 0.0;                                      // a third of the difference to half the step
+  double lanes_off_percent = 0.0;                              // the explicit path from it
+  double equivalent_mm = 0.0, equivalent_error_percent = 0.0;  // equivalent linear analysis, of the centre
+  double equivalent_period_s = 0.0, equivalent_damping = 0.0;
+};
+
+struct LawAnswer {
+  std::string law;
+  std::size_t draws = 0, failed = 0;        // runs whose numbers are not finite
+  double worst_balance = 0.0;               // of the energy, of all runs
+  std::vector<Distribution> distributions;  // of quantities()
+  std::vector<Coverage> coverage;           // of covered_quantities
+  std::vector<Checked> checked;
+};
+
+struct Answers {
+  std::vector<LawAnswer> laws;
+  double weight_kN = 0.0;
+  std::vector<double> fixed_periods_s;
+  // Between laws, standard deviation of ln of their median largest isolator displacement; beside the lot's own.
+  std::optional<double> law_std_ln;
+  std::string verdict;
+  std::vector<std::string> warnings;
+};
+Answers answer(Study const& study, RunStore const& store);
+
+// Clopper and Pearson's interval of a share.
+std::array<double, 2> binomial_interval(std::size_t found, std::size_t of, double level = 0.95);
+
+// Effective stiffness and damping of a bearing in its third cycle of this amplitude, along x.
+struct Effective {
+  double stiffness_kN_mm = 0.0, damping = 0.0;
+};
+Effective effective(std::string_view law, std::span<double const> parameters, double amplitude_mm);
+
+// Places for tested devices, given their stiffness at the design displacement: [place] -> device, so that the centre of
+// stiffness is as near as it comes to the centre of mass by exchanges of two. As many devices as places, or more.
+struct Arrangement {
+  std::vector<std::size_t> device;
+  double eccentricity_mm = 0.0, in_order_mm = 0.0;  // and of the devices as they came
+};
+Arrangement arrange(std::span<Point const> places, Point centre, std::span<double const> stiffness);
+
+std::string answers_json(Study const& study, Answers const& answers);
+
+}  // namespace isolaw::building

@@ -1,0 +1,456 @@
+#include "isolaw/building/building_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/file.hpp"
+#include "isolaw/base/option.hpp"
+#include "isolaw/base/toml_reader.hpp"
+#include "isolaw/data/ground_motion.hpp"
+#include "isolaw/laws/catalogue.hpp"
+
+namespace isolaw::building {
+namespace {
+
+constexpr double mm_in_m = 1e3;
+constexpr std::size_t most_bearings = 2000, most_floors = 100;
+
+// The tables as they stand in the file, in its units.
+struct BaseRow {
+  double mass_Mg = 700.0, gyration_m = 9.0, x_m = 0.0, y_m = 0.0;
+};
+struct EqualFloors {
+  int count = 5;
+  double mass_Mg = 700.0, gyration_m = 9.0, period_x_s = 0.5, period_y_s = 0.5, rotation_ratio = 1.3;
+};
+struct FloorRow {
+  double mass_Mg = 700.0, gyration_m = 9.0, x_m = 0.0, y_m = 0.0;
+  double stiffness_x_kN_per_mm = 1200.0, stiffness_y_kN_per_mm = 1200.0, stiffness_rotation_GNm = 150.0;
+  double stiffness_at_x_m = 0.0, stiffness_at_y_m = 0.0;
+};
+struct GridRow {
+  int along = 7, across = 4;
+  double spacing_x_m = 6.0, spacing_y_m = 6.0;
+  std::string is = "draw";
+};
+struct BearingRow {
+  double x_m = 0.0, y_m = 0.0;
+  std::string is = "draw";
+};
+struct PlanRow {
+  double left_m = -20.0, right_m = 20.0, front_m = -11.0, back_m = 11.0;
+};
+struct MotionRow {
+  std::string x = "motion-1-x.csv", y = "motion-1-y.csv";
+  double scale = 0.5;
+  std::optional<double> step_s;
+};
+
+template <class Target>
+struct TomlKey : Option<Target> {
+  bool required = false;
+};
+template <class Target>
+using TomlKeys = std::vector<TomlKey<Target>>;
+
+template <class Target, class Place>
+TomlKey<Target> real(std::string_view key, std::string help, Place place, Limits limits = {}, bool required = false) {
+  auto made = number<Target>(key, help, place, std::move(limits));
+  made.help = std::move(help);
+  return {std::move(made), required};
+}
+template <class Target>
+TomlKey<Target> text(std::string_view key, std::string help, std::string Target::*place, bool required = false) {
+  return {{{.key = key, .help = std::move(help)},
+           [place](Target const& from) -> Json { return from.*place; },
+           [place](Target& to, Json const& value) { to.*place = text_in(value); }},
+          required};
+}
+
+Limits positive(double most = 1e9) {
+  return {.least = 1e-9, .most = most, .words = "a number above 0"};
+}
+
+TomlKeys<Settings> const& settings_keys() {
+  static TomlKeys<Settings> const keys = [] {
+    TomlKeys<Settings> made;
+    made.push_back(text("title", "of the report", &Settings::title));
+    made.push_back({{{.key = "laws",
+                      .kind = Kind::list,
+                      .help = "to compare, by their ids; none: the one that the campaign recommends"},
+                     [](Settings const& s) -> Json { return s.laws; },
+                     [](Settings& s, Json const& value) {
+                       s.laws.clear();
+                       for (auto const& law : value.is_array() ? value : Json::array({value}))
+                         s.laws.emplace_back(laws::find_law(text_in(law)).info.id);
+                     }},
+                    false});
+    made.push_back(real<Settings>("draws", "buildings drawn: every bearing that is a draw becomes a device of its own",
+                                  at(&Settings::draws), {.least = 1, .most = 1e6}));
+    made.push_back(real<Settings>("populations",
+                                  "populations as uncertain as the few tests leave them, each with some draws; 0: none",
+                                  at(&Settings::populations), {.least = 0, .most = 1e4}));
+    made.push_back(real<Settings>("draws_of_each", "draws of each of them", at(&Settings::draws_of_each),
+                                  {.least = 2, .most = 1e4}));
+    made.push_back(real<Settings>("seed", "of all draws", at(&Settings::seed), {.least = 0, .most = 2147483647}));
+    made.push_back(real<Settings>("damping", "ratio of critical, of every mode of the superstructure on a fixed base",
+                                  at(&Settings::damping), {.least = 0.0, .most = 0.5}));
+    made.push_back(real<Settings>("lower", "factor on the forces of every bearing in the lower bound analysis",
+                                  at(&Settings::lower), {.least = 0.05, .most = 1.0}, true));
+    made.push_back(
+        real<Settings>("upper", "and in the upper", at(&Settings::upper), {.least = 1.0, .most = 20.0}, true));
+    made.push_back(
+        real<Settings>("step_s", "longest step of integration", at(&Settings::step_s), {.least = 1e-5, .most = 0.05}));
+    made.push_back(real<Settings>("rest_s",
+                                  "seconds without motion of the ground after it, until what remains is measured",
+                                  at(&Settings::rest_s), {.least = 0.0, .most = 120.0}));
+    return made;
+  }();
+  return keys;
+}
+
+template <class Row>
+void slab_keys(TomlKeys<Row>& made) {
+  made.push_back(real<Row>("mass_Mg", "mass in Mg (t)", at(&Row::mass_Mg), positive(), true));
+  made.push_back(
+      real<Row>("gyration_m", "radius of gyration about the vertical", at(&Row::gyration_m), positive(1e4), true));
+}
+template <class Row>
+void place_keys(TomlKeys<Row>& made, std::string const& of) {
+  Limits const within{.least = -1e4, .most = 1e4};
+  made.push_back(real<Row>("x_m", of + " in plan", at(&Row::x_m), within));
+  made.push_back(real<Row>("y_m", "", at(&Row::y_m), within));
+}
+
+TomlKeys<BaseRow> const& base_keys() {
+  static auto const keys = [] {
+    TomlKeys<BaseRow> made;
+    slab_keys(made);
+    place_keys(made, "centre of mass");
+    return made;
+  }();
+  return keys;
+}
+TomlKeys<EqualFloors> const& equal_floors_keys() {
+  static auto const keys = [] {
+    TomlKeys<EqualFloors> made{real<EqualFloors>("count", "floors above the base slab", at(&EqualFloors::count),
+                                                 {.least = 0, .most = most_floors}, true)};
+    slab_keys(made);
+    made.push_back(real<EqualFloors>("period_x_s", "first period on a fixed base", at(&EqualFloors::period_x_s),
+                                     positive(100.0), true));
+    made.push_back(real<EqualFloors>("period_y_s", "", at(&EqualFloors::period_y_s), positive(100.0), true));
+    made.push_back(real<EqualFloors>("rotation_ratio", "first rotation's frequency over the lower of the two",
+                                     at(&EqualFloors::rotation_ratio), positive(100.0)));
+    return made;
+  }();
+  return keys;
+}
+TomlKeys<FloorRow> const& floor_keys() {
+  static auto const keys = [] {
+    TomlKeys<FloorRow> made;
+    slab_keys(made);
+    place_keys(made, "centre of mass");
+    Limits const within{.least = -1e4, .most = 1e4};
+    made.push_back(real<FloorRow>("stiffness_x_kN_per_mm", "of the storey below it",
+                                  at(&FloorRow::stiffness_x_kN_per_mm), positive(1e12), true));
+    made.push_back(
+        real<FloorRow>("stiffness_y_kN_per_mm", "", at(&FloorRow::stiffness_y_kN_per_mm), positive(1e12), true));
+    made.push_back(real<FloorRow>("stiffness_rotation_GNm", "GN m per radian, about its centre of stiffness",
+                                  at(&FloorRow::stiffness_rotation_GNm), positive(1e12), true));
+    made.push_back(
+        real<FloorRow>("stiffness_at_x_m", "centre of stiffness in plan", at(&FloorRow::stiffness_at_x_m), within));
+    made.push_back(real<FloorRow>("stiffness_at_y_m", "", at(&FloorRow::stiffness_at_y_m), within));
+    return made;
+  }();
+  return keys;
+}
+constexpr std::string_view stands_help =
+    "draw: a device of the lot's population; lot: its law; lower, upper: its law times that factor; else the name of a tested device";
+TomlKeys<GridRow> const& grid_keys() {
+  static auto const keys = [] {
+    Limits const many{.least = 1, .most = 200};
+    return TomlKeys<GridRow>{
+        real<GridRow>("along", "bearings along x, about the middle of the plan", at(&GridRow::along), many, true),
+        real<GridRow>("across", "and along y", at(&GridRow::across), many, true),
+        real<GridRow>("spacing_x_m", "", at(&GridRow::spacing_x_m), positive(1e3), true),
+        real<GridRow>("spacing_y_m", "", at(&GridRow::spacing_y_m), positive(1e3), true),
+        text("is", std::string(stands_help), &GridRow::is)};
+  }();
+  return keys;
+}
+TomlKeys<BearingRow> const& bearing_keys() {
+  static auto const keys = [] {
+    Limits const within{.least = -1e4, .most = 1e4};
+    return TomlKeys<BearingRow>{real<BearingRow>("x_m", "place in plan", at(&BearingRow::x_m), within, true),
+                                real<BearingRow>("y_m", "", at(&BearingRow::y_m), within, true),
+                                text("is", std::string(stands_help), &BearingRow::is)};
+  }();
+  return keys;
+}
+TomlKeys<PlanRow> const& plan_keys() {
+  static auto const keys = [] {
+    Limits const within{.least = -1e4, .most = 1e4};
+    return TomlKeys<PlanRow>{real<PlanRow>("left_m", "edges of the slab along x", at(&PlanRow::left_m), within, true),
+                             real<PlanRow>("right_m", "", at(&PlanRow::right_m), within, true),
+                             real<PlanRow>("front_m", "and along y", at(&PlanRow::front_m), within, true),
+                             real<PlanRow>("back_m", "", at(&PlanRow::back_m), within, true)};
+  }();
+  return keys;
+}
+TomlKeys<MotionRow> const& motion_keys() {
+  static auto const keys = TomlKeys<MotionRow>{
+      text("x", "file of the ground's acceleration along x: AT2, or columns with units", &MotionRow::x, true),
+      text("y", "and along y; none: one component", &MotionRow::y),
+      real<MotionRow>("scale", "factor on both", at(&MotionRow::scale), positive(1e3)),
+      real<MotionRow>("step_s", "seconds between samples, for files without time", at(&MotionRow::step_s),
+                      positive(10.0))};
+  return keys;
+}
+
+// What stands in a table of the file, and how the template says it.
+struct TableInfo {
+  std::string_view name, help;
+};
+constexpr TableInfo of_settings{"building", "What is asked. Lengths in m, masses in Mg (t), time in s."},
+    of_base{"base", "The slab on the bearings. Every place in plan is in one system of axes."},
+    of_floors{"floors", "Equal floors; or [[floor]] for each, from below."},
+    of_floor{"floor", "One floor and the storey below it, in place of [floors]."},
+    of_grid{"grid", "Bearings in equal distances; or [[bearing]] for each."},
+    of_bearing{"bearing", "One bearing, in place of or beside [grid]."},
+    of_plan{"plan", "The slab's edges: where its corners are measured, and no bearing may stand outside."},
+    of_motion{"motion", "One for each motion; files beside this one, or isolaw building --motion in their place."};
+
+template <class Row>
+void read_row(toml::table const& from, std::string const& file, TableInfo const& info, TomlKeys<Row> const& keys,
+              Row& row, std::vector<Complaint>& complaints) {
+  TomlTable table(from, file, fmt::format("[{}]", info.name), complaints);
+  for (auto const& key : keys) {
+    table.json(key.key, [&](Json const& value) { key.set(row, value); });
+    if (key.required && table.find(key.key) == nullptr)
+      table.complain(fmt::format("[{}] has no {}", info.name, key.key),
+                     key.limits ? key.limits->text() : std::string("a value"));
+  }
+  table.refuse_unknown();
+}
+
+template <class Row>
+std::optional<Row> read_table(TomlTable& root, std::string const& file, TableInfo const& info,
+                              TomlKeys<Row> const& keys, Row row, std::vector<Complaint>& complaints) {
+  auto const* table = root.table(info.name);
+  if (table == nullptr) return std::nullopt;
+  read_row(*table, file, info, keys, row, complaints);
+  return row;
+}
+
+template <class Row>
+std::vector<Row> read_tables(TomlTable& root, std::string const& file, TableInfo const& info, TomlKeys<Row> const& keys,
+                             Row const& usual, std::size_t most, std::vector<Complaint>& complaints) {
+  std::vector<Row> made;
+  auto const* node = root.find(info.name);
+  if (node == nullptr) return made;
+  auto const* list = node->as_array();
+  if (list == nullptr || list->size() > most || !list->is_homogeneous(toml::node_type::table)) {
+    root.complain(*node, fmt::format("'{}' is no list of tables", info.name),
+                  fmt::format("[[{}]], {} of them at most", info.name, most));
+    return made;
+  }
+  for (auto const& item : *list) read_row(*item.as_table(), file, info, keys, made.emplace_back(usual), complaints);
+  return made;
+}
+
+BearingPlace place_of(double x_m, double y_m, std::string const& is) {
+  BearingPlace made{.at = {x_m * mm_in_m, y_m * mm_in_m}, .stands = Stands::device, .device = is};
+  constexpr std::pair<std::string_view, Stands> words[]{
+      {"draw", Stands::draw}, {"lot", Stands::lot}, {"lower", Stands::lower}, {"upper", Stands::upper}};
+  for (auto const& [word, stands] : words)
+    if (is == word) made = {.at = made.at, .stands = stands, .device = {}};
+  return made;
+}
+
+Motion read_motion(std::filesystem::path const& folder, MotionRow const& row) {
+  auto const in = [&](std::string const& name) {
+    std::filesystem::path const path(name);
+    return path.is_absolute() ? path : folder / path;
+  };
+  auto const x = data::read_ground_motion(in(row.x), row.step_s);
+  Motion made{
+      .name = std::filesystem::path(row.x).stem().string(), .step_s = x.step_s, .x_mm_s2 = x.acceleration_mm_s2};
+  if (!row.y.empty()) {
+    auto const y = data::read_ground_motion(in(row.y), row.step_s);
+    if (y.acceleration_mm_s2.size() != made.x_mm_s2.size() || std::abs(y.step_s - x.step_s) > 1e-6 * x.step_s)
+      throw Error({.where = y.file,
+                   .found = fmt::format("{} samples every {:.6g} s, and {} has {} every {:.6g} s",
+                                        y.acceleration_mm_s2.size(), y.step_s, x.file, made.x_mm_s2.size(), x.step_s),
+                   .allowed = "two components of one length and step"});
+    made.y_mm_s2 = y.acceleration_mm_s2;
+  }
+  for (double& a : made.x_mm_s2) a *= row.scale;
+  for (double& a : made.y_mm_s2) a *= row.scale;
+  return made;
+}
+
+void write_value(std::string& out, Json const& value) {
+  if (value.is_string()) return void(out += fmt::format("\"{}\"", value.get<std::string>()));
+  if (!value.is_array()) return void(out += value.dump());
+  out += '[';
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    if (i > 0) out += ", ";
+    write_value(out, value[i]);
+  }
+  out += ']';
+}
+
+template <class Row>
+void write_table(std::string& out, TableInfo const& info, TomlKeys<Row> const& keys, Row const& row, bool list,
+                 bool in_use) {
+  std::string_view const off = in_use ? "" : "# ";
+  out += fmt::format("\n# {}\n{}{}{}{}\n", info.help, off, list ? "[[" : "[", info.name, list ? "]]" : "]");
+  for (auto const& key : keys) {
+    auto const value = key.get(row);
+    bool const given = !value.is_null() && in_use;
+    out += fmt::format("{}{} = ", given ? "" : "# ", key.key);
+    if (value.is_null())
+      out += "0.01";
+    else
+      write_value(out, value);
+    if (!key.help.empty()) out += fmt::format("  # {}", key.help);
+    out += '\n';
+  }
+}
+
+}  // namespace
+
+Plan BuildingFile::plan() const {
+  Plan made;
+  for (auto const& bearing : bearings) made.bearings.push_back(bearing.at);
+  if (plan_mm) {
+    auto const [left, right, front, back] = *plan_mm;
+    made.corners = {{left, front}, {left, back}, {right, front}, {right, back}};
+  }
+  return made;
+}
+
+std::string building_template() {
+  std::string out =
+      "# A building on isolators for `isolaw building`. Lines that start with # are explanations or not in use.\n";
+  Settings settings;
+  settings.title = "Five floors on 28 bearings";
+  settings.lower = 0.9;
+  settings.upper = 1.1;
+  write_table(out, of_settings, settings_keys(), settings, false, true);
+  write_table(out, of_base, base_keys(), BaseRow{}, false, true);
+  write_table(out, of_floors, equal_floors_keys(), EqualFloors{}, false, true);
+  write_table(out, of_floor, floor_keys(), FloorRow{}, true, false);
+  write_table(out, of_grid, grid_keys(), GridRow{}, false, true);
+  write_table(out, of_bearing, bearing_keys(), BearingRow{}, true, false);
+  write_table(out, of_plan, plan_keys(), PlanRow{}, false, true);
+  write_table(out, of_motion, motion_keys(), MotionRow{}, true, true);
+  return out;
+}
+
+BuildingFile read_building_text(std::string_view content, std::string const& name, std::filesystem::path const& folder,
+                                std::vector<std::string> const& motions) {
+  auto const parsed = parse_toml(content, name, {.kind = "building file", .advice = "isolaw building --template"});
+  std::vector<Complaint> complaints;
+  TomlTable root(parsed, name, "", complaints);
+  BuildingFile made{.file = name, .settings = {}, .frame = {}, .bearings = {}, .plan_mm = {}, .motions = {}};
+  auto const settings = read_table(root, name, of_settings, settings_keys(), Settings{}, complaints);
+  auto const base = read_table(root, name, of_base, base_keys(), BaseRow{}, complaints);
+  auto const equal = read_table(root, name, of_floors, equal_floors_keys(), EqualFloors{}, complaints);
+  auto const floors = read_tables(root, name, of_floor, floor_keys(), FloorRow{}, most_floors, complaints);
+  auto const grid = read_table(root, name, of_grid, grid_keys(), GridRow{}, complaints);
+  auto const bearings = read_tables(root, name, of_bearing, bearing_keys(), BearingRow{}, most_bearings, complaints);
+  auto const plan = read_table(root, name, of_plan, plan_keys(), PlanRow{}, complaints);
+  auto rows = read_tables(root, name, of_motion, motion_keys(), MotionRow{.x = {}, .y = {}, .scale = 1.0, .step_s = {}},
+                          1000, complaints);
+  root.refuse_unknown();
+  auto const lacks = [&](TableInfo const& info, std::string const& allowed) {
+    root.complain(fmt::format("no [{}]", info.name), allowed, "isolaw building --template");
+  };
+  if (!settings) lacks(of_settings, "what is asked, with the bounds' factors");
+  if (!base) lacks(of_base, "the slab on the bearings");
+  if (equal && !floors.empty()) root.complain("[floors] and [[floor]]", "one of them");
+  if (!grid && bearings.empty())
+    root.complain("no bearings", "[grid], or [[bearing]] with their places", "isolaw building --template");
+
+  if (settings) made.settings = *settings;
+  if (base)
+    made.frame.base = {.mass_Mg = base->mass_Mg,
+                       .gyration_mm = base->gyration_m * mm_in_m,
+                       .centre = {base->x_m * mm_in_m, base->y_m * mm_in_m}};
+  made.frame.damping = {made.settings.damping};
+  if (equal)
+    made.frame.floors = equal_floors(
+        static_cast<std::size_t>(equal->count),
+        {.mass_Mg = equal->mass_Mg, .gyration_mm = equal->gyration_m * mm_in_m, .centre = made.frame.base.centre},
+        equal->period_x_s, equal->period_y_s, equal->rotation_ratio);
+  for (auto const& floor : floors)
+    made.frame.floors.push_back(
+        {.below = storey(floor.stiffness_x_kN_per_mm, floor.stiffness_y_kN_per_mm, floor.stiffness_rotation_GNm * 1e9,
+                         {floor.stiffness_at_x_m * mm_in_m, floor.stiffness_at_y_m * mm_in_m}),
+         .slab = {.mass_Mg = floor.mass_Mg,
+                  .gyration_mm = floor.gyration_m * mm_in_m,
+                  .centre = {floor.x_m * mm_in_m, floor.y_m * mm_in_m}}});
+  double middle_x = 0.0, middle_y = 0.0;
+  if (plan) {
+    if (!(plan->left_m < plan->right_m) || !(plan->front_m < plan->back_m))
+      root.complain(*root.find(of_plan.name), "edges in the wrong order", "left_m < right_m, front_m < back_m");
+    made.plan_mm =
+        std::array{plan->left_m * mm_in_m, plan->right_m * mm_in_m, plan->front_m * mm_in_m, plan->back_m * mm_in_m};
+    middle_x = 0.5 * (plan->left_m + plan->right_m), middle_y = 0.5 * (plan->front_m + plan->back_m);
+  }
+  if (grid)
+    for (int i = 0; i < grid->along; ++i)
+      for (int j = 0; j < grid->across; ++j)
+        made.bearings.push_back(place_of(middle_x + (i - 0.5 * (grid->along - 1)) * grid->spacing_x_m,
+                                         middle_y + (j - 0.5 * (grid->across - 1)) * grid->spacing_y_m, grid->is));
+  for (auto const& b : bearings) made.bearings.push_back(place_of(b.x_m, b.y_m, b.is));
+  if (made.bearings.size() > most_bearings)
+    root.complain(fmt::format("{} bearings", made.bearings.size()), fmt::format("{} at most", most_bearings));
+  if (made.plan_mm)
+    for (std::size_t i = 0; i < made.bearings.size(); ++i) {
+      auto const [x, y] = made.bearings[i].at;
+      auto const [left, right, front, back] = *made.plan_mm;
+      if (x < left || x > right || y < front || y > back) {
+        root.complain(
+            *root.find(of_plan.name),
+            fmt::format("bearing {} at ({:g}, {:g}) m stands outside the plan", i + 1, x / mm_in_m, y / mm_in_m),
+            fmt::format("{:g} to {:g} m along x, {:g} to {:g} m along y", left / mm_in_m, right / mm_in_m,
+                        front / mm_in_m, back / mm_in_m));
+        break;
+      }
+    }
+  if (!motions.empty()) {
+    rows.clear();
+    for (auto const& given : motions) {
+      auto const comma = given.find(',');
+      rows.push_back({.x = given.substr(0, comma),
+                      .y = comma == std::string::npos ? "" : given.substr(comma + 1),
+                      .scale = 1.0,
+                      .step_s = {}});
+    }
+  }
+  if (rows.empty()) root.complain("no motions", "[[motion]], or --motion FILES", "isolaw building --template");
+  for (auto const& row : rows) {
+    try {
+      made.motions.push_back(read_motion(motions.empty() ? folder : std::filesystem::path(), row));
+    } catch (Error const& error) {
+      complaints.insert(complaints.end(), error.complaints().begin(), error.complaints().end());
+    }
+  }
+  throw_complaints(std::move(complaints), name);
+  return made;
+}
+
+BuildingFile read_building(std::filesystem::path const& file, std::vector<std::string> const& motions) {
+  return read_building_text(read_file(file, {.largest_bytes = 1 << 20,
+                                             .allowed = "a building file",
+                                             .when_too_large = "isolaw building --template"}),
+                            file.generic_string(), file.parent_path(), motions);
+}
+
+}  // namespace isolaw::building

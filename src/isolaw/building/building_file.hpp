@@ -1,0 +1,57 @@
+// BUILDING.toml: a building on bearings, the motions it is shaken with and what is asked of it. Each key is one row of a
+// table, from which the reader, the messages and the template are made.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/building/integrate.hpp"
+
+namespace isolaw::building {
+
+// What is asked, [building].
+struct Settings {
+  std::string title;
+  std::vector<std::string> laws;  // empty: the one that the campaign recommends
+  int draws = 1000;
+  int populations = 0;  // drawn again of the tests' own uncertainty; 0: the population is taken as known
+  int draws_of_each = 20;
+  int seed = 1;
+  double damping = 0.02;
+  double lower = 0.0, upper = 0.0;  // factors on the forces of every bearing: the bound analyses
+  double step_s = 0.005;
+  double rest_s = 5.0;
+};
+
+// What stands at a place.
+enum class Stands { draw, lot, device, lower, upper };
+struct BearingPlace {
+  Point at;
+  Stands stands = Stands::draw;
+  std::string device;  // of Stands::device
+};
+
+struct BuildingFile {
+  std::string file;
+  Settings settings;
+  Frame frame;
+  std::vector<BearingPlace> bearings;
+  std::optional<std::array<double, 4>> plan_mm;  // left, right, front, back
+  std::vector<Motion> motions;
+
+  Plan plan() const;
+};
+
+// Files of motions in place of those of the building file: "x.AT2", or "x.AT2,y.AT2" for two components.
+// Throws one Error of everything wrong, with lines.
+BuildingFile read_building(std::filesystem::path const& file, std::vector<std::string> const& motions = {});
+BuildingFile read_building_text(std::string_view text, std::string const& name, std::filesystem::path const& folder,
+                                std::vector<std::string> const& motions = {});
+
+// A commented file of a building with five floors on 28 bearings.
+std::string building_template();
+
+}  // namespace isolaw::building

@@ -1,0 +1,369 @@
+#include "isolaw/building/integrate.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "isolaw/base/error.hpp"
+
+namespace isolaw::building {
+namespace {
+
+Vector3 as_vector(double const (&from)[3]) {
+  return {from[0], from[1], from[2]};
+}
+
+// One run on plain numbers, with what Newton's method needs of it.
+class ImplicitRun {
+ public:
+  ImplicitRun(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings, Motion const& motion,
+              Options const& options)
+      : model_(model),
+        skeleton_(model.skeleton()),
+        bearings_(bearings),
+        motion_(motion),
+        options_(options),
+        steps_(steps_of(motion, options.longest_step_s, options.rest_s)),
+        ground_{.x = motion.x_mm_s2.data(),
+                .y = motion.y_mm_s2.empty() ? nullptr : motion.y_mm_s2.data(),
+                .samples = motion.x_mm_s2.size(),
+                .parts = steps_.parts,
+                .steps = steps_.count},
+        memory_(run_scalars(skeleton_.modes, model.layout())),
+        forces_(bearings.size()) {
+    start_run(run_, skeleton_, memory_.data());
+    prepare(steps_.dt);
+  }
+
+  Response operator()() {
+    out_.step_s = steps_.dt;
+    release();
+    keep_history(0.0);
+    double g0[2], g1[2];
+    ground_.at(0, g0);
+    for (std::size_t n = 0; n < steps_.count && out_.outcome == Outcome::completed; ++n) {
+      ground_.at(n + 1, g1);
+      advance(static_cast<double>(n) * steps_.dt, steps_.dt, g0, g1, 0);
+      keep_history(static_cast<double>(n + 1) * steps_.dt);
+      g0[0] = g1[0], g0[1] = g1[1];
+    }
+    finish_run(run_, skeleton_);
+    out_.measured.assign(run_.measured, run_.measured + model_.layout().count());
+    return std::move(out_);
+  }
+
+ private:
+  void prepare(double dt) {
+    if (dt == prepared_) return;
+    prepared_ = dt;
+    shares_ = model_.shares(dt);
+    condensed_ = model_.condensed_mass(dt);
+  }
+
+  // At rest where it was pulled to.
+  void release() {
+    first_ = total(run_.u, run_.v, 0.0).stiffness;
+    run_.u[0] = options_.pulled_to.x;
+    run_.u[1] = options_.pulled_to.y;
+    Vector3 const force = total(run_.u, run_.v, 0.0).force;
+    for (std::size_t j = 0; j < bearings_.size(); ++j) {
+      bearings_[j]->commit();
+      double const* at = skeleton_.bearing_at + 2 * j;
+      double x, y;
+      at_point(run_.u, at, x, y);
+      run_.d[2 * j] = x, run_.d[2 * j + 1] = y;
+      run_.force[2 * j] = forces_[j].x, run_.force[2 * j + 1] = forces_[j].y;
+    }
+    Vector3 const A = -model_.structure().base_mass().inverse() * force;
+    for (Eigen::Index i = 0; i < 3; ++i) run_.A[i] = A(i), run_.f[i] = force(i);
+    for (std::size_t k = 0; k < skeleton_.modes; ++k)
+      for (std::size_t i = 0; i < 3; ++i) run_.qa[k] -= skeleton_.participation[3 * k + i] * run_.A[i];
+  }
+
+  struct Total {
+    Vector3 force;
+    Matrix3 stiffness, damping;
+  };
+  // Of all bearings at the end of a step, about the base's centre of mass.
+  Total total(double const (&u)[3], double const (&v)[3], double dt) {
+    Total made{Vector3::Zero(), Matrix3::Zero(), Matrix3::Zero()};
+    for (std::size_t j = 0; j < bearings_.size(); ++j) {
+      double const* at = skeleton_.bearing_at + 2 * j;
+      Vector to, velocity;
+      at_point(u, at, to.x, to.y);
+      at_point(v, at, velocity.x, velocity.y);
+      auto const force = bearings_[j]->trial(to, velocity, dt);
+      forces_[j] = force.force;
+      Eigen::Matrix<double, 2, 3> T;
+      T << 1.0, 0.0, -at[1], 0.0, 1.0, at[0];
+      made.force += T.transpose() * Eigen::Vector2d(force.force.x, force.force.y);
+      Eigen::Matrix2d K, C;
+      K << force.by_displacement[0][0], force.by_displacement[0][1], force.by_displacement[1][0],
+          force.by_displacement[1][1];
+      C << force.by_velocity[0][0], force.by_velocity[0][1], force.by_velocity[1][0], force.by_velocity[1][1];
+      made.stiffness += T.transpose() * K * T;
+      made.damping += T.transpose() * C * T;
+    }
+    return made;
+  }
+
+  // From time on over dt, the ground's acceleration going from g0 to g1; in halves where that does not converge.
+  void advance(double time, double dt, double const (&g0)[2], double const (&g1)[2], int halvings) {
+    if (step(dt, g0, g1)) return;
+    if (out_.outcome != Outcome::completed) return;
+    if (halvings == options_.most_halvings) {
+      out_.outcome = Outcome::not_converged;
+      out_.why = fmt::format("no equilibrium at {:.4f} s, in steps of {:.3g} s", time, dt);
+      return;
+    }
+    ++out_.halvings;
+    double const half[2]{0.5 * (g0[0] + g1[0]), 0.5 * (g0[1] + g1[1])};
+    advance(time, 0.5 * dt, g0, half, halvings + 1);
+    if (out_.outcome == Outcome::completed) advance(time + 0.5 * dt, 0.5 * dt, half, g1, halvings + 1);
+  }
+
+  // Whether equilibrium was found; nothing is changed where it was not.
+  bool step(double dt, double const (&g0)[2], double const (&g1)[2]) {
+    prepare(dt);
+    ModeStep const modes{.dt = dt, .share = shares_.data()};
+    double u0[3], v0[3], a0[3], on_base[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+      u0[i] = run_.u[i], v0[i] = run_.v[i];
+      a0[i] = run_.A[i] - (i < 2 ? g0[i] : 0.0);
+    }
+    modes_freely(run_, skeleton_, modes, on_base);
+    Vector3 const ground(g1[0], g1[1], 0.0), from = as_vector(u0), speed = as_vector(v0), before = as_vector(a0);
+    Vector3 const steady = from + dt * speed + 0.25 * dt * dt * before;
+    Vector3 const load = condensed_ * ground + as_vector(on_base);
+    Matrix3 const inertia = condensed_ * (4.0 / (dt * dt));
+    double const arm = model_.structure().frame().base.gyration_mm;
+    auto const size = [&](Vector3 const& force) { return std::max(force.head<2>().norm(), std::abs(force(2)) / arm); };
+
+    Vector3 unknown = steady + 0.25 * dt * dt * before;
+    Total now{};
+    double best = std::numeric_limits<double>::infinity();
+    bool found = false;
+    constexpr int newton = 12, first_tangent = 60;
+    for (int i = 0; i < newton + first_tangent && !found; ++i) {
+      if (i == newton) {
+        ++out_.first_tangents;
+        unknown = steady + 0.25 * dt * dt * before;
+      }
+      double u[3], v[3];
+      for (Eigen::Index k = 0; k < 3; ++k) {
+        u[k] = unknown(k);
+        v[k] = 2.0 / dt * (unknown(k) - u0[k]) - v0[k];
+      }
+      now = total(u, v, dt);
+      ++out_.iterations;
+      Vector3 const inertial = inertia * (unknown - steady);
+      Vector3 const residual = inertial + load + now.force;
+      if (!residual.allFinite()) break;
+      // Rounding of the inertial force is that of the displacement, times 4 m / dt^2.
+      double const rounding = 16.0 * std::numeric_limits<double>::epsilon() * size(inertia * unknown.cwiseAbs());
+      double const scale = std::max({size(inertial), size(load), size(now.force), 1e-12});
+      best = size(residual);
+      found = best <= 1e-10 * scale + rounding;
+      if (found) break;
+      Matrix3 const tangent = i < newton ? Matrix3(now.stiffness + 2.0 / dt * now.damping) : first_;
+      Vector3 const change = Matrix3(inertia + tangent).inverse() * residual;
+      unknown -= change;
+    }
+    if (!found) return false;
+
+    Vector3 const after = 4.0 / (dt * dt) * (unknown - steady);
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      run_.u[i] = unknown(i);
+      run_.v[i] = 2.0 / dt * (unknown(i) - u0[i]) - v0[i];
+      run_.A[i] = after(i) + ground(i);
+      run_.f[i] = now.force(i);
+    }
+    double const p0x = momentum_x_, p0y = momentum_y_;
+    modes_reach(run_, skeleton_, modes);
+    momentum_x_ = momentum(run_, skeleton_, 0);
+    momentum_y_ = momentum(run_, skeleton_, 1);
+    for (std::size_t j = 0; j < bearings_.size(); ++j) {
+      bearings_[j]->commit();
+      double x, y;
+      at_point(run_.u, skeleton_.bearing_at + 2 * j, x, y);
+      measure_bearing(run_, skeleton_, j, x, y, forces_[j].x, forces_[j].y);
+    }
+    measure_displacements(run_, skeleton_, dt, u0, v0);
+    measure(run_, skeleton_, dt, u0, v0, g0, g1, p0x, p0y, momentum_x_, momentum_y_);
+    ++out_.steps;
+    return true;
+  }
+
+  void keep_history(double time) {
+    if (!options_.histories) return;
+    auto& h = out_.history;
+    h.time_s.push_back(time);
+    h.base.push_back({run_.u[0], run_.u[1], run_.u[2]});
+    h.velocity.push_back({run_.v[0], run_.v[1], run_.v[2]});
+    h.shear_kN.push_back({run_.f[0], run_.f[1]});
+    std::vector<double> a(2 * (skeleton_.floors + 1));
+    for (std::size_t floor = 0; floor <= skeleton_.floors; ++floor) {
+      double x, y;
+      acceleration_of(run_, skeleton_, floor, x, y);
+      a[2 * floor] = x, a[2 * floor + 1] = y;
+    }
+    h.acceleration.push_back(std::move(a));
+  }
+
+  Model const& model_;
+  Skeleton skeleton_;
+  std::span<std::unique_ptr<Bearing> const> bearings_;
+  Motion const& motion_;
+  Options const& options_;
+  Steps steps_;
+  Ground ground_;
+  std::vector<double> memory_, shares_;
+  std::vector<Vector> forces_;
+  Run<double> run_{};
+  Matrix3 condensed_ = Matrix3::Zero(), first_ = Matrix3::Zero();
+  double prepared_ = 0.0, momentum_x_ = 0.0, momentum_y_ = 0.0;
+  Response out_;
+};
+
+}  // namespace
+
+std::string_view name(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::completed:
+      return "completed";
+    case Outcome::not_converged:
+      return "not converged";
+    case Outcome::not_finite:
+      return "not finite";
+  }
+  return "";
+}
+
+Model::Model(Structure structure, Plan plan) : structure_(std::move(structure)), plan_(std::move(plan)) {
+  if (plan_.bearings.empty())
+    throw Error({.where = "bearings", .found = "none", .allowed = "one or more, with their places in plan"});
+  if (plan_.corners.empty()) {
+    auto const [left, right] = std::ranges::minmax(plan_.bearings, {}, &Point::x_mm);
+    auto const [low, high] = std::ranges::minmax(plan_.bearings, {}, &Point::y_mm);
+    for (double const x : {left.x_mm, right.x_mm})
+      for (double const y : {low.y_mm, high.y_mm}) plan_.corners.push_back({x, y});
+  }
+  auto const centre = structure_.frame().base.centre;
+  auto const relative = [&](std::vector<Point> const& points, std::vector<double>& to) {
+    for (auto const& p : points) {
+      to.push_back(p.x_mm - centre.x_mm);
+      to.push_back(p.y_mm - centre.y_mm);
+    }
+  };
+  relative(plan_.bearings, bearing_at_);
+  relative(plan_.corners, corner_at_);
+  for (Eigen::Index i = 0; i < 3; ++i)
+    for (Eigen::Index j = 0; j < 3; ++j) mass_.push_back(structure_.mass()(i, j));
+}
+
+Skeleton Model::skeleton() const {
+  return {.modes = structure_.modes(),
+          .floors = structure_.floors(),
+          .bearings = plan_.bearings.size(),
+          .corners = plan_.corners.size(),
+          .mass = mass_.data(),
+          .frequency = structure_.frequency_rad_s().data(),
+          .damping = structure_.damping().data(),
+          .participation = structure_.participation().data(),
+          .shape = structure_.shape().data(),
+          .rigid = structure_.rigid().data(),
+          .deformation = structure_.deformation().data(),
+          .shear = structure_.shear().data(),
+          .bearing_at = bearing_at_.data(),
+          .corner_at = corner_at_.data()};
+}
+
+std::vector<double> Model::shares(double dt) const {
+  std::vector<double> made;
+  for (std::size_t k = 0; k < structure_.modes(); ++k) {
+    double const w = structure_.frequency_rad_s()[k] * dt;
+    made.push_back(1.0 / (1.0 + structure_.damping()[k] * w + 0.25 * w * w));
+  }
+  return made;
+}
+
+Matrix3 Model::condensed_mass(double dt) const {
+  Matrix3 made = structure_.mass();
+  auto const share = shares(dt);
+  for (std::size_t k = 0; k < share.size(); ++k) {
+    Eigen::Map<Vector3 const> const gamma(structure_.participation().data() + 3 * k);
+    made -= share[k] * gamma * gamma.transpose();
+  }
+  return made;
+}
+
+Matrix3 Model::stiffness(std::span<std::array<double, 4> const> bearings) const {
+  Matrix3 made = Matrix3::Zero();
+  for (std::size_t j = 0; j < bearings.size(); ++j) {
+    double const* at = bearing_at_.data() + 2 * j;
+    Eigen::Matrix<double, 2, 3> T;
+    T << 1.0, 0.0, -at[1], 0.0, 1.0, at[0];
+    Eigen::Matrix2d K;
+    K << bearings[j][0], bearings[j][1], bearings[j][2], bearings[j][3];
+    made += T.transpose() * K * T;
+  }
+  return made;
+}
+
+Steps steps_of(Motion const& motion, double longest_step_s, double rest_s) {
+  // A step that is the longest but for its rounding is one.
+  auto const parts = static_cast<std::size_t>(std::max(1.0, std::ceil(motion.step_s / longest_step_s - 1e-6)));
+  Steps made{.parts = parts, .dt = motion.step_s / static_cast<double>(parts)};
+  auto const samples = motion.x_mm_s2.size() + static_cast<std::size_t>(std::llround(rest_s / motion.step_s));
+  made.count = (samples - 1) * parts;
+  return made;
+}
+
+Response integrate(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings, Motion const& motion,
+                   Options const& options) {
+  return ImplicitRun(model, bearings, motion, options)();
+}
+
+Response integrate_explicitly(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings,
+                              Motion const& motion, Options const& options) {
+  auto const skeleton = model.skeleton();
+  auto const steps = steps_of(motion, options.longest_step_s, options.rest_s);
+  std::vector<double> memory(run_scalars(skeleton.modes, model.layout()));
+  Run<double> run{};
+  start_run(run, skeleton, memory.data());
+  auto const share = model.shares(steps.dt);
+  Matrix3 const inverse = model.condensed_mass(steps.dt).inverse();
+  double rows[9];
+  for (Eigen::Index i = 0; i < 9; ++i) rows[i] = inverse(i / 3, i % 3);
+  Ground const ground{.x = motion.x_mm_s2.data(),
+                      .y = motion.y_mm_s2.empty() ? nullptr : motion.y_mm_s2.data(),
+                      .samples = motion.x_mm_s2.size(),
+                      .parts = steps.parts,
+                      .steps = steps.count};
+  explicit_run(run, skeleton, {.dt = steps.dt, .share = share.data()}, rows, ground,
+               [&](std::size_t j, double x, double y, double vx, double vy, double& fx, double& fy) {
+                 auto const made = bearings[j]->trial({x, y}, {vx, vy}, steps.dt);
+                 bearings[j]->commit();
+                 fx = made.force.x, fy = made.force.y;
+               });
+  Response out;
+  out.step_s = steps.dt;
+  out.steps = steps.count;
+  out.measured.assign(run.measured, run.measured + model.layout().count());
+  if (std::ranges::any_of(out.measured, [](double x) { return !std::isfinite(x); })) {
+    out.outcome = Outcome::not_finite;
+    out.why = "a force or a displacement that is no number";
+  }
+  return out;
+}
+
+std::vector<double> richardson(Response const& coarse, Response const& fine) {
+  std::vector<double> made;
+  for (std::size_t i = 0; i < std::min(coarse.measured.size(), fine.measured.size()); ++i)
+    made.push_back(std::abs(coarse.measured[i] - fine.measured[i]) / 3.0);
+  return made;
+}
+
+}  // namespace isolaw::building

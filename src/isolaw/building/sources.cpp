@@ -1,0 +1,152 @@
+#include "isolaw/building/sources.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/hash.hpp"
+#include "isolaw/base/words.hpp"
+#include "isolaw/laws/catalogue.hpp"
+
+namespace isolaw::building {
+namespace {
+
+// The power of the force in a unit: 1 of "kN", "kN/mm" and "kN s/mm", -1 of "1/(kN mm)".
+int power_of_force(std::string_view unit, std::string_view force) {
+  auto const at = unit.find(force);
+  if (at == std::string_view::npos) return 0;
+  auto const behind = at + force.size();
+  if (behind < unit.size() && std::string_view("/ )").find(unit[behind]) == std::string_view::npos) return 0;
+  return unit.find('/') < at ? -1 : 1;
+}
+
+}  // namespace
+
+std::vector<double> with_force(std::string_view law, std::vector<double> parameters, double factor) {
+  auto const& entry = laws::find_law(law);
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    if (auto const power = power_of_force(entry.parameters[i].unit, entry.info.force.symbol);
+        factor != 1.0 && power != 0)
+      parameters[i] = power > 0 ? parameters[i] * factor : parameters[i] / factor;
+  return parameters;
+}
+
+std::vector<Case> cases_of(Settings const& settings) {
+  std::vector<Case> made{{.kind = CaseKind::nominal}, {.kind = CaseKind::lower}, {.kind = CaseKind::upper}};
+  for (std::uint32_t i = 0; i <= 2 * grid_half; ++i) made.push_back({.kind = CaseKind::factor, .draw = i});
+  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(settings.draws); ++i)
+    made.push_back({.kind = CaseKind::draw, .draw = i});
+  for (std::uint32_t p = 0; p < static_cast<std::uint32_t>(settings.populations); ++p)
+    for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(settings.draws_of_each); ++i)
+      made.push_back({.kind = CaseKind::uncertain, .population = p, .draw = i});
+  return made;
+}
+
+lot::Population population_again(lot::Population const& population, num::Stream const& stream,
+                                 std::vector<lot::Limits> const& limits) {
+  auto of_estimates = population;
+  of_estimates.covariance = population.estimates;
+  auto const drawn = lot::sample(of_estimates, population.devices, stream, limits);
+  std::vector<lot::DeviceEstimate> estimates;
+  for (auto const& values : drawn.values) {
+    lot::DeviceEstimate estimate{.values = values, .covariance = population.uncertainty};
+    auto const unit = [&](std::size_t i) {
+      return population.transforms[i] == lot::Transform::logarithm ? values[i] : 1.0;
+    };
+    for (std::size_t i = 0; i < values.size(); ++i)
+      for (std::size_t j = 0; j < values.size(); ++j) estimate.covariance[i][j] *= unit(i) * unit(j);
+    estimates.push_back(std::move(estimate));
+  }
+  // What no test determined stays out, as it was.
+  std::vector<std::size_t> without;
+  for (std::size_t i = 0; i < population.std.size(); ++i)
+    if (population.std[i] == 0.0) without.push_back(i);
+  return lot::estimate_population(population.names, estimates, without);
+}
+
+Devices::Devices(LawSource source, std::vector<BearingPlace> places, Settings const& settings)
+    : source_(std::move(source)),
+      places_(std::move(places)),
+      settings_(settings),
+      stream_(num::Stream(static_cast<std::uint64_t>(settings.seed))
+                  .split(stable_hash("building"))
+                  .split(stable_hash(source_.law))) {
+  auto const where = fmt::format("law {}", source_.law);
+  bool const drawn = std::ranges::any_of(places_, [](auto const& p) { return p.stands == Stands::draw; });
+  if (drawn && !source_.population.has_covariance())
+    throw Error({.where = where,
+                 .found = source_.population.note.empty() ? "no population, and bearings that are draws of it"
+                                                          : source_.population.note,
+                 .allowed = "a law that was analysed on two devices or more",
+                 .advice = "isolaw calibrate ... --analysis full, or bearings that are \"lot\""});
+  for (auto const& p : places_)
+    if (p.stands == Stands::device && !source_.devices.contains(p.device)) {
+      std::vector<std::string> names{"draw", "lot", "lower", "upper"};
+      for (auto const& [name, values] : source_.devices) names.push_back(name);
+      throw Error({.where = where, .found = fmt::format("no device '{}'", p.device), .allowed = joined(names)});
+    }
+  for (auto const* values : {&source_.lot, &source_.median})
+    if (coupling_of(source_.law, *values) == Coupling::springs) coupling_ = Coupling::springs;
+  for (auto const& [name, values] : source_.devices)
+    if (coupling_of(source_.law, values) == Coupling::springs) coupling_ = Coupling::springs;
+  if (drawn)
+    for (int p = 0; p < settings_.populations; ++p)
+      uncertain_.push_back(population_again(
+          source_.population, stream_.split(stable_hash("uncertain")).split(static_cast<std::uint64_t>(p)),
+          source_.limits));
+}
+
+std::vector<std::unique_ptr<Bearing>> Devices::bearings(std::vector<double> const& values) const {
+  std::vector<std::unique_ptr<Bearing>> made;
+  auto const each = source_.lot.size();
+  for (std::size_t j = 0; j * each < values.size(); ++j)
+    made.push_back(make_bearing(source_.law, std::span(values).subspan(j * each, each), coupling_));
+  return made;
+}
+
+std::vector<double> Devices::full(std::vector<double> const& of_population) const {
+  auto made = source_.median;
+  for (std::size_t i = 0; i < made.size(); ++i)
+    if (source_.place[i]) made[i] = of_population[*source_.place[i]];
+  return made;
+}
+
+std::vector<double> Devices::of(Case const& which) const {
+  auto const draws = static_cast<std::size_t>(std::ranges::count(places_, Stands::draw, &BearingPlace::stands));
+  std::vector<std::vector<double>> drawn(draws, source_.median);
+  auto const draw = [&](lot::Population const& population, num::Stream const& stream) {
+    // A population without scatter left is its median.
+    if (draws == 0) return;
+    if (!population.has_covariance()) {
+      std::ranges::fill(drawn, full(population.medians));
+      return;
+    }
+    auto const made = lot::sample(population, draws, stream.split(which.draw), source_.limits);
+    for (std::size_t j = 0; j < draws; ++j) drawn[j] = full(made.values[j]);
+  };
+  if (which.kind == CaseKind::draw) draw(source_.population, stream_.split(stable_hash("draw")));
+  if (which.kind == CaseKind::uncertain)
+    draw(uncertain_.at(which.population), stream_.split(stable_hash("uncertain draw")).split(which.population));
+  double factor = 1.0;
+  if (which.kind == CaseKind::lower) factor = settings_.lower;
+  if (which.kind == CaseKind::upper) factor = settings_.upper;
+  if (which.kind == CaseKind::factor) factor = grid_factor(which.draw);
+
+  std::vector<double> made;
+  std::size_t next = 0;
+  for (auto const& place : places_) {
+    auto values = place.stands == Stands::draw     ? drawn[next++]
+                  : place.stands == Stands::device ? source_.devices.at(place.device)
+                                                   : source_.lot;
+    double own = factor;
+    if (place.stands == Stands::lower) own *= settings_.lower;
+    if (place.stands == Stands::upper) own *= settings_.upper;
+    values = with_force(source_.law, std::move(values), own);
+    made.insert(made.end(), values.begin(), values.end());
+  }
+  return made;
+}
+
+}  // namespace isolaw::building

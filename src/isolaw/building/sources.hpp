@@ -1,0 +1,86 @@
+// Where the parameters of bearings come from: for each law what its lot is (LawSource), and the sets of parameters that a
+// building takes of it, each whole.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "isolaw/building/building_file.hpp"
+#include "isolaw/lot/population.hpp"
+#include "isolaw/num/random.hpp"
+
+namespace isolaw::building {
+
+// Parameters in the law's order and units.
+struct LawSource {
+  std::string law;
+  std::vector<double> lot;                             // the law of the lot
+  std::map<std::string, std::vector<double>> devices;  // tested ones, by name
+  lot::Population population;                          // without medians: no bearing may be a draw
+  // Of each parameter its place in the population; none: the value of `median` holds for all.
+  std::vector<std::optional<std::size_t>> place;
+  std::vector<double> median;
+  std::vector<lot::Limits> limits;  // of the population's parameters
+  double tested_mm = 0.0;           // largest displacement of the tests; 0: not known
+};
+
+// The same device, its forces `factor` times as large.
+std::vector<double> with_force(std::string_view law, std::vector<double> parameters, double factor);
+
+// What a building's bearings are in one analysis.
+enum class CaseKind {
+  nominal,  // draws are the population's median
+  lower,    // the same, forces times the factors of the bound analyses
+  upper,
+  factor,    // the same, forces times one of factor_grid()
+  draw,      // every bearing that is a draw a device of its own
+  uncertain  // the same, of a population as uncertain as the tests leave it
+};
+struct Case {
+  CaseKind kind = CaseKind::nominal;
+  std::uint32_t population = 0, draw = 0;
+  bool operator==(Case const&) const = default;
+};
+inline constexpr double grid_step = 0.02;
+inline constexpr std::uint32_t grid_half = 20;
+inline double grid_factor(std::uint32_t i) {
+  return 1.0 + grid_step * (static_cast<double>(i) - static_cast<double>(grid_half));
+}
+
+// All analyses of a law under one motion, in the order of stores.
+std::vector<Case> cases_of(Settings const& settings);
+
+// Makes the sets of parameters of one law. A number depends on (seed, law, population, draw, bearing) alone.
+class Devices {
+ public:
+  // Throws Error: a bearing is a draw of a law without population, or a device that was not tested.
+  Devices(LawSource source, std::vector<BearingPlace> places, Settings const& settings);
+
+  LawSource const& source() const { return source_; }
+  Coupling coupling() const { return coupling_; }  // the same for all of them
+  // The bearings of one analysis.
+  std::vector<std::unique_ptr<Bearing>> bearings(std::vector<double> const& values) const;
+  // [bearing][parameter]
+  std::vector<double> of(Case const& which) const;
+
+ private:
+  std::vector<double> full(std::vector<double> const& of_population) const;
+
+  LawSource source_;
+  std::vector<BearingPlace> places_;
+  Settings settings_;
+  num::Stream stream_;
+  Coupling coupling_ = Coupling::coupled;
+  std::vector<lot::Population> uncertain_;
+};
+
+// Of as many devices as were tested, drawn from the estimates' own distribution N(mu, S) and estimated again with the
+// same uncertainty: what another lot of tests of the same production might have said (a parametric bootstrap).
+lot::Population population_again(lot::Population const& population, num::Stream const& stream,
+                                 std::vector<lot::Limits> const& limits);
+
+}  // namespace isolaw::building

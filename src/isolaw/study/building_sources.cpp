@@ -1,0 +1,70 @@
+#include "isolaw/study/building_sources.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/laws/catalogue.hpp"
+#include "isolaw/study/draws.hpp"
+#include "isolaw/study/recommendation.hpp"
+
+namespace isolaw::study {
+
+building::LawSource law_source(campaign::Contents const& contents, Summary const& summary, std::string_view law_id,
+                               std::string_view place) {
+  auto const& entry = laws::find_law(law_id);
+  auto const where = fmt::format("{}, law {}", place, law_id);
+  auto const law = std::ranges::find(summary.laws, law_id, &LawResult::id);
+  if (law == summary.laws.end())
+    throw Error({.where = where, .found = "the law is not in this campaign", .allowed = "one of its laws"});
+  building::LawSource made{.law = std::string(law_id),
+                           .lot = {},
+                           .devices = {},
+                           .population = {},
+                           .place = {},
+                           .median = {},
+                           .limits = {},
+                           .tested_mm = 0.0};
+  for (std::size_t d = 0; d < contents.devices.size(); ++d)
+    if (auto const* analysis = contents.analysis_of(d, law_id); analysis != nullptr) {
+      for (double const x : contents.devices[d].record.disp_mm) made.tested_mm = std::max(made.tested_mm, std::abs(x));
+      made.devices.emplace(contents.devices[d].name, analysis->determination.optimum);
+    }
+  // A lot of one device is that device.
+  if (law->lot)
+    made.lot = law->lot->parameters;
+  else if (made.devices.size() == 1)
+    made.lot = made.devices.begin()->second;
+  if (made.lot.empty())
+    throw Error({.where = where,
+                 .found = "no analysis was made",
+                 .allowed = "a law that was analysed",
+                 .advice = "isolaw calibrate ... --analysis full"});
+  made.place.assign(made.lot.size(), std::nullopt);
+  made.median = made.lot;
+  if (!law->population || !law->population->has_covariance()) {
+    if (law->population) made.population.note = law->population->note;
+    return made;
+  }
+  made.population = *law->population;
+  auto const columns = columns_of(*law, entry);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    made.place[i] = columns[i].place;
+    made.median[i] = columns[i].place ? made.population.medians[*columns[i].place] : columns[i].value;
+  }
+  made.limits = limits_of(made.population, entry);
+  return made;
+}
+
+std::string recommended_law(Summary const& summary, std::string_view where) {
+  for (auto const& recommendation : recommendations(summary))
+    if (recommendation.purpose == Purpose::untested_device && recommendation.law)
+      return summary.laws[*recommendation.law].id;
+  throw Error({.where = std::string(where),
+               .found = "the campaign recommends no law",
+               .allowed = "laws = [\"...\"] in the building file"});
+}
+
+}  // namespace isolaw::study

@@ -1,0 +1,114 @@
+// Many draws at once: the explicit path held to the implicit one, its lanes to its scalar form.
+#include "isolaw/building/lanes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "isolaw/num/random.hpp"
+#include "unit/building_fixture.hpp"
+
+namespace isolaw::building {
+namespace {
+
+constexpr std::size_t bearings = 6, draws = 2 * lane_width + 3;
+
+Model usual_model() {
+  return {Structure(three_floors()), grid(3, 2, 6000.0)};
+}
+
+Values scattered(std::string_view law, Values const& nominal, double scatter) {
+  Values made;
+  for (std::size_t draw = 0; draw < draws; ++draw)
+    for (std::size_t j = 0; j < bearings; ++j) {
+      num::Draws numbers(num::Stream(3), static_cast<std::uint32_t>(draw), static_cast<std::uint32_t>(j));
+      double const factor = std::exp(scatter * numbers.normal());
+      // A force scale alone: whatever the law's form, a device of the same shape.
+      for (std::size_t i = 0; i < nominal.size(); ++i)
+        made.push_back(nominal[i] * (law == "bilinear" ? (i < 2 ? factor : 1.0) : (i == 1 ? factor : 1.0)));
+    }
+  return made;
+}
+
+Values row(Values const& all, std::size_t draw, std::size_t count) {
+  auto const first = all.begin() + static_cast<std::ptrdiff_t>(draw * count);
+  return {first, first + static_cast<std::ptrdiff_t>(count)};
+}
+
+TEST(BuildingLanes, lanes_are_the_scalar_path) {
+  auto const model = usual_model();
+  auto const motion = shaking();
+  auto const count = model.layout().count();
+  auto const values = scattered("bilinear", usual_bilinear(bearings), 0.2);
+  auto const scalar = respond(model, "bilinear", values, motion, {}, Coupling::coupled, num::InstructionSet::scalar);
+  for (auto const set : num::available_instruction_sets()) {
+    auto const made = respond(model, "bilinear", values, motion, {}, Coupling::coupled, set);
+    ASSERT_EQ(made.size(), draws * count);
+    for (std::size_t i = 0; i < made.size(); ++i) {
+      if (i % count == static_cast<std::size_t>(Measure::balance)) continue;
+      EXPECT_NEAR(made[i], scalar[i], 1e-7 * std::abs(scalar[i]) + 1e-9) << num::name(set) << " " << i % count;
+    }
+  }
+}
+
+TEST(BuildingLanes, no_draw_notices_another) {
+  auto const model = usual_model();
+  auto const motion = shaking();
+  auto const count = model.layout().count(), each = bearings * usual_bilinear(1).size();
+  auto values = scattered("bilinear", usual_bilinear(bearings), 0.2);
+  auto const together = respond(model, "bilinear", values, motion, {});
+  for (std::size_t const draw : {std::size_t{0}, lane_width + 2, draws - 1})
+    EXPECT_EQ(respond(model, "bilinear", row(values, draw, each), motion, {}), row(together, draw, count)) << draw;
+  // Nor one that is nothing at all.
+  values[each] = std::nan("");
+  auto const beside = respond(model, "bilinear", values, motion, {});
+  EXPECT_EQ(row(beside, 0, count), row(together, 0, count));
+  EXPECT_FALSE(std::isfinite(beside[count + static_cast<std::size_t>(Measure::balance)]));
+}
+
+TEST(BuildingLanes, held_to_the_implicit_path) {
+  auto const model = usual_model();
+  auto const motion = shaking();
+  auto const values = scattered("bilinear", usual_bilinear(bearings), 0.2);
+  auto const each = bearings * usual_bilinear(1).size(), count = model.layout().count();
+  auto const lanes = respond(model, "bilinear", values, motion, {});
+  for (std::size_t const draw : {std::size_t{0}, std::size_t{5}}) {
+    Bearings made;
+    for (std::size_t j = 0; j < bearings; ++j) {
+      auto const of_draw = row(values, draw, each);
+      made.push_back(make_bearing("bilinear", row(of_draw, j, 3), Coupling::coupled));
+    }
+    auto const implicit = integrate(model, made, motion);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i == static_cast<std::size_t>(Measure::balance)) continue;
+      // What remains at the end is small beside what was.
+      double const size =
+          i == static_cast<std::size_t>(Measure::end) ? implicit.of(Measure::isolator) : implicit.measured[i];
+      EXPECT_NEAR(lanes[draw * count + i], implicit.measured[i], 3e-3 * std::abs(size)) << i;
+    }
+    EXPECT_LT(std::abs(lanes[draw * count + static_cast<std::size_t>(Measure::balance)]), 1e-3);
+  }
+}
+
+// Most of the mass high up, and floors that are stiffer than steps can follow.
+TEST(BuildingLanes, stable_below_stiff_floors) {
+  for (double const period_s : {0.012, 0.02, 0.03}) {
+    Diaphragm const light{.mass_Mg = 80.0, .gyration_mm = 7000.0}, heavy{.mass_Mg = 1520.0, .gyration_mm = 7000.0};
+    Model const model(Structure({.base = light, .floors = equal_floors(1, heavy, period_s, period_s)}),
+                      grid(3, 2, 6000.0));
+    Values values;
+    for (std::size_t j = 0; j < bearings; ++j) {
+      auto const one = usual_bilinear(bearings);
+      values.insert(values.end(), one.begin(), one.end());
+    }
+    auto const made = respond(model, "bilinear", values, shaking(), {});
+    EXPECT_LT(std::abs(made[static_cast<std::size_t>(Measure::balance)]), 1e-3) << period_s;
+    auto const implicit = integrate(model, equal_bearings(bearings, "bilinear", usual_bilinear(bearings)), shaking());
+    EXPECT_NEAR(made[static_cast<std::size_t>(Measure::isolator)], implicit.of(Measure::isolator),
+                2e-3 * implicit.of(Measure::isolator));
+  }
+}
+
+}  // namespace
+}  // namespace isolaw::building

@@ -1,0 +1,293 @@
+// The building file, the draws, the runs and what they say.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "contains.hpp"
+#include "isolaw/building/answers.hpp"
+#include "isolaw/building/building_file.hpp"
+#include "isolaw/building/synthetic_motion.hpp"
+#include "isolaw/laws/catalogue.hpp"
+#include "refusal.hpp"
+#include "unit/building_fixture.hpp"
+
+namespace isolaw::building {
+namespace {
+
+namespace fs = std::filesystem;
+
+class BuildingFileTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() /
+              ("isolaw-building-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    motion("motion-1-x.csv", 20);
+    motion("motion-1-y.csv", 20);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void motion(std::string const& name, int samples, std::string const& last = "0.1") const {
+    std::ofstream out(folder_ / name);
+    out << "time [s],acceleration [m/s2]\n";
+    for (int i = 0; i < samples; ++i) out << 0.01 * i << ',' << (i + 1 < samples ? "0.5" : last) << '\n';
+  }
+  BuildingFile read(std::string const& text) const { return read_building_text(text, "b.toml", folder_); }
+  // The template with one line in place of another.
+  std::string refused(std::string const& line, std::string const& instead) const {
+    auto text = building_template();
+    auto const at = text.find(line);
+    EXPECT_NE(at, std::string::npos) << line;
+    text.replace(at, line.size(), instead);
+    return refusal_of([&] { read(text); });
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(BuildingFileTest, the_template_is_a_building) {
+  auto const made = read(building_template());
+  EXPECT_EQ(made.frame.floors.size(), 5u);
+  EXPECT_EQ(made.bearings.size(), 28u);
+  EXPECT_EQ(made.motions.size(), 1u);
+  EXPECT_EQ(made.motions[0].y_mm_s2.size(), 20u);
+  EXPECT_NEAR(made.motions[0].x_mm_s2[3], 250.0, 1e-9);
+  Structure const structure(made.frame);
+  EXPECT_NEAR(2.0 * std::numbers::pi / structure.frequency_rad_s()[0], 0.5, 1e-9);
+  auto const given =
+      read_building_text(building_template(), "b.toml", folder_, {(folder_ / "motion-1-x.csv").string()});
+  EXPECT_TRUE(given.motions.at(0).y_mm_s2.empty());
+}
+
+TEST_F(BuildingFileTest, what_is_wrong_is_said_once_with_its_line) {
+  auto const mass = refused("mass_Mg = 700.0", "mass_Mg = -700.0");
+  EXPECT_TRUE(contains(mass, "b.toml:") && contains(mass, "mass_Mg") && contains(mass, "-700") &&
+              contains(mass, "a number above 0"))
+      << mass;
+  EXPECT_TRUE(contains(refused("draws = 1000", "draws = 0"), "draws: 0")) << refused("draws = 1000", "draws = 0");
+  auto const outside = refused("along = 7", "along = 9");
+  EXPECT_TRUE(contains(outside, "stands outside the plan") && contains(outside, "-20 to 20 m along x")) << outside;
+  EXPECT_TRUE(contains(refused("[grid]", "[gird]"), "gird"));
+  EXPECT_TRUE(contains(refused("lower = 0.9", ""), "[building] has no lower"));
+  auto const laws = refused("laws = []", "laws = [\"bilinaer\"]");
+  EXPECT_TRUE(contains(laws, "bilinaer") && contains(laws, "bilinear")) << laws;
+
+  motion("motion-1-y.csv", 19);
+  auto const lengths = refusal_of([&] { read(building_template()); });
+  EXPECT_TRUE(contains(lengths, "19 samples") && contains(lengths, "two components of one length")) << lengths;
+  motion("motion-1-y.csv", 20, "NaN");
+  auto const nan = refusal_of([&] { read(building_template()); });
+  EXPECT_TRUE(contains(nan, "motion-1-y.csv:21") && contains(nan, "no number")) << nan;
+}
+
+// A population of two parameters, K1 and K2, of bilinear.
+LawSource bilinear_source(double scatter, std::size_t bearings) {
+  auto const nominal = usual_bilinear(bearings);
+  LawSource made{.law = "bilinear",
+                 .lot = nominal,
+                 .devices = {},
+                 .population = {},
+                 .place = {0, 1, std::nullopt},
+                 .median = nominal,
+                 .limits = {{}, {}},
+                 .tested_mm = 0.0};
+  auto& p = made.population;
+  p.names = {"K1", "K2"};
+  p.transforms = {lot::Transform::logarithm, lot::Transform::logarithm};
+  p.signs = {1.0, 1.0};
+  p.devices = 6;
+  p.mean = {std::log(nominal[0]), std::log(nominal[1])};
+  p.medians = {std::exp(p.mean[0]), std::exp(p.mean[1])};
+  made.median = {p.medians[0], p.medians[1], nominal[2]};
+  double const v = scatter * scatter;
+  p.covariance = {{v, 0.8 * v}, {0.8 * v, v}};
+  p.uncertainty = {{0.01 * v, 0.0}, {0.0, 0.01 * v}};
+  p.estimates = {{1.01 * v, 0.8 * v}, {0.8 * v, 1.01 * v}};
+  p.directions = 2;
+  p.std = {scatter, scatter};
+  return made;
+}
+
+Study usual_study(double scatter, int draws, int populations = 0) {
+  Study made;
+  auto& f = made.file;
+  f.settings = {.title = "test",
+                .laws = {"bilinear"},
+                .draws = draws,
+                .populations = populations,
+                .draws_of_each = 4,
+                .lower = 0.9,
+                .upper = 1.1,
+                .rest_s = 0.5};
+  f.frame = three_floors();
+  for (auto const& at : grid(3, 2, 6000.0).bearings) f.bearings.push_back({.at = at});
+  for (std::uint32_t i = 0; i < 2; ++i)
+    f.motions.push_back(synthetic_motion(5, i, {.step_s = 0.02, .duration_s = 6.0, .peak_g = 0.4}));
+  made.laws = {bilinear_source(scatter, 6)};
+  return made;
+}
+
+TEST(BuildingStudy, forces_of_every_law_scale) {
+  std::vector<double> x, v;
+  for (int i = 0; i <= 120; ++i) {
+    x.push_back(80.0 * std::sin(0.1 * i) * (0.4 + 0.005 * i));
+    v.push_back(100.0 * std::cos(0.1 * i));
+  }
+  for (auto const& law : laws::catalogue()) {
+    double const length = law.info.length.in_record_units, force = law.info.force.in_record_units;
+    laws::RecordScales const scales{100.0 / length, 100.0 / force,  1.0 * length / force,
+                                    30.0 / force,   200.0 / length, 3e4 / length / force};
+    Values values;
+    for (auto const& p : law.parameters) {
+      auto const box = p.scaled(scales);
+      values.push_back(p.fixed_by_default.value_or(0.6 * box.lower + 0.4 * box.upper));
+    }
+    Values scaled_x = x, scaled_v = v;
+    for (double& value : scaled_x) value /= length;
+    for (double& value : scaled_v) value /= length;
+    auto const path = laws::make_path(scaled_x, scaled_v);
+    Values one(path.samples()), other(path.samples());
+    law.evaluate(values, path, laws::Integration::converged, one);
+    law.evaluate(with_force(law.info.id, values, 1.25), path, laws::Integration::converged, other);
+    double most = 0.0;
+    for (double const f : one) most = std::max(most, std::abs(f));
+    EXPECT_GT(most, 0.0) << law.info.id;
+    for (std::size_t i = 0; i < one.size(); ++i)
+      EXPECT_NEAR(other[i], 1.25 * one[i], 1e-9 * most) << law.info.id << " " << i;
+  }
+}
+
+TEST(BuildingStudy, without_scatter_a_draw_is_the_nominal_run) {
+  auto const study = usual_study(0.0, 3);
+  Devices const devices(study.laws[0], study.file.bearings, study.file.settings);
+  EXPECT_EQ(devices.of({.kind = CaseKind::draw, .draw = 2}), devices.of({}));
+}
+
+TEST(BuildingStudy, a_draw_depends_on_its_number_alone) {
+  auto const few = usual_study(0.07, 3), many = usual_study(0.07, 300);
+  Devices const a(few.laws[0], few.file.bearings, few.file.settings),
+      b(many.laws[0], many.file.bearings, many.file.settings);
+  Case const second{.kind = CaseKind::draw, .draw = 1};
+  EXPECT_EQ(a.of(second), b.of(second));
+  EXPECT_NE(a.of(second), a.of({.kind = CaseKind::draw, .draw = 2}));
+  auto const values = a.of(second);
+  EXPECT_NE(values[0], values[3]);  // every bearing its own
+  EXPECT_EQ(values[2], values[5]);  // what no population holds
+}
+
+TEST(BuildingStudy, refuses_bearings_that_nothing_stands_for) {
+  auto study = usual_study(0.07, 3);
+  auto const said = [&] {
+    return refusal_of([&] { Devices(study.laws[0], study.file.bearings, study.file.settings); });
+  };
+  study.file.bearings[0] = {.at = {}, .stands = Stands::device, .device = "D07"};
+  EXPECT_TRUE(contains(said(), "no device 'D07'"));
+  study.file.bearings[0] = {};
+  study.laws[0].population = {};
+  EXPECT_TRUE(contains(said(), "no population") && contains(said(), "--analysis full")) << said();
+}
+
+class BuildingRuns : public testing::Test {
+ protected:
+  void SetUp() override {
+    file_ = fs::temp_directory_path() /
+            ("isolaw-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".sqlite");
+    fs::remove(file_);
+  }
+  void TearDown() override { fs::remove(file_); }
+  std::string json(Study const& study, std::size_t threads, bool interrupted = false) const {
+    fs::remove(file_);
+    if (interrupted) {
+      RunStore store(file_, fingerprint(study), false);
+      EXPECT_THROW(run_all(study, store, threads, [](RunProgress const&) { throw std::runtime_error("stop"); }),
+                   std::runtime_error);
+      EXPECT_GT(store.tasks_done(), 0u);
+    }
+    RunStore store(file_, fingerprint(study), false);
+    run_all(study, store, threads);
+    return answers_json(study, answer(study, store));
+  }
+  fs::path file_;
+};
+
+TEST_F(BuildingRuns, same_bytes_for_any_threads_and_after_an_interruption) {
+  auto const study = usual_study(0.07, 250, 3);
+  auto const one = json(study, 1);
+  EXPECT_EQ(json(study, 2), one);
+  EXPECT_EQ(json(study, 3), one);
+  EXPECT_EQ(json(study, 2, true), one);
+  auto other = study;
+  other.file.settings.seed = 2;
+  auto const refused = refusal_of([&] { RunStore(file_, fingerprint(other), false); });
+  EXPECT_TRUE(contains(refused, "the runs of another building") && contains(refused, "--fresh")) << refused;
+  RunStore const fresh(file_, fingerprint(other), true);
+  EXPECT_EQ(fresh.tasks_done(), 0u);
+}
+
+TEST_F(BuildingRuns, answers) {
+  auto const study = usual_study(0.07, 120, 4);
+  RunStore store(file_, fingerprint(study), false);
+  run_all(study, store, 1);
+  auto const made = answer(study, store);
+  auto const& law = made.laws.at(0);
+  EXPECT_EQ(law.failed, 0u);
+  EXPECT_LT(law.worst_balance, 2e-3);
+  auto const& isolator = law.distributions[0];
+  EXPECT_LT(isolator.fractiles[0], isolator.fractiles[1]);
+  EXPECT_NEAR(isolator.fractiles[1] / isolator.nominal, 1.0, 0.1);
+  // The sum of six scatters by 7 % / sqrt(6), and torsion adds.
+  EXPECT_GT(isolator.lot_std_ln, 0.001);
+  EXPECT_LT(isolator.lot_std_ln, 0.07);
+  EXPECT_GT(isolator.motion_std_ln, 0.0);
+  EXPECT_TRUE(isolator.uncertain_std_ln.has_value());
+  // Weaker bearings take less shear.
+  EXPECT_LT(law.distributions[6].lower, law.distributions[6].upper);
+  for (auto const& coverage : law.coverage) {
+    EXPECT_NEAR(coverage.inside + coverage.below + coverage.above, 1.0, 1e-12);
+    EXPECT_LE(coverage.interval_low, coverage.inside);
+    EXPECT_GE(coverage.interval_high, coverage.inside);
+  }
+  for (auto const& checked : law.checked) {
+    EXPECT_EQ(checked.outcome, "completed");
+    EXPECT_LT(std::abs(checked.balance), 1e-3);
+    EXPECT_LT(std::abs(checked.lanes_off_percent), 0.5);
+    EXPECT_GT(checked.equivalent_mm, 0.0);
+  }
+  EXPECT_TRUE(contains(made.verdict, "The bounds cover")) << made.verdict;
+}
+
+// Values of Clopper and Pearson's interval: Brown, Cai and DasGupta 2001 give the form, R's binom.test the digits.
+TEST(BuildingAnswers, binomial_interval) {
+  auto const made = binomial_interval(95, 100);
+  EXPECT_NEAR(made[0], 0.8871651, 1e-6);
+  EXPECT_NEAR(made[1], 0.9835681, 1e-6);
+  EXPECT_EQ(binomial_interval(20, 20)[1], 1.0);
+  EXPECT_NEAR(binomial_interval(20, 20)[0], std::pow(0.025, 1.0 / 20.0), 1e-9);
+}
+
+// A closed loop of a bilinear device: K2 + Qd / D, and 4 Qd (D - Dy) over 2 pi K D^2.
+TEST(BuildingAnswers, effective_stiffness_and_damping) {
+  double const K1 = 6.0, K2 = 0.9, Qd = 30.0, Dy = Qd / (K1 - K2), D = 150.0;
+  auto const made = effective("bilinear", Values{K1, K2, Dy}, D);
+  EXPECT_NEAR(made.stiffness_kN_mm, K2 + Qd / D, 1e-12);
+  EXPECT_NEAR(made.damping, 4.0 * Qd * (D - Dy) / (2.0 * std::numbers::pi * (K2 + Qd / D) * D * D), 2e-3);
+}
+
+TEST(BuildingAnswers, arrangement) {
+  auto const places = grid(4, 2, 5000.0).bearings;
+  Values const stiffness{1.00, 1.02, 1.05, 1.10, 0.93, 0.97, 1.01, 0.90};
+  auto const made = arrange(places, {}, stiffness);
+  EXPECT_LT(made.eccentricity_mm, 0.1 * made.in_order_mm);
+  auto sorted = made.device;
+  std::ranges::sort(sorted);
+  for (std::size_t i = 0; i < sorted.size(); ++i) EXPECT_EQ(sorted[i], i);
+}
+
+}  // namespace
+}  // namespace isolaw::building
