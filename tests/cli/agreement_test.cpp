@@ -145,10 +145,8 @@ int main(int, char** argv) {
       return force;
     };
     // The table has ten digits of path and force.
-    expect_alike(header(c.simulated), c.simulated.force_kN, tolerance,
-                 "header against simulate");
-    expect_alike(header(c.table), c.table.force_kN, 1e-7 + tolerance,
-                 "header against the table");
+    expect_alike(header(c.simulated), c.simulated.force_kN, tolerance, "header against simulate");
+    expect_alike(header(c.table), c.table.force_kN, 1e-7 + tolerance, "header against the table");
   }
   EXPECT_EQ(cases.size(), laws::catalogue().size());
 }

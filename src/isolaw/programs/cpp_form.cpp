@@ -113,8 +113,8 @@ int main() {{
 #endif
 )text",
       subject.frequency_Hz, number_lines(disp, ", ", "      "), number_lines(velocity, ", ", "      "),
-      number_lines(force, ", ", "      "), identifier(subject), material,
-      exactly(allowed(subject.law->info)), subject.law->info.id);
+      number_lines(force, ", ", "      "), identifier(subject), material, exactly(allowed(subject.law->info)),
+      subject.law->info.id);
 }
 
 std::string cpp_facts(Subject const& subject, UnitSystem const& units, std::string_view program) {
