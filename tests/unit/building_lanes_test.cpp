@@ -111,8 +111,8 @@ TEST(BuildingLanes, stable_below_stiff_floors) {
   }
 }
 
-// Every law of the catalogue, rate-dependent ones among them, each from the middle of its boxes for such a device: coupled
-// where it can be, else as springs; both paths, and the energy of both.
+// Every law of the catalogue, rate-dependent ones among them, each from the middle of its boxes for such a device:
+// coupled where it can be, else as springs; both paths, and the energy of both.
 TEST(BuildingLanes, every_law_carries_a_building) {
   Model const model(Structure(three_floors()), {.bearings = {{-3000.0, 0.0}, {3000.0, 0.0}}});
   auto const motion = shaking(0.01, 6.0, 0.12);
