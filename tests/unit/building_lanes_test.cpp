@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "isolaw/laws/catalogue.hpp"
 #include "isolaw/num/random.hpp"
 #include "unit/building_fixture.hpp"
 
@@ -107,6 +108,40 @@ TEST(BuildingLanes, stable_below_stiff_floors) {
     auto const implicit = integrate(model, equal_bearings(bearings, "bilinear", usual_bilinear(bearings)), shaking());
     EXPECT_NEAR(made[static_cast<std::size_t>(Measure::isolator)], implicit.of(Measure::isolator),
                 2e-3 * implicit.of(Measure::isolator));
+  }
+}
+
+// Every law of the catalogue, rate-dependent ones among them, each from the middle of its boxes for such a device:
+// coupled where it can be, else as springs; both paths, and the energy of both.
+TEST(BuildingLanes, every_law_carries_a_building) {
+  Model const model(Structure(three_floors()), {.bearings = {{-3000.0, 0.0}, {3000.0, 0.0}}});
+  auto const motion = shaking(0.01, 6.0, 0.12);
+  for (auto const& law : laws::catalogue()) {
+    SCOPED_TRACE(law.info.id);
+    double const length = law.info.length.in_record_units, force = law.info.force.in_record_units;
+    laws::RecordScales const scales{150.0 / length, 1200.0 / force, 8.0 * length / force,
+                                    400.0 / force,  400.0 / length, 5e5 / length / force};
+    Values values, both;
+    for (auto const& p : law.parameters) {
+      auto const box = p.scaled(scales);
+      bool const logarithmic = p.scaled_search == laws::Scale::logarithmic && box.lower * box.upper > 0.0;
+      double const middle =
+          logarithmic ? std::copysign(std::sqrt(box.lower * box.upper), box.lower) : 0.7 * box.lower + 0.3 * box.upper;
+      // Exponentials of the middle of their boxes are no bearing's.
+      bool const exponential = law.info.id == "vaiana" && (p.name.starts_with("beta") || p.name.starts_with("gamma"));
+      values.push_back(exponential ? 0.0 : p.fixed_by_default.value_or(middle));
+    }
+    for (int i = 0; i < 2; ++i) both.insert(both.end(), values.begin(), values.end());
+    auto const coupling = coupling_of(law.info.id, values);
+    Bearings pair;
+    for (int i = 0; i < 2; ++i) pair.push_back(make_bearing(law.info.id, values, coupling));
+    auto const implicit = integrate(model, pair, motion);
+    EXPECT_EQ(implicit.outcome, Outcome::completed) << implicit.why;
+    if (implicit.outcome != Outcome::completed) continue;
+    EXPECT_LT(std::abs(implicit.of(Measure::balance)), 1e-3);
+    auto const drawn = respond(model, law.info.id, both, motion, {}, coupling);
+    EXPECT_LT(std::abs(drawn[static_cast<std::size_t>(Measure::balance)]), 2e-3);
+    EXPECT_NEAR(drawn[0], implicit.of(Measure::isolator), 0.01 * implicit.of(Measure::isolator));
   }
 }
 

@@ -87,8 +87,8 @@ TEST_F(BuildingFileTest, what_is_wrong_is_said_once_with_its_line) {
 }
 
 // A population of two parameters, K1 and K2, of bilinear.
-LawSource bilinear_source(double scatter, std::size_t bearings) {
-  auto const nominal = usual_bilinear(bearings);
+LawSource bilinear_source(double scatter, std::size_t count) {
+  auto const nominal = usual_bilinear(count);
   LawSource made{.law = "bilinear",
                  .lot = nominal,
                  .devices = {},
@@ -114,19 +114,20 @@ LawSource bilinear_source(double scatter, std::size_t bearings) {
   return made;
 }
 
-Study usual_study(double scatter, int draws, int populations = 0) {
+Study usual_study(double scatter, int count, int populations = 0) {
   Study made;
   auto& f = made.file;
   f.settings = {.title = "test",
                 .laws = {"bilinear"},
-                .draws = draws,
+                .draws = count,
                 .populations = populations,
                 .draws_of_each = 4,
                 .lower = 0.9,
                 .upper = 1.1,
                 .rest_s = 0.5};
   f.frame = three_floors();
-  for (auto const& at : grid(3, 2, 6000.0).bearings) f.bearings.push_back({.at = at});
+  for (auto const& at : grid(3, 2, 6000.0).bearings)
+    f.bearings.push_back({.at = at, .stands = Stands::draw, .device = {}});
   for (std::uint32_t i = 0; i < 2; ++i)
     f.motions.push_back(synthetic_motion(5, i, {.step_s = 0.02, .duration_s = 6.0, .peak_g = 0.4}));
   made.laws = {bilinear_source(scatter, 6)};

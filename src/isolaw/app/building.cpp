@@ -67,10 +67,6 @@ void print_arrangement(building::Study const& study, building::Answers const& an
       names.push_back(name);
       stiffness.push_back(building::effective(law.law, values, at).stiffness_kN_mm);
     }
-    if (names.size() < study.file.bearings.size())
-      throw Error({.where = "--arrange",
-                   .found = fmt::format("{} tested devices for {} bearings", names.size(), study.file.bearings.size()),
-                   .allowed = "a tested device for each place"});
     std::vector<building::Point> places;
     for (auto const& b : study.file.bearings) places.push_back(b.at);
     auto const made = building::arrange(places, study.file.frame.base.centre, stiffness);
@@ -103,6 +99,13 @@ int building(BuildingArguments const& a) {
   auto& wanted = study.file.settings.laws;
   if (wanted.empty()) wanted.push_back(study::recommended_law(summary, where));
   for (auto const& law : wanted) study.laws.push_back(study::law_source(contents, summary, law, where));
+  if (a.arrange)
+    for (auto const& law : study.laws)
+      if (law.devices.size() < study.file.bearings.size())
+        throw Error(
+            {.where = "--arrange",
+             .found = fmt::format("{} tested devices for {} bearings", law.devices.size(), study.file.bearings.size()),
+             .allowed = "a tested device for each place"});
   // Before anything is made: what is no building, or of no lot, is said first.
   building::Model const model(building::Structure(study.file.frame), study.file.plan());
   auto const out = a.out.value_or(std::filesystem::path("out") / "building");

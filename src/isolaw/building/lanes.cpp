@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <tuple>
 
@@ -50,7 +51,10 @@ std::vector<double> respond(Model const& model, std::string_view law, std::span<
       std::vector<std::unique_ptr<Bearing>> made;
       for (std::size_t j = 0; j < bearings; ++j)
         made.push_back(make_bearing(law, draws.subspan(draw * each + j * parameters, parameters), coupling));
-      auto const response = integrate_explicitly(model, made, motion, options);
+      auto response = coupling == Coupling::coupled ? integrate_explicitly(model, made, motion, options)
+                                                    : integrate(model, made, motion, options);
+      if (response.outcome != Outcome::completed)
+        std::ranges::fill(response.measured, std::numeric_limits<double>::quiet_NaN());
       std::ranges::copy(response.measured, out.begin() + static_cast<std::ptrdiff_t>(draw * layout.count()));
     }
     return out;
