@@ -125,8 +125,8 @@ inline double error_of_the_rate(std::string_view law, double rate_Hz) {
 }
 
 // How far the online form of a law, or what is exported of it, may be from the law, of its peak: both compute the same
-// in double, but for the curve between reversals: a polynomial here, or a table of 1e-5 where there is none (kappa above
-// 3), a finer table there.
+// in double, but for the curve between reversals: a polynomial here, or a table of 1e-5 where there is none (kappa
+// above 3), a finer table there.
 inline double form_tolerance(laws::LawEntry const& law) {
   return law.info.traits.exact_flow ? 1e-5 : 1e-10;
 }

@@ -1,5 +1,5 @@
-// Springs around the circle: stiffness, strength and energies of bilinear ones, computed with an independent script from
-// the formulas; what turning does; tangents.
+// Springs around the circle: stiffness, strength and energies of bilinear ones, computed with an independent script
+// from the formulas; what turning does; tangents.
 #include "isolaw/laws/springs.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// BUILDING.toml: a building on bearings, the motions it is shaken with and what is asked of it. Each key is one row of a
-// table, from which the reader, the messages and the template are made.
+// BUILDING.toml: a building on bearings, the motions it is shaken with and what is asked of it. Each key is one row of
+// a table, from which the reader, the messages and the template are made.
 #pragma once
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 // The response of a structure on its bearings to a motion of the ground, by steps of constant average acceleration
-// (Newmark 1959, 1/2 and 1/4) condensed to the base, whose three unknowns Newton's method finds with the laws' tangents.
-// Where it does not, the laws' first tangents take over; then the step is halved. A run that still does not converge is
-// a recorded outcome.
+// (Newmark 1959, 1/2 and 1/4) condensed to the base, whose three unknowns Newton's method finds with the laws'
+// tangents. Where it does not, the laws' first tangents take over; then the step is halved. A run that still does not
+// converge is a recorded outcome.
 #pragma once
 
 #include <array>

@@ -17,10 +17,10 @@ namespace isolaw::building {
 // nullptr: no kernel, as for `scalar` or a law without a coupled form.
 LaneKernel const* lane_kernel(num::InstructionSet set, std::string_view law);
 
-// The measures of `draws` [draw][bearing][parameter], [draw][measure]. Draws that are not finite come out so. Parameters
-// in the law's order; longest_step_s and rest_s of `options` alone count. Springs, whose
-// laws may depend on the rate as steeply as they like, go one by one by the implicit path; one that does not converge
-// comes out as not a number.
+// The measures of `draws` [draw][bearing][parameter], [draw][measure]. Draws that are not finite come out so.
+// Parameters in the law's order; longest_step_s and rest_s of `options` alone count. Springs, whose laws may depend on
+// the rate as steeply as they like, go one by one by the implicit path; one that does not converge comes out as not a
+// number.
 std::vector<double> respond(Model const& model, std::string_view law, std::span<double const> draws,
                             Motion const& motion, Options const& options, Coupling coupling = Coupling::coupled,
                             num::InstructionSet set = num::instruction_set());

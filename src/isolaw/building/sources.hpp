@@ -1,5 +1,5 @@
-// Where the parameters of bearings come from: for each law what its lot is (LawSource), and the sets of parameters that a
-// building takes of it, each whole.
+// Where the parameters of bearings come from: for each law what its lot is (LawSource), and the sets of parameters that
+// a building takes of it, each whole.
 #pragma once
 
 #include <cstddef>

@@ -2,14 +2,14 @@
 // modes of the superstructure over one step, and what is measured of a run. Plain arrays alone: this is compiled once
 // per instruction set too (fit/kernels.cpp says what that asks for).
 //
-// Both are Newmark's method with gamma = 1/2 (Newmark 1959): the modes by average acceleration (beta = 1/4), the base by
-// average acceleration where its force is found by iteration (integrate.cpp), by central differences (beta = 0) where
-// it is that of the displacement reached (explicit_run below). The modes of the next instant are linear in the base's
-// acceleration there, so that they leave a constant matrix of three rows in the base's equation. Undamped, central
-// differences beside average acceleration are stable for dt^2 K < 4 m with K the bearings' stiffness and m the base
-// slab's mass, however stiff the superstructure (Hughes and Liu 1978 for such partitions). The exact response of the
-// modes to a base acceleration that varies linearly over the step is not: with 95 % of the mass above and a period of
-// three or four steps it grows by a factor of 2.5 a step.
+// Both are Newmark's method with gamma = 1/2 (Newmark 1959): the modes by average acceleration (beta = 1/4), the base
+// by average acceleration where its force is found by iteration (integrate.cpp), by central differences (beta = 0)
+// where it is that of the displacement reached (explicit_run below). The modes of the next instant are linear in the
+// base's acceleration there, so that they leave a constant matrix of three rows in the base's equation. Undamped,
+// central differences beside average acceleration are stable for dt^2 K < 4 m with K the bearings' stiffness and m the
+// base slab's mass, however stiff the superstructure (Hughes and Liu 1978 for such partitions). The exact response of
+// the modes to a base acceleration that varies linearly over the step is not: with 95 % of the mass above and a period
+// of three or four steps it grows by a factor of 2.5 a step.
 #pragma once
 
 #include <cstddef>
@@ -116,8 +116,8 @@ inline void modes_reach(Run<T>& run, Skeleton const& s, ModeStep const& step) {
   }
 }
 
-// The largest square of a length over a step: at its end, or of the cubic through both ends where it turns between them.
-// `rate`: its derivative by time.
+// The largest square of a length over a step: at its end, or of the cubic through both ends where it turns between
+// them. `rate`: its derivative by time.
 template <class T>
 inline T largest_within(T const& square0, T const& rate0, T const& square1, T const& rate1, double dt) {
   using num::max;

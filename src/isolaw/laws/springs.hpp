@@ -1,8 +1,8 @@
 // Any law in two directions: springs around the circle, each with a history of its own.
-// Source: multiple shear springs (Wada and Hirose 1989; Yamamoto et al. 2012 for isolators). Of N springs at angles pi i
-// / N, each of force rf f(u rs / rf), rs = 2 / N keeps the stiffness of a push, rf = tan(pi / 2N) its strength. The knee
-// between them is not kept: a law for this is fitted as it is wrapped (`along`). Velocities are scaled as displacements.
-// Each spring keeps its own peak.
+// Source: multiple shear springs (Wada and Hirose 1989; Yamamoto et al. 2012 for isolators). Of N springs at angles pi
+// i / N, each of force rf f(u rs / rf), rs = 2 / N keeps the stiffness of a push, rf = tan(pi / 2N) its strength. The
+// knee between them is not kept: a law for this is fitted as it is wrapped (`along`). Velocities are scaled as
+// displacements. Each spring keeps its own peak.
 #pragma once
 
 #include <array>

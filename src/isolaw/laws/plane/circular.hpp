@@ -6,8 +6,8 @@
 
 namespace isolaw::laws::plane {
 
-// With k = sqrt |c|: tan = tanh(k x) / k for c > 0, tan(k x) / k for c < 0, x for c = 0; sec = 1 / cosh(k x) or 1 / cos(k
-// x). For 0 <= x, for c < 0 up to k x = pi/2.
+// With k = sqrt |c|: tan = tanh(k x) / k for c > 0, tan(k x) / k for c < 0, x for c = 0; sec = 1 / cosh(k x) or 1 /
+// cos(k x). For 0 <= x, for c < 0 up to k x = pi/2.
 template <class T>
 struct Circular {
   T tan, sec;

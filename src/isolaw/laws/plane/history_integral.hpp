@@ -1,5 +1,6 @@
-// History integral in the plane: q' = (n - q)/D along the way for either memory, and an elastic force towards the origin
-// that the largest distance so far softens, or of each axis the largest displacement along it (Softening). Step: exact along a straight path.
+// History integral in the plane: q' = (n - q)/D along the way for either memory, and an elastic force towards the
+// origin that the largest distance so far softens, or of each axis the largest displacement along it (Softening). Step:
+// exact along a straight path.
 #pragma once
 
 #include "isolaw/laws/history_integral.hpp"
