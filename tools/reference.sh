@@ -10,7 +10,7 @@ mkdir -p "$docs" "$2/${stub%/*}"
   printf '# The command line\n\nWhat `isolaw COMMAND --help` prints, by `./isolaw.sh docs`. Exit codes: 0 done; 1 done, with something refused, failed,\n'
   printf 'interrupted or outside a limit; 2 wrong usage or nothing usable; 3 internal error. Results go to standard output, messages and progress\nto standard error.\n'
   printf '\n```\n%s\n```\n' "$("$isolaw" --help)"
-  for command in calibrate parts merge init inspect report rules check sample export simulate building laws example bench; do
+  for command in calibrate init inspect report merge parts rules check sample export simulate building laws example bench; do
     printf '\n## %s\n\n```\n%s\n```\n' "$command" "$("$isolaw" "$command" --help)"
   done
 } | sed -E 's/[[:space:]]+$//' >"$docs/cli.md"

@@ -131,12 +131,22 @@ CONF
   mv "$directory/env.new" "$directory/env"
 }
 
+# Politely, and until it has: a controller writes down what it knows first.
+end() {
+  local asked
+  for ((asked = 0; asked < 100; ++asked)); do
+    kill "$1" 2>/dev/null || return 0
+    [ "$(ps -o stat= -p "$1" | cut -c1)" != Z ] || return 0
+    sleep 0.1
+  done
+}
+
 stop() {
   local name pid
   kill_node
   for name in slurmctld munged; do
     pid=$(cat "$directory/$name.pid" 2>/dev/null || true)
-    [ -z "$pid" ] || kill "$pid" 2>/dev/null || true
+    [ -z "$pid" ] || end "$pid"
   done
   rm -f "$directory/env"
 }

@@ -186,7 +186,7 @@ TEST_F(Fault, the_message_says_what_is_kept_and_how_to_go_on) {
   long const count = operations(campaign({"--jobs", "1"}));
   auto const expected = results();
   fs::remove_all(path("O"));
-  auto const o = with_fault("full", 2 * count / 5, campaign({"--jobs", "1"}));
+  auto const o = with_fault("full", 3 * count / 10, campaign({"--jobs", "1"}));
   expect_message(o, 2,
                  {"stopped: ", " finished runs are kept in O/campaign.sqlite",
                   "continue with: ", "calibrate a.csv b.csv --laws bilinear", "database or disk is full"});

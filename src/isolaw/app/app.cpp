@@ -54,9 +54,12 @@ void add_option(CLI::App& command, OptionInfo const& option, Values& given, std:
 // Of a motion, which has no force: `of_test` is false. One whose name the command takes for itself is left to the lot
 // file.
 void add_reading(CLI::App& command, Values& read, bool of_test = true) {
-  for (auto const& option : data::reading_table())
-    if ((of_test || !option.of_test) && command.get_option_no_throw("--" + option.option()) == nullptr)
-      add_option(command, option, read, of_test ? std::string_view() : option.motion_option);
+  for (auto const& option : data::reading_table()) {
+    auto const other_name = of_test ? std::string_view() : option.motion_option;
+    auto const name = other_name.empty() ? option.option() : std::string(other_name);
+    bool const taken = command.get_option_no_throw("--" + name) != nullptr;
+    if ((of_test || !option.of_test) && !taken) add_option(command, option, read, other_name);
+  }
 }
 
 void add_acceptance(CLI::App& command, Values& acceptance) {
@@ -159,33 +162,6 @@ int dispatch(CLI::App& app, int argc, char** argv) {
                     }),
                 calibrate_arguments);
 
-  MergeArguments merge_arguments;
-  auto& merge_command = add("merge", "Make one campaign of the parts that several machines computed", [&] {
-    return merge(merge_arguments, {argv, argv + argc});
-  });
-  merge_command.add_option("directory", merge_arguments.directory, "directory of the whole campaign")->required();
-  merge_command.add_option("parts", merge_arguments.parts,
-                           "directories of isolaw calibrate --part, in any order; none: what is there is finished");
-  add_jobs(merge_command, merge_arguments.jobs);
-  add_figures(merge_command, merge_arguments.figures);
-  merge_command.add_flag("--copy-only", merge_arguments.copy_only,
-                         "no analyses, no reports: isolaw merge DIRECTORY makes them later");
-  merge_command.add_flag("--fresh", merge_arguments.fresh, "start over where the directory holds another campaign");
-  merge_command.add_flag("--json", merge_arguments.json, "print summary.json and the profile instead of the ranking");
-
-  PartsArguments parts_arguments;
-  auto& parts_command =
-      add("parts", "Print a script that computes a campaign in parts, by a cluster's scheduler, and merges them",
-          [&] { return parts(parts_arguments, argv[0]); });
-  parts_command.add_option("lot", parts_arguments.lot, "a lot file (.toml), or a directory of records")->required();
-  parts_command.add_option("count", parts_arguments.count, "parts; some two or three for each thread there is")
-      ->required();
-  parts_command
-      .add_option("--to", parts_arguments.to,
-                  joined(part_script_kinds) + " (where a record ends, its `to`, a lot file says)")
-      ->required();
-  add_campaign(parts_command, parts_arguments.calibrate);
-
   InitArguments init_arguments;
   auto& init_command =
       add("init", "Recognise records and write them down as a lot file", [&] { return init(init_arguments); });
@@ -220,6 +196,33 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   report_command.add_option("--out", report_arguments.out, "directory of the results (the campaign's)");
   add_figures(report_command, report_arguments.figures);
   report_command.add_flag("--json", report_arguments.json, "print summary.json instead of the ranking");
+
+  MergeArguments merge_arguments;
+  auto& merge_command = add("merge", "Make one campaign of the parts that several machines computed", [&] {
+    return merge(merge_arguments, {argv, argv + argc});
+  });
+  merge_command.add_option("directory", merge_arguments.directory, "directory of the whole campaign")->required();
+  merge_command.add_option("parts", merge_arguments.parts,
+                           "directories of isolaw calibrate --part, in any order; none: what is there is finished");
+  add_jobs(merge_command, merge_arguments.jobs);
+  add_figures(merge_command, merge_arguments.figures);
+  merge_command.add_flag("--copy-only", merge_arguments.copy_only,
+                         "no analyses, no reports: isolaw merge DIRECTORY makes them later");
+  merge_command.add_flag("--fresh", merge_arguments.fresh, "start over where the directory holds another campaign");
+  merge_command.add_flag("--json", merge_arguments.json, "print summary.json and the profile instead of the ranking");
+
+  PartsArguments parts_arguments;
+  auto& parts_command =
+      add("parts", "Print a script that computes a campaign in parts, by a cluster's scheduler, and merges them",
+          [&] { return parts(parts_arguments, argv[0]); });
+  parts_command.add_option("lot", parts_arguments.lot, "a lot file (.toml), or a directory of records")->required();
+  parts_command.add_option("count", parts_arguments.count, "parts; some two or three for each thread there is")
+      ->required();
+  parts_command
+      .add_option("--to", parts_arguments.to,
+                  joined(part_script_kinds) + " (where a record ends, its `to`, a lot file says)")
+      ->required();
+  add_campaign(parts_command, parts_arguments.calibrate);
 
   SampleArguments sample_arguments;
   auto& sample_command = add("sample", "Draw devices from a lot's population of a law's parameters, as CSV",
