@@ -140,6 +140,7 @@ void add_building(CLI::App& c, BuildingArguments& a) {
   c.add_option("--jobs", a.jobs,
                fmt::format("threads, 0 to {} (one per core); the results do not depend on it", campaign::most_jobs))
       ->check(CLI::Range(0, campaign::most_jobs));
+  c.add_option("--part", a.part, "K/N: only the K-th of N even shares of the runs, for isolaw merge");
   c.add_flag("--arrange", a.arrange, "also put the tested devices where least eccentricity is left");
   c.add_flag("--fresh", a.fresh, "start over where the directory holds runs of another building");
   c.add_flag("--template", a.print_template, "print a commented building file");
@@ -160,12 +161,12 @@ int dispatch(CLI::App& app, int argc, char** argv) {
                 calibrate_arguments);
 
   MergeArguments merge_arguments;
-  auto& merge_command = add("merge", "Make one campaign of the parts that several machines computed", [&] {
+  auto& merge_command = add("merge", "Make one campaign, or building study, of the parts that several machines computed", [&] {
     return merge(merge_arguments, {argv, argv + argc});
   });
-  merge_command.add_option("directory", merge_arguments.directory, "directory of the whole campaign")->required();
+  merge_command.add_option("directory", merge_arguments.directory, "directory of the whole campaign or study")->required();
   merge_command.add_option("parts", merge_arguments.parts,
-                           "directories of isolaw calibrate --part, in any order; none: what is there is finished");
+                           "directories of isolaw calibrate --part or isolaw building --part, in any order; none: what is there is finished");
   add_jobs(merge_command, merge_arguments.jobs);
   add_figures(merge_command, merge_arguments.figures);
   merge_command.add_flag("--copy-only", merge_arguments.copy_only,

@@ -1,13 +1,13 @@
-#include "isolaw/api/merge.hpp"
+#include "isolaw/app/merge.hpp"
 
 #include <fmt/format.h>
 
 #include <utility>
 
+#include "isolaw/api/merge.hpp"
 #include "isolaw/app/campaign_work.hpp"
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/say.hpp"
-#include "isolaw/base/error.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/fit/kernels.hpp"
@@ -16,7 +16,18 @@
 
 namespace isolaw::app {
 
+void tell_merged(campaign::Merged const& merged, std::filesystem::path const& directory, std::string const& store) {
+  for (auto const& part : merged.absent) say("{}: not there\n", printable(part));
+  say("{} copied{} to {}\n", counted(merged.added, "run"),
+      merged.there > 0 ? fmt::format(", {} there already", merged.there) : "", shown(directory / store));
+  if (merged.missing > 0)
+    say("not complete: {}; named on standard output\n"
+        "compute or copy what is missing, then again: isolaw merge {} PARTS...\n",
+        missing_text(merged), shown(directory));
+}
+
 int merge(MergeArguments const& arguments, std::vector<std::string> const& command_line) {
+  if (merges_buildings(arguments)) return merge_buildings(arguments);
   CampaignWork work(command_line);
   auto const figures = render::figure_choice(arguments.figures);
   fit::instruction_set();
@@ -33,15 +44,8 @@ int merge(MergeArguments const& arguments, std::vector<std::string> const& comma
          app::print(fmt::format("{},{},{},{}", run.part > 0 ? std::to_string(run.part) : "",
                                 render::csv_cell(run.device), run.law, run.number));
        }});
-  for (auto const& part : merged.absent) say("{}: not there\n", printable(part));
-  say("{} copied{} to {}\n", counted(merged.added, "run"),
-      merged.there > 0 ? fmt::format(", {} there already", merged.there) : "", shown(file));
-  if (merged.missing > 0) {
-    say("not complete: {}; named on standard output\n"
-        "compute or copy what is missing, then again: isolaw merge {} PARTS...\n",
-        missing_text(merged), shown(directory));
-    return exit_with_refusals;
-  }
+  tell_merged(merged, directory, store_name);
+  if (merged.missing > 0) return exit_with_refusals;
   if (arguments.copy_only) return exit_done;
   auto contents = campaign::Store::read(file);
   return work.finish(
