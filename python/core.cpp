@@ -505,9 +505,8 @@ CampaignPtr merged(std::filesystem::path const& directory, std::vector<std::file
 
 void require_jobs(int jobs) {
   if (jobs < 0 || jobs > campaign::most_jobs)
-    throw Error({.where = "jobs",
-                 .found = fmt::format("{}", jobs),
-                 .allowed = fmt::format("0 to {}", campaign::most_jobs)});
+    throw Error(
+        {.where = "jobs", .found = fmt::format("{}", jobs), .allowed = fmt::format("0 to {}", campaign::most_jobs)});
 }
 
 CampaignPtr loaded(std::filesystem::path const& directory) {

@@ -172,12 +172,10 @@ TEST_F(BuildingParts, of_another_study_build_or_instruction_set_are_refused_and_
   refused("seed: 1 there, 2 now");
   set("seed = 2", "seed = 1");
   auto const motion = read("case/motion-3-x.csv");
-  write("case/motion-3-x.csv", motion + "20.00,0.001\n20.01,0.001\n");
-  auto const y = read("case/motion-3-y.csv");
-  write("case/motion-3-y.csv", y + "20.00,0.001\n20.01,0.001\n");
+  auto const line = motion.find("\n1.00,") + 1;
+  write("case/motion-3-x.csv", motion.substr(0, line) + "1.00,0.123456" + motion.substr(motion.find('\n', line)));
   refused("other values of motion motion-3-x");
   write("case/motion-3-x.csv", motion);
-  write("case/motion-3-y.csv", y);
   ASSERT_EQ(isolaw({"calibrate", "a.csv", "b.csv", "--laws", "bilinear", "--runs", "1", "--analysis", "full",
                     "--replicates", "0", "--figures", "none", "--out", "lot", "--fresh"})
                 .code,
@@ -207,7 +205,8 @@ TEST_F(BuildingParts, that_were_cut_off_or_changed_are_found_out) {
   write("T/building.sqlite", bytes);
   ASSERT_EQ(isolaw({"merge", "O", "T"}).code, 1);
   change("T/building.sqlite", "UPDATE runs SET measured = zeroblob(length(measured))");
-  expect_refused(isolaw({"merge", "O", "P1", "T"}), {"T/building.sqlite: run ", "another one than that which is there"});
+  expect_refused(isolaw({"merge", "O", "P1", "T"}),
+                 {"T/building.sqlite: run ", "another one than that which is there"});
   change("T/building.sqlite", "UPDATE runs SET place = place + 1000");
   expect_refused(isolaw({"merge", "O", "T"}), {"T/building.sqlite: run ", "is none of its study"});
   change("T/building.sqlite", "UPDATE runs SET place = place - 1000, measured = x'0000000000000000'");
@@ -228,6 +227,25 @@ TEST_F(BuildingParts, are_named_as_they_may_be_and_know_what_they_are) {
   ASSERT_EQ(flock(held, LOCK_EX | LOCK_NB), 0);
   expect_refused(isolaw(part(1)), {"P1: another isolaw works in this directory"});
   close(held);
+}
+
+TEST_F(BuildingParts, of_a_script_end_as_one_machine_also_after_a_loss) {
+  if (std::system("command -v make >/dev/null 2>&1") != 0) GTEST_SKIP() << "no make here";
+  auto const printed = isolaw({"parts", "case/building.toml", "3", "--to", "make", "--campaign", "lot", "--out", "O"});
+  ASSERT_EQ(printed.code, 0) << printed;
+  write("script", printed.out);
+  auto const run = [&] {
+    return Process({"make", "-f", "script", "-k"}, directory(), path("out"), path("err")).wait();
+  };
+  EXPECT_TRUE(contains(run().err, "588 runs copied"));
+  expect_as_one_machine();
+  fs::remove_all(path("O"));
+  fs::remove_all(path("O.parts/2"));
+  EXPECT_TRUE(contains(run().err, "588 runs copied"));
+  expect_as_one_machine();
+  auto const slurm = isolaw({"parts", "case/building.toml", "3", "--to", "slurm", "--campaign", "lot"});
+  for (auto const* part : {"building --part \"$1/$count\"", "$kept/building.sqlite", "--time=10 ", "--array="})
+    EXPECT_TRUE(contains(slurm.out, part));
 }
 
 TEST_F(Building, refuses) {

@@ -226,7 +226,9 @@ TEST_F(BuildingRuns, same_bytes_for_any_threads_and_after_an_interruption) {
   auto other = study;
   other.file.settings.seed = 2;
   auto const refused = refusal_of([&] { RunStore(file_, traits_of(other), false); });
-  EXPECT_TRUE(contains(refused, "the runs of another building") && contains(refused, "seed: 1 there, 2 now") && contains(refused, "--fresh")) << refused;
+  EXPECT_TRUE(contains(refused, "the runs of another building") && contains(refused, "seed: 1 there, 2 now") &&
+              contains(refused, "--fresh"))
+      << refused;
   RunStore const fresh(file_, traits_of(other), true);
   EXPECT_EQ(fresh.runs_there(), 0u);
 }

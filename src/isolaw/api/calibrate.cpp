@@ -52,7 +52,7 @@ void load_rules(campaign::Acceptance& acceptance) {
 }
 
 campaign::Contents finish_campaign(campaign::Contents contents, std::filesystem::path const& store,
-                            campaign::RunOptions const& options) {
+                                   campaign::RunOptions const& options) {
   if (!campaign::run(contents, store, options)) return contents;
   // From the store, not from memory.
   contents = campaign::Store::read(store);

@@ -33,7 +33,7 @@ void load_rules(campaign::Acceptance& acceptance);
 // Brings the campaign of a store to its end, of which `contents` are, and writes its reports; what it returns is what
 // another program would read there. Incomplete where it was interrupted; a part has no reports.
 campaign::Contents finish_campaign(campaign::Contents contents, std::filesystem::path const& store,
-                            campaign::RunOptions const& options);
+                                   campaign::RunOptions const& options);
 
 // Fits `settings.laws` (all where empty) to every record, as `isolaw calibrate` does: the same settings, records, names
 // and seed give the same numbers, whatever the number of threads. A campaign that was interrupted is incomplete

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "isolaw/api/merge.hpp"
+#include "isolaw/app/building.hpp"
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/merge.hpp"
 #include "isolaw/app/say.hpp"
@@ -87,40 +88,28 @@ void print_arrangement(building::Study const& study, building::Answers const& an
   }
 }
 
-constexpr char const* building_store = "building.sqlite";
-
-std::string absolute(std::filesystem::path const& path) {
+std::string full_name(std::filesystem::path const& path) {
   return std::filesystem::absolute(path).lexically_normal().string();
 }
 
 // "x.AT2,y.AT2": two files.
-std::vector<std::string> absolute(std::vector<std::string> motions) {
+std::vector<std::string> full_names(std::vector<std::string> motions) {
   for (auto& motion : motions) {
     auto const comma = motion.find(',');
-    motion = absolute(std::filesystem::path(motion.substr(0, comma))) +
-             (comma == std::string::npos ? ""
-                                         : "," + absolute(std::filesystem::path(motion.substr(comma + 1))));
+    motion = full_name(std::filesystem::path(motion.substr(0, comma))) +
+             (comma == std::string::npos ? "" : "," + full_name(std::filesystem::path(motion.substr(comma + 1))));
   }
   return motions;
 }
 
 }  // namespace
 
-int building(BuildingArguments const& a) {
-  if (a.print_template) {
-    print(building::building_template());
-    return exit_done;
-  }
+building::Study building_study(BuildingArguments const& a) {
   if (!a.file || !a.from)
     throw Error({.where = a.file ? "--from" : "isolaw building",
                  .found = "is not given",
                  .allowed = "isolaw building BUILDING.toml --from CAMPAIGN",
                  .advice = "isolaw building --template"});
-  auto const part = a.part ? std::optional(campaign::parse_part(*a.part)) : std::nullopt;
-  if (part && (a.json || a.arrange))
-    throw Error({.where = a.json ? "--json" : "--arrange",
-                 .found = "a part has no answers",
-                 .advice = "isolaw merge OUT PARTS... of all of them"});
   building::Study study{.file = building::read_building(*a.file, a.motions), .laws = {}};
   auto const contents = campaign::Store::read(*a.from / "campaign.sqlite");
   auto const summary = study::build_summary(contents);
@@ -128,6 +117,20 @@ int building(BuildingArguments const& a) {
   auto& wanted = study.file.settings.laws;
   if (wanted.empty()) wanted.push_back(study::recommended_law(summary, where));
   for (auto const& law : wanted) study.laws.push_back(study::law_source(contents, summary, law, where));
+  return study;
+}
+
+int building(BuildingArguments const& a) {
+  if (a.print_template) {
+    print(building::building_template());
+    return exit_done;
+  }
+  auto const part = a.part ? std::optional(campaign::parse_part(*a.part)) : std::nullopt;
+  if (part && (a.json || a.arrange))
+    throw Error({.where = a.json ? "--json" : "--arrange",
+                 .found = "a part has no answers",
+                 .advice = "isolaw merge OUT PARTS... of all of them"});
+  auto const study = building_study(a);
   if (a.arrange)
     for (auto const& law : study.laws)
       if (law.devices.size() < study.file.bearings.size())
@@ -143,7 +146,7 @@ int building(BuildingArguments const& a) {
   auto const file = out / building_store;
   auto traits = building::traits_of(study);
   if (part) {
-    auto const of_part = building::traits_of(*part, absolute(*a.file), absolute(*a.from), absolute(a.motions));
+    auto const of_part = building::traits_of(*part, full_name(*a.file), full_name(*a.from), full_names(a.motions));
     traits.insert(traits.end(), of_part.begin(), of_part.end());
   }
   std::optional<building::RunStore> store(std::in_place, file, traits, a.fresh);

@@ -45,11 +45,13 @@ int merge_buildings(MergeArguments const& arguments);
 
 struct PartsArguments {
   std::filesystem::path lot;
-  CalibrateArguments calibrate;  // its inputs are the lot
+  CalibrateArguments calibrate;                   // its inputs are the lot
+  std::optional<std::filesystem::path> campaign;  // the lot is then a building file, with these motions
+  std::vector<std::string> motions;
   int count = 0;
   std::string to;  // of part_script_kinds
 };
-// A script that computes a campaign in so many parts and merges them.
+// A script that computes a campaign, or a study of a building, in so many parts and merges them.
 int parts(PartsArguments const& arguments, std::string const& program);
 
 struct InspectArguments {

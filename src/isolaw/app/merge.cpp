@@ -37,13 +37,12 @@ int merge(MergeArguments const& arguments, std::vector<std::string> const& comma
   DirectoryLock const lock(directory);
   auto const file = directory / store_name;
   bool any = false;
-  auto const merged = merge_runs(
-      lock, directory, arguments.parts,
-      {.fresh = arguments.fresh, .missing = [&](campaign::MissingRun const& run) {
-         if (!std::exchange(any, true)) app::print("part,device,law,run");
-         app::print(fmt::format("{},{},{},{}", run.part > 0 ? std::to_string(run.part) : "",
-                                render::csv_cell(run.device), run.law, run.number));
-       }});
+  auto const merged = merge_runs(lock, directory, arguments.parts,
+                                 {.fresh = arguments.fresh, .missing = [&](campaign::MissingRun const& run) {
+                                    if (!std::exchange(any, true)) app::print("part,device,law,run");
+                                    app::print(fmt::format("{},{},{},{}", run.part > 0 ? std::to_string(run.part) : "",
+                                                           render::csv_cell(run.device), run.law, run.number));
+                                  }});
   tell_merged(merged, directory, store_name);
   if (merged.missing > 0) return exit_with_refusals;
   if (arguments.copy_only) return exit_done;

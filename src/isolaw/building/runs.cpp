@@ -127,9 +127,8 @@ std::string value_of(std::span<Trait const> traits, Kind kind, std::string_view 
 
 std::vector<Trait> traits_of(campaign::Part const& part, std::string const& building_file, std::string const& campaign,
                              std::vector<std::string> const& motions) {
-  std::vector<Trait> made{{Kind::part, "part", campaign::text(part)},
-                          {Kind::part, "file", building_file},
-                          {Kind::part, "from", campaign}};
+  std::vector<Trait> made{
+      {Kind::part, "part", campaign::text(part)}, {Kind::part, "file", building_file}, {Kind::part, "from", campaign}};
   for (auto const& motion : motions) made.push_back({Kind::part, "motion", motion});
   return made;
 }
@@ -206,8 +205,9 @@ RunStore::RunStore(std::filesystem::path const& file, std::vector<Trait> const& 
   create_run_tables(db);
   Statement insert(db, "INSERT INTO study VALUES (?, ?, ?)");
   for (auto const& trait : of)
-    insert.bind(kinds.at(static_cast<std::size_t>(trait.kind)), std::string_view(trait.name),
-                std::string_view(trait.value))
+    insert
+        .bind(kinds.at(static_cast<std::size_t>(trait.kind)), std::string_view(trait.name),
+              std::string_view(trait.value))
         .insert();
   transaction.commit();
 }
@@ -339,17 +339,38 @@ Options options_of(Study const& study, Model const& model, Devices const& device
           .rest_s = study.file.settings.rest_s};
 }
 
+Runs::Runs(Study const& study)
+    : study_(study),
+      model_(Structure(study.file.frame), study.file.plan()),
+      cases_(cases_of(study.file.settings)),
+      blocks_(study.laws.size(), study.file.motions.size(), cases_.size()) {
+  for (auto const& law : study.laws) {
+    devices_.emplace_back(law, study.file.bearings, study.file.settings);
+    options_.push_back(options_of(study, model_, devices_.back()));
+  }
+}
+
+std::vector<RunStore::Row> Runs::of(Blocks::Block const& block) const {
+  auto const& devices = devices_[block.law];
+  std::vector<double> values;
+  for (auto place = block.from; place < block.to; ++place) {
+    auto const one = devices.of(cases_[place]);
+    values.insert(values.end(), one.begin(), one.end());
+  }
+  auto const out = respond(model_, study_.laws[block.law].law, values, study_.file.motions[block.motion],
+                           options_[block.law], devices.coupling());
+  auto const count = static_cast<std::ptrdiff_t>(model_.layout().count());
+  std::vector<RunStore::Row> made;
+  auto row = out.begin();
+  for (auto place = block.from; place < block.to; ++place, row += count)
+    made.push_back({block.law, block.motion, place, {row, row + count}});
+  return made;
+}
+
 void run_all(Study const& study, RunStore& store, std::size_t threads,
              std::function<void(RunProgress const&)> const& progress, std::optional<campaign::Part> const& part) {
-  Model const model(Structure(study.file.frame), study.file.plan());
-  auto const cases = cases_of(study.file.settings);
-  std::vector<Devices> devices;
-  std::vector<Options> options;
-  for (auto const& law : study.laws) {
-    devices.emplace_back(law, study.file.bearings, study.file.settings);
-    options.push_back(options_of(study, model, devices.back()));
-  }
-  Blocks const blocks(study.laws.size(), study.file.motions.size(), cases.size());
+  Runs const runs(study);
+  auto const& blocks = runs.blocks();
   std::vector<Blocks::Block> left;
   RunProgress told;
   for (std::size_t number = 0; number < blocks.count(); ++number) {
@@ -362,24 +383,10 @@ void run_all(Study const& study, RunStore& store, std::size_t threads,
       left.push_back(block);
   }
   constexpr std::size_t chunk = 16;
-  auto const count = model.layout().count();
   for (std::size_t first = 0; first < left.size(); first += chunk) {
     std::size_t const last = std::min(left.size(), first + chunk);
     std::vector<std::vector<RunStore::Row>> made(last - first);
-    campaign::for_each_in_parallel(last - first, threads, [&](std::size_t i) {
-      auto const [law, motion, from, to] = left[first + i];
-      std::vector<double> values;
-      for (std::size_t c = from; c < to; ++c) {
-        auto const one = devices[law].of(cases[c]);
-        values.insert(values.end(), one.begin(), one.end());
-      }
-      auto const out = respond(model, study.laws[law].law, values, study.file.motions[motion], options[law],
-                               devices[law].coupling());
-      for (std::size_t c = from; c < to; ++c) {
-        auto const row = out.begin() + static_cast<std::ptrdiff_t>((c - from) * count);
-        made[i].push_back({law, motion, c, {row, row + static_cast<std::ptrdiff_t>(count)}});
-      }
-    });
+    campaign::for_each_in_parallel(last - first, threads, [&](std::size_t i) { made[i] = runs.of(left[first + i]); });
     std::vector<RunStore::Row> rows;
     for (auto& block : made) std::ranges::move(block, std::back_inserter(rows));
     store.add(rows);
@@ -414,20 +421,20 @@ void take_runs(Connection const& db, Path const& file, campaign::Merged& merged,
                std::string const& measures) {
   auto const theirs = Connection::to_read(file);
   auto const refuse = [&](RunStore::Row const& row, std::string_view what, std::string_view allowed) {
-    throw Error({.where = file.generic_string(),
-                 .found = fmt::format("run {} of law {} under motion {} {}", row.place + 1, row.law + 1,
-                                      row.motion + 1, what),
-                 .allowed = std::string(allowed),
-                 .advice = "the part that is not sound again, with --fresh"});
+    throw Error(
+        {.where = file.generic_string(),
+         .found = fmt::format("run {} of law {} under motion {} {}", row.place + 1, row.law + 1, row.motion + 1, what),
+         .allowed = std::string(allowed),
+         .advice = "the part that is not sound again, with --fresh"});
   };
   Transaction transaction(db);
   {
     Statement insert(db, "INSERT OR IGNORE INTO runs VALUES (?, ?, ?, ?)");
     Statement same(db, "SELECT 1 FROM runs WHERE law = ? AND motion = ? AND place = ? AND measured = ?");
-    Statement rows(theirs, "SELECT law, motion, place, measured FROM runs ORDER BY law, motion, place");
-    while (rows.row()) {
+    Statement select(theirs, "SELECT law, motion, place, measured FROM runs ORDER BY law, motion, place");
+    while (select.row()) {
       RunStore::Row row;
-      rows.read(row.law, row.motion, row.place, row.measured);
+      select.read(row.law, row.motion, row.place, row.measured);
       if (row.law >= most[0] || row.motion >= most[1] || row.place >= most[2] ||
           std::to_string(row.measured.size()) != measures)
         refuse(row, "is none of its study", "runs as isolaw building makes them");
@@ -452,10 +459,11 @@ MergedStudy merge(Path const& out, std::vector<Path> const& parts, MergeOptions 
   auto const examine = [&](Path const& file) {
     auto const faults = read_as_study(file, [&] { return campaign::sqlite::integrity(file); });
     if (!faults.empty())
-      throw Error({.where = file.generic_string(),
-                   .found = "is damaged: " + faults.front(),
-                   .allowed = "stores as isolaw left them",
-                   .advice = "copying it once more, or isolaw building ... --part K/N --fresh, which computes it again"});
+      throw Error(
+          {.where = file.generic_string(),
+           .found = "is damaged: " + faults.front(),
+           .allowed = "stores as isolaw left them",
+           .advice = "copying it once more, or isolaw building ... --part K/N --fresh, which computes it again"});
     auto const traits = read_traits(Connection::to_read(file), file);
     require_same_maker(file, traits, me, "isolaw building ... --part K/N --fresh, which computes it again");
     if (!first) first.emplace(file, without(traits, Kind::part));
@@ -501,12 +509,10 @@ MergedStudy merge(Path const& out, std::vector<Path> const& parts, MergeOptions 
   std::vector<Case> cases;
   auto const blocks = blocks_of(first->second, cases, first->first);
   auto const laws = of_kind(first->second, Kind::law), motions = of_kind(first->second, Kind::motion);
-  {
-    RunStore const made(out, first->second, options.fresh);
-  }
+  { RunStore const made(out, first->second, options.fresh); }
   {
     auto const db = Connection::to_write(out);
-    for (auto const& file : files) 
+    for (auto const& file : files)
       take_runs(db, file, merged, {laws.size(), motions.size(), cases.size()},
                 value_of(first->second, Kind::building, "measures"));
     Statement there(db, "SELECT 1 FROM runs WHERE law = ? AND motion = ? AND place = ?");

@@ -104,10 +104,26 @@ struct MergeOptions {
 MergedStudy merge(std::filesystem::path const& out, std::vector<std::filesystem::path> const& parts,
                   MergeOptions const& options = {});
 
+// Computes the runs of a study, any block from any thread. Throws Error as Devices.
+class Runs {
+ public:
+  explicit Runs(Study const& study);  // which outlives it
+  Blocks const& blocks() const { return blocks_; }
+  std::vector<RunStore::Row> of(Blocks::Block const& block) const;
+
+ private:
+  Study const& study_;
+  Model model_;
+  std::vector<Case> cases_;
+  std::vector<Devices> devices_;  // of each law
+  std::vector<Options> options_;
+  Blocks blocks_;
+};
+
 struct RunProgress {
   std::size_t done = 0, total = 0;  // analyses
 };
-// Throws Error as Devices; std::runtime_error of what `progress` throws ends the runs, those stored remain.
+// Throws Error as Runs; std::runtime_error of what `progress` throws ends the runs, those stored remain.
 // Of a part its share alone.
 void run_all(Study const& study, RunStore& store, std::size_t threads,
              std::function<void(RunProgress const&)> const& progress = {},
