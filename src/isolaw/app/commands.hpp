@@ -36,8 +36,8 @@ struct MergeArguments {
   std::string figures = "lot";
   bool copy_only = false, fresh = false, json = false;
 };
-// A campaign, or a study of a building, computed in parts as one machine would have computed it; where runs are missing,
-// which.
+// A campaign, or a study of a building, computed in parts as one machine would have computed it; what is missing is
+// named.
 int merge(MergeArguments const& arguments, std::vector<std::string> const& command_line);
 // Whether it is parts of buildings; and their merge.
 bool merges_buildings(MergeArguments const& arguments);
