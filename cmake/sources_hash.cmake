@@ -1,6 +1,6 @@
-# Writes OUTPUT, which defines isolaw::campaign::sources_hash: a hash of the sources in FOLDERS and FILES (relative to ROOT)
+# Writes OUTPUT, which defines isolaw::MODULE::sources_hash: a hash of the sources in FOLDERS and FILES (relative to ROOT)
 # that decide numbers. Comments and spacing do not count, nor do line ends and where the sources lie.
-# cmake -DROOT=... -DFOLDERS=a,b -DFILES=c,d -DOUTPUT=... -P sources_hash.cmake
+# cmake -DROOT=... -DMODULE=... -DFOLDERS=a,b -DFILES=c,d -DOUTPUT=... -P sources_hash.cmake
 set(names "")
 string(REPLACE "," ";" FOLDERS "${FOLDERS}")
 string(REPLACE "," ";" FILES "${FILES}")
@@ -21,4 +21,4 @@ endforeach()
 string(SHA256 hash "${hashes}")
 string(SUBSTRING ${hash} 0 12 hash)
 file(CONFIGURE OUTPUT ${OUTPUT} CONTENT
-     "namespace isolaw::campaign {\nextern char const* const sources_hash;\nchar const* const sources_hash = \"${hash}\";\n}\n")
+     "namespace isolaw::${MODULE} {\nextern char const* const sources_hash;\nchar const* const sources_hash = \"${hash}\";\n}\n")

@@ -10,10 +10,12 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -407,31 +409,11 @@ py::dict runs_of(Campaign const& campaign, std::string const& law, std::string c
   return made;
 }
 
-// The campaign runs in a thread of its own, without the interpreter's lock; the caller's thread waits, hands progress
+// A campaign's work in a thread of its own, without the interpreter's lock; the caller's thread waits, hands progress
 // to Python and listens for signals, which Python delivers to its main thread alone. An exception of either stops the
 // search.
-CampaignPtr calibrated(std::vector<RecordPtr> const& records, py::dict const& given, py::dict const& vertical,
-                       CalibrateOptions options, py::object const& progress) {
-  auto const settings = settings_of(given);
-  lay_over(campaign::acceptance_table(), given_of(campaign::acceptance_table(), given), options.acceptance);
-  std::vector<campaign::NamedRecord> named;
-  for (auto const& record : records) {
-    if (record == nullptr) throw Error({.where = "records", .found = "None", .allowed = "records"});
-    named.push_back({.name = record->name, .record = record->raw, .info = {}});
-    named.back().record.file = printable(std::filesystem::path(record->raw.file).filename().string());
-    if (record->raw.force_kN.empty())
-      throw Error({.where = record->name, .found = "a motion without force", .allowed = "records of tests"});
-  }
-  for (auto const& [key, test] : vertical) {
-    auto const name = key.cast<std::string>();
-    auto const found = std::ranges::find(named, name, &campaign::NamedRecord::name);
-    if (found == named.end())
-      throw Error({.where = "vertical",
-                   .found = in_quotes(name) + ": no such device",
-                   .allowed = "names of the records",
-                   .advice = fmt::format("vertical={{'{}': FILE}}", named.empty() ? "D1" : named.front().name)});
-    found->vertical = vertical_input(test, "vertical of " + in_quotes(name));
-  }
+CampaignPtr worked(campaign::RunOptions run, py::object const& progress,
+                   std::function<Contents(campaign::RunOptions const&)> const& work) {
   std::mutex mutex;
   std::condition_variable changed;
   std::optional<campaign::Progress> latest;
@@ -439,17 +421,17 @@ CampaignPtr calibrated(std::vector<RecordPtr> const& records, py::dict const& gi
   std::atomic<bool> stop = false;
   std::exception_ptr failure;
   std::optional<Contents> contents;
-  options.run.progress = [&](campaign::Progress const& now) {
+  run.progress = [&](campaign::Progress const& now) {
     std::scoped_lock const lock(mutex);
     latest = now;
     changed.notify_one();
   };
-  options.run.interrupted = [&] { return stop.load(); };
+  run.interrupted = [&] { return stop.load(); };
   std::exception_ptr asked;  // by Python: a signal, or an exception of `progress`
   {
     std::jthread const worker([&] {
       try {
-        contents = calibrate(std::move(named), settings, options);
+        contents = work(run);
       } catch (...) {
         failure = std::current_exception();
       }
@@ -485,6 +467,48 @@ CampaignPtr calibrated(std::vector<RecordPtr> const& records, py::dict const& gi
   return std::make_shared<Campaign>(std::move(*contents));
 }
 
+CampaignPtr calibrated(std::vector<RecordPtr> const& records, py::dict const& given, py::dict const& vertical,
+                       CalibrateOptions options, py::object const& progress) {
+  auto const settings = settings_of(given);
+  lay_over(campaign::acceptance_table(), given_of(campaign::acceptance_table(), given), options.acceptance);
+  std::vector<campaign::NamedRecord> named;
+  for (auto const& record : records) {
+    if (record == nullptr) throw Error({.where = "records", .found = "None", .allowed = "records"});
+    named.push_back({.name = record->name, .record = record->raw, .info = {}});
+    named.back().record.file = printable(std::filesystem::path(record->raw.file).filename().string());
+    if (record->raw.force_kN.empty())
+      throw Error({.where = record->name, .found = "a motion without force", .allowed = "records of tests"});
+  }
+  for (auto const& [key, test] : vertical) {
+    auto const name = key.cast<std::string>();
+    auto const found = std::ranges::find(named, name, &campaign::NamedRecord::name);
+    if (found == named.end())
+      throw Error({.where = "vertical",
+                   .found = in_quotes(name) + ": no such device",
+                   .allowed = "names of the records",
+                   .advice = fmt::format("vertical={{'{}': FILE}}", named.empty() ? "D1" : named.front().name)});
+    found->vertical = vertical_input(test, "vertical of " + in_quotes(name));
+  }
+  return worked(options.run, progress, [&](campaign::RunOptions const& run) {
+    options.run = run;
+    return calibrate(std::move(named), settings, options);
+  });
+}
+
+CampaignPtr merged(std::filesystem::path const& directory, std::vector<std::filesystem::path> const& parts,
+                   MergeCallOptions options, py::object const& progress) {
+  return worked(options.run, progress, [&](campaign::RunOptions const& run) {
+    options.run = run;
+    return merge(directory, parts, options);
+  });
+}
+
+void require_jobs(int jobs) {
+  if (jobs < 0 || jobs > campaign::most_jobs)
+    throw Error(
+        {.where = "jobs", .found = fmt::format("{}", jobs), .allowed = fmt::format("0 to {}", campaign::most_jobs)});
+}
+
 CampaignPtr loaded(std::filesystem::path const& directory) {
   py::gil_scoped_release const released;
   return std::make_shared<Campaign>(campaign::Store::read(directory / store_name));
@@ -507,6 +531,10 @@ std::vector<Complaint> in_keywords(std::vector<Complaint> complaints) {
     rename(campaign::setting_table(), complaint.where);
     rename(campaign::acceptance_table(), complaint.where);
     rename(data::reading_table(), complaint.where);
+    if (complaint.where == "--part") {
+      complaint.where = "part";
+      complaint.advice = "part=(1, 4) to part=(4, 4), for four machines";
+    }
   }
   return complaints;
 }
@@ -679,15 +707,24 @@ PYBIND11_MODULE(_core, m) {
   m.def(
       "calibrate",
       [](std::vector<RecordPtr> const& records, py::dict const& given, py::dict const& vertical, int jobs,
-         std::optional<std::filesystem::path> out, bool fresh, std::string title, py::object const& progress) {
-        if (jobs < 0 || jobs > campaign::most_jobs)
-          throw Error({.where = "jobs",
-                       .found = fmt::format("{}", jobs),
-                       .allowed = fmt::format("0 to {}", campaign::most_jobs)});
+         std::optional<std::filesystem::path> out, bool fresh, std::string title,
+         std::optional<std::pair<int, int>> part, py::object const& progress) {
+        require_jobs(jobs);
         CalibrateOptions options{.directory = std::move(out), .fresh = fresh, .title = std::move(title)};
         options.run.jobs = jobs;
+        if (part) options.part = {.number = part->first, .of = part->second};
         return calibrated(records, given, vertical, std::move(options), progress);
       },
       py::arg("records"), py::arg("given"), py::arg("vertical"), py::arg("jobs"), py::arg("out"), py::arg("fresh"),
-      py::arg("title"), py::arg("progress"));
+      py::arg("title"), py::arg("part"), py::arg("progress"));
+  m.def(
+      "merge",
+      [](std::filesystem::path const& out, std::vector<std::filesystem::path> const& parts, int jobs, bool fresh,
+         py::object const& progress) {
+        require_jobs(jobs);
+        MergeCallOptions options{.fresh = fresh};
+        options.run.jobs = jobs;
+        return merged(out, parts, std::move(options), progress);
+      },
+      py::arg("out"), py::arg("parts"), py::arg("jobs"), py::arg("fresh"), py::arg("progress"));
 }

@@ -13,6 +13,7 @@ calls release the interpreter's lock; ``calibrate`` can be interrupted by Ctrl-C
 import functools as _functools
 import inspect as _inspect
 import json as _json
+import operator as _operator
 import os as _os
 
 from . import _core
@@ -30,6 +31,7 @@ __all__ = [
     "force",
     "laws",
     "load",
+    "merge",
     "motion",
     "objective",
     "objectives",
@@ -384,7 +386,9 @@ def _all_samples(how):
 
 
 @_takes(settings() | _OPTIONS["acceptance"])
-def calibrate(records, laws="usual", *, vertical=None, jobs=0, out=None, fresh=False, title="", progress=None, **given):
+def calibrate(
+    records, laws="usual", *, vertical=None, jobs=0, out=None, fresh=False, title="", part=None, progress=None, **given
+):
     """Fits laws to records, as ``isolaw calibrate`` does: with the same settings and seed the numbers are the same.
 
     records: a Record or a path, or a list of them; each is a device of the lot, under its name.
@@ -401,6 +405,7 @@ def calibrate(records, laws="usual", *, vertical=None, jobs=0, out=None, fresh=F
     (``"300:1000"``, in kN) and keywords of read_motion. One that gives no stiffness says why in the summary.
     jobs: threads, 0 for one per core; the numbers do not depend on it. out: a directory for store and reports, where an
     interrupted campaign is continued by the same call; fresh starts over there. title: of the lot.
+    part: ``(3, 40)``, only the third of 40 even shares of the runs, into ``out``; merge makes one campaign of all of them.
     progress: called as progress(done, total, analysis, best) from the calling thread, of runs, then of analyses; best is
     a dict of the least objective so far by law. Where it takes keywords ``share`` or ``left_s``: the share of all work
     that is done, and the seconds left. An exception it raises ends the search and is raised here.
@@ -419,7 +424,30 @@ def calibrate(records, laws="usual", *, vertical=None, jobs=0, out=None, fresh=F
         given["set"] = list(given["set"])
     tests = {name: _vertical(test) for name, test in (vertical or {}).items()}
     told = None if progress is None else _as_it_takes(progress)
-    return Campaign(_core.calibrate(devices, given, tests, jobs, out, fresh, title, told))
+    return Campaign(_core.calibrate(devices, given, tests, jobs, out, fresh, title, part and _part(part), told))
+
+
+def _part(part):
+    try:
+        number, of = map(_operator.index, part)
+    except (TypeError, ValueError):
+        raise Error(f"part: {part!r}; allowed: (K, N), part K of N as whole numbers") from None
+    return number, of
+
+
+def merge(out, parts, *, jobs=0, fresh=False, progress=None):
+    """One campaign of parts, as ``isolaw merge`` makes it: what ends in ``out`` is, byte by byte, one machine's.
+
+    out: the directory of the whole campaign. parts: directories that ``calibrate(..., part=(K, N), out=DIR)`` filled, or the
+    campaign.sqlite of each, in any order; further ones may follow by another call, and none finishes what is there.
+    jobs, fresh, progress: as of calibrate; analyses are made here.
+
+    Returns a Campaign. Raises Error for parts that are damaged, or of another campaign, build or instruction set, and
+    where runs are missing, which it counts by parts; what is there has then been copied.
+    """
+    parts = [parts] if isinstance(parts, (str, _os.PathLike)) else list(parts)
+    told = None if progress is None else _as_it_takes(progress)
+    return Campaign(_core.merge(_os.fspath(out), [_os.fspath(one) for one in parts], jobs, fresh, told))
 
 
 def load(directory):

@@ -196,6 +196,15 @@ def calibrate(
     out: _Path | None = None,
     fresh: bool = False,
     title: str = "",
+    part: tuple[int, int] | None = None,
+    progress: Callable[..., object] | None = None,
+) -> Campaign: ...
+def merge(
+    out: _Path,
+    parts: _Path | Iterable[_Path],
+    *,
+    jobs: int = 0,
+    fresh: bool = False,
     progress: Callable[..., object] | None = None,
 ) -> Campaign: ...
 def load(directory: _Path) -> Campaign: ...

@@ -1,9 +1,12 @@
 // `isolaw building` as a user meets it: template, example, a run from a campaign, what is refused.
+#include <sys/file.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "cli/run.hpp"
+#include "cli/store.hpp"
 
 namespace isolaw::cli_test {
 namespace {
@@ -75,6 +78,174 @@ TEST_F(Building, from_template_to_verdict) {
   auto const arranged = isolaw(command + Words{"--fresh", "--arrange"});
   EXPECT_EQ(arranged.code, 0) << arranged;
   EXPECT_TRUE(contains(arranged.out, "eccentricity of stiffness"));
+}
+
+// A study computed in parts and merged is, byte by byte, that of one machine.
+class BuildingParts : public Building {
+ protected:
+  static constexpr int parts = 5;
+  void SetUp() override {
+    Building::SetUp();
+    campaign();
+    ASSERT_EQ(isolaw({"example", "case", "--building"}).code, 0);
+    set("draws = 1000", "draws = 40");
+    set("laws = []", "laws = [\"bilinear\"]");
+  }
+  void set(std::string const& from, std::string const& to) const {
+    auto text = read("case/building.toml");
+    auto const at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    write("case/building.toml", text.replace(at, from.size(), to));
+  }
+  static Words study(std::string const& out, Words const& more = {}) {
+    return Words{"building", "case/building.toml", "--from", "lot", "--out", out} + more;
+  }
+  static Words part(int number, Words const& more = {}) {
+    return study(fmt::format("P{}", number), Words{"--part", fmt::format("{}/{}", number, parts)} + more);
+  }
+  void compute(std::vector<int> const& numbers) {
+    for (int const number : numbers)
+      expect_message(isolaw(part(number)), 0, {fmt::format("part {} of 5: ", number), "isolaw merge OUT PARTS..."});
+  }
+  void change(fs::path const& store, std::string const& sql) const {
+    sqlite3* db = nullptr;
+    ASSERT_EQ(sqlite3_open(path(store).c_str(), &db), SQLITE_OK);
+    EXPECT_EQ(sqlite3_exec(db, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(db);
+    sqlite3_close(db);
+  }
+  void expect_as_one_machine() {
+    if (!exists("W")) {
+      ASSERT_EQ(isolaw(study("W", {"--jobs", "3"})).code, 0);
+    }
+    for (auto const* name : {"building.json", "building.sqlite"})
+      EXPECT_TRUE(read(fs::path("O") / name) == read(fs::path("W") / name)) << name << " differs";
+  }
+};
+
+TEST_F(BuildingParts, in_any_order_one_twice_and_one_continued_are_what_one_machine_computes) {
+  compute({4, 2, 5, 1, 3});
+  std::vector<int> sizes;
+  for (int number = 1; number <= parts; ++number)
+    sizes.push_back(stored_rows(path(fmt::format("P{}/building.sqlite", number)), "runs"));
+  // 84 analyses under each of seven motions, in blocks of 16.
+  EXPECT_EQ(sizes[0] + sizes[1] + sizes[2] + sizes[3] + sizes[4], 7 * 84);
+  EXPECT_LE(std::ranges::max(sizes) - std::ranges::min(sizes), 16 + 16);
+  // Stopped in the middle of its share, and continued by the same command; computed twice, by other threads.
+  auto const whole = read("P3/building.sqlite");
+  change("P3/building.sqlite", "DELETE FROM runs WHERE place BETWEEN 3 AND 40");
+  ASSERT_EQ(isolaw(part(3, {"--jobs", "2"})).code, 0);
+  EXPECT_EQ(stored_rows(path("P3/building.sqlite"), "runs"), sizes[2]);
+  EXPECT_TRUE(read("P3/building.sqlite") == whole);
+  ASSERT_EQ(isolaw(study("again", {"--part", "2/5", "--jobs", "2"})).code, 0);
+  EXPECT_EQ(query(path("again/building.sqlite"), "SELECT * FROM runs"),
+            query(path("P2/building.sqlite"), "SELECT * FROM runs"));
+  auto const o = isolaw({"merge", "O", "P5", "P3", "again", "P1", "P2/building.sqlite", "P4"});
+  expect_message(o, 0, {"588 runs copied, ", " there already to O/building.sqlite"});
+  expect_as_one_machine();
+  EXPECT_EQ(o.out, isolaw(study("W")).out);
+}
+
+TEST_F(BuildingParts, that_are_missing_are_named_and_added_later) {
+  compute({1, 2, 4, 5});
+  auto const o = isolaw({"merge", "O", "P1", "P2", "P3", "P4", "P5"});
+  expect_message(o, 1, {"P3/building.sqlite: not there", "not complete: ", "of part 3/5 (", "isolaw merge O PARTS..."});
+  EXPECT_FALSE(exists("O/building.json"));
+  EXPECT_EQ(o.out.find("part,law,motion,analysis\n3,bilinear,motion-1-x,factor "), 0u) << o;
+  compute({3});
+  EXPECT_EQ(count_of("\n", o.out), 1u + static_cast<unsigned>(stored_rows(path("P3/building.sqlite"), "runs")));
+  expect_message(isolaw({"merge", "O", "P3", "--copy-only"}), 0, {" copied"});
+  EXPECT_FALSE(exists("O/building.json"));
+  expect_message(isolaw({"merge", "O"}), 0, {"0 runs copied", "isolaw building BUILDING.toml --from CAMPAIGN --out O"});
+  ASSERT_EQ(isolaw(study("O")).code, 0);
+  expect_as_one_machine();
+}
+
+TEST_F(BuildingParts, of_another_study_build_or_instruction_set_are_refused_and_nothing_is_changed) {
+  compute({1, 2});
+  auto const refused = [&](std::string const& what) {
+    ASSERT_EQ(isolaw(study("X", {"--part", "2/5", "--fresh"})).code, 0);
+    expect_refused(isolaw({"merge", "O", "P1", "X"}),
+                   {"X/building.sqlite: of another study than P1/building.sqlite: ", what, "parts of one study"});
+    EXPECT_FALSE(exists("O/building.sqlite"));
+  };
+  set("seed = 1", "seed = 2");
+  refused("seed: 1 there, 2 now");
+  set("seed = 2", "seed = 1");
+  auto const motion = read("case/motion-3-x.csv");
+  auto const line = motion.find("\n1.00,") + 1;
+  write("case/motion-3-x.csv", motion.substr(0, line) + "1.00,0.123456" + motion.substr(motion.find('\n', line)));
+  refused("other values of motion motion-3-x");
+  write("case/motion-3-x.csv", motion);
+  ASSERT_EQ(isolaw({"calibrate", "a.csv", "b.csv", "--laws", "bilinear", "--runs", "1", "--analysis", "full",
+                    "--replicates", "0", "--figures", "none", "--out", "lot", "--fresh"})
+                .code,
+            0);
+  refused("another lot of bilinear");
+  fs::copy(path("P2"), path("B"));
+  change("B/building.sqlite", "UPDATE study SET value = '0123456789ab' WHERE name = 'build'");
+  expect_refused(isolaw({"merge", "O", "P1", "B"}),
+                 {"B/building.sqlite: computed by isolaw ", "build 0123456789ab; this is ", "runs of one build"});
+  fs::copy(path("P2"), path("I"));
+  change("I/building.sqlite", "UPDATE study SET value = 'abacus' WHERE name = 'instruction_set'");
+  expect_refused(isolaw({"merge", "O", "P1", "I"}),
+                 {"I/building.sqlite: computed with instruction set abacus", "ISOLAW_SIMD=abacus"});
+  EXPECT_FALSE(exists("O/building.sqlite"));
+}
+
+TEST_F(BuildingParts, that_were_cut_off_or_changed_are_found_out) {
+  compute({1, 2});
+  auto const bytes = read("P2/building.sqlite");
+  for (auto const size :
+       {bytes.size() / 2, bytes.size() - 4096, bytes.size() - 1, std::size_t{4096}, std::size_t{50}, std::size_t{0}}) {
+    write("T/building.sqlite", std::string_view(bytes).substr(0, size));
+    auto const o = isolaw({"merge", "O", "P1", "T"});
+    expect_refused(o, {"T/building.sqlite", "damaged"});
+    EXPECT_FALSE(exists("O/building.sqlite")) << size;
+  }
+  write("T/building.sqlite", bytes);
+  ASSERT_EQ(isolaw({"merge", "O", "T"}).code, 1);
+  change("T/building.sqlite", "UPDATE runs SET measured = zeroblob(length(measured))");
+  expect_refused(isolaw({"merge", "O", "P1", "T"}),
+                 {"T/building.sqlite: run ", "another one than that which is there"});
+  change("T/building.sqlite", "UPDATE runs SET place = place + 1000");
+  expect_refused(isolaw({"merge", "O", "T"}), {"T/building.sqlite: run ", "is none of its study"});
+  change("T/building.sqlite", "UPDATE runs SET place = place - 1000, measured = x'0000000000000000'");
+  expect_refused(isolaw({"merge", "O", "T"}), {"T/building.sqlite: run ", "is none of its study"});
+}
+
+TEST_F(BuildingParts, are_named_as_they_may_be_and_know_what_they_are) {
+  compute({1});
+  expect_refused(isolaw(study("P1")), {"P1/building.sqlite", "part 1/5 there, all of it now"});
+  expect_refused(isolaw(study("P1", {"--part", "2/5"})), {"part 1/5 there, part 2/5 now"});
+  expect_refused(isolaw(study("X", {"--part", "6/5"})), {"--part", "K/N, part K of N"});
+  expect_refused(isolaw(part(1, {"--json"})), {"--json: a part has no answers"});
+  ASSERT_EQ(isolaw(study("Y", {"--part", "2/3"})).code, 0);
+  expect_refused(isolaw({"merge", "O", "P1", "Y"}), {"Y/building.sqlite: is part 2/3", "parts of one deal"});
+  expect_refused(isolaw({"merge", "P1", "Y"}), {"P1/building.sqlite: is part 1/5 itself"});
+  expect_refused(isolaw({"merge", "P1", "P1"}), {"P1: is the directory that is merged into"});
+  int const held = ::open(path("P1").c_str(), O_RDONLY | O_DIRECTORY);
+  ASSERT_EQ(flock(held, LOCK_EX | LOCK_NB), 0);
+  expect_refused(isolaw(part(1)), {"P1: another isolaw works in this directory"});
+  close(held);
+}
+
+TEST_F(BuildingParts, of_a_script_end_as_one_machine_also_after_a_loss) {
+  if (std::system("command -v make >/dev/null 2>&1") != 0) GTEST_SKIP() << "no make here";
+  auto const printed = isolaw({"parts", "case/building.toml", "3", "--to", "make", "--campaign", "lot", "--out", "O"});
+  ASSERT_EQ(printed.code, 0) << printed;
+  write("script", printed.out);
+  auto const run = [&] {
+    return Process({"make", "-f", "script", "-k"}, directory(), path("out"), path("err")).wait();
+  };
+  EXPECT_TRUE(contains(run().err, "588 runs copied"));
+  expect_as_one_machine();
+  fs::remove_all(path("O"));
+  fs::remove_all(path("O.parts/2"));
+  EXPECT_TRUE(contains(run().err, "588 runs copied"));
+  expect_as_one_machine();
+  auto const slurm = isolaw({"parts", "case/building.toml", "3", "--to", "slurm", "--campaign", "lot"});
+  for (auto const* part : {"building --part \"$1/$count\"", "$kept/building.sqlite", "--time=10 ", "--array="})
+    EXPECT_TRUE(contains(slurm.out, part));
 }
 
 TEST_F(Building, refuses) {

@@ -205,12 +205,12 @@ class BuildingRuns : public testing::Test {
   std::string json(Study const& study, std::size_t threads, bool interrupted = false) const {
     fs::remove(file_);
     if (interrupted) {
-      RunStore store(file_, fingerprint(study), false);
+      RunStore store(file_, traits_of(study), false);
       EXPECT_THROW(run_all(study, store, threads, [](RunProgress const&) { throw std::runtime_error("stop"); }),
                    std::runtime_error);
-      EXPECT_GT(store.tasks_done(), 0u);
+      EXPECT_GT(store.runs_there(), 0u);
     }
-    RunStore store(file_, fingerprint(study), false);
+    RunStore store(file_, traits_of(study), false);
     run_all(study, store, threads);
     return answers_json(study, answer(study, store));
   }
@@ -225,15 +225,17 @@ TEST_F(BuildingRuns, same_bytes_for_any_threads_and_after_an_interruption) {
   EXPECT_EQ(json(study, 2, true), one);
   auto other = study;
   other.file.settings.seed = 2;
-  auto const refused = refusal_of([&] { RunStore(file_, fingerprint(other), false); });
-  EXPECT_TRUE(contains(refused, "the runs of another building") && contains(refused, "--fresh")) << refused;
-  RunStore const fresh(file_, fingerprint(other), true);
-  EXPECT_EQ(fresh.tasks_done(), 0u);
+  auto const refused = refusal_of([&] { RunStore(file_, traits_of(other), false); });
+  EXPECT_TRUE(contains(refused, "the runs of another building") && contains(refused, "seed: 1 there, 2 now") &&
+              contains(refused, "--fresh"))
+      << refused;
+  RunStore const fresh(file_, traits_of(other), true);
+  EXPECT_EQ(fresh.runs_there(), 0u);
 }
 
 TEST_F(BuildingRuns, answers) {
   auto const study = usual_study(0.07, 120, 4);
-  RunStore store(file_, fingerprint(study), false);
+  RunStore store(file_, traits_of(study), false);
   run_all(study, store, 1);
   auto const made = answer(study, store);
   auto const& law = made.laws.at(0);

@@ -16,11 +16,13 @@
 #include <vector>
 
 #include "campaign_fixture.hpp"
-#include "isolaw/api/calibrate.hpp"
+#include "isolaw/api/merge.hpp"
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/file.hpp"
 #include "isolaw/campaign/prepare.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/fit/objective.hpp"
+#include "refusal.hpp"
 
 namespace isolaw::campaign {
 namespace {
@@ -524,6 +526,36 @@ TEST_F(CampaignTest, OfADirectoryIsSaidWhatItContinues) {
   EXPECT_EQ(grown.continued.added, std::vector<std::string>{"1 device"});
   EXPECT_FALSE(grown.continued.released.empty());
   EXPECT_EQ(grown.devices.size(), 2u);
+}
+
+// A program's own parts, one call each.
+TEST_F(CampaignTest, InPartsEndsAsOneMachine) {
+  auto const record = [&](std::string name, double stiffness) {
+    auto const file = write(name + ".csv", record_text(stiffness));
+    return NamedRecord{.name = std::move(name), .record = data::read_record(file), .info = {}};
+  };
+  auto const settings = lot("bilinear").settings;
+  auto const of = [&](std::string const& directory, std::optional<Part> part) {
+    CalibrateOptions options;
+    options.directory = folder / directory;
+    options.part = part;
+    return calibrate({record("a", 1.0), record("b", 1.1)}, settings, options);
+  };
+  EXPECT_TRUE(of("whole", {}).complete());
+  EXPECT_TRUE(of("1", Part{1, 2}).complete());
+  EXPECT_FALSE(std::filesystem::exists(folder / "1/summary.json"));
+  auto const missing = refusal_of([&] { isolaw::merge(folder / "merged", {folder / "1", folder / "2"}); });
+  EXPECT_NE(missing.find("of part 2/2 ("), std::string::npos) << missing;
+  of("2", Part{2, 2});
+  EXPECT_TRUE(isolaw::merge(folder / "merged", {folder / "2"}).complete());
+  ReadLimits const any{.largest_bytes = 1U << 30, .allowed = {}, .when_too_large = {}};
+  for (auto const* name : {"campaign.sqlite", "summary.json"})
+    EXPECT_EQ(read_file(folder / "merged" / name, any), read_file(folder / "whole" / name, any)) << name;
+  EXPECT_NE(refusal_of([&] { of("3", Part{3, 2}); }).find("3/2"), std::string::npos);
+  CalibrateOptions nowhere;
+  nowhere.part = Part{1, 2};
+  EXPECT_NE(refusal_of([&] { calibrate({record("a", 1.0)}, settings, nowhere); }).find("no directory"),
+            std::string::npos);
 }
 
 }  // namespace

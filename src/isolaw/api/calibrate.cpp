@@ -51,11 +51,29 @@ void load_rules(campaign::Acceptance& acceptance) {
   if (!design.empty()) rules::parse_design(design);
 }
 
+campaign::Contents finish_campaign(campaign::Contents contents, std::filesystem::path const& store,
+                                   campaign::RunOptions const& options) {
+  if (!campaign::run(contents, store, options)) return contents;
+  // From the store, not from memory.
+  contents = campaign::Store::read(store);
+  if (!contents.part) render::write_outputs(study::build_summary(contents), store.parent_path());
+  return contents;
+}
+
 Calibrated calibrate(std::vector<campaign::NamedRecord> records, campaign::Settings const& settings,
                      CalibrateOptions const& options) {
   fit::instruction_set();  // throws before anything is written
+  if (options.part) {
+    campaign::parse_part(campaign::text(*options.part));
+    if (!options.directory)
+      throw Error({.where = "part " + campaign::text(*options.part),
+                   .found = "no directory",
+                   .allowed = "a directory of its own for each part, from which they are merged",
+                   .advice = "out=DIR"});
+  }
   auto contents = campaign::prepare(std::move(records), settings, options.title);
   contents.acceptance = options.acceptance;
+  contents.part = options.part;
   load_rules(contents.acceptance);
   // What the lot cannot be held to is said before the search, not after it.
   if (contents.acceptance != campaign::Acceptance{}) study::build_summary(contents);
@@ -71,12 +89,7 @@ Calibrated calibrate(std::vector<campaign::NamedRecord> records, campaign::Setti
   auto const file = *options.directory / store_name;
   render::remove_leftovers(*options.directory);
   auto continued = open_or_create(file, contents, options.fresh);
-  // From the store, not from memory: what is returned is what another program would read there.
-  bool const finished = campaign::run(contents, file, options.run);
-  if (!finished) return {std::move(contents), std::move(continued)};
-  contents = campaign::Store::read(file);
-  render::write_outputs(study::build_summary(contents), *options.directory);
-  return {std::move(contents), std::move(continued)};
+  return {finish_campaign(std::move(contents), file, options.run), std::move(continued)};
 }
 
 }  // namespace isolaw

@@ -5,6 +5,7 @@
 //   parameters_in_order, fitted_law          values by name, or as a campaign found them
 //   fit::LawOnMotion, fit::LawOnRecord       forces under a displacement history; the objective of a record
 //   calibrate, study::build_summary         laws fitted to records; all numbers of the reports
+//   CalibrateOptions::part, merge            a share of a campaign, and one campaign of all of them
 // Wrong input throws one isolaw::Error. Nothing prints.
 // Stable within a minor version: what is named here, and the keys of summary.json. The other headers are installed
 // because this one needs them; what they hold besides may change with any version. Headers that it does not need are
@@ -15,6 +16,7 @@
 #include "isolaw/api/campaign_directory.hpp"
 #include "isolaw/api/catalogue_json.hpp"
 #include "isolaw/api/fitted.hpp"
+#include "isolaw/api/merge.hpp"
 #include "isolaw/api/parameters.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/campaign/store.hpp"

@@ -143,6 +143,7 @@ void add_building(CLI::App& c, BuildingArguments& a) {
   c.add_option("--jobs", a.jobs,
                fmt::format("threads, 0 to {} (one per core); the results do not depend on it", campaign::most_jobs))
       ->check(CLI::Range(0, campaign::most_jobs));
+  c.add_option("--part", a.part, "K/N: only the K-th of N even shares of the runs, for isolaw merge");
   c.add_flag("--arrange", a.arrange, "also put the tested devices where least eccentricity is left");
   c.add_flag("--fresh", a.fresh, "start over where the directory holds runs of another building");
   c.add_flag("--template", a.print_template, "print a commented building file");
@@ -198,12 +199,15 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   report_command.add_flag("--json", report_arguments.json, "print summary.json instead of the ranking");
 
   MergeArguments merge_arguments;
-  auto& merge_command = add("merge", "Make one campaign of the parts that several machines computed", [&] {
-    return merge(merge_arguments, {argv, argv + argc});
-  });
-  merge_command.add_option("directory", merge_arguments.directory, "directory of the whole campaign")->required();
-  merge_command.add_option("parts", merge_arguments.parts,
-                           "directories of isolaw calibrate --part, in any order; none: what is there is finished");
+  auto& merge_command =
+      add("merge", "Make one campaign, or building study, of the parts that several machines computed", [&] {
+        return merge(merge_arguments, {argv, argv + argc});
+      });
+  merge_command.add_option("directory", merge_arguments.directory, "directory of the whole campaign or study")
+      ->required();
+  merge_command.add_option(
+      "parts", merge_arguments.parts,
+      "directories of isolaw calibrate --part or isolaw building --part, in any order; none: what is there is finished");
   add_jobs(merge_command, merge_arguments.jobs);
   add_figures(merge_command, merge_arguments.figures);
   merge_command.add_flag("--copy-only", merge_arguments.copy_only,
@@ -212,16 +216,22 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   merge_command.add_flag("--json", merge_arguments.json, "print summary.json and the profile instead of the ranking");
 
   PartsArguments parts_arguments;
-  auto& parts_command =
-      add("parts", "Print a script that computes a campaign in parts, by a cluster's scheduler, and merges them",
-          [&] { return parts(parts_arguments, argv[0]); });
-  parts_command.add_option("lot", parts_arguments.lot, "a lot file (.toml), or a directory of records")->required();
+  auto& parts_command = add(
+      "parts", "Print a script that computes a campaign or a building study in parts, by a scheduler, and merges them",
+      [&] { return parts(parts_arguments, argv[0]); });
+  parts_command
+      .add_option("lot", parts_arguments.lot,
+                  "a lot file (.toml), or a directory of records; with --campaign a building file")
+      ->required();
   parts_command.add_option("count", parts_arguments.count, "parts; some two or three for each thread there is")
       ->required();
   parts_command
       .add_option("--to", parts_arguments.to,
                   joined(part_script_kinds) + " (where a record ends, its `to`, a lot file says)")
       ->required();
+  parts_command.add_option("--campaign", parts_arguments.campaign,
+                           "of a building file: the campaign's directory, whose lot the bearings are of");
+  parts_command.add_option("--motion", parts_arguments.motions, "of a building file: as of isolaw building");
   add_campaign(parts_command, parts_arguments.calibrate);
 
   SampleArguments sample_arguments;

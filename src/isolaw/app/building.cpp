@@ -1,18 +1,26 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <thread>
+#include <utility>
 
+#include "isolaw/api/merge.hpp"
+#include "isolaw/app/building.hpp"
 #include "isolaw/app/commands.hpp"
+#include "isolaw/app/merge.hpp"
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/base/write_file.hpp"
 #include "isolaw/building/answers.hpp"
 #include "isolaw/building/synthetic_motion.hpp"
 #include "isolaw/campaign/store.hpp"
+#include "isolaw/render/tables/tables.hpp"
 #include "isolaw/study/build_summary.hpp"
 #include "isolaw/study/building_sources.hpp"
 
@@ -80,13 +88,23 @@ void print_arrangement(building::Study const& study, building::Answers const& an
   }
 }
 
+std::string full_name(std::filesystem::path const& path) {
+  return std::filesystem::absolute(path).lexically_normal().string();
+}
+
+// "x.AT2,y.AT2": two files.
+std::vector<std::string> full_names(std::vector<std::string> motions) {
+  for (auto& motion : motions) {
+    auto const comma = motion.find(',');
+    motion = full_name(std::filesystem::path(motion.substr(0, comma))) +
+             (comma == std::string::npos ? "" : "," + full_name(std::filesystem::path(motion.substr(comma + 1))));
+  }
+  return motions;
+}
+
 }  // namespace
 
-int building(BuildingArguments const& a) {
-  if (a.print_template) {
-    print(building::building_template());
-    return exit_done;
-  }
+building::Study building_study(BuildingArguments const& a) {
   if (!a.file || !a.from)
     throw Error({.where = a.file ? "--from" : "isolaw building",
                  .found = "is not given",
@@ -99,6 +117,20 @@ int building(BuildingArguments const& a) {
   auto& wanted = study.file.settings.laws;
   if (wanted.empty()) wanted.push_back(study::recommended_law(summary, where));
   for (auto const& law : wanted) study.laws.push_back(study::law_source(contents, summary, law, where));
+  return study;
+}
+
+int building(BuildingArguments const& a) {
+  if (a.print_template) {
+    print(building::building_template());
+    return exit_done;
+  }
+  auto const part = a.part ? std::optional(campaign::parse_part(*a.part)) : std::nullopt;
+  if (part && (a.json || a.arrange))
+    throw Error({.where = a.json ? "--json" : "--arrange",
+                 .found = "a part has no answers",
+                 .advice = "isolaw merge OUT PARTS... of all of them"});
+  auto const study = building_study(a);
   if (a.arrange)
     for (auto const& law : study.laws)
       if (law.devices.size() < study.file.bearings.size())
@@ -110,24 +142,90 @@ int building(BuildingArguments const& a) {
   building::Model const model(building::Structure(study.file.frame), study.file.plan());
   auto const out = a.out.value_or(std::filesystem::path("out") / "building");
   make_folder(out);
-  building::RunStore store(out / "building.sqlite", building::fingerprint(study), a.fresh);
+  DirectoryLock const lock(out);
+  auto const file = out / building_store;
+  auto traits = building::traits_of(study);
+  if (part) {
+    auto const of_part = building::traits_of(*part, full_name(*a.file), full_name(*a.from), full_names(a.motions));
+    traits.insert(traits.end(), of_part.begin(), of_part.end());
+  }
+  std::optional<building::RunStore> store(std::in_place, file, traits, a.fresh);
   auto const start = std::chrono::steady_clock::now();
   bool const shown_to_somebody = isatty(STDERR_FILENO) != 0;
   auto const threads = a.jobs.value_or(0) > 0 ? static_cast<std::size_t>(*a.jobs)
                                               : std::max<std::size_t>(1, std::thread::hardware_concurrency());
-  building::run_all(study, store, threads, [&](building::RunProgress const& progress) {
-    if (shown_to_somebody) show_progress(progress, start);
-  });
+  building::run_all(
+      study, *store, threads,
+      [&](building::RunProgress const& progress) {
+        if (shown_to_somebody) show_progress(progress, start);
+      },
+      part);
   if (shown_to_somebody) say("\r\033[K");
-  auto const answers = building::answer(study, store);
-  write_file(out / "building.json", building::answers_json(study, answers));
+  auto const runs = store->runs_there();
+  auto const answers = part ? std::nullopt : std::optional(building::answer(study, *store));
+  store.reset();
+  building::RunStore::put_in_order(file);
+  if (!answers) {
+    say("part {} of {}: {}, all of its share, in {}; once every part is there: isolaw merge OUT PARTS...\n",
+        part->number, part->of, counted(runs, "run"), shown(file));
+    return exit_done;
+  }
+  write_file(out / "building.json", building::answers_json(study, *answers));
   if (a.json)
-    print(building::answers_json(study, answers));
+    print(building::answers_json(study, *answers));
   else
-    print_answers(study, answers);
-  if (a.arrange) print_arrangement(study, answers);
+    print_answers(study, *answers);
+  if (a.arrange) print_arrangement(study, *answers);
   say("{}\n", shown(out / "building.json"));
   return exit_done;
+}
+
+bool merges_buildings(MergeArguments const& arguments) {
+  auto const is_of_building = [](std::filesystem::path const& path) {
+    std::error_code unknown;
+    return path.filename() == building_store || std::filesystem::exists(path / building_store, unknown);
+  };
+  return arguments.parts.empty() ? is_of_building(arguments.directory)
+                                 : std::ranges::any_of(arguments.parts, is_of_building);
+}
+
+int merge_buildings(MergeArguments const& arguments) {
+  auto const& directory = arguments.directory;
+  std::vector<std::filesystem::path> stores;
+  for (auto const& part : arguments.parts) stores.push_back(store_of_part(part, directory, building_store));
+  building::MergedStudy merged;
+  {
+    make_directory(directory);
+    DirectoryLock const lock(directory);
+    bool any = false;
+    merged = building::merge(directory / building_store, stores,
+                             {.missing =
+                                  [&](building::MissingRun const& run) {
+                                    if (!std::exchange(any, true)) print("part,law,motion,analysis");
+                                    print(fmt::format("{},{},{},{}", run.part > 0 ? std::to_string(run.part) : "",
+                                                      run.law, render::csv_cell(run.motion), run.analysis));
+                                  },
+                              .fresh = arguments.fresh});
+  }
+  tell_merged(merged, directory, building_store);
+  if (merged.missing > 0) return exit_with_refusals;
+  if (arguments.copy_only) return exit_done;
+  if (merged.part.empty()) {
+    say("all runs are there; their answers: isolaw building BUILDING.toml --from CAMPAIGN --out {}\n",
+        shown(directory));
+    return exit_done;
+  }
+  using Kind = building::Trait::Kind;
+  BuildingArguments whole{.file = building::value_of(merged.part, Kind::part, "file"),
+                          .from = building::value_of(merged.part, Kind::part, "from"),
+                          .out = directory,
+                          .motions = {},
+                          .jobs = arguments.jobs,
+                          .part = {},
+                          .json = arguments.json};
+  for (auto const& trait : merged.part)
+    if (trait.name == "motion") whole.motions.push_back(trait.value);
+  return building(whole);
 }
 
 void write_example_building(std::filesystem::path const& directory) {

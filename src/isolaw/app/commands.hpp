@@ -36,16 +36,22 @@ struct MergeArguments {
   std::string figures = "lot";
   bool copy_only = false, fresh = false, json = false;
 };
-// A campaign computed in parts as one machine would have computed it; where runs are missing, which.
+// A campaign, or a study of a building, computed in parts as one machine would have computed it; what is missing is
+// named.
 int merge(MergeArguments const& arguments, std::vector<std::string> const& command_line);
+// Whether it is parts of buildings; and their merge.
+bool merges_buildings(MergeArguments const& arguments);
+int merge_buildings(MergeArguments const& arguments);
 
 struct PartsArguments {
   std::filesystem::path lot;
-  CalibrateArguments calibrate;  // its inputs are the lot
+  CalibrateArguments calibrate;                   // its inputs are the lot
+  std::optional<std::filesystem::path> campaign;  // the lot is then a building file, with these motions
+  std::vector<std::string> motions;
   int count = 0;
   std::string to;  // of part_script_kinds
 };
-// A script that computes a campaign in so many parts and merges them.
+// A script that computes a campaign, or a study of a building, in so many parts and merges them.
 int parts(PartsArguments const& arguments, std::string const& program);
 
 struct InspectArguments {
@@ -117,6 +123,7 @@ struct BuildingArguments {
   std::optional<std::filesystem::path> file, from, out;  // BUILDING.toml, a campaign's directory, of the results
   std::vector<std::string> motions;                      // "x.AT2" or "x.AT2,y.AT2", in place of the file's
   std::optional<int> jobs;
+  std::optional<std::string> part;  // "3/40"
   bool print_template = false, fresh = false, arrange = false, json = false;
 };
 // The isolated building: its bearings drawn from the lot, the bound analyses beside them.

@@ -54,7 +54,7 @@ std::string program_line(PartScript const& of, std::vector<std::string> words) {
 
 // Scratch directories of one campaign are its own.
 std::string fingerprint(PartScript const& of) {
-  return sha256(shell_quoted(of.calibrate) + of.directory.string() + of.out.string() + std::to_string(of.parts))
+  return sha256(shell_quoted(of.words) + of.directory.string() + of.out.string() + std::to_string(of.parts))
       .substr(0, 12);
 }
 
@@ -79,11 +79,11 @@ scratch=${{ISOLAW_SCRATCH:-${{SLURM_TMPDIR:-${{TMPDIR:-/tmp}}}}}}/isolaw-{finger
 # stopped is kept for the next try.
 part() {{
   kept=$parts/$1
-  [ ! -e "$kept/campaign.sqlite" ] || return 0
+  [ ! -e "$kept/{store}" ] || return 0
   disk=$scratch/$1
   mkdir -p "$kept" "$disk"
-  [ -e "$disk/campaign.sqlite" ] || [ ! -e "$kept/unfinished" ] || cp "$kept/unfinished" "$disk/campaign.sqlite"
-  {program} calibrate --part "$1/$count" --out "$disk" --jobs "$jobs" {calibrate} &
+  [ -e "$disk/{store}" ] || [ ! -e "$kept/unfinished" ] || cp "$kept/unfinished" "$disk/{store}"
+  {program} {command} --part "$1/$count" --out "$disk" --jobs "$jobs" {words} &
   child=$!
   trap 'kill "$child" 2>/dev/null || :' TERM INT HUP
   code=0
@@ -93,10 +93,10 @@ part() {{
     wait "$child" || code=$?
   done
   trap - TERM INT HUP
-  name=campaign.sqlite
+  name={store}
   [ "$code" -eq 0 ] || name=unfinished
-  if [ -e "$disk/campaign.sqlite" ] && [ ! -e "$disk/campaign.sqlite-wal" ]; then
-    cp "$disk/campaign.sqlite" "$kept/arriving.$$"
+  if [ -e "$disk/{store}" ] && [ ! -e "$disk/{store}-wal" ] && [ ! -e "$disk/{store}-journal" ]; then
+    cp "$disk/{store}" "$kept/arriving.$$"
     mv "$kept/arriving.$$" "$kept/$name"
   fi
   [ "$code" -ne 0 ] || rm -rf "$disk" "$kept/unfinished"
@@ -107,7 +107,7 @@ part() {{
 missing() {{
   number=1
   while [ "$number" -le "$count" ]; do
-    [ -e "$parts/$number/campaign.sqlite" ] || echo "$number"
+    [ -e "$parts/$number/{store}" ] || echo "$number"
     number=$((number + 1))
   done
 }}
@@ -125,7 +125,8 @@ merge() {{
       fmt::arg("instruction_set", quoted(of.instruction_set)), fmt::arg("directory", quoted(of.directory.string())),
       fmt::arg("out", quoted(of.out.string())), fmt::arg("parts", quoted(parts_of(of))), fmt::arg("count", of.parts),
       fmt::arg("jobs", of.jobs), fmt::arg("fingerprint", fingerprint(of)), fmt::arg("program", quoted(of.program)),
-      fmt::arg("calibrate", shell_quoted(of.calibrate)), fmt::arg("merge", program_line(of, std::move(merge))));
+      fmt::arg("command", of.command), fmt::arg("store", of.store), fmt::arg("words", shell_quoted(of.words)),
+      fmt::arg("merge", program_line(of, std::move(merge))));
 }
 
 std::string for_slurm(PartScript const& of) {
@@ -215,19 +216,19 @@ merge: $(parts)
 	{cd} && {merge}
 # A part that is there already ends at once.
 $(parts): part-%:
-	{cd} && {program} calibrate --jobs {jobs} --part $*/{count} --out {out}/$* {calibrate}
+	{cd} && {program} {command} --jobs {jobs} --part $*/{count} --out {out}/$* {words}
 )make",
                      fmt::arg("instruction_set", of.instruction_set), fmt::arg("names", names), fmt::arg("cd", cd),
                      fmt::arg("merge", for_make(program_line(of, merge))),
-                     fmt::arg("program", for_make(quoted(of.program))),
-                     fmt::arg("calibrate", for_make(shell_quoted(of.calibrate))), fmt::arg("jobs", of.jobs),
+                     fmt::arg("program", for_make(quoted(of.program))), fmt::arg("command", of.command),
+                     fmt::arg("words", for_make(shell_quoted(of.words))), fmt::arg("jobs", of.jobs),
                      fmt::arg("count", of.parts), fmt::arg("out", for_make(quoted(parts_of(of)))));
 }
 
 }  // namespace
 
 std::string part_script(std::string_view kind, PartScript const& of) {
-  auto words = of.calibrate;
+  auto words = of.words;
   words.insert(words.end(), {of.program, of.directory.string(), of.out.string()});
   for (auto const& word : words)
     if (word.find('\n') != std::string::npos)

@@ -17,11 +17,12 @@ struct PartNeeds {
 };
 
 struct PartScript {
-  std::string program;                 // as a shell finds it
-  std::filesystem::path directory;     // where the command was given
-  std::vector<std::string> calibrate;  // options and input of isolaw calibrate; without --part, --out and --jobs
-  std::vector<std::string> merge;      // options of isolaw merge
-  std::string title;                   // of the lot, for people
+  std::string program;              // as a shell finds it
+  std::filesystem::path directory;  // where the command was given
+  std::string command, store;       // of isolaw, which computes a part; and the file that it leaves
+  std::vector<std::string> words;   // options and input of that command; without --part, --out and --jobs
+  std::vector<std::string> merge;   // options of isolaw merge
+  std::string title;                // of the lot, for people
   std::filesystem::path out;
   int parts = 1, jobs = 1;
   std::string instruction_set;  // the same for all, wherever they run

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 
+#include "isolaw/api/campaign_directory.hpp"
+#include "isolaw/app/building.hpp"
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/lot_of.hpp"
 #include "isolaw/app/part_script.hpp"
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/processor_time.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/campaign/estimate.hpp"
 #include "isolaw/campaign/prepare.hpp"
@@ -50,6 +53,47 @@ std::string program_of(std::string const& word) {
   return word.find('/') == std::string::npos ? word : std::filesystem::absolute(word).lexically_normal().string();
 }
 
+// Of a building: one block of runs of each law is computed here for the time that it takes.
+std::string script_of_building(PartsArguments const& arguments, std::string const& program) {
+  auto const study = building_study({.file = arguments.lot,
+                                     .from = arguments.campaign,
+                                     .out = {},
+                                     .motions = arguments.motions,
+                                     .jobs = {},
+                                     .part = {}});
+  building::Runs const runs(study);
+  auto const& blocks = runs.blocks();
+  auto const of_law = blocks.count() / study.laws.size();
+  double all_s = 0.0, blocks_s = 0.0;
+  for (std::size_t law = 0; law < study.laws.size(); ++law) {
+    double const before_s = process_time_s();
+    runs.of(blocks.at(law * of_law));
+    double const block_s = process_time_s() - before_s;
+    blocks_s += block_s;
+    all_s += block_s * static_cast<double>(of_law);
+  }
+  int const jobs = std::max(1, arguments.calibrate.jobs.value_or(1));
+  std::vector<std::string> words{"--from", arguments.campaign->string()};
+  for (auto const& motion : arguments.motions) words.push_back("--motion=" + motion);
+  words.insert(words.end(), {"--", arguments.lot.string()});
+  auto const& title = study.file.settings.title;
+  return part_script(arguments.to, {.program = program,
+                                    .directory = std::filesystem::current_path(),
+                                    .command = "building",
+                                    .store = building_store,
+                                    .words = words,
+                                    .merge = {},
+                                    .title = title.empty() ? arguments.lot.stem().string() : title,
+                                    .out = arguments.calibrate.out.value_or(std::filesystem::path("out") / "building"),
+                                    .parts = arguments.count,
+                                    .jobs = jobs,
+                                    .instruction_set = std::string(fit::name(fit::instruction_set())),
+                                    // Of the answers: some runs one by one for each law and motion.
+                                    .needs = {.part_s = all_s / arguments.count / jobs,
+                                              .merge_s = blocks_s * static_cast<double>(study.file.motions.size()),
+                                              .memory_bytes = memory_bytes(jobs)}});
+}
+
 }  // namespace
 
 int parts(PartsArguments const& arguments, std::string const& program) {
@@ -57,6 +101,10 @@ int parts(PartsArguments const& arguments, std::string const& program) {
     throw Error({.where = "count",
                  .found = std::to_string(arguments.count),
                  .allowed = fmt::format("1 to {} parts", campaign::most_parts)});
+  if (arguments.campaign) {
+    print(script_of_building(arguments, program_of(program)));
+    return exit_done;
+  }
   auto given = arguments.calibrate;
   given.inputs = {arguments.lot};
   auto const lot = lot_of(given);
@@ -76,7 +124,9 @@ int parts(PartsArguments const& arguments, std::string const& program) {
   std::vector<std::string> of_merge{"--figures", given.figures};
   print(part_script(arguments.to, {.program = program_of(program),
                                    .directory = std::filesystem::current_path(),
-                                   .calibrate = words_again(given),
+                                   .command = "calibrate",
+                                   .store = store_name,
+                                   .words = words_again(given),
                                    .merge = std::move(of_merge),
                                    .title = contents.title,
                                    .out = output_directory(given, lot),

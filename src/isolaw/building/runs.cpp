@@ -3,10 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/hash.hpp"
+#include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
+#include "isolaw/campaign/maker.hpp"
 #include "isolaw/campaign/parallel.hpp"
 #include "isolaw/campaign/sqlite.hpp"
 
@@ -16,11 +22,164 @@ using campaign::sqlite::Connection;
 using campaign::sqlite::Statement;
 using campaign::sqlite::Transaction;
 
+extern char const* const sources_hash;  // made while building, see CMakeLists.txt
+
+namespace {
+
+using Kind = Trait::Kind;
+using Path = std::filesystem::path;
+
+// In the order of Kind; as the store has them.
+constexpr std::array<std::string_view, 6> kinds{"setting", "building", "motion", "law", "maker", "part"};
+
+void create_run_tables(Connection const& db) {
+  db.execute("CREATE TABLE study (kind TEXT NOT NULL, name TEXT NOT NULL, value TEXT NOT NULL)");
+  db.execute(
+      "CREATE TABLE runs (law INTEGER, motion INTEGER, place INTEGER, measured BLOB, PRIMARY KEY (law, motion, place)) WITHOUT ROWID");
+}
+
+template <class Read>
+auto read_as_study(Path const& file, Read&& read) {
+  try {
+    return read();
+  } catch (Error const& error) {
+    throw Error({.where = file.generic_string(),
+                 .found = "no store of building runs, or a damaged one: " + error.complaints().front().found,
+                 .allowed = "building.sqlite of isolaw building",
+                 .advice = "copying it once more, or --fresh, which computes it again"});
+  }
+}
+
+std::vector<Trait> read_traits(Connection const& db, Path const& file) {
+  return read_as_study(file, [&] {
+    std::vector<Trait> made;
+    Statement select(db, "SELECT kind, name, value FROM study ORDER BY rowid");
+    while (select.row()) {
+      std::string kind;
+      auto& trait = made.emplace_back();
+      select.read(kind, trait.name, trait.value);
+      auto const place = std::ranges::find(kinds, kind);
+      if (place == kinds.end()) throw Error({.found = "a trait of kind " + in_quotes(kind)});
+      trait.kind = static_cast<Kind>(place - kinds.begin());
+    }
+    if (made.empty()) throw Error({.found = "it does not say what its runs are of"});
+    return made;
+  });
+}
+
+std::vector<Trait> without(std::vector<Trait> traits, Kind kind) {
+  std::erase_if(traits, [&](Trait const& trait) { return trait.kind == kind; });
+  return traits;
+}
+
+std::vector<Trait> of_kind(std::span<Trait const> traits, Kind kind) {
+  std::vector<Trait> found;
+  std::ranges::copy_if(traits, std::back_inserter(found), [&](Trait const& trait) { return trait.kind == kind; });
+  return found;
+}
+
+// Numbers of two builds may differ, and in last digits those of two instruction sets do.
+void require_same_maker(Path const& file, std::span<Trait const> there, campaign::Maker const& now,
+                        std::string const& again) {
+  auto const maker = maker_of(there);
+  if (!campaign::same_build(maker, now))
+    throw Error({.where = file.generic_string(),
+                 .found = fmt::format("computed by isolaw {}; this is {}, whose numbers may differ",
+                                      campaign::text(maker), campaign::text(now)),
+                 .allowed = "runs of one build in a study",
+                 .advice = "the isolaw that computed it (isolaw --version tells its build), or " + again});
+  if (maker.instruction_set != now.instruction_set)
+    throw Error({.where = file.generic_string(),
+                 .found = fmt::format("computed with instruction set {}; this is {}", maker.instruction_set,
+                                      now.instruction_set),
+                 .allowed = "runs of one instruction set in a study",
+                 .advice = fmt::format("ISOLAW_SIMD={}, or {}", maker.instruction_set, again)});
+}
+
+campaign::Maker building_maker() {
+  auto maker = campaign::this_maker();
+  maker.build = sources_hash;
+  return maker;
+}
+
+std::string of_part(std::optional<campaign::Part> const& part) {
+  return part ? "part " + campaign::text(*part) : "all of it";
+}
+
+}  // namespace
+
+campaign::Maker maker_of(std::span<Trait const> traits) {
+  return {.version = value_of(traits, Kind::maker, "version"),
+          .build = value_of(traits, Kind::maker, "build"),
+          .instruction_set = value_of(traits, Kind::maker, "instruction_set")};
+}
+
+std::optional<campaign::Part> part_of(std::span<Trait const> traits) {
+  auto const text = value_of(traits, Kind::part, "part");
+  return text.empty() ? std::nullopt : std::optional(campaign::parse_part(text));
+}
+
+std::string value_of(std::span<Trait const> traits, Kind kind, std::string_view name) {
+  auto const found =
+      std::ranges::find_if(traits, [&](Trait const& trait) { return trait.kind == kind && trait.name == name; });
+  return found == traits.end() ? std::string() : found->value;
+}
+
+std::vector<Trait> traits_of(campaign::Part const& part, std::string const& building_file, std::string const& campaign,
+                             std::vector<std::string> const& motions) {
+  std::vector<Trait> made{
+      {Kind::part, "part", campaign::text(part)}, {Kind::part, "file", building_file}, {Kind::part, "from", campaign}};
+  for (auto const& motion : motions) made.push_back({Kind::part, "motion", motion});
+  return made;
+}
+
+std::vector<std::string> differences(std::span<Trait const> there, std::span<Trait const> now) {
+  std::vector<std::string> found;
+  for (auto const kind : {Kind::setting, Kind::building, Kind::motion, Kind::law}) {
+    auto const a = of_kind(there, kind), b = of_kind(now, kind);
+    auto const word = kinds[static_cast<std::size_t>(kind)];
+    if (a.size() != b.size()) {
+      found.push_back(fmt::format("{} there, {} now", counted(a.size(), word), counted(b.size(), word)));
+      continue;
+    }
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      auto const name = printable(a[i].name), was = printable(a[i].value), is = printable(b[i].value);
+      if (a[i].name != b[i].name)
+        found.push_back(fmt::format("{} {}: {} there, {} now", word, i + 1, name, printable(b[i].name)));
+      else if (a[i].value == b[i].value)
+        continue;
+      else if (kind == Kind::setting)
+        found.push_back(fmt::format("{}: {} there, {} now", name, was, is));
+      else
+        found.push_back((kind == Kind::law      ? "another lot of "
+                         : kind == Kind::motion ? "other values of motion "
+                                                : "another building: ") +
+                        name);
+    }
+  }
+  return found;
+}
+
+Blocks::Block Blocks::at(std::size_t number) const {
+  constexpr std::size_t size = 2 * lane_width;
+  auto const from = number % of_motion() * size;
+  return {.law = number / of_motion() / motions_,
+          .motion = number / of_motion() % motions_,
+          .from = from,
+          .to = std::min(cases_, from + size)};
+}
+
+std::size_t Blocks::of_motion() const {
+  constexpr std::size_t size = 2 * lane_width;
+  return (cases_ + size - 1) / size;
+}
+
 struct RunStore::Handle {
   Connection db;
 };
 
-RunStore::RunStore(std::filesystem::path const& file, std::string const& of, bool fresh) {
+RunStore::RunStore(std::filesystem::path const& file, std::vector<Trait> const& of, bool fresh) {
+  campaign::sqlite::remove_unfinished(file);
   bool const there = std::filesystem::exists(file);
   if (there && fresh)
     for (auto const* end : {"", "-wal", "-shm", "-journal"}) std::filesystem::remove(file.string() + end);
@@ -28,39 +187,55 @@ RunStore::RunStore(std::filesystem::path const& file, std::string const& of, boo
   handle_ = std::make_unique<Handle>(Handle{open ? Connection::to_write(file) : Connection::create(file)});
   auto const& db = handle_->db;
   if (open) {
-    std::string found;
-    Statement select(db, "SELECT made_of FROM study");
-    if (select.row()) found = select.text();
+    auto const found = read_traits(db, file);
     if (found == of) return;
-    throw Error({.where = file.generic_string(),
-                 .found = "the runs of another building, of other settings or of another campaign",
-                 .allowed = "the same, which is continued",
-                 .advice = "--fresh to start over, or another --out"});
+    auto different = differences(found, of);
+    if (auto const a = part_of(found), b = part_of(of); a != b)
+      different.push_back(fmt::format("{} there, {} now", of_part(a), of_part(b)));
+    if (!different.empty())
+      throw Error({.where = file.generic_string(),
+                   .found = "the runs of another building, of other settings or of another campaign: " +
+                            joined(different, "; "),
+                   .allowed = "the same, which is continued",
+                   .advice = "--fresh to start over, or another --out"});
+    require_same_maker(file, found, maker_of(of), "--fresh to start over, or another --out");
+    return;  // a part whose files were named otherwise
   }
   Transaction transaction(db);
-  db.execute("CREATE TABLE study (made_of TEXT NOT NULL, tasks INTEGER NOT NULL)");
-  db.execute(
-      "CREATE TABLE runs (law INTEGER, motion INTEGER, place INTEGER, measured BLOB, PRIMARY KEY (law, motion, place)) WITHOUT ROWID");
-  Statement(db, "INSERT INTO study VALUES (?, 0)").bind(std::string_view(of)).insert();
+  create_run_tables(db);
+  Statement insert(db, "INSERT INTO study VALUES (?, ?, ?)");
+  for (auto const& trait : of)
+    insert
+        .bind(kinds.at(static_cast<std::size_t>(trait.kind)), std::string_view(trait.name),
+              std::string_view(trait.value))
+        .insert();
   transaction.commit();
 }
 
 RunStore::~RunStore() = default;
 
-std::size_t RunStore::tasks_done() const {
-  Statement select(handle_->db, "SELECT tasks FROM study");
+std::size_t RunStore::runs_there() const {
+  Statement select(handle_->db, "SELECT count(*) FROM runs");
   std::size_t count = 0;
   if (select.row()) select.read(count);
   return count;
 }
 
-void RunStore::add(std::size_t tasks_done, std::vector<Row> const& rows) {
+bool RunStore::is_there(Blocks::Block const& block) const {
+  Statement select(handle_->db, "SELECT count(*) FROM runs WHERE law = ? AND motion = ? AND place >= ? AND place < ?");
+  select.bind(block.law, block.motion, block.from, block.to);
+  std::size_t count = 0;
+  if (select.row()) select.read(count);
+  return count == block.to - block.from;
+}
+
+void RunStore::add(std::vector<Row> const& rows) {
   auto const& db = handle_->db;
   Transaction transaction(db);
   {
-    Statement insert(db, "INSERT INTO runs VALUES (?, ?, ?, ?)");
+    // Of a block that another program's merge holds in part, what is there stays.
+    Statement insert(db, "INSERT OR IGNORE INTO runs VALUES (?, ?, ?, ?)");
     for (auto const& row : rows) insert.bind(row.law, row.motion, row.place, row.measured).insert();
-    Statement(db, "UPDATE study SET tasks = ?").bind(tasks_done).insert();
   }
   transaction.commit();
 }
@@ -77,15 +252,37 @@ void RunStore::each(std::size_t law, std::size_t motion,
   }
 }
 
-std::string fingerprint(Study const& study) {
+void RunStore::put_in_order(std::filesystem::path const& file) {
+  campaign::sqlite::put_in_order(file, create_run_tables);
+}
+
+std::vector<Trait> traits_of(Study const& study) {
+  std::vector<Trait> made;
   std::string all;
   auto const add = [&](auto const&... values) { ((all += fmt::format("{};", values)), ...); };
   auto const add_all = [&](auto const& values) {
     add(values.size());
     for (auto const& v : values) add(v);
   };
+  auto const add_matrix = [&](lot::SquareMatrix const& rows) {
+    for (auto const& row : rows) add_all(row);
+  };
+  auto const hashed = [&](Kind kind, std::string const& name) {
+    made.push_back({kind, name, sha256(std::exchange(all, {}))});
+  };
   auto const& s = study.file.settings;
-  add(s.draws, s.populations, s.draws_of_each, s.seed, s.damping, s.lower, s.upper, s.step_s, s.rest_s);
+  auto const setting = [&](char const* name, auto value) {
+    made.push_back({Kind::setting, name, fmt::format("{}", value)});
+  };
+  setting("draws", s.draws);
+  setting("populations", s.populations);
+  setting("draws_of_each", s.draws_of_each);
+  setting("seed", s.seed);
+  setting("damping", s.damping);
+  setting("lower", s.lower);
+  setting("upper", s.upper);
+  setting("step_s", s.step_s);
+  setting("rest_s", s.rest_s);
   auto const slab = [&](Diaphragm const& d) { add(d.mass_Mg, d.gyration_mm, d.centre.x_mm, d.centre.y_mm); };
   slab(study.file.frame.base);
   for (auto const& floor : study.file.frame.floors) {
@@ -93,25 +290,41 @@ std::string fingerprint(Study const& study) {
     add(floor.below.centre.x_mm, floor.below.centre.y_mm);
     for (Eigen::Index i = 0; i < 9; ++i) add(floor.below.stiffness(i / 3, i % 3));
   }
+  hashed(Kind::building, "structure");
   for (auto const& b : study.file.bearings) add(b.at.x_mm, b.at.y_mm, static_cast<int>(b.stands), b.device);
   if (study.file.plan_mm) add_all(*study.file.plan_mm);
+  hashed(Kind::building, "plan");
+  auto const measures = Layout{study.file.frame.floors.size(), study.file.bearings.size()}.count();
+  made.push_back({Kind::building, "measures", std::to_string(measures)});
   for (auto const& m : study.file.motions) {
     add(m.step_s);
     add_all(m.x_mm_s2);
     add_all(m.y_mm_s2);
+    hashed(Kind::motion, m.name);
   }
   for (auto const& law : study.laws) {
-    add(law.law);
+    auto const& p = law.population;
     add_all(law.lot);
     add_all(law.median);
-    for (auto const& row : law.population.covariance) add_all(row);
-    for (auto const& row : law.population.uncertainty) add_all(row);
+    add_all(p.mean);
+    add(p.devices);
+    add_matrix(p.estimates);
+    add_matrix(p.uncertainty);
+    add_matrix(p.covariance);
+    for (auto const transform : p.transforms) add(static_cast<int>(transform));
+    for (auto const& place : law.place) add(place ? *place + 1 : 0);
+    for (auto const& limits : law.limits) add(limits.lower, limits.upper);
     for (auto const& [name, values] : law.devices) {
       add(name);
       add_all(values);
     }
+    hashed(Kind::law, law.law);
   }
-  return fmt::format("{} {}", sha256(all), num::name(num::instruction_set()));
+  auto const me = building_maker();
+  made.push_back({Kind::maker, "version", me.version});
+  made.push_back({Kind::maker, "build", me.build});
+  made.push_back({Kind::maker, "instruction_set", me.instruction_set});
+  return made;
 }
 
 Options options_of(Study const& study, Model const& model, Devices const& devices) {
@@ -126,44 +339,200 @@ Options options_of(Study const& study, Model const& model, Devices const& device
           .rest_s = study.file.settings.rest_s};
 }
 
-void run_all(Study const& study, RunStore& store, std::size_t threads,
-             std::function<void(RunProgress const&)> const& progress) {
-  Model const model(Structure(study.file.frame), study.file.plan());
-  auto const cases = cases_of(study.file.settings);
-  auto const motions = study.file.motions.size();
-  std::vector<Devices> devices;
-  std::vector<Options> options;
+Runs::Runs(Study const& study)
+    : study_(study),
+      model_(Structure(study.file.frame), study.file.plan()),
+      cases_(cases_of(study.file.settings)),
+      blocks_(study.laws.size(), study.file.motions.size(), cases_.size()) {
   for (auto const& law : study.laws) {
-    devices.emplace_back(law, study.file.bearings, study.file.settings);
-    options.push_back(options_of(study, model, devices.back()));
+    devices_.emplace_back(law, study.file.bearings, study.file.settings);
+    options_.push_back(options_of(study, model_, devices_.back()));
   }
-  constexpr std::size_t block = 2 * lane_width, chunk = 16;
-  std::size_t const blocks = (cases.size() + block - 1) / block, total = study.laws.size() * motions * blocks;
-  auto const count = model.layout().count();
-  for (std::size_t first = store.tasks_done(); first < total; first += chunk) {
-    std::size_t const last = std::min(total, first + chunk);
+}
+
+std::vector<RunStore::Row> Runs::of(Blocks::Block const& block) const {
+  auto const& devices = devices_[block.law];
+  std::vector<double> values;
+  for (auto place = block.from; place < block.to; ++place) {
+    auto const one = devices.of(cases_[place]);
+    values.insert(values.end(), one.begin(), one.end());
+  }
+  auto const out = respond(model_, study_.laws[block.law].law, values, study_.file.motions[block.motion],
+                           options_[block.law], devices.coupling());
+  auto const count = static_cast<std::ptrdiff_t>(model_.layout().count());
+  std::vector<RunStore::Row> made;
+  auto row = out.begin();
+  for (auto place = block.from; place < block.to; ++place, row += count)
+    made.push_back({block.law, block.motion, place, {row, row + count}});
+  return made;
+}
+
+void run_all(Study const& study, RunStore& store, std::size_t threads,
+             std::function<void(RunProgress const&)> const& progress, std::optional<campaign::Part> const& part) {
+  Runs const runs(study);
+  auto const& blocks = runs.blocks();
+  std::vector<Blocks::Block> left;
+  RunProgress told;
+  for (std::size_t number = 0; number < blocks.count(); ++number) {
+    if (part && Blocks::part_of(number, part->of) != part->number) continue;
+    auto const block = blocks.at(number);
+    told.total += block.to - block.from;
+    if (store.is_there(block))
+      told.done += block.to - block.from;
+    else
+      left.push_back(block);
+  }
+  constexpr std::size_t chunk = 16;
+  for (std::size_t first = 0; first < left.size(); first += chunk) {
+    std::size_t const last = std::min(left.size(), first + chunk);
     std::vector<std::vector<RunStore::Row>> made(last - first);
-    campaign::for_each_in_parallel(last - first, threads, [&](std::size_t i) {
-      std::size_t const task = first + i, part = task % blocks, motion = task / blocks % motions,
-                        law = task / blocks / motions;
-      std::vector<double> values;
-      std::size_t const from = part * block, to = std::min(cases.size(), from + block);
-      for (std::size_t c = from; c < to; ++c) {
-        auto const one = devices[law].of(cases[c]);
-        values.insert(values.end(), one.begin(), one.end());
-      }
-      auto const out = respond(model, study.laws[law].law, values, study.file.motions[motion], options[law],
-                               devices[law].coupling());
-      for (std::size_t c = from; c < to; ++c) {
-        auto const row = out.begin() + static_cast<std::ptrdiff_t>((c - from) * count);
-        made[i].push_back({law, motion, c, {row, row + static_cast<std::ptrdiff_t>(count)}});
-      }
-    });
+    campaign::for_each_in_parallel(last - first, threads, [&](std::size_t i) { made[i] = runs.of(left[first + i]); });
     std::vector<RunStore::Row> rows;
-    for (auto& part : made) std::ranges::move(part, std::back_inserter(rows));
-    store.add(last, rows);
-    if (progress) progress({.done = last * cases.size() / blocks, .total = total * cases.size() / blocks});
+    for (auto& block : made) std::ranges::move(block, std::back_inserter(rows));
+    store.add(rows);
+    told.done += rows.size();
+    if (progress) progress(told);
   }
+}
+
+namespace {
+
+Blocks blocks_of(std::span<Trait const> traits, std::vector<Case>& cases, Path const& file) {
+  auto const whole = [&](std::string_view name) {
+    auto const number = number_in<int>(value_of(traits, Kind::setting, name));
+    constexpr int most = 100'000'000;
+    if (!number || *number < 0 || *number > most)
+      throw Error({.where = file.generic_string(),
+                   .found = fmt::format("no number of its setting {}", name),
+                   .allowed = "building.sqlite of isolaw building",
+                   .advice = "copying it once more, or --fresh, which computes it again"});
+    return *number;
+  };
+  Settings settings;
+  settings.draws = whole("draws");
+  settings.populations = whole("populations");
+  settings.draws_of_each = whole("draws_of_each");
+  cases = cases_of(settings);
+  return {of_kind(traits, Kind::law).size(), of_kind(traits, Kind::motion).size(), cases.size()};
+}
+
+// All rows of a store, or with an Error none of them.
+void take_runs(Connection const& db, Path const& file, campaign::Merged& merged, std::array<std::size_t, 3> const& most,
+               std::string const& measures) {
+  auto const theirs = Connection::to_read(file);
+  auto const refuse = [&](RunStore::Row const& row, std::string_view what, std::string_view allowed) {
+    throw Error(
+        {.where = file.generic_string(),
+         .found = fmt::format("run {} of law {} under motion {} {}", row.place + 1, row.law + 1, row.motion + 1, what),
+         .allowed = std::string(allowed),
+         .advice = "the part that is not sound again, with --fresh"});
+  };
+  Transaction transaction(db);
+  {
+    Statement insert(db, "INSERT OR IGNORE INTO runs VALUES (?, ?, ?, ?)");
+    Statement same(db, "SELECT 1 FROM runs WHERE law = ? AND motion = ? AND place = ? AND measured = ?");
+    Statement select(theirs, "SELECT law, motion, place, measured FROM runs ORDER BY law, motion, place");
+    while (select.row()) {
+      RunStore::Row row;
+      select.read(row.law, row.motion, row.place, row.measured);
+      if (row.law >= most[0] || row.motion >= most[1] || row.place >= most[2] ||
+          std::to_string(row.measured.size()) != measures)
+        refuse(row, "is none of its study", "runs as isolaw building makes them");
+      if (insert.bind(row.law, row.motion, row.place, row.measured).insert()) {
+        ++merged.added;
+        continue;
+      }
+      ++merged.there;
+      if (!same.again(row.law, row.motion, row.place, row.measured).row())
+        refuse(row, "is another one than that which is there already", "one result of a run, whoever computed it");
+    }
+  }
+  transaction.commit();
+}
+
+}  // namespace
+
+MergedStudy merge(Path const& out, std::vector<Path> const& parts, MergeOptions const& options) {
+  auto const me = building_maker();
+  MergedStudy merged;
+  std::optional<std::pair<Path, std::vector<Trait>>> first;
+  auto const examine = [&](Path const& file) {
+    auto const faults = read_as_study(file, [&] { return campaign::sqlite::integrity(file); });
+    if (!faults.empty())
+      throw Error(
+          {.where = file.generic_string(),
+           .found = "is damaged: " + faults.front(),
+           .allowed = "stores as isolaw left them",
+           .advice = "copying it once more, or isolaw building ... --part K/N --fresh, which computes it again"});
+    auto const traits = read_traits(Connection::to_read(file), file);
+    require_same_maker(file, traits, me, "isolaw building ... --part K/N --fresh, which computes it again");
+    if (!first) first.emplace(file, without(traits, Kind::part));
+    if (without(traits, Kind::part) != first->second)
+      throw Error({.where = file.generic_string(),
+                   .found = fmt::format("of another study than {}: {}", first->first.generic_string(),
+                                        joined(differences(first->second, traits), "; ")),
+                   .allowed = "parts of one study: the same building, motions, lot and settings",
+                   .advice = "leaving it out, or --part again with the command of the others"});
+    auto const part = read_as_study(file, [&] { return part_of(traits); });
+    if (part && merged.parts != 0 && merged.parts != part->of)
+      throw Error({.where = file.generic_string(),
+                   .found = fmt::format("is part {}; another is one of {}", campaign::text(*part), merged.parts),
+                   .allowed = "parts of one deal",
+                   .advice = "merging those of each deal into the same directory, one after the other"});
+    if (part) merged.parts = part->of;
+    if (part && merged.part.empty()) merged.part = of_kind(traits, Kind::part);
+    return part;
+  };
+  campaign::sqlite::remove_unfinished(out);
+  bool const continues = std::filesystem::exists(out) && !options.fresh;
+  if (continues && !campaign::sqlite::is_plain(out))
+    Connection::to_write(out).try_execute("SELECT 1 FROM sqlite_master");  // undoes what a kill left half done
+  if (continues)
+    if (auto const part = examine(out))
+      throw Error({.where = out.generic_string(),
+                   .found = fmt::format("is part {} itself", campaign::text(*part)),
+                   .allowed = "a directory of its own for the whole study",
+                   .advice = "another directory, or --fresh to replace it"});
+  std::vector<Path> files;
+  for (auto const& part : parts) {
+    if (!std::filesystem::exists(part)) {
+      merged.absent.push_back(part.string());
+      continue;
+    }
+    examine(part);
+    files.push_back(part);
+  }
+  if (!first)
+    throw Error({.where = parts.empty() ? out.generic_string() : parts.front().generic_string(),
+                 .found = "no part is there",
+                 .allowed = "directories of isolaw building BUILDING.toml --part K/N --out DIR"});
+  std::vector<Case> cases;
+  auto const blocks = blocks_of(first->second, cases, first->first);
+  auto const laws = of_kind(first->second, Kind::law), motions = of_kind(first->second, Kind::motion);
+  { RunStore const made(out, first->second, options.fresh); }
+  {
+    auto const db = Connection::to_write(out);
+    for (auto const& file : files)
+      take_runs(db, file, merged, {laws.size(), motions.size(), cases.size()},
+                value_of(first->second, Kind::building, "measures"));
+    Statement there(db, "SELECT 1 FROM runs WHERE law = ? AND motion = ? AND place = ?");
+    for (std::size_t number = 0; number < blocks.count(); ++number) {
+      auto const block = blocks.at(number);
+      for (auto place = block.from; place < block.to; ++place) {
+        if (there.again(block.law, block.motion, place).row()) continue;
+        int const part = merged.parts > 0 ? Blocks::part_of(number, merged.parts) : 0;
+        ++merged.missing;
+        ++merged.missing_of[part];
+        if (options.missing)
+          options.missing({.law = laws[block.law].name,
+                           .motion = motions[block.motion].name,
+                           .analysis = text(cases[place]),
+                           .part = part});
+      }
+    }
+  }
+  if (merged.missing == 0) RunStore::put_in_order(out);
+  return merged;
 }
 
 }  // namespace isolaw::building

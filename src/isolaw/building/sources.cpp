@@ -33,6 +33,24 @@ std::vector<double> with_force(std::string_view law, std::vector<double> paramet
   return parameters;
 }
 
+std::string text(Case const& which) {
+  switch (which.kind) {
+    case CaseKind::nominal:
+      return "nominal";
+    case CaseKind::lower:
+      return "lower";
+    case CaseKind::upper:
+      return "upper";
+    case CaseKind::factor:
+      return fmt::format("factor {:.2f}", grid_factor(which.draw));
+    case CaseKind::draw:
+      return fmt::format("draw {}", which.draw + 1);
+    case CaseKind::uncertain:
+      return fmt::format("population {} draw {}", which.population + 1, which.draw + 1);
+  }
+  return {};
+}
+
 std::vector<Case> cases_of(Settings const& settings) {
   std::vector<Case> made{{.kind = CaseKind::nominal}, {.kind = CaseKind::lower}, {.kind = CaseKind::upper}};
   for (std::uint32_t i = 0; i <= 2 * grid_half; ++i) made.push_back({.kind = CaseKind::factor, .draw = i});

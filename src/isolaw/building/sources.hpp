@@ -51,6 +51,8 @@ inline double grid_factor(std::uint32_t i) {
   return 1.0 + grid_step * (static_cast<double>(i) - static_cast<double>(grid_half));
 }
 
+std::string text(Case const& which);  // "nominal", "factor 0.60", "draw 7", "population 2 draw 7"; counted from 1
+
 // All analyses of a law under one motion, in the order of stores.
 std::vector<Case> cases_of(Settings const& settings);
 

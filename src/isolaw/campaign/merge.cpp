@@ -94,21 +94,33 @@ void tell_missing(Path const& out, Merged& merged, MergeOptions const& options) 
     ++count;
   });
   merged.missing = campaign.expected_runs() - count;
-  if (merged.missing == 0 || !options.missing) return;
+  if (merged.missing == 0) return;
   std::optional<Deal> deal;
   if (merged.parts > 0) deal.emplace(Store::read_beginning_and_series(out), merged.parts);
   for (auto const& [key, place] : places)
     for (std::size_t run = 0; run < runs; ++run) {
       if (there[place * runs + run]) continue;
-      int const number = static_cast<int>(run) + 1;
-      options.missing({.device = campaign.devices.at(key.first).name,
-                       .law = std::string(key.second),
-                       .number = number,
-                       .part = deal ? deal->part_of(place, number) : 0});
+      int const number = static_cast<int>(run) + 1, part = deal ? deal->part_of(place, number) : 0;
+      ++merged.missing_of[part];
+      if (options.missing)
+        options.missing({.device = campaign.devices.at(key.first).name,
+                         .law = std::string(key.second),
+                         .number = number,
+                         .part = part});
     }
 }
 
 }  // namespace
+
+std::string missing_text(Merged const& merged) {
+  if (merged.missing == 0) return {};
+  std::vector<std::string> of_parts;
+  for (auto const& [part, runs] : merged.missing_of)
+    if (part > 0) of_parts.push_back(fmt::format("{} ({})", text(Part{part, merged.parts}), counted(runs, "run")));
+  constexpr std::size_t shown = 20;
+  return fmt::format("{} {} missing{}{}", counted(merged.missing, "run"), merged.missing == 1 ? "is" : "are",
+                     of_parts.empty() ? "" : ", of part ", shortened(of_parts, shown));
+}
 
 Merged merge(Path const& out, std::vector<Path> const& parts, MergeOptions const& options) {
   auto const me = this_maker();

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,9 +23,12 @@ struct MissingRun {
 struct Merged {
   std::size_t added = 0, there = 0;  // runs: copied, and there before or in two parts
   std::size_t missing = 0;
-  int parts = 0;                    // that the campaign was dealt into; 0: none says so
-  std::vector<std::string> absent;  // parts that are not there
+  int parts = 0;                          // that the campaign was dealt into; 0: none says so
+  std::vector<std::string> absent;        // parts that are not there
+  std::map<int, std::size_t> missing_of;  // by MissingRun::part
 };
+// "5 runs are missing, of part 4/7 (4 runs), 5/7 (1 run)"; empty where none is.
+std::string missing_text(Merged const& merged);
 
 struct MergeOptions {
   std::function<void()> before_replacing = {};                  // see Store::create

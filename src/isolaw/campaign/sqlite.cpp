@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
 #include <new>
 #include <utility>
 
@@ -40,6 +41,13 @@ static_assert(std::endian::native == std::endian::little, "series are stored as 
   throw Error({.where = file,
                .found = fmt::format("{}: {}", doing, sqlite3_errmsg(db)),
                .advice = "check free space and permissions of the directory; finished runs in the store are kept"});
+}
+
+std::uintmax_t bytes_of_pages(Connection const& db) {
+  Statement size(db, "SELECT page_size * page_count FROM pragma_page_size, pragma_page_count");
+  std::size_t bytes = 0;
+  if (size.row()) size.read(bytes);
+  return bytes;
 }
 
 }  // namespace
@@ -225,6 +233,65 @@ std::string Statement::whole_row() {
     row += fmt::format("{}:{}|", size, size == 0 ? std::string_view() : std::string_view(bytes, size));
   }
   return row;
+}
+
+std::filesystem::path unfinished(std::filesystem::path const& file) {
+  return file.string() + ".part";
+}
+
+void remove_unfinished(std::filesystem::path const& file) {
+  std::error_code ignored;
+  for (auto const* suffix : {"-journal", ""}) std::filesystem::remove(unfinished(file).string() + suffix, ignored);
+}
+
+bool is_plain(std::filesystem::path const& file) {
+  require_plain(file);
+  // Bytes 18 and 19 of an SQLite file: 1 for a rollback journal, 2 for a write-ahead log.
+  std::array<char, 20> header{};
+  std::ifstream(file, std::ios::binary).read(header.data(), header.size());
+  return !has_log(file) && header[18] == 1 && header[19] == 1;
+}
+
+void put_in_order(std::filesystem::path const& file, std::function<void(Connection const&)> const& create_tables) {
+  // Bytes 24 to 27 count what was written to an SQLite file since it was made, transaction by transaction.
+  std::array<char, 28> header{};
+  std::ifstream(file, std::ios::binary).read(header.data(), header.size());
+  bool const written_once = header[24] == 0 && header[25] == 0 && header[26] == 0 && header[27] == 1;
+  if (written_once || !is_plain(file)) return;
+  auto const aside = unfinished(file);
+  remove_unfinished(file);
+  try {
+    auto const db = Connection::create(aside);
+    Statement(db, "ATTACH DATABASE ? AS former").bind(file.string()).insert();
+    Transaction transaction(db);
+    create_tables(db);
+    std::vector<std::string> names;
+    for (Statement table(db, "SELECT name FROM main.sqlite_master WHERE type = 'table' ORDER BY rowid"); table.row();)
+      names.push_back(table.text());
+    for (auto const& name : names)
+      db.execute(fmt::format("INSERT INTO main.\"{0}\" SELECT * FROM former.\"{0}\"", name));
+    transaction.commit();
+  } catch (Error const&) {
+    return remove_unfinished(file);  // what is there is whole, and all that was asked for
+  }
+  std::error_code error;
+  std::filesystem::rename(aside, file, error);
+  if (error) remove_unfinished(file);
+}
+
+std::vector<std::string> integrity(std::filesystem::path const& file) {
+  auto const db = Connection::to_read(file);
+  std::vector<std::string> faults;
+  // A file that was cut off within a page reads as if the rest were zeros.
+  auto const bytes = std::filesystem::file_size(file);
+  if (auto const whole = bytes_of_pages(db); is_plain(file) && whole != bytes)
+    faults.push_back(fmt::format("it has {} bytes instead of {}", bytes, whole));
+  for (auto const* pragma : {"PRAGMA integrity_check", "PRAGMA foreign_key_check"}) {
+    Statement rows(db, pragma);
+    while (rows.row())
+      if (auto row = rows.text(); row != "ok") faults.push_back(std::move(row));
+  }
+  return faults;
 }
 
 }  // namespace isolaw::campaign::sqlite

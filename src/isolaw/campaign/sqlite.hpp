@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -115,5 +116,16 @@ class Transaction {
   Connection const& db_;
   bool done_ = false;
 };
+
+// Whether the file stands alone, without a log or a journal, and can be read wherever it is copied to.
+bool is_plain(std::filesystem::path const& file);
+// A file beside `file` while it is written anew; and what of it a program that was killed left there.
+std::filesystem::path unfinished(std::filesystem::path const& file);
+void remove_unfinished(std::filesystem::path const& file);
+// Writes a file that stands alone anew, rows in the order of their keys: equal rows are then equal files, byte by byte.
+// Leaves it as it is where that is so already, and where the new one cannot be written.
+void put_in_order(std::filesystem::path const& file, std::function<void(Connection const&)> const& create_tables);
+// What SQLite finds wrong with the file itself; empty when it is sound. Throws Error when it cannot be read at all.
+std::vector<std::string> integrity(std::filesystem::path const& file);
 
 }  // namespace isolaw::campaign::sqlite

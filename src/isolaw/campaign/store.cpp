@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -24,10 +22,6 @@ namespace {
 using sqlite::Connection;
 using sqlite::Statement;
 using sqlite::Transaction;
-
-std::filesystem::path unfinished(std::filesystem::path const& file) {
-  return file.string() + ".part";
-}
 
 // Whatever the file is: a store of another schema, a damaged one. What cannot be folded in is not to be had.
 void fold_log(std::filesystem::path const& file) {
@@ -96,13 +90,6 @@ void write_results(Connection const& db, Contents const& contents) {
   transaction.commit();
 }
 
-std::uintmax_t bytes_of_pages(Connection const& db) {
-  Statement size(db, "SELECT page_size * page_count FROM pragma_page_size, pragma_page_count");
-  std::size_t bytes = 0;
-  if (size.row()) size.read(bytes);
-  return bytes;
-}
-
 // The rows of a table, each as one text that tells values and their kinds apart.
 std::vector<std::string> rows_of(Connection const& db, std::string const& columns_and_table) {
   std::vector<std::string> found;
@@ -115,8 +102,7 @@ std::vector<std::string> rows_of(Connection const& db, std::string const& column
 }  // namespace
 
 void Store::remove_unfinished(std::filesystem::path const& file) {
-  std::error_code ignored;
-  for (auto const* suffix : {"-journal", ""}) std::filesystem::remove(unfinished(file).string() + suffix, ignored);
+  sqlite::remove_unfinished(file);
 }
 
 Store Store::create(std::filesystem::path const& file, Contents const& contents,
@@ -126,7 +112,7 @@ Store Store::create(std::filesystem::path const& file, Contents const& contents,
   // the one it replaces is not lost to a full disk or a kill.
   sqlite::require_plain(file);
   remove_unfinished(file);
-  auto const aside = unfinished(file);
+  auto const aside = sqlite::unfinished(file);
   {
     auto const db = Connection::create(aside);
     fill(db, contents, contents.makers.empty() ? std::vector{this_maker()} : contents.makers);
@@ -148,11 +134,7 @@ Store Store::create(std::filesystem::path const& file, Contents const& contents,
 }
 
 bool Store::is_plain(std::filesystem::path const& file) {
-  sqlite::require_plain(file);
-  // Bytes 18 and 19 of an SQLite file: 1 for a rollback journal, 2 for a write-ahead log.
-  std::array<char, 20> header{};
-  std::ifstream(file, std::ios::binary).read(header.data(), header.size());
-  return !sqlite::has_log(file) && header[18] == 1 && header[19] == 1;
+  return sqlite::is_plain(file);
 }
 
 Store Store::open(std::filesystem::path const& file) {
@@ -179,30 +161,7 @@ Contents Store::read(std::filesystem::path const& file) {
 }
 
 void Store::put_in_order(std::filesystem::path const& file) {
-  // Bytes 24 to 27 count what was written to an SQLite file since it was made, transaction by transaction.
-  std::array<char, 28> header{};
-  std::ifstream(file, std::ios::binary).read(header.data(), header.size());
-  bool const written_once = header[24] == 0 && header[25] == 0 && header[26] == 0 && header[27] == 1;
-  if (written_once || !is_plain(file)) return;
-  auto const aside = unfinished(file);
-  remove_unfinished(file);
-  try {
-    auto const db = Connection::create(aside);
-    Statement(db, "ATTACH DATABASE ? AS former").bind(file.string()).insert();
-    Transaction transaction(db);
-    create_tables(db);
-    std::vector<std::string> names;
-    for (Statement table(db, "SELECT name FROM main.sqlite_master WHERE type = 'table' ORDER BY rowid"); table.row();)
-      names.push_back(table.text());
-    for (auto const& name : names)
-      db.execute(fmt::format("INSERT INTO main.\"{0}\" SELECT * FROM former.\"{0}\"", name));
-    transaction.commit();
-  } catch (Error const&) {
-    return remove_unfinished(file);  // what is there is whole, and all that was asked for
-  }
-  std::error_code error;
-  std::filesystem::rename(aside, file, error);
-  if (error) remove_unfinished(file);
+  sqlite::put_in_order(file, create_tables);
 }
 
 Store::Taken Store::take_runs(std::filesystem::path const& other) {
@@ -343,18 +302,7 @@ void Store::describe(Contents const& contents) {
 }
 
 std::vector<std::string> Store::integrity(std::filesystem::path const& file) {
-  auto const db = Connection::to_read(file);
-  std::vector<std::string> faults;
-  // A file that was cut off within a page reads as if the rest were zeros.
-  auto const bytes = std::filesystem::file_size(file);
-  if (auto const whole = bytes_of_pages(db); is_plain(file) && whole != bytes)
-    faults.push_back(fmt::format("it has {} bytes instead of {}", bytes, whole));
-  for (auto const* pragma : {"PRAGMA integrity_check", "PRAGMA foreign_key_check"}) {
-    Statement rows(db, pragma);
-    while (rows.row())
-      if (auto row = rows.text(); row != "ok") faults.push_back(std::move(row));
-  }
-  return faults;
+  return sqlite::integrity(file);
 }
 
 bool Store::finish() {

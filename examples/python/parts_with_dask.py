@@ -1,0 +1,72 @@
+#!/usr/bin/env python3
+"""A campaign computed in parts by Dask: every part a future, whose result is the store of its runs; merged at the end.
+
+Workers need no common disk but for the records, which they read by their names: a part lies on the worker's own disk
+while it is computed, and travels as bytes. The part of a worker that is lost is computed again by another one, and what
+has arrived stays: the same command goes on after any loss. Needs python3-distributed; after ./isolaw.sh run:
+
+    PYTHONPATH=build/release/python /usr/bin/python3 examples/python/parts_with_dask.py examples/published-lot/*.csv
+
+--scheduler ADDRESS takes a cluster that is there (dask-jobqueue, Kubernetes); all of its workers need this isolaw and,
+where their processors differ, the same ISOLAW_SIMD.
+"""
+
+import argparse
+import os
+import pathlib
+import tempfile
+
+import distributed
+
+import isolaw
+
+STORE = "campaign.sqlite"
+
+
+def share(files, settings, number, of):
+    """Part `number` of `of`, as a worker computes it: the bytes of its store."""
+    with tempfile.TemporaryDirectory(dir=distributed.get_worker().local_directory) as folder:
+        isolaw.calibrate(files, **settings, part=(number, of), jobs=1, out=folder)
+        return (pathlib.Path(folder) / STORE).read_bytes()
+
+
+def campaign(client, files, settings, of, out, compute=share):
+    """The whole campaign in `out`, byte by byte what isolaw.calibrate(files, **settings, out=out) leaves there."""
+    files = [str(pathlib.Path(file).resolve()) for file in files]
+    parts = {number: pathlib.Path(f"{out}.parts") / str(number) for number in range(1, of + 1)}
+    missing = [number for number, part in parts.items() if not (part / STORE).exists()]
+    # Of equal arguments Dask makes one future; a part that was lost to its directory is asked for anew.
+    futures = {client.submit(compute, files, settings, number, of, pure=False): number for number in missing}
+    for future, store in distributed.as_completed(futures, with_results=True):
+        part = parts[futures[future]]
+        part.mkdir(parents=True, exist_ok=True)
+        (part / "arriving").write_bytes(store)
+        os.replace(part / "arriving", part / STORE)  # whole or not there
+        future.release()
+        print(f"part {futures[future]} of {of} is here", flush=True)
+    return isolaw.merge(out, parts.values())
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    options.add_argument("records", nargs="+")
+    options.add_argument("--parts", type=int, default=8, help="some two or three for each worker (8)")
+    options.add_argument("--workers", type=int, default=2, help="processes on this machine (2)")
+    options.add_argument("--scheduler", help="of a cluster that is there, in their place")
+    options.add_argument("--laws", default="usual")
+    options.add_argument("--runs", type=int)
+    options.add_argument("--out", default="out/dask")
+    asked = options.parse_args()
+    settings = {"laws": asked.laws, "runs": asked.runs}
+    here = {"n_workers": asked.workers, "threads_per_worker": 1, "processes": True, "dashboard_address": None}
+    cluster = asked.scheduler or distributed.LocalCluster(**here)
+    with distributed.Client(cluster) as client:
+        made = campaign(client, asked.records, settings, asked.parts, asked.out)
+    if not asked.scheduler:
+        cluster.close()
+    for row in made.front("converged"):
+        print(f"{row['law']:<20} {row['accuracy']:.4f}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,92 @@
+"""The example with Dask, on processes of this machine: parts as futures, a worker that is lost, one machine's bytes."""
+
+import functools
+import importlib.util
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from devices import SOURCE, arrays, write_csv
+
+import isolaw
+
+if importlib.util.find_spec("distributed") is None:
+    print("skipped: python3-distributed is not installed")
+    sys.exit(0)
+
+import distributed
+
+sys.path.insert(0, str(SOURCE / "examples/python"))  # workers are given it, too
+import parts_with_dask
+
+LAWS = "bilinear,vaiana"
+
+
+def share_of_a_worker_that_is_lost(mark, files, settings, number, of):
+    """The second part takes its worker with it, once: where `mark` is not there yet."""
+
+    def lose(*told):
+        try:
+            open(mark, "x").close()
+        except FileExistsError:
+            return
+        os.kill(os.getpid(), signal.SIGKILL)
+
+    return parts_with_dask.share(files, settings | {"progress": lose} if number == 2 else settings, number, of)
+
+
+class Dask(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.path = pathlib.Path(cls.folder.name)
+        for name, strength in (("a", 20.0), ("b", 24.0)):
+            write_csv(cls.path / f"{name}.csv", *arrays(strength))
+        cls.files = [cls.path / "a.csv", cls.path / "b.csv"]
+        isolaw.calibrate(cls.files, LAWS, runs=2, out=cls.path / "one")
+
+    def expect_one_machines(self, out):
+        for name in ("campaign.sqlite", "summary.json", "report.html"):
+            self.assertEqual((out / name).read_bytes(), (self.path / "one" / name).read_bytes(), name)
+
+    def run_example(self, out):
+        made = subprocess.run(
+            [sys.executable, SOURCE / "examples/python/parts_with_dask.py", *self.files, "--parts", "3", "--laws", LAWS,
+             "--runs", "2", "--out", out],
+            capture_output=True, text=True, timeout=300, cwd=self.path,
+        )  # fmt: skip
+        self.assertEqual(made.returncode, 0, made.stderr)
+        return made.stdout
+
+    def test_the_example_ends_as_one_machine_and_goes_on_after_a_loss(self):
+        out = self.path / "parts"
+        said = self.run_example(out)
+        self.expect_one_machines(out)
+        self.assertEqual(sorted(line for line in said.splitlines() if line.startswith("part ")),
+                         [f"part {number} of 3 is here" for number in (1, 2, 3)])  # fmt: skip
+        lost = self.path / "parts.parts/2/campaign.sqlite"
+        lost.unlink()
+        (out / "campaign.sqlite").unlink()
+        said = self.run_example(out)
+        self.assertEqual([line for line in said.splitlines() if line.startswith("part ")], ["part 2 of 3 is here"])
+        self.expect_one_machines(out)
+
+    def test_the_part_of_a_lost_worker_is_computed_again(self):
+        out, lost = self.path / "lossy", self.path / "lost"
+        with distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None,
+                                      local_directory=str(self.path)) as cluster:  # fmt: skip
+            with distributed.Client(cluster) as client:
+                lossy = functools.partial(share_of_a_worker_that_is_lost, str(lost))
+                made = parts_with_dask.campaign(client, self.files, {"laws": LAWS, "runs": 2}, 3, out, lossy)
+        self.assertTrue(lost.exists())  # a worker was
+        self.assertTrue(made.complete)
+        self.expect_one_machines(out)
+
+
+if __name__ == "__main__":
+    unittest.main()
