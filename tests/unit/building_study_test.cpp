@@ -212,7 +212,7 @@ class BuildingRuns : public testing::Test {
     }
     RunStore store(file_, fingerprint(study), false);
     run_all(study, store, threads);
-    return answers_json(study, answer(study, store));
+    return render::building_json(study, answer(study, store));
   }
   fs::path file_;
 };
