@@ -190,7 +190,7 @@ Coverage covered(std::vector<double> const& draws, double lower, double upper, s
 // "1,000"
 std::string grouped(std::size_t number) {
   auto text = std::to_string(number);
-  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, ",");
+  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, 1, ',');
   return text;
 }
 

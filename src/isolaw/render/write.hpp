@@ -6,8 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "isolaw/building/answers.hpp"
 #include "isolaw/render/results.hpp"
+
+namespace isolaw::building {
+struct Study;
+struct Answers;
+}  // namespace isolaw::building
 
 namespace isolaw::render {
 

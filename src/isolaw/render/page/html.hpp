@@ -7,8 +7,12 @@
 #include <string_view>
 
 #include "isolaw/base/embedded.hpp"
-#include "isolaw/building/answers.hpp"
 #include "isolaw/render/results.hpp"
+
+namespace isolaw::building {
+struct Study;
+struct Answers;
+}  // namespace isolaw::building
 
 namespace isolaw::render {
 

@@ -34,7 +34,7 @@ function caption() {
   const { displacement_mm: moved } = laws[chosen.law].bearings;
   return (
     laws[chosen.law].name + ': on the mean over draws and motions bearings move ' + numberText(Math.min(...moved)) + ' to ' +
-    numberText(Math.max(...moved)) + ' mm (darker: more). Cross: centre of mass; line: the slab.'
+    numberText(Math.max(...moved)) + ' mm (stronger colour: more). Cross: centre of mass; line: the slab.'
   );
 }
 
