@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/building/answers.hpp"
 #include "isolaw/render/write.hpp"
 #include "unit/building_study_fixture.hpp"
 

@@ -68,7 +68,8 @@ Figure histograms_figure(building::Answers const& answers) {
       table.end_block();
       script.place(grid, panel);
       auto const range = ranges[q].padded(0.05);
-      script.line("set xrange [{}:{}]; set yrange [0:*]", number(range.low), number(range.high));
+      script.line("set xrange [{}:{}]; set yrange [0:{}]", number(range.low), number(range.high),
+                  number(all > 0.0 ? 108.0 * static_cast<double>(std::ranges::max(h.counts)) / all : 1.0));
       script.line("set xlabel {} offset 0,raise; set ylabel 'Draws (%)' offset inward,0",
                   axis_label(covered_quantity(q)));
       script.line("set label 1 {} at graph 0,1.07 left noenhanced", gnuplot_string(laws::called(law.law)));
@@ -87,7 +88,8 @@ Figure variance_figure(building::Answers const& answers) {
   std::string const name = "building_variance";
   std::string const about = "parts of the spread of the largest displacement of a bearing";
   Margins const margins{.left = 13.0, .right = 3.0, .bottom = 10.0, .top = 7.0};
-  auto const grid = grid_of(1, 42.0, margins, 1);
+  constexpr std::size_t most_in_a_column = 3;
+  auto const grid = grid_of(1, 42.0, margins, answers.laws.size() > most_in_a_column ? 1 : 2);
   auto const& quantity = covered_quantity(0);
   bool const uncertain = std::ranges::any_of(
       answers.laws, [&](auto const& law) { return distribution_of(law, quantity).uncertain_std_ln.has_value(); });
@@ -107,7 +109,7 @@ Figure variance_figure(building::Answers const& answers) {
   script.line("set style data histograms; set style histogram clustered gap 1; set style fill solid 0.8 border");
   script.line("set xtics scale 0 noenhanced ({}); set xrange [-0.6:{}]", joined(tics),
               number(static_cast<double>(answers.laws.size()) - 0.4));
-  script.line("set ylabel 'Scatter, {{/Symbol s}}_{{ln}} (-)' offset inward,0; set yrange [0:*]");
+  script.line("set ylabel 'Scatter, {{/:Italic σ}}_{{ln}} (-)' offset inward,0; set yrange [0:*]");
   auto plot = fmt::format("'{0}.dat' using 2 ls {1} title 'motions', '{0}.dat' using 3 ls {2} title 'the lot'", name,
                           grey, blue);
   if (uncertain) plot += fmt::format(", '{}.dat' using 4 ls {} title 'populations the tests allow'", name, sky);

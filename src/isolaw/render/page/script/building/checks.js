@@ -1,12 +1,11 @@
 // How well the numbers are integrated, and what equivalent linear analysis by hand would have said.
 
 import { tableOf } from '../tables.js';
-import { deviation, fixed, significant } from '../text.js';
+import { deviation, fixed, mean, significant } from '../text.js';
 import { laws, study } from './study.js';
 
 const rows = laws.flatMap((law) => law.checked.map((checked, motion) => ({ law, checked, motion: study.motions[motion].name })));
 const NUMBERS = ['isolator_mm', 'energy_error', 'step_s', 'missed_mm', 'lanes_off_percent', 'equivalent_mm', 'equivalent_error_percent', 'equivalent_period_s', 'equivalent_damping'];
-const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
 
 export const checksSection = {
   id: 'checks',

@@ -3,6 +3,7 @@
 import { symbolOf } from '../plotting.js';
 import { tableOf } from '../tables.js';
 import { DASH, fixed, isNumber, plain } from '../text.js';
+import { spanOf } from './histogram.js';
 import { axisTitle, chosen, laws, quantityChooser, quantityOf, spreadText, study } from './study.js';
 
 export const lawsSection = {
@@ -83,7 +84,7 @@ function draw(look) {
   return {
     traces,
     layout: {
-      xaxis: { title: axisTitle(quantityOf(key)) },
+      xaxis: { title: axisTitle(quantityOf(key)), range: spanOf(laws, key) },
       yaxis: {
         tickmode: 'array', tickvals: laws.map((_, i) => place(i)), ticktext: laws.map((law) => plain(law.name)), range: [-0.6, laws.length - 0.4],
         showgrid: false, zeroline: false,

@@ -1,11 +1,12 @@
 // Where the bearings stand, what they are, how far each goes; and how much the building twists.
 
 import { tableOf } from '../tables.js';
-import { atTheHead, plain, unitText } from '../text.js';
+import { atTheHead, mean, plain, rangeText, unitText } from '../text.js';
 import { chosen, laws, numberText, placeChooser, quantityOf, study, unitOf } from './study.js';
 
 const KINDS = { draw: ['draw of the lot', 'circle'], lot: ['law of the lot', 'square'], lower: ['lower bound', 'triangle-down'], upper: ['upper bound', 'triangle-up'] };
 const kindOf = ({ is }) => (Object.hasOwn(KINDS, is) ? KINDS[is] : ['tested device', 'diamond']);
+const LEAST_CONTRAST = 0.05; // of the mean displacement: from the middle of the colours to their end
 const TWISTS = ['corner_over_centre', 'corner_mm', 'centre_mm', 'rotation_mrad', 'worst_energy_share'];
 
 export const planSection = {
@@ -33,8 +34,8 @@ export const planSection = {
 function caption() {
   const { displacement_mm: moved } = laws[chosen.law].bearings;
   return (
-    laws[chosen.law].name + ': on the mean over draws and motions bearings move ' + numberText(Math.min(...moved)) + ' to ' +
-    numberText(Math.max(...moved)) + ' mm (stronger colour: more). Cross: centre of mass; line: the slab.'
+    laws[chosen.law].name + ': on the mean over draws and motions bearings move ' +
+    rangeText([Math.min(...moved), Math.max(...moved)], 'mm') + ' (stronger colour: more). Cross: centre of mass; line: the slab.'
   );
 }
 
@@ -42,7 +43,9 @@ function plan(look) {
   const { bearings, corners, centre } = study.plan;
   const moved = laws[chosen.law].bearings.displacement_mm,
     share = laws[chosen.law].bearings.energy_share;
-  const [low, high] = [Math.min(...moved), Math.max(...moved)];
+  // Differences of a percent are not drawn as if they mattered.
+  const usual = mean(moved),
+    most = Math.max(LEAST_CONTRAST * usual, ...moved.map((mm) => Math.abs(mm - usual)));
   const xs = corners.map(({ x_m: x }) => x),
     ys = corners.map(({ y_m: y }) => y);
   const middle = [xs.reduce((a, b) => a + b, 0) / xs.length, ys.reduce((a, b) => a + b, 0) / ys.length];
@@ -59,7 +62,7 @@ function plan(look) {
         return {
           name: kind, mode: 'markers', x: some.map(({ x_m: x }) => x), y: some.map(({ y_m: y }) => y),
           marker: {
-            symbol: kindOf(some[0])[1], size: 15, color: some.map(({ i }) => (high > low ? (moved[i] - low) / (high - low) : 0.5)), cmin: 0, cmax: 1,
+            symbol: kindOf(some[0])[1], size: 15, color: some.map(({ i }) => 0.5 + (0.5 * (moved[i] - usual)) / most), cmin: 0, cmax: 1,
             colorscale: [[0, look.colour('grid')], [1, look.colour('accent')]], line: { color: look.colour('accent'), width: 1 },
           },
           text: some.map(({ is, i }) => plain(is) + '<br>' + numberText(moved[i]) + ' mm, ' + numberText(100 * share[i]) + ' % of the work'),

@@ -41,10 +41,26 @@ function draw(look) {
       marker: { color: look.colour(colour) }, hovertemplate: '%{x:.2f} %<extra>' + name + '</extra>',
     })),
     layout: {
+      ...betweenLaws(look),
       barmode: 'group', bargap: 0.3, showlegend: true, legend: { ...LEGEND, traceorder: 'normal' }, margin: { l: 54, r: 48, t: 34, b: 44 },
       xaxis: { title: 'scatter [%]', rangemode: 'tozero' },
       yaxis: { autorange: 'reversed', showgrid: false },
     },
+  };
+}
+
+// Of the displacement alone; a line, as it is of all laws.
+function betweenLaws(look) {
+  if (study.law_std_ln === null || chosen.quantity !== 'isolator_mm') return {};
+  const x = 100 * study.law_std_ln;
+  return {
+    shapes: [{ type: 'line', xref: 'x', yref: 'paper', x0: x, x1: x, y0: 0, y1: 1, line: { color: look.colour('poor'), width: 1.6, dash: 'dash' } }],
+    annotations: [
+      {
+        xref: 'x', yref: 'paper', x, y: 0, xshift: 4, xanchor: 'left', yanchor: 'bottom', showarrow: false, text: 'laws ' + spreadText(study.law_std_ln),
+        font: { size: 11.5, color: look.colour('poor') },
+      },
+    ],
   };
 }
 
