@@ -1,10 +1,16 @@
 # Joins the ES modules of a folder into one script without global names: each in a function of its own, after those that
 # it imports.
-#   cmake -D FOLDER=DIR -D ENTRY=NAME.js -D OUTPUT=FILE -P join_modules.cmake
+#   cmake -D FOLDER=DIR -D ENTRY=NAME.js [-D ENTRIES=A.js,B.js] -D OUTPUT=FILE -P join_modules.cmake
+# ENTRIES: of all scripts that are made of the folder; what ENTRY does not reach is left out.
 # Nothing here understands JavaScript; so these forms alone, at the beginning of a line:
 #   import { a, b } from './folder/file.js';    export const a = ...    export function a(...)
 # Refused: any other, a name that its module does not export, an export or a file that nobody imports, a cycle.
 cmake_minimum_required(VERSION 3.20)
+if(DEFINED ENTRIES)
+  string(REPLACE "," ";" entries "${ENTRIES}")
+else()
+  set(entries "${ENTRY}")
+endif()
 set(identifier "[A-Za-z_$][A-Za-z0-9_$]*")
 
 function(refuse file problem)
@@ -63,7 +69,7 @@ foreach(file IN LISTS files)
   endforeach()
 endforeach()
 foreach(file IN LISTS files)
-  if(NOT file STREQUAL ENTRY AND NOT file IN_LIST imported)
+  if(NOT file IN_LIST entries AND NOT file IN_LIST imported)
     refuse(${file} "no module imports it")
   endif()
   foreach(name IN LISTS exports_${file})
@@ -72,6 +78,28 @@ foreach(file IN LISTS files)
     endif()
   endforeach()
 endforeach()
+
+# Those that the entry reaches; a cycle too, which is refused below.
+set(reached "${ENTRY}")
+set(open "${ENTRY}")
+while(open)
+  list(POP_FRONT open file)
+  foreach(from IN LISTS imports_${file})
+    if(NOT from IN_LIST reached)
+      list(APPEND reached ${from})
+      list(APPEND open ${from})
+    endif()
+  endforeach()
+endwhile()
+if(DEFINED ENTRIES)
+  set(kept "")
+  foreach(file IN LISTS files)
+    if(file IN_LIST reached)
+      list(APPEND kept ${file})
+    endif()
+  endforeach()
+  set(files ${kept})
+endif()
 
 # A module is ready when all that it imports have been written.
 set(script "(() => {\n'use strict';\nconst modules = {};\n")

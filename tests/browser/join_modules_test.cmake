@@ -50,3 +50,23 @@ string(FIND "${joined}" "const { a } = modules['low/a.js'];\nconsole.log(a);" hi
 if(failed OR low LESS 0 OR high LESS low)
   message(SEND_ERROR "joined wrong: ${said} ${joined}")
 endif()
+
+# Of two scripts of one folder each has what it reaches; what neither does is refused.
+macro(join_of_two)
+  file(WRITE ${folder}/other.js "import { b } from './low/b.js';\nconsole.log(b);\n")
+  file(WRITE ${folder}/low/b.js "export const b = 2;\n")
+  execute_process(
+    COMMAND ${CMAKE_COMMAND} -D FOLDER=${folder} -D ENTRY=page.js -D ENTRIES=page.js,other.js -D OUTPUT=${WORK}/joined.js
+            -P ${SCRIPT}
+    RESULT_VARIABLE failed ERROR_VARIABLE said)
+endmacro()
+join_of_two()
+file(READ ${WORK}/joined.js joined)
+if(failed OR NOT joined MATCHES "low/a.js" OR joined MATCHES "low/b.js|other.js")
+  message(SEND_ERROR "one of two joined wrong: ${said} ${joined}")
+endif()
+file(WRITE ${folder}/low/c.js "export const c = 3;\n")
+join_of_two()
+if(NOT failed OR NOT said MATCHES "low/c.js: no module")
+  message(SEND_ERROR "a module that neither reaches was joined: ${said}")
+endif()

@@ -62,10 +62,19 @@ TEST_F(Building, from_template_to_verdict) {
   EXPECT_LT(json["laws"][0]["energy_error"], 2e-3);
   for (auto const* key : {"inside", "lower", "upper"}) EXPECT_TRUE(json["laws"][0]["coverage"].contains(key));
   EXPECT_EQ(json["motions"].size(), 7u);
+  EXPECT_EQ(made.out.find(json["verdict"].get<std::string>()), 0u);
+  EXPECT_EQ(json["plan"]["bearings"].size(), 28u);
+  EXPECT_EQ(json["laws"][0]["histories"].size(), 7u);
+  auto const page = read_file(directory() / "B/building.html");
+  EXPECT_TRUE(contains(page, json["verdict"].get<std::string>()));
+  for (auto const* file : {"tables/building.csv", "tables/coverage.csv", "tables/checks.csv", "tables/building.tex",
+                           "figures/building_histograms.gp", "figures/building_variance.dat"})
+    EXPECT_GT(read_file(directory() / "B" / file).size(), 100u) << file;
   // Again: what is stored is not run, and says the same.
   auto const before = read_file(directory() / "B/building.json");
   EXPECT_EQ(isolaw(command + Words{"--jobs", "3"}).code, 0);
   EXPECT_EQ(read_file(directory() / "B/building.json"), before);
+  EXPECT_EQ(read_file(directory() / "B/building.html"), page);
   change("seed = 1", "seed = 2");
   write("case/building.toml", text);
   expect_refused(isolaw(command), {"building.sqlite", "another building", "--fresh"});

@@ -11,10 +11,10 @@
 #include "contains.hpp"
 #include "isolaw/building/answers.hpp"
 #include "isolaw/building/building_file.hpp"
-#include "isolaw/building/synthetic_motion.hpp"
 #include "isolaw/laws/catalogue.hpp"
+#include "isolaw/render/json/building_json.hpp"
 #include "refusal.hpp"
-#include "unit/building_fixture.hpp"
+#include "unit/building_study_fixture.hpp"
 
 namespace isolaw::building {
 namespace {
@@ -84,54 +84,6 @@ TEST_F(BuildingFileTest, what_is_wrong_is_said_once_with_its_line) {
   motion("motion-1-y.csv", 20, "NaN");
   auto const nan = refusal_of([&] { read(building_template()); });
   EXPECT_TRUE(contains(nan, "motion-1-y.csv:21") && contains(nan, "no number")) << nan;
-}
-
-// A population of two parameters, K1 and K2, of bilinear.
-LawSource bilinear_source(double scatter, std::size_t count) {
-  auto const nominal = usual_bilinear(count);
-  LawSource made{.law = "bilinear",
-                 .lot = nominal,
-                 .devices = {},
-                 .population = {},
-                 .place = {0, 1, std::nullopt},
-                 .median = nominal,
-                 .limits = {{}, {}},
-                 .tested_mm = 0.0};
-  auto& p = made.population;
-  p.names = {"K1", "K2"};
-  p.transforms = {lot::Transform::logarithm, lot::Transform::logarithm};
-  p.signs = {1.0, 1.0};
-  p.devices = 6;
-  p.mean = {std::log(nominal[0]), std::log(nominal[1])};
-  p.medians = {std::exp(p.mean[0]), std::exp(p.mean[1])};
-  made.median = {p.medians[0], p.medians[1], nominal[2]};
-  double const v = scatter * scatter;
-  p.covariance = {{v, 0.8 * v}, {0.8 * v, v}};
-  p.uncertainty = {{0.01 * v, 0.0}, {0.0, 0.01 * v}};
-  p.estimates = {{1.01 * v, 0.8 * v}, {0.8 * v, 1.01 * v}};
-  p.directions = 2;
-  p.std = {scatter, scatter};
-  return made;
-}
-
-Study usual_study(double scatter, int count, int populations = 0) {
-  Study made;
-  auto& f = made.file;
-  f.settings = {.title = "test",
-                .laws = {"bilinear"},
-                .draws = count,
-                .populations = populations,
-                .draws_of_each = 4,
-                .lower = 0.9,
-                .upper = 1.1,
-                .rest_s = 0.5};
-  f.frame = three_floors();
-  for (auto const& at : grid(3, 2, 6000.0).bearings)
-    f.bearings.push_back({.at = at, .stands = Stands::draw, .device = {}});
-  for (std::uint32_t i = 0; i < 2; ++i)
-    f.motions.push_back(synthetic_motion(5, i, {.step_s = 0.02, .duration_s = 6.0, .peak_g = 0.4}));
-  made.laws = {bilinear_source(scatter, 6)};
-  return made;
 }
 
 TEST(BuildingStudy, forces_of_every_law_scale) {
@@ -212,7 +164,7 @@ class BuildingRuns : public testing::Test {
     }
     RunStore store(file_, traits_of(study), false);
     run_all(study, store, threads);
-    return answers_json(study, answer(study, store));
+    return render::building_json(study, answer(study, store));
   }
   fs::path file_;
 };
@@ -262,7 +214,40 @@ TEST_F(BuildingRuns, answers) {
     EXPECT_LT(std::abs(checked.lanes_off_percent), 0.5);
     EXPECT_GT(checked.equivalent_mm, 0.0);
   }
-  EXPECT_TRUE(contains(made.verdict, "The bounds cover")) << made.verdict;
+  EXPECT_TRUE(contains(made.verdict, "The bounds cover") && contains(made.verdict, "of 120 buildings")) << made.verdict;
+  EXPECT_EQ(made.bounds_are_enough, law.coverage[0].inside >= enough);
+  std::uint64_t drawn = 0;
+  for (auto const count : isolator.histogram.counts) drawn += count;
+  EXPECT_EQ(drawn, 120u);
+  // The history of the nominal building reaches what was measured of it, but for what lies between its points.
+  ASSERT_EQ(law.histories.size(), 2u);
+  for (std::size_t m = 0; m < 2; ++m) {
+    auto const& history = law.histories[m];
+    EXPECT_LE(history.x_mm.size(), most_of_history);
+    EXPECT_NEAR(history.step_s * static_cast<double>(history.x_mm.size()), 6.5, 0.1);
+    double most = 0.0;
+    for (std::size_t i = 0; i < history.x_mm.size(); ++i)
+      most = std::max(most, std::hypot(history.x_mm[i], history.y_mm[i]));
+    EXPECT_NEAR(most, law.distributions[1].nominal_by_motion[m], 0.02 * most);
+  }
+  // On average no bearing moves more than that which moves most, and all the work is theirs.
+  double share = 0.0;
+  for (std::size_t b = 0; b < 6; ++b) {
+    EXPECT_GT(law.bearing_mm[b], 0.0);
+    EXPECT_LE(law.bearing_mm[b], isolator.fractiles[3]);
+    share += law.bearing_energy_share[b];
+  }
+  EXPECT_NEAR(share, 1.0, 1e-9);
+}
+
+TEST_F(BuildingRuns, without_draws_bounds_have_nothing_to_cover) {
+  auto study = usual_study(0.07, 3);
+  for (auto& bearing : study.file.bearings) bearing.stands = Stands::lot;
+  RunStore store(file_, fingerprint(study), false);
+  run_all(study, store, 1);
+  auto const made = answer(study, store);
+  EXPECT_TRUE(contains(made.verdict, "No bearing is a draw")) << made.verdict;
+  EXPECT_FALSE(made.bounds_are_enough.has_value());
 }
 
 // Values of Clopper and Pearson's interval: Brown, Cai and DasGupta 2001 give the form, R's binom.test the digits.
@@ -280,6 +265,19 @@ TEST(BuildingAnswers, effective_stiffness_and_damping) {
   auto const made = effective("bilinear", Values{K1, K2, Dy}, D);
   EXPECT_NEAR(made.stiffness_kN_mm, K2 + Qd / D, 1e-12);
   EXPECT_NEAR(made.damping, 4.0 * Qd * (D - Dy) / (2.0 * std::numbers::pi * (K2 + Qd / D) * D * D), 2e-3);
+}
+
+TEST(BuildingAnswers, histograms_hold_every_value) {
+  auto const made = histogram({1.0, 2.0, 2.5, 4.0, 5.0, 3.0, 1.5, 5.0});
+  EXPECT_EQ(made.counts.size(), 4u);
+  EXPECT_EQ(made.counts, (std::vector<std::uint64_t>{2, 2, 1, 3}));
+  EXPECT_EQ(made.from, 1.0);
+  EXPECT_EQ(made.width, 1.0);
+  auto const same = histogram(Values(7, 3.0));
+  EXPECT_EQ(same.counts, std::vector<std::uint64_t>{7});
+  EXPECT_LT(same.from, 3.0);
+  EXPECT_GT(same.from + same.width, 3.0);
+  EXPECT_TRUE(histogram({}).counts.empty());
 }
 
 TEST(BuildingAnswers, arrangement) {

@@ -1,6 +1,7 @@
 // summary.json: its exact shape, what is null, and that nothing in the input breaks it.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -326,6 +327,13 @@ TEST(SummaryJson, EqualSummariesGiveEqualBytes) {
 
 TEST(JsonWriter, InvalidUtf8IsReplaced) {
   EXPECT_EQ(JsonWriter().value("caf\xe9 \xff").take(), "\"caf\xef\xbf\xbd \xef\xbf\xbd\"");
+}
+
+TEST(JsonWriter, CurvesStandOnOneLine) {
+  JsonWriter out(JsonWriter::Layout::indented);
+  out.begin_object();
+  out.key("x").line({1.0, 2.34567, std::nan("")}, 3).key("none").line({}, 3).member("after", 1).end_object();
+  EXPECT_EQ(out.take(), "{\n  \"x\": [1,2.35,null],\n  \"none\": [],\n  \"after\": 1\n}");
 }
 
 TEST(JsonWriter, SettingThatIsNotJsonIsKeptAsText) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "isolaw/study/acceptance_results.hpp"
+#include "isolaw/study/building_results.hpp"
 #include "isolaw/study/cycle_results.hpp"
 #include "isolaw/study/published_results.hpp"
 #include "isolaw/study/value_doubts.hpp"
@@ -97,6 +98,15 @@ TEST(Results, OfRecordsAreDocumentedInTheirOrderWithTheirUnitsAndMeaning) {
   expect_all_documented(factor_results, of("`assessment.lot.factors[]`"));
   expect_members(test_factor_results, columns(quantity_results, {"lambda_test"})[0]);
   expect_all_documented(lot_outlier_results, of("`assessment.lot.outliers[]`"));
+}
+
+TEST(Results, OfBuildingsAreDocumentedInTheirOrderWithTheirUnitsAndMeaning) {
+  auto const of = [](std::string const& heading) { return documented(heading, "building-json.md"); };
+  expect_all_documented(answer_results, of("`laws[]`"));
+  expect_all_documented(distribution_results, of("`laws[].quantities`"));
+  expect_all_documented(coverage_results, of("`laws[].coverage`"));
+  expect_all_documented(checked_results, of("`laws[].checked[]`"));
+  expect_all_documented(history_results, of("`laws[].histories[]`"));
 }
 
 TEST(Results, HaveAHeadingForEachCell) {

@@ -12,6 +12,7 @@
 #include "isolaw/app/building.hpp"
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/merge.hpp"
+#include "isolaw/app/report.hpp"
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
@@ -20,7 +21,10 @@
 #include "isolaw/building/answers.hpp"
 #include "isolaw/building/synthetic_motion.hpp"
 #include "isolaw/campaign/store.hpp"
+#include "isolaw/render/figures/building_figures.hpp"
+#include "isolaw/render/json/building_json.hpp"
 #include "isolaw/render/tables/tables.hpp"
+#include "isolaw/render/write.hpp"
 #include "isolaw/study/build_summary.hpp"
 #include "isolaw/study/building_sources.hpp"
 
@@ -170,13 +174,14 @@ int building(BuildingArguments const& a) {
         part->number, part->of, counted(runs, "run"), shown(file));
     return exit_done;
   }
-  write_file(out / "building.json", building::answers_json(study, *answers));
+  render::write_building_outputs(study, *answers, out);
+  say_drawn(render::write_building_figures(*answers, out), out, "the same command");
   if (a.json)
-    print(building::answers_json(study, *answers));
+    print(render::building_json(study, *answers));
   else
     print_answers(study, *answers);
   if (a.arrange) print_arrangement(study, *answers);
-  say("{}\n", shown(out / "building.json"));
+  say("{}\n", shown(out / "building.html"));
   return exit_done;
 }
 

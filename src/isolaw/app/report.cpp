@@ -22,15 +22,18 @@
 
 namespace isolaw::app {
 
-void draw_figures(study::Summary const& summary, render::FigureChoice choice, std::filesystem::path const& directory) {
-  auto const outcome = render::write_figures(summary, choice, directory);
+void say_drawn(render::FigureOutcome const& outcome, std::filesystem::path const& directory, std::string_view again) {
   auto const folder = shown(directory / "figures");
   if (outcome.program_missing)
-    say("figures: {} not drawn, {}; try: install gnuplot (Debian: gnuplot-nox) and isolaw report, or gnuplot NAME.gp in {}, which holds data and scripts\n",
-        outcome.figures - outcome.drawn, printable(outcome.reason), folder);
+    say("figures: {} not drawn, {}; try: install gnuplot (Debian: gnuplot-nox) and {}, or gnuplot NAME.gp in {}, which holds data and scripts\n",
+        outcome.figures - outcome.drawn, printable(outcome.reason), again, folder);
   else if (outcome.drawn < outcome.figures)
     say("figures: {} of {} not drawn: {}; data and scripts are in {}\n", outcome.figures - outcome.drawn,
         outcome.figures, printable(outcome.reason), folder);
+}
+
+void draw_figures(study::Summary const& summary, render::FigureChoice choice, std::filesystem::path const& directory) {
+  say_drawn(render::write_figures(summary, choice, directory), directory, "isolaw report");
 }
 
 void print(study::Summary const& summary, bool json, std::string_view profile) {

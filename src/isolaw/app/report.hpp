@@ -11,6 +11,8 @@
 namespace isolaw::app {
 
 // Figures that cannot be drawn are no failure: their data and scripts are there.
+// `again`: what draws them once gnuplot is there.
+void say_drawn(render::FigureOutcome const& outcome, std::filesystem::path const& directory, std::string_view again);
 void draw_figures(study::Summary const& summary, render::FigureChoice choice, std::filesystem::path const& directory);
 
 // The ranking and the verdicts, or summary.json, with a campaign's profile where there is one.

@@ -47,6 +47,17 @@ JsonWriter& JsonWriter::rounded(std::optional<double> const& number, int digits)
   return text.empty() ? null() : put(text);
 }
 
+JsonWriter& JsonWriter::line(std::vector<double> const& numbers, int digits) {
+  std::string all = "[";
+  for (double const number : numbers) {
+    auto const text = to_text(number, digits);
+    all += text.empty() ? "null" : text;
+    all += ',';
+  }
+  if (all.back() == ',') all.pop_back();
+  return put(all + ']');
+}
+
 JsonWriter& JsonWriter::json(std::string_view text) {
   auto const document = nlohmann::ordered_json::parse(text, nullptr, false);
   if (document.is_discarded()) return value(text);

@@ -32,6 +32,8 @@ class JsonWriter {
   JsonWriter& value(std::optional<double> const& number);
   // Rounded to `digits` significant digits: for numbers that are drawn rather than computed with.
   JsonWriter& rounded(std::optional<double> const& number, int digits);
+  // The same of many, on one line however the rest is laid out: curves.
+  JsonWriter& line(std::vector<double> const& numbers, int digits);
   JsonWriter& null() { return put("null"); }
   // Text that is JSON already. What does not parse is written as a string: a setting is never lost.
   JsonWriter& json(std::string_view text);

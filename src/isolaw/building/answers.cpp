@@ -8,7 +8,6 @@
 #include <numbers>
 #include <numeric>
 
-#include "isolaw/base/json.hpp"
 #include "isolaw/laws/catalogue.hpp"
 #include "isolaw/num/statistics.hpp"
 
@@ -30,35 +29,35 @@ double ratio(double a, double b) {
 }
 
 constexpr Quantity rows[]{
-    {"isolator_mm", "mm", "largest displacement of any bearing",
+    {"isolator_mm", "bearing displacement", "mm", "largest displacement of any bearing",
      [](Layout const&, std::span<double const> m, double) { return measure_of(m, Measure::isolator); }},
-    {"centre_mm", "mm", "largest displacement of the base's centre of mass",
+    {"centre_mm", "centre displacement", "mm", "largest displacement of the base's centre of mass",
      [](Layout const&, std::span<double const> m, double) { return measure_of(m, Measure::centre); }},
-    {"corner_mm", "mm", "largest displacement of a corner of the base",
+    {"corner_mm", "corner displacement", "mm", "largest displacement of a corner of the base",
      [](Layout const&, std::span<double const> m, double) { return measure_of(m, Measure::corner); }},
-    {"corner_over_centre", "-", "the one over the other: torsion",
+    {"corner_over_centre", "corner over centre", "-", "the one over the other: torsion",
      [](Layout const&, std::span<double const> m, double) {
        return ratio(measure_of(m, Measure::corner), measure_of(m, Measure::centre));
      }},
-    {"rotation_mrad", "mrad", "largest rotation of the base",
+    {"rotation_mrad", "rotation", "mrad", "largest rotation of the base",
      [](Layout const&, std::span<double const> m, double) { return 1e3 * measure_of(m, Measure::rotation); }},
-    {"residual_mm", "mm", "displacement of the centre when the rest after the motion ends",
+    {"residual_mm", "residual displacement", "mm", "displacement of the centre when the rest after the motion ends",
      [](Layout const&, std::span<double const> m, double) { return measure_of(m, Measure::end); }},
-    {"shear_over_weight", "-", "largest sum of the bearings' forces over the weight",
+    {"shear_over_weight", "base shear over weight", "-", "largest sum of the bearings' forces over the weight",
      [](Layout const&, std::span<double const> m, double weight) { return measure_of(m, Measure::shear) / weight; }},
-    {"base_acceleration_g", "g", "largest acceleration of the base slab in space, at samples",
+    {"base_acceleration_g", "base acceleration", "g", "largest acceleration of the base slab in space, at samples",
      [](Layout const& l, std::span<double const> m, double) { return m[l.acceleration(0)] / 9806.65; }},
-    {"roof_acceleration_g", "g", "of the highest floor",
+    {"roof_acceleration_g", "roof acceleration", "g", "of the highest floor",
      [](Layout const& l, std::span<double const> m, double) { return m[l.acceleration(l.floors)] / 9806.65; }},
-    {"storey_shear_over_weight", "-", "largest shear of any storey over the whole weight",
+    {"storey_shear_over_weight", "storey shear over weight", "-", "largest shear of any storey over the whole weight",
      [](Layout const& l, std::span<double const> m, double weight) {
        return largest(m, l.storey_shear(0), l.floors) / weight;
      }},
-    {"drift_mm", "mm", "largest drift of any storey, at its centre of stiffness",
+    {"drift_mm", "storey drift", "mm", "largest drift of any storey, at its centre of stiffness",
      [](Layout const& l, std::span<double const> m, double) { return largest(m, l.drift(0), l.floors); }},
-    {"energy_kNm", "kN m", "work done on the bearings",
+    {"energy_kNm", "work on bearings", "kN m", "work done on the bearings",
      [](Layout const&, std::span<double const> m, double) { return 1e-3 * measure_of(m, Measure::hysteretic); }},
-    {"worst_energy_share", "-", "of it, that of the bearing that takes most",
+    {"worst_energy_share", "largest share of work", "-", "of it, that of the bearing that takes most",
      [](Layout const& l, std::span<double const> m, double) {
        return ratio(largest(m, l.energy(0), l.bearings), measure_of(m, Measure::hysteretic));
      }},
@@ -180,7 +179,7 @@ Coverage covered(std::vector<double> const& draws, double lower, double upper, s
   for (std::uint32_t a = 0; a <= grid_half; ++a) {
     for (double const v : {grid[grid_half - a], grid[grid_half + a]}) low = std::min(low, v), high = std::max(high, v);
     auto const within = std::ranges::count_if(draws, [&](double v) { return v >= low && v <= high; });
-    if (static_cast<double>(within) < 0.95 * n) continue;
+    if (static_cast<double>(within) < enough * n) continue;
     made.factor_low = grid_factor(grid_half - a);
     made.factor_high = grid_factor(grid_half + a);
     break;
@@ -188,17 +187,29 @@ Coverage covered(std::vector<double> const& draws, double lower, double upper, s
   return made;
 }
 
-std::string verdict_of(Answers const& answers) {
+// "1,000"
+std::string grouped(std::size_t number) {
+  auto text = std::to_string(number);
+  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, 1, ',');
+  return text;
+}
+
+bool has_draws(Study const& study) {
+  return std::ranges::any_of(study.file.bearings, [](auto const& b) { return b.stands == Stands::draw; });
+}
+
+std::string verdict_of(Study const& study, Answers const& answers) {
   if (answers.laws.empty()) return {};
   auto const& first = answers.laws.front();
-  if (first.coverage.empty() || first.draws == 0) return "no draws were made";
+  if (!has_draws(study)) return "No bearing is a draw of the lot: there is no scatter that bounds could cover.";
   auto const& c = first.coverage.front();
   auto text = fmt::format(
       "The bounds cover {:.0f} % of {} buildings ({:.0f} to {:.0f} %) in the largest displacement of a bearing",
-      100.0 * c.inside, first.draws, 100.0 * c.interval_low, 100.0 * c.interval_high);
-  text += c.factor_low
-              ? fmt::format("; system factors of {:.2f}/{:.2f} would cover 95 %", *c.factor_high, *c.factor_low)
-              : std::string("; no system factors up to 1.40/0.60 would cover 95 %");
+      100.0 * c.inside, grouped(first.draws), 100.0 * c.interval_low, 100.0 * c.interval_high);
+  text += c.factor_low ? fmt::format("; factors of {:.2f} and {:.2f} would cover {:.0f} %", *c.factor_low,
+                                     *c.factor_high, 100.0 * enough)
+                       : fmt::format("; no factors up to {:.2f} and {:.2f} would cover {:.0f} %", grid_factor(0),
+                                     grid_factor(2 * grid_half), 100.0 * enough);
   if (answers.law_std_ln) {
     double const lot = first.distributions.front().lot_std_ln;
     text += *answers.law_std_ln > lot ? "; the law matters more than the lot" : "; the lot matters more than the law";
@@ -206,10 +217,74 @@ std::string verdict_of(Answers const& answers) {
   return text + ".";
 }
 
+std::vector<std::string> assumed_of(Study const& study, Answers const& answers) {
+  auto const& s = study.file.settings;
+  std::vector<std::string> made;
+  auto const count = [&](Stands stands) {
+    return std::ranges::count(study.file.bearings, stands, &BearingPlace::stands);
+  };
+  made.push_back(fmt::format(
+      "Of {} bearings {} are draws of the lot, {} its law, {} tested devices, {} and {} its law times the lower and the upper factor.",
+      study.file.bearings.size(), count(Stands::draw), count(Stands::lot), count(Stands::device), count(Stands::lower),
+      count(Stands::upper)));
+  made.push_back(fmt::format(
+      "The bound analyses take every bearing at its nominal values, forces times {:.2f} and {:.2f}: stiffness and strength alike.",
+      s.lower, s.upper));
+  made.push_back(
+      fmt::format("A building's response is its mean over the {} motions, each as the building file scales it.",
+                  study.file.motions.size()));
+  made.push_back(s.populations > 1
+                     ? fmt::format("The population is as uncertain as the tests leave it: {} populations of {} draws.",
+                                   s.populations, s.draws_of_each)
+                     : std::string("The lot's population is taken as known: what few tests leave open is not in it."));
+  for (auto const& law : answers.laws)
+    made.push_back(fmt::format(
+        "{} goes into the plane {}.", laws::called(law.law),
+        law.coupling == Coupling::coupled ? "in its coupled form" : "as sixteen springs around the circle"));
+  made.push_back(fmt::format(
+      "The superstructure is linear, {} above the base, {:.3g} s on a fixed base, {:.3g} % of damping in every mode; none of it is in the isolation layer.",
+      study.file.frame.floors.empty() ? std::string("nothing")
+                                      : fmt::format("{} floors", study.file.frame.floors.size()),
+      answers.fixed_periods_s.empty() ? 0.0 : answers.fixed_periods_s.front(), 100.0 * s.damping));
+  made.emplace_back("Bearings move in plan: no axial load and its changes, no uplift, no vertical motion, no soil.");
+  return made;
+}
+
+// Every so many steps, the last one left out where it is none of them.
+NominalHistory thinned(History const& history, double step_s) {
+  auto const samples = history.time_s.size();
+  auto const stride = std::max<std::size_t>(1, (samples + most_of_history - 1) / most_of_history);
+  NominalHistory made{
+      .step_s = step_s * static_cast<double>(stride), .x_mm = {}, .y_mm = {}, .shear_x_kN = {}, .shear_y_kN = {}};
+  for (std::size_t i = 0; i < samples; i += stride) {
+    made.x_mm.push_back(history.base[i][0]);
+    made.y_mm.push_back(history.base[i][1]);
+    made.shear_x_kN.push_back(history.shear_kN[i][0]);
+    made.shear_y_kN.push_back(history.shear_kN[i][1]);
+  }
+  return made;
+}
+
 }  // namespace
 
 std::span<Quantity const> quantities() {
   return rows;
+}
+
+// As many bins as Rice's rule says, 2 n^(1/3).
+Histogram histogram(std::vector<double> const& values) {
+  Histogram made;
+  if (values.empty()) return made;
+  auto const [least, most] = std::ranges::minmax(values);
+  bool const spread = most - least > 1e-9 * std::abs(most);
+  auto const bins =
+      spread ? static_cast<std::size_t>(std::ceil(2.0 * std::cbrt(static_cast<double>(values.size())))) : 1;
+  made.width = spread ? (most - least) / static_cast<double>(bins) : 1e-3 * std::abs(most);
+  made.from = spread ? least : least - 0.5 * made.width;
+  made.counts.assign(bins, 0);
+  for (double const v : values)
+    ++made.counts[spread ? std::min(bins - 1, static_cast<std::size_t>((v - least) / made.width)) : 0];
+  return made;
 }
 
 std::array<double, 2> binomial_interval(std::size_t found, std::size_t of, double level) {
@@ -283,11 +358,15 @@ Answers answer(Study const& study, RunStore const& store) {
   Answers made;
   made.weight_kN = model.structure().weight_kN();
   for (double const w : model.structure().frequency_rad_s()) made.fixed_periods_s.push_back(2.0 * pi / w);
+  made.corners = model.plan().corners;
   for (std::size_t law = 0; law < study.laws.size(); ++law) {
     auto& out = made.laws.emplace_back();
     auto const& source = study.laws[law];
     out.law = source.law;
     out.draws = static_cast<std::size_t>(settings.draws);
+    out.bearing_mm.assign(layout.bearings, 0.0);
+    out.bearing_energy_share.assign(layout.bearings, 0.0);
+    double of_bearings = 0.0;  // runs in their means
     // [motion][quantity][case]
     std::vector<std::vector<std::vector<double>>> kept(
         study.file.motions.size(),
@@ -300,7 +379,15 @@ Answers answer(Study const& study, RunStore const& store) {
         for (std::size_t q = 0; q < std::size(rows); ++q)
           kept[motion][q][place] = rows[q].of(layout, measured, made.weight_kN);
         out.worst_balance = std::max(out.worst_balance, std::abs(measure_of(measured, Measure::balance)));
+        if (cases[place].kind != CaseKind::draw) return;
+        of_bearings += 1.0;
+        for (std::size_t b = 0; b < layout.bearings; ++b) {
+          out.bearing_mm[b] += measured[layout.displacement(b)];
+          out.bearing_energy_share[b] += ratio(measured[layout.energy(b)], measure_of(measured, Measure::hysteretic));
+        }
       });
+    for (auto* const means : {&out.bearing_mm, &out.bearing_energy_share})
+      for (double& value : *means) value = of_bearings > 0.0 ? value / of_bearings : std::nan("");
     for (std::size_t q = 0; q < std::size(rows); ++q) {
       auto const table = table_of(cases.size(), kept, q);
       auto const draws = part(table.mean, first_draw, static_cast<std::size_t>(settings.draws));
@@ -310,7 +397,8 @@ Answers answer(Study const& study, RunStore const& store) {
                      .fractiles = fractiles(draws),
                      .uncertain_std_ln = {},
                      .by_motion = {},
-                     .nominal_by_motion = {}};
+                     .nominal_by_motion = {},
+                     .histogram = histogram(draws)};
       // Var ln = Var over motions of the mean + mean over motions of the variance.
       std::vector<double> means;
       double within = 0.0;
@@ -348,13 +436,17 @@ Answers answer(Study const& study, RunStore const& store) {
 
     Devices const devices(source, study.file.bearings, settings);
     auto const nominal = devices.of({});
-    auto const options = options_of(study, model, devices);
+    auto options = options_of(study, model, devices);
+    options.histories = true;
+    out.coupling = devices.coupling();
     for (std::size_t motion = 0; motion < kept.size(); ++motion) {
       auto& checked = out.checked.emplace_back();
       auto half = options;
+      half.histories = false;
       half.longest_step_s = 0.5 * steps_of(study.file.motions[motion], options.longest_step_s, 0.0).dt;
       auto const run = integrate(model, devices.bearings(nominal), study.file.motions[motion], options);
       auto const fine = integrate(model, devices.bearings(nominal), study.file.motions[motion], half);
+      out.histories.push_back(thinned(run.history, run.step_s));
       checked.outcome = run.outcome == Outcome::completed ? std::string(name(run.outcome)) : run.why;
       checked.isolator_mm = run.of(Measure::isolator);
       checked.balance = run.of(Measure::balance);
@@ -380,95 +472,11 @@ Answers answer(Study const& study, RunStore const& store) {
     if (law.failed > 0)
       made.warnings.push_back(fmt::format("{}: {} runs gave no finite numbers and are left out", law.law, law.failed));
   }
-  made.verdict = verdict_of(made);
+  made.verdict = verdict_of(study, made);
+  if (has_draws(study) && !made.laws.empty())
+    made.bounds_are_enough = made.laws.front().coverage.front().inside >= enough;
+  made.assumed = assumed_of(study, made);
   return made;
-}
-
-std::string answers_json(Study const& study, Answers const& answers) {
-  JsonWriter json(JsonWriter::Layout::indented);
-  constexpr std::string_view names[]{"p16", "p50", "p84", "p95"};
-  auto const fractiles_of = [&](std::array<double, 4> const& values) {
-    for (std::size_t i = 0; i < values.size(); ++i) json.member(names[i], values[i]);
-  };
-  json.begin_object();
-  json.member("title", study.file.settings.title);
-  json.member("verdict", answers.verdict);
-  json.member("warnings", answers.warnings);
-  json.member("weight_kN", answers.weight_kN);
-  json.key("fixed_base_periods_s").begin_array();
-  for (double const t : answers.fixed_periods_s) json.value(t);
-  json.end_array();
-  json.member("draws", study.file.settings.draws);
-  json.member("seed", study.file.settings.seed);
-  json.key("motions").begin_array();
-  for (auto const& m : study.file.motions) {
-    double peak = 0.0;
-    for (std::size_t i = 0; i < m.x_mm_s2.size(); ++i)
-      peak = std::max(peak, std::hypot(m.x_mm_s2[i], m.y_mm_s2.empty() ? 0.0 : m.y_mm_s2[i]));
-    json.begin_object()
-        .member("name", m.name)
-        .member("components", m.y_mm_s2.empty() ? 1 : 2)
-        .member("step_s", m.step_s);
-    json.member("samples", static_cast<std::uint64_t>(m.x_mm_s2.size())).member("peak_g", peak / 9806.65).end_object();
-  }
-  json.end_array();
-  json.member("law_std_ln", answers.law_std_ln);
-  json.key("laws").begin_array();
-  for (auto const& law : answers.laws) {
-    json.begin_object().member("id", law.law).member("draws", static_cast<std::uint64_t>(law.draws));
-    json.member("failed", static_cast<std::uint64_t>(law.failed));
-    json.key("peak_mm").begin_object();
-    fractiles_of(law.distributions.front().fractiles);
-    json.end_object();
-    json.key("coverage").begin_object();
-    auto const coverage = [&](Coverage const& c) {
-      json.member("inside", c.inside).member("lower", c.interval_low).member("upper", c.interval_high);
-      json.member("below", c.below).member("above", c.above);
-      json.member("factor_low", c.factor_low).member("factor_high", c.factor_high);
-    };
-    coverage(law.coverage.front());
-    json.key("of").begin_object();
-    for (std::size_t i = 0; i < law.coverage.size(); ++i) {
-      json.key(covered_quantities[i]).begin_object();
-      coverage(law.coverage[i]);
-      json.end_object();
-    }
-    json.end_object().end_object();
-    json.member("energy_error", law.worst_balance);
-    json.key("quantities").begin_object();
-    for (std::size_t q = 0; q < law.distributions.size(); ++q) {
-      auto const& d = law.distributions[q];
-      json.key(rows[q].key).begin_object();
-      json.member("unit", rows[q].unit).member("meaning", rows[q].meaning);
-      json.member("nominal", d.nominal).member("lower", d.lower).member("upper", d.upper);
-      fractiles_of(d.fractiles);
-      json.member("motion_std_ln", d.motion_std_ln).member("lot_std_ln", d.lot_std_ln).member("lot_share", d.lot_share);
-      json.member("uncertain_std_ln", d.uncertain_std_ln);
-      json.key("by_motion").begin_array();
-      for (std::size_t m = 0; m < d.by_motion.size(); ++m) {
-        json.begin_object().member("nominal", d.nominal_by_motion[m]);
-        fractiles_of(d.by_motion[m]);
-        json.end_object();
-      }
-      json.end_array().end_object();
-    }
-    json.end_object();
-    json.key("checked").begin_array();
-    for (auto const& c : law.checked) {
-      json.begin_object()
-          .member("outcome", c.outcome)
-          .member("isolator_mm", c.isolator_mm)
-          .member("energy_error", c.balance);
-      json.member("step_s", c.step_s).member("missed_mm", c.missed_mm).member("lanes_off_percent", c.lanes_off_percent);
-      json.member("equivalent_mm", c.equivalent_mm).member("equivalent_error_percent", c.equivalent_error_percent);
-      json.member("equivalent_period_s", c.equivalent_period_s)
-          .member("equivalent_damping", c.equivalent_damping)
-          .end_object();
-    }
-    json.end_array().end_object();
-  }
-  json.end_array().end_object();
-  return json.take();
 }
 
 }  // namespace isolaw::building

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,13 +18,20 @@
 namespace isolaw::building {
 
 struct Quantity {
-  std::string_view key, unit, meaning;
+  std::string_view key, title, unit, meaning;
   double (*of)(Layout const& layout, std::span<double const> measured, double weight_kN);
 };
 std::span<Quantity const> quantities();
 inline constexpr std::string_view covered_quantities[]{"isolator_mm", "shear_over_weight"};
 
 inline constexpr std::array shares{0.16, 0.50, 0.84, 0.95};
+
+// Equal bins from the least of the draws to the most; one bin where they are the same.
+struct Histogram {
+  double from = 0.0, width = 0.0;
+  std::vector<std::uint64_t> counts;
+};
+Histogram histogram(std::vector<double> const& values);
 
 struct Distribution {
   double nominal = 0.0, lower = 0.0, upper = 0.0;  // of the analyses without draws, means over motions
@@ -33,14 +41,18 @@ struct Distribution {
   std::optional<double> uncertain_std_ln;          // between populations, of ln of their medians
   std::vector<std::array<double, 4>> by_motion;    // fractiles over the draws under each motion
   std::vector<double> nominal_by_motion;
+  Histogram histogram = {};  // of the draws' means over motions
 };
+
+// The share of buildings that bounds should cover.
+inline constexpr double enough = 0.95;
 
 struct Coverage {
   double inside = 0.0;                             // share of the draws between the lower and upper bound analyses
   double interval_low = 0.0, interval_high = 0.0;  // Clopper and Pearson 1934, 95 %
   double below = 0.0, above = 0.0;
-  // The least symmetric factors 1 -+ a, of a grid of analyses, between whose responses 95 % of the draws lie; none: not
-  // within the grid.
+  // The least symmetric factors 1 -+ a, of a grid of analyses, between whose responses `enough` of the draws lie; none:
+  // not within the grid.
   std::optional<double> factor_low, factor_high;
 };
 
@@ -53,13 +65,25 @@ struct Checked {  // the nominal building by the implicit path, under each motio
   double equivalent_period_s = 0.0, equivalent_damping = 0.0;
 };
 
+// The nominal building by the implicit path: the base's centre of mass relative to the ground, and the sum of the
+// bearings' forces on it, every so many steps.
+inline constexpr std::size_t most_of_history = 2000;
+struct NominalHistory {
+  double step_s = 0.0;
+  std::vector<double> x_mm, y_mm, shear_x_kN, shear_y_kN;
+};
+
 struct LawAnswer {
   std::string law;
+  Coupling coupling = Coupling::coupled;
   std::size_t draws = 0, failed = 0;        // runs whose numbers are not finite
   double worst_balance = 0.0;               // of the energy, of all runs
   std::vector<Distribution> distributions;  // of quantities()
   std::vector<Coverage> coverage;           // of covered_quantities
   std::vector<Checked> checked;
+  std::vector<NominalHistory> histories;  // of every motion
+  // Of every bearing, means over draws and motions: its largest displacement, its share of the work on all.
+  std::vector<double> bearing_mm, bearing_energy_share;
 };
 
 struct Answers {
@@ -69,7 +93,10 @@ struct Answers {
   // Between laws, standard deviation of ln of their median largest isolator displacement; beside the lot's own.
   std::optional<double> law_std_ln;
   std::string verdict;
+  std::optional<bool> bounds_are_enough;  // none: there was nothing to cover
   std::vector<std::string> warnings;
+  std::vector<std::string> assumed;  // what the numbers stand on, a sentence each
+  std::vector<Point> corners;        // where the slab's corners were measured
 };
 Answers answer(Study const& study, RunStore const& store);
 
@@ -89,7 +116,5 @@ struct Arrangement {
   double eccentricity_mm = 0.0, in_order_mm = 0.0;  // and of the devices as they came
 };
 Arrangement arrange(std::span<Point const> places, Point centre, std::span<double const> stiffness);
-
-std::string answers_json(Study const& study, Answers const& answers);
 
 }  // namespace isolaw::building

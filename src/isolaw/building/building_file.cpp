@@ -264,10 +264,8 @@ std::vector<Row> read_tables(TomlTable& root, std::string const& file, TableInfo
 
 BearingPlace place_of(double x_m, double y_m, std::string const& is) {
   BearingPlace made{.at = {x_m * mm_in_m, y_m * mm_in_m}, .stands = Stands::device, .device = is};
-  constexpr std::pair<std::string_view, Stands> words[]{
-      {"draw", Stands::draw}, {"lot", Stands::lot}, {"lower", Stands::lower}, {"upper", Stands::upper}};
-  for (auto const& [word, stands] : words)
-    if (is == word) made = {.at = made.at, .stands = stands, .device = {}};
+  for (auto const stands : {Stands::draw, Stands::lot, Stands::lower, Stands::upper})
+    if (is == name(stands)) made = {.at = made.at, .stands = stands, .device = {}};
   return made;
 }
 
@@ -323,6 +321,22 @@ void write_table(std::string& out, TableInfo const& info, TomlKeys<Row> const& k
 }
 
 }  // namespace
+
+std::string_view name(Stands stands) {
+  switch (stands) {
+    case Stands::draw:
+      return "draw";
+    case Stands::lot:
+      return "lot";
+    case Stands::lower:
+      return "lower";
+    case Stands::upper:
+      return "upper";
+    case Stands::device:
+      return "tested device";
+  }
+  return "";
+}
 
 Plan BuildingFile::plan() const {
   Plan made;

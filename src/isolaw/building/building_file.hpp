@@ -28,6 +28,7 @@ struct Settings {
 
 // What stands at a place.
 enum class Stands { draw, lot, device, lower, upper };
+std::string_view name(Stands stands);  // as a building file says it; of a device its name stands there
 struct BearingPlace {
   Point at;
   Stands stands = Stands::draw;

@@ -5,9 +5,11 @@
 
 #include "isolaw/base/write_file.hpp"
 #include "isolaw/render/figures/figures.hpp"
+#include "isolaw/render/json/building_json.hpp"
 #include "isolaw/render/json/inspection_json.hpp"
 #include "isolaw/render/json/summary_json.hpp"
 #include "isolaw/render/page/html.hpp"
+#include "isolaw/render/tables/building_tables.hpp"
 #include "isolaw/render/tables/latex_tables.hpp"
 #include "isolaw/render/tables/tables.hpp"
 #include "isolaw/render/terminal/inspection_text.hpp"
@@ -75,6 +77,15 @@ void write_inspection(Summary const& summary, fs::path const& dir) {
       {"tables/tests.csv", tests_csv(summary)},      {"tables/vertical.csv", vertical_csv(summary)},
       {"tables/levels.csv", levels_csv(summary)},    {"tables/lot.csv", lot_csv(summary)},
       {"tables/lambda.csv", lambda_csv(summary)},    {"inspection.html", html(summary)}};
+  for (auto const& [name, text] : texts) write_file(dir / name, text);
+}
+
+void write_building_outputs(building::Study const& study, building::Answers const& answers, fs::path const& dir) {
+  make_folder(dir / "tables");
+  std::vector<std::pair<std::string, std::string>> const texts{
+      {"building.json", building_json(study, answers)},      {"tables/building.csv", building_csv(answers)},
+      {"tables/coverage.csv", coverage_csv(answers)},        {"tables/checks.csv", building_checks_csv(study, answers)},
+      {"tables/building.tex", building_tex(study, answers)}, {"building.html", building_html(study, answers)}};
   for (auto const& [name, text] : texts) write_file(dir / name, text);
 }
 

@@ -8,6 +8,11 @@
 
 #include "isolaw/render/results.hpp"
 
+namespace isolaw::building {
+struct Study;
+struct Answers;
+}  // namespace isolaw::building
+
 namespace isolaw::render {
 
 // summary.json, tables/*.csv and report.html in `dir`, which is made if needed. Throws Error.
@@ -15,6 +20,10 @@ void write_outputs(Summary const& summary, std::filesystem::path const& dir);
 
 // inspection.html, inspection.json and the tables of cycles, verdicts and the lot, in the same way.
 void write_inspection(Summary const& summary, std::filesystem::path const& dir);
+
+// building.html, building.json and the tables of a building, in the same way.
+void write_building_outputs(building::Study const& study, building::Answers const& answers,
+                            std::filesystem::path const& dir);
 
 // Names of write_outputs() relative to `dir`, and their texts.
 std::vector<std::pair<std::string, std::string>> output_texts(Summary const& summary);

@@ -42,6 +42,9 @@ struct FigureOutcome {
 // isolaw that are not among the chosen ones. Nothing is done for `none`. Throws Error where files cannot be written.
 FigureOutcome write_figures(Summary const& summary, FigureChoice choice, std::filesystem::path const& dir);
 
+// The same of these figures.
+FigureOutcome write_figures(std::vector<Figure> const& figures, std::filesystem::path const& dir);
+
 // Those of isolaw, by the first line of their scripts. Nothing else of dir/figures.
 void remove_figures(std::filesystem::path const& dir);
 

@@ -1,4 +1,5 @@
 // The files of figures: written, recognised, removed.
+#include <algorithm>
 #include <fstream>
 #include <set>
 #include <system_error>
@@ -52,16 +53,15 @@ bool is_drawn(fs::path const& dir, std::string const& name) {
          fs::is_regular_file(figure_file(dir, name, ".pdf"), ignored);
 }
 
-}  // namespace
+using Use = std::function<void(Figure const&)>;
 
-FigureOutcome write_figures(Summary const& summary, FigureChoice choice, fs::path const& dir) {
+FigureOutcome write_each(fs::path const& dir, std::function<void(Use const&)> const& for_each) {
   FigureOutcome outcome;
-  if (choice == FigureChoice::none) return outcome;
   auto const folder = dir / "figures";
   make_folder(folder);
   std::set<std::string> chosen;
   std::vector<std::string> missing;
-  for_each_figure(summary, choice, [&](Figure const& figure) {
+  for_each([&](Figure const& figure) {
     write_sources(folder, figure);
     chosen.insert(figure.name);
     if (!is_drawn(folder, figure.name)) missing.push_back(figure.name);
@@ -72,6 +72,17 @@ FigureOutcome write_figures(Summary const& summary, FigureChoice choice, fs::pat
   outcome.drawn = chosen.size() - missing.size();
   draw(folder, missing, outcome);
   return outcome;
+}
+
+}  // namespace
+
+FigureOutcome write_figures(Summary const& summary, FigureChoice choice, fs::path const& dir) {
+  if (choice == FigureChoice::none) return {};
+  return write_each(dir, [&](Use const& use) { for_each_figure(summary, choice, use); });
+}
+
+FigureOutcome write_figures(std::vector<Figure> const& figures, fs::path const& dir) {
+  return write_each(dir, [&](Use const& use) { std::ranges::for_each(figures, use); });
 }
 
 void remove_figures(fs::path const& dir) {

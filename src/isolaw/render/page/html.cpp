@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "isolaw/render/json/building_json.hpp"
 #include "isolaw/render/json/results_json.hpp"
 #include "isolaw/render/page/page_data.hpp"
 #include "isolaw/study/law_look.hpp"
@@ -58,18 +59,16 @@ std::string law_colours() {
                      light, dark);
 }
 
-}  // namespace
-
-std::string html(Summary const& summary) {
-  std::string const title = summary.title.empty() ? "isolaw report" : summary.title + " – isolaw report";
+// The template with a title, the state of acceptance, the data and one of the joined scripts in their places.
+std::string page_of(std::string_view title, std::string_view asked, std::string_view data, std::string_view script) {
   std::map<std::string_view, std::string> const contents{
       {"title", html_escaped(title)},
       {"style", std::string(embedded_text(page_files(), "page.css"))},
       {"law_colours", law_colours()},
       {"plotly", inline_script(embedded_text(page_files(), "plotly-basic.min.js"))},
-      {"asked", script_safe(asked_json(summary.asked))},
-      {"data", script_safe(page_data_json(summary))},
-      {"script", inline_script(embedded_text(page_files(), "page.js"))},
+      {"asked", script_safe(asked)},
+      {"data", script_safe(data)},
+      {"script", inline_script(embedded_text(page_files(), script))},
   };
   // One pass over the template, so that a placeholder's name inside a content stays what it is.
   std::string_view rest = embedded_text(page_files(), "page.html");
@@ -81,6 +80,23 @@ std::string html(Summary const& summary) {
     rest.remove_prefix(end + 2);
   }
   return page += rest;
+}
+
+}  // namespace
+
+std::string html(Summary const& summary) {
+  return page_of(summary.title.empty() ? "isolaw report" : summary.title + " – isolaw report",
+                 asked_json(summary.asked), page_data_json(summary), "page.js");
+}
+
+std::string building_html(building::Study const& study, building::Answers const& answers) {
+  JsonWriter out;
+  out.begin_object();
+  write_building(out, study, answers, Digits::shown);
+  write_notation(out, {});
+  out.end_object();
+  auto const& title = study.file.settings.title;
+  return page_of(title.empty() ? "isolaw building" : title + " – isolaw building", "{}", out.take(), "building.js");
 }
 
 std::optional<campaign::Acceptance> asked_in(std::string_view page) {

@@ -1,4 +1,4 @@
-// report.html: one self-contained page that opens offline and loads nothing from the network.
+// report.html and building.html: self-contained pages that open offline and load nothing from the network.
 #pragma once
 
 #include <optional>
@@ -9,16 +9,24 @@
 #include "isolaw/base/embedded.hpp"
 #include "isolaw/render/results.hpp"
 
+namespace isolaw::building {
+struct Study;
+struct Answers;
+}  // namespace isolaw::building
+
 namespace isolaw::render {
 
 // The page with styles, scripts and data inlined. Text from the input reaches it only inside the data block, escaped,
 // and the title.
 std::string html(Summary const& summary);
 
+// The same of a building's analyses; its data are those of building.json.
+std::string building_html(building::Study const& study, building::Answers const& answers);
+
 // What the tests of a page were held to, as the page itself states it; nullopt where it does not.
 std::optional<campaign::Acceptance> asked_in(std::string_view page);
 
-// page.html, with the placeholders that html() fills, page.css, page.js and plotly-basic.min.js.
+// page.html, with the placeholders that html() fills, page.css, page.js, building.js and plotly-basic.min.js.
 std::span<Embedded const> page_files();
 
 }  // namespace isolaw::render

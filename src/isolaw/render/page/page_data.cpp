@@ -300,9 +300,7 @@ void write_shown(JsonWriter& out, Summary const& summary) {
     out.value(std::uint64_t{*device});
   else
     out.null();
-  out.key("symbols").begin_array();
-  for (auto const& look : law_looks) out.value(look.symbol);
-  out.end_array().key("stands").begin_object();
+  out.key("stands").begin_object();
   for (auto const view : front_views) {
     std::vector<std::string> standing;
     for (auto const& point : front_points(summary, view))
@@ -369,23 +367,32 @@ void write_all_headings(JsonWriter& out) {
   out.end_array();
 }
 
-// How names are set: [letter, index].
-void write_symbols(JsonWriter& out, Summary const& summary) {
-  std::set<std::string_view> parameters;
+Notation notation_of(Summary const& summary) {
+  Notation made;
   for (auto const& law : summary.laws)
     for (auto const& parameter : parameters_of(law)) {
-      parameters.insert(parameter.name);
-      if (!parameter.paper_name.empty()) parameters.insert(parameter.paper_name);
+      made.parameters.insert(parameter.name);
+      if (!parameter.paper_name.empty()) made.parameters.insert(parameter.paper_name);
     }
+  for (auto const& device : summary.devices) made.devices.insert(device.name);
+  return made;
+}
+
+}  // namespace
+
+void write_notation(JsonWriter& out, Notation const& of) {
+  out.key("symbols").begin_array();
+  for (auto const& look : law_looks) out.value(look.symbol);
+  out.end_array();
   // "a10", unless a device is called so.
   auto const is_no_other_word = [&](std::string_view name) {
-    return name.size() > 1 && std::ranges::any_of(name, is_digit) &&
-           std::ranges::find(summary.devices, name, &DeviceResult::name) == summary.devices.end();
+    return name.size() > 1 && std::ranges::any_of(name, is_digit) && !of.devices.contains(name);
   };
   std::set<std::string_view> words;
   for (auto const word : symbol_words()) words.insert(word);
-  for (auto const name : parameters)
+  for (auto const name : of.parameters)
     if (symbol_of(name).is_greek() || is_no_other_word(name)) words.insert(name);
+  // How a name is set: [letter, index].
   auto const write = [&](std::string_view key, std::set<std::string_view> const& names) {
     out.key(key).begin_object();
     for (auto const name : names) {
@@ -396,11 +403,9 @@ void write_symbols(JsonWriter& out, Summary const& summary) {
   };
   out.key("notation").begin_object();
   write("words", words);
-  write("parameters", parameters);
+  write("parameters", of.parameters);
   out.end_object();
 }
-
-}  // namespace
 
 std::string page_data_json(Summary const& summary) {
   auto const most = points_per_curve(summary);
@@ -422,7 +427,7 @@ std::string page_data_json(Summary const& summary) {
   write_published(out, summary, Digits::shown);
   write_thresholds(out);
   write_all_headings(out);
-  write_symbols(out, summary);
+  write_notation(out, notation_of(summary));
   write_verdict(out, overall_verdict(summary));
   out.key("assessment");
   write_acceptance(out, summary.acceptance);

@@ -1,5 +1,6 @@
-// What the reader has chosen, and what follows it.
+// What the reader of a report has chosen.
 
+import { choices } from './choices.js';
 import {
   devices, drawable, examinedLaws, firstExamined, lotLaws, predictedByFit, ranking, report, tested,
 } from './report.js';
@@ -9,8 +10,7 @@ import { FIRST_VIEW } from './views.js';
 // The device that stands for the lot, where it can be shown.
 const shownFirst = (among) => among.find((device) => device.index === report.typical_device) ?? among[0];
 
-// A figure names the keys that change it.
-export const chosen = {
+const made = choices({
   device: shownFirst(drawable)?.index ?? null,
   tested:
     (tested.find(({ verdict }) => verdict === 'fail') ?? shownFirst(tested.filter((device) => device.blocks.length > 0)) ?? tested[0])?.index ??
@@ -26,16 +26,11 @@ export const chosen = {
   predicted: predictedByFit[1]?.index ?? null, // beside the law that predicts best
   law: ranking[0]?.index ?? null, // of the parameters
   order: { key: 'best OF\n-', down: false }, // of the laws on a device
-};
+});
 
-// What follows a choice: controls that show the same one, figures that depend on it.
-const followers = [];
-export const onChoice = (follow) => followers.push(follow);
-
-export function choose(changes) {
-  Object.assign(chosen, changes);
-  for (const follow of followers) follow(changes);
-}
+export const chosen = made.chosen;
+export const onChoice = made.onChoice;
+export const choose = made.choose;
 
 // One device for the whole page; what cannot be shown of it stays with the device before.
 export function chooseDevice(index, changes = {}) {

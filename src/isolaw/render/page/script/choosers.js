@@ -1,16 +1,8 @@
 // Controls that several sections have.
 
 import { choose, chooseDevice, chosen, onChoice } from './choice.js';
-import { element } from './dom.js';
+import { chooser } from './controls.js';
 import { laws } from './report.js';
-
-// A choice of [value, text]; `follow` is called with what is chosen.
-export function chooser(id, title, options, current, follow) {
-  const option = ([value, text]) => element('option', { value, selected: value === current }, text);
-  const select = element('select', { id }, ...options.map(option));
-  select.addEventListener('change', () => follow(select.value));
-  return element('label', {}, title, select);
-}
 
 export function deviceChooser(id, among, key) {
   const options = among.map((device) => [device.index, device.name]);

@@ -1,11 +1,11 @@
 // What all plots share.
 
-import { report } from './report.js';
+import { data } from './data.js';
 import { inFigure } from './symbols.js';
 import { isNumber, plain, significant } from './text.js';
 
 // Colours and symbols return after so many laws; symbols are then open and keys dashed.
-export const SYMBOLS = report.symbols;
+export const SYMBOLS = data.symbols;
 const COLOURS = SYMBOLS.length;
 export const colourOf = (law) => 'law-' + ((law.index % COLOURS) + 1);
 export const isAgain = (law) => law.index >= COLOURS;

@@ -1,8 +1,9 @@
-// What the data block holds.
+// What the data block of a campaign or an inspection holds.
 
+import { data } from './data.js';
 import { atTheHead, printed } from './text.js';
 
-export const report = JSON.parse(document.getElementById('isolaw-data').textContent);
+export const report = data;
 export const devices = report.devices.map((device, index) => ({ ...device, index }));
 
 // What the data block holds as columns, as one object per parameter.

@@ -1,10 +1,10 @@
 // Symbols in text: a letter and its index, as the program says that a name is set. Words that can only be symbols are
 // found where they stand; a parameter's name, which may be a plain word, is marked where a text is made.
 
-import { report } from './report.js';
+import { data } from './data.js';
 
 const MARK = '\u2063'; // takes no room where nobody sets it
-const { words, parameters } = report.notation;
+const { words, parameters } = data.notation;
 
 export const symbol = (name) => (parameters[name] ? MARK + name + MARK : name);
 

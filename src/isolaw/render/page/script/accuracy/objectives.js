@@ -1,5 +1,5 @@
 import { choose, chosen } from '../choice.js';
-import { chooser } from '../choosers.js';
+import { chooser } from '../controls.js';
 import { namedAxis, symbolOf } from '../plotting.js';
 import { fitData, laws, lawsByObjective, usable } from '../report.js';
 import { fixed, isNumber, mean, objectiveText, plain, short } from '../text.js';

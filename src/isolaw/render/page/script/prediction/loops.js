@@ -1,7 +1,8 @@
 // The measured and the computed loops of blocks that the laws were not fitted to.
 
 import { choose, chosen } from '../choice.js';
-import { chooser, deviceChooser } from '../choosers.js';
+import { deviceChooser } from '../choosers.js';
+import { chooser } from '../controls.js';
 import { blockText } from '../cycles.js';
 import { forceRange, record } from '../loops/fits.js';
 import { NARROW, emptyPlot, panelHeading } from '../plotting.js';

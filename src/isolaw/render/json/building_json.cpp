@@ -1,0 +1,193 @@
+#include "isolaw/render/json/building_json.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "isolaw/base/version.hpp"
+
+namespace isolaw::render {
+namespace {
+
+constexpr int building_schema = 1;
+constexpr int history_digits = 5;
+constexpr double mm_per_m = 1e3, standard_gravity_mm_s2 = 9806.65;
+
+class BuildingWriter {
+ public:
+  BuildingWriter(JsonWriter& out, building::Study const& study, building::Answers const& answers, Digits digits)
+      : out_(out), study_(study), answers_(answers), digits_(digits) {}
+
+  void operator()() {
+    auto const& s = study_.file.settings;
+    out_.member("schema", building_schema).member("isolaw", version()).member("title", s.title);
+    out_.member("verdict", answers_.verdict).key("bounds_are_enough");
+    answers_.bounds_are_enough ? out_.value(*answers_.bounds_are_enough) : out_.null();
+    out_.member("enough", building::enough).member("warnings", answers_.warnings).member("assumed", answers_.assumed);
+    number("weight_kN", answers_.weight_kN);
+    write_values(out_.key("fixed_base_periods_s"), answers_.fixed_periods_s, rounding());
+    out_.member("draws", s.draws).member("seed", s.seed);
+    number("lower_factor", s.lower), number("upper_factor", s.upper);
+    plan();
+    motions();
+    quantities();
+    number("law_std_ln", answers_.law_std_ln);
+    each("laws", answers_.laws, [&](building::LawAnswer const& law) {
+      write_results(out_, answer_results, law, digits_, [&](std::string_view key) { of_law(law, key); });
+    });
+  }
+
+ private:
+  std::optional<int> rounding() const { return digits_ == Digits::all ? std::nullopt : std::optional(shown_digits); }
+  void number(std::string_view key, std::optional<double> const& value) {
+    write_value(out_.key(key), value ? Value(*value) : Value(), rounding());
+  }
+  template <class Items, class Write>
+  void each(std::string_view key, Items const& items, Write const& write) {
+    out_.key(key).begin_array();
+    for (auto const& item : items) {
+      out_.begin_object();
+      write(item);
+      out_.end_object();
+    }
+    out_.end_array();
+  }
+  void point(building::Point const& at) {
+    number("x_m", at.x_mm / mm_per_m);
+    number("y_m", at.y_mm / mm_per_m);
+  }
+
+  void plan() {
+    out_.key("plan").begin_object();
+    each("bearings", study_.file.bearings, [&](building::BearingPlace const& place) {
+      point(place.at);
+      out_.member("is", place.stands == building::Stands::device ? std::string_view(place.device) : name(place.stands));
+    });
+    each("corners", answers_.corners, [&](building::Point const& at) { point(at); });
+    out_.key("centre").begin_object();
+    point(study_.file.frame.base.centre);
+    out_.end_object().end_object();
+  }
+
+  void motions() {
+    each("motions", study_.file.motions, [&](building::Motion const& m) {
+      double peak = 0.0;
+      for (std::size_t i = 0; i < m.x_mm_s2.size(); ++i)
+        peak = std::max(peak, std::hypot(m.x_mm_s2[i], m.y_mm_s2.empty() ? 0.0 : m.y_mm_s2[i]));
+      out_.member("name", m.name).member("components", m.y_mm_s2.empty() ? 1 : 2);
+      number("step_s", m.step_s);
+      out_.member("samples", std::uint64_t{m.x_mm_s2.size()});
+      number("peak_g", peak / standard_gravity_mm_s2);
+    });
+  }
+
+  void quantities() {
+    each("quantities", building::quantities(), [&](building::Quantity const& row) {
+      out_.member("key", row.key).member("title", row.title).member("unit", row.unit).member("meaning", row.meaning);
+    });
+  }
+
+  void fractiles(std::array<double, 4> const& values) {
+    for (std::size_t i = 0; i < values.size(); ++i) number(distribution_results[first_fractile + i].key, values[i]);
+  }
+
+  void distribution(building::Distribution const& d) {
+    write_results(out_, distribution_results, d, digits_, [&](std::string_view key) {
+      if (key == "histogram") {
+        out_.begin_object();
+        number("from", d.histogram.from), number("width", d.histogram.width);
+        out_.key("counts").begin_array();
+        for (auto const count : d.histogram.counts) out_.value(count);
+        out_.end_array().end_object();
+        return;
+      }
+      out_.begin_array();
+      for (std::size_t m = 0; m < d.by_motion.size(); ++m) {
+        out_.begin_object();
+        number("nominal", d.nominal_by_motion[m]);
+        fractiles(d.by_motion[m]);
+        out_.end_object();
+      }
+      out_.end_array();
+    });
+  }
+
+  void coverage(building::LawAnswer const& law) {
+    out_.begin_object();
+    if (!law.coverage.empty()) write_results(out_, coverage_results, law.coverage.front(), digits_);
+    out_.key("of").begin_object();
+    for (std::size_t i = 0; i < law.coverage.size(); ++i) {
+      out_.key(building::covered_quantities[i]).begin_object();
+      write_results(out_, coverage_results, law.coverage[i], digits_);
+      out_.end_object();
+    }
+    out_.end_object().end_object();
+  }
+
+  void histories(building::LawAnswer const& law) {
+    out_.begin_array();
+    for (auto const& history : law.histories) {
+      out_.begin_object();
+      write_results(out_, history_results, history, digits_, [&](std::string_view key) {
+        out_.line(key == "x_mm"         ? history.x_mm
+                  : key == "y_mm"       ? history.y_mm
+                  : key == "shear_x_kN" ? history.shear_x_kN
+                                        : history.shear_y_kN,
+                  history_digits);
+      });
+      out_.end_object();
+    }
+    out_.end_array();
+  }
+
+  void of_law(building::LawAnswer const& law, std::string_view key) {
+    if (key == "coverage") return coverage(law);
+    if (key == "histories") return histories(law);
+    if (key == "checked") {
+      out_.begin_array();
+      for (auto const& checked : law.checked) {
+        out_.begin_object();
+        write_results(out_, checked_results, checked, digits_);
+        out_.end_object();
+      }
+      out_.end_array();
+      return;
+    }
+    out_.begin_object();
+    if (key == "peak_mm") fractiles(law.distributions.front().fractiles);
+    if (key == "bearings") {
+      out_.key("displacement_mm").line(law.bearing_mm, history_digits);
+      out_.key("energy_share").line(law.bearing_energy_share, history_digits);
+    }
+    if (key == "quantities")
+      for (std::size_t q = 0; q < law.distributions.size(); ++q) {
+        out_.key(building::quantities()[q].key).begin_object();
+        distribution(law.distributions[q]);
+        out_.end_object();
+      }
+    out_.end_object();
+  }
+
+  static constexpr std::size_t first_fractile = 3;  // of distribution_results
+  static_assert(distribution_results[first_fractile].key == "p16");
+
+  JsonWriter& out_;
+  building::Study const& study_;
+  building::Answers const& answers_;
+  Digits digits_;
+};
+
+}  // namespace
+
+void write_building(JsonWriter& out, building::Study const& study, building::Answers const& answers, Digits digits) {
+  BuildingWriter(out, study, answers, digits)();
+}
+
+std::string building_json(building::Study const& study, building::Answers const& answers) {
+  JsonWriter out(JsonWriter::Layout::indented);
+  out.begin_object();
+  write_building(out, study, answers, Digits::all);
+  out.end_object();
+  return out.take();
+}
+
+}  // namespace isolaw::render

@@ -1,0 +1,34 @@
+// The page of an isolated building: its sections in order. A file in building/ is a section; what pages share stands
+// beside this file.
+
+import { assumedSection } from './building/assumed.js';
+import { checksSection } from './building/checks.js';
+import { historySection } from './building/history.js';
+import { lawsSection } from './building/laws.js';
+import { planSection } from './building/plan.js';
+import { spreadSection } from './building/spread.js';
+import { grouped, laws, onChoice, study } from './building/study.js';
+import { varianceSection } from './building/variance.js';
+import { verdictSection } from './building/verdict.js';
+import { element } from './dom.js';
+import { followWindow, showSections } from './shell.js';
+import { count } from './text.js';
+
+// In the order of the page.
+const SECTIONS = [
+  verdictSection, spreadSection, varianceSection, lawsSection, planSection, historySection, checksSection, assumedSection,
+];
+
+document.getElementById('kind').textContent = 'Isolated building';
+document.getElementById('title').textContent = study.title || 'Building on devices of a lot';
+document.getElementById('facts').textContent = [
+  count(study.plan.bearings.length, 'bearing'), count(study.motions.length, 'motion'), count(laws.length, 'law'),
+  grouped(study.draws) + ' draws',
+].join(' \u00b7 ');
+document.getElementById('colophon').append(
+  'Made by isolaw ' + study.isolaw + ' from building.sqlite, seed ' + study.seed + '. This file needs no network',
+  element('span', { class: 'screen' }, '; the data of every figure can be saved as CSV'),
+  '.',
+);
+showSections(SECTIONS, { onChoice });
+followWindow();

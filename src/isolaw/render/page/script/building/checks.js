@@ -1,0 +1,46 @@
+// How well the numbers are integrated, and what equivalent linear analysis by hand would have said.
+
+import { tableOf } from '../tables.js';
+import { deviation, fixed, mean, significant } from '../text.js';
+import { laws, study } from './study.js';
+
+const rows = laws.flatMap((law) => law.checked.map((checked, motion) => ({ law, checked, motion: study.motions[motion].name })));
+const NUMBERS = ['isolator_mm', 'energy_error', 'step_s', 'missed_mm', 'lanes_off_percent', 'equivalent_mm', 'equivalent_error_percent', 'equivalent_period_s', 'equivalent_damping'];
+
+export const checksSection = {
+  id: 'checks',
+  title: 'Checks and the hand method',
+  short: 'Checks',
+  figures: [
+    {
+      id: 'checks',
+      title: 'Nominal building under each motion',
+      long: true,
+      caption: () =>
+        'Implicit path, and how far the path of the draws is from it. Equivalent linear analysis with each motion\u2019s own spectrum is off by ' +
+        deviation(mean(rows.map(({ checked }) => checked.equivalent_error_percent)), 0) + ' on the mean.',
+      csv: () => ({
+        columns: ['law', 'motion', 'outcome', ...NUMBERS],
+        rows: rows.map(({ law, motion, checked }) => [law.id, motion, checked.outcome, ...NUMBERS.map((key) => checked[key])]),
+      }),
+      build: () =>
+        tableOf(
+          [
+            ...(laws.length > 1 ? [{ title: 'Law', cell: ({ law }) => law.name }] : []),
+            { title: 'Motion', cell: ({ motion }) => motion },
+            { title: 'Bearing', unit: 'mm', number: true, cell: ({ checked }) => fixed(checked.isolator_mm, 1) },
+            { title: 'Step misses', unit: 'mm', number: true, cell: ({ checked }) => significant(checked.missed_mm, 1) },
+            { title: 'Energy error', number: true, cell: ({ checked }) => significant(checked.energy_error, 1) },
+            { title: 'Draws\u2019 path', number: true, cell: ({ checked }) => deviation(checked.lanes_off_percent, 2) },
+            { title: 'Hand method', unit: 'mm', number: true, cell: ({ checked }) => fixed(checked.equivalent_mm, 1) },
+            { title: 'Its error', number: true, cell: ({ checked }) => deviation(checked.equivalent_error_percent, 0) },
+            { title: 'Period', unit: 's', number: true, cell: ({ checked }) => fixed(checked.equivalent_period_s, 2) },
+            { title: 'Damping', number: true, cell: ({ checked }) => fixed(100 * checked.equivalent_damping, 0) + '\u202f%' },
+            { title: 'Outcome', cell: ({ checked }) => checked.outcome },
+          ],
+          rows,
+          'Checks of the nominal building',
+        ),
+    },
+  ],
+};

@@ -1,0 +1,101 @@
+// The nominal building under one motion: the centre of the base over time, in plan, and the loop of all bearings.
+
+import { element } from '../dom.js';
+import { LEGEND, dashOf } from '../plotting.js';
+import { plain } from '../text.js';
+import { chosen, choose, laws, lawKey, placeChooser, study } from './study.js';
+
+const shown = () => laws.filter((law) => chosen.laws.has(law.index));
+const of = (law) => law.histories[chosen.motion];
+const lines = (look, x, y, hover) =>
+  shown().map((law, i) => ({
+    name: law.name, mode: 'lines', x: x(of(law)), y: y(of(law)), line: { color: look.law(law), width: 1.3, dash: dashOf(i) },
+    hovertemplate: hover + '<extra>' + plain(law.name) + '</extra>',
+  }));
+const several = () => study.motions[chosen.motion].components === 2;
+const DEPENDS = ['motion', 'laws', 'axis'];
+const layout = (x, y, more = {}) => ({
+  showlegend: shown().length > 1, legend: LEGEND, margin: { l: 60, r: 12, t: shown().length > 1 ? 30 : 10, b: 44 }, xaxis: { title: x, ...more.xaxis }, yaxis: { title: y, ...more.yaxis },
+});
+
+export const historySection = {
+  id: 'history',
+  title: 'Histories and loops',
+  short: 'Histories',
+  controls,
+  figures: [
+    {
+      id: 'history',
+      title: 'Displacement of the centre',
+      depends: DEPENDS,
+      caption: () =>
+        study.motions[chosen.motion].name + ', along ' + chosen.axis + ': the nominal building, without draws' +
+        (shown().length > 0 ? '; at most ' + shown().map((law) => Math.round(largest(law)) + ' mm (' + law.name + ')').join(', ') + ' in any direction.' : '. Choose a law above.'),
+      csv,
+      height: () => 300,
+      draw: (look) => ({
+        traces: lines(look, (h) => h.x_mm.map((_, i) => i * h.step_s), (h) => h[chosen.axis + '_mm'], '%{x:.2f} s, %{y:.1f} mm'),
+        layout: layout('time [s]', chosen.axis + ' [mm]'),
+      }),
+    },
+    {
+      id: 'loop',
+      title: 'Loop of all bearings',
+      width: 'half',
+      depends: DEPENDS,
+      caption: () => 'Sum of the bearings\u2019 forces over the displacement of the centre, along ' + chosen.axis + '.',
+      csv,
+      height: () => 380,
+      draw: (look) => ({
+        traces: lines(look, (h) => h[chosen.axis + '_mm'], (h) => h['shear_' + chosen.axis + '_kN'].map((kN) => kN / 1e3), '%{x:.1f} mm, %{y:.2f} MN'),
+        layout: layout('displacement of the centre [mm]', 'force [MN]'),
+      }),
+    },
+    {
+      id: 'orbit',
+      title: 'The centre in plan',
+      width: 'half',
+      depends: DEPENDS,
+      caption: () => (several() ? 'The way of the centre of mass of the base.' : 'The motion has one component.'),
+      csv,
+      height: () => 380,
+      draw: (look) => ({
+        traces: lines(look, (h) => h.x_mm, (h) => h.y_mm, '%{x:.1f} mm, %{y:.1f} mm'),
+        layout: layout('x [mm]', 'y [mm]', { yaxis: { scaleanchor: 'x' } }),
+      }),
+    },
+  ],
+};
+
+const largest = (law) => of(law).x_mm.reduce((most, x, i) => Math.max(most, Math.hypot(x, of(law).y_mm[i])), 0);
+
+function controls() {
+  const boxes = laws.map((law) => {
+    const box = element('input', { type: 'checkbox', value: law.index, checked: chosen.laws.has(law.index) });
+    box.addEventListener('change', () => {
+      box.checked ? chosen.laws.add(law.index) : chosen.laws.delete(law.index);
+      choose({ laws: chosen.laws });
+    });
+    return element('label', {}, box, lawKey(law), law.name);
+  });
+  const axes = ['x', 'y'].map((axis) => {
+    const button = element('input', { type: 'radio', name: 'axis', value: axis, checked: chosen.axis === axis });
+    button.addEventListener('change', () => choose({ axis }));
+    return element('label', {}, button, axis);
+  });
+  return [
+    placeChooser('motion', 'Motion', study.motions.map(({ name }) => name), 'motion'),
+    element('fieldset', {}, element('legend', {}, 'Along'), ...axes),
+    ...(laws.length > 1 ? [element('fieldset', {}, element('legend', {}, 'Laws'), ...boxes)] : []),
+  ];
+}
+
+function csv() {
+  return {
+    columns: ['law', 'time [s]', 'x [mm]', 'y [mm]', 'force x [kN]', 'force y [kN]'],
+    rows: shown().flatMap((law) => {
+      const h = of(law);
+      return h.x_mm.map((x, i) => [law.id, i * h.step_s, x, h.y_mm[i], h.shear_x_kN[i], h.shear_y_kN[i]]);
+    }),
+  };
+}

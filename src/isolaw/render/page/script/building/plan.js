@@ -1,0 +1,108 @@
+// Where the bearings stand, what they are, how far each goes; and how much the building twists.
+
+import { tableOf } from '../tables.js';
+import { atTheHead, mean, plain, rangeText, unitText } from '../text.js';
+import { chosen, laws, numberText, placeChooser, quantityOf, study, unitOf } from './study.js';
+
+const KINDS = { draw: ['draw of the lot', 'circle'], lot: ['law of the lot', 'square'], lower: ['lower bound', 'triangle-down'], upper: ['upper bound', 'triangle-up'] };
+const kindOf = ({ is }) => (Object.hasOwn(KINDS, is) ? KINDS[is] : ['tested device', 'diamond']);
+const LEAST_CONTRAST = 0.05; // of the mean displacement: from the middle of the colours to their end
+const TWISTS = ['corner_over_centre', 'corner_mm', 'centre_mm', 'rotation_mrad', 'worst_energy_share'];
+
+export const planSection = {
+  id: 'plan',
+  title: 'Plan and torsion',
+  short: 'Plan',
+  controls: () => (laws.length > 1 ? [placeChooser('law-of-plan', 'Law', laws.map((law) => law.name), 'law')] : []),
+  figures: [
+    { id: 'plan', title: 'Bearings in plan', width: 'wide', depends: ['law'], caption, csv: planData, height: (width) => Math.min(460, 120 + 0.62 * width), draw: plan },
+    {
+      id: 'torsion',
+      title: 'Torsion',
+      width: 'narrow',
+      depends: ['law'],
+      caption: () => 'Means over the motions, of the draws; nominal: without draws, so that what is more comes of unequal devices.',
+      csv: () => ({
+        columns: ['law', 'quantity', 'unit', 'nominal', 'p50', 'p95'],
+        rows: laws.flatMap((law) => TWISTS.map((key) => [law.id, key, quantityOf(key).unit, ...['nominal', 'p50', 'p95'].map((of) => law.quantities[key][of])])),
+      }),
+      build: torsion,
+    },
+  ],
+};
+
+function caption() {
+  const { displacement_mm: moved } = laws[chosen.law].bearings;
+  return (
+    laws[chosen.law].name + ': on the mean over draws and motions bearings move ' +
+    rangeText([Math.min(...moved), Math.max(...moved)], 'mm') + ' (stronger colour: more). Cross: centre of mass; line: the slab.'
+  );
+}
+
+function plan(look) {
+  const { bearings, corners, centre } = study.plan;
+  const moved = laws[chosen.law].bearings.displacement_mm,
+    share = laws[chosen.law].bearings.energy_share;
+  // Differences of a percent are not drawn as if they mattered.
+  const usual = mean(moved),
+    most = Math.max(LEAST_CONTRAST * usual, ...moved.map((mm) => Math.abs(mm - usual)));
+  const xs = corners.map(({ x_m: x }) => x),
+    ys = corners.map(({ y_m: y }) => y);
+  const middle = [xs.reduce((a, b) => a + b, 0) / xs.length, ys.reduce((a, b) => a + b, 0) / ys.length];
+  const round = corners
+    .map(({ x_m: x, y_m: y }) => [x, y])
+    .sort((a, b) => Math.atan2(a[1] - middle[1], a[0] - middle[0]) - Math.atan2(b[1] - middle[1], b[0] - middle[0]));
+  round.push(round[0]);
+  const kinds = [...new Set(bearings.map((bearing) => kindOf(bearing)[0]))];
+  return {
+    traces: [
+      { name: 'slab', mode: 'lines', x: round.map(([x]) => x), y: round.map(([, y]) => y), line: { color: look.colour('muted'), width: 1.2 }, hoverinfo: 'skip', showlegend: false },
+      ...kinds.map((kind) => {
+        const some = bearings.map((bearing, i) => ({ ...bearing, i })).filter((bearing) => kindOf(bearing)[0] === kind);
+        return {
+          name: kind, mode: 'markers', x: some.map(({ x_m: x }) => x), y: some.map(({ y_m: y }) => y),
+          marker: {
+            symbol: kindOf(some[0])[1], size: 15, color: some.map(({ i }) => 0.5 + (0.5 * (moved[i] - usual)) / most), cmin: 0, cmax: 1,
+            colorscale: [[0, look.colour('grid')], [1, look.colour('accent')]], line: { color: look.colour('accent'), width: 1 },
+          },
+          text: some.map(({ is, i }) => plain(is) + '<br>' + numberText(moved[i]) + ' mm, ' + numberText(100 * share[i]) + ' % of the work'),
+          hovertemplate: '%{text}<extra></extra>',
+        };
+      }),
+      {
+        name: 'centre of mass', mode: 'markers', x: [centre.x_m], y: [centre.y_m], showlegend: false,
+        marker: { symbol: 'cross-thin', size: 13, line: { color: look.colour('ink'), width: 2 } }, hovertemplate: 'centre of mass<extra></extra>',
+      },
+    ],
+    layout: {
+      showlegend: true,
+      margin: { l: 54, r: 12, t: 30, b: 44 },
+      xaxis: { title: 'x [m]', zeroline: false },
+      yaxis: { title: 'y [m]', zeroline: false, scaleanchor: 'x' },
+    },
+  };
+}
+
+function torsion() {
+  const of = laws[chosen.law].quantities;
+  return tableOf(
+    [
+      { title: 'Quantity', cell: (key) => atTheHead(quantityOf(key).title) + (unitOf(quantityOf(key)) ? ' [' + unitText(quantityOf(key).unit) + ']' : '') },
+      { title: 'Nominal', number: true, cell: (key) => numberText(Math.abs(of[key].nominal) < 1e-9 ? 0 : of[key].nominal) },
+      { title: 'Median', number: true, cell: (key) => numberText(of[key].p50) },
+      { title: '95\u202f%', number: true, cell: (key) => numberText(of[key].p95) },
+    ],
+    TWISTS,
+    'Torsion of the building',
+    { sorts: false },
+  );
+}
+
+function planData() {
+  return {
+    columns: ['x [m]', 'y [m]', 'is', ...laws.flatMap((law) => [law.id + ': displacement [mm]', law.id + ': share of the work'])],
+    rows: study.plan.bearings.map((bearing, i) => [
+      bearing.x_m, bearing.y_m, bearing.is, ...laws.flatMap((law) => [law.bearings.displacement_mm[i], law.bearings.energy_share[i]]),
+    ]),
+  };
+}

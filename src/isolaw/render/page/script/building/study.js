@@ -1,0 +1,54 @@
+// What the data block of a building's page holds, and what its reader has chosen.
+
+import { choices } from '../choices.js';
+import { chooser } from '../controls.js';
+import { data } from '../data.js';
+import { element } from '../dom.js';
+import { colourOf, isAgain } from '../plotting.js';
+import { atTheHead, fixed, significant, unitText, withUnit } from '../text.js';
+
+export const study = data;
+export const laws = study.laws.map((law, index) => ({ ...law, index }));
+export const first = laws[0]; // whose coverage the verdict is of
+export const grouped = (number) => number.toLocaleString('en');
+
+// What is measured of a building.
+export const quantityOf = (key) => study.quantities.find((quantity) => quantity.key === key);
+export const unitOf = ({ unit }) => (unit === '-' ? '' : unit);
+export const axisTitle = (quantity) => quantity.title + (unitOf(quantity) ? ' [' + unitText(quantity.unit) + ']' : '');
+export const valueText = (value, quantity) => withUnit(value, unitText(quantity.unit), 3);
+export const isCovered = (key) => key in first.coverage.of;
+
+// A spread of ln as a share of the value.
+export const spreadText = (std) => fixed(100 * std, std < 0.0995 ? 1 : 0) + '\u202f%';
+
+const made = choices({
+  quantity: 'isolator_mm',
+  law: 0, // of the plan and of single motions
+  motion: 0,
+  axis: 'x',
+  laws: new Set([0]), // of histories
+});
+export const chosen = made.chosen;
+export const choose = made.choose;
+export const onChoice = made.onChoice;
+
+// Of a key that is chosen; controls of several sections show the same.
+function follower(label, key) {
+  onChoice(() => (label.lastChild.value = chosen[key]));
+  return label;
+}
+export const quantityChooser = (id) =>
+  follower(
+    chooser(id, 'Quantity', study.quantities.map(({ key, title }) => [key, atTheHead(title)]), chosen.quantity, (quantity) =>
+      choose({ quantity }),
+    ),
+    'quantity',
+  );
+export const placeChooser = (id, title, names, key) =>
+  follower(chooser(id, title, names.map((name, i) => [i, name]), chosen[key], (place) => choose({ [key]: Number(place) })), key);
+
+export const lawKey = (law) =>
+  element('span', { class: isAgain(law) ? 'key again' : 'key', style: `border-color: var(--${colourOf(law)})` });
+
+export const numberText = (value) => significant(value, 3);

@@ -1,0 +1,11 @@
+// Controls of every page.
+
+import { element } from './dom.js';
+
+// A choice of [value, text]; `follow` is called with what is chosen.
+export function chooser(id, title, options, current, follow) {
+  const option = ([value, text]) => element('option', { value, selected: value === current }, text);
+  const select = element('select', { id }, ...options.map(option));
+  select.addEventListener('change', () => follow(select.value));
+  return element('label', {}, title, select);
+}

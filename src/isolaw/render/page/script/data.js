@@ -1,0 +1,3 @@
+// The data block of the page.
+
+export const data = JSON.parse(document.getElementById('isolaw-data').textContent);

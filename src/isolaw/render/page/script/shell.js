@@ -1,0 +1,93 @@
+// What every page is: its sections in order, the way through them, and what draws them anew.
+
+import { element } from './dom.js';
+import { buildFigure, drawn, redraw, redrawDependents, render, reserve } from './figure.js';
+import { joinTables, partTables } from './tables.js';
+import { typeset } from './symbols.js';
+
+// Sections in the order of the page: {id, title, short, figures, controls, adorn}. `opened` is called with a section and
+// its element before its figures are there; `onChoice` tells who follows a choice of the reader.
+export function showSections(sections, { onChoice, opened = () => {} }) {
+  const observer = new IntersectionObserver(
+    (entries) => {
+      for (const { target, isIntersecting } of entries) {
+        const place = drawn.get(target.figure);
+        place.seen = isIntersecting;
+        if (isIntersecting && place.stale) render(target.figure);
+      }
+    },
+    { rootMargin: '300px 0px' },
+  );
+
+  const main = document.getElementById('report'),
+    contents = document.getElementById('contents');
+  for (const section of sections) {
+    const figures = section.figures.filter((figure) => figure.wanted?.() ?? true);
+    if (figures.length === 0) continue;
+    const node = element(
+      'section',
+      { id: section.id, 'aria-labelledby': section.id + '-title' },
+      element('h2', { id: section.id + '-title' }, section.title),
+    );
+    section.adorn?.(node);
+    opened(section, node);
+    const grid = element('div', { class: 'figures' });
+    const controls = section.controls?.() ?? [];
+    if (controls.length > 0) grid.append(element('div', { class: 'controls' }, ...controls));
+    grid.append(...figures.map((figure) => buildFigure(figure, observer)));
+    node.append(grid);
+    main.append(node);
+    contents.append(element('a', { href: '#' + section.id }, section.short ?? section.title));
+  }
+  onChoice(redrawDependents);
+  for (const figure of drawn.keys()) if (figure.draw) reserve(figure);
+  markCurrentSection(main, contents);
+  if (location.hash) document.getElementById(location.hash.slice(1))?.scrollIntoView(); // now that it exists
+}
+
+function markCurrentSection(main, contents) {
+  const links = new Map([...contents.children].map((link) => [link.hash.slice(1), link]));
+  const inView = new Set();
+  const observer = new IntersectionObserver(
+    (entries) => {
+      for (const { target, isIntersecting } of entries)
+        isIntersecting ? inView.add(target.id) : inView.delete(target.id);
+      const current = [...links.keys()].find((id) => inView.has(id));
+      for (const [id, link] of links)
+        id === current ? link.setAttribute('aria-current', 'true') : link.removeAttribute('aria-current');
+    },
+    { rootMargin: '-22% 0px -75% 0px' },
+  );
+  for (const section of main.children) observer.observe(section);
+}
+
+// What changes how the page is drawn: paper, the window, light and dark. Called once the sections are there.
+export function followWindow({ beforePrint = () => {}, afterPrint = () => {} } = {}) {
+  // On paper: light colours, the width of the page, every figure and every table.
+  window.addEventListener('beforeprint', () => {
+    document.documentElement.dataset.printing = '';
+    redraw({ everything: true });
+    beforePrint();
+    partTables();
+  });
+
+  window.addEventListener('afterprint', () => {
+    delete document.documentElement.dataset.printing;
+    joinTables();
+    afterPrint();
+    redraw();
+    for (const [figure, place] of drawn) if (figure.caption) place.caption.replaceChildren(...typeset(figure.caption()));
+  });
+
+  window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => redraw());
+
+  // Plots follow the width of the page, however it changes; drawing them changes its height only.
+  let drawnWidth = document.getElementById('report').clientWidth;
+
+  new ResizeObserver(([entry]) => {
+    const width = Math.round(entry.contentRect.width);
+    if (width === drawnWidth) return;
+    drawnWidth = width;
+    requestAnimationFrame(() => redraw()); // not here: what is drawn changes the height that is being observed
+  }).observe(document.getElementById('report'));
+}

@@ -1,0 +1,97 @@
+#include "isolaw/render/tables/building_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "isolaw/render/tables/csv.hpp"
+#include "isolaw/render/tables/latex_tables.hpp"
+
+namespace isolaw::render {
+namespace {
+
+constexpr auto distribution_columns =
+    study::columns(study::distribution_results, {"lower", "nominal", "upper", "p16", "p50", "p84", "p95",
+                                                 "motion_std_ln", "lot_std_ln", "lot_share", "uncertain_std_ln"});
+constexpr auto coverage_columns = study::columns(
+    study::coverage_results, {"inside", "lower", "upper", "below", "above", "factor_low", "factor_high"});
+constexpr auto checked_columns = study::columns(
+    study::checked_results, {"outcome", "isolator_mm", "energy_error", "step_s", "missed_mm", "lanes_off_percent",
+                             "equivalent_mm", "equivalent_error_percent", "equivalent_period_s", "equivalent_damping"});
+
+std::string bold_head(std::string_view law) {
+  return fmt::format("\\addlinespace\n\\multicolumn{{10}}{{@{{}}l}}{{\\itshape {}}} \\\\\n", latex_text(law));
+}
+
+}  // namespace
+
+std::string building_csv(building::Answers const& answers) {
+  CsvTable table;
+  table.add("law", "quantity", "unit").head(distribution_columns).end_row();
+  for (auto const& law : answers.laws)
+    for (std::size_t q = 0; q < law.distributions.size(); ++q) {
+      auto const& row = building::quantities()[q];
+      table.add(law.law, row.key, row.unit).cells(distribution_columns, law.distributions[q]).end_row();
+    }
+  return table.take();
+}
+
+std::string coverage_csv(building::Answers const& answers) {
+  CsvTable table;
+  table.add("law", "draws", "quantity").head(coverage_columns).end_row();
+  for (auto const& law : answers.laws)
+    for (std::size_t i = 0; i < law.coverage.size(); ++i)
+      table.add(law.law, law.draws, building::covered_quantities[i]).cells(coverage_columns, law.coverage[i]).end_row();
+  return table.take();
+}
+
+std::string building_checks_csv(building::Study const& study, building::Answers const& answers) {
+  CsvTable table;
+  table.add("law", "motion").head(checked_columns).end_row();
+  for (auto const& law : answers.laws)
+    for (std::size_t m = 0; m < law.checked.size(); ++m)
+      table.add(law.law, study.file.motions[m].name).cells(checked_columns, law.checked[m]).end_row();
+  return table.take();
+}
+
+std::string building_tex(building::Study const& study, building::Answers const& answers) {
+  auto const& s = study.file.settings;
+  std::string text =
+      "% The isolated building: bound analyses, fractiles of the draws, parts of the spread of ln(response).\n"
+      "% Needs in the preamble: \\usepackage{booktabs}; with names beyond ASCII \\usepackage[T1]{fontenc} too.\n";
+  text += fmt::format("% Means over {} motions, {} draws; forces of the bounds times {} and {}.\n",
+                      study.file.motions.size(), s.draws, s.lower, s.upper);
+  text += "\\begin{tabular}{@{}lrrrrrrrrr@{}}\n\\toprule\n";
+  text +=
+      " & \\multicolumn{3}{c}{Analyses} & \\multicolumn{4}{c}{Draws} & \\multicolumn{2}{c}{$\\sigma_{\\ln}$} \\\\\n";
+  text += "\\cmidrule(lr){2-4}\\cmidrule(lr){5-8}\\cmidrule(l){9-10}\n";
+  text +=
+      "Quantity & lower & nominal & upper & 16\\,\\% & 50\\,\\% & 84\\,\\% & 95\\,\\% & lot & motions \\\\\n\\midrule\n";
+  for (auto const& law : answers.laws) {
+    text += bold_head(laws::called(law.law));
+    for (std::size_t q = 0; q < law.distributions.size(); ++q) {
+      auto const& row = building::quantities()[q];
+      auto const& d = law.distributions[q];
+      auto const unit = latex_unit(row.unit);
+      text += latex_text(row.title) + (unit.empty() ? "" : " (" + unit + ")");
+      for (double const value :
+           {d.lower, d.nominal, d.upper, d.fractiles[0], d.fractiles[1], d.fractiles[2], d.fractiles[3]})
+        text += " & " + latex_number(value, 3);
+      text += " & " + latex_number(d.lot_std_ln, 2) + " & " + latex_number(d.motion_std_ln, 2) + " \\\\\n";
+    }
+    for (std::size_t i = 0; i < law.coverage.size(); ++i) {
+      auto const& c = law.coverage[i];
+      auto const& row =
+          *std::ranges::find(building::quantities(), building::covered_quantities[i], &building::Quantity::key);
+      text += fmt::format(
+          "\\multicolumn{{10}}{{@{{}}l}}{{Bounds cover {:.1f}\\,\\% ({:.0f} to {:.0f}\\,\\%) in {}{}}} \\\\\n",
+          100.0 * c.inside, 100.0 * c.interval_low, 100.0 * c.interval_high, latex_text(row.title),
+          c.factor_low ? fmt::format("; factors of {:.2f} and {:.2f} would cover {:.0f}\\,\\%", *c.factor_low,
+                                     *c.factor_high, 100.0 * building::enough)
+                       : std::string());
+    }
+  }
+  return text + "\\bottomrule\n\\end{tabular}\n";
+}
+
+}  // namespace isolaw::render

@@ -1,0 +1,135 @@
+// Opens the page of a made-up building in headless Chromium: no script error, no request, every figure drawn, no page
+// wider than its window, the verdict within few words before the first scroll, choices that figures follow, paper.
+//   node building_page.mjs MAKE_BUILDING [CHROMIUM]
+// ISOLAW_SCREENSHOTS=DIR keeps a picture of every case; ISOLAW_BUILDING_PAGE=FILE looks at that page instead.
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { Chromium } from './chromium.mjs';
+
+const [makeBuilding, program] = process.argv.slice(2);
+if (!program || !existsSync(program)) {
+  console.log('skipped: no Chromium found (install chromium, or configure with -DISOLAW_CHROMIUM=FILE)');
+  process.exit(77);
+}
+
+const CASES = [
+  { name: 'laptop', laws: 2, width: 1366, height: 768 },
+  { name: 'laptop-dark', laws: 2, width: 1366, height: 768, dark: true },
+  { name: 'phone', laws: 2, width: 390, height: 844 },
+  { name: 'phone-dark', laws: 1, width: 390, height: 844, dark: true },
+  { name: 'one-law', laws: 1, width: 1366, height: 768 },
+  { name: 'print', laws: 2, width: 681, height: 900, print: true },
+];
+const MOST_WORDS = 120;
+
+// Runs in the page.
+async function look({ print }) {
+  const wait = (ms) => new Promise((done) => setTimeout(done, ms));
+  const data = JSON.parse(document.getElementById('isolaw-data').textContent);
+  const words = [];
+  const walker = document.createTreeWalker(document.body, 4);
+  for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+    if (/^(SCRIPT|STYLE|OPTION)$/.test(node.parentNode.nodeName) || node.parentNode.closest('.plot, noscript, .skip')) continue;
+    const range = document.createRange();
+    range.selectNodeContents(node);
+    const box = range.getBoundingClientRect();
+    if (box.width > 0 && box.top < window.innerHeight) words.push(...node.textContent.split(/\s+/).filter((word) => /\w/.test(word)));
+  }
+  if (print) {
+    dispatchEvent(new Event('beforeprint'));
+    await wait(800);
+  }
+  for (const figure of document.querySelectorAll('figure')) {
+    figure.scrollIntoView();
+    await wait(80);
+  }
+  await wait(200);
+  const undrawn = [...document.querySelectorAll('.plot')].filter((plot) => !plot.querySelector('.main-svg')).map((plot) => plot.parentNode.id);
+  const empty = [...document.querySelectorAll('figure')].filter((figure) => figure.getBoundingClientRect().height < 10).map(({ id }) => id);
+  const cut = [...document.querySelectorAll('.plot')].flatMap((plot) => {
+    const frame = plot.getBoundingClientRect();
+    return [...plot.querySelectorAll('text')]
+      .filter((text) => text.textContent && text.getBoundingClientRect().width > 0 && !text.closest('.modebar'))
+      .filter((text) => text.getBoundingClientRect().left < frame.left - 2 || text.getBoundingClientRect().right > frame.right + 2)
+      .map((text) => plot.parentNode.id + ': ' + text.textContent);
+  });
+  const wide = [document.documentElement.scrollWidth, window.innerWidth]; // paper makes no choices
+  const axis = () => document.querySelector('#figure-histograms .xtitle')?.textContent;
+  const before = axis();
+  const select = document.getElementById('quantity');
+  document.getElementById('figure-histograms').scrollIntoView();
+  select.value = 'drift_mm';
+  select.dispatchEvent(new Event('change'));
+  await wait(300);
+  const after = axis();
+  const followed = document.getElementById('quantity-of-variance').value;
+  select.value = 'isolator_mm';
+  select.dispatchEvent(new Event('change'));
+  await wait(200);
+  const count = (id, kind) => document.querySelectorAll('#figure-' + id + ' ' + kind).length;
+  const text = document.body.innerText;
+  window.scrollTo(0, 0);
+  return {
+    words: words.length, undrawn, empty, cut, before, after, followed, wide,
+    said: document.querySelector('#figure-verdict .headline').textContent,
+    verdict: data.verdict,
+    laws: data.laws.length,
+    histograms: count('histograms', '.bars'),
+    bearings: count('plan', '.scatterlayer .point'), places: data.plan.bearings.length,
+    rows: count('coverage', 'tbody tr'),
+    title: document.getElementById('title').textContent, wanted: data.title,
+    alive: document.querySelectorAll('img').length, motion: text.includes(data.motions[data.motions.length - 1].name),
+    errors: document.body.dataset.errors,
+    height: document.documentElement.scrollHeight,
+  };
+}
+
+const directory = mkdtempSync(join(tmpdir(), 'isolaw-building-')),
+  browser = new Chromium(program),
+  failures = [],
+  written = new Map(),
+  given = process.env.ISOLAW_BUILDING_PAGE,
+  pictures = process.env.ISOLAW_SCREENSHOTS;
+try {
+  for (const one of CASES) {
+    const expect = (holds, what) => holds || failures.push(`${one.name}: ${what}`);
+    if (!given && !written.has(one.laws)) {
+      const out = join(directory, String(one.laws));
+      execFileSync(makeBuilding, [out, String(one.laws)], { stdio: ['ignore', 'ignore', 'inherit'] });
+      written.set(one.laws, join(out, 'building.html'));
+    }
+    const page = await browser.open(pathToFileURL(given ?? written.get(one.laws)).href, one);
+    if (one.print) await page.send('Emulation.setEmulatedMedia', { media: 'print' });
+    await page.evaluate('new Promise((done) => setTimeout(done, 400))');
+    const seen = await page.evaluate(`(${look})(${JSON.stringify(one)})`);
+    expect(page.errors.length === 0 && seen.errors === '', 'errors: ' + page.errors.join('; ') + seen.errors);
+    expect(page.requests.length === 0, 'requests: ' + page.requests.join(', '));
+    expect(seen.undrawn.length === 0, 'not drawn: ' + seen.undrawn.join(', '));
+    expect(seen.empty.length === 0, 'empty: ' + seen.empty.join(', '));
+    expect(seen.cut.length === 0, 'text beyond its figure: ' + seen.cut.join('; '));
+    expect(seen.wide[0] <= seen.wide[1], 'page of ' + seen.wide.join(' in a window of '));
+    expect(one.print || seen.words <= MOST_WORDS, seen.words + ' words before the first scroll');
+    expect(seen.said.replace(/\s/g, ' ') === seen.verdict, 'says "' + seen.said + '"');
+    expect(seen.histograms === seen.laws, seen.histograms + ' histograms of ' + seen.laws + ' laws');
+    expect(seen.bearings === seen.places + 1, seen.bearings + ' marks in plan of ' + seen.places + ' bearings and the centre');
+    expect(seen.rows === 2 * seen.laws, seen.rows + ' rows of coverage');
+    expect(seen.before !== seen.after && /drift/.test(seen.after) && seen.followed === 'drift_mm', 'the choice of a quantity is not followed');
+    expect(seen.title === seen.wanted && seen.alive === 0 && seen.motion, 'names of the input are not text');
+    if (pictures) {
+      mkdirSync(pictures, { recursive: true });
+      await page.send('Emulation.setDeviceMetricsOverride', { width: one.width, height: seen.height, deviceScaleFactor: 1, mobile: one.width < 500 });
+      await page.evaluate('new Promise((done) => setTimeout(done, 600))');
+      const { data } = await page.send('Page.captureScreenshot', { format: 'png' });
+      writeFileSync(join(pictures, 'building-' + one.name + '.png'), Buffer.from(data, 'base64'));
+    }
+    await page.close();
+  }
+} finally {
+  await browser.close();
+  rmSync(directory, { recursive: true, force: true });
+}
+for (const failure of failures) console.log('FAILED ' + failure);
+process.exit(failures.length === 0 ? 0 : 1);
