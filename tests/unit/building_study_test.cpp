@@ -224,7 +224,8 @@ TEST_F(BuildingRuns, answers) {
     EXPECT_LE(history.x_mm.size(), most_of_history);
     EXPECT_NEAR(history.step_s * static_cast<double>(history.x_mm.size()), 6.5, 0.1);
     double most = 0.0;
-    for (std::size_t i = 0; i < history.x_mm.size(); ++i) most = std::max(most, std::hypot(history.x_mm[i], history.y_mm[i]));
+    for (std::size_t i = 0; i < history.x_mm.size(); ++i)
+      most = std::max(most, std::hypot(history.x_mm[i], history.y_mm[i]));
     EXPECT_NEAR(most, law.distributions[1].nominal_by_motion[m], 0.02 * most);
   }
   // On average no bearing moves more than that which moves most, and all the work is theirs.
