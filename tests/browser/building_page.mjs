@@ -1,12 +1,12 @@
 // Opens the page of a made-up building in headless Chromium: no script error, no request, every figure drawn, no page
-// wider than its window, the verdict within few words before the first scroll, choices that figures follow, paper.
+// wider than its window, the verdict within few words before the first scroll, choices that figures follow, paper, axe-core.
 //   node building_page.mjs MAKE_BUILDING [CHROMIUM]
 // ISOLAW_SCREENSHOTS=DIR keeps a picture of every case; ISOLAW_BUILDING_PAGE=FILE looks at that page instead.
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { pathToFileURL } from 'node:url';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 import { Chromium } from './chromium.mjs';
 
 const [makeBuilding, program] = process.argv.slice(2);
@@ -87,6 +87,11 @@ async function look({ print }) {
   };
 }
 
+// The rules of axe-core, where that is at hand.
+const axe = fileURLToPath(new URL('../../node_modules/axe-core/axe.min.js', import.meta.url));
+const violations = `window.axe.run(document, { resultTypes: ['violations'] }).then(({ violations: found }) =>
+  found.map(({ id, nodes }) => id + ': ' + nodes.slice(0, 3).map((node) => node.html.slice(0, 120)).join(' | ')))`;
+
 const directory = mkdtempSync(join(tmpdir(), 'isolaw-building-')),
   browser = new Chromium(program),
   failures = [],
@@ -118,6 +123,10 @@ try {
     expect(seen.rows === 2 * seen.laws, seen.rows + ' rows of coverage');
     expect(seen.before !== seen.after && /drift/.test(seen.after) && seen.followed === 'drift_mm', 'the choice of a quantity is not followed');
     expect(seen.title === seen.wanted && seen.alive === 0 && seen.motion, 'names of the input are not text');
+    if (!one.print && existsSync(axe)) {
+      await page.evaluate(readFileSync(axe, 'utf8') + ';0');
+      for (const violation of await page.evaluate(violations)) expect(false, violation);
+    }
     if (pictures) {
       mkdirSync(pictures, { recursive: true });
       await page.send('Emulation.setDeviceMetricsOverride', { width: one.width, height: seen.height, deviceScaleFactor: 1, mobile: one.width < 500 });

@@ -1,5 +1,7 @@
 // What is written of a building: building.json and its documentation, the page, tables and figures for print.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 
@@ -51,7 +53,7 @@ Case const& usual_case() {
     Case of{.study = building::usual_study(0.07, 60, 3), .answers = {}};
     of.study.file.settings.title = "Bau </script> <b>1</b>";
     of.study.file.bearings[0] = {.at = of.study.file.bearings[0].at, .stands = building::Stands::lot, .device = {}};
-    auto const file = fs::temp_directory_path() / "isolaw-render-building.sqlite";
+    auto const file = fs::temp_directory_path() / fmt::format("isolaw-render-building-{}.sqlite", ::getpid());
     fs::remove(file);
     building::RunStore store(file, building::fingerprint(of.study), true);
     building::run_all(of.study, store, 1);
@@ -128,7 +130,7 @@ TEST(BuildingFigures, are_drawn_of_the_draws) {
     percent += share;
   }
   EXPECT_NEAR(percent, 100.0, 1e-6);
-  auto const dir = fs::temp_directory_path() / "isolaw-building-figures";
+  auto const dir = fs::temp_directory_path() / fmt::format("isolaw-building-figures-{}", ::getpid());
   fs::remove_all(dir);
   auto const outcome = write_building_figures(usual_case().answers, dir);
   EXPECT_EQ(outcome.figures, 2u);

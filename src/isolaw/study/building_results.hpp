@@ -1,6 +1,6 @@
-// What the analyses of a building say, each number under one name with its unit and meaning: building.json, the page and
-// the tables are written from these rows; docs/building-json.md is checked against them. What is measured of a building
-// is a row of building::quantities().
+// What the analyses of a building say, each number under one name with its unit and meaning: building.json, the page
+// and the tables are written from these rows; docs/building-json.md is checked against them. What is measured of a
+// building is a row of building::quantities().
 #pragma once
 
 #include "isolaw/building/answers.hpp"
