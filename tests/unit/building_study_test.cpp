@@ -243,7 +243,7 @@ TEST_F(BuildingRuns, answers) {
 TEST_F(BuildingRuns, without_draws_bounds_have_nothing_to_cover) {
   auto study = usual_study(0.07, 3);
   for (auto& bearing : study.file.bearings) bearing.stands = Stands::lot;
-  RunStore store(file_, fingerprint(study), false);
+  RunStore store(file_, traits_of(study), false);
   run_all(study, store, 1);
   auto const made = answer(study, store);
   EXPECT_TRUE(contains(made.verdict, "No bearing is a draw")) << made.verdict;
