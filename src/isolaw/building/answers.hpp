@@ -80,7 +80,7 @@ std::array<double, 2> binomial_interval(std::size_t found, std::size_t of, doubl
 struct Effective {
   double stiffness_kN_mm = 0.0, damping = 0.0;
 };
-Effective effective(std::string_view law, std::span<double const> parameters, double amplitude_mm);
+Effective effective(std::string_view law, std::span<double const> parameters, double amplitude_mm, Coupling coupling);
 
 // Places for tested devices, given their stiffness at the design displacement: [place] -> device, so that the centre of
 // stiffness is as near as it comes to the centre of mass by exchanges of two. As many devices as places, or more.
@@ -89,6 +89,12 @@ struct Arrangement {
   double eccentricity_mm = 0.0, in_order_mm = 0.0;  // and of the devices as they came
 };
 Arrangement arrange(std::span<Point const> places, Point centre, std::span<double const> stiffness);
+
+// The nominal building under a motion, by the implicit path, with its history.
+Response nominal_run(Study const& study, LawSource const& source, Motion const& motion);
+// The same as CSV: the base's displacement and velocity relative to the ground, the bearings' force and every floor's
+// acceleration in space; along x, and y where the motion has it. Where the run did not complete, up to there.
+std::string history_csv(Response const& run, Motion const& motion);
 
 std::string answers_json(Study const& study, Answers const& answers);
 

@@ -134,7 +134,7 @@ void run_all(Study const& study, RunStore& store, std::size_t threads,
   std::vector<Devices> devices;
   std::vector<Options> options;
   for (auto const& law : study.laws) {
-    devices.emplace_back(law, study.file.bearings, study.file.settings);
+    devices.emplace_back(law, study.file);
     options.push_back(options_of(study, model, devices.back()));
   }
   constexpr std::size_t block = 2 * lane_width, chunk = 16;
