@@ -80,6 +80,12 @@ TEST_F(Building, from_template_to_verdict) {
   expect_refused(isolaw(command), {"building.sqlite", "another building", "--fresh"});
   EXPECT_EQ(isolaw(command + Words{"--fresh"}).code, 0);
   expect_refused(isolaw(command + Words{"--fresh", "--arrange"}), {"--arrange", "3 tested devices for 28 bearings"});
+  auto const nominal = isolaw(Words{"building", "case/building.toml", "--from", "lot", "--out", "N", "--nominal"});
+  EXPECT_EQ(nominal.code, 0) << nominal;
+  EXPECT_EQ(nominal.out.find("law,motion,outcome,isolator_mm"), 0u) << nominal;
+  EXPECT_TRUE(contains(nominal.out, "bilinear,motion-7-x,completed,")) << nominal;
+  EXPECT_TRUE(contains(read_file(directory() / "N/histories/bilinear-7.csv"), "acceleration_5_y [mm/s2]"));
+  EXPECT_FALSE(std::filesystem::exists(directory() / "N/building.sqlite"));
   // Three places for the three devices that were tested.
   change("along = 7", "along = 3");
   change("across = 4", "across = 1");

@@ -12,6 +12,7 @@
 #include "isolaw/building/answers.hpp"
 #include "isolaw/building/building_file.hpp"
 #include "isolaw/laws/catalogue.hpp"
+#include "isolaw/laws/online.hpp"
 #include "isolaw/render/json/building_json.hpp"
 #include "refusal.hpp"
 #include "unit/building_study_fixture.hpp"
@@ -118,14 +119,13 @@ TEST(BuildingStudy, forces_of_every_law_scale) {
 
 TEST(BuildingStudy, without_scatter_a_draw_is_the_nominal_run) {
   auto const study = usual_study(0.0, 3);
-  Devices const devices(study.laws[0], study.file.bearings, study.file.settings);
+  Devices const devices(study.laws[0], study.file);
   EXPECT_EQ(devices.of({.kind = CaseKind::draw, .draw = 2}), devices.of({}));
 }
 
 TEST(BuildingStudy, a_draw_depends_on_its_number_alone) {
   auto const few = usual_study(0.07, 3), many = usual_study(0.07, 300);
-  Devices const a(few.laws[0], few.file.bearings, few.file.settings),
-      b(many.laws[0], many.file.bearings, many.file.settings);
+  Devices const a(few.laws[0], few.file), b(many.laws[0], many.file);
   Case const second{.kind = CaseKind::draw, .draw = 1};
   EXPECT_EQ(a.of(second), b.of(second));
   EXPECT_NE(a.of(second), a.of({.kind = CaseKind::draw, .draw = 2}));
@@ -134,11 +134,45 @@ TEST(BuildingStudy, a_draw_depends_on_its_number_alone) {
   EXPECT_EQ(values[2], values[5]);  // what no population holds
 }
 
+// power-masing has no form in the plane, and no tangent at nought of the direction in which nothing moves.
+TEST(BuildingStudy, under_motions_along_x_a_law_is_itself) {
+  auto study = usual_study(0.0, 3);
+  Values const law{60.0, 0.6, 10.0, 0.0, 20.0, 0.05};
+  study.laws = {{.law = "power-masing",
+                 .lot = law,
+                 .devices = {},
+                 .population = {},
+                 .place = std::vector<std::optional<std::size_t>>(law.size()),
+                 .median = law,
+                 .limits = {},
+                 .tested_mm = 0.0}};
+  for (auto& bearing : study.file.bearings) bearing.stands = Stands::lot;
+  EXPECT_EQ(Devices(study.laws[0], study.file).coupling(), Coupling::springs);
+  for (auto& motion : study.file.motions) motion.y_mm_s2.clear();
+  ASSERT_EQ(Devices(study.laws[0], study.file).coupling(), Coupling::separate);
+  auto const run = nominal_run(study, study.laws[0], study.file.motions[0]);
+  ASSERT_EQ(run.outcome, Outcome::completed) << run.why;
+  laws::Online online("power-masing", law);
+  double most = 0.0, off = 0.0;
+  for (std::size_t i = 0; i < run.history.time_s.size(); ++i) {
+    auto const force = 6.0 * online.trial(run.history.base[i][0], run.history.velocity[i][0]).force;
+    online.commit();
+    most = std::max(most, std::abs(force));
+    off = std::max(off, std::abs(force - run.history.shear_kN[i][0]));
+    ASSERT_LT(std::abs(run.history.base[i][1]), 1e-6);
+  }
+  EXPECT_GT(run.of(Measure::isolator), 10.0);
+  // The law starts at nought, the bearing where it has left its rest.
+  EXPECT_LT(off, 1e-3 * most);
+  auto const csv = history_csv(run, study.file.motions[0]);
+  EXPECT_EQ(
+      csv.find("time [s],base_x [mm],velocity_x [mm/s],force_x [kN],acceleration_base_x [mm/s2],acceleration_1_x"), 0u);
+  EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(csv, '\n')), run.history.time_s.size() + 1);
+}
+
 TEST(BuildingStudy, refuses_bearings_that_nothing_stands_for) {
   auto study = usual_study(0.07, 3);
-  auto const said = [&] {
-    return refusal_of([&] { Devices(study.laws[0], study.file.bearings, study.file.settings); });
-  };
+  auto const said = [&] { return refusal_of([&] { Devices(study.laws[0], study.file); }); };
   study.file.bearings[0] = {.at = {}, .stands = Stands::device, .device = "D07"};
   EXPECT_TRUE(contains(said(), "no device 'D07'"));
   study.file.bearings[0] = {};
@@ -262,7 +296,7 @@ TEST(BuildingAnswers, binomial_interval) {
 // A closed loop of a bilinear device: K2 + Qd / D, and 4 Qd (D - Dy) over 2 pi K D^2.
 TEST(BuildingAnswers, effective_stiffness_and_damping) {
   double const K1 = 6.0, K2 = 0.9, Qd = 30.0, Dy = Qd / (K1 - K2), D = 150.0;
-  auto const made = effective("bilinear", Values{K1, K2, Dy}, D);
+  auto const made = effective("bilinear", Values{K1, K2, Dy}, D, Coupling::coupled);
   EXPECT_NEAR(made.stiffness_kN_mm, K2 + Qd / D, 1e-12);
   EXPECT_NEAR(made.damping, 4.0 * Qd * (D - Dy) / (2.0 * std::numbers::pi * (K2 + Qd / D) * D * D), 2e-3);
 }

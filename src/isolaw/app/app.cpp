@@ -144,6 +144,8 @@ void add_building(CLI::App& c, BuildingArguments& a) {
                fmt::format("threads, 0 to {} (one per core); the results do not depend on it", campaign::most_jobs))
       ->check(CLI::Range(0, campaign::most_jobs));
   c.add_option("--part", a.part, "K/N: only the K-th of N even shares of the runs, for isolaw merge");
+  c.add_flag("--nominal", a.nominal,
+             "the nominal building alone, over time: its response to every motion as CSV; no draws, no bounds");
   c.add_flag("--arrange", a.arrange, "also put the tested devices where least eccentricity is left");
   c.add_flag("--fresh", a.fresh, "start over where the directory holds runs of another building");
   c.add_flag("--template", a.print_template, "print a commented building file");

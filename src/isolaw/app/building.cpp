@@ -21,6 +21,7 @@
 #include "isolaw/building/answers.hpp"
 #include "isolaw/building/synthetic_motion.hpp"
 #include "isolaw/campaign/store.hpp"
+#include "isolaw/data/ground_motion.hpp"
 #include "isolaw/render/figures/building_figures.hpp"
 #include "isolaw/render/json/building_json.hpp"
 #include "isolaw/render/tables/tables.hpp"
@@ -77,7 +78,8 @@ void print_arrangement(building::Study const& study, building::Answers const& an
     double const at = answers.laws[l].distributions.front().nominal;
     for (auto const& [name, values] : law.devices) {
       names.push_back(name);
-      stiffness.push_back(building::effective(law.law, values, at).stiffness_kN_mm);
+      stiffness.push_back(
+          building::effective(law.law, values, at, building::coupling_of(law.law, values)).stiffness_kN_mm);
     }
     std::vector<building::Point> places;
     for (auto const& b : study.file.bearings) places.push_back(b.at);
@@ -90,6 +92,34 @@ void print_arrangement(building::Study const& study, building::Answers const& an
           fmt::format("{:g},{:g},{}\n", places[i].x_mm / 1e3, places[i].y_mm / 1e3, printable(names[made.device[i]]));
     print(text);
   }
+}
+
+// Every law under every motion, one CSV each.
+int nominal_alone(building::Study const& study, std::filesystem::path const& out) {
+  auto const folder = out / "histories";
+  make_folder(folder);
+  auto const floors = study.file.frame.floors.size();
+  building::Layout const layout{floors, study.file.bearings.size()};
+  print("law,motion,outcome,isolator_mm,base_acceleration_g,roof_acceleration_g,energy_error,file\n");
+  bool all = true;
+  for (auto const& law : study.laws)
+    for (std::size_t m = 0; m < study.file.motions.size(); ++m) {
+      auto const& motion = study.file.motions[m];
+      auto const run = building::nominal_run(study, law, motion);
+      auto const file = fmt::format("{}-{}.csv", law.law, m + 1);
+      write_file(folder / file, building::history_csv(run, motion));
+      auto const acceleration = [&](std::size_t diaphragm) {
+        return run.measured[layout.acceleration(diaphragm)] / data::gravity_mm_s2;
+      };
+      bool const completed = run.outcome == building::Outcome::completed;
+      all = all && completed;
+      print(fmt::format("{},{},{},{:.6g},{:.6g},{:.6g},{:.2e},{}\n", law.law, printable(motion.name),
+                        building::name(run.outcome), run.of(building::Measure::isolator), acceleration(0),
+                        acceleration(floors), run.of(building::Measure::balance), file));
+      if (!completed) say("{}, {}: {}\n", law.law, printable(motion.name), printable(run.why));
+    }
+  say("{}\n", shown(folder));
+  return all ? exit_done : exit_with_refusals;
 }
 
 std::string full_name(std::filesystem::path const& path) {
@@ -130,8 +160,10 @@ int building(BuildingArguments const& a) {
     return exit_done;
   }
   auto const part = a.part ? std::optional(campaign::parse_part(*a.part)) : std::nullopt;
-  if (part && (a.json || a.arrange))
-    throw Error({.where = a.json ? "--json" : "--arrange",
+  if (part && (a.json || a.arrange || a.nominal))
+    throw Error({.where = a.json      ? "--json"
+                          : a.arrange ? "--arrange"
+                                      : "--nominal",
                  .found = "a part has no answers",
                  .advice = "isolaw merge OUT PARTS... of all of them"});
   auto const study = building_study(a);
@@ -145,6 +177,7 @@ int building(BuildingArguments const& a) {
   // Before anything is made: what is no building, or of no lot, is said first.
   building::Model const model(building::Structure(study.file.frame), study.file.plan());
   auto const out = a.out.value_or(std::filesystem::path("out") / "building");
+  if (a.nominal) return nominal_alone(study, out);
   make_folder(out);
   DirectoryLock const lock(out);
   auto const file = out / building_store;

@@ -124,7 +124,7 @@ struct BuildingArguments {
   std::vector<std::string> motions;                      // "x.AT2" or "x.AT2,y.AT2", in place of the file's
   std::optional<int> jobs;
   std::optional<std::string> part;  // "3/40"
-  bool print_template = false, fresh = false, arrange = false, json = false;
+  bool print_template = false, fresh = false, arrange = false, nominal = false, json = false;
 };
 // The isolated building: its bearings drawn from the lot, the bound analyses beside them.
 int building(BuildingArguments const& arguments);

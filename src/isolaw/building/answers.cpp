@@ -134,8 +134,9 @@ double linear_peak(Motion const& motion, double period_s, double damping) {
 }
 
 // The displacement whose effective stiffness and damping give it back from the motion's own response.
-void equivalent_linear(Checked& made, LawSource const& source, Motion const& motion,
-                       std::vector<double> const& bearings, double mass) {
+void equivalent_linear(Checked& made, Devices const& devices, Motion const& motion, std::vector<double> const& bearings,
+                       double mass) {
+  auto const& source = devices.source();
   std::size_t const each = source.lot.size(), count = bearings.size() / each;
   double at = 100.0;
   for (int i = 0; i < 60; ++i) {
@@ -145,7 +146,7 @@ void equivalent_linear(Checked& made, LawSource const& source, Motion const& mot
       auto const values = std::span(bearings).subspan(j * each, each);
       // Most are the same.
       if (j == 0 || !std::ranges::equal(values, std::span(bearings).subspan((j - 1) * each, each)))
-        one = effective(source.law, values, at);
+        one = effective(source.law, values, at, devices.coupling());
       k += one.stiffness_kN_mm;
       weighted += one.stiffness_kN_mm * one.damping;
     }
@@ -296,8 +297,8 @@ std::array<double, 2> binomial_interval(std::size_t found, std::size_t of, doubl
           found == of ? 1.0 : Binomial::find_upper_bound_on_p(n, k, tail)};
 }
 
-Effective effective(std::string_view law, std::span<double const> parameters, double amplitude_mm) {
-  auto const bearing = make_bearing(law, parameters, coupling_of(law, parameters));
+Effective effective(std::string_view law, std::span<double const> parameters, double amplitude_mm, Coupling coupling) {
+  auto const bearing = make_bearing(law, parameters, coupling);
   constexpr int steps = 200, cycles = 3;
   double before = 0.0, force_before = 0.0, energy = 0.0, forward = 0.0, backward = 0.0;
   for (int i = 1; i <= steps * cycles; ++i) {
@@ -434,7 +435,7 @@ Answers answer(Study const& study, RunStore const& store) {
       out.distributions.push_back(std::move(d));
     }
 
-    Devices const devices(source, study.file.bearings, settings);
+    Devices const devices(source, study.file);
     auto const nominal = devices.of({});
     auto options = options_of(study, model, devices);
     options.histories = true;
@@ -453,7 +454,7 @@ Answers answer(Study const& study, RunStore const& store) {
       checked.step_s = run.step_s;
       checked.missed_mm = richardson(run, fine)[static_cast<std::size_t>(Measure::isolator)];
       checked.lanes_off_percent = 100.0 * (kept[motion][0][0] / checked.isolator_mm - 1.0);
-      equivalent_linear(checked, source, study.file.motions[motion], nominal, model.structure().mass()(0, 0));
+      equivalent_linear(checked, devices, study.file.motions[motion], nominal, model.structure().mass()(0, 0));
       checked.equivalent_error_percent = 100.0 * (checked.equivalent_mm / run.of(Measure::centre) - 1.0);
     }
   }
@@ -476,6 +477,42 @@ Answers answer(Study const& study, RunStore const& store) {
   if (has_draws(study) && !made.laws.empty())
     made.bounds_are_enough = made.laws.front().coverage.front().inside >= enough;
   made.assumed = assumed_of(study, made);
+  return made;
+}
+
+Response nominal_run(Study const& study, LawSource const& source, Motion const& motion) {
+  Model const model(Structure(study.file.frame), study.file.plan());
+  Devices const devices(source, study.file);
+  auto options = options_of(study, model, devices);
+  options.histories = true;
+  return integrate(model, devices.bearings(devices.of({})), motion, options);
+}
+
+std::string history_csv(Response const& run, Motion const& motion) {
+  auto const& history = run.history;
+  std::size_t const diaphragms = history.acceleration.empty() ? 0 : history.acceleration.front().size() / 2;
+  std::size_t const axes = motion.y_mm_s2.empty() ? 1 : 2;
+  std::string made = "time [s]";
+  auto const head = [&](std::string_view what, std::string_view unit) {
+    for (std::size_t axis = 0; axis < axes; ++axis) made += fmt::format(",{}_{} [{}]", what, "xy"[axis], unit);
+  };
+  head("base", "mm");
+  head("velocity", "mm/s");
+  head("force", "kN");
+  for (std::size_t floor = 0; floor < diaphragms; ++floor)
+    head(floor == 0 ? std::string("acceleration_base") : fmt::format("acceleration_{}", floor), "mm/s2");
+  made += '\n';
+  for (std::size_t i = 0; i < history.time_s.size(); ++i) {
+    made += fmt::format("{:.6g}", history.time_s[i]);
+    auto const add = [&](auto const& values, std::size_t first) {
+      for (std::size_t axis = 0; axis < axes; ++axis) made += fmt::format(",{:.6g}", values[first + axis]);
+    };
+    add(history.base[i], 0);
+    add(history.velocity[i], 0);
+    add(history.shear_kN[i], 0);
+    for (std::size_t floor = 0; floor < diaphragms; ++floor) add(history.acceleration[i], 2 * floor);
+    made += '\n';
+  }
   return made;
 }
 

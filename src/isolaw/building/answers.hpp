@@ -107,7 +107,7 @@ std::array<double, 2> binomial_interval(std::size_t found, std::size_t of, doubl
 struct Effective {
   double stiffness_kN_mm = 0.0, damping = 0.0;
 };
-Effective effective(std::string_view law, std::span<double const> parameters, double amplitude_mm);
+Effective effective(std::string_view law, std::span<double const> parameters, double amplitude_mm, Coupling coupling);
 
 // Places for tested devices, given their stiffness at the design displacement: [place] -> device, so that the centre of
 // stiffness is as near as it comes to the centre of mass by exchanges of two. As many devices as places, or more.
@@ -117,4 +117,9 @@ struct Arrangement {
 };
 Arrangement arrange(std::span<Point const> places, Point centre, std::span<double const> stiffness);
 
+// The nominal building under a motion, by the implicit path, with its history.
+Response nominal_run(Study const& study, LawSource const& source, Motion const& motion);
+// The same as CSV: the base's displacement and velocity relative to the ground, the bearings' force and every floor's
+// acceleration in space; along x, and y where the motion has it. Where the run did not complete, up to there.
+std::string history_csv(Response const& run, Motion const& motion);
 }  // namespace isolaw::building

@@ -1,5 +1,6 @@
 #include "isolaw/building/bearing.hpp"
 
+#include <cmath>
 #include <string>
 
 #include "isolaw/base/error.hpp"
@@ -33,25 +34,51 @@ class InPlaneBearing final : public Bearing {
   double length_, force_;
 };
 
+// A law of one direction. Until it first goes further than `rest_mm` it is its first tangents: of a direction in which
+// nothing moves it rounding does, and laws with a power of the displacement have no tangent there that Newton's method
+// could follow.
+class OneDirection {
+ public:
+  OneDirection(laws::Online const& law, laws::LawInfo const& info)
+      : law_(law), length_(info.length.in_record_units), force_(info.force.in_record_units), first_(law_.trial(0, 0)) {}
+
+  // Force, and its derivatives by place and velocity, in the record's units.
+  laws::Online::Force trial(double x_mm, double v_mm_s) {
+    goes_ = went_ || std::abs(x_mm) > rest_mm;
+    double const x = x_mm / length_, v = v_mm_s / length_;
+    auto made = goes_ ? law_.trial(x, v) : first_;
+    if (!goes_) made.force += made.by_x * x + made.by_v * v;
+    return {force_ * made.force, force_ / length_ * made.by_x, force_ / length_ * made.by_v};
+  }
+  void commit() {
+    if (goes_) law_.commit();
+    went_ = goes_;
+  }
+
+ private:
+  static constexpr double rest_mm = 1e-6;
+  laws::Online law_;
+  double length_, force_;
+  laws::Online::Force first_;
+  bool went_ = false, goes_ = false;
+};
+
 class SeparateBearing final : public Bearing {
  public:
-  SeparateBearing(laws::Online const& law, laws::LawInfo const& info)
-      : x_(law), y_(law), length_(info.length.in_record_units), force_(info.force.in_record_units) {}
+  SeparateBearing(laws::Online const& law, laws::LawInfo const& info) : x_(law, info), y_(law, info) {}
 
   BearingForce trial(Vector const& to, Vector const& velocity, double) override {
-    auto const x = x_.trial(to.x / length_, velocity.x / length_), y = y_.trial(to.y / length_, velocity.y / length_);
-    BearingForce out{.force = {force_ * x.force, force_ * y.force}};
-    double const per = force_ / length_;
-    out.by_displacement[0][0] = per * x.by_x, out.by_displacement[1][1] = per * y.by_x;
-    out.by_velocity[0][0] = per * x.by_v, out.by_velocity[1][1] = per * y.by_v;
+    auto const x = x_.trial(to.x, velocity.x), y = y_.trial(to.y, velocity.y);
+    BearingForce out{.force = {x.force, y.force}};
+    out.by_displacement[0][0] = x.by_x, out.by_displacement[1][1] = y.by_x;
+    out.by_velocity[0][0] = x.by_v, out.by_velocity[1][1] = y.by_v;
     return out;
   }
   void commit() override { x_.commit(), y_.commit(); }
   std::unique_ptr<Bearing> copy() const override { return std::make_unique<SeparateBearing>(*this); }
 
  private:
-  laws::Online x_, y_;
-  double length_, force_;
+  OneDirection x_, y_;
 };
 
 }  // namespace

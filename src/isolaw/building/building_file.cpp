@@ -348,6 +348,10 @@ Plan BuildingFile::plan() const {
   return made;
 }
 
+bool BuildingFile::along_x_alone() const {
+  return std::ranges::all_of(motions, [](Motion const& motion) { return motion.y_mm_s2.empty(); });
+}
+
 std::string building_template() {
   std::string out =
       "# A building on isolators for `isolaw building`. Lines that start with # are explanations or not in use.\n";

@@ -44,6 +44,8 @@ struct BuildingFile {
   std::vector<Motion> motions;
 
   Plan plan() const;
+  // No motion shakes it along y.
+  bool along_x_alone() const;
 };
 
 // Files of motions in place of those of the building file: "x.AT2", or "x.AT2,y.AT2" for two components.

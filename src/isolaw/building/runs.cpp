@@ -345,7 +345,7 @@ Runs::Runs(Study const& study)
       cases_(cases_of(study.file.settings)),
       blocks_(study.laws.size(), study.file.motions.size(), cases_.size()) {
   for (auto const& law : study.laws) {
-    devices_.emplace_back(law, study.file.bearings, study.file.settings);
+    devices_.emplace_back(law, study.file);
     options_.push_back(options_of(study, model_, devices_.back()));
   }
 }

@@ -84,11 +84,11 @@ lot::Population population_again(lot::Population const& population, num::Stream 
   return lot::estimate_population(population.names, estimates, without);
 }
 
-Devices::Devices(LawSource source, std::vector<BearingPlace> places, Settings const& settings)
+Devices::Devices(LawSource source, BuildingFile const& file)
     : source_(std::move(source)),
-      places_(std::move(places)),
-      settings_(settings),
-      stream_(num::Stream(static_cast<std::uint64_t>(settings.seed))
+      places_(file.bearings),
+      settings_(file.settings),
+      stream_(num::Stream(static_cast<std::uint64_t>(settings_.seed))
                   .split(stable_hash("building"))
                   .split(stable_hash(source_.law))) {
   auto const where = fmt::format("law {}", source_.law);
@@ -109,6 +109,7 @@ Devices::Devices(LawSource source, std::vector<BearingPlace> places, Settings co
     if (coupling_of(source_.law, *values) == Coupling::springs) coupling_ = Coupling::springs;
   for (auto const& [name, values] : source_.devices)
     if (coupling_of(source_.law, values) == Coupling::springs) coupling_ = Coupling::springs;
+  if (coupling_ == Coupling::springs && file.along_x_alone()) coupling_ = Coupling::separate;
   if (drawn)
     for (int p = 0; p < settings_.populations; ++p)
       uncertain_.push_back(population_again(

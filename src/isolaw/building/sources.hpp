@@ -59,8 +59,9 @@ std::vector<Case> cases_of(Settings const& settings);
 // Makes the sets of parameters of one law. A number depends on (seed, law, population, draw, bearing) alone.
 class Devices {
  public:
-  // Throws Error: a bearing is a draw of a law without population, or a device that was not tested.
-  Devices(LawSource source, std::vector<BearingPlace> places, Settings const& settings);
+  // Throws Error: a bearing is a draw of a law without population, or a device that was not tested. Under motions along x
+  // alone a law that has no coupled form is itself, not springs around the circle, which would need another fit.
+  Devices(LawSource source, BuildingFile const& file);
 
   LawSource const& source() const { return source_; }
   Coupling coupling() const { return coupling_; }  // the same for all of them
