@@ -249,7 +249,10 @@ TEST_F(BuildingRuns, answers) {
     EXPECT_GT(checked.equivalent_mm, 0.0);
   }
   EXPECT_TRUE(contains(made.verdict, "The bounds cover") && contains(made.verdict, "of 120 buildings")) << made.verdict;
-  EXPECT_EQ(made.bounds_are_enough, law.coverage[0].inside >= enough);
+  if (law.coverage[0].inside < enough)
+    EXPECT_EQ(made.bounds_are_enough, false);
+  else
+    EXPECT_EQ(made.bounds_are_enough.has_value(), law.coverage[0].interval_low >= enough);
   std::uint64_t drawn = 0;
   for (auto const count : isolator.histogram.counts) drawn += count;
   EXPECT_EQ(drawn, 120u);
@@ -282,6 +285,34 @@ TEST_F(BuildingRuns, without_draws_bounds_have_nothing_to_cover) {
   auto const made = answer(study, store);
   EXPECT_TRUE(contains(made.verdict, "No bearing is a draw")) << made.verdict;
   EXPECT_FALSE(made.bounds_are_enough.has_value());
+}
+
+// One building between the bounds shows nothing of a share of 95 %.
+TEST_F(BuildingRuns, a_few_draws_do_not_show_that_bounds_are_enough) {
+  auto study = usual_study(0.001, 3);
+  RunStore store(file_, traits_of(study), false);
+  run_all(study, store, 1);
+  auto const made = answer(study, store);
+  EXPECT_EQ(made.laws.front().coverage.front().inside, 1.0);
+  EXPECT_FALSE(made.bounds_are_enough.has_value());
+  EXPECT_TRUE(std::ranges::any_of(made.warnings, [](auto const& w) { return contains(w, "too few to show"); }));
+}
+
+// A second law far from the first: the bounds of the first do not cover it.
+TEST_F(BuildingRuns, bounds_of_one_law_are_held_to_the_others) {
+  auto study = usual_study(0.001, 80);
+  auto other = study.laws.front();
+  for (double& stiffness : other.population.medians) stiffness *= 2.0;
+  for (double& logarithm : other.population.mean) logarithm += std::log(2.0);
+  study.laws.push_back(other);
+  study.file.settings.laws.push_back(other.law);
+  RunStore store(file_, traits_of(study), false);
+  run_all(study, store, 1);
+  auto const made = answer(study, store);
+  ASSERT_TRUE(made.laws[1].by_first_bounds.has_value());
+  EXPECT_LT(*made.laws[1].by_first_bounds, enough) << made.verdict;
+  EXPECT_EQ(made.bounds_are_enough, false);
+  EXPECT_TRUE(contains(made.verdict, "they cover 0 %")) << made.verdict;
 }
 
 // Values of Clopper and Pearson's interval: Brown, Cai and DasGupta 2001 give the form, R's binom.test the digits.

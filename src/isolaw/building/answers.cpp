@@ -199,6 +199,13 @@ bool has_draws(Study const& study) {
   return std::ranges::any_of(study.file.bearings, [](auto const& b) { return b.stands == Stands::draw; });
 }
 
+// Of the motions, the largest 95 % fractile.
+double largest_of_motions(Distribution const& of) {
+  double most = of.fractiles[3];
+  for (auto const& motion : of.by_motion) most = std::max(most, motion[3]);
+  return most;
+}
+
 std::string verdict_of(Study const& study, Answers const& answers) {
   if (answers.laws.empty()) return {};
   auto const& first = answers.laws.front();
@@ -211,11 +218,25 @@ std::string verdict_of(Study const& study, Answers const& answers) {
                                      *c.factor_high, 100.0 * enough)
                        : fmt::format("; no factors up to {:.2f} and {:.2f} would cover {:.0f} %", grid_factor(0),
                                      grid_factor(2 * grid_half), 100.0 * enough);
+  for (auto const& law : answers.laws)
+    if (law.by_first_bounds && *law.by_first_bounds < enough)
+      text += fmt::format("; with {} they cover {:.0f} %", laws::called(law.law), 100.0 * *law.by_first_bounds);
   if (answers.law_std_ln) {
     double const lot = first.distributions.front().lot_std_ln;
     text += *answers.law_std_ln > lot ? "; the law matters more than the lot" : "; the lot matters more than the law";
   }
   return text + ".";
+}
+
+// Shown where the lower limit of the share is enough, for every law; refuted where a share itself is not.
+std::optional<bool> bounds_are_enough(Study const& study, Answers const& answers) {
+  if (!has_draws(study) || answers.laws.empty()) return {};
+  auto const& own = answers.laws.front().coverage.front();
+  bool const refuted = own.inside < enough || std::ranges::any_of(answers.laws, [](LawAnswer const& law) {
+                         return law.by_first_bounds && *law.by_first_bounds < enough;
+                       });
+  if (refuted) return false;
+  return own.interval_low >= enough ? std::optional(true) : std::nullopt;
 }
 
 std::vector<std::string> assumed_of(Study const& study, Answers const& answers) {
@@ -432,6 +453,13 @@ Answers answer(Study const& study, RunStore const& store) {
       }
       if (std::ranges::find(covered_quantities, rows[q].key) != std::end(covered_quantities))
         out.coverage.push_back(covered(draws, d.lower, d.upper, part(table.mean, first_factor, 2 * grid_half + 1)));
+      if (q == 0 && made.laws.size() > 1 && !draws.empty()) {
+        auto const& bounds = made.laws.front().distributions.front();
+        auto const [least, most] = std::minmax(bounds.lower, bounds.upper);
+        out.by_first_bounds =
+            static_cast<double>(std::ranges::count_if(draws, [&](double v) { return v >= least && v <= most; })) /
+            static_cast<double>(draws.size());
+      }
       out.distributions.push_back(std::move(d));
     }
 
@@ -465,17 +493,19 @@ Answers answer(Study const& study, RunStore const& store) {
   }
   for (std::size_t i = 0; i < made.laws.size(); ++i) {
     auto const& law = made.laws[i];
-    double const tested = study.laws[i].tested_mm, most = law.distributions.front().fractiles[3];
+    double const tested = study.laws[i].tested_mm, most = largest_of_motions(law.distributions.front());
     if (tested > 0.0 && most > tested)
       made.warnings.push_back(fmt::format(
-          "{}: bearings move up to {:.0f} mm (95 % of the draws), and the tests went to {:.0f} mm: beyond it the law is extrapolated",
+          "{}: bearings move up to {:.0f} mm (95 % of the draws, under the strongest motion), and the tests went to {:.0f} mm: beyond it the law is extrapolated",
           law.law, most, tested));
     if (law.failed > 0)
       made.warnings.push_back(fmt::format("{}: {} runs gave no finite numbers and are left out", law.law, law.failed));
   }
   made.verdict = verdict_of(study, made);
-  if (has_draws(study) && !made.laws.empty())
-    made.bounds_are_enough = made.laws.front().coverage.front().inside >= enough;
+  made.bounds_are_enough = bounds_are_enough(study, made);
+  if (has_draws(study) && !made.laws.empty() && !made.bounds_are_enough)
+    made.warnings.push_back(fmt::format("{} draws are too few to show a share of {:.0f} %: no answer yet",
+                                        made.laws.front().draws, 100.0 * enough));
   made.assumed = assumed_of(study, made);
   return made;
 }

@@ -80,6 +80,8 @@ struct LawAnswer {
   double worst_balance = 0.0;               // of the energy, of all runs
   std::vector<Distribution> distributions;  // of quantities()
   std::vector<Coverage> coverage;           // of covered_quantities
+  // Of a further law, the share of its draws whose displacement is between the bounds of the first law.
+  std::optional<double> by_first_bounds;
   std::vector<Checked> checked;
   std::vector<NominalHistory> histories;  // of every motion
   // Of every bearing, means over draws and motions: its largest displacement, its share of the work on all.
@@ -93,7 +95,7 @@ struct Answers {
   // Between laws, standard deviation of ln of their median largest isolator displacement; beside the lot's own.
   std::optional<double> law_std_ln;
   std::string verdict;
-  std::optional<bool> bounds_are_enough;  // none: there was nothing to cover
+  std::optional<bool> bounds_are_enough;  // none: nothing to cover, or too few draws to show it
   std::vector<std::string> warnings;
   std::vector<std::string> assumed;  // what the numbers stand on, a sentence each
   std::vector<Point> corners;        // where the slab's corners were measured
