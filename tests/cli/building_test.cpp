@@ -245,7 +245,8 @@ TEST_F(BuildingParts, are_named_as_they_may_be_and_know_what_they_are) {
 }
 
 TEST_F(BuildingParts, of_a_script_end_as_one_machine_also_after_a_loss) {
-  if (std::system("command -v make >/dev/null 2>&1") != 0) GTEST_SKIP() << "no make here";
+  if (std::system("command -v make >/dev/null 2>&1") != 0)
+    GTEST_SKIP() << "no make here (isolaw.sh installs it): the script cannot be run";
   auto const printed = isolaw({"parts", "case/building.toml", "3", "--to", "make", "--campaign", "lot", "--out", "O"});
   ASSERT_EQ(printed.code, 0) << printed;
   write("script", printed.out);

@@ -25,6 +25,14 @@ def write_csv(path, *columns, header="time [s],displacement [mm],force [kN]"):
     pathlib.Path(path).write_text("\n".join([header, *rows]) + "\n")
 
 
+def two_files(folder):
+    """The records a.csv and b.csv of two devices."""
+    files = [pathlib.Path(folder) / f"{name}.csv" for name in ("a", "b")]
+    for file, strength_kN in zip(files, (20.0, 24.0)):
+        write_csv(file, *arrays(strength_kN))
+    return files
+
+
 def program(*words, cwd=None):
     """Runs isolaw and returns its standard output."""
     made = subprocess.run([BINARY, *map(str, words)], cwd=cwd, capture_output=True, text=True, timeout=300)

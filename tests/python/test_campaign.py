@@ -8,7 +8,7 @@ import unittest
 import numpy as np
 
 import isolaw
-from devices import arrays, program, write_csv
+from devices import arrays, program, two_files
 
 LAWS = ["bilinear", "bouc-wen"]
 
@@ -20,9 +20,7 @@ class Campaigns(unittest.TestCase):
         cls.addClassCleanup(cls.folder.cleanup)
         cls.path = pathlib.Path(cls.folder.name)
         (cls.path / "r").mkdir()
-        for name, strength in (("a", 20.0), ("b", 24.0)):
-            write_csv(cls.path / "r" / f"{name}.csv", *arrays(strength))
-        cls.files = [cls.path / "r/a.csv", cls.path / "r/b.csv"]
+        cls.files = two_files(cls.path / "r")
         program("calibrate", "r", "--laws", ",".join(LAWS), "--runs", "2", "--seed", "7", "--replicates", "0", "--out", "O",
                 cwd=cls.path)  # fmt: skip
         cls.printed = json.loads((cls.path / "O/summary.json").read_text())

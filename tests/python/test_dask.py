@@ -10,7 +10,7 @@ import sys
 import tempfile
 import unittest
 
-from devices import SOURCE, arrays, write_csv
+from devices import SOURCE, two_files
 
 import isolaw
 
@@ -45,9 +45,7 @@ class Dask(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(cls.folder.cleanup)
         cls.path = pathlib.Path(cls.folder.name)
-        for name, strength in (("a", 20.0), ("b", 24.0)):
-            write_csv(cls.path / f"{name}.csv", *arrays(strength))
-        cls.files = [cls.path / "a.csv", cls.path / "b.csv"]
+        cls.files = two_files(cls.path)
         isolaw.calibrate(cls.files, LAWS, runs=2, out=cls.path / "one")
 
     def expect_one_machines(self, out):

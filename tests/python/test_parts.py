@@ -6,7 +6,7 @@ import tempfile
 import unittest
 
 import isolaw
-from devices import arrays, program, write_csv
+from devices import program, two_files
 
 LAWS = ["bilinear", "vaiana"]
 
@@ -17,9 +17,7 @@ class Parts(unittest.TestCase):
         self.addCleanup(self.folder.cleanup)
         self.path = pathlib.Path(self.folder.name)
         (self.path / "r").mkdir()
-        for name, strength in (("a", 20.0), ("b", 24.0)):
-            write_csv(self.path / "r" / f"{name}.csv", *arrays(strength))
-        self.files = [self.path / "r/a.csv", self.path / "r/b.csv"]
+        self.files = two_files(self.path / "r")
 
     def part(self, number, of=3, **more):
         how = {"runs": 2, "replicates": 0, "title": "r", "out": self.path / f"P{number}"} | more

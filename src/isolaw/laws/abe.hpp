@@ -152,7 +152,8 @@ struct Abe {
           "F3 = K2 |x / Uh|^r x",
       .note =
           "Eq. (19) as printed. The means of Table A.5 then give loops 49 to 76 % too stiff; without the growth of the yield force (law abe-y0) they agree with the other laws. What was run for the table is not known.",
-      .set = LawSet::paper};
+      .set = LawSet::paper,
+      .step_cost = 1379};
 
   template <class T>
   struct Params {

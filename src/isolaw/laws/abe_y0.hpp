@@ -23,7 +23,8 @@ struct AbeY0 {
           "dF2 = (Y0 / Ut) (dx - |dx| |F2 / Y0|^n sgn(F2)),   Ut = U0 (1 + Umax / Us)\n"
           "F3 = K2 |x / Uh|^r x",
       .note = "Closest reading of the published law 5: with Table A.5's means its loops agree with the other laws.",
-      .set = LawSet::paper};
+      .set = LawSet::paper,
+      .step_cost = 408};
 
   template <class T>
   struct Params {

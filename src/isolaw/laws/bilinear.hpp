@@ -23,7 +23,8 @@ struct Bilinear {
           "z -> z + (K1 - K2) dx, kept within +-(K1 - K2) xy",
       .note =
           "The third parameter of Table 4 is printed F_y [mm]; it is read as the yield displacement xy of Eq. (1). Derived: characteristic strength Qd = (K1 - K2) xy, yield force K1 xy. As a yield force or a characteristic strength in kN the printed numbers would give other loops.",
-      .set = LawSet::paper};
+      .set = LawSet::paper,
+      .step_cost = 22};
 
   template <class T>
   struct Params {

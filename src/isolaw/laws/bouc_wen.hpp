@@ -29,7 +29,8 @@ struct BoucWen {
           "dz/dx = A - |z|^n (beta sgn(z dx) + gamma)",
       .note =
           "A is redundant: (Ke, A, beta, gamma, alpha) can be rescaled without changing the force, so a calibration with A free has no unique answer. The upper bound of alpha is lost in Table 4; 0.3 is used. Parameters must keep beta > 0 and beta + gamma > 0; others have no bounded force and are rejected.",
-      .set = LawSet::paper};
+      .set = LawSet::paper,
+      .step_cost = 267};
 
   template <class T>
   struct Params {

@@ -33,7 +33,8 @@ struct Bwbn {
           "h = 1 - z1 exp(-(z sgn(dx) - q zu)^2 / z2^2),   zu = (A / ((1 + dnu e) (beta + gamma)))^(1/n)\n"
           "z1 = zs (1 - exp(-p e)),   z2 = (psi + dpsi e) (lambda + z1)",
       .note =
-          "Made for timber joints and reinforced concrete. Rubber bearings show no pinching: zs, p, psi and dpsi are then not determined. zs, p, psi and lambda trade off; q and lambda are fixed unless freed. e is the work of z in kN mm. Degradation of A is left out. With zs near 1 a device hardly passes q zu again. BWBN of OpenSees takes one implicit Euler step for each of the analysis, from one guess of z whatever the state. Beyond the tests the force is bounded but for alpha ko x, and what further work takes is not known."};
+          "Made for timber joints and reinforced concrete. Rubber bearings show no pinching: zs, p, psi and dpsi are then not determined. zs, p, psi and lambda trade off; q and lambda are fixed unless freed. e is the work of z in kN mm. Degradation of A is left out. With zs near 1 a device hardly passes q zu again. BWBN of OpenSees takes one implicit Euler step for each of the analysis, from one guess of z whatever the state. Beyond the tests the force is bounded but for alpha ko x, and what further work takes is not known.",
+      .step_cost = 5881};
 
   template <class T>
   struct Params {

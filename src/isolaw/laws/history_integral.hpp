@@ -26,7 +26,8 @@ struct HistoryIntegral {
           "F = K (M/100)^(g-1) x/100 + S ((1 - s) q1 + s q2),   M the largest |x| so far\n"
           "dq1 = (dx - q1 |dx|)/D,   dq2 = (dx - q2 |dx|)/(u D)",
       .note =
-          "Made for high damping rubber. How its programs soften it with amplitude is not published: the elastic force here is that of power-masing. One memory: s fixed at 0, then u says nothing; with g = 1 as well it is vaiana with straight limit curves, which programs have. The strength S does not grow with amplitude: at 2 and 5 times the tested one the hysteretic force is what it was, the elastic one 2^g and 5^g times. The force relaxes under tremor, which the dead band keeps out."};
+          "Made for high damping rubber. How its programs soften it with amplitude is not published: the elastic force here is that of power-masing. One memory: s fixed at 0, then u says nothing; with g = 1 as well it is vaiana with straight limit curves, which programs have. The strength S does not grow with amplitude: at 2 and 5 times the tested one the hysteretic force is what it was, the elastic one 2^g and 5^g times. The force relaxes under tremor, which the dead band keeps out.",
+      .step_cost = 125};
 
   template <class T>
   struct Params {

@@ -29,7 +29,8 @@ struct HwangWu {
           "C = (a6 + a7 x^2) / sqrt(a8^2 + v^2) (1 + exp(a10 W))",
       .note =
           "W is all the work done since the start, elastic part included, in N cm; the authors' unit of W is open. The upper bound of a1 is lost in Table 4; 6e3 N/cm is used.",
-      .set = LawSet::paper};
+      .set = LawSet::paper,
+      .step_cost = 870};
 
   template <class T>
   struct Params {

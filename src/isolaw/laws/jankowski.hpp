@@ -23,7 +23,8 @@ struct Jankowski {
           "C = (a9 + a10 x^2) / sqrt(a11^2 + v^2)",
       .note =
           "The velocity appears once in F = K x + C v (printed twice in Eq. 3). Without motion the damping force is 0, also for a11 = 0.",
-      .set = LawSet::paper};
+      .set = LawSet::paper,
+      .step_cost = 270};
 
   template <class T>
   struct Params {

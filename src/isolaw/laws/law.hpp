@@ -137,6 +137,9 @@ struct LawInfo {
   std::string_view formula;    // lines of plain text with the parameters' names; x, v and F in the units above
   std::string_view note = "";  // how the source was read where it is incomplete, what the law was made for
   LawSet set = LawSet::further;
+  // One step of one candidate [0.01 ns], as `isolaw bench` measured it once with 512-bit lanes: puts runs in the order of
+  // what they cost where no clock may (campaign/deal.hpp), so that it need not follow the law's code.
+  unsigned step_cost = 500;
 };
 
 enum class Integration { converged, paper };

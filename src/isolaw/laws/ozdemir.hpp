@@ -29,7 +29,8 @@ struct Ozdemir {
           "F = alpha K (x + fT |x/100|^c erf(a x)) + z\n"
           "dz = K (dx - |dx| |z/Y|^n sgn(z))",
       .note =
-          "Made for metals and, with fT, for alloys that return by themselves. The source's stiffness is (1 + alpha) K, its strength (1 + alpha)^(1 + 1/n) Y. With fT the source also takes alpha K times the slope of its term off that of z; here the term is elastic and no more. Without fT it is bouc-wen with gamma 0: unloading is as much steeper than K as loading is flatter. Beyond the tests the force grows as alpha K x. Loops of unloading and reloading do not close."};
+          "Made for metals and, with fT, for alloys that return by themselves. The source's stiffness is (1 + alpha) K, its strength (1 + alpha)^(1 + 1/n) Y. With fT the source also takes alpha K times the slope of its term off that of z; here the term is elastic and no more. Without fT it is bouc-wen with gamma 0: unloading is as much steeper than K as loading is flatter. Beyond the tests the force grows as alpha K x. Loops of unloading and reloading do not close.",
+      .step_cost = 523};
 
   template <class T>
   struct Params {

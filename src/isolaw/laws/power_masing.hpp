@@ -30,7 +30,8 @@ struct PowerMasing {
           "N: travel of that side over m, dN = |dx|/m, and dN = |dx|/m - 60 N dm/m while m grows",
       .note =
           "The structure was found on one measured device; the exponents 6, 1/3 and 60 were chosen there and are flat. Between turning points |x|^g has no bounded slope where a side was never visited. Beyond the tests the force grows with x^2 through H.",
-      .set = LawSet::usual};
+      .set = LawSet::usual,
+      .step_cost = 230};
 
   template <class T>
   struct Params {

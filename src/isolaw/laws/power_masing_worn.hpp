@@ -25,7 +25,8 @@ struct PowerMasingWorn : PowerMasing {
           "NT: travel over M, the largest |x| so far, dNT = |dx|/M, and dNT = |dx|/M - 60 NT dM/M while M grows\n"
           "q: how far M has grown at x > 0, less how far at x < 0",
       .note =
-          "Predicts the measured bearing's amplitudes and later cycles better than power-masing; on the building's four motions, beside it, it gains little. On a record whose every stage begins on one side, B is not told from an offset of the rig that grows with the amplitude. U is fixed: free, it follows the first samples of one stage and predicts the next worse. Beyond the tests as power-masing."};
+          "Predicts the measured bearing's amplitudes and later cycles better than power-masing; on the building's four motions, beside it, it gains little. On a record whose every stage begins on one side, B is not told from an offset of the rig that grows with the amplitude. U is fixed: free, it follows the first samples of one stage and predicts the next worse. Beyond the tests as power-masing.",
+      .step_cost = 281};
 
   template <class T>
   struct Params : PowerMasing::Params<T> {

@@ -25,7 +25,8 @@ struct PowerScragging {
           "dw1 = (dx - w1 |dx|) / (U (M/100)^h),   dw2 = (dx - w2 |dx|) / (u U (M/100)^h)\n"
           "M the largest |x| so far, m that of the side of x, N its travel as for power-masing",
       .note =
-          "The structure was found on one measured device. The force relaxes under tremor, and loops of unloading and reloading below 1 mm give out work."};
+          "The structure was found on one measured device. The force relaxes under tremor, and loops of unloading and reloading below 1 mm give out work.",
+      .step_cost = 210};
 
   template <class T>
   struct Params {

@@ -21,7 +21,8 @@ struct RambergOsgood {
       .formula =
           "F = K2 x + sk(x) from the start, K2 x + fb + 2 sk((x - xb)/2) from a turning point (xb, fb)\n"
           "sk solves x = (sk/K) (1 + a |sk/Fy|^(r-1)); Masing's rules close branches",
-      .note = "Made for steel and soils. a and Fy say the same: a is fixed at 1 unless it is freed."};
+      .note = "Made for steel and soils. a and Fy say the same: a is fixed at 1 unless it is freed.",
+      .step_cost = 1421};
 
   template <class T>
   struct Params {

@@ -27,7 +27,8 @@ struct Vaiana {
           "fe-(x) = beta1- (exp(beta2- x) - 1) + 4 gamma1- / (1 + exp(-gamma2- (x - gamma3-))) - 2 gamma1-",
       .note =
           "The auxiliary length of Eqs. (11)-(12) is infinite here (the source takes exp(-alpha u) = 1e-20). The paper calibrates ten of the sixteen parameters and sets the sigmoid (gamma1, gamma2, gamma3) to zero.",
-      .set = LawSet::paper};
+      .set = LawSet::paper,
+      .step_cost = 205};
 
   // _p: loading, displacement increasing; _m: unloading.
   template <class T>
