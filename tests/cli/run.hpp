@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -52,6 +53,7 @@ struct Outcome {
   int code = -1;  // exit code; 128 + signal when a signal ended it
   bool timed_out = false;
   std::string out, err;
+  long peak_kB = 0;  // the most memory that it had
 };
 
 inline std::ostream& operator<<(std::ostream& stream, Outcome const& o) {
@@ -96,8 +98,10 @@ class Process {
   // True once it has ended; the outcome is then in `result`.
   bool ended(Outcome& result) {
     int status = 0;
-    if (waitpid(pid_, &status, WNOHANG) != pid_) return false;
+    rusage used{};
+    if (wait4(pid_, &status, WNOHANG, &used) != pid_) return false;
     pid_ = 0;
+    result.peak_kB = used.ru_maxrss;
     result.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     auto const text = [](fs::path const& path) { return fs::is_regular_file(path) ? read_file(path) : std::string(); };
     result.out = text(output_);

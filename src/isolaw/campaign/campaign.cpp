@@ -23,11 +23,11 @@
 namespace isolaw::campaign {
 namespace {
 
-// One law on one device, ready to be searched from several threads.
+// One law on one device. The record as the law sees it is a hundred times larger than this: each run makes its own, so
+// that only those at work are in memory.
 struct Target {
   std::size_t place;  // among the campaign's searches
   Search const* search;
-  fit::LawOnRecord model;
   num::Stream stream;
 };
 
@@ -37,11 +37,11 @@ struct Task {
 };
 
 // Nothing is searched when every parameter is fixed: the one point is the answer.
-opt::SearchResult evaluate_fixed(Target const& target, Method method) {
+opt::SearchResult evaluate_fixed(Target const& target, fit::LawOnRecord const& model, Method method) {
   opt::SearchResult result;
   std::vector<double> parameters(target.search->box.parameters.size()), work;
   target.search->box.expand({}, parameters);
-  double const value = target.model.objective(parameters, work);
+  double const value = model.objective(parameters, work);
   bool const finite = std::isfinite(value);
   result.evaluations = 1;
   result.failed_evaluations = finite ? 0 : 1;
@@ -52,10 +52,10 @@ opt::SearchResult evaluate_fixed(Target const& target, Method method) {
   return result;
 }
 
-opt::SearchResult search_by(Settings const& settings, Target const& target, int number,
+opt::SearchResult search_by(Settings const& settings, Target const& target, fit::LawOnRecord const& model, int number,
                             std::function<bool()> const& interrupted) {
-  if (target.search->box.free_count() == 0) return evaluate_fixed(target, settings.method);
-  fit::IdentificationProblem const problem(target.model, target.search->box);
+  if (target.search->box.free_count() == 0) return evaluate_fixed(target, model, settings.method);
+  fit::IdentificationProblem const problem(model, target.search->box);
   auto const stream = target.stream.split(static_cast<std::uint64_t>(number));
   return settings.method == Method::genetic
              ? opt::minimise_genetic(problem, stream, settings.genetic, interrupted)
@@ -70,7 +70,7 @@ void fail(Run& run, std::string why) {
   run.parameters.clear();
 }
 
-Run finished(Target const& target, int number, opt::SearchResult const& result) {
+Run finished(Target const& target, fit::LawOnRecord const& model, int number, opt::SearchResult const& result) {
   Run run{.device = target.search->device,
           .law = target.search->law,
           .number = number,
@@ -88,19 +88,18 @@ Run finished(Target const& target, int number, opt::SearchResult const& result) 
   target.search->box.expand(result.best, run.parameters);
   // What is reported comes from the scalar path, whatever evaluated the population.
   std::vector<double> work;
-  run.objective = target.model.objective(run.parameters, work);
-  run.integration_shift = target.model.integration_shift(run.parameters);
+  run.objective = model.objective(run.parameters, work);
+  run.integration_shift = model.integration_shift(run.parameters);
   return run;
 }
 
 // An optimum that owes more than a thousandth of its value to the step of the integration is none of the law's: the law
 // is fitted again from there in finer steps, until steps two and four times finer agree. One without a finite force in
 // finer steps is the steps' alone, and no result.
-void refit_in_finer_steps(Target const& target, Run& run) {
+void refit_in_finer_steps(Target const& target, fit::LawOnRecord model, Run& run) {
   constexpr double tolerance = 1e-3;
-  if (!target.model.law().info.traits.path_integrated) return;
+  if (!model.law().info.traits.path_integrated) return;
   std::vector<double> work;
-  auto model = target.model;
   while (model.refinement() < finest_refinement) {
     auto const finer = model.refined(4 * model.refinement());
     double const twice = model.refined(2 * model.refinement()).objective(run.parameters, work),
@@ -156,8 +155,7 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
     auto const& search = contents.searches[place];
     if (!search.refusal.empty()) continue;
     auto const& device = contents.devices[search.device];
-    targets.push_back({place, &search, law_on_device(contents, search.device, search.law),
-                       campaign.split(stable_hash(device.name)).split(stable_hash(search.law))});
+    targets.push_back({place, &search, campaign.split(stable_hash(device.name)).split(stable_hash(search.law))});
   }
   auto const tasks = missing_runs(contents, targets);
   if (tasks.empty() && contents.complete() && Store::is_plain(file)) {
@@ -209,12 +207,13 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
     Meter meter(options.profile);
     auto const& target = targets[task.target];
     TimedTask timed(estimated, TaskKind::run, target.search->law);
-    auto const result = search_by(contents.settings, target, task.number, asked_to_stop);
+    auto model = law_on_device(contents, target.search->device, target.search->law);
+    auto const result = search_by(contents.settings, target, model, task.number, asked_to_stop);
     if (result.outcome == Outcome::interrupted) return;
-    auto run = finished(target, task.number, result);
+    auto run = finished(target, model, task.number, result);
     if (run.usable() && contents.settings.method == Method::best &&
         contents.settings.integration == laws::Integration::converged)
-      refit_in_finer_steps(target, run);
+      refit_in_finer_steps(target, std::move(model), run);
     std::scoped_lock const lock(one_writer);
     note(run);
     store.add(run);  // after it nothing may fail: a run that ran out of memory is tried again
