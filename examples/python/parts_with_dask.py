@@ -3,7 +3,8 @@
 
 Workers need no common disk but for the records, which they read by their names: a part lies on the worker's own disk
 while it is computed, and travels as bytes. The part of a worker that is lost is computed again by another one, and what
-has arrived stays: the same command goes on after any loss. Needs python3-distributed; after ./isolaw.sh run:
+has arrived stays, of which a worker sees that it is of these settings and records: the same command goes on after any
+loss, and of others it is refused. Needs python3-distributed; after ./isolaw.sh run:
 
     PYTHONPATH=build/release/python /usr/bin/python3 examples/python/parts_with_dask.py examples/published-lot/*.csv
 
@@ -23,9 +24,11 @@ import isolaw
 STORE = "campaign.sqlite"
 
 
-def share(files, settings, number, of):
-    """Part `number` of `of`, as a worker computes it: the bytes of its store."""
+def share(files, settings, number, of, there=None):
+    """Part `number` of `of`, as a worker computes it, or goes on with it: the bytes of its store."""
     with tempfile.TemporaryDirectory(dir=distributed.get_worker().local_directory) as folder:
+        if there:
+            (pathlib.Path(folder) / STORE).write_bytes(there)
         isolaw.calibrate(files, **settings, part=(number, of), jobs=1, out=folder)
         return (pathlib.Path(folder) / STORE).read_bytes()
 
@@ -34,16 +37,21 @@ def campaign(client, files, settings, of, out, compute=share):
     """The whole campaign in `out`, byte by byte what isolaw.calibrate(files, **settings, out=out) leaves there."""
     files = [str(pathlib.Path(file).resolve()) for file in files]
     parts = {number: pathlib.Path(f"{out}.parts") / str(number) for number in range(1, of + 1)}
-    missing = [number for number, part in parts.items() if not (part / STORE).exists()]
+    there = {number: (part / STORE).read_bytes() for number, part in parts.items() if (part / STORE).exists()}
     # Of equal arguments Dask makes one future; a part that was lost to its directory is asked for anew.
-    futures = {client.submit(compute, files, settings, number, of, pure=False): number for number in missing}
+    futures = {
+        client.submit(compute, files, settings, number, of, there.get(number), pure=False): number for number in parts
+    }
     for future, store in distributed.as_completed(futures, with_results=True):
-        part = parts[futures[future]]
+        number = futures[future]
+        future.release()
+        if store == there.get(number):
+            continue
+        part = parts[number]
         part.mkdir(parents=True, exist_ok=True)
         (part / "arriving").write_bytes(store)
         os.replace(part / "arriving", part / STORE)  # whole or not there
-        future.release()
-        print(f"part {futures[future]} of {of} is here", flush=True)
+        print(f"part {number} of {of} is here", flush=True)
     return isolaw.merge(out, parts.values())
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # A campaign as the script of `isolaw parts --to slurm` runs it on a real Slurm: the array is submitted, the node is lost in
 # the middle, what it ran is queued again, and what is merged is, byte by byte, what one machine computes. And a part that
-# is lost afterwards is submitted again by the merge.
+# is lost afterwards is submitted again by the merge. Parts of other settings are not merged.
 # slurm_test.sh ISOLAW TOOLS; exit code 77: skipped, and why.
 set -euo pipefail
 isolaw=$1 cluster=$2/slurm_here.sh
@@ -70,11 +70,21 @@ done
 # Lost afterwards: by the same command. The merge itself submits what is missing.
 rm -r "$out" "$out.parts/3" "$out.parts/7"
 again=$(sh "the script")
-case $again in *"parts 3,7: job "*) ;; *) fail "not what is missing: $again" ;; esac
+case $again in *"parts 1-8: job "*) ;; *) fail "not every part: $again" ;; esac
 wait_for 120 merged
 cmp "$out/campaign.sqlite" one/campaign.sqlite || fail "not that of one machine"
 rm -r "$out" "$out.parts/5"
 sbatch --parsable --chdir="$out.parts" --output=merge.log --wrap "exec sh '$work/the script' merge" >/dev/null
 wait_for 120 merged
 cmp "$out/campaign.sqlite" one/campaign.sqlite || fail "a merge did not submit what was missing"
+grep -q 'missing: parts 5, submitted again' "$out.parts/merge.log" || fail "more than what was missing"
+
+# Of another seed: what is there is no part of it, by whatever name.
+"$isolaw" parts lot/lot.toml 8 --to slurm "${campaign[@]}" --seed 9 --out "$out" >"another script"
+sh "another script" >/dev/null
+wait_for 120 merged
+[ -z "$(find "$work/disk" -mindepth 1)" ] || fail "left on the node: $(find "$work/disk" -mindepth 1)"
+grep -q -F "$out.parts/2.log" "$out.parts/merge.log" || fail "a merge of refused parts does not name their logs"
+grep -q 'seed: 1 there, 9 now' "$out.parts/2.log" || fail "why a part was refused"
+cmp "$out/campaign.sqlite" one/campaign.sqlite || fail "parts of other settings were merged"
 echo "8 parts, $before of them done when the node was lost: merged to the bytes of one machine"

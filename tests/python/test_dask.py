@@ -26,7 +26,7 @@ import parts_with_dask
 LAWS = "bilinear,vaiana"
 
 
-def share_of_a_worker_that_is_lost(mark, files, settings, number, of):
+def share_of_a_worker_that_is_lost(mark, files, settings, number, of, there=None):
     """The second part takes its worker with it, once: where `mark` is not there yet."""
 
     def lose(*told):
@@ -36,7 +36,7 @@ def share_of_a_worker_that_is_lost(mark, files, settings, number, of):
             return
         os.kill(os.getpid(), signal.SIGKILL)
 
-    return parts_with_dask.share(files, settings | {"progress": lose} if number == 2 else settings, number, of)
+    return parts_with_dask.share(files, settings | {"progress": lose} if number == 2 else settings, number, of, there)
 
 
 class Dask(unittest.TestCase):
@@ -52,13 +52,14 @@ class Dask(unittest.TestCase):
         for name in ("campaign.sqlite", "summary.json", "report.html"):
             self.assertEqual((out / name).read_bytes(), (self.path / "one" / name).read_bytes(), name)
 
-    def run_example(self, out):
+    def run_example(self, out, runs=2, refused=""):
         made = subprocess.run(
             [sys.executable, SOURCE / "examples/python/parts_with_dask.py", *self.files, "--parts", "3", "--laws", LAWS,
-             "--runs", "2", "--out", out],
+             "--runs", str(runs), "--out", out],
             capture_output=True, text=True, timeout=300, cwd=self.path,
         )  # fmt: skip
-        self.assertEqual(made.returncode, 0, made.stderr)
+        self.assertEqual(made.returncode, 1 if refused else 0, made.stderr)
+        self.assertIn(refused, made.stderr)
         return made.stdout
 
     def test_the_example_ends_as_one_machine_and_goes_on_after_a_loss(self):
@@ -72,6 +73,9 @@ class Dask(unittest.TestCase):
         (out / "campaign.sqlite").unlink()
         said = self.run_example(out)
         self.assertEqual([line for line in said.splitlines() if line.startswith("part ")], ["part 2 of 3 is here"])
+        self.expect_one_machines(out)
+        # Parts that are there are of other settings, by whatever name.
+        self.run_example(out, runs=3, refused="of a campaign that is now larger, by 3 runs instead of 2")
         self.expect_one_machines(out)
 
     def test_the_part_of_a_lost_worker_is_computed_again(self):

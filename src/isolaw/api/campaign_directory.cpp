@@ -70,6 +70,10 @@ Continued open_or_create(std::filesystem::path const& file, campaign::Contents& 
   campaign::Store::remove_unfinished(file);
   // Of a process that was killed: what it had not finished writing is undone, what it had is kept.
   if (!campaign::Store::is_plain(file)) campaign::Store::open(file).finish();
+  // A share ends when it is there, and is then read by a merge: what was cut off within a page reads as if it were whole.
+  if (contents.part)
+    if (auto const faults = campaign::Store::integrity(file); !faults.empty())
+      campaign::sqlite::refuse_damaged(file.string(), faults.front());
   auto stored = campaign::Store::read(file);
   auto const changed = campaign::obstacles(stored, contents);
   if (!changed.empty())

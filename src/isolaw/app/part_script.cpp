@@ -41,7 +41,8 @@ std::string heading(PartScript const& of, std::string_view how) {
   auto const& needs = of.needs;
   return fmt::format(
       "# {} of {}, merged into {}. {}\n"
-      "# After any loss the same again: parts that are there are not computed again.\n"
+      "# After any loss the same again: what is there of a part is not computed again, but seen to be of these settings and\n"
+      "# records. Where it is not, nothing is merged.\n"
       "# In all likelihood, as measured where this was printed: {} a part on {}, {} for the analyses on as many.\n",
       counted(of.parts, "part"), printable(of.title), printable(of.out.string()), how, in_words(needs.part_s),
       counted(of.jobs, "thread"), in_words(needs.merge_s));
@@ -71,18 +72,19 @@ export ISOLAW_SIMD={instruction_set}
 cd {directory}
 out={out}
 parts={parts}
+case $parts in /*) ;; *) parts=$PWD/$parts ;; esac
 count={count}
 jobs=${{ISOLAW_JOBS:-{jobs}}}  # threads of a part, and of the merge
-scratch=${{ISOLAW_SCRATCH:-${{SLURM_TMPDIR:-${{TMPDIR:-/tmp}}}}}}/isolaw-{fingerprint}  # a disk of the machine itself
+# A disk of the machine itself.
+scratch=${{ISOLAW_SCRATCH:-${{SLURM_TMPDIR:-${{TMPDIR:-/tmp}}}}}}/isolaw-$(id -u)-{fingerprint}
 
-# Part $1, on the machine's own disk. It is copied back under its name when it is whole; what is finished of one that is
-# stopped is kept for the next try.
-part() {{
-  kept=$parts/$1
-  [ ! -e "$kept/{store}" ] || return 0
-  disk=$scratch/$1
-  mkdir -p "$kept" "$disk"
-  [ -e "$disk/{store}" ] || [ ! -e "$kept/unfinished" ] || cp "$kept/unfinished" "$disk/{store}"
+# What lies on the machine's disk, unless another process works there.
+clear_disk() {{
+  [ ! -d "$disk" ] || flock -n "$disk" rm -rf "$disk" 2>/dev/null || :
+  rmdir "$scratch" 2>/dev/null || :
+}}
+
+compute() {{
   {program} {command} --part "$1/$count" --out "$disk" --jobs "$jobs" {words} &
   child=$!
   trap 'kill "$child" 2>/dev/null || :' TERM INT HUP
@@ -93,26 +95,75 @@ part() {{
     wait "$child" || code=$?
   done
   trap - TERM INT HUP
-  name={store}
-  [ "$code" -eq 0 ] || name=unfinished
-  if [ -e "$disk/{store}" ] && [ ! -e "$disk/{store}-wal" ] && [ ! -e "$disk/{store}-journal" ]; then
-    cp "$disk/{store}" "$kept/arriving.$$"
-    mv "$kept/arriving.$$" "$kept/$name"
-  fi
-  [ "$code" -ne 0 ] || rm -rf "$disk" "$kept/unfinished"
   return "$code"
 }}
 
-# Numbers of the parts that are not there.
-missing() {{
+# Part $1, on the machine's own disk, whatever is there of it: the program alone can tell whether that is whole, and of
+# these settings and records. Of a whole one it takes as long as to read the lot. It has its name while it is known to be
+# whole, and is called unfinished before.
+part() {{
+  kept=$parts/$1
+  disk=$scratch/$1
+  mkdir -p "$kept" || return 1
+  rm -f "$kept/refused"
+  if [ -e "$kept/{store}" ]; then
+    mv "$kept/{store}" "$kept/unfinished" || return 1
+    clear_disk  # what a try that was killed left here is no more than that
+  fi
+  (umask 077 && {{ mkdir -p "$disk" 2>/dev/null || mkdir -p "$disk"; }}) || return 1
+  [ -O "$scratch" ] || {{ echo "$scratch is somebody else's: ISOLAW_SCRATCH names another disk" >&2; return 1; }}
+  from=disk  # where a try was killed
+  if [ ! -s "$disk/{store}" ]; then
+    from=kept
+    rm -f "$disk/{store}" "$disk/{store}"-*
+    [ ! -s "$kept/unfinished" ] || cp "$kept/unfinished" "$disk/{store}" || return 1
+  fi
+  code=0
+  compute "$1" || code=$?
+  if [ "$code" -eq 2 ] && [ "$from" = disk ] && flock -n "$disk" rm -rf "$disk" 2>/dev/null; then
+    (umask 077 && mkdir -p "$disk") || return 1
+    [ ! -s "$kept/unfinished" ] || cp "$kept/unfinished" "$disk/{store}" || return 1
+    code=0
+    compute "$1" || code=$?
+  fi
+  if [ "$code" -eq 2 ]; then
+    clear_disk
+    : >"$kept/refused"
+    echo "part $1 was refused, as said above, and nothing is merged. Once that is mended the same again; where what is" \
+      "there of it is damaged, or of other settings or records: rm -r '$kept' computes it anew" >&2
+    return 2
+  fi
+  name={store}
+  [ "$code" -eq 0 ] || name=unfinished
+  if [ -e "$disk/{store}" ] && [ ! -e "$disk/{store}-wal" ] && [ ! -e "$disk/{store}-journal" ]; then
+    cmp -s "$disk/{store}" "$kept/unfinished" ||
+      {{ cp "$disk/{store}" "$kept/arriving.$$" && mv "$kept/arriving.$$" "$kept/unfinished"; }} || return 1
+    [ "$name" = unfinished ] || mv "$kept/unfinished" "$kept/$name" || return 1
+    clear_disk
+  fi
+  [ "$code" -ne 0 ] || rm -f "$kept"/arriving.*
+  return "$code"
+}}
+
+# Numbers of all parts; of those that are not there; of those that the program refused.
+all() {{
   number=1
   while [ "$number" -le "$count" ]; do
-    [ -e "$parts/$number/{store}" ] || echo "$number"
+    echo "$number"
     number=$((number + 1))
   done
 }}
+missing() {{ all | while read -r number; do [ -e "$parts/$number/{store}" ] || echo "$number"; done; }}
+refused() {{ all | while read -r number; do [ ! -e "$parts/$number/refused" ] || echo "$number"; done; }}
 
 merge() {{
+  turned_away=$(refused)
+  if [ -n "$turned_away" ]; then
+    echo "not merged, since parts were refused:" $turned_away >&2
+    echo "why, and what to do:" >&2
+    for number in $turned_away; do echo "  $parts/$number.log"; done | head -n 5 >&2
+    return 2
+  fi
   set --
   number=1
   while [ "$number" -le "$count" ]; do
@@ -135,33 +186,29 @@ std::string for_slurm(PartScript const& of) {
          "# $ISOLAW_SBATCH: options of sbatch for every job, such as an account; $ISOLAW_SCRATCH: a disk of the nodes.\n" +
          shell_functions(of) +
          fmt::format(R"sh(
-# The array of what is missing, and after it, however it ends, the merge; which submits again what is missing still.
+# The array of these parts, and after it, however it ends, the merge; which submits again what is missing still.
 submit() {{
   mkdir -p "$parts"
-  array=$(missing | tr '\n' ',')
-  array=${{array%,}}
+  array=$1
   set -- --parsable --mem={memory} --cpus-per-task="$jobs" --chdir="$parts" ${{ISOLAW_SBATCH:-}}
-  after=
-  if [ -n "$array" ]; then
-    job=$(sbatch "$@" --job-name=isolaw --array="$array" --requeue --open-mode=append --time={part_minutes} \
-      --signal=B:TERM@120 --output=%a.log --wrap 'exec sh "$ISOLAW_SCRIPT" part "$SLURM_ARRAY_TASK_ID"')
-    echo "parts $array: job ${{job%%;*}}"
-    after=--dependency=afterany:${{job%%;*}}
-  fi
-  job=$(sbatch "$@" $after --job-name=isolaw-merge --requeue --open-mode=append --time={merge_minutes} \
-    --output=merge.log --wrap 'exec sh "$ISOLAW_SCRIPT" merge')
+  job=$(sbatch "$@" --job-name=isolaw --array="$array" --requeue --open-mode=append --time={part_minutes} \
+    --signal=B:TERM@120 --output=%a.log --wrap 'exec sh "$ISOLAW_SCRIPT" part "$SLURM_ARRAY_TASK_ID"')
+  echo "parts $array: job ${{job%%;*}}"
+  job=$(sbatch "$@" --dependency=afterany:"${{job%%;*}}" --job-name=isolaw-merge --requeue --open-mode=append \
+    --time={merge_minutes} --output=merge.log --wrap 'exec sh "$ISOLAW_SCRIPT" merge')
   echo "merge: job ${{job%%;*}}, which says in $parts/merge.log what became of it"
 }}
 
 case ${{1:-submit}} in
-  submit) submit ;;
+  submit) submit "1-$count" ;;
   part) part "$2" ;;
   merge)
     ISOLAW_TRY=$((${{ISOLAW_TRY:-0}} + 1))
     export ISOLAW_TRY
-    if [ -n "$(missing)" ] && [ "$ISOLAW_TRY" -le 3 ]; then
-      echo "missing: parts $(missing | tr '\n' ' '), submitted again"
-      submit
+    left=$(missing | tr '\n' ',')
+    if [ -n "$left" ] && [ -z "$(refused)" ] && [ "$ISOLAW_TRY" -le 3 ]; then
+      echo "missing: parts ${{left%,}}, submitted again"
+      submit "${{left%,}}"
     else
       merge
     fi
@@ -179,11 +226,17 @@ std::string for_parallel(PartScript const& of) {
          shell_functions(of) +
          R"sh(
 case ${1:-} in
-  part) part "$2" ;;
+  part)
+    code=0
+    part "$2" 2>"$parts/$2.log" || code=$?
+    cat "$parts/$2.log" >&2
+    exit "$code"
+    ;;
   merge) merge ;;
   *)
+    mkdir -p "$parts"
     # What a part leaves undone, the merge names.
-    missing | PARALLEL_SHELL=/bin/sh parallel "$@" sh '"$ISOLAW_SCRIPT"' part {} || echo "not every part is there" >&2
+    all | PARALLEL_SHELL=/bin/sh parallel "$@" sh '"$ISOLAW_SCRIPT"' part {} || echo "not every part is there" >&2
     merge
     ;;
 esac
@@ -214,7 +267,7 @@ parts ={names}
 .PHONY: merge $(parts)
 merge: $(parts)
 	{cd} && {merge}
-# A part that is there already ends at once.
+# A part that is there ends at once; one of other settings or records is refused, and nothing merged.
 $(parts): part-%:
 	{cd} && {program} {command} --jobs {jobs} --part $*/{count} --out {out}/$* {words}
 )make",
