@@ -128,6 +128,9 @@ class BuildingParts : public Building {
     EXPECT_EQ(sqlite3_exec(db, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(db);
     sqlite3_close(db);
   }
+  static std::string json_text(std::string const& json, std::string const& key) {
+    return Json::parse(json)[key].get<std::string>();
+  }
   void expect_as_one_machine() {
     if (!exists("W")) {
       ASSERT_EQ(isolaw(study("W", {"--jobs", "3"})).code, 0);
@@ -184,7 +187,7 @@ TEST_F(BuildingParts, of_another_study_build_or_instruction_set_are_refused_and_
     EXPECT_FALSE(exists("O/building.sqlite"));
   };
   set("seed = 1", "seed = 2");
-  refused("seed: 1 there, 2 now");
+  refused("seed: 1 in P1/building.sqlite, 2 in X/building.sqlite");
   set("seed = 2", "seed = 1");
   auto const motion = read("case/motion-3-x.csv");
   auto const line = motion.find("\n1.00,") + 1;
@@ -242,6 +245,51 @@ TEST_F(BuildingParts, are_named_as_they_may_be_and_know_what_they_are) {
   ASSERT_EQ(flock(held, LOCK_EX | LOCK_NB), 0);
   expect_refused(isolaw(part(1)), {"P1: another isolaw works in this directory"});
   close(held);
+}
+
+// --fresh replaces, when all that is to stand there instead was judged and copied.
+TEST_F(BuildingParts, that_start_over_replace_no_part_and_nothing_whole_by_less) {
+  compute({1, 2, 3, 4, 5});
+  ASSERT_EQ(isolaw({"merge", "O", "P1", "P2", "P3", "P4", "P5"}).code, 0);
+  auto const whole = read("O/building.sqlite"), part = read("P1/building.sqlite"), json = read("O/building.json");
+  auto const refused = [&](Words const& words, Words const& said) {
+    expect_message(isolaw(words + Words{"--fresh"}), 2, said);
+    EXPECT_TRUE(read("O/building.sqlite") == whole);
+    EXPECT_TRUE(read("O/building.json") == json);
+    EXPECT_TRUE(read("P1/building.sqlite") == part);
+  };
+  refused({"merge", "P1", "P2"}, {"P1/building.sqlite: is part 1/5 itself", "another directory"});
+  refused({"merge", "O", "P1", "p2"}, {"p2/building.sqlite: is not there, and O/building.sqlite was to be replaced"});
+  refused({"merge", "O", "P1", "P2"}, {"O/building.sqlite: has every run, and is left as it is"});
+  fs::copy(path("P2"), path("X"));
+  change("X/building.sqlite", "UPDATE runs SET measured = zeroblob(length(measured))");
+  refused({"merge", "O", "P1", "P2", "P3", "P4", "P5", "X"}, {"X/building.sqlite: run ", "--part K/N --fresh"});
+  // Whole, and answered: what was said then is said again.
+  auto const answered = isolaw({"merge", "O"});
+  expect_message(answered, 0, {"0 runs copied", "were answered: O/building.html"});
+  EXPECT_EQ(answered.out, json_text(json, "verdict") + "\n");
+  EXPECT_TRUE(isolaw({"merge", "O", "--json"}).out == json + "\n");
+  // What is no store, as a program that was killed may leave it, is; and what was answered before goes with it.
+  write("O/building.sqlite", "");
+  write("O/building.sqlite.part", "left");
+  expect_refused(isolaw({"merge", "O", "P1"}), {"O/building.sqlite", "damaged", "--fresh"});
+  expect_message(isolaw({"merge", "O", "P1", "--fresh"}), 1, {"runs copied"});
+  EXPECT_FALSE(exists("O/building.sqlite.part"));
+  EXPECT_FALSE(exists("O/building.json") || exists("O/building.html") || exists("O/tables/building.csv"));
+  expect_message(isolaw({"merge", "O", "P1", "P2", "P3", "P4", "P5"}), 0, {" there already"});
+  EXPECT_TRUE(read("O/building.sqlite") == whole);
+  EXPECT_TRUE(read("O/building.json") == json);
+}
+
+TEST_F(BuildingParts, that_were_cut_off_are_not_taken_for_whole_by_their_own_command) {
+  compute({1});
+  auto const bytes = read("P1/building.sqlite");
+  for (auto const size : {bytes.size() / 2, bytes.size() - 100, std::size_t{0}}) {
+    write("P1/building.sqlite", std::string_view(bytes).substr(0, size));
+    expect_refused(isolaw(part(1)), {"P1/building.sqlite", "damaged", "--fresh"});
+  }
+  ASSERT_EQ(isolaw(part(1, {"--fresh"})).code, 0);
+  EXPECT_TRUE(read("P1/building.sqlite") == bytes);
 }
 
 TEST_F(BuildingParts, of_a_script_end_as_one_machine_also_after_a_loss) {

@@ -218,9 +218,13 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   merge_command.add_flag("--json", merge_arguments.json, "print summary.json and the profile instead of the ranking");
 
   PartsArguments parts_arguments;
-  auto& parts_command = add(
-      "parts", "Print a script that computes a campaign or a building study in parts, by a scheduler, and merges them",
-      [&] { return parts(parts_arguments, argv[0]); });
+  auto& parts_command =
+      add("parts",
+          "Print a script that computes a campaign or a building study in parts, by a scheduler, and merges them", [&] {
+            for (auto const* option : app.get_subcommand("parts")->get_options())
+              if (option->count() > 0) parts_arguments.given.push_back(option->get_name());
+            return parts(parts_arguments, argv[0]);
+          });
   parts_command
       .add_option("lot", parts_arguments.lot,
                   "a lot file (.toml), or a directory of records; with --campaign a building file")

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "isolaw/app/report.hpp"
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/file.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/base/write_file.hpp"
@@ -186,6 +188,8 @@ int building(BuildingArguments const& a) {
     auto const of_part = building::traits_of(*part, full_name(*a.file), full_name(*a.from), full_names(a.motions));
     traits.insert(traits.end(), of_part.begin(), of_part.end());
   }
+  render::remove_leftovers(out);
+  if (a.fresh) render::remove_building_outputs(out);
   std::optional<building::RunStore> store(std::in_place, file, traits, a.fresh);
   auto const start = std::chrono::steady_clock::now();
   bool const shown_to_somebody = isatty(STDERR_FILENO) != 0;
@@ -218,14 +222,80 @@ int building(BuildingArguments const& a) {
   return exit_done;
 }
 
-bool merges_buildings(MergeArguments const& arguments) {
-  auto const is_of_building = [](std::filesystem::path const& path) {
-    std::error_code unknown;
-    return path.filename() == building_store || std::filesystem::exists(path / building_store, unknown);
-  };
-  return arguments.parts.empty() ? is_of_building(arguments.directory)
-                                 : std::ranges::any_of(arguments.parts, is_of_building);
+namespace {
+
+// Of a directory, or of a part that is named by its store.
+struct Holds {
+  bool campaign = false, study = false;
+};
+Holds what_it_holds(std::filesystem::path const& path) {
+  std::error_code unknown;
+  bool const study = path.filename() == building_store;
+  if (std::filesystem::is_regular_file(path, unknown)) return {!study, study};
+  return {std::filesystem::exists(path / store_name, unknown), std::filesystem::exists(path / building_store, unknown)};
 }
+
+[[noreturn]] void refuse_both(std::filesystem::path const& where, std::string found, std::string advice) {
+  throw Error({.where = where.string(),
+               .found = std::move(found),
+               .allowed = "campaigns or studies of buildings, in directories of their own",
+               .advice = std::move(advice)});
+}
+
+}  // namespace
+
+bool merges_buildings(MergeArguments const& arguments) {
+  constexpr char const* both = "holds a campaign and a study of a building";
+  std::optional<std::filesystem::path> campaign, study;
+  for (auto const& part : arguments.parts) {
+    auto const holds = what_it_holds(part);
+    if (holds.campaign && holds.study)
+      refuse_both(part, both,
+                  fmt::format("naming the one that is meant: {} or {}", (part / store_name).string(),
+                              (part / building_store).string()));
+    if (holds.campaign) campaign = part;
+    if (holds.study) study = part;
+  }
+  if (campaign && study)
+    refuse_both(*study, fmt::format("is a study of a building; {} is a campaign", campaign->string()),
+                "a merge for each");
+  auto const& directory = arguments.directory;
+  auto const there = what_it_holds(directory);
+  if (arguments.parts.empty() && there.campaign && there.study)
+    refuse_both(directory, both, "moving one of the stores to another directory");
+  if ((study && there.campaign) || (campaign && there.study))
+    refuse_both(directory, fmt::format("holds {}", study ? "a campaign" : "a study of a building"),
+                "another directory to merge into");
+  return study || (!campaign && there.study);
+}
+
+namespace {
+
+// Where no part says of which building and campaign: what was answered when the last run was there.
+void answers_that_are_there(std::filesystem::path const& directory, bool json) {
+  auto const file = directory / "building.json";
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(file, unknown)) {
+    say("all runs are there; their answers: isolaw building BUILDING.toml --from CAMPAIGN --out {}\n",
+        shown(directory));
+    return;
+  }
+  constexpr ReadLimits limits{
+      .largest_bytes = 1U << 30, .allowed = "building.json as isolaw wrote it", .when_too_large = "removing it"};
+  auto const text = read_file(file, limits);
+  auto const answers = nlohmann::json::parse(text, nullptr, false);
+  auto const verdict = answers.is_object() ? answers.find("verdict") : answers.end();
+  if (verdict == answers.end() || !verdict->is_string())
+    throw Error({.where = file.string(),
+                 .found = "holds no answers",
+                 .allowed = std::string(limits.allowed),
+                 .advice = "isolaw building with --out " + directory.string() + ", which makes it again"});
+  print(json ? text : printable(verdict->get<std::string>()));
+  say("all runs are there, and were answered: {}; made again by isolaw building BUILDING.toml --from CAMPAIGN --out {}\n",
+      shown(directory / "building.html"), shown(directory));
+}
+
+}  // namespace
 
 int merge_buildings(MergeArguments const& arguments) {
   auto const& directory = arguments.directory;
@@ -235,9 +305,11 @@ int merge_buildings(MergeArguments const& arguments) {
   {
     make_directory(directory);
     DirectoryLock const lock(directory);
+    render::remove_leftovers(directory);
     bool any = false;
     merged = building::merge(directory / building_store, stores,
-                             {.missing =
+                             {.before_replacing = [&] { render::remove_building_outputs(directory); },
+                              .missing =
                                   [&](building::MissingRun const& run) {
                                     if (!std::exchange(any, true)) print("part,law,motion,analysis");
                                     print(fmt::format("{},{},{},{}", run.part > 0 ? std::to_string(run.part) : "",
@@ -249,8 +321,7 @@ int merge_buildings(MergeArguments const& arguments) {
   if (merged.missing > 0) return exit_with_refusals;
   if (arguments.copy_only) return exit_done;
   if (merged.part.empty()) {
-    say("all runs are there; their answers: isolaw building BUILDING.toml --from CAMPAIGN --out {}\n",
-        shown(directory));
+    answers_that_are_there(directory, arguments.json);
     return exit_done;
   }
   using Kind = building::Trait::Kind;

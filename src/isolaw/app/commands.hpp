@@ -39,7 +39,7 @@ struct MergeArguments {
 // A campaign, or a study of a building, computed in parts as one machine would have computed it; what is missing is
 // named.
 int merge(MergeArguments const& arguments, std::vector<std::string> const& command_line);
-// Whether it is parts of buildings; and their merge.
+// Whether it is parts of buildings, and their merge. Throws Error where it cannot be told.
 bool merges_buildings(MergeArguments const& arguments);
 int merge_buildings(MergeArguments const& arguments);
 
@@ -48,6 +48,7 @@ struct PartsArguments {
   CalibrateArguments calibrate;                   // its inputs are the lot
   std::optional<std::filesystem::path> campaign;  // the lot is then a building file, with these motions
   std::vector<std::string> motions;
+  std::vector<std::string> given;  // names of all that was given
   int count = 0;
   std::string to;  // of part_script_kinds
 };

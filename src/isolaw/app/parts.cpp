@@ -2,6 +2,8 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "isolaw/api/campaign_directory.hpp"
 #include "isolaw/app/building.hpp"
@@ -53,6 +55,26 @@ std::string program_of(std::string const& word) {
   return word.find('/') == std::string::npos ? word : std::filesystem::absolute(word).lexically_normal().string();
 }
 
+// Of a building or of a lot: what is of the other would be left out without a word.
+void require_used(PartsArguments const& arguments) {
+  if (!arguments.campaign && !arguments.motions.empty())
+    throw Error({.where = "--motion",
+                 .found = "is given for a lot",
+                 .allowed = "for a building file, with --campaign",
+                 .advice = "--campaign DIR, whose lot the bearings are of"});
+  if (!arguments.campaign) return;
+  constexpr std::array<std::string_view, 7> of_building{"lot",      "count", "--to",  "--campaign",
+                                                        "--motion", "--out", "--jobs"};
+  auto others = arguments.given;
+  std::erase_if(others,
+                [&](std::string const& name) { return std::ranges::find(of_building, name) != of_building.end(); });
+  if (!others.empty())
+    throw Error({.where = joined(others),
+                 .found = "is given for a building file",
+                 .allowed = "--motion, --out and --jobs with --campaign",
+                 .advice = "the building file, which says how it is computed; the campaign has its own settings"});
+}
+
 // Of a building: one block of runs of each law is computed here for the time that it takes.
 std::string script_of_building(PartsArguments const& arguments, std::string const& program) {
   auto const study = building_study({.file = arguments.lot,
@@ -101,6 +123,7 @@ int parts(PartsArguments const& arguments, std::string const& program) {
     throw Error({.where = "count",
                  .found = std::to_string(arguments.count),
                  .allowed = fmt::format("1 to {} parts", campaign::most_parts)});
+  require_used(arguments);
   if (arguments.campaign) {
     print(script_of_building(arguments, program_of(program)));
     return exit_done;

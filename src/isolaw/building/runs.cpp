@@ -46,8 +46,17 @@ auto read_as_study(Path const& file, Read&& read) {
     throw Error({.where = file.generic_string(),
                  .found = "no store of building runs, or a damaged one: " + error.complaints().front().found,
                  .allowed = "building.sqlite of isolaw building",
-                 .advice = "copying it once more, or --fresh, which computes it again"});
+                 .advice = campaign::sqlite::advice_on_damaged});
   }
+}
+
+void require_sound(Path const& file, std::string const& again) {
+  auto const faults = read_as_study(file, [&] { return campaign::sqlite::integrity(file); });
+  if (!faults.empty())
+    throw Error({.where = file.generic_string(),
+                 .found = "is damaged: " + faults.front(),
+                 .allowed = "stores as isolaw left them",
+                 .advice = "copying it once more, or " + again});
 }
 
 std::vector<Trait> read_traits(Connection const& db, Path const& file) {
@@ -65,6 +74,13 @@ std::vector<Trait> read_traits(Connection const& db, Path const& file) {
     if (made.empty()) throw Error({.found = "it does not say what its runs are of"});
     return made;
   });
+}
+
+std::size_t runs_in(Connection const& db) {
+  Statement select(db, "SELECT count(*) FROM runs");
+  std::size_t count = 0;
+  if (select.row()) select.read(count);
+  return count;
 }
 
 std::vector<Trait> without(std::vector<Trait> traits, Kind kind) {
@@ -133,23 +149,26 @@ std::vector<Trait> traits_of(campaign::Part const& part, std::string const& buil
   return made;
 }
 
-std::vector<std::string> differences(std::span<Trait const> there, std::span<Trait const> now) {
+std::vector<std::string> differences(std::span<Trait const> there, std::span<Trait const> now,
+                                     campaign::Sides const& sides) {
   std::vector<std::string> found;
   for (auto const kind : {Kind::setting, Kind::building, Kind::motion, Kind::law}) {
     auto const a = of_kind(there, kind), b = of_kind(now, kind);
     auto const word = kinds[static_cast<std::size_t>(kind)];
     if (a.size() != b.size()) {
-      found.push_back(fmt::format("{} there, {} now", counted(a.size(), word), counted(b.size(), word)));
+      found.push_back(
+          fmt::format("{} {}, {} {}", counted(a.size(), word), sides.one, counted(b.size(), word), sides.other));
       continue;
     }
     for (std::size_t i = 0; i < a.size(); ++i) {
       auto const name = printable(a[i].name), was = printable(a[i].value), is = printable(b[i].value);
       if (a[i].name != b[i].name)
-        found.push_back(fmt::format("{} {}: {} there, {} now", word, i + 1, name, printable(b[i].name)));
+        found.push_back(
+            fmt::format("{} {}: {} {}, {} {}", word, i + 1, name, sides.one, printable(b[i].name), sides.other));
       else if (a[i].value == b[i].value)
         continue;
       else if (kind == Kind::setting)
-        found.push_back(fmt::format("{}: {} there, {} now", name, was, is));
+        found.push_back(fmt::format("{}: {} {}, {} {}", name, was, sides.one, is, sides.other));
       else
         found.push_back((kind == Kind::law      ? "another lot of "
                          : kind == Kind::motion ? "other values of motion "
@@ -180,45 +199,51 @@ struct RunStore::Handle {
 
 RunStore::RunStore(std::filesystem::path const& file, std::vector<Trait> const& of, bool fresh) {
   campaign::sqlite::remove_unfinished(file);
-  bool const there = std::filesystem::exists(file);
-  if (there && fresh)
-    for (auto const* end : {"", "-wal", "-shm", "-journal"}) std::filesystem::remove(file.string() + end);
-  bool const open = there && !fresh;
-  handle_ = std::make_unique<Handle>(Handle{open ? Connection::to_write(file) : Connection::create(file)});
-  auto const& db = handle_->db;
-  if (open) {
-    auto const found = read_traits(db, file);
-    if (found == of) return;
-    auto different = differences(found, of);
-    if (auto const a = part_of(found), b = part_of(of); a != b)
-      different.push_back(fmt::format("{} there, {} now", of_part(a), of_part(b)));
-    if (!different.empty())
-      throw Error({.where = file.generic_string(),
-                   .found = "the runs of another building, of other settings or of another campaign: " +
-                            joined(different, "; "),
-                   .allowed = "the same, which is continued",
-                   .advice = "--fresh to start over, or another --out"});
-    require_same_maker(file, found, maker_of(of), "--fresh to start over, or another --out");
-    return;  // a part whose files were named otherwise
+  campaign::sqlite::require_plain(file);
+  if (fresh || !std::filesystem::exists(file)) {
+    create(file, of);
+    handle_ = std::make_unique<Handle>(Handle{Connection::to_write(file)});
+    return;
   }
-  Transaction transaction(db);
-  create_run_tables(db);
-  Statement insert(db, "INSERT INTO study VALUES (?, ?, ?)");
-  for (auto const& trait : of)
-    insert
-        .bind(kinds.at(static_cast<std::size_t>(trait.kind)), std::string_view(trait.name),
-              std::string_view(trait.value))
-        .insert();
-  transaction.commit();
+  handle_ = std::make_unique<Handle>(Handle{Connection::to_write(file)});
+  auto const found = read_traits(handle_->db, file);
+  // A share ends when it is there, and is then read by a merge: what was cut off within a page reads as if it were whole.
+  if (part_of(found)) require_sound(file, "--fresh to start over");
+  if (found == of) return;
+  auto different = differences(found, of);
+  if (auto const a = part_of(found), b = part_of(of); a != b)
+    different.push_back(fmt::format("{} there, {} now", of_part(a), of_part(b)));
+  if (!different.empty())
+    throw Error(
+        {.where = file.generic_string(),
+         .found = "the runs of another building, of other settings or of another campaign: " + joined(different, "; "),
+         .allowed = "the same, which is continued",
+         .advice = "--fresh to start over, or another --out"});
+  // But for a part whose files were named otherwise.
+  require_same_maker(file, found, maker_of(of), "--fresh to start over, or another --out");
+}
+
+void RunStore::create(Path const& file, std::vector<Trait> const& of) {
+  auto const aside = campaign::sqlite::unfinished(file);
+  {
+    auto const db = Connection::create(aside);
+    Transaction transaction(db);
+    create_run_tables(db);
+    Statement insert(db, "INSERT INTO study VALUES (?, ?, ?)");
+    for (auto const& trait : of)
+      insert
+          .bind(kinds.at(static_cast<std::size_t>(trait.kind)), std::string_view(trait.name),
+                std::string_view(trait.value))
+          .insert();
+    transaction.commit();
+  }
+  campaign::sqlite::move_into_place(aside, file);
 }
 
 RunStore::~RunStore() = default;
 
 std::size_t RunStore::runs_there() const {
-  Statement select(handle_->db, "SELECT count(*) FROM runs");
-  std::size_t count = 0;
-  if (select.row()) select.read(count);
-  return count;
+  return runs_in(handle_->db);
 }
 
 bool RunStore::is_there(Blocks::Block const& block) const {
@@ -405,7 +430,7 @@ Blocks blocks_of(std::span<Trait const> traits, std::vector<Case>& cases, Path c
       throw Error({.where = file.generic_string(),
                    .found = fmt::format("no number of its setting {}", name),
                    .allowed = "building.sqlite of isolaw building",
-                   .advice = "copying it once more, or --fresh, which computes it again"});
+                   .advice = campaign::sqlite::advice_on_damaged});
     return *number;
   };
   Settings settings;
@@ -425,7 +450,7 @@ void take_runs(Connection const& db, Path const& file, campaign::Merged& merged,
         {.where = file.generic_string(),
          .found = fmt::format("run {} of law {} under motion {} {}", row.place + 1, row.law + 1, row.motion + 1, what),
          .allowed = std::string(allowed),
-         .advice = "the part that is not sound again, with --fresh"});
+         .advice = "the part that is not sound again: isolaw building ... --part K/N --fresh"});
   };
   Transaction transaction(db);
   {
@@ -452,25 +477,55 @@ void take_runs(Connection const& db, Path const& file, campaign::Merged& merged,
 
 }  // namespace
 
+namespace {
+
+constexpr char const* again_as_part = "isolaw building ... --part K/N --fresh, which computes it again";
+
+// Of a file that is to be replaced, whatever it is.
+bool has_every_run(Path const& file) {
+  try {
+    auto const db = Connection::to_read(file);
+    std::vector<Case> cases;
+    return runs_in(db) == blocks_of(read_traits(db, file), cases, file).runs();
+  } catch (Error const&) {
+    return false;
+  }
+}
+std::optional<campaign::Part> part_in(Path const& file) {
+  try {
+    return part_of(read_traits(Connection::to_read(file), file));
+  } catch (Error const&) {
+    return std::nullopt;
+  }
+}
+
+// What no merge replaces: a part may be the only copy of its runs.
+void refuse_part(Path const& out, std::optional<campaign::Part> const& part) {
+  if (part)
+    throw Error({.where = out.generic_string(),
+                 .found = fmt::format("is part {} itself", campaign::text(*part)),
+                 .allowed = "a directory of its own for the whole study",
+                 .advice = "another directory"});
+}
+
+}  // namespace
+
 MergedStudy merge(Path const& out, std::vector<Path> const& parts, MergeOptions const& options) {
   auto const me = building_maker();
   MergedStudy merged;
   std::optional<std::pair<Path, std::vector<Trait>>> first;
   auto const examine = [&](Path const& file) {
-    auto const faults = read_as_study(file, [&] { return campaign::sqlite::integrity(file); });
-    if (!faults.empty())
-      throw Error(
-          {.where = file.generic_string(),
-           .found = "is damaged: " + faults.front(),
-           .allowed = "stores as isolaw left them",
-           .advice = "copying it once more, or isolaw building ... --part K/N --fresh, which computes it again"});
+    require_sound(file, again_as_part);
     auto const traits = read_traits(Connection::to_read(file), file);
-    require_same_maker(file, traits, me, "isolaw building ... --part K/N --fresh, which computes it again");
+    require_same_maker(file, traits, me, again_as_part);
     if (!first) first.emplace(file, without(traits, Kind::part));
     if (without(traits, Kind::part) != first->second)
       throw Error({.where = file.generic_string(),
                    .found = fmt::format("of another study than {}: {}", first->first.generic_string(),
-                                        joined(differences(first->second, traits), "; ")),
+                                        joined(differences(first->second, traits,
+                                                           {.one = "in " + first->first.generic_string(),
+                                                            .other = "in " + file.generic_string()}),
+                                               "; ")),
                    .allowed = "parts of one study: the same building, motions, lot and settings",
                    .advice = "leaving it out, or --part again with the command of the others"});
     auto const part = read_as_study(file, [&] { return part_of(traits); });
@@ -483,25 +538,26 @@ MergedStudy merge(Path const& out, std::vector<Path> const& parts, MergeOptions 
     if (part && merged.part.empty()) merged.part = of_kind(traits, Kind::part);
     return part;
   };
-  campaign::sqlite::remove_unfinished(out);
-  bool const continues = std::filesystem::exists(out) && !options.fresh;
-  if (continues && !campaign::sqlite::is_plain(out))
-    Connection::to_write(out).try_execute("SELECT 1 FROM sqlite_master");  // undoes what a kill left half done
-  if (continues)
-    if (auto const part = examine(out))
-      throw Error({.where = out.generic_string(),
-                   .found = fmt::format("is part {} itself", campaign::text(*part)),
-                   .allowed = "a directory of its own for the whole study",
-                   .advice = "another directory, or --fresh to replace it"});
   std::vector<Path> files;
   for (auto const& part : parts) {
-    if (!std::filesystem::exists(part)) {
+    if (std::filesystem::exists(part))
+      files.push_back(part);
+    else
       merged.absent.push_back(part.string());
-      continue;
-    }
-    examine(part);
-    files.push_back(part);
   }
+  bool const exists = std::filesystem::exists(out), continues = exists && !options.fresh,
+             replaces = exists && options.fresh;
+  if (replaces) {
+    campaign::refuse_absent(out, merged.absent);
+    refuse_part(out, part_in(out));
+  }
+  campaign::sqlite::remove_unfinished(out);
+  if (continues) {
+    if (!campaign::sqlite::is_plain(out))
+      Connection::to_write(out).try_execute("SELECT 1 FROM sqlite_master");  // undoes what a kill left half done
+    refuse_part(out, examine(out));
+  }
+  for (auto const& file : files) examine(file);
   if (!first)
     throw Error({.where = parts.empty() ? out.generic_string() : parts.front().generic_string(),
                  .found = "no part is there",
@@ -509,9 +565,16 @@ MergedStudy merge(Path const& out, std::vector<Path> const& parts, MergeOptions 
   std::vector<Case> cases;
   auto const blocks = blocks_of(first->second, cases, first->first);
   auto const laws = of_kind(first->second, Kind::law), motions = of_kind(first->second, Kind::motion);
-  { RunStore const made(out, first->second, options.fresh); }
+  // What is replaced stays until all that stands in its place was judged and copied.
+  auto const target = replaces ? campaign::sqlite::unfinished(out) : out;
+  std::optional<campaign::sqlite::Unfinished> unfinished;
+  if (replaces) unfinished.emplace(out);
+  if (!continues) {
+    if (!replaces && options.before_replacing) options.before_replacing();
+    RunStore::create(target, first->second);
+  }
   {
-    auto const db = Connection::to_write(out);
+    auto const db = Connection::to_write(target);
     for (auto const& file : files)
       take_runs(db, file, merged, {laws.size(), motions.size(), cases.size()},
                 value_of(first->second, Kind::building, "measures"));
@@ -531,7 +594,12 @@ MergedStudy merge(Path const& out, std::vector<Path> const& parts, MergeOptions 
       }
     }
   }
-  if (merged.missing == 0) RunStore::put_in_order(out);
+  if (merged.missing == 0) RunStore::put_in_order(target);
+  if (replaces) {
+    if (merged.missing > 0 && has_every_run(out)) campaign::refuse_to_replace_whole(out, merged);
+    if (options.before_replacing) options.before_replacing();
+    campaign::sqlite::move_into_place(target, out);
+  }
   return merged;
 }
 

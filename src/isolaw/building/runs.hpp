@@ -16,6 +16,7 @@
 #include "isolaw/building/sources.hpp"
 #include "isolaw/campaign/contents.hpp"
 #include "isolaw/campaign/merge.hpp"
+#include "isolaw/campaign/setting_table.hpp"
 
 namespace isolaw::building {
 
@@ -37,7 +38,8 @@ std::vector<Trait> traits_of(Study const& study);
 std::vector<Trait> traits_of(campaign::Part const& part, std::string const& building_file, std::string const& campaign,
                              std::vector<std::string> const& motions);
 // "seed: 1 there, 2 now", ...; of parts and makers nothing.
-std::vector<std::string> differences(std::span<Trait const> there, std::span<Trait const> now);
+std::vector<std::string> differences(std::span<Trait const> there, std::span<Trait const> now,
+                                     campaign::Sides const& sides = {});
 campaign::Maker maker_of(std::span<Trait const> traits);
 std::optional<campaign::Part> part_of(std::span<Trait const> traits);
 std::string value_of(std::span<Trait const> traits, Trait::Kind kind, std::string_view name);  // empty: not there
@@ -70,6 +72,9 @@ class RunStore {
   RunStore(RunStore const&) = delete;
   RunStore& operator=(RunStore const&) = delete;
 
+  // Replaces a file of that name; when it is stopped, the former or the new one is there, whole.
+  static void create(std::filesystem::path const& file, std::vector<Trait> const& of);
+
   struct Row {
     std::size_t law = 0, motion = 0, place = 0;  // place: in cases_of()
     std::vector<double> measured;
@@ -96,8 +101,9 @@ struct MergedStudy : campaign::Merged {
   std::vector<Trait> part;  // of the first part: the words that its answers take
 };
 struct MergeOptions {
+  std::function<void()> before_replacing = {};          // of what is made of a study that is there
   std::function<void(MissingRun const&)> missing = {};  // told of each, in the order of runs
-  bool fresh = false;                                   // replaces another study
+  bool fresh = false;  // replaces another study, once all that takes its place was judged and copied
 };
 // As campaign::merge: adds to the store `out` the runs of the stores `parts`, each checked before the first is copied.
 // Throws Error: a store that is damaged, of another study, build or instruction set, runs that contradict one another.

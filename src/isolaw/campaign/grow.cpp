@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "isolaw/base/words.hpp"
-#include "isolaw/campaign/setting_table.hpp"
 
 namespace isolaw::campaign {
 namespace {
@@ -64,11 +63,11 @@ bool same_devices(Contents const& a, Contents const& b) {
 
 }  // namespace
 
-std::vector<std::string> obstacles(Contents const& stored, Contents const& asked) {
-  auto found = differences(grown(stored.settings, asked.settings), asked.settings);
+std::vector<std::string> obstacles(Contents const& stored, Contents const& asked, Sides const& sides) {
+  auto found = differences(grown(stored.settings, asked.settings), asked.settings, sides);
   if (stored.part != asked.part) {
     auto const named = [](std::optional<Part> const& part) { return part ? "part " + text(*part) : "all of it"; };
-    found.push_back(fmt::format("{} there, {} now", named(stored.part), named(asked.part)));
+    found.push_back(fmt::format("{} {}, {} {}", named(stored.part), sides.one, named(asked.part), sides.other));
   }
   std::vector<std::string> gone;
   for (auto const& device : stored.devices) {
@@ -82,8 +81,8 @@ std::vector<std::string> obstacles(Contents const& stored, Contents const& asked
   auto const more = gone.size() > most ? gone.size() - most : 0;
   if (more > 0) gone.resize(most);
   if (!gone.empty())
-    found.push_back(
-        fmt::format("there and not now: {}{}", joined(gone), more > 0 ? fmt::format(" and {} more", more) : ""));
+    found.push_back(fmt::format("{} and not {}: {}{}", sides.one, sides.other, joined(gone),
+                                more > 0 ? fmt::format(" and {} more", more) : ""));
   return found;
 }
 

@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "isolaw/campaign/contents.hpp"
+#include "isolaw/campaign/setting_table.hpp"
 
 namespace isolaw::campaign {
 
 // What makes the stored campaign none that the one asked for continues or grows from; empty where there is nothing.
-std::vector<std::string> obstacles(Contents const& stored, Contents const& asked);
+std::vector<std::string> obstacles(Contents const& stored, Contents const& asked, Sides const& sides = {});
 
 // What is asked for beyond it, in words: "2 devices", "law gallardo", "20 runs instead of 10", or the devices' order;
 // empty where only what was asked for then is missing, or nothing.

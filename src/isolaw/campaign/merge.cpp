@@ -21,7 +21,7 @@ using Path = std::filesystem::path;
 
 std::string again(std::optional<Part> const& part) {
   return part ? fmt::format("isolaw calibrate ... --part {} --fresh, which computes it again", text(*part))
-              : std::string("a copy of it");
+              : std::string("the command that computed it, with --fresh");
 }
 
 void require_sound(Path const& file, std::optional<Part> const& part) {
@@ -67,8 +67,9 @@ void require_same_campaign(First const& first, Path const& file, Contents const&
   if (hashes == first.hashes) return;
   auto there = first.contents, now = part;
   there.part = now.part = std::nullopt;
-  auto found = obstacles(there, now);
-  if (found.empty()) found = growth(there, now);
+  auto found = obstacles(there, now, {.one = "in " + first.file.string(), .other = "in " + file.string()});
+  if (found.empty())
+    for (auto const& more : growth(there, now)) found.push_back("larger by " + more);
   if (found.empty())
     for (std::size_t i = 0; i < hashes.size(); ++i)
       if (hashes[i] != first.hashes[i])
@@ -110,7 +111,47 @@ void tell_missing(Path const& out, Merged& merged, MergeOptions const& options) 
     }
 }
 
+// Of a file that is to be replaced, whatever it is.
+template <class Value, class Read>
+Value value_or(Value otherwise, Read&& read) {
+  try {
+    return read();
+  } catch (Error const&) {
+    return otherwise;
+  }
+}
+
+// What no merge replaces: a part may be the only copy of its runs.
+void refuse_part(Path const& out, std::optional<Part> const& part) {
+  if (part)
+    throw Error({.where = out.string(),
+                 .found = fmt::format("is part {} itself", text(*part)),
+                 .allowed = "a directory of its own for the whole campaign",
+                 .advice = "another directory"});
+}
+
+bool has_every_run(Path const& file) {
+  std::size_t runs = 0;
+  Store::for_each_run(file, [&](std::size_t, std::string const&, int) { ++runs; });
+  return runs == Store::read_beginning(file).expected_runs();
+}
+
 }  // namespace
+
+void refuse_absent(Path const& out, std::vector<std::string> const& absent) {
+  if (absent.empty()) return;
+  throw Error({.where = absent.front(),
+               .found = "is not there, and " + out.string() + " was to be replaced",
+               .allowed = "with --fresh, parts that are there",
+               .advice = "its name as it is, or leaving it out"});
+}
+
+void refuse_to_replace_whole(Path const& out, Merged const& merged) {
+  throw Error({.where = out.string(),
+               .found = "has every run, and is left as it is: of what was to replace it " + missing_text(merged),
+               .allowed = "with --fresh, every part, where what is replaced is whole",
+               .advice = "the parts that are missing, or another directory"});
+}
 
 std::string missing_text(Merged const& merged) {
   if (merged.missing == 0) return {};
@@ -153,29 +194,34 @@ Merged merge(Path const& out, std::vector<Path> const& parts, MergeOptions const
     else
       merged.absent.push_back(part.string());
   }
-  bool const continues = std::filesystem::exists(out) && !options.fresh;
+  bool const exists = std::filesystem::exists(out), continues = exists && !options.fresh,
+             replaces = exists && options.fresh;
   if (!continues && files.empty())
     throw Error({.where = parts.empty() ? out.string() : parts.front().string(),
                  .found = "no part is there",
                  .allowed = "directories of isolaw calibrate LOT --part K/N --out DIR"});
+  if (replaces) {
+    refuse_absent(out, merged.absent);
+    refuse_part(out, value_or(std::optional<Part>(), [&] { return Store::read_beginning(out).part; }));
+  }
+  Store::remove_unfinished(out);
   if (continues) {
-    Store::remove_unfinished(out);
     if (!Store::is_plain(out)) Store::open(out).finish();
     examine(out);
-    if (first->contents.part)
-      throw Error({.where = out.string(),
-                   .found = fmt::format("is part {} itself", text(*first->contents.part)),
-                   .allowed = "a directory of its own for the whole campaign",
-                   .advice = "another directory, or --fresh to replace it"});
+    refuse_part(out, first->contents.part);
   }
   for (auto const& file : files) examine(file);
+  // What is replaced stays until all that stands in its place was judged and copied.
+  auto const target = replaces ? sqlite::unfinished(out) : out;
+  std::optional<sqlite::Unfinished> unfinished;
+  if (replaces) unfinished.emplace(out);
   if (!continues) {
     auto whole = Store::read_beginning_and_series(files.front());
     whole.part.reset();
-    Store::create(out, whole, options.before_replacing).finish();
+    Store::create(target, whole, replaces ? std::function<void()>() : options.before_replacing).finish();
   }
   {
-    auto store = Store::open(out);
+    auto store = Store::open(target);
     std::size_t done = 0;
     for (auto const& file : files) {
       auto const taken = store.take_runs(file);
@@ -185,7 +231,12 @@ Merged merge(Path const& out, std::vector<Path> const& parts, MergeOptions const
     }
     store.finish();
   }
-  tell_missing(out, merged, options);
+  tell_missing(target, merged, options);
+  if (replaces) {
+    if (merged.missing > 0 && value_or(false, [&] { return has_every_run(out); })) refuse_to_replace_whole(out, merged);
+    if (options.before_replacing) options.before_replacing();
+    sqlite::move_into_place(target, out);
+  }
   return merged;
 }
 

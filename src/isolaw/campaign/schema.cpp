@@ -149,8 +149,12 @@ Declarations declarations_of(int version) {
 }
 
 [[noreturn]] void refuse_foreign(std::filesystem::path const& file) {
-  throw Error(
-      {.where = file.string(), .found = "not a campaign store of isolaw", .allowed = "campaign.sqlite of a campaign"});
+  std::error_code unknown;
+  bool const empty = std::filesystem::file_size(file, unknown) == 0;
+  throw Error({.where = file.string(),
+               .found = empty ? "not a campaign store of isolaw: an empty file" : "not a campaign store of isolaw",
+               .allowed = "campaign.sqlite of a campaign",
+               .advice = empty ? sqlite::advice_on_damaged : ""});
 }
 
 // A store of ours, of a schema this version knows. Its tables must be declared word by word as ours: a view or a

@@ -248,7 +248,7 @@ void apply(Values const& given, Settings& settings) {
   });
 }
 
-std::vector<std::string> differences(Settings const& there, Settings const& now) {
+std::vector<std::string> differences(Settings const& there, Settings const& now, Sides const& sides) {
   auto const words = [](Json const& value) {
     auto text = text_of(value);
     return text.empty() ? std::string("none") : text;
@@ -257,7 +257,8 @@ std::vector<std::string> differences(Settings const& there, Settings const& now)
   for (auto const& setting : setting_table()) {
     if (!setting.belongs_to(there.method) || !setting.belongs_to(now.method)) continue;
     auto const a = setting.get(there), b = setting.get(now);
-    if (a != b) found.push_back(fmt::format("{}: {} there, {} now", setting.key, words(a), words(b)));
+    if (a != b)
+      found.push_back(fmt::format("{}: {} {}, {} {}", setting.key, words(a), sides.one, words(b), sides.other));
   }
   return found;
 }

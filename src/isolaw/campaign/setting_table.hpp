@@ -29,8 +29,12 @@ void take(Setting const& setting, Json const& value, bool method_given, Settings
 // Lays everything that one way in was given over `settings`. Throws one Error, where of which is the option.
 void apply(Values const& given, Settings& settings);
 
+// Where what differs was found, as messages say it.
+struct Sides {
+  std::string one = "there", other = "now";
+};
 // "method: ga there, best now", for each setting that differs; what one method alone has is said by the method.
-std::vector<std::string> differences(Settings const& there, Settings const& now);
+std::vector<std::string> differences(Settings const& there, Settings const& now, Sides const& sides = {});
 
 // What tests are held to. A name of rules means what its way in takes it for: their text is not loaded.
 std::span<Option<Acceptance> const> acceptance_table();

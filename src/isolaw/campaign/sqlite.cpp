@@ -25,11 +25,16 @@ static_assert(std::endian::native == std::endian::little, "series are stored as 
   int const code = db == nullptr ? SQLITE_NOMEM : sqlite3_errcode(db) & 0xff;
   if (code == SQLITE_NOMEM) throw std::bad_alloc();
   if (code == SQLITE_NOTADB || code == SQLITE_CORRUPT) refuse_damaged(file, sqlite3_errmsg(db));
-  if (code == SQLITE_READONLY)
+  if (code == SQLITE_READONLY && name != nullptr && has_log(file))
     throw Error(
         {.where = file,
          .found = "the program was stopped in the middle of a write, which must be undone before it can be read",
-         .advice = "the calibrate command it was started with: it does so, and continues"});
+         .advice = "the command it was started with: it does so, and continues"});
+  if (code == SQLITE_READONLY)
+    throw Error({.where = file,
+                 .found = "may not be written",
+                 .allowed = "a store, and its directory, that this user may write",
+                 .advice = "another directory, or the permissions of this one"});
   if (code == SQLITE_CANTOPEN && name != nullptr && has_log(file))
     throw Error(
         {.where = file,
@@ -37,7 +42,7 @@ static_assert(std::endian::native == std::endian::little, "series are stored as 
              "the program was killed, and the last finished runs are in the log beside the store, which is read only where files can be made beside it",
          .allowed = "a store in a directory that may be written, or one whose campaign ended",
          .advice =
-             "a copy of the whole directory where you may write; or let its owner run the calibrate command it was started with, which folds the log in"});
+             "a copy of the whole directory where you may write; or let its owner run the command it was started with, which folds the log in"});
   throw Error({.where = file,
                .found = fmt::format("{}: {}", doing, sqlite3_errmsg(db)),
                .advice = "check free space and permissions of the directory; finished runs in the store are kept"});
@@ -56,7 +61,7 @@ void refuse_damaged(std::string file, std::string_view what) {
   throw Error({.where = std::move(file),
                .found = fmt::format("not a campaign store of isolaw, or a damaged one: {}", what),
                .allowed = "campaign.sqlite of a campaign",
-               .advice = "a copy of it, or --fresh to start over"});
+               .advice = advice_on_damaged});
 }
 
 bool has_log(std::filesystem::path const& file) {
@@ -241,7 +246,26 @@ std::filesystem::path unfinished(std::filesystem::path const& file) {
 
 void remove_unfinished(std::filesystem::path const& file) {
   std::error_code ignored;
-  for (auto const* suffix : {"-journal", ""}) std::filesystem::remove(unfinished(file).string() + suffix, ignored);
+  auto const aside = unfinished(file).string();
+  for (auto const& name : {unfinished(aside).string(), aside})  // one that is written anew itself
+    for (auto const* suffix : {beside[0], beside[1], beside[2], ""}) std::filesystem::remove(name + suffix, ignored);
+}
+
+void move_into_place(std::filesystem::path const& whole, std::filesystem::path const& file) {
+  // A log of the former file beside the new one would be taken for the new one's. Folded in before it is removed, so that
+  // the former is whole without it should the program be killed just now. Whatever the former is: of another schema,
+  // damaged. What cannot be folded in is not to be had.
+  std::error_code error;
+  if (std::filesystem::exists(file, error) && !is_plain(file)) try {
+      Connection::to_write(file).try_execute("PRAGMA journal_mode = DELETE");
+    } catch (Error const&) {
+    }
+  for (auto const* suffix : beside) std::filesystem::remove(file.string() + suffix, error);
+  std::filesystem::rename(whole, file, error);
+  if (error)
+    throw Error({.where = file.string(),
+                 .found = "cannot make the store: " + error.message(),
+                 .advice = "check free space and permissions of the directory"});
 }
 
 bool is_plain(std::filesystem::path const& file) {

@@ -9,12 +9,17 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 struct sqlite3;
 struct sqlite3_stmt;
 
 namespace isolaw::campaign::sqlite {
+
+// Of what is damaged: of a part of a merge, too, whose own --fresh is another.
+inline constexpr char const* advice_on_damaged =
+    "copying it once more, or the command that computed it, with --fresh, which starts over";
 
 inline constexpr std::array beside{"-wal", "-shm", "-journal"};  // SQLite's own files beside a store
 
@@ -122,6 +127,20 @@ bool is_plain(std::filesystem::path const& file);
 // A file beside `file` while it is written anew; and what of it a program that was killed left there.
 std::filesystem::path unfinished(std::filesystem::path const& file);
 void remove_unfinished(std::filesystem::path const& file);
+// While what is to replace `file` is made; declared before connections to it.
+class Unfinished {
+ public:
+  explicit Unfinished(std::filesystem::path file) : file_(std::move(file)) {}
+  Unfinished(Unfinished const&) = delete;
+  Unfinished& operator=(Unfinished const&) = delete;
+  ~Unfinished() { remove_unfinished(file_); }
+
+ private:
+  std::filesystem::path file_;
+};
+// Puts `whole`, a file that stands alone and is open nowhere, in the place of `file`: whatever stops the program, the
+// former or the new one is there, whole. Throws Error.
+void move_into_place(std::filesystem::path const& whole, std::filesystem::path const& file);
 // Writes a file that stands alone anew, rows in the order of their keys: equal rows are then equal files, byte by byte.
 // Leaves it as it is where that is so already, and where the new one cannot be written.
 void put_in_order(std::filesystem::path const& file, std::function<void(Connection const&)> const& create_tables);

@@ -23,16 +23,6 @@ using sqlite::Connection;
 using sqlite::Statement;
 using sqlite::Transaction;
 
-// Whatever the file is: a store of another schema, a damaged one. What cannot be folded in is not to be had.
-void fold_log(std::filesystem::path const& file) {
-  if (!std::filesystem::exists(file) || Store::is_plain(file)) return;
-  try {
-    Connection::to_write(file).try_execute("PRAGMA journal_mode = DELETE");
-  } catch (Error const&) {
-    return;
-  }
-}
-
 // What a reader would refuse must not be stored, where it would cost all that was computed before: it is our own
 // mistake.
 template <class Require>
@@ -120,16 +110,7 @@ Store Store::create(std::filesystem::path const& file, Contents const& contents,
     require_readable([&] { read_campaign(db); });
   }
   if (before_replacing) before_replacing();
-  // A log of the former store beside the new one would be taken for the new one's. Folded in before it is removed, so
-  // that the former store is whole without it should the program be killed just now.
-  fold_log(file);
-  std::error_code error;
-  for (auto const* suffix : sqlite::beside) std::filesystem::remove(file.string() + suffix, error);
-  std::filesystem::rename(aside, file, error);
-  if (error)
-    throw Error({.where = file.string(),
-                 .found = "cannot make the store: " + error.message(),
-                 .advice = "check free space and permissions of the directory"});
+  sqlite::move_into_place(aside, file);
   return open(file);
 }
 

@@ -47,6 +47,25 @@ constexpr Output outputs[] = {
     {"report.html", html},
 };
 
+// And a study of a building.
+struct BuildingOutput {
+  char const* name;
+  std::string (*text)(building::Study const&, building::Answers const&);
+};
+constexpr BuildingOutput building_outputs[] = {
+    {"building.json", building_json},
+    {"tables/building.csv", [](auto const&, auto const& answers) { return building_csv(answers); }},
+    {"tables/coverage.csv", [](auto const&, auto const& answers) { return coverage_csv(answers); }},
+    {"tables/checks.csv", building_checks_csv},
+    {"tables/building.tex", building_tex},
+    {"building.html", building_html},
+};
+
+void remove_output(fs::path const& file) {
+  std::error_code ignored;
+  if (fs::is_regular_file(file, ignored)) fs::remove(file, ignored);
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> output_texts(Summary const& summary) {
@@ -56,12 +75,13 @@ std::vector<std::pair<std::string, std::string>> output_texts(Summary const& sum
 }
 
 void remove_outputs(fs::path const& dir) {
-  auto const remove = [&](char const* name) {
-    std::error_code ignored;
-    if (fs::is_regular_file(dir / name, ignored)) fs::remove(dir / name, ignored);
-  };
-  for (auto const& output : outputs) remove(output.name);
-  remove("run.json");
+  for (auto const& output : outputs) remove_output(dir / output.name);
+  remove_output(dir / "run.json");
+  remove_figures(dir);
+}
+
+void remove_building_outputs(fs::path const& dir) {
+  for (auto const& output : building_outputs) remove_output(dir / output.name);
   remove_figures(dir);
 }
 
@@ -82,10 +102,8 @@ void write_inspection(Summary const& summary, fs::path const& dir) {
 
 void write_building_outputs(building::Study const& study, building::Answers const& answers, fs::path const& dir) {
   make_folder(dir / "tables");
-  std::vector<std::pair<std::string, std::string>> const texts{
-      {"building.json", building_json(study, answers)},      {"tables/building.csv", building_csv(answers)},
-      {"tables/coverage.csv", coverage_csv(answers)},        {"tables/checks.csv", building_checks_csv(study, answers)},
-      {"tables/building.tex", building_tex(study, answers)}, {"building.html", building_html(study, answers)}};
+  std::vector<std::pair<std::string, std::string>> texts;
+  for (auto const& [name, text] : building_outputs) texts.emplace_back(name, text(study, answers));
   for (auto const& [name, text] : texts) write_file(dir / name, text);
 }
 

@@ -31,6 +31,8 @@ std::vector<std::pair<std::string, std::string>> output_texts(Summary const& sum
 // Takes all of these, run.json and the figures away: the reports of one campaign must not stand beside the store of
 // another.
 void remove_outputs(std::filesystem::path const& dir);
+// And those of a study of a building.
+void remove_building_outputs(std::filesystem::path const& dir);
 
 // Parts that a killed process left in `dir`.
 void remove_leftovers(std::filesystem::path const& dir);
