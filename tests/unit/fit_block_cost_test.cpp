@@ -58,6 +58,13 @@ class BlockCounts : public ::testing::Test {
   }
 };
 
+TEST(ShortestOfPasses, is_not_the_one_that_a_clock_cut_short) {
+  EXPECT_EQ(shortest_of_passes({0.27, 0.04, 0.31, 0.28}), 0.27);
+  EXPECT_EQ(shortest_of_passes({0.3, 0.29, 0.28}), 0.29);
+  EXPECT_EQ(shortest_of_passes({0.3, 0.29}), 0.29);
+  EXPECT_EQ(shortest_of_passes({0.3}), 0.3);
+}
+
 TEST_F(BlockCounts, EveryBlockIsCountedWithItsStepsByLawIntegrationAndWidth) {
   if (instruction_set() == InstructionSet::scalar) GTEST_SKIP() << "no blocks";
   auto const work = work_of([] {

@@ -12,6 +12,10 @@
 
 namespace isolaw::fit {
 
+// The second shortest of three passes or more, the shortest of fewer [s]: what else the machine does only adds time,
+// but a clock of processor time may leave some of one pass out.
+double shortest_of_passes(std::vector<double> seconds);
+
 // A law on the record that speed is measured on, with candidates drawn in its published box.
 class SpeedTest {
  public:
@@ -26,8 +30,7 @@ class SpeedTest {
     int least_passes, most_passes;
     double enough_s;
   };
-  // Processor time of one sample of a block [s]; the shortest of several passes of so many candidates, in blocks of
-  // this kind: what else the machine does only adds time.
+  // Processor time of one sample of a block [s], `shortest_of_passes` of so many candidates in blocks of this kind.
   double seconds_per_sample(Block block, std::size_t of_candidates, Effort const& effort) const;
 
  private:
