@@ -1,0 +1,217 @@
+// Identification: what is asked, how far it is, the report.
+
+import { button, element, fill, place, visible } from './dom.js';
+import { engine, fileOf } from './engine_use.js';
+import { fileName } from './download.js';
+import { choiceField, textField } from './fields.js';
+import { reportFrame } from './frame.js';
+import { lotFiles, lotPath, lotTables, setCampaign } from './lot.js';
+import { readable } from './records.js';
+import { changed, state } from './state.js';
+import { text } from './text.js';
+import { withSetting } from './toml.js';
+
+let running = null; // AbortController
+let workers = 1;
+let settingsOpen = false;
+let shown = null;
+let progress = null; // the last that was told
+let said = ''; // of the last run: cancelled
+
+const settings = () => lotTables().tables?.find(({ path }) => path === 'calibrate')?.keys ?? new Map();
+const value = (key, other) => settings().get(key)?.value ?? other;
+
+// 'paper', 'usual', 'all', or ids.
+const chosenLaws = () => {
+  const laws = value('laws', 'usual');
+  return Array.isArray(laws) && laws.length === 1 && text.lawSets[laws[0]] ? laws[0] : laws;
+};
+
+function lawIds(chosen) {
+  if (chosen === 'all') return state.laws.map(({ id }) => id);
+  if (chosen === 'paper') return state.laws.filter(({ set }) => set === 'paper').map(({ id }) => id);
+  if (chosen === 'usual') return state.laws.filter(({ set }) => set !== 'all').map(({ id }) => id);
+  return (Array.isArray(chosen) ? chosen : String(chosen).split(',')).map((id) => String(id).trim()).filter(Boolean);
+}
+
+function settingsForm(edit) {
+  const set = (key) => (typed) => edit(withSetting(state.lot, 'calibrate', key, typed));
+  const chosen = chosenLaws();
+  const kind = typeof chosen === 'string' && text.lawSetsWhy[chosen] ? chosen : 'some';
+  const ids = new Set(lawIds(chosen));
+  const radio = (one) =>
+    element(
+      'label',
+      { class: 'option' },
+      element('input', { type: 'radio', name: 'laws', id: 'laws-' + one, value: one, checked: one === kind, change: () => set('laws')(one === 'some' ? [...ids] : one) }),
+      element('span', {}, element('b', {}, text.lawSets[one]), element('small', {}, text.lawSetsWhy[one])),
+    );
+  const law = ({ id, title, parameters }) => {
+    const box = element('input', {
+      type: 'checkbox',
+      id: 'law-' + id,
+      checked: ids.has(id),
+      change: () => set('laws')(state.laws.map(({ id: one }) => one).filter((one) => (one === id ? box.checked : ids.has(one)))),
+    });
+    return element('label', { class: 'option' }, box, element('span', {}, title, element('small', {}, text.parameters(parameters))));
+  };
+  const method = value('method', 'best');
+  return element(
+    'div',
+    { class: 'form', id: 'law-settings' },
+    element(
+      'fieldset',
+      {},
+      element('legend', {}, text.whichLaws),
+      element('div', { class: 'options' }, Object.keys(text.lawSets).map(radio)),
+      kind === 'some' && element('div', { class: 'options laws' }, state.laws.map(law)),
+    ),
+    element(
+      'div',
+      { class: 'fields' },
+      textField('runs', [text.runs, text.runsWhy], value('runs', method === 'ga' ? 20 : 3), set('runs'), { whole: true }),
+      choiceField('method', [text.method, ''], Object.entries(text.methods), method, set('method')),
+      choiceField('analysis', [text.analysis, ''], Object.entries(text.analyses), value('analysis', 'full'), set('analysis')),
+    ),
+  );
+}
+
+function drawProgress() {
+  const { share = 0, done = 0, total = 0, secondsLeft, phase } = progress ?? {};
+  const known = progress !== null;
+  const bar = place('progress-bar');
+  if (!bar) return;
+  if (known) bar.value = share;
+  else bar.removeAttribute('value');
+  const words = known ? [text.percent(share), text.left(secondsLeft), total > 0 && text.ofAll(done, total, text.phases[phase] ?? phase)].filter(Boolean) : [text.starting];
+  fill(place('progress-words'), element('b', {}, words[0]), words.length > 1 && '\u2002' + words.slice(1).join(', '));
+  document.title = known ? text.percent(share) + ' \u2013 ' + text.program : text.program;
+}
+
+export const isIdentifying = () => running !== null;
+export const cancelIdentifying = () => running?.abort();
+
+async function identify({ fail }) {
+  const before = state.campaign;
+  const store = before && before.files.filter(({ path }) => path === 'out/campaign.sqlite');
+  running = new AbortController();
+  progress = null;
+  said = '';
+  settingsOpen = false;
+  changed();
+  const ask = async (parts) =>
+    (await engine()).identify({
+      lotPath,
+      files: lotFiles(),
+      options: [],
+      parts,
+      signal: running.signal,
+      onProgress: (told) => {
+        progress = told;
+        drawProgress();
+      },
+    });
+  const lot = state.lot;
+  try {
+    const parts = state.parts ?? (store?.length > 0 ? store : undefined);
+    let result = await ask(parts);
+    // Of other settings: the earlier one is no start for it.
+    if (parts && !fileOf(result.files, 'out/summary.json')) result = await ask(undefined);
+    state.parts = null;
+    if (!fileOf(result.files, 'out/summary.json')) throw Object.assign(new Error(text.failed), { stderr: result.stderr });
+    setCampaign(result.files);
+    state.campaign.lot = lot;
+  } catch (error) {
+    if (error.name === 'AbortError') {
+      if (error.parts?.length > 0) state.parts = error.parts;
+      said = text.cancelled;
+    } else fail(error);
+  } finally {
+    running = null;
+    document.title = text.program;
+    changed();
+    place(state.campaign && !said ? 'laws-title' : 'identify')?.focus();
+  }
+}
+
+export const knowWorkers = (number) => {
+  workers = number;
+};
+
+export function drawLaws(use) {
+  const node = place('view-laws');
+  const { edit } = use;
+  const page = state.campaign && fileOf(state.campaign.files, 'out/report.html');
+  if (running) {
+    shown = null;
+    if (place('progress-bar')) return;
+    fill(
+      node,
+      element('h2', { tabindex: '-1', id: 'laws-title' }, text.running),
+      element(
+        'div',
+        { class: 'running' },
+        element('p', { id: 'progress-words', role: 'status' }),
+        element('progress', { id: 'progress-bar', max: '1', 'aria-label': text.running }),
+        element(
+          'p',
+          { class: 'next' },
+          button(text.cancel, ({ currentTarget }) => {
+            currentTarget.disabled = true;
+            currentTarget.textContent = text.cancelling;
+            running?.abort();
+          }, { class: 'action', id: 'cancel' }),
+          element('span', { class: 'muted' }, text.mayLeave),
+        ),
+      ),
+    );
+    drawProgress();
+    place('cancel').focus({ preventScroll: true });
+    return;
+  }
+  const devices = readable();
+  const laws = lawIds(chosenLaws());
+  const runs = value('runs', value('method', 'best') === 'ga' ? 20 : 3);
+  const showSettings = !page || settingsOpen;
+  const outdated = page && state.lot !== null && state.campaign.lot !== state.lot;
+  const start = button(page ? text.identifyAgain : text.identify, () => identify(use), { class: 'action main', id: 'identify', disabled: devices === 0 || laws.length === 0 });
+  const heading = element('h2', { tabindex: '-1', id: 'laws-title', class: page && !settingsOpen ? 'hidden' : null }, text.laws);
+
+  if (page && !showSettings) {
+    const key = [page, outdated, state.campaign.summary.complete];
+    if (shown && key.every((one, i) => one === shown[i])) return;
+    shown = key;
+    const change = state.lot !== null && button(text.change, () => {
+      settingsOpen = true;
+      changed();
+      place('laws-title').focus();
+    }, { class: 'action', id: 'change' });
+    const remark = outdated ? text.outdated : state.campaign.summary.complete === false ? text.incomplete : '';
+    const { tools, frame } = reportFrame('report-frame', text.reportFrame, page, fileName(state.title || text.untitled) + '-report.html', [
+      state.lot !== null && start,
+      change,
+      remark && element('span', { class: 'care' }, remark),
+    ]);
+    fill(node, heading, tools, frame);
+    return;
+  }
+  shown = null;
+  const id = document.activeElement?.id;
+  fill(
+    node,
+    heading,
+    said && element('p', { class: 'hint', role: 'status', id: 'laws-said' }, said),
+    state.lot !== null && lotTables().tables && settingsForm(edit),
+    element(
+      'p',
+      { class: 'next start' },
+      start,
+      settingsOpen && button(text.done, () => {
+        settingsOpen = false;
+        changed();
+      }, { class: 'action' }),
+      element('span', { class: 'muted' }, devices === 0 ? text.noDevice : laws.length === 0 ? text.noLaw : visible(text.work(devices, laws.length, runs) + text.workers(workers))),
+    ),
+  );
+  if (id) place(id)?.focus({ preventScroll: true });
+}

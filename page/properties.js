@@ -1,0 +1,26 @@
+// Cycles, properties, rule set and certificate, as `isolaw inspect` writes them.
+
+import { element, fill, place, visible } from './dom.js';
+import { fileOf } from './engine_use.js';
+import { fileName } from './download.js';
+import { reportFrame } from './frame.js';
+import { state } from './state.js';
+import { text } from './text.js';
+
+const TONES = { PASS: 'good', FAIL: 'poor', INCOMPLETE: 'care' };
+let shown = null;
+
+export function drawProperties() {
+  const page = fileOf(state.inspectionFiles, 'inspection.html');
+  if (page && page === shown) return;
+  shown = page;
+  const node = place('view-properties');
+  if (!page) {
+    fill(node, element('h2', { class: 'hidden', tabindex: '-1' }, text.properties), element('p', { class: 'empty' }, text.notInspected));
+    return;
+  }
+  const { word, sentence } = state.inspection.result ?? {};
+  const verdict = element('p', { class: 'verdict-line ' + (TONES[word] ?? '') }, element('b', { class: 'word ' + (TONES[word] ?? '') }, word ?? text.noVerdict), sentence && ' ' + visible(sentence.replace(/^no verdict: /, '')));
+  const { tools, frame } = reportFrame('inspection-frame', text.inspectionFrame, page, fileName(state.title || text.untitled) + '-inspection.html', [verdict]);
+  fill(node, element('h2', { class: 'hidden', tabindex: '-1' }, text.properties), tools, frame);
+}
