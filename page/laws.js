@@ -68,7 +68,7 @@ function settingsForm(edit) {
     ),
     element(
       'div',
-      { class: 'fields' },
+      { class: 'fields broad' },
       textField('runs', [text.runs, text.runsWhy], value('runs', method === 'ga' ? 20 : 3), set('runs'), { whole: true }),
       choiceField('method', [text.method, ''], Object.entries(text.methods), method, set('method')),
       choiceField('analysis', [text.analysis, ''], Object.entries(text.analyses), value('analysis', 'full'), set('analysis')),
@@ -140,7 +140,7 @@ export const knowWorkers = (number) => {
 
 export function drawLaws(use) {
   const node = place('view-laws');
-  const { edit } = use;
+  const { edit, show } = use;
   const page = state.campaign && fileOf(state.campaign.files, 'out/report.html');
   if (running) {
     shown = null;
@@ -174,7 +174,7 @@ export function drawLaws(use) {
   const runs = value('runs', value('method', 'best') === 'ga' ? 20 : 3);
   const showSettings = !page || settingsOpen;
   const outdated = page && state.lot !== null && state.campaign.lot !== state.lot;
-  const start = button(page ? text.identifyAgain : text.identify, () => identify(use), { class: 'action main', id: 'identify', disabled: devices === 0 || laws.length === 0 });
+  const start = button(page ? text.identifyAgain : text.identify, () => identify(use), { class: page && !settingsOpen ? 'action' : 'action main', id: 'identify', disabled: devices === 0 || laws.length === 0 });
   const heading = element('h2', { tabindex: '-1', id: 'laws-title', class: page && !settingsOpen ? 'hidden' : null }, text.laws);
 
   if (page && !showSettings) {
@@ -188,6 +188,7 @@ export function drawLaws(use) {
     }, { class: 'action', id: 'change' });
     const remark = outdated ? text.outdated : state.campaign.summary.complete === false ? text.incomplete : '';
     const { tools, frame } = reportFrame('report-frame', text.reportFrame, page, fileName(state.title || text.untitled) + '-report.html', [
+      button(text.toSave, () => show('save'), { class: 'action main', id: 'to-save' }),
       state.lot !== null && start,
       change,
       remark && element('span', { class: 'care' }, remark),

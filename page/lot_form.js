@@ -52,7 +52,7 @@ export function lotForm(edit) {
     const files = [...state.files.keys()].filter((path) => /\.toml$/i.test(path)).map((path) => [path, path]);
     parts.push(
       fieldset(
-        text.rules,
+        text.rulesOf,
         choiceField('rules', [text.rules, ''], [['', text.noRules], ...state.rules.map(({ id, title }) => [id, id + ': ' + title]), ...files], acceptance.get('rules')?.value, setting('acceptance', 'rules')),
         textField('lot-size', [text.lotSize, ''], acceptance.get('lot-size')?.value, setting('acceptance', 'lot-size'), { whole: true }),
       ),

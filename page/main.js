@@ -22,8 +22,9 @@ const allowed = (view) => view === 'records' || view === 'about' || (view === 's
 
 function drawMast() {
   const title = state.inspection?.title || state.campaign?.summary.title || state.title;
-  place('title').textContent = visible(title || text.untitled);
-  place('kind').textContent = text.program + ': ' + text.kind;
+  place('title').textContent = visible(title || text.kind);
+  place('title').title = place('title').textContent;
+  place('brand').textContent = text.program;
 }
 
 function drawViews() {
@@ -32,7 +33,7 @@ function drawViews() {
   fill(
     nav,
     VIEWS.map((view) =>
-      button(text.views[view], () => show(view, true), { id: 'show-' + view, 'aria-current': view === current ? 'page' : null, disabled: !allowed(view), title: allowed(view) ? null : text.notYet[view] }),
+      button(text.views[view], () => show(view, true), { id: 'show-' + view, 'data-words': text.views[view], 'aria-current': view === current ? 'page' : null, disabled: !allowed(view), title: allowed(view) ? null : text.notYet[view] }),
     ),
   );
   if (focused?.startsWith('show-')) place(focused)?.focus();
@@ -99,7 +100,7 @@ function draw() {
   drawViews();
   if (isEmpty()) drawEmpty();
   else drawRecords(use);
-  if (current === 'properties') drawProperties();
+  if (current === 'properties') drawProperties(use);
   if (current === 'laws') drawLaws(use);
   if (current === 'save') drawSave(use);
 }

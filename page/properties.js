@@ -1,6 +1,6 @@
 // Cycles, properties, rule set and certificate, as `isolaw inspect` writes them.
 
-import { element, fill, place, visible } from './dom.js';
+import { button, element, fill, place, visible } from './dom.js';
 import { fileOf } from './engine_use.js';
 import { fileName } from './download.js';
 import { reportFrame } from './frame.js';
@@ -10,7 +10,7 @@ import { text } from './text.js';
 const TONES = { PASS: 'good', FAIL: 'poor', INCOMPLETE: 'care' };
 let shown = null;
 
-export function drawProperties() {
+export function drawProperties({ show }) {
   const page = fileOf(state.inspectionFiles, 'inspection.html');
   if (page && page === shown) return;
   shown = page;
@@ -21,6 +21,17 @@ export function drawProperties() {
   }
   const { word, sentence } = state.inspection.result ?? {};
   const verdict = element('p', { class: 'verdict-line ' + (TONES[word] ?? '') }, element('b', { class: 'word ' + (TONES[word] ?? '') }, word ?? text.noVerdict), sentence && ' ' + visible(sentence.replace(/^no verdict: /, '')));
-  const { tools, frame } = reportFrame('inspection-frame', text.inspectionFrame, page, fileName(state.title || text.untitled) + '-inspection.html', [verdict]);
+  const { tools, frame } = reportFrame('inspection-frame', text.inspectionFrame, page, fileName(state.title || text.untitled) + '-inspection.html', [
+    verdict,
+    !state.inspection.assessment?.rule_set &&
+      button(
+        text.chooseRules,
+        () => {
+          show('records');
+          place('rules')?.focus();
+        },
+        { class: 'action', id: 'choose-rules' },
+      ),
+  ]);
   fill(node, element('h2', { class: 'hidden', tabindex: '-1' }, text.properties), tools, frame);
 }

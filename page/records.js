@@ -96,7 +96,7 @@ function rowsOf(one, edit, redraw) {
   const rows = [
     element(
       'tr',
-      { class: 'device ' + tone },
+      { class: 'device', 'data-tone': tone },
       element('th', { scope: 'row', class: 'device-name' }, element('div', { class: 'named' }, shape && sign(shape, tone), element('span', {}, visible(device.name), device.file && element('small', {}, visible(device.file))))),
       cell(text.readAs, element('div', { class: 'channels-read' }, readAs(found)), 'read-as'),
       cell(text.samples, number(found?.samples, 9), 'number'),
@@ -175,16 +175,7 @@ export function drawRecords({ edit, show, pick, pickFolder, startOver, addAgain 
 
   fill(
     node,
-    element('h2', { tabindex: '-1', id: 'records-title' }, text.records),
-    element(
-      'div',
-      { class: 'drop small', id: 'drop-more' },
-      element('span', {}, text.dropMore),
-      button(text.chooseFiles, pick, { class: 'action' }),
-      button(text.chooseFolder, pickFolder, { class: 'action' }),
-      button(text.startOver, startOver, { class: 'action quiet', id: 'start-over' }),
-    ),
-    state.notes.length > 0 && element('ul', { class: 'notes' }, state.notes.map((note) => element('li', {}, visible(note)))),
+    element('h2', { class: 'hidden', tabindex: '-1', id: 'records-title' }, text.records),
     !pending &&
       element(
         'div',
@@ -200,6 +191,15 @@ export function drawRecords({ edit, show, pick, pickFolder, startOver, addAgain 
             button(text.toLaws, () => show('laws'), { class: 'action main', id: 'to-laws' }),
           ),
       ),
+    element(
+      'div',
+      { class: 'drop small', id: 'drop-more' },
+      element('span', {}, text.dropMore),
+      button(text.chooseFiles, pick, { class: 'action' }),
+      button(text.chooseFolder, pickFolder, { class: 'action' }),
+      button(text.startOver, startOver, { class: 'action quiet', id: 'start-over' }),
+    ),
+    state.notes.length > 0 && element('ul', { class: 'notes' }, state.notes.map((note) => element('li', {}, visible(note)))),
     missing.length > 0 && element('p', { class: 'hint care' }, visible(text.missing(missing))),
     all.length > 0 &&
       element(

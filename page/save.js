@@ -10,7 +10,8 @@ import { text } from './text.js';
 import { writeZip } from './zip.js';
 
 const TYPES = { html: 'text/html', json: 'application/json', toml: 'application/toml', zip: 'application/zip' };
-const chosen = { law: null, device: 'lot', to: 'opensees-cpp', units: 'kN-mm', anyway: false };
+let said = []; // of the last export
+const chosen = { law: null, device: null, to: 'opensees-cpp', units: 'kN-mm', anyway: false };
 
 const name = () => fileName(state.campaign?.summary.title || state.title || text.untitled);
 
@@ -55,22 +56,20 @@ function singles() {
 
 const fileOfExport = () => fileName([chosen.law, chosen.device].join('-')) + (chosen.to === 'opensees-cpp' ? '-opensees' : '') + '.' + text.extensions[chosen.to];
 
-async function makeExport(busy) {
+async function makeExport() {
   const file = fileOfExport();
-  const out = place('export-said');
   const words = ['export', 'out', '--law', chosen.law, '--device', chosen.device, '--to', chosen.to, '--out', file];
   if (chosen.units !== 'kN-mm') words.push('--units', chosen.units);
   if (chosen.anyway) words.push('--anyway');
-  const result = await busy(text.exporting, () => run(words, under(state.campaign.files, 'out/').filter(({ path }) => /\.(sqlite|json)$/.test(path)), ['*']));
-  if (!result) return;
+  said = [];
+  const result = await run(words, under(state.campaign.files, 'out/').filter(({ path }) => /\.(sqlite|json)$/.test(path)), ['*']);
   const made = result.files.filter(({ path }) => !path.startsWith('out/'));
   for (const { path, bytes } of made) download(path.replace(/^.*\//, ''), bytes);
   const warnings = messageOf(result.stderr);
-  fill(
-    out,
+  said = [
     made.length > 0 ? element('p', { class: 'good' }, visible(text.exported(made.map(({ path }) => path).join(', ')))) : null,
     made.length > 0 ? warnings && element('pre', { tabindex: '0' }, visible(warnings)) : element('div', { class: 'poor' }, problemList(warnings)),
-  );
+  ];
 }
 
 export function drawSave({ busy }) {
@@ -80,9 +79,12 @@ export function drawSave({ busy }) {
   if (!laws.includes(chosen.law)) chosen.law = summary?.recommendations?.find(({ law }) => laws.includes(law))?.law ?? laws[0] ?? null;
   const title = (id) => state.laws.find((one) => one.id === id)?.title ?? id;
   const devices = summary?.devices.filter(({ status }) => status === 'ok').map(({ name: one }) => one) ?? [];
-  if (chosen.device !== 'lot' && !devices.includes(chosen.device)) chosen.device = 'lot';
+  // One law for all is an analysis, of two devices at least.
+  const ofLot = summary?.settings.analysis !== 'none' && devices.length > 1;
+  if (chosen.device === null || (chosen.device === 'lot' ? !ofLot : !devices.includes(chosen.device))) chosen.device = ofLot ? 'lot' : (devices[0] ?? null);
   const choose = (key) => (picked) => {
     chosen[key] = picked;
+    said = [];
     fill(place('export-said'));
   };
   const focused = document.activeElement?.id;
@@ -116,13 +118,13 @@ export function drawSave({ busy }) {
           'div',
           { class: 'fields' },
           choiceField('export-law', [text.law, ''], laws.map((id) => [id, title(id)]), chosen.law, choose('law')),
-          choiceField('export-device', [text.ofDevice, ''], [['lot', text.ofLot], ...devices.map((one) => [one, visible(one)])], chosen.device, choose('device')),
+          choiceField('export-device', [text.ofDevice, ''], [...(ofLot ? [['lot', text.ofLot]] : []), ...devices.map((one) => [one, visible(one)])], chosen.device, choose('device')),
           choiceField('export-to', [text.target, ''], Object.entries(text.targets), chosen.to, choose('to')),
           choiceField('export-units', [text.unitsOf, ''], ['kN-mm', 'N-m', 'kip-in'].map((one) => [one, one]), chosen.units, choose('units')),
           flagField('export-anyway', [text.anyway], chosen.anyway, (on) => choose('anyway')(on === true)),
         ),
-      summary && element('p', { class: 'next' }, button(text.makeExport, () => makeExport(busy), { class: 'action main', id: 'make-export' })),
-      element('div', { id: 'export-said', role: 'status' }),
+      summary && element('p', { class: 'next' }, button(text.makeExport, () => busy(text.exporting, makeExport), { class: 'action main', id: 'make-export' })),
+      element('div', { id: 'export-said', role: 'status' }, said),
     ),
   );
   if (focused) place(focused)?.focus({ preventScroll: true });

@@ -5,8 +5,8 @@ const some = (names, most = 6) => (names.length > most ? names.slice(0, most).jo
 
 export const text = {
   program: 'isolaw',
-  kind: 'From test records to calibrated laws',
-  untitled: 'Seismic isolators: tests and laws',
+  kind: 'From test records to calibrated laws of seismic isolators',
+  untitled: 'Test records',
   skip: 'Skip to the contents',
   sections: 'Steps',
   views: { records: 'Records', properties: 'Properties', laws: 'Laws', save: 'Save', about: 'About' },
@@ -88,7 +88,7 @@ export const text = {
   allowed: 'Allowed',
   try: 'Try',
   notRead: 'Not read',
-  notReadWhy: 'These files are no devices yet.',
+  notReadWhy: 'These files are no devices yet. Words like --columns are options of the command line; the form has them under the same names.',
   correctFile: 'Say how to read it',
   forget: 'Leave it out',
   notNamed: (names) => 'Not part of the lot: ' + some(names) + '.',
@@ -145,6 +145,7 @@ export const text = {
   rubberAll: ['Total rubber thickness T_r, mm', 'Rubber area A_r, mm\u00b2'],
   setAll: 'Set for all',
   differ: 'differ',
+  rulesOf: 'What the tests are held to',
   rules: 'Rule set',
   noRules: 'none',
   lotSize: 'Devices of the production lot, tested or not',
@@ -169,6 +170,8 @@ export const text = {
   noVerdict: 'No verdict',
   inspectionFrame: 'Cycles, properties, rule set and certificate',
   notInspected: 'Nothing to show yet: no record can be read.',
+  chooseRules: 'Choose a rule set',
+  toSave: 'Save\u2026',
   print: 'Print',
   newTab: 'Open in a tab',
   savePage: 'Save this page',
@@ -176,10 +179,10 @@ export const text = {
   // Laws.
   laws: 'Laws',
   whichLaws: 'Which laws',
-  lawSets: { paper: 'the paper\u2019s', usual: 'usual', all: 'all', some: 'some' },
+  lawSets: { usual: 'Usual', paper: 'The paper\u2019s', all: 'All', some: 'Some' },
   lawSetsWhy: {
+    usual: 'the paper\u2019s, and what predicts better',
     paper: 'the seven laws of the published study',
-    usual: 'those, and what predicts better',
     all: 'every law there is',
     some: 'chosen one by one',
   },
@@ -253,7 +256,6 @@ export const text = {
   anyway: 'Though it is far off, or the prediction is unusable',
   makeExport: 'Export',
   exported: (name) => name + ' is saved.',
-  notSaved: 'Not saved yet.',
 
   // About.
   about: 'About',
@@ -261,7 +263,6 @@ export const text = {
   aboutPrivacy: 'Nothing leaves this machine: the page has no address to send to, and its own policy forbids the browser every connection. What is not saved is gone when the page is closed.',
   version: 'Version',
   cores: 'Cores used',
-  memory: 'Largest input',
   selfTest: 'Self-test',
   selfTestWhy: 'Computes a small objective and compares it with the stored one of the command line.',
   selfTestRun: 'Run the self-test',
