@@ -6,7 +6,7 @@ import { fileName } from './download.js';
 import { choiceField, textField } from './fields.js';
 import { reportFrame } from './frame.js';
 import { lotFiles, lotPath, lotTables, setCampaign } from './lot.js';
-import { readable } from './records.js';
+import { problemList, readable } from './records.js';
 import { changed, state } from './state.js';
 import { text } from './text.js';
 import { withSetting } from './toml.js';
@@ -17,6 +17,9 @@ let settingsOpen = false;
 let shown = null;
 let progress = null; // the last that was told
 let said = ''; // of the last run: cancelled
+
+// What the program takes with the genetic algorithm alone.
+const OF_GA = ['population', 'generations', 'stagnation-tolerance'];
 
 const settings = () => lotTables().tables?.find(({ path }) => path === 'calibrate')?.keys ?? new Map();
 const value = (key, other) => settings().get(key)?.value ?? other;
@@ -70,7 +73,10 @@ function settingsForm(edit) {
       'div',
       { class: 'fields broad' },
       textField('runs', [text.runs, text.runsWhy], value('runs', method === 'ga' ? 20 : 3), set('runs'), { whole: true }),
-      choiceField('method', [text.method, ''], Object.entries(text.methods), method, set('method')),
+      choiceField('method', [text.method, ''], Object.entries(text.methods), method, (typed) => {
+        const others = typed === 'ga' ? [] : OF_GA;
+        edit(others.reduce((lot, key) => withSetting(lot, 'calibrate', key, null), withSetting(state.lot, 'calibrate', 'method', typed)));
+      }),
       choiceField('analysis', [text.analysis, ''], Object.entries(text.analyses), value('analysis', 'full'), set('analysis')),
     ),
   );
@@ -213,6 +219,7 @@ export function drawLaws(use) {
       }, { class: 'action' }),
       element('span', { class: 'muted' }, devices === 0 ? text.noDevice : laws.length === 0 ? text.noLaw : visible(text.work(devices, laws.length, runs) + text.workers(workers))),
     ),
+    devices === 0 && state.problem && problemList(state.problem),
   );
   if (id) place(id)?.focus({ preventScroll: true });
 }

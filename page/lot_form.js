@@ -23,7 +23,7 @@ export function lotForm(edit) {
     };
     const differs = (key) => new Set(devices.map(({ table }) => table.keys.get(key)?.value)).size > 1;
     const forAll = (key, label) =>
-      textField('all-' + key, [label, differs(key) ? text.differ : ''], shared(key), (value) => edit(devices.reduceRight((lot, { number }) => withKey(lot, number, key, value), state.lot)), { number: true });
+      textField('all-' + key, [label, differs(key) ? text.differ : text.forAll], shared(key), (value) => edit(devices.reduceRight((lot, { number }) => withKey(lot, number, key, value), state.lot)), { number: true });
     parts.push(
       fieldset(
         text.lot,

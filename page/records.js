@@ -146,7 +146,8 @@ function rowsOf(one, edit, redraw) {
 function band(all) {
   const read = all.filter((one) => one.readable).length;
   const not = all.length - read + state.unread.length;
-  const broken = state.problem && !state.inspection && all.length !== 1 && state.lot !== null && lotDevices().length > 0;
+  // Of one device alone the program says no more than what is wrong with it.
+  const broken = state.problem && !state.inspection && all.length !== 1;
   const [tone, word, said] = broken
     ? ['poor', text.readBand.broken, '']
     : read === 0

@@ -36,7 +36,6 @@ export const text = {
 
   // Messages.
   starting: 'Starting\u2026',
-  unpacking: 'Unpacking\u2026',
   reading: (number) => 'Reading ' + several(number, 'file', 'files') + '\u2026',
   inspecting: 'Cutting cycles, computing properties\u2026',
   reporting: 'Making the report again\u2026',
@@ -82,7 +81,6 @@ export const text = {
   leaveOut: 'Leave this device out',
   channel: { time: 'Time', disp: 'Displacement', force: 'Force', load: 'Vertical load' },
   channelShort: { time: 'time', disp: 'disp.', force: 'force', load: 'load' },
-  noTime: 'no time',
   fine: 'nothing to remark',
   more: (number) => several(number, 'more remark', 'more remarks'),
   allowed: 'Allowed',
@@ -141,10 +139,9 @@ export const text = {
   // The lot.
   lot: 'The lot',
   lotTitle: 'Title',
-  forAll: 'For all devices',
   rubberAll: ['Total rubber thickness T_r, mm', 'Rubber area A_r, mm\u00b2'],
-  setAll: 'Set for all',
-  differ: 'differ',
+  forAll: 'of all devices',
+  differ: 'of all devices; they differ now',
   rulesOf: 'What the tests are held to',
   rules: 'Rule set',
   noRules: 'none',
