@@ -40,6 +40,38 @@
 //   engine.workers             how many there are
 //   engine.close()             ends all workers
 
-export function createEngine() {
-  return Promise.reject(new Error('the engine is not built in'));
+
+import { identifyWith } from './identify.js';
+import { makePool } from './pool.js';
+import { runSelfTest } from './self_test.js';
+
+// What the build put into the document (embed.mjs), and how a worker is started there.
+function ofDocument() {
+  const text = (id) => document.getElementById(id).textContent;
+  const script = URL.createObjectURL(new Blob([text('isolaw-worker')], { type: 'text/javascript' }));
+  return {
+    facts: JSON.parse(text('isolaw-facts')),
+    packed: Uint8Array.from(atob(text('isolaw-program')), (sign) => sign.charCodeAt(0)),
+    start: () => new Worker(script, { name: 'isolaw' }),
+    cores: navigator.hardwareConcurrency,
+  };
 }
+
+// `from`: in place of the document, for tests.
+export const createEngine = async ({ workers, from = ofDocument() } = {}) => {
+  const { facts, packed, start, cores } = from;
+  const inflated = new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip')));
+  const module = await WebAssembly.compile(await inflated.arrayBuffer());
+  const pool = makePool(start, Promise.resolve(module), Math.max(1, workers ?? cores ?? 2));
+  // The caller's bytes stay the caller's: what is posted is copied.
+  const run = (what) => pool.run(what);
+  return {
+    run,
+    identify: identifyWith(pool),
+    version: async () => (await run({ argv: ['--version'] })).stdout.trim(),
+    selfTest: () => runSelfTest(run),
+    licences: facts.licences,
+    workers: pool.count,
+    close: pool.close,
+  };
+};

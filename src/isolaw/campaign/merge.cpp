@@ -134,7 +134,7 @@ Merged merge(Path const& out, std::vector<Path> const& parts, MergeOptions const
     if (first)
       require_same_campaign(*first, file, campaign);
     else
-      first.emplace(file, campaign, Store::hashes_of_beginning(file));
+      first = First{file, campaign, Store::hashes_of_beginning(file)};
     if (!campaign.part) return;
     if (merged.parts != 0 && merged.parts != campaign.part->of)
       throw Error(
