@@ -20,7 +20,8 @@ export function drawProperties({ show }) {
     return;
   }
   const { word, sentence } = state.inspection.result ?? {};
-  const verdict = element('p', { class: 'verdict-line ' + (TONES[word] ?? '') }, element('b', { class: 'word ' + (TONES[word] ?? '') }, word ?? text.noVerdict), sentence && ' ' + visible(sentence.replace(/^no verdict: /, '')));
+  // Why stands in the page below, in full.
+  const verdict = element('p', { class: 'verdict-line' }, element('b', { class: 'word ' + (TONES[word] ?? '') }, word ?? text.noVerdict), !word && sentence && ' ' + visible(sentence.replace(/^no verdict: /, '')));
   const { tools, frame } = reportFrame('inspection-frame', text.inspectionFrame, page, fileName(state.title || text.untitled) + '-inspection.html', [
     verdict,
     !state.inspection.assessment?.rule_set &&

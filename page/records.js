@@ -42,7 +42,8 @@ function devicesFound() {
   const alike = found.length === devices.length;
   return devices.map((device, i) => {
     const own = alike ? found[i] : found.find(({ name }) => name === device.name);
-    const message = own ? (own.status === 'ok' ? own.properties_refusal : own.message) : state.problem && devices.length === 1 ? state.problem : '';
+    const absent = device.file && !state.files.has(device.file) ? text.absent : '';
+    const message = absent ? absent : own ? (own.status === 'ok' ? own.properties_refusal : own.message) : state.problem && devices.length === 1 ? state.problem : '';
     return { device, found: own, message, readable: own?.status === 'ok' };
   });
 }
@@ -99,7 +100,7 @@ function rowsOf(one, edit, redraw) {
       { class: 'device', 'data-tone': tone },
       element('th', { scope: 'row', class: 'device-name' }, element('div', { class: 'named' }, shape && sign(shape, tone), element('span', {}, visible(device.name), device.file && element('small', {}, visible(device.file))))),
       cell(text.readAs, element('div', { class: 'channels-read' }, readAs(found)), 'read-as'),
-      cell(text.samples, number(found?.samples, 9), 'number'),
+      cell(text.samples, number(isRead ? found.samples : null, 9), 'number'),
       cell(text.amplitude, number(cycle?.amplitude_mm, 4), 'number'),
       cell(text.stiffness, number(cycle?.K_eff_kN_per_mm, 4), 'number'),
       cell(text.dampingShort, number(cycle?.damping_percent, 3), 'number'),

@@ -91,6 +91,7 @@ export const text = {
   forget: 'Leave it out',
   notNamed: (names) => 'Not part of the lot: ' + some(names) + '.',
   addThem: 'Read these too',
+  absent: 'The file is not here yet: drop it too.',
   missing: (names) => 'The lot file names files that are not here: ' + some(names) + '. Drop them too.',
 
   // The form of a device: key of the lot file -> label, hint.
