@@ -6,7 +6,8 @@ const browser = names(
   'Blob Event HTMLTableCellElement IntersectionObserver KeyboardEvent Plotly ResizeObserver URL dispatchEvent document ' +
     'getComputedStyle getSelection location navigator performance requestAnimationFrame scrollTo setTimeout window',
 );
-const node = names('Buffer console process');
+const pageAlone = names('addEventListener atob btoa CompressionStream DecompressionStream AbortController TextDecoder TextEncoder');
+const node = names('Buffer console process TextEncoder clearInterval clearTimeout setInterval');
 const rules = {
   ...js.configs.recommended.rules,
   'array-callback-return': 'error',
@@ -22,5 +23,7 @@ const rules = {
 
 export default [
   { files: ['src/**/*.js'], languageOptions: { globals: browser }, rules },
+  { files: ['page/*.js', 'tests/page/stand_in/*.js'], languageOptions: { globals: { ...browser, ...pageAlone } }, rules },
+  { files: ['page/*.mjs', 'tests/page/*.mjs'], languageOptions: { globals: { ...browser, ...node } }, rules },
   { files: ['tests/browser/*.mjs', '*.mjs'], languageOptions: { globals: { ...browser, ...node, asSet: 'readonly', reportAsShown: 'readonly' } }, rules },
 ];

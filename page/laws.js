@@ -94,6 +94,9 @@ function drawProgress() {
   document.title = known ? text.percent(share) + ' \u2013 ' + text.program : text.program;
 }
 
+// What of the lot file says how much there is to do, again as options: the engine deals it out by these.
+const spelled = () => ['method', 'runs', 'analysis'].flatMap((key) => (settings().has(key) ? ['--' + key, String(value(key))] : []));
+
 export const isIdentifying = () => running !== null;
 export const cancelIdentifying = () => running?.abort();
 
@@ -109,7 +112,7 @@ async function identify({ fail }) {
     (await engine()).identify({
       lotPath,
       files: lotFiles(),
-      options: [],
+      options: spelled(),
       parts,
       signal: running.signal,
       onProgress: (told) => {

@@ -2,12 +2,12 @@
 
 import { drawAbout } from './about.js';
 import { button, element, fill, place, visible } from './dom.js';
-import { engine } from './engine_use.js';
+import { engine, messageOf } from './engine_use.js';
 import { forgetFrames } from './frame.js';
 import { cancelIdentifying, drawLaws, isIdentifying, knowWorkers } from './laws.js';
 import { addFiles, exampleLot, inspect, lotDevices, openStore, readCatalogue, readRecords } from './lot.js';
 import { drawProperties } from './properties.js';
-import { drawRecords } from './records.js';
+import { drawRecords, problemList } from './records.js';
 import { drawSave } from './save.js';
 import { changed, onChange, state } from './state.js';
 import { ofDrop, ofInput, take, withoutFolder } from './taking.js';
@@ -148,11 +148,12 @@ const hush = () => {
 
 function fail(error) {
   const node = place('failure');
-  const details = [error.stderr, error.shown || error.stderr ? '' : error.name + ': ' + error.message].filter(Boolean).join('\n');
+  const said = messageOf(error.stderr ?? '');
   fill(
     node,
-    element('p', { class: 'word' }, visible(error.shown || error.message ? error.message : text.failed)),
-    details && details !== error.message && element('details', {}, element('summary', {}, text.details), element('pre', { tabindex: '0' }, visible(details))),
+    element('p', { class: 'word' }, visible(error.message || text.failed)),
+    said && problemList(said).slice(0, 5),
+    !said && !error.shown && element('p', { class: 'fine' }, visible(error.name)),
     button(text.close, () => {
       node.hidden = true;
       place('show-' + current)?.focus();

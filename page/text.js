@@ -43,7 +43,6 @@ export const text = {
   noEngine: 'The program did not start in this browser.',
   noEngineTry: 'It needs WebAssembly and workers made of the page itself: a current Chrome, Edge or Firefox, without a policy that forbids them.',
   failed: 'That did not work.',
-  details: 'What the program said',
   close: 'Close this message',
   tooMuch: (size, most) => 'These files are ' + size + ' together; this page takes at most ' + most + '. Try fewer files at once, or the command line.',
   nothing: 'There was no file in what was dropped.',
