@@ -139,7 +139,7 @@ case "${1:-help}" in
     ;;
   page)
     # Emscripten, and what fetches and unpacks the sources of libraries (tools/page_libraries.sh).
-    setup chromium dpkg-dev emscripten tcl
+    setup chromium dpkg-dev emscripten firefox-esr tcl
     [ -e node_modules/axe-core/axe.min.js ] || step npm ci --no-audit --no-fund --loglevel=error
     step cmake --preset page
     step cmake --build --preset page

@@ -160,7 +160,7 @@ export function drawLaws(use) {
       element(
         'div',
         { class: 'running' },
-        element('p', { id: 'progress-words', role: 'status' }),
+        element('p', { id: 'progress-words' }),
         element('progress', { id: 'progress-bar', max: '1', 'aria-label': text.running }),
         element(
           'p',

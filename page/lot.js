@@ -120,7 +120,7 @@ export const addFiles = async ({ files, title, notes }) => {
   if (!state.title) state.title = title;
   if (own) {
     const lot = asText(own.bytes).replace(/^\ufeff/, '').replace(/\r\n/g, '\n');
-    state.lot = lot;
+    Object.assign(state, { lot, inspection: null, inspectionFiles: [], problem: '' });
     const named = namedFiles();
     const records = fresh.filter((path) => !/\.toml$/i.test(path));
     // Next month's records with this month's lot file.
@@ -137,7 +137,6 @@ export const addFiles = async ({ files, title, notes }) => {
     const records = fresh.filter((path) => !known.has(path) && !/\.toml$/i.test(path));
     if (records.length > 0 && !(store && !state.lot)) await readRecords(records);
   }
-  state.saved = false;
   return store ? { store: store.bytes } : {};
 };
 
@@ -194,6 +193,7 @@ export const openStore = async (bytes) => {
   const files = result.files.some(({ path }) => path === 'out/campaign.sqlite') ? result.files : [...result.files, { path: 'out/campaign.sqlite', bytes }];
   if (!fileOf(files, 'out/summary.json')) throw Object.assign(new Error(text.failed), { stderr: result.stderr });
   setCampaign(files);
+  state.saved = true; // as it was dropped
 };
 
 export function setCampaign(files) {

@@ -224,7 +224,7 @@ function listen() {
   });
 }
 
-document.documentElement.lang = 'en';
+document.documentElement.lang = text.language;
 place('skip').textContent = text.skip;
 place('views').setAttribute('aria-label', text.sections);
 place('dropping').textContent = text.dropNow;

@@ -4,6 +4,7 @@ const several = (number, one, many) => number + '\u202f' + (number === 1 ? one :
 const some = (names, most = 6) => (names.length > most ? names.slice(0, most).join(', ') + ' and ' + (names.length - most) + ' more' : names.join(', '));
 
 export const text = {
+  language: 'en',
   program: 'isolaw',
   kind: 'From test records to calibrated laws of seismic isolators',
   untitled: 'Test records',

@@ -410,6 +410,40 @@ const tests = {
     await end(page);
   },
 
+  // The inputs of the fuzz targets: what they break is a worker at most.
+  'damaged and hostile files': async () => {
+    const corpus = join(root, 'fuzz/corpus');
+    const folder = join(work, 'corpus');
+    mkdirSync(folder);
+    const ends = { json: 'json', mat: 'mat', mat73: 'mat', text: 'csv', workbook: 'xlsx' };
+    let count = 0;
+    for (const [kind, ending] of Object.entries(ends))
+      for (const one of readdirSync(join(corpus, kind))) {
+        copyFileSync(join(corpus, kind, one), join(folder, `${kind}-${one.replace(/\..*/, '')}.${ending}`));
+        ++count;
+      }
+    const page = await open();
+    await page.drop([folder]);
+    const read = (await rows(page)).length,
+      unread = await page.evaluate("document.querySelectorAll('.unread li').length");
+    expect(read > 5 && unread > 20 && read + unread >= count, `${read} read, ${unread} not, of ${count}`);
+    expect((await page.evaluate("[...document.querySelectorAll('.unread li')].every((one) => one.querySelector('.problem')?.textContent.length > 10)")) === true, 'each with its reason');
+    for (const [kind, called] of [['lot_file', 'lot.toml'], ['store', 'campaign.sqlite']])
+      for (const one of readdirSync(join(corpus, kind))) {
+        mkdirSync(join(work, 'single'), { recursive: true });
+        copyFileSync(join(corpus, kind, one), join(work, 'single', called));
+        await page.drop([join(work, 'single', called)]);
+        expect((await page.text('#read-band')).length > 0 || (await failure(page)).length > 20, one + ' is answered');
+      }
+    // The page and its workers are what they were.
+    await page.evaluate('window.confirm = () => true');
+    await page.press('show-records');
+    await page.press('start-over');
+    await page.drop([example]);
+    equal((await rows(page)).length, 10, 'devices');
+    await end(page);
+  },
+
   'the policy: no script but the page\u2019s, no connection, no eval': async () => {
     const page = await open();
     const blocked = await page.evaluate(`new Promise((done) => {
