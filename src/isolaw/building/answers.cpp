@@ -456,9 +456,9 @@ Answers answer(Study const& study, RunStore const& store) {
       if (q == 0 && made.laws.size() > 1 && !draws.empty()) {
         auto const& bounds = made.laws.front().distributions.front();
         auto const range = std::minmax(bounds.lower, bounds.upper);
-        out.by_first_bounds =
-            static_cast<double>(std::ranges::count_if(draws, [&](double v) { return v >= range.first && v <= range.second; })) /
-            static_cast<double>(draws.size());
+        out.by_first_bounds = static_cast<double>(std::ranges::count_if(
+                                  draws, [&](double v) { return v >= range.first && v <= range.second; })) /
+                              static_cast<double>(draws.size());
       }
       out.distributions.push_back(std::move(d));
     }

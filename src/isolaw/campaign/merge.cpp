@@ -80,6 +80,12 @@ void require_same_campaign(First const& first, Path const& file, Contents const&
                .advice = "leaving it out, or --part again with the command of the others"});
 }
 
+std::size_t runs_in(Path const& file) {
+  std::size_t count = 0;
+  Store::for_each_run(file, [&](std::size_t, std::string const&, int) { ++count; });
+  return count;
+}
+
 void tell_missing(Path const& out, Merged& merged, MergeOptions const& options) {
   // Without the records: whether anything is missing is a matter of keys.
   auto const campaign = Store::read_beginning(out);
@@ -186,6 +192,15 @@ Merged merge(Path const& out, std::vector<Path> const& parts, MergeOptions const
     store.finish();
   }
   tell_missing(out, merged, options);
+  if (merged.missing == 0) {
+    // What was examined rests on the best of all runs.
+    std::erase_if(files, [&](Path const& file) { return runs_in(file) < runs_in(out); });
+    if (!files.empty()) {
+      auto store = Store::open(out);
+      for (auto const& file : files) merged.analyses += store.take_device_analyses(file);
+      store.finish();
+    }
+  }
   return merged;
 }
 
