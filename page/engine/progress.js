@@ -8,6 +8,7 @@ export function makeProgress(phases, workers, tell) {
   const all = phases.map(({ name, weight, tasks }) => ({ name, weight, began: null, tasks: Array.from({ length: tasks }, () => ({ share: 0, left: null, done: 0, total: 0, began: null, took: null })) }));
   const weights = all.reduce((sum, { weight }) => sum + weight, 0);
   let current = 0,
+    told = 0,
     shown = { share: 0, left: null, at: 0 };
 
   // Seconds of a task that is under way or not begun, from those that are known.
@@ -39,10 +40,10 @@ export function makeProgress(phases, workers, tell) {
     const sum = (key) => phase.tasks.reduce((total, task) => total + task[key], 0);
     const since = (Date.now() - shown.at) / 1000;
     const left = shown.left === null ? null : Math.max(0, shown.left - since);
-    // Between two lines as time goes by, never to the end.
-    const share = shown.left > 0 ? shown.share + (1 - shown.share) * 0.9 * Math.min(1, since / shown.left) : shown.share;
-    shown.share = shown.left > 0 && since > shown.left ? share : shown.share;
-    tell?.({ done: sum('done'), total: sum('total'), share: Math.min(1, share), secondsLeft: left, phase: phase.name });
+    // Between two lines as time goes by, never to the end and never back.
+    const gone = shown.left > 0 ? 0.9 * Math.min(1, since / shown.left) : 0;
+    told = Math.max(told, Math.min(1, shown.share + (1 - shown.share) * gone));
+    tell?.({ done: sum('done'), total: sum('total'), share: told, secondsLeft: left, phase: phase.name });
   };
   const ticking = tell ? setInterval(() => shown.at > 0 && say(), 500) : null;
 
