@@ -16,6 +16,8 @@ let workers = 1;
 let settingsOpen = false;
 let shown = null;
 let progress = null; // the last that was told
+let furthest = 0; // what was told grows with what turns out to be there to do; the bar does not go back
+let started = 0;
 let said = ''; // of the last run: cancelled
 
 // What the program takes with the genetic algorithm alone.
@@ -83,15 +85,15 @@ function settingsForm(edit) {
 }
 
 function drawProgress() {
-  const { share = 0, done = 0, total = 0, secondsLeft, phase } = progress ?? {};
-  const known = progress !== null;
   const bar = place('progress-bar');
   if (!bar) return;
-  if (known) bar.value = share;
+  const known = progress !== null;
+  if (known) bar.value = furthest;
   else bar.removeAttribute('value');
-  const words = known ? [text.percent(share), text.left(secondsLeft), total > 0 && text.ofAll(done, total, text.phases[phase] ?? phase)].filter(Boolean) : [text.starting];
-  fill(place('progress-words'), element('b', {}, words[0]), words.length > 1 && '\u2002' + words.slice(1).join(', '));
-  document.title = known ? text.percent(share) + ' \u2013 ' + text.program : text.program;
+  const seconds = Math.round((performance.now() - started) / 1000);
+  const more = known ? [text.left(progress.secondsLeft), text.phases[progress.phase] ?? ''].filter(Boolean).join(', ') : text.unknownYet;
+  fill(place('progress-words'), element('b', {}, known ? text.percent(furthest) : text.since(seconds)), '\u2002' + more);
+  document.title = known ? text.percent(furthest) + ' \u2013 ' + text.program : text.program;
 }
 
 // What of the lot file says how much there is to do, again as options: the engine deals it out by these.
@@ -105,6 +107,9 @@ async function identify({ fail }) {
   const store = before && before.files.filter(({ path }) => path === 'out/campaign.sqlite');
   running = new AbortController();
   progress = null;
+  furthest = 0;
+  started = performance.now();
+  const clock = setInterval(drawProgress, 1000);
   said = '';
   settingsOpen = false;
   changed();
@@ -117,6 +122,7 @@ async function identify({ fail }) {
       signal: running.signal,
       onProgress: (told) => {
         progress = told;
+        furthest = Math.max(furthest, Math.min(1, told.share));
         drawProgress();
       },
     });
@@ -136,6 +142,7 @@ async function identify({ fail }) {
       said = text.cancelled;
     } else fail(error);
   } finally {
+    clearInterval(clock);
     running = null;
     document.title = text.program;
     changed();

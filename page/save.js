@@ -65,7 +65,8 @@ async function makeExport() {
   const result = await run(words, under(state.campaign.files, 'out/').filter(({ path }) => /\.(sqlite|json)$/.test(path)), ['*']);
   const made = result.files.filter(({ path }) => !path.startsWith('out/'));
   for (const { path, bytes } of made) download(path.replace(/^.*\//, ''), bytes);
-  const warnings = messageOf(result.stderr);
+  // What was written is said already.
+  const warnings = messageOf(result.stderr).split('\n').filter((line) => !made.some(({ path }) => line === path || line === 'written: ' + path)).join('\n');
   said = [
     made.length > 0 ? element('p', { class: 'good' }, visible(text.exported(made.map(({ path }) => path).join(', ')))) : null,
     made.length > 0 ? warnings && element('pre', { tabindex: '0' }, visible(warnings)) : element('div', { class: 'poor' }, problemList(warnings)),
@@ -116,7 +117,7 @@ export function drawSave({ busy }) {
       summary &&
         element(
           'div',
-          { class: 'fields' },
+          { class: 'fields broad' },
           choiceField('export-law', [text.law, ''], laws.map((id) => [id, title(id)]), chosen.law, choose('law')),
           choiceField('export-device', [text.ofDevice, ''], [...(ofLot ? [['lot', text.ofLot]] : []), ...devices.map((one) => [one, visible(one)])], chosen.device, choose('device')),
           choiceField('export-to', [text.target, ''], Object.entries(text.targets), chosen.to, choose('to')),

@@ -202,7 +202,9 @@ export const text = {
   cancelling: 'Ending\u2026',
   cancelled: 'Cancelled. What was finished is kept: Identify goes on from there.',
   running: 'Identifying',
-  phases: { runs: 'searches', analyses: 'analyses' },
+  phases: { runs: 'searching', analyses: 'examining what was found' },
+  since: (seconds) => (seconds < 60 ? seconds + ' s' : Math.floor(seconds / 60) + ' min'),
+  unknownYet: 'searching; how long it takes shows with the first that are finished',
   percent: (share) => Math.floor(100 * share) + '\u202f%',
   left: (seconds) => {
     if (!Number.isFinite(seconds)) return 'estimating the time left';
@@ -211,7 +213,6 @@ export const text = {
     if (seconds < 5400) return 'about ' + Math.round(seconds / 60) + ' min left';
     return 'about ' + (seconds / 3600).toFixed(1) + ' h left';
   },
-  ofAll: (done, total, what) => done + ' of ' + total + ' ' + what,
   mayLeave: 'Other tabs can be used meanwhile; this one has to stay open.',
   reportFrame: 'Report of the identified laws',
   outdated: 'The lot file was changed since: this report is of what it was before.',
@@ -271,7 +272,7 @@ export const text = {
   expected: 'expected',
   licences: 'What is in it, and its licences',
   noLicences: 'The list of licences is not in this build.',
-  differences: 'Against the command line: the same numbers within the tolerance between processors; no figures for print (gnuplot), one thread per worker, MATLAB files of version 7.3 as the message then says.',
+  differences: 'Against the command line: the same numbers within the tolerance between processors; no figures for print (gnuplot), no MATLAB files of version 7.3 (save them as version 7).',
   leave: 'Results that were not saved are lost.',
   size: (bytes) => (bytes < 1e6 ? Math.max(1, Math.round(bytes / 1e3)) + '\u202fkB' : (bytes / 1e6).toFixed(bytes < 1e7 ? 1 : 0) + '\u202fMB'),
 };
