@@ -138,7 +138,7 @@ async function identify({ fail }) {
     state.campaign.lot = lot;
   } catch (error) {
     if (error.name === 'AbortError') {
-      if (error.parts?.length > 0) state.parts = error.parts;
+      if (error.parts?.length > 0 && state.lot === lot) state.parts = error.parts;
       said = text.cancelled;
     } else fail(error);
   } finally {

@@ -114,6 +114,7 @@ function show(view, focus = false) {
 }
 
 function startOver() {
+  cancelIdentifying();
   Object.assign(state, { files: new Map(), title: '', lot: null, unread: [], notes: [], inspection: null, inspectionFiles: [], problem: '', campaign: null, parts: null, saved: true });
   forgetFrames();
   hush();

@@ -149,6 +149,8 @@ function band(all) {
   const not = all.length - read + state.unread.length;
   // Of one device alone the program says no more than what is wrong with it.
   const broken = state.problem && !state.inspection && all.length !== 1;
+  // A store alone.
+  if (state.lot === null && state.campaign && not === 0) return { read, node: ['muted', text.readBand.results, text.readResults, false] };
   const [tone, word, said] = broken
     ? ['poor', text.readBand.broken, '']
     : read === 0

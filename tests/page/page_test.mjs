@@ -3,7 +3,7 @@
 // ISOLAW: the native program, whose results the page's are held against. With --stand-in it answers in place of the
 // page's engine too (the page is then assembled with stand_in/engine.js).
 import { execFileSync, spawnSync } from 'node:child_process';
-import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, truncateSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
@@ -193,6 +193,30 @@ const tests = {
     await end(page);
   },
 
+  'files and a folder that are chosen': async () => {
+    const page = await open();
+    const choose = async (id, paths) => {
+      const { root: document } = await page.send('DOM.getDocument', {});
+      const { nodeId } = await page.send('DOM.querySelector', { nodeId: document.nodeId, selector: '#' + id });
+      await page.send('DOM.setFileInputFiles', { nodeId, files: paths });
+      await wait(50);
+      await page.idle();
+    };
+    await choose('pick', [join(example, records[0]), join(example, records[1])]);
+    equal((await rows(page)).length, 2, 'devices of files');
+    // More beside them: what was said of the first stays.
+    await openForm(page, 0);
+    await set(page, await fieldOf(page, 0, 'serial'), 'kept');
+    await choose('pick', [join(example, records[2])]);
+    equal((await rows(page)).length, 3, 'devices of more files');
+    expect((await lotText(page)).includes("serial = 'kept'"), 'what was typed is kept');
+    await page.evaluate('window.confirm = () => true');
+    await page.press('start-over');
+    await choose('pick-folder', [example]);
+    equal((await rows(page)).map((row) => row.name)[9], 'D10', 'devices of a folder');
+    await end(page);
+  },
+
   'a folder with one damaged file': async () => {
     const folder = join(work, 'damaged');
     mkdirSync(join(folder, 'deeper'), { recursive: true });
@@ -343,6 +367,7 @@ const tests = {
     page = await open();
     await page.drop([join(unpacked, 'out/campaign.sqlite')]);
     await page.until("document.getElementById('report-frame')", 'the report of a store');
+    equal(await page.evaluate("[document.getElementById('identify'), document.getElementById('show-properties').disabled]"), [null, true], 'nothing to identify');
     await page.press('show-save');
     await page.press('save-report-html');
     await page.saved();
@@ -477,6 +502,11 @@ const tests = {
     writeFileSync(join(work, 'alone.csv'), 'no record at all\n');
     await page.drop([join(work, 'alone.csv')]);
     expect((await page.text('.unread')).includes('alone.csv'), 'no record: ' + (await page.text('#contents')));
+    // Too much is refused before it is read: a file of a size alone.
+    writeFileSync(join(work, 'big.csv'), '');
+    truncateSync(join(work, 'big.csv'), 900e6);
+    await page.drop([join(work, 'big.csv')]);
+    expect(/900\sMB/.test(await failure(page)), 'too much: ' + (await failure(page)));
     // And the next drop works.
     await page.drop([join(example, records[0])]);
     equal((await rows(page)).length, 1, 'a device');
