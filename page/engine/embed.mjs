@@ -25,6 +25,10 @@ const licences = packages.map((name) => {
   const licence = /^License: *(\S[^\n]*)/m.exec(text)?.[1].trim() ?? '';
   return { name: called[name] ?? name, version: versions.get(name) ?? '', licence, text };
 });
+// Of npm: what the reports draw with.
+const plotly = join(here, '../../node_modules/plotly.js-basic-dist-min');
+const { version, license } = JSON.parse(readFileSync(join(plotly, 'package.json'), 'utf8'));
+licences.push({ name: 'Plotly', version, licence: license, text: readFileSync(join(plotly, 'LICENSE'), 'utf8') });
 const facts = JSON.stringify({ licences }).replaceAll('<', '\\u003c');
 const element = (id, type, text) => `<script type="${type}" id="${id}">${text}</script>\n`;
 writeFileSync(
