@@ -6,7 +6,9 @@ const browser = names(
   'Blob Event HTMLTableCellElement IntersectionObserver KeyboardEvent Plotly ResizeObserver URL dispatchEvent document ' +
     'getComputedStyle getSelection location navigator performance requestAnimationFrame scrollTo setTimeout window',
 );
-const node = names('Buffer console process');
+const pageAlone = names('addEventListener atob btoa clearInterval setInterval CompressionStream DecompressionStream AbortController TextDecoder TextEncoder');
+const node = names('Buffer console process TextEncoder clearInterval clearTimeout setInterval');
+const engine = names('AbortController DecompressionStream Response WebAssembly Worker atob clearInterval self setInterval Buffer process console TextDecoder TextEncoder globalThis');
 const rules = {
   ...js.configs.recommended.rules,
   'array-callback-return': 'error',
@@ -22,5 +24,9 @@ const rules = {
 
 export default [
   { files: ['src/**/*.js'], languageOptions: { globals: browser }, rules },
+  { files: ['page/*.js', 'tests/page/stand_in/*.js'], languageOptions: { globals: { ...browser, ...pageAlone } }, rules },
+  { files: ['page/*.mjs', 'tests/page/*.mjs'], languageOptions: { globals: { ...browser, ...node } }, rules },
+  { files: ['page/engine/*', 'tests/page/engine/*.mjs'], languageOptions: { globals: { ...browser, ...engine } }, rules },
+  { files: ['page/**/*.cjs'], languageOptions: { sourceType: 'script' } },
   { files: ['tests/browser/*.mjs', '*.mjs'], languageOptions: { globals: { ...browser, ...node, asSet: 'readonly', reportAsShown: 'readonly' } }, rules },
 ];

@@ -12,6 +12,7 @@
 #   ./isolaw.sh format       clang-format, without changing files (format --fix formats)
 #   ./isolaw.sh lint         format, clang-tidy, eslint for the page's script
 #   ./isolaw.sh compilers    other compilers and processors against this one: the largest differences of any result
+#   ./isolaw.sh page         the program as one HTML file, build/page/isolaw.html, and its tests; docs/page.md
 #   ./isolaw.sh docs         what the program writes of itself: docs/laws.md, docs/cli.md, keywords of the Python stub
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
@@ -127,7 +128,7 @@ case "${1:-help}" in
     install_missing clang-tidy npm
     [ -e node_modules/eslint ] || step npm ci --no-audit --no-fund --loglevel=error
     format
-    step node_modules/.bin/eslint src tests/browser eslint.config.mjs
+    step node_modules/.bin/eslint src tests/browser page tests/page eslint.config.mjs
     mapfile -t units < <(find src cli -name '*.cpp' | sort)
     step cmake --preset developer
     step clang-tidy -p build/developer --quiet "${units[@]}"
@@ -136,15 +137,27 @@ case "${1:-help}" in
     install_missing "${build_packages[@]}" clang
     step tools/compilers.sh
     ;;
+  page)
+    # Emscripten, and what fetches and unpacks the sources of libraries (tools/page_libraries.sh).
+    setup chromium dpkg-dev emscripten firefox-esr tcl
+    [ -e node_modules/axe-core/axe.min.js ] || step npm ci --no-audit --no-fund --loglevel=error
+    step cmake --preset page
+    step cmake --build --preset page
+    ls -l build/page/isolaw.html
+    # The same numbers as the native program.
+    step cmake --preset release
+    step cmake --build --preset release --target isolaw_cli
+    step ctest --test-dir build/page --output-on-failure "${@:2}"
+    ;;
   docs)
     setup
     build --target isolaw_cli
     step tools/reference.sh "build/$preset/cli/isolaw" .
     echo "written: docs/laws.md, docs/cli.md, the keywords of python/isolaw/__init__.pyi" >&2
     ;;
-  help | -h | --help) sed -n '2,16s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
+  help | -h | --help) sed -n '2,17s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
   *)
-    echo "isolaw.sh: unknown command '$1'; allowed: setup, build, run, test, sanitize, fuzz, bench, study, format, lint, compilers, docs" >&2
+    echo "isolaw.sh: unknown command '$1'; allowed: setup, build, run, test, sanitize, fuzz, bench, study, format, lint, compilers, page, docs" >&2
     exit 2
     ;;
 esac

@@ -18,11 +18,4 @@ find_library(ISOLAW_HDF5 NAMES hdf5_serial hdf5 REQUIRED DOC "libhdf5, not the p
 find_library(ISOLAW_HDF5_HL NAMES hdf5_serial_hl hdf5_hl REQUIRED DOC "libhdf5_hl, not the parallel one")
 # Random123 is a folder of headers without a package file.
 find_path(ISOLAW_RANDOM123 Random123/philox.h REQUIRED DOC "directory that holds Random123/philox.h")
-
-# The plotting script inlined into the report (npm package plotly.js-basic-dist-min).
-set(ISOLAW_PLOTLY "${PROJECT_SOURCE_DIR}/node_modules/plotly.js-basic-dist-min/plotly-basic.min.js" CACHE FILEPATH
-    "plotly-basic.min.js, inlined into the report")
-if(NOT EXISTS "${ISOLAW_PLOTLY}")
-  message(FATAL_ERROR "plotly-basic.min.js not found at ${ISOLAW_PLOTLY}: run ./isolaw.sh setup, "
-                      "or npm ci in the project's root, or give -DISOLAW_PLOTLY=FILE")
-endif()
+include(plotly)

@@ -140,6 +140,27 @@ TEST_F(Merge, has_no_run_in_two_parts_and_every_run_in_one) {
   EXPECT_LE(std::ranges::max(sizes) - std::ranges::min(sizes), 1);
 }
 
+TEST_F(Merge, takes_what_others_have_examined_of_devices) {
+  compute(all());
+  auto const examine = [&](std::string const& share) {
+    auto words = merge(all(), {"--part", share});
+    words[1] = "E" + share.substr(0, 1);
+    return isolaw(words);
+  };
+  expect_message(examine("1/2"), 0, {"part 1 of 2 of the devices is examined", "isolaw merge OUT PARTS..."});
+  EXPECT_FALSE(exists("E1/summary.json"));
+  ASSERT_EQ(examine("2/2").code, 0);
+  ASSERT_EQ(examine("2/2").code, 0);  // again: nothing is left to do
+  auto const examined = [&](char const* store) { return stored_rows(path(store), "device_analysis"); };
+  EXPECT_EQ(examined("E1/campaign.sqlite") + examined("E2/campaign.sqlite"), 6);
+  EXPECT_EQ(examined("E1/campaign.sqlite"), 3);
+  EXPECT_EQ(stored_rows(path("E1/campaign.sqlite"), "lot_analysis"), 0);
+  expect_message(isolaw(merge(all(), {"E1", "E2"})), 1, {"24 runs and 6 examinations of devices copied"});
+  expect_as_one_machine();
+  expect_refused(examine("3/2"), {"--part", "K/N"});
+  expect_refused(isolaw(merge(all(), {"--part", "1/2", "--json"})), {"--json: a part examines devices"});
+}
+
 TEST_F(Merge, names_what_is_missing_and_who_should_hold_it_and_goes_on_from_there) {
   compute({1, 2, 3, 4, 6, 7});
   auto const o = isolaw(merge(all()));

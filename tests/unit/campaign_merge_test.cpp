@@ -57,6 +57,21 @@ TEST_F(MergeTest, RunsAreDealtEvenlyByTheirCost) {
   }
 }
 
+TEST_F(MergeTest, DevicesAreDealtByWhatExaminingThemCosts) {
+  auto const contents = prepared({"bilinear", "abe", "hwang-wu", "vaiana"}, 1);
+  for (int const parts : {1, 2, 3, 20}) {
+    auto const dealt = campaign::deal_of_analyses(contents, parts);
+    std::vector<std::uint64_t> cost(static_cast<std::size_t>(parts));
+    std::uint64_t dearest = 0;
+    for (std::size_t s = 0; s < contents.searches.size(); ++s) {
+      ASSERT_TRUE(dealt[s] >= 1 && dealt[s] <= parts);
+      cost[static_cast<std::size_t>(dealt[s]) - 1] += relative_cost(contents, contents.searches[s]);
+      dearest = std::max(dearest, relative_cost(contents, contents.searches[s]));
+    }
+    EXPECT_LE(std::ranges::max(cost) - std::ranges::min(cost), dearest) << parts;
+  }
+}
+
 // Wherever and whenever: parts of one campaign are computed by machines that never met.
 TEST_F(MergeTest, TheDealIsTheSameOnEveryMachine) {
   auto const contents = prepared({"bilinear", "abe"}, 3);

@@ -87,13 +87,19 @@ int CampaignWork::finish(campaign::Contents& contents, HowToWork const& how) {
                                     say("the system gave no more threads or memory: {} worked; try: --jobs {}\n",
                                         threads, threads);
                                   },
-                              .profile = &profile_});
+                              .profile = &profile_,
+                              .share = how.share});
   } catch (std::exception const&) {
     say("stopped: {} finished runs are kept in {}\nonce the fault is mended, continue with: {}\n", contents.runs.size(),
         shown(file), command_);
     throw;
   }
   own_.restart();
+  if (how.share && !interrupted) {
+    say("part {} of {} of the devices is examined, in {}; once every part is: isolaw merge OUT PARTS...\n",
+        how.share->number, how.share->of, shown(file));
+    return exit_done;
+  }
   if (!finished) {
     auto const analyses =
         contents.analyses() > 0 ? fmt::format(" and {} analyses", contents.analyses()) : std::string();

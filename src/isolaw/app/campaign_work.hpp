@@ -5,6 +5,7 @@
 #include <chrono>
 #include <ctime>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ namespace isolaw::app {
 struct HowToWork {
   std::filesystem::path directory;
   int jobs = 0;
+  std::optional<campaign::Part> share = {};  // of the analyses alone, and no report
   render::FigureChoice figures = {};
   bool json = false;
 };

@@ -69,7 +69,7 @@ void print_law(laws::LawEntry const& law) {
              laws::name(law.info.set));
   fmt::print("  formula\n");
   for (auto const line : law.info.formula | std::views::split('\n'))
-    fmt::print("    {}\n", std::string_view(line.begin(), line.end()));
+    fmt::print("    {}\n", std::string(line.begin(), line.end()));
   if (!law.info.note.empty()) fmt::print("  reading\n{}", render::wrapped("", law.info.note, 4, 96));
   fmt::print("\n  {:<10} {:<10} {:>12} {:>12}  {}\n", "parameter", "unit", "paper from", "to", "meaning");
   for (auto const& p : law.parameters) {

@@ -32,6 +32,7 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
 struct MergeArguments {
   std::filesystem::path directory;
   std::vector<std::filesystem::path> parts;
+  std::optional<std::string> part;  // "3/40", of the analyses
   std::optional<int> jobs;
   std::string figures = "lot";
   bool copy_only = false, fresh = false, json = false;

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <utility>
 
 #include "isolaw/api/merge.hpp"
 #include "isolaw/app/campaign_work.hpp"
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/say.hpp"
+#include "isolaw/base/error.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/fit/kernels.hpp"
@@ -18,7 +20,8 @@ namespace isolaw::app {
 
 void tell_merged(campaign::Merged const& merged, std::filesystem::path const& directory, std::string const& store) {
   for (auto const& part : merged.absent) say("{}: not there\n", printable(part));
-  say("{} copied{} to {}\n", counted(merged.added, "run"),
+  say("{}{} copied{} to {}\n", counted(merged.added, "run"),
+      merged.analyses > 0 ? fmt::format(" and {} of devices", counted(merged.analyses, "examination")) : "",
       merged.there > 0 ? fmt::format(", {} there already", merged.there) : "", shown(directory / store));
   if (merged.missing > 0)
     say("not complete: {}; named on standard output\n"
@@ -27,7 +30,16 @@ void tell_merged(campaign::Merged const& merged, std::filesystem::path const& di
 }
 
 int merge(MergeArguments const& arguments, std::vector<std::string> const& command_line) {
-  if (merges_buildings(arguments)) return merge_buildings(arguments);
+  if (merges_buildings(arguments)) {
+    if (arguments.part)
+      throw Error({.where = "--part", .found = "parts of a building, whose merge examines no device"});
+    return merge_buildings(arguments);
+  }
+  auto const share = arguments.part ? std::optional(campaign::parse_part(*arguments.part)) : std::nullopt;
+  if (share && (arguments.json || arguments.copy_only))
+    throw Error({.where = arguments.json ? "--json" : "--copy-only",
+                 .found = "a part examines devices, and has no summary",
+                 .advice = "isolaw merge of all parts without --part"});
   CampaignWork work(command_line);
   auto const figures = render::figure_choice(arguments.figures);
   fit::instruction_set();
@@ -47,9 +59,11 @@ int merge(MergeArguments const& arguments, std::vector<std::string> const& comma
   if (merged.missing > 0) return exit_with_refusals;
   if (arguments.copy_only) return exit_done;
   auto contents = campaign::Store::read(file);
-  return work.finish(
-      contents,
-      {.directory = directory, .jobs = arguments.jobs.value_or(0), .figures = figures, .json = arguments.json});
+  return work.finish(contents, {.directory = directory,
+                                .jobs = arguments.jobs.value_or(0),
+                                .share = share,
+                                .figures = figures,
+                                .json = arguments.json});
 }
 
 }  // namespace isolaw::app

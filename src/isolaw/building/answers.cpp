@@ -455,10 +455,10 @@ Answers answer(Study const& study, RunStore const& store) {
         out.coverage.push_back(covered(draws, d.lower, d.upper, part(table.mean, first_factor, 2 * grid_half + 1)));
       if (q == 0 && made.laws.size() > 1 && !draws.empty()) {
         auto const& bounds = made.laws.front().distributions.front();
-        auto const [least, most] = std::minmax(bounds.lower, bounds.upper);
-        out.by_first_bounds =
-            static_cast<double>(std::ranges::count_if(draws, [&](double v) { return v >= least && v <= most; })) /
-            static_cast<double>(draws.size());
+        auto const range = std::minmax(bounds.lower, bounds.upper);
+        out.by_first_bounds = static_cast<double>(std::ranges::count_if(
+                                  draws, [&](double v) { return v >= range.first && v <= range.second; })) /
+                              static_cast<double>(draws.size());
       }
       out.distributions.push_back(std::move(d));
     }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "isolaw/base/hash.hpp"
+#include "isolaw/campaign/deal.hpp"
 #include "isolaw/campaign/parallel.hpp"
 #include "isolaw/opt/multistart.hpp"
 
@@ -49,7 +50,7 @@ class Analysis {
   std::size_t run() {
     take_what_holds();
     examine_devices();
-    if (interrupted()) return threads_;
+    if (interrupted() || options_.share) return threads_;
     Meter own(options_.profile);
     auto const lots = laws_on_lot();
     own.lap(Phase::lot);
@@ -95,8 +96,13 @@ class Analysis {
 
   void examine_devices() {
     std::vector<Search const*> tasks;
+    auto const dealt = options_.share ? deal_of_analyses(contents_, options_.share->of) : std::vector<int>();
+    auto const is_of_share = [&](Search const& search) {
+      return dealt.empty() ||
+             dealt[static_cast<std::size_t>(&search - contents_.searches.data())] == options_.share->number;
+    };
     for (auto const& search : contents_.searches)
-      if (contents_.best_run(search.device, search.law) != nullptr &&
+      if (is_of_share(search) && contents_.best_run(search.device, search.law) != nullptr &&
           contents_.analysis_of(search.device, search.law) == nullptr)
         tasks.push_back(&search);
     each(

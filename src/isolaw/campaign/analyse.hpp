@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 
 #include "isolaw/campaign/contents.hpp"
 #include "isolaw/campaign/estimate.hpp"
@@ -27,6 +28,7 @@ struct AnalyseOptions {
   Profile* profile = nullptr;
   Estimate* estimate = nullptr;
   TaskDone task_done = {};
+  std::optional<Part> share = {};  // of the devices alone, dealt into so many; of the lot nothing
 };
 
 // Makes the analyses that are missing and adds them to the store and to `contents`, whose runs must be complete and

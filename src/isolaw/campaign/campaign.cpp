@@ -177,6 +177,8 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
     for (auto const kind : {TaskKind::run, TaskKind::device, TaskKind::lot, TaskKind::left_out})
       estimate->expect_left(kind, kind == TaskKind::run ? left : std::map<std::string, std::size_t>());
   }
+  if (estimate && options.share)
+    for (auto const kind : {TaskKind::lot, TaskKind::left_out}) estimate->expect_left(kind, {});
   auto* const estimated = estimate ? &*estimate : nullptr;
   auto const tell = [&] {
     if (!options.progress) return;
@@ -246,7 +248,8 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
                                   .interrupted = asked_to_stop,
                                   .profile = options.profile,
                                   .estimate = estimated,
-                                  .task_done = options.task_done});
+                                  .task_done = options.task_done,
+                                  .share = options.share});
     own.restart();
     if (threads < jobs) {
       worked = short_of_threads ? std::min(worked, threads) : threads;

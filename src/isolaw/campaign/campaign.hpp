@@ -27,6 +27,7 @@ struct RunOptions {
   std::function<bool()> interrupted;               // asked between generations or starts, from any thread
   std::function<void(int)> short_of_threads = {};  // told at the end how many there were where the system gave fewer
   Profile* profile = nullptr;                      // what the phases cost is added to it
+  std::optional<Part> share = {};                  // of the analyses: see AnalyseOptions
   TaskDone task_done = {};                         // told of every run and analysis, as `progress` is
 };
 

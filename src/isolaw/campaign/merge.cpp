@@ -81,6 +81,12 @@ void require_same_campaign(First const& first, Path const& file, Contents const&
                .advice = "leaving it out, or --part again with the command of the others"});
 }
 
+std::size_t runs_in(Path const& file) {
+  std::size_t count = 0;
+  Store::for_each_run(file, [&](std::size_t, std::string const&, int) { ++count; });
+  return count;
+}
+
 void tell_missing(Path const& out, Merged& merged, MergeOptions const& options) {
   // Without the records: whether anything is missing is a matter of keys.
   auto const campaign = Store::read_beginning(out);
@@ -131,9 +137,7 @@ void refuse_part(Path const& out, std::optional<Part> const& part) {
 }
 
 bool has_every_run(Path const& file) {
-  std::size_t runs = 0;
-  Store::for_each_run(file, [&](std::size_t, std::string const&, int) { ++runs; });
-  return runs == Store::read_beginning(file).expected_runs();
+  return runs_in(file) == Store::read_beginning(file).expected_runs();
 }
 
 }  // namespace
@@ -175,7 +179,7 @@ Merged merge(Path const& out, std::vector<Path> const& parts, MergeOptions const
     if (first)
       require_same_campaign(*first, file, campaign);
     else
-      first.emplace(file, campaign, Store::hashes_of_beginning(file));
+      first = First{file, campaign, Store::hashes_of_beginning(file)};
     if (!campaign.part) return;
     if (merged.parts != 0 && merged.parts != campaign.part->of)
       throw Error(
@@ -232,6 +236,15 @@ Merged merge(Path const& out, std::vector<Path> const& parts, MergeOptions const
     store.finish();
   }
   tell_missing(target, merged, options);
+  if (merged.missing == 0) {
+    // What was examined rests on the best of all runs.
+    std::erase_if(files, [&](Path const& file) { return runs_in(file) < runs_in(target); });
+    if (!files.empty()) {
+      auto store = Store::open(target);
+      for (auto const& file : files) merged.analyses += store.take_device_analyses(file);
+      store.finish();
+    }
+  }
   if (replaces) {
     if (merged.missing > 0 && value_or(false, [&] { return has_every_run(out); })) refuse_to_replace_whole(out, merged);
     if (options.before_replacing) options.before_replacing();

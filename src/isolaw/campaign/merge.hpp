@@ -22,6 +22,7 @@ struct MissingRun {
 
 struct Merged {
   std::size_t added = 0, there = 0;  // runs: copied, and there before or in two parts
+  std::size_t analyses = 0;          // of devices, copied
   std::size_t missing = 0;
   int parts = 0;                          // that the campaign was dealt into; 0: none says so
   std::vector<std::string> absent;        // parts that are not there
@@ -42,7 +43,8 @@ struct MergeOptions {
   bool fresh = false;  // replaces another campaign, once all that takes its place was judged and copied
 };
 
-// Adds to the store `out`, which is made where there is none, the runs of the stores `parts`. Neither their order nor
+// Adds to the store `out`, which is made where there is none, the runs of the stores `parts`, and what those that hold
+// all runs have examined of devices. Neither their order nor
 // one that is given twice matters. Every one is checked before the first is copied, and each is copied in one
 // transaction, so that a merge that was stopped is done again by the same call. Memory holds the records, and of the
 // results one run at a time. Throws Error: a store that is damaged, of another campaign, build or instruction set, runs

@@ -393,11 +393,16 @@ Contents read_campaign_and_series(Connection const& db) {
   return contents;
 }
 
+std::vector<DeviceAnalysis> read_device_analyses(Connection const& db) {
+  std::vector<DeviceAnalysis> found;
+  read_analyses(db, "SELECT device, law, json, maker FROM device_analysis ORDER BY device, law", found);
+  return found;
+}
+
 Contents read_contents(Connection const& db) {
   auto contents = read_campaign_and_series(db);
   read_runs(db, [&](Run run) { contents.runs.push_back(std::move(run)); });
-  read_analyses(db, "SELECT device, law, json, maker FROM device_analysis ORDER BY device, law",
-                contents.device_analyses);
+  contents.device_analyses = read_device_analyses(db);
   read_analyses(db, "SELECT law, json, maker FROM lot_analysis ORDER BY law", contents.lot_analyses);
   read_analyses(db, "SELECT device, law, json, maker FROM left_out ORDER BY device, law", contents.left_out);
   return contents;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -172,6 +173,29 @@ Store::Taken Store::take_runs(std::filesystem::path const& other) {
   });
   transaction.commit();
   return taken;
+}
+
+std::size_t Store::take_device_analyses(std::filesystem::path const& other) {
+  auto const theirs = Connection::to_read(other);
+  require_present_schema(theirs, other);
+  auto const key = [](DeviceAnalysis const& made) { return std::pair(made.device, made.law); };
+  std::set<std::pair<std::size_t, std::string>> there;
+  for (auto const& made : read_device_analyses(db_)) there.insert(key(made));
+  auto const maker = own_maker();
+  std::size_t added = 0;
+  Transaction transaction(db_);
+  read_as_ours(other, [&] {
+    for (auto& made : read_device_analyses(theirs)) {
+      if (!there.insert(key(made)).second) continue;
+      require_consistent(campaign_, made);
+      made.maker = maker;
+      write_row(db_, made);
+      ++added;
+    }
+    return Contents();
+  });
+  transaction.commit();
+  return added;
 }
 
 Contents Store::read_beginning(std::filesystem::path const& file) {

@@ -179,9 +179,8 @@ class Clipping {
     add(FaultKind::clipped, "displacement", first,
         fmt::format("displacement is clipped at {:.5g} mm: it stays there for up to {} samples, from {}, while the "
                     "force goes on",
-                    num::median({pair_.disp.x.begin() + static_cast<std::ptrdiff_t>(shown.first),
-                                 pair_.disp.x.begin() + static_cast<std::ptrdiff_t>(shown.last) + 1}),
-                    longest, pair_.at(first)));
+                    num::median(std::span(pair_.disp.x).subspan(shown.first, shown.last + 1 - shown.first)), longest,
+                    pair_.at(first)));
     return true;
   }
 

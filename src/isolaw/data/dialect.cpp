@@ -83,7 +83,7 @@ Cell parse_point(char const* first, char const* last) {
   auto const [end, failure] = std::from_chars(first, last, value);
   if (end != last) return {.kind = CellKind::text};
   if (failure == std::errc::result_out_of_range) {
-    bool const tiny = std::find(first, last, '-') != last && std::string_view(first, last).find_last_of("-") > 0;
+    bool const tiny = std::find(std::next(first), last, '-') != last;  // of the exponent
     if (tiny) return {.kind = CellKind::number, .value = 0.0};
     return {.kind = CellKind::not_finite};
   }

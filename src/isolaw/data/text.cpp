@@ -118,7 +118,10 @@ bool is_turkish_lead(unsigned char byte) {
 
 // By the converter of the C library; nullopt where the bytes are no text of that encoding.
 std::optional<std::string> converted(std::string_view bytes, char const* encoding) {
-  iconv_t const converter = iconv_open("UTF-8", encoding);
+  iconv_t converter = iconv_open("UTF-8", encoding);
+  // musl, in a browser, does not know the name.
+  if (converter == reinterpret_cast<iconv_t>(-1) && std::string_view(encoding) == "CP932")
+    converter = iconv_open("UTF-8", "SHIFT_JIS");
   if (converter == reinterpret_cast<iconv_t>(-1)) return std::nullopt;  // not on this system
   std::string text;
   std::array<char, 4096> buffer;

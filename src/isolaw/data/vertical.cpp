@@ -95,7 +95,8 @@ std::vector<Loading> all_loadings(std::vector<double> const& load) {
     }
   }
   if (rising) found.push_back({low, high});
-  std::erase_if(found, [&](Loading const& l) { return load[l.last] < same_peak * largest; });
+  double const counts_kN = same_peak * largest;
+  std::erase_if(found, [&](Loading const& l) { return load[l.last] < counts_kN; });
   return found;
 }
 

@@ -14,6 +14,8 @@
 #include <utility>
 #if defined(__SSE2__)
 #include <immintrin.h>
+#elif defined(__wasm_simd128__)
+#include <wasm_simd128.h>
 #endif
 
 #include <bit>
@@ -199,6 +201,8 @@ ISOLAW_INLINE Vector sqrt_of(Vector const& a) {
   return _mm256_sqrt_pd(a);
 #elif defined(__SSE2__)
   return _mm_sqrt_pd(a);
+#elif defined(__wasm_simd128__)
+  return std::bit_cast<Vector>(wasm_f64x2_sqrt(std::bit_cast<v128_t>(a)));
 #else
   Vector root;
   for (std::size_t i = 0; i < vector_lanes; ++i) root[i] = __builtin_sqrt(a[i]);
@@ -224,6 +228,8 @@ ISOLAW_INLINE bool any(Mask<W> const& mask) {
   return _mm256_movemask_pd(std::bit_cast<__m256d>(all)) != 0;
 #elif defined(__SSE2__)
   return _mm_movemask_pd(std::bit_cast<__m128d>(all)) != 0;
+#elif defined(__wasm_simd128__)
+  return wasm_v128_any_true(std::bit_cast<v128_t>(all));
 #else
   std::int64_t bits = 0;
   for (std::size_t i = 0; i < vector_lanes; ++i) bits |= all[i];

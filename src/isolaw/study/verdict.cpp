@@ -116,7 +116,7 @@ std::string not_compared(LotAcceptance const& acceptance, std::vector<Requiremen
                               (name == "frequency" && test.frequency_tolerance_percent) ||
                               (name == "load" && test.load_tolerance_percent);
     bool const is_required = std::ranges::any_of(
-        requirements, [&](auto const& one) { return one.name == name || one.name == "mean " + name; });
+        requirements, [&, &of = name](auto const& one) { return one.name == of || one.name == "mean " + of; });
     if (!is_condition && !is_required) names.push_back(name);
   }
   return names.empty() ? std::string() : "stated and not compared: " + joined(names);

@@ -108,7 +108,8 @@ std::vector<NamePlace> place_names(std::vector<FrontPoint> const& points, std::v
     taken.push_back({px - line_mm, px + line_mm, py - line_mm, py + line_mm});
   std::vector<NamePlace> chosen;
   for (auto const& point : points) {
-    auto const [px, py] = at(point);
+    auto const [x_mm, y_mm] = at(point);
+    double const px = x_mm, py = y_mm;  // which clang 14 lets a lambda see
     double const wide = letter_mm * static_cast<double>(laws::called(point.law).size());
     auto const box_at = [&](NamePlace const& place) {
       double const from = px + place.dx_mm;

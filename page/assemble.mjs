@@ -1,0 +1,61 @@
+// Joins page/ into one HTML file that needs nothing but itself.
+//   node assemble.mjs --out isolaw.html --cmake cmake --engine DIR [--engine-html FILE] [--report FILE.html]...
+// --engine: a folder with engine.js (and what it imports), which stands for engine/ here.
+// --engine-html: elements for the body, above the script: what the engine reads of the document, scripts of data alone.
+// --report: reports as the program writes them. Their scripts are allowed by their hashes, beside the page's own, and no
+// others: frames inherit the page's policy. Without one the reports' scripts cannot run.
+import { execFileSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
+import { cpSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const here = dirname(fileURLToPath(import.meta.url)),
+  root = dirname(here);
+const options = { cmake: ['cmake'], report: [], 'engine-html': [] };
+for (let i = 2; i < process.argv.length; i += 2) (options[process.argv[i].slice(2)] ??= []).push(process.argv[i + 1]);
+const one = (name) => options[name]?.at(-1);
+
+// The text of scripts as it stands in HTML; of those that a browser runs.
+const scriptsOf = (html) => [...html.matchAll(/<script(?![^>]*\btype=)[^>]*>([\s\S]*?)<\/script>/g)].map(([, script]) => script);
+const hash = (script) => "'sha256-" + createHash('sha256').update(script, 'utf8').digest('base64') + "'";
+// Inside <script> only these two end or change the script (render/page/html.cpp does the same).
+const inline = (script) => script.replace(/<(?=!--|\/s)/gi, '<\\');
+
+function joined() {
+  const folder = mkdtempSync(join(tmpdir(), 'isolaw-page-'));
+  try {
+    for (const file of readdirSync(here)) if (file.endsWith('.js')) cpSync(join(here, file), join(folder, file));
+    mkdirSync(join(folder, 'engine'));
+    for (const file of readdirSync(one('engine'))) if (file.endsWith('.js')) cpSync(join(one('engine'), file), join(folder, 'engine', file));
+    const output = join(folder, 'joined');
+    execFileSync(one('cmake'), ['-D', 'FOLDER=' + folder, '-D', 'ENTRY=main.js', '-D', 'OUTPUT=' + output, '-P', join(root, 'cmake/join_modules.cmake')], { stdio: ['ignore', 'ignore', 'inherit'] });
+    return readFileSync(output, 'utf8');
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+const contents = {
+  style: readFileSync(join(root, 'src/isolaw/render/page/assets/page.css'), 'utf8') + readFileSync(join(here, 'style.css'), 'utf8'),
+  engine: options['engine-html'].map((file) => readFileSync(file, 'utf8')).join('\n'),
+  script: inline(joined()),
+  policy: '{{policy}}',
+};
+const page = readFileSync(join(here, 'index.html'), 'utf8').replace(/\{\{(\w+)\}\}/g, (_, name) => contents[name]);
+const frame = /<script type="text\/plain" id="isolaw-frame">([\s\S]*?)<\/script>/.exec(page)[1];
+const allowed = new Set([...scriptsOf(page), frame, ...options.report.flatMap((file) => scriptsOf(readFileSync(file, 'utf8')))].map(hash));
+const policy = [
+  "default-src 'none'",
+  "script-src 'wasm-unsafe-eval' " + [...allowed].join(' '),
+  "style-src 'unsafe-inline'",
+  'img-src data: blob:',
+  'worker-src blob:',
+  'frame-src blob:',
+  "connect-src 'none'",
+  "form-action 'none'",
+  "base-uri 'none'",
+].join('; ');
+// The first only: what stands in scripts stays as it is.
+writeFileSync(one('out'), page.replace('{{policy}}', () => policy));

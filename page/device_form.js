@@ -1,0 +1,127 @@
+// How one device is read: a form that is its table in the lot file.
+
+import { element, visible } from './dom.js';
+import { choiceField, choicesOf, fieldset, flagField, textField } from './fields.js';
+import { state } from './state.js';
+import { text } from './text.js';
+
+const CHANNELS = ['time', 'disp', 'force', 'load'];
+const UNITS = { time: ['s', 'ms', 'min', 'd'], disp: ['mm', 'cm', 'm', 'in'], force: ['kN', 'N', 'MN', 'tonf', 'kgf', 'daN', 'kip', 'lbf'] };
+UNITS.load = UNITS.force;
+
+const pairs = (value) => {
+  if (typeof value !== 'string') return value ?? {};
+  return Object.fromEntries(value.split(',').map((one) => [one.slice(0, one.indexOf('=')).trim(), one.slice(one.indexOf('=') + 1).trim()]));
+};
+
+// Names of columns that the program mentions, as suggestions.
+function columnsSaid(found, message) {
+  const names = new Set();
+  for (const sentence of found?.recognised ?? []) for (const [, name] of sentence.matchAll(/columns? [0-9A-Z]+ '([^']+)'/g)) names.add(name);
+  for (const [, name] of message.matchAll(/column [0-9A-Z]+ '([^']+)'/g)) names.add(name);
+  const variables = /allowed: variables ([^;]*)/.exec(message)?.[1] ?? '';
+  for (const [, name] of variables.matchAll(/([\w.:()]+)(?: to [\w.:]+)? \(\d/g)) names.add(name);
+  return [...names];
+}
+
+// The first lines of a file of text.
+function linesOf(bytes) {
+  const head = bytes.subarray(0, 6000);
+  const wide = (head[0] === 0xff && head[1] === 0xfe && 'utf-16le') || (head[0] === 0xfe && head[1] === 0xff && 'utf-16be');
+  if (!wide && head.includes(0)) return null;
+  let words;
+  try {
+    // The last characters may be cut in two.
+    words = new TextDecoder(wide || 'utf-8', { fatal: !wide }).decode(wide ? head : head.subarray(0, head.length === bytes.length ? head.length : head.lastIndexOf(10) + 1));
+  } catch {
+    words = new TextDecoder('windows-1252').decode(head);
+  }
+  return words.split(/\r\n|\r|\n/).slice(0, 16).map((line) => visible(line.slice(0, 300)));
+}
+
+// `found`: of inspection.json, or undefined; `write(key, value)` changes the lot file.
+export function deviceForm(device, found, message, write) {
+  const id = (key) => 'device-' + device.number + '-' + key;
+  const value = (key) => device.table.keys.get(key)?.value;
+  const field = (key, options) => textField(id(key), text.form[key], value(key), (typed) => write(key, typed), options);
+  const number = (key) => field(key, { number: true });
+  const choice = (key) => choiceField(id(key), text.form[key], choicesOf(key), value(key), (chosen) => write(key, chosen));
+
+  const columns = pairs(value('columns')),
+    units = pairs(value('units'));
+  // What is set of the two tables that hold one value for each channel.
+  const part = (key, whole) => (channel) => (typed) => {
+    const next = { ...whole };
+    if (typed === null) delete next[channel];
+    else next[channel] = typed;
+    write(key, Object.keys(next).length > 0 ? next : null);
+  };
+  const column = part('columns', columns),
+    unit = part('units', units);
+  const numeral = (write) => (typed) => write(typed !== null && /^\d+$/.test(typed) ? Number(typed) : typed);
+  const suggested = element('datalist', { id: id('names') }, columnsSaid(found, message).map((name) => element('option', { value: name })));
+  const channels = CHANNELS.map((channel) =>
+    element(
+      'div',
+      { class: 'channel', role: 'group', 'aria-label': text.channel[channel] },
+      element('b', {}, text.channel[channel]),
+      textField(id('columns-' + channel), text.form.columns, columns[channel], numeral(column(channel)), { list: id('names') }),
+      choiceField(id('units-' + channel), text.form.units, [['', text.unitFromFile], ...UNITS[channel].map((one) => [one, one])], units[channel], unit(channel)),
+    ),
+  );
+  const others = [...state.files.keys()].filter((path) => path !== device.file).map((path) => [path, visible(path)]);
+
+  const bytes = state.files.get(device.file);
+  const lines = bytes && linesOf(bytes);
+  return element(
+    'div',
+    { class: 'form' },
+    fieldset(text.groups.columns, channels, suggested, number('dt'), flagField(id('flip-force'), text.form['flip-force'], value('flip-force'), (on) => write('flip-force', on))),
+    bytes &&
+      element(
+        'details',
+        { class: 'look', open: message !== '' },
+        element('summary', {}, text.look),
+        element('pre', { tabindex: '0' }, lines ? lines.join('\n') : text.lookBinary),
+      ),
+    (found?.recognised ?? []).length > 0 &&
+      element('details', { class: 'look' }, element('summary', {}, text.recognised), element('ul', { class: 'sentences' }, found.recognised.map((one) => element('li', {}, visible(one))))),
+    fieldset(
+      text.groups.who,
+      field('name'),
+      field('serial'),
+      field('lot'),
+      field('test-date'),
+      number('temperature-C'),
+      number('rubber-thickness-mm'),
+      number('rubber-area-mm2'),
+      typeof value('vertical') === 'object'
+        ? null
+        : choiceField(id('vertical'), text.form.vertical, [['', text.choices['']], ...others], value('vertical'), (file) => write('vertical', file)),
+      number('K_v'),
+    ),
+    element(
+      'details',
+      { class: 'rarely' },
+      element('summary', {}, text.groups.parts),
+      element(
+        'div',
+        { class: 'fields' },
+        field('sheet'),
+        textField(id('test'), text.form.test, value('test'), numeral((typed) => write('test', typed))),
+        field('rows'),
+        number('from'),
+        number('to'),
+        choice('footer'),
+        choice('thousands'),
+        choice('date-order'),
+      ),
+    ),
+    element(
+      'details',
+      { class: 'rarely' },
+      element('summary', {}, text.groups.rig),
+      element('div', { class: 'fields' }, choice('repair'), ['skew-ms', 'rig-friction', 'rig-friction-coefficient', 'moving-mass', 'force-factor'].map(number)),
+    ),
+  );
+}

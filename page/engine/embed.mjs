@@ -1,0 +1,39 @@
+// What the page carries of the program, as elements of its body: scripts of data alone, which no browser runs.
+//   node embed.mjs --script isolaw.js --program isolaw.wasm --libraries DIR --out FILE
+import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
+
+const here = dirname(fileURLToPath(import.meta.url));
+const options = {};
+for (let i = 2; i < process.argv.length; i += 2) options[process.argv[i].slice(2)] = process.argv[i + 1];
+
+// Inside <script> only these two end or change it; in a string of JavaScript the backslash changes nothing.
+const inline = (script) => script.replace(/<(?=!--|\/?script)/gi, '<\\');
+const versions = new Map(
+  readFileSync(join(options.libraries, 'versions'), 'utf8')
+    .trim()
+    .split('\n')
+    .map((line) => line.split(' ')),
+);
+const called = { 'libboost1.74-dev': 'Boost', 'libcli11-dev': 'CLI11', 'libeigen3-dev': 'Eigen', 'libfmt-dev': '{fmt}', 'librandom123-dev': 'Random123', 'libtomlplusplus-dev': 'toml++', 'nlohmann-json3-dev': 'JSON for Modern C++', emscripten: 'Emscripten (musl, libc++)', expat: 'Expat', nettle: 'Nettle', sqlite3: 'SQLite' };
+const packages = readdirSync(join(options.libraries, 'licences'));
+const licences = packages.map((name) => {
+  const text = readFileSync(join(options.libraries, 'licences', name), 'utf8');
+  // The first name of a licence that the copyright file states.
+  const licence = /^License: *(\S[^\n]*)/m.exec(text)?.[1].trim() ?? '';
+  return { name: called[name] ?? name, version: versions.get(name) ?? '', licence, text };
+});
+// Of npm: what the reports draw with.
+const plotly = join(here, '../../node_modules/plotly.js-basic-dist-min');
+const { version, license } = JSON.parse(readFileSync(join(plotly, 'package.json'), 'utf8'));
+licences.push({ name: 'Plotly', version, licence: license, text: readFileSync(join(plotly, 'LICENSE'), 'utf8') });
+const facts = JSON.stringify({ licences }).replaceAll('<', '\\u003c');
+const element = (id, type, text) => `<script type="${type}" id="${id}">${text}</script>\n`;
+writeFileSync(
+  options.out,
+  element('isolaw-facts', 'application/json', facts) +
+    element('isolaw-worker', 'text/plain', inline(readFileSync(options.script, 'utf8') + '\n' + readFileSync(join(here, 'worker.cjs'), 'utf8'))) +
+    element('isolaw-program', 'text/plain', gzipSync(readFileSync(options.program), { level: 9 }).toString('base64')),
+);

@@ -1,0 +1,121 @@
+// A campaign on all workers, by what the program has for many machines: parts of the runs, parts of what is examined of
+// devices, and their merge.
+
+import { isProgress, makeProgress } from './progress.js';
+
+const stores = (folder) => [folder + '/campaign.sqlite*'];
+
+// Of `--runs N` or `--runs=N`.
+const valueOf = (options, name) => {
+  const at = options.findIndex((word) => word === name || word.startsWith(name + '='));
+  return at < 0 ? null : options[at].includes('=') ? options[at].slice(name.length + 1) : options[at + 1];
+};
+
+// Into how many the folders of an earlier campaign were dealt: 'parts/3-of-8/...'.
+const dealtInto = (parts, kind) => {
+  const found = parts.map(({ path }) => /^(\w+)\/\d+-of-(\d+)\//.exec(path)).find((one) => one && one[1] === kind);
+  return found ? Number(found[2]) : null;
+};
+
+// So many at a time; the first that rejects ends it.
+const inTurn = async (works, workers) => {
+  const made = Array(works.length);
+  let next = 0;
+  const take = async () => {
+    while (next < works.length) {
+      const i = next++;
+      made[i] = await works[i]();
+    }
+  };
+  await Promise.all(Array.from({ length: workers }, take));
+  return made;
+};
+
+// What an instance said that is wrong.
+class Refused extends Error {
+  constructor(said) {
+    super('refused');
+    this.said = said;
+  }
+}
+
+export function identifyWith(pool) {
+  return async ({ lotPath, inputs = [lotPath], files, options = [], workers: wanted = pool.count, parts = [], onProgress, onText, signal }) => {
+    const workers = Math.max(1, Math.min(wanted, pool.count));
+    const begun = (folder) => parts.filter(({ path }) => path.startsWith(folder + '/'));
+    const analysed = valueOf(options, '--analysis') !== 'none';
+    const runs = Number(valueOf(options, '--runs') ?? (valueOf(options, '--method') === 'ga' ? 20 : 3));
+    const kept = new Map();
+    // One fails: the others are ended.
+    const ended = new AbortController();
+    const abort = () => ended.abort();
+    signal?.addEventListener('abort', abort);
+    if (signal?.aborted) abort();
+
+    // Some more parts than workers, so that none waits long for the last; each reads all records.
+    const count = dealtInto(parts, 'parts') ?? workers * (files.length > 20 ? 2 : 4);
+    const isWhole = (workers === 1 && dealtInto(parts, 'parts') === null) || (begun('out').length > 0 && dealtInto(parts, 'parts') === null);
+    const shares = analysed ? (dealtInto(parts, 'shares') ?? workers) : 0;
+    // What follows the runs takes as long as three runs of each law do.
+    const phases = isWhole
+      ? [{ name: 'runs', weight: 1, tasks: 1 }]
+      : [
+          { name: 'runs', weight: runs, tasks: count },
+          ...(shares > 0 ? [{ name: 'analyses', weight: 2.5, tasks: shares }] : []),
+          { name: 'analyses', weight: analysed ? 0.5 : 0.05, tasks: 1 },
+        ];
+    const progress = makeProgress(phases, workers, onProgress);
+
+    // One command; what it finished is kept, should the others be cancelled.
+    const work = async (phase, task, folder, argv, given) => {
+      progress.begin(phase, task);
+      const own = begun(folder);
+      const said = await pool.run({
+        argv,
+        files: [...given, ...own],
+        keep: folder === 'out' ? ['out/*'] : stores(folder),
+        watch: stores(folder),
+        onKept: (found) => kept.set(folder, found),
+        onText: (stream, line) => {
+          if (isProgress(line)) progress.read(phase, task, line);
+          else if (phase === phases.length - 1 || (phase === 0 && task === 0)) onText?.(stream, line);
+        },
+        signal: ended.signal,
+      });
+      said.stderr = said.stderr.replace(/^progress .*\n/gm, '');
+      if (folder === 'out') return said;
+      if (said.code !== 0) throw new Refused(said);
+      // Nothing was left to do where it was there already.
+      const found = said.files.length > 0 ? said.files : own;
+      kept.set(folder, found);
+      progress.end(phase, task);
+      return found;
+    };
+    const folders = (kind, of) => Array.from({ length: of }, (_, k) => `${kind}/${k + 1}-of-${of}`);
+    const common = ['--jobs', '1'];
+
+    try {
+      if (isWhole) return await work(0, 0, 'out', ['calibrate', ...inputs, ...options, ...common, '--out', 'out', '--figures', 'none'], files);
+      const partFolders = folders('parts', count),
+        shareFolders = folders('shares', shares);
+      const made = await inTurn(
+        partFolders.map((folder, k) => () => work(0, k, folder, ['calibrate', ...inputs, ...options, ...common, '--part', `${k + 1}/${count}`, '--out', folder], files)),
+        workers,
+      );
+      const ofParts = made.flat();
+      const examined = await inTurn(
+        shareFolders.map((folder, k) => () => work(1, k, folder, ['merge', folder, ...partFolders, ...common, '--figures', 'none', '--part', `${k + 1}/${shares}`], ofParts)),
+        workers,
+      );
+      return await work(phases.length - 1, 0, 'out', ['merge', 'out', ...partFolders, ...shareFolders, ...common, '--figures', 'none'], [...ofParts, ...examined.flat()]);
+    } catch (error) {
+      ended.abort();
+      if (error instanceof Refused) return error.said;
+      error.parts = [...kept.values()].flat();
+      throw error;
+    } finally {
+      progress.stop();
+      signal?.removeEventListener('abort', abort);
+    }
+  };
+}

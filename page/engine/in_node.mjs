@@ -1,0 +1,39 @@
+// The engine under Node, from what the page carries: for the build and the tests.
+import { readFileSync } from 'node:fs';
+import { availableParallelism } from 'node:os';
+import { Worker } from 'node:worker_threads';
+import { createEngine } from './engine.js';
+
+// A worker of the browser's, made of Node's.
+const before = `
+const { parentPort } = require('node:worker_threads');
+globalThis.self = globalThis;
+globalThis.postMessage = (message, transfer) => parentPort.postMessage(message, transfer);
+parentPort.on('message', (data) => self.onmessage({ data }));
+`;
+// A sheet that the page's script stands in is read as the browser reads it: the escapes are JavaScript's own.
+const elementIn = (html, id) => new RegExp(`<script type="[^"]*" id="${id}">([\\s\\S]*?)</script>`).exec(html)[1];
+
+// `file`: isolaw.html, or what embed.mjs made.
+export const engineOf = (file, options = {}) => {
+  const html = readFileSync(file, 'utf8');
+  const script = before + elementIn(html, 'isolaw-worker');
+  return createEngine({
+    ...options,
+    from: {
+      facts: JSON.parse(elementIn(html, 'isolaw-facts')),
+      packed: Buffer.from(elementIn(html, 'isolaw-program'), 'base64'),
+      cores: availableParallelism(),
+      start: () => {
+        const thread = new Worker(script, { eval: true });
+        const worker = {
+          postMessage: (message) => thread.postMessage(message),
+          terminate: () => thread.terminate(),
+        };
+        thread.on('message', (data) => worker.onmessage?.({ data }));
+        thread.on('error', (error) => worker.onerror?.({ message: error.message }));
+        return worker;
+      },
+    },
+  });
+};

@@ -1,0 +1,69 @@
+// What instances tell of their work, lines `progress SHARE SECONDS_LEFT DONE TOTAL runs|analyses`, as one share and time.
+
+const line = /^progress ([\d.]+) ([\d.]+) (\d+) (\d+) (\w+)$/;
+export const isProgress = (text) => line.test(text);
+
+// `phases`: [{ name, weight, tasks }], in turn; `workers` work on the tasks of one. `tell` as the caller of identify has it.
+export function makeProgress(phases, workers, tell) {
+  const all = phases.map(({ name, weight, tasks }) => ({ name, weight, began: null, tasks: Array.from({ length: tasks }, () => ({ share: 0, left: null, done: 0, total: 0, began: null, took: null })) }));
+  const weights = all.reduce((sum, { weight }) => sum + weight, 0);
+  let current = 0,
+    told = 0,
+    shown = { share: 0, left: null, at: 0 };
+
+  // Seconds of a task that is under way or not begun, from those that are known.
+  const leftIn = (phase, now) => {
+    const known = phase.tasks.filter(({ took, left }) => took !== null || left !== null).map(({ took, left, began }) => took ?? (now - began) / 1000 + left);
+    if (known.length === 0) return null;
+    const usual = known.reduce((sum, seconds) => sum + seconds, 0) / known.length;
+    const lefts = phase.tasks.map(({ took, left, began }) => (took !== null ? 0 : (left ?? (began === null ? usual : Math.max(0, usual - (now - began) / 1000)))));
+    return Math.max(lefts.reduce((sum, seconds) => sum + seconds, 0) / workers, ...phase.tasks.map((_, i) => (phase.tasks[i].began === null ? 0 : lefts[i])));
+  };
+  const update = () => {
+    const now = Date.now(),
+      phase = all[current],
+      before = all.slice(0, current).reduce((sum, { weight }) => sum + weight, 0) / weights;
+    const within = phase.tasks.reduce((sum, { share }) => sum + share, 0) / phase.tasks.length;
+    const left = leftIn(phase, now);
+    let seconds = left;
+    if (left !== null) {
+      // What follows takes in proportion to what this phase takes.
+      const whole = (now - phase.began) / 1000 + left;
+      const after = all.slice(current + 1).reduce((sum, { weight }) => sum + weight, 0);
+      seconds = left + (whole * after) / phase.weight;
+    }
+    shown = { share: Math.max(shown.share, before + (within * phase.weight) / weights), left: seconds, at: now };
+    say();
+  };
+  const say = () => {
+    const phase = all[current];
+    const sum = (key) => phase.tasks.reduce((total, task) => total + task[key], 0);
+    const since = (Date.now() - shown.at) / 1000;
+    const left = shown.left === null ? null : Math.max(0, shown.left - since);
+    // Between two lines as time goes by, never to the end and never back.
+    const gone = shown.left > 0 ? 0.9 * Math.min(1, since / shown.left) : 0;
+    told = Math.max(told, Math.min(1, shown.share + (1 - shown.share) * gone));
+    tell?.({ done: sum('done'), total: sum('total'), share: told, secondsLeft: left, phase: phase.name });
+  };
+  const ticking = tell ? setInterval(() => shown.at > 0 && say(), 500) : null;
+
+  return {
+    begin: (phase, task) => {
+      current = Math.max(current, phase);
+      all[phase].began ??= Date.now();
+      all[phase].tasks[task].began = Date.now();
+    },
+    read: (phase, task, text) => {
+      const [, share, left, done, total] = line.exec(text) ?? [];
+      if (share === undefined || phase !== current) return;
+      Object.assign(all[phase].tasks[task], { share: Number(share), left: Number(left), done: Number(done), total: Number(total) });
+      update();
+    },
+    end: (phase, task) => {
+      const it = all[phase].tasks[task];
+      Object.assign(it, { share: 1, left: 0, took: (Date.now() - it.began) / 1000 });
+      if (phase === current) update();
+    },
+    stop: () => clearInterval(ticking),
+  };
+}

@@ -1,0 +1,107 @@
+// In a worker, below the module that emscripten made (`isolawProgram`): one command at a time, each in an instance of its
+// own. A classic script, since a worker made of a blob runs one anywhere.
+// In:  { kind: 'compiled', module }, then { kind: 'run', argv, files, keep, watch }
+// Out: { kind: 'text', stream, lines }, { kind: 'kept', files } (what `watch` names, while it runs), then
+//      { kind: 'done', code, files } or { kind: 'failed', name, message }
+/* global isolawProgram */
+'use strict';
+(() => {
+  const home = '/work',
+    pauseOfText_ms = 50,
+    pauseOfKept_ms = 3000;
+  let compiled = null;
+
+  const matcher = (globs) => {
+    const tests = globs.map((glob) => new RegExp('^' + glob.replace(/[.+?^${}()|[\]\\]/g, '\\$&').replace(/\*/g, '[\\s\\S]*') + '$'));
+    return (path) => tests.some((test) => test.test(path));
+  };
+
+  const filesBelow = (FS, folder, each) => {
+    for (const name of FS.readdir(folder)) {
+      if (name === '.' || name === '..') continue;
+      const path = folder + '/' + name;
+      if (FS.isDir(FS.stat(path).mode)) filesBelow(FS, path, each);
+      else each(path);
+    }
+  };
+
+  const collected = (FS, taken) => {
+    const files = [];
+    filesBelow(FS, home, (path) => {
+      const name = path.slice(home.length + 1);
+      if (taken(name, FS.stat(path))) files.push({ path: name, bytes: FS.readFile(path) });
+    });
+    return files;
+  };
+
+  const post = (message) => self.postMessage(message, (message.files ?? []).map(({ bytes }) => bytes.buffer));
+
+  async function run({ argv, files, keep, watch }) {
+    const said = { stdout: [], stderr: [] };
+    let last = 0,
+      lastKept = Date.now(),
+      program = null;
+    const flush = () => {
+      for (const stream of ['stderr', 'stdout'])
+        if (said[stream].length > 0) self.postMessage({ kind: 'text', stream, lines: said[stream].splice(0) });
+      last = Date.now();
+    };
+    const say = (stream) => (line) => {
+      said[stream].push(line);
+      const now = Date.now();
+      if (now - last > pauseOfText_ms) flush();
+      // What a line of progress tells of is in its store.
+      if (watch && now - lastKept > pauseOfKept_ms) {
+        const watched = matcher(watch);
+        post({ kind: 'kept', files: collected(program.FS, (name) => watched(name)) });
+        lastKept = Date.now();
+      }
+    };
+    program = await isolawProgram({
+      thisProgram: 'isolaw',
+      print: say('stdout'),
+      printErr: say('stderr'),
+      instantiateWasm: (imports, done) => {
+        WebAssembly.instantiate(compiled, imports).then(done, (error) => fail(error, flush));
+        return {};
+      },
+      quit: (_, toThrow) => {
+        throw toThrow;
+      },
+    });
+    const { FS } = program;
+    const given = new Map();
+    FS.mkdirTree(home);
+    FS.chdir(home);
+    for (const { path, bytes } of files) {
+      const at = home + '/' + path;
+      FS.mkdirTree(at.slice(0, at.lastIndexOf('/')));
+      FS.writeFile(at, bytes, { canOwn: true });
+      FS.utime(at, 1000, 1000);
+      given.set(path, FS.stat(at));
+    }
+    const code = program.callMain(argv);
+    flush();
+    const wanted = matcher(keep);
+    const isNew = (name, { size, mtime, ino }) => {
+      const before = given.get(name);
+      return !before || before.ino !== ino || before.size !== size || before.mtime.getTime() !== mtime.getTime();
+    };
+    post({ kind: 'done', code, files: collected(FS, (name, stat) => wanted(name) && isNew(name, stat)) });
+  }
+
+  function fail(error, flush) {
+    flush?.();
+    const memory = error instanceof RangeError && /memory/i.test(error.message);
+    self.postMessage({
+      kind: 'failed',
+      name: memory ? 'MemoryError' : 'CrashError',
+      message: memory ? 'the page has no more memory for this; try fewer or shorter records at once' : 'the program stopped: ' + (error?.message ?? error),
+    });
+  }
+
+  self.onmessage = ({ data }) => {
+    if (data.kind === 'compiled') compiled = data.module;
+    else run(data).catch((error) => fail(error));
+  };
+})();

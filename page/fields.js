@@ -1,0 +1,54 @@
+// Fields of forms: each shows a key of the lot file and writes it back when it changes.
+
+import { element } from './dom.js';
+import { text } from './text.js';
+
+const asNumber = (typed) => {
+  const value = Number(typed.trim().replace(',', '.'));
+  return Number.isFinite(value) ? value : typed.trim();
+};
+
+const shown = (value) => (value === undefined || value === null ? '' : typeof value === 'object' ? JSON.stringify(value) : String(value));
+
+const labelled = (id, [label, hint], control) =>
+  element('div', { class: 'field' }, element('label', { for: id }, label), control, hint && element('small', { id: id + '-hint' }, hint));
+
+// `write` is called with the value, or null where the field was emptied.
+export function textField(id, words, value, write, { number = false, whole = false, list = null } = {}) {
+  const control = element('input', {
+    id,
+    type: 'text',
+    value: shown(value),
+    inputmode: number ? 'decimal' : whole ? 'numeric' : null,
+    list,
+    'aria-describedby': words[1] ? id + '-hint' : null,
+    autocomplete: 'off',
+    spellcheck: 'false',
+    change: () => {
+      const typed = control.value.trim();
+      write(typed === '' ? null : number || whole ? asNumber(typed) : typed);
+    },
+  });
+  return labelled(id, words, control);
+}
+
+// `options`: [value, label].
+export function choiceField(id, words, options, value, write) {
+  const known = options.some(([one]) => one === shown(value));
+  const all = known ? options : [...options, [shown(value), shown(value)]];
+  const control = element(
+    'select',
+    { id, 'aria-describedby': words[1] ? id + '-hint' : null, change: () => write(control.value === '' ? null : control.value) },
+    all.map(([one, label]) => element('option', { value: one, selected: one === shown(value) }, label)),
+  );
+  return labelled(id, words, control);
+}
+
+export function flagField(id, [label], value, write) {
+  const control = element('input', { id, type: 'checkbox', checked: value === true, change: () => write(control.checked ? true : null) });
+  return element('div', { class: 'field flag' }, control, element('label', { for: id }, label));
+}
+
+export const fieldset = (title, ...fields) => element('fieldset', {}, element('legend', {}, title), element('div', { class: 'fields' }, fields));
+
+export const choicesOf = (key) => [['', text.choices['']], ...Object.entries(text.choices[key])];

@@ -1,0 +1,35 @@
+// A report of the program in a frame of its own: an origin apart, no way to this page, its policy the page's.
+
+import { button, element } from './dom.js';
+import { download } from './download.js';
+import { text } from './text.js';
+
+const addresses = new Set();
+
+// The report's bytes with a script that prints on demand, which a frame apart cannot be asked otherwise.
+function addressOf(bytes) {
+  const script = document.getElementById('isolaw-frame').textContent;
+  const url = URL.createObjectURL(new Blob([bytes, '<script>', script, '</script>'], { type: 'text/html;charset=utf-8' }));
+  addresses.add(url);
+  return url;
+}
+
+export function reportFrame(id, title, bytes, name, extra = []) {
+  const url = addressOf(bytes);
+  const frame = element('iframe', { id, title, src: url, sandbox: 'allow-scripts allow-downloads allow-modals' });
+  const tools = element(
+    'div',
+    { class: 'tools' },
+    extra,
+    button(text.print, () => frame.contentWindow.postMessage('isolaw: print', '*'), { class: 'action' }),
+    element('a', { class: 'action', href: url, target: '_blank', rel: 'noopener' }, text.newTab),
+    button(text.savePage, () => download(name, bytes, 'text/html'), { class: 'action' }),
+  );
+  return { tools, frame };
+}
+
+// Reports that are no longer shown; one that stands in a tab of its own stays there.
+export function forgetFrames() {
+  for (const url of addresses) URL.revokeObjectURL(url);
+  addresses.clear();
+}

@@ -1,0 +1,235 @@
+// Identification: what is asked, how far it is, the report.
+
+import { button, element, fill, place, visible } from './dom.js';
+import { engine, fileOf } from './engine_use.js';
+import { fileName } from './download.js';
+import { choiceField, textField } from './fields.js';
+import { reportFrame } from './frame.js';
+import { lotFiles, lotPath, lotTables, setCampaign } from './lot.js';
+import { problemList, readable } from './records.js';
+import { changed, state } from './state.js';
+import { text } from './text.js';
+import { withSetting } from './toml.js';
+
+let running = null; // AbortController
+let workers = 1;
+let settingsOpen = false;
+let shown = null;
+let progress = null; // the last that was told
+let furthest = 0; // what was told grows with what turns out to be there to do; the bar does not go back
+let started = 0;
+let said = ''; // of the last run: cancelled
+
+// What the program takes with the genetic algorithm alone.
+const OF_GA = ['population', 'generations', 'stagnation-tolerance'];
+
+const settings = () => lotTables().tables?.find(({ path }) => path === 'calibrate')?.keys ?? new Map();
+const value = (key, other) => settings().get(key)?.value ?? other;
+
+// 'paper', 'usual', 'all', or ids.
+const chosenLaws = () => {
+  const laws = value('laws', 'usual');
+  return Array.isArray(laws) && laws.length === 1 && text.lawSets[laws[0]] ? laws[0] : laws;
+};
+
+function lawIds(chosen) {
+  if (chosen === 'all') return state.laws.map(({ id }) => id);
+  if (chosen === 'paper') return state.laws.filter(({ set }) => set === 'paper').map(({ id }) => id);
+  if (chosen === 'usual') return state.laws.filter(({ set }) => set !== 'all').map(({ id }) => id);
+  return (Array.isArray(chosen) ? chosen : String(chosen).split(',')).map((id) => String(id).trim()).filter(Boolean);
+}
+
+function settingsForm(edit) {
+  const set = (key) => (typed) => edit(withSetting(state.lot, 'calibrate', key, typed));
+  const chosen = chosenLaws();
+  const kind = typeof chosen === 'string' && text.lawSetsWhy[chosen] ? chosen : 'some';
+  const ids = new Set(lawIds(chosen));
+  const radio = (one) =>
+    element(
+      'label',
+      { class: 'option' },
+      element('input', { type: 'radio', name: 'laws', id: 'laws-' + one, value: one, checked: one === kind, change: () => set('laws')(one === 'some' ? [...ids] : one) }),
+      element('span', {}, element('b', {}, text.lawSets[one]), element('small', {}, text.lawSetsWhy[one])),
+    );
+  const law = ({ id, title, parameters }) => {
+    const box = element('input', {
+      type: 'checkbox',
+      id: 'law-' + id,
+      checked: ids.has(id),
+      change: () => set('laws')(state.laws.map(({ id: one }) => one).filter((one) => (one === id ? box.checked : ids.has(one)))),
+    });
+    return element('label', { class: 'option' }, box, element('span', {}, title, element('small', {}, text.parameters(parameters))));
+  };
+  const method = value('method', 'best');
+  return element(
+    'div',
+    { class: 'form', id: 'law-settings' },
+    element(
+      'fieldset',
+      {},
+      element('legend', {}, text.whichLaws),
+      element('div', { class: 'options' }, Object.keys(text.lawSets).map(radio)),
+      kind === 'some' && element('div', { class: 'options laws' }, state.laws.map(law)),
+    ),
+    element(
+      'div',
+      { class: 'fields broad' },
+      textField('runs', [text.runs, text.runsWhy], value('runs', method === 'ga' ? 20 : 3), set('runs'), { whole: true }),
+      choiceField('method', [text.method, ''], Object.entries(text.methods), method, (typed) => {
+        const others = typed === 'ga' ? [] : OF_GA;
+        edit(others.reduce((lot, key) => withSetting(lot, 'calibrate', key, null), withSetting(state.lot, 'calibrate', 'method', typed)));
+      }),
+      choiceField('analysis', [text.analysis, ''], Object.entries(text.analyses), value('analysis', 'full'), set('analysis')),
+    ),
+  );
+}
+
+function drawProgress() {
+  const bar = place('progress-bar');
+  if (!bar) return;
+  const known = progress !== null;
+  if (known) bar.value = furthest;
+  else bar.removeAttribute('value');
+  const seconds = Math.round((performance.now() - started) / 1000);
+  const more = known ? [text.left(progress.secondsLeft), text.phases[progress.phase] ?? ''].filter(Boolean).join(', ') : text.unknownYet;
+  fill(place('progress-words'), element('b', {}, known ? text.percent(furthest) : text.since(seconds)), '\u2002' + more);
+  document.title = known ? text.percent(furthest) + ' \u2013 ' + text.program : text.program;
+}
+
+// What of the lot file says how much there is to do, again as options: the engine deals it out by these.
+const spelled = () => ['method', 'runs', 'analysis'].flatMap((key) => (settings().has(key) ? ['--' + key, String(value(key))] : []));
+
+export const isIdentifying = () => running !== null;
+export const cancelIdentifying = () => running?.abort();
+
+async function identify({ fail }) {
+  const before = state.campaign;
+  const store = before && before.files.filter(({ path }) => path === 'out/campaign.sqlite');
+  running = new AbortController();
+  progress = null;
+  furthest = 0;
+  started = performance.now();
+  const clock = setInterval(drawProgress, 1000);
+  said = '';
+  settingsOpen = false;
+  changed();
+  const ask = async (parts) =>
+    (await engine()).identify({
+      lotPath,
+      files: lotFiles(),
+      options: spelled(),
+      parts,
+      signal: running.signal,
+      onProgress: (told) => {
+        progress = told;
+        furthest = Math.max(furthest, Math.min(1, told.share));
+        drawProgress();
+      },
+    });
+  const lot = state.lot;
+  try {
+    const parts = state.parts ?? (store?.length > 0 ? store : undefined);
+    let result = await ask(parts);
+    // Of other settings: the earlier one is no start for it.
+    if (parts && !fileOf(result.files, 'out/summary.json')) result = await ask(undefined);
+    state.parts = null;
+    if (!fileOf(result.files, 'out/summary.json')) throw Object.assign(new Error(text.failed), { stderr: result.stderr });
+    setCampaign(result.files);
+    state.campaign.lot = lot;
+  } catch (error) {
+    if (error.name === 'AbortError') {
+      if (error.parts?.length > 0 && state.lot === lot) state.parts = error.parts;
+      said = text.cancelled;
+    } else fail(error);
+  } finally {
+    clearInterval(clock);
+    running = null;
+    document.title = text.program;
+    changed();
+    place(state.campaign && !said ? 'laws-title' : 'identify')?.focus();
+  }
+}
+
+export const knowWorkers = (number) => {
+  workers = number;
+};
+
+export function drawLaws(use) {
+  const node = place('view-laws');
+  const { edit, show } = use;
+  const page = state.campaign && fileOf(state.campaign.files, 'out/report.html');
+  if (running) {
+    shown = null;
+    if (place('progress-bar')) return;
+    fill(
+      node,
+      element('h2', { tabindex: '-1', id: 'laws-title' }, text.running),
+      element(
+        'div',
+        { class: 'running' },
+        element('p', { id: 'progress-words' }),
+        element('progress', { id: 'progress-bar', max: '1', 'aria-label': text.running }),
+        element(
+          'p',
+          { class: 'next' },
+          button(text.cancel, ({ currentTarget }) => {
+            currentTarget.disabled = true;
+            currentTarget.textContent = text.cancelling;
+            running?.abort();
+          }, { class: 'action', id: 'cancel' }),
+          element('span', { class: 'muted' }, text.mayLeave),
+        ),
+      ),
+    );
+    drawProgress();
+    place('cancel').focus({ preventScroll: true });
+    return;
+  }
+  const devices = readable();
+  const laws = lawIds(chosenLaws());
+  const runs = value('runs', value('method', 'best') === 'ga' ? 20 : 3);
+  const showSettings = !page || settingsOpen;
+  const outdated = page && state.lot !== null && state.campaign.lot !== state.lot;
+  const start = button(page ? text.identifyAgain : text.identify, () => identify(use), { class: page && !settingsOpen ? 'action' : 'action main', id: 'identify', disabled: devices === 0 || laws.length === 0 });
+  const heading = element('h2', { tabindex: '-1', id: 'laws-title', class: page && !settingsOpen ? 'hidden' : null }, text.laws);
+
+  if (page && !showSettings) {
+    const key = [page, outdated, state.campaign.summary.complete];
+    if (shown && key.every((one, i) => one === shown[i])) return;
+    shown = key;
+    const change = state.lot !== null && button(text.change, () => {
+      settingsOpen = true;
+      changed();
+      place('laws-title').focus();
+    }, { class: 'action', id: 'change' });
+    const remark = outdated ? text.outdated : state.campaign.summary.complete === false ? text.incomplete : '';
+    const { tools, frame } = reportFrame('report-frame', text.reportFrame, page, fileName(state.title || text.untitled) + '-report.html', [
+      button(text.toSave, () => show('save'), { class: 'action main', id: 'to-save' }),
+      state.lot !== null && start,
+      change,
+      remark && element('span', { class: 'care' }, remark),
+    ]);
+    fill(node, heading, tools, frame);
+    return;
+  }
+  shown = null;
+  const id = document.activeElement?.id;
+  fill(
+    node,
+    heading,
+    said && element('p', { class: 'hint', role: 'status', id: 'laws-said' }, said),
+    state.lot !== null && lotTables().tables && settingsForm(edit),
+    element(
+      'p',
+      { class: 'next start' },
+      start,
+      settingsOpen && button(text.done, () => {
+        settingsOpen = false;
+        changed();
+      }, { class: 'action' }),
+      element('span', { class: 'muted' }, devices === 0 ? text.noDevice : laws.length === 0 ? text.noLaw : visible(text.work(devices, laws.length, runs) + text.workers(workers))),
+    ),
+    devices === 0 && state.problem && problemList(state.problem),
+  );
+  if (id) place(id)?.focus({ preventScroll: true });
+}

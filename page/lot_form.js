@@ -1,0 +1,77 @@
+// What holds for the whole lot: a form that is the lot file, and the lot file itself.
+
+import { button, element } from './dom.js';
+import { choiceField, fieldset, textField } from './fields.js';
+import { lotDevices, lotTables } from './lot.js';
+import { state } from './state.js';
+import { text } from './text.js';
+import { withKey, withSetting } from './toml.js';
+
+// `edit` is called with the new text of the lot file.
+export function lotForm(edit) {
+  const { tables, line } = lotTables();
+  const parts = [];
+  if (tables) {
+    const top = tables[0].keys;
+    const acceptance = tables.find(({ path }) => path === 'acceptance')?.keys ?? new Map();
+    const apart = tables.find(({ path }) => path === 'acceptance.design')?.keys;
+    const setting = (path, key) => (value) => edit(withSetting(state.lot, path, key, value));
+    const devices = lotDevices();
+    const shared = (key) => {
+      const values = new Set(devices.map(({ table }) => table.keys.get(key)?.value));
+      return values.size === 1 ? [...values][0] : undefined;
+    };
+    const differs = (key) => new Set(devices.map(({ table }) => table.keys.get(key)?.value)).size > 1;
+    const forAll = (key, label) =>
+      textField('all-' + key, [label, differs(key) ? text.differ : text.forAll], shared(key), (value) => edit(devices.reduceRight((lot, { number }) => withKey(lot, number, key, value), state.lot)), { number: true });
+    parts.push(
+      fieldset(
+        text.lot,
+        textField('lot-title', [text.lotTitle, ''], top.get('title')?.value, setting('', 'title')),
+        forAll('rubber-thickness-mm', text.rubberAll[0]),
+        forAll('rubber-area-mm2', text.rubberAll[1]),
+      ),
+    );
+
+    const design = acceptance.get('design')?.value ?? (apart ? Object.fromEntries([...apart].map(([key, { value }]) => [key, value])) : {});
+    const given = typeof design === 'string' ? Object.fromEntries(design.split(',').map((one) => one.split('=').map((part) => part.trim()))) : design;
+    const designField = ([key, label]) =>
+      textField(
+        'design-' + key,
+        [label, ''],
+        given[key],
+        (value) => {
+          if (apart) return edit(withSetting(state.lot, 'acceptance.design', key, value));
+          const next = Object.fromEntries(Object.entries(given).map(([name, one]) => [name, Number(one)]));
+          if (value === null) delete next[key];
+          else next[key] = value;
+          return edit(withSetting(state.lot, 'acceptance', 'design', Object.keys(next).length > 0 ? next : null));
+        },
+        { number: true },
+      );
+    const files = [...state.files.keys()].filter((path) => /\.toml$/i.test(path)).map((path) => [path, path]);
+    parts.push(
+      fieldset(
+        text.rulesOf,
+        choiceField('rules', [text.rules, ''], [['', text.noRules], ...state.rules.map(({ id, title }) => [id, id + ': ' + title]), ...files], acceptance.get('rules')?.value, setting('acceptance', 'rules')),
+        textField('lot-size', [text.lotSize, ''], acceptance.get('lot-size')?.value, setting('acceptance', 'lot-size'), { whole: true }),
+      ),
+      fieldset(text.design, Object.entries(text.designs).map(designField)),
+    );
+  }
+  const area = element('textarea', { id: 'lot-text', rows: Math.min(28, state.lot.split('\n').length + 1), spellcheck: 'false', 'aria-describedby': 'lot-text-why', change: () => edit(area.value) });
+  area.value = state.lot;
+  parts.push(
+    element(
+      'details',
+      { class: 'rarely', id: 'lot-file' },
+      element('summary', {}, text.lotFile),
+      element('label', { for: 'lot-text', class: 'hidden' }, text.lotFile),
+      element('p', { class: 'fine', id: 'lot-text-why' }, text.lotFileWhy),
+      line > 0 && element('p', { class: 'care' }, text.lotFileLine(line)),
+      area,
+      button(text.done, () => edit(area.value), { class: 'action' }),
+    ),
+  );
+  return parts;
+}

@@ -1,0 +1,244 @@
+// The page: its views, what is dropped on it, what it does next.
+
+import { drawAbout } from './about.js';
+import { button, element, fill, place, visible } from './dom.js';
+import { engine, messageOf } from './engine_use.js';
+import { forgetFrames } from './frame.js';
+import { cancelIdentifying, drawLaws, isIdentifying, knowWorkers } from './laws.js';
+import { addFiles, exampleLot, inspect, lotDevices, openStore, readCatalogue, readRecords } from './lot.js';
+import { drawProperties } from './properties.js';
+import { drawRecords, problemList } from './records.js';
+import { drawSave } from './save.js';
+import { changed, onChange, state } from './state.js';
+import { ofDrop, ofInput, take, withoutFolder } from './taking.js';
+import { text } from './text.js';
+
+const VIEWS = Object.keys(text.views);
+let current = 'records';
+let working = 0;
+
+const isEmpty = () => state.lot === null && !state.campaign && state.unread.length === 0;
+const allowed = (view) => view === 'records' || view === 'about' || (view === 'save' ? !isEmpty() : view === 'laws' ? state.campaign !== null || lotDevices().length > 0 : state.inspection !== null);
+
+function drawMast() {
+  const title = state.inspection?.title || state.campaign?.summary.title || state.title;
+  place('title').textContent = visible(title || text.kind);
+  place('title').title = place('title').textContent;
+  place('brand').textContent = text.program;
+}
+
+function drawViews() {
+  const nav = place('views');
+  const focused = document.activeElement?.id;
+  fill(
+    nav,
+    VIEWS.map((view) =>
+      button(text.views[view], () => show(view, true), { id: 'show-' + view, 'data-words': text.views[view], 'aria-current': view === current ? 'page' : null, disabled: !allowed(view), title: allowed(view) ? null : text.notYet[view] }),
+    ),
+  );
+  if (focused?.startsWith('show-')) place(focused)?.focus();
+  for (const view of VIEWS) place('view-' + view).hidden = view !== current;
+  document.body.dataset.view = current;
+}
+
+function drawEmpty() {
+  fill(
+    place('view-records'),
+    element('h2', { class: 'hidden', tabindex: '-1', id: 'records-title' }, text.records),
+    element('p', { class: 'headline' }, text.promise),
+    element(
+      'div',
+      { class: 'drop', id: 'drop' },
+      element('p', { class: 'word' }, text.drop),
+      element('p', { class: 'fine' }, text.dropWhat),
+      element(
+        'p',
+        { class: 'next' },
+        button(text.chooseFiles, () => place('pick').click(), { class: 'action main', id: 'choose-files' }),
+        button(text.chooseFolder, () => place('pick-folder').click(), { class: 'action', id: 'choose-folder' }),
+        button(text.example, () => busy(text.starting, async () => takeIn(await exampleLot())), { class: 'action', id: 'example' }),
+      ),
+    ),
+    element('ol', { class: 'steps' }, text.steps.map(([title, words]) => element('li', {}, element('b', {}, title), element('span', {}, words)))),
+  );
+}
+
+const use = {
+  edit: (lot) => {
+    state.lot = lot;
+    state.saved = false;
+    if (lotDevices().length === 0) {
+      state.inspection = null;
+      state.inspectionFiles = [];
+      state.problem = '';
+    }
+    changed();
+    busy(text.inspecting, inspectIfAny);
+  },
+  show: (view) => show(view, true),
+  pick: () => place('pick').click(),
+  pickFolder: () => place('pick-folder').click(),
+  startOver: () => {
+    if (state.saved || window.confirm(text.reallyStartOver)) startOver();
+  },
+  addAgain: (paths) => busy(text.reading(paths.length), async () => {
+    await readRecords(paths);
+    changed();
+    await inspectIfAny();
+  }),
+  busy: (words, work) => busy(words, work),
+  fail: (error) => fail(error),
+};
+
+const inspectIfAny = async () => {
+  // Where this page cannot read the lot file the program says why.
+  if (state.lot !== null && /^\s*\[\[\s*device/m.test(state.lot)) await inspect();
+};
+
+function draw() {
+  drawMast();
+  drawViews();
+  if (isEmpty()) drawEmpty();
+  else drawRecords(use);
+  if (current === 'properties') drawProperties(use);
+  if (current === 'laws') drawLaws(use);
+  if (current === 'save') drawSave(use);
+}
+
+function show(view, focus = false) {
+  if (!allowed(view)) return;
+  current = view;
+  draw();
+  if (view === 'about') drawAbout().catch(fail);
+  if (focus) place('view-' + view).querySelector('h2')?.focus();
+}
+
+function startOver() {
+  cancelIdentifying();
+  Object.assign(state, { files: new Map(), title: '', lot: null, unread: [], notes: [], inspection: null, inspectionFiles: [], problem: '', campaign: null, parts: null, saved: true });
+  forgetFrames();
+  hush();
+  show('records', true);
+}
+
+// What is being done, in words; the page stays free meanwhile.
+async function busy(words, work) {
+  ++working;
+  document.body.dataset.busy = String(working);
+  place('status').textContent = words;
+  place('busy').hidden = false;
+  try {
+    return await work();
+  } catch (error) {
+    fail(error);
+    return null;
+  } finally {
+    --working;
+    document.body.dataset.busy = String(working);
+    if (working === 0) {
+      place('busy').hidden = true;
+      place('status').textContent = '';
+    }
+    changed();
+  }
+}
+
+const hush = () => {
+  place('failure').hidden = true;
+};
+
+function fail(error) {
+  const node = place('failure');
+  const said = messageOf(error.stderr ?? '');
+  fill(
+    node,
+    element('p', { class: 'word' }, visible(error.message || text.failed)),
+    said && problemList(said).slice(0, 5),
+    !said && !error.shown && element('p', { class: 'fine' }, visible(error.name)),
+    button(text.close, () => {
+      node.hidden = true;
+      place('show-' + current)?.focus();
+    }, { class: 'action', id: 'close-failure' }),
+  );
+  node.hidden = false;
+  node.focus();
+}
+
+const takeIn = async (files) => {
+  hush();
+  const shorter = withoutFolder(files);
+  const { store } = await addFiles({ files: shorter.files, title: shorter.title, notes: state.notes });
+  changed();
+  place('status').textContent = text.inspecting;
+  await inspectIfAny();
+  if (store) {
+    place('status').textContent = text.reporting;
+    await openStore(store);
+    changed();
+    show('laws');
+  } else show('records');
+};
+
+const receive = (chosen) =>
+  busy(text.starting, async () => {
+    const all = await chosen;
+    place('status').textContent = text.reading(all.length);
+    state.notes = [];
+    const size = [...state.files.values()].reduce((sum, { length }) => sum + length, 0);
+    const { files, notes } = await take(all, size);
+    state.notes = notes;
+    if (files.length > 0) await takeIn(files);
+  });
+
+function listen() {
+  let inside = 0;
+  const over = (on) => document.body.toggleAttribute('data-dropping', on);
+  addEventListener('dragenter', (event) => {
+    event.preventDefault();
+    ++inside;
+    over(true);
+  });
+  addEventListener('dragleave', () => {
+    inside = Math.max(0, inside - 1);
+    if (inside === 0) over(false);
+  });
+  addEventListener('dragover', (event) => event.preventDefault());
+  addEventListener('drop', (event) => {
+    event.preventDefault();
+    inside = 0;
+    over(false);
+    receive(ofDrop(event.dataTransfer));
+  });
+  for (const id of ['pick', 'pick-folder'])
+    place(id).addEventListener('change', ({ currentTarget }) => {
+      const chosen = ofInput(currentTarget);
+      currentTarget.value = '';
+      receive(Promise.resolve(chosen));
+    });
+  addEventListener('beforeunload', (event) => {
+    if (!isIdentifying() && (state.saved || isEmpty())) return;
+    event.preventDefault();
+    event.returnValue = text.leave;
+  });
+  addEventListener('keydown', ({ key }) => {
+    if (key === 'Escape' && isIdentifying()) cancelIdentifying();
+  });
+}
+
+document.documentElement.lang = text.language;
+place('skip').textContent = text.skip;
+place('views').setAttribute('aria-label', text.sections);
+place('dropping').textContent = text.dropNow;
+onChange(draw);
+listen();
+draw();
+engine()
+  .then((started) => {
+    knowWorkers(started.workers ?? 1);
+    return readCatalogue();
+  })
+  .then(() => {
+    document.body.dataset.ready = '';
+    changed();
+  })
+  .catch((error) => fail(Object.assign(new Error(text.noEngine + ' ' + text.noEngineTry), { stderr: error.message, shown: true })));

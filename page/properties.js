@@ -1,0 +1,38 @@
+// Cycles, properties, rule set and certificate, as `isolaw inspect` writes them.
+
+import { button, element, fill, place, visible } from './dom.js';
+import { fileOf } from './engine_use.js';
+import { fileName } from './download.js';
+import { reportFrame } from './frame.js';
+import { state } from './state.js';
+import { text } from './text.js';
+
+const TONES = { PASS: 'good', FAIL: 'poor', INCOMPLETE: 'care' };
+let shown = null;
+
+export function drawProperties({ show }) {
+  const page = fileOf(state.inspectionFiles, 'inspection.html');
+  if (page && page === shown) return;
+  shown = page;
+  const node = place('view-properties');
+  if (!page) {
+    fill(node, element('h2', { class: 'hidden', tabindex: '-1' }, text.properties), element('p', { class: 'empty' }, text.notInspected));
+    return;
+  }
+  const { word, sentence } = state.inspection.result ?? {};
+  // Why stands in the page below, in full.
+  const verdict = element('p', { class: 'verdict-line' }, element('b', { class: 'word ' + (TONES[word] ?? '') }, word ?? text.noVerdict), !word && sentence && ' ' + visible(sentence.replace(/^no verdict: /, '')));
+  const { tools, frame } = reportFrame('inspection-frame', text.inspectionFrame, page, fileName(state.title || text.untitled) + '-inspection.html', [
+    verdict,
+    !state.inspection.assessment?.rule_set &&
+      button(
+        text.chooseRules,
+        () => {
+          show('records');
+          place('rules')?.focus();
+        },
+        { class: 'action', id: 'choose-rules' },
+      ),
+  ]);
+  fill(node, element('h2', { class: 'hidden', tabindex: '-1' }, text.properties), tools, frame);
+}

@@ -1,0 +1,275 @@
+// The first screen: what was dropped, what was recognised in it, and how it is corrected.
+
+import { button, element, fill, place, sign, visible } from './dom.js';
+import { deviceForm } from './device_form.js';
+import { lotForm } from './lot_form.js';
+import { addDevice, lotDevices, lotTables, namedFiles } from './lot.js';
+import { state } from './state.js';
+import { text } from './text.js';
+import { withKey, withoutDevice } from './toml.js';
+
+const openForms = new Set(); // names of devices
+let openLotFile = false;
+
+const CHANNELS = ['time', 'disp', 'force', 'load'];
+
+const number = (value, digits) => (typeof value === 'number' ? String(Number(value.toPrecision(digits))).replace('-', '\u2212') : '\u2013');
+
+// "where: what; allowed: ...; try: ..." of the program, in its parts.
+function problemParts(message) {
+  return message.split('\n').filter(Boolean).map((line) => {
+    const [head, advice = ''] = line.split(/; try: (.*)/s);
+    const [what, allowed = ''] = head.split(/; allowed: (.*)/s);
+    return { what, allowed, advice };
+  });
+}
+
+export const problemList = (message, own = '') =>
+  problemParts(message).map(({ what, allowed, advice }) =>
+    element(
+      'div',
+      { class: 'problem' },
+      element('p', {}, visible(own && what.startsWith(own + ': ') ? what.slice(own.length + 2) : what)),
+      allowed && element('p', {}, element('b', {}, text.allowed + ' '), visible(allowed)),
+      advice && element('p', {}, element('b', {}, text.try + ' '), visible(advice)),
+    ),
+  );
+
+// The devices of the lot file, each with what inspect says of it.
+function devicesFound() {
+  const devices = lotDevices();
+  const found = state.inspection?.devices ?? [];
+  const alike = found.length === devices.length;
+  return devices.map((device, i) => {
+    const own = alike ? found[i] : found.find(({ name }) => name === device.name);
+    const absent = device.file && !state.files.has(device.file) ? text.absent : '';
+    const message = absent ? absent : own ? (own.status === 'ok' ? own.properties_refusal : own.message) : state.problem && devices.length === 1 ? state.problem : '';
+    return { device, found: own, message, readable: own?.status === 'ok' };
+  });
+}
+
+export const readable = () => devicesFound().filter((one) => one.readable).length;
+
+function readAs(found) {
+  if (!found?.columns) return [];
+  return CHANNELS.filter((channel) => found.columns[channel] !== undefined && found.columns[channel] !== null).map((channel) => {
+    const unit = found.units?.[channel];
+    const name = String(found.columns[channel]);
+    const told = unit && !new RegExp('[[(_ ]' + unit.replace(/[^\w]/g, '') + '[\\])]?$').test(name);
+    return element('span', { class: 'channel-read' }, element('span', { class: 'muted' }, text.channelShort[channel] + ' '), visible(name), told && element('span', { class: 'muted' }, ' ' + visible(unit)));
+  });
+}
+
+const reported = (found) => {
+  const block = found?.blocks?.find(({ number: one }) => one === found.reported?.block);
+  return block?.cycles.find(({ number: one }) => one === found.reported?.number) ?? null;
+};
+
+function remarks({ found, message, device }) {
+  if (message) return element('div', { class: found?.status === 'ok' ? 'care' : 'poor' }, problemList(message, device.file));
+  const warnings = found?.warnings ?? [];
+  if (warnings.length === 0) return element('span', { class: 'muted' }, found ? text.fine : '');
+  const said = (some) => element('ul', { class: 'sentences' }, some.map((one) => element('li', {}, visible(one))));
+  return element(
+    'div',
+    {},
+    said(warnings.slice(0, 2)),
+    warnings.length > 2 && element('details', {}, element('summary', {}, text.more(warnings.length - 2)), said(warnings.slice(2))),
+  );
+}
+
+function rowsOf(one, edit, redraw) {
+  const { device, found, message, readable: isRead } = one;
+  const cycle = reported(found);
+  const isOpen = openForms.has(device.name);
+  const tone = !found && !message ? 'muted' : !isRead ? 'poor' : message || found.warnings.length > 0 ? 'care' : 'good';
+  const shape = { good: 'tick', care: 'care', poor: 'cross' }[tone];
+  const cell = (label, value, className) => element('td', { class: className, 'data-label': label }, value);
+  const toggle = button(
+    isOpen ? text.done : text.correct,
+    () => {
+      if (isOpen) openForms.delete(device.name);
+      else openForms.add(device.name);
+      redraw();
+    },
+    { class: 'action', id: 'correct-' + device.number, 'aria-expanded': String(isOpen), 'aria-label': (isOpen ? text.done : text.correct) + ': ' + visible(device.name) },
+  );
+  const rows = [
+    element(
+      'tr',
+      { class: 'device', 'data-tone': tone },
+      element('th', { scope: 'row', class: 'device-name' }, element('div', { class: 'named' }, shape && sign(shape, tone), element('span', {}, visible(device.name), device.file && element('small', {}, visible(device.file))))),
+      cell(text.readAs, element('div', { class: 'channels-read' }, readAs(found)), 'read-as'),
+      cell(text.samples, number(isRead ? found.samples : null, 9), 'number'),
+      cell(text.amplitude, number(cycle?.amplitude_mm, 4), 'number'),
+      cell(text.stiffness, number(cycle?.K_eff_kN_per_mm, 4), 'number'),
+      cell(text.dampingShort, number(cycle?.damping_percent, 3), 'number'),
+      cell(text.remarks, remarks(one), 'remarks-cell'),
+      element('td', { class: 'act' }, toggle),
+    ),
+  ];
+  if (isOpen) {
+    const write = (key, value) => {
+      if (key === 'name' && value) {
+        openForms.delete(device.name);
+        openForms.add(value);
+      }
+      edit(withKey(state.lot, device.number, key, value));
+    };
+    rows.push(
+      element(
+        'tr',
+        { class: 'form-row' },
+        element(
+          'td',
+          { colspan: '8' },
+          deviceForm(device, found, message, write),
+          element(
+            'p',
+            { class: 'form-end' },
+            button(text.done, () => {
+              openForms.delete(device.name);
+              redraw('correct-' + device.number);
+            }, { class: 'action' }),
+            button(text.leaveOut, () => {
+              openForms.delete(device.name);
+              if (device.file) state.unread = [...state.unread, { file: device.file, message }];
+              edit(withoutDevice(state.lot, device.number));
+            }, { class: 'action quiet' }),
+          ),
+        ),
+      ),
+    );
+  }
+  return rows;
+}
+
+function band(all) {
+  const read = all.filter((one) => one.readable).length;
+  const not = all.length - read + state.unread.length;
+  // Of one device alone the program says no more than what is wrong with it.
+  const broken = state.problem && !state.inspection && all.length !== 1;
+  // A store alone.
+  if (state.lot === null && state.campaign && not === 0) return { read, node: ['muted', text.readBand.results, text.readResults, false] };
+  const [tone, word, said] = broken
+    ? ['poor', text.readBand.broken, '']
+    : read === 0
+      ? ['poor', text.readBand.none, text.readNone]
+      : not > 0
+        ? ['care', text.readBand.some(read, not), text.readSome]
+        : ['good', text.readBand.all(read), text.readAll];
+  return { read, node: [tone, word, said, broken] };
+}
+
+export function drawRecords({ edit, show, pick, pickFolder, startOver, addAgain }) {
+  const node = place('view-records');
+  const redraw = (focus) => {
+    const id = focus ?? document.activeElement?.id;
+    drawRecords({ edit, show, pick, pickFolder, startOver, addAgain });
+    if (id) place(id)?.focus({ preventScroll: true });
+  };
+  const all = devicesFound();
+  const { read, node: [tone, word, said, broken] } = band(all);
+  const pending = all.length > 0 && !state.inspection && !state.problem;
+  const named = namedFiles();
+  const missing = named ? [...named].filter((path) => !state.files.has(path)) : [];
+  const unused = named ? [...state.files.keys()].filter((path) => !named.has(path) && !/\.toml$/i.test(path) && !state.unread.some(({ file }) => file === path)) : [];
+  const openDetails = new Set([...node.querySelectorAll('details[open][id]')].map(({ id }) => id));
+  openLotFile = openDetails.has('lot-file');
+
+  fill(
+    node,
+    element('h2', { class: 'hidden', tabindex: '-1', id: 'records-title' }, text.records),
+    !pending &&
+      element(
+        'div',
+        { class: 'band ' + tone, id: 'read-band' },
+        element('p', { class: 'word' }, word),
+        said && element('p', { class: 'said' }, said),
+        broken && problemList(state.problem),
+        read > 0 &&
+          element(
+            'p',
+            { class: 'next' },
+            button(text.toProperties, () => show('properties'), { class: 'action', id: 'to-properties' }),
+            button(text.toLaws, () => show('laws'), { class: 'action main', id: 'to-laws' }),
+          ),
+      ),
+    element(
+      'div',
+      { class: 'drop small', id: 'drop-more' },
+      element('span', {}, text.dropMore),
+      button(text.chooseFiles, pick, { class: 'action' }),
+      button(text.chooseFolder, pickFolder, { class: 'action' }),
+      button(text.startOver, startOver, { class: 'action quiet', id: 'start-over' }),
+    ),
+    state.notes.length > 0 && element('ul', { class: 'notes' }, state.notes.map((note) => element('li', {}, visible(note)))),
+    missing.length > 0 && element('p', { class: 'hint care' }, visible(text.missing(missing))),
+    all.length > 0 &&
+      element(
+        'div',
+        { class: 'scroll wide' },
+        element(
+          'table',
+          { id: 'devices' },
+          element('caption', { class: 'hidden' }, text.devices),
+          element(
+            'thead',
+            {},
+            element(
+              'tr',
+              {},
+              [
+                [text.device, ''],
+                [text.readAs, ''],
+                [text.samples, '', 'number'],
+                [text.amplitude, 'mm', 'number'],
+                [text.stiffness, 'kN/mm', 'number'],
+                [text.dampingShort, '%', 'number'],
+                [text.remarks, ''],
+              ].map(([title, unit, className]) => element('th', { scope: 'col', class: className }, title, unit && element('small', {}, unit))),
+              element('td', { class: 'act' }),
+            ),
+          ),
+          element('tbody', {}, all.map((one) => rowsOf(one, edit, redraw))),
+        ),
+      ),
+    state.unread.length > 0 &&
+      element(
+        'section',
+        { class: 'unread', 'aria-labelledby': 'unread-title' },
+        element('h3', { id: 'unread-title' }, text.notRead),
+        element('p', { class: 'fine' }, text.notReadWhy),
+        element(
+          'ul',
+          {},
+          state.unread.map(({ file, message }) =>
+            element(
+              'li',
+              {},
+              element('p', { class: 'named' }, sign('cross', 'poor'), element('b', {}, visible(file))),
+              problemList(message, file).slice(0, 4),
+              element(
+                'p',
+                { class: 'next' },
+                button(text.correctFile, () => {
+                  addDevice(file);
+                  openForms.add(file.replace(/^.*\//, '').replace(/\.[^.]*$/, ''));
+                  edit(state.lot);
+                }, { class: 'action', 'aria-label': text.correctFile + ': ' + visible(file) }),
+                button(text.forget, () => {
+                  state.unread = state.unread.filter((one) => one.file !== file);
+                  state.files.delete(file);
+                  edit(state.lot);
+                }, { class: 'action quiet', 'aria-label': text.forget + ': ' + visible(file) }),
+              ),
+            ),
+          ),
+        ),
+      ),
+    unused.length > 0 && element('p', { class: 'hint' }, visible(text.notNamed(unused)) + ' ', button(text.addThem, () => addAgain(unused), { class: 'action' })),
+    state.lot !== null && element('section', { class: 'form lot-form', 'aria-label': text.lot }, lotForm(edit)),
+  );
+  for (const id of openDetails) if (place(id)) place(id).open = true;
+  if (!lotTables().tables || openLotFile) place('lot-file')?.setAttribute('open', '');
+}

@@ -1,0 +1,132 @@
+// What can be taken away: everything as one file, single files, a law for an analysis program.
+
+import { button, element, fill, place, visible } from './dom.js';
+import { asBytes, fileOf, messageOf, run } from './engine_use.js';
+import { download, fileName } from './download.js';
+import { choiceField, flagField } from './fields.js';
+import { problemList } from './records.js';
+import { state } from './state.js';
+import { text } from './text.js';
+import { writeZip } from './zip.js';
+
+const TYPES = { html: 'text/html', json: 'application/json', toml: 'application/toml', zip: 'application/zip' };
+let said = []; // of the last export
+const chosen = { law: null, device: null, to: 'opensees-cpp', units: 'kN-mm', anyway: false };
+
+const name = () => fileName(state.campaign?.summary.title || state.title || text.untitled);
+
+const marker = () => asBytes(JSON.stringify({ isolaw: 'campaign', schema: 1 }) + '\n');
+
+// The lot file with its records, and results below out/: as the command line lays it out.
+const wholeFiles = () => [
+  ...(state.lot === null ? [] : [{ path: 'lot.toml', bytes: asBytes(state.lot) }]),
+  ...[...state.files].map(([path, bytes]) => ({ path, bytes })),
+  ...(state.campaign?.files ?? []),
+  { path: 'isolaw-campaign.json', bytes: marker() },
+];
+
+const saveWhole = async () => {
+  download(name() + '.isolaw.zip', await writeZip(wholeFiles()), TYPES.zip);
+  state.saved = true;
+};
+
+const under = (files, folder) => files.filter(({ path }) => path.startsWith(folder));
+
+async function saveTables() {
+  const tables = [
+    ...under(state.campaign?.files ?? [], 'out/tables/').map(({ path, bytes }) => ({ path: path.slice('out/'.length), bytes })),
+    ...under(state.inspectionFiles, 'tables/').map(({ path, bytes }) => ({ path: 'inspection/' + path, bytes })),
+  ];
+  download(name() + '-tables.zip', await writeZip(tables), TYPES.zip);
+}
+
+function singles() {
+  const files = state.campaign?.files ?? [];
+  const all = [
+    ['report.html', fileOf(files, 'out/report.html')],
+    ['inspection.html', fileOf(state.inspectionFiles, 'inspection.html')],
+    ['lot.toml', state.lot === null ? null : asBytes(state.lot)],
+    ['summary.json', fileOf(files, 'out/summary.json')],
+    ['inspection.json', fileOf(state.inspectionFiles, 'inspection.json')],
+  ].filter(([, bytes]) => bytes);
+  const rows = all.map(([file, bytes]) => ({ file, press: () => download(file === 'lot.toml' ? file : name() + '-' + file, bytes, TYPES[file.split('.').pop()]), size: text.size(bytes.length) }));
+  if (all.length > 0) rows.push({ file: 'tables.zip', press: saveTables, size: '' });
+  return rows;
+}
+
+const fileOfExport = () => fileName([chosen.law, chosen.device].join('-')) + (chosen.to === 'opensees-cpp' ? '-opensees' : '') + '.' + text.extensions[chosen.to];
+
+async function makeExport() {
+  const file = fileOfExport();
+  const words = ['export', 'out', '--law', chosen.law, '--device', chosen.device, '--to', chosen.to, '--out', file];
+  if (chosen.units !== 'kN-mm') words.push('--units', chosen.units);
+  if (chosen.anyway) words.push('--anyway');
+  said = [];
+  const result = await run(words, under(state.campaign.files, 'out/').filter(({ path }) => /\.(sqlite|json)$/.test(path)), ['*']);
+  const made = result.files.filter(({ path }) => !path.startsWith('out/'));
+  for (const { path, bytes } of made) download(path.replace(/^.*\//, ''), bytes);
+  // What was written is said already.
+  const warnings = messageOf(result.stderr).split('\n').filter((line) => !made.some(({ path }) => line === path || line === 'written: ' + path)).join('\n');
+  said = [
+    made.length > 0 ? element('p', { class: 'good' }, visible(text.exported(made.map(({ path }) => path).join(', ')))) : null,
+    made.length > 0 ? warnings && element('pre', { tabindex: '0' }, visible(warnings)) : element('div', { class: 'poor' }, problemList(warnings)),
+  ];
+}
+
+export function drawSave({ busy }) {
+  const node = place('view-save');
+  const summary = state.campaign?.summary;
+  const laws = summary?.laws.map(({ id }) => id) ?? [];
+  if (!laws.includes(chosen.law)) chosen.law = summary?.recommendations?.find(({ law }) => laws.includes(law))?.law ?? laws[0] ?? null;
+  const title = (id) => state.laws.find((one) => one.id === id)?.title ?? id;
+  const devices = summary?.devices.filter(({ status }) => status === 'ok').map(({ name: one }) => one) ?? [];
+  // One law for all is an analysis, of two devices at least.
+  const ofLot = summary?.settings.analysis !== 'none' && devices.length > 1;
+  if (chosen.device === null || (chosen.device === 'lot' ? !ofLot : !devices.includes(chosen.device))) chosen.device = ofLot ? 'lot' : (devices[0] ?? null);
+  const choose = (key) => (picked) => {
+    chosen[key] = picked;
+    said = [];
+    fill(place('export-said'));
+  };
+  const focused = document.activeElement?.id;
+  fill(
+    node,
+    element('h2', { tabindex: '-1', id: 'save-title' }, text.save),
+    element(
+      'section',
+      { class: 'card', 'aria-labelledby': 'whole-title' },
+      element('h3', { id: 'whole-title' }, text.whole),
+      element('p', { class: 'fine' }, state.campaign ? text.wholeWhy : text.wholeEarly),
+      element('p', { class: 'next' }, button(text.download(name() + '.isolaw.zip'), () => busy(text.save, saveWhole), { class: 'action main', id: 'save-whole' })),
+    ),
+    element(
+      'section',
+      { class: 'card', 'aria-labelledby': 'files-title' },
+      element('h3', { id: 'files-title' }, text.files),
+      element(
+        'ul',
+        { class: 'downloads' },
+        singles().map(({ file, press, size }) => element('li', {}, button(file, press, { class: 'action', id: 'save-' + file.replace('.', '-'), 'aria-label': text.download(file) }), element('span', {}, text.fileOf[file], size && element('small', {}, size)))),
+      ),
+    ),
+    element(
+      'section',
+      { class: 'card form', 'aria-labelledby': 'export-title' },
+      element('h3', { id: 'export-title' }, text.export),
+      element('p', { class: 'fine' }, summary ? text.exportWhy : text.exportNone),
+      summary &&
+        element(
+          'div',
+          { class: 'fields broad' },
+          choiceField('export-law', [text.law, ''], laws.map((id) => [id, title(id)]), chosen.law, choose('law')),
+          choiceField('export-device', [text.ofDevice, ''], [...(ofLot ? [['lot', text.ofLot]] : []), ...devices.map((one) => [one, visible(one)])], chosen.device, choose('device')),
+          choiceField('export-to', [text.target, ''], Object.entries(text.targets), chosen.to, choose('to')),
+          choiceField('export-units', [text.unitsOf, ''], ['kN-mm', 'N-m', 'kip-in'].map((one) => [one, one]), chosen.units, choose('units')),
+          flagField('export-anyway', [text.anyway], chosen.anyway, (on) => choose('anyway')(on === true)),
+        ),
+      summary && element('p', { class: 'next' }, button(text.makeExport, () => busy(text.exporting, makeExport), { class: 'action main', id: 'make-export' })),
+      element('div', { id: 'export-said', role: 'status' }, said),
+    ),
+  );
+  if (focused) place(focused)?.focus({ preventScroll: true });
+}

@@ -1,0 +1,116 @@
+// What was dropped or chosen, as files with a path: folders gone through, zip files unpacked, names made safe.
+
+import { text } from './text.js';
+import { looksLikeZip, readZip } from './zip.js';
+
+const MOST = 768 * 1024 * 1024; // of all files together: workers hold copies of them
+
+// What isolaw looks at in a folder (docs/records.md); what is chosen by hand is tried whatever it is called.
+const RECORD = /\.(csv|tsv|txt|dat|asc|lvm|mat|xlsx|json)$/i;
+
+const failure = (message) => Object.assign(new Error(message), { shown: true });
+
+// A path without ways out of its folder, and without what no file system takes.
+function safePath(path) {
+  const parts = path.replace(/\\/g, '/').split('/').filter((part) => part !== '' && part !== '.' && part !== '..');
+  return parts.map((part) => part.replace(/[\u0000-\u001f\u007f]/g, '_')).join('/');
+}
+
+// A folder by its handle: Chromium gives no entries of folders to a page that was opened from a file.
+async function walkHandle(directory, folder, found) {
+  for await (const [name, handle] of directory.entries()) {
+    if (handle.kind === 'file') found.push({ path: folder + name, file: await handle.getFile(), inFolder: true });
+    else if (!name.startsWith('.')) await walkHandle(handle, folder + name + '/', found);
+  }
+}
+
+// The same where there are no handles.
+async function walkEntry(directory, folder, found) {
+  const reader = directory.createReader();
+  const some = () => new Promise((resolve, reject) => reader.readEntries(resolve, reject));
+  for (let entries = await some(); entries.length > 0; entries = await some())
+    for (const entry of entries) {
+      if (entry.isFile) found.push({ path: folder + entry.name, file: await new Promise((resolve, reject) => entry.file(resolve, reject)), inFolder: true });
+      else if (!entry.name.startsWith('.')) await walkEntry(entry, folder + entry.name + '/', found);
+    }
+}
+
+// [{path, file, inFolder}] of a drop; must be called while the event is handled.
+export const ofDrop = (transfer) => {
+  const dropped = [...transfer.items]
+    .filter(({ kind }) => kind === 'file')
+    .map((item) => {
+      const entry = item.webkitGetAsEntry?.();
+      if (!entry?.isDirectory) return { file: item.getAsFile() };
+      return { entry, handle: item.getAsFileSystemHandle?.() };
+    });
+  return (async () => {
+    const found = [];
+    for (const { file, entry, handle } of dropped) {
+      if (file) found.push({ path: file.name, file, inFolder: false });
+      else if (entry) {
+        try {
+          if (handle) await walkHandle(await handle, entry.name + '/', found);
+          else await walkEntry(entry, entry.name + '/', found);
+        } catch {
+          throw failure(text.unreadableFolder(entry.name));
+        }
+      }
+    }
+    return found.sort((a, b) => (a.path < b.path ? -1 : 1)); // in the order that a folder is shown in
+  })();
+};
+
+export const ofInput = (input) =>
+  [...input.files].map((file) => ({ path: file.webkitRelativePath || file.name, file, inFolder: Boolean(file.webkitRelativePath) })).sort((a, b) => (a.path < b.path ? -1 : 1));
+
+// [{path, bytes}] and what to say of them. `size` is that of the files that are here already.
+export const take = async (chosen, size) => {
+  if (chosen.length === 0) throw failure(text.nothing);
+  let total = size;
+  const check = (more) => {
+    total += more;
+    if (total > MOST) throw failure(text.tooMuch(text.size(total), text.size(MOST)));
+  };
+  const wanted = [],
+    notes = [],
+    leftAlone = [];
+  for (const one of chosen) {
+    const known = RECORD.test(one.path) || /\.(toml|sqlite|zip)$/i.test(one.path);
+    if (one.inFolder && !known) leftAlone.push(one.path);
+    else wanted.push(one);
+  }
+  for (const { file } of wanted) check(file.size);
+  const files = [];
+  for (const { path, file, inFolder } of wanted) {
+    const bytes = new Uint8Array(
+      await file.arrayBuffer().catch(() => {
+        throw failure(text.unreadable(path));
+      }),
+    );
+    if (looksLikeZip(bytes) && !/\.xlsx$/i.test(path)) {
+      const unpacked = await readZip(bytes).catch((error) => {
+        throw failure(error instanceof RangeError && error.message === 'unpacked' ? text.bigZip(path) : text.badZip(path));
+      });
+      // A workbook under another name.
+      if (unpacked.some((one) => one.path === '[Content_Types].xml')) files.push({ path: safePath(path), bytes, inFolder });
+      else
+        for (const one of unpacked) {
+          check(one.bytes.length);
+          const kept = RECORD.test(one.path) || /\.(toml|sqlite|html|tex)$/i.test(one.path);
+          if (kept) files.push({ path: safePath(one.path), bytes: one.bytes, inFolder: true });
+        }
+    } else files.push({ path: safePath(path), bytes, inFolder });
+  }
+  if (leftAlone.length > 0) notes.push(text.leftAlone(leftAlone));
+  return { files: files.filter(({ path }) => path !== ''), notes };
+};
+
+// Without the folder that all of them are in, whose name is the title.
+export function withoutFolder(files) {
+  const first = files[0]?.path.split('/')[0];
+  if (!files.every(({ path, inFolder }) => inFolder && path.startsWith(first + '/'))) return { files, title: '' };
+  const shorter = files.map((one) => ({ ...one, path: one.path.slice(first.length + 1) }));
+  const deeper = withoutFolder(shorter);
+  return { files: deeper.files, title: deeper.title || first };
+}

@@ -1,0 +1,195 @@
+// The text of a lot file as tables whose keys know where they stand, so that a form changes a value and leaves all else,
+// comments too, as it was. Of TOML 1.0 what lot files use; the program itself judges the text.
+
+class Reader {
+  constructor(text) {
+    this.text = text;
+    this.at = 0;
+  }
+
+  fail(what) {
+    const line = this.text.slice(0, this.at).split('\n').length;
+    throw Object.assign(new SyntaxError(what), { line });
+  }
+
+  sees(words) {
+    return this.text.startsWith(words, this.at);
+  }
+
+  take(pattern) {
+    pattern.lastIndex = this.at;
+    const found = pattern.exec(this.text);
+    if (!found) return null;
+    this.at += found[0].length;
+    return found[0];
+  }
+
+  blanks(lines) {
+    this.take(lines ? /(?:[ \t\r\n]|#[^\n]*)*/y : /[ \t]*/y);
+  }
+
+  need(sign) {
+    if (!this.sees(sign)) this.fail(sign);
+    this.at += sign.length;
+  }
+
+  key() {
+    const parts = [];
+    do {
+      this.blanks();
+      const bare = this.take(/[A-Za-z0-9_-]+/y);
+      if (bare !== null) parts.push(bare);
+      else if (this.sees('"') || this.sees("'")) parts.push(this.value());
+      else this.fail('key');
+      this.blanks();
+    } while (this.take(/\./y));
+    return parts.join('.');
+  }
+
+  value() {
+    if (this.sees('"""') || this.sees("'''")) {
+      const fence = this.text.substr(this.at, 3);
+      const end = this.text.indexOf(fence, this.at + 3);
+      if (end < 0) this.fail('string');
+      const inside = this.text.slice(this.at + 3, end).replace(/^\r?\n/, '');
+      this.at = end + 3;
+      return inside;
+    }
+    if (this.sees("'")) {
+      const literal = this.take(/'[^'\n]*'/y) ?? this.fail('string');
+      return literal.slice(1, -1);
+    }
+    if (this.sees('"')) {
+      const basic = this.take(/"(?:[^"\\\n]|\\.)*"/y) ?? this.fail('string');
+      const signs = { b: '\b', t: '\t', n: '\n', f: '\f', r: '\r', '"': '"', '\\': '\\' };
+      return basic.slice(1, -1).replace(/\\(u[0-9A-Fa-f]{4}|U[0-9A-Fa-f]{8}|.)/g, (_, sign) => {
+        if (sign.length === 1) return signs[sign] ?? this.fail('escape');
+        const point = parseInt(sign.slice(1), 16);
+        return point <= 0x10ffff ? String.fromCodePoint(point) : this.fail('escape');
+      });
+    }
+    if (this.sees('[')) {
+      this.need('[');
+      const items = [];
+      for (this.blanks(true); !this.sees(']'); this.blanks(true)) {
+        items.push(this.value());
+        this.blanks(true);
+        if (!this.sees(']')) this.need(',');
+      }
+      this.need(']');
+      return items;
+    }
+    if (this.sees('{')) {
+      this.need('{');
+      const items = Object.create(null);
+      for (this.blanks(); !this.sees('}'); this.blanks()) {
+        const name = this.key();
+        this.need('=');
+        this.blanks();
+        items[name] = this.value();
+        this.blanks();
+        if (!this.sees('}')) this.need(',');
+      }
+      this.need('}');
+      return items;
+    }
+    const bare = this.take(/[^\s,\]}#][^,\]}#\n]*/y)?.trimEnd() ?? this.fail('value');
+    if (bare === 'true' || bare === 'false') return bare === 'true';
+    const number = Number(bare.replace(/_/g, ''));
+    return Number.isNaN(number) ? bare : number;
+  }
+}
+
+// [{path, array, keys, comments, from, to}]: the first table is what stands above all; `from` is where its lines begin,
+// `to` where they end. keys, comments (`# key = ...`): name -> {from, to, value, valueFrom, valueTo}, of whole lines.
+export function readToml(text) {
+  const reader = new Reader(text);
+  const open = (path, array, from) => ({ path, array, keys: new Map(), comments: new Map(), from, to: from });
+  const tables = [open('', false, 0)];
+  while (reader.at < text.length) {
+    const from = reader.at;
+    reader.blanks();
+    const table = tables.at(-1);
+    if (reader.sees('[')) {
+      const array = reader.sees('[[');
+      reader.need(array ? '[[' : '[');
+      tables.push(open(reader.key(), array, from));
+      reader.need(array ? ']]' : ']');
+    } else if (reader.sees('#')) {
+      const comment = reader.take(/#[^\n]*/y);
+      const name = /^#\s*([A-Za-z0-9_-]+)\s*=/.exec(comment)?.[1];
+      if (name && !table.comments.has(name)) table.comments.set(name, { from, to: reader.at + 1 });
+    } else if (!/[\r\n]/.test(text[reader.at] ?? '\n')) {
+      const name = reader.key();
+      reader.need('=');
+      reader.blanks();
+      const valueFrom = reader.at;
+      const value = reader.value();
+      const valueTo = valueFrom + text.slice(valueFrom, reader.at).trimEnd().length;
+      if (table.keys.has(name)) reader.fail(name);
+      table.keys.set(name, { from, to: 0, value, valueFrom, valueTo });
+    }
+    reader.blanks();
+    reader.take(/#[^\n]*/y);
+    if (reader.at < text.length && reader.take(/\r?\n/y) === null) reader.fail('end of line');
+    for (const key of table.keys.values()) key.to ||= reader.at;
+    if (table === tables.at(-1)) table.to = table.keys.size > 0 || table.comments.size > 0 ? reader.at : table.to;
+    else tables.at(-1).to = reader.at;
+  }
+  return tables;
+}
+
+export function writeValue(value) {
+  if (Array.isArray(value)) return '[' + value.map(writeValue).join(', ') + ']';
+  if (typeof value === 'object')
+    return '{ ' + Object.entries(value).map(([name, one]) => (/^[A-Za-z0-9_-]+$/.test(name) ? name : writeValue(name)) + ' = ' + writeValue(one)).join(', ') + ' }';
+  if (typeof value !== 'string') return String(value);
+  const plain = !/['\u0000-\u001f\u007f]/.test(value);
+  return plain ? "'" + value + "'" : JSON.stringify(value).replace(/\u007f/g, '\\u007f');
+}
+
+// The text with `name` of a table (its number in readToml) set, or taken out where the value is null.
+export function withKey(text, number, name, value) {
+  const table = readToml(text)[number];
+  const key = table.keys.get(name);
+  if (key && value === null) return text.slice(0, key.from) + text.slice(key.to);
+  if (value === null) return text;
+  if (key) return text.slice(0, key.valueFrom) + writeValue(value) + text.slice(key.valueTo);
+  const line = name + ' = ' + writeValue(value) + '\n';
+  const comment = table.comments.get(name);
+  if (comment) return text.slice(0, comment.from) + line + text.slice(comment.to);
+  // Below the last key, or else at the top of the table.
+  const keys = [...table.keys.values()];
+  const at = keys.length > 0 ? Math.max(...keys.map(({ to }) => to)) : table.path === '' ? 0 : lineEnd(text, table.from);
+  const before = text.slice(0, at);
+  return before + (before === '' || before.endsWith('\n') ? '' : '\n') + line + text.slice(at);
+}
+
+const lineEnd = (text, from) => {
+  const end = text.indexOf('\n', from);
+  return end < 0 ? text.length : end + 1;
+};
+
+// The same of the table called `path`, which is made above the first device where there is none.
+export function withSetting(text, path, name, value) {
+  const tables = readToml(text);
+  const number = tables.findIndex((table) => table.path === path && !table.array);
+  if (number >= 0) return withKey(text, number, name, value);
+  if (value === null) return text;
+  const device = tables.find(({ array }) => array);
+  const at = device ? device.from : text.length;
+  const before = text.slice(0, at);
+  const gap = before === '' || before.endsWith('\n\n') ? '' : before.endsWith('\n') ? '\n' : '\n\n';
+  return before + gap + '[' + path + ']\n' + name + ' = ' + writeValue(value) + '\n\n' + text.slice(at);
+}
+
+// The numbers of the tables that are devices, in order.
+export const deviceTables = (tables) => tables.flatMap(({ path, array }, number) => (path === 'device' && array ? [number] : []));
+
+// Without a device, with the tables below it.
+export function withoutDevice(text, number) {
+  const tables = readToml(text);
+  let last = number;
+  while (tables[last + 1]?.path.startsWith('device.')) ++last;
+  return text.slice(0, tables[number].from) + text.slice(tables[last].to).replace(/^\n/, '');
+}

@@ -1,0 +1,24 @@
+// In a browser: a line for the page to read (page/engine/engine.js), some five in a second.
+//   progress SHARE SECONDS_LEFT DONE TOTAL runs|analyses
+#include <fmt/format.h>
+
+#include "isolaw/app/progress.hpp"
+#include "isolaw/app/say.hpp"
+
+namespace isolaw::app {
+
+ProgressLine::ProgressLine() : terminal_(false) {}
+
+ProgressLine::~ProgressLine() = default;
+
+void ProgressLine::show(campaign::Progress const& progress) {
+  auto const now = Clock::now();
+  bool const is_end = progress.done == progress.total;
+  if (progress.total == 0 || (drawn_ && !is_end && now - last_ < std::chrono::milliseconds(200))) return;
+  drawn_ = true;
+  last_ = now;
+  say("progress {:.4f} {:.1f} {} {} {}\n", progress.share, progress.left_s, progress.done, progress.total,
+      progress.analysis ? "analyses" : "runs");
+}
+
+}  // namespace isolaw::app

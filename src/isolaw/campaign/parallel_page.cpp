@@ -1,0 +1,11 @@
+// An instance in a browser has one thread: other workers compute other parts (docs/page.md).
+#include "isolaw/campaign/parallel.hpp"
+
+namespace isolaw::campaign {
+
+std::size_t for_each_in_parallel(std::size_t count, std::size_t, std::function<void(std::size_t)> const& work) {
+  for (std::size_t i = 0; i < count; ++i) work(i);
+  return 1;
+}
+
+}  // namespace isolaw::campaign

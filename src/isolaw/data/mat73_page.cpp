@@ -1,0 +1,13 @@
+// In a browser files of MATLAB 7.3 are not read: the HDF5 library is not in it.
+#include "isolaw/data/mat_file.hpp"
+
+namespace isolaw::data {
+
+std::unique_ptr<MatFile> open_mat73(std::string_view, std::string const& file) {
+  throw Error({.where = file,
+               .found = "a file of MATLAB 7.3, which the program in a browser does not read",
+               .allowed = "MATLAB files up to version 7, workbooks, text",
+               .advice = "save it in MATLAB with save(..., '-v7'), or export time, displacement and force as CSV"});
+}
+
+}  // namespace isolaw::data

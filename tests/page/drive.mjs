@@ -1,0 +1,100 @@
+// The program's page in a browser as its users have it: opened from a file, files dropped on it, what it saves caught.
+import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { Chromium } from '../browser/chromium.mjs';
+
+export const wait = (ms) => new Promise((done) => setTimeout(done, ms));
+
+// `stand_in`: answers the page's calls in place of the engine; of stand_in.mjs.
+export async function openPage(browser, file, { width = 1280, height = 800, dark = false, standIn = null } = {}) {
+  const page = await browser.open('about:blank', { width, height, dark });
+  const downloads = mkdtempSync(join(tmpdir(), 'isolaw-downloads-'));
+  await browser.send('Browser.setDownloadBehavior', { behavior: 'allow', downloadPath: downloads });
+  // Frames of another origin are targets of their own, which report their errors apart.
+  const targets = new Map();
+  browser.listeners.add(({ method, params, sessionId }) => {
+    if (method === 'Runtime.bindingCalled') page.onBinding?.(params.payload);
+    if (method === 'Target.attachedToTarget' && params.targetInfo.type === 'iframe') {
+      targets.set(params.sessionId, params.targetInfo);
+      for (const domain of ['Runtime', 'Log', 'Network']) browser.send(domain + '.enable', {}, params.sessionId).catch(() => {});
+    }
+    if (!targets.has(sessionId)) return;
+    if (method === 'Runtime.exceptionThrown') page.errors.push('frame: ' + (params.exceptionDetails.exception?.description ?? params.exceptionDetails.text));
+    if (method === 'Log.entryAdded' && params.entry.level === 'error') page.errors.push('frame: ' + params.entry.text);
+    if (method === 'Network.requestWillBeSent' && !/^(data|blob):/.test(params.request.url)) page.requests.push(params.request.url);
+  });
+  await page.send('Target.setAutoAttach', { autoAttach: true, waitForDebuggerOnStart: false, flatten: true });
+  if (standIn) await standIn(page);
+  const started = Date.now();
+  await page.send('Page.navigate', { url: pathToFileURL(file).href });
+  page.until = async (expression, what = expression, seconds = 60) => {
+    const end = Date.now() + 1000 * seconds;
+    for (;;) {
+      const value = await page.evaluate(`(() => { try { return ${expression} } catch { return null } })()`).catch(() => null);
+      if (value) return value;
+      if (Date.now() > end) throw new Error('waited ' + seconds + ' s for: ' + what);
+      await wait(30);
+    }
+  };
+  await page.until("document.body?.dataset.ready === '' || (document.getElementById('failure') && !document.getElementById('failure').hidden)", 'the page to be ready');
+  page.openedIn = (Date.now() - started) / 1000;
+  page.idle = (seconds = 120) => page.until("(document.body.dataset.busy ?? '0') === '0'", 'the page to be idle', seconds);
+  // Files or folders, as a hand drops them.
+  page.drop = async (paths) => {
+    const data = { items: [], files: paths, dragOperationsMask: 1 };
+    for (const type of ['dragEnter', 'dragOver', 'drop']) await page.send('Input.dispatchDragEvent', { type, x: 300, y: 200, data });
+    await wait(50);
+    await page.idle();
+  };
+  page.press = (id) =>
+    page.evaluate(`(() => { const it = document.getElementById(${JSON.stringify(id)}); if (!it) throw new Error('no #' + ${JSON.stringify(id)}); if (it.disabled) throw new Error(it.id + ' is disabled'); it.click(); })()`);
+  page.type = (id, value) =>
+    page.evaluate(`(() => { const it = document.getElementById(${JSON.stringify(id)}); it.value = ${JSON.stringify(value)}; it.dispatchEvent(new Event('change', { bubbles: true })); })()`);
+  page.text = (selector) => page.evaluate(`document.querySelector(${JSON.stringify(selector)})?.innerText ?? ''`);
+  // Evaluated in the frame of a report, once it is drawn.
+  page.inFrame = async (expression) => {
+    const [session] = [...targets.keys()].slice(-1);
+    if (!session) throw new Error('no frame is attached');
+    const { result, exceptionDetails } = await browser.send('Runtime.evaluate', { expression, awaitPromise: true, returnByValue: true }, session);
+    if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
+    return result.value;
+  };
+  page.frames = targets;
+  // The next file that is saved: {name, bytes, path}.
+  const seen = new Set();
+  page.saved = async (seconds = 60) => {
+    const end = Date.now() + 1000 * seconds;
+    while (Date.now() < end) {
+      const name = readdirSync(downloads).find((one) => !seen.has(one) && !one.endsWith('.crdownload') && !one.startsWith('.'));
+      if (name) {
+        await wait(100);
+        seen.add(name);
+        return { name, path: join(downloads, name), bytes: readFileSync(join(downloads, name)) };
+      }
+      await wait(50);
+    }
+    throw new Error('nothing was saved');
+  };
+  const close = page.close;
+  page.close = async () => {
+    await close();
+    rmSync(downloads, { recursive: true, force: true });
+  };
+  page.shot = async (path, full = false) => {
+    const { data } = await page.send('Page.captureScreenshot', { format: 'png', captureBeyondViewport: full });
+    const { writeFileSync } = await import('node:fs');
+    mkdirSync(join(path, '..'), { recursive: true });
+    writeFileSync(path, Buffer.from(data, 'base64'));
+  };
+  return page;
+}
+
+export function browserOr77(program) {
+  if (!program || !existsSync(program)) {
+    console.log('skipped: no Chromium found (install chromium)');
+    process.exit(77);
+  }
+  return new Chromium(program);
+}

@@ -1,0 +1,117 @@
+// Commands on the page's engine: the answers of the native program, and what goes wrong ends a worker at most.
+//   node commands_test.mjs PAGE ISOLAW
+import assert from 'node:assert/strict';
+import { readFileSync, readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { engine, filesIn, lay, native, textOf, work } from './support.mjs';
+
+after(() => engine.close());
+
+const corpus = fileURLToPath(new URL('../../../fuzz/corpus/', import.meta.url));
+assert.equal(native(['example', 'example']).code, 0);
+const example = filesIn(join(work, 'example'), 'example');
+const at = (name) => example.filter(({ path }) => path.endsWith(name));
+
+// Digit by digit but for the last of computed numbers: mathematical functions are of another library there.
+const number = /-?\d+(?:\.\d+)?(?:e[-+]?\d+)?/g;
+const same = (said, own, name) => {
+  assert.equal(said.code, own.code, name + ': ' + said.stderr);
+  assert.equal(said.stderr, own.stderr, name);
+  assert.equal(said.stdout.replace(number, '#'), own.stdout.replace(number, '#'), name);
+  const wanted = own.stdout.match(number) ?? [];
+  for (const [i, found] of (said.stdout.match(number) ?? []).entries())
+    assert.ok(found === wanted[i] || Math.abs(found - wanted[i]) <= 1e-7 * Math.abs(wanted[i]) + 1e-9, `${name}: ${found}, natively ${wanted[i]}`);
+};
+
+test('the version, with the build that computes', async () => {
+  assert.equal(await engine.version(), native(['--version']).stdout.trim());
+});
+
+test('wrong words are an answer, not a rejection', async () => {
+  const said = await engine.run({ argv: ['calibrate', 'nowhere.csv'] });
+  assert.equal(said.code, 2);
+  assert.match(said.stderr, /nowhere\.csv: no such file/);
+});
+
+test('inspection says the same, number by number', async () => {
+  const argv = ['inspect', 'example/lot.toml', '--json'];
+  const said = await engine.run({ argv, files: example });
+  assert.equal(said.code, 0, said.stderr);
+  same(said, native(argv), 'the example lot');
+});
+
+// Records that readers are fuzzed with, sound and broken: text, workbooks, MATLAB files, JSON.
+for (const kind of ['text', 'workbook', 'mat', 'json'])
+  test(`files of others: ${kind}`, async () => {
+    const extension = { text: '.csv', workbook: '.xlsx', mat: '.mat', json: '.json' }[kind];
+    for (const name of readdirSync(join(corpus, kind))) {
+      const path = 'fuzzed-' + name + (name.endsWith(extension) ? '' : extension);
+      const files = [{ path, bytes: readFileSync(join(corpus, kind, name)) }];
+      lay(files);
+      const argv = ['inspect', path, '--json'];
+      const [said, own] = [await engine.run({ argv, files }), native(argv)];
+      same(said, own, name);
+    }
+  });
+
+test('files of others: one for each wart of records', async () => {
+  const folder = fileURLToPath(new URL('../../warts/', import.meta.url));
+  for (const name of readdirSync(folder).filter((one) => !/warts\.json|make\.py/.test(one))) {
+    const files = [{ path: name, bytes: readFileSync(join(folder, name)) }];
+    lay(files);
+    const argv = ['inspect', name, '--json'];
+    const [said, own] = [await engine.run({ argv, files }), native(argv)];
+    same(said, own, name);
+  }
+});
+
+test('a file of MATLAB 7.3 says how to save it', async () => {
+  const said = await engine.run({ argv: ['inspect', 'a.mat'], files: [{ path: 'a.mat', bytes: readFileSync(join(corpus, 'mat73/sound.mat')) }] });
+  assert.equal(said.code, 2);
+  assert.match(said.stderr, /MATLAB 7\.3.*save\(\.\.\., '-v7'\)/s);
+});
+
+test('only what a command made comes back, and of that what is asked for', async () => {
+  const { files } = await engine.run({ argv: ['inspect', 'example/device-01.csv', '--out', 'out'], files: at('device-01.csv'), keep: ['out/*.html'] });
+  assert.ok(files.length > 0 && files.every(({ path }) => /^out\/.*\.html$/.test(path)), files.map(({ path }) => path).join(' '));
+});
+
+const long = { argv: ['calibrate', 'example/device-01.csv', '--laws', 'abe', '--runs', '50', '--out', 'out'], files: at('device-01.csv') };
+
+test('a command is cancelled at once, and the next one runs', async () => {
+  const stop = new AbortController();
+  const ended = engine.run({ ...long, signal: stop.signal }).catch((error) => error);
+  await new Promise((done) => setTimeout(done, 1000));
+  const began = Date.now();
+  stop.abort();
+  assert.equal((await ended).name, 'AbortError');
+  assert.ok(Date.now() - began < 1000);
+  assert.equal((await engine.run({ argv: ['laws'] })).code, 0);
+});
+
+test('what stops a worker is an error, and the next command runs', async () => {
+  const error = await engine.run({ argv: ['--version'], files: [{ path: 'a/b', bytes: null }] }).catch((found) => found);
+  assert.equal(error.name, 'CrashError');
+  assert.equal((await engine.run({ argv: ['--version'] })).code, 0);
+});
+
+test('a campaign that was cancelled goes on from what was finished', async () => {
+  const options = ['--laws', 'bilinear,vaiana', '--runs', '3', '--replicates', '40'];
+  const inputs = ['example/device-01.csv'],
+    files = at('device-01.csv');
+  const stop = new AbortController();
+  const told = [];
+  const cancelled = await engine
+    .identify({ inputs, files, options, signal: stop.signal, onProgress: (p) => (told.push(p), p.phase === 'analyses' && stop.abort()) })
+    .catch((error) => error);
+  assert.equal(cancelled.name, 'AbortError');
+  assert.ok(cancelled.parts.some(({ path }) => path.startsWith('parts/')));
+  const again = await engine.identify({ inputs, files, options, parts: cancelled.parts });
+  assert.equal(again.code, 0, again.stderr);
+  // The same campaign as one machine makes, byte by byte where the same machine makes it.
+  const one = await engine.run({ argv: ['calibrate', ...inputs, ...options, '--out', 'out', '--figures', 'none'], files });
+  assert.equal(textOf(again.files, 'out/summary.json'), textOf(one.files, 'out/summary.json'));
+  assert.ok(told.every(({ share }, i) => share >= 0 && share <= 1 && (i === 0 || share >= told[i - 1].share)));
+});

@@ -1,0 +1,153 @@
+// What the page is made of, without a browser: the lot file as a form edits it, zip files, no way from text to markup.
+//   node modules_test.mjs
+import assert from 'node:assert/strict';
+import { copyFileSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { test } from 'node:test';
+import { deflateRawSync } from 'node:zlib';
+
+const source = fileURLToPath(new URL('../../page/', import.meta.url));
+const folder = mkdtempSync(join(tmpdir(), 'isolaw-modules-'));
+process.on('exit', () => rmSync(folder, { recursive: true, force: true }));
+// Modules by their extension: the page's are joined by the build and have none of their own.
+const load = (name) => {
+  copyFileSync(join(source, name + '.js'), join(folder, name + '.mjs'));
+  return import(pathToFileURL(join(folder, name + '.mjs')).href);
+};
+const { readToml, writeValue, withKey, withSetting, withoutDevice, deviceTables } = await load('toml');
+const { readZip, writeZip, looksLikeZip } = await load('zip');
+
+const LOT = `# above
+title = "Lot \\"7\\"" # said
+
+[calibrate] # settings
+laws = ["bilinear",
+  "vaiana", # two of them
+]
+runs = 1_000
+
+[[device]]
+name = 'D\u00fcse'
+file = 'a#b.csv'
+columns = { disp = 'x, y', force = 3 }
+# serial = ""
+test-date = 2024-07-03
+
+[device.vertical]
+file = 'v.csv'
+
+[[device]]
+files = ["b.csv", 'c.csv']
+`;
+
+test('keys of a lot file are read as TOML means them', () => {
+  const tables = readToml(LOT);
+  const value = (number, key) => tables[number].keys.get(key).value;
+  assert.equal(value(0, 'title'), 'Lot "7"');
+  assert.deepEqual(value(1, 'laws'), ['bilinear', 'vaiana']);
+  assert.equal(value(1, 'runs'), 1000);
+  const [first, second] = deviceTables(tables);
+  assert.equal(value(first, 'file'), 'a#b.csv');
+  assert.deepEqual({ ...value(first, 'columns') }, { disp: 'x, y', force: 3 });
+  assert.equal(value(first, 'test-date'), '2024-07-03');
+  assert.deepEqual(value(second, 'files'), ['b.csv', 'c.csv']);
+});
+
+test('a value is changed and nothing else', () => {
+  const [first, second] = deviceTables(readToml(LOT));
+  assert.equal(withKey(LOT, first, 'name', "it's"), LOT.replace("'D\u00fcse'", '"it\'s"'));
+  assert.equal(withKey(LOT, first, 'serial', 'S-1'), LOT.replace('# serial = ""', "serial = 'S-1'"));
+  assert.equal(withKey(LOT, first, 'test-date', null), LOT.replace('test-date = 2024-07-03\n', ''));
+  assert.equal(withKey(LOT, second, 'dt', 0.01), LOT + 'dt = 0.01\n');
+  assert.equal(withKey(LOT.trimEnd(), second, 'dt', 0.01), LOT + 'dt = 0.01\n');
+  assert.equal(withKey(LOT, first, 'absent', null), LOT);
+  assert.equal(withSetting(LOT, 'calibrate', 'laws', 'paper'), LOT.replace(/\["bilinear"[^\]]*\]/, "'paper'"));
+  assert.match(withSetting(LOT, 'acceptance', 'rules', 'ntc-2018'), /1_000\n\n\[acceptance\]\nrules = 'ntc-2018'\n\n\[\[device\]\]/);
+  assert.equal(withSetting(LOT, 'acceptance', 'rules', null), LOT);
+  assert.match(withSetting('[[device]]\nfile = 1\n', '', 'title', 'T'), /^title = 'T'\n\[\[device\]\]/);
+});
+
+test('a device goes with the tables below it', () => {
+  const without = withoutDevice(LOT, deviceTables(readToml(LOT))[0]);
+  assert.equal(without, LOT.slice(0, LOT.indexOf('[[device]]')) + "[[device]]\nfiles = [\"b.csv\", 'c.csv']\n");
+});
+
+test('what is typed stays a value', () => {
+  for (const typed of ["'", '"', '\n[evil]', '<img src=x>', '\u0007', '\\', "a' = 1 #", '\u007f']) {
+    const [first] = deviceTables(readToml(LOT));
+    const text = withKey(LOT, first, 'name', typed);
+    assert.equal(readToml(text)[first].keys.get('name').value, typed);
+    assert.equal(readToml(text).length, readToml(LOT).length);
+    assert.equal(readToml('x = ' + writeValue({ [typed]: [typed] }))[0].keys.get('x').value[typed][0], typed);
+  }
+});
+
+test('what is no TOML is refused with its line', () => {
+  for (const [text, line] of [['a = 1\nb', 2], ['[a\n', 1], ['a = "x\n', 1], ['a = 1\na = 2', 2], ['\n\na = [1', 3]]) assert.throws(() => readToml(text), (error) => error.line === line, text);
+});
+
+const bytes = (text) => new TextEncoder().encode(text);
+
+test('a zip file holds what was put into it', async () => {
+  const files = [
+    { path: 'lot.toml', bytes: bytes('title = 1\n') },
+    { path: 'records/\u00e4 <b>.csv', bytes: bytes('1,2,3\n'.repeat(5000)) },
+    { path: 'empty', bytes: new Uint8Array(0) },
+    { path: 'noise', bytes: Uint8Array.from({ length: 3000 }, (_, i) => (i * i * 2654435761) >>> 7) },
+  ];
+  const zip = await writeZip(files);
+  assert.ok(looksLikeZip(zip) && zip.length < 8000);
+  assert.deepEqual(await readZip(zip), files);
+  assert.deepEqual(await writeZip(files), zip);
+});
+
+test('a damaged zip file is refused, or gives what was put into it', async () => {
+  const whole = bytes('abc'.repeat(100));
+  const zip = await writeZip([{ path: 'a', bytes: whole }]);
+  let refused = 0;
+  for (let at = 0; at < zip.length; ++at) {
+    const damaged = zip.slice();
+    damaged[at] ^= 0xff;
+    const files = await readZip(damaged).catch(() => null);
+    if (files === null) ++refused;
+    else for (const file of files) assert.deepEqual(file.bytes, whole, 'byte ' + at);
+  }
+  assert.ok(refused > 25, refused + ' of ' + zip.length);
+  await assert.rejects(readZip(zip.slice(0, 40)));
+  await assert.rejects(readZip(bytes('PK\u0003\u0004 this is none')));
+});
+
+test('a zip file that unpacks to too much is refused', async () => {
+  const zip = await writeZip([{ path: 'bomb', bytes: new Uint8Array(70 * 1024 * 1024) }]);
+  assert.ok(zip.length < 200000);
+  await assert.rejects(readZip(zip), RangeError);
+  // The same where the sizes it states are small.
+  const lying = zip.slice();
+  new DataView(lying.buffer).setUint32(22, 10, true);
+  await assert.rejects(readZip(lying), RangeError);
+  assert.ok(deflateRawSync(new Uint8Array(10)).length > 0);
+});
+
+test('no way from text to markup or to code, in any module', () => {
+  const files = readdirSync(source).filter((name) => name.endsWith('.js'));
+  assert.ok(files.length > 12);
+  for (const name of files) {
+    const text = readFileSync(join(source, name), 'utf8').replace(/^\s*\/\/.*$/gm, '');
+    for (const forbidden of [/innerHTML|outerHTML|insertAdjacent|createContextualFragment|DOMParser|srcdoc|document\.write/, /\beval\b|new Function|setTimeout\(['"`]/, /\bfetch\b|XMLHttpRequest|WebSocket|EventSource|sendBeacon|importScripts/, /localStorage|sessionStorage|indexedDB|document\.cookie/])
+      assert.doesNotMatch(text, forbidden, name);
+  }
+});
+
+test('all words stand in text.js, and all of them are used', () => {
+  const text = readFileSync(join(source, 'text.js'), 'utf8');
+  const used = readdirSync(source).filter((name) => name.endsWith('.js') && name !== 'text.js')
+    .map((name) => readFileSync(join(source, name), 'utf8'))
+    .filter((module) => module.includes("from './text.js'"))
+    .join('\n');
+  const keys = [...text.matchAll(/^ {2}(\w+):/gm)].map(([, key]) => key);
+  assert.ok(keys.length > 100);
+  for (const key of keys) assert.match(used, new RegExp('\\btext\\.' + key + '\\b'), key);
+  for (const [, key] of used.matchAll(/\btext\.(\w+)/g)) assert.ok(keys.includes(key) || key === 'js', 'text.' + key);
+});

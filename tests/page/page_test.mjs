@@ -1,0 +1,624 @@
+// The program as one page, as its users have it: opened from a file in Chromium, files dropped on it, what it saves read.
+//   node page_test.mjs PAGE.html ISOLAW [CHROMIUM] [--stand-in] [--only NAME]
+// ISOLAW: the native program, whose results the page's are held against. With --stand-in it answers in place of the
+// page's engine too (the page is then assembled with stand_in/engine.js).
+import { execFileSync, spawnSync } from 'node:child_process';
+import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, truncateSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { browserOr77, openPage, wait } from './drive.mjs';
+import { answerWith } from './stand_in.mjs';
+
+const words = process.argv.slice(2).filter((word, i, all) => !word.startsWith('--') && all[i - 1] !== '--only');
+const [file, isolaw, program = '/usr/bin/chromium'] = words;
+const only = process.argv.includes('--only') ? process.argv[process.argv.indexOf('--only') + 1] : null;
+const standIn = process.argv.includes('--stand-in') ? (page) => answerWith(page, isolaw) : null;
+const here = dirname(fileURLToPath(import.meta.url)),
+  root = join(here, '../..');
+const work = mkdtempSync(join(tmpdir(), 'isolaw-page-test-'));
+const browser = browserOr77(program);
+const failures = [];
+let name = '';
+const expect = (holds, what) => {
+  if (!holds) {
+    failures.push(name + ': ' + what);
+    console.log('  FAILED ' + what);
+  }
+};
+const equal = (found, wanted, what) => expect(JSON.stringify(found) === JSON.stringify(wanted), `${what}: ${JSON.stringify(found)}, not ${JSON.stringify(wanted)}`);
+
+// The page's own reader of zip files; its modules have no extension of their own.
+copyFileSync(join(root, 'page/zip.js'), join(work, 'zip.mjs'));
+const { readZip } = await import(pathToFileURL(join(work, 'zip.mjs')).href);
+
+execFileSync(isolaw, ['example', join(work, 'example')], { stdio: 'ignore' });
+const example = join(work, 'example');
+const records = readdirSync(example).filter((one) => one.startsWith('device-')).sort();
+
+const open = (options = {}) => openPage(browser, file, { standIn, ...options });
+// Nothing went wrong unseen: no error in the page or its frames, nothing asked of any network.
+async function end(page) {
+  await wait(200);
+  equal(page.errors, [], 'errors on the console');
+  equal((await page.evaluate('document.body.dataset.errors')).trim(), '', 'errors in the page');
+  equal(page.requests.filter((url) => !url.startsWith('file:')), [], 'requests');
+  equal(page.requests.filter((url) => url.startsWith('file:') && !url.endsWith(encodeURI(file.split('/').pop()))), [], 'files asked for');
+  await page.close();
+}
+const failure = (page) => page.evaluate("document.getElementById('failure').hidden ? '' : document.getElementById('failure').innerText");
+const rows = (page) => page.evaluate("[...document.querySelectorAll('#devices tr.device')].map((row) => ({ name: row.querySelector('.named span').firstChild.textContent, tone: row.dataset.tone, samples: row.children[2].textContent, amplitude: row.children[3].textContent, stiffness: row.children[4].textContent, damping: row.children[5].textContent, words: row.innerText }))");
+const lotText = (page) => page.evaluate("document.getElementById('lot-text').value");
+const band = (page) => page.text('#read-band .word');
+// A field of the first device's form that ends so.
+const fieldOf = (page, row, key) => page.evaluate(`(() => { const number = document.querySelectorAll('#devices tr.device')[${row}].querySelector('[id^=correct-]').id.slice(8); return 'device-' + number + '-' + ${JSON.stringify(key)}; })()`);
+const openForm = (page, row) => page.evaluate(`(() => { const it = document.querySelectorAll('#devices tr.device')[${row}].querySelector('[id^=correct-]'); if (it.getAttribute('aria-expanded') === 'false') it.click(); })()`);
+const set = async (page, id, value) => {
+  await page.type(id, value);
+  await page.idle();
+};
+const inFrameUntil = async (page, expression, what) => {
+  for (let i = 0; i < 400; ++i) {
+    const value = await page.inFrame(`(() => { try { return ${expression} } catch { return null } })()`).catch(() => null);
+    if (value) return value;
+    await wait(50);
+  }
+  throw new Error('waited 20 s in the frame for: ' + what);
+};
+const narrow = async (page, what) => expect((await page.evaluate('document.documentElement.scrollWidth <= innerWidth')) === true, what + ': wider than the window');
+
+// Small settings: one law, one run, no analyses.
+async function identifyLittle(page, laws = ['bilinear'], seconds = 300) {
+  await page.press('show-laws');
+  if (await page.evaluate("Boolean(document.getElementById('change'))")) await page.press('change');
+  await page.press('laws-some');
+  await page.idle();
+  for (const id of await page.evaluate("[...document.querySelectorAll('.options.laws input')].map(({ id }) => id.slice(4))")) {
+    if ((await page.evaluate(`document.getElementById('law-${id}').checked`)) === laws.includes(id)) continue;
+    await page.press('law-' + id);
+    await page.idle();
+  }
+  await set(page, 'method', 'best');
+  await set(page, 'runs', '1');
+  await set(page, 'analysis', 'none');
+  await page.press('identify');
+  await page.until("document.getElementById('progress-bar')", 'progress');
+  await page.until("!document.getElementById('progress-bar')", 'the end of identification', seconds);
+  await page.until("document.getElementById('report-frame') || !document.getElementById('failure').hidden", 'the report');
+  equal(await failure(page), '', 'a failure');
+}
+
+const tests = {
+  // The best of three: load can only slow it.
+  'first use within 3 s': async () => {
+    const times = [];
+    for (let i = 0; i < 3; ++i) {
+      const page = await open();
+      times.push(page.openedIn);
+      equal(await failure(page), '', 'a failure');
+      await end(page);
+    }
+    console.log('  ready in ' + times.map((time) => time.toFixed(2)).join(', ') + ' s');
+    expect(Math.min(...times) < 3, 'ready in ' + Math.min(...times) + ' s at best');
+  },
+
+  'the ten files of the example lot, as a folder': async () => {
+    const page = await open();
+    await page.drop([example]);
+    equal(await failure(page), '', 'a failure');
+    const found = await rows(page);
+    equal(found.map((row) => row.name), Array.from({ length: 10 }, (_, i) => 'D' + String(i + 1).padStart(2, '0')), 'devices');
+    expect(found.every(({ samples, amplitude }) => samples === '601' && amplitude.startsWith('20')), 'samples, amplitudes');
+    expect((await band(page)).startsWith('10'), await band(page));
+    equal(await lotText(page), readFileSync(join(example, 'lot.toml'), 'utf8'), 'the lot file');
+
+    // Properties: the same numbers as those of the command line.
+    execFileSync(isolaw, ['inspect', join(example, 'lot.toml'), '--out', join(work, 'inspected')], { stdio: 'ignore' });
+    await page.press('show-properties');
+    await page.until("document.getElementById('inspection-frame')", 'the inspection');
+    await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
+    equal(await inFrameUntil(page, "document.body.dataset.errors !== undefined && 'none' + document.body.dataset.errors", 'errors'), 'none', 'errors in the frame');
+    expect((await page.inFrame('origin')) === 'null', 'the frame has an origin apart');
+    await page.press('show-save');
+    await page.press('save-inspection-json');
+    const own = JSON.parse((await page.saved()).bytes),
+      other = JSON.parse(readFileSync(join(work, 'inspected/inspection.json')));
+    // Digits that differ between instruction sets come after the sixth.
+    const plain = (value) => (typeof value === 'number' ? Number(value.toPrecision(6)) : value);
+    const rounded = (value) => JSON.stringify(value, (_, one) => plain(one));
+    equal(own.devices.map(({ sha256 }) => sha256), other.devices.map(({ sha256 }) => sha256), 'hashes');
+    const cycles = (one) => one.devices.map(({ blocks }) => blocks.map((block) => block.cycles.map(({ K_eff_kN_per_mm: k, damping_percent: d, energy_kN_mm: e }) => [k, d, e])));
+    equal(rounded(cycles(own)), rounded(cycles(other)), 'cycles');
+
+    // A rule set and design values give a verdict.
+    await page.press('show-properties');
+    await page.press('choose-rules');
+    expect((await page.evaluate('document.activeElement.id')) === 'rules', 'the rule set has the focus');
+    await set(page, 'rules', 'ntc-2018');
+    for (const [key, value] of [['K_eff', '0.62'], ['damping', '19.5'], ['disp', '208'], ['frequency', '0.5']]) await set(page, 'design-' + key, value);
+    await set(page, 'lot-size', '28');
+    const text = await lotText(page);
+    for (const line of ["rules = 'ntc-2018'", 'design = { K_eff = 0.62, damping = 19.5, disp = 208, frequency = 0.5 }', 'lot-size = 28', '# The example lot']) expect(text.includes(line), 'lot.toml holds ' + line);
+    await page.press('show-properties');
+    const verdict = await page.text('.verdict-line');
+    expect(/^(PASS|FAIL|INCOMPLETE)/.test(verdict), 'verdict: ' + verdict);
+    await end(page);
+  },
+
+  'files without a lot file: recognised, corrected in a form that is the lot file': async () => {
+    const page = await open();
+    await page.drop(records.map((one) => join(example, one)));
+    equal(await failure(page), '', 'a failure');
+    let found = await rows(page);
+    equal(found.map((row) => row.name), records.map((one) => one.replace(/\..*/, '')), 'devices');
+    expect(found.every(({ tone }) => tone === 'good' || tone === 'care'), 'all are read');
+    expect(found[1].words.includes('Spostamento [mm]'), 'columns are said: ' + found[1].words);
+
+    await openForm(page, 0);
+    await set(page, await fieldOf(page, 0, 'name'), 'A <b>1</b>');
+    await set(page, await fieldOf(page, 0, 'rubber-thickness-mm'), '208,5');
+    await set(page, await fieldOf(page, 0, 'serial'), '1');
+    expect((await lotText(page)).includes("name = 'A <b>1</b>'\nunits = { disp = 'mm', force = 'kN', load = 'kN', time = 's' }\nserial = '1'\n"), 'what was typed stands in the lot file');
+    expect((await lotText(page)).includes('rubber-thickness-mm = 208.5\n'), 'a decimal comma is a number');
+    found = await rows(page);
+    equal(found[0].name, 'A <b>1</b>', 'the name');
+    expect((await page.evaluate("document.querySelectorAll('#contents b').length && [...document.querySelectorAll('#contents b')].some((one) => one.textContent === '1')")) === false, 'markup stays text');
+
+    // Another unit makes another amplitude; the text and the form say the same.
+    await set(page, await fieldOf(page, 0, 'units-disp'), 'cm');
+    found = await rows(page);
+    expect(found[0].amplitude.startsWith('208'), 'in cm: ' + found[0].amplitude);
+    await page.evaluate("document.getElementById('lot-file').open = true");
+    await set(page, 'lot-text', (await lotText(page)).replace("disp = 'cm'", "disp = 'mm'"));
+    found = await rows(page);
+    expect(found[0].amplitude.startsWith('208') && Math.abs(parseFloat(found[0].amplitude) - 208.1) < 0.2, 'in mm: ' + found[0].amplitude);
+    equal(await page.evaluate(`document.getElementById(${JSON.stringify(await fieldOf(page, 0, 'units-disp'))}).value`), 'mm', 'the form follows the text');
+
+    // A key that does not exist: said with its line, and mended.
+    const good = await lotText(page);
+    await set(page, 'lot-text', good.replace("serial = '1'", 'colums = 3'));
+    expect(/unknown key 'colums'/.test(await page.text('#read-band')), 'an unknown key: ' + (await page.text('#read-band')));
+    await set(page, 'lot-text', good + '\n[[device');
+    expect((await page.text('#read-band')).includes('lot.toml'), 'no TOML: ' + (await page.text('#read-band')));
+    await set(page, 'lot-text', good);
+    expect((await band(page)).startsWith('10'), await band(page));
+
+    // One is left out, and comes back.
+    await page.evaluate("[...document.querySelectorAll('.form-end button')].at(-1).click()");
+    await page.idle();
+    equal((await rows(page)).length, 9, 'devices without it');
+    await page.evaluate("document.querySelector('.unread .action').click()");
+    await page.idle();
+    equal((await rows(page)).length, 10, 'devices with it again');
+    await end(page);
+  },
+
+  'files and a folder that are chosen': async () => {
+    const page = await open();
+    const choose = async (id, paths) => {
+      const { root: document } = await page.send('DOM.getDocument', {});
+      const { nodeId } = await page.send('DOM.querySelector', { nodeId: document.nodeId, selector: '#' + id });
+      await page.send('DOM.setFileInputFiles', { nodeId, files: paths });
+      await wait(50);
+      await page.idle();
+    };
+    await choose('pick', [join(example, records[0]), join(example, records[1])]);
+    equal((await rows(page)).length, 2, 'devices of files');
+    // More beside them: what was said of the first stays.
+    await openForm(page, 0);
+    await set(page, await fieldOf(page, 0, 'serial'), 'kept');
+    await choose('pick', [join(example, records[2])]);
+    equal((await rows(page)).length, 3, 'devices of more files');
+    expect((await lotText(page)).includes("serial = 'kept'"), 'what was typed is kept');
+    await page.evaluate('window.confirm = () => true');
+    await page.press('start-over');
+    await choose('pick-folder', [example]);
+    equal((await rows(page)).map((row) => row.name)[9], 'D10', 'devices of a folder');
+    await end(page);
+  },
+
+  'a folder with one damaged file': async () => {
+    const folder = join(work, 'damaged');
+    mkdirSync(join(folder, 'deeper'), { recursive: true });
+    for (const one of records.slice(0, 3)) copyFileSync(join(example, one), join(folder, one));
+    copyFileSync(join(example, records[3]), join(folder, 'deeper', records[3]));
+    writeFileSync(join(folder, 'broken.csv'), 'Time [s],Displacement [mm],Force [kN]\n0,0,0\n0.01,abc,3\n');
+    writeFileSync(join(folder, 'photo.jpg'), 'none');
+    const page = await open();
+    await page.drop([folder]);
+    equal((await rows(page)).map((row) => row.name), ['device-04', 'device-01', 'device-02', 'device-03'], 'devices');
+    expect(/broken\.csv/.test(await page.text('.unread')) && /'abc'/.test(await page.text('.unread')), 'what is wrong is said: ' + (await page.text('.unread')));
+    expect((await page.text('.notes')).includes('photo.jpg'), 'what was left alone: ' + (await page.text('.notes')));
+    expect((await lotText(page)).includes("title = 'damaged'") && (await lotText(page)).includes("file = 'deeper/device-04.txt'"), 'the lot file');
+    // The other devices are identified all the same.
+    await identifyLittle(page);
+    await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
+    await end(page);
+  },
+
+  'a workbook, a MATLAB file, and files that need to be told': async () => {
+    const page = await open();
+    const warts = join(root, 'tests/warts');
+    const matlab = join(root, '../shared/data/mr-damper/ensaio.A.1.mat');
+    const paths = [join(warts, 'date-cells.xlsx'), join(warts, 'no-units.csv'), join(warts, 'iso.json')];
+    if (existsSync(matlab)) paths.push(matlab);
+    else console.log('  skipped: the MATLAB file (no ' + matlab + ')');
+    await page.drop(paths);
+    equal((await rows(page)).map((row) => row.name), ['date-cells', 'iso'], 'devices');
+    expect((await page.text('.unread')).includes('no-units.csv'), 'not read: ' + (await page.text('.unread')));
+
+    const correct = (one) => page.evaluate(`[...document.querySelectorAll('.unread li')].find((item) => item.innerText.includes(${JSON.stringify(one)})).querySelector('.action').click()`);
+    await correct('no-units.csv');
+    await page.idle();
+    for (const [key, unit] of [['units-time', 's'], ['units-disp', 'mm'], ['units-force', 'kN']]) await set(page, await fieldOf(page, 2, key), unit);
+    let found = await rows(page);
+    expect(found[2].tone !== 'poor' && Number(found[2].samples) > 100, 'no-units.csv is read: ' + JSON.stringify(found[2]));
+    if (existsSync(matlab)) {
+      await correct('ensaio');
+      await page.idle();
+      expect((await page.evaluate("[...document.querySelectorAll('datalist')].some((list) => [...list.options].some(({ value }) => value === 'forc'))")) === true, 'its variables are offered');
+      for (const [key, value] of [['columns-time', 'Tout'], ['columns-disp', 'dist'], ['columns-force', 'forc'], ['units-time', 's'], ['units-disp', 'mm'], ['units-force', 'N']]) await set(page, await fieldOf(page, 3, key), value);
+      found = await rows(page);
+      expect(found[3].samples === '1501', 'the MATLAB file is read: ' + JSON.stringify(found[3]));
+    }
+    equal(await page.evaluate("document.querySelectorAll('.unread').length"), 0, 'none is unread');
+    await end(page);
+  },
+
+  'the measured bearing': async () => {
+    const bearing = join(root, '../shared/data/hdrb-gallardo-device/cyclic-24-49-98pct.csv');
+    if (!existsSync(bearing)) {
+      console.log('  skipped: no ' + bearing);
+      return;
+    }
+    const page = await open();
+    await page.drop([bearing]);
+    let [row] = await rows(page);
+    equal(row.samples, '19767', 'samples');
+    await openForm(page, 0);
+    await set(page, await fieldOf(page, 0, 'dt'), '0.0085');
+    await set(page, await fieldOf(page, 0, 'rubber-thickness-mm'), '155');
+    [row] = await rows(page);
+    expect(row.tone === 'good' || row.tone === 'care', 'read: ' + JSON.stringify(row));
+    await identifyLittle(page, ['bilinear', 'bouc-wen']);
+    await page.press('show-save');
+    await page.press('save-summary-json');
+    const summary = JSON.parse((await page.saved()).bytes);
+    equal(summary.laws.map(({ id }) => id).sort(), ['bilinear', 'bouc-wen'], 'laws');
+    expect(summary.laws.every(({ objective }) => objective.mean > 0 && objective.mean < 0.5), 'objectives');
+    await end(page);
+  },
+
+  'identify, export, save, drop back, continue': async () => {
+    let page = await open();
+    await page.drop([example]);
+    await identifyLittle(page, ['bilinear', 'bouc-wen']);
+    await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
+    equal(await inFrameUntil(page, "'none' + document.body.dataset.errors", 'errors'), 'none', 'errors in the frame');
+    await page.press('to-save');
+
+    // Single files.
+    await page.press('save-report-html');
+    const report = await page.saved();
+    expect(report.name.endsWith('-report.html') && report.bytes.includes('isolaw-data'), 'the report: ' + report.name);
+    await page.press('save-lot-toml');
+    const lot = await page.saved();
+    equal(lot.name, 'lot.toml', 'the lot file');
+    await page.press('save-tables-zip');
+    const tables = await readZip((await page.saved()).bytes);
+    expect(['tables/objective.csv', 'tables/parameters.csv', 'inspection/tables/cycles.csv'].every((one) => tables.some(({ path }) => path === one)), 'tables: ' + tables.map(({ path }) => path));
+    await page.press('save-summary-json');
+    const summary = JSON.parse((await page.saved()).bytes);
+
+    // The numbers of the command line, of the same lot file.
+    writeFileSync(join(example, 'page.toml'), lot.bytes);
+    execFileSync(isolaw, ['calibrate', join(example, 'page.toml'), '--out', join(work, 'native'), '--figures', 'none'], { stdio: 'ignore' });
+    rmSync(join(example, 'page.toml'));
+    const native = JSON.parse(readFileSync(join(work, 'native/summary.json')));
+    const objectives = ({ laws }) => Object.fromEntries(laws.map(({ id, objective }) => [id, objective.best]));
+    for (const [law, objective] of Object.entries(objectives(native))) expect(Math.abs(objectives(summary)[law] / objective - 1) < 1e-3, `objective of ${law}: ${objectives(summary)[law]}, natively ${objective}`);
+
+    // Exports: one that works, one that the program refuses, in its words.
+    await page.press('show-save');
+    await page.type('export-law', 'bouc-wen');
+    await page.type('export-to', 'opensees');
+    await page.type('export-device', 'D03');
+    await page.press('make-export');
+    const exported = await page.saved();
+    expect(/uniaxialMaterial/.test(exported.bytes.toString()) && exported.name === 'bouc-wen-D03.tcl', 'export: ' + exported.name);
+    await page.idle();
+    expect((await page.text('#export-said')).includes('bouc-wen-D03.tcl'), 'it is said');
+
+    // Everything: read by the command line, and by the page.
+    await page.press('save-whole');
+    const whole = await page.saved();
+    expect(whole.name.endsWith('.isolaw.zip'), whole.name);
+    const unpacked = join(work, 'unpacked');
+    for (const { path, bytes } of await readZip(whole.bytes)) {
+      mkdirSync(dirname(join(unpacked, path)), { recursive: true });
+      writeFileSync(join(unpacked, path), bytes);
+    }
+    for (const one of records) expect(readFileSync(join(unpacked, one)).equals(readFileSync(join(example, one))), one + ' as it was');
+    const reported = spawnSync(isolaw, ['report', join(unpacked, 'out'), '--figures', 'none', '--out', join(work, 'reported')]);
+    equal(reported.status, 0, 'isolaw report: ' + reported.stderr);
+    const again = JSON.parse(readFileSync(join(work, 'reported/summary.json')));
+    equal(objectives(again), objectives(summary), 'the same summary');
+    const whole2 = join(work, whole.name);
+    copyFileSync(whole.path, whole2);
+    await end(page);
+
+    page = await open();
+    await page.drop([whole2]);
+    equal(await failure(page), '', 'a failure');
+    await page.until("document.getElementById('report-frame')", 'the report again');
+    await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots again');
+    await page.press('show-records');
+    equal((await rows(page)).length, 10, 'its devices');
+    // One law more: what was computed stays.
+    await identifyLittle(page, ['bilinear', 'bouc-wen', 'hwang-wu']);
+    await page.press('show-save');
+    await page.press('save-summary-json');
+    const more = objectives(JSON.parse((await page.saved()).bytes));
+    equal(Object.keys(more).sort(), ['bilinear', 'bouc-wen', 'hwang-wu'], 'laws');
+    for (const [law, objective] of Object.entries(objectives(summary))) equal(more[law], objective, 'kept: ' + law);
+    await end(page);
+
+    // The store alone: to look again, and to export of.
+    page = await open();
+    await page.drop([join(unpacked, 'out/campaign.sqlite')]);
+    await page.until("document.getElementById('report-frame')", 'the report of a store');
+    equal(await page.evaluate("[document.getElementById('identify'), document.getElementById('show-properties').disabled]"), [null, true], 'nothing to identify');
+    await page.press('show-save');
+    await page.press('save-report-html');
+    await page.saved();
+    await end(page);
+  },
+
+  // The best of three, as load can only slow it.
+  'cancel within 1 s, and go on': async () => {
+    const page = await open();
+    await page.drop([example]);
+    await page.press('show-laws');
+    await page.press('laws-all');
+    await page.idle();
+    await set(page, 'method', 'best');
+    await set(page, 'runs', '20');
+    const times = [];
+    for (let i = 0; i < 3; ++i) {
+      await page.press('identify');
+      await page.until("document.getElementById('progress-bar')", 'progress');
+      await wait(1500);
+      // The longest time that the page did not answer while it computes: told, not judged.
+      const longest = await page.evaluate('new Promise((done) => { let last = performance.now(), most = 0, n = 0; const tick = () => { const now = performance.now(); most = Math.max(most, now - last); last = now; ++n < 100 ? setTimeout(tick, 10) : done(most); }; tick(); })');
+      const took = await page.evaluate("new Promise((done) => { const start = performance.now(); document.getElementById('cancel').click(); const look = () => (document.getElementById('progress-bar') ? setTimeout(look, 5) : done(performance.now() - start)); look(); })");
+      times.push(took);
+      console.log(`  cancelled in ${Math.round(took)} ms; the page was away for ${Math.round(longest)} ms at most`);
+      expect((await page.text('#laws-said')).length > 0, 'it is said');
+      expect((await page.evaluate("document.getElementById('identify').disabled")) === false, 'it can be started again');
+    }
+    expect(Math.min(...times) < 1000, 'cancelled in ' + Math.min(...times) + ' ms at best');
+    // Nothing is left of it that would harm.
+    await identifyLittle(page);
+    await end(page);
+  },
+
+  'hostile names and contents stay text': async () => {
+    const folder = join(work, 'hostile <img src=x onerror=hacked=1>');
+    mkdirSync(folder);
+    const bad = '<img src=x onerror="window.hacked=1"><script>window.hacked=1<\u2044script>';
+    const lines = readFileSync(join(example, records[0]), 'utf8').split('\n');
+    writeFileSync(join(folder, bad.slice(0, 60) + '.csv'), lines.join('\n'));
+    writeFileSync(join(folder, "';alert(1);'.csv"), [lines[0].replace('Vertical load', 'Vertical load <svg onload=window.hacked=1>'), ...lines.slice(1)].join('\n'));
+    writeFileSync(join(folder, '--out=x.csv'), lines.join('\n'));
+    writeFileSync(join(folder, '{{script}}$&.csv'), lines.join('\n'));
+    writeFileSync(join(folder, 'none.csv'), bad + ',' + bad + '\n1,2\n3,</script><script>hacked=1</script>\n');
+    const page = await open();
+    await page.drop([folder]);
+    const found = await rows(page);
+    expect(found.length >= 3, 'devices: ' + found.length + ' ' + (await page.text('#contents')));
+    await openForm(page, 0);
+    await set(page, 'lot-title', bad);
+    await page.evaluate("for (const details of document.querySelectorAll('details')) details.open = true");
+    const markup = "document.querySelectorAll('main img, main svg:not(.sign), main script, [onerror], [onload]').length";
+    equal(await page.evaluate(markup), 0, 'elements that are not the page\u2019s');
+    await page.press('show-properties');
+    await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
+    expect((await page.inFrame("window.hacked === undefined && document.querySelectorAll('[onerror], [onload]').length === 0")) === true, 'in the frame');
+    await identifyLittle(page);
+    await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots of the report');
+    expect((await page.inFrame("window.hacked === undefined && document.querySelectorAll('[onerror], [onload]').length === 0")) === true, 'in the report');
+    await page.press('show-save');
+    equal(await page.evaluate(markup), 0, 'elements that are not the page\u2019s, of Save');
+    await page.press('save-whole');
+    expect(/^[\p{L}\p{N}._-]+$/u.test((await page.saved()).name), 'the name of what is saved');
+    expect((await page.evaluate('window.hacked === undefined')) === true, 'nothing ran');
+    await end(page);
+  },
+
+  // The inputs of the fuzz targets: what they break is a worker at most.
+  'damaged and hostile files': async () => {
+    const corpus = join(root, 'fuzz/corpus');
+    const folder = join(work, 'corpus');
+    mkdirSync(folder);
+    const ends = { json: 'json', mat: 'mat', mat73: 'mat', text: 'csv', workbook: 'xlsx' };
+    let count = 0;
+    for (const [kind, ending] of Object.entries(ends))
+      for (const one of readdirSync(join(corpus, kind))) {
+        copyFileSync(join(corpus, kind, one), join(folder, `${kind}-${one.replace(/\..*/, '')}.${ending}`));
+        ++count;
+      }
+    const page = await open();
+    await page.drop([folder]);
+    const read = (await rows(page)).length,
+      unread = await page.evaluate("document.querySelectorAll('.unread li').length");
+    expect(read > 5 && unread > 20 && read + unread >= count, `${read} read, ${unread} not, of ${count}`);
+    expect((await page.evaluate("[...document.querySelectorAll('.unread li')].every((one) => one.querySelector('.problem')?.textContent.length > 10)")) === true, 'each with its reason');
+    for (const [kind, called] of [['lot_file', 'lot.toml'], ['store', 'campaign.sqlite']])
+      for (const one of readdirSync(join(corpus, kind))) {
+        mkdirSync(join(work, 'single'), { recursive: true });
+        copyFileSync(join(corpus, kind, one), join(work, 'single', called));
+        await page.drop([join(work, 'single', called)]);
+        expect((await page.text('#read-band')).length > 0 || (await failure(page)).length > 20, one + ' is answered');
+      }
+    // The page and its workers are what they were.
+    await page.evaluate('window.confirm = () => true');
+    await page.press('show-records');
+    await page.press('start-over');
+    await page.drop([example]);
+    equal((await rows(page)).length, 10, 'devices');
+    await end(page);
+  },
+
+  'the policy: no script but the page\u2019s, no connection, no eval': async () => {
+    const page = await open();
+    const blocked = await page.evaluate(`new Promise((done) => {
+      const blocked = [];
+      document.addEventListener('securitypolicyviolation', (event) => blocked.push(event.effectiveDirective));
+      const script = document.createElement('script');
+      script.textContent = 'window.ran = 1';
+      document.body.append(script);
+      const image = document.createElement('img');
+      image.src = 'https://example.invalid/x';
+      document.body.append(image);
+      fetch('https://example.invalid/').catch(() => {});
+      setTimeout('window.ran = 2');
+      setTimeout(() => done(blocked), 500);
+    })`);
+    for (const directive of ['script-src-elem', 'img-src', 'connect-src', 'script-src']) expect(blocked.includes(directive), directive + ' is blocked: ' + blocked);
+    expect((await page.evaluate('window.ran === undefined')) === true, 'nothing ran');
+    await page.close();
+  },
+
+  'what cannot be taken is said, and the page stays': async () => {
+    const page = await open();
+    writeFileSync(join(work, 'broken.zip'), Buffer.concat([Buffer.from('PK\u0003\u0004'), Buffer.alloc(100, 7)]));
+    await page.drop([join(work, 'broken.zip')]);
+    expect((await failure(page)).includes('broken.zip'), 'a broken zip file: ' + (await failure(page)));
+    writeFileSync(join(work, 'campaign.sqlite'), 'SQLite format 3\0' + 'x'.repeat(5000));
+    await page.drop([join(work, 'campaign.sqlite')]);
+    expect((await failure(page)).length > 20, 'a broken store: ' + (await failure(page)));
+    await page.press('close-failure');
+    equal(await failure(page), '', 'the message goes');
+    writeFileSync(join(work, 'alone.csv'), 'no record at all\n');
+    await page.drop([join(work, 'alone.csv')]);
+    expect((await page.text('.unread')).includes('alone.csv'), 'no record: ' + (await page.text('#contents')));
+    // Too much is refused before it is read: a file of a size alone.
+    writeFileSync(join(work, 'big.csv'), '');
+    truncateSync(join(work, 'big.csv'), 900e6);
+    await page.drop([join(work, 'big.csv')]);
+    expect(/900\sMB/.test(await failure(page)), 'too much: ' + (await failure(page)));
+    // And the next drop works.
+    await page.drop([join(example, records[0])]);
+    equal((await rows(page)).length, 1, 'a device');
+    await end(page);
+  },
+
+  'by keyboard alone': async () => {
+    const page = await open();
+    const key = async (key, code = key) => {
+      for (const type of ['keyDown', 'keyUp']) await page.send('Input.dispatchKeyEvent', { type, key, code, windowsVirtualKeyCode: { Tab: 9, Enter: 13, Escape: 27 }[key], text: type === 'keyDown' && key === 'Enter' ? '\r' : undefined });
+    };
+    const focused = () => page.evaluate("document.activeElement.id || document.activeElement.className || document.activeElement.tagName");
+    const reach = async (id, most = 200) => {
+      for (let i = 0; i < most; ++i) {
+        if ((await focused()) === id) return true;
+        await key('Tab');
+      }
+      expect(false, 'no way to #' + id);
+      return false;
+    };
+    const seen = [];
+    for (let i = 0; i < 8; ++i) {
+      await key('Tab');
+      seen.push(await focused());
+    }
+    for (const id of ['skip', 'show-records', 'show-about', 'choose-files', 'choose-folder', 'example']) expect(seen.includes(id), id + ' by Tab: ' + seen);
+    await reach('example');
+    await key('Enter');
+    await page.until("document.querySelectorAll('#devices tr.device').length === 10", 'the example lot');
+    await page.idle();
+    await reach('to-laws');
+    await key('Enter');
+    await page.until("document.getElementById('identify') && document.body.dataset.view === 'laws'", 'Laws');
+    await set(page, 'method', 'best');
+    await reach('identify');
+    await key('Enter');
+    await page.until("document.getElementById('progress-bar')", 'progress');
+    await key('Escape');
+    await page.until("!document.getElementById('progress-bar')", 'the end by Escape');
+    equal(await focused(), 'identify', 'the focus comes back');
+    // Whatever can be pressed can be reached.
+    for (const view of ['records', 'laws', 'save', 'about']) {
+      await page.press('show-' + view);
+      expect((await page.evaluate("[...document.querySelectorAll('button, input:not([type=file]), select, textarea, summary, a[href]')].every((one) => one.tabIndex >= 0)")) === true, view + ': all can be reached');
+    }
+    await end(page);
+  },
+
+  'everybody can read it, on a telephone, in the dark, on paper': async () => {
+    const axe = join(root, 'node_modules/axe-core/axe.min.js');
+    const rules = existsSync(axe) ? readFileSync(axe, 'utf8') : null;
+    if (!rules) console.log('  skipped: axe-core (npm ci in the project\u2019s root)');
+    for (const [width, dark] of [[1280, false], [1280, true], [360, false], [360, true]]) {
+      const page = await open({ width, dark, height: width < 500 ? 740 : 800 });
+      if (rules) await page.evaluate(rules + ';0');
+      const look = async (state) => {
+        const where = `${state}, ${width} px${dark ? ', dark' : ''}`;
+        await page.evaluate("for (const details of document.querySelectorAll('details')) details.open = true");
+        await narrow(page, where);
+        if (!rules) return;
+        const { passes, found } = await page.evaluate("axe.run(document, { resultTypes: ['violations'], iframes: false }).then(({ violations, passes }) => ({ passes: passes.length, found: violations.map(({ id, impact, nodes }) => impact + ' ' + id + ': ' + nodes.slice(0, 2).map((node) => node.html.slice(0, 140)).join(' | ')) }))");
+        expect(passes > 10, where + ': ' + passes + ' rules apply');
+        equal(found, [], where);
+      };
+      await look('empty');
+      await page.drop([example, join(root, 'tests/warts/no-units.csv')]);
+      await page.drop([join(root, 'tests/warts/empty.csv')]);
+      await openForm(page, 0);
+      await look('records');
+      await page.press('show-properties');
+      await look('properties');
+      if (width < 500) {
+        await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
+        expect((await page.inFrame('document.documentElement.scrollWidth <= innerWidth')) === true, 'the report is as narrow as its frame');
+      }
+      await page.press('show-laws');
+      await page.press('laws-some');
+      await page.idle();
+      await look('laws');
+      await identifyLittle(page, ['bilinear']);
+      await look('report');
+      await page.press('show-save');
+      await look('save');
+      await page.press('show-about');
+      await page.press('self-test');
+      await page.until("document.querySelector('#self-test-said .good, #self-test-said .poor')", 'the self-test');
+      expect((await page.evaluate("Boolean(document.querySelector('#self-test-said .good'))")) === true, 'the self-test: ' + (await page.text('#self-test-said')));
+      expect((await page.text('#version')).length > 2, 'the version');
+      if (!standIn) for (const library of ['Eigen', 'SQLite', 'Plotly']) expect((await page.text('#licences')).includes(library), 'licences: ' + library);
+      await look('about');
+      await page.send('Emulation.setEmulatedMedia', { media: 'print' });
+      await page.press('show-records');
+      expect((await page.evaluate("getComputedStyle(document.querySelector('.drop')).display === 'none' && getComputedStyle(document.getElementById('devices')).display !== 'none'")) === true, 'on paper');
+      await end(page);
+    }
+  },
+};
+
+try {
+  for (const [title, test] of Object.entries(tests)) {
+    if (only && !title.includes(only)) continue;
+    name = title;
+    console.log(title);
+    try {
+      await test();
+    } catch (error) {
+      expect(false, error.stack ?? error);
+    }
+  }
+} finally {
+  await browser.close().catch(() => {});
+  rmSync(work, { recursive: true, force: true });
+}
+console.log(failures.length === 0 ? 'all hold' : failures.length + ' do not hold');
+process.exit(failures.length === 0 ? 0 : 1);
