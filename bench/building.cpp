@@ -1,18 +1,23 @@
 // How long the draws of a building take: 28 bearings of bouc-wen under five floors, 20 s at 0.005 s, two components.
-//   building [DRAWS] [MOTIONS] [THREADS]    1000, 11 and 2 where nothing is said; then one draw by the scalar forms of
-//                                           both integrators
+//   building_bench [DRAWS] [MOTIONS] [THREADS] [N] [--json]    1000, 11, 2 and 1.2 where nothing is said; then some draws by
+//                                                              a plain scalar loop and one by the implicit path
+// bench/building writes what it says to bench/results.
 #include <fmt/format.h>
 
 #include <chrono>
 #include <cstdlib>
+#include <string_view>
 #include <vector>
 
+#include "isolaw/base/processor_time.hpp"
 #include "isolaw/building/lanes.hpp"
 #include "isolaw/building/synthetic_motion.hpp"
 #include "isolaw/campaign/parallel.hpp"
 #include "isolaw/num/random.hpp"
 
 int main(int count, char** arguments) {
+  bool const json = count > 1 && std::string_view(arguments[count - 1]) == "--json";
+  count -= json;
   using namespace isolaw;
   using namespace isolaw::building;
   auto const argument = [&](int i, std::size_t otherwise) {
@@ -42,6 +47,7 @@ int main(int count, char** arguments) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   std::size_t const each = plan.bearings.size() * 6, block = 8 * lane_width, blocks = (draws + block - 1) / block;
+  double const cpu_before = process_time_s();
   double const lanes = seconds([&] {
     campaign::for_each_in_parallel(blocks * motions, threads, [&](std::size_t task) {
       std::size_t const first = task % blocks * block, last = std::min(draws, first + block);
@@ -49,15 +55,29 @@ int main(int count, char** arguments) {
       respond(model, "bouc-wen", part, ground[task / blocks], {});
     });
   });
-  fmt::print("{} draws x {} motions, {} threads, {}: {:.2f} s, {:.2f} ms of one thread a draw and motion\n", draws,
-             motions, threads, num::name(num::instruction_set()), lanes,
-             1e3 * lanes * static_cast<double>(threads) / static_cast<double>(draws * motions));
+  double const lanes_cpu = process_time_s() - cpu_before;
+  // The plain loop: one draw after the other.
+  std::size_t const scalar_draws = std::min<std::size_t>(draws, 8);
+  double const scalar = seconds([&] {
+                          respond(model, "bouc-wen", std::span(values).first(scalar_draws * each), ground[0], {},
+                                  Coupling::coupled, num::InstructionSet::scalar);
+                        }) /
+                        static_cast<double>(scalar_draws);
   auto const one = std::span(values).first(each);
-  double const scalar =
-      seconds([&] { respond(model, "bouc-wen", one, ground[0], {}, Coupling::coupled, num::InstructionSet::scalar); });
   std::vector<std::unique_ptr<Bearing>> bearings;
   for (std::size_t j = 0; j < plan.bearings.size(); ++j)
     bearings.push_back(make_bearing("bouc-wen", one.subspan(6 * j, 6), Coupling::coupled));
   double const implicit = seconds([&] { integrate(model, bearings, ground[0]); });
-  fmt::print("one draw and motion: explicit scalar {:.2f} ms, implicit {:.2f} ms\n", 1e3 * scalar, 1e3 * implicit);
+  auto const set = num::name(num::instruction_set());
+  if (json) {
+    fmt::print(
+        "{{\"instruction_set\": \"{}\", \"lanes_wall_s\": {}, \"lanes_cpu_s\": {}, \"scalar_draws\": {}, \"scalar_s\": {}, \"implicit_s\": {}}}\n",
+        set, lanes, lanes_cpu, scalar_draws, scalar, implicit);
+    return 0;
+  }
+  double const each_cpu = lanes_cpu / static_cast<double>(draws * motions);
+  fmt::print("{} draws x {} motions, {} threads, {}: {:.2f} s, {:.2f} ms of one thread a draw and motion\n", draws,
+             motions, threads, set, lanes, 1e3 * each_cpu);
+  fmt::print("one draw and motion: explicit scalar {:.2f} ms ({:.1f} times that), implicit {:.2f} ms\n", 1e3 * scalar,
+             scalar / each_cpu, 1e3 * implicit);
 }

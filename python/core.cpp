@@ -19,11 +19,13 @@
 
 #include <fmt/format.h>
 
+#include "isolaw/api/building_work.hpp"
 #include "isolaw/api/isolaw.hpp"
 #include "isolaw/base/hash.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/data/reading.hpp"
+#include "isolaw/render/json/building_json.hpp"
 #include "isolaw/render/json/inspection_json.hpp"
 
 namespace py = pybind11;
@@ -409,29 +411,28 @@ py::dict runs_of(Campaign const& campaign, std::string const& law, std::string c
   return made;
 }
 
-// A campaign's work in a thread of its own, without the interpreter's lock; the caller's thread waits, hands progress
-// to Python and listens for signals, which Python delivers to its main thread alone. An exception of either stops the
-// search.
-CampaignPtr worked(campaign::RunOptions run, py::object const& progress,
-                   std::function<Contents(campaign::RunOptions const&)> const& work) {
+// Work in a thread of its own, without the interpreter's lock; the caller's thread waits, hands progress to Python by
+// `tell` and listens for signals, which Python delivers to its main thread alone. An exception of either stops the work.
+template <class Told, class Work>
+auto in_a_thread(std::function<void(Told const&)> const& tell, Work const& work) {
   std::mutex mutex;
   std::condition_variable changed;
-  std::optional<campaign::Progress> latest;
+  std::optional<Told> latest;
   bool ended = false;
   std::atomic<bool> stop = false;
   std::exception_ptr failure;
-  std::optional<Contents> contents;
-  run.progress = [&](campaign::Progress const& now) {
+  std::function<void(Told const&)> const progress = [&](Told const& now) {
     std::scoped_lock const lock(mutex);
     latest = now;
     changed.notify_one();
   };
-  run.interrupted = [&] { return stop.load(); };
-  std::exception_ptr asked;  // by Python: a signal, or an exception of `progress`
+  std::function<bool()> const interrupted = [&] { return stop.load(); };
+  std::optional<decltype(work(progress, interrupted))> made;
+  std::exception_ptr asked;  // by Python: a signal, or an exception of `tell`
   {
     std::jthread const worker([&] {
       try {
-        contents = work(run);
+        made = work(progress, interrupted);
       } catch (...) {
         failure = std::current_exception();
       }
@@ -441,7 +442,7 @@ CampaignPtr worked(campaign::RunOptions run, py::object const& progress,
     });
     constexpr auto patience = std::chrono::milliseconds(50);
     for (bool over = false; !over;) {
-      std::optional<campaign::Progress> told;
+      std::optional<Told> told;
       {
         py::gil_scoped_release const released;
         std::unique_lock lock(mutex);
@@ -452,8 +453,7 @@ CampaignPtr worked(campaign::RunOptions run, py::object const& progress,
       if (stop) continue;
       try {
         if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-        if (told && !progress.is_none())
-          progress(told->done, told->total, told->analysis, told->best, told->share, told->left_s);
+        if (told) tell(*told);
       } catch (...) {
         asked = std::current_exception();
         stop = true;
@@ -463,8 +463,22 @@ CampaignPtr worked(campaign::RunOptions run, py::object const& progress,
   }
   if (asked) std::rethrow_exception(asked);
   if (failure) std::rethrow_exception(failure);
+  return std::move(*made);
+}
+
+CampaignPtr worked(campaign::RunOptions run, py::object const& progress,
+                   std::function<Contents(campaign::RunOptions const&)> const& work) {
+  auto contents = in_a_thread<campaign::Progress>(
+      [&](campaign::Progress const& now) {
+        if (!progress.is_none()) progress(now.done, now.total, now.analysis, now.best, now.share, now.left_s);
+      },
+      [&](auto const& told, auto const& interrupted) {
+        run.progress = told;
+        run.interrupted = interrupted;
+        return work(run);
+      });
   py::gil_scoped_release const released;
-  return std::make_shared<Campaign>(std::move(*contents));
+  return std::make_shared<Campaign>(std::move(contents));
 }
 
 CampaignPtr calibrated(std::vector<RecordPtr> const& records, py::dict const& given, py::dict const& vertical,
@@ -514,6 +528,97 @@ CampaignPtr loaded(std::filesystem::path const& directory) {
   return std::make_shared<Campaign>(campaign::Store::read(directory / store_name));
 }
 
+// --- buildings
+// ----------------------------------------------------------------------------------------------------------
+
+using BuildingPtr = std::shared_ptr<StudiedBuilding>;
+
+// (step in s, accelerations along x in m/s2[, and along y]), or what building::read_motion takes.
+building::Motion motion_of(py::handle const& given, std::size_t place) {
+  if (py::isinstance<py::str>(given)) return building::read_motion(given.cast<std::string>());
+  auto const values = given.cast<py::tuple>();
+  constexpr double mm_in_m = 1e3;
+  auto const component = [&](std::size_t i) {
+    auto made = values_of(rows_of(values[i]), "motion");
+    for (double& a : made) a *= mm_in_m;
+    return made;
+  };
+  building::Motion made{
+      .name = fmt::format("motion {}", place + 1), .step_s = values[0].cast<double>(), .x_mm_s2 = component(1)};
+  if (values.size() > 2) made.y_mm_s2 = component(2);
+  building::require_sound(made);
+  return made;
+}
+
+BuildingPtr studied(py::object const& file, py::object const& from, py::list const& motions, py::dict const& given,
+                    BuildingWork options, py::object const& progress) {
+  building::InPlace in_place{.motions = {}, .settings = given_of(building::settings_table(), given)};
+  for (auto const& motion : motions) in_place.motions.push_back(motion_of(motion, in_place.motions.size()));
+  auto read = py::isinstance<py::dict>(file) ? building::building_of(json_of(file), in_place)
+                                             : building::read_building(file.cast<std::filesystem::path>(), in_place);
+  auto const is_campaign = py::isinstance<Campaign>(from);
+  auto const directory = is_campaign ? std::filesystem::path() : from.cast<std::filesystem::path>();
+  auto const campaign = is_campaign ? from.cast<CampaignPtr>() : nullptr;
+  return in_a_thread<building::RunProgress>(
+      [&](building::RunProgress const& now) {
+        if (!progress.is_none()) progress(now.done, now.total);
+      },
+      [&](auto const& told, auto const& interrupted) {
+        options.progress = told;
+        options.interrupted = interrupted;
+        auto study = campaign ? building_study(std::move(read), campaign->contents)
+                              : building_study(std::move(read), campaign::Store::read(directory / store_name),
+                                               directory.string());
+        return std::make_shared<StudiedBuilding>(study_building(std::move(study), options));
+      });
+}
+
+// Some neighbouring measures of every draw: shape (laws, draws, motions, count), a view of the study's own.
+Array measures(py::object const& self, std::size_t first, std::size_t count) {
+  auto const& of = *self.cast<BuildingPtr>();
+  auto const width = static_cast<py::ssize_t>(of.layout.count()),
+             motions = static_cast<py::ssize_t>(of.study.file.motions.size()),
+             draws = static_cast<py::ssize_t>(of.study.file.settings.draws);
+  constexpr py::ssize_t one = sizeof(double);
+  Array made({static_cast<py::ssize_t>(of.study.laws.size()), draws, motions, static_cast<py::ssize_t>(count)},
+             {one * width * motions * draws, one * width * motions, one * width, one}, of.measured.data() + first,
+             self);
+  made.attr("flags").attr("writeable") = false;
+  return made;
+}
+
+Array quantity_of(StudiedBuilding const& of, std::string const& key) {
+  auto const values = peaks_of(of, key);
+  Array made(
+      {of.study.laws.size(), static_cast<std::size_t>(of.study.file.settings.draws), of.study.file.motions.size()});
+  std::ranges::copy(values, made.mutable_data());
+  return made;
+}
+
+template <std::size_t size>
+Array rows_of_history(std::vector<std::array<double, size>> const& rows) {
+  return Array({rows.size(), size}, rows.empty() ? nullptr : rows.front().data());
+}
+
+py::dict history_of(StudiedBuilding const& of, std::size_t law, std::size_t motion) {
+  auto const run = [&] {
+    py::gil_scoped_release const released;
+    return building::nominal_run(of.study, of.study.laws.at(law), of.study.file.motions.at(motion));
+  }();
+  auto const& h = run.history;
+  py::dict made;
+  made["outcome"] = std::string(building::name(run.outcome));
+  made["time_s"] = Array(static_cast<py::ssize_t>(h.time_s.size()), h.time_s.data());
+  made["base"] = rows_of_history(h.base);
+  made["velocity"] = rows_of_history(h.velocity);
+  made["shear_kN"] = rows_of_history(h.shear_kN);
+  Array acceleration({h.acceleration.size(), of.layout.floors + 1, std::size_t{2}});
+  auto* to = acceleration.mutable_data();
+  for (auto const& row : h.acceleration) to = std::ranges::copy(row, to).out;
+  made["acceleration_mm_s2"] = acceleration;
+  return made;
+}
+
 // --- the module
 // ---------------------------------------------------------------------------------------------------------
 
@@ -531,6 +636,7 @@ std::vector<Complaint> in_keywords(std::vector<Complaint> complaints) {
     rename(campaign::setting_table(), complaint.where);
     rename(campaign::acceptance_table(), complaint.where);
     rename(data::reading_table(), complaint.where);
+    rename(building::settings_table(), complaint.where);
     if (complaint.where == "--part") {
       complaint.where = "part";
       complaint.advice = "part=(1, 4) to part=(4, 4), for four machines";
@@ -622,7 +728,8 @@ PYBIND11_MODULE(_core, m) {
   m.def("options_json", [] {
     return Json{{"settings", described(campaign::setting_table())},
                 {"reading", described(data::reading_table())},
-                {"acceptance", described(campaign::acceptance_table())}}
+                {"acceptance", described(campaign::acceptance_table())},
+                {"building", described(building::settings_table())}}
         .dump();
   });
 
@@ -727,4 +834,40 @@ PYBIND11_MODULE(_core, m) {
         return merged(out, parts, std::move(options), progress);
       },
       py::arg("out"), py::arg("parts"), py::arg("jobs"), py::arg("fresh"), py::arg("progress"));
+
+  py::class_<StudiedBuilding, BuildingPtr>(m, "Building", "A building that was studied; see isolaw.Building.")
+      .def(
+          "json", [](StudiedBuilding const& b) { return render::building_json(b.study, *b.answers); },
+          py::call_guard<py::gil_scoped_release>())
+      .def("quantity", &quantity_of, py::arg("key"))
+      .def("accelerations",
+           [](py::object const& self) {
+             auto const& l = self.cast<BuildingPtr>()->layout;
+             return measures(self, l.acceleration(0), l.floors + 1);
+           })
+      .def("drifts",
+           [](py::object const& self) {
+             auto const& l = self.cast<BuildingPtr>()->layout;
+             return measures(self, l.drift(0), l.floors);
+           })
+      .def("displacements",
+           [](py::object const& self) {
+             auto const& l = self.cast<BuildingPtr>()->layout;
+             return measures(self, l.displacement(0), l.bearings);
+           })
+      .def("history", &history_of, py::arg("law"), py::arg("motion"))
+      .def("write", [](StudiedBuilding const& b, std::filesystem::path const& directory) {
+        py::gil_scoped_release const released;
+        render::write_building_outputs(b.study, *b.answers, directory);
+      });
+  m.def(
+      "building",
+      [](py::object const& file, py::object const& from, py::list const& motions, py::dict const& given, int jobs,
+         std::optional<std::filesystem::path> out, bool fresh, py::object const& progress) {
+        require_jobs(jobs);
+        return studied(file, from, motions, given, {.jobs = jobs, .directory = std::move(out), .fresh = fresh},
+                       progress);
+      },
+      py::arg("file"), py::arg("campaign"), py::arg("motions"), py::arg("given"), py::arg("jobs"), py::arg("out"),
+      py::arg("fresh"), py::arg("progress"));
 }

@@ -15,18 +15,23 @@ import inspect as _inspect
 import json as _json
 import operator as _operator
 import os as _os
+from collections.abc import Mapping as _Mapping
+
+import numpy as _np
 
 from . import _core
 from ._error import Error
 from ._core import Record, __version__
 
 __all__ = [
+    "Building",
     "Campaign",
     "Error",
     "Model",
     "Record",
     "__version__",
     "box",
+    "building",
     "calibrate",
     "force",
     "laws",
@@ -47,10 +52,15 @@ Record.__module__ = "isolaw"
 _OPTIONS = _json.loads(_core.options_json())
 
 
-def _takes(options):
-    """Keywords of a table in place of a function's own ``**`` parameter: its signature has them, with their defaults."""
+def _takes(options, in_place=False):
+    """Keywords of a table in place of a function's own ``**`` parameter: its signature has them, with their defaults.
+
+    in_place: of a value that is elsewhere; None leaves that.
+    """
 
     def default(option):
+        if in_place:
+            return None
         value, limits = option["default"], option["limits"]
         left_to_others = limits is not None and value == 0 and value < limits[0]
         return None if left_to_others else tuple(value) if isinstance(value, list) else value
@@ -398,7 +408,7 @@ def calibrate(
     choose where no method is given. samples_per_cycle (None: all), smooth, center: how records are cleaned. fit_blocks,
     fit_cycles, score_blocks: which part of the tests laws are judged by and tried on, as texts: "2", "1-3", "2-".
     analysis: what the tests determine, intervals, one law for the lot; takes longer than the fits. replicates: of its
-    bootstrap. settings() lists all of these with their limits.
+    bootstrap. bidirectional: "springs" fits laws without a coupled form in the plane as springs around the circle too. settings() lists all of these with their limits.
     rules: a rule set the tests are held to, by name or a file. design: design values, as a dict or as text:
     ``{"K_eff": 1.2, "damping": 15}``. lot_size: devices of the production lot, tested or not.
     vertical: compression tests, a dict by device name: a file, K_v in kN/mm, or a dict with ``file``, ``loads``
@@ -456,3 +466,131 @@ def load(directory):
     Raises Error where there is none, or where it is not as isolaw writes it.
     """
     return Campaign(_core.load(_os.fspath(directory)))
+
+
+# --- the isolated building --------------------------------------------------------------------------------------------
+
+
+class Building:
+    """A building whose bearings are devices drawn of a lot, shaken; made by building.
+
+    ``results`` is the content of building.json (docs/building-json.md). Of the draws there are arrays: NaN where a run gave
+    no finite numbers.
+    """
+
+    def __init__(self, core):
+        self._core = core
+        self._results = None
+
+    @property
+    def results(self):
+        """All that is answered: the same dict that building.json holds; ``results["verdict"]`` says whether bounds are enough."""
+        if self._results is None:
+            self._results = _json.loads(self._core.json())
+        return self._results
+
+    @property
+    def laws(self):
+        """Ids of the laws, in the order of the arrays."""
+        return [law["id"] for law in self.results["laws"]]
+
+    @property
+    def motions(self):
+        """Names of the motions, in the order of the arrays."""
+        return [motion["name"] for motion in self.results["motions"]]
+
+    @property
+    def quantities(self):
+        """What is measured of a building: a dict of title, unit and meaning by key."""
+        return {row["key"]: {k: v for k, v in row.items() if k != "key"} for row in self.results["quantities"]}
+
+    def peaks(self, quantity="isolator_mm"):
+        """A quantity of every draw under every motion: shape (laws, draws, motions), in its unit. Raises Error."""
+        return self._core.quantity(quantity)
+
+    @property
+    def displacements_mm(self):
+        """The largest displacement of every bearing: shape (laws, draws, motions, bearings), a read-only view."""
+        return self._core.displacements()
+
+    @property
+    def drifts_mm(self):
+        """The largest drift of every storey: shape (laws, draws, motions, storeys), a read-only view."""
+        return self._core.drifts()
+
+    @property
+    def accelerations_mm_s2(self):
+        """The largest acceleration in space of the base and every floor: shape (laws, draws, motions, 1 + floors), a
+        read-only view."""
+        return self._core.accelerations()
+
+    @property
+    def coverage(self):
+        """Share of the draws between the bounds: a dict by quantity of arrays inside, lower and upper (of its 95 %
+        interval), each of shape (laws,)."""
+        laws = [law["coverage"]["of"] for law in self.results["laws"]]
+        return {
+            quantity: {key: _np.array([law[quantity][key] for law in laws]) for key in ("inside", "lower", "upper")}
+            for quantity in laws[0]
+        }
+
+    def history(self, law=0, motion=0):
+        """The nominal building over time, by the implicit path: a dict of outcome (text) and arrays.
+
+        law, motion: ids and names, or numbers from 0. time_s (steps,); base and velocity (steps, 3), of the base relative to
+        the ground along x and y in mm and mm/s and its rotation in rad and rad/s; shear_kN (steps, 2), of all bearings;
+        acceleration_mm_s2 (steps, 1 + floors, 2), in space.
+        """
+        return self._core.history(_place(law, self.laws, "law"), _place(motion, self.motions, "motion"))
+
+    def write(self, directory):
+        """Writes building.json, the tables and building.html into a directory. Raises Error where that cannot be done."""
+        self._core.write(_os.fspath(directory))
+
+
+def _place(wanted, names, what):
+    if isinstance(wanted, str):
+        if wanted in names:
+            return names.index(wanted)
+    else:
+        place = _operator.index(wanted)
+        if 0 <= place < len(names):
+            return place
+    raise Error(f"{what}: {wanted!r}; allowed: {', '.join(names)}, or 0 to {len(names) - 1}")
+
+
+def _shaken(motion):
+    if isinstance(motion, (str, _os.PathLike)):
+        return _os.fspath(motion)
+    try:
+        parts = tuple(motion)
+        if 1 <= len(parts) <= 2 and all(isinstance(part, (str, _os.PathLike)) for part in parts):
+            return ",".join(map(_os.fspath, parts))
+        if 2 <= len(parts) <= 3:
+            return float(parts[0]), *parts[1:]
+    except (TypeError, ValueError):
+        pass
+    raise Error("motions: neither a file, two files, nor (step in s, x in m/s2[, y])")
+
+
+@_takes(_OPTIONS["building"], in_place=True)
+def building(building, campaign, motions=None, *, jobs=0, out=None, fresh=False, progress=None, **given):
+    """What a lot's scatter makes of an isolated building, and whether bound analyses cover it, as ``isolaw building``.
+
+    building: a building file (``isolaw building --template``), or its tables as a dict. campaign: a Campaign, or the directory
+    of one with analysis. motions: in place of the building's; a list of files ("x.AT2"), of pairs of files, or of
+    tuples (step in s, accelerations along x in m/s2) with those along y where there are two.
+    laws, draws, seed, lower, upper and the other keys of ``[building]``: in place of the building's own.
+    jobs: threads, 0 for one per core; the numbers do not depend on it. out: a directory for runs and reports, where an
+    interrupted study is continued by the same call; fresh starts over there. progress: called as progress(done, total)
+    of analyses from the calling thread; an exception it raises ends them and is raised here.
+
+    Returns a Building. Ctrl-C ends it with KeyboardInterrupt; what has finished is kept in ``out``. Raises Error with everything
+    wrong in the building.
+    """
+    file = dict(building) if isinstance(building, _Mapping) else _os.fspath(building)
+    source = campaign._core if isinstance(campaign, Campaign) else _os.fspath(campaign)
+    if isinstance(motions, (str, _os.PathLike)):
+        motions = [motions]
+    shaken = [_shaken(motion) for motion in motions or ()]
+    return Building(_core.building(file, source, shaken, given, jobs, out, fresh, progress))

@@ -187,6 +187,7 @@ def calibrate(
     score_blocks: str = "all",
     analysis: bool | Literal["full", "none"] = "full",
     replicates: int = 100,
+    bidirectional: bool | Literal["none", "springs"] = "none",
     rules: str | PathLike[str] | None = None,
     design: str | Mapping[str, float] | None = None,
     lot_size: int | None = None,
@@ -208,3 +209,50 @@ def merge(
     progress: Callable[..., object] | None = None,
 ) -> Campaign: ...
 def load(directory: _Path) -> Campaign: ...
+
+_Motion = _Path | tuple[_Path, _Path] | tuple[float, ArrayLike] | tuple[float, ArrayLike, ArrayLike]
+
+class Building:
+    @property
+    def results(self) -> dict[str, Any]: ...
+    @property
+    def laws(self) -> list[str]: ...
+    @property
+    def motions(self) -> list[str]: ...
+    @property
+    def quantities(self) -> dict[str, dict[str, Any]]: ...
+    def peaks(self, quantity: str = "isolator_mm") -> _Floats: ...
+    @property
+    def displacements_mm(self) -> _Floats: ...
+    @property
+    def drifts_mm(self) -> _Floats: ...
+    @property
+    def accelerations_mm_s2(self) -> _Floats: ...
+    @property
+    def coverage(self) -> dict[str, dict[str, _Floats]]: ...
+    def history(self, law: int | str = 0, motion: int | str = 0) -> dict[str, Any]: ...
+    def write(self, directory: _Path) -> None: ...
+
+def building(
+    building: _Path | Mapping[str, Any],
+    campaign: Campaign | _Path,
+    motions: _Path | Sequence[_Motion] | None = None,
+    *,
+    # isolaw keywords building
+    title: str | None = None,
+    laws: str | Sequence[str] | None = None,
+    draws: int | None = None,
+    populations: int | None = None,
+    draws_of_each: int | None = None,
+    seed: int | None = None,
+    damping: float | None = None,
+    lower: float | None = None,
+    upper: float | None = None,
+    step_s: float | None = None,
+    rest_s: float | None = None,
+    # the end of what it wrote
+    jobs: int = 0,
+    out: _Path | None = None,
+    fresh: bool = False,
+    progress: Callable[[int, int], object] | None = None,
+) -> Building: ...

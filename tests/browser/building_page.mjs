@@ -69,11 +69,24 @@ async function look({ print }) {
   select.value = 'isolator_mm';
   select.dispatchEvent(new Event('change'));
   await wait(200);
+  // The loop of a bearing by the choice and by a click in plan.
+  const loopOf = () => document.querySelector('#figure-loops figcaption').textContent;
+  document.getElementById('figure-loops').scrollIntoView();
+  await wait(200);
+  const loops = [loopOf()];
+  const bearing = document.getElementById('bearing');
+  bearing.value = '2';
+  bearing.dispatchEvent(new Event('change'));
+  await wait(200);
+  loops.push(loopOf());
+  document.querySelector('#figure-plan .plot').emit('plotly_click', { points: [{ customdata: 4 }] });
+  await wait(200);
+  loops.push(loopOf(), bearing.value);
   const count = (id, kind) => document.querySelectorAll('#figure-' + id + ' ' + kind).length;
   const text = document.body.innerText;
   window.scrollTo(0, 0);
   return {
-    words: words.length, undrawn, empty, cut, before, after, followed, wide,
+    words: words.length, loops, undrawn, empty, cut, before, after, followed, wide,
     said: document.querySelector('#figure-verdict .headline').textContent,
     verdict: data.verdict,
     laws: data.laws.length,
@@ -120,8 +133,9 @@ try {
     expect(seen.said.replace(/\s/g, ' ') === seen.verdict, 'says "' + seen.said + '"');
     expect(seen.histograms === seen.laws, seen.histograms + ' histograms of ' + seen.laws + ' laws');
     expect(seen.bearings === seen.places + 1, seen.bearings + ' marks in plan of ' + seen.places + ' bearings and the centre');
-    expect(seen.rows === 2 * seen.laws, seen.rows + ' rows of coverage');
+    expect(seen.rows === 10 * seen.laws, seen.rows + ' rows of coverage');
     expect(seen.before !== seen.after && /drift/.test(seen.after) && seen.followed === 'drift_mm', 'the choice of a quantity is not followed');
+    expect(/^Bearing 1 at/.test(seen.loops[0]) && /^Bearing 3 at/.test(seen.loops[1]) && /^Bearing 5 at/.test(seen.loops[2]) && seen.loops[3] === '4', 'loops of ' + seen.loops.join('; '));
     expect(seen.title === seen.wanted && seen.alive === 0 && seen.motion, 'names of the input are not text');
     if (!one.print && existsSync(axe)) {
       await page.evaluate(readFileSync(axe, 'utf8') + ';0');

@@ -29,6 +29,17 @@ class Examples(unittest.TestCase):
             self.assertIn(row["law"], made.stdout)
         self.assertTrue(any(row["on_front"] == "True" for row in rows))
 
+    def test_a_building_on_the_example_lot(self):
+        with tempfile.TemporaryDirectory() as folder:
+            made = subprocess.run(
+                [sys.executable, SOURCE / "examples/python/isolated_building.py", "--draws", "20", "--out", folder],
+                capture_output=True, text=True, timeout=300,
+            )  # fmt: skip
+            self.assertEqual(made.returncode, 0, made.stderr)
+            self.assertTrue((pathlib.Path(folder) / "building.html").exists())
+        self.assertRegex(made.stdout, r"^(Yes|No|No answer yet): with Bilinear the bounds cover \d+ % of 20 buildings")
+        self.assertEqual(made.stdout.count("a bearing moves"), 7)
+
     def test_the_page_of_the_documentation(self):
         blocks = re.findall(r"```python\n(.*?)```", (SOURCE / "docs/python.md").read_text(), re.S)
         self.assertGreater(len(blocks), 0)

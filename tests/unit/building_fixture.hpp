@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "isolaw/building/bearing.hpp"
+#include "isolaw/building/building_file.hpp"
 #include "isolaw/building/integrate.hpp"
 #include "isolaw/building/structure.hpp"
 

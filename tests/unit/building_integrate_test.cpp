@@ -72,7 +72,7 @@ TEST(BuildingIntegrate, rotation_in_plan) {
   ASSERT_EQ(before.outcome, Outcome::completed);
   for (std::size_t i = 0; i < before.measured.size(); ++i) {
     if (i == static_cast<std::size_t>(Measure::balance)) continue;
-    EXPECT_NEAR(after.measured[i], before.measured[i], 1e-8 * std::abs(before.measured[i])) << i;
+    EXPECT_NEAR(after.measured[i], before.measured[i], 1e-12 * std::abs(before.measured[i])) << i;
   }
   EXPECT_GT(before.of(Measure::rotation), 1e-6);
 }

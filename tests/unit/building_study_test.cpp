@@ -61,9 +61,10 @@ TEST_F(BuildingFileTest, the_template_is_a_building) {
   EXPECT_NEAR(made.motions[0].x_mm_s2[3], 250.0, 1e-9);
   Structure const structure(made.frame);
   EXPECT_NEAR(2.0 * std::numbers::pi / structure.frequency_rad_s()[0], 0.5, 1e-9);
-  auto const given =
-      read_building_text(building_template(), "b.toml", folder_, {(folder_ / "motion-1-x.csv").string()});
+  auto const file = (folder_ / "motion-1-x.csv").string();
+  auto const given = read_building_text(building_template(), "b.toml", folder_, {.motions = read_motions({file})});
   EXPECT_TRUE(given.motions.at(0).y_mm_s2.empty());
+  EXPECT_TRUE(contains(refusal_of([&] { read_motions({file, "none.csv", "no.AT2"}); }), "no.AT2"));
 }
 
 TEST_F(BuildingFileTest, what_is_wrong_is_said_once_with_its_line) {
@@ -85,6 +86,35 @@ TEST_F(BuildingFileTest, what_is_wrong_is_said_once_with_its_line) {
   motion("motion-1-y.csv", 20, "NaN");
   auto const nan = refusal_of([&] { read(building_template()); });
   EXPECT_TRUE(contains(nan, "motion-1-y.csv:21") && contains(nan, "no number")) << nan;
+}
+
+// What is given in place of a key is judged as what stands there, and a mapping is a file without lines.
+TEST_F(BuildingFileTest, what_is_given_is_laid_over_and_a_mapping_is_a_file) {
+  Motion const motion{.name = "m", .step_s = 0.01, .x_mm_s2 = {0.0, 1.0}, .y_mm_s2 = {}};
+  auto const read_with = [&](isolaw::Values settings, Motion const& shaken) {
+    return read_building_text(building_template(), "b.toml", folder_,
+                              {.motions = {shaken}, .settings = std::move(settings)});
+  };
+  auto const made = read_with({{"draws", 7}, {"laws", Json::array({"bilinear"})}}, motion);
+  EXPECT_EQ(made.settings.draws, 7);
+  EXPECT_EQ(made.settings.laws, std::vector<std::string>{"bilinear"});
+  EXPECT_EQ(made.motions.at(0).x_mm_s2, motion.x_mm_s2);
+  EXPECT_EQ(made.bearings.size(), 28u);
+  auto const wrong = refusal_of([&] { read_with({{"draws", 0}, {"colour", 1}}, motion); });
+  EXPECT_TRUE(contains(wrong, "b.toml: draws: 0") && contains(wrong, "unknown key 'colour'")) << wrong;
+  auto nan = motion;
+  nan.x_mm_s2[1] = std::nan("");
+  EXPECT_TRUE(contains(refusal_of([&] { read_with({}, nan); }), "motion 'm': sample 2 is no number"));
+  auto const tables = Json::parse(R"({"building": {"lower": 0.9, "upper": 1.1}, "base": {"mass_Mg": 1, "gyration_m": 2},
+      "bearing": [{"x_m": -1, "y_m": 0}, {"x_m": 1, "y_m": 0, "is": "lot"}]})");
+  auto const of_tables = building_of(tables, {.motions = {motion}, .settings = {}});
+  EXPECT_EQ(of_tables.bearings.at(1).stands, Stands::lot);
+  EXPECT_EQ(of_tables.bearings.at(1).at.x_mm, 1000.0);
+  auto lacks = tables;
+  lacks.erase("base");
+  lacks["bearing"][0]["x_m"] = "left";
+  auto const said = refusal_of([&] { building_of(lacks, {.motions = {motion}, .settings = {}}); });
+  EXPECT_TRUE(contains(said, "building: no [base]") && contains(said, "left")) << said;
 }
 
 TEST(BuildingStudy, forces_of_every_law_scale) {
@@ -192,8 +222,9 @@ class BuildingRuns : public testing::Test {
     fs::remove(file_);
     if (interrupted) {
       RunStore store(file_, traits_of(study), false);
-      EXPECT_THROW(run_all(study, store, threads, [](RunProgress const&) { throw std::runtime_error("stop"); }),
-                   std::runtime_error);
+      EXPECT_THROW(
+          run_all(study, store, threads, {.progress = [](RunProgress const&) { throw std::runtime_error("stop"); }}),
+          std::runtime_error);
       EXPECT_GT(store.runs_there(), 0u);
     }
     RunStore store(file_, traits_of(study), false);
@@ -248,7 +279,9 @@ TEST_F(BuildingRuns, answers) {
     EXPECT_LT(std::abs(checked.lanes_off_percent), 0.5);
     EXPECT_GT(checked.equivalent_mm, 0.0);
   }
-  EXPECT_TRUE(contains(made.verdict, "The bounds cover") && contains(made.verdict, "of 120 buildings")) << made.verdict;
+  EXPECT_TRUE(contains(made.verdict, ": with Bilinear the bounds cover ") && contains(made.verdict, "of 120 buildings"))
+      << made.verdict;
+  EXPECT_TRUE(std::ranges::any_of(made.warnings, [](auto const& w) { return w.starts_with("2 motions: codes take"); }));
   if (law.coverage[0].inside < enough)
     EXPECT_EQ(made.bounds_are_enough, false);
   else
@@ -267,6 +300,22 @@ TEST_F(BuildingRuns, answers) {
       most = std::max(most, std::hypot(history.x_mm[i], history.y_mm[i]));
     EXPECT_NEAR(most, law.distributions[1].nominal_by_motion[m], 0.02 * most);
   }
+  // The loops of the first draw under the stronger motion: forces add up to its shear, each bearing's is its own.
+  auto const& loops = law.loops;
+  EXPECT_TRUE(loops.drawn);
+  auto const strongest = static_cast<std::size_t>(law.checked[1].isolator_mm > law.checked[0].isolator_mm);
+  EXPECT_EQ(loops.motion, strongest);
+  ASSERT_EQ(loops.force_x_kN.size(), 6u);
+  EXPECT_LE(loops.x_mm.size(), most_of_loops);
+  EXPECT_GT(loops.x_mm.size(), most_of_loops / 2);
+  EXPECT_NE(loops.force_x_kN[0], loops.force_x_kN[1]);
+  for (auto const* forces : {&loops.force_x_kN, &loops.force_y_kN})
+    for (auto const& force : *forces) EXPECT_EQ(force.size(), loops.x_mm.size());
+  // Stiff equipment feels the floor's own acceleration, and the roof more than the base.
+  ASSERT_EQ(law.floor_spectra_g.size(), 4u);
+  EXPECT_EQ(law.floor_spectra_g[0].size(), spectrum_periods_s().size());
+  EXPECT_NEAR(law.floor_spectra_g[0].front() / law.distributions[7].nominal, 1.0, 0.25);
+  EXPECT_GT(std::ranges::max(law.floor_spectra_g[3]), law.floor_spectra_g[3].front());
   // On average no bearing moves more than that which moves most, and all the work is theirs.
   double share = 0.0;
   for (std::size_t b = 0; b < 6; ++b) {
@@ -312,7 +361,84 @@ TEST_F(BuildingRuns, bounds_of_one_law_are_held_to_the_others) {
   ASSERT_TRUE(made.laws[1].by_first_bounds.has_value());
   EXPECT_LT(*made.laws[1].by_first_bounds, enough) << made.verdict;
   EXPECT_EQ(made.bounds_are_enough, false);
+  EXPECT_TRUE(made.verdict.starts_with("No: with Bilinear the bounds cover ")) << made.verdict;
   EXPECT_TRUE(contains(made.verdict, "they cover 0 %")) << made.verdict;
+  // Draws that hardly scatter need factors within the accuracy of the grid, which are no numbers to design by.
+  EXPECT_TRUE(contains(made.verdict, "; factors within 2 % of 1, the accuracy, would cover 95 %")) << made.verdict;
+}
+
+TEST(BuildingAnswers, factors_are_said_where_they_mean_something) {
+  Coverage c{.quantity = "isolator_mm", .factor_low = 0.94, .factor_high = 1.06, .not_monotonic = {}};
+  EXPECT_EQ(factors_text(c), "factors of 0.94 and 1.06 would cover 95 %");
+  c.factor_low = 0.98, c.factor_high = 1.02;
+  EXPECT_EQ(factors_text(c), "factors within 2 % of 1, the accuracy, would cover 95 %");
+  c.factor_low.reset();
+  EXPECT_EQ(factors_text(c), "no factors up to 0.60 and 1.40 would cover 95 %");
+}
+
+// Bounds of which both move less than the nominal building cover nothing, whatever their factors: that is said.
+TEST_F(BuildingRuns, bounds_on_one_side_of_the_nominal_building_are_told) {
+  auto const study = usual_study(0.001, 40);
+  RunStore store(file_, traits_of(study), false);
+  run_all(study, store, 1);
+  // The two bound analyses with a tenth of what they gave.
+  auto const other = file_.string() + "-2";
+  RunStore changed(other, traits_of(study), true);
+  for (std::size_t motion = 0; motion < 2; ++motion) {
+    std::vector<RunStore::Row> rows;
+    store.each(0, motion, [&](std::size_t place, std::vector<double> const& measured) {
+      rows.push_back({0, motion, place, measured});
+      if (place == 1 || place == 2)
+        for (double& value : rows.back().measured) value *= 0.1;
+    });
+    changed.add(rows);
+  }
+  auto const made = answer(study, changed);
+  fs::remove(other);
+  EXPECT_EQ(made.laws[0].coverage[0].inside, 0.0);
+  EXPECT_TRUE(contains(made.laws[0].coverage[0].not_monotonic, "both bounds are on one side of the nominal building"));
+  EXPECT_TRUE(contains(made.verdict, "since the nominal building itself is outside them")) << made.verdict;
+  EXPECT_TRUE(
+      std::ranges::any_of(made.warnings, [](auto const& w) { return contains(w, "says nothing of their factors"); }));
+}
+
+TEST_F(BuildingRuns, says_what_is_known_against_a_law) {
+  auto study = usual_study(0.07, 4);
+  study.laws[0].doubts = {"Bilinear: the tests do not determine Dy", "a was refused", "a was refused"};
+  RunStore store(file_, traits_of(study), false);
+  run_all(study, store, 1);
+  auto const made = answer(study, store);
+  EXPECT_EQ(made.laws[0].doubts, study.laws[0].doubts);
+  EXPECT_TRUE(std::ranges::find(made.warnings, "of the calibration of Bilinear: the tests do not determine Dy") !=
+              made.warnings.end());
+  EXPECT_EQ(std::ranges::count(made.warnings, "of the calibration: a was refused"), 1);
+  auto other = study;
+  other.laws[0].doubts.clear();
+  EXPECT_EQ(traits_of(other), traits_of(study));
+}
+
+// Springs are told of one by one, and a run asked to end keeps those that it finished.
+TEST_F(BuildingRuns, of_springs_are_told_one_by_one_and_can_be_interrupted) {
+  auto study = usual_study(0.07, 2);
+  study.laws[0].as_springs = true;
+  study.file.motions.resize(1);
+  study.file.motions[0].x_mm_s2.resize(60);
+  study.file.motions[0].y_mm_s2.resize(60);
+  study.file.settings.rest_s = 0.0;
+  std::size_t told = 0;
+  {
+    RunStore store(file_, traits_of(study), false);
+    EXPECT_FALSE(run_all(study, store, 1,
+                         {.progress = [&](RunProgress const& p) { told = p.done; },
+                          .part = {},
+                          .interrupted = [&] { return told >= 3; }}));
+    EXPECT_EQ(told, 3u);
+    EXPECT_EQ(store.runs_there(), 3u);
+    EXPECT_TRUE(run_all(study, store, 2));
+  }
+  RunStore const store(file_, traits_of(study), false);
+  auto const made = answer(study, store);
+  EXPECT_EQ(form(made.laws[0]), "springs");
 }
 
 // Values of Clopper and Pearson's interval: Brown, Cai and DasGupta 2001 give the form, R's binom.test the digits.

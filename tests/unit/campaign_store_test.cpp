@@ -430,15 +430,16 @@ TEST_F(StoreTest, RefusesANewerSchemaAndChangesNothing) {
 }
 
 // Stores that lack it could not be read: see tests/stores/README.md before changing this.
-TEST(Schema, OfTheseSettingsIsEight) {
+TEST(Schema, OfTheseSettingsIsNine) {
   std::set<std::string> keys;
   for (auto const method : {Method::best, Method::genetic}) {
     Settings settings;
     settings.method = method;
     for (auto const& [key, value] : to_pairs(settings)) keys.insert(key);
   }
-  EXPECT_EQ(schema_version, 8);
+  EXPECT_EQ(schema_version, 9);
   EXPECT_EQ(keys, (std::set<std::string>{"analysis",
+                                         "bidirectional",
                                          "box",
                                          "center",
                                          "dead-band",

@@ -58,5 +58,24 @@ TEST(FitSprings, find_the_knee_that_they_lose) {
   }
 }
 
+// Of several devices one set of parameters: what one record says twice, and a compromise of two that differ.
+TEST(FitSprings, of_a_lot_are_fitted_to_all_its_records) {
+  auto const& law = laws::find_law("bouc-wen");
+  std::vector<double> const parameters{0.15, 6.0, 1.0, 0.08, 1.2, 0.08}, stiffer{0.15, 6.6, 1.0, 0.08, 1.2, 0.08};
+  auto soft = cycles(), stiff = cycles();
+  soft.force_kN = LawOnMotion(law, soft, laws::Integration::converged).force_kN(parameters);
+  stiff.force_kN = LawOnMotion(law, stiff, laws::Integration::converged).force_kN(stiffer);
+  auto const box = make_box(law, BoxKind::scaled, scales_of(soft, law.info), {});
+  data::FitRecord const* const twice[]{&soft, &soft};
+  data::FitRecord const* const both[]{&soft, &stiff};
+  auto const one = fitted_as_springs(law, soft, box, parameters), same = fitted_as_springs(law, twice, box, parameters),
+             lot = fitted_as_springs(law, both, box, parameters);
+  EXPECT_NEAR(same.given, one.given, 1e-12);
+  EXPECT_NEAR(same.fitted, one.fitted, 1e-4);
+  EXPECT_LT(lot.fitted, lot.given);
+  EXPECT_NEAR(lot.given, 0.5 * (one.given + fitted_as_springs(law, stiff, box, parameters).given), 1e-12);
+  EXPECT_GT(lot.parameters[1], one.parameters[1]);
+}
+
 }  // namespace
 }  // namespace isolaw::fit

@@ -146,6 +146,8 @@ TEST(SummaryJson, ExactText) {
           "lot_objective": null,
           "worst_objective": null,
           "left_out_objective": null,
+          "springs_objective": null,
+          "springs_given_objective": null,
           "blocks": [],
           "measured_energy_fall_percent": null,
           "energy_fall_percent": null

@@ -1,10 +1,5 @@
 #include "isolaw/api/calibrate.hpp"
 
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstdlib>
-#include <system_error>
 #include <utility>
 
 #include "isolaw/api/campaign_directory.hpp"
@@ -17,33 +12,6 @@
 #include "isolaw/study/build_summary.hpp"
 
 namespace isolaw {
-namespace {
-
-// A directory of its own that goes with its owner.
-class TemporaryDirectory {
- public:
-  TemporaryDirectory() {
-    auto name = (std::filesystem::temp_directory_path() / "isolaw-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr)
-      throw Error({.where = name,
-                   .found = "cannot make a directory for the campaign: " + std::generic_category().message(errno),
-                   .advice = "a directory of its own, or TMPDIR"});
-    path_ = name;
-  }
-  TemporaryDirectory(TemporaryDirectory const&) = delete;
-  TemporaryDirectory& operator=(TemporaryDirectory const&) = delete;
-  ~TemporaryDirectory() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  std::filesystem::path const& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
-}  // namespace
-
 void load_rules(campaign::Acceptance& acceptance) {
   auto& [text, name, design, size] = acceptance;
   if (text.empty() && !name.empty()) text = rules::load_rule_text(name);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <system_error>
 
 #include "isolaw/base/error.hpp"
@@ -40,6 +41,20 @@ void make_directory(std::filesystem::path const& directory) {
   if (error)
     throw Error(
         {.where = directory.string(), .found = "cannot make the directory: " + error.message(), .advice = "--out DIR"});
+}
+
+TemporaryDirectory::TemporaryDirectory() {
+  auto name = (std::filesystem::temp_directory_path() / "isolaw-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr)
+    throw Error({.where = name,
+                 .found = "cannot make a directory for the results: " + std::generic_category().message(errno),
+                 .advice = "a directory of its own, or TMPDIR"});
+  path_ = name;
+}
+
+TemporaryDirectory::~TemporaryDirectory() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
 }
 
 DirectoryLock::DirectoryLock(std::filesystem::path const& directory)

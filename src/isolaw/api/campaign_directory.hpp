@@ -14,6 +14,19 @@ inline constexpr char const* store_name = "campaign.sqlite";
 // Throws Error.
 void make_directory(std::filesystem::path const& directory);
 
+// A directory of its own that goes with its owner. Throws Error.
+class TemporaryDirectory {
+ public:
+  TemporaryDirectory();
+  TemporaryDirectory(TemporaryDirectory const&) = delete;
+  TemporaryDirectory& operator=(TemporaryDirectory const&) = delete;
+  ~TemporaryDirectory();
+  std::filesystem::path const& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
 // One campaign at a time in a directory. The lock goes with the process, however it ends.
 class DirectoryLock {
  public:

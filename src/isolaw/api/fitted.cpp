@@ -23,6 +23,7 @@ FittedLaw law_of_lot(campaign::Contents const& contents, std::string_view law, F
                  .allowed = "a campaign of two devices or more with --analysis full, which has finished",
                  .advice = "the name of a device"});
   made.parameters = found->mean.parameters;
+  made.springs = found->springs;
   made.refinement = found->refinement;
   for (auto const device : found->devices) note_record(contents.devices[device].record, made);
   return made;
@@ -49,6 +50,7 @@ FittedLaw fitted_law(campaign::Contents const& contents, std::string_view law, s
   made.parameters = run->parameters;
   made.refinement = run->refinement;
   note_record(contents.devices[*index].record, made);
+  if (auto const* analysis = contents.analysis_of(*index, law)) made.springs = analysis->springs;
   return made;
 }
 

@@ -5,6 +5,7 @@
 //   parameters_in_order, fitted_law          values by name, or as a campaign found them
 //   fit::LawOnMotion, fit::LawOnRecord       forces under a displacement history; the objective of a record
 //   calibrate, study::build_summary         laws fitted to records; all numbers of the reports
+//   study_building                          a building on bearings drawn of the lot, shaken
 //   CalibrateOptions::part, merge            a share of a campaign, and one campaign of all of them
 // Wrong input throws one isolaw::Error. Nothing prints.
 // Stable within a minor version: what is named here, and the keys of summary.json. The other headers are installed
@@ -12,6 +13,7 @@
 // internal and are not installed.
 #pragma once
 
+#include "isolaw/api/building.hpp"
 #include "isolaw/api/calibrate.hpp"
 #include "isolaw/api/campaign_directory.hpp"
 #include "isolaw/api/catalogue_json.hpp"

@@ -144,6 +144,7 @@ void add_building(CLI::App& c, BuildingArguments& a) {
                fmt::format("threads, 0 to {} (one per core); the results do not depend on it", campaign::most_jobs))
       ->check(CLI::Range(0, campaign::most_jobs));
   c.add_option("--part", a.part, "K/N: only the K-th of N even shares of the runs, for isolaw merge");
+  c.add_option("--figures", a.figures, "for print, with data and gnuplot scripts: lot (default), none");
   c.add_flag("--nominal", a.nominal,
              "the nominal building alone, over time: its response to every motion as CSV; no draws, no bounds");
   c.add_flag("--arrange", a.arrange, "also put the tested devices where least eccentricity is left");
@@ -281,7 +282,9 @@ int dispatch(CLI::App& app, int argc, char** argv) {
 
   BuildingArguments building_arguments;
   add_building(add("building", "The isolated building: bearings drawn from the lot, against the bound analyses",
-                   [&] { return building(building_arguments); }),
+                   [&] {
+                     return building(building_arguments, {argv, argv + argc});
+                   }),
                building_arguments);
 
   std::string rule_set;

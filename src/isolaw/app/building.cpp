@@ -6,12 +6,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <thread>
 #include <utility>
 
+#include "isolaw/api/building_work.hpp"
+#include "isolaw/api/campaign_directory.hpp"
 #include "isolaw/api/merge.hpp"
 #include "isolaw/app/building.hpp"
 #include "isolaw/app/commands.hpp"
+#include "isolaw/app/interruption.hpp"
 #include "isolaw/app/merge.hpp"
 #include "isolaw/app/report.hpp"
 #include "isolaw/app/say.hpp"
@@ -27,9 +29,6 @@
 #include "isolaw/render/figures/building_figures.hpp"
 #include "isolaw/render/json/building_json.hpp"
 #include "isolaw/render/tables/tables.hpp"
-#include "isolaw/render/write.hpp"
-#include "isolaw/study/build_summary.hpp"
-#include "isolaw/study/building_sources.hpp"
 
 namespace isolaw::app {
 namespace {
@@ -49,15 +48,17 @@ void print_answers(building::Study const& study, building::Answers const& answer
   auto const quantities = building::quantities();
   for (auto const& warning : answers.warnings) text += fmt::format("warning: {}\n", warning);
   for (auto const& law : answers.laws) {
-    text += fmt::format("\n{}\n{:<26}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>8}{:>8}\n", law.law, "", "lower", "nominal",
-                        "upper", "16 %", "50 %", "84 %", "95 %", "lot", "motion");
+    text += fmt::format("\n{}\n{:<24}", law.law, "");
+    for (auto const* head : {"lower", "nominal", "upper", "16 %", "50 %", "84 %", "95 %"})
+      text += fmt::format(" {:>9}", head);
+    text += fmt::format(" {:>6} {:>6}\n", "lot", "motion");
     for (std::size_t q = 0; q < quantities.size(); ++q) {
       auto const& d = law.distributions[q];
-      text += fmt::format("{:<26}", quantities[q].key);
+      text += fmt::format("{:<24}", quantities[q].key);
       for (double const v :
            {d.lower, d.nominal, d.upper, d.fractiles[0], d.fractiles[1], d.fractiles[2], d.fractiles[3]})
-        text += fmt::format("{:>9.4g}", std::abs(v) < 1e-9 ? 0.0 : v);
-      text += fmt::format("{:>8.3f}{:>8.3f}\n", d.lot_std_ln, d.motion_std_ln);
+        text += fmt::format(" {:>9.4g}", std::abs(v) < 1e-9 ? 0.0 : v);
+      text += fmt::format(" {:>6.3f} {:>6.3f}\n", d.lot_std_ln, d.motion_std_ln);
     }
     text += fmt::format("energy error at most {:.1e}; {} runs failed\n", law.worst_balance, law.failed);
     for (std::size_t m = 0; m < law.checked.size(); ++m) {
@@ -146,17 +147,11 @@ building::Study building_study(BuildingArguments const& a) {
                  .found = "is not given",
                  .allowed = "isolaw building BUILDING.toml --from CAMPAIGN",
                  .advice = "isolaw building --template"});
-  building::Study study{.file = building::read_building(*a.file, a.motions), .laws = {}};
-  auto const contents = campaign::Store::read(*a.from / "campaign.sqlite");
-  auto const summary = study::build_summary(contents);
-  auto const where = a.from->string();
-  auto& wanted = study.file.settings.laws;
-  if (wanted.empty()) wanted.push_back(study::recommended_law(summary, where));
-  for (auto const& law : wanted) study.laws.push_back(study::law_source(contents, summary, law, where));
-  return study;
+  auto file = building::read_building(*a.file, {.motions = building::read_motions(a.motions)});
+  return isolaw::building_study(std::move(file), campaign::Store::read(*a.from / store_name), a.from->string());
 }
 
-int building(BuildingArguments const& a) {
+int building(BuildingArguments const& a, std::vector<std::string> const& command_line) {
   if (a.print_template) {
     print(building::building_template());
     return exit_done;
@@ -176,48 +171,41 @@ int building(BuildingArguments const& a) {
             {.where = "--arrange",
              .found = fmt::format("{} tested devices for {} bearings", law.devices.size(), study.file.bearings.size()),
              .allowed = "a tested device for each place"});
-  // Before anything is made: what is no building, or of no lot, is said first.
-  building::Model const model(building::Structure(study.file.frame), study.file.plan());
+  auto const figures = render::figure_choice(a.figures);
   auto const out = a.out.value_or(std::filesystem::path("out") / "building");
   if (a.nominal) return nominal_alone(study, out);
-  make_folder(out);
-  DirectoryLock const lock(out);
-  auto const file = out / building_store;
-  auto traits = building::traits_of(study);
-  if (part) {
-    auto const of_part = building::traits_of(*part, full_name(*a.file), full_name(*a.from), full_names(a.motions));
-    traits.insert(traits.end(), of_part.begin(), of_part.end());
-  }
-  render::remove_leftovers(out);
-  if (a.fresh) render::remove_building_outputs(out);
-  std::optional<building::RunStore> store(std::in_place, file, traits, a.fresh);
-  auto const start = std::chrono::steady_clock::now();
+  BuildingWork options{.jobs = a.jobs.value_or(0), .directory = out, .fresh = a.fresh, .part = part};
+  if (part)
+    options.words_of_part = building::traits_of(*part, full_name(*a.file), full_name(*a.from), full_names(a.motions));
   bool const shown_to_somebody = isatty(STDERR_FILENO) != 0;
-  auto const threads = a.jobs.value_or(0) > 0 ? static_cast<std::size_t>(*a.jobs)
-                                              : std::max<std::size_t>(1, std::thread::hardware_concurrency());
-  building::run_all(
-      study, *store, threads,
-      [&](building::RunProgress const& progress) {
-        if (shown_to_somebody) show_progress(progress, start);
-      },
-      part);
+  auto const start = std::chrono::steady_clock::now();
+  if (shown_to_somebody)
+    options.progress = [&](building::RunProgress const& progress) { show_progress(progress, start); };
+  options.interrupted = interrupted;
+  auto const made = [&] {
+    SignalGuard const guard;
+    return study_building(study, options);
+  }();
   if (shown_to_somebody) say("\r\033[K");
-  auto const runs = store->runs_there();
-  auto const answers = part ? std::nullopt : std::optional(building::answer(study, *store));
-  store.reset();
-  building::RunStore::put_in_order(file);
-  if (!answers) {
+  auto const file = out / building_store_name;
+  if (!made.complete) {
+    say("interrupted: {} are kept in {}\nto continue: {}\n", counted(made.runs, "finished run"), shown(file),
+        to_continue(command_line));
+    return exit_with_refusals;
+  }
+  if (part) {
     say("part {} of {}: {}, all of its share, in {}; once every part is there: isolaw merge OUT PARTS...\n",
-        part->number, part->of, counted(runs, "run"), shown(file));
+        part->number, part->of, counted(made.runs, "run"), shown(file));
     return exit_done;
   }
-  render::write_building_outputs(study, *answers, out);
-  say_drawn(render::write_building_figures(*answers, out), out, "the same command");
+  auto const& answers = *made.answers;
+  if (figures != render::FigureChoice::none)
+    say_drawn(render::write_building_figures(answers, out), out, "the same command");
   if (a.json)
-    print(render::building_json(study, *answers));
+    print(render::building_json(study, answers));
   else
-    print_answers(study, *answers);
-  if (a.arrange) print_arrangement(study, *answers);
+    print_answers(study, answers);
+  if (a.arrange) print_arrangement(study, answers);
   say("{}\n", shown(out / "building.html"));
   return exit_done;
 }
@@ -230,9 +218,9 @@ struct Holds {
 };
 Holds what_it_holds(std::filesystem::path const& path) {
   std::error_code unknown;
-  bool const study = path.filename() == building_store;
+  bool const study = path.filename() == building_store_name;
   if (std::filesystem::is_regular_file(path, unknown)) return {!study, study};
-  return {std::filesystem::exists(path / store_name, unknown), std::filesystem::exists(path / building_store, unknown)};
+  return {std::filesystem::exists(path / store_name, unknown), std::filesystem::exists(path / building_store_name, unknown)};
 }
 
 [[noreturn]] void refuse_both(std::filesystem::path const& where, std::string found, std::string advice) {
@@ -252,7 +240,7 @@ bool merges_buildings(MergeArguments const& arguments) {
     if (holds.campaign && holds.study)
       refuse_both(part, both,
                   fmt::format("naming the one that is meant: {} or {}", (part / store_name).string(),
-                              (part / building_store).string()));
+                              (part / building_store_name).string()));
     if (holds.campaign) campaign = part;
     if (holds.study) study = part;
   }
@@ -300,14 +288,14 @@ void answers_that_are_there(std::filesystem::path const& directory, bool json) {
 int merge_buildings(MergeArguments const& arguments) {
   auto const& directory = arguments.directory;
   std::vector<std::filesystem::path> stores;
-  for (auto const& part : arguments.parts) stores.push_back(store_of_part(part, directory, building_store));
+  for (auto const& part : arguments.parts) stores.push_back(store_of_part(part, directory, building_store_name));
   building::MergedStudy merged;
   {
     make_directory(directory);
     DirectoryLock const lock(directory);
     render::remove_leftovers(directory);
     bool any = false;
-    merged = building::merge(directory / building_store, stores,
+    merged = building::merge(directory / building_store_name, stores,
                              {.before_replacing = [&] { render::remove_building_outputs(directory); },
                               .missing =
                                   [&](building::MissingRun const& run) {
@@ -317,7 +305,7 @@ int merge_buildings(MergeArguments const& arguments) {
                                   },
                               .fresh = arguments.fresh});
   }
-  tell_merged(merged, directory, building_store);
+  tell_merged(merged, directory, building_store_name);
   if (merged.missing > 0) return exit_with_refusals;
   if (arguments.copy_only) return exit_done;
   if (merged.part.empty()) {
@@ -331,10 +319,11 @@ int merge_buildings(MergeArguments const& arguments) {
                           .motions = {},
                           .jobs = arguments.jobs,
                           .part = {},
+                          .figures = arguments.figures,
                           .json = arguments.json};
   for (auto const& trait : merged.part)
     if (trait.name == "motion") whole.motions.push_back(trait.value);
-  return building(whole);
+  return building(whole, {"isolaw", "merge", directory.string()});
 }
 
 void write_example_building(std::filesystem::path const& directory) {

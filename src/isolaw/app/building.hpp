@@ -6,8 +6,6 @@
 
 namespace isolaw::app {
 
-inline constexpr char const* building_store = "building.sqlite";
-
 // Of the building file and the campaign's directory. Throws Error: one that is not given, all that is wrong in them.
 building::Study building_study(BuildingArguments const& arguments);
 

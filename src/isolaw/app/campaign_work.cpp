@@ -2,19 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <atomic>
-#include <csignal>
 #include <exception>
 #include <thread>
 
 #include "isolaw/api/campaign_directory.hpp"
 #include "isolaw/app/commands.hpp"
+#include "isolaw/app/interruption.hpp"
 #include "isolaw/app/progress.hpp"
 #include "isolaw/app/report.hpp"
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/processor_time.hpp"
-#include "isolaw/base/shell.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/base/write_file.hpp"
 #include "isolaw/campaign/campaign.hpp"
@@ -27,39 +24,6 @@ namespace isolaw::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-std::atomic<bool> interrupted = false;
-static_assert(std::atomic<bool>::is_always_lock_free);
-
-// Ctrl-C, a polite kill and a terminal that is closed stop the search after the current generation; a second signal
-// ends the program at once. Where a closed terminal is to be ignored (nohup), it is.
-class SignalGuard {
- public:
-  SignalGuard() {
-    interrupted = false;
-    for (std::size_t i = 0; i < signals.size(); ++i) previous_[i] = std::signal(signals[i], on_signal);
-    if (previous_.back() == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
-  }
-  SignalGuard(SignalGuard const&) = delete;
-  SignalGuard& operator=(SignalGuard const&) = delete;
-  ~SignalGuard() {
-    for (std::size_t i = 0; i < signals.size(); ++i) std::signal(signals[i], previous_[i]);
-  }
-
- private:
-  static void on_signal(int number) {
-    interrupted = true;
-    std::signal(number, SIG_DFL);
-  }
-  static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
-  std::array<void (*)(int), signals.size()> previous_{};
-};
-
-// To continue is not to start over.
-std::string to_continue(std::vector<std::string> words) {
-  std::erase(words, "--fresh");
-  return shell_quoted(words);
-}
 
 }  // namespace
 
@@ -81,7 +45,7 @@ int CampaignWork::finish(campaign::Contents& contents, HowToWork const& how) {
     finished = campaign::run(contents, file,
                              {.jobs = how.jobs,
                               .progress = [&](auto const& p) { line.show(p); },
-                              .interrupted = [] { return interrupted.load(); },
+                              .interrupted = interrupted,
                               .short_of_threads =
                                   [](int threads) {
                                     say("the system gave no more threads or memory: {} worked; try: --jobs {}\n",

@@ -126,10 +126,11 @@ struct BuildingArguments {
   std::vector<std::string> motions;                      // "x.AT2" or "x.AT2,y.AT2", in place of the file's
   std::optional<int> jobs;
   std::optional<std::string> part;  // "3/40"
+  std::string figures = "lot";
   bool print_template = false, fresh = false, arrange = false, nominal = false, json = false;
 };
 // The isolated building: its bearings drawn from the lot, the bound analyses beside them.
-int building(BuildingArguments const& arguments);
+int building(BuildingArguments const& arguments, std::vector<std::string> const& command_line);
 // A runnable building file with motions made for it.
 void write_example_building(std::filesystem::path const& directory);
 
@@ -137,7 +138,7 @@ int list_rules(std::string const& name);
 int check(std::filesystem::path const& directory);
 int bench(bool json);
 int list_laws(std::string const& id, bool json, bool markdown);
-// Of whole tables (settings, acceptance, reading, motion) and of single rows, as parameters of Python.
+// Of whole tables (settings, acceptance, reading, motion, building) and of single rows, as parameters of Python.
 int list_keywords(std::vector<std::string> const& which, std::vector<std::string> const& but);
 int example(std::filesystem::path const& directory, bool with_building);
 

@@ -8,6 +8,7 @@
 
 #include "isolaw/app/commands.hpp"
 #include "isolaw/base/words.hpp"
+#include "isolaw/building/building_file.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/data/reading.hpp"
 
@@ -21,10 +22,10 @@ std::string python_literal(Json const& value) {
   return value.dump();
 }
 
-// "runs: int | None = None"
+// "runs: int | None = None"; in place of a value that is elsewhere: None leaves that.
 template <class Row>
-std::string keyword(Row const& row) {
-  auto value = row.get({});
+std::string keyword(Row const& row, bool in_place = false) {
+  auto value = in_place ? Json() : row.get({});
   // A zero below its limits stands for what others decide.
   if (row.limits && value == 0 && row.limits->least > 0.0) value = Json();
   auto type = row.python_type();
@@ -38,7 +39,7 @@ int list_keywords(std::vector<std::string> const& which, std::vector<std::string
   auto const is_in = [](std::vector<std::string> const& words, std::string_view word) {
     return std::ranges::find(words, word) != words.end();
   };
-  std::vector<std::string> known{"settings", "acceptance", "reading", "motion"}, lines;
+  std::vector<std::string> known{"settings", "acceptance", "reading", "motion", "building"}, lines;
   auto const add = [&](auto const& row, bool asked) {
     known.push_back(row.python());
     if ((asked || is_in(which, known.back())) && !is_in(but, known.back())) lines.push_back(keyword(row));
@@ -48,6 +49,10 @@ int list_keywords(std::vector<std::string> const& which, std::vector<std::string
   for (auto const& row : campaign::acceptance_table()) add(row, is_in(which, "acceptance"));
   for (auto const& row : data::reading_table())
     add(row, is_in(which, "reading") || (!row.of_test && is_in(which, "motion")));
+  for (auto const& row : building::settings_table()) {
+    known.push_back(row.python());
+    if (is_in(which, "building") && !is_in(but, known.back())) lines.push_back(keyword(row, true));
+  }
   std::vector<Complaint> complaints;
   for (auto const* words : {&which, &but})
     for (auto const& word : *words)

@@ -5,6 +5,7 @@
 #include <array>
 #include <string_view>
 
+#include "isolaw/api/building_work.hpp"
 #include "isolaw/api/campaign_directory.hpp"
 #include "isolaw/app/building.hpp"
 #include "isolaw/app/commands.hpp"
@@ -102,7 +103,7 @@ std::string script_of_building(PartsArguments const& arguments, std::string cons
   return part_script(arguments.to, {.program = program,
                                     .directory = std::filesystem::current_path(),
                                     .command = "building",
-                                    .store = building_store,
+                                    .store = building_store_name,
                                     .words = words,
                                     .merge = {},
                                     .title = title.empty() ? arguments.lot.stem().string() : title,

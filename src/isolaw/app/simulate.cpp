@@ -254,13 +254,17 @@ double distance(laws::plane::Vector<double> const& a) {
   return std::hypot(a.x, a.y);
 }
 
-// The law of a device as springs with parameters of their own, and a line that says so.
-std::string fit_as_springs(laws::LawEntry const& law, Chosen::Fit const& fit, FittedLaw& taken) {
-  auto const made = fit::fitted_as_springs(law, fit.record, fit.box, taken.parameters, taken.refinement);
+// The law as springs with parameters of their own, the campaign's where it has them, and a line that says so.
+std::string fit_as_springs(laws::LawEntry const& law, Chosen const& chosen, FittedLaw& taken) {
+  bool const stored = taken.springs.has_value();
+  auto const made =
+      stored ? *taken.springs
+             : fit::fitted_as_springs(law, chosen.fit->record, chosen.fit->box, taken.parameters, taken.refinement);
   taken.parameters = made.parameters;
   return fmt::format(
-      "springs with parameters of their own, fitted to the device's record: objective {:.4g}; {:.4g} with those of the law, whose own is {:.4g}",
-      made.fitted, made.given, made.law);
+             "springs with parameters of their own, fitted to {}: objective {:.4g}; {:.4g} with those of the law, whose own is {:.4g}",
+             chosen.fit ? "the device's record" : "the devices' records", made.fitted, made.given, made.law) +
+         (stored ? "; as the campaign stored them" : "");
 }
 
 // What tests in one direction do not say, at the size and pace of the motion.
@@ -343,7 +347,8 @@ int simulate_in_plane(SimulateArguments const& a, TwoDirections const& two, laws
   auto& taken = chosen.law;
   require_none_of_one_direction(taken);
   bool const fits = two.how == laws::Bidirectional::springs && !two.as_given;
-  if (fits && a.springs && !chosen.fit)
+  bool const stored = taken.springs && chosen.changes.empty();
+  if (fits && a.springs && !chosen.fit && !stored)
     throw Error({.where = "--springs",
                  .found = "parameters that were not fitted to a device's record",
                  .allowed = "fitted, with --from DIR and --device NAME and without --set"});
@@ -371,7 +376,7 @@ int simulate_in_plane(SimulateArguments const& a, TwoDirections const& two, laws
     reach.vel_mm_s[i] = distance(motion.vel_mm_s[i]);
   }
   std::optional<std::string> springs_line;
-  if (fits && chosen.fit) springs_line = fit_as_springs(law, *chosen.fit, taken);
+  if (fits && (chosen.fit || stored)) springs_line = fit_as_springs(law, chosen, taken);
   fit::LawInPlane const in_plane{&law, taken.parameters, taken.dead_band_mm, taken.refinement};
   auto const force_kN = fit::force_kN(law, in_plane.made(two.how, two.softening), motion);
   say_what_it_is(law, chosen, first);

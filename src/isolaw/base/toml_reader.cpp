@@ -120,7 +120,8 @@ TomlTable::TomlTable(toml::table const& table, std::string file, std::string nam
     : table_(table), file_(std::move(file)), name_(std::move(name)), complaints_(complaints) {}
 
 std::string TomlTable::where(toml::node const& node) const {
-  return fmt::format("{}:{}", file_, node.source().begin.line);
+  auto const line = node.source().begin.line;  // 0: of a table that was not parsed
+  return line == 0 ? file_ : fmt::format("{}:{}", file_, line);
 }
 
 void TomlTable::strings(std::string_view key, std::function<void(std::string const&)> const& take,

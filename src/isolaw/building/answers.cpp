@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "isolaw/base/words.hpp"
 #include "isolaw/laws/catalogue.hpp"
 #include "isolaw/num/statistics.hpp"
 
@@ -28,7 +29,11 @@ double ratio(double a, double b) {
   return b > 0.0 ? a / b : 0.0;
 }
 
-constexpr Quantity rows[]{
+constexpr double gravity_mm_s2 = 9806.65;
+
+constexpr std::string_view alike =
+    "the bound analyses take every bearing alike, and so without the torsion of unequal ones";
+constexpr Quantity quantity_rows[]{
     {"isolator_mm", "bearing displacement", "mm", "largest displacement of any bearing",
      [](Layout const&, std::span<double const> m, double) { return measure_of(m, Measure::isolator); }},
     {"centre_mm", "centre displacement", "mm", "largest displacement of the base's centre of mass",
@@ -38,9 +43,10 @@ constexpr Quantity rows[]{
     {"corner_over_centre", "corner over centre", "-", "the one over the other: torsion",
      [](Layout const&, std::span<double const> m, double) {
        return ratio(measure_of(m, Measure::corner), measure_of(m, Measure::centre));
-     }},
+     },
+     alike},
     {"rotation_mrad", "rotation", "mrad", "largest rotation of the base",
-     [](Layout const&, std::span<double const> m, double) { return 1e3 * measure_of(m, Measure::rotation); }},
+     [](Layout const&, std::span<double const> m, double) { return 1e3 * measure_of(m, Measure::rotation); }, alike},
     {"residual_mm", "residual displacement", "mm", "displacement of the centre when the rest after the motion ends",
      [](Layout const&, std::span<double const> m, double) { return measure_of(m, Measure::end); }},
     {"shear_over_weight", "base shear over weight", "-", "largest sum of the bearings' forces over the weight",
@@ -60,7 +66,8 @@ constexpr Quantity rows[]{
     {"worst_energy_share", "largest share of work", "-", "of it, that of the bearing that takes most",
      [](Layout const& l, std::span<double const> m, double) {
        return ratio(largest(m, l.energy(0), l.bearings), measure_of(m, Measure::hysteretic));
-     }},
+     },
+     alike},
 };
 
 // By linear interpolation between the values in order, the first at 0 and the last at 1.
@@ -161,9 +168,16 @@ void equivalent_linear(Checked& made, Devices const& devices, Motion const& moti
   made.equivalent_mm = at;
 }
 
-Coverage covered(std::vector<double> const& draws, double lower, double upper, std::vector<double> const& grid) {
-  auto const [least, most] = std::minmax(lower, upper);
-  Coverage made;
+Coverage covered(Quantity const& of, std::vector<double> const& draws, Distribution const& d, Settings const& settings,
+                 std::vector<double> const& grid) {
+  auto const [least, most] = std::minmax(d.lower, d.upper);
+  Coverage made{.quantity = of.key, .factor_low = {}, .factor_high = {}, .not_monotonic = {}};
+  constexpr double rounding = 1e-9;  // of its size: what does not change is monotonic
+  if (d.nominal < least - rounding * std::abs(least) || d.nominal > most + rounding * std::abs(most))
+    made.not_monotonic = fmt::format(
+        "{} does not rise or fall with the forces: {:.4g}, {:.4g} and {:.4g}{} at {:.2f}, 1 and {:.2f} times them, so that both bounds are on one side of the nominal building",
+        of.title, d.lower, d.nominal, d.upper, of.unit == "-" ? std::string() : " " + std::string(of.unit),
+        settings.lower, settings.upper);
   std::size_t inside = 0, below = 0;
   for (double const v : draws) {
     inside += v >= least && v <= most;
@@ -211,13 +225,13 @@ std::string verdict_of(Study const& study, Answers const& answers) {
   auto const& first = answers.laws.front();
   if (!has_draws(study)) return "No bearing is a draw of the lot: there is no scatter that bounds could cover.";
   auto const& c = first.coverage.front();
+  auto const called = laws::called(first.law);
   auto text = fmt::format(
-      "The bounds cover {:.0f} % of {} buildings ({:.0f} to {:.0f} %) in the largest displacement of a bearing",
+      "{}: with {} the bounds cover {:.0f} % of {} buildings ({:.0f} to {:.0f} %) in the largest displacement of a bearing",
+      answers.bounds_are_enough ? (*answers.bounds_are_enough ? "Yes" : "No") : "No answer yet", called,
       100.0 * c.inside, grouped(first.draws), 100.0 * c.interval_low, 100.0 * c.interval_high);
-  text += c.factor_low ? fmt::format("; factors of {:.2f} and {:.2f} would cover {:.0f} %", *c.factor_low,
-                                     *c.factor_high, 100.0 * enough)
-                       : fmt::format("; no factors up to {:.2f} and {:.2f} would cover {:.0f} %", grid_factor(0),
-                                     grid_factor(2 * grid_half), 100.0 * enough);
+  if (!c.not_monotonic.empty() && c.inside < enough) text += ", since the nominal building itself is outside them";
+  text += "; " + factors_text(c);
   for (auto const& law : answers.laws)
     if (law.by_first_bounds && *law.by_first_bounds < enough)
       text += fmt::format("; with {} they cover {:.0f} %", laws::called(law.law), 100.0 * *law.by_first_bounds);
@@ -237,6 +251,85 @@ std::optional<bool> bounds_are_enough(Study const& study, Answers const& answers
                        });
   if (refuted) return false;
   return own.interval_low >= enough ? std::optional(true) : std::nullopt;
+}
+
+std::string_view form_sentence(LawAnswer const& law) {
+  switch (law.coupling) {
+    case Coupling::coupled:
+      return "in its coupled form";
+    case Coupling::separate:
+      return "once along each axis, the motions being along x alone";
+    case Coupling::springs:
+      break;
+  }
+  return law.fitted_as_springs
+             ? "as sixteen springs around the circle, with parameters fitted as such to the tests"
+             : "as sixteen springs around the circle, with the parameters of the law along one direction, so that they dissipate less";
+}
+
+BearingLoops loops_of(Model const& model, Devices const& devices, Study const& study, std::size_t motion,
+                      Options options) {
+  options.bearing_forces = true;
+  bool const drawn = has_draws(study);
+  auto const bearings = devices.bearings(devices.of({.kind = drawn ? CaseKind::draw : CaseKind::nominal}));
+  auto const run = integrate(model, bearings, study.file.motions[motion], options);
+  auto const& h = run.history;
+  auto const samples = h.time_s.size(),
+             stride = std::max<std::size_t>(1, (samples + most_of_loops - 1) / most_of_loops);
+  BearingLoops made{.motion = motion,
+                    .drawn = drawn,
+                    .step_s = run.step_s * static_cast<double>(stride),
+                    .x_mm = {},
+                    .y_mm = {},
+                    .rotation_rad = {},
+                    .force_x_kN = std::vector<std::vector<double>>(bearings.size()),
+                    .force_y_kN = std::vector<std::vector<double>>(bearings.size())};
+  for (std::size_t i = 0; i < samples; i += stride) {
+    made.x_mm.push_back(h.base[i][0]);
+    made.y_mm.push_back(h.base[i][1]);
+    made.rotation_rad.push_back(h.base[i][2]);
+    for (std::size_t j = 0; j < bearings.size(); ++j) {
+      made.force_x_kN[j].push_back(h.bearing_kN[i][2 * j]);
+      made.force_y_kN[j].push_back(h.bearing_kN[i][2 * j + 1]);
+    }
+  }
+  return made;
+}
+
+// Adds `share` of the spectra of every diaphragm's acceleration.
+void add_spectra(std::vector<std::vector<double>>& to, Response const& run, double share) {
+  auto const& periods = spectrum_periods_s();
+  if (run.history.acceleration.empty()) return;
+  auto const diaphragms = run.history.acceleration.front().size() / 2;
+  to.resize(diaphragms, std::vector<double>(periods.size(), 0.0));
+  for (std::size_t d = 0; d < diaphragms; ++d) {
+    Motion floor{.name = {}, .step_s = run.step_s, .x_mm_s2 = {}};
+    for (auto const& a : run.history.acceleration) {
+      floor.x_mm_s2.push_back(a[2 * d]);
+      floor.y_mm_s2.push_back(a[2 * d + 1]);
+    }
+    for (std::size_t p = 0; p < periods.size(); ++p) {
+      double const w = 2.0 * pi / periods[p];
+      to[d][p] += share * w * w * linear_peak(floor, periods[p], spectrum_damping) / gravity_mm_s2;
+    }
+  }
+}
+
+// Beside the displacement of which the verdict is: what bounds cover less of, and where they are none.
+void warn_of_coverage(LawAnswer const& law, std::vector<std::string>& warnings) {
+  std::vector<std::string> less;
+  for (auto const& c : law.coverage) {
+    if (c.inside >= enough) continue;
+    if (!c.not_monotonic.empty())
+      warnings.push_back(fmt::format("{}: the bounds cover {:.0f} % in {}, which says nothing of their factors: {}",
+                                     laws::called(law.law), 100.0 * c.inside, quantity(c.quantity).title,
+                                     c.not_monotonic));
+    else if (&c != &law.coverage.front())
+      less.push_back(fmt::format("{} {:.0f} %", quantity(c.quantity).title, 100.0 * c.inside));
+  }
+  if (!less.empty())
+    warnings.push_back(fmt::format("{}: less than {:.0f} % of the draws are between the bounds in {}",
+                                   laws::called(law.law), 100.0 * enough, joined(less)));
 }
 
 std::vector<std::string> assumed_of(Study const& study, Answers const& answers) {
@@ -260,9 +353,7 @@ std::vector<std::string> assumed_of(Study const& study, Answers const& answers) 
                                    s.populations, s.draws_of_each)
                      : std::string("The lot's population is taken as known: what few tests leave open is not in it."));
   for (auto const& law : answers.laws)
-    made.push_back(fmt::format(
-        "{} goes into the plane {}.", laws::called(law.law),
-        law.coupling == Coupling::coupled ? "in its coupled form" : "as sixteen springs around the circle"));
+    made.push_back(fmt::format("{} goes into the plane {}.", laws::called(law.law), form_sentence(law)));
   made.push_back(fmt::format(
       "The superstructure is linear, {} above the base, {:.3g} s on a fixed base, {:.3g} % of damping in every mode; none of it is in the isolation layer.",
       study.file.frame.floors.empty() ? std::string("nothing")
@@ -290,7 +381,39 @@ NominalHistory thinned(History const& history, double step_s) {
 }  // namespace
 
 std::span<Quantity const> quantities() {
-  return rows;
+  return quantity_rows;
+}
+Quantity const& quantity(std::string_view key) {
+  return *std::ranges::find(quantity_rows, key, &Quantity::key);
+}
+
+// Thirty, equally far apart in ln, from stiff equipment to what sways with the isolators.
+std::vector<double> const& spectrum_periods_s() {
+  static std::vector<double> const made = [] {
+    constexpr std::size_t count = 30;
+    constexpr double first = 0.05, last = 4.0;
+    std::vector<double> periods;
+    for (std::size_t i = 0; i < count; ++i)
+      periods.push_back(first * std::pow(last / first, static_cast<double>(i) / (count - 1)));
+    return periods;
+  }();
+  return made;
+}
+
+std::string_view form(LawAnswer const& law) {
+  if (law.coupling == Coupling::coupled) return "coupled";
+  if (law.coupling == Coupling::separate) return "separate";
+  return law.fitted_as_springs ? "springs" : "springs as given";
+}
+
+std::string factors_text(Coverage const& c) {
+  auto const would = fmt::format("would cover {:.0f} %", 100.0 * enough);
+  if (!c.factor_low)
+    return fmt::format("no factors up to {:.2f} and {:.2f} {}", grid_factor(0), grid_factor(2 * grid_half), would);
+  constexpr double rounding = 1e-9;
+  if (*c.factor_low > 1.0 - grid_step - rounding)
+    return fmt::format("factors within {:.0f} % of 1, the accuracy, {}", 100.0 * grid_step, would);
+  return fmt::format("factors of {:.2f} and {:.2f} {}", *c.factor_low, *c.factor_high, would);
 }
 
 // As many bins as Rice's rule says, 2 n^(1/3).
@@ -386,20 +509,21 @@ Answers answer(Study const& study, RunStore const& store) {
     auto const& source = study.laws[law];
     out.law = source.law;
     out.draws = static_cast<std::size_t>(settings.draws);
+    out.doubts = source.doubts;
     out.bearing_mm.assign(layout.bearings, 0.0);
     out.bearing_energy_share.assign(layout.bearings, 0.0);
     double of_bearings = 0.0;  // runs in their means
     // [motion][quantity][case]
     std::vector<std::vector<std::vector<double>>> kept(
         study.file.motions.size(),
-        std::vector<std::vector<double>>(std::size(rows), std::vector<double>(cases.size(), std::nan(""))));
+        std::vector<std::vector<double>>(std::size(quantity_rows), std::vector<double>(cases.size(), std::nan(""))));
     for (std::size_t motion = 0; motion < kept.size(); ++motion)
       store.each(law, motion, [&](std::size_t place, std::vector<double> const& measured) {
         bool const finite = std::ranges::all_of(measured, [](double v) { return std::isfinite(v); });
         out.failed += !finite;
         if (!finite) return;
-        for (std::size_t q = 0; q < std::size(rows); ++q)
-          kept[motion][q][place] = rows[q].of(layout, measured, made.weight_kN);
+        for (std::size_t q = 0; q < std::size(quantity_rows); ++q)
+          kept[motion][q][place] = quantity_rows[q].of(layout, measured, made.weight_kN);
         out.worst_balance = std::max(out.worst_balance, std::abs(measure_of(measured, Measure::balance)));
         if (cases[place].kind != CaseKind::draw) return;
         of_bearings += 1.0;
@@ -410,7 +534,7 @@ Answers answer(Study const& study, RunStore const& store) {
       });
     for (auto* const means : {&out.bearing_mm, &out.bearing_energy_share})
       for (double& value : *means) value = of_bearings > 0.0 ? value / of_bearings : std::nan("");
-    for (std::size_t q = 0; q < std::size(rows); ++q) {
+    for (std::size_t q = 0; q < std::size(quantity_rows); ++q) {
       auto const table = table_of(cases.size(), kept, q);
       auto const draws = part(table.mean, first_draw, static_cast<std::size_t>(settings.draws));
       Distribution d{.nominal = table.mean[0],
@@ -451,8 +575,9 @@ Answers answer(Study const& study, RunStore const& store) {
                                static_cast<std::size_t>(settings.draws_of_each))));
         d.uncertain_std_ln = spread_ln(medians);
       }
-      if (std::ranges::find(covered_quantities, rows[q].key) != std::end(covered_quantities))
-        out.coverage.push_back(covered(draws, d.lower, d.upper, part(table.mean, first_factor, 2 * grid_half + 1)));
+      if (quantity_rows[q].uncovered.empty())
+        out.coverage.push_back(
+            covered(quantity_rows[q], draws, d, settings, part(table.mean, first_factor, 2 * grid_half + 1)));
       if (q == 0 && made.laws.size() > 1 && !draws.empty()) {
         auto const& bounds = made.laws.front().distributions.front();
         auto const range = std::minmax(bounds.lower, bounds.upper);
@@ -468,6 +593,9 @@ Answers answer(Study const& study, RunStore const& store) {
     auto options = options_of(study, model, devices);
     options.histories = true;
     out.coupling = devices.coupling();
+    out.fitted_as_springs = source.as_springs;
+    double farthest = -1.0;
+    std::size_t strongest = 0;
     for (std::size_t motion = 0; motion < kept.size(); ++motion) {
       auto& checked = out.checked.emplace_back();
       auto half = options;
@@ -476,6 +604,8 @@ Answers answer(Study const& study, RunStore const& store) {
       auto const run = integrate(model, devices.bearings(nominal), study.file.motions[motion], options);
       auto const fine = integrate(model, devices.bearings(nominal), study.file.motions[motion], half);
       out.histories.push_back(thinned(run.history, run.step_s));
+      add_spectra(out.floor_spectra_g, run, 1.0 / static_cast<double>(kept.size()));
+      if (run.of(Measure::isolator) > farthest) farthest = run.of(Measure::isolator), strongest = motion;
       checked.outcome = run.outcome == Outcome::completed ? std::string(name(run.outcome)) : run.why;
       checked.isolator_mm = run.of(Measure::isolator);
       checked.balance = run.of(Measure::balance);
@@ -485,6 +615,7 @@ Answers answer(Study const& study, RunStore const& store) {
       equivalent_linear(checked, devices, study.file.motions[motion], nominal, model.structure().mass()(0, 0));
       checked.equivalent_error_percent = 100.0 * (checked.equivalent_mm / run.of(Measure::centre) - 1.0);
     }
+    if (!kept.empty()) out.loops = loops_of(model, devices, study, strongest, options);
   }
   if (made.laws.size() > 1) {
     std::vector<double> medians;
@@ -498,14 +629,32 @@ Answers answer(Study const& study, RunStore const& store) {
       made.warnings.push_back(fmt::format(
           "{}: bearings move up to {:.0f} mm (95 % of the draws, under the strongest motion), and the tests went to {:.0f} mm: beyond it the law is extrapolated",
           law.law, most, tested));
+    if (has_draws(study)) warn_of_coverage(law, made.warnings);
+    if (law.coupling == Coupling::springs && !law.fitted_as_springs)
+      made.warnings.push_back(fmt::format(
+          "{} has no coupled form, and its springs have the parameters of the law along one direction: they round its knee and dissipate less; isolaw calibrate --bidirectional springs fits them",
+          laws::called(law.law)));
     if (law.failed > 0)
       made.warnings.push_back(fmt::format("{}: {} runs gave no finite numbers and are left out", law.law, law.failed));
   }
-  made.verdict = verdict_of(study, made);
   made.bounds_are_enough = bounds_are_enough(study, made);
+  made.verdict = verdict_of(study, made);
   if (has_draws(study) && !made.laws.empty() && !made.bounds_are_enough)
     made.warnings.push_back(fmt::format("{} draws are too few to show a share of {:.0f} %: no answer yet",
                                         made.laws.front().draws, 100.0 * enough));
+  if (auto const motions = study.file.motions.size(); motions < motions_for_a_mean)
+    made.warnings.push_back(fmt::format("{}: codes take the mean over {} or more, some over eleven, as the design's",
+                                        counted(motions, "motion"), motions_for_a_mean));
+  // What names its law, and what is of the records, which several laws share.
+  for (auto const& law : made.laws)
+    for (std::string_view doubt : law.doubts) {
+      auto const own = fmt::format("{}: ", laws::called(law.law));
+      bool const named = doubt.starts_with(own);
+      if (named) doubt.remove_prefix(own.size());
+      auto warning =
+          fmt::format("of the calibration{}: {}", named ? fmt::format(" of {}", laws::called(law.law)) : "", doubt);
+      if (std::ranges::find(made.warnings, warning) == made.warnings.end()) made.warnings.push_back(std::move(warning));
+    }
   made.assumed = assumed_of(study, made);
   return made;
 }

@@ -20,9 +20,10 @@ namespace isolaw::building {
 struct Quantity {
   std::string_view key, title, unit, meaning;
   double (*of)(Layout const& layout, std::span<double const> measured, double weight_kN);
+  std::string_view uncovered = {};  // why the bound analyses say nothing of its draws; empty: they do
 };
 std::span<Quantity const> quantities();
-inline constexpr std::string_view covered_quantities[]{"isolator_mm", "shear_over_weight"};
+Quantity const& quantity(std::string_view key);
 
 inline constexpr std::array shares{0.16, 0.50, 0.84, 0.95};
 
@@ -48,13 +49,22 @@ struct Distribution {
 inline constexpr double enough = 0.95;
 
 struct Coverage {
+  std::string_view quantity;                       // its key
   double inside = 0.0;                             // share of the draws between the lower and upper bound analyses
   double interval_low = 0.0, interval_high = 0.0;  // Clopper and Pearson 1934, 95 %
   double below = 0.0, above = 0.0;
   // The least symmetric factors 1 -+ a, of a grid of analyses, between whose responses `enough` of the draws lie; none:
   // not within the grid.
   std::optional<double> factor_low, factor_high;
+  // The nominal building is not between the two: the response does not rise or fall with the forces. Empty otherwise.
+  std::string not_monotonic;
 };
+// "factors of 0.94 and 1.06 would cover 95 %": no more than one step of the grid is within the accuracy.
+std::string factors_text(Coverage const& coverage);
+
+// Codes take the mean response over no fewer motions as the design's (EN 1998-1, 4.3.3.4.3; ASCE 7-16, 17.3.3; eleven
+// in its chapter 16).
+inline constexpr std::size_t motions_for_a_mean = 7;
 
 struct Checked {  // the nominal building by the implicit path, under each motion
   std::string outcome;
@@ -73,20 +83,43 @@ struct NominalHistory {
   std::vector<double> x_mm, y_mm, shear_x_kN, shear_y_kN;
 };
 
+// Every bearing under the motion that moves the nominal building most, by the implicit path: of the first draw where
+// bearings are drawn, so that no two are alike.
+inline constexpr std::size_t most_of_loops = 500;
+struct BearingLoops {
+  std::size_t motion = 0;
+  bool drawn = false;
+  double step_s = 0.0;
+  std::vector<double> x_mm, y_mm, rotation_rad;             // of the base's centre of mass
+  std::vector<std::vector<double>> force_x_kN, force_y_kN;  // [bearing]
+};
+
+// Of the nominal building, means over the motions: what a linear oscillator of one direction or two, 5 % damped, that
+// stands on a diaphragm feels (pseudo-acceleration).
+inline constexpr double spectrum_damping = 0.05;
+std::vector<double> const& spectrum_periods_s();
+
 struct LawAnswer {
   std::string law;
   Coupling coupling = Coupling::coupled;
+  bool fitted_as_springs = false;           // of springs
   std::size_t draws = 0, failed = 0;        // runs whose numbers are not finite
   double worst_balance = 0.0;               // of the energy, of all runs
   std::vector<Distribution> distributions;  // of quantities()
-  std::vector<Coverage> coverage;           // of covered_quantities
+  std::vector<Coverage> coverage;           // of each quantity that is not uncovered
+  std::vector<std::string> doubts;          // of its calibration
   // Of a further law, the share of its draws whose displacement is between the bounds of the first law.
   std::optional<double> by_first_bounds;
   std::vector<Checked> checked;
   std::vector<NominalHistory> histories;  // of every motion
   // Of every bearing, means over draws and motions: its largest displacement, its share of the work on all.
   std::vector<double> bearing_mm, bearing_energy_share;
+  BearingLoops loops = {};
+  std::vector<std::vector<double>> floor_spectra_g = {};  // [diaphragm, the base first][period]
 };
+
+// How a law goes into the plane, in one word.
+std::string_view form(LawAnswer const& law);
 
 struct Answers {
   std::vector<LawAnswer> laws;

@@ -9,7 +9,9 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/file.hpp"
 #include "isolaw/base/option.hpp"
+#include "isolaw/base/printable.hpp"
 #include "isolaw/base/toml_reader.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/data/ground_motion.hpp"
 #include "isolaw/laws/catalogue.hpp"
 
@@ -51,9 +53,7 @@ struct MotionRow {
 };
 
 template <class Target>
-struct TomlKey : Option<Target> {
-  bool required = false;
-};
+using TomlKey = FileKey<Target>;
 template <class Target>
 using TomlKeys = std::vector<TomlKey<Target>>;
 
@@ -269,7 +269,7 @@ BearingPlace place_of(double x_m, double y_m, std::string const& is) {
   return made;
 }
 
-Motion read_motion(std::filesystem::path const& folder, MotionRow const& row) {
+Motion motion_of(std::filesystem::path const& folder, MotionRow const& row) {
   auto const in = [&](std::string const& name) {
     std::filesystem::path const path(name);
     return path.is_absolute() ? path : folder / path;
@@ -289,6 +289,42 @@ Motion read_motion(std::filesystem::path const& folder, MotionRow const& row) {
   for (double& a : made.x_mm_s2) a *= row.scale;
   for (double& a : made.y_mm_s2) a *= row.scale;
   return made;
+}
+
+// As a parser makes it, but that nothing stands on a line.
+toml::table table_of(Json const& value, int depth);
+toml::array array_of(Json const& value, int depth);
+template <class Insert>
+void insert_toml(Json const& value, int depth, Insert const& insert) {
+  constexpr int deepest = 4;  // [[bearing]] x_m
+  if (depth > deepest)
+    throw Error({.where = "building", .found = "tables or lists nested deeper than any building needs"});
+  if (value.is_object()) return insert(table_of(value, depth));
+  if (value.is_array()) return insert(array_of(value, depth));
+  if (value.is_boolean()) return insert(value.get<bool>());
+  if (value.is_number_integer()) return insert(value.get<std::int64_t>());
+  if (value.is_number()) return insert(value.get<double>());
+  if (value.is_string()) return insert(value.get<std::string>());
+  // null: not given
+}
+toml::table table_of(Json const& value, int depth) {
+  toml::table made;
+  for (auto const& [key, item] : value.items())
+    insert_toml(item, depth + 1, [&, name = key](auto node) { made.insert(name, std::move(node)); });
+  return made;
+}
+toml::array array_of(Json const& value, int depth) {
+  toml::array made;
+  for (auto const& item : value) insert_toml(item, depth + 1, [&](auto node) { made.push_back(std::move(node)); });
+  return made;
+}
+
+MotionRow row_of(std::string const& files) {
+  auto const comma = files.find(',');
+  return {.x = files.substr(0, comma),
+          .y = comma == std::string::npos ? "" : files.substr(comma + 1),
+          .scale = 1.0,
+          .step_s = {}};
 }
 
 void write_value(std::string& out, Json const& value) {
@@ -370,9 +406,56 @@ std::string building_template() {
   return out;
 }
 
-BuildingFile read_building_text(std::string_view content, std::string const& name, std::filesystem::path const& folder,
-                                std::vector<std::string> const& motions) {
-  auto const parsed = parse_toml(content, name, {.kind = "building file", .advice = "isolaw building --template"});
+std::span<FileKey<Settings> const> settings_table() {
+  return settings_keys();
+}
+
+Motion read_motion(std::string const& files) {
+  return motion_of({}, row_of(files));
+}
+
+std::vector<Motion> read_motions(std::vector<std::string> const& files) {
+  std::vector<Motion> made;
+  std::vector<Complaint> complaints;
+  for (auto const& file : files) {
+    try {
+      made.push_back(read_motion(file));
+    } catch (Error const& error) {
+      complaints.insert(complaints.end(), error.complaints().begin(), error.complaints().end());
+    }
+  }
+  if (!complaints.empty()) throw Error(std::move(complaints));
+  return made;
+}
+
+void require_sound(Motion const& motion) {
+  auto const refuse = [&](std::string found, std::string allowed) {
+    throw Error(
+        {.where = "motion " + in_quotes(motion.name), .found = std::move(found), .allowed = std::move(allowed)});
+  };
+  constexpr double longest_step_s = 10.0;
+  if (!(motion.step_s > 0.0 && motion.step_s <= longest_step_s))
+    refuse(fmt::format("a step of {} s", motion.step_s), fmt::format("above 0, to {} s", longest_step_s));
+  if (motion.x_mm_s2.size() < 2) refuse(counted(motion.x_mm_s2.size(), "sample"), "two or more");
+  if (!motion.y_mm_s2.empty() && motion.y_mm_s2.size() != motion.x_mm_s2.size())
+    refuse(fmt::format("{} samples along x and {} along y", motion.x_mm_s2.size(), motion.y_mm_s2.size()),
+           "two components of one length");
+  for (auto const* values : {&motion.x_mm_s2, &motion.y_mm_s2})
+    if (auto const bad = std::ranges::find_if_not(*values, [](double a) { return std::isfinite(a); });
+        bad != values->end())
+      refuse(fmt::format("sample {} is no number", bad - values->begin() + 1), "finite accelerations");
+}
+
+namespace {
+
+BuildingFile read_parsed(toml::table parsed, std::string const& name, std::filesystem::path const& folder,
+                         InPlace const& in_place) {
+  if (!in_place.settings.empty()) {
+    auto* const settings = parsed.insert(of_settings.name, toml::table()).first->second.as_table();
+    for (auto const& [key, value] : in_place.settings)
+      if (settings != nullptr)
+        insert_toml(value, 0, [&, name = key](auto node) { settings->insert_or_assign(name, std::move(node)); });
+  }
   std::vector<Complaint> complaints;
   TomlTable root(parsed, name, "", complaints);
   BuildingFile made{.file = name, .settings = {}, .frame = {}, .bearings = {}, .plan_mm = {}, .motions = {}};
@@ -442,33 +525,41 @@ BuildingFile read_building_text(std::string_view content, std::string const& nam
         break;
       }
     }
-  if (!motions.empty()) {
-    rows.clear();
-    for (auto const& given : motions) {
-      auto const comma = given.find(',');
-      rows.push_back({.x = given.substr(0, comma),
-                      .y = comma == std::string::npos ? "" : given.substr(comma + 1),
-                      .scale = 1.0,
-                      .step_s = {}});
-    }
-  }
-  if (rows.empty()) root.complain("no motions", "[[motion]], or --motion FILES", "isolaw building --template");
-  for (auto const& row : rows) {
+  auto const take = [&](auto const& sound) {
     try {
-      made.motions.push_back(read_motion(motions.empty() ? folder : std::filesystem::path(), row));
+      made.motions.push_back(sound());
     } catch (Error const& error) {
       complaints.insert(complaints.end(), error.complaints().begin(), error.complaints().end());
     }
-  }
+  };
+  for (auto const& motion : in_place.motions) take([&] { return (require_sound(motion), motion); });
+  if (in_place.motions.empty())
+    for (auto const& row : rows) take([&] { return motion_of(folder, row); });
+  if (in_place.motions.empty() && rows.empty())
+    root.complain("no motions", "[[motion]], or --motion FILES", "isolaw building --template");
   throw_complaints(std::move(complaints), name);
   return made;
 }
 
-BuildingFile read_building(std::filesystem::path const& file, std::vector<std::string> const& motions) {
+}  // namespace
+
+BuildingFile read_building_text(std::string_view content, std::string const& name, std::filesystem::path const& folder,
+                                InPlace const& in_place) {
+  return read_parsed(parse_toml(content, name, {.kind = "building file", .advice = "isolaw building --template"}), name,
+                     folder, in_place);
+}
+
+BuildingFile building_of(Json const& tables, InPlace const& in_place) {
+  if (!tables.is_object())
+    throw Error({.where = "building", .found = shown(tables), .allowed = "tables as a building file has them"});
+  return read_parsed(table_of(tables, 0), "building", {}, in_place);
+}
+
+BuildingFile read_building(std::filesystem::path const& file, InPlace const& in_place) {
   return read_building_text(read_file(file, {.largest_bytes = 1 << 20,
                                              .allowed = "a building file",
                                              .when_too_large = "isolaw building --template"}),
-                            file.generic_string(), file.parent_path(), motions);
+                            file.generic_string(), file.parent_path(), in_place);
 }
 
 }  // namespace isolaw::building

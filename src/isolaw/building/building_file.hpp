@@ -2,12 +2,15 @@
 // a table, from which the reader, the messages and the template are made.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "isolaw/base/option.hpp"
 #include "isolaw/building/integrate.hpp"
 
 namespace isolaw::building {
@@ -48,11 +51,32 @@ struct BuildingFile {
   bool along_x_alone() const;
 };
 
-// Files of motions in place of those of the building file: "x.AT2", or "x.AT2,y.AT2" for two components.
+// A key of a table of the file; those of [building] are Python's keywords too. What is required has no usual value.
+template <class Target>
+struct FileKey : Option<Target> {
+  bool required = false;
+};
+std::span<FileKey<Settings> const> settings_table();
+
+// In place of what a building file has.
+struct InPlace {
+  std::vector<Motion> motions = {};  // of those of the file, where there are any
+  isolaw::Values settings = {};      // of the keys of [building], by key
+};
+
+// A motion of a file, "x.AT2", or of two, "x.AT2,y.AT2". Throws Error.
+Motion read_motion(std::string const& files);
+// The same of many: one Error of everything wrong.
+std::vector<Motion> read_motions(std::vector<std::string> const& files);
+// Throws Error: no samples, a value or a step that is none, components of different length.
+void require_sound(Motion const& motion);
+
 // Throws one Error of everything wrong, with lines.
-BuildingFile read_building(std::filesystem::path const& file, std::vector<std::string> const& motions = {});
+BuildingFile read_building(std::filesystem::path const& file, InPlace const& in_place = {});
 BuildingFile read_building_text(std::string_view text, std::string const& name, std::filesystem::path const& folder,
-                                std::vector<std::string> const& motions = {});
+                                InPlace const& in_place = {});
+// Tables as a file has them, by their names; files of motions are sought in the working directory.
+BuildingFile building_of(Json const& tables, InPlace const& in_place = {});
 
 // A commented file of a building with five floors on 28 bearings.
 std::string building_template();

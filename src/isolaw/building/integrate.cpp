@@ -134,38 +134,41 @@ class ImplicitRun {
       a0[i] = run_.A[i] - (i < 2 ? g0[i] : 0.0);
     }
     modes_freely(run_, skeleton_, modes, on_base);
-    Vector3 const ground(g1[0], g1[1], 0.0), from = as_vector(u0), speed = as_vector(v0), before = as_vector(a0);
-    Vector3 const steady = from + dt * speed + 0.25 * dt * dt * before;
+    Vector3 const ground(g1[0], g1[1], 0.0), speed = as_vector(v0), before = as_vector(a0);
+    // Unknown is what the acceleration at the end adds to the way: of the way itself, ten thousand times as large, the
+    // inertial force would have the rounding.
+    Vector3 const steady = dt * speed + 0.25 * dt * dt * before;
     Vector3 const load = condensed_ * ground + as_vector(on_base);
     Matrix3 const inertia = condensed_ * (4.0 / (dt * dt));
     double const arm = model_.structure().frame().base.gyration_mm;
     auto const size = [&](Vector3 const& force) { return std::max(force.head<2>().norm(), std::abs(force(2)) / arm); };
 
-    Vector3 unknown = steady + 0.25 * dt * dt * before;
+    Vector3 unknown = 0.25 * dt * dt * before;
     Total now{};
-    double best = std::numeric_limits<double>::infinity();
+    double last = std::numeric_limits<double>::infinity();
     bool found = false;
     constexpr int newton = 12, first_tangent = 60;
     for (int i = 0; i < newton + first_tangent && !found; ++i) {
       if (i == newton) {
         ++out_.first_tangents;
-        unknown = steady + 0.25 * dt * dt * before;
+        unknown = 0.25 * dt * dt * before;
       }
       double u[3], v[3];
       for (Eigen::Index k = 0; k < 3; ++k) {
-        u[k] = unknown(k);
-        v[k] = 2.0 / dt * (unknown(k) - u0[k]) - v0[k];
+        double const way = steady(k) + unknown(k);
+        u[k] = u0[k] + way;
+        v[k] = 2.0 / dt * way - v0[k];
       }
       now = total(u, v, dt);
       ++out_.iterations;
-      Vector3 const inertial = inertia * (unknown - steady);
+      Vector3 const inertial = inertia * unknown;
       Vector3 const residual = inertial + load + now.force;
       if (!residual.allFinite()) break;
-      // Rounding of the inertial force is that of the displacement, times 4 m / dt^2.
-      double const rounding = 16.0 * std::numeric_limits<double>::epsilon() * size(inertia * unknown.cwiseAbs());
-      double const scale = std::max({size(inertial), size(load), size(now.force), 1e-12});
-      best = size(residual);
-      found = best <= 1e-10 * scale + rounding;
+      double const scale = std::max({size(inertial), size(load), size(now.force), 1e-12}), left = size(residual);
+      // As far as it goes where that is enough.
+      constexpr double enough = 1e-10, all = 1e-14, slow = 0.1;
+      found = left <= all * scale || (left <= enough * scale && left > slow * last);
+      last = left;
       if (found) break;
       Matrix3 const tangent = i < newton ? Matrix3(now.stiffness + 2.0 / dt * now.damping) : first_;
       Vector3 const change = Matrix3(inertia + tangent).inverse() * residual;
@@ -173,10 +176,11 @@ class ImplicitRun {
     }
     if (!found) return false;
 
-    Vector3 const after = 4.0 / (dt * dt) * (unknown - steady);
+    Vector3 const after = 4.0 / (dt * dt) * unknown;
     for (Eigen::Index i = 0; i < 3; ++i) {
-      run_.u[i] = unknown(i);
-      run_.v[i] = 2.0 / dt * (unknown(i) - u0[i]) - v0[i];
+      double const way = steady(i) + unknown(i);
+      run_.u[i] = u0[i] + way;
+      run_.v[i] = 2.0 / dt * way - v0[i];
       run_.A[i] = after(i) + ground(i);
       run_.f[i] = now.force(i);
     }
@@ -203,6 +207,7 @@ class ImplicitRun {
     h.base.push_back({run_.u[0], run_.u[1], run_.u[2]});
     h.velocity.push_back({run_.v[0], run_.v[1], run_.v[2]});
     h.shear_kN.push_back({run_.f[0], run_.f[1]});
+    if (options_.bearing_forces) h.bearing_kN.emplace_back(run_.force, run_.force + 2 * skeleton_.bearings);
     std::vector<double> a(2 * (skeleton_.floors + 1));
     for (std::size_t floor = 0; floor <= skeleton_.floors; ++floor) {
       double x, y;

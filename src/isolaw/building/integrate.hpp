@@ -28,9 +28,9 @@ struct Motion {
 
 struct Options {
   double longest_step_s = 0.005;
-  double rest_s = 0.0;  // zeros after the motion
-  bool histories = false;
-  Vector pulled_to = {0.0, 0.0};  // released from rest there, along a straight way
+  double rest_s = 0.0;                             // zeros after the motion
+  bool histories = false, bearing_forces = false;  // the latter with the former
+  Vector pulled_to = {0.0, 0.0};                   // released from rest there, along a straight way
   int most_halvings = 10;
 };
 
@@ -42,6 +42,7 @@ struct History {
   std::vector<std::array<double, 3>> base;      // mm, mm, rad, relative to the ground
   std::vector<std::array<double, 3>> velocity;  // of the same
   std::vector<std::array<double, 2>> shear_kN;  // of all bearings
+  std::vector<std::vector<double>> bearing_kN;  // where asked for, x and y of each: [sample][2 bearings]
   std::vector<std::vector<double>>
       acceleration;  // in space, of every diaphragm x and y, mm/s2: [sample][2 (1 + floors)]
 };

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <iterator>
+#include <mutex>
 #include <utility>
 
 #include "isolaw/base/error.hpp"
@@ -338,6 +341,7 @@ std::vector<Trait> traits_of(Study const& study) {
     add_matrix(p.covariance);
     for (auto const transform : p.transforms) add(static_cast<int>(transform));
     for (auto const& place : law.place) add(place ? *place + 1 : 0);
+    add(law.as_springs);
     for (auto const& limits : law.limits) add(limits.lower, limits.upper);
     for (auto const& [name, values] : law.devices) {
       add(name);
@@ -392,14 +396,40 @@ std::vector<RunStore::Row> Runs::of(Blocks::Block const& block) const {
   return made;
 }
 
-void run_all(Study const& study, RunStore& store, std::size_t threads,
-             std::function<void(RunProgress const&)> const& progress, std::optional<campaign::Part> const& part) {
+namespace {
+
+// Finished rows on their way to the store: many at a time, since each transaction waits for the disk.
+class Rows {
+ public:
+  explicit Rows(RunStore& store) : store_(store) {}
+  void add(std::vector<RunStore::Row> rows) {
+    std::ranges::move(rows, std::back_inserter(waiting_));
+    constexpr std::size_t many = 256;
+    constexpr std::chrono::milliseconds long_ago(500);
+    if (waiting_.size() >= many || Clock::now() - stored_at_ > long_ago) store();
+  }
+  void store() {
+    if (!waiting_.empty()) store_.add(waiting_);
+    waiting_.clear();
+    stored_at_ = Clock::now();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  RunStore& store_;
+  std::vector<RunStore::Row> waiting_;
+  Clock::time_point stored_at_ = Clock::now();
+};
+
+}  // namespace
+
+bool run_all(Study const& study, RunStore& store, std::size_t threads, RunAllOptions const& options) {
   Runs const runs(study);
   auto const& blocks = runs.blocks();
   std::vector<Blocks::Block> left;
   RunProgress told;
   for (std::size_t number = 0; number < blocks.count(); ++number) {
-    if (part && Blocks::part_of(number, part->of) != part->number) continue;
+    if (options.part && Blocks::part_of(number, options.part->of) != options.part->number) continue;
     auto const block = blocks.at(number);
     told.total += block.to - block.from;
     if (store.is_there(block))
@@ -407,17 +437,35 @@ void run_all(Study const& study, RunStore& store, std::size_t threads,
     else
       left.push_back(block);
   }
-  constexpr std::size_t chunk = 16;
-  for (std::size_t first = 0; first < left.size(); first += chunk) {
-    std::size_t const last = std::min(left.size(), first + chunk);
-    std::vector<std::vector<RunStore::Row>> made(last - first);
-    campaign::for_each_in_parallel(last - first, threads, [&](std::size_t i) { made[i] = runs.of(left[first + i]); });
-    std::vector<RunStore::Row> rows;
-    for (auto& block : made) std::ranges::move(block, std::back_inserter(rows));
-    store.add(rows);
-    told.done += rows.size();
-    if (progress) progress(told);
+  std::mutex one_at_a_time;
+  Rows rows(store);
+  std::atomic<bool> stopped = false;
+  auto const stop = [&] {
+    if (!stopped && options.interrupted && options.interrupted()) stopped = true;
+    return stopped.load();
+  };
+  auto const take = [&](std::vector<RunStore::Row> made) {
+    std::scoped_lock const lock(one_at_a_time);
+    told.done += made.size();
+    rows.add(std::move(made));
+    if (options.progress) options.progress(told);
+  };
+  auto const perform = [&](Blocks::Block const& block) {
+    if (!runs.one_by_one(block)) {
+      if (!stop()) take(runs.of(block));
+      return;
+    }
+    for (auto place = block.from; place < block.to && !stop(); ++place)
+      take(runs.of({.law = block.law, .motion = block.motion, .from = place, .to = place + 1}));
+  };
+  try {
+    campaign::for_each_in_parallel(left.size(), threads, [&](std::size_t i) { perform(left[i]); });
+  } catch (...) {
+    rows.store();
+    throw;
   }
+  rows.store();
+  return told.done == told.total;
 }
 
 namespace {

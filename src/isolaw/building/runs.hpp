@@ -116,6 +116,8 @@ class Runs {
   explicit Runs(Study const& study);  // which outlives it
   Blocks const& blocks() const { return blocks_; }
   std::vector<RunStore::Row> of(Blocks::Block const& block) const;
+  // Whether its runs are made one by one, springs around the circle, each of which takes its time.
+  bool one_by_one(Blocks::Block const& block) const { return devices_[block.law].coupling() != Coupling::coupled; }
 
  private:
   Study const& study_;
@@ -129,11 +131,13 @@ class Runs {
 struct RunProgress {
   std::size_t done = 0, total = 0;  // analyses
 };
-// Throws Error as Runs; std::runtime_error of what `progress` throws ends the runs, those stored remain.
-// Of a part its share alone.
-void run_all(Study const& study, RunStore& store, std::size_t threads,
-             std::function<void(RunProgress const&)> const& progress = {},
-             std::optional<campaign::Part> const& part = {});
+struct RunAllOptions {
+  std::function<void(RunProgress const&)> progress = {};  // from one thread at a time; what it throws ends the runs
+  std::optional<campaign::Part> part = {};                // its share alone
+  std::function<bool()> interrupted = {};                 // asked between runs, from any thread
+};
+// Throws Error as Runs. Whatever ends the runs, those that are finished are stored; false: interrupted before the last.
+bool run_all(Study const& study, RunStore& store, std::size_t threads, RunAllOptions const& options = {});
 
 // The step of the explicit path for a law under a motion: that of the settings, halved where the bearings are stiffer.
 Options options_of(Study const& study, Model const& model, Devices const& devices);

@@ -84,6 +84,16 @@ lot::Population population_again(lot::Population const& population, num::Stream 
   return lot::estimate_population(population.names, estimates, without);
 }
 
+Coupling coupling_in(BuildingFile const& file, LawSource const& source) {
+  bool springs = source.as_springs;
+  for (auto const* values : {&source.lot, &source.median})
+    springs = springs || coupling_of(source.law, *values) == Coupling::springs;
+  for (auto const& [name, values] : source.devices)
+    springs = springs || coupling_of(source.law, values) == Coupling::springs;
+  if (!springs) return Coupling::coupled;
+  return file.along_x_alone() ? Coupling::separate : Coupling::springs;
+}
+
 Devices::Devices(LawSource source, BuildingFile const& file)
     : source_(std::move(source)),
       places_(file.bearings),
@@ -105,11 +115,7 @@ Devices::Devices(LawSource source, BuildingFile const& file)
       for (auto const& [name, values] : source_.devices) names.push_back(name);
       throw Error({.where = where, .found = fmt::format("no device '{}'", p.device), .allowed = joined(names)});
     }
-  for (auto const* values : {&source_.lot, &source_.median})
-    if (coupling_of(source_.law, *values) == Coupling::springs) coupling_ = Coupling::springs;
-  for (auto const& [name, values] : source_.devices)
-    if (coupling_of(source_.law, values) == Coupling::springs) coupling_ = Coupling::springs;
-  if (coupling_ == Coupling::springs && file.along_x_alone()) coupling_ = Coupling::separate;
+  coupling_ = coupling_in(file, source_);
   if (drawn)
     for (int p = 0; p < settings_.populations; ++p)
       uncertain_.push_back(population_again(

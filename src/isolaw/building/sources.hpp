@@ -24,8 +24,10 @@ struct LawSource {
   // Of each parameter its place in the population; none: the value of `median` holds for all.
   std::vector<std::optional<std::size_t>> place;
   std::vector<double> median;
-  std::vector<lot::Limits> limits;  // of the population's parameters
-  double tested_mm = 0.0;           // largest displacement of the tests; 0: not known
+  std::vector<lot::Limits> limits;       // of the population's parameters
+  double tested_mm = 0.0;                // largest displacement of the tests; 0: not known
+  bool as_springs = false;               // all of them were fitted as springs around the circle
+  std::vector<std::string> doubts = {};  // what is known against it: numbers do not depend on them
 };
 
 // The same device, its forces `factor` times as large.
@@ -56,11 +58,14 @@ std::string text(Case const& which);  // "nominal", "factor 0.60", "draw 7", "po
 // All analyses of a law under one motion, in the order of stores.
 std::vector<Case> cases_of(Settings const& settings);
 
+// How a law goes into the plane in a building: coupled where all its sets of parameters have such a form.
+Coupling coupling_in(BuildingFile const& file, LawSource const& source);
+
 // Makes the sets of parameters of one law. A number depends on (seed, law, population, draw, bearing) alone.
 class Devices {
  public:
   // Throws Error: a bearing is a draw of a law without population, or a device that was not tested. Under motions along x
-  // alone a law that has no coupled form is itself, not springs around the circle, which would need another fit.
+  // alone a law that has no coupled form is itself, not springs around the circle.
   Devices(LawSource source, BuildingFile const& file);
 
   LawSource const& source() const { return source_; }

@@ -1,16 +1,20 @@
 #include "isolaw/campaign/analyse.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
 #include "isolaw/base/hash.hpp"
 #include "isolaw/campaign/deal.hpp"
 #include "isolaw/campaign/parallel.hpp"
+#include "isolaw/laws/in_plane.hpp"
+#include "isolaw/laws/online.hpp"
 #include "isolaw/opt/multistart.hpp"
 
 namespace isolaw::campaign {
@@ -141,11 +145,24 @@ class Analysis {
     if (!intervals) return std::nullopt;
     meter.count_evaluations(Phase::determination, determination->evaluations);
     meter.count_evaluations(Phase::intervals, intervals->evaluations);
+    auto springs = as_springs(search.law, std::array{search.device}, box, determination->optimum, best.refinement);
     return DeviceAnalysis{.device = search.device,
                           .law = search.law,
                           .refinement = best.refinement,
                           .determination = std::move(*determination),
-                          .intervals = std::move(*intervals)};
+                          .intervals = std::move(*intervals),
+                          .springs = std::move(springs)};
+  }
+
+  // Where they are asked for, of a law that goes into the plane by them alone: fitted again on these devices' records.
+  std::optional<fit::AsSprings> as_springs(std::string_view law, std::span<std::size_t const> devices,
+                                           fit::SearchBox const& box, std::vector<double> const& parameters,
+                                           int refinement) const {
+    if (!contents_.settings.springs || !laws::no_coupled_form(law, parameters) || !laws::has_online_form(law))
+      return {};
+    std::vector<data::FitRecord const*> records;
+    for (auto const device : devices) records.push_back(&contents_.devices[device].record);
+    return fit::fitted_as_springs(laws::find_law(law), records, box, parameters, refinement);
   }
 
   std::vector<LawOnLot> laws_on_lot() const {
@@ -193,6 +210,7 @@ class Analysis {
     auto worst = analysis::least_worst(models, lot.box, made.mean, options_.interrupted);
     if (!worst) return std::nullopt;
     made.worst = std::move(*worst);
+    made.springs = as_springs(lot.law, lot.devices, lot.box, made.mean.parameters, lot.refinement);
     return made;
   }
 

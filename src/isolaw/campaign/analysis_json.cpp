@@ -45,12 +45,17 @@ void members(auto const& each, A<analysis::OneLaw> auto& of) {
   each("parameters", of.parameters)("objectives", of.objectives);
   each("mean", of.mean)("worst", of.worst)("evaluations", of.evaluations);
 }
+void members(auto const& each, A<fit::AsSprings> auto& of) {
+  each("parameters", of.parameters)("law", of.law)("given", of.given)("fitted", of.fitted);
+}
 void members(auto const& each, A<DeviceAnalysis> auto& of) {
   each("refinement", of.refinement)("determination", of.determination)("intervals", of.intervals);
+  each.where_there("springs", of.springs);
 }
 void members(auto const& each, A<LotAnalysis> auto& of) {
   each("refinement", of.refinement)("devices", of.devices);
   each("mean", of.mean)("worst", of.worst.law)("bound", of.worst.bound);
+  each.where_there("springs", of.springs);
 }
 void members(auto const& each, A<LeftOutAnalysis> auto& of) {
   auto& left_out = of.left_out;
@@ -89,6 +94,9 @@ struct Writer {
     else
       json[key] = Json::array({written(member)...});
     return *this;
+  }
+  void where_there(char const* key, auto const& member) const {
+    if (member) json[key] = written(*member);
   }
 };
 template <class T>
@@ -130,6 +138,10 @@ struct Reader {
     auto const& found = json.at(key);
     (read(sizeof...(member) == 1 ? found : found.at(place++), member), ...);
     return *this;
+  }
+  void where_there(char const* key, auto& member) const {
+    member.reset();
+    if (auto const found = json.find(key); found != json.end()) read(*found, member.emplace());
   }
 };
 template <class T>

@@ -111,6 +111,7 @@ void require_consistent(Contents const& campaign, DeviceAnalysis const& a) {
   require_refinement(a.refinement);
   require_maker(campaign, a.maker);
   require_values(a.determination.optimum, search);
+  if (a.springs) require_values(a.springs->parameters, search);
   auto const free = search.box.free_count();
   auto const is_free = [&](std::size_t i) { return i < search.box.parameters.size() && search.box.parameters[i].free; };
   auto const names = [&](auto const& items) {
@@ -132,6 +133,7 @@ void require_consistent(Contents const& campaign, LotAnalysis const& a) {
     if (a.mean.parameters.empty()) continue;
     require_values(a.mean.parameters, search);
     require_values(a.worst.law.parameters, search);
+    if (a.springs) require_values(a.springs->parameters, search);
   }
   if (!a.mean.parameters.empty() &&
       (a.mean.objectives.size() != a.devices.size() || a.worst.law.objectives.size() != a.devices.size()))

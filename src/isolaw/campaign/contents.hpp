@@ -13,6 +13,7 @@
 #include "isolaw/campaign/settings.hpp"
 #include "isolaw/data/record.hpp"
 #include "isolaw/data/vertical.hpp"
+#include "isolaw/fit/as_springs.hpp"
 #include "isolaw/fit/box.hpp"
 
 namespace isolaw::campaign {
@@ -86,16 +87,18 @@ struct DeviceAnalysis {
   int refinement = 1;  // as of the run it starts from
   analysis::Determination determination;
   analysis::Intervals intervals;
+  std::optional<fit::AsSprings> springs = {};  // where they were asked for and its optimum has no coupled form
   std::size_t maker = 0;
 };
 
 // One parameter vector for all devices that have a DeviceAnalysis of the law.
 struct LotAnalysis {
   std::string law;
-  int refinement = 1;                // the finest of the devices'
-  std::vector<std::size_t> devices;  // those that took part, rising
-  analysis::OneLaw mean = {};        // least mean objective; objectives in the order of `devices`
-  analysis::LeastWorst worst = {};   // least objective of the worst device
+  int refinement = 1;                          // the finest of the devices'
+  std::vector<std::size_t> devices;            // those that took part, rising
+  analysis::OneLaw mean = {};                  // least mean objective; objectives in the order of `devices`
+  analysis::LeastWorst worst = {};             // least objective of the worst device
+  std::optional<fit::AsSprings> springs = {};  // of the mean, as of a device
   std::size_t maker = 0;
 };
 

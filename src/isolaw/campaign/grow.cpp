@@ -27,6 +27,7 @@ std::vector<std::string> overrides_of(std::vector<fit::Override> const& override
 // The stored settings with what may grow as it is asked for.
 Settings grown(Settings settings, Settings const& asked) {
   if (asked.analysis) settings.analysis = true;
+  if (asked.springs) settings.springs = true;
   if (overrides_of(settings.overrides, settings.laws) == overrides_of(asked.overrides, settings.laws))
     settings.overrides = asked.overrides;
   if (std::ranges::all_of(settings.laws, [&](auto const& law) { return among(asked.laws, law); }))
@@ -103,6 +104,7 @@ std::vector<std::string> growth(Contents const& stored, Contents const& asked) {
   if (!laws.empty()) added.push_back((laws.size() == 1 ? "law " : "laws ") + joined(laws));
   if (asked.settings.runs > stored.settings.runs)
     added.push_back(fmt::format("{} runs instead of {}", asked.settings.runs, stored.settings.runs));
+  if (asked.settings.springs && !stored.settings.springs) added.emplace_back("laws fitted as springs");
   if (added.empty() && asked.settings.laws != stored.settings.laws) added.emplace_back("another order of the laws");
   return added;
 }
@@ -119,7 +121,8 @@ void take_over(Contents stored, Contents& asked) {
   asked.runs = moved(std::move(stored.runs));
   asked.makers = std::move(stored.makers);
   auto devices = moved(std::move(stored.device_analyses));
-  if (!same_lot) {
+  if (asked.settings.springs && !stored.settings.springs) devices.clear();  // analyses fit them
+  if (!same_lot || devices.empty()) {
     stored.lot_analyses.clear();
     stored.left_out.clear();
   }

@@ -102,7 +102,8 @@ constexpr std::array added_settings{AddedSetting{2, "turning-points", "\"sampled
                                     AddedSetting{4, "score-blocks", "\"all\""},
                                     AddedSetting{4, "analysis", "\"none\""},
                                     AddedSetting{4, "replicates", "0"},
-                                    AddedSetting{6, "dead-band", "0.0"}};
+                                    AddedSetting{6, "dead-band", "0.0"},
+                                    AddedSetting{9, "bidirectional", "\"none\""}};
 
 // Keys of meta that a schema added, empty before.
 struct AddedKey {

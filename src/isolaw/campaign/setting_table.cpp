@@ -23,6 +23,7 @@ constexpr std::pair<std::string_view, laws::Integration> integrations[]{{"conver
 constexpr std::pair<std::string_view, laws::TurningPoints> turnings[]{
     {"sampled", laws::TurningPoints::as_sampled}, {"interpolated", laws::TurningPoints::interpolated}};
 constexpr std::pair<std::string_view, bool> analyses[]{{"full", true}, {"none", false}};
+constexpr std::pair<std::string_view, bool> in_the_plane[]{{"none", false}, {"springs", true}};
 
 void set_laws(S& s, Json const& value) {
   s.laws.clear();
@@ -173,6 +174,10 @@ std::vector<Setting> make_settings() {
       // A quantile of 2.5 % is that of one replicate in forty.
       {number<S>("replicates", "fits of the bootstrap for intervals", at(&S::replicates),
                  {.least = 40, .most = 1e5, .words = "0 for none, or 40 to 100000", .or_zero = true})},
+      {word<S>(
+          "bidirectional",
+          "springs: the analyses fit laws without a coupled form in the plane as springs around the circle too, for buildings; none (default)",
+          at(&S::springs), in_the_plane)},
   };
 }
 

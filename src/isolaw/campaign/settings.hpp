@@ -34,6 +34,7 @@ struct Settings {
   data::CleanOptions clean;
   bool analysis = true;  // what the tests determine, intervals, one law for the lot
   int replicates = 100;  // of the bootstrap
+  bool springs = false;  // with the analyses: laws without a coupled form in the plane fitted as springs as well
 
   // What was left to the method: 3 runs of `best`, which differ by the last digits; 20 of the paper's.
   void complete();

@@ -18,11 +18,13 @@ struct Share {
   double force;
 };
 
-class SpringsProblem final : public opt::DeviationProblem {
+// Springs of one device on its record, along the test's direction.
+class SpringsOnRecord {
  public:
-  SpringsProblem(LawOnRecord const& model, laws::LawEntry const& law, data::FitRecord const& record,
-                 SearchBox const& box, int refinement)
-      : model_(model), box_(box), size_(record.size()), parameters_(law.parameters.size()) {
+  SpringsOnRecord(laws::LawEntry const& law, data::FitRecord const& record, int refinement)
+      : model_(law, record, laws::Integration::converged, laws::TurningPoints::as_sampled, refinement),
+        measured_(record.force_kN),
+        spread_(model_.spread_kN()) {
     constexpr int count = laws::usual_springs;
     auto const [force_share, way_share] = laws::spring_shares(count);
     for (int i = 0; i < count; ++i) {
@@ -38,12 +40,48 @@ class SpringsProblem final : public opt::DeviationProblem {
           {LawOnMotion(law, motion, laws::Integration::converged, laws::TurningPoints::as_sampled, refinement),
            force_share * along * (mirrored ? 2.0 : 1.0)});
     }
-    measured_ = record.force_kN;
-    spread_ = model.spread_kN();
+  }
+
+  std::size_t size() const { return measured_.size(); }
+  std::span<double const> weights() const { return model_.residual_weights(); }
+  // Of the law by itself.
+  double objective_of_law(std::span<double const> parameters) const {
+    std::vector<double> work;
+    return model_.objective(parameters, work);
+  }
+  void residuals_of(std::span<double const> parameters, std::span<double> found) const {
+    std::vector<double> one(size());
+    std::ranges::copy(measured_, found.begin());
+    for (auto const& [law, force] : shares_) {
+      law.force_kN(parameters, one);
+      for (std::size_t j = 0; j < size(); ++j) found[j] -= force * one[j];
+    }
+    for (double& r : found) r /= spread_;
+  }
+
+ private:
+  LawOnRecord model_;
+  std::vector<Share> shares_;
+  std::vector<double> measured_;
+  double spread_ = 1.0;
+};
+
+// The same parameters on every record; the mean of their objectives.
+class SpringsProblem final : public opt::DeviationProblem {
+ public:
+  SpringsProblem(laws::LawEntry const& law, std::span<data::FitRecord const* const> records, SearchBox const& box,
+                 int refinement)
+      : box_(box), parameters_(law.parameters.size()) {
+    auto const count = static_cast<double>(records.size());
+    for (auto const* record : records) {
+      auto const& made = records_.emplace_back(law, *record, refinement);
+      size_ += made.size();
+      for (double const weight : made.weights()) weights_.push_back(weight / count);
+    }
   }
 
   std::size_t dimension() const override { return box_.free_count(); }
-  std::span<double const> weights() const override { return model_.residual_weights(); }
+  std::span<double const> weights() const override { return weights_; }
   void evaluate(opt::Points const& points, std::span<double> values) const override {
     std::vector<double> found(size_);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -53,6 +91,12 @@ class SpringsProblem final : public opt::DeviationProblem {
   }
   void residuals(opt::Points const& points, std::span<double> values) const override {
     for (std::size_t i = 0; i < points.size(); ++i) residuals_at(points[i], values.subspan(i * size_, size_));
+  }
+  double objective_of_law(std::span<double const> parameters) const {
+    double mean = 0.0;
+    for (auto const& record : records_)
+      mean += record.objective_of_law(parameters) / static_cast<double>(records_.size());
+    return mean;
   }
   // Of all parameters of the law.
   double objective(std::span<double const> parameters) const {
@@ -73,31 +117,24 @@ class SpringsProblem final : public opt::DeviationProblem {
     residuals_of(parameters, found);
   }
   void residuals_of(std::span<double const> parameters, std::span<double> found) const {
-    std::vector<double> one(size_);
-    std::ranges::copy(measured_, found.begin());
-    for (auto const& [law, force] : shares_) {
-      law.force_kN(parameters, one);
-      for (std::size_t j = 0; j < size_; ++j) found[j] -= force * one[j];
+    for (auto const& record : records_) {
+      record.residuals_of(parameters, found.first(record.size()));
+      found = found.subspan(record.size());
     }
-    for (double& r : found) r /= spread_;
   }
 
-  LawOnRecord const& model_;
   SearchBox const& box_;
-  std::size_t size_, parameters_;
-  std::vector<Share> shares_;
-  std::vector<double> measured_;
-  double spread_ = 1.0;
+  std::vector<SpringsOnRecord> records_;
+  std::size_t size_ = 0, parameters_;
+  std::vector<double> weights_;
 };
 
 }  // namespace
 
-AsSprings fitted_as_springs(laws::LawEntry const& law, data::FitRecord const& record, SearchBox const& box,
-                            std::vector<double> parameters, int refinement) {
-  LawOnRecord const model(law, record, laws::Integration::converged, laws::TurningPoints::as_sampled, refinement);
-  SpringsProblem const springs(model, law, record, box, refinement);
-  std::vector<double> work;
-  AsSprings made{.parameters = {}, .law = model.objective(parameters, work), .given = springs.objective(parameters)};
+AsSprings fitted_as_springs(laws::LawEntry const& law, std::span<data::FitRecord const* const> records,
+                            SearchBox const& box, std::vector<double> parameters, int refinement) {
+  SpringsProblem const springs(law, records, box, refinement);
+  AsSprings made{.parameters = {}, .law = springs.objective_of_law(parameters), .given = springs.objective(parameters)};
   made.fitted = made.given;
   made.parameters = std::move(parameters);
   if (box.free_count() == 0) return made;
@@ -106,6 +143,12 @@ AsSprings fitted_as_springs(laws::LawEntry const& law, data::FitRecord const& re
   box.expand(found.best, made.parameters);
   made.fitted = found.best_value;
   return made;
+}
+
+AsSprings fitted_as_springs(laws::LawEntry const& law, data::FitRecord const& record, SearchBox const& box,
+                            std::vector<double> parameters, int refinement) {
+  data::FitRecord const* const one[]{&record};
+  return fitted_as_springs(law, one, box, std::move(parameters), refinement);
 }
 
 }  // namespace isolaw::fit

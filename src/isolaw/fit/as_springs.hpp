@@ -2,6 +2,7 @@
 // knee (laws/springs.hpp), so that the parameters of the law itself are not theirs.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "isolaw/data/record.hpp"
@@ -12,7 +13,7 @@ namespace isolaw::fit {
 
 struct AsSprings {
   std::vector<double> parameters;
-  // Eq. (27) on the record: of the law by itself, of springs of the same parameters, and of springs with their own.
+  // Eq. (27) on the record, or its mean over the records: of the law by itself, of springs of the same parameters, and of springs with their own.
   double law = 0.0, given = 0.0, fitted = 0.0;
 };
 
@@ -21,5 +22,8 @@ struct AsSprings {
 // have no finite force with these parameters, these come back.
 AsSprings fitted_as_springs(laws::LawEntry const& law, data::FitRecord const& record, SearchBox const& box,
                             std::vector<double> parameters, int refinement = 1);
+// One set of parameters for the records of several devices.
+AsSprings fitted_as_springs(laws::LawEntry const& law, std::span<data::FitRecord const* const> records,
+                            SearchBox const& box, std::vector<double> parameters, int refinement = 1);
 
 }  // namespace isolaw::fit

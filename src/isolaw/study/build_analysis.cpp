@@ -328,6 +328,10 @@ void add_analysis(DeviceFit& made, campaign::Contents const& contents, campaign:
   auto const& intervals = found->intervals;
   made.optimum = determination.objective;
   made.rise = determination.rise;
+  if (found->springs) {
+    made.springs_objective = found->springs->fitted;
+    made.springs_given_objective = found->springs->given;
+  }
   for (auto const& trade_off : determination.trade_offs) made.trade_offs.push_back(trade_off.sentence);
   made.interval_level = intervals.level;
   made.interval_samples = intervals.samples;

@@ -45,6 +45,9 @@ inline constexpr Result<building::Coverage> coverage_results[]{
      "with the next the least symmetric factors on forces, of a grid, whose analyses would cover `enough`",
      get<&building::Coverage::factor_low>},
     {"factor_high", "-", "factor upper", "of the same", get<&building::Coverage::factor_high>},
+    {"not_monotonic", "", "not monotonic",
+     "why a small share says nothing of the factors: both bounds are on one side of the nominal building; null where they are not",
+     word<&building::Coverage::not_monotonic, building::Coverage>},
 };
 
 inline constexpr Result<building::Checked> checked_results[]{
@@ -77,10 +80,9 @@ inline constexpr Result<building::LawAnswer> answer_results[]{
     {"id", "", "law", "as on the command line", get<&building::LawAnswer::law>},
     {"name", "", "", "as people call the law",
      [](building::LawAnswer const& law) { return value_of(laws::called(law.law)); }},
-    {"form", "", "form", "`coupled`, or `springs` around the circle",
-     [](building::LawAnswer const& law) {
-       return Value(std::string_view(law.coupling == building::Coupling::coupled ? "coupled" : "springs"));
-     }},
+    {"form", "", "form",
+     "`coupled`; `springs` around the circle, fitted as such; `springs as given`, with the parameters of the law along one direction; `separate`, once along each axis, under motions along x alone",
+     [](building::LawAnswer const& law) { return Value(form(law)); }},
     {"draws", "", "draws", "buildings drawn", get<&building::LawAnswer::draws>},
     {"failed", "", "failed", "runs without finite numbers, left out", get<&building::LawAnswer::failed>},
     {"peak_mm", "", "", "`p16`, `p50`, `p84`, `p95` of `isolator_mm`", nested<building::LawAnswer>},
@@ -91,6 +93,13 @@ inline constexpr Result<building::LawAnswer> answer_results[]{
     {"quantities", "", "", "by key, each as below", nested<building::LawAnswer>},
     {"bearings", "", "",
      "in the order of the plan, means over draws and motions: `displacement_mm`, the largest; `energy_share`, of the work on all",
+     nested<building::LawAnswer>},
+    {"doubts", "", "", "what is known against its calibration, a sentence each", get<&building::LawAnswer::doubts>},
+    {"floor_spectra", "", "",
+     "of the nominal building, 5 % damped pseudo-accelerations, means over the motions: `periods_s`; `floors_g`, of every slab from the base",
+     nested<building::LawAnswer>},
+    {"loops", "", "",
+     "of every bearing under the motion that moves the nominal building most: `motion` its place, `of` the first draw or the nominal building, `step_s`; of the base's centre of mass `x_mm`, `y_mm`, `rotation_rad`; `bearings` with `x_kN`, `y_kN`; at most 500 points",
      nested<building::LawAnswer>},
     {"checked", "", "", "the nominal building under each motion, as below", nested<building::LawAnswer>},
     {"histories", "", "", "of the nominal building under each motion, as below", nested<building::LawAnswer>},

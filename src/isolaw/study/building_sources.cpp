@@ -7,13 +7,34 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/laws/catalogue.hpp"
+#include "isolaw/study/build_summary.hpp"
+#include "isolaw/study/doubts.hpp"
 #include "isolaw/study/draws.hpp"
 #include "isolaw/study/recommendation.hpp"
 
 namespace isolaw::study {
 
-building::LawSource law_source(campaign::Contents const& contents, Summary const& summary, std::string_view law_id,
-                               std::string_view place) {
+namespace {
+
+std::vector<std::string> doubts_of(Summary const& summary, std::string_view law,
+                                   std::vector<building::BearingPlace> const& bearings) {
+  std::vector<std::string> made;
+  auto const add = [&](Doubts const& doubts, std::string const& of) {
+    auto sentences = doubts.warnings;
+    if (!doubts.objection.empty()) sentences.push_back(doubts.objection);
+    for (auto const& sentence : sentences)
+      if (auto text = of + sentence; std::ranges::find(made, text) == made.end()) made.push_back(std::move(text));
+  };
+  add(doubts(summary, law, std::nullopt), "");
+  for (auto const& bearing : bearings)
+    if (bearing.stands == building::Stands::device &&
+        std::ranges::find(summary.devices, bearing.device, &DeviceResult::name) != summary.devices.end())
+      add(doubts(summary, law, bearing.device), bearing.device + ": ");
+  return made;
+}
+
+building::LawSource source_of(campaign::Contents const& contents, Summary const& summary, std::string_view law_id,
+                              std::string_view place) {
   auto const& entry = laws::find_law(law_id);
   auto const where = fmt::format("{}, law {}", place, law_id);
   auto const law = std::ranges::find(summary.laws, law_id, &LawResult::id);
@@ -55,6 +76,37 @@ building::LawSource law_source(campaign::Contents const& contents, Summary const
     made.median[i] = columns[i].place ? made.population.medians[*columns[i].place] : columns[i].value;
   }
   made.limits = limits_of(made.population, entry);
+  return made;
+}
+
+// The campaign with a law's springs in place of the law; nullopt: they were not fitted on every device and the lot.
+std::optional<campaign::Contents> with_springs_of(campaign::Contents contents, std::string_view law) {
+  bool any = false;
+  for (auto& analysis : contents.device_analyses) {
+    if (analysis.law != law) continue;
+    if (!analysis.springs) return std::nullopt;
+    analysis.determination.optimum = analysis.springs->parameters;
+    any = true;
+  }
+  for (auto& analysis : contents.lot_analyses) {
+    if (analysis.law != law || analysis.mean.parameters.empty()) continue;
+    if (!analysis.springs) return std::nullopt;
+    analysis.mean.parameters = analysis.springs->parameters;
+  }
+  return any ? std::optional(std::move(contents)) : std::nullopt;
+}
+
+}  // namespace
+
+building::LawSource law_source(campaign::Contents const& contents, Summary const& summary, std::string_view law,
+                               std::string_view where, building::BuildingFile const& file) {
+  auto made = source_of(contents, summary, law, where);
+  if (building::coupling_in(file, made) == building::Coupling::springs)
+    if (auto const springs = with_springs_of(contents, law)) {
+      made = source_of(*springs, build_summary(*springs), law, where);
+      made.as_springs = true;
+    }
+  made.doubts = doubts_of(summary, law, file.bearings);
   return made;
 }
 

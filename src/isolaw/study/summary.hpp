@@ -82,6 +82,8 @@ struct DeviceFit {
   std::optional<double> lot_objective;       // with the one law of the lot, of least mean objective
   std::optional<double> worst_objective;     // with the law that is least bad for the worst device
   std::optional<double> left_out_objective;  // with the law of all other devices
+  // As springs around the circle, along the test: fitted as such, and with the parameters of the law.
+  std::optional<double> springs_objective, springs_given_objective;
   std::vector<BlockScore> blocks;
   std::optional<EnergyFall> energy_fall;       // empty where the device does not lose energy steadily
   std::vector<ParameterFit> parameters;        // in the law's order

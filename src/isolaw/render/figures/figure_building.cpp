@@ -1,5 +1,6 @@
 // The isolated building: how its draws are spread between the bound analyses, and what the spread is made of.
 #include <algorithm>
+#include <array>
 
 #include "isolaw/base/words.hpp"
 #include "isolaw/laws/catalogue.hpp"
@@ -10,8 +11,9 @@
 namespace isolaw::render {
 namespace {
 
-building::Quantity const& covered_quantity(std::size_t i) {
-  return *std::ranges::find(building::quantities(), building::covered_quantities[i], &building::Quantity::key);
+constexpr std::array<std::string_view, 2> drawn{"isolator_mm", "shear_over_weight"};
+building::Quantity const& drawn_quantity(std::size_t i) {
+  return building::quantity(drawn.at(i));
 }
 
 building::Distribution const& distribution_of(building::LawAnswer const& law, building::Quantity const& quantity) {
@@ -29,11 +31,11 @@ struct Line {
   int style = black, dash = 1;
 };
 
-// Of every law one row, of every quantity that bounds are asked to cover one column.
+// Of every law one row, of every quantity that is drawn one column.
 Figure histograms_figure(building::Answers const& answers) {
   std::string const name = "building_histograms";
   std::string const about = "draws of the building between the bound analyses";
-  auto const columns = std::size(building::covered_quantities);
+  auto const columns = drawn.size();
   Grid const grid{.columns = static_cast<int>(columns),
                   .rows = static_cast<int>(answers.laws.size()),
                   .width_mm = double_column_mm,
@@ -48,7 +50,7 @@ Figure histograms_figure(building::Answers const& answers) {
   std::vector<Range> ranges(columns);
   for (std::size_t q = 0; q < columns; ++q)
     for (auto const& law : answers.laws) {
-      auto const& d = distribution_of(law, covered_quantity(q));
+      auto const& d = distribution_of(law, drawn_quantity(q));
       auto const& h = d.histogram;
       for (double const v :
            {d.lower, d.nominal, d.upper, h.from, h.from + h.width * static_cast<double>(h.counts.size())})
@@ -58,7 +60,7 @@ Figure histograms_figure(building::Answers const& answers) {
   for (std::size_t l = 0; l < answers.laws.size(); ++l)
     for (std::size_t q = 0; q < columns; ++q, ++panel) {
       auto const& law = answers.laws[l];
-      auto const& d = distribution_of(law, covered_quantity(q));
+      auto const& d = distribution_of(law, drawn_quantity(q));
       auto const& h = d.histogram;
       double all = 0.0;
       for (auto const count : h.counts) all += static_cast<double>(count);
@@ -71,7 +73,7 @@ Figure histograms_figure(building::Answers const& answers) {
       script.line("set xrange [{}:{}]; set yrange [0:{}]", number(range.low), number(range.high),
                   number(all > 0.0 ? 108.0 * static_cast<double>(std::ranges::max(h.counts)) / all : 1.0));
       script.line("set xlabel {} offset 0,raise; set ylabel 'Draws (%)' offset inward,0",
-                  axis_label(covered_quantity(q)));
+                  axis_label(drawn_quantity(q)));
       script.line("set label 1 {} at graph 0,1.07 left noenhanced", gnuplot_string(laws::called(law.law)));
       int arrow = 1;
       for (auto const& line : {Line{d.lower, vermillion, 1}, Line{d.nominal, black, 3}, Line{d.upper, vermillion, 2}})
@@ -90,7 +92,7 @@ Figure variance_figure(building::Answers const& answers) {
   Margins const margins{.left = 13.0, .right = 3.0, .bottom = 10.0, .top = 10.5};  // two rows of the key
   constexpr std::size_t most_in_a_column = 3;
   auto const grid = grid_of(1, 42.0, margins, answers.laws.size() > most_in_a_column ? 1 : 2);
-  auto const& quantity = covered_quantity(0);
+  auto const& quantity = drawn_quantity(0);
   bool const uncertain = std::ranges::any_of(
       answers.laws, [&](auto const& law) { return distribution_of(law, quantity).uncertain_std_ln.has_value(); });
   DataTable table;

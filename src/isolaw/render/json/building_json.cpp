@@ -9,7 +9,7 @@ namespace isolaw::render {
 namespace {
 
 constexpr int building_schema = 1;
-constexpr int history_digits = 5;
+constexpr int history_digits = 5, spectrum_digits = 4;
 constexpr double mm_per_m = 1e3, standard_gravity_mm_s2 = 9806.65;
 
 class BuildingWriter {
@@ -83,6 +83,8 @@ class BuildingWriter {
   void quantities() {
     each("quantities", building::quantities(), [&](building::Quantity const& row) {
       out_.member("key", row.key).member("title", row.title).member("unit", row.unit).member("meaning", row.meaning);
+      out_.key("uncovered");
+      row.uncovered.empty() ? out_.null() : out_.value(row.uncovered);
     });
   }
 
@@ -116,7 +118,7 @@ class BuildingWriter {
     if (!law.coverage.empty()) write_results(out_, coverage_results, law.coverage.front(), digits_);
     out_.key("of").begin_object();
     for (std::size_t i = 0; i < law.coverage.size(); ++i) {
-      out_.key(building::covered_quantities[i]).begin_object();
+      out_.key(law.coverage[i].quantity).begin_object();
       write_results(out_, coverage_results, law.coverage[i], digits_);
       out_.end_object();
     }
@@ -139,6 +141,22 @@ class BuildingWriter {
     out_.end_array();
   }
 
+  void loops(building::BearingLoops const& of) {
+    out_.member("motion", std::uint64_t{of.motion}).member("of", of.drawn ? "draw 1" : "nominal");
+    number("step_s", of.step_s);
+    out_.key("x_mm").line(of.x_mm, history_digits);
+    out_.key("y_mm").line(of.y_mm, history_digits);
+    out_.key("rotation_rad").line(of.rotation_rad, history_digits);
+    out_.key("bearings").begin_array();
+    for (std::size_t j = 0; j < of.force_x_kN.size(); ++j) {
+      out_.begin_object();
+      out_.key("x_kN").line(of.force_x_kN[j], spectrum_digits);
+      out_.key("y_kN").line(of.force_y_kN[j], spectrum_digits);
+      out_.end_object();
+    }
+    out_.end_array();
+  }
+
   void of_law(building::LawAnswer const& law, std::string_view key) {
     if (key == "coverage") return coverage(law);
     if (key == "histories") return histories(law);
@@ -153,6 +171,13 @@ class BuildingWriter {
       return;
     }
     out_.begin_object();
+    if (key == "floor_spectra") {
+      out_.key("periods_s").line(building::spectrum_periods_s(), spectrum_digits);
+      out_.key("floors_g").begin_array();
+      for (auto const& floor : law.floor_spectra_g) out_.line(floor, spectrum_digits);
+      out_.end_array();
+    }
+    if (key == "loops") loops(law.loops);
     if (key == "peak_mm") fractiles(law.distributions.front().fractiles);
     if (key == "bearings") {
       out_.key("displacement_mm").line(law.bearing_mm, history_digits);

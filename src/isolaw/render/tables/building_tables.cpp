@@ -13,8 +13,9 @@ namespace {
 constexpr auto distribution_columns =
     study::columns(study::distribution_results, {"lower", "nominal", "upper", "p16", "p50", "p84", "p95",
                                                  "motion_std_ln", "lot_std_ln", "lot_share", "uncertain_std_ln"});
-constexpr auto coverage_columns = study::columns(
-    study::coverage_results, {"inside", "lower", "upper", "below", "above", "factor_low", "factor_high"});
+constexpr auto coverage_columns =
+    study::columns(study::coverage_results,
+                   {"inside", "lower", "upper", "below", "above", "factor_low", "factor_high", "not_monotonic"});
 constexpr auto checked_columns = study::columns(
     study::checked_results, {"outcome", "isolator_mm", "energy_error", "step_s", "missed_mm", "lanes_off_percent",
                              "equivalent_mm", "equivalent_error_percent", "equivalent_period_s", "equivalent_damping"});
@@ -41,7 +42,7 @@ std::string coverage_csv(building::Answers const& answers) {
   table.add("law", "draws", "quantity").head(coverage_columns).end_row();
   for (auto const& law : answers.laws)
     for (std::size_t i = 0; i < law.coverage.size(); ++i)
-      table.add(law.law, law.draws, building::covered_quantities[i]).cells(coverage_columns, law.coverage[i]).end_row();
+      table.add(law.law, law.draws, law.coverage[i].quantity).cells(coverage_columns, law.coverage[i]).end_row();
   return table.take();
 }
 
@@ -81,14 +82,10 @@ std::string building_tex(building::Study const& study, building::Answers const& 
     }
     for (std::size_t i = 0; i < law.coverage.size(); ++i) {
       auto const& c = law.coverage[i];
-      auto const& row =
-          *std::ranges::find(building::quantities(), building::covered_quantities[i], &building::Quantity::key);
       text += fmt::format(
-          "\\multicolumn{{10}}{{@{{}}l}}{{Bounds cover {:.1f}\\,\\% ({:.0f} to {:.0f}\\,\\%) in {}{}}} \\\\\n",
-          100.0 * c.inside, 100.0 * c.interval_low, 100.0 * c.interval_high, latex_text(row.title),
-          c.factor_low ? fmt::format("; factors of {:.2f} and {:.2f} would cover {:.0f}\\,\\%", *c.factor_low,
-                                     *c.factor_high, 100.0 * building::enough)
-                       : std::string());
+          "\\multicolumn{{10}}{{@{{}}l}}{{Bounds cover {:.1f}\\,\\% ({:.0f} to {:.0f}\\,\\%) in {}; {}}} \\\\\n",
+          100.0 * c.inside, 100.0 * c.interval_low, 100.0 * c.interval_high,
+          latex_text(building::quantity(c.quantity).title), latex_text(building::factors_text(c)));
     }
   }
   return text + "\\bottomrule\n\\end{tabular}\n";

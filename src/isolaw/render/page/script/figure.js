@@ -1,6 +1,6 @@
 // A figure of the page: its place, its drawing, and when it is drawn again.
 // In its file: {id, title, width ('half', 'wide', 'narrow'), wanted, depends, caption, csv, controls, build or height
-// and draw}. `depends` names the choices that change it.
+// and draw, clicked: what a click on a point of it does}. `depends` names the choices that change it.
 
 import { download } from './csv.js';
 import { element } from './dom.js';
@@ -31,6 +31,10 @@ export function render(figure) {
     ...PLOT_CONFIG,
     displayModeBar: width > 480 ? 'hover' : false,
   });
+  if (figure.clicked && !place.listens) {
+    place.body.on('plotly_click', ({ points }) => points.length > 0 && figure.clicked(points[0]));
+    place.listens = true;
+  }
   describe(place.body, [figure.title, figure.caption?.()].filter(Boolean).join('. '));
 }
 

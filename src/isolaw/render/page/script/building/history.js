@@ -64,6 +64,27 @@ export const historySection = {
         layout: layout('x [mm]', 'y [mm]', { yaxis: { scaleanchor: 'x' } }),
       }),
     },
+    {
+      id: 'spectra',
+      title: 'Floor spectra',
+      depends: ['laws'],
+      caption: () => 'What equipment of a period feels on the roof (solid) and on the base (dotted): 5\u202f% damped pseudo-acceleration of the nominal building, mean over the motions.',
+      csv: () => ({
+        columns: ['law', 'period [s]', ...shown().slice(0, 1).flatMap((law) => law.floor_spectra.floors_g.map((_, floor) => (floor === 0 ? 'base' : 'floor ' + floor) + ' [g]'))],
+        rows: shown().flatMap((law) => law.floor_spectra.periods_s.map((period, i) => [law.id, period, ...law.floor_spectra.floors_g.map((floor) => floor[i])])),
+      }),
+      height: () => 320,
+      draw: (look) => ({
+        traces: shown().flatMap((law) => {
+          const { periods_s: x, floors_g: floors } = law.floor_spectra;
+          return [['roof', floors.length - 1, 'solid'], ['base', 0, 'dot']].slice(0, floors.length > 1 ? 2 : 1).map(([place, floor, dash]) => ({
+            name: law.name + ', ' + place, mode: 'lines', x, y: floors[floor], line: { color: look.law(law), width: 1.5, dash },
+            hovertemplate: '%{x:.2f} s, %{y:.3f} g<extra>' + plain(law.name) + ', ' + place + '</extra>',
+          }));
+        }),
+        layout: layout('period [s]', 'pseudo-acceleration [g]', { xaxis: { type: 'log' }, yaxis: { rangemode: 'tozero' } }),
+      }),
+    },
   ],
 };
 

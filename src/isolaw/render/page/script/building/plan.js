@@ -2,7 +2,8 @@
 
 import { tableOf } from '../tables.js';
 import { atTheHead, mean, plain, rangeText, unitText } from '../text.js';
-import { chosen, laws, numberText, placeChooser, quantityOf, study, unitOf } from './study.js';
+import { LEGEND } from '../plotting.js';
+import { choose, chosen, laws, numberText, placeChooser, quantityOf, study, unitOf } from './study.js';
 
 const KINDS = { draw: ['draw of the lot', 'circle'], lot: ['law of the lot', 'square'], lower: ['lower bound', 'triangle-down'], upper: ['upper bound', 'triangle-up'] };
 const kindOf = ({ is }) => (Object.hasOwn(KINDS, is) ? KINDS[is] : ['tested device', 'diamond']);
@@ -13,9 +14,12 @@ export const planSection = {
   id: 'plan',
   title: 'Plan and torsion',
   short: 'Plan',
-  controls: () => (laws.length > 1 ? [placeChooser('law-of-plan', 'Law', laws.map((law) => law.name), 'law')] : []),
+  controls: () => [
+    ...(laws.length > 1 ? [placeChooser('law-of-plan', 'Law', laws.map((law) => law.name), 'law')] : []),
+    placeChooser('bearing', 'Bearing', study.plan.bearings.map(nameOf), 'bearing'),
+  ],
   figures: [
-    { id: 'plan', title: 'Bearings in plan', width: 'wide', depends: ['law'], caption, csv: planData, height: (width) => Math.min(460, 120 + 0.62 * width), draw: plan },
+    { id: 'plan', title: 'Bearings in plan', width: 'wide', depends: ['law', 'bearing'], caption, csv: planData, clicked: ({ customdata }) => customdata !== undefined && choose({ bearing: customdata }), height: (width) => Math.min(460, 120 + 0.62 * width), draw: plan },
     {
       id: 'torsion',
       title: 'Torsion',
@@ -28,8 +32,57 @@ export const planSection = {
       }),
       build: torsion,
     },
+    {
+      id: 'loops',
+      title: 'Loop of a bearing',
+      depends: ['law', 'bearing'],
+      caption: () =>
+        nameOf(study.plan.bearings[chosen.bearing], chosen.bearing) + ', ' + laws[chosen.law].name + ', under ' + study.motions[laws[chosen.law].loops.motion].name + ', ' +
+        (laws[chosen.law].loops.of === 'nominal' ? 'of the nominal building' : 'of the first building drawn') + '. Another: a click in plan, or the choice above.',
+      csv: loopData,
+      height: () => 380,
+      draw: loop,
+    },
   ],
 };
+
+const nameOf = ({ x_m: x, y_m: y }, i) => 'Bearing ' + (i + 1) + ' at ' + numberText(x) + ', ' + numberText(y) + ' m';
+
+// The way of a bearing: that of the centre of mass, and what the rotation adds.
+function wayOf(law, place) {
+  const { x_mm: x, y_mm: y, rotation_rad: turned } = law.loops,
+    { centre, bearings } = study.plan;
+  const dx = 1e3 * (bearings[place].x_m - centre.x_m),
+    dy = 1e3 * (bearings[place].y_m - centre.y_m);
+  return { x: x.map((mm, i) => mm - dy * turned[i]), y: y.map((mm, i) => mm + dx * turned[i]) };
+}
+
+function loop(look) {
+  const law = laws[chosen.law],
+    way = wayOf(law, chosen.bearing),
+    force = law.loops.bearings[chosen.bearing];
+  const axes = study.motions[law.loops.motion].components === 2 ? ['x', 'y'] : ['x'];
+  return {
+    traces: axes.map((axis, i) => ({
+      name: 'along ' + axis, mode: 'lines', x: way[axis], y: force[axis + '_kN'], line: { color: look.colour(i === 0 ? 'accent' : 'muted'), width: 1.4 },
+      hovertemplate: '%{x:.1f} mm, %{y:.1f} kN<extra>along ' + axis + '</extra>',
+    })),
+    layout: {
+      showlegend: axes.length > 1, legend: LEGEND, margin: { l: 60, r: 12, t: axes.length > 1 ? 30 : 10, b: 44 },
+      xaxis: { title: 'displacement of the bearing [mm]' }, yaxis: { title: 'force [kN]' },
+    },
+  };
+}
+
+function loopData() {
+  const law = laws[chosen.law],
+    way = wayOf(law, chosen.bearing),
+    force = law.loops.bearings[chosen.bearing];
+  return {
+    columns: ['time [s]', 'x [mm]', 'y [mm]', 'force x [kN]', 'force y [kN]'],
+    rows: way.x.map((x, i) => [i * law.loops.step_s, x, way.y[i], force.x_kN[i], force.y_kN[i]]),
+  };
+}
 
 function caption() {
   const { displacement_mm: moved } = laws[chosen.law].bearings;
@@ -60,10 +113,10 @@ function plan(look) {
       ...kinds.map((kind) => {
         const some = bearings.map((bearing, i) => ({ ...bearing, i })).filter((bearing) => kindOf(bearing)[0] === kind);
         return {
-          name: kind, mode: 'markers', x: some.map(({ x_m: x }) => x), y: some.map(({ y_m: y }) => y),
+          name: kind, mode: 'markers', x: some.map(({ x_m: x }) => x), y: some.map(({ y_m: y }) => y), customdata: some.map(({ i }) => i),
           marker: {
             symbol: kindOf(some[0])[1], size: 15, color: some.map(({ i }) => 0.5 + (0.5 * (moved[i] - usual)) / most), cmin: 0, cmax: 1,
-            colorscale: [[0, look.colour('grid')], [1, look.colour('accent')]], line: { color: look.colour('accent'), width: 1 },
+            colorscale: [[0, look.colour('grid')], [1, look.colour('accent')]], line: { color: some.map(({ i }) => look.colour(i === chosen.bearing ? 'ink' : 'accent')), width: some.map(({ i }) => (i === chosen.bearing ? 3 : 1)) },
           },
           text: some.map(({ is, i }) => plain(is) + '<br>' + numberText(moved[i]) + ' mm, ' + numberText(100 * share[i]) + ' % of the work'),
           hovertemplate: '%{text}<extra></extra>',

@@ -48,7 +48,7 @@ export const spreadSection = {
 };
 
 function insideText() {
-  if (!isCovered(chosen.quantity)) return '';
+  if (!isCovered(chosen.quantity)) return 'No coverage: ' + quantity().uncovered + '.';
   const inside = laws.map((law) => law.name + ' ' + Math.round(100 * law.coverage.of[chosen.quantity].inside) + '\u202f%');
   return 'Between the bounds: ' + inside.join(', ') + '.';
 }

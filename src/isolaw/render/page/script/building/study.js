@@ -26,6 +26,7 @@ const made = choices({
   quantity: 'isolator_mm',
   law: 0, // of the plan and of single motions
   motion: 0,
+  bearing: 0, // whose loop is shown
   axis: 'x',
   laws: new Set([0]), // of histories
 });

@@ -1,0 +1,104 @@
+#include "isolaw/api/building_work.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+#include <utility>
+
+#include "isolaw/api/campaign_directory.hpp"
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
+#include "isolaw/render/write.hpp"
+#include "isolaw/study/build_summary.hpp"
+#include "isolaw/study/building_sources.hpp"
+
+namespace isolaw {
+namespace {
+
+// Row by row as numpy has them: [law][draw][motion][measure].
+std::vector<double> measured_of_draws(building::Study const& study, building::RunStore const& store,
+                                      std::size_t measures) {
+  auto const cases = building::cases_of(study.file.settings);
+  auto const first = static_cast<std::size_t>(
+      std::ranges::find(cases, building::CaseKind::draw, &building::Case::kind) - cases.begin());
+  auto const draws = static_cast<std::size_t>(study.file.settings.draws), motions = study.file.motions.size();
+  std::vector<double> made(study.laws.size() * draws * motions * measures, std::nan(""));
+  for (std::size_t law = 0; law < study.laws.size(); ++law)
+    for (std::size_t motion = 0; motion < motions; ++motion)
+      store.each(law, motion, [&](std::size_t place, std::vector<double> const& measured) {
+        if (place < first || place >= first + draws || measured.size() != measures) return;
+        auto const row = (law * draws + place - first) * motions + motion;
+        std::ranges::copy(measured, made.begin() + static_cast<std::ptrdiff_t>(row * measures));
+      });
+  return made;
+}
+
+}  // namespace
+
+std::vector<double> peaks_of(StudiedBuilding const& of, std::string_view quantity) {
+  auto const rows = building::quantities();
+  auto const row = std::ranges::find(rows, quantity, &building::Quantity::key);
+  if (row == rows.end()) {
+    std::vector<std::string_view> keys;
+    for (auto const& one : rows) keys.push_back(one.key);
+    throw Error({.where = "quantity", .found = in_quotes(quantity), .allowed = joined(keys)});
+  }
+  std::vector<double> made;
+  auto const width = of.layout.count();
+  for (std::size_t at = 0; at < of.measured.size(); at += width) {
+    auto const measured = std::span(of.measured).subspan(at, width);
+    bool const finite = std::ranges::all_of(measured, [](double v) { return std::isfinite(v); });
+    made.push_back(finite ? row->of(of.layout, measured, of.answers.value().weight_kN) : std::nan(""));
+  }
+  return made;
+}
+
+building::Study building_study(building::BuildingFile file, campaign::Contents const& contents,
+                               std::string const& where) {
+  auto const summary = study::build_summary(contents);
+  building::Study made{.file = std::move(file), .laws = {}};
+  auto& wanted = made.file.settings.laws;
+  if (wanted.empty()) wanted.push_back(study::recommended_law(summary, where));
+  for (auto const& law : wanted) made.laws.push_back(study::law_source(contents, summary, law, where, made.file));
+  return made;
+}
+
+StudiedBuilding study_building(building::Study study, BuildingWork const& options) {
+  if (options.part && !options.directory)
+    throw Error({.where = "part " + campaign::text(*options.part),
+                 .found = "no directory",
+                 .allowed = "a directory of its own for each part, from which they are merged"});
+  // Before anything is made: what is no building, or of no lot, is said first.
+  building::Model const model(building::Structure(study.file.frame), study.file.plan());
+  for (auto const& motion : study.file.motions) building::require_sound(motion);
+  for (auto const& law : study.laws) building::Devices(law, study.file);
+  std::optional<TemporaryDirectory> nowhere;
+  if (!options.directory) nowhere.emplace();
+  auto const directory = options.directory.value_or(nowhere ? nowhere->path() : std::filesystem::path());
+  make_directory(directory);
+  DirectoryLock const lock(directory);
+  auto const file = directory / building_store_name;
+  auto traits = building::traits_of(study);
+  traits.insert(traits.end(), options.words_of_part.begin(), options.words_of_part.end());
+  render::remove_leftovers(directory);
+  if (options.fresh) render::remove_building_outputs(directory);
+  std::optional<building::RunStore> store(std::in_place, file, traits, options.fresh);
+  auto const threads =
+      options.jobs > 0 ? static_cast<std::size_t>(options.jobs) : std::max(1U, std::thread::hardware_concurrency());
+  StudiedBuilding made{.study = std::move(study), .answers = {}, .measured = {}, .layout = model.layout()};
+  made.complete =
+      building::run_all(made.study, *store, threads,
+                        {.progress = options.progress, .part = options.part, .interrupted = options.interrupted});
+  made.runs = store->runs_there();
+  if (made.complete && !options.part) {
+    made.answers = building::answer(made.study, *store);
+    made.measured = measured_of_draws(made.study, *store, made.layout.count());
+  }
+  store.reset();
+  building::RunStore::put_in_order(file);
+  if (made.answers && options.directory) render::write_building_outputs(made.study, *made.answers, directory);
+  return made;
+}
+
+}  // namespace isolaw
