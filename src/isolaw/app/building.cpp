@@ -220,7 +220,8 @@ Holds what_it_holds(std::filesystem::path const& path) {
   std::error_code unknown;
   bool const study = path.filename() == building_store_name;
   if (std::filesystem::is_regular_file(path, unknown)) return {!study, study};
-  return {std::filesystem::exists(path / store_name, unknown), std::filesystem::exists(path / building_store_name, unknown)};
+  return {std::filesystem::exists(path / store_name, unknown),
+          std::filesystem::exists(path / building_store_name, unknown)};
 }
 
 [[noreturn]] void refuse_both(std::filesystem::path const& where, std::string found, std::string advice) {
