@@ -29,7 +29,7 @@ wait_for() {
   fail "not within $seconds s: $*"
 }
 
-campaign=(--laws 'abe,hwang-wu' --method ga --runs 4 --population 60 --generations 60 --samples-per-cycle 60
+campaign=(--laws 'abe,hwang-wu' --method ga --runs 4 --population 60 --generations 150 --samples-per-cycle 60
   --analysis none --figures none)
 out="out 'put"
 "$isolaw" example lot >/dev/null
