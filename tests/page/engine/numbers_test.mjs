@@ -22,8 +22,9 @@ async function compare(name, inputs, files, options) {
   const out = join(work, name);
   const said = await engine.identify({ inputs, files, options });
   assert.equal(said.code, 0, said.stderr);
-  lay(said.files, join(out, 'page'));
-  // Every objective again from its parameters, within 1e-9 of itself (fit::evaluation_tolerance), and every row of the store.
+  // Every objective again from its parameters, within 1e-9 of itself (fit::evaluation_tolerance), and every row of the
+  // store; not the reports beside it, whose numbers may differ in the last digit.
+  lay(said.files.filter(({ path }) => path === 'out/campaign.sqlite'), join(out, 'page'));
   const check = native(['check', join(out, 'page/out')]);
   assert.equal(check.code, 0, check.stdout + check.stderr);
   // The native report of the page's campaign.
@@ -50,8 +51,9 @@ test('the self-test of the page', async () => {
   assert.ok(ok, found + ', not ' + expected);
 });
 
+assert.equal(native(['example', 'example']).code, 0);
+
 test('the paper\'s laws on the example lot', async () => {
-  assert.equal(native(['example', 'example']).code, 0);
   await compare('example', ['example/lot.toml'], filesIn(join(work, 'example'), 'example'), ['--laws', 'paper', '--runs', '1', '--analysis', 'none']);
 });
 
