@@ -110,6 +110,11 @@ TEST_F(Building, from_template_to_verdict) {
   EXPECT_TRUE(contains(nominal.out, "bilinear,motion-7-x,completed,")) << nominal;
   EXPECT_TRUE(contains(read_file(directory() / "N/histories/bilinear-7.csv"), "acceleration_5_y [mm/s2]"));
   EXPECT_FALSE(std::filesystem::exists(directory() / "N/building.sqlite"));
+  // Nothing is made of what is no building.
+  write("case/none.toml", text + "\n[[bearing]]\nx_m = 0.0\ny_m = 0.0\nis = \"nobody\"\n");
+  expect_refused(isolaw({"building", "case/none.toml", "--from", "lot", "--out", "Z", "--nominal"}),
+                 {"no device 'nobody'"});
+  EXPECT_FALSE(std::filesystem::exists(directory() / "Z"));
   // Three places for the three devices that were tested.
   change("along = 7", "along = 3");
   change("across = 4", "across = 1");

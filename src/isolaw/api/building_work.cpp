@@ -64,15 +64,18 @@ building::Study building_study(building::BuildingFile file, campaign::Contents c
   return made;
 }
 
+building::Model possible(building::Study const& study) {
+  for (auto const& motion : study.file.motions) building::require_sound(motion);
+  for (auto const& law : study.laws) building::Devices(law, study.file);
+  return {building::Structure(study.file.frame), study.file.plan()};
+}
+
 StudiedBuilding study_building(building::Study study, BuildingWork const& options) {
   if (options.part && !options.directory)
     throw Error({.where = "part " + campaign::text(*options.part),
                  .found = "no directory",
                  .allowed = "a directory of its own for each part, from which they are merged"});
-  // Before anything is made: what is no building, or of no lot, is said first.
-  building::Model const model(building::Structure(study.file.frame), study.file.plan());
-  for (auto const& motion : study.file.motions) building::require_sound(motion);
-  for (auto const& law : study.laws) building::Devices(law, study.file);
+  auto const model = possible(study);
   std::optional<TemporaryDirectory> nowhere;
   if (!options.directory) nowhere.emplace();
   auto const directory = options.directory.value_or(nowhere ? nowhere->path() : std::filesystem::path());

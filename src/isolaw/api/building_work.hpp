@@ -24,6 +24,9 @@ inline constexpr char const* building_store_name = "building.sqlite";
 building::Study building_study(building::BuildingFile file, campaign::Contents const& contents,
                                std::string const& where = "the campaign");
 
+// Its model; asked before anything is made. Throws Error: what is no building, or of no lot.
+building::Model possible(building::Study const& study);
+
 struct BuildingWork {
   int jobs = 0;                                         // threads; 0: one per core
   std::optional<std::filesystem::path> directory = {};  // where runs and reports are kept; empty: nowhere

@@ -173,6 +173,7 @@ int building(BuildingArguments const& a, std::vector<std::string> const& command
              .allowed = "a tested device for each place"});
   auto const figures = render::figure_choice(a.figures);
   auto const out = a.out.value_or(std::filesystem::path("out") / "building");
+  possible(study);
   if (a.nominal) return nominal_alone(study, out);
   BuildingWork options{.jobs = a.jobs.value_or(0), .directory = out, .fresh = a.fresh, .part = part};
   if (part)
