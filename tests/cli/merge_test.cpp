@@ -153,7 +153,7 @@ TEST_F(Merge, takes_what_others_have_examined_of_devices) {
   ASSERT_EQ(examine("2/2").code, 0);  // again: nothing is left to do
   auto const examined = [&](char const* store) { return stored_rows(path(store), "device_analysis"); };
   EXPECT_EQ(examined("E1/campaign.sqlite") + examined("E2/campaign.sqlite"), 6);
-  EXPECT_EQ(examined("E1/campaign.sqlite"), 3);
+  EXPECT_GE(std::min(examined("E1/campaign.sqlite"), examined("E2/campaign.sqlite")), 1);
   EXPECT_EQ(stored_rows(path("E1/campaign.sqlite"), "lot_analysis"), 0);
   expect_message(isolaw(merge(all(), {"E1", "E2"})), 1, {"24 runs and 6 examinations of devices copied"});
   expect_as_one_machine();
