@@ -203,6 +203,8 @@ TEST_F(Calibrate, summary_has_the_documented_schema) {
                                   "lot_objective",
                                   "worst_objective",
                                   "left_out_objective",
+                                  "springs_objective",
+                                  "springs_given_objective",
                                   "blocks",
                                   "measured_energy_fall_percent",
                                   "energy_fall_percent"}));
@@ -472,7 +474,7 @@ TEST_F(Calibrate, store_holds_raw_and_cleaned_records_and_the_objectives_history
             (Words{"fit|disp_mm|601", "fit|force_kN|601", "fit|time_s|601", "fit|vel_mm_s|601", "raw|disp_mm|601",
                    "raw|force_kN|601", "raw|load_kN|601", "raw|time_s|601"}));
   EXPECT_EQ(query(store, "SELECT DISTINCT length(history) / 8, evaluations FROM run"), Words{"5|100"});
-  EXPECT_EQ(query(store, "SELECT value FROM meta WHERE key = 'schema'"), Words{"8"});
+  EXPECT_EQ(query(store, "SELECT value FROM meta WHERE key = 'schema'"), Words{"9"});
   EXPECT_EQ(query(store, "PRAGMA journal_mode"), Words{"delete"});
 }
 

@@ -134,9 +134,10 @@ TEST_F(LotFile, missing_lot_file_is_said_to_be_missing) {
 }
 
 TEST_F(LotFile, unknown_key_names_line_and_allowed_keys) {
-  expect_refused(run("[calibrate]\nrunz = 3\n" + std::string(device)),
-                 {"lot.toml:2: unknown key 'runz' in [calibrate]", "allowed: analysis, box, center, columns",
-                  "runs, samples-per-cycle, score-blocks, seed"});
+  expect_refused(
+      run("[calibrate]\nrunz = 3\n" + std::string(device)),
+      {"lot.toml:2: unknown key 'runz' in [calibrate]", "allowed: analysis, bidirectional, box, center, columns",
+       "runs, samples-per-cycle, score-blocks, seed"});
   expect_refused(run(std::string(device) + "colour = \"red\"\n"),
                  {"lot.toml:4: unknown key 'colour' in [[device]]", "allowed: K_v, columns, date-order, dt, file",
                   "temperature-C, test, test-date"});
