@@ -132,7 +132,8 @@ Merged merge(Path const& out, std::vector<Path> const& parts, MergeOptions const
   auto const me = this_maker();
   Merged merged;
   std::optional<First> first;
-  Path dealt;  // the first that says into how many
+  Path dealt;               // the first that says into how many
+  std::vector<Path> whole;  // which are no parts: of them what was examined is taken too
   auto const examine = [&](Path const& file) {
     auto const campaign = Store::read_beginning(file);
     require_sound(file, campaign.part);
@@ -141,7 +142,10 @@ Merged merge(Path const& out, std::vector<Path> const& parts, MergeOptions const
       require_same_campaign(*first, file, campaign);
     else
       first = First{file, campaign, Store::hashes_of_beginning(file)};
-    if (!campaign.part) return;
+    if (!campaign.part) {
+      if (file != out) whole.push_back(file);
+      return;
+    }
     if (merged.parts != 0 && merged.parts != campaign.part->of)
       throw Error(
           {.where = file.string(),
@@ -176,9 +180,9 @@ Merged merge(Path const& out, std::vector<Path> const& parts, MergeOptions const
   }
   for (auto const& file : files) examine(file);
   if (!continues) {
-    auto whole = Store::read_beginning_and_series(files.front());
-    whole.part.reset();
-    Store::create(out, whole, options.before_replacing).finish();
+    auto beginning = Store::read_beginning_and_series(files.front());
+    beginning.part.reset();
+    Store::create(out, beginning, options.before_replacing).finish();
   }
   {
     auto store = Store::open(out);
@@ -194,10 +198,11 @@ Merged merge(Path const& out, std::vector<Path> const& parts, MergeOptions const
   tell_missing(out, merged, options);
   if (merged.missing == 0) {
     // What was examined rests on the best of all runs.
-    std::erase_if(files, [&](Path const& file) { return runs_in(file) < runs_in(out); });
-    if (!files.empty()) {
+    auto const runs = whole.empty() ? 0 : runs_in(out);
+    std::erase_if(whole, [&](Path const& file) { return runs_in(file) < runs; });
+    if (!whole.empty()) {
       auto store = Store::open(out);
-      for (auto const& file : files) merged.analyses += store.take_device_analyses(file);
+      for (auto const& file : whole) merged.analyses += store.take_device_analyses(file);
       store.finish();
     }
   }
