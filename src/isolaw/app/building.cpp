@@ -29,6 +29,7 @@
 #include "isolaw/render/figures/building_figures.hpp"
 #include "isolaw/render/json/building_json.hpp"
 #include "isolaw/render/tables/tables.hpp"
+#include "isolaw/render/write.hpp"
 
 namespace isolaw::app {
 namespace {

@@ -171,7 +171,8 @@ Merged merge(Path const& out, std::vector<Path> const& parts, MergeOptions const
   auto const me = this_maker();
   Merged merged;
   std::optional<First> first;
-  Path dealt;  // the first that says into how many
+  Path dealt;               // the first that says into how many
+  std::vector<Path> whole;  // which are no parts: of them what was examined is taken too
   auto const examine = [&](Path const& file) {
     auto const campaign = Store::read_beginning(file);
     require_sound(file, campaign.part);
@@ -180,7 +181,10 @@ Merged merge(Path const& out, std::vector<Path> const& parts, MergeOptions const
       require_same_campaign(*first, file, campaign);
     else
       first = First{file, campaign, Store::hashes_of_beginning(file)};
-    if (!campaign.part) return;
+    if (!campaign.part) {
+      if (file != out) whole.push_back(file);
+      return;
+    }
     if (merged.parts != 0 && merged.parts != campaign.part->of)
       throw Error(
           {.where = file.string(),
@@ -220,9 +224,9 @@ Merged merge(Path const& out, std::vector<Path> const& parts, MergeOptions const
   std::optional<sqlite::Unfinished> unfinished;
   if (replaces) unfinished.emplace(out);
   if (!continues) {
-    auto whole = Store::read_beginning_and_series(files.front());
-    whole.part.reset();
-    Store::create(target, whole, replaces ? std::function<void()>() : options.before_replacing).finish();
+    auto beginning = Store::read_beginning_and_series(files.front());
+    beginning.part.reset();
+    Store::create(target, beginning, replaces ? std::function<void()>() : options.before_replacing).finish();
   }
   {
     auto store = Store::open(target);
@@ -238,10 +242,11 @@ Merged merge(Path const& out, std::vector<Path> const& parts, MergeOptions const
   tell_missing(target, merged, options);
   if (merged.missing == 0) {
     // What was examined rests on the best of all runs.
-    std::erase_if(files, [&](Path const& file) { return runs_in(file) < runs_in(target); });
-    if (!files.empty()) {
+    auto const runs = whole.empty() ? 0 : runs_in(target);
+    std::erase_if(whole, [&](Path const& file) { return runs_in(file) < runs; });
+    if (!whole.empty()) {
       auto store = Store::open(target);
-      for (auto const& file : files) merged.analyses += store.take_device_analyses(file);
+      for (auto const& file : whole) merged.analyses += store.take_device_analyses(file);
       store.finish();
     }
   }
