@@ -59,7 +59,7 @@ int CampaignWork::finish(campaign::Contents& contents, HowToWork const& how) {
     throw;
   }
   own_.restart();
-  if (how.share && !interrupted) {
+  if (how.share && !interrupted()) {
     say("part {} of {} of the devices is examined, in {}; once every part is: isolaw merge OUT PARTS...\n",
         how.share->number, how.share->of, shown(file));
     return exit_done;
