@@ -1,6 +1,6 @@
 // How long the draws of a building take: 28 bearings of bouc-wen under five floors, 20 s at 0.005 s, two components.
-//   building_bench [DRAWS] [MOTIONS] [THREADS] [N] [--json]    1000, 11, 2 and 1.2 where nothing is said; then some draws by
-//                                                              a plain scalar loop and one by the implicit path
+//   building_bench [DRAWS] [MOTIONS] [THREADS] [N] [--json]
+// 1000, 11, 2 and 1.2 where nothing is said; then some draws by a plain scalar loop and one by the implicit path.
 // bench/building writes what it says to bench/results.
 #include <fmt/format.h>
 

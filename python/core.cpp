@@ -412,7 +412,8 @@ py::dict runs_of(Campaign const& campaign, std::string const& law, std::string c
 }
 
 // Work in a thread of its own, without the interpreter's lock; the caller's thread waits, hands progress to Python by
-// `tell` and listens for signals, which Python delivers to its main thread alone. An exception of either stops the work.
+// `tell` and listens for signals, which Python delivers to its main thread alone. An exception of either stops the
+// work.
 template <class Told, class Work>
 auto in_a_thread(std::function<void(Told const&)> const& tell, Work const& work) {
   std::mutex mutex;

@@ -366,7 +366,8 @@ TEST_F(Building, carries_the_doubts_of_the_calibration) {
   EXPECT_TRUE(contains(read_file(directory() / "B/building.html"), "xy at its lower bound"));
 }
 
-// As calibrate ends: what is finished is kept, exit code 1, the command that goes on, and the bytes of one that was not.
+// As calibrate ends: what is finished is kept, exit code 1, the command that goes on, and the bytes of one that was
+// not.
 TEST_F(BuildingParts, that_are_interrupted_end_as_a_campaign_does) {
   set("draws = 40", "draws = 20000");
   auto const command = study("I", {"--figures", "none"});

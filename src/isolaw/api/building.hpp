@@ -41,8 +41,8 @@ struct BuildingOptions {
   std::function<bool()> interrupted = {};                                  // asked between them, from any thread
 };
 
-// The nominal building under one motion, by the implicit path: of the base relative to the ground along x and y in mm and
-// its rotation, and the sum of the bearings' forces on it.
+// The nominal building under one motion, by the implicit path: of the base relative to the ground along x and y in mm
+// and its rotation, and the sum of the bearings' forces on it.
 struct BuildingHistory {
   std::vector<double> time_s;
   std::vector<std::array<double, 3>> base;

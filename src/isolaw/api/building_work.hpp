@@ -19,8 +19,8 @@ namespace isolaw {
 
 inline constexpr char const* building_store_name = "building.sqlite";
 
-// A building (building::read_building, building::building_of) on bearings of a campaign's lot. Without laws it takes the
-// one that the campaign recommends. `where` is the campaign in messages. Throws Error: a law that was not analysed.
+// A building (building::read_building, building::building_of) on bearings of a campaign's lot. Without laws it takes
+// the one that the campaign recommends. `where` is the campaign in messages. Throws Error: a law that was not analysed.
 building::Study building_study(building::BuildingFile file, campaign::Contents const& contents,
                                std::string const& where = "the campaign");
 

@@ -25,8 +25,8 @@ class Deal {
   std::vector<int> part_;
 };
 
-// Which of `parts` examines a device for a law (campaign/analyse.hpp), for each of contents.searches: the dearest first,
-// each to the part that has least to do. 0 where the search was refused.
+// Which of `parts` examines a device for a law (campaign/analyse.hpp), for each of contents.searches: the dearest
+// first, each to the part that has least to do. 0 where the search was refused.
 std::vector<int> deal_of_analyses(Contents const& contents, int parts);
 
 // What a run costs in all likelihood, in proportion alone.

@@ -13,7 +13,8 @@ namespace isolaw::fit {
 
 struct AsSprings {
   std::vector<double> parameters;
-  // Eq. (27) on the record, or its mean over the records: of the law by itself, of springs of the same parameters, and of springs with their own.
+  // Eq. (27) on the record, or its mean over the records: of the law by itself, of springs of the same parameters, and
+  // of springs with their own.
   double law = 0.0, given = 0.0, fitted = 0.0;
 };
 
