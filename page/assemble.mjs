@@ -37,8 +37,10 @@ function joined() {
   }
 }
 
+const asset = (name) => readFileSync(join(root, 'src/isolaw/render/page/assets', name), 'utf8');
 const contents = {
-  style: readFileSync(join(root, 'src/isolaw/render/page/assets/page.css'), 'utf8') + readFileSync(join(here, 'style.css'), 'utf8'),
+  errors: asset('errors.js'),
+  style: asset('page.css') + readFileSync(join(here, 'style.css'), 'utf8'),
   engine: options['engine-html'].map((file) => readFileSync(file, 'utf8')).join('\n'),
   script: inline(joined()),
   policy: '{{policy}}',

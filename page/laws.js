@@ -10,6 +10,7 @@ import { problemList, readable } from './records.js';
 import { changed, state } from './state.js';
 import { text } from './text.js';
 import { withSetting } from './toml.js';
+import { OF_GA, usualRuns } from './usual.js';
 
 let running = null; // AbortController
 let workers = 1;
@@ -20,11 +21,9 @@ let furthest = 0; // what was told grows with what turns out to be there to do; 
 let started = 0;
 let said = ''; // of the last run: cancelled
 
-// What the program takes with the genetic algorithm alone.
-const OF_GA = ['population', 'generations', 'stagnation-tolerance'];
-
 const settings = () => lotTables().tables?.find(({ path }) => path === 'calibrate')?.keys ?? new Map();
 const value = (key, other) => settings().get(key)?.value ?? other;
+const chosenRuns = () => value('runs', usualRuns(value('method', 'best')));
 
 // 'paper', 'usual', 'all', or ids.
 const chosenLaws = () => {
@@ -74,7 +73,7 @@ function settingsForm(edit) {
     element(
       'div',
       { class: 'fields broad' },
-      textField('runs', [text.runs, text.runsWhy], value('runs', method === 'ga' ? 20 : 3), set('runs'), { whole: true }),
+      textField('runs', [text.runs, text.runsWhy], chosenRuns(), set('runs'), { whole: true }),
       choiceField('method', [text.method, ''], Object.entries(text.methods), method, (typed) => {
         const others = typed === 'ga' ? [] : OF_GA;
         edit(others.reduce((lot, key) => withSetting(lot, 'calibrate', key, null), withSetting(state.lot, 'calibrate', 'method', typed)));
@@ -97,7 +96,7 @@ function drawProgress() {
 }
 
 // What of the lot file says how much there is to do, again as options: the engine deals it out by these.
-const spelled = () => ['method', 'runs', 'analysis'].flatMap((key) => (settings().has(key) ? ['--' + key, String(value(key))] : []));
+const spelled = () => [...['method', 'analysis'].flatMap((key) => (settings().has(key) ? ['--' + key, String(value(key))] : [])), '--runs', String(chosenRuns())];
 
 export const isIdentifying = () => running !== null;
 export const cancelIdentifying = () => running?.abort();
@@ -187,7 +186,7 @@ export function drawLaws(use) {
   }
   const devices = readable();
   const laws = lawIds(chosenLaws());
-  const runs = value('runs', value('method', 'best') === 'ga' ? 20 : 3);
+  const runs = chosenRuns();
   const showSettings = !page || settingsOpen;
   const outdated = page && state.lot !== null && state.campaign.lot !== state.lot;
   const start = button(page ? text.identifyAgain : text.identify, () => identify(use), { class: page && !settingsOpen ? 'action' : 'action main', id: 'identify', disabled: devices === 0 || laws.length === 0 });

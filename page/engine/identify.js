@@ -44,7 +44,7 @@ export function identifyWith(pool) {
     const workers = Math.max(1, Math.min(wanted, pool.count));
     const begun = (folder) => parts.filter(({ path }) => path.startsWith(folder + '/'));
     const analysed = valueOf(options, '--analysis') !== 'none';
-    const runs = Number(valueOf(options, '--runs') ?? (valueOf(options, '--method') === 'ga' ? 20 : 3));
+    const runs = Number(valueOf(options, '--runs') ?? 3); // for the bar alone
     const kept = new Map();
     // One fails: the others are ended.
     const ended = new AbortController();

@@ -5,7 +5,7 @@ import { Worker } from 'node:worker_threads';
 import { createEngine } from './engine.js';
 
 // A worker of the browser's, made of Node's.
-const before = `
+const ofBrowser = `
 const { parentPort } = require('node:worker_threads');
 globalThis.self = globalThis;
 globalThis.postMessage = (message, transfer) => parentPort.postMessage(message, transfer);
@@ -14,10 +14,10 @@ parentPort.on('message', (data) => self.onmessage({ data }));
 // A sheet that the page's script stands in is read as the browser reads it: the escapes are JavaScript's own.
 const elementIn = (html, id) => new RegExp(`<script type="[^"]*" id="${id}">([\\s\\S]*?)</script>`).exec(html)[1];
 
-// `file`: isolaw.html, or what embed.mjs made.
-export const engineOf = (file, options = {}) => {
+// `file`: isolaw.html, or what embed.mjs made. `before`: of a worker's script, for tests.
+export const engineOf = (file, { before = '', ...options } = {}) => {
   const html = readFileSync(file, 'utf8');
-  const script = before + elementIn(html, 'isolaw-worker');
+  const script = before + ofBrowser + elementIn(html, 'isolaw-worker');
   return createEngine({
     ...options,
     from: {

@@ -1,5 +1,7 @@
 // Workers that run one command each, in turn.
 
+const NO_MEMORY = 'the page has no more memory for this; try fewer or shorter records at once';
+
 const named = (name, message, more) => Object.assign(new Error(message), { name, ...more });
 
 // `start()` makes a worker; `module` is a promise of the compiled program.
@@ -68,10 +70,10 @@ export function makePool(start, module, count) {
               for (const line of data.lines) said[data.stream].push(line);
               if (onText) for (const line of data.lines) onText(data.stream, line);
             } else if (data.kind === 'kept') onKept?.(data.files);
-            else if (data.kind === 'failed') fail(data.name, data.message);
+            else if (data.kind === 'failed') fail(data.name, data.name === 'MemoryError' ? NO_MEMORY : data.message);
             else if (data.kind === 'done') {
               const memory = data.code !== 0 && said.stderr.find((line) => line.startsWith('isolaw: out of memory'));
-              if (memory) fail('MemoryError', 'the page has no more memory for this; try fewer or shorter records at once');
+              if (memory) fail('MemoryError', NO_MEMORY);
               else if (end(true)) resolve({ code: data.code, stdout: text('stdout'), stderr: text('stderr'), files: data.files });
             }
           };

@@ -96,7 +96,7 @@
     self.postMessage({
       kind: 'failed',
       name: memory ? 'MemoryError' : 'CrashError',
-      message: memory ? 'the page has no more memory for this; try fewer or shorter records at once' : 'the program stopped: ' + (error?.message ?? error),
+      message: 'the program stopped: ' + (error?.message ?? error),
     });
   }
 

@@ -7,7 +7,7 @@ import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFile
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
-import { browserOr77, openPage, wait } from './drive.mjs';
+import { browserOr77, openPage, wait, watchMemory } from './drive.mjs';
 import { answerWith } from './stand_in.mjs';
 
 const words = process.argv.slice(2).filter((word, i, all) => !word.startsWith('--') && all[i - 1] !== '--only');
@@ -67,6 +67,18 @@ const inFrameUntil = async (page, expression, what) => {
 };
 const narrow = async (page, what) => expect((await page.evaluate('document.documentElement.scrollWidth <= innerWidth')) === true, what + ': wider than the window');
 
+// With the settings that the page shows; seconds to the report.
+async function identified(page, seconds) {
+  await page.press('show-laws');
+  const began = performance.now();
+  await page.press('identify');
+  await page.until("document.getElementById('progress-bar')", 'progress');
+  await page.until("!document.getElementById('progress-bar')", 'the end of identification', seconds);
+  await page.until("document.getElementById('report-frame') || !document.getElementById('failure').hidden", 'the report');
+  equal(await failure(page), '', 'a failure');
+  return (performance.now() - began) / 1000;
+}
+
 // Small settings: one law, one run, no analyses.
 async function identifyLittle(page, laws = ['bilinear'], seconds = 300) {
   await page.press('show-laws');
@@ -81,11 +93,7 @@ async function identifyLittle(page, laws = ['bilinear'], seconds = 300) {
   await set(page, 'method', 'best');
   await set(page, 'runs', '1');
   await set(page, 'analysis', 'none');
-  await page.press('identify');
-  await page.until("document.getElementById('progress-bar')", 'progress');
-  await page.until("!document.getElementById('progress-bar')", 'the end of identification', seconds);
-  await page.until("document.getElementById('report-frame') || !document.getElementById('failure').hidden", 'the report');
-  equal(await failure(page), '', 'a failure');
+  await identified(page, seconds);
 }
 
 const tests = {
@@ -287,6 +295,83 @@ const tests = {
     equal(summary.laws.map(({ id }) => id).sort(), ['bilinear', 'bouc-wen'], 'laws');
     expect(summary.laws.every(({ objective }) => objective.mean > 0 && objective.mean < 0.5), 'objectives');
     await end(page);
+  },
+
+  // On measured rows, at the settings that are usual: how long it takes is told, not judged.
+  'the paper\u2019s laws on the measured bearing\u2019s third stage': async () => {
+    const record = join(root, '../shared/data/hdrb-gallardo-device/cyclic-24-49-98pct.csv');
+    if (!existsSync(record)) {
+      console.log('  skipped: no ' + record);
+      return;
+    }
+    const folder = join(work, 'bearing');
+    execFileSync(join(root, 'bench/measured_lots'), [folder], { stdio: 'ignore' });
+    rmSync(join(folder, 'all-stages.csv'));
+    const lot = readFileSync(join(folder, 'measured-bearing.toml'), 'utf8');
+    writeFileSync(join(folder, 'lot.toml'), lot.replace('laws = "all"', 'laws = "paper"').replace(/\n\[\[device\]\]\nname = "all stages"\n.*\n/, ''));
+    rmSync(join(folder, 'measured-bearing.toml'));
+    const page = await open();
+    await page.drop([folder]);
+    equal((await rows(page)).map(({ name: one, samples }) => one + ' ' + samples), ['third stage 6537'], 'devices');
+    const took = await identified(page, 1800);
+    const began = performance.now();
+    execFileSync(isolaw, ['calibrate', join(folder, 'lot.toml'), '--out', join(work, 'bearing-native'), '--figures', 'none'], { stdio: 'ignore' });
+    const natively = (performance.now() - began) / 1000;
+    console.log(`  ${took.toFixed(1)} s, natively ${natively.toFixed(1)} s: ${(took / natively).toFixed(1)} times as long`);
+    await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
+    await page.press('show-save');
+    await page.press('save-summary-json');
+    const best = ({ laws }) => Object.fromEntries(laws.map(({ id, objective }) => [id, objective.best]));
+    const found = best(JSON.parse((await page.saved()).bytes)),
+      wanted = best(JSON.parse(readFileSync(join(work, 'bearing-native/summary.json'))));
+    equal(Object.keys(found).length, 7, 'laws');
+    for (const [law, objective] of Object.entries(wanted)) expect(Math.abs(found[law] / objective - 1) < 1e-5, `objective of ${law}: ${found[law]}, natively ${objective}`);
+    await end(page);
+  },
+
+  // All of a year's devices are held at once, and little is computed of each.
+  'two hundred devices': async () => {
+    const folder = join(work, 'many');
+    mkdirSync(folder);
+    const count = 200;
+    const [head, ...lines] = readFileSync(join(example, 'device-01.csv'), 'utf8').trimEnd().split('\n');
+    const force = head.split(',').findIndex((one) => /force/i.test(one));
+    for (let i = 0; i < count; ++i) {
+      const scaled = lines.map((line) => line.split(',').map((cell, column) => (column === force ? String(Number(cell) * (0.9 + 0.001 * i)) : cell)).join(','));
+      writeFileSync(join(folder, `d-${String(i + 1).padStart(3, '0')}.csv`), [head, ...scaled].join('\n') + '\n');
+    }
+    const page = await open();
+    const mostMemory = watchMemory(browser.process.pid);
+    const began = performance.now();
+    await page.drop([folder]);
+    console.log(`  dropped and inspected in ${((performance.now() - began) / 1000).toFixed(1)} s`);
+    equal((await rows(page)).length, count, 'devices');
+    await page.press('show-laws');
+    await page.press('laws-paper');
+    await page.idle();
+    for (const [key, value] of [['method', 'ga'], ['runs', '1'], ['analysis', 'none']]) await set(page, key, value);
+    const text = await lotText(page);
+    await set(page, 'lot-text', text.replace('[calibrate]\n', '[calibrate]\ngenerations = 2\n'));
+    expect((await lotText(page)).includes('generations = 2\n'), 'two generations: ' + text.slice(0, 400));
+    const took = await identified(page, 1800);
+    console.log(`  identified in ${took.toFixed(1)} s; ${Math.round(mostMemory() / 2 ** 20)} MiB at most, of all processes of the browser`);
+    await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
+    await page.press('show-save');
+    await page.press('save-summary-json');
+    const { devices, laws } = JSON.parse((await page.saved()).bytes);
+    equal([devices.length, laws.length], [count, 7], 'devices and laws');
+    expect(laws.every((law) => law.devices.every(({ objective }) => objective.best > 0)), 'an objective of each');
+    await page.press('save-whole');
+    const whole = await page.saved(120);
+    const kept = join(work, whole.name);
+    copyFileSync(whole.path, kept);
+    await end(page);
+    const again = await open();
+    await again.drop([kept]);
+    await again.until("document.getElementById('report-frame')", 'the report again', 120);
+    await again.press('show-records');
+    equal((await rows(again)).length, count, 'devices again');
+    await end(again);
   },
 
   'identify, export, save, drop back, continue': async () => {

@@ -3,6 +3,8 @@
 import os
 import pathlib
 import subprocess
+import tempfile
+import unittest
 
 import numpy as np
 
@@ -25,12 +27,23 @@ def write_csv(path, *columns, header="time [s],displacement [mm],force [kN]"):
     pathlib.Path(path).write_text("\n".join([header, *rows]) + "\n")
 
 
-def two_files(folder):
-    """The records a.csv and b.csv of two devices."""
-    files = [pathlib.Path(folder) / f"{name}.csv" for name in ("a", "b")]
-    for file, strength_kN in zip(files, (20.0, 24.0)):
+def files_in(folder, strengths_kN=(20.0, 24.0)):
+    """The records a.csv, b.csv, ... of devices in a folder, which is made."""
+    pathlib.Path(folder).mkdir(exist_ok=True)
+    files = [pathlib.Path(folder) / f"{name}.csv" for name, _ in zip("abcdefgh", strengths_kN)]
+    for file, strength_kN in zip(files, strengths_kN):
         write_csv(file, *arrays(strength_kN))
     return files
+
+
+class InFolder(unittest.TestCase):
+    """Tests of a class in a folder of their own, `path`."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.path = pathlib.Path(folder.name)
 
 
 def program(*words, cwd=None):

@@ -1,13 +1,11 @@
 """The isolated building from Python: the program's bytes, arrays, motions and buildings that are no files, what is refused."""
 
-import pathlib
-import tempfile
 import unittest
 
 import numpy as np
 
 import isolaw
-from devices import arrays, program, write_csv
+from devices import InFolder, files_in, program, write_csv
 
 SLAB = {"mass_Mg": 400.0, "gyration_m": 6.0}
 PLAN = {
@@ -23,17 +21,11 @@ def ground(number, samples=400):
     return 2.0 * np.sin(2.5 * t + number) * np.sin(np.pi * t / t[-1])
 
 
-class Study(unittest.TestCase):
+class Study(InFolder):
     @classmethod
     def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(cls.folder.cleanup)
-        cls.path = pathlib.Path(cls.folder.name)
-        (cls.path / "r").mkdir()
-        files = []
-        for name, strength in (("a", 20.0), ("b", 22.0), ("c", 19.0)):
-            files.append(cls.path / f"r/{name}.csv")
-            write_csv(files[-1], *arrays(strength))
+        super().setUpClass()
+        files = files_in(cls.path / "r", (20.0, 22.0, 19.0))
         cls.lot = isolaw.calibrate(files, "bilinear", runs=1, replicates=40, out=cls.path / "lot")
         for number in (1, 2):
             for axis in "xy":

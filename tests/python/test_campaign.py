@@ -1,26 +1,22 @@
 import json
 import os
 import pathlib
-import tempfile
 import threading
 import unittest
 
 import numpy as np
 
 import isolaw
-from devices import arrays, program, two_files
+from devices import InFolder, arrays, files_in, program
 
 LAWS = ["bilinear", "bouc-wen"]
 
 
-class Campaigns(unittest.TestCase):
+class Campaigns(InFolder):
     @classmethod
     def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(cls.folder.cleanup)
-        cls.path = pathlib.Path(cls.folder.name)
-        (cls.path / "r").mkdir()
-        cls.files = two_files(cls.path / "r")
+        super().setUpClass()
+        cls.files = files_in(cls.path / "r")
         program("calibrate", "r", "--laws", ",".join(LAWS), "--runs", "2", "--seed", "7", "--replicates", "0", "--out", "O",
                 cwd=cls.path)  # fmt: skip
         cls.printed = json.loads((cls.path / "O/summary.json").read_text())

@@ -3,14 +3,12 @@
 import functools
 import importlib.util
 import os
-import pathlib
 import signal
 import subprocess
 import sys
-import tempfile
 import unittest
 
-from devices import SOURCE, two_files
+from devices import SOURCE, InFolder, files_in
 
 import isolaw
 
@@ -39,13 +37,11 @@ def share_of_a_worker_that_is_lost(mark, files, settings, number, of, there=None
     return parts_with_dask.share(files, settings | {"progress": lose} if number == 2 else settings, number, of, there)
 
 
-class Dask(unittest.TestCase):
+class Dask(InFolder):
     @classmethod
     def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(cls.folder.cleanup)
-        cls.path = pathlib.Path(cls.folder.name)
-        cls.files = two_files(cls.path)
+        super().setUpClass()
+        cls.files = files_in(cls.path)
         isolaw.calibrate(cls.files, LAWS, runs=2, out=cls.path / "one")
 
     def expect_one_machines(self, out):

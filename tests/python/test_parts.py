@@ -6,7 +6,7 @@ import tempfile
 import unittest
 
 import isolaw
-from devices import program, two_files
+from devices import program, files_in
 
 LAWS = ["bilinear", "vaiana"]
 
@@ -16,8 +16,7 @@ class Parts(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         self.path = pathlib.Path(self.folder.name)
-        (self.path / "r").mkdir()
-        self.files = two_files(self.path / "r")
+        self.files = files_in(self.path / "r")
 
     def part(self, number, of=3, **more):
         how = {"runs": 2, "replicates": 0, "title": "r", "out": self.path / f"P{number}"} | more

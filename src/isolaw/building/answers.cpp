@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "isolaw/base/words.hpp"
+#include "isolaw/data/ground_motion.hpp"
 #include "isolaw/laws/catalogue.hpp"
 #include "isolaw/num/statistics.hpp"
 
@@ -28,8 +29,6 @@ double largest(std::span<double const> measured, std::size_t first, std::size_t 
 double ratio(double a, double b) {
   return b > 0.0 ? a / b : 0.0;
 }
-
-constexpr double gravity_mm_s2 = 9806.65;
 
 constexpr std::string_view alike =
     "the bound analyses take every bearing alike, and so without the torsion of unequal ones";
@@ -52,9 +51,11 @@ constexpr Quantity quantity_rows[]{
     {"shear_over_weight", "base shear over weight", "-", "largest sum of the bearings' forces over the weight",
      [](Layout const&, std::span<double const> m, double weight) { return measure_of(m, Measure::shear) / weight; }},
     {"base_acceleration_g", "base acceleration", "g", "largest acceleration of the base slab in space, at samples",
-     [](Layout const& l, std::span<double const> m, double) { return m[l.acceleration(0)] / 9806.65; }},
+     [](Layout const& l, std::span<double const> m, double) { return m[l.acceleration(0)] / data::gravity_mm_s2; }},
     {"roof_acceleration_g", "roof acceleration", "g", "of the highest floor",
-     [](Layout const& l, std::span<double const> m, double) { return m[l.acceleration(l.floors)] / 9806.65; }},
+     [](Layout const& l, std::span<double const> m, double) {
+       return m[l.acceleration(l.floors)] / data::gravity_mm_s2;
+     }},
     {"storey_shear_over_weight", "storey shear over weight", "-", "largest shear of any storey over the whole weight",
      [](Layout const& l, std::span<double const> m, double weight) {
        return largest(m, l.storey_shear(0), l.floors) / weight;
@@ -310,7 +311,7 @@ void add_spectra(std::vector<std::vector<double>>& to, Response const& run, doub
     }
     for (std::size_t p = 0; p < periods.size(); ++p) {
       double const w = 2.0 * pi / periods[p];
-      to[d][p] += share * w * w * linear_peak(floor, periods[p], spectrum_damping) / gravity_mm_s2;
+      to[d][p] += share * w * w * linear_peak(floor, periods[p], spectrum_damping) / data::gravity_mm_s2;
     }
   }
 }

@@ -7,11 +7,12 @@
 #include <numbers>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/data/ground_motion.hpp"
 
 namespace isolaw::building {
 namespace {
 
-constexpr double gravity = 9.80665;  // kN/Mg
+constexpr double gravity = data::gravity_mm_s2 / 1e3;  // kN/Mg
 
 void check_slab(Diaphragm const& slab, std::string const& name, std::vector<Complaint>& complaints) {
   auto const positive = [&](double value, std::string_view what, std::string_view unit) {

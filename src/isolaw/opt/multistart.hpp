@@ -7,8 +7,8 @@
 // tries several steps at once. It goes by the problem's outline, where there is one, down to the outline's floor: a
 // third of the residuals find the same valleys; the last iterations are by all of them. The search ends when enough
 // descents have ended at the best value: soon where nearly all of the scattered ones do, later where there are other
-// valleys, and after all its starts where few have. In more than fourteen dimensions as many hops as scattered starts
-// are made, and two and a half times as many descents.
+// valleys, and after all its starts where few have, a third more where many ended close to it. In more than fourteen
+// dimensions as many hops as scattered starts are made, and two and a half times as many descents.
 //
 // Points are not screened by their value before a descent: in the laws' boxes the low ones lie in the wrong valleys.
 #pragma once
@@ -24,8 +24,10 @@ namespace isolaw::opt {
 // What each may be says campaign::setting_table().
 struct MultistartOptions {
   int least_starts = 16;  // descents, where three quarters of the scattered ones end at the best value
-  int starts = 72;  // elsewhere; a third of these where a dozen ended there, among them two fifths of the scattered
-  int hits = 3;     // descents that must have ended at the best value
+  // Elsewhere; a third of these where a dozen ended there, among them two fifths of the scattered; a third more where
+  // half of the scattered ones ended within ten tolerances of it.
+  int starts = 72;
+  int hits = 3;                    // descents that must have ended at the best value
   double hit_tolerance = 5e-4;     // relative
   int most_evaluations = 200'000;  // no round begins after these
   int scattered = 12;              // starts of a round, over the box

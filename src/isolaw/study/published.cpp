@@ -267,7 +267,7 @@ std::string verdict_of(std::vector<PublishedStatement> const& made) {
 // The readings of a law of the table, the closest first.
 std::vector<std::string> readings(table_a5::Law const& law) {
   std::vector<std::string> made{std::string(law.id)};
-  if (law.id == "abe-y0") made.emplace_back("abe");
+  if (!law.other_reading.empty()) made.emplace_back(law.other_reading);
   return made;
 }
 

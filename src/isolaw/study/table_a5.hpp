@@ -28,6 +28,7 @@ struct Law {
   std::string_view id;  // of isolaw; abe-y0 is the variant of docs/source.md that the printed values are closest to
   PerDevice objective_mean, objective_std;
   std::span<Parameter const> parameters;
+  std::string_view other_reading = {};  // of isolaw too; empty: there is one
 };
 
 // Per parameter: name; means; standard deviations.
@@ -229,7 +230,7 @@ inline constexpr std::array laws{
     Law{5, "abe-y0",
         {0.08, 0.09, 0.12, 0.07, 0.07, 0.07, 0.07, 0.1, 0.09, 0.09},
         {0.002, 0.00193, 0.000762, 0.00231, 0.00211, 0.00202, 0.0024, 0.001, 0.00166, 0.00117},
-        abe_y0},
+        abe_y0, "abe"},
     Law{6, "hwang-wu",
         {0.12, 0.14, 0.14, 0.1, 0.1, 0.11, 0.1, 0.12, 0.12, 0.12},
         {0.0024, 0.000872, 0.00361, 0.00537, 0.00216, 0.00189, 0.00184, 0.00305, 0.00169, 0.00135},

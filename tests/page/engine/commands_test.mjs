@@ -5,7 +5,8 @@ import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { engine, filesIn, lay, native, textOf, work } from './support.mjs';
+import { OF_GA, usualRuns } from '../../../page/usual.js';
+import { engine, engineWith, filesIn, lay, native, textOf, work } from './support.mjs';
 
 after(() => engine.close());
 
@@ -27,6 +28,13 @@ const same = (said, own, name) => {
 
 test('the version, with the build that computes', async () => {
   assert.equal(await engine.version(), native(['--version']).stdout.trim());
+});
+
+test('what the page knows of settings is so', async () => {
+  const help = (await engine.run({ argv: ['calibrate', '--help'] })).stdout;
+  assert.match(help, new RegExp(`--runs INT .*\\(${usualRuns('best')}; ga: ${usualRuns('ga')}\\)`));
+  const ofGa = [...help.matchAll(/--([\w-]+) \w+\s+of ga: /g)].map(([, name]) => name);
+  assert.deepEqual(ofGa.sort(), [...OF_GA].sort());
 });
 
 test('wrong words are an answer, not a rejection', async () => {
@@ -95,6 +103,27 @@ test('what stops a worker is an error, and the next command runs', async () => {
   const error = await engine.run({ argv: ['--version'], files: [{ path: 'a/b', bytes: null }] }).catch((found) => found);
   assert.equal(error.name, 'CrashError');
   assert.equal((await engine.run({ argv: ['--version'] })).code, 0);
+});
+
+// As where a browser refuses more: the growth of an instance's memory ends at 48 MiB.
+const poor = `
+const grow = WebAssembly.Memory.prototype.grow;
+WebAssembly.Memory.prototype.grow = function (pages) {
+  if (this.buffer.byteLength + 65536 * pages > 48 << 20) throw new RangeError('WebAssembly.Memory.grow(): no more');
+  return grow.call(this, pages);
+};
+`;
+
+test('the end of memory is an error that says what to try, and the next command runs', async () => {
+  const small = await engineWith({ workers: 1, before: poor });
+  const rows = Array.from({ length: 300_000 }, (_, i) => `${i / 100},${100 * Math.sin(i / 50)},${60 * Math.sin(i / 50 + 0.2)}`).join('\n');
+  const bytes = new TextEncoder().encode('time [s],displacement [mm],force [kN]\n' + rows + '\n');
+  const error = await small.run({ argv: ['inspect', 'long.csv'], files: [{ path: 'long.csv', bytes }] }).catch((found) => found);
+  assert.equal(error.name, 'MemoryError');
+  assert.match(error.message, /no more memory.*try fewer or shorter records/);
+  assert.equal((await small.run({ argv: ['--version'] })).code, 0);
+  small.close();
+  assert.equal((await engine.run({ argv: ['inspect', 'long.csv'], files: [{ path: 'long.csv', bytes }], keep: [] })).code, 0);
 });
 
 test('a campaign that was cancelled goes on from what was finished', async () => {

@@ -10,7 +10,8 @@ export const [page, isolaw] = process.argv.slice(2);
 export const work = mkdtempSync(join(tmpdir(), 'isolaw-engine-'));
 process.on('exit', () => rmSync(work, { recursive: true, force: true }));
 
-export const engine = await engineOf(page, { workers: 2 });
+export const engineWith = (options) => engineOf(page, options);
+export const engine = await engineWith({ workers: 2 });
 
 // The native program. ISOLAW_SIMD is left to the caller.
 export const native = (words, env = {}) => {

@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "isolaw/base/version.hpp"
+#include "isolaw/data/ground_motion.hpp"
 
 namespace isolaw::render {
 namespace {
 
 constexpr int building_schema = 1;
 constexpr int history_digits = 5, spectrum_digits = 4;
-constexpr double mm_per_m = 1e3, standard_gravity_mm_s2 = 9806.65;
+constexpr double mm_per_m = 1e3;
 
 class BuildingWriter {
  public:
@@ -76,7 +77,7 @@ class BuildingWriter {
       out_.member("name", m.name).member("components", m.y_mm_s2.empty() ? 1 : 2);
       number("step_s", m.step_s);
       out_.member("samples", std::uint64_t{m.x_mm_s2.size()});
-      number("peak_g", peak / standard_gravity_mm_s2);
+      number("peak_g", peak / data::gravity_mm_s2);
     });
   }
 

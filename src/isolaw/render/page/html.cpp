@@ -65,6 +65,7 @@ std::string page_of(std::string_view title, std::string_view asked, std::string_
       {"title", html_escaped(title)},
       {"style", std::string(embedded_text(page_files(), "page.css"))},
       {"law_colours", law_colours()},
+      {"errors", std::string(embedded_text(page_files(), "errors.js"))},
       {"plotly", inline_script(embedded_text(page_files(), "plotly-basic.min.js"))},
       {"asked", script_safe(asked)},
       {"data", script_safe(data)},
