@@ -367,6 +367,21 @@ TEST_F(BuildingRuns, bounds_of_one_law_are_held_to_the_others) {
   EXPECT_TRUE(contains(made.verdict, "; factors within 2 % of 1, the accuracy, would cover 95 %")) << made.verdict;
 }
 
+// The same law a second time: between the bounds of the first lie as many of its draws.
+TEST_F(BuildingRuns, bounds_of_one_law_cover_as_much_of_the_same_law) {
+  auto study = usual_study(0.07, 40);
+  study.file.settings.lower = 0.98;
+  study.file.settings.upper = 1.02;
+  study.laws.push_back(study.laws.front());
+  study.file.settings.laws.push_back(study.laws.front().law);
+  RunStore store(file_, traits_of(study), false);
+  run_all(study, store, 1);
+  auto const made = answer(study, store);
+  auto const inside = made.laws[0].coverage.front().inside;
+  EXPECT_TRUE(inside > 0.0 && inside < 1.0) << inside;
+  EXPECT_EQ(made.laws[1].by_first_bounds, inside);
+}
+
 TEST(BuildingAnswers, factors_are_said_where_they_mean_something) {
   Coverage c{.quantity = "isolator_mm", .factor_low = 0.94, .factor_high = 1.06, .not_monotonic = {}};
   EXPECT_EQ(factors_text(c), "factors of 0.94 and 1.06 would cover 95 %");

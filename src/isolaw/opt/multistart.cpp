@@ -69,8 +69,8 @@ constexpr double one_valley = 0.75;       // so many of the scattered ends at th
 constexpr std::ptrdiff_t many_hits = 12;  // with the next share: missed the best valley in 1 of 380 logged searches
 constexpr double agreeing = 0.4;          // of the scattered ends; three in ten of all ends missed it in 6 (logged)
 constexpr std::ptrdiff_t part_when_agreed = 3;  // of the starts: 24 of 72
-// Half of the scattered ends within ten tolerances of the best value, and few at it: a ragged floor, whose best part 8 of
-// 300 searches of abe on the measured bearing missed with 72 starts, 2 with 96 (logged).
+// Half of the scattered ends within ten tolerances of the best value, and few at it: a ragged floor, whose best part 8
+// of 300 searches of abe on the measured bearing missed with 72 starts, 2 with 96 (logged).
 constexpr double close = 10.0;  // tolerances of a hit
 constexpr double ragged = 0.5;
 constexpr std::ptrdiff_t more_when_ragged = 3;  // a third more starts
