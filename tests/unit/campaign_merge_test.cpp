@@ -25,8 +25,8 @@ class MergeTest : public testing::Folder {
     lot.settings.clean.samples_per_cycle = 40;
     lot.settings.analysis = false;
     for (auto const* name : {"a", "b"})
-      lot.devices.push_back(
-          device_input(name, {write(std::string(name) + ".csv", testing::record_text(*name == 'a' ? 1.0 : 1.2))}));
+      lot.devices.push_back(testing::device_input(
+          name, {write(std::string(name) + ".csv", testing::record_text(*name == 'a' ? 1.0 : 1.2))}));
     lot.settings.complete();
     return prepare(lot);
   }
