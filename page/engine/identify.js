@@ -1,5 +1,5 @@
 // A campaign on all workers, by what the program has for many machines: parts of the runs, parts of what is examined of
-// devices, and their merge.
+// devices, parts of the laws of the lot, and their merge.
 
 import { isProgress, makeProgress } from './progress.js';
 
@@ -56,13 +56,16 @@ export function identifyWith(pool) {
     const count = dealtInto(parts, 'parts') ?? workers * (files.length > 20 ? 2 : 4);
     const isWhole = (workers === 1 && dealtInto(parts, 'parts') === null) || (begun('out').length > 0 && dealtInto(parts, 'parts') === null);
     const shares = analysed ? (dealtInto(parts, 'shares') ?? workers) : 0;
+    // One record is no lot.
+    const lots = analysed && files.filter(({ path }) => path !== lotPath).length > 1 ? (dealtInto(parts, 'lots') ?? workers) : 0;
     // What follows the runs takes as long as three runs of each law do.
     const phases = isWhole
       ? [{ name: 'runs', weight: 1, tasks: 1 }]
       : [
           { name: 'runs', weight: runs, tasks: count },
-          ...(shares > 0 ? [{ name: 'analyses', weight: 2.5, tasks: shares }] : []),
-          { name: 'analyses', weight: analysed ? 0.5 : 0.05, tasks: 1 },
+          ...(shares > 0 ? [{ name: 'analyses', weight: 2, tasks: shares }] : []),
+          ...(lots > 0 ? [{ name: 'analyses', weight: 1, tasks: lots }] : []),
+          { name: 'analyses', weight: analysed ? 0.2 : 0.05, tasks: 1 },
         ];
     const progress = makeProgress(phases, workers, onProgress);
 
@@ -97,7 +100,8 @@ export function identifyWith(pool) {
     try {
       if (isWhole) return await work(0, 0, 'out', ['calibrate', ...inputs, ...options, ...common, '--out', 'out', '--figures', 'none'], files);
       const partFolders = folders('parts', count),
-        shareFolders = folders('shares', shares);
+        shareFolders = folders('shares', shares),
+        lotFolders = folders('lots', lots);
       const made = await inTurn(
         partFolders.map((folder, k) => () => work(0, k, folder, ['calibrate', ...inputs, ...options, ...common, '--part', `${k + 1}/${count}`, '--out', folder], files)),
         workers,
@@ -107,7 +111,13 @@ export function identifyWith(pool) {
         shareFolders.map((folder, k) => () => work(1, k, folder, ['merge', folder, ...partFolders, ...common, '--figures', 'none', '--part', `${k + 1}/${shares}`], ofParts)),
         workers,
       );
-      return await work(phases.length - 1, 0, 'out', ['merge', 'out', ...partFolders, ...shareFolders, ...common, '--figures', 'none'], [...ofParts, ...examined.flat()]);
+      const ofShares = [...ofParts, ...examined.flat()];
+      const fitted = await inTurn(
+        lotFolders.map((folder, k) => () => work(2, k, folder, ['merge', folder, ...partFolders, ...shareFolders, ...common, '--figures', 'none', '--part', `${k + 1}/${lots}`], ofShares)),
+        workers,
+      );
+      const last = lots > 0 ? lotFolders : shareFolders;
+      return await work(phases.length - 1, 0, 'out', ['merge', 'out', ...partFolders, ...last, ...common, '--figures', 'none'], [...ofParts, ...(lots > 0 ? fitted : examined).flat()]);
     } catch (error) {
       ended.abort();
       if (error instanceof Refused) return error.said;

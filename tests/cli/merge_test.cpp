@@ -155,10 +155,30 @@ TEST_F(Merge, takes_what_others_have_examined_of_devices) {
   EXPECT_EQ(examined("E1/campaign.sqlite") + examined("E2/campaign.sqlite"), 6);
   EXPECT_GE(std::min(examined("E1/campaign.sqlite"), examined("E2/campaign.sqlite")), 1);
   EXPECT_EQ(stored_rows(path("E1/campaign.sqlite"), "lot_analysis"), 0);
-  expect_message(isolaw(merge(all(), {"E1", "E2"})), 1, {"24 runs and 6 examinations of devices copied"});
+  // Then the laws of the lot, in as many shares as one likes.
+  auto const fit = [&](std::string const& share) {
+    auto words = merge(all(), {"E1", "E2", "--part", share});
+    words[1] = "L" + share.substr(0, 1);
+    return isolaw(words);
+  };
+  expect_message(fit("1/2"), 0, {"part 1 of 2 of the devices and of the lot's laws is examined"});
+  EXPECT_FALSE(exists("L1/summary.json"));
+  ASSERT_EQ(fit("2/2").code, 0);
+  auto const rows = [&](char const* table) {
+    std::vector<int> made;
+    for (auto const* store : {"L1/campaign.sqlite", "L2/campaign.sqlite"})
+      made.push_back(stored_rows(path(store), table));
+    return made;
+  };
+  EXPECT_EQ(rows("lot_analysis"), (std::vector<int>{1, 2}));
+  EXPECT_EQ(rows("left_out"), (std::vector<int>{2, 4}));
+  expect_message(isolaw(merge(all(), {"L2", "L1"})), 1, {"24 runs and 15 analyses copied"});
+  expect_as_one_machine();
+  fs::remove_all(path("O"));
+  expect_message(isolaw(merge(all(), {"E1", "E2"})), 1, {"24 runs and 6 analyses copied"});
   expect_as_one_machine();
   expect_refused(examine("3/2"), {"--part", "K/N"});
-  expect_refused(isolaw(merge(all(), {"--part", "1/2", "--json"})), {"--json: a part examines devices"});
+  expect_refused(isolaw(merge(all(), {"--part", "1/2", "--json"})), {"--json: a part makes a share of the analyses"});
 }
 
 TEST_F(Merge, names_what_is_missing_and_who_should_hold_it_and_goes_on_from_there) {

@@ -213,7 +213,8 @@ int dispatch(CLI::App& app, int argc, char** argv) {
       "directories of isolaw calibrate --part or isolaw building --part, in any order; none: what is there is finished");
   merge_command.add_option(
       "--part", merge_arguments.part,
-      "K/N: examine only the K-th of N even shares of the devices, for isolaw merge of all such directories");
+      "K/N: examine only the K-th of N even shares of the devices, for isolaw merge of all such directories; given all "
+      "of them, of the lot's laws");
   add_jobs(merge_command, merge_arguments.jobs);
   add_figures(merge_command, merge_arguments.figures);
   merge_command.add_flag("--copy-only", merge_arguments.copy_only,

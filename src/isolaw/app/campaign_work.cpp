@@ -14,6 +14,7 @@
 #include "isolaw/base/processor_time.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/base/write_file.hpp"
+#include "isolaw/campaign/analyse.hpp"
 #include "isolaw/campaign/campaign.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/render/json/run_json.hpp"
@@ -60,8 +61,9 @@ int CampaignWork::finish(campaign::Contents& contents, HowToWork const& how) {
   }
   own_.restart();
   if (how.share && !interrupted()) {
-    say("part {} of {} of the devices is examined, in {}; once every part is: isolaw merge OUT PARTS...\n",
-        how.share->number, how.share->of, shown(file));
+    say("part {} of {} of the {} is examined, in {}; once every part is: isolaw merge OUT PARTS...\n",
+        how.share->number, how.share->of,
+        campaign::every_device_examined(contents) ? "devices and of the lot's laws" : "devices", shown(file));
     return exit_done;
   }
   if (!finished) {

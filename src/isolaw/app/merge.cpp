@@ -21,7 +21,7 @@ namespace isolaw::app {
 void tell_merged(campaign::Merged const& merged, std::filesystem::path const& directory, std::string const& store) {
   for (auto const& part : merged.absent) say("{}: not there\n", printable(part));
   say("{}{} copied{} to {}\n", counted(merged.added, "run"),
-      merged.analyses > 0 ? fmt::format(" and {} of devices", counted(merged.analyses, "examination")) : "",
+      merged.analyses > 0 ? fmt::format(" and {} analyses", merged.analyses) : "",
       merged.there > 0 ? fmt::format(", {} there already", merged.there) : "", shown(directory / store));
   if (merged.missing > 0)
     say("not complete: {}; named on standard output\n"
@@ -38,7 +38,7 @@ int merge(MergeArguments const& arguments, std::vector<std::string> const& comma
   auto const share = arguments.part ? std::optional(campaign::parse_part(*arguments.part)) : std::nullopt;
   if (share && (arguments.json || arguments.copy_only))
     throw Error({.where = arguments.json ? "--json" : "--copy-only",
-                 .found = "a part examines devices, and has no summary",
+                 .found = "a part makes a share of the analyses, and has no summary",
                  .advice = "isolaw merge of all parts without --part"});
   CampaignWork work(command_line);
   auto const figures = render::figure_choice(arguments.figures);

@@ -54,7 +54,7 @@ class Analysis {
   std::size_t run() {
     take_what_holds();
     examine_devices();
-    if (interrupted() || options_.share) return threads_;
+    if (interrupted() || (options_.share && !every_device_examined(contents_))) return threads_;
     Meter own(options_.profile);
     auto const lots = laws_on_lot();
     own.lap(Phase::lot);
@@ -167,7 +167,11 @@ class Analysis {
 
   std::vector<LawOnLot> laws_on_lot() const {
     std::vector<LawOnLot> lots;
-    for (auto const& law : contents_.settings.laws) {
+    auto const& laws = contents_.settings.laws;
+    auto const dealt = options_.share ? deal_of_laws(contents_, options_.share->of) : std::vector<int>();
+    for (std::size_t i = 0; i < laws.size(); ++i) {
+      if (options_.share && dealt[i] != options_.share->number) continue;
+      auto const& law = laws[i];
       LawOnLot lot{.law = law};
       for (auto const& search : contents_.searches) {
         if (search.law != law) continue;
@@ -311,6 +315,13 @@ fit::LawOnRecord law_on_device(Contents const& contents, std::size_t device, std
   auto const& settings = contents.settings;
   return fit::LawOnRecord(laws::find_law(law), contents.devices[device].record, settings.integration,
                           settings.turning_points, refinement);
+}
+
+bool every_device_examined(Contents const& contents) {
+  return std::ranges::all_of(contents.searches, [&](Search const& search) {
+    return contents.best_run(search.device, search.law) == nullptr ||
+           contents.analysis_of(search.device, search.law) != nullptr;
+  });
 }
 
 std::size_t analyse(Contents& contents, Store& store, AnalyseOptions const& options) {

@@ -28,8 +28,12 @@ struct AnalyseOptions {
   Profile* profile = nullptr;
   Estimate* estimate = nullptr;
   TaskDone task_done = {};
-  std::optional<Part> share = {};  // of the devices alone, dealt into so many; of the lot nothing
+  // Of the devices alone, dealt into so many; and where all of them are examined then, of the laws of the lot.
+  std::optional<Part> share = {};
 };
+
+// Whether each device was examined for each law that has a usable run there: what the laws of the lot start from.
+bool every_device_examined(Contents const& contents);
 
 // Makes the analyses that are missing and adds them to the store and to `contents`, whose runs must be complete and
 // sorted. The result depends on the runs and the settings alone. Returns how many threads worked.

@@ -177,7 +177,7 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
     for (auto const kind : {TaskKind::run, TaskKind::device, TaskKind::lot, TaskKind::left_out})
       estimate->expect_left(kind, kind == TaskKind::run ? left : std::map<std::string, std::size_t>());
   }
-  if (estimate && options.share)
+  if (estimate && options.share && !every_device_examined(contents))
     for (auto const kind : {TaskKind::lot, TaskKind::left_out}) estimate->expect_left(kind, {});
   auto* const estimated = estimate ? &*estimate : nullptr;
   auto const tell = [&] {

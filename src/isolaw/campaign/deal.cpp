@@ -2,19 +2,39 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "isolaw/laws/catalogue.hpp"
 
 namespace isolaw::campaign {
 namespace {
 
+using Costs = std::vector<std::tuple<std::uint64_t, std::size_t>>;
+
+// The dearest first.
+Costs in_order(Costs costs) {
+  std::ranges::stable_sort(costs, [](auto const& a, auto const& b) { return std::get<0>(a) > std::get<0>(b); });
+  return costs;
+}
+
 // Searches that were not refused.
-std::vector<std::tuple<std::uint64_t, std::size_t>> dearest_first(Contents const& contents) {
-  std::vector<std::tuple<std::uint64_t, std::size_t>> searches;
+Costs dearest_first(Contents const& contents) {
+  Costs searches;
   for (std::size_t s = 0; s < contents.searches.size(); ++s)
     if (contents.searches[s].refusal.empty()) searches.emplace_back(relative_cost(contents, contents.searches[s]), s);
-  std::ranges::stable_sort(searches, [](auto const& a, auto const& b) { return std::get<0>(a) > std::get<0>(b); });
-  return searches;
+  return in_order(std::move(searches));
+}
+
+// Each to the part that has least to do; 0 of what has no cost here.
+std::vector<int> even_by_cost(Costs const& costs, std::size_t count, int parts) {
+  std::vector<int> part(count, 0);
+  std::vector<std::uint64_t> load(static_cast<std::size_t>(parts), 0);
+  for (auto const& [cost, i] : costs) {
+    auto const least = std::ranges::min_element(load);
+    *least += cost;
+    part[i] = static_cast<int>(least - load.begin()) + 1;
+  }
+  return part;
 }
 
 }  // namespace
@@ -38,14 +58,19 @@ Deal::Deal(Contents const& contents, int parts) : runs_(static_cast<std::size_t>
 }
 
 std::vector<int> deal_of_analyses(Contents const& contents, int parts) {
-  std::vector<int> part(contents.searches.size(), 0);
-  std::vector<std::uint64_t> load(static_cast<std::size_t>(parts), 0);
-  for (auto const& [cost, search] : dearest_first(contents)) {
-    auto const least = std::ranges::min_element(load);
-    *least += cost;
-    part[search] = static_cast<int>(least - load.begin()) + 1;
+  return even_by_cost(dearest_first(contents), contents.searches.size(), parts);
+}
+
+std::vector<int> deal_of_laws(Contents const& contents, int parts) {
+  auto const& laws = contents.settings.laws;
+  Costs costs;
+  for (std::size_t i = 0; i < laws.size(); ++i) {
+    std::uint64_t cost = 0;
+    for (auto const& search : contents.searches)
+      if (search.law == laws[i] && search.refusal.empty()) cost += relative_cost(contents, search);
+    costs.emplace_back(cost, i);
   }
-  return part;
+  return even_by_cost(in_order(std::move(costs)), laws.size(), parts);
 }
 
 }  // namespace isolaw::campaign

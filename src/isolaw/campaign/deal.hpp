@@ -28,6 +28,8 @@ class Deal {
 // Which of `parts` examines a device for a law (campaign/analyse.hpp), for each of contents.searches: the dearest
 // first, each to the part that has least to do. 0 where the search was refused.
 std::vector<int> deal_of_analyses(Contents const& contents, int parts);
+// And which fits a law to the lot and leaves each device out, for each of settings.laws.
+std::vector<int> deal_of_laws(Contents const& contents, int parts);
 
 // What a run costs in all likelihood, in proportion alone.
 std::uint64_t relative_cost(Contents const& contents, Search const& search);

@@ -246,7 +246,7 @@ Merged merge(Path const& out, std::vector<Path> const& parts, MergeOptions const
     std::erase_if(whole, [&](Path const& file) { return runs_in(file) < runs; });
     if (!whole.empty()) {
       auto store = Store::open(target);
-      for (auto const& file : whole) merged.analyses += store.take_device_analyses(file);
+      for (auto const& file : whole) merged.analyses += store.take_analyses(file);
       store.finish();
     }
   }

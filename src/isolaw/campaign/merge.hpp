@@ -22,7 +22,7 @@ struct MissingRun {
 
 struct Merged {
   std::size_t added = 0, there = 0;  // runs: copied, and there before or in two parts
-  std::size_t analyses = 0;          // of devices, copied
+  std::size_t analyses = 0;          // copied
   std::size_t missing = 0;
   int parts = 0;                          // that the campaign was dealt into; 0: none says so
   std::vector<std::string> absent;        // parts that are not there

@@ -393,18 +393,21 @@ Contents read_campaign_and_series(Connection const& db) {
   return contents;
 }
 
-std::vector<DeviceAnalysis> read_device_analyses(Connection const& db) {
-  std::vector<DeviceAnalysis> found;
-  read_analyses(db, "SELECT device, law, json, maker FROM device_analysis ORDER BY device, law", found);
+Analyses read_analyses(Connection const& db) {
+  Analyses found;
+  read_analyses(db, "SELECT device, law, json, maker FROM device_analysis ORDER BY device, law", found.devices);
+  read_analyses(db, "SELECT law, json, maker FROM lot_analysis ORDER BY law", found.lots);
+  read_analyses(db, "SELECT device, law, json, maker FROM left_out ORDER BY device, law", found.left_out);
   return found;
 }
 
 Contents read_contents(Connection const& db) {
   auto contents = read_campaign_and_series(db);
   read_runs(db, [&](Run run) { contents.runs.push_back(std::move(run)); });
-  contents.device_analyses = read_device_analyses(db);
-  read_analyses(db, "SELECT law, json, maker FROM lot_analysis ORDER BY law", contents.lot_analyses);
-  read_analyses(db, "SELECT device, law, json, maker FROM left_out ORDER BY device, law", contents.left_out);
+  auto analyses = read_analyses(db);
+  contents.device_analyses = std::move(analyses.devices);
+  contents.lot_analyses = std::move(analyses.lots);
+  contents.left_out = std::move(analyses.left_out);
   return contents;
 }
 

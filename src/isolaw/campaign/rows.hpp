@@ -34,7 +34,12 @@ void write_row(sqlite::Connection const& db, LeftOutAnalysis const& analysis);
 Contents read_campaign(sqlite::Connection const& db);
 // The runs in their order, one at a time.
 void read_runs(sqlite::Connection const& db, std::function<void(Run)> const& visit);
-std::vector<DeviceAnalysis> read_device_analyses(sqlite::Connection const& db);
+struct Analyses {
+  std::vector<DeviceAnalysis> devices = {};
+  std::vector<LotAnalysis> lots = {};
+  std::vector<LeftOutAnalysis> left_out = {};
+};
+Analyses read_analyses(sqlite::Connection const& db);
 // All but runs and analyses.
 Contents read_campaign_and_series(sqlite::Connection const& db);
 Contents read_contents(sqlite::Connection const& db);

@@ -175,23 +175,30 @@ Store::Taken Store::take_runs(std::filesystem::path const& other) {
   return taken;
 }
 
-std::size_t Store::take_device_analyses(std::filesystem::path const& other) {
+std::size_t Store::take_analyses(std::filesystem::path const& other) {
   auto const theirs = Connection::to_read(other);
   require_present_schema(theirs, other);
-  auto const key = [](DeviceAnalysis const& made) { return std::pair(made.device, made.law); };
-  std::set<std::pair<std::size_t, std::string>> there;
-  for (auto const& made : read_device_analyses(db_)) there.insert(key(made));
   auto const maker = own_maker();
   std::size_t added = 0;
-  Transaction transaction(db_);
-  read_as_ours(other, [&] {
-    for (auto& made : read_device_analyses(theirs)) {
+  auto const take = [&](auto const& here, auto offered, auto const& key) {
+    std::set<decltype(key(offered.front()))> there;
+    for (auto const& made : here) there.insert(key(made));
+    for (auto& made : offered) {
       if (!there.insert(key(made)).second) continue;
       require_consistent(campaign_, made);
       made.maker = maker;
       write_row(db_, made);
       ++added;
     }
+  };
+  auto const of_device = [](auto const& made) { return std::pair(made.device, made.law); };
+  Transaction transaction(db_);
+  read_as_ours(other, [&] {
+    auto const here = read_analyses(db_);
+    auto offered = read_analyses(theirs);
+    take(here.devices, std::move(offered.devices), of_device);
+    take(here.lots, std::move(offered.lots), [](LotAnalysis const& made) { return made.law; });
+    take(here.left_out, std::move(offered.left_out), of_device);
     return Contents();
   });
   transaction.commit();

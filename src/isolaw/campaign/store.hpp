@@ -63,9 +63,9 @@ class Store {
     std::size_t added = 0, there = 0;
   };
   Taken take_runs(std::filesystem::path const& other);
-  // What another store of this campaign, with all its runs, has examined of devices, where that is not here already;
-  // how many. Likewise all of them or none.
-  std::size_t take_device_analyses(std::filesystem::path const& other);
+  // What another store of this campaign, with all its runs, has examined, where that is not here already; how many
+  // analyses. Likewise all of them or none.
+  std::size_t take_analyses(std::filesystem::path const& other);
   // No more runs: folds the write-ahead log into the one file. False when another program reads the store just now; the
   // log then stays beside it, and whoever opens the store to write next folds it in.
   bool finish();

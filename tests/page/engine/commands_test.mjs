@@ -128,8 +128,8 @@ test('the end of memory is an error that says what to try, and the next command 
 
 test('a campaign that was cancelled goes on from what was finished', async () => {
   const options = ['--laws', 'bilinear,vaiana', '--runs', '3', '--replicates', '40'];
-  const inputs = ['example/device-01.csv'],
-    files = at('device-01.csv');
+  const inputs = ['example/device-01.csv', 'example/device-02.csv'],
+    files = [...at('device-01.csv'), ...at('device-02.csv')];
   const stop = new AbortController();
   const told = [];
   const cancelled = await engine
@@ -139,6 +139,8 @@ test('a campaign that was cancelled goes on from what was finished', async () =>
   assert.ok(cancelled.parts.some(({ path }) => path.startsWith('parts/')));
   const again = await engine.identify({ inputs, files, options, parts: cancelled.parts });
   assert.equal(again.code, 0, again.stderr);
+  // Dealt among the workers to its end: the laws of the lot too.
+  assert.match(again.stderr, / and 10 analyses copied/);
   // The same campaign as one machine makes, byte by byte where the same machine makes it.
   const one = await engine.run({ argv: ['calibrate', ...inputs, ...options, '--out', 'out', '--figures', 'none'], files });
   assert.equal(textOf(again.files, 'out/summary.json'), textOf(one.files, 'out/summary.json'));
