@@ -270,10 +270,10 @@ TEST_F(BuildingParts, are_named_as_they_may_be_and_know_what_they_are) {
   expect_refused(isolaw({"merge", "O", "P1", "Y"}), {"Y/building.sqlite: is part 2/3", "parts of one deal"});
   expect_refused(isolaw({"merge", "P1", "Y"}), {"P1/building.sqlite: is part 1/5 itself"});
   expect_refused(isolaw({"merge", "P1", "P1"}), {"P1: is the directory that is merged into"});
-  int const held = ::open(path("P1").c_str(), O_RDONLY | O_DIRECTORY);
-  ASSERT_EQ(flock(held, LOCK_EX | LOCK_NB), 0);
+  int const directory = ::open(path("P1").c_str(), O_RDONLY | O_DIRECTORY);
+  ASSERT_EQ(flock(directory, LOCK_EX | LOCK_NB), 0);
   expect_refused(isolaw(part(1)), {"P1: another isolaw works in this directory"});
-  close(held);
+  close(directory);
 }
 
 // --fresh replaces, when all that is to stand there instead was judged and copied.

@@ -11,6 +11,7 @@
 
 #include "cli/records.hpp"
 #include "cli/run.hpp"
+#include "page_data.hpp"
 
 namespace isolaw::cli_test {
 
@@ -88,15 +89,6 @@ inline std::string cell(std::vector<Words> const& rows, std::size_t row, std::st
 }
 inline double number(std::vector<Words> const& rows, std::size_t row, std::string_view name) {
   return std::stod(cell(rows, row, name));
-}
-
-// The data that a page draws.
-inline Json page_data(std::string_view html) {
-  constexpr std::string_view open = R"(<script type="application/json" id="isolaw-data">)";
-  auto const begin = html.find(open);
-  if (begin == std::string_view::npos) throw std::runtime_error("a page without data");
-  auto const text = html.substr(begin + open.size());
-  return Json::parse(text.substr(0, text.find("</script>")));
 }
 
 // Every value under the key `verdict`, at any depth.

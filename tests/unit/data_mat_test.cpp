@@ -27,22 +27,22 @@ class Matlab : public Files, public ::testing::WithParamInterface<Form> {
 };
 
 std::vector const time_s{0.0, 0.1, 0.2, 0.3};
-std::vector const disp{0.0, 2.5, 5.0, -1.0};
-std::vector const force{1.5, -2.0, 3.0, 0.25};
-Named const named{{"time_s", time_s}, {"disp_mm", disp}, {"force_kN", force}};
+std::vector const four_disp{0.0, 2.5, 5.0, -1.0};
+std::vector const four_force{1.5, -2.0, 3.0, 0.25};
+Named const named{{"time_s", time_s}, {"disp_mm", four_disp}, {"force_kN", four_force}};
 auto const units = [] { return with("", "time=s,disp=mm,force=kN"); }();
 
 std::vector<double> matrix() {
   auto values = time_s;
-  values.insert(values.end(), disp.begin(), disp.end());
-  values.insert(values.end(), force.begin(), force.end());
+  values.insert(values.end(), four_disp.begin(), four_disp.end());
+  values.insert(values.end(), four_force.begin(), four_force.end());
   return values;
 }
 
 void expect_values(TestRecord const& record) {
   EXPECT_EQ(record.time_s, time_s);
-  EXPECT_EQ(record.disp_mm, disp);
-  EXPECT_EQ(record.force_kN, force);
+  EXPECT_EQ(record.disp_mm, four_disp);
+  EXPECT_EQ(record.force_kN, four_force);
 }
 
 TEST_P(Matlab, VectorsByTheirNames) {
@@ -60,14 +60,14 @@ TEST_P(Matlab, DatenumIsReadAsSeconds) {
   double const start = 45414.0 + 693960.0 + 9.0 / 24.0;
   auto const record = read(made([&](MatWriter& w) {
     w.array("datenum", {start, start + 0.5 / 86400.0, start + 1.0 / 86400.0, start + 1.5 / 86400.0})
-        .array("disp_mm", disp)
-        .array("force_kN", force);
+        .array("disp_mm", four_disp)
+        .array("force_kN", four_force);
   }));
   ASSERT_EQ(record.time_s.size(), 4u);
   EXPECT_NEAR(record.time_s[3], 1.5, 1e-4);
   EXPECT_TRUE(says(record.recognised, "2024-05-02 at 09:00:00")) << record.recognised.back();
   auto const odd =
-      made([&](MatWriter& w) { w.array("datenum", time_s).array("disp_mm", disp).array("force_kN", force); });
+      made([&](MatWriter& w) { w.array("datenum", time_s).array("disp_mm", four_disp).array("force_kN", four_force); });
   EXPECT_NE(refusal(odd).find("0 is no day of a test; allowed: days of MATLAB's datenum, 1954 to 2119"),
             std::string::npos)
       << refusal(odd);
@@ -76,8 +76,8 @@ TEST_P(Matlab, DatenumIsReadAsSeconds) {
 TEST_P(Matlab, CharactersThatAreTimeStampsAreRead) {
   auto const record = read(made([](MatWriter& w) {
     w.texts("t", {"2024-05-02T10:00:00.0", "2024-05-02T10:00:00.1", "2024-05-02T10:00:00.2", "2024-05-02T10:00:00.4"})
-        .array("disp_mm", disp)
-        .array("force_kN", force);
+        .array("disp_mm", four_disp)
+        .array("force_kN", four_force);
   }));
   ASSERT_EQ(record.time_s.size(), 4u);
   EXPECT_NEAR(record.time_s[3], 0.4, 1e-9);
@@ -86,7 +86,7 @@ TEST_P(Matlab, CharactersThatAreTimeStampsAreRead) {
 
 TEST_P(Matlab, TimesThatAreNoNumbersAreAskedFor) {
   auto const file = made([](MatWriter& w) {
-    w.texts("t", {"first ", "second", "third ", "fourth"}).array("disp_mm", disp).array("force_kN", force);
+    w.texts("t", {"first ", "second", "third ", "fourth"}).array("disp_mm", four_disp).array("force_kN", four_force);
   });
   auto const said = refusal(file);
   EXPECT_NE(
@@ -104,8 +104,8 @@ TEST_P(Matlab, TimesThatAreNoNumbersAreAskedFor) {
 TEST_P(Matlab, VariablesAskedFor) {
   auto const text = made([](MatWriter& w) {
     w.array("Tout", time_s)
-        .array("dist", disp)
-        .array("forc", force)
+        .array("dist", four_disp)
+        .array("forc", four_force)
         .array("x_F", matrix(), 3)
         .array("Kx", {3.0})
         .text("note", "first test");
@@ -129,7 +129,7 @@ TEST_P(Matlab, VariablesAskedFor) {
 
 TEST_P(Matlab, ColumnsOfAMatrixAndLongRows) {
   std::vector<double> wide;
-  for (std::size_t i = 0; i < time_s.size(); ++i) wide.insert(wide.end(), {time_s[i], disp[i], force[i]});
+  for (std::size_t i = 0; i < time_s.size(); ++i) wide.insert(wide.end(), {time_s[i], four_disp[i], four_force[i]});
   auto options = units;
   options.columns = parse_columns("time=m:1,disp=m:2,force=m:3");
   expect_values(read(made([](MatWriter& w) { w.array("m", matrix(), 3); }), options));
@@ -195,13 +195,13 @@ TEST_P(Matlab, FaultsAreAtTheirVariableAndElement) {
 }
 
 TEST_P(Matlab, AUnitIsNeverAssumed) {
-  EXPECT_EQ(refusal(made([](MatWriter& w) { w.array("disp", disp).array("force_kN", force); })),
+  EXPECT_EQ(refusal(made([](MatWriter& w) { w.array("disp", four_disp).array("force_kN", four_force); })),
             "FILE: variable 'disp' (disp) has no unit; allowed: mm, cm, m, in; try: --units disp=mm");
 }
 
 TEST_P(Matlab, AChannelThatIsNotThere) {
   EXPECT_EQ(
-      refusal(made([](MatWriter& w) { w.array("disp_mm", disp); })),
+      refusal(made([](MatWriter& w) { w.array("disp_mm", four_disp); })),
       "FILE: no variable is recognised as the horizontal force; allowed: variables disp_mm (4 x 1 double); try: --columns force=NAME");
 }
 
@@ -272,27 +272,28 @@ class Mat5 : public Files {
  protected:
   // What is refused of a file with this beside a sound force.
   std::string found(std::string const& elements) {
-    auto const text = refusal(file_of(elements + array("force_kN", force, 4, 1)));
+    auto const text = refusal(file_of(elements + array("force_kN", four_force, 4, 1)));
     std::string const start = "FILE: the .mat file cannot be read: ";
     return text.starts_with(start) ? text.substr(start.size(), text.find(';') - start.size()) : text;
   }
 };
 
 TEST_F(Mat5, IsReadByHandToo) {
-  auto const record = read(file_of(array("disp_mm", disp, 1, 4) + packed(array("force_kN", force, 4, 1))));
-  EXPECT_EQ(record.disp_mm, disp);
-  EXPECT_EQ(record.force_kN, force);
+  auto const record = read(file_of(array("disp_mm", four_disp, 1, 4) + packed(array("force_kN", four_force, 4, 1))));
+  EXPECT_EQ(record.disp_mm, four_disp);
+  EXPECT_EQ(record.force_kN, four_force);
 }
 
 TEST_F(Mat5, SizesThatLie) {
-  EXPECT_EQ(found(array("disp_mm", disp, 5, 1)), "5 values stated for 'disp_mm', 32 bytes stored");
-  EXPECT_EQ(found(array("disp_mm", disp, 1000000000, 1)), "1000000000 values stated for 'disp_mm', 32 bytes stored");
-  EXPECT_EQ(found(array("disp_mm", disp, 2147483647, 2147483647)), "a size larger than any file");
-  EXPECT_EQ(found(array("disp_mm", disp, 4294967295u, 1)), "a negative size");
-  auto beyond = array("disp_mm", disp, 4, 1);
+  EXPECT_EQ(found(array("disp_mm", four_disp, 5, 1)), "5 values stated for 'disp_mm', 32 bytes stored");
+  EXPECT_EQ(found(array("disp_mm", four_disp, 1000000000, 1)),
+            "1000000000 values stated for 'disp_mm', 32 bytes stored");
+  EXPECT_EQ(found(array("disp_mm", four_disp, 2147483647, 2147483647)), "a size larger than any file");
+  EXPECT_EQ(found(array("disp_mm", four_disp, 4294967295u, 1)), "a negative size");
+  auto beyond = array("disp_mm", four_disp, 4, 1);
   beyond.replace(4, 4, word(0xFFFFFFF0));
   EXPECT_EQ(found(beyond), "a variable beyond the end of the file");
-  auto inner = array("disp_mm", disp, 4, 1);
+  auto inner = array("disp_mm", four_disp, 4, 1);
   inner.replace(8 + 16 + 16 + 4, 4, word(100000));  // the name's length
   EXPECT_EQ(found(inner), "a name of 100000 bytes");
   EXPECT_EQ(found(element(14, element(6, word(6) + word(0)) + element(5, std::string(400, '\1')))),
@@ -312,16 +313,16 @@ TEST_F(Mat5, WhatIsPackedIsBounded) {
   EXPECT_EQ(bomb(9'000'000, 2, 1), "FILE:disp_mm: 9000000 values, far more than the file's size lets expect");
   EXPECT_EQ(bomb(10'000'001, 2, 1), "FILE: 10000001 values");
   EXPECT_EQ(bomb(2'000'000, 9, 8).substr(0, 30), "FILE:disp_mm: disp is constant");  // within what any file may come to
-  auto cut = packed(array("disp_mm", disp, 4, 1));
+  auto cut = packed(array("disp_mm", four_disp, 4, 1));
   cut.replace(4, 4, word(20));
   cut.resize(28);
   EXPECT_EQ(found(cut), "a compressed variable cannot be unpacked");
 }
 
 TEST_F(Mat5, ComplexAndDeepVariablesAreNoChannels) {
-  auto const text = found(array("disp_mm", disp, 4, 1, 0x806));
+  auto const text = found(array("disp_mm", four_disp, 4, 1, 0x806));
   EXPECT_NE(text.find("disp_mm (4 x 1 complex double)"), std::string::npos) << text;
-  auto const file = file_of(array("disp_mm", disp, 4, 1, 0x806) + array("force_kN", disp, 4, 1));
+  auto const file = file_of(array("disp_mm", four_disp, 4, 1, 0x806) + array("force_kN", four_disp, 4, 1));
   auto const said =
       "FILE: variable 'disp_mm' is complex; allowed: real numbers; variables disp_mm (4 x 1 complex double)";
   EXPECT_TRUE(refusal(file).starts_with(said)) << refusal(file);
@@ -346,9 +347,9 @@ TEST_F(Mat5, BigEndian) {
                               element_of(5, swap(word(static_cast<std::uint32_t>(values.size())) + word(1), 4)) +
                               element_of(1, name) + element_of(9, swap(doubles(values), 8)));
   };
-  auto text = file_of(big("disp_mm", disp) + big("force_kN", force));
+  auto text = file_of(big("disp_mm", four_disp) + big("force_kN", four_force));
   text.replace(124, 4, std::string("\1\0MI", 4));
-  EXPECT_EQ(read(text).disp_mm, disp);
+  EXPECT_EQ(read(text).disp_mm, four_disp);
 }
 
 // --- version 7.3
@@ -383,10 +384,10 @@ class Mat73 : public Files {
 
 TEST_F(Mat73, LinksAndDataElsewhereLeadNowhere) {
   auto const secret = write(std::string(4 * 8, 'x'), "secret.bin");
-  auto const outside = made([&](hid_t file) { add(file, "force_kN", force); });
+  auto const outside = made([&](hid_t file) { add(file, "force_kN", four_force); });
   auto const target = write(outside, "target.h5");
   auto const text = made([&](hid_t file) {
-    add(file, "force_kN", force);
+    add(file, "force_kN", four_force);
     H5Lcreate_external(target.c_str(), "/force_kN", file, "disp_mm", H5P_DEFAULT, H5P_DEFAULT);
     H5Lcreate_soft("/force_kN", file, "disp_cm", H5P_DEFAULT, H5P_DEFAULT);
   });
@@ -396,7 +397,7 @@ TEST_F(Mat73, LinksAndDataElsewhereLeadNowhere) {
       std::string::npos)
       << refusal(text);
   auto const kept_elsewhere = made([&](hid_t file) {
-    add(file, "force_kN", force);
+    add(file, "force_kN", four_force);
     auto const creation = H5Pcreate(H5P_DATASET_CREATE);
     H5Pset_external(creation, secret.c_str(), 0, 4 * 8);
     hsize_t const sizes[2] = {1, 4};
@@ -412,7 +413,7 @@ TEST_F(Mat73, LinksAndDataElsewhereLeadNowhere) {
 // A set of a thousand million values that were never written takes no space in the file.
 TEST_F(Mat73, ValuesThatAreNotThere) {
   auto const text = made([&](hid_t file) {
-    add(file, "force_kN", force);
+    add(file, "force_kN", four_force);
     hsize_t const sizes[2] = {1, 1'000'000'000};
     auto const space = H5Screate_simple(2, sizes, nullptr);
     H5Dclose(H5Dcreate2(file, "disp_mm", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
@@ -425,8 +426,8 @@ TEST_F(Mat73, ValuesThatAreNotThere) {
 // A datetime is six numbers that say where it is kept.
 TEST_F(Mat73, ADatetimeIsAskedFor) {
   auto const text = made([&](hid_t file) {
-    add(file, "disp_mm", disp);
-    add(file, "force_kN", force);
+    add(file, "disp_mm", four_disp);
+    add(file, "force_kN", four_force);
     add(file, "t", {3707764736.0, 2.0, 1.0, 1.0, 1.0, 1.0});
     auto const type = H5Tcopy(H5T_C_S1);
     H5Tset_size(type, 8);
@@ -450,8 +451,8 @@ TEST_F(Mat73, ADatetimeIsAskedFor) {
 
 TEST_F(Mat73, UnitsInAttributes) {
   auto const text = made([&](hid_t file) {
-    add(file, "force_kN", force);
-    add(file, "disp", disp);
+    add(file, "force_kN", four_force);
+    add(file, "disp", four_disp);
     auto const type = H5Tcopy(H5T_C_S1);
     H5Tset_size(type, 2);
     auto const space = H5Screate(H5S_SCALAR);

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -17,6 +16,7 @@
 #include "isolaw/render/json/building_json.hpp"
 #include "isolaw/render/page/html.hpp"
 #include "isolaw/render/tables/building_tables.hpp"
+#include "page_data.hpp"
 #include "unit/building_study_fixture.hpp"
 
 namespace isolaw::render {
@@ -90,9 +90,7 @@ TEST(BuildingPage, holds_the_same_numbers_and_no_markup_of_the_input) {
   auto const& [study, answers] = usual_case();
   auto const page = building_html(study, answers);
   EXPECT_EQ(page.find("<b>1</b>"), std::string::npos);
-  std::string const opening = "<script type=\"application/json\" id=\"isolaw-data\">";
-  auto const begin = page.find(opening) + opening.size();
-  auto const data = Json::parse(page.substr(begin, page.find("</script", begin) - begin));
+  auto const data = page_data(page);
   EXPECT_EQ(data["title"], study.file.settings.title);
   EXPECT_EQ(data["verdict"], answers.verdict);
   EXPECT_EQ(data["laws"][0]["histories"], Json::parse(building_json(study, answers))["laws"][0]["histories"]);

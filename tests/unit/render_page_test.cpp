@@ -10,6 +10,7 @@
 #include "isolaw/render/page/page_data.hpp"
 #include "isolaw/study/drawn_samples.hpp"
 #include "isolaw/study/findings.hpp"
+#include "page_data.hpp"
 #include "unit/analysed_fixture.hpp"
 #include "unit/study_fixture.hpp"
 
@@ -18,17 +19,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string const opening = "<script type=\"application/json\" id=\"isolaw-data\">";
-
 std::size_t count(std::string const& text, std::string const& part) {
   std::size_t times = 0;
   for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++times;
   return times;
-}
-
-Json data_of(std::string const& page) {
-  auto const begin = page.find(opening) + opening.size();
-  return Json::parse(page.substr(begin, page.find("</script", begin) - begin));
 }
 
 std::vector<double> decoded(Json const& curve) {
@@ -43,8 +37,8 @@ std::vector<double> decoded(Json const& curve) {
 
 TEST(Page, OneDataBlockThatParses) {
   auto const page = html(fixture::lot());
-  EXPECT_EQ(count(page, opening), 1u);
-  auto const data = data_of(page);
+  EXPECT_EQ(count(page, std::string(page_data_opening)), 1u);
+  auto const data = page_data(page);
   EXPECT_EQ(data["devices"].size(), 4u);
   EXPECT_EQ(data["laws"].size(), 3u);
   EXPECT_EQ(data["devices"][3]["name"], fixture::nasty_name);
@@ -81,7 +75,7 @@ TEST(Page, PlaceholdersOfTheInputStayText) {
   summary.title = "{{script}} {{data}}";
   auto const page = html(summary);
   EXPECT_NE(page.find("<title>{{script}} {{data}} – isolaw report</title>"), std::string::npos);
-  EXPECT_EQ(data_of(page)["title"], "{{script}} {{data}}");
+  EXPECT_EQ(page_data(page)["title"], "{{script}} {{data}}");
 }
 
 TEST(Page, LoadsNothing) {

@@ -18,7 +18,7 @@ class ProgressLine {
 
  private:
   using Clock = std::chrono::steady_clock;
-  bool terminal_;
+  [[maybe_unused]] bool terminal_;
   bool drawn_ = false;
   Clock::time_point last_ = Clock::now();
 };

@@ -23,7 +23,6 @@ class ImplicitRun {
       : model_(model),
         skeleton_(model.skeleton()),
         bearings_(bearings),
-        motion_(motion),
         options_(options),
         steps_(steps_of(motion, options.longest_step_s, options.rest_s)),
         ground_{.x = motion.x_mm_s2.data(),
@@ -220,7 +219,6 @@ class ImplicitRun {
   Model const& model_;
   Skeleton skeleton_;
   std::span<std::unique_ptr<Bearing> const> bearings_;
-  Motion const& motion_;
   Options const& options_;
   Steps steps_;
   Ground ground_;

@@ -83,7 +83,7 @@ void add_stamps(MatFile const& mat, std::uint64_t longest, MatColumns& found) {
     for (std::size_t i = 0; i < rows; ++i) {
       std::string text;
       for (std::size_t k = 0; k < width; ++k) {
-        double const code = codes[k * rows + i];
+        double const code = codes[static_cast<std::size_t>(k * rows + i)];
         text += code > 0.0 && code < 128.0 ? static_cast<char>(code) : '?';
       }
       auto const stamp = parse_stamp(trimmed(text));

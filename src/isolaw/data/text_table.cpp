@@ -444,10 +444,11 @@ void refuse_width(std::string const& file, Dialect const& dialect) {
 
 Tests text_tests(std::string_view bytes, std::string const& file, TextOptions const& options) {
   auto page = std::make_shared<Page>();
-  auto wide = decode_utf_16(bytes);
-  if (wide) bytes = *wide;
+  auto two_byte = decode_utf_16(bytes);
+  if (two_byte) bytes = *two_byte;
   check_text(file, bytes);
-  auto legacy = wide ? std::optional(LegacyText{std::move(*wide), "UTF-16"}) : decode_legacy(bytes, has_foreign_names);
+  auto legacy =
+      two_byte ? std::optional(LegacyText{std::move(*two_byte), "UTF-16"}) : decode_legacy(bytes, has_foreign_names);
   if (legacy) {
     page->owned = std::move(legacy->utf8);
     bytes = page->owned;

@@ -20,11 +20,10 @@ constexpr Nodes::Values jacobi_zeros{
 // Of the polynomial that is 1 at number j of these zeros and 0 at the others.
 template <std::size_t Count>
 long double lagrange(std::array<std::size_t, Count> const& zeros, std::size_t j, long double y) {
+  auto const zero = [&](std::size_t i) { return static_cast<long double>(jacobi_zeros[zeros[i]]); };
   long double product = 1.0L;
   for (std::size_t i = 0; i < Count; ++i)
-    if (i != j)
-      product *=
-          (y - jacobi_zeros[zeros[i]]) / (static_cast<long double>(jacobi_zeros[zeros[j]]) - jacobi_zeros[zeros[i]]);
+    if (i != j) product *= (y - zero(i)) / (zero(j) - zero(i));
   return product;
 }
 constexpr auto all = [] {
@@ -70,8 +69,10 @@ Nodes make() {
   }
   for (std::size_t i = 0; i < terms; ++i)
     for (std::size_t j = 0; j < terms; ++j)
-      nodes.mean[i][j] = static_cast<double>(integral(
-          [&](long double s) { return 5.0L * s * s * s * s * lagrange(all, j, 2.0L * nodes.place[i] * s - 1.0L); }));
+      nodes.mean[i][j] =
+          static_cast<double>(integral([&, place = static_cast<long double>(nodes.place[i])](long double s) {
+            return 5.0L * s * s * s * s * lagrange(all, j, 2.0L * place * s - 1.0L);
+          }));
   // T_k(y) = 2 y T_(k-1) - T_(k-2).
   for (std::size_t k = 0; k < terms; ++k)
     for (std::size_t i = 0; i < terms; ++i)

@@ -254,7 +254,7 @@ ISOLAW_INLINE Batch<W> max(Batch<W> const& a, Batch<W> const& b) {
 // bits in a block of another width. Costs no instruction.
 template <std::size_t W>
 ISOLAW_INLINE Batch<W> rounded(Batch<W> a) {
-  a.each([&](std::size_t i) ISOLAW_LAMBDA {
+  a.each([&]([[maybe_unused]] std::size_t i) ISOLAW_LAMBDA {
 #if defined(__x86_64__)
     asm("" : "+v"(a.part[i]));
 #elif defined(__aarch64__)
