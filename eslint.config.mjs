@@ -6,7 +6,7 @@ const browser = names(
   'Blob Event HTMLTableCellElement IntersectionObserver KeyboardEvent Plotly ResizeObserver URL dispatchEvent document ' +
     'getComputedStyle getSelection location navigator performance requestAnimationFrame scrollTo setTimeout window',
 );
-const pageAlone = names('addEventListener atob btoa clearInterval setInterval CompressionStream DecompressionStream AbortController TextDecoder TextEncoder');
+const pageAlone = names('addEventListener atob btoa clearInterval setInterval CompressionStream DecompressionStream AbortController Node TextDecoder TextEncoder crypto');
 const node = names('Buffer console process TextEncoder clearInterval clearTimeout setInterval');
 const engine = names('AbortController DecompressionStream Response WebAssembly Worker atob clearInterval self setInterval Buffer process console TextDecoder TextEncoder globalThis');
 const rules = {

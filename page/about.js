@@ -22,6 +22,7 @@ async function selfTest(out, press) {
 
 export const drawAbout = async () => {
   const node = place('view-about');
+  if (node.firstChild) return;
   const version = element('dd', { id: 'version' }, '\u2013'),
     cores = element('dd', {}, '\u2013'),
     tested = element('div', { id: 'self-test-said', role: 'status' }),

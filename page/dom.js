@@ -1,20 +1,27 @@
 // Elements of the document. Text becomes text, never markup: there is no other way to make an element here.
 
+import { listen, patchChildren } from './patch.js';
+
+const present = (children) => children.flat(Infinity).filter((child) => child !== null && child !== undefined && child !== false);
+
 export function element(tag, attributes = {}, ...children) {
   const node = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
     if (value === null || value === undefined || value === false) continue;
-    if (typeof value === 'function') node.addEventListener(name, value);
+    if (typeof value === 'function') listen(node, name, value);
     else node.setAttribute(name, value === true ? '' : String(value));
   }
-  node.append(...children.flat(Infinity).filter((child) => child !== null && child !== undefined && child !== false));
+  node.append(...present(children));
   return node;
 }
 
 export const place = (id) => document.getElementById(id);
 
+// What stands in `node` becomes `children`, as little of it as differs.
 export function fill(node, ...children) {
-  node.replaceChildren(...children.flat(Infinity).filter((child) => child !== null && child !== undefined && child !== false));
+  const next = document.createDocumentFragment();
+  next.append(...present(children));
+  patchChildren(node, next);
 }
 
 export const button = (title, press, attributes = {}) => element('button', { type: 'button', click: press, ...attributes }, title);

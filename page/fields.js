@@ -3,9 +3,9 @@
 import { element } from './dom.js';
 import { text } from './text.js';
 
-const asNumber = (typed) => {
-  const value = Number(typed.trim().replace(',', '.'));
-  return Number.isFinite(value) ? value : typed.trim();
+export const asNumber = (typed) => {
+  const plain = typed.replace(',', '.');
+  return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain) ? Number(plain) : typed;
 };
 
 const shown = (value) => (value === undefined || value === null ? '' : typeof value === 'object' ? JSON.stringify(value) : String(value));
@@ -24,8 +24,8 @@ export function textField(id, words, value, write, { number = false, whole = fal
     'aria-describedby': words[1] ? id + '-hint' : null,
     autocomplete: 'off',
     spellcheck: 'false',
-    change: () => {
-      const typed = control.value.trim();
+    change: ({ currentTarget }) => {
+      const typed = currentTarget.value.trim();
       write(typed === '' ? null : number || whole ? asNumber(typed) : typed);
     },
   });
@@ -38,14 +38,14 @@ export function choiceField(id, words, options, value, write) {
   const all = known ? options : [...options, [shown(value), shown(value)]];
   const control = element(
     'select',
-    { id, 'aria-describedby': words[1] ? id + '-hint' : null, change: () => write(control.value === '' ? null : control.value) },
+    { id, 'aria-describedby': words[1] ? id + '-hint' : null, change: ({ currentTarget }) => write(currentTarget.value === '' ? null : currentTarget.value) },
     all.map(([one, label]) => element('option', { value: one, selected: one === shown(value) }, label)),
   );
   return labelled(id, words, control);
 }
 
 export function flagField(id, [label], value, write) {
-  const control = element('input', { id, type: 'checkbox', checked: value === true, change: () => write(control.checked ? true : null) });
+  const control = element('input', { id, type: 'checkbox', checked: value === true, change: ({ currentTarget }) => write(currentTarget.checked ? true : null) });
   return element('div', { class: 'field flag' }, control, element('label', { for: id }, label));
 }
 

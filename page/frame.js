@@ -14,6 +14,17 @@ function addressOf(bytes) {
   return url;
 }
 
+const print = (frame) => frame.contentWindow.postMessage('isolaw: print', '*');
+
+// The report in a view, if there is one.
+export function printFrame(view) {
+  const frame = view.querySelector('iframe');
+  if (frame) print(frame);
+  return frame !== null;
+}
+
+export const isFrame = (source) => [...document.querySelectorAll('iframe')].some(({ contentWindow }) => contentWindow === source);
+
 export function reportFrame(id, title, bytes, name, extra = []) {
   const url = addressOf(bytes);
   const frame = element('iframe', { id, title, src: url, sandbox: 'allow-scripts allow-downloads allow-modals' });
@@ -21,7 +32,7 @@ export function reportFrame(id, title, bytes, name, extra = []) {
     'div',
     { class: 'tools' },
     extra,
-    button(text.print, () => frame.contentWindow.postMessage('isolaw: print', '*'), { class: 'action' }),
+    button(text.print, () => print(frame), { class: 'action' }),
     element('a', { class: 'action', href: url, target: '_blank', rel: 'noopener' }, text.newTab),
     button(text.savePage, () => download(name, bytes, 'text/html'), { class: 'action' }),
   );

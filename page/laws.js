@@ -5,7 +5,7 @@ import { engine, fileOf } from './engine_use.js';
 import { fileName } from './download.js';
 import { choiceField, textField } from './fields.js';
 import { reportFrame } from './frame.js';
-import { lotFiles, lotPath, lotTables, setCampaign } from './lot.js';
+import { lotFiles, lotPath, lotTables, present, resultsDoubt, setCampaign, titleOfAll } from './lot.js';
 import { problemList, readable } from './records.js';
 import { changed, state } from './state.js';
 import { text } from './text.js';
@@ -19,7 +19,6 @@ let shown = null;
 let progress = null; // the last that was told
 let furthest = 0; // what was told grows with what turns out to be there to do; the bar does not go back
 let started = 0;
-let said = ''; // of the last run: cancelled
 
 const settings = () => lotTables().tables?.find(({ path }) => path === 'calibrate')?.keys ?? new Map();
 const value = (key, other) => settings().get(key)?.value ?? other;
@@ -55,7 +54,7 @@ function settingsForm(edit) {
       type: 'checkbox',
       id: 'law-' + id,
       checked: ids.has(id),
-      change: () => set('laws')(state.laws.map(({ id: one }) => one).filter((one) => (one === id ? box.checked : ids.has(one)))),
+      change: ({ currentTarget }) => set('laws')(state.laws.map(({ id: one }) => one).filter((one) => (one === id ? currentTarget.checked : ids.has(one)))),
     });
     return element('label', { class: 'option' }, box, element('span', {}, title, element('small', {}, text.parameters(parameters))));
   };
@@ -109,7 +108,7 @@ async function identify({ fail }) {
   furthest = 0;
   started = performance.now();
   const clock = setInterval(drawProgress, 1000);
-  said = '';
+  state.cancelled = false;
   settingsOpen = false;
   changed();
   const ask = async (parts) =>
@@ -125,27 +124,30 @@ async function identify({ fail }) {
         drawProgress();
       },
     });
-  const lot = state.lot;
+  const of = present(),
+    lots = state.lots;
   try {
-    const parts = state.parts ?? (store?.length > 0 ? store : undefined);
+    const parts = state.parts.length > 0 ? state.parts : store?.length > 0 ? store : undefined;
     let result = await ask(parts);
     // Of other settings: the earlier one is no start for it.
     if (parts && !fileOf(result.files, 'out/summary.json')) result = await ask(undefined);
-    state.parts = null;
+    if (state.lots !== lots) return;
+    state.parts = [];
     if (!fileOf(result.files, 'out/summary.json')) throw Object.assign(new Error(text.failed), { stderr: result.stderr });
-    setCampaign(result.files);
-    state.campaign.lot = lot;
+    setCampaign(result.files, of);
   } catch (error) {
+    if (state.lots !== lots) return;
     if (error.name === 'AbortError') {
-      if (error.parts?.length > 0 && state.lot === lot) state.parts = error.parts;
-      said = text.cancelled;
+      if (error.parts?.length > 0) Object.assign(state, { parts: error.parts, saved: false });
+      state.cancelled = true;
     } else fail(error);
   } finally {
     clearInterval(clock);
     running = null;
     document.title = text.program;
     changed();
-    place(state.campaign && !said ? 'laws-title' : 'identify')?.focus();
+    // Not from where one writes meanwhile.
+    if (document.activeElement === document.body) place(state.campaign && !state.cancelled ? 'laws-title' : 'identify')?.focus();
   }
 }
 
@@ -188,12 +190,12 @@ export function drawLaws(use) {
   const laws = lawIds(chosenLaws());
   const runs = chosenRuns();
   const showSettings = !page || settingsOpen;
-  const outdated = page && state.lot !== null && state.campaign.lot !== state.lot;
-  const start = button(page ? text.identifyAgain : text.identify, () => identify(use), { class: page && !settingsOpen ? 'action' : 'action main', id: 'identify', disabled: devices === 0 || laws.length === 0 });
+  const doubt = resultsDoubt();
+  const start = button(page ? text.identifyAgain : text.identify, () => identify(use), { class: page && !settingsOpen && !doubt ? 'action' : 'action main', id: 'identify', disabled: devices === 0 || laws.length === 0 });
   const heading = element('h2', { tabindex: '-1', id: 'laws-title', class: page && !settingsOpen ? 'hidden' : null }, text.laws);
 
   if (page && !showSettings) {
-    const key = [page, outdated, state.campaign.summary.complete];
+    const key = [page, doubt, state.cancelled];
     if (shown && key.every((one, i) => one === shown[i])) return;
     shown = key;
     const change = state.lot !== null && button(text.change, () => {
@@ -201,22 +203,21 @@ export function drawLaws(use) {
       changed();
       place('laws-title').focus();
     }, { class: 'action', id: 'change' });
-    const remark = outdated ? text.outdated : state.campaign.summary.complete === false ? text.incomplete : '';
-    const { tools, frame } = reportFrame('report-frame', text.reportFrame, page, fileName(state.title || text.untitled) + '-report.html', [
-      button(text.toSave, () => show('save'), { class: 'action main', id: 'to-save' }),
+    const { tools, frame } = reportFrame('report-frame', text.reportFrame, page, fileName(titleOfAll() || text.untitled) + '-report.html', [
+      (doubt || state.cancelled) &&
+        element('div', { class: 'told' }, doubt && element('p', { class: 'care', id: 'laws-doubt' }, doubt), state.cancelled && element('p', { role: 'status', id: 'laws-said' }, text.cancelled)),
+      button(text.toSave, () => show('save'), { class: doubt ? 'action' : 'action main', id: 'to-save' }),
       state.lot !== null && start,
       change,
-      remark && element('span', { class: 'care' }, remark),
     ]);
     fill(node, heading, tools, frame);
     return;
   }
   shown = null;
-  const id = document.activeElement?.id;
   fill(
     node,
     heading,
-    said && element('p', { class: 'hint', role: 'status', id: 'laws-said' }, said),
+    state.cancelled && element('p', { class: 'hint', role: 'status', id: 'laws-said' }, text.cancelled),
     state.lot !== null && lotTables().tables && settingsForm(edit),
     element(
       'p',
@@ -226,9 +227,8 @@ export function drawLaws(use) {
         settingsOpen = false;
         changed();
       }, { class: 'action' }),
-      element('span', { class: 'muted' }, devices === 0 ? text.noDevice : laws.length === 0 ? text.noLaw : visible(text.work(devices, laws.length, runs) + text.workers(workers))),
+      element('span', { class: 'muted' }, devices === 0 ? (state.problem ? '' : text.noDevice) : laws.length === 0 ? text.noLaw : visible(text.work(devices, laws.length, runs) + text.workers(workers))),
     ),
-    devices === 0 && state.problem && problemList(state.problem),
+    devices === 0 && state.problem && element('div', { class: 'poor' }, problemList(state.problem)),
   );
-  if (id) place(id)?.focus({ preventScroll: true });
 }

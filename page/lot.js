@@ -1,9 +1,10 @@
 // From files to a lot: what is a lot file, a saved campaign, a record; the program reads and writes all of it.
 
+import { visible } from './dom.js';
 import { argument, asBytes, asText, fileOf, messageOf, run } from './engine_use.js';
 import { changed, state } from './state.js';
 import { text } from './text.js';
-import { deviceTables, readToml, withSetting, writeValue } from './toml.js';
+import { deviceTables, readToml, withKey, withSetting, writeValue } from './toml.js';
 
 const LOT = 'lot.toml';
 
@@ -48,20 +49,25 @@ export function namedFiles() {
   return named;
 }
 
-// [{number, name, file}] of the devices of the lot file.
-export function lotDevices() {
-  const { tables } = lotTables();
-  if (!tables) return [];
+function devicesIn(tables) {
   return deviceTables(tables).map((number) => {
     const table = tables[number];
     const file = filesOf(table)[0] ?? '';
     const name = table.keys.get('name')?.value;
-    return { number, table, file, name: typeof name === 'string' ? name : file.replace(/^.*\//, '').replace(/\.[^.]*$/, '') };
+    return { number, table, file, name: typeof name === 'string' ? name : stem(file) };
   });
 }
 
-// What `isolaw init` says of files it cannot read stands below its devices; here it stands beside the files.
+// [{number, name, file}] of the devices of the lot file.
+export const lotDevices = () => devicesIn(lotTables().tables ?? []);
+
+// What `isolaw init` says of files it cannot read stands below its devices; here they are devices too, that are refused.
 const NOT_READ = /\n*^# Not read, and no device here:\n(?:#.*\n?)*/m;
+
+const stem = (path) => path.replace(/^.*\//, '').replace(/\.[^.]*$/, '');
+
+// A device of a file that was not recognised: whoever leaves it out does so by hand, and every output says the rest.
+const deviceOf = (file) => '\n[[device]]\nname = ' + writeValue(visible(stem(file)).trim() || 'record') + '\nfile = ' + writeValue(file) + '\n';
 
 async function recognise(paths, like) {
   const files = recordFiles();
@@ -72,93 +78,171 @@ async function recognise(paths, like) {
   }
   const result = await run(words, files, ['isolaw-new.toml']);
   const written = fileOf(result.files, 'isolaw-new.toml');
-  const unread = [];
-  // Each file that the lot file does not name was not read; why stands in the messages.
-  const lot = written ? asText(written) : '';
-  const block = NOT_READ.exec(lot)?.[0] ?? '';
-  const body = lot.replace(NOT_READ, '\n');
-  const named = new Set();
-  if (body) for (const table of readToml(body)) for (const file of filesOf(table)) named.add(file);
-  const said = messageOf(result.stderr).split('\n');
-  for (const path of paths) {
-    if (named.has(path)) continue;
-    const own = said.filter((line) => line.startsWith(argument(path)) || line.startsWith('./' + path));
-    const inBlock = block.split('\n').find((line) => line.includes(writeValue(path)));
-    unread.push({ file: path, message: own.join('\n') || inBlock?.replace(/^.*?'\s+#\s*/, '') || (result.code === 2 ? said.join('\n') : '') });
-  }
-  return { lot: body, unread, refused: written ? '' : messageOf(result.stderr) };
+  const recognised = written && asText(written).replace(NOT_READ, '\n');
+  const lot = recognised ? (like === null ? withReadInDevices(recognised) : recognised) : like !== null ? like.slice(0, devicesFrom(like)) : empty();
+  const named = new Set(readToml(lot).flatMap(filesOf));
+  return lot.replace(/\n*$/, '\n') + paths.filter((path) => !named.has(path)).map(deviceOf).join('');
 }
 
-const empty = (title) => 'title = ' + writeValue(title || text.untitled) + '\n';
+const empty = () => 'title = ' + writeValue(state.title || text.untitled) + '\n';
 
-const devicesOf = (lot) => {
-  const first = readToml(lot).find(({ array }) => array);
-  return first ? lot.slice(first.from) : '';
+const devicesFrom = (lot) => readToml(lot).find(({ array }) => array)?.from ?? lot.length;
+
+// What was recognised in all of these files alike stands with each of them: it says nothing of files that come later.
+function withReadInDevices(lot) {
+  for (const key of ['columns', 'units']) {
+    const shared = readToml(lot).find(({ path }) => path === 'read')?.keys.get(key)?.value;
+    if (shared === undefined) continue;
+    for (const { number, table } of devicesIn(readToml(lot)).reverse()) lot = withKey(lot, number, key, { ...shared, ...table.keys.get(key)?.value });
+    lot = withSetting(lot, 'read', key, null);
+  }
+  return lot;
+}
+
+// No two devices of one name: a later one is called by its path, or counted.
+function withNamesApart(lot) {
+  const taken = new Set();
+  for (const { number, name, file } of devicesIn(readToml(lot))) {
+    let own = name;
+    if (taken.has(own)) own = file.replace(/\.[^.]*$/, '');
+    for (let i = 2; taken.has(own); ++i) own = name + ' ' + i;
+    if (own !== name) lot = withKey(lot, number, 'name', own);
+    taken.add(own);
+  }
+  return lot;
+}
+
+const digestOf = async (bytes) => [...new Uint8Array(await crypto.subtle.digest('SHA-256', bytes))].map((byte) => byte.toString(16).padStart(2, '0')).join('');
+
+const MARKER = 'isolaw-campaign.json';
+const PARTS = /^(parts|shares|lots)\/\d+-of-\d+\//; // of a campaign that was cancelled
+
+// What a saved campaign says of itself: of which lot file and records its results are.
+export const markerFile = () => ({
+  path: MARKER,
+  bytes: asBytes(JSON.stringify({ isolaw: 'campaign', schema: 2, of: state.campaign && { lot: state.campaign.of.lot, files: Object.fromEntries(state.campaign.of.digests) } }) + '\n'),
+});
+
+// The lot file and the records as they are now; of results, what they were computed of.
+export const present = () => ({ lot: state.lot, digests: new Map([...(namedFiles() ?? [])].map((path) => [path, state.digests.get(path)])) });
+
+// Results of another lot file, or of other records, than those that are here.
+export const outdated = () => {
+  if (!state.campaign || state.lot === null) return false;
+  const { lot, digests } = state.campaign.of;
+  return (lot !== null && lot !== state.lot) || [...digests].some(([path, digest]) => state.digests.get(path) !== digest);
 };
 
-// New files beside what is there. Returns what the page should do next: 'inspect', 'report' or nothing.
+// What stands beside results wherever they are shown or saved; '' where nothing does.
+export const resultsDoubt = () => (outdated() ? text.outdated : state.campaign?.summary.complete === false ? text.incomplete : '');
+
+export const titleOfAll = () => {
+  const own = lotTables().tables?.[0].keys.get('title')?.value;
+  return (typeof own === 'string' && own) || state.inspection?.title || state.campaign?.summary.title || state.title;
+};
+
+// A lot file may call a record as another system does: by '\\', in other letters, or in another folder.
+function rename(named) {
+  const lower = (path) => path.replace(/\\/g, '/').toLowerCase();
+  const last = (path) => lower(path).replace(/^.*\//, '');
+  for (const path of named) {
+    if (state.files.has(path)) continue;
+    const free = [...state.files.keys()].filter((one) => !named.has(one));
+    const same = [lower, last].map((short) => free.filter((one) => short(one) === short(path))).find((found) => found.length === 1)?.[0];
+    if (same === undefined) continue;
+    if (/^([A-Za-z]:|[\\/])|(^|[\\/])\.\.([\\/]|$)/.test(path)) {
+      // There is no such place here: the lot file is told where the record is.
+      const device = lotDevices().find(({ file }) => file === path);
+      if (device?.table.keys.get('file')) state.lot = withKey(state.lot, device.number, 'file', same);
+      continue;
+    }
+    for (const map of [state.files, state.digests]) {
+      map.set(path, map.get(same));
+      map.delete(same);
+    }
+  }
+}
+
+const isStore = ({ path }) => /(^|\/)campaign\.sqlite$/.test(path) && !PARTS.test(path);
+const isToml = ({ path }) => /\.toml$/i.test(path);
+// Of a lot file under any name; a rule set has none.
+const namesDevices = ({ bytes }) => /^\s*\[\[\s*device/m.test(asText(bytes));
+
+// What of the page takes the place of what is here: 'results', 'everything', or ''.
+export function replaces(files) {
+  if (!files.some(isStore)) return '';
+  return files.some((file) => !isStore(file) && file.path !== MARKER && !/\.(html|tex)$/i.test(file.path) && !/(^|\/)out\//.test(file.path)) ? 'everything' : 'results';
+}
+
+// New files beside what is there. Returns {store} where a store is to be reported.
 export const addFiles = async ({ files, title, notes }) => {
   state.notes = notes;
-  const store = files.find(({ path }) => /(^|\/)campaign\.sqlite$/.test(path));
-  const lots = files.filter(({ path }) => /\.toml$/i.test(path));
-  const own = lots.find(({ path }) => /(^|\/)lot\.toml$/.test(path)) ?? (lots.length === 1 ? lots[0] : null);
+  const store = files.find(isStore);
+  const lots = files.filter(isToml);
+  const own = lots.find(({ path }) => /(^|\/)lot\.toml$/.test(path)) ?? (lots.length === 1 && namesDevices(lots[0]) ? lots[0] : null);
+  const marker = files.find(({ path }) => path === MARKER);
   // Names in a lot file are relative to it.
   const base = own ? own.path.slice(0, own.path.lastIndexOf('/') + 1) : '';
   const storeFolder = store ? store.path.slice(0, store.path.lastIndexOf('/') + 1) : null;
   const replaced = [],
-    fresh = [];
+    fresh = [],
+    cancelledParts = [];
   for (const { path, bytes } of files) {
-    if (path === own?.path || (store && path === store.path)) continue;
+    if (path === own?.path || path === MARKER || (store && path === store.path)) continue;
+    if (marker && PARTS.test(path)) {
+      cancelledParts.push({ path, bytes });
+      continue;
+    }
     if (storeFolder && storeFolder !== base && path.startsWith(storeFolder)) continue; // results, which are made again
     if (/\.(html|tex|sqlite)$/i.test(path)) continue;
     const relative = path.startsWith(base) ? path.slice(base.length) : path;
     if (state.files.has(relative)) replaced.push(relative);
     state.files.set(relative, bytes);
+    state.digests.set(relative, await digestOf(bytes));
     fresh.push(relative);
   }
+  if (marker) state.parts = cancelledParts;
   if (replaced.length > 0) state.notes.push(text.replaced(replaced));
+  if (fresh.length > 0 || own) state.saved = state.saved && (marker !== undefined || state.campaign === null);
   if (!state.title) state.title = title;
   if (own) {
     const lot = asText(own.bytes).replace(/^\ufeff/, '').replace(/\r\n/g, '\n');
     Object.assign(state, { lot, inspection: null, inspectionFiles: [], problem: '' });
+    rename(namedFiles() ?? new Set());
     const named = namedFiles();
     const records = fresh.filter((path) => !/\.toml$/i.test(path));
     // Next month's records with this month's lot file.
     if (!store && named && records.length > 0 && named.size > 0 && ![...named].some((path) => state.files.has(path))) {
-      const found = await recognise(records, lot);
-      if (found.lot) {
-        state.lot = found.lot;
-        state.unread = found.unread;
-        state.notes.push(text.likeLast(records.length));
-      }
+      // Else the program would call it after the folder it runs in.
+      state.lot = withSetting(withNamesApart(await recognise(records, lot)), '', 'title', state.title || text.untitled);
+      state.notes.push(text.likeLast(records.length));
     }
   } else {
     const known = namedFilesOr(new Set());
     const records = fresh.filter((path) => !known.has(path) && !/\.toml$/i.test(path));
     if (records.length > 0 && !(store && !state.lot)) await readRecords(records);
+    else if (state.lot !== null) rename(namedFiles() ?? new Set());
   }
-  return store ? { store: store.bytes } : {};
+  return store ? { store: store.bytes, of: marker && markedOf(marker.bytes) } : {};
 };
+
+function markedOf(bytes) {
+  try {
+    const { of } = JSON.parse(asText(bytes));
+    return of && { lot: String(of.lot), digests: new Map(Object.entries(of.files)) };
+  } catch {
+    return null;
+  }
+}
 
 const namedFilesOr = (other) => (state.lot === null ? other : (namedFiles() ?? other));
 
 // Files of no device yet become devices, as the program recognises them.
 export const readRecords = async (paths) => {
   const found = await recognise(paths, null);
-  state.unread = [...state.unread.filter(({ file }) => !paths.includes(file)), ...found.unread];
-  if (state.lot === null) {
-    state.lot = found.lot || empty(state.title);
-    // Else the program would call it after the folder it runs in.
-    state.lot = withSetting(state.lot, '', 'title', state.title || text.untitled);
-  } else if (found.lot) state.lot = state.lot.replace(/\n*$/, '\n\n') + devicesOf(found.lot).replace(/\n*$/, '\n');
+  if (state.lot === null) state.lot = withSetting(withNamesApart(found), '', 'title', state.title || text.untitled);
+  else state.lot = withNamesApart(state.lot.replace(/\n*$/, '\n\n') + found.slice(devicesFrom(found)).replace(/\n*$/, '\n'));
 };
-
-// A device that the reader says how to read.
-export function addDevice(file) {
-  state.unread = state.unread.filter((one) => one.file !== file);
-  const name = file.replace(/^.*\//, '').replace(/\.[^.]*$/, '');
-  state.lot = state.lot.replace(/\n*$/, '\n\n') + '[[device]]\nname = ' + writeValue(name) + '\nfile = ' + writeValue(file) + '\n';
-}
 
 let running = false,
   again = false;
@@ -187,18 +271,25 @@ export const inspect = async () => {
   }
 };
 
-// The report of a store made again: what is shown is this program's.
-export const openStore = async (bytes) => {
+// The command line keeps what its records were, and not the lot file.
+function digestsOf({ devices }) {
+  const here = (file) => [...state.files.keys()].filter((path) => path === file || path.endsWith('/' + file));
+  return { lot: null, digests: new Map(devices.flatMap(({ file, sha256 }) => (here(file).length === 1 ? [[here(file)[0], sha256]] : []))) };
+}
+
+// The report of a store made again: what is shown is this program's. `of`: what its results are of, where that is known.
+export const openStore = async (bytes, of) => {
   const result = await run(['report', 'out', '--figures', 'none'], [{ path: 'out/campaign.sqlite', bytes }], ['out/*']);
   const files = result.files.some(({ path }) => path === 'out/campaign.sqlite') ? result.files : [...result.files, { path: 'out/campaign.sqlite', bytes }];
   if (!fileOf(files, 'out/summary.json')) throw Object.assign(new Error(text.failed), { stderr: result.stderr });
-  setCampaign(files);
+  // The command line keeps what its records were, and not the lot file.
+  setCampaign(files, of ?? digestsOf);
   state.saved = true; // as it was dropped
 };
 
-export function setCampaign(files) {
+export function setCampaign(files, of) {
   const summary = JSON.parse(asText(fileOf(files, 'out/summary.json')));
-  state.campaign = { files, summary, lot: state.lot };
+  state.campaign = { files, summary, of: typeof of === 'function' ? of(summary) : of };
   if (!state.title) state.title = summary.title;
   state.saved = false;
 }

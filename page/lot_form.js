@@ -1,7 +1,7 @@
 // What holds for the whole lot: a form that is the lot file, and the lot file itself.
 
-import { button, element } from './dom.js';
-import { choiceField, fieldset, textField } from './fields.js';
+import { button, element, place } from './dom.js';
+import { asNumber, choiceField, fieldset, textField } from './fields.js';
 import { lotDevices, lotTables } from './lot.js';
 import { state } from './state.js';
 import { text } from './text.js';
@@ -42,7 +42,7 @@ export function lotForm(edit) {
         given[key],
         (value) => {
           if (apart) return edit(withSetting(state.lot, 'acceptance.design', key, value));
-          const next = Object.fromEntries(Object.entries(given).map(([name, one]) => [name, Number(one)]));
+          const next = Object.fromEntries(Object.entries(given).map(([name, one]) => [name, typeof one === 'string' ? asNumber(one) : one]));
           if (value === null) delete next[key];
           else next[key] = value;
           return edit(withSetting(state.lot, 'acceptance', 'design', Object.keys(next).length > 0 ? next : null));
@@ -59,8 +59,7 @@ export function lotForm(edit) {
       fieldset(text.design, Object.entries(text.designs).map(designField)),
     );
   }
-  const area = element('textarea', { id: 'lot-text', rows: Math.min(28, state.lot.split('\n').length + 1), spellcheck: 'false', 'aria-describedby': 'lot-text-why', change: () => edit(area.value) });
-  area.value = state.lot;
+  const rows = Math.min(28, state.lot.split('\n').length + 1);
   parts.push(
     element(
       'details',
@@ -69,8 +68,8 @@ export function lotForm(edit) {
       element('label', { for: 'lot-text', class: 'hidden' }, text.lotFile),
       element('p', { class: 'fine', id: 'lot-text-why' }, text.lotFileWhy),
       line > 0 && element('p', { class: 'care' }, text.lotFileLine(line)),
-      area,
-      button(text.done, () => edit(area.value), { class: 'action' }),
+      element('textarea', { id: 'lot-text', rows, spellcheck: 'false', 'aria-describedby': 'lot-text-why', change: ({ currentTarget }) => edit(currentTarget.value) }, state.lot),
+      button(text.done, () => edit(place('lot-text').value), { class: 'action' }),
     ),
   );
   return parts;

@@ -3,13 +3,13 @@
 import { drawAbout } from './about.js';
 import { button, element, fill, place, visible } from './dom.js';
 import { engine, messageOf } from './engine_use.js';
-import { forgetFrames } from './frame.js';
+import { forgetFrames, isFrame, printFrame } from './frame.js';
 import { cancelIdentifying, drawLaws, isIdentifying, knowWorkers } from './laws.js';
-import { addFiles, exampleLot, inspect, lotDevices, openStore, readCatalogue, readRecords } from './lot.js';
+import { addFiles, exampleLot, inspect, lotDevices, openStore, readCatalogue, readRecords, replaces, titleOfAll } from './lot.js';
 import { drawProperties } from './properties.js';
-import { drawRecords, problemList } from './records.js';
+import { drawRecords, noteList, problemList } from './records.js';
 import { drawSave } from './save.js';
-import { changed, onChange, state } from './state.js';
+import { changed, forgetAll, onChange, state } from './state.js';
 import { ofDrop, ofInput, take, withoutFolder } from './taking.js';
 import { text } from './text.js';
 
@@ -17,26 +17,22 @@ const VIEWS = Object.keys(text.views);
 let current = 'records';
 let working = 0;
 
-const isEmpty = () => state.lot === null && !state.campaign && state.unread.length === 0;
+const isEmpty = () => state.lot === null && !state.campaign;
 const allowed = (view) => view === 'records' || view === 'about' || (view === 'save' ? !isEmpty() : view === 'laws' ? state.campaign !== null || lotDevices().length > 0 : state.inspection !== null);
 
 function drawMast() {
-  const title = state.inspection?.title || state.campaign?.summary.title || state.title;
-  place('title').textContent = visible(title || text.kind);
+  place('title').textContent = visible(titleOfAll() || text.kind);
   place('title').title = place('title').textContent;
   place('brand').textContent = text.program;
 }
 
 function drawViews() {
-  const nav = place('views');
-  const focused = document.activeElement?.id;
   fill(
-    nav,
+    place('views'),
     VIEWS.map((view) =>
       button(text.views[view], () => show(view, true), { id: 'show-' + view, 'data-words': text.views[view], 'aria-current': view === current ? 'page' : null, disabled: !allowed(view), title: allowed(view) ? null : text.notYet[view] }),
     ),
   );
-  if (focused?.startsWith('show-')) place(focused)?.focus();
   for (const view of VIEWS) place('view-' + view).hidden = view !== current;
   document.body.dataset.view = current;
 }
@@ -46,6 +42,7 @@ function drawEmpty() {
     place('view-records'),
     element('h2', { class: 'hidden', tabindex: '-1', id: 'records-title' }, text.records),
     element('p', { class: 'headline' }, text.promise),
+    noteList(),
     element(
       'div',
       { class: 'drop', id: 'drop' },
@@ -113,11 +110,15 @@ function show(view, focus = false) {
   if (focus) place('view-' + view).querySelector('h2')?.focus();
 }
 
-function startOver() {
+function forget() {
   cancelIdentifying();
-  Object.assign(state, { files: new Map(), title: '', lot: null, unread: [], notes: [], inspection: null, inspectionFiles: [], problem: '', campaign: null, parts: null, saved: true });
+  forgetAll();
   forgetFrames();
   hush();
+}
+
+function startOver() {
+  forget();
   show('records', true);
 }
 
@@ -166,22 +167,29 @@ function fail(error) {
 
 const takeIn = async (files) => {
   hush();
-  const shorter = withoutFolder(files);
-  const { store } = await addFiles({ files: shorter.files, title: shorter.title, notes: state.notes });
+  const { files: all, title } = withoutFolder(files);
+  const notes = state.notes;
+  const taken = replaces(all);
+  if (taken && !state.saved && (taken === 'everything' ? !isEmpty() : state.campaign !== null) && !window.confirm(text.reallyReplace)) return;
+  if (taken === 'everything') forget();
+  const { store, of } = await addFiles({ files: all, title, notes });
   changed();
   place('status').textContent = text.inspecting;
   await inspectIfAny();
   if (store) {
     place('status').textContent = text.reporting;
-    await openStore(store);
+    await openStore(store, of);
     changed();
     show('laws');
   } else show('records');
 };
 
-const receive = (chosen) =>
-  busy(text.starting, async () => {
+let received = Promise.resolve(); // one drop after the other: each adds to what the one before has made
+const receive = (chosen) => {
+  const before = received;
+  received = busy(text.starting, async () => {
     const all = await chosen;
+    await before;
     place('status').textContent = text.reading(all.length);
     state.notes = [];
     const size = [...state.files.values()].reduce((sum, { length }) => sum + length, 0);
@@ -189,23 +197,21 @@ const receive = (chosen) =>
     state.notes = notes;
     if (files.length > 0) await takeIn(files);
   });
+};
 
 function listen() {
-  let inside = 0;
+  // What is dragged comes to lie over a sheet above all, reports' frames too, which would keep it to themselves.
   const over = (on) => document.body.toggleAttribute('data-dropping', on);
   addEventListener('dragenter', (event) => {
     event.preventDefault();
-    ++inside;
-    over(true);
+    if (event.dataTransfer?.types.includes('Files')) over(true);
   });
-  addEventListener('dragleave', () => {
-    inside = Math.max(0, inside - 1);
-    if (inside === 0) over(false);
-  });
+  addEventListener('message', ({ data, source }) => data === 'isolaw: drag' && isFrame(source) && over(true));
+  place('dropping').addEventListener('dragleave', () => over(false));
+  addEventListener('pointermove', () => over(false)); // none comes while one drags
   addEventListener('dragover', (event) => event.preventDefault());
   addEventListener('drop', (event) => {
     event.preventDefault();
-    inside = 0;
     over(false);
     receive(ofDrop(event.dataTransfer));
   });
@@ -220,8 +226,10 @@ function listen() {
     event.preventDefault();
     event.returnValue = text.leave;
   });
-  addEventListener('keydown', ({ key }) => {
-    if (key === 'Escape' && isIdentifying()) cancelIdentifying();
+  addEventListener('keydown', (event) => {
+    if (event.key === 'Escape' && current === 'laws' && isIdentifying()) cancelIdentifying();
+    // Of a page with a frame a browser prints one sheet.
+    if (event.key.toLowerCase() === 'p' && (event.ctrlKey || event.metaKey) && printFrame(place('view-' + current))) event.preventDefault();
   });
 }
 
@@ -229,6 +237,7 @@ document.documentElement.lang = text.language;
 place('skip').textContent = text.skip;
 place('views').setAttribute('aria-label', text.sections);
 place('dropping').textContent = text.dropNow;
+place('print-hint').textContent = text.printHint;
 onChange(draw);
 listen();
 draw();

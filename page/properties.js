@@ -4,6 +4,7 @@ import { button, element, fill, place, visible } from './dom.js';
 import { fileOf } from './engine_use.js';
 import { fileName } from './download.js';
 import { reportFrame } from './frame.js';
+import { titleOfAll } from './lot.js';
 import { state } from './state.js';
 import { text } from './text.js';
 
@@ -22,7 +23,7 @@ export function drawProperties({ show }) {
   const { word, sentence } = state.inspection.result ?? {};
   // Why stands in the page below, in full.
   const verdict = element('p', { class: 'verdict-line' }, element('b', { class: 'word ' + (TONES[word] ?? '') }, word ?? text.noVerdict), !word && sentence && ' ' + visible(sentence.replace(/^no verdict: /, '')));
-  const { tools, frame } = reportFrame('inspection-frame', text.inspectionFrame, page, fileName(state.title || text.untitled) + '-inspection.html', [
+  const { tools, frame } = reportFrame('inspection-frame', text.inspectionFrame, page, fileName(titleOfAll() || text.untitled) + '-inspection.html', [
     verdict,
     !state.inspection.assessment?.rule_set &&
       button(

@@ -3,13 +3,12 @@
 import { button, element, fill, place, sign, visible } from './dom.js';
 import { deviceForm } from './device_form.js';
 import { lotForm } from './lot_form.js';
-import { addDevice, lotDevices, lotTables, namedFiles } from './lot.js';
+import { lotDevices, lotTables, namedFiles } from './lot.js';
 import { state } from './state.js';
 import { text } from './text.js';
 import { withKey, withoutDevice } from './toml.js';
 
 const openForms = new Set(); // names of devices
-let openLotFile = false;
 
 const CHANNELS = ['time', 'disp', 'force', 'load'];
 
@@ -66,7 +65,15 @@ const reported = (found) => {
 };
 
 function remarks({ found, message, device }) {
-  if (message) return element('div', { class: found?.status === 'ok' ? 'care' : 'poor' }, problemList(message, device.file));
+  if (message) {
+    const problems = problemList(message, device.file);
+    return element(
+      'div',
+      { class: found?.status === 'ok' ? 'care' : 'poor' },
+      problems.slice(0, 2),
+      problems.length > 2 && element('details', {}, element('summary', {}, text.more(problems.length - 2)), problems.slice(2)),
+    );
+  }
   const warnings = found?.warnings ?? [];
   if (warnings.length === 0) return element('span', { class: 'muted' }, found ? text.fine : '');
   const said = (some) => element('ul', { class: 'sentences' }, some.map((one) => element('li', {}, visible(one))));
@@ -133,8 +140,8 @@ function rowsOf(one, edit, redraw) {
             }, { class: 'action' }),
             button(text.leaveOut, () => {
               openForms.delete(device.name);
-              if (device.file) state.unread = [...state.unread, { file: device.file, message }];
               edit(withoutDevice(state.lot, device.number));
+              focusTitle();
             }, { class: 'action quiet' }),
           ),
         ),
@@ -144,9 +151,14 @@ function rowsOf(one, edit, redraw) {
   return rows;
 }
 
+export const noteList = () => state.notes.length > 0 && element('ul', { class: 'notes', role: 'status' }, state.notes.map((note) => element('li', {}, visible(note))));
+
+const focusTitle = () => place('records-title').focus();
+
 function band(all) {
   const read = all.filter((one) => one.readable).length;
-  const not = all.length - read + state.unread.length;
+  const not = all.length - read;
+  const bare = all.filter((one) => one.readable && one.message).length;
   // Of one device alone the program says no more than what is wrong with it.
   const broken = state.problem && !state.inspection && all.length !== 1;
   // A store alone.
@@ -156,26 +168,26 @@ function band(all) {
     : read === 0
       ? ['poor', text.readBand.none, text.readNone]
       : not > 0
-        ? ['care', text.readBand.some(read, not), text.readSome]
-        : ['good', text.readBand.all(read), text.readAll];
+        ? ['care', text.readBand.some(read, not) + text.readBand.bare(bare), text.readSome]
+        : bare > 0
+          ? ['care', text.readBand.all(read) + text.readBand.bare(bare), text.readBare]
+          : ['good', text.readBand.all(read), text.readAll];
   return { read, node: [tone, word, said, broken] };
 }
 
 export function drawRecords({ edit, show, pick, pickFolder, startOver, addAgain }) {
   const node = place('view-records');
   const redraw = (focus) => {
-    const id = focus ?? document.activeElement?.id;
     drawRecords({ edit, show, pick, pickFolder, startOver, addAgain });
-    if (id) place(id)?.focus({ preventScroll: true });
+    if (focus) place(focus)?.focus({ preventScroll: true });
   };
   const all = devicesFound();
   const { read, node: [tone, word, said, broken] } = band(all);
+  const unreadable = all.filter((one) => !one.readable);
   const pending = all.length > 0 && !state.inspection && !state.problem;
   const named = namedFiles();
   const missing = named ? [...named].filter((path) => !state.files.has(path)) : [];
-  const unused = named ? [...state.files.keys()].filter((path) => !named.has(path) && !/\.toml$/i.test(path) && !state.unread.some(({ file }) => file === path)) : [];
-  const openDetails = new Set([...node.querySelectorAll('details[open][id]')].map(({ id }) => id));
-  openLotFile = openDetails.has('lot-file');
+  const unused = named ? [...state.files.keys()].filter((path) => !named.has(path) && !/\.toml$/i.test(path)) : [];
 
   fill(
     node,
@@ -193,6 +205,11 @@ export function drawRecords({ edit, show, pick, pickFolder, startOver, addAgain 
             { class: 'next' },
             button(text.toProperties, () => show('properties'), { class: 'action', id: 'to-properties' }),
             button(text.toLaws, () => show('laws'), { class: 'action main', id: 'to-laws' }),
+            unreadable.length > 0 &&
+              button(text.leaveOutAll, () => {
+                edit(unreadable.reduceRight((lot, { device }) => withoutDevice(lot, device.number), state.lot));
+                focusTitle();
+              }, { class: 'action quiet', id: 'leave-out' }),
           ),
       ),
     element(
@@ -203,7 +220,7 @@ export function drawRecords({ edit, show, pick, pickFolder, startOver, addAgain 
       button(text.chooseFolder, pickFolder, { class: 'action' }),
       button(text.startOver, startOver, { class: 'action quiet', id: 'start-over' }),
     ),
-    state.notes.length > 0 && element('ul', { class: 'notes' }, state.notes.map((note) => element('li', {}, visible(note)))),
+    noteList(),
     missing.length > 0 && element('p', { class: 'hint care' }, visible(text.missing(missing))),
     all.length > 0 &&
       element(
@@ -234,42 +251,8 @@ export function drawRecords({ edit, show, pick, pickFolder, startOver, addAgain 
           element('tbody', {}, all.map((one) => rowsOf(one, edit, redraw))),
         ),
       ),
-    state.unread.length > 0 &&
-      element(
-        'section',
-        { class: 'unread', 'aria-labelledby': 'unread-title' },
-        element('h3', { id: 'unread-title' }, text.notRead),
-        element('p', { class: 'fine' }, text.notReadWhy),
-        element(
-          'ul',
-          {},
-          state.unread.map(({ file, message }) =>
-            element(
-              'li',
-              {},
-              element('p', { class: 'named' }, sign('cross', 'poor'), element('b', {}, visible(file))),
-              problemList(message, file).slice(0, 4),
-              element(
-                'p',
-                { class: 'next' },
-                button(text.correctFile, () => {
-                  addDevice(file);
-                  openForms.add(file.replace(/^.*\//, '').replace(/\.[^.]*$/, ''));
-                  edit(state.lot);
-                }, { class: 'action', 'aria-label': text.correctFile + ': ' + visible(file) }),
-                button(text.forget, () => {
-                  state.unread = state.unread.filter((one) => one.file !== file);
-                  state.files.delete(file);
-                  edit(state.lot);
-                }, { class: 'action quiet', 'aria-label': text.forget + ': ' + visible(file) }),
-              ),
-            ),
-          ),
-        ),
-      ),
-    unused.length > 0 && element('p', { class: 'hint' }, visible(text.notNamed(unused)) + ' ', button(text.addThem, () => addAgain(unused), { class: 'action' })),
+    unused.length > 0 && element('p', { class: 'hint' }, visible(text.notNamed(unused)) + ' ', button(text.addThem, () => addAgain(unused), { class: 'action', id: 'add-them' })),
     state.lot !== null && element('section', { class: 'form lot-form', 'aria-label': text.lot }, lotForm(edit)),
   );
-  for (const id of openDetails) if (place(id)) place(id).open = true;
-  if (!lotTables().tables || openLotFile) place('lot-file')?.setAttribute('open', '');
+  if (!lotTables().tables) place('lot-file')?.setAttribute('open', '');
 }

@@ -5,6 +5,7 @@ import { asBytes, fileOf, messageOf, run } from './engine_use.js';
 import { download, fileName } from './download.js';
 import { choiceField, flagField } from './fields.js';
 import { problemList } from './records.js';
+import { markerFile, outdated, resultsDoubt, titleOfAll } from './lot.js';
 import { state } from './state.js';
 import { text } from './text.js';
 import { writeZip } from './zip.js';
@@ -13,16 +14,16 @@ const TYPES = { html: 'text/html', json: 'application/json', toml: 'application/
 let said = []; // of the last export
 const chosen = { law: null, device: null, to: 'opensees-cpp', units: 'kN-mm', anyway: false };
 
-const name = () => fileName(state.campaign?.summary.title || state.title || text.untitled);
+const name = () => fileName(titleOfAll() || text.untitled);
 
-const marker = () => asBytes(JSON.stringify({ isolaw: 'campaign', schema: 1 }) + '\n');
-
-// The lot file with its records, and results below out/: as the command line lays it out.
+// The lot file with its records, and results below out/: as the command line lays it out; what was finished of a
+// campaign that was cancelled.
 const wholeFiles = () => [
   ...(state.lot === null ? [] : [{ path: 'lot.toml', bytes: asBytes(state.lot) }]),
   ...[...state.files].map(([path, bytes]) => ({ path, bytes })),
   ...(state.campaign?.files ?? []),
-  { path: 'isolaw-campaign.json', bytes: marker() },
+  ...state.parts,
+  markerFile(),
 ];
 
 const saveWhole = async () => {
@@ -49,8 +50,9 @@ function singles() {
     ['summary.json', fileOf(files, 'out/summary.json')],
     ['inspection.json', fileOf(state.inspectionFiles, 'inspection.json')],
   ].filter(([, bytes]) => bytes);
-  const rows = all.map(([file, bytes]) => ({ file, press: () => download(file === 'lot.toml' ? file : name() + '-' + file, bytes, TYPES[file.split('.').pop()]), size: text.size(bytes.length) }));
-  if (all.length > 0) rows.push({ file: 'tables.zip', press: saveTables, size: '' });
+  const ofResults = (file) => /^(report|summary|tables)/.test(file) && outdated();
+  const rows = all.map(([file, bytes]) => ({ file, old: ofResults(file), press: () => download(file === 'lot.toml' ? file : name() + '-' + file, bytes, TYPES[file.split('.').pop()]), size: text.size(bytes.length) }));
+  if (all.length > 0) rows.push({ file: 'tables.zip', old: ofResults('tables.zip'), press: saveTables, size: '' });
   return rows;
 }
 
@@ -68,12 +70,13 @@ async function makeExport() {
   // What was written is said already.
   const warnings = messageOf(result.stderr).split('\n').filter((line) => !made.some(({ path }) => line === path || line === 'written: ' + path)).join('\n');
   said = [
-    made.length > 0 ? element('p', { class: 'good' }, visible(text.exported(made.map(({ path }) => path).join(', ')))) : null,
+    made.length > 0 ? element('p', { class: warnings || resultsDoubt() ? 'care' : 'good' }, visible(text.exported(made.map(({ path }) => path).join(', ')))) : null,
+    made.length > 0 && resultsDoubt() && element('p', { class: 'care' }, resultsDoubt()),
     made.length > 0 ? warnings && element('pre', { tabindex: '0' }, visible(warnings)) : element('div', { class: 'poor' }, problemList(warnings)),
   ];
 }
 
-export function drawSave({ busy }) {
+export function drawSave({ busy, show }) {
   const node = place('view-save');
   const summary = state.campaign?.summary;
   const laws = summary?.laws.map(({ id }) => id) ?? [];
@@ -88,15 +91,22 @@ export function drawSave({ busy }) {
     said = [];
     fill(place('export-said'));
   };
-  const focused = document.activeElement?.id;
+  const doubt = resultsDoubt();
   fill(
     node,
     element('h2', { tabindex: '-1', id: 'save-title' }, text.save),
+    doubt &&
+      element(
+        'div',
+        { class: 'band care', id: 'save-doubt' },
+        element('p', {}, doubt),
+        state.lot !== null && element('p', { class: 'next' }, button(text.toLaws, () => show('laws'), { class: 'action' })),
+      ),
     element(
       'section',
       { class: 'card', 'aria-labelledby': 'whole-title' },
       element('h3', { id: 'whole-title' }, text.whole),
-      element('p', { class: 'fine' }, state.campaign ? text.wholeWhy : text.wholeEarly),
+      element('p', { class: 'fine' }, (state.campaign ? text.wholeWhy : text.wholeEarly) + (state.parts.length > 0 ? ' ' + text.wholeParts : '')),
       element('p', { class: 'next' }, button(text.download(name() + '.isolaw.zip'), () => busy(text.save, saveWhole), { class: 'action main', id: 'save-whole' })),
     ),
     element(
@@ -106,7 +116,14 @@ export function drawSave({ busy }) {
       element(
         'ul',
         { class: 'downloads' },
-        singles().map(({ file, press, size }) => element('li', {}, button(file, press, { class: 'action', id: 'save-' + file.replace('.', '-'), 'aria-label': text.download(file) }), element('span', {}, text.fileOf[file], size && element('small', {}, size)))),
+        singles().map(({ file, press, size, old }) =>
+          element(
+            'li',
+            {},
+            button(file, press, { class: 'action', id: 'save-' + file.replace('.', '-'), 'aria-label': text.download(file) }),
+            element('span', {}, text.fileOf[file], size && element('small', {}, size), old && element('small', { class: 'care' }, text.old)),
+          ),
+        ),
       ),
     ),
     element(
@@ -114,6 +131,12 @@ export function drawSave({ busy }) {
       { class: 'card form', 'aria-labelledby': 'export-title' },
       element('h3', { id: 'export-title' }, text.export),
       element('p', { class: 'fine' }, summary ? text.exportWhy : text.exportNone),
+      summary &&
+        element(
+          'ul',
+          { class: 'sentences', id: 'answers' },
+          summary.recommendations.map(({ title: purpose, answer, sure }) => element('li', {}, element('b', {}, purpose + ' '), visible(answer), ' ', element('small', {}, visible(sure)))),
+        ),
       summary &&
         element(
           'div',
@@ -128,5 +151,4 @@ export function drawSave({ busy }) {
       element('div', { id: 'export-said', role: 'status' }, said),
     ),
   );
-  if (focused) place(focused)?.focus({ preventScroll: true });
 }

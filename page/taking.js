@@ -103,6 +103,7 @@ export const take = async (chosen, size) => {
     } else files.push({ path: safePath(path), bytes, inFolder });
   }
   if (leftAlone.length > 0) notes.push(text.leftAlone(leftAlone));
+  if (files.length === 0 && leftAlone.length === 0) throw failure(text.nothing);
   return { files: files.filter(({ path }) => path !== ''), notes };
 };
 

@@ -42,12 +42,33 @@ export async function openPage(browser, file, { width = 1280, height = 800, dark
   page.openedIn = (Date.now() - started) / 1000;
   page.idle = (seconds = 120) => page.until("(document.body.dataset.busy ?? '0') === '0'", 'the page to be idle', seconds);
   // Files or folders, as a hand drops them.
-  page.drop = async (paths) => {
-    const data = { items: [], files: paths, dragOperationsMask: 1 };
-    for (const type of ['dragEnter', 'dragOver', 'drop']) await page.send('Input.dispatchDragEvent', { type, x: 300, y: 200, data });
+  page.drag = (type, paths, [x, y] = [300, 200]) => page.send('Input.dispatchDragEvent', { type, x, y, data: { items: [], files: paths, dragOperationsMask: 1 } });
+  page.drop = async (paths, at) => {
+    // Where a sheet comes to lie over a frame a browser tells it that one enters; the protocol does not by itself.
+    for (const type of at ? ['dragEnter', 'dragEnter', 'dragOver', 'drop'] : ['dragEnter', 'dragOver', 'drop']) {
+      await page.drag(type, paths, at);
+      await wait(at ? 200 : 10);
+    }
     await wait(50);
     await page.idle();
   };
+  // As a hand does it: the pointer down, a moment, up; keys one by one.
+  page.click = async (selector) => {
+    const { x, y } = await page.evaluate(`(() => { const it = document.querySelector(${JSON.stringify(selector)}); it.scrollIntoView({ block: 'center' }); const { x, y, width, height } = it.getBoundingClientRect(); return { x: x + Math.min(width / 2, 60), y: y + height / 2 }; })()`);
+    for (const type of ['mousePressed', 'mouseReleased']) {
+      await page.send('Input.dispatchMouseEvent', { type, x, y, button: 'left', clickCount: 1 });
+      await wait(80);
+    }
+  };
+  const codes = { Tab: 9, Enter: 13, Escape: 27, a: 65, p: 80 };
+  page.key = async (key, { control = false } = {}) => {
+    for (const type of ['keyDown', 'keyUp'])
+      await page.send('Input.dispatchKeyEvent', { type, key, code: key.length === 1 ? 'Key' + key.toUpperCase() : key, modifiers: control ? 2 : 0, windowsVirtualKeyCode: codes[key], text: type === 'keyDown' && key === 'Enter' ? '\r' : undefined, commands: control && key === 'a' ? ['selectAll'] : undefined });
+  };
+  page.write = async (words) => {
+    for (const text of words) await page.send('Input.insertText', { text });
+  };
+  page.focused = () => page.evaluate('document.activeElement.id || document.activeElement.className || document.activeElement.tagName');
   page.press = (id) =>
     page.evaluate(`(() => { const it = document.getElementById(${JSON.stringify(id)}); if (!it) throw new Error('no #' + ${JSON.stringify(id)}); if (it.disabled) throw new Error(it.id + ' is disabled'); it.click(); })()`);
   page.type = (id, value) =>

@@ -1,0 +1,58 @@
+// A view that is drawn anew changes what differs and keeps what stands there: the field one writes in, the button the
+// pointer is down on, what is folded open, how far one has scrolled.
+
+const handlers = new WeakMap(); // element -> Map of event -> function
+
+export function listen(node, event, handler) {
+  const own = handlers.get(node) ?? new Map();
+  handlers.set(node, own);
+  if (!own.has(event)) node.addEventListener(event, (told) => own.get(event)?.(told));
+  own.set(event, handler);
+}
+
+// A report's frame is never told to show another: that would be one more step for the browser's way back.
+const alike = (old, next) =>
+  old.nodeType === next.nodeType && old.nodeName === next.nodeName && (old.id ?? '') === (next.id ?? '') && old.type === next.type && old.nodeName !== 'IFRAME';
+
+function patch(old, next) {
+  if (old.nodeType !== Node.ELEMENT_NODE) {
+    if (old.nodeValue !== next.nodeValue) old.nodeValue = next.nodeValue;
+    return;
+  }
+  const isText = old.nodeName === 'TEXTAREA' || (old.nodeName === 'INPUT' && old.type === 'text');
+  const isTyped = isText && old === document.activeElement && old.value !== old.defaultValue;
+  // What is folded open is the reader's to say.
+  for (const { name } of [...old.attributes]) if (name !== 'open' && !next.hasAttribute(name)) old.removeAttribute(name);
+  for (const { name, value } of [...next.attributes]) if (name !== 'open' && old.getAttribute(name) !== value) old.setAttribute(name, value);
+  for (const [event] of handlers.get(old) ?? []) handlers.get(old).set(event, null);
+  for (const [event, handler] of handlers.get(next) ?? []) listen(old, event, handler);
+  patchChildren(old, next);
+  if (isText && !isTyped && old.value !== next.value) old.value = next.value;
+  if (old.nodeName === 'SELECT' && old.value !== next.value) old.value = next.value;
+  if ((old.type === 'checkbox' || old.type === 'radio') && old.checked !== next.checked) old.checked = next.checked;
+}
+
+// `next` gives its children away.
+export function patchChildren(old, next) {
+  const wanted = new Set([...next.childNodes].map(({ id }) => id).filter(Boolean));
+  const mayGo = (node) => !wanted.has(node.id) && !node.contains(document.activeElement);
+  let at = old.firstChild;
+  for (const one of [...next.childNodes]) {
+    let same = at;
+    while (same && !alike(same, one)) same = one.id || mayGo(same) ? same.nextSibling : null;
+    if (same) {
+      while (at !== same) {
+        const gone = at;
+        at = at.nextSibling;
+        gone.remove();
+      }
+      at = at.nextSibling;
+      patch(same, one);
+    } else old.insertBefore(one, at);
+  }
+  while (at) {
+    const gone = at;
+    at = at.nextSibling;
+    gone.remove();
+  }
+}
