@@ -41,7 +41,7 @@ function linesOf(bytes) {
 
 // `found`: of inspection.json, or undefined; `write(key, value)` changes the lot file.
 export function deviceForm(device, found, message, write) {
-  const id = (key) => 'device-' + device.number + '-' + key;
+  const id = (key) => 'device-' + device.place + '-' + key;
   const value = (key) => device.table.keys.get(key)?.value;
   const field = (key, options) => textField(id(key), text.form[key], value(key), (typed) => write(key, typed), options);
   const number = (key) => field(key, { number: true });

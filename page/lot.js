@@ -50,15 +50,15 @@ export function namedFiles() {
 }
 
 function devicesIn(tables) {
-  return deviceTables(tables).map((number) => {
+  return deviceTables(tables).map((number, i) => {
     const table = tables[number];
     const file = filesOf(table)[0] ?? '';
     const name = table.keys.get('name')?.value;
-    return { number, table, file, name: typeof name === 'string' ? name : stem(file) };
+    return { number, place: i + 1, table, file, name: typeof name === 'string' ? name : stem(file) };
   });
 }
 
-// [{number, name, file}] of the devices of the lot file.
+// [{number, place, table, file, name}] of the devices of the lot file: `number` of its table, `place` among the devices.
 export const lotDevices = () => devicesIn(lotTables().tables ?? []);
 
 // What `isolaw init` says of files it cannot read stands below its devices; here they are devices too, that are refused.

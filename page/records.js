@@ -99,7 +99,7 @@ function rowsOf(one, edit, redraw) {
       else openForms.add(device.name);
       redraw();
     },
-    { class: 'action', id: 'correct-' + device.number, 'aria-expanded': String(isOpen), 'aria-label': (isOpen ? text.done : text.correct) + ': ' + visible(device.name) },
+    { class: 'action', id: 'correct-' + device.place, 'aria-expanded': String(isOpen), 'aria-label': (isOpen ? text.done : text.correct) + ': ' + visible(device.name) },
   );
   const rows = [
     element(
@@ -136,7 +136,7 @@ function rowsOf(one, edit, redraw) {
             { class: 'form-end' },
             button(text.done, () => {
               openForms.delete(device.name);
-              redraw('correct-' + device.number);
+              redraw('correct-' + device.place);
             }, { class: 'action' }),
             button(text.leaveOut, () => {
               openForms.delete(device.name);

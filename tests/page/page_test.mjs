@@ -644,7 +644,11 @@ const tests = {
     await page.write('250000');
     await page.click('#lot-size');
     await page.write('28');
-    await page.key('Tab');
+    // Which makes a table above the devices.
+    await page.click('[id^=correct-]');
+    await page.click('[id^=correct-]');
+    equal(await page.evaluate("document.querySelectorAll('.form-row').length"), 0, 'opened and closed');
+    await page.click('#design-K_eff');
     await page.write('0,62');
     await page.key('Tab');
     await page.write('19,5');
