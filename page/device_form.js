@@ -9,11 +9,6 @@ const CHANNELS = ['time', 'disp', 'force', 'load'];
 const UNITS = { time: ['s', 'ms', 'min', 'd'], disp: ['mm', 'cm', 'm', 'in'], force: ['kN', 'N', 'MN', 'tonf', 'kgf', 'daN', 'kip', 'lbf'] };
 UNITS.load = UNITS.force;
 
-const pairs = (value) => {
-  if (typeof value !== 'string') return value ?? {};
-  return Object.fromEntries(value.split(',').map((one) => [one.slice(0, one.indexOf('=')).trim(), one.slice(one.indexOf('=') + 1).trim()]));
-};
-
 // Names of columns that the program mentions, as suggestions.
 function columnsSaid(found, message) {
   const names = new Set();
@@ -39,25 +34,18 @@ function linesOf(bytes) {
   return words.split(/\r\n|\r|\n/).slice(0, 16).map((line) => visible(line.slice(0, 300)));
 }
 
-// `found`: of inspection.json, or undefined; `write(key, value)` changes the lot file.
-export function deviceForm(device, found, message, write) {
+// `found`: of inspection.json, or undefined; `write(key, value)` and `writePart(key, channel, value)` change the lot file.
+export function deviceForm(device, found, message, write, writePart) {
   const id = (key) => 'device-' + device.place + '-' + key;
   const value = (key) => device.table.keys.get(key)?.value;
   const field = (key, options) => textField(id(key), text.form[key], value(key), (typed) => write(key, typed), options);
   const number = (key) => field(key, { number: true });
   const choice = (key) => choiceField(id(key), text.form[key], choicesOf(key), value(key), (chosen) => write(key, chosen));
 
-  const columns = pairs(value('columns')),
-    units = pairs(value('units'));
-  // What is set of the two tables that hold one value for each channel.
-  const part = (key, whole) => (channel) => (typed) => {
-    const next = { ...whole };
-    if (typed === null) delete next[channel];
-    else next[channel] = typed;
-    write(key, Object.keys(next).length > 0 ? next : null);
-  };
-  const column = part('columns', columns),
-    unit = part('units', units);
+  const { values: columns } = device.valuesOf('columns'),
+    { values: units } = device.valuesOf('units');
+  const column = (channel) => (typed) => writePart('columns', channel, typed);
+  const unit = (channel) => (typed) => writePart('units', channel, typed);
   const numeral = (write) => (typed) => write(typed !== null && /^\d+$/.test(typed) ? Number(typed) : typed);
   const suggested = element('datalist', { id: id('names') }, columnsSaid(found, message).map((name) => element('option', { value: name })));
   const channels = CHANNELS.map((channel) =>

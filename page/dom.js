@@ -26,9 +26,12 @@ export function fill(node, ...children) {
 
 export const button = (title, press, attributes = {}) => element('button', { type: 'button', click: press, ...attributes }, title);
 
-// Control characters of names and messages as a reader can see them.
+// Control characters, and marks that turn the direction of writing.
+export const unseen = /[\u0000-\u001f\u007f-\u009f\u200e\u200f\u202a-\u202e\u2066-\u2069]/g;
+
+// Names and messages as a reader can see them, in their lines.
 export const visible = (words) =>
-  String(words).replace(/[\u0000-\u0008\u000b-\u001f\u007f-\u009f\u200e\u200f\u202a-\u202e\u2066-\u2069]/g, (sign) => '\\x' + sign.codePointAt(0).toString(16).padStart(2, '0'));
+  String(words).replace(unseen, (sign) => (sign === '\n' || sign === '\t' ? sign : '\\x' + sign.codePointAt(0).toString(16).padStart(2, '0')));
 
 const shapes = {
   tick: 'M2 6.4 L4.9 9.2 L10 3',

@@ -195,7 +195,7 @@ export function drawLaws(use) {
   const heading = element('h2', { tabindex: '-1', id: 'laws-title', class: page && !settingsOpen ? 'hidden' : null }, text.laws);
 
   if (page && !showSettings) {
-    const key = [page, doubt, state.cancelled];
+    const key = [page, doubt, state.cancelled, start.disabled, state.lot === null];
     if (shown && key.every((one, i) => one === shown[i])) return;
     shown = key;
     const change = state.lot !== null && button(text.change, () => {

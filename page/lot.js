@@ -4,7 +4,7 @@ import { visible } from './dom.js';
 import { argument, asBytes, asText, fileOf, messageOf, run } from './engine_use.js';
 import { changed, state } from './state.js';
 import { text } from './text.js';
-import { deviceTables, readToml, withKey, withSetting, writeValue } from './toml.js';
+import { deviceTables, readToml, valuesOf, withKey, withSetting, writeValue } from './toml.js';
 
 const LOT = 'lot.toml';
 
@@ -33,18 +33,21 @@ export function lotTables() {
 
 const filesOf = (table) => [table.keys.get('file')?.value, table.keys.get('files')?.value].flat().filter((file) => typeof file === 'string');
 
-// All files that the lot file names, those of channels and compression tests too.
+// All files that the lot file names, those of channels and compression tests and a rule set too.
 export function namedFiles() {
   const { tables } = lotTables();
-  if (!tables) return null;
+  return tables && namedIn(tables);
+}
+
+function namedIn(tables) {
   const named = new Set();
-  for (const table of tables) {
+  const rules = tables.find(({ path }) => path === 'acceptance')?.keys.get('rules')?.value;
+  if (typeof rules === 'string' && /\.toml$/i.test(rules)) named.add(rules);
+  for (const [number, table] of tables.entries()) {
     for (const file of filesOf(table)) named.add(file);
     const vertical = table.keys.get('vertical')?.value;
     if (typeof vertical === 'string') named.add(vertical);
-    const columns = table.keys.get('columns')?.value;
-    const places = typeof columns === 'string' ? columns.split(',').map((one) => one.slice(one.indexOf('=') + 1)) : Object.values(columns ?? {});
-    for (const place of places) if (typeof place === 'string' && place.includes(':')) named.add(place.slice(0, place.lastIndexOf(':')));
+    for (const place of Object.values(valuesOf(tables, number, 'columns').values)) if (typeof place === 'string' && place.includes(':')) named.add(place.slice(0, place.lastIndexOf(':')));
   }
   return named;
 }
@@ -54,7 +57,7 @@ function devicesIn(tables) {
     const table = tables[number];
     const file = filesOf(table)[0] ?? '';
     const name = table.keys.get('name')?.value;
-    return { number, place: i + 1, table, file, name: typeof name === 'string' ? name : stem(file) };
+    return { number, place: i + 1, table, file, name: typeof name === 'string' ? name : stem(file), valuesOf: (key) => valuesOf(tables, number, key) };
   });
 }
 
@@ -120,7 +123,7 @@ const PARTS = /^(parts|shares|lots)\/\d+-of-\d+\//; // of a campaign that was ca
 // What a saved campaign says of itself: of which lot file and records its results are.
 export const markerFile = () => ({
   path: MARKER,
-  bytes: asBytes(JSON.stringify({ isolaw: 'campaign', schema: 2, of: state.campaign && { lot: state.campaign.of.lot, files: Object.fromEntries(state.campaign.of.digests) } }) + '\n'),
+  bytes: asBytes(JSON.stringify({ isolaw: 'campaign', schema: 2, of: state.campaign?.of && { lot: state.campaign.of.lot, files: Object.fromEntries(state.campaign.of.digests) } }) + '\n'),
 });
 
 // The lot file and the records as they are now; of results, what they were computed of.
@@ -129,7 +132,7 @@ export const present = () => ({ lot: state.lot, digests: new Map([...(namedFiles
 // Results of another lot file, or of other records, than those that are here.
 export const outdated = () => {
   if (!state.campaign || state.lot === null) return false;
-  const { lot, digests } = state.campaign.of;
+  const { lot, digests } = state.campaign.of ?? digestsOf(state.campaign.summary);
   return (lot !== null && lot !== state.lot) || [...digests].some(([path, digest]) => state.digests.get(path) !== digest);
 };
 
@@ -168,32 +171,49 @@ const isToml = ({ path }) => /\.toml$/i.test(path);
 // Of a lot file under any name; a rule set has none.
 const namesDevices = ({ bytes }) => /^\s*\[\[\s*device/m.test(asText(bytes));
 
+const folderOf = ({ path }) => path.slice(0, path.lastIndexOf('/') + 1);
+
+// Which of these files is the lot file, which the store; `results`, that the program makes again of it, are no records
+// unless the lot file names them; `base`: what its names are relative to.
+function sorted(files) {
+  const store = files.find(isStore);
+  const lots = files.filter(isToml);
+  const lot = lots.find(({ path }) => /(^|\/)lot\.toml$/.test(path)) ?? (lots.length === 1 && namesDevices(lots[0]) ? lots[0] : null);
+  const base = lot ? folderOf(lot) : '';
+  let named = new Set();
+  try {
+    if (lot) named = namedIn(readToml(asText(lot.bytes)));
+  } catch {
+    // The program says what is wrong with it.
+  }
+  const made = /^(tables|figures)\/|^(summary|run)\.json$|\.(html|tex|sqlite)$/i;
+  const results = new Set(store ? files.filter((file) => file === store || (file.path.startsWith(folderOf(store)) && !PARTS.test(file.path) && made.test(file.path.slice(folderOf(store).length)) && !named.has(file.path.slice(base.length)))) : []);
+  return { store, lot, base, results };
+}
+
 // What of the page takes the place of what is here: 'results', 'everything', or ''.
 export function replaces(files) {
   if (!files.some(isStore)) return '';
-  return files.some((file) => !isStore(file) && file.path !== MARKER && !/\.(html|tex)$/i.test(file.path) && !/(^|\/)out\//.test(file.path)) ? 'everything' : 'results';
+  const { lot, results } = sorted(files);
+  return lot || files.some((file) => file.path !== MARKER && !results.has(file)) ? 'everything' : 'results';
 }
 
 // New files beside what is there. Returns {store} where a store is to be reported.
 export const addFiles = async ({ files, title, notes }) => {
   state.notes = notes;
-  const store = files.find(isStore);
-  const lots = files.filter(isToml);
-  const own = lots.find(({ path }) => /(^|\/)lot\.toml$/.test(path)) ?? (lots.length === 1 && namesDevices(lots[0]) ? lots[0] : null);
+  const { store, lot: own, base, results } = sorted(files);
   const marker = files.find(({ path }) => path === MARKER);
-  // Names in a lot file are relative to it.
-  const base = own ? own.path.slice(0, own.path.lastIndexOf('/') + 1) : '';
-  const storeFolder = store ? store.path.slice(0, store.path.lastIndexOf('/') + 1) : null;
+  if (!own && !store && state.lot !== null && !lotTables().tables) throw Object.assign(new Error(text.lotFirst), { shown: true });
   const replaced = [],
     fresh = [],
     cancelledParts = [];
-  for (const { path, bytes } of files) {
-    if (path === own?.path || path === MARKER || (store && path === store.path)) continue;
+  for (const file of files) {
+    const { path, bytes } = file;
+    if (file === own || path === MARKER || results.has(file)) continue;
     if (marker && PARTS.test(path)) {
       cancelledParts.push({ path, bytes });
       continue;
     }
-    if (storeFolder && storeFolder !== base && path.startsWith(storeFolder)) continue; // results, which are made again
     if (/\.(html|tex|sqlite)$/i.test(path)) continue;
     const relative = path.startsWith(base) ? path.slice(base.length) : path;
     if (state.files.has(relative)) replaced.push(relative);
@@ -239,7 +259,9 @@ const namedFilesOr = (other) => (state.lot === null ? other : (namedFiles() ?? o
 
 // Files of no device yet become devices, as the program recognises them.
 export const readRecords = async (paths) => {
+  const { lots } = state;
   const found = await recognise(paths, null);
+  if (state.lots !== lots) return;
   if (state.lot === null) state.lot = withSetting(withNamesApart(found), '', 'title', state.title || text.untitled);
   else state.lot = withNamesApart(state.lot.replace(/\n*$/, '\n\n') + found.slice(devicesFrom(found)).replace(/\n*$/, '\n'));
 };
@@ -257,9 +279,10 @@ export const inspect = async () => {
   try {
     do {
       again = false;
+      const { lots } = state;
       const result = await run(['inspect', lotPath, '--out', 'isolaw-out'], lotFiles(), ['isolaw-out/*']);
       const json = fileOf(result.files, 'isolaw-out/inspection.json');
-      if (again) continue;
+      if (again || state.lots !== lots) continue;
       const read = json ? JSON.parse(asText(json)) : null;
       state.inspection = read && { ...read, devices: read.devices ?? [read] };
       state.inspectionFiles = result.files.map(({ path, bytes }) => ({ path: path.slice('isolaw-out/'.length), bytes }));
@@ -279,17 +302,20 @@ function digestsOf({ devices }) {
 
 // The report of a store made again: what is shown is this program's. `of`: what its results are of, where that is known.
 export const openStore = async (bytes, of) => {
+  const { lots } = state;
   const result = await run(['report', 'out', '--figures', 'none'], [{ path: 'out/campaign.sqlite', bytes }], ['out/*']);
   const files = result.files.some(({ path }) => path === 'out/campaign.sqlite') ? result.files : [...result.files, { path: 'out/campaign.sqlite', bytes }];
   if (!fileOf(files, 'out/summary.json')) throw Object.assign(new Error(text.failed), { stderr: result.stderr });
   // The command line keeps what its records were, and not the lot file.
-  setCampaign(files, of ?? digestsOf);
-  state.saved = true; // as it was dropped
+  if (state.lots !== lots) return;
+  const { saved } = state;
+  setCampaign(files, of ?? null);
+  state.saved = saved; // as it was dropped
 };
 
 export function setCampaign(files, of) {
   const summary = JSON.parse(asText(fileOf(files, 'out/summary.json')));
-  state.campaign = { files, summary, of: typeof of === 'function' ? of(summary) : of };
+  state.campaign = { files, summary, of };
   if (!state.title) state.title = summary.title;
   state.saved = false;
 }

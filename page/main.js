@@ -213,6 +213,7 @@ function listen() {
   addEventListener('drop', (event) => {
     event.preventDefault();
     over(false);
+    document.activeElement?.blur(); // what is being typed is of the lot that is here
     receive(ofDrop(event.dataTransfer));
   });
   for (const id of ['pick', 'pick-folder'])

@@ -8,7 +8,12 @@ import { state } from './state.js';
 import { text } from './text.js';
 import { withKey, withoutDevice } from './toml.js';
 
-const openForms = new Set(); // names of devices
+// Places of the devices whose forms are open, in the lot that is here.
+let openForms = new Set(),
+  openIn = 0;
+const leftOut = (place) => {
+  openForms = new Set([...openForms].filter((one) => one !== place).map((one) => (one > place ? one - 1 : one)));
+};
 
 const CHANNELS = ['time', 'disp', 'force', 'load'];
 
@@ -88,15 +93,15 @@ function remarks({ found, message, device }) {
 function rowsOf(one, edit, redraw) {
   const { device, found, message, readable: isRead } = one;
   const cycle = reported(found);
-  const isOpen = openForms.has(device.name);
+  const isOpen = openForms.has(device.place);
   const tone = !found && !message ? 'muted' : !isRead ? 'poor' : message || found.warnings.length > 0 ? 'care' : 'good';
   const shape = { good: 'tick', care: 'care', poor: 'cross' }[tone];
   const cell = (label, value, className) => element('td', { class: className, 'data-label': label }, value);
   const toggle = button(
     isOpen ? text.done : text.correct,
     () => {
-      if (isOpen) openForms.delete(device.name);
-      else openForms.add(device.name);
+      if (isOpen) openForms.delete(device.place);
+      else openForms.add(device.place);
       redraw();
     },
     { class: 'action', id: 'correct-' + device.place, 'aria-expanded': String(isOpen), 'aria-label': (isOpen ? text.done : text.correct) + ': ' + visible(device.name) },
@@ -104,7 +109,7 @@ function rowsOf(one, edit, redraw) {
   const rows = [
     element(
       'tr',
-      { class: 'device', 'data-tone': tone },
+      { class: 'device', id: 'device-' + device.place, 'data-tone': tone },
       element('th', { scope: 'row', class: 'device-name' }, element('div', { class: 'named' }, shape && sign(shape, tone), element('span', {}, visible(device.name), device.file && element('small', {}, visible(device.file))))),
       cell(text.readAs, element('div', { class: 'channels-read' }, readAs(found)), 'read-as'),
       cell(text.samples, number(isRead ? found.samples : null, 9), 'number'),
@@ -116,30 +121,25 @@ function rowsOf(one, edit, redraw) {
     ),
   ];
   if (isOpen) {
-    const write = (key, value) => {
-      if (key === 'name' && value) {
-        openForms.delete(device.name);
-        openForms.add(value);
-      }
-      edit(withKey(state.lot, device.number, key, value));
-    };
+    const write = (key, value) => edit(withKey(state.lot, device.number, key, value));
+    const writePart = (key, channel, value) => edit(device.valuesOf(key).write(state.lot, channel, value));
     rows.push(
       element(
         'tr',
-        { class: 'form-row' },
+        { class: 'form-row', id: 'form-' + device.place },
         element(
           'td',
           { colspan: '8' },
-          deviceForm(device, found, message, write),
+          deviceForm(device, found, message, write, writePart),
           element(
             'p',
             { class: 'form-end' },
             button(text.done, () => {
-              openForms.delete(device.name);
+              openForms.delete(device.place);
               redraw('correct-' + device.place);
             }, { class: 'action' }),
             button(text.leaveOut, () => {
-              openForms.delete(device.name);
+              leftOut(device.place);
               edit(withoutDevice(state.lot, device.number));
               focusTitle();
             }, { class: 'action quiet' }),
@@ -181,6 +181,10 @@ export function drawRecords({ edit, show, pick, pickFolder, startOver, addAgain 
     drawRecords({ edit, show, pick, pickFolder, startOver, addAgain });
     if (focus) place(focus)?.focus({ preventScroll: true });
   };
+  if (openIn !== state.lots) {
+    openIn = state.lots;
+    openForms.clear();
+  }
   const all = devicesFound();
   const { read, node: [tone, word, said, broken] } = band(all);
   const unreadable = all.filter((one) => !one.readable);
@@ -207,6 +211,7 @@ export function drawRecords({ edit, show, pick, pickFolder, startOver, addAgain 
             button(text.toLaws, () => show('laws'), { class: 'action main', id: 'to-laws' }),
             unreadable.length > 0 &&
               button(text.leaveOutAll, () => {
+                for (const { device } of [...unreadable].reverse()) leftOut(device.place);
                 edit(unreadable.reduceRight((lot, { device }) => withoutDevice(lot, device.number), state.lot));
                 focusTitle();
               }, { class: 'action quiet', id: 'leave-out' }),

@@ -12,6 +12,7 @@ import { writeZip } from './zip.js';
 
 const TYPES = { html: 'text/html', json: 'application/json', toml: 'application/toml', zip: 'application/zip' };
 let said = []; // of the last export
+let exportsOf = null; // the campaign that these are of
 const chosen = { law: null, device: null, to: 'opensees-cpp', units: 'kN-mm', anyway: false };
 
 const name = () => fileName(titleOfAll() || text.untitled);
@@ -78,6 +79,11 @@ async function makeExport() {
 
 export function drawSave({ busy, show }) {
   const node = place('view-save');
+  if (exportsOf !== state.campaign) {
+    exportsOf = state.campaign;
+    said = [];
+    chosen.anyway = false;
+  }
   const summary = state.campaign?.summary;
   const laws = summary?.laws.map(({ id }) => id) ?? [];
   if (!laws.includes(chosen.law)) chosen.law = summary?.recommendations?.find(({ law }) => laws.includes(law))?.law ?? laws[0] ?? null;

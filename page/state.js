@@ -9,7 +9,7 @@ const nothing = () => ({
   inspection: null, // inspection.json
   inspectionFiles: [],
   problem: '', // why there is none
-  campaign: null, // {files, summary, of: {lot, digests}}: of `calibrate`, below out/; what it was computed of
+  campaign: null, // {files, summary, of: {lot, digests} or null}: of `calibrate`, below out/; what it was computed of
   parts: [], // files of one that was cancelled
   cancelled: false, // the last identification was
   saved: true,

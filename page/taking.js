@@ -1,5 +1,6 @@
 // What was dropped or chosen, as files with a path: folders gone through, zip files unpacked, names made safe.
 
+import { unseen } from './dom.js';
 import { text } from './text.js';
 import { looksLikeZip, readZip } from './zip.js';
 
@@ -10,10 +11,10 @@ const RECORD = /\.(csv|tsv|txt|dat|asc|lvm|mat|xlsx|json)$/i;
 
 const failure = (message) => Object.assign(new Error(message), { shown: true });
 
-// A path without ways out of its folder, and without what no file system takes.
+// A path without ways out of its folder, and without what no file system or no lot file takes.
 function safePath(path) {
   const parts = path.replace(/\\/g, '/').split('/').filter((part) => part !== '' && part !== '.' && part !== '..');
-  return parts.map((part) => part.replace(/[\u0000-\u001f\u007f]/g, '_')).join('/');
+  return parts.map((part) => part.replace(unseen, '_')).join('/');
 }
 
 // A folder by its handle: Chromium gives no entries of folders to a page that was opened from a file.

@@ -50,6 +50,7 @@ export const text = {
   nothing: 'There was no file in what was dropped.',
   unreadable: (name) => 'The browser could not read ' + name + '. Was it moved, or is it open elsewhere?',
   unreadableFolder: (name) => 'This browser does not let a page read the folder ' + name + ' that is dropped on it. Use \u201cChoose a folder\u201d, or drop its files.',
+  lotFirst: 'Correct the lot file first: as it is, no record can be added to it. What was dropped was not taken.',
   badZip: (name) => name + ' cannot be unpacked: it is damaged, encrypted, or no zip file. Unpack it first and drop the folder.',
   bigZip: (name) => name + ' unpacks to more than this page takes. Unpack it first and drop the files that are needed.',
   leftAlone: (names) => 'No test records by their names, left alone: ' + some(names) + '.',

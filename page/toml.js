@@ -183,6 +183,31 @@ export function withSetting(text, path, name, value) {
   return before + gap + '[' + path + ']\n' + name + ' = ' + writeValue(value) + '\n\n' + text.slice(at);
 }
 
+// A table of values `name` that belongs to table `number`, in the three forms TOML has for it: inline, by dotted keys, or
+// below it under a heading of its own. { values, write(text, key, value) }.
+export function valuesOf(tables, number, name) {
+  const { path, keys } = tables[number];
+  const dotted = [...keys].filter(([key]) => key.startsWith(name + '.'));
+  let below = number + 1;
+  while (tables[below]?.path.startsWith(path + '.') && tables[below].path !== path + '.' + name) ++below;
+  const own = tables[below]?.path === path + '.' + name ? tables[below] : null;
+  const inline = keys.get(name)?.value;
+  const pairs = (one) => Object.fromEntries(one.split(',').map((pair) => [pair.slice(0, pair.indexOf('=')).trim(), pair.slice(pair.indexOf('=') + 1).trim()]));
+  const values = {
+    ...(typeof inline === 'string' ? pairs(inline) : inline),
+    ...Object.fromEntries(dotted.map(([key, { value }]) => [key.slice(name.length + 1), value])),
+    ...(own && Object.fromEntries([...own.keys].map(([key, { value }]) => [key, value]))),
+  };
+  const write = (text, key, value) => {
+    if (own) return withKey(text, below, key, value);
+    if (dotted.length > 0) return withKey(text, number, name + '.' + key, value);
+    const next = { ...values, [key]: value };
+    if (value === null) delete next[key];
+    return withKey(text, number, name, Object.keys(next).length > 0 ? next : null);
+  };
+  return { values, write };
+}
+
 // The numbers of the tables that are devices, in order.
 export const deviceTables = (tables) => tables.flatMap(({ path, array }, number) => (path === 'device' && array ? [number] : []));
 

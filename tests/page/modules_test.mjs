@@ -16,7 +16,7 @@ const load = (name) => {
   copyFileSync(join(source, name + '.js'), join(folder, name + '.mjs'));
   return import(pathToFileURL(join(folder, name + '.mjs')).href);
 };
-const { readToml, writeValue, withKey, withSetting, withoutDevice, deviceTables } = await load('toml');
+const { readToml, writeValue, valuesOf, withKey, withSetting, withoutDevice, deviceTables } = await load('toml');
 const { readZip, writeZip, looksLikeZip } = await load('zip');
 
 const LOT = `# above
@@ -67,6 +67,27 @@ test('a value is changed and nothing else', () => {
   assert.match(withSetting(LOT, 'acceptance', 'rules', 'ntc-2018'), /1_000\n\n\[acceptance\]\nrules = 'ntc-2018'\n\n\[\[device\]\]/);
   assert.equal(withSetting(LOT, 'acceptance', 'rules', null), LOT);
   assert.match(withSetting('[[device]]\nfile = 1\n', '', 'title', 'T'), /^title = 'T'\n\[\[device\]\]/);
+});
+
+test('a table of values, in the forms that it has', () => {
+  const head = "[[device]]\nfile = 'a.csv'\n";
+  const forms = [
+    [head + "columns = { disp = 2, force = 'F' }\n", head + "columns = { disp = 2, force = 4 }\n"],
+    [head + "columns.disp = 2\ncolumns.force = 'F'\n", head + 'columns.disp = 2\ncolumns.force = 4\n'],
+    [head + "[device.columns]\ndisp = 2\nforce = 'F'\n", head + '[device.columns]\ndisp = 2\nforce = 4\n'],
+    [head + "[device.units]\ndisp = 'mm'\n[device.columns]\ndisp = 2\nforce = 'F'\n", head + "[device.units]\ndisp = 'mm'\n[device.columns]\ndisp = 2\nforce = 4\n"],
+    [head + "columns = 'disp=2, force=F'\n", head + "columns = { disp = '2', force = 4 }\n"],
+  ];
+  for (const [before, after] of forms) {
+    const { values, write } = valuesOf(readToml(before), 1, 'columns');
+    assert.deepEqual({ disp: Number(values.disp), force: values.force }, { disp: 2, force: 'F' }, before);
+    assert.equal(write(before, 'force', 4), after);
+    assert.doesNotThrow(() => readToml(write(before, 'force', null)));
+    assert.equal(valuesOf(readToml(write(before, 'force', null)), 1, 'columns').values.force, undefined);
+  }
+  const { values, write } = valuesOf(readToml(head), 1, 'columns');
+  assert.deepEqual(values, {});
+  assert.equal(write(head, 'time', 1), head + 'columns = { time = 1 }\n');
 });
 
 test('a device goes with the tables below it', () => {

@@ -669,6 +669,18 @@ const tests = {
     await page.click('.form-end .action');
     await page.idle();
     equal(await page.evaluate("document.querySelectorAll('.form-row').length"), 0, 'one click ends the form');
+    // A form stays open under another name, and under none.
+    await page.click('[id^=correct-]');
+    await page.click('#device-1-name');
+    for (const called of ['Other', '']) {
+      await page.click('#device-1-name');
+      await page.key('a', { control: true });
+      await page.write(called || ' ');
+      await page.key('Tab');
+      equal(await page.focused(), 'device-1-serial', 'after the name \u201c' + called + '\u201d');
+    }
+    await page.click('.form-end .action');
+    await page.idle();
     expect((await lotText(page)).includes('force-factor = 0.5') && (await lotText(page)).includes('skew-ms = 1'), await lotText(page));
     // While one writes the next, the numbers of the last edit come.
     await page.click('#lot-title');
@@ -743,6 +755,93 @@ const tests = {
     await page.drop([path], [300, 20]);
     expect((await page.text('#title')) !== 'Not saved' && said.test(await page.text('#laws-doubt')), 'replaced: ' + (await page.text('#title')));
     await end(page);
+  },
+
+  'results and records in any order; a lot that is gone': async () => {
+    const lot = join(work, 'ordered');
+    mkdirSync(join(lot, 'out'), { recursive: true });
+    for (const one of records.slice(0, 2)) copyFileSync(join(example, one), join(lot, 'out', one));
+    const device = (one, i) => `[[device]]\nname = 'd${i}'\nfile = 'out/${one}'\n`;
+    writeFileSync(join(lot, 'lot.toml'), "title = 'Ordered'\n[calibrate]\nlaws = ['bilinear']\nruns = 1\nanalysis = 'none'\n" + records.slice(0, 2).map(device).join(''));
+    execFileSync(isolaw, ['calibrate', join(lot, 'lot.toml'), '--out', join(work, 'ordered-out'), '--figures', 'none'], { stdio: 'ignore' });
+    const store = join(work, 'ordered-out/campaign.sqlite');
+    const said = /were changed since/;
+
+    // The store first: the records that come are compared with its own, and it can be continued.
+    const page = await open();
+    await page.drop([store]);
+    equal(await page.text('#laws-doubt'), '', 'nothing to compare with');
+    await page.drop([lot], [300, 20]);
+    await page.press('show-laws');
+    equal([await page.text('#laws-doubt'), await page.evaluate("document.getElementById('identify')?.disabled")], ['', false], 'the same records, to continue');
+    const name = records[0];
+    writeFileSync(join(work, name), readFileSync(join(example, name), 'utf8').replace(/\n[^\n]*\n$/, '\n'));
+    mkdirSync(join(work, 'newer/out'), { recursive: true });
+    copyFileSync(join(work, name), join(work, 'newer/out', name));
+    copyFileSync(join(lot, 'lot.toml'), join(work, 'newer/lot.toml'));
+    await page.drop([join(work, 'newer')], [300, 20]);
+    await page.press('show-laws');
+    expect(said.test(await page.text('#laws-doubt')), 'another record: ' + (await page.text('#view-laws .tools')));
+    // A lot file that is broken and mended.
+    const text = await lotText(page);
+    await set(page, 'lot-text', text + '\n[[device');
+    await page.drop([join(example, records[2])], [300, 20]);
+    expect((await failure(page)).includes('Correct the lot file first'), 'not taken: ' + (await failure(page)));
+    await page.press('close-failure');
+    await page.press('show-laws');
+    await set(page, 'lot-text', text + 'serial = "7"\n');
+    await page.press('show-laws');
+    equal(await page.evaluate("document.getElementById('identify').disabled"), false, 'it can be identified again');
+
+    // Records in a folder of results are records, saved and dropped again.
+    await page.press('identify');
+    await page.until("!document.getElementById('progress-bar') && document.getElementById('report-frame')", 'the report', 120);
+    await page.idle();
+    await page.press('show-save');
+    await page.press('make-export');
+    await page.saved();
+    await page.press('save-whole');
+    const { path, bytes } = await page.saved();
+    equal((await readZip(bytes)).map(({ path: one }) => one).filter((one) => one.startsWith('tables') || one.endsWith('.json')).sort(), ['isolaw-campaign.json', 'out/run.json', 'out/summary.json'], 'results once');
+    await page.evaluate('window.asked = 0; window.confirm = () => { ++window.asked; return true; }');
+    await set(page, 'lot-title', 'Edited');
+    await page.drop([store], [300, 20]);
+    await page.press('show-records');
+    await page.evaluate('window.asked = 0');
+    await page.press('start-over');
+    equal(await page.evaluate('window.asked'), 1, 'an edit that is not saved is asked about');
+    // What was begun for a lot that is gone does not come back.
+    await page.drop([path]);
+    await page.press('show-save');
+    equal(await page.text('#export-said'), '', 'nothing of the earlier export');
+    expect((await rows(page)).length === 2 && (await rows(page)).every(({ tone }) => tone !== 'poor'), 'its records');
+    await page.evaluate("document.getElementById('lot-title').value = 'Gone'; document.getElementById('lot-title').dispatchEvent(new Event('change', { bubbles: true })); document.getElementById('start-over').click()");
+    await wait(300);
+    await page.idle();
+    equal([await page.text('#title'), await page.evaluate("document.getElementById('show-properties').disabled")], ['From test records to calibrated laws of seismic isolators', true], 'an empty page');
+
+    // The folder of results alone: nothing of it is a record.
+    await page.drop([join(work, 'ordered-out')]);
+    await page.press('show-records');
+    equal(await page.text('#read-band .word'), 'Results alone', 'results');
+    expect(!(await page.text('#contents')).includes('Not part of the lot'), await page.text('#contents'));
+    await end(page);
+
+    // A rule set of one's own is one of the records' kind: changed, it is told.
+    const held = await open();
+    const rules = execFileSync(isolaw, ['rules', 'template'], { encoding: 'utf8' });
+    mkdirSync(join(work, 'held'));
+    writeFileSync(join(work, 'held/rules.toml'), rules);
+    writeFileSync(join(work, 'held/lot.toml'), "title = 'Held'\n[calibrate]\nlaws = ['bilinear']\nruns = 1\nanalysis = 'none'\n[acceptance]\nrules = 'rules.toml'\ndesign = { K_eff = 0.6 }\n[[device]]\nname = 'd'\nfile = 'd.csv'\n");
+    copyFileSync(join(example, records[0]), join(work, 'held/d.csv'));
+    await held.drop([join(work, 'held')]);
+    await identified(held, 120);
+    equal(await held.text('#laws-doubt'), '', 'as it was');
+    writeFileSync(join(work, 'held/rules.toml'), rules.replace('Contract 2024-07', 'Contract 2025-01'));
+    await held.drop([join(work, 'held/rules.toml')], [300, 20]);
+    await held.press('show-laws');
+    expect(said.test(await held.text('#laws-doubt')), 'another rule set');
+    await end(held);
   },
 
   'a report in its frame: its menu, what is dropped on it, its print': async () => {
