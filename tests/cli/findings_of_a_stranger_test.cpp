@@ -37,6 +37,29 @@ TEST_F(SmallThings, init_leaves_out_a_date_or_a_temperature_that_is_none_and_say
   EXPECT_TRUE(contains(text, "-100 to 200")) << text;
 }
 
+// Devices are named after files; what init writes is read, and what cannot be written says why.
+TEST_F(SmallThings, init_writes_names_that_lot_files_allow) {
+  for (auto const* file : {" lead.csv", "trail .csv"}) {
+    write(file, csv(record()));
+    auto const o = isolaw({"init", file, "--force"});
+    ASSERT_EQ(o.code, 0) << o;
+    auto const read_back = isolaw({"inspect", "lot.toml", "--json"});
+    ASSERT_EQ(read_back.code, 0) << read_back;
+    auto const name = Json::parse(read_back.out)["name"].get<std::string>();
+    EXPECT_TRUE(name == "lead" || name == "trail") << name;
+    EXPECT_EQ(Json::parse(isolaw({"inspect", file, "--json"}).out)["name"], name);
+    EXPECT_EQ(isolaw(Words{"calibrate", "lot.toml", "--out", "O", "--fresh"} + smallest_search).code, 0);
+  }
+  write("lot.toml", "[[device]]\nfile = \" lead.csv\"\n");
+  EXPECT_EQ(Json::parse(isolaw({"inspect", "lot.toml", "--json"}).out)["name"], "lead");
+  auto const turned = "r\xE2\x80\xAEl.csv";
+  write(turned, csv(record()));
+  expect_refused(isolaw({"init", turned, "--force"}),
+                 {"r\\u202el.csv: a file name that no lot file can hold: it has control characters, marks that turn",
+                  "try: rename the file; without a lot file it is read as it is named"});
+  EXPECT_EQ(isolaw({"inspect", turned}).code, 0);
+}
+
 TEST_F(SmallThings, dates_of_lot_files_are_dates) {
   for (auto const* date : {"31.02.2024", "tomorrow", "2024-13-01", "17"})
     expect_refused(inspected(std::string(device) + "test-date = \"" + date + "\"\n"),

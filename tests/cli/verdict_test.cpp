@@ -90,6 +90,33 @@ TEST_F(Terminal, an_inspection_says_pass_fail_or_incomplete_first_everywhere) {
   EXPECT_TRUE(one.out.starts_with("INCOMPLETE: Contract: ")) << one;
 }
 
+// One test is not that of two devices: neither the copy's own line nor the sample passes by it, in any output.
+TEST_F(Terminal, a_copy_of_a_record_has_no_verdict_of_its_own_and_is_no_further_device_tested) {
+  fs::copy_file(path("lot/D1.csv"), path("lot/twin.csv"));
+  auto const o =
+      isolaw(Words{"inspect", "lot", "--out", "I"} + held_to("K_eff=0.8,disp=100") + Words{"--lot-size", "3"});
+  EXPECT_EQ(o.code, 1) << o;
+  EXPECT_TRUE(contains(o.out, "  not assessed: the same record as D1\n")) << o;
+  EXPECT_TRUE(contains(o.out, "fail          sample size                2 devices, limit 3 or more of 3")) << o;
+  EXPECT_EQ(count_of("the same record", o.out), 2u) << o;  // its row, and the warning of the lot
+  auto const file = json("I/inspection.json"), page = page_data(read("I/inspection.html"));
+  for (auto const* found : {&file, &page}) {
+    auto const& devices = (*found)["devices"];
+    EXPECT_EQ(devices[2]["copy_of"], "D1");
+    EXPECT_EQ(devices[2]["verdict"], "not assessed");
+    EXPECT_EQ(devices[2]["verdict_text"], "not assessed: the same record as D1");
+    for (auto const& line : devices[2]["assessments"]) EXPECT_NE(line["verdict"], "pass") << line;
+    EXPECT_EQ(devices[0]["warnings"], Json::parse(R"(["the same record as twin"])"));
+    EXPECT_EQ(devices[1]["warnings"], Json::array());
+    EXPECT_EQ(devices[2]["warnings"], Json::parse(R"(["the same record as D1"])"));
+    EXPECT_EQ((*found)["assessment"]["lot"]["tested"], 2);
+  }
+  EXPECT_EQ(file["result"]["not_assessed"], Json::parse(R"([{"device": "twin", "remark": "the same record as D1"}])"));
+  std::istringstream tests(read("I/tables/tests.csv"));
+  for (std::string line; std::getline(tests, line);)
+    EXPECT_FALSE(line.starts_with("twin") && contains(line, "pass")) << line;
+}
+
 TEST_F(Terminal, a_refused_device_leaves_an_inspection_incomplete) {
   write("lot/D3.csv", "time [s],disp [mm],force [kN]\n0,1,2\n1,1,2\n2,1,2\n");
   auto const o = isolaw(Words{"inspect", "lot"} + held_to("K_eff=0.8,disp=100"));

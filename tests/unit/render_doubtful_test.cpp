@@ -73,6 +73,10 @@ TEST(Doubtful, CopiesOfARecordAreNamed) {
   ASSERT_NE(copies, found.end());
   EXPECT_EQ(copies->sentence,
             "A and B hold the same record, which counts 2 times in every mean and spread over the devices");
+  // Of one device alone its own warnings say it.
+  summary.devices[1].raw.warnings.push_back("a column is constant");
+  EXPECT_EQ(device_warnings(summary), (std::vector<std::vector<std::string>>{
+                                          {"the same record as B"}, {"a column is constant", "the same record as A"}}));
   summary.devices[1].raw.force_kN.back() = 7.0;  // another device in the same file
   EXPECT_EQ(std::ranges::count(topics(summary), "copies"), 0);
 }

@@ -203,7 +203,7 @@ TEST(SummaryJson, ExactText) {
       "sure": "weak",
       "error": null,
       "why": "One device was tested and every block fitted: nothing says how a law holds elsewhere.",
-      "would_decide": "the rest of the campaign, which the same command computes; another amplitude or rate, kept from the fit; more devices",
+      "would_decide": "the rest of the campaign, which the same command computes; --laws, others to compare it with; another amplitude or rate, kept from the fit; more devices",
       "measure": "",
       "ties": [],
       "standings": [
@@ -224,8 +224,8 @@ TEST(SummaryJson, ExactText) {
       "law": "line",
       "sure": "weak",
       "error": 0.1,
-      "why": "Errs by 10 % fitted to each device. Weak: the campaign is not complete.",
-      "would_decide": "the rest of the campaign, which the same command computes",
+      "why": "Errs by 10 % fitted to each device. Weak: no other law was identified to compare it with; the campaign is not complete.",
+      "would_decide": "the rest of the campaign, which the same command computes; --laws, others to compare it with",
       "measure": "fitted to each device",
       "ties": [],
       "standings": [
@@ -236,7 +236,7 @@ TEST(SummaryJson, ExactText) {
           "reason": ""
         }
       ],
-      "answer": "Take line, with care: 10 % off fitted to each device.",
+      "answer": "For these tests take line, with care: 10 % off fitted to each device; for other devices or amplitudes no law can be recommended.",
       "title": "For these tests",
       "valid": "",
       "programs": "Not in OpenSees: export --to opensees-cpp"
@@ -246,8 +246,8 @@ TEST(SummaryJson, ExactText) {
       "law": "line",
       "sure": "weak",
       "error": 0.1,
-      "why": "Errs by 10 % fitted to each device, with 1 parameter. Weak: the campaign is not complete.",
-      "would_decide": "the rest of the campaign, which the same command computes; another amplitude or rate, kept from the fit; more devices",
+      "why": "Errs by 10 % fitted to each device, with 1 parameter. Weak: no other law was identified to compare it with; the campaign is not complete.",
+      "would_decide": "the rest of the campaign, which the same command computes; --laws, others to compare it with; another amplitude or rate, kept from the fit; more devices",
       "measure": "fitted to each device",
       "ties": [],
       "standings": [
@@ -258,7 +258,7 @@ TEST(SummaryJson, ExactText) {
           "reason": ""
         }
       ],
-      "answer": "Take line, with care: 10 % off fitted to each device.",
+      "answer": "Take line, with care: 10 % off fitted to each device; for other devices or amplitudes no law can be recommended.",
       "title": "Simplest that serves",
       "valid": "",
       "programs": "Not in OpenSees: export --to opensees-cpp"

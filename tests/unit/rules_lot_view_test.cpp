@@ -182,6 +182,34 @@ TEST(LotView, JudgesTheSample) {
             rules_of(limits).id + " has no rule for the sample");
 }
 
+// Three devices of which one has the record of another: the means count it, the sample and what follows from its size
+// do not.
+TEST(LotView, ACopyIsNoFurtherDeviceTested) {
+  auto const rules = rules_of(fmt::format("[sample]\nshare_percent = 20\nleast = 3\n{}", limits));
+  auto devices = lot_of({0.99, 1.01, 1.01});
+  auto const three = lot_view(rules, devices, parse_design("K_eff=1.2"), 3);
+  EXPECT_EQ(three.sample.verdict, Verdict::pass);
+  EXPECT_EQ(of(three, Quantity::K_eff).mean_limits.at(0).verdict, Verdict::pass);
+  devices[2].copy_of = "D2";
+  auto const lot = lot_view(rules, devices, parse_design("K_eff=1.2"), 3);
+  EXPECT_EQ(lot.devices, 2u);
+  EXPECT_EQ(lot.sample.value, 2.0);
+  EXPECT_EQ(lot.sample.verdict, Verdict::fail);
+  auto const& stiffness = of(lot, Quantity::K_eff);
+  EXPECT_EQ(stiffness.count, 3u);
+  EXPECT_EQ(stiffness.mean, of(three, Quantity::K_eff).mean);
+  EXPECT_EQ(stiffness.tolerance_factor,
+            of(lot_view(rules, lot_of({0.99, 1.01}), {}), Quantity::K_eff).tolerance_factor);
+  EXPECT_EQ(stiffness.mean_limits.at(0).verdict, Verdict::not_assessed);
+  expect_parts(stiffness.mean_limits.at(0).reason,
+               {"2 devices with this property, 3 required", "D3: the same record as D2, counted in the mean"});
+  expect_parts(bound(stiffness, "statistical, system").note, {"mean of 3 devices, 2 of them tested"});
+  devices.erase(devices.begin());
+  auto const one = lot_view(rules, devices, parse_design("K_eff=1.2"), 3);
+  expect_parts(one.note, {"one device is no lot"});
+  EXPECT_FALSE(of(one, Quantity::K_eff).cov_percent);
+}
+
 TEST(LotView, ASampleTooSmallLeavesTheMeanOpen) {
   auto const rules = rules_of(fmt::format("[sample]\nshare_percent = 20\nleast = 4\n{}", limits));
   auto const line = [&](std::size_t tested, std::optional<int> size) {

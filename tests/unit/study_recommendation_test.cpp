@@ -164,11 +164,34 @@ TEST(Recommendation, IsWeakWhereTheSearchDidNotConverge) {
 }
 
 TEST(Recommendation, IsWeakWhereTheTestsLeaveParametersOpenOrTheBoxHoldsThem) {
-  auto const open = summary_of({{"a", {0.03, 0.031, 0.032}, {0.04, 0.041, 0.042}, {}, 4, 3}});
+  Law const other{"b", {0.08, 0.081, 0.082}, {0.09, 0.091, 0.092}};
+  auto const open = summary_of({{"a", {0.03, 0.031, 0.032}, {0.04, 0.041, 0.042}, {}, 4, 3}, other});
   EXPECT_EQ(of(open, Purpose::untested_device).sure, Sure::weak);
   EXPECT_EQ(of(open, Purpose::these_tests).sure, Sure::clear);
-  auto const held = summary_of({{"a", {0.03, 0.031, 0.032}, {0.04, 0.041, 0.042}, {}, 4, 0, 2}});
+  auto const held = summary_of({{"a", {0.03, 0.031, 0.032}, {0.04, 0.041, 0.042}, {}, 4, 0, 2}, other});
   EXPECT_EQ(of(held, Purpose::untested_device).sure, Sure::weak) << of(held, Purpose::untested_device).why;
+}
+
+// Of one law there is nothing to choose from, however near it comes.
+TEST(Recommendation, OfTheOnlyLawIsWeak) {
+  auto const summary = summary_of({{"only", {0.02, 0.021, 0.022}, {0.03, 0.031, 0.032}}});
+  for (auto const& made : recommendations(summary)) {
+    EXPECT_EQ(law_of(summary, made), "only");
+    EXPECT_EQ(made.sure, Sure::weak) << made.why;
+    EXPECT_TRUE(contains(made.answer, "Take only, with care: ")) << made.answer;
+    EXPECT_TRUE(contains(made.why, "no other law was identified to compare it with")) << made.why;
+    EXPECT_TRUE(contains(made.would_decide, "--laws, others to compare it with")) << made.would_decide;
+  }
+}
+
+TEST(Recommendation, OfALawThatErrsByMoreThanATenthIsWeakForTheTestsToo) {
+  auto const summary = summary_of({{"near", {0.12, 0.121}}, {"far", {0.2, 0.201}}});
+  for (auto const purpose : {Purpose::these_tests, Purpose::simplest})
+    EXPECT_EQ(of(summary, purpose).sure, Sure::weak) << of(summary, purpose).why;
+  EXPECT_EQ(of(summary, Purpose::these_tests).answer,
+            "For these tests take near, with care: 12 % off fitted to each device; for other devices or amplitudes no "
+            "law can be recommended.");
+  EXPECT_TRUE(contains(of(summary, Purpose::simplest).answer, "; for other devices or amplitudes no law can be"));
 }
 
 TEST(Recommendation, LeavesOutALawThatWasRefusedOnADevice) {

@@ -23,8 +23,12 @@ Assessment line(std::string quantity, Verdict verdict, std::optional<double> dev
   return made;
 }
 
+DeviceVerdict verdict_of(std::vector<Assessment> const& lines) {
+  return device_verdict({.block = {}, .choice = {}, .copy_of = {}, .assessments = lines});
+}
+
 std::string text_of(std::vector<Assessment> const& lines) {
-  return device_verdict(lines).text();
+  return verdict_of(lines).text();
 }
 
 TEST(DeviceVerdict, IsABarePassWhereEveryLimitIsKept) {
@@ -51,7 +55,7 @@ TEST(DeviceVerdict, ACompressionTestAloneIsNoPass) {
   EXPECT_EQ(text_of({line("K_eff", Verdict::not_assessed), line("damping", Verdict::not_assessed),
                      line("K_v", Verdict::pass, 8.3)}),
             "not assessed");
-  EXPECT_EQ(device_verdict({line("K_eff", Verdict::not_assessed), line("K_v", Verdict::fail, -44.0)}).verdict,
+  EXPECT_EQ(verdict_of({line("K_eff", Verdict::not_assessed), line("K_v", Verdict::fail, -44.0)}).verdict,
             Verdict::fail);
   EXPECT_EQ(text_of({line("K_eff", Verdict::pass), line("K_v", Verdict::pass)}), "pass");
 }
@@ -79,7 +83,7 @@ TEST(DeviceVerdict, AFailureNamesTheLineFarthestOff) {
                       line("K_eff, negative side", Verdict::fail, -31.0), line("damping", Verdict::pass, 1.0),
                       line("K_v", Verdict::not_assessed)};
   EXPECT_EQ(text_of(lines), "fail: K_eff -31.0 %");
-  EXPECT_EQ(device_verdict(lines).failed, std::vector<std::string>{"K_eff"});
+  EXPECT_EQ(verdict_of(lines).failed, std::vector<std::string>{"K_eff"});
 }
 
 TEST(VerdictOnADevice, IsNotAssessedWhereItsRecordHasNoPropertiesAndNothingWhereNothingIsAsked) {
@@ -214,15 +218,31 @@ TEST(OverallVerdict, OneRecordIsNoTestOfTwoDevices) {
   auto summary = verified_lot();
   add(summary, "D01", {line("K_eff", Verdict::pass)});
   add(summary, "D02", {line("K_eff", Verdict::pass)});
-  for (auto& device : summary.devices) device.raw.disp_mm = device.raw.force_kN = {0.0, 1.0, 2.0};
+  EXPECT_EQ(overall_verdict(summary).word, "PASS");
+  auto& copy = summary.devices[1].acceptance;
+  copy.copy_of = "D01";
+  rules::withhold_verdicts(copy.assessments, copy.copy_of);
   auto const made = overall_verdict(summary);
   EXPECT_EQ(made.text(),
             "INCOMPLETE: NTC 2018: pass on 1 of 1 requirement with 1 of 2 devices; without a verdict: D02");
   ASSERT_EQ(made.not_assessed.size(), 1u);
-  EXPECT_EQ(made.not_assessed[0].remark, "its record is that of D01");
+  EXPECT_EQ(made.not_assessed[0].remark, "the same record as D01");
   EXPECT_EQ(made.mark, "INCOMPLETE");
-  summary.devices[1].raw.force_kN[1] = 1.5;
-  EXPECT_EQ(overall_verdict(summary).word, "PASS");
+  EXPECT_EQ(device_verdict(copy).text(), "not assessed: the same record as D01");
+  EXPECT_EQ(device_verdict(copy).brief(), "not assessed");
+}
+
+// What the record shows of the first device is said of whatever law is taken from the other one.
+TEST(OverallVerdict, OfACopyTheFirstDeviceFails) {
+  auto summary = verified_lot();
+  add(summary, "D01", {line("K_eff", Verdict::fail, 23.0)});
+  add(summary, "D02", {line("K_eff", Verdict::fail, 23.0), line("K_v", Verdict::pass)});
+  auto& copy = summary.devices[1].acceptance;
+  copy.copy_of = "D01";
+  rules::withhold_verdicts(copy.assessments, copy.copy_of);
+  EXPECT_EQ(copy.assessments[1].verdict, Verdict::pass);  // of a test of its own
+  EXPECT_EQ(overall_verdict(summary).failing.size(), 1u);
+  EXPECT_EQ(verdict_against(summary, "D02"), "D01 fails NTC 2018: K_eff +23.0 %");
 }
 
 TEST(OverallVerdict, SaysWhatWasStatedAndIsNotCompared) {

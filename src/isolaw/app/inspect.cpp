@@ -15,6 +15,7 @@
 #include "isolaw/base/file.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
+#include "isolaw/campaign/lot_file.hpp"
 #include "isolaw/campaign/prepare.hpp"
 #include "isolaw/data/read.hpp"
 #include "isolaw/data/sheet_choice.hpp"
@@ -104,6 +105,7 @@ campaign::Lot lot_of_tests(InitArguments const& arguments) {
       auto one = device;
       if (sheets && test.sheet) one.name += " " + printable(*test.sheet);
       if (several && test.test) one.name += " test " + *test.test;
+      one.name = std::string(trimmed(one.name));
       one.read.sheet = test.sheet ? test.sheet : device.read.sheet;
       one.read.test = test.test ? test.test : device.read.test;
       devices.push_back(std::move(one));
@@ -145,14 +147,16 @@ int init(InitArguments const& arguments) {
     try {
       if (!is_printable(device.files.front().string()))
         throw Error({.where = device.files.front().string(),
-                     .found = "a file name that no lot file can hold",
+                     .found = "a file name that no lot file can hold: it has control characters, marks that turn the "
+                              "direction of writing, or bytes that are not UTF-8",
                      .allowed = "printable text in UTF-8",
-                     .advice = "rename the file"});
+                     .advice = "rename the file; without a lot file it is read as it is named"});
       auto const record = data::read_record(device.files.front(), device.read);
       device.read = record.layout;
       remarks.stated.push_back(campaign::take_particulars(record.particulars, device.info));
       recognised.push_back(device);
-      fmt::print("{}: {}\n", device.name == device.files.front().stem() ? device.shown_file : device.name,
+      fmt::print("{}: {}\n",
+                 device.name == campaign::name_of_file(device.files.front()) ? device.shown_file : device.name,
                  counted(record.size(), "sample"));
       for (auto const& line : record.recognised) fmt::print("  {}\n", line);
     } catch (Error const& error) {

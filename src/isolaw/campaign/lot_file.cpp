@@ -216,7 +216,7 @@ DeviceInput read_device(TomlTable& table, toml::table const& source, std::filesy
   read_vertical_input(table, directory, check_inside, lot_file, complaints, device.vertical);
   table.refuse_unknown();
   if (device.files.empty()) table.complain(source, "a device without a file", "file = \"...\" or files = [...]");
-  if (device.name.empty() && !device.files.empty()) device.name = device.files.front().stem().string();
+  if (device.name.empty() && !device.files.empty()) device.name = name_of_file(device.files.front());
   return device;
 }
 
@@ -393,15 +393,22 @@ std::vector<std::filesystem::path> files_of(DeviceInput const& device) {
   return files;
 }
 
+std::string name_of_file(std::filesystem::path const& file) {
+  auto const stem = printable(file.stem().string());
+  auto const name = trimmed(stem);
+  return name.empty() ? printable(file.extension().string()) : std::string(name);
+}
+
 Lot lot_of_files(std::vector<std::filesystem::path> const& files) {
   Lot lot;
   std::set<std::string> names;
   for (auto const& file : files) {
     DeviceInput device;
-    auto const stem = printable(file.stem().string());
+    auto const stem = name_of_file(file);
     device.name = stem;
     // Files of one name in several folders: the folder tells them apart, a number where that is not enough.
-    if (names.contains(device.name)) device.name = printable(file.parent_path().filename().string()) + "/" + stem;
+    if (names.contains(device.name))
+      device.name = trimmed(printable(file.parent_path().filename().string()) + "/" + stem);
     for (int i = 2; !names.insert(device.name).second; ++i) device.name = fmt::format("{} ({})", stem, i);
     device.files = {file};
     device.shown_file = printable(file.filename().string());

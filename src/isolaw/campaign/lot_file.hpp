@@ -71,6 +71,9 @@ Lot read_lot_file(std::filesystem::path const& file, LotFileOptions const& optio
 // The same of a file's text; `file` is its name, for messages and for its folder.
 Lot read_lot_text(std::string_view text, std::filesystem::path const& file, LotFileOptions const& options = {});
 
+// What a device is called by its record's name: printable, no blanks around it, as lot files ask for.
+std::string name_of_file(std::filesystem::path const& file);
+
 // A lot of files named on the command line; devices are named after them.
 Lot lot_of_files(std::vector<std::filesystem::path> const& files);
 

@@ -172,6 +172,19 @@ std::string deviation_text(double deviation_percent, std::optional<double> lower
   }
 }
 
+std::string same_record_as(std::string_view device) {
+  return fmt::format("the same record as {}", device);
+}
+
+void withhold_verdicts(std::vector<Assessment>& assessments, std::string_view copy_of) {
+  for (auto& a : assessments) {
+    bool const judged = a.verdict == Verdict::pass || a.verdict == Verdict::fail;
+    if (!judged || a.quantity == name(Quantity::K_v)) continue;  // K_v has a test of its own
+    a.verdict = Verdict::not_assessed;
+    a.reason = same_record_as(copy_of);
+  }
+}
+
 void give_verdict(Assessment& assessment, RuleSet const& rules, bool holds, std::vector<std::string> const& unmet) {
   if (!rules.verified()) {
     assessment.verdict = Verdict::information;

@@ -43,6 +43,12 @@ struct LoadPair {
 std::vector<Assessment> assess(RuleSet const& rules, BlockValues const& block, Design const& design,
                                std::optional<LoadPair> const& loads = std::nullopt);
 
+// What stands of a device whose record is another's: "the same record as D01".
+std::string same_record_as(std::string_view device);
+
+// Such a device was not tested by it: lines that its record was held to have no verdict.
+void withhold_verdicts(std::vector<Assessment>& assessments, std::string_view copy_of);
+
 // Whether nominal x (1 + lower/100) <= value <= nominal x (1 + upper/100), with the relative slack said above.
 bool is_within(double value, double nominal, std::optional<double> lower_percent, std::optional<double> upper_percent);
 

@@ -23,7 +23,12 @@ struct Values {
   std::vector<std::string> names;
   std::vector<double> values;
   std::vector<std::string> without;
+  std::size_t tested = 0;  // of the values, without copies
 };
+
+std::size_t without_copies(std::span<DeviceValues const> devices) {
+  return static_cast<std::size_t>(std::ranges::count_if(devices, &std::string::empty, &DeviceValues::copy_of));
+}
 
 Values collect(RuleSet const& rules, Quantity quantity, std::span<DeviceValues const> devices) {
   Values made;
@@ -31,6 +36,7 @@ Values collect(RuleSet const& rules, Quantity quantity, std::span<DeviceValues c
     if (auto const value = device_value(rules, quantity, device.block)) {
       made.names.push_back(device.name);
       made.values.push_back(*value);
+      made.tested += quantity == Quantity::K_v || device.copy_of.empty() ? 1u : 0u;  // K_v has a test of its own
     } else {
       made.without.push_back(device.name);
     }
@@ -52,7 +58,7 @@ void describe_spread(Values const& found, LotQuantity& view) {
   view.max = *high;
   view.min_device = device(low);
   view.max_device = device(high);
-  if (found.values.size() < 2) return;
+  if (found.tested < 2) return;
   view.largest_from_mean_percent = 100.0 * std::max(*high / moments.mean - 1.0, 1.0 - *low / moments.mean);
   view.std = moments.std;
   view.cov_percent = 100.0 * moments.std / moments.mean;
@@ -65,7 +71,7 @@ void describe_spread(Values const& found, LotQuantity& view) {
   };
   view.fractile_5 = below_mean(normal_95);
   view.fractile_95 = moments.mean + normal_95 * moments.std;
-  view.tolerance_factor = num::tolerance_factor(found.values.size());
+  view.tolerance_factor = num::tolerance_factor(found.tested);
   view.tolerance_low = below_mean(*view.tolerance_factor);
   view.tolerance_high = moments.mean + *view.tolerance_factor * moments.std;
 }
@@ -84,8 +90,8 @@ void compare_with_design(Design const& design, LotQuantity& view) {
 // What the sample rule lacks; empty where it is kept, or the set has none.
 std::string unmet_sample(RuleSet const& rules, LotView const& lot, LotQuantity const& view) {
   if (rules.sample && !lot.required) return "size of the lot not known: give it, so that the sample can be judged";
-  if (lot.required && view.count < static_cast<std::size_t>(*lot.required))
-    return fmt::format("{} devices with this property, {} required", view.count, *lot.required);
+  if (lot.required && view.tested < static_cast<std::size_t>(*lot.required))
+    return fmt::format("{} devices with this property, {} required", view.tested, *lot.required);
   return {};
 }
 
@@ -97,6 +103,9 @@ std::vector<std::string> unmet_of_lot(RuleSet const& rules, LotView const& lot, 
   if (auto sample = unmet_sample(rules, lot, view); !sample.empty()) unmet.push_back(std::move(sample));
   if (!view.without.empty()) unmet.push_back(fmt::format("no value of {}", fmt::join(view.without, ", ")));
   if (view.quantity == Quantity::K_v) return unmet;  // the conditions are those of the shear test
+  for (auto const& device : devices)
+    if (!device.copy_of.empty())
+      unmet.push_back(fmt::format("{}: {}, counted in the mean", device.name, same_record_as(device.copy_of)));
   for (auto const& device : devices)
     for (auto const& text : unmet_conditions(rules, device.block, design)) {
       unmet.push_back(fmt::format("{}: {}", device.name, text));
@@ -185,7 +194,7 @@ void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& 
       fmt::format("holds 95 % of the devices with confidence 95 %, k = {:.4g}; not for the system",
                   *view.tolerance_factor));
   if (!lot_size) return;
-  auto const tested = static_cast<int>(view.count);
+  auto const tested = static_cast<int>(view.tested);
   add("statistical, system", about_mean(system_half_width_percent(*view.cov_percent, *lot_size, tested)),
       fmt::format("mean of {} devices, {} of them tested, 95 %; the lot's mean and CoV taken as known", *lot_size,
                   tested));
@@ -196,7 +205,7 @@ void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& 
 // Devices too far from the mean forbid it, however few they are; to permit it takes the sample that the set asks for.
 void judge_mean_analysis(RuleSet const& rules, LotView const& lot, LotQuantity& view) {
   if (view.quantity == Quantity::K_v) return;  // the analysis is of the response to shear
-  if (!rules.verified() || !rules.mean_analysis || view.count < 2) return;
+  if (!rules.verified() || !rules.mean_analysis || view.tested < 2) return;
   double const within = rules.mean_analysis->within_percent;
   bool const close =
       is_within(*view.min, *view.mean, -within, std::nullopt) && is_within(*view.max, *view.mean, std::nullopt, within);
@@ -211,6 +220,7 @@ LotQuantity quantity_view(RuleSet const& rules, LotView const& lot, Quantity qua
   view.quantity = quantity;
   view.unit = unit(quantity);
   view.count = found.values.size();
+  view.tested = found.tested;
   view.without = found.without;
   if (!found.values.empty()) describe_spread(found, view);
   compare_with_design(design, view);
@@ -276,11 +286,11 @@ LotView lot_view(RuleSet const& rules, std::span<DeviceValues const> devices, De
                  .found = fmt::format("{} with {} devices tested", *lot_size, devices.size()),
                  .allowed = "all devices of the lot, tested ones included"});
   LotView lot;
-  lot.devices = devices.size();
+  lot.devices = without_copies(devices);
   lot.lot_size = lot_size;
   if (rules.sample && lot_size) lot.required = required_sample(*rules.sample, *lot_size);
   lot.sample = assess_sample(rules, lot);
-  if (devices.size() == 1 && lot_size != 1)
+  if (lot.devices == 1 && lot_size != 1)
     lot.note = "one device is no lot: no spread over devices, no verdict on their mean, no factors from them";
   for (auto const quantity : measured_quantities())
     lot.quantities.push_back(quantity_view(rules, lot, quantity, devices, design));

@@ -16,6 +16,9 @@ namespace isolaw::rules {
 struct DeviceValues {
   std::string name;
   BlockValues block;  // the block that counts, the same for every device
+  // Of another device here, whose record this one is: means count it as they do every device, but one test is not that
+  // of two.
+  std::string copy_of = {};
 };
 
 struct Outlier {
@@ -46,10 +49,11 @@ struct LotQuantity {
   Quantity quantity = Quantity::K_eff;
   std::string unit;
   std::size_t count = 0;             // devices with a value
+  std::size_t tested = 0;            // without copies: what the sample and bounds by statistics stand on
   std::vector<std::string> without;  // devices without one
   std::optional<double> mean, min, max;
   std::string min_device, max_device;
-  std::optional<double> std, cov_percent;         // sample form; from two values up
+  std::optional<double> std, cov_percent;         // sample form; from two tested up
   std::optional<double> nominal;                  // design value
   std::optional<double> mean_deviation_percent;   // from the design value
   std::optional<double> worst_deviation_percent;  // of the device that deviates most
@@ -68,13 +72,13 @@ struct LotQuantity {
   std::vector<Bound> bounds;
   // Largest deviation of a device from the lot's mean, in percent, and whether a verified set lets an analysis use mean
   // properties as far as the variability within the supply goes; what the other effects add is not in the records.
-  std::optional<double> largest_from_mean_percent;  // from two values up
+  std::optional<double> largest_from_mean_percent;  // from two tested up
   std::optional<bool> mean_analysis_permitted;
   std::string mean_analysis_open;  // why it cannot be said, though the deviations are small enough
 };
 
 struct LotView {
-  std::size_t devices = 0;
+  std::size_t devices = 0;  // tested, without copies
   std::optional<int> lot_size;
   std::optional<int> required;  // by the set's sample rule, when the lot's size is known
   Assessment sample;            // devices tested against those required

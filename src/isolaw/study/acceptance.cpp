@@ -158,10 +158,12 @@ LotAcceptance assess_lot(rules::RuleSet const& rules, rules::Design const& desig
   std::vector<rules::DeviceValues> measured;
   for (auto const& test : tests) {
     auto device = choose_block(*test.properties, design);
+    device.copy_of = test.copy_of;
     if (auto const* block = find_block(*test.properties, device.block)) {
       auto const values = values_of(*block, test);
       if (result.has_rules()) device.assessments = rules::assess(rules, values, design, load_pair(test, *block));
-      measured.push_back({test.device, values});
+      if (!test.copy_of.empty()) rules::withhold_verdicts(device.assessments, test.copy_of);
+      measured.push_back({test.device, values, test.copy_of});
     }
     devices.push_back(std::move(device));
   }

@@ -18,11 +18,13 @@ struct AssessedTest {
   data::Properties const* properties = nullptr;
   std::optional<double> rubber_thickness_mm, rubber_area_mm2;
   rules::VerticalValue vertical = {};
+  std::string copy_of = {};  // the device that this record is assessed for, where that is another
 };
 
 struct DeviceAcceptance {
   std::optional<int> block;  // the block that counts; empty where the record has no cyclic properties
   std::string choice;        // why this block
+  std::string copy_of;       // the device that this record is assessed for; empty where that is this one
   std::vector<rules::Assessment> assessments;
 };
 

@@ -223,7 +223,7 @@ void warn_of_analysis(Summary const& summary, std::vector<Warning>& warnings) {
   for (auto const& law : summary.laws) predicted = predicted || law.predicted_objective.has_value();
   if (several_blocks && !predicted && !summary.laws.empty())
     warnings.push_back(
-        {"prediction",
+        {"not predicted",
          "the records hold several blocks; whether a law fitted to one holds for the others is not asked: --fit-blocks with the numbers of some predicts the rest"});
   warn_of_outliers(summary, warnings);
 }

@@ -18,6 +18,7 @@
 #include "isolaw/study/acceptance.hpp"
 #include "isolaw/study/build_analysis.hpp"
 #include "isolaw/study/energy_fall.hpp"
+#include "isolaw/study/findings.hpp"
 
 namespace isolaw::study {
 namespace {
@@ -267,8 +268,18 @@ void add_acceptance(Summary& summary, rules::RuleSet const& rules, rules::Design
                     std::optional<int> lot_size) {
   std::vector<AssessedTest> tests;
   for (auto const& device : summary.devices)
-    tests.push_back(
-        {device.name, &device.properties, device.rubber_thickness_mm, device.rubber_area_mm2, vertical_value(device)});
+    tests.push_back({.device = device.name,
+                     .properties = &device.properties,
+                     .rubber_thickness_mm = device.rubber_thickness_mm,
+                     .rubber_area_mm2 = device.rubber_area_mm2,
+                     .vertical = vertical_value(device)});
+  for (auto const& group : devices_of_one_record(summary)) {
+    auto const assessed =
+        std::ranges::find_if(group, [](auto const* device) { return device->properties.reported.has_value(); });
+    for (auto const* device : group)
+      if (assessed != group.end() && device != *assessed)
+        tests[static_cast<std::size_t>(device - summary.devices.data())].copy_of = (*assessed)->name;
+  }
   std::vector<DeviceAcceptance> devices;
   summary.acceptance = assess_lot(rules, design, lot_size, tests, devices);
   for (std::size_t d = 0; d < devices.size(); ++d) summary.devices[d].acceptance = std::move(devices[d]);

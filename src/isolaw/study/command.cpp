@@ -1,10 +1,10 @@
 #include "isolaw/study/command.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <vector>
 
 #include "isolaw/base/shell.hpp"
+#include "isolaw/campaign/lot_file.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 
 namespace isolaw::study {
@@ -12,7 +12,7 @@ namespace {
 
 // As a device is named without a lot file; its name is part of its seed.
 bool is_named_by_its_file(DeviceResult const& device) {
-  return device.name == std::filesystem::path(device.file).stem().string();
+  return device.name == campaign::name_of_file(device.file);
 }
 
 }  // namespace

@@ -158,6 +158,8 @@ LawVerdict unranked_verdict(Summary const& summary, std::size_t index, LawResult
   LawVerdict verdict{index, Role::unranked, {}, {}};
   if (!law.objective.mean) {
     verdict.sentence = "was not identified on any device.";
+  } else if (&law == &best && !compares_laws(summary)) {
+    verdict.sentence = fmt::format("{}.{}", miss_text(law), caution(law));
   } else if (&law == &best) {
     verdict.sentence = fmt::format("{}, the least {}.{}", miss_text(law),
                                    among(summary).empty() ? "of all" : among(summary).substr(1), caution(law));
@@ -177,6 +179,8 @@ std::string headline(Summary const& summary, std::vector<std::size_t> const& fro
            (law.prediction_holds() ? "" : fmt::format(", whose prediction is {}", name(*law.prediction_grade))) +
            (pinned(law).decides() ? ", which its box holds together" : "");
   };
+  if (best < laws.size() && !compares_laws(summary))
+    return fmt::format("{} is the only law that was identified.{}", called(laws[best]), caution(laws[best]));
   if (front.size() == 1 && pinned(laws[front[0]]).decides())
     return fmt::format("{} is the most accurate law{}; how robust it is cannot be said.{}", called(laws[front[0]]),
                        among(summary), caution(laws[front[0]]));

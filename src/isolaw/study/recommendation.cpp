@@ -121,8 +121,9 @@ Names weaknesses(Summary const& summary, Candidate const& candidate, Purpose pur
   auto const grade = graded(candidate.known.error, candidate.known.error, candidate.known.error);
   if (law.prediction_grade == PredictionGrade::fair)
     found.push_back("its prediction of blocks it was not fitted to is fair");
-  else if (purpose != Purpose::these_tests && grade > PredictionGrade::good)
+  else if (grade > PredictionGrade::good)
     found.push_back(fmt::format("an error of {} is no more than {}", percent(candidate.known.error), name(grade)));
+  if (!compares_laws(summary)) found.emplace_back("no other law was identified to compare it with");
   if (summary.missing_runs() > 0 || summary.missing_analyses() > 0) found.emplace_back("the campaign is not complete");
   if (law.success_share && *law.success_share < found_share)
     found.push_back(fmt::format("{} of its searches ended near its least objective", percent(*law.success_share)));
@@ -161,6 +162,7 @@ std::string test_that_decides(Summary const& summary, Purpose purpose, bool open
   Names tests;
   if (summary.missing_runs() > 0 || summary.missing_analyses() > 0)
     tests.emplace_back("the rest of the campaign, which the same command computes");
+  if (open && !compares_laws(summary)) tests.emplace_back("--laws, others to compare it with");
   bool const elsewhere = purpose != Purpose::these_tests;
   if (elsewhere && !predicts_blocks(summary) && (open || purpose == Purpose::untested_device)) {
     bool const several = std::ranges::any_of(summary.devices, [](auto const& device) {
@@ -377,12 +379,24 @@ std::string_view name(Sure sure) {
   return names[static_cast<std::size_t>(sure)];
 }
 
+bool compares_laws(Summary const& summary) {
+  return std::ranges::count_if(summary.laws, [](auto const& law) { return law.objective.mean.has_value(); }) > 1;
+}
+
 std::vector<Recommendation> recommendations(Summary const& summary) {
   std::vector<Recommendation> made;
   if (summary.laws.empty()) return made;
   for (auto const purpose : {Purpose::untested_device, Purpose::these_tests, Purpose::simplest}) {
     made.push_back(recommend(summary, purpose));
     made.back().title = title_of(summary, purpose);
+  }
+  // What a law is not shown for stands in the sentence that names it.
+  if (made.front().law) return made;
+  for (auto& each : made | std::views::drop(1)) {
+    if (!each.law) continue;
+    if (each.purpose == Purpose::these_tests) each.answer = "For these tests t" + each.answer.substr(1);
+    each.answer.pop_back();  // its full stop
+    each.answer += "; for other devices or amplitudes no law can be recommended.";
   }
   return made;
 }
@@ -391,10 +405,7 @@ std::string verdict_sentence(std::vector<Recommendation> const& made) {
   if (made.empty()) return {};
   auto const &design = made[0], &tests = made[1];
   if (design.law) return design.answer;
-  if (!tests.law) return "No law can be recommended. " + tests.why;
-  auto answer = tests.answer;
-  answer.pop_back();  // its full stop
-  return "For these tests t" + answer.substr(1) + "; for other devices or amplitudes no law can be recommended.";
+  return tests.law ? tests.answer : "No law can be recommended. " + tests.why;
 }
 
 }  // namespace isolaw::study

@@ -48,6 +48,9 @@ struct Recommendation {
   std::string programs;             // what an analysis takes it by where programs lack it; "" where they have it
 };
 
+// Two laws or more were identified: the only one was chosen from nothing.
+bool compares_laws(Summary const& summary);
+
 // Of every purpose, in their order; none for an inspection.
 std::vector<Recommendation> recommendations(Summary const& summary);
 

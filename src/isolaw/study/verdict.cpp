@@ -74,12 +74,17 @@ void add_device(OverallVerdict& made, DeviceResult const& device) {
     made.not_assessed.push_back({.device = name, .remark = printable(on_one_line(why))});
     return;
   }
+  // One test is not that of two devices: what it shows of one is not known of the other.
+  auto const& copy_of = device.acceptance.copy_of;
+  if (!copy_of.empty())
+    made.not_assessed.push_back({.device = name, .remark = rules::same_record_as(printable(copy_of))});
   for (auto const& a : lines)
-    if (!a.limit.empty()) add(made.requirements, property_of(a), a.verdict);
-  auto const own = device_verdict(lines);
+    if (!a.limit.empty() && (copy_of.empty() || property_of(a) == rules::name(rules::Quantity::K_v)))
+      add(made.requirements, property_of(a), a.verdict);
+  auto const own = device_verdict(device.acceptance);
   if (own.verdict == Verdict::fail)
     made.failing.push_back({.device = name, .remark = own.failures_text(" and ")});
-  else if (own.verdict != Verdict::pass && own.not_assessed.empty() && !own.passed.empty())
+  else if (copy_of.empty() && own.verdict != Verdict::pass && own.not_assessed.empty() && !own.passed.empty())
     made.not_assessed.push_back({.device = name, .remark = "a compression test alone is no pass"});
 }
 
@@ -96,15 +101,6 @@ void say_failures(OverallVerdict const& made, std::size_t devices, std::vector<s
                                 count > shown ? fmt::format(" and {} more", count - shown) : ""));
   }
   if (!of_lot.empty()) parts.push_back(fmt::format("the lot fails: {}", fmt::join(of_lot, "; ")));
-}
-
-// One test is not that of two devices: what it shows of one is not known of the other.
-void add_copies(OverallVerdict& made, Summary const& summary) {
-  for (auto const& group : devices_of_one_record(summary))
-    for (std::size_t i = 1; i < group.size(); ++i)
-      if (group[i]->status == "ok" && !group[i]->acceptance.assessments.empty())
-        made.not_assessed.push_back({.device = printable(group[i]->name),
-                                     .remark = fmt::format("its record is that of {}", printable(group[0]->name))});
 }
 
 // Design values that were stated and that nothing of the set is compared with.
@@ -179,6 +175,7 @@ std::string sentence_of(OverallVerdict const& made, std::size_t devices) {
 
 std::string DeviceVerdict::text() const {
   if (verdict == Verdict::fail) return "fail: " + failures_text();
+  if (!copy_of.empty()) return fmt::format("{}: {}", rules::name(verdict), rules::same_record_as(copy_of));
   if (verdict != Verdict::pass || not_assessed.empty()) return std::string(rules::name(verdict));
   return fmt::format("{} ({}; not assessed: {})", brief(), fmt::join(passed, ", "), fmt::join(not_assessed, ", "));
 }
@@ -196,8 +193,10 @@ std::string DeviceVerdict::failures_text(std::string_view between) const {
   return failures.size() > count ? fmt::format("{} and {} more", text, failures.size() - count) : text;
 }
 
-DeviceVerdict device_verdict(std::vector<rules::Assessment> const& assessments) {
+DeviceVerdict device_verdict(DeviceAcceptance const& acceptance) {
+  auto const& assessments = acceptance.assessments;
   DeviceVerdict made;
+  made.copy_of = printable(acceptance.copy_of);
   struct Farthest {
     double off = 0.0;
     std::string name, text;
@@ -239,8 +238,7 @@ DeviceVerdict device_verdict(std::vector<rules::Assessment> const& assessments) 
 }
 
 std::optional<Verdict> verdict_on(LotAcceptance const& lot, DeviceResult const& device) {
-  auto const& assessments = device.acceptance.assessments;
-  if (!assessments.empty()) return device_verdict(assessments).verdict;
+  if (!device.acceptance.assessments.empty()) return device_verdict(device.acceptance).verdict;
   bool const left_out = lot.has_rules() && !device.properties.refusal.empty();
   return left_out ? std::optional(Verdict::not_assessed) : std::nullopt;
 }
@@ -256,7 +254,6 @@ OverallVerdict overall_verdict(Summary const& summary) {
     made.mark = "LIMITS NOT VERIFIED";
   } else {
     for (auto const& device : summary.devices) add_device(made, device);
-    add_copies(made, summary);
     add_lot(made, acceptance);
     bool const open = !made.not_assessed.empty() || std::ranges::find(made.requirements, Verdict::not_assessed,
                                                                       &Requirement::verdict) != made.requirements.end();
@@ -285,9 +282,12 @@ std::string verdict_against(Summary const& summary, std::optional<std::string_vi
   auto const& rules = summary.acceptance.rules;
   if (!summary.acceptance.has_rules() || !rules.verified()) return {};
   if (device) {
-    auto const found = std::ranges::find(summary.devices, *device, &DeviceResult::name);
+    auto found = std::ranges::find(summary.devices, *device, &DeviceResult::name);
+    // Of a record under two names the first device has the verdict.
+    if (found != summary.devices.end() && !found->acceptance.copy_of.empty())
+      found = std::ranges::find(summary.devices, found->acceptance.copy_of, &DeviceResult::name);
     if (found == summary.devices.end()) return {};
-    auto const verdict = device_verdict(found->acceptance.assessments);
+    auto const verdict = device_verdict(found->acceptance);
     if (verdict.verdict != Verdict::fail) return {};
     return fmt::format("{} fails {}: {}", printable(found->name), short_title(rules), verdict.failures_text());
   }

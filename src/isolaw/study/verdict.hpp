@@ -17,15 +17,17 @@ struct DeviceVerdict {
   std::vector<std::string> passed, failed, not_assessed;
   // What failed, each quantity by its line farthest off the design value, the farthest first: "K_eff +23.0 %".
   std::vector<std::string> failures;
+  std::string copy_of;  // the device whose record it is
 
-  // "pass on 1 of 2 (K_eff; not assessed: damping)", "fail: K_eff +23.0 %, damping -16.2 %"
+  // "pass on 1 of 2 (K_eff; not assessed: damping)", "fail: K_eff +23.0 %, damping -16.2 %", "not assessed: the same
+  // record as D01"
   std::string text() const;
   // The same in a table's cell: "pass on 1 of 2", "fail", "pass" where all were compared.
   std::string brief() const;
   // The first of the failures, and how many more there are.
   std::string failures_text(std::string_view between = ", ") const;
 };
-DeviceVerdict device_verdict(std::vector<rules::Assessment> const& assessments);
+DeviceVerdict device_verdict(DeviceAcceptance const& acceptance);
 
 // The word for a device of an inspection or a campaign: not assessed where its record has no properties that a rule set
 // could be held to; nullopt where nothing was asked.

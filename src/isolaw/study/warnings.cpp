@@ -56,8 +56,8 @@ void warn_of_copies(Summary const& summary, Summary const& part, std::vector<War
   }
 }
 
-// One compression test cannot be that of two devices.
-void warn_of_vertical_copies(Summary const& summary, Summary const& part, std::vector<Warning>& warnings) {
+// Devices that hold the same compression test, by two or more.
+std::vector<std::vector<DeviceResult const*>> devices_of_one_compression(Summary const& summary) {
   std::vector<std::vector<DeviceResult const*>> groups;
   for (auto const& device : summary.devices) {
     auto const& test = device.vertical_test;
@@ -70,11 +70,17 @@ void warn_of_vertical_copies(Summary const& summary, Summary const& part, std::v
     if (found == groups.end()) found = groups.insert(groups.end(), {{}});
     found->push_back(&device);
   }
-  for (auto const& group : groups) {
+  std::erase_if(groups, [](auto const& group) { return group.size() < 2; });
+  return groups;
+}
+
+// One compression test cannot be that of two devices.
+void warn_of_vertical_copies(Summary const& summary, Summary const& part, std::vector<Warning>& warnings) {
+  for (auto const& group : devices_of_one_compression(summary)) {
     bool const concerned = std::ranges::any_of(group, [&](auto const* device) {
       return std::ranges::find(part.devices, device->name, &DeviceResult::name) != part.devices.end();
     });
-    if (group.size() < 2 || !concerned) continue;
+    if (!concerned) continue;
     Names names;
     for (auto const* device : group) names.push_back(device->name);
     warnings.push_back({"copies", fmt::format("{} hold the same compression test, whose K_v counts {} times",
@@ -311,6 +317,7 @@ std::string_view action(Warning const& warning) {
                               {"law not identified", laws},
                               {"not adequate", laws},
                               {"prediction", laws},
+                              {"not predicted", "Keep blocks of the tests from the fit"},
                               {"failed runs", search},
                               {"failed evaluations", search},
                               {"search", search},
@@ -337,6 +344,24 @@ std::vector<Warning> warnings(Summary const& whole, Summary const& summary) {
   for (auto const warn : {warn_of_bounds, warn_of_integration})
     for (auto const& law : summary.laws) warn(law, all);
   warn_of_records(summary, all);
+  return all;
+}
+
+std::vector<std::vector<std::string>> device_warnings(Summary const& summary) {
+  std::vector<Names> all;
+  for (auto const& device : summary.devices) all.push_back(device.raw.warnings);
+  auto const add = [&](auto const& groups, auto say) {
+    for (auto const& group : groups)
+      for (auto const* device : group) {
+        Names others;
+        for (auto const* other : group)
+          if (other != device) others.push_back(other->name);
+        all[static_cast<std::size_t>(device - summary.devices.data())].push_back(say(enumerate(others)));
+      }
+  };
+  add(devices_of_one_record(summary), rules::same_record_as);
+  add(devices_of_one_compression(summary),
+      [](std::string const& others) { return "the same compression test as " + others; });
   return all;
 }
 

@@ -1,5 +1,9 @@
 #include "isolaw/render/json/inspection_json.hpp"
 
+#include <cstddef>
+#include <string>
+#include <vector>
+
 #include "isolaw/data/read.hpp"
 #include "isolaw/render/json/properties_json.hpp"
 #include "isolaw/render/json/results_json.hpp"
@@ -22,7 +26,8 @@ void write_effects(JsonWriter& out, std::vector<data::Effect> const& effects) {
   out.end_array();
 }
 
-void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const& device) {
+void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const& device,
+                  std::vector<std::string> const& warnings) {
   write_members(out, "name", device.name, "file", device.file, "sha256", device.sha256, "status", device.status,
                 "message", device.message, "samples", device.raw.size());
   out.key("columns").begin_object();
@@ -32,7 +37,7 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
   out.end_object();
   // Sheet and test are null where the file has but one.
   write_members(out, "sheet", device.raw.layout.sheet, "test", device.raw.layout.test, "recognised",
-                device.raw.recognised, "warnings", device.raw.warnings);
+                device.raw.recognised, "warnings", warnings);
   write_properties(out, lot, device);
   write_effects(out, device.effects);
 }
@@ -44,13 +49,14 @@ std::string inspection_json(Summary const& summary) {
   out.begin_object();
   out.member("schema", inspection_schema).member("isolaw", summary.version);
   write_verdict(out, overall_verdict(summary));
+  auto const of_devices = device_warnings(summary);
   if (summary.devices.size() == 1) {
-    write_device(out, summary.acceptance, summary.devices.front());
+    write_device(out, summary.acceptance, summary.devices.front(), of_devices.front());
   } else {
     out.member("title", summary.title).key("devices").begin_array();
-    for (auto const& device : summary.devices) {
+    for (std::size_t i = 0; i < summary.devices.size(); ++i) {
       out.begin_object();
-      write_device(out, summary.acceptance, device);
+      write_device(out, summary.acceptance, summary.devices[i], of_devices[i]);
       out.end_object();
     }
     out.end_array();

@@ -201,9 +201,9 @@ void write_properties(JsonWriter& out, LotAcceptance const& lot, DeviceResult co
   out.key("verdict");
   auto const verdict = verdict_on(lot, device);
   verdict ? out.value(rules::name(*verdict)) : out.null();
-  auto const said = device_verdict(acceptance.assessments);
+  auto const said = device_verdict(acceptance);
   write_members(out, "verdict_brief", verdict ? said.brief() : std::string(), "verdict_text",
-                verdict ? said.text() : std::string());
+                verdict ? said.text() : std::string(), "copy_of", acceptance.copy_of);
   out.key("doubts").begin_array();
   for (auto const& doubt : value_doubts(device)) {
     out.begin_object();

@@ -105,7 +105,7 @@ void write_scored(JsonWriter& out, data::FitRecord const& record) {
 }
 
 void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const& device,
-                  std::vector<std::size_t> const& drawn, std::size_t most) {
+                  std::vector<std::string> const& warnings, std::vector<std::size_t> const& drawn, std::size_t most) {
   auto const& record = device.record;
   out.begin_object();
   write_members(out, "name", device.name, "file", device.file, "sha256", device.sha256, "status", device.status,
@@ -114,7 +114,7 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
   out.member("rubber_area_mm2", device.rubber_area_mm2);
   write_properties(out, lot, device);
   write_raw(out, device.raw, most);
-  write_members(out, "recognised", device.raw.recognised, "warnings", device.raw.warnings, "cleaning", record.cleaning);
+  write_members(out, "recognised", device.raw.recognised, "warnings", warnings, "cleaning", record.cleaning);
   write_scored(out, record);
   out.key("record").begin_object();
   write_members(out, "samples", record.size(), "drawn", drawn.size(), "has_time", record.has_time());
@@ -431,9 +431,10 @@ std::string page_data_json(Summary const& summary) {
   write_verdict(out, overall_verdict(summary));
   out.key("assessment");
   write_acceptance(out, summary.acceptance);
+  auto const of_devices = device_warnings(summary);
   out.key("devices").begin_array();
   for (std::size_t i = 0; i < summary.devices.size(); ++i)
-    write_device(out, summary.acceptance, summary.devices[i], drawn[i], most);
+    write_device(out, summary.acceptance, summary.devices[i], of_devices[i], drawn[i], most);
   out.end_array();
   out.key("laws").begin_array();
   for (auto const& law : summary.laws) write_law(out, summary, law, drawn);

@@ -173,7 +173,7 @@ void print_device_in_full(std::string& text, DeviceResult const& device) {
   if (!acceptance.assessments.empty()) {
     add(text, "\nAssessed on block {}, {}\n", *acceptance.block, acceptance.choice);
     for (auto const& assessment : acceptance.assessments) print_assessment(text, assessment);
-    add(text, "  device: {}\n", device_verdict(acceptance.assessments).text());
+    add(text, "  device: {}\n", device_verdict(acceptance).text());
   }
   print_vertical(text, device);
   auto warnings = device.raw.warnings;
@@ -198,7 +198,7 @@ void print_devices(std::string& text, Summary const& summary) {
     else
       add(text, "{:>5} {:>5} {:>9.2f} {:>9.4f} {:>10} {:>8}  {}\n", cycle->block, cycle->number, cycle->amplitude_mm,
           cycle->K_eff_kN_per_mm, number_text(cycle->energy_kN_mm), number(cycle->damping(), 2),
-          summary.acceptance.has_rules() ? device_verdict(acceptance.assessments).text() : "");
+          summary.acceptance.has_rules() ? device_verdict(acceptance).text() : "");
   }
 }
 

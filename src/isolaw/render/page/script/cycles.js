@@ -18,9 +18,13 @@ export const largestNumber = (device) => Math.max(1, ...countedCycles(device).ma
 export const chosenBlocks = (device) =>
   device.blocks.filter((block) => chosen.block === 'all' || block.number === chosen.block);
 
+// Without a complete cycle a block has no amplitude.
+export const amplitudeText = (block) =>
+  counted(block).length > 0 ? '±' + significant(block.amplitude_mm, 3) + THIN + 'mm' : 'no complete cycle';
+
 export function blockText(block) {
   return (
-    'block ' + block.number + ', ±' + significant(block.amplitude_mm, 3) + THIN + 'mm' +
+    'block ' + block.number + ', ' + amplitudeText(block) +
     (isNumber(block.frequency_Hz) ? ', ' + significant(block.frequency_Hz, 2) + THIN + 'Hz' : '') +
     (block.waveform ? ', ' + block.waveform : '')
   );

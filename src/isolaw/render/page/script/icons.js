@@ -25,11 +25,10 @@ const CIRCLE = 'M6 1 A5 5 0 1 1 5.99 1 Z',
 
 // The front's markers, as in the plot: filled circle, open diamond for a law that is beaten, cross for one that does not
 // describe the devices.
-export function marker(role) {
-  const tone = roleTone(role);
+export function marker(role, tone = roleTone(role)) {
   const colour = 'var(--' + tone + ')';
   const path = role === 'not adequate' ? CROSS : tone === 'poor' ? DIAMOND : CIRCLE;
-  const svg = icon([path, tone === 'good' ? colour : 'none', colour]);
+  const svg = icon([path, roleTone(role) === 'good' ? colour : 'none', colour]);
   svg.firstChild.setAttribute('stroke-width', '1.8');
   return svg;
 }

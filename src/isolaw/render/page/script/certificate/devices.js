@@ -5,7 +5,7 @@ import { devices, headingOf, report } from '../report.js';
 import { tableOf } from '../tables.js';
 import { DASH, enumerate, fixed, sentence, significant, unitText } from '../text.js';
 import { verdictBadge } from '../verdicts.js';
-import { commonlyOpen, deviceVerdict } from './verdict.js';
+import { commonlyOpen, deviceVerdict, sameRecord } from './verdict.js';
 
 export const certificateDevicesFigure = {
   id: 'certificate-devices',
@@ -82,7 +82,7 @@ function certificateTable() {
       outlying = apart(device),
       missing = open.filter((quantity) => !common.includes(quantity));
     const remark =
-      device.status !== 'ok' ? 'refused: ' + device.message : device.properties_refusal ? device.properties_refusal : [enumerate(failed), missing.length > 0 ? 'not assessed: ' + enumerate(missing) : '', outlying.length > 0 ? '\u25be ' + enumerate(outlying, 3) : ''].filter(Boolean).join('; ');
+      device.status !== 'ok' ? 'refused: ' + device.message : device.properties_refusal ? device.properties_refusal : [sameRecord(device), enumerate(failed), missing.length > 0 ? 'not assessed: ' + enumerate(missing) : '', outlying.length > 0 ? '\u25be ' + enumerate(outlying, 3) : ''].filter(Boolean).join('; ');
     const below = remark ? element('small', {}, remark) : null;
     return element('td', { class: 'reasoned' }, verdict ? verdictBadge(verdict, device.verdict_brief) : DASH, below);
   };
@@ -133,7 +133,7 @@ function certificateData() {
         device.name, device.serial, device.lot, device.test_date, device.temperature_C,
         block?.amplitude_mm ?? null, block?.frequency_Hz ?? null,
         ...properties.map(({ value }) => value(device) ?? null),
-        verdict ?? '', device.status === 'ok' ? failed.join('; ') || device.properties_refusal : device.message, open.join('; '), apart(device).join('; '),
+        verdict ?? '', device.status === 'ok' ? failed.join('; ') || device.properties_refusal || sameRecord(device) : device.message, open.join('; '), apart(device).join('; '),
         device.doubts.map(({ quantity, otherwise, unit, condition }) => quantity + ' ' + otherwise + ' ' + unit + ' if ' + condition).join('; '), device.file, device.sha256,
       ];
     }),

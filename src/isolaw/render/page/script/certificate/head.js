@@ -1,4 +1,4 @@
-import { reportedBlock, reportedCycle } from '../cycles.js';
+import { counted, reportedBlock, reportedCycle } from '../cycles.js';
 import { element } from '../dom.js';
 import { lotQuantities } from '../lot.js';
 import { devices, report } from '../report.js';
@@ -27,7 +27,8 @@ function certificateHead() {
     amplitude ? 'amplitude ' + amplitude + THIN + 'mm' : '',
     frequency ? frequency + THIN + 'Hz' : '',
   ].filter(Boolean);
-  const steps = [...new Set(devices.flatMap((device) => device.blocks.map((block) => significant(block.amplitude_mm, 3))))];
+  const tested = devices.flatMap((device) => device.blocks.filter((block) => counted(block).length > 0));
+  const steps = [...new Set(tested.map((block) => significant(block.amplitude_mm, 3)))];
   const load = spanText(devices.map((device) => reportedCycle(device)?.N_mean_kN), 0);
   const thickness = spanText(devices.map((device) => device.rubber_thickness_mm), 1),
     area = spanText(devices.map((device) => device.rubber_area_mm2), 0);
@@ -41,7 +42,7 @@ function certificateHead() {
     ['Laboratory', blank('Laboratory')],
     ['Client, project', blank('Client, project')],
     ['Certificate no.', numberBlank()],
-    ['Test', 'cyclic shear of ' + count(devices.length, 'device') + (compressed > 0 ? ', compression of ' + compressed : '') + (isNumber(lot?.size) ? ' of a lot of ' + lot.size : '')],
+    ['Test', 'cyclic shear of ' + count(devices.filter((device) => !device.copy_of).length, 'device') + (compressed > 0 ? ', compression of ' + compressed : '') + (isNumber(lot?.size) ? ' of a lot of ' + lot.size : '')],
     ...(lots.length > 0 ? [['Lot', enumerate(lots)]] : []),
     [
       'Tested',

@@ -9,9 +9,12 @@ export function deviceVerdict(device) {
   return { verdict, failed: named('fail'), open: verdict === 'pass' ? named('not assessed') : [] };
 }
 
+// Of a device whose record is another's.
+export const sameRecord = (device) => (device.copy_of ? 'the same record as ' + device.copy_of : '');
+
 // What no device could be assessed for: said once, for all of them.
 export function commonlyOpen() {
-  const judged = devices.filter((device) => device.assessments.length > 0);
+  const judged = devices.filter((device) => device.assessments.length > 0 && !device.copy_of);
   if (judged.length === 0 || judged.every((device) => deviceVerdict(device).verdict !== 'pass')) return [];
   const open = (device) => device.assessments.filter((a) => a.verdict === 'not assessed').map((a) => a.quantity);
   return [...new Set(open(judged[0]))].filter((quantity) => judged.every((device) => open(device).includes(quantity)));

@@ -2,7 +2,7 @@ import { chosen } from '../choice.js';
 import { element, shortList } from '../dom.js';
 import { marker, roleTone } from '../icons.js';
 import { isInadequate, lawName, withBadges } from '../laws.js';
-import { errorText, placedIn, purposeOf, standingsOf, viewOf } from '../purposes.js';
+import { TONES, errorText, placedIn, purposeOf, standingsOf, viewOf } from '../purposes.js';
 import { laws, report } from '../report.js';
 import { fixed, sentence } from '../text.js';
 
@@ -37,7 +37,7 @@ function verdictList() {
         element(
           'li',
           { class: place === 'taken' || place === 'ties' ? null : 'brief' },
-          marker(ROLES[place]),
+          marker(ROLES[place], place === 'taken' ? TONES[purpose.recommendation.sure] : undefined),
           element('div', {}, lawName(law), ' ' + errorText(error) + said(place, reason)),
         ),
       )

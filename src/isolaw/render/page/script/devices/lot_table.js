@@ -20,10 +20,13 @@ export const lotFigure = {
 function lotCaption() {
   const { lot } = report.assessment;
   const failing = devices.filter((device) => device.assessments.some((a) => a.verdict === 'fail')).map((d) => d.name);
+  const copies = devices.filter((device) => device.copy_of).map((device) => device.name);
   return (
     (isNumber(lot.tested) ? count(lot.tested, 'device') + ' with values' : 'Devices with values') +
     (isNumber(lot.size) ? ' of ' + lot.size : '') +
-    (isNumber(lot.required) ? ', ' + lot.required + ' required' : '') + '. CoV: standard deviation over the mean.' +
+    (isNumber(lot.required) ? ', ' + lot.required + ' required' : '') + '.' +
+    (copies.length > 0 ? ' Copies of a record (' + enumerate(copies) + ') count in n, mean and CoV, not in k.' : '') +
+    ' CoV: standard deviation over the mean.' +
     ' Tolerance: interval that holds 95\u202f% of all devices with 95\u202f% confidence, if normally distributed.' +
     (failing.length > 0 ? ' Outside a limit: ' + enumerate(failing) + '.' : '')
   );

@@ -1,5 +1,5 @@
 import { chosen } from '../choice.js';
-import { counted, countedCycles, cycleText, largestNumber, noCycles } from '../cycles.js';
+import { amplitudeText, counted, countedCycles, cycleText, largestNumber, noCycles } from '../cycles.js';
 import { rawData, rawIndex, rawTime } from '../raw.js';
 import { curve, devices, inspection } from '../report.js';
 import { THIN, count, enumerate, isNumber, plain, significant } from '../text.js';
@@ -55,7 +55,7 @@ function drawCycleHistory(look, width) {
   for (const block of device.blocks) {
     const first = block.cycles[0].first,
       last = block.cycles[block.cycles.length - 1].last;
-    const amplitude = '±' + significant(block.amplitude_mm, 3) + THIN + 'mm';
+    const amplitude = amplitudeText(block);
     const frequency = isNumber(block.frequency_Hz) ? ', ' + significant(block.frequency_Hz, 2) + THIN + 'Hz' : '';
     const name = 'Block ' + block.number;
     const fitting = [name + ': ' + amplitude + frequency, name + ': ' + amplitude, name, String(block.number)].find(

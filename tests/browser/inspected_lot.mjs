@@ -1,0 +1,69 @@
+// The page of an inspection as the program writes it, of a lot with a copy and a record that was cut, in a browser: what its
+// certificate says of them, and that a window of 1280 shows its tables whole.
+//   node inspected_lot.mjs ISOLAW [CHROMIUM]
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { Chromium } from './chromium.mjs';
+
+const [isolaw, program] = process.argv.slice(2);
+if (!program || !existsSync(program)) {
+  console.log('skipped: no Chromium found (install chromium, or configure with -DISOLAW_CHROMIUM=FILE)');
+  process.exit(77);
+}
+
+// A device of stiffness 0.5 kN/mm and a strength in kN, at 0.5 Hz and 100 mm.
+function record(samples, strength) {
+  const rows = ['time [s],displacement [mm],force [kN]'];
+  for (let i = 0, z = 0, before = 0; i < samples; ++i) {
+    const x = 100 * Math.sin((2 * Math.PI * i) / 200);
+    z = Math.min(1, Math.max(-1, z + (x - before) / 10));
+    before = x;
+    rows.push([0.01 * i, x, 0.5 * x + strength * z].map((value) => value.toFixed(5)).join());
+  }
+  return rows.join('\n') + '\n';
+}
+
+// Runs in the page.
+function look() {
+  const rows = [...document.querySelectorAll('#figure-certificate-devices tbody tr')];
+  const facts = [...document.querySelectorAll('#figure-certificate-head dt')];
+  return {
+    facts: Object.fromEntries(facts.map((term) => [term.textContent, term.nextElementSibling.textContent])),
+    rows: Object.fromEntries(rows.map((row) => [row.cells[0].textContent, row.textContent])),
+    cut: [...document.querySelectorAll('#figure-lot .scroll, #figure-certificate-devices .scroll')]
+      .filter((region) => region.scrollWidth > region.clientWidth)
+      .map((region) => `${region.getAttribute('aria-label')}: ${region.scrollWidth} in ${region.clientWidth}`),
+  };
+}
+
+const failures = [];
+const expect = (holds, what) => {
+  if (!holds) failures.push(what);
+};
+const directory = mkdtempSync(join(tmpdir(), 'isolaw-browser-')),
+  browser = new Chromium(program);
+try {
+  const files = { a: record(601, 20), b: record(601, 22), cut: record(120, 20), twin: record(601, 20) };
+  const inputs = Object.entries(files).map(([name, text]) => {
+    writeFileSync(join(directory, name + '.csv'), text);
+    return join(directory, name + '.csv');
+  });
+  const design = ['--rules', 'ntc-2018', '--design', 'K_eff=0.7,damping=17,disp=100,frequency=0.5'];
+  execFileSync(isolaw, ['inspect', ...inputs, ...design, '--out', directory], { stdio: ['ignore', 'ignore', 'inherit'] });
+  const page = await browser.open(pathToFileURL(join(directory, 'inspection.html')).href, { width: 1280, height: 800 });
+  const { facts, rows, cut } = await page.evaluate(`(${look})()`);
+  expect(!('Blocks tested' in facts), `blocks tested: ${facts['Blocks tested']}, of one amplitude`);
+  expect(/100\.0\smm/.test(facts.Conditions), 'conditions ' + facts.Conditions);
+  expect(facts.Test === 'cyclic shear of 3 devices', 'test: ' + facts.Test);
+  expect(/pass on/.test(rows.a), 'a: ' + rows.a);
+  expect(/not assessedthe same record as a/.test(rows.twin) && !/pass/.test(rows.twin), 'twin: ' + rows.twin);
+  expect(cut.length === 0, 'cut off at 1280: ' + cut.join('; '));
+} finally {
+  await browser.close();
+  rmSync(directory, { recursive: true, force: true });
+}
+for (const failure of failures) console.log('FAILED ' + failure);
+process.exit(failures.length === 0 ? 0 : 1);
