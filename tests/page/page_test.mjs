@@ -519,11 +519,15 @@ const tests = {
     writeFileSync(join(folder, "';alert(1);'.csv"), [lines[0].replace('Vertical load', 'Vertical load <svg onload=window.hacked=1>'), ...lines.slice(1)].join('\n'));
     writeFileSync(join(folder, '--out=x.csv'), lines.join('\n'));
     writeFileSync(join(folder, '{{script}}$&.csv'), lines.join('\n'));
+    // In a folder that is dropped a browser passes over these.
+    const single = [' lead.csv', 'turned\u202e.csv'].map((one) => join(work, one));
+    for (const one of single) writeFileSync(one, lines.join('\n'));
     writeFileSync(join(folder, 'none.csv'), bad + ',' + bad + '\n1,2\n3,</script><script>hacked=1</script>\n');
     const page = await open();
     await page.drop([folder]);
+    await page.drop(single);
     const found = await rows(page);
-    expect(found.length >= 3, 'devices: ' + found.length + ' ' + (await page.text('#contents')));
+    expect(found.filter(({ tone }) => tone !== 'poor').length >= 5, 'devices: ' + found.length + ' ' + (await page.text('#contents')));
     await openForm(page, 0);
     await set(page, 'lot-title', bad);
     await page.evaluate("for (const details of document.querySelectorAll('details')) details.open = true");
