@@ -2,10 +2,11 @@
 
 import { element } from './dom.js';
 import { text } from './text.js';
+import { NUMERAL } from './toml.js';
 
-export const asNumber = (typed) => {
+const asNumber = (typed) => {
   const plain = typed.replace(',', '.');
-  return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain) ? Number(plain) : typed;
+  return NUMERAL.test(plain) ? Number(plain) : typed;
 };
 
 const shown = (value) => (value === undefined || value === null ? '' : typeof value === 'object' ? JSON.stringify(value) : String(value));

@@ -1,6 +1,5 @@
 // From files to a lot: what is a lot file, a saved campaign, a record; the program reads and writes all of it.
 
-import { visible } from './dom.js';
 import { argument, asBytes, asText, fileOf, messageOf, run } from './engine_use.js';
 import { changed, state } from './state.js';
 import { text } from './text.js';
@@ -57,7 +56,7 @@ function devicesIn(tables) {
     const table = tables[number];
     const file = filesOf(table)[0] ?? '';
     const name = table.keys.get('name')?.value;
-    return { number, place: i + 1, table, file, name: typeof name === 'string' ? name : stem(file), valuesOf: (key) => valuesOf(tables, number, key) };
+    return { number, place: i + 1, table, file, name: typeof name === 'string' ? name : stem(file).trim(), valuesOf: (key) => valuesOf(tables, number, key) };
   });
 }
 
@@ -70,7 +69,7 @@ const NOT_READ = /\n*^# Not read, and no device here:\n(?:#.*\n?)*/m;
 const stem = (path) => path.replace(/^.*\//, '').replace(/\.[^.]*$/, '');
 
 // A device of a file that was not recognised: whoever leaves it out does so by hand, and every output says the rest.
-const deviceOf = (file) => '\n[[device]]\nname = ' + writeValue(visible(stem(file)).trim() || 'record') + '\nfile = ' + writeValue(file) + '\n';
+const deviceOf = (file) => '\n[[device]]\nfile = ' + writeValue(file) + '\n';
 
 async function recognise(paths, like) {
   const files = recordFiles();

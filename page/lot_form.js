@@ -1,11 +1,11 @@
 // What holds for the whole lot: a form that is the lot file, and the lot file itself.
 
 import { button, element, place } from './dom.js';
-import { asNumber, choiceField, fieldset, textField } from './fields.js';
+import { choiceField, fieldset, textField } from './fields.js';
 import { lotDevices, lotTables } from './lot.js';
 import { state } from './state.js';
 import { text } from './text.js';
-import { withKey, withSetting } from './toml.js';
+import { settingsOf, withKey, withSetting } from './toml.js';
 
 // `edit` is called with the new text of the lot file.
 export function lotForm(edit) {
@@ -14,7 +14,6 @@ export function lotForm(edit) {
   if (tables) {
     const top = tables[0].keys;
     const acceptance = tables.find(({ path }) => path === 'acceptance')?.keys ?? new Map();
-    const apart = tables.find(({ path }) => path === 'acceptance.design')?.keys;
     const setting = (path, key) => (value) => edit(withSetting(state.lot, path, key, value));
     const devices = lotDevices();
     const shared = (key) => {
@@ -33,22 +32,8 @@ export function lotForm(edit) {
       ),
     );
 
-    const design = acceptance.get('design')?.value ?? (apart ? Object.fromEntries([...apart].map(([key, { value }]) => [key, value])) : {});
-    const given = typeof design === 'string' ? Object.fromEntries(design.split(',').map((one) => one.split('=').map((part) => part.trim()))) : design;
-    const designField = ([key, label]) =>
-      textField(
-        'design-' + key,
-        [label, ''],
-        given[key],
-        (value) => {
-          if (apart) return edit(withSetting(state.lot, 'acceptance.design', key, value));
-          const next = Object.fromEntries(Object.entries(given).map(([name, one]) => [name, typeof one === 'string' ? asNumber(one) : one]));
-          if (value === null) delete next[key];
-          else next[key] = value;
-          return edit(withSetting(state.lot, 'acceptance', 'design', Object.keys(next).length > 0 ? next : null));
-        },
-        { number: true },
-      );
+    const { values: design, write } = settingsOf(tables, 'acceptance', 'design');
+    const designField = ([key, label]) => textField('design-' + key, [label, ''], design[key], (value) => edit(write(state.lot, key, value)), { number: true });
     const files = [...state.files.keys()].filter((path) => /\.toml$/i.test(path)).map((path) => [path, path]);
     parts.push(
       fieldset(

@@ -183,18 +183,27 @@ export function withSetting(text, path, name, value) {
   return before + gap + '[' + path + ']\n' + name + ' = ' + writeValue(value) + '\n\n' + text.slice(at);
 }
 
-// A table of values `name` that belongs to table `number`, in the three forms TOML has for it: inline, by dotted keys, or
-// below it under a heading of its own. { values, write(text, key, value) }.
+// What is a number as it is typed and as a table of values in one text ('disp=2, force=F') says it: no 0x10.
+export const NUMERAL = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+
+const entriesOf = (words) =>
+  words.split(',').map((pair) => {
+    const [name, value] = [pair.slice(0, pair.indexOf('=')).trim(), pair.slice(pair.indexOf('=') + 1).trim()];
+    return [name, NUMERAL.test(value) ? Number(value) : value];
+  });
+
+// The values of table `name` in table `number`, in the forms it may have: inline or one text, by dotted keys, or under a
+// heading of its own, for an entry of an array below it. { values, write(text, key, value) }.
 export function valuesOf(tables, number, name) {
-  const { path, keys } = tables[number];
+  const { path, array, keys } = tables[number];
+  const heading = path + '.' + name;
+  let below = array ? number + 1 : tables.findIndex((table) => table.path === heading);
+  if (array) while (tables[below]?.path.startsWith(path + '.') && tables[below].path !== heading) ++below;
+  const own = tables[below]?.path === heading ? tables[below] : null;
   const dotted = [...keys].filter(([key]) => key.startsWith(name + '.'));
-  let below = number + 1;
-  while (tables[below]?.path.startsWith(path + '.') && tables[below].path !== path + '.' + name) ++below;
-  const own = tables[below]?.path === path + '.' + name ? tables[below] : null;
   const inline = keys.get(name)?.value;
-  const pairs = (one) => Object.fromEntries(one.split(',').map((pair) => [pair.slice(0, pair.indexOf('=')).trim(), pair.slice(pair.indexOf('=') + 1).trim()]));
   const values = {
-    ...(typeof inline === 'string' ? pairs(inline) : inline),
+    ...(typeof inline === 'string' ? Object.fromEntries(entriesOf(inline)) : inline),
     ...Object.fromEntries(dotted.map(([key, { value }]) => [key.slice(name.length + 1), value])),
     ...(own && Object.fromEntries([...own.keys].map(([key, { value }]) => [key, value]))),
   };
@@ -205,6 +214,17 @@ export function valuesOf(tables, number, name) {
     if (value === null) delete next[key];
     return withKey(text, number, name, Object.keys(next).length > 0 ? next : null);
   };
+  return { values, write };
+}
+
+// The same of the table called `path`, which need not be there.
+export function settingsOf(tables, path, name) {
+  const number = tables.findIndex((table) => table.path === path && !table.array);
+  if (number >= 0) return valuesOf(tables, number, name);
+  const heading = path + '.' + name;
+  const own = tables.find((table) => table.path === heading);
+  const values = own ? Object.fromEntries([...own.keys].map(([key, { value }]) => [key, value])) : {};
+  const write = (text, key, value) => (own ? withSetting(text, heading, key, value) : value === null ? text : withSetting(text, path, name, { [key]: value }));
   return { values, write };
 }
 

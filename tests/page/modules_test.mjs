@@ -16,7 +16,7 @@ const load = (name) => {
   copyFileSync(join(source, name + '.js'), join(folder, name + '.mjs'));
   return import(pathToFileURL(join(folder, name + '.mjs')).href);
 };
-const { readToml, writeValue, valuesOf, withKey, withSetting, withoutDevice, deviceTables } = await load('toml');
+const { readToml, writeValue, settingsOf, valuesOf, withKey, withSetting, withoutDevice, deviceTables } = await load('toml');
 const { readZip, writeZip, looksLikeZip } = await load('zip');
 
 const LOT = `# above
@@ -76,7 +76,7 @@ test('a table of values, in the forms that it has', () => {
     [head + "columns.disp = 2\ncolumns.force = 'F'\n", head + 'columns.disp = 2\ncolumns.force = 4\n'],
     [head + "[device.columns]\ndisp = 2\nforce = 'F'\n", head + '[device.columns]\ndisp = 2\nforce = 4\n'],
     [head + "[device.units]\ndisp = 'mm'\n[device.columns]\ndisp = 2\nforce = 'F'\n", head + "[device.units]\ndisp = 'mm'\n[device.columns]\ndisp = 2\nforce = 4\n"],
-    [head + "columns = 'disp=2, force=F'\n", head + "columns = { disp = '2', force = 4 }\n"],
+    [head + "columns = 'disp=2, force=F'\n", head + "columns = { disp = 2, force = 4 }\n"],
   ];
   for (const [before, after] of forms) {
     const { values, write } = valuesOf(readToml(before), 1, 'columns');
@@ -88,6 +88,20 @@ test('a table of values, in the forms that it has', () => {
   const { values, write } = valuesOf(readToml(head), 1, 'columns');
   assert.deepEqual(values, {});
   assert.equal(write(head, 'time', 1), head + 'columns = { time = 1 }\n');
+
+  const design = (lot) => settingsOf(readToml(lot), 'acceptance', 'design');
+  for (const [before, after] of [
+    ['', '[acceptance]\ndesign = { K_eff = 0.7 }\n\n'],
+    ['[acceptance]\nlot-size = 8\n', '[acceptance]\nlot-size = 8\ndesign = { K_eff = 0.7 }\n'],
+    ["[acceptance]\ndesign = 'K_eff=0.62, disp=208'\n", '[acceptance]\ndesign = { K_eff = 0.7, disp = 208 }\n'],
+    ['[acceptance]\ndesign.K_eff = 0.62\n', '[acceptance]\ndesign.K_eff = 0.7\n'],
+    ['[acceptance.design]\nK_eff = 0.62\n', '[acceptance.design]\nK_eff = 0.7\n'],
+    ['[acceptance]\nlot-size = 8\n[calibrate]\nruns = 1\n[acceptance.design]\nK_eff = 0.62\n', '[acceptance]\nlot-size = 8\n[calibrate]\nruns = 1\n[acceptance.design]\nK_eff = 0.7\n'],
+  ]) {
+    const { values: found, write: set } = design(before);
+    assert.equal(found.K_eff, before.includes('K_eff') ? 0.62 : undefined, before);
+    assert.equal(set(before, 'K_eff', 0.7), after);
+  }
 });
 
 test('a device goes with the tables below it', () => {

@@ -6,9 +6,12 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "isolaw/laws/catalogue.hpp"
 #include "isolaw/lot/robustness.hpp"
 #include "isolaw/num/statistics.hpp"
 #include "isolaw/study/table_a5.hpp"
@@ -55,6 +58,18 @@ PublishedStatement const& statement(Published const& made, std::string const& st
 
 PublishedLaw const& row(Published const& made, std::string const& id) {
   return *std::ranges::find(made.laws, id, &PublishedLaw::law);
+}
+
+// Which laws are the study's stands with each law; the printed table has numbers for those, under the same ids.
+TEST(PublishedTable, has_a_row_for_each_law_of_the_study) {
+  std::set<std::string_view> printed, known;
+  for (auto const& law : table_a5::laws) {
+    printed.insert(law.id);
+    if (!law.other_reading.empty()) printed.insert(law.other_reading);
+  }
+  for (auto const& law : laws::catalogue())
+    if (law.info.set == laws::LawSet::paper) known.insert(law.info.id);
+  EXPECT_EQ(printed, known);
 }
 
 TEST(Published, ItsOwnNumbersAreFoundAgain) {
