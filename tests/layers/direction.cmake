@@ -1,4 +1,4 @@
-# base <- num <- {laws, opt, data} <- fit <- analysis <- {campaign, lot, rules} <- building <- study <- {render, programs} <- api <- app
+# base <- num <- {laws, opt, data} <- wording <- fit <- analysis <- {campaign, lot, rules} <- building <- study <- {render, programs} <- api <- app
 # Modules of one rank do not know one another; nor do the folders of render, except `json`, which all of them may use.
 # Usage: cmake -DSOURCE=src/isolaw -P direction.cmake
 get_filename_component(SOURCE "${SOURCE}" ABSOLUTE)
@@ -7,18 +7,19 @@ set(rank_num 1)
 foreach(module laws opt data)
   set(rank_${module} 2)
 endforeach()
-set(rank_fit 3)
-set(rank_analysis 4)
+set(rank_wording 3)
+set(rank_fit 4)
+set(rank_analysis 5)
 foreach(module campaign lot rules)
-  set(rank_${module} 5)
+  set(rank_${module} 6)
 endforeach()
-set(rank_building 6)
-set(rank_study 7)
+set(rank_building 7)
+set(rank_study 8)
 foreach(module render programs)
-  set(rank_${module} 8)
+  set(rank_${module} 9)
 endforeach()
-set(rank_api 9)
-set(rank_app 10)
+set(rank_api 10)
+set(rank_app 11)
 
 set(breaches "")
 file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/*.hpp ${SOURCE}/*.cpp)

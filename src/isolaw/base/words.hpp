@@ -69,11 +69,11 @@ std::string joined(Words const& words, std::string_view separator = ", ") {
 }
 
 // "a, b, and 3 more": the first `shown` of the words.
-inline std::string shortened(std::vector<std::string> words, std::size_t shown) {
+inline std::string shortened(std::vector<std::string> words, std::size_t shown, std::string_view separator = ", ") {
   auto const left_out = words.size() > shown ? words.size() - shown : 0;
   words.resize(words.size() - left_out);
   if (left_out > 0) words.push_back("and " + std::to_string(left_out) + " more");
-  return joined(words);
+  return joined(words, separator);
 }
 
 }  // namespace isolaw

@@ -1,0 +1,71 @@
+// The one table of everything the program says besides numbers: a row for each kind of finding, and the only place where
+// a finding becomes a sentence. After ccache's table of statistics and simdjson's table of errors.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/base/finding.hpp"
+
+namespace isolaw::wording {
+
+enum class Severity {
+  note,     // worth knowing
+  caution,  // a number may be less certain than it looks
+  serious   // a number may be wrong, or something is missing
+};
+std::string_view name(Severity severity);
+
+// The fields in which findings of one kind must agree to be said in one sentence.
+enum Grouping : unsigned { one_sentence = 0, by_law = 1, by_device = 2, by_words = 4, each_alone = 8 };
+
+// Where a kind of finding may stand. Everything stands in JSON.
+enum Appearance : unsigned {
+  in_report = 1,       // terminal and page
+  on_certificate = 2,  // the page that is signed
+  with_law = 4,        // wherever the law is taken from the campaign: exports, `simulate`
+  with_building = 8,   // the answers of `building`
+};
+
+// How the sentence begins: with the devices or the law that it is about, or with itself.
+enum class Subject { none, devices, law };
+
+// Findings of one kind that are said in one sentence; never empty.
+using Group = std::span<Finding const>;
+
+struct Row {
+  FindingKind kind;
+  std::string_view key;    // "kind" in JSON and in stores
+  std::string_view topic;  // "topic" in JSON: several kinds may share one
+  Severity severity;
+  std::string_view action;  // what the reader should do about it
+  unsigned grouping;
+  unsigned appears;
+  Subject subject;
+  std::string (*text)(Group);  // the sentence without its subject
+};
+
+std::span<Row const> rows();
+Row const& row(FindingKind kind);
+Row const* find_row(std::string_view key);  // nullptr: there is no such kind
+
+// "device-01 and device-02: noise of 0.1 to 0.3 mm ..."; at most `most_names` devices are named.
+std::string sentence(Group group, std::size_t most_names = 5);
+std::string sentence(Finding const& finding);
+// The same without the subject, for a place where that is said already.
+std::string remark(Group group);
+std::string remark(Finding const& finding);
+
+// Every finding that may stand in `place`, in the order of the table; those that are said in one sentence together.
+std::vector<std::vector<Finding>> grouped(std::vector<Finding> const& findings, unsigned place = in_report);
+// One sentence for each group.
+std::vector<std::string> sentences(std::vector<Finding> const& findings, unsigned place = in_report);
+
+// Devices, parameters or blocks of all findings of a group, each once, in the order of their first appearance.
+std::vector<std::string> devices_of(Group group);
+std::vector<std::string> parameters_of(Group group);
+std::vector<int> blocks_of(Group group);
+
+}  // namespace isolaw::wording

@@ -1,0 +1,52 @@
+// Pieces of sentences: lists of names, percentages, and the numbers of a group of findings.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "isolaw/wording/table.hpp"
+
+namespace isolaw::wording {
+
+// "A, B and C"; beyond `most` names "A, B and 5 more".
+std::string enumerate(std::vector<std::string> const& names, std::size_t most = 5);
+
+// Fixed decimals, and three significant digits from a million on: nobody reads three hundred digits.
+std::string with_decimals(double value, int decimals);
+// "4.2 %" of 0.042: one decimal below ten per cent, none above.
+std::string percent(double fraction);
+std::string capitalised(std::string text);
+// The law as sentences name it, "Bouc-Wen"; its id is for what is typed.
+std::string law_name(Finding const& finding);
+
+// A number of the findings, printed; where they differ, "4.2 to 6.1".
+template <class Print>
+std::string range(Group group, std::string_view name, Print print) {
+  double least = group.front().number(name), largest = least;
+  for (auto const& finding : group) {
+    double const value = finding.number(name);
+    if (value < least) least = value;
+    if (value > largest) largest = value;
+  }
+  std::string const low = print(least), high = print(largest);
+  return low == high ? low : low + " to " + high;
+}
+// With so many significant digits.
+std::string range(Group group, std::string_view name, int digits = 3);
+
+// Something said of each finding: "sample 151 on device-01, sample 421 on device-02 and 3 more"; of a single finding
+// without its device, which the sentence begins with.
+template <class Say>
+std::string each(Group group, Say say_one, std::size_t most = 4) {
+  if (group.size() == 1) return say_one(group.front());
+  std::vector<std::string> parts;
+  for (auto const& finding : group) parts.push_back(say_one(finding) + " on " + enumerate(finding.devices));
+  return enumerate(parts, most);
+}
+
+}  // namespace isolaw::wording
