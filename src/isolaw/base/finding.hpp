@@ -40,9 +40,85 @@ enum class FindingKind {
   lot_law_at_bound,
   integration_coarse,
   integration_not_finite,
-  // [records]
+  // [records] A signal that cannot be true, and why else there are no cyclic properties.
   no_cyclic_properties,
+  signal_clipped,
+  signal_stuck,
+  signal_without_sign,
+  signal_interrupted,
+  signal_spike,
+  cycle_gives_energy,
+  cycle_not_stiff,
+  not_cyclic,
+  no_complete_cycle,
+  no_cycle_counts,
+  samples_too_few,
+  vertical_test_refused,
+  // What is read may be wrong.
+  units_implausible,
+  vertical_stiffness_implausible,
+  vertical_softer_than_expected,
+  time_in_days,
+  about_acceleration,
+  cycle_unlike_neighbours,
+  force_late,
+  friction_in_force,
+  samples_few,
+  time_uneven,
+  time_jumps,
+  noise,
+  drift,
+  loop_open,
+  speed_off,
+  off_centre,
+  starts_off_zero,
+  several_amplitudes,
+  damping_undefined,
+  average_too_wide,
+  shared_time_short,
+  channel_interpolated,
+  axis_taken_for_channel,
+  unit_overridden,
+  loads_ambiguous,
+  load_unit_unclear,
+  velocity_unused,
   stated_by_older_store,  // the text of a store written before findings had fields
+  // Notes: numbers worth knowing of a record.
+  samples_per_cycle,
+  force_early,
+  jump_of_force,
+  rig_friction,
+  moving_mass,
+  stands_still,
+  cut_off_zero,
+  largest_speed,
+  average_over_samples,
+  // How it was read: the word "text" says it.
+  file_format,
+  header_found,
+  column_taken,
+  columns_unused,
+  units_given,
+  time_scale,
+  no_time_column,
+  rows_read,
+  test_chosen,
+  file_joined,
+  force_flipped,
+  // What was done to it: corrections, and the steps before laws are fitted to it.
+  spikes_repaired,
+  skew_removed,
+  friction_removed,
+  inertia_removed,
+  force_multiplied,
+  centred,
+  smoothed,
+  not_smoothed,
+  scored_in_part,
+  all_samples_kept,
+  velocity_computed,
+  no_velocity,
+  samples_thinned,
 };
 
 struct FindingNumber {
@@ -61,6 +137,7 @@ struct FindingWord {
 struct Finding {
   FindingKind kind = FindingKind::stated_by_older_store;
   std::string law = {};  // its id; empty: the finding is about no single law
+  std::vector<std::string> other_laws = {};
   std::vector<std::string> devices = {}, parameters = {};
   std::vector<int> blocks = {};
   std::vector<FindingNumber> numbers = {};

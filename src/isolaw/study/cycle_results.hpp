@@ -146,8 +146,7 @@ inline constexpr Result<DeviceResult> vertical_results[]{
     {"file", "", "file", "of the vertical test; empty where the laboratory states the stiffness alone",
      get<&DeviceResult::vertical_test, &data::VerticalTest::file>},
     {"sha256", "", "sha256", "of that file", get<&DeviceResult::vertical_test, &data::VerticalTest::sha256>},
-    {"recognised", "", "", "one sentence per decision in reading",
-     get<&DeviceResult::vertical_test, &data::VerticalTest::recognised>},
+    {"recognised", "", "", "one sentence per decision in reading", nested<DeviceResult>},
     {"refusal", "", "no stiffness", "why the test gives no stiffness; empty otherwise",
      get<&DeviceResult::vertical_test, &data::VerticalTest::refusal>},
 };

@@ -15,6 +15,7 @@
 #include "isolaw/study/energy_fall.hpp"
 #include "isolaw/study/findings.hpp"
 #include "isolaw/study/spoken.hpp"
+#include "isolaw/wording/table.hpp"
 
 namespace isolaw::study {
 namespace {
@@ -234,13 +235,11 @@ void warn_of_records(Summary const& summary, std::vector<Warning>& warnings) {
   std::vector<std::pair<std::string, Names>> said;  // in order of first appearance
   for (auto const& device : summary.devices) {
     if (device.status != "ok") continue;
-    bool told = false;  // reading the record may have said already that it has no cyclic properties
-    for (auto const& warning : device.raw.warnings) {
-      told = told || warning.starts_with("no cyclic properties");
-      beside(said, warning).push_back(device.name);
-    }
-    if (!told && !device.properties.reported && !device.properties.refusal.empty())
-      beside(said, fmt::format("no cyclic properties: {}", device.properties.refusal)).push_back(device.name);
+    auto found = device.raw.warnings;
+    // Reading the record may have found already why it has no cyclic properties.
+    for (auto const& reason : device.properties.refusal)
+      if (std::ranges::find(found, reason) == found.end()) found.push_back(reason);
+    for (auto const& finding : found) beside(said, wording::remark(finding)).push_back(device.name);
   }
   for (auto const& [sentence, names] : said) warnings.push_back(of_devices("record", names, sentence));
 }
@@ -349,7 +348,7 @@ std::vector<Warning> warnings(Summary const& whole, Summary const& summary) {
 
 std::vector<std::vector<std::string>> device_warnings(Summary const& summary) {
   std::vector<Names> all;
-  for (auto const& device : summary.devices) all.push_back(device.raw.warnings);
+  for (auto const& device : summary.devices) all.push_back(wording::remarks(device.raw.warnings));
   auto const add = [&](auto const& groups, auto say) {
     for (auto const& group : groups)
       for (auto const* device : group) {

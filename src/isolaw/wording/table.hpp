@@ -23,6 +23,7 @@ enum Grouping : unsigned { one_sentence = 0, by_law = 1, by_device = 2, by_words
 
 // Where a kind of finding may stand. Everything stands in JSON.
 enum Appearance : unsigned {
+  anywhere = 0,        // asked for: every kind. As a row's own place: only where code asks for that kind
   in_report = 1,       // terminal and page
   on_certificate = 2,  // the page that is signed
   with_law = 4,        // wherever the law is taken from the campaign: exports, `simulate`
@@ -57,6 +58,9 @@ std::string sentence(Finding const& finding);
 // The same without the subject, for a place where that is said already.
 std::string remark(Group group);
 std::string remark(Finding const& finding);
+// One for each finding, for a list; and all of them one after the other, to follow a colon.
+std::vector<std::string> remarks(std::vector<Finding> const& findings);
+std::string reasons(std::vector<Finding> const& findings);
 
 // Every finding that may stand in `place`, in the order of the table; those that are said in one sentence together.
 std::vector<std::vector<Finding>> grouped(std::vector<Finding> const& findings, unsigned place = in_report);

@@ -22,6 +22,7 @@
 #include "isolaw/study/published_results.hpp"
 #include "isolaw/study/typical_device.hpp"
 #include "isolaw/study/verdict.hpp"
+#include "isolaw/wording/table.hpp"
 
 namespace isolaw::render {
 namespace {
@@ -114,7 +115,8 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
   out.member("rubber_area_mm2", device.rubber_area_mm2);
   write_properties(out, lot, device);
   write_raw(out, device.raw, most);
-  write_members(out, "recognised", device.raw.recognised, "warnings", warnings, "cleaning", record.cleaning);
+  write_members(out, "recognised", wording::remarks(device.raw.recognised), "warnings", warnings, "cleaning",
+                wording::remarks(record.cleaning));
   write_scored(out, record);
   out.key("record").begin_object();
   write_members(out, "samples", record.size(), "drawn", drawn.size(), "has_time", record.has_time());
