@@ -232,16 +232,19 @@ void warn_of_integration(LawResult const& law, std::vector<Warning>& warnings) {
 
 // What several records have in common is said once.
 void warn_of_records(Summary const& summary, std::vector<Warning>& warnings) {
-  std::vector<std::pair<std::string, Names>> said;  // in order of first appearance
+  std::vector<Finding> all;
   for (auto const& device : summary.devices) {
     if (device.status != "ok") continue;
     auto found = device.raw.warnings;
     // Reading the record may have found already why it has no cyclic properties.
     for (auto const& reason : device.properties.refusal)
       if (std::ranges::find(found, reason) == found.end()) found.push_back(reason);
-    for (auto const& finding : found) beside(said, wording::remark(finding)).push_back(device.name);
+    for (auto& finding : found) {
+      finding.devices = {device.name};
+      all.push_back(std::move(finding));
+    }
   }
-  for (auto const& [sentence, names] : said) warnings.push_back(of_devices("record", names, sentence));
+  for (auto const& group : wording::grouped(all)) warnings.push_back({"record", wording::sentence(group)});
 }
 
 // A text cut at its numbers: what stands between them, and they.

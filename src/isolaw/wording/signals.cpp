@@ -174,12 +174,11 @@ std::string not_cyclic(Group group) {
 std::string no_complete_cycle(Group group) {
   auto const& f = group.front();
   if (!f.has_number("least_mm")) return "there are no samples.";
+  bool const at_zero = std::ranges::all_of(group, [](Finding const& each) { return each.number("centre_mm") == 0.0; });
   return fmt::format(
-      "less than one complete cycle: displacement goes from {} to {} mm and crosses {} {} times in the direction of the first motion. A cycle takes 2 crossings with a swing to each side between them; swings of less than {} mm count as noise.",
+      "less than one complete cycle: displacement goes from {} to {} mm. A cycle takes 2 crossings of {} in the direction of the first motion, with a swing to each side between them; found: {}. Swings of less than {} mm count as noise.",
       range(group, "least_mm", 4), range(group, "largest_mm", 4),
-      group.size() == 1 && f.number("centre_mm") == 0.0
-          ? std::string("zero")
-          : fmt::format("its centre at {} mm", range(group, "centre_mm", 4)),
+      at_zero ? std::string("zero") : fmt::format("its centre at {} mm", range(group, "centre_mm", 4)),
       range(group, "crossings"), range(group, "noise_mm"));
 }
 
@@ -342,12 +341,13 @@ std::string moving_mass(Group group) {
 
 std::string stands_still(Group group) {
   auto const rest = [](Finding const& f) {
-    auto const others = f.number("others");
-    return fmt::format("for {} s in {}{}", number_text(f.number("still_s"), 3), cycle_of(f),
-                       others > 0.0 ? fmt::format(", and for longer than a period in {} more", others) : std::string());
+    double const others = f.number("others");
+    return fmt::format(
+        "for {} s in {}, longer than its period{}", number_text(f.number("still_s"), 3), cycle_of(f),
+        others > 0.0 ? fmt::format(", and so in {} more cycle{}", others, others == 1.0 ? "" : "s") : "");
   };
   return fmt::format(
-      "the device stands still {}, which is longer than its period. Period, frequency and samples per cycle leave that out, but rubber recovers and cools meanwhile.",
+      "the device stands still {}. Period, frequency and samples per cycle leave that out, but rubber recovers and cools meanwhile.",
       each(group, rest));
 }
 
