@@ -119,6 +119,11 @@ enum class FindingKind {
   velocity_computed,
   no_velocity,
   samples_thinned,
+  // Under which condition its damping is another one: value_doubts.hpp.
+  if_late_force_is_moved,
+  if_force_is_early,
+  if_jump_is_of_rig,
+  if_rig_rubs,
 };
 
 struct FindingNumber {

@@ -206,4 +206,17 @@ std::string samples_thinned(Group group) {
       f.number("of_samples"), f.number("samples"), f.number("window_samples"));
 }
 
+std::string if_late_force_is_moved(Group) {
+  return "the late force channel is moved back";
+}
+std::string if_force_is_early(Group) {
+  return "the force channel is early";
+}
+std::string if_jump_is_of_rig(Group) {
+  return "the force's jump at reversals is friction of the rig";
+}
+std::string if_rig_rubs(Group) {
+  return "the rig's friction is 0.5 % of the vertical load";
+}
+
 }  // namespace isolaw::wording

@@ -102,5 +102,9 @@ std::string all_samples_kept(Group);
 std::string velocity_computed(Group);
 std::string no_velocity(Group);
 std::string samples_thinned(Group);
+std::string if_late_force_is_moved(Group);
+std::string if_force_is_early(Group);
+std::string if_jump_is_of_rig(Group);
+std::string if_rig_rubs(Group);
 
 }  // namespace isolaw::wording

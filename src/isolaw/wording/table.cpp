@@ -191,6 +191,10 @@ std::span<Row const> rows() {
       of_record(velocity_computed, "velocity-computed", wording::velocity_computed),
       of_record(no_velocity, "no-velocity", wording::no_velocity),
       of_record(samples_thinned, "samples-thinned", wording::samples_thinned),
+      of_record(if_late_force_is_moved, "if-late-force-is-moved", wording::if_late_force_is_moved),
+      of_record(if_force_is_early, "if-force-is-early", wording::if_force_is_early),
+      of_record(if_jump_is_of_rig, "if-jump-is-of-rig", wording::if_jump_is_of_rig),
+      of_record(if_rig_rubs, "if-rig-rubs", wording::if_rig_rubs),
   };
   static_assert(
       [] {
