@@ -141,7 +141,7 @@ TEST_F(SmallThings, days_under_a_name_with_seconds_are_remarked) {
           return fmt::format("{:.10f},{:.4f},{:.5f}", 45414.4 + s.time_s / 86400.0, s.disp_mm, s.force_kN);
         }));
   auto const o = isolaw({"inspect", "days.csv"});
-  EXPECT_TRUE(contains(o.out, "look like days of a spreadsheet; try: --units time=d")) << o.out;
+  EXPECT_TRUE(contains(o.out, "look like days of a spreadsheet; try --units time=d")) << o.out;
   auto const told = isolaw({"inspect", "--json", "days.csv", "--units", "time=d"});
   ASSERT_EQ(told.code, 0) << told;
   EXPECT_NEAR(Json::parse(told.out)["blocks"][0]["frequency_Hz"].get<double>(),

@@ -230,9 +230,9 @@ TEST_F(Settings, cleaning_is_done_and_recorded) {
               "--smooth", "5", "--samples-per-cycle", "100", "--center", "--out", "P"});
   EXPECT_EQ(o.code, 0) << o;
   auto const cleaning = query(path("P/campaign.sqlite"), "SELECT cleaning FROM device").at(0);
-  EXPECT_TRUE(contains(cleaning, "averaged over 5 samples"));
-  EXPECT_TRUE(contains(cleaning, "centred: "));
-  EXPECT_TRUE(contains(cleaning, "every 8th of 2401 samples kept (301)"));
+  EXPECT_TRUE(contains(cleaning, R"("kind":"smoothed","numbers":{"window_samples":5.0,)"));
+  EXPECT_TRUE(contains(cleaning, R"("kind":"centred")"));
+  EXPECT_TRUE(contains(cleaning, R"("every":8.0,"of_samples":2401.0,"samples":301.0)"));
   EXPECT_EQ(query(path("P/campaign.sqlite"), "SELECT kind, count FROM series WHERE channel = 'disp_mm' ORDER BY kind"),
             (Words{"fit|301", "raw|2401"}));
 }

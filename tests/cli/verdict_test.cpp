@@ -195,7 +195,7 @@ TEST_F(Terminal, blocks_of_a_history_without_cycles_cannot_be_chosen) {
     auto const o = isolaw({"calibrate", "pull.csv", "--out", "P", "--laws", "bilinear", "--runs", "1", "--population",
                            "4", "--generations", "1", "--fit-blocks", block});
     EXPECT_NE(o.code, 0) << o;
-    EXPECT_TRUE(contains(o.err, "the record has no cycles to choose among")) << o;
+    EXPECT_TRUE(contains(o.err, "it has no cycles to choose among")) << o;
   }
 }
 

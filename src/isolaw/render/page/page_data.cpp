@@ -115,8 +115,14 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
   out.member("rubber_area_mm2", device.rubber_area_mm2);
   write_properties(out, lot, device);
   write_raw(out, device.raw, most);
-  write_members(out, "recognised", wording::remarks(device.raw.recognised), "warnings", warnings, "cleaning",
-                wording::remarks(record.cleaning));
+  // What the user told the program of the record; corrections stand apart.
+  auto told = device.raw.recognised;
+  std::erase_if(told, [&](Finding const& each) {
+    return each.word("option").empty() ||
+           std::ranges::find(device.raw.corrections, each) != device.raw.corrections.end();
+  });
+  write_members(out, "told", wording::remarks(told), "recognised", wording::remarks(device.raw.recognised), "warnings",
+                warnings, "cleaning", wording::remarks(record.cleaning));
   write_scored(out, record);
   out.key("record").begin_object();
   write_members(out, "samples", record.size(), "drawn", drawn.size(), "has_time", record.has_time());
