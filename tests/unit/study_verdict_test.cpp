@@ -271,8 +271,8 @@ TEST(OverallVerdict, SaysWhatWouldNotBeKept) {
   EXPECT_EQ(overall_verdict(summary).text(), "PASS: NTC 2018: 1 device keeps the requirement") << "15.5 % is kept";
   summary.devices[0].effects[0].value = 6.0;
   EXPECT_EQ(overall_verdict(summary).text(),
-            "PASS: NTC 2018: 1 device keeps the requirement; would not be kept: damping of 1 device if the lead of the "
-            "force is a channel's");
+            "PASS: NTC 2018: 1 device keeps the requirement; would not be kept: damping of 1 device if the force "
+            "channel is early");
 }
 
 TEST(OverallVerdict, SaysThatNothingWasMeasured) {

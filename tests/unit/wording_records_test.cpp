@@ -25,9 +25,10 @@ Finding spike(std::string device, double sample, double time_s, double value_kN,
 }
 
 TEST(RecordSentences, OfOneDeviceNameThePlace) {
-  EXPECT_EQ(sentence(spike("device-01", 151, 1.5, -11.0, -71.0)),
-            "device-01: the force has a single-sample spike at 1.5 s (sample 151): +60 kN, to -11 kN. Nothing is "
-            "computed from it as it is; --repair spikes replaces such samples by what their neighbours say.");
+  EXPECT_EQ(
+      sentence(spike("device-01", 151, 1.5, -11.0, -71.0)),
+      "device-01: the force has a single-sample spike at 1.5 s (sample 151): +60 kN (to -11 kN). No "
+      "properties are computed from such a record; --repair spikes replaces the samples by what their neighbours say.");
 }
 
 // Three files of a lot with +60 kN on one sample each.
@@ -38,8 +39,8 @@ TEST(RecordSentences, SpikesOfSeveralDevicesKeepTheirSamplesAndValues) {
   EXPECT_TRUE(said[0].starts_with("device-01, device-02 and device-03: the force has single-sample spikes: "))
       << said[0];
   for (auto const* part :
-       {"+60 kN, to -11 kN at 1.5 s (sample 151) on device-01", "+60 kN, to 742 kN at 4.2 s (sample 421) on device-02",
-        "+60 kN, to 120 kN at 3 s (sample 301) on device-03"})
+       {"+60 kN (to -11 kN) at 1.5 s (sample 151) on device-01",
+        "+60 kN (to 742 kN) at 4.2 s (sample 421) on device-02", "+60 kN (to 120 kN) at 3 s (sample 301) on device-03"})
     EXPECT_TRUE(contains(said[0], part)) << said[0];
   for (auto const* range : {"151 to 421", "1.5 to 4.2", "-71 to 682"})
     EXPECT_FALSE(contains(said[0], range)) << said[0];

@@ -132,7 +132,7 @@ std::string signal_spike(Group group) {
   auto const& first = group.front();
   auto const size = [](Finding const& f) {
     auto const off = signed_text(in_unit(f, "value") - in_unit(f, "expected"));
-    return fmt::format("{}{} {}, to {} {}", f.number("count") > 1.0 ? "up to " : "", off, f.word("unit"),
+    return fmt::format("{}{} {} (to {} {})", f.number("count") > 1.0 ? "up to " : "", off, f.word("unit"),
                        number_text(in_unit(f, "value")), f.word("unit"));
   };
   double const count = group.size() == 1 ? first.number("count") : 2.0;
@@ -143,7 +143,7 @@ std::string signal_spike(Group group) {
                          ? fmt::format(" at {}: {}", places(first), size(first))
                          : ": " + each(group, [&](Finding const& f) { return size(f) + " at " + places(f); });
   return fmt::format(
-      "the {} has {}{}. Nothing is computed from it as it is; --repair spikes replaces such samples by what their neighbours say.",
+      "the {} has {}{}. No properties are computed from such a record; --repair spikes replaces the samples by what their neighbours say.",
       first.word("channel"), spikes, where);
 }
 
