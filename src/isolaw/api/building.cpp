@@ -26,8 +26,8 @@ Values values_of(std::vector<std::pair<std::string, std::string>> const& given) 
 bool Building::complete() const {
   return of_->complete;
 }
-std::string const& Building::verdict() const {
-  return of_->answers.value().verdict;
+std::string Building::verdict() const {
+  return wording::paragraph(of_->answers.value().verdict);
 }
 std::optional<bool> Building::bounds_are_enough() const {
   return of_->answers.value().bounds_are_enough;

@@ -54,7 +54,7 @@ class Building {
  public:
   explicit Building(std::shared_ptr<StudiedBuilding const> of) : of_(std::move(of)) {}
   bool complete() const;  // not interrupted; nothing else is there otherwise
-  std::string const& verdict() const;
+  std::string verdict() const;
   std::optional<bool> bounds_are_enough() const;
   std::string json() const;  // building.json
   std::vector<std::string> laws() const;

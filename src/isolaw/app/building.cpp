@@ -42,12 +42,12 @@ void show_progress(building::RunProgress const& progress, std::chrono::steady_cl
 }
 
 void print_answers(building::Study const& study, building::Answers const& answers) {
-  auto text = answers.verdict + "\n\n";
+  auto text = wording::paragraph(answers.verdict) + "\n\n";
   text +=
       fmt::format("{} motions, {} bearings, weight {:.0f} kN; means over the motions, fractiles over {} draws\n",
                   study.file.motions.size(), study.file.bearings.size(), answers.weight_kN, study.file.settings.draws);
   auto const quantities = building::quantities();
-  for (auto const& warning : answers.warnings) text += fmt::format("warning: {}\n", warning);
+  for (auto const& warning : render::building_warnings(answers)) text += fmt::format("warning: {}\n", warning);
   for (auto const& law : answers.laws) {
     text += fmt::format("\n{}\n{:<24}", law.law, "");
     for (auto const* head : {"lower", "nominal", "upper", "16 %", "50 %", "84 %", "95 %"})

@@ -15,7 +15,7 @@
 #include "isolaw/data/reading.hpp"
 #include "isolaw/rules/measured.hpp"
 #include "isolaw/rules/rule_set.hpp"
-#include "isolaw/study/findings.hpp"
+#include "isolaw/wording/words.hpp"
 
 namespace isolaw::app {
 namespace {
@@ -159,7 +159,7 @@ void apply_vertical(std::vector<std::string> const& given, campaign::Lot& lot) {
     auto const file = found == nullptr ? std::string() : text.substr(found->name.size() + 1);
     if (file.empty())
       complaints.push_back({"--vertical", in_quotes(text) + (found == nullptr ? ": no such device" : ": no file"),
-                            "DEVICE=FILE, where DEVICE is " + study::enumerate(names),
+                            "DEVICE=FILE, where DEVICE is " + wording::enumerate(names),
                             fmt::format("--vertical {}=FILE", lot.devices.front().name)});
     else if (!named.insert(found->name).second)
       complaints.push_back({"--vertical", in_quotes(found->name) + " is given twice", "one test for a device", {}});

@@ -12,6 +12,7 @@
 #include "isolaw/data/ground_motion.hpp"
 #include "isolaw/laws/catalogue.hpp"
 #include "isolaw/num/statistics.hpp"
+#include "isolaw/wording/table.hpp"
 
 namespace isolaw::building {
 namespace {
@@ -174,11 +175,16 @@ Coverage covered(Quantity const& of, std::vector<double> const& draws, Distribut
   auto const [least, most] = std::minmax(d.lower, d.upper);
   Coverage made{.quantity = of.key, .factor_low = {}, .factor_high = {}, .not_monotonic = {}};
   constexpr double rounding = 1e-9;  // of its size: what does not change is monotonic
-  if (d.nominal < least - rounding * std::abs(least) || d.nominal > most + rounding * std::abs(most))
-    made.not_monotonic = fmt::format(
-        "{} does not rise or fall with the forces: {:.4g}, {:.4g} and {:.4g}{} at {:.2f}, 1 and {:.2f} times them, so that both bounds are on one side of the nominal building",
-        of.title, d.lower, d.nominal, d.upper, of.unit == "-" ? std::string() : " " + std::string(of.unit),
-        settings.lower, settings.upper);
+  if (d.nominal < least - rounding * std::abs(least) || d.nominal > most + rounding * std::abs(most)) {
+    made.monotony = Finding{.kind = FindingKind::bounds_not_monotonic,
+                            .numbers = {{"lower", d.lower},
+                                        {"nominal", d.nominal},
+                                        {"upper", d.upper},
+                                        {"lower_factor", settings.lower},
+                                        {"upper_factor", settings.upper}},
+                            .words = {{"quantity", std::string(of.title)}, {"unit", std::string(of.unit)}}};
+    made.not_monotonic = wording::remark(*made.monotony);
+  }
   std::size_t inside = 0, below = 0;
   for (double const v : draws) {
     inside += v >= least && v <= most;
@@ -203,13 +209,6 @@ Coverage covered(Quantity const& of, std::vector<double> const& draws, Distribut
   return made;
 }
 
-// "1,000"
-std::string grouped(std::size_t number) {
-  auto text = std::to_string(number);
-  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, 1, ',');
-  return text;
-}
-
 bool has_draws(Study const& study) {
   return std::ranges::any_of(study.file.bearings, [](auto const& b) { return b.stands == Stands::draw; });
 }
@@ -221,26 +220,33 @@ double largest_of_motions(Distribution const& of) {
   return most;
 }
 
-std::string verdict_of(Study const& study, Answers const& answers) {
+std::vector<Finding> verdict_of(Study const& study, Answers const& answers) {
   if (answers.laws.empty()) return {};
   auto const& first = answers.laws.front();
-  if (!has_draws(study)) return "No bearing is a draw of the lot: there is no scatter that bounds could cover.";
+  if (!has_draws(study)) return {{.kind = FindingKind::building_no_draws}};
   auto const& c = first.coverage.front();
-  auto const called = laws::called(first.law);
-  auto text = fmt::format(
-      "{}: with {} the bounds cover {:.0f} % of {} buildings ({:.0f} to {:.0f} %) in the largest displacement of a bearing",
-      answers.bounds_are_enough ? (*answers.bounds_are_enough ? "Yes" : "No") : "No answer yet", called,
-      100.0 * c.inside, grouped(first.draws), 100.0 * c.interval_low, 100.0 * c.interval_high);
-  if (!c.not_monotonic.empty() && c.inside < enough) text += ", since the nominal building itself is outside them";
-  text += "; " + factors_text(c);
+  Finding cover{.kind = FindingKind::building_bounds_cover,
+                .law = first.law,
+                .numbers = {{"inside", c.inside},
+                            {"interval_low", c.interval_low},
+                            {"interval_high", c.interval_high},
+                            {"draws", static_cast<double>(first.draws)}},
+                .words = {{"answer", !answers.bounds_are_enough   ? "No answer yet"
+                                     : *answers.bounds_are_enough ? "Yes"
+                                                                  : "No"},
+                          {"nominal_outside", c.monotony && c.inside < enough ? "yes" : "no"}}};
+  for (auto& number : covering_factors(c).numbers) cover.numbers.push_back(std::move(number));
+  std::vector<Finding> verdict{std::move(cover)};
   for (auto const& law : answers.laws)
     if (law.by_first_bounds && *law.by_first_bounds < enough)
-      text += fmt::format("; with {} they cover {:.0f} %", laws::called(law.law), 100.0 * *law.by_first_bounds);
-  if (answers.law_std_ln) {
-    double const lot = first.distributions.front().lot_std_ln;
-    text += *answers.law_std_ln > lot ? "; the law matters more than the lot" : "; the lot matters more than the law";
-  }
-  return text + ".";
+      verdict.push_back({.kind = FindingKind::building_bounds_cover_with,
+                         .law = law.law,
+                         .numbers = {{"inside", *law.by_first_bounds}}});
+  if (answers.law_std_ln)
+    verdict.push_back(
+        {.kind = FindingKind::building_law_or_lot,
+         .numbers = {{"law_std_ln", *answers.law_std_ln}, {"lot_std_ln", first.distributions.front().lot_std_ln}}});
+  return verdict;
 }
 
 // Shown where the lower limit of the share is enough, for every law; refuted where a share itself is not.
@@ -316,21 +322,22 @@ void add_spectra(std::vector<std::vector<double>>& to, Response const& run, doub
   }
 }
 
-// Beside the displacement of which the verdict is: what bounds cover less of, and where they are none.
-void warn_of_coverage(LawAnswer const& law, std::vector<std::string>& warnings) {
-  std::vector<std::string> less;
+// Quantities beside the displacement that the verdict is about: those of which bounds cover less, and those that bounds
+// say nothing of.
+void warn_of_coverage(LawAnswer const& law, std::vector<Finding>& warnings) {
   for (auto const& c : law.coverage) {
     if (c.inside >= enough) continue;
-    if (!c.not_monotonic.empty())
-      warnings.push_back(fmt::format("{}: the bounds cover {:.0f} % in {}, which says nothing of their factors: {}",
-                                     laws::called(law.law), 100.0 * c.inside, quantity(c.quantity).title,
-                                     c.not_monotonic));
-    else if (&c != &law.coverage.front())
-      less.push_back(fmt::format("{} {:.0f} %", quantity(c.quantity).title, 100.0 * c.inside));
+    if (c.monotony) {
+      auto& warning = warnings.emplace_back(*c.monotony);
+      warning.law = law.law;
+      warning.numbers.push_back({"inside", c.inside});
+    } else if (&c != &law.coverage.front()) {
+      warnings.push_back({.kind = FindingKind::bounds_cover_less,
+                          .law = law.law,
+                          .numbers = {{"inside", c.inside}, {"enough", enough}},
+                          .words = {{"quantity", std::string(quantity(c.quantity).title)}}});
+    }
   }
-  if (!less.empty())
-    warnings.push_back(fmt::format("{}: less than {:.0f} % of the draws are between the bounds in {}",
-                                   laws::called(law.law), 100.0 * enough, joined(less)));
 }
 
 std::vector<std::string> assumed_of(Study const& study, Answers const& answers) {
@@ -407,14 +414,15 @@ std::string_view form(LawAnswer const& law) {
   return law.fitted_as_springs ? "springs" : "springs as given";
 }
 
-std::string factors_text(Coverage const& c) {
-  auto const would = fmt::format("would cover {:.0f} %", 100.0 * enough);
-  if (!c.factor_low)
-    return fmt::format("no factors up to {:.2f} and {:.2f} {}", grid_factor(0), grid_factor(2 * grid_half), would);
-  constexpr double rounding = 1e-9;
-  if (*c.factor_low > 1.0 - grid_step - rounding)
-    return fmt::format("factors within {:.0f} % of 1, the accuracy, {}", 100.0 * grid_step, would);
-  return fmt::format("factors of {:.2f} and {:.2f} {}", *c.factor_low, *c.factor_high, would);
+Finding covering_factors(Coverage const& coverage) {
+  Finding finding{.kind = FindingKind::covering_factors,
+                  .numbers = {{"enough", enough},
+                              {"grid_low", grid_factor(0)},
+                              {"grid_high", grid_factor(2 * grid_half)},
+                              {"grid_step", grid_step}}};
+  if (coverage.factor_low) finding.numbers.push_back({"factor_low", *coverage.factor_low});
+  if (coverage.factor_high) finding.numbers.push_back({"factor_high", *coverage.factor_high});
+  return finding;
 }
 
 // As many bins as Rice's rule says, 2 n^(1/3).
@@ -627,35 +635,28 @@ Answers answer(Study const& study, RunStore const& store) {
     auto const& law = made.laws[i];
     double const tested = study.laws[i].tested_mm, most = largest_of_motions(law.distributions.front());
     if (tested > 0.0 && most > tested)
-      made.warnings.push_back(fmt::format(
-          "{}: bearings move up to {:.0f} mm (95 % of the draws, under the strongest motion), and the tests went to {:.0f} mm: beyond it the law is extrapolated",
-          law.law, most, tested));
+      made.warnings.push_back({.kind = FindingKind::displacement_beyond_tests,
+                               .law = law.law,
+                               .numbers = {{"most_mm", most}, {"tested_mm", tested}}});
     if (has_draws(study)) warn_of_coverage(law, made.warnings);
     if (law.coupling == Coupling::springs && !law.fitted_as_springs)
-      made.warnings.push_back(fmt::format(
-          "{} has no coupled form, and its springs have the parameters of the law along one direction: they round its knee and dissipate less; isolaw calibrate --bidirectional springs fits them",
-          laws::called(law.law)));
+      made.warnings.push_back({.kind = FindingKind::springs_as_given, .law = law.law});
     if (law.failed > 0)
-      made.warnings.push_back(fmt::format("{}: {} runs gave no finite numbers and are left out", law.law, law.failed));
+      made.warnings.push_back({.kind = FindingKind::building_runs_failed,
+                               .law = law.law,
+                               .numbers = {{"failed", static_cast<double>(law.failed)}}});
+    for (auto const& doubt : law.doubts)
+      if (std::ranges::find(made.calibration, doubt) == made.calibration.end()) made.calibration.push_back(doubt);
   }
   made.bounds_are_enough = bounds_are_enough(study, made);
   made.verdict = verdict_of(study, made);
   if (has_draws(study) && !made.laws.empty() && !made.bounds_are_enough)
-    made.warnings.push_back(fmt::format("{} draws are too few to show a share of {:.0f} %: no answer yet",
-                                        made.laws.front().draws, 100.0 * enough));
+    made.warnings.push_back({.kind = FindingKind::draws_too_few,
+                             .numbers = {{"draws", static_cast<double>(made.laws.front().draws)}, {"enough", enough}}});
   if (auto const motions = study.file.motions.size(); motions < motions_for_a_mean)
-    made.warnings.push_back(fmt::format("{}: codes take the mean over {} or more, some over eleven, as the design's",
-                                        counted(motions, "motion"), motions_for_a_mean));
-  // What names its law, and what is of the records, which several laws share.
-  for (auto const& law : made.laws)
-    for (std::string_view doubt : law.doubts) {
-      auto const own = fmt::format("{}: ", laws::called(law.law));
-      bool const named = doubt.starts_with(own);
-      if (named) doubt.remove_prefix(own.size());
-      auto warning =
-          fmt::format("of the calibration{}: {}", named ? fmt::format(" of {}", laws::called(law.law)) : "", doubt);
-      if (std::ranges::find(made.warnings, warning) == made.warnings.end()) made.warnings.push_back(std::move(warning));
-    }
+    made.warnings.push_back(
+        {.kind = FindingKind::motions_too_few,
+         .numbers = {{"motions", static_cast<double>(motions)}, {"wanted", static_cast<double>(motions_for_a_mean)}}});
   made.assumed = assumed_of(study, made);
   return made;
 }

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "isolaw/base/finding.hpp"
 #include "isolaw/building/runs.hpp"
 
 namespace isolaw::building {
@@ -56,11 +57,13 @@ struct Coverage {
   // The least symmetric factors 1 -+ a, of a grid of analyses, between whose responses `enough` of the draws lie; none:
   // not within the grid.
   std::optional<double> factor_low, factor_high;
-  // The nominal building is not between the two: the response does not rise or fall with the forces. Empty otherwise.
+  // The nominal building is not between the two, so the response does not rise or fall with the forces:
+  // FindingKind::bounds_not_monotonic, and its sentence; empty otherwise.
+  std::optional<Finding> monotony = {};
   std::string not_monotonic;
 };
-// "factors of 0.94 and 1.06 would cover 95 %": no more than one step of the grid is within the accuracy.
-std::string factors_text(Coverage const& coverage);
+// The factors that would cover `enough` of the draws, or that none on the grid do: FindingKind::covering_factors.
+Finding covering_factors(Coverage const& coverage);
 
 // Codes take the mean response over no fewer motions as the design's (EN 1998-1, 4.3.3.4.3; ASCE 7-16, 17.3.3; eleven
 // in its chapter 16).
@@ -107,7 +110,7 @@ struct LawAnswer {
   double worst_balance = 0.0;               // of the energy, of all runs
   std::vector<Distribution> distributions;  // of quantities()
   std::vector<Coverage> coverage;           // of each quantity that is not uncovered
-  std::vector<std::string> doubts;          // of its calibration
+  std::vector<Finding> doubts;              // about its calibration
   // Of a further law, the share of its draws whose displacement is between the bounds of the first law.
   std::optional<double> by_first_bounds;
   std::vector<Checked> checked;
@@ -127,11 +130,12 @@ struct Answers {
   std::vector<double> fixed_periods_s;
   // Between laws, standard deviation of ln of their median largest isolator displacement; beside the lot's own.
   std::optional<double> law_std_ln;
-  std::string verdict;
+  std::vector<Finding> verdict;
   std::optional<bool> bounds_are_enough;  // none: nothing to cover, or too few draws to show it
-  std::vector<std::string> warnings;
-  std::vector<std::string> assumed;  // what the numbers stand on, a sentence each
-  std::vector<Point> corners;        // where the slab's corners were measured
+  std::vector<Finding> warnings;          // about the analyses of the building
+  std::vector<Finding> calibration;       // doubts about the laws, each once
+  std::vector<std::string> assumed;       // what the numbers stand on, a sentence each
+  std::vector<Point> corners;             // where the slab's corners were measured
 };
 Answers answer(Study const& study, RunStore const& store);
 

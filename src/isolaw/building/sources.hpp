@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "isolaw/base/finding.hpp"
 #include "isolaw/building/building_file.hpp"
 #include "isolaw/lot/population.hpp"
 #include "isolaw/num/random.hpp"
@@ -24,10 +25,10 @@ struct LawSource {
   // Of each parameter its place in the population; none: the value of `median` holds for all.
   std::vector<std::optional<std::size_t>> place;
   std::vector<double> median;
-  std::vector<lot::Limits> limits;       // of the population's parameters
-  double tested_mm = 0.0;                // largest displacement of the tests; 0: not known
-  bool as_springs = false;               // all of them were fitted as springs around the circle
-  std::vector<std::string> doubts = {};  // what is known against it: numbers do not depend on them
+  std::vector<lot::Limits> limits;   // of the population's parameters
+  double tested_mm = 0.0;            // largest displacement of the tests; 0: not known
+  bool as_springs = false;           // all of them were fitted as springs around the circle
+  std::vector<Finding> doubts = {};  // findings against it; numbers do not depend on them
 };
 
 // The same device, its forces `factor` times as large.

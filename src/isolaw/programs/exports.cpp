@@ -113,7 +113,7 @@ Export write_export(Subject const& subject, Target const& target, UnitSystem con
                  .found = joined(to_form, "; "),
                  .allowed = "a form that is near to the law",
                  .advice = fmt::format("{}; or --anyway", the_law_itself)});
-  if (!subject.doubts.objection.empty()) made.let_through.push_back(subject.doubts.objection);
+  if (subject.doubts.objection) made.let_through.push_back(wording::remark(*subject.doubts.objection));
   std::ranges::move(to_form, std::back_inserter(made.let_through));
   return made;
 }

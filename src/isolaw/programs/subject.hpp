@@ -15,6 +15,7 @@
 #include "isolaw/study/doubts.hpp"
 #include "isolaw/study/ranges.hpp"
 #include "isolaw/study/summary.hpp"
+#include "isolaw/wording/table.hpp"
 
 namespace isolaw::programs {
 

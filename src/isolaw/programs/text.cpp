@@ -246,8 +246,9 @@ std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, 
       {"Parameters", fmt::format("{} (units of the law: {}, {}, s)", parameter_text(*subject.law, subject.parameters),
                                  law.force.symbol, law.length.symbol)}};
   for (auto& fact : measured_facts(subject)) made.push_back(std::move(fact));
-  made.push_back({"Prediction", subject.doubts.prediction});
-  for (auto const& warning : subject.doubts.warnings) made.push_back({"Warning", warning});
+  made.push_back({"Prediction", wording::remark(subject.doubts.prediction)});
+  for (auto& warning : wording::sentences(subject.doubts.findings, wording::with_law))
+    made.push_back({"Warning", std::move(warning)});
   made.push_back({"Units of this file", fmt::format("{}, {}, s", units.force.symbol, units.length.symbol)});
   made.push_back({"Fidelity", fmt::format("{}: {}", name(realisation.fidelity), realisation.explanation)});
   if (!realisation.substitute.empty())

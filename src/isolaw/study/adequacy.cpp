@@ -1,38 +1,31 @@
 #include "isolaw/study/adequacy.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
-#include <vector>
+#include <utility>
 
 #include "isolaw/study/findings.hpp"
-#include "isolaw/study/spoken.hpp"
 
 namespace isolaw::study {
 
-// Objectives differ in their third digit, so they keep one decimal.
-std::string miss_text(LawResult const& law) {
-  return fmt::format("misses the measured force by {} % of its standard deviation on average",
-                     with_decimals(100.0 * *law.objective.mean, 1));
-}
-
-std::string inadequacy(LawResult const& law) {
-  std::vector<std::string> parts;
-  if (law.objective.mean && !(*law.objective.mean <= adequate_objective)) parts.push_back(miss_text(law));
-  auto const add = [&](std::optional<double> DeviceFit::*error, double most, std::string_view what) {
-    // Relative to nothing an error says nothing.
+std::optional<Finding> inadequacy(LawResult const& law) {
+  Finding finding{.kind = FindingKind::law_inadequate, .law = law.id};
+  if (law.objective.mean && !(*law.objective.mean <= adequate_objective))
+    finding.numbers.push_back({"misfit", *law.objective.mean});
+  auto const add = [&](std::optional<double> DeviceFit::*error, double most, std::string name) {
+    // An error relative to nothing is infinite and says nothing.
     if (auto const mean = mean_magnitude(law, error); mean && std::isfinite(*mean) && *mean > most)
-      parts.push_back(fmt::format("misses the {} by {}", what, percent(*mean / 100.0)));
+      finding.numbers.push_back({std::move(name), *mean});
   };
-  add(&DeviceFit::K_eff_error_percent, adequate_K_eff_percent, "effective stiffness");
-  add(&DeviceFit::energy_error_percent, adequate_energy_percent, "dissipated energy");
-  return fmt::format("{}", fmt::join(parts, ", "));
+  add(&DeviceFit::K_eff_error_percent, adequate_K_eff_percent, "K_eff_error_percent");
+  add(&DeviceFit::energy_error_percent, adequate_energy_percent, "energy_error_percent");
+  return finding.numbers.empty() ? std::nullopt : std::optional(std::move(finding));
 }
 
-std::string Pinned::text() const {
-  return fmt::format("{} of its {} parameters lie at a bound on half of the devices or more", count, calibrated);
+Finding Pinned::finding(std::string const& law) const {
+  return {.kind = FindingKind::held_by_box,
+          .law = law,
+          .numbers = {{"count", static_cast<double>(count)}, {"calibrated", static_cast<double>(calibrated)}}};
 }
 
 Pinned pinned(LawResult const& law) {
@@ -46,7 +39,7 @@ Pinned pinned(LawResult const& law) {
     for (auto const& fit : law.devices) {
       if (n >= fit.parameters.size() || fit_status(fit) != "ok") continue;
       ++devices;
-      if (!fit.parameters[n].at_bound.empty()) ++there;
+      if (fit.parameters[n].at_bound != fit::AtBound::no) ++there;
     }
     if (2 * there >= devices && there > 0) ++made.count;
   }

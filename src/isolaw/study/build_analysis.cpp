@@ -92,7 +92,8 @@ Examined examined(std::vector<DeviceFit const*> const& fits, laws::LawEntry cons
         made.reduced && std::ranges::find(entry.redundant_with, p.name) != entry.redundant_with.end();
     auto const blind = std::ranges::count_if(fits, [&](DeviceFit const* fit) {
       auto const& a = fit->parameters[i].analysis;
-      return a && (a->identifiability == "at its bound" || (a->identifiability == "undetermined" && !in_reduction));
+      return a && (a->identifiability == analysis::Verdict::at_bound ||
+                   (a->identifiability == analysis::Verdict::undetermined && !in_reduction));
     });
     if (2 * blind > std::ssize(fits)) {
       made.left_out.push_back(p.name);
@@ -148,7 +149,8 @@ lot::SquareMatrix uncertainty(DeviceFit const& fit, campaign::DeviceAnalysis con
     for (std::size_t j = 0; j < n; ++j) made[i][j] = intervals.covariance[i * n + j];
     auto const& p = fit.parameters[intervals.parameters[i].parameter];
     double const width = p.upper - p.lower;
-    if (made[i][i] == 0.0 && p.analysis->identifiability == "undetermined") made[i][i] = width * width / 4.0;
+    if (made[i][i] == 0.0 && p.analysis->identifiability == analysis::Verdict::undetermined)
+      made[i][i] = width * width / 4.0;
     made[i][i] += std::pow(rounding * std::max(std::abs(p.analysis->optimum), 1e-3 * width), 2);
   }
   return made;
@@ -191,7 +193,7 @@ std::vector<std::size_t> undetermined_everywhere(LawResult const& law, std::vect
     if (std::ranges::all_of(law.devices, [&](DeviceFit const& fit) {
           auto const p = std::ranges::find(fit.parameters, names[n], &ParameterFit::name);
           bool const examined = p != fit.parameters.end() && p->analysis;  // not where the law was refused
-          return !examined || p->analysis->identifiability == "undetermined";
+          return !examined || p->analysis->identifiability == analysis::Verdict::undetermined;
         }))
       found.push_back(n);
   return found;
@@ -303,17 +305,19 @@ void add_outliers(Summary& summary) {
 
 }  // namespace
 
-std::string collapse(double fitted_objective, double predicted_objective, double worst_predicted) {
-  if (!(worst_predicted <= collapsed_objective))
-    return "one of them is missed by more than its force's standard deviation, as by a constant force";
-  if (predicted_objective < collapsed_least || predicted_objective <= collapsed_ratio * fitted_objective) return {};
-  return fitted_objective > 0.0 ? fmt::format("they are missed {} times as far as those it was fitted to",
-                                              with_decimals(predicted_objective / fitted_objective, 0))
-                                : std::string("they are missed, and those it was fitted to are not");
+std::string_view name(Collapse collapse) {
+  constexpr std::string_view names[]{"no", "constant", "far"};
+  return names[static_cast<std::size_t>(collapse)];
+}
+
+Collapse collapse(double fitted_objective, double predicted_objective, double worst_predicted) {
+  if (!(worst_predicted <= collapsed_objective)) return Collapse::constant;
+  bool const near = predicted_objective < collapsed_least || predicted_objective <= collapsed_ratio * fitted_objective;
+  return near ? Collapse::no : Collapse::far;
 }
 
 PredictionGrade graded(double fitted_objective, double predicted_objective, double worst_predicted) {
-  bool const collapses = !collapse(fitted_objective, predicted_objective, worst_predicted).empty();
+  bool const collapses = collapse(fitted_objective, predicted_objective, worst_predicted) != Collapse::no;
   if (collapses || !(predicted_objective <= poor_prediction)) return PredictionGrade::unusable;
   if (predicted_objective > fair_prediction) return PredictionGrade::poor;
   return predicted_objective > good_prediction ? PredictionGrade::fair : PredictionGrade::good;
@@ -341,7 +345,7 @@ void add_analysis(DeviceFit& made, campaign::Contents const& contents, campaign:
     auto const& p = determination.parameters[i];
     auto const& interval = intervals.parameters[i];
     made.parameters[p.parameter].analysis = ParameterAnalysis{.optimum = determination.optimum[p.parameter],
-                                                              .identifiability = std::string(analysis::name(p.verdict)),
+                                                              .identifiability = p.verdict,
                                                               .open_lower = p.lower,
                                                               .open_upper = p.upper,
                                                               .open_below = p.open_below,
@@ -414,7 +418,7 @@ void add_lot_analysis(LawResult& law, campaign::Contents const& contents) {
     auto const box = campaign::box_of_lot(contents, law.id);
     for (std::size_t n = 0; n < made.parameters.size(); ++n)
       if (auto const bound = fit::at_bound(box.parameters[n], made.parameters[n]); bound != fit::AtBound::no)
-        made.at_bound.push_back(fmt::format("{} at its {} bound", box.parameters[n].name, name(bound)));
+        made.at_bound.emplace_back(box.parameters[n].name, bound);
     law.lot = std::move(made);
   }
   double sum = 0.0;

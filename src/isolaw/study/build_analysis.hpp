@@ -19,8 +19,10 @@ inline constexpr double good_prediction = 0.1, fair_prediction = 0.3, poor_predi
 inline constexpr double collapsed_objective = 1.0, collapsed_ratio = 10.0, collapsed_least = 0.2;
 // docs/decision.md says why these.
 PredictionGrade graded(double fitted_objective, double predicted_objective, double worst_predicted);
-// By what such a prediction collapses, as the end of a sentence about it; empty where it does not.
-std::string collapse(double fitted_objective, double predicted_objective, double worst_predicted);
+// How such a prediction collapses: it misses a block as a constant force would, or far more than those it was fitted to.
+enum class Collapse { no, constant, far };
+std::string_view name(Collapse collapse);  // "no", "constant", "far"
+Collapse collapse(double fitted_objective, double predicted_objective, double worst_predicted);
 
 // `made` is what build_summary has made of the search so far; needs its best run's forces.
 void add_analysis(DeviceFit& made, campaign::Contents const& contents, campaign::Search const& search);

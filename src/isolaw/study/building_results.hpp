@@ -94,7 +94,7 @@ inline constexpr Result<building::LawAnswer> answer_results[]{
     {"bearings", "", "",
      "in the order of the plan, means over draws and motions: `displacement_mm`, the largest; `energy_share`, of the work on all",
      nested<building::LawAnswer>},
-    {"doubts", "", "", "what is known against its calibration, a sentence each", get<&building::LawAnswer::doubts>},
+    {"doubts", "", "", "what is known against its calibration, a sentence each", nested<building::LawAnswer>},
     {"floor_spectra", "", "",
      "of the nominal building, 5 % damped pseudo-accelerations, means over the motions: `periods_s`; `floors_g`, of every slab from the base",
      nested<building::LawAnswer>},

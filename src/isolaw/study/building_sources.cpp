@@ -16,21 +16,21 @@ namespace isolaw::study {
 
 namespace {
 
-std::vector<std::string> doubts_of(Summary const& summary, std::string_view law,
-                                   std::vector<building::BearingPlace> const& bearings) {
-  std::vector<std::string> made;
-  auto const add = [&](Doubts const& doubts, std::string const& of) {
-    auto sentences = doubts.warnings;
-    if (!doubts.objection.empty()) sentences.push_back(doubts.objection);
-    for (auto const& sentence : sentences)
-      if (auto text = of + sentence; std::ranges::find(made, text) == made.end()) made.push_back(std::move(text));
+// Findings against the law of the lot, and against the law of each tested device that stands in the building.
+std::vector<Finding> doubts_of(Summary const& summary, std::string_view law,
+                               std::vector<building::BearingPlace> const& bearings) {
+  std::vector<Finding> all;
+  auto const add = [&](Doubts doubts) {
+    if (doubts.objection) doubts.findings.push_back(std::move(*doubts.objection));
+    for (auto& finding : doubts.findings)
+      if (std::ranges::find(all, finding) == all.end()) all.push_back(std::move(finding));
   };
-  add(doubts(summary, law, std::nullopt), "");
+  add(doubts(summary, law, std::nullopt));
   for (auto const& bearing : bearings)
     if (bearing.stands == building::Stands::device &&
         std::ranges::find(summary.devices, bearing.device, &DeviceResult::name) != summary.devices.end())
-      add(doubts(summary, law, bearing.device), bearing.device + ": ");
-  return made;
+      add(doubts(summary, law, bearing.device));
+  return all;
 }
 
 building::LawSource source_of(campaign::Contents const& contents, Summary const& summary, std::string_view law_id,

@@ -1,5 +1,5 @@
-// What the numbers of a campaign mean, in sentences: which law to take and why, how the laws compare, and what to take
-// care of. The page and the terminal print the same findings.
+// The meaning of a campaign's numbers as findings: which law to take and why, how the laws compare, and the warnings.
+// Every renderer prints these; wording/table.hpp makes the sentences.
 #pragma once
 
 #include <cstddef>
@@ -31,18 +31,18 @@ std::string_view name(Role role);  // "most accurate", "dominated", ...
 struct LawVerdict {
   std::size_t law = 0;  // index into Summary::laws
   Role role = Role::unranked;
-  std::string sentence;                   // starts in lower case when it continues after the law's name
+  std::vector<Finding> findings;          // one sentence each, in this order
   std::vector<std::string> dominated_by;  // ids of laws on the front
 };
 
 struct Findings {
-  std::string verdict;  // the answer in one sentence; "" for an inspection
+  std::optional<Finding> verdict;  // the answer; none for an inspection
   std::vector<Recommendation> recommendations;
-  std::string headline;                // the choice between accuracy and robustness
-  std::vector<LawVerdict> verdicts;    // the front from accurate to robust, then dominated, inadequate, unranked laws
-  std::vector<Warning> warnings;       // most serious topic first
-  std::vector<std::string> converged;  // what changes without the optimiser's noise, and what an engineer meets
-  std::string beta_note;               // why no law has a beta; "" when one has
+  std::vector<Finding> headline;     // the choice between accuracy and robustness
+  std::vector<LawVerdict> verdicts;  // the front from accurate to robust, then dominated, inadequate, unranked laws
+  std::vector<Finding> warnings;     // most serious first
+  std::vector<Finding> converged;    // changes without the optimiser's noise, and errors on an untested device
+  std::string beta_note;             // why no law has a beta; "" when one has
 };
 
 Findings findings(Summary const& summary);
@@ -58,6 +58,8 @@ std::optional<double> largest_displacement(Summary const& summary, LawResult con
 
 // Devices that hold the same record, by two or more. Of one that takes no part its file says so, of others the samples.
 std::vector<std::vector<DeviceResult const*>> devices_of_one_record(Summary const& summary);
+// Devices that hold the same compression test, by two or more.
+std::vector<std::vector<DeviceResult const*>> devices_of_one_compression(Summary const& summary);
 
 // Indices of the laws by rising mean objective; laws without one come last, in their order.
 std::vector<std::size_t> by_objective(Summary const& summary);
@@ -74,8 +76,5 @@ std::vector<ParameterFit> const& parameters_of(LawResult const& law);
 // Where a parameter stands in the vectors of a population; nullopt for one that it does not hold: fixed, tied, or
 // redundant where it is of the form without it. A law's own order is another one.
 std::optional<std::size_t> place_of(lot::Population const& population, std::string_view parameter);
-
-// "A, B and C"; beyond `most` names "A, B and 5 more".
-std::string enumerate(std::vector<std::string> const& names, std::size_t most = 5);
 
 }  // namespace isolaw::study

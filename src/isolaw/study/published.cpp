@@ -13,6 +13,7 @@
 #include "isolaw/opt/pareto.hpp"
 #include "isolaw/study/build_analysis.hpp"
 #include "isolaw/study/findings.hpp"
+#include "isolaw/study/spoken.hpp"
 #include "isolaw/study/table_a5.hpp"
 
 namespace isolaw::study {

@@ -245,7 +245,7 @@ inline constexpr Result<ParameterFit> parameter_results[]{
     {"best", own_unit, "best", "of the run with the smallest objective", get<&ParameterFit::value, &Statistic::best>},
     {"at_bound", "", "at bound",
      "`best` lies within 0.1 % of the search box's width of that bound: the box, not the record, decided the value",
-     word<&ParameterFit::at_bound>},
+     [](ParameterFit const& fit) { return fit.at_bound == fit::AtBound::no ? Value() : value_of(fit.at_bound); }},
     {"free", "", "calibrated", "false: fixed by default or by the user, not calibrated", get<&ParameterFit::free>},
     {"lower", own_unit, "lower bound", "of the search box; the value of a fixed parameter, or as the law declares it",
      get<&ParameterFit::lower>},

@@ -7,13 +7,16 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "isolaw/analysis/determination.hpp"
 #include "isolaw/campaign/contents.hpp"
 #include "isolaw/data/error_budget.hpp"
 #include "isolaw/data/properties.hpp"
 #include "isolaw/data/record.hpp"
 #include "isolaw/data/vertical.hpp"
+#include "isolaw/fit/box.hpp"
 #include "isolaw/lot/population.hpp"
 #include "isolaw/study/acceptance.hpp"
 
@@ -26,7 +29,7 @@ struct Statistic {
 // What the test of one device determines of a parameter, about the least objective.
 struct ParameterAnalysis {
   double optimum = 0.0;
-  std::string identifiability;                  // "determined", "weakly determined", "undetermined", "at its bound"
+  analysis::Verdict identifiability = analysis::Verdict::determined;
   double open_lower = 0.0, open_upper = 0.0;    // where the objective, all others fitted again, stays within the rise
   bool open_below = false, open_above = false;  // that range ends at the box
   double linear_lower = 0.0, linear_upper = 0.0;
@@ -53,10 +56,10 @@ struct ParameterFit {
   bool free = true;  // false: fixed by default or by the user; then mean = best = the value, std = 0
   double lower = 0.0, upper = 0.0;
   Statistic value;
-  std::optional<double> percent_of_lot;  // difference of the mean from the mean over devices, percent
-  std::string at_bound;                  // "", "lower" or "upper": of the best run
-  std::string tied_to;                   // the parameter whose value it takes; "" for none
-  std::string paper_name;                // in the tables of Cucuzza et al. 2025, where it is another one; else ""
+  std::optional<double> percent_of_lot;      // difference of the mean from the mean over devices, percent
+  fit::AtBound at_bound = fit::AtBound::no;  // of the best run
+  std::string tied_to;                       // the parameter whose value it takes; "" for none
+  std::string paper_name;                    // in the tables of Cucuzza et al. 2025, where it is another one; else ""
   std::optional<ParameterAnalysis> analysis;
 };
 
@@ -102,8 +105,8 @@ struct LotLaw {
   std::vector<double> parameters, worst_parameters;
   double mean = 0.0, worst = 0.0;  // objective with the former
   std::string worst_device;
-  double least_worst = 0.0, least_worst_bound = 0.0;  // of the latter, and what no law can go below
-  std::vector<std::string> at_bound;                  // "K1 at its upper bound", of the former
+  double least_worst = 0.0, least_worst_bound = 0.0;           // of the latter, and what no law can go below
+  std::vector<std::pair<std::string, fit::AtBound>> at_bound;  // parameters of the former that lie at a bound
 };
 
 // How well a law predicts blocks that it was not fitted to; docs/decision.md.

@@ -13,6 +13,7 @@
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/study/findings.hpp"
+#include "isolaw/study/spoken.hpp"
 #include "isolaw/study/value_doubts.hpp"
 
 namespace isolaw::study {
@@ -278,21 +279,24 @@ std::string verdict_summary(Summary const& summary) {
   return summary.acceptance.has_rules() ? overall_verdict(summary).text() + "\n" : std::string();
 }
 
-std::string verdict_against(Summary const& summary, std::optional<std::string_view> device) {
+std::optional<Finding> verdict_against(Summary const& summary, std::optional<std::string_view> device) {
   auto const& rules = summary.acceptance.rules;
-  if (!summary.acceptance.has_rules() || !rules.verified()) return {};
-  if (device) {
-    auto found = std::ranges::find(summary.devices, *device, &DeviceResult::name);
-    // Of a record under two names the first device has the verdict.
-    if (found != summary.devices.end() && !found->acceptance.copy_of.empty())
-      found = std::ranges::find(summary.devices, found->acceptance.copy_of, &DeviceResult::name);
-    if (found == summary.devices.end()) return {};
-    auto const verdict = device_verdict(found->acceptance);
-    if (verdict.verdict != Verdict::fail) return {};
-    return fmt::format("{} fails {}: {}", printable(found->name), short_title(rules), verdict.failures_text());
-  }
-  if (!acceptance_failed(summary)) return {};
-  return "the lot does not keep its rule set: " + overall_verdict(summary).sentence;
+  if (!summary.acceptance.has_rules() || !rules.verified()) return std::nullopt;
+  if (!device)
+    return acceptance_failed(summary)
+               ? std::optional(Finding{.kind = FindingKind::rule_set_not_kept_by_lot,
+                                       .words = {{"verdict", overall_verdict(summary).sentence}}})
+               : std::nullopt;
+  auto found = std::ranges::find(summary.devices, *device, &DeviceResult::name);
+  // The first device of a record under two names has the verdict.
+  if (found != summary.devices.end() && !found->acceptance.copy_of.empty())
+    found = std::ranges::find(summary.devices, found->acceptance.copy_of, &DeviceResult::name);
+  if (found == summary.devices.end()) return std::nullopt;
+  auto const verdict = device_verdict(found->acceptance);
+  if (verdict.verdict != Verdict::fail) return std::nullopt;
+  return Finding{.kind = FindingKind::rule_set_not_kept_by_device,
+                 .devices = {found->name},
+                 .words = {{"rules", short_title(rules)}, {"failures", verdict.failures_text()}}};
 }
 
 }  // namespace isolaw::study

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "isolaw/base/finding.hpp"
 #include "isolaw/study/summary.hpp"
 
 namespace isolaw::study {
@@ -64,8 +65,7 @@ inline constexpr std::string_view not_measured = "not measured";
 
 // The text of it on a line of its own; empty without a rule set.
 std::string verdict_summary(Summary const& summary);
-// The same on one line, where the set is verified and something is not kept; else empty. Of the device alone, where one
-// is named.
-std::string verdict_against(Summary const& summary, std::optional<std::string_view> device);
+// The limits of a verified rule set that are not kept: by the device, where one is named, else by the lot.
+std::optional<Finding> verdict_against(Summary const& summary, std::optional<std::string_view> device);
 
 }  // namespace isolaw::study

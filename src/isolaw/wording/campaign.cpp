@@ -165,6 +165,16 @@ std::string prediction_unusable(Group group) {
   return text + ".";
 }
 
+std::string prediction_good(Group group) {
+  return prediction(group.front(), "good") + ".";
+}
+std::string prediction_fair(Group group) {
+  return prediction(group.front(), "fair") + ".";
+}
+std::string prediction_unknown(Group) {
+  return "how well it predicts is not known: no block of the tests was kept from the fit.";
+}
+
 std::string searches_disagree(Group group) {
   double const share = group.front().number("share");
   return fmt::format("{} of the runs came within 0.1 % of the best fit of this campaign.",

@@ -54,9 +54,10 @@ std::span<Row const> rows() {
   static constexpr std::string_view records = "Look at the records", laws = "Do not rely on these laws",
                                     search = "Search longer or in finer steps",
                                     parameters = "Fix parameters, widen their boxes, or test more",
-                                    go_on = "Continue the campaign",
+                                    go_on = "Continue the campaign", nothing = "",
                                     keep_blocks = "Keep blocks of the tests from the fit";
-  static constexpr unsigned everywhere = in_report | with_law | with_building, reports = in_report;
+  static constexpr unsigned everywhere = in_report | with_law | with_building, reports = in_report,
+                            on_its_own = anywhere;
   // In the order of FindingKind.
   static constexpr Row table[]{
       // [campaign]
@@ -104,6 +105,135 @@ std::span<Row const> rows() {
        wording::integration_coarse},
       {integration_not_finite, "integration-not-finite", "integration", serious, search, by_law, everywhere, law,
        wording::integration_not_finite},
+      {prediction_good, "prediction-good", "prediction", note, nothing, each_alone, on_its_own, law,
+       wording::prediction_good},
+      {prediction_fair, "prediction-fair", "prediction", note, nothing, each_alone, on_its_own, law,
+       wording::prediction_fair},
+      {prediction_unknown, "prediction-unknown", "prediction", note, keep_blocks, each_alone, on_its_own, law,
+       wording::prediction_unknown},
+      // [answers]
+      {law_recommended, "law-recommended", "answer", note, nothing, each_alone, on_its_own, none,
+       wording::law_recommended},
+      {no_law_recommended, "no-law-recommended", "answer", note, nothing, each_alone, on_its_own, none,
+       wording::no_law_recommended},
+      {why_error, "why-error", "reason", note, nothing, each_alone, on_its_own, none, wording::why_error},
+      {why_simpler, "why-simpler", "reason", note, nothing, each_alone, on_its_own, none, wording::why_simpler},
+      {why_ties, "why-ties", "reason", note, nothing, each_alone, on_its_own, none, wording::why_ties},
+      {why_next, "why-next", "reason", note, nothing, each_alone, on_its_own, none, wording::why_next},
+      {why_closer_refused, "why-closer-refused", "reason", note, nothing, each_alone, on_its_own, none,
+       wording::why_closer_refused},
+      {none_identified, "none-identified", "reason", note, nothing, each_alone, on_its_own, none,
+       wording::none_identified},
+      {none_describes, "none-describes", "reason", note, nothing, each_alone, on_its_own, none,
+       wording::none_describes},
+      {none_predicts, "none-predicts", "reason", note, nothing, each_alone, on_its_own, none, wording::none_predicts},
+      {none_on_every_device, "none-on-every-device", "reason", note, nothing, each_alone, on_its_own, none,
+       wording::none_on_every_device},
+      {none_has_error, "none-has-error", "reason", note, nothing, each_alone, on_its_own, none,
+       wording::none_has_error},
+      {none_left_out, "none-left-out", "reason", note, nothing, each_alone, on_its_own, none, wording::none_left_out},
+      {none_beside_one_device, "none-beside-one-device", "reason", note, nothing, each_alone, on_its_own, none,
+       wording::none_beside_one_device},
+      {weak_prediction_fair, "weak-prediction-fair", "confidence", caution, nothing, each_alone, on_its_own, none,
+       wording::weak_prediction_fair},
+      {weak_error, "weak-error", "confidence", caution, nothing, each_alone, on_its_own, none, wording::weak_error},
+      {weak_only_law, "weak-only-law", "confidence", caution, nothing, each_alone, on_its_own, none,
+       wording::weak_only_law},
+      {weak_incomplete, "weak-incomplete", "confidence", caution, nothing, each_alone, on_its_own, none,
+       wording::weak_incomplete},
+      {weak_search, "weak-search", "confidence", caution, nothing, each_alone, on_its_own, none, wording::weak_search},
+      {weak_bounds, "weak-bounds", "confidence", caution, nothing, each_alone, on_its_own, none, wording::weak_bounds},
+      {weak_open, "weak-open", "confidence", caution, nothing, each_alone, on_its_own, none, wording::weak_open},
+      {surer_finish, "surer-finish", "advice", note, nothing, each_alone, on_its_own, none, wording::surer_finish},
+      {surer_other_laws, "surer-other-laws", "advice", note, nothing, each_alone, on_its_own, none,
+       wording::surer_other_laws},
+      {surer_fit_blocks, "surer-fit-blocks", "advice", note, nothing, each_alone, on_its_own, none,
+       wording::surer_fit_blocks},
+      {surer_other_amplitude, "surer-other-amplitude", "advice", note, nothing, each_alone, on_its_own, none,
+       wording::surer_other_amplitude},
+      {surer_further_test, "surer-further-test", "advice", note, nothing, each_alone, on_its_own, none,
+       wording::surer_further_test},
+      {surer_more_devices, "surer-more-devices", "advice", note, nothing, each_alone, on_its_own, none,
+       wording::surer_more_devices},
+      {surer_amplitude_between, "surer-amplitude-between", "advice", note, nothing, each_alone, on_its_own, none,
+       wording::surer_amplitude_between},
+      {out_not_identified, "out-not-identified", "standing", note, nothing, each_alone, on_its_own, none,
+       wording::out_not_identified},
+      {out_inadequate, "out-inadequate", "standing", note, nothing, each_alone, on_its_own, none,
+       wording::out_inadequate},
+      {out_prediction, "out-prediction", "standing", note, nothing, each_alone, on_its_own, none,
+       wording::out_prediction},
+      {out_partial, "out-partial", "standing", note, nothing, each_alone, on_its_own, none, wording::out_partial},
+      {out_unknown, "out-unknown", "standing", note, nothing, each_alone, on_its_own, none, wording::out_unknown},
+      {out_error, "out-error", "standing", note, nothing, each_alone, on_its_own, none, wording::out_error},
+      {not_in_opensees, "not-in-opensees", "answer", note, nothing, each_alone, on_its_own, none,
+       wording::not_in_opensees},
+      {headline_only_law, "headline-only-law", "comparison", note, nothing, each_alone, on_its_own, none,
+       wording::headline_only_law},
+      {headline_best_of_both, "headline-best-of-both", "comparison", note, nothing, each_alone, on_its_own, none,
+       wording::headline_best_of_both},
+      {headline_most_accurate, "headline-most-accurate", "comparison", note, nothing, each_alone, on_its_own, none,
+       wording::headline_most_accurate},
+      {headline_scatter_by_box, "headline-scatter-by-box", "comparison", note, nothing, each_alone, on_its_own, none,
+       wording::headline_scatter_by_box},
+      {headline_choice, "headline-choice", "comparison", note, nothing, each_alone, on_its_own, none,
+       wording::headline_choice},
+      {headline_nearest, "headline-nearest", "comparison", note, nothing, each_alone, on_its_own, none,
+       wording::headline_nearest},
+      {role_best_of_both, "role-best-of-both", "comparison", note, nothing, each_alone, on_its_own, none,
+       wording::role_best_of_both},
+      {role_alone, "role-alone", "comparison", note, nothing, each_alone, on_its_own, none, wording::role_alone},
+      {role_most_robust, "role-most-robust", "comparison", note, nothing, each_alone, on_its_own, none,
+       wording::role_most_robust},
+      {role_between, "role-between", "comparison", note, nothing, each_alone, on_its_own, none, wording::role_between},
+      {role_dominated, "role-dominated", "comparison", note, nothing, each_alone, on_its_own, none,
+       wording::role_dominated},
+      {role_not_on_front, "role-not-on-front", "comparison", note, nothing, each_alone, on_its_own, none,
+       wording::role_not_on_front},
+      {role_not_identified, "role-not-identified", "comparison", note, nothing, each_alone, on_its_own, none,
+       wording::role_not_identified},
+      {role_least_error, "role-least-error", "comparison", note, nothing, each_alone, on_its_own, none,
+       wording::role_least_error},
+      {role_behind, "role-behind", "comparison", note, nothing, each_alone, on_its_own, none, wording::role_behind},
+      {role_no_beta, "role-no-beta", "comparison", note, nothing, each_alone, on_its_own, none, wording::role_no_beta},
+      {converged_front, "converged-front", "best fits", note, nothing, each_alone, on_its_own, none,
+       wording::converged_front},
+      {converged_beta, "converged-beta", "best fits", note, nothing, one_sentence, on_its_own, none,
+       wording::converged_beta},
+      {converged_untested, "converged-untested", "best fits", note, nothing, each_alone, on_its_own, none,
+       wording::converged_untested},
+      {converged_prediction, "converged-prediction", "best fits", note, nothing, each_alone, on_its_own, none,
+       wording::converged_prediction},
+      {converged_no_prediction, "converged-no-prediction", "best fits", note, nothing, each_alone, on_its_own, none,
+       wording::converged_no_prediction},
+      {converged_determined, "converged-determined", "best fits", note, nothing, one_sentence, on_its_own, none,
+       wording::converged_determined},
+      // [building]
+      {building_bounds_cover, "building-bounds-cover", "answer", note, nothing, each_alone, on_its_own, none,
+       wording::building_bounds_cover},
+      {covering_factors, "covering-factors", "answer", note, nothing, each_alone, on_its_own, none,
+       wording::covering_factors},
+      {building_bounds_cover_with, "building-bounds-cover-with", "answer", note, nothing, each_alone, on_its_own, none,
+       wording::building_bounds_cover_with},
+      {building_law_or_lot, "building-law-or-lot", "answer", note, nothing, each_alone, on_its_own, none,
+       wording::building_law_or_lot},
+      {building_no_draws, "building-no-draws", "answer", note, nothing, each_alone, on_its_own, none,
+       wording::building_no_draws},
+      {displacement_beyond_tests, "displacement-beyond-tests", "extrapolation", serious, "Test to that displacement",
+       each_alone, with_building, law, wording::displacement_beyond_tests},
+      {bounds_not_monotonic, "bounds-not-monotonic", "bounds", caution, "Ignore the share for this quantity",
+       each_alone, with_building, law, wording::bounds_not_monotonic},
+      {bounds_cover_less, "bounds-cover-less", "bounds", caution, "Widen the factors for these quantities", by_law,
+       with_building, law, wording::bounds_cover_less},
+      {springs_as_given, "springs-as-given", "two directions", caution,
+       "Fit springs: isolaw calibrate --bidirectional springs", each_alone, with_building, law,
+       wording::springs_as_given},
+      {building_runs_failed, "building-runs-failed", "failed runs", serious, "Look at the runs", each_alone,
+       with_building, law, wording::building_runs_failed},
+      {draws_too_few, "draws-too-few", "not complete", serious, "Draw more buildings", each_alone, with_building, none,
+       wording::draws_too_few},
+      {motions_too_few, "motions-too-few", "motions", caution, "Use more motions", each_alone, with_building, none,
+       wording::motions_too_few},
       // [records]
       {no_cyclic_properties, "no-cyclic-properties", "record", serious, records, by_words, everywhere | on_certificate,
        devices, wording::no_cyclic_properties},
@@ -144,7 +274,7 @@ std::vector<std::vector<Finding>> grouped(std::vector<Finding> const& findings, 
   std::vector<std::vector<Finding>> groups;
   for (auto const& finding : findings) {
     auto const& about = row(finding.kind);
-    if ((about.appears & place) == 0) continue;
+    if (place != anywhere && (about.appears & place) == 0) continue;
     auto const group = std::ranges::find_if(
         groups, [&](auto const& other) { return belongs(finding, other.front(), about.grouping); });
     if (group == groups.end())
@@ -160,6 +290,15 @@ std::vector<std::string> sentences(std::vector<Finding> const& findings, unsigne
   std::vector<std::string> all;
   for (auto const& group : grouped(findings, place)) all.push_back(sentence(group));
   return all;
+}
+
+std::string paragraph(std::vector<Finding> const& findings, std::string_view between, bool with_subject) {
+  std::string text;
+  for (auto const& finding : findings) {
+    if (!text.empty()) text += between;
+    text += with_subject ? sentence(finding) : remark(finding);
+  }
+  return text;
 }
 
 std::vector<std::string> devices_of(Group group) {

@@ -23,6 +23,7 @@ enum Grouping : unsigned { one_sentence = 0, by_law = 1, by_device = 2, by_words
 
 // Where a kind of finding may stand. Everything stands in JSON.
 enum Appearance : unsigned {
+  anywhere = 0,        // asked for: every kind. As a row's own place: only where code asks for that kind
   in_report = 1,       // terminal and page
   on_certificate = 2,  // the page that is signed
   with_law = 4,        // wherever the law is taken from the campaign: exports, `simulate`
@@ -62,6 +63,10 @@ std::string remark(Finding const& finding);
 std::vector<std::vector<Finding>> grouped(std::vector<Finding> const& findings, unsigned place = in_report);
 // One sentence for each group.
 std::vector<std::string> sentences(std::vector<Finding> const& findings, unsigned place = in_report);
+
+// Sentences one after the other, in the order given and each for itself, joined by `between`; without their subjects
+// where the place names it already.
+std::string paragraph(std::vector<Finding> const& findings, std::string_view between = " ", bool with_subject = true);
 
 // Devices, parameters or blocks of all findings of a group, each once, in the order of their first appearance.
 std::vector<std::string> devices_of(Group group);

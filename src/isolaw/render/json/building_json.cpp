@@ -21,9 +21,12 @@ class BuildingWriter {
   void operator()() {
     auto const& s = study_.file.settings;
     out_.member("schema", building_schema).member("isolaw", version()).member("title", s.title);
-    out_.member("verdict", answers_.verdict).key("bounds_are_enough");
+    out_.member("verdict", wording::paragraph(answers_.verdict)).key("bounds_are_enough");
     answers_.bounds_are_enough ? out_.value(*answers_.bounds_are_enough) : out_.null();
-    out_.member("enough", building::enough).member("warnings", answers_.warnings).member("assumed", answers_.assumed);
+    out_.member("enough", building::enough).member("warnings", building_warnings(answers_));
+    write_findings(out_, "findings", answers_.warnings, wording::with_building);
+    write_findings(out_, "calibration", answers_.calibration, wording::with_building);
+    out_.member("assumed", answers_.assumed);
     number("weight_kN", answers_.weight_kN);
     write_values(out_.key("fixed_base_periods_s"), answers_.fixed_periods_s, rounding());
     out_.member("draws", s.draws).member("seed", s.seed);
@@ -171,6 +174,10 @@ class BuildingWriter {
       out_.end_array();
       return;
     }
+    if (key == "doubts") {
+      out_.value(wording::sentences(law.doubts, wording::with_building));
+      return;
+    }
     out_.begin_object();
     if (key == "floor_spectra") {
       out_.key("periods_s").line(building::spectrum_periods_s(), spectrum_digits);
@@ -206,6 +213,13 @@ class BuildingWriter {
 
 void write_building(JsonWriter& out, building::Study const& study, building::Answers const& answers, Digits digits) {
   BuildingWriter(out, study, answers, digits)();
+}
+
+std::vector<std::string> building_warnings(building::Answers const& answers) {
+  auto sentences = wording::sentences(answers.warnings, wording::with_building);
+  for (auto const& sentence : wording::sentences(answers.calibration, wording::with_building))
+    sentences.push_back("From the calibration: " + sentence);
+  return sentences;
 }
 
 std::string building_json(building::Study const& study, building::Answers const& answers) {

@@ -1,7 +1,8 @@
-// building.json: what the analyses of a building say (docs/building-json.md).
+// building.json, the results of the analyses of a building (docs/building-json.md).
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "isolaw/render/json/results_json.hpp"
 #include "isolaw/study/building_results.hpp"
@@ -10,6 +11,9 @@ namespace isolaw::render {
 
 // Members of the open object.
 void write_building(JsonWriter& out, building::Study const& study, building::Answers const& answers, Digits digits);
+
+// The sentences of the warnings, those on the calibration last.
+std::vector<std::string> building_warnings(building::Answers const& answers);
 
 std::string building_json(building::Study const& study, building::Answers const& answers);
 

@@ -27,7 +27,7 @@ void write_effects(JsonWriter& out, std::vector<data::Effect> const& effects) {
 }
 
 void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const& device,
-                  std::vector<std::string> const& warnings) {
+                  std::vector<Finding> const& findings) {
   write_members(out, "name", device.name, "file", device.file, "sha256", device.sha256, "status", device.status,
                 "message", device.message, "samples", device.raw.size());
   out.key("columns").begin_object();
@@ -37,7 +37,8 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
   out.end_object();
   // Sheet and test are null where the file has but one.
   write_members(out, "sheet", device.raw.layout.sheet, "test", device.raw.layout.test, "recognised",
-                device.raw.recognised, "warnings", warnings);
+                device.raw.recognised, "warnings", wording::sentences(findings, wording::anywhere));
+  write_findings(out, "findings", findings, wording::anywhere);
   write_properties(out, lot, device);
   write_effects(out, device.effects);
 }
@@ -60,7 +61,7 @@ std::string inspection_json(Summary const& summary) {
       out.end_object();
     }
     out.end_array();
-    write_warnings(out, warnings(summary));
+    write_findings(out, "warnings", warnings(summary));
   }
   out.key("assessment");
   write_acceptance(out, summary.acceptance);

@@ -10,6 +10,7 @@
 #include "isolaw/render/results.hpp"
 #include "isolaw/study/findings.hpp"
 #include "isolaw/study/results.hpp"
+#include "isolaw/wording/table.hpp"
 
 namespace isolaw::render {
 
@@ -61,7 +62,9 @@ void write_recommendations(JsonWriter& out, study::Summary const& summary,
 // "published": the campaign beside the published study; null where too few of its laws are there.
 void write_published(JsonWriter& out, study::Summary const& summary, Digits digits);
 
-// "warnings": what findings() warns of, `topic` and `sentence` each.
-void write_warnings(JsonWriter& out, std::vector<study::Warning> const& warnings);
+// An array under this key: one object for each sentence of the table (wording/table.hpp) with its kind, topic, severity,
+// action, law, devices, parameters and blocks; `each` holds the fields of every finding that the sentence joins.
+void write_findings(JsonWriter& out, std::string_view key, std::vector<Finding> const& findings,
+                    unsigned place = wording::in_report);
 
 }  // namespace isolaw::render

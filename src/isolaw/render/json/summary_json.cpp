@@ -126,7 +126,7 @@ std::string summary_json(Summary const& summary) {
   auto const runs = summary.missing_runs(), analyses = summary.missing_analyses();
   write_members(out, "complete", runs == 0 && analyses == 0, "missing_runs", runs, "missing_analyses", analyses);
   if (summary.part) write_members(out, "part", summary.part->number, "parts", summary.part->of);
-  write_warnings(out, warnings(summary));
+  write_findings(out, "warnings", warnings(summary));
   write_recommendations(out, summary, recommendations(summary));
   write_published(out, summary, Digits::all);
   out.end_object();

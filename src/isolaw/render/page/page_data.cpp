@@ -105,7 +105,7 @@ void write_scored(JsonWriter& out, data::FitRecord const& record) {
 }
 
 void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const& device,
-                  std::vector<std::string> const& warnings, std::vector<std::size_t> const& drawn, std::size_t most) {
+                  std::vector<Finding> const& findings, std::vector<std::size_t> const& drawn, std::size_t most) {
   auto const& record = device.record;
   out.begin_object();
   write_members(out, "name", device.name, "file", device.file, "sha256", device.sha256, "status", device.status,
@@ -114,7 +114,9 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
   out.member("rubber_area_mm2", device.rubber_area_mm2);
   write_properties(out, lot, device);
   write_raw(out, device.raw, most);
-  write_members(out, "recognised", device.raw.recognised, "warnings", warnings, "cleaning", record.cleaning);
+  write_members(out, "recognised", device.raw.recognised, "warnings", wording::sentences(findings, wording::anywhere),
+                "cleaning", record.cleaning);
+  write_findings(out, "findings", findings, wording::anywhere);
   write_scored(out, record);
   out.key("record").begin_object();
   write_members(out, "samples", record.size(), "drawn", drawn.size(), "has_time", record.has_time());
@@ -220,7 +222,10 @@ void write_lot_law(JsonWriter& out, LotLaw const& lot) {
   write_results(out, lot_law_results, lot, Digits::shown, [&](std::string_view key) {
     write_values(out, key == "parameters" ? lot.parameters : lot.worst_parameters, shown_digits);
   });
-  out.member("at_bound", lot.at_bound).end_object();
+  out.key("at_bound").begin_array();
+  for (auto const& [parameter, side] : lot.at_bound)
+    out.begin_object().member("parameter", parameter).member("side", name(side)).end_object();
+  out.end_array().end_object();
 }
 
 // What is shown of it: not its covariances.
@@ -273,21 +278,22 @@ void write_law(JsonWriter& out, Summary const& summary, LawResult const& law,
   out.end_array().end_object();
 }
 
-void write_findings(JsonWriter& out, Summary const& summary) {
+void write_conclusions(JsonWriter& out, Summary const& summary) {
   auto const found = findings(summary);
   out.key("findings").begin_object();
   write_recommendations(out, summary, found.recommendations);
-  out.member("headline", found.headline).member("beta_note", found.beta_note);
+  out.member("headline", wording::paragraph(found.headline)).member("beta_note", found.beta_note);
   out.key("verdicts").begin_array();
   for (auto const& verdict : found.verdicts) {
     out.begin_object();
-    write_members(out, "law", verdict.law, "role", verdict.role, "sentence", verdict.sentence, "dominated_by",
-                  verdict.dominated_by);
+    write_members(out, "law", verdict.law, "role", verdict.role, "sentence",
+                  wording::paragraph(verdict.findings, " ", false), "dominated_by", verdict.dominated_by);
     out.end_object();
   }
   out.end_array();
-  write_warnings(out, found.warnings);
-  out.member("converged", found.converged).end_object();
+  write_findings(out, "warnings", found.warnings);
+  write_findings(out, "converged", found.converged, wording::anywhere);
+  out.end_object();
 }
 
 // In which order laws are shown, which device of the lot is shown first, how laws are marked.
@@ -421,7 +427,7 @@ std::string page_data_json(Summary const& summary) {
   out.key("settings").begin_object();
   for (auto const& setting : summary.settings) out.key(setting.key).json(setting.json);
   out.end_object();
-  write_findings(out, summary);
+  write_conclusions(out, summary);
   write_shown(out, summary);
   write_outliers(out.key("outliers"), summary.outliers, Digits::shown);
   write_published(out, summary, Digits::shown);

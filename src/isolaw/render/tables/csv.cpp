@@ -2,7 +2,7 @@
 
 #include "isolaw/base/json.hpp"
 #include "isolaw/base/words.hpp"
-#include "isolaw/study/findings.hpp"
+#include "isolaw/wording/words.hpp"
 
 namespace isolaw::render {
 namespace {
@@ -14,7 +14,9 @@ struct Cells {
   std::string operator()(std::integral auto number) const { return std::to_string(number); }
   std::string operator()(double number) const { return to_text(number, 6); }
   std::string operator()(std::string_view text) const { return csv_cell(text); }
-  std::string operator()(std::vector<std::string> const* texts) const { return csv_cell(enumerate(*texts, 99)); }
+  std::string operator()(std::vector<std::string> const* texts) const {
+    return csv_cell(wording::enumerate(*texts, 99));
+  }
   std::string operator()(Statistic const& of) const {
     return to_text(of.mean, 6) + ',' + to_text(of.std, 6) + ',' + to_text(of.best, 6);
   }

@@ -15,8 +15,8 @@ namespace {
 std::string devices_at_bound(LawResult const& law, std::size_t parameter) {
   std::vector<std::string> devices;
   for (auto const& fit : law.devices)
-    if (parameter < fit.parameters.size() && !fit.parameters[parameter].at_bound.empty())
-      devices.push_back(fit.device + " " + fit.parameters[parameter].at_bound);
+    if (parameter < fit.parameters.size() && fit.parameters[parameter].at_bound != fit::AtBound::no)
+      devices.push_back(fmt::format("{} {}", fit.device, name(fit.parameters[parameter].at_bound)));
   return joined(devices, "; ");
 }
 

@@ -9,7 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "isolaw/base/number_text.hpp"
+#include "isolaw/laws/catalogue.hpp"
 #include "isolaw/study/findings.hpp"
+#include "isolaw/wording/table.hpp"
 
 namespace isolaw::render {
 namespace {
@@ -120,7 +123,7 @@ std::string converged_table(Summary const& summary, int width) {
     for (auto const& fit : law.devices)
       for (auto const& p : fit.parameters) {
         free += p.analysis ? 1 : 0;
-        open += p.analysis && p.analysis->identifiability == "undetermined" ? 1 : 0;
+        open += p.analysis && p.analysis->identifiability == analysis::Verdict::undetermined ? 1 : 0;
       }
     rows.push_back({"",
                     printable(law.id),
@@ -313,21 +316,60 @@ std::string heading(Summary const& summary, int width) {
   return wrapped("", text, 0, width);
 }
 
-// The verdict, then what is told of each purpose.
-std::string answer(Summary const& summary, Findings const& found, int width) {
-  if (found.verdict.empty()) return {};
-  auto text = wrapped("", found.verdict, 0, width);
+// The answer, then each purpose with its law, the reasons and what would make it surer.
+std::string answers(Summary const& summary, Findings const& found, int width) {
+  if (!found.verdict) return {};
+  auto text = wrapped("", wording::sentence(*found.verdict), 0, width);
   for (auto const& each : found.recommendations) {
     auto const law =
         each.law ? fmt::format("{} ({})", summary.laws[*each.law].id, name(each.sure)) : std::string("none");
-    auto const open =
-        each.would_decide.empty() ? std::string() : fmt::format(" Would tell more: {}.", each.would_decide);
-    auto const shown = each.valid.empty() ? std::string() : fmt::format(" Shown {}.", each.valid);
-    text += wrapped("", fmt::format("{}: {}. {}{}{}", each.title, law, each.why, shown, open), 2, width);
+    auto line = fmt::format("{}: {}. {}", each.title, law, wording::paragraph(each.why));
+    if (!each.weak.empty()) line += fmt::format(" Low confidence: {}.", wording::paragraph(each.weak, "; "));
+    if (each.valid_mm) line += fmt::format(" Shown up to {} mm.", number_text(*each.valid_mm, 3));
+    if (!each.surer.empty()) line += fmt::format(" To be surer: {}.", wording::paragraph(each.surer, "; "));
+    text += wrapped("", line, 2, width);
   }
-  if (auto const& lacking = found.recommendations.front().programs; !lacking.empty())
-    text += wrapped("", lacking + ".", 2, width);
+  if (auto const& lacking = found.recommendations.front().programs)
+    text += wrapped("", wording::sentence(*lacking) + ".", 2, width);
   return text + '\n';
+}
+
+// The recommendation that names a law, that for a building first; nullptr where none does.
+Recommendation const* taken(std::vector<Recommendation> const& recommendations) {
+  auto const found = std::ranges::find_if(recommendations, [](auto const& each) { return each.law.has_value(); });
+  return found == recommendations.end() ? nullptr : &*found;
+}
+
+// The laws as the answer ranks them: how near they are to the tests, to what they were not fitted to, and their size.
+std::string short_table(Summary const& summary, Recommendation const& answer) {
+  constexpr std::size_t most = 8;
+  auto const any = [&](auto has) { return std::ranges::any_of(summary.laws, has); };
+  bool const devices = any([](auto const& law) { return law.loo_objective.has_value(); });
+  bool const blocks = any([](auto const& law) { return law.predicted_objective.has_value(); });
+  auto const percent = [](std::optional<double> const& error) {
+    return error && std::isfinite(*error) ? fmt::format("{:.1f} %", 100.0 * *error) : std::string("–");
+  };
+  std::vector<Row> rows{{"", "law", {"fits"}}};
+  if (devices) rows.front().cells.insert(rows.front().cells.end(), {"another device", "worst"});
+  if (blocks) rows.front().cells.emplace_back("other blocks");
+  rows.front().cells.emplace_back("parameters");
+  for (auto const& standing : answer.standings) {
+    if (rows.size() > most) break;
+    auto const& law = summary.laws[standing.law];
+    Row row{standing.place == Place::taken ? "●" : "○",
+            printable(laws::called(law.id)),
+            {percent(law.objective_converged ? law.objective_converged : law.objective.mean)}};
+    if (devices) row.cells.insert(row.cells.end(), {percent(law.loo_objective), percent(law.loo_worst)});
+    if (blocks) row.cells.push_back(percent(law.predicted_objective));
+    row.cells.push_back(std::to_string(std::ranges::count_if(study::parameters_of(law), &ParameterFit::free)));
+    if (standing.place == Place::tied) row.remark = "   as good";
+    if (standing.reason) row.remark = "   " + wording::remark(*standing.reason);
+    rows.push_back(std::move(row));
+  }
+  auto text = table(rows, {}, 0, 1);
+  if (auto const left = answer.standings.size() + 1 - rows.size(); left > 0)
+    text += fmt::format("     and {} more: --details\n", left);
+  return text;
 }
 
 }  // namespace
@@ -355,19 +397,50 @@ std::string wrapped(std::string_view bullet, std::string_view text, int indent, 
   return out + line + '\n';
 }
 
+std::string answer(Summary const& summary, std::string_view directory, int width) {
+  width = std::max(width, 60);
+  constexpr int margin = 14;
+  auto const found = findings(summary);
+  auto text = heading(summary, width) + '\n';
+  if (found.recommendations.empty()) return text;
+  auto const* law = taken(found.recommendations);
+  auto const& shown = law != nullptr ? *law : found.recommendations.front();
+  text += wrapped("", wording::sentence(*found.verdict), 0, width);
+  if (law == nullptr) text += wrapped("", wording::paragraph(shown.why), 2, width);
+  if (!shown.weak.empty())
+    text += wrapped("", fmt::format("Low confidence: {}.", wording::paragraph(shown.weak, "; ")), 2, width);
+  text += '\n' + short_table(summary, shown) + '\n';
+  if (!shown.surer.empty()) text += wrapped("To be surer", wording::paragraph(shown.surer, "; ") + ".", margin, width);
+  auto const groups = wording::grouped(found.warnings);
+  constexpr std::size_t most = 3;
+  for (std::size_t i = 0; i < std::min(most, groups.size()); ++i)
+    text += wrapped(i == 0 ? "Look at" : "", wording::sentence(groups[i], 3), margin, width);
+  if (groups.size() > most)
+    text += wrapped("", fmt::format("and {} more warnings: --details", groups.size() - most), margin, width);
+  if (law != nullptr)
+    text += wrapped("Next",
+                    fmt::format("isolaw export {} --law {} --device {} --to {}", directory, summary.laws[*law->law].id,
+                                summary.laws[*law->law].lot ? "lot" : printable(study::device_names(summary).front()),
+                                law->programs ? "opensees-cpp" : "openseespy"),
+                    margin, width);
+  text += wrapped("Report", fmt::format("{}/report.html", directory), margin, width);
+  return text;
+}
+
 std::string ranking(Summary const& summary, int width) {
   width = std::max(width, 60);
   auto const found = findings(summary);
-  std::string text = heading(summary, width) + '\n' + answer(summary, found, width) + law_table(summary) +
+  std::string text = heading(summary, width) + '\n' + answers(summary, found, width) + law_table(summary) +
                      compared_on(summary, width) + '\n';
-  text += wrapped("", found.headline, 0, width);
+  text += wrapped("", wording::paragraph(found.headline), 0, width);
   if (auto const converged = converged_table(summary, width); !converged.empty()) text += '\n' + converged;
   if (auto const prediction = prediction_table(summary); !prediction.empty()) text += '\n' + prediction;
   if (!found.converged.empty()) text += '\n';
-  for (auto const& sentence : found.converged) text += wrapped("", sentence, 0, width);
+  for (auto const& sentence : wording::sentences(found.converged, wording::anywhere))
+    text += wrapped("", sentence, 0, width);
   if (!found.warnings.empty()) {
     text += "\nTake care:\n";
-    for (auto const& warning : in_few_lines(found.warnings)) text += wrapped("  -", warning.sentence, 4, width);
+    for (auto const& sentence : wording::sentences(found.warnings)) text += wrapped("  -", sentence, 4, width);
   }
   text += '\n';
   if (found.beta_note.empty()) return text + front_plot(summary, width);
