@@ -1,4 +1,5 @@
-// Compiled once for every instruction set, with ISOLAW_ROW_KERNELS the name of what it defines; as fit/kernels.cpp.
+// Sums over tables of residuals. Compiled once for every instruction set, each time with another name,
+// ISOLAW_ROW_KERNELS, for the only object that it defines; the rules of fit/kernels.cpp apply.
 #include "isolaw/num/row_kernels.hpp"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ void sizes(RowTable const& table, std::size_t columns, double delta, double* val
   }
 }
 
-// The differences of some rows, and these times their weights, small enough to stay close to the processor.
+// The differences of some rows, plain and weighted; few enough rows to stay in the processor's cache.
 constexpr std::size_t chunk = 32, tile = 4;
 struct Chunk {
   alignas(64) double difference[chunk * most_columns], cautious[chunk * most_columns], bold[chunk * most_columns];
