@@ -75,9 +75,8 @@ class LawOnRecord {
               laws::TurningPoints turning_points = laws::TurningPoints::as_sampled, int refinement = 1);
   // The same law and record with `refinement` steps between samples.
   LawOnRecord refined(int refinement) const;
-  // The same law on the samples of the loop's outline only, each with the weight of those it stands for. Its objective
-  // is close to this one's. nullopt if that leaves more than 3/4 of the samples, or if the integration steps from
-  // sample to sample.
+  // The same law on the samples of the loop's outline only, each with the weight of those it stands for; its objective
+  // is close to this one's. nullopt if more than 3/4 of the samples remain or the integration steps are the samples.
   std::optional<LawOnRecord> outline() const;
   // Spreads shares of all samples over the samples of the outline.
   std::vector<double> on_outline(std::span<double const> shares) const;
