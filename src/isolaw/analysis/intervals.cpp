@@ -203,19 +203,19 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
     covariance = covariance_in_box(curvature(response), variance_of_score(response, neighbours.correlation) *
                                                             freedom_lost(result.samples, n, neighbours.correlation));
     auto const count = static_cast<std::size_t>(std::max(0, options.replicates));
-    std::vector<opt::Found> again(count);
+    std::vector<opt::Found> fits(count);
     Ahead replicates(count, [&](std::size_t i) {
       num::Draws draws(stream, static_cast<std::uint32_t>(i), 0);
       Reweighted const resampled(problem, drawn(model.residual_weights(), result.samples, result.block, draws));
-      again[i] = opt::descend(resampled, start, 0.3, true);
+      fits[i] = opt::descend(resampled, start, 0.3, true);
     });
     for (std::size_t i = 0; i < count; ++i) {
       if (interrupted && interrupted()) return std::nullopt;
       replicates.need(i);
-      result.evaluations += again[i].evaluations;
-      if (!again[i].usable()) continue;
+      result.evaluations += fits[i].evaluations;
+      if (!fits[i].usable()) continue;
       ++result.replicates;
-      for (std::size_t k = 0; k < n; ++k) refits[k].push_back(again[i].best[k]);
+      for (std::size_t k = 0; k < n; ++k) refits[k].push_back(fits[i].best[k]);
     }
   }
 

@@ -121,26 +121,26 @@ std::optional<LeastWorst> least_worst(std::span<fit::LawOnRecord const* const> m
   best.law.evaluations = 0;
   if (box.free_count() == 0 || models.size() < 2) return best;
   auto shares = equal_shares(models.size());
-  auto now = mean;
+  auto current = mean;
   double pull = 4.0;
   int evaluations = 0;
   for (int round = 0; round < rounds && best.law.worst > best.bound * (1.0 + near); ++round) {
     if (interrupted && interrupted()) return std::nullopt;
     double sum = 0.0;
     for (std::size_t d = 0; d < shares.size(); ++d)
-      sum += shares[d] *= std::exp(pull * (now.objectives[d] / now.worst - 1.0));
+      sum += shares[d] *= std::exp(pull * (current.objectives[d] / current.worst - 1.0));
     for (double& share : shares) share /= sum;
     // A small share remains, so that a device that has lost its weight can win it back.
     for (double& share : shares) share = 0.999 * share + 0.001 / static_cast<double>(shares.size());
     Joint const problem(models, box, shares);
-    auto const found = opt::descend(problem, box.contract(now.parameters), 0.3);
+    auto const found = opt::descend(problem, box.contract(current.parameters), 0.3);
     evaluations += found.evaluations * static_cast<int>(models.size());
     if (!found.usable()) break;
-    now = judged(models, expanded(box, found.best));
-    evaluations += now.evaluations;
+    current = judged(models, expanded(box, found.best));
+    evaluations += current.evaluations;
     best.bound = std::max(best.bound, found.best_value);
-    if (now.worst < best.law.worst)
-      best.law = now;
+    if (current.worst < best.law.worst)
+      best.law = current;
     else
       pull *= 0.7;
   }

@@ -24,12 +24,12 @@ std::vector<double> in_unit(std::vector<double> values, double unit) {
   return values;
 }
 
-std::vector<double> taken(std::vector<double> const& values, std::span<std::size_t const> samples) {
-  std::vector<double> some;
-  if (values.empty()) return some;
-  some.reserve(samples.size());
-  for (std::size_t const i : samples) some.push_back(values[i]);
-  return some;
+std::vector<double> at_samples(std::vector<double> const& values, std::span<std::size_t const> samples) {
+  std::vector<double> kept_values;
+  if (values.empty()) return kept_values;
+  kept_values.reserve(samples.size());
+  for (std::size_t const i : samples) kept_values.push_back(values[i]);
+  return kept_values;
 }
 
 // Spreads the shares of all samples over the kept ones, as if values between two of them lay on the line through both.
@@ -162,9 +162,9 @@ std::vector<std::size_t> LawOnMotion::outline() const {
 
 LawOnMotion LawOnMotion::at(std::span<std::size_t const> samples) const {
   LawOnMotion result = *this;
-  result.time_s_ = taken(time_s_, samples);
-  result.x_ = taken(x_, samples);
-  result.v_ = taken(v_, samples);
+  result.time_s_ = at_samples(time_s_, samples);
+  result.x_ = at_samples(x_, samples);
+  result.v_ = at_samples(v_, samples);
   result.path_ = result.path(refinement_);
   return result;
 }
@@ -202,7 +202,7 @@ std::optional<LawOnRecord> LawOnRecord::outline() const {
   if (steps_are_samples || 4 * kept.size() > 3 * samples()) return std::nullopt;
   LawOnRecord result = *this;
   result.motion_ = motion_.at(kept);
-  result.measured_ = taken(measured_, kept);
+  result.measured_ = at_samples(measured_, kept);
   result.weight_ = result.share_ = shared_among(kept, share_);
   for (double& w : result.weight_) w /= spread_;
   return result;

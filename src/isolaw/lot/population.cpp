@@ -22,7 +22,7 @@ constexpr double rounding = 1e-13;
 // A direction has variance if more than this share of it remains; S = C would leave none in exact arithmetic.
 constexpr double least_remainder = 1e-10;
 
-std::size_t whole(Index i) {
+std::size_t as_size(Index i) {
   return static_cast<std::size_t>(i);
 }
 
@@ -40,7 +40,7 @@ Matrix matrix(SquareMatrix const& rows) {
   auto const n = static_cast<Index>(rows.size());
   Matrix m(n, n);
   for (Index i = 0; i < n; ++i)
-    for (Index j = 0; j < n; ++j) m(i, j) = rows[whole(i)][whole(j)];
+    for (Index j = 0; j < n; ++j) m(i, j) = rows[as_size(i)][as_size(j)];
   return m;
 }
 
@@ -97,7 +97,7 @@ Located transformed(Population const& population, DeviceEstimate const& device) 
     result.error = 0.5 * given + 0.5 * given.transpose();
   }
   for (Index i = 0; i < n; ++i) {
-    if (population.transforms[whole(i)] == Transform::identity) continue;
+    if (population.transforms[as_size(i)] == Transform::identity) continue;
     double const value = result.at[i];
     result.error.row(i) /= value;
     result.error.col(i) /= value;

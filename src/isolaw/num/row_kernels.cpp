@@ -53,7 +53,7 @@ void normal(RowTable const& table, std::size_t columns, double delta, double cau
   std::fill_n(sums.cautious, columns * columns, 0.0);
   std::fill_n(sums.bold, columns * columns, 0.0);
   double value = 0.0;
-  Chunk some;
+  Chunk part;
   for (std::size_t begin = 0; begin < rows; begin += chunk) {
     std::size_t const count = std::min(chunk, rows - begin);
     for (std::size_t j = 0; j < count; ++j) {
@@ -65,17 +65,17 @@ void normal(RowTable const& table, std::size_t columns, double delta, double cau
       for (std::size_t c = 0; c < columns; c += row_lanes) {
         std::size_t const at = j * columns + c;
         T const d = T::load(row + c) - T(r);
-        d.store(some.difference + at);
-        (T(above) * d).store(some.cautious + at);
-        (T(both) * d).store(some.bold + at);
+        d.store(part.difference + at);
+        (T(above) * d).store(part.cautious + at);
+        (T(both) * d).store(part.bold + at);
         (T::load(sums.gradient + c) + T(above * r) * d).store(sums.gradient + c);
       }
     }
     for (std::size_t i = 0; i < columns; i += tile)
       for (std::size_t c = 0; c <= i; c += row_lanes) {
         std::size_t const at = i * columns + c;
-        add_products<T>(some.cautious + i, some.difference + c, count, columns, sums.cautious + at);
-        add_products<T>(some.bold + i, some.difference + c, count, columns, sums.bold + at);
+        add_products<T>(part.cautious + i, part.difference + c, count, columns, sums.cautious + at);
+        add_products<T>(part.bold + i, part.difference + c, count, columns, sums.bold + at);
       }
   }
   *sums.value = value;

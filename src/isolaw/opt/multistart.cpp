@@ -110,8 +110,10 @@ struct Cost {
   }
 };
 void write_cost(Cost const& cost, DeviationProblem const& problem, Found& result) {
-  std::size_t const each = problem.weights().size();
-  auto const in_points = [&](std::size_t residuals) { return static_cast<int>((residuals + each - 1) / each); };
+  std::size_t const per_point = problem.weights().size();
+  auto const in_points = [&](std::size_t residuals) {
+    return static_cast<int>((residuals + per_point - 1) / per_point);
+  };
   result.evaluations = in_points(cost.computed);
   result.failed_evaluations = in_points(cost.failed);
 }
@@ -394,10 +396,10 @@ class Search {
       int const hops = is_wide() ? options_.scattered : options_.hops;
       for (int hop = 1; hop <= hops && !enough(); ++hop) {
         if (interrupted && interrupted()) return ended(Outcome::interrupted);
-        num::Draws wind(stream_, round, static_cast<std::uint32_t>(hop));
+        num::Draws hop_draws(stream_, round, static_cast<std::uint32_t>(hop));
         count_in(descent_from(
-            hop % 2 != 0 ? with_two_drawn_anew(result_.best, wind)
-                         : disturbed(result_.best, tuning::least_power_of_hop, tuning::most_power_of_hop, wind)));
+            hop % 2 != 0 ? with_two_drawn_anew(result_.best, hop_draws)
+                         : disturbed(result_.best, tuning::least_power_of_hop, tuning::most_power_of_hop, hop_draws)));
       }
     }
     refine(interrupted);
@@ -496,9 +498,9 @@ class Search {
     int without_gain = 0;
     for (std::uint32_t hop = 0; !sharp && without_gain < tuning::hops_in_vain && hop < tuning::most_last_hops; ++hop) {
       if (interrupted && interrupted()) break;
-      num::Draws wind(stream_, std::numeric_limits<std::uint32_t>::max(), hop);
+      num::Draws hop_draws(stream_, std::numeric_limits<std::uint32_t>::max(), hop);
       double const before = result_.best_value;
-      polish(disturbed(result_.best, tuning::least_power_of_last_hop, tuning::most_power_of_last_hop, wind));
+      polish(disturbed(result_.best, tuning::least_power_of_last_hop, tuning::most_power_of_last_hop, hop_draws));
       bool const gained = result_.best_value < before * (1.0 - tuning::gain_of_last_hop * options_.hit_tolerance);
       without_gain = gained ? 0 : without_gain + 1;
     }
