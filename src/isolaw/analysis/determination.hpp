@@ -56,7 +56,7 @@ struct Determination {
   std::vector<double> optimum;
   double objective = 0.0;
   double rise = 0.0;  // the rise of the objective that ends the open ranges
-  // Of the Jacobian by relative changes, in falling order; without parameters at a bound or without effect.
+  // Singular values of the Jacobian by relative changes, falling; without parameters at a bound or without effect.
   std::vector<double> singular_values;
   std::vector<ParameterDetermination> parameters;  // the free ones, in order
   std::vector<TradeOff> trade_offs;

@@ -38,8 +38,8 @@ struct Intervals {
   std::size_t samples = 0, block = 0;              // scored samples, and the length of a block in samples
   int replicates = 0;                              // successful fits of the bootstrap
   std::vector<ParameterInterval> parameters = {};  // the free ones, in order
-  // Of the free parameters in the law's units, row by row, by linearisation. Directions that the record does not
-  // determine have the variance of a uniform distribution over the box.
+  // Covariance by linearisation of the free parameters in the law's units, row by row. Directions that the record does
+  // not determine have the variance of a uniform distribution over the box.
   std::vector<double> covariance = {};
   int evaluations = 0;
 };
