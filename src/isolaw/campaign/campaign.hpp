@@ -1,5 +1,4 @@
-// Computes a campaign: the runs of every law on every device, then the analyses, in parallel. Each is stored when it is
-// finished.
+// Computes a campaign in parallel: the runs of every law on every device, then the analyses. Each is stored when done.
 #pragma once
 
 #include <cstddef>

@@ -175,8 +175,7 @@ struct Contents {
   // The usable run of least objective (the first one of several), or nullptr.
   Run const* best_run(std::size_t device, std::string_view law) const;
   DeviceAnalysis const* analysis_of(std::size_t device, std::string_view law) const;
-  // The index of the named device; nullopt for `whole_lot`, unless a device has that name. Throws Error for other
-  // names.
+  // The index of the named device; nullopt for `whole_lot`, unless a device is called so. Throws Error for other names.
   std::optional<std::size_t> device_or_lot(std::string_view name) const;
 };
 

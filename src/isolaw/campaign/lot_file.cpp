@@ -281,8 +281,7 @@ void insert(toml::table& table, std::string const& key, Json const& value) {
   }
 }
 
-// The options of reading that have the same value for all devices. Others cannot stand in [read]: a device could not
-// undo them.
+// The options of reading that are the same for all devices. Others do not go into [read]: a device could not undo them.
 Json shared_reading(Lot const& lot) {
   Json shared = Json::object();
   for (auto const& option : data::reading_table()) {

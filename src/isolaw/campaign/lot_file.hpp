@@ -1,5 +1,4 @@
-// Reads and writes the lot file (TOML), which tells the records of a lot, how to read them, and the campaign's
-// settings.
+// Reads and writes the lot file (TOML): the records of a lot, how to read them, and the settings of the campaign.
 #pragma once
 
 #include <filesystem>

@@ -1,6 +1,5 @@
-// Two tables: every setting of a campaign, and every option of its acceptance (rules, design values, lot size). The
-// command line, lot file, store, comparison on resume, the command in the report, Python and docs/cli.md follow from
-// them.
+// Two tables: the settings of a campaign, and the options of its acceptance (rules, design values, lot size). Command
+// line, lot file, store, comparison on resume, the command in the report, Python and docs/cli.md follow from them.
 #pragma once
 
 #include <optional>

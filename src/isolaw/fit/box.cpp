@@ -12,8 +12,7 @@
 namespace isolaw::fit {
 namespace {
 
-// A logarithmic scale that ends at zero covers six decades and the rest linearly; one across zero does so on both
-// sides.
+// A logarithmic scale that ends at zero covers six decades, then goes linearly to zero; one across zero does so twice.
 constexpr double decades_from_zero = 6.0 * 2.302585092994046;
 
 // value = linear_size sinh(c), with c from asinh(lower / linear_size) to asinh(upper / linear_size).

@@ -34,8 +34,7 @@ struct OnAnEight {
   std::string_view rule;  // the two-dimensional form: "coupled", "springs", ...
   double peak_kN, work_kN_mm;
 };
-// With A = size_mm and `duration_s` a turn, for each form that the law has: coupled with either rule of softening,
-// springs.
+// For A = size_mm and `duration_s` a turn, by each form of the law: coupled with either rule of softening, springs.
 std::vector<OnAnEight> on_a_figure_of_eight(LawInPlane const& law, double size_mm, double duration_s);
 // The largest differences between the forms, relative to the first.
 struct Spread {
@@ -43,8 +42,7 @@ struct Spread {
 };
 Spread spread_of(std::vector<OnAnEight> const& rules);
 
-// The ratio of the springs' work to the law's in the second cycle along one direction. The law must have an online
-// form.
+// Work of springs over that of the law in the second cycle along one direction. The law must have an online form.
 double work_of_springs_on_a_line(LawInPlane const& law, double size_mm, double duration_s);
 
 }  // namespace isolaw::fit

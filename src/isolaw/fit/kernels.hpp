@@ -21,8 +21,7 @@ struct KernelRecord {
   std::span<double const> measured, weight;
 };
 
-// `parameters` holds the values of the first parameter for every candidate of the block, then those of the second, and
-// so on.
+// `parameters` holds the first parameter's values for every candidate of the block, then the second's, and so on.
 struct Kernel {
   // For each candidate the sum of |measured - computed| * weight; not finite if a force is not.
   using Objectives = void (*)(double const* parameters, KernelRecord const& record, laws::Integration integration,

@@ -48,8 +48,7 @@ std::vector<double> shared_among(std::span<std::size_t const> kept, std::span<do
   return kept_shares;
 }
 
-// Weights of the trapezoidal rule over the true time stamps, divided by the duration. Only intervals between two scored
-// samples count.
+// Weights of the trapezoidal rule over the true time stamps, divided by the duration, for intervals of scored samples.
 struct TimeWeights {
   std::vector<double> weight;
   double duration = 0.0;

@@ -1,4 +1,4 @@
-// The robustness index: how far a law's parameters hold for the whole lot (sections 5 and 6 of Cucuzza et al. 2025,
+// The robustness index: how far a law's parameters hold for the whole lot (Cucuzza et al. 2025, sections 5 and 6,
 // Eqs. 28-31).
 //
 // The input is a parameter's mean over the runs, one for each device. Differences are relative to the mean over the

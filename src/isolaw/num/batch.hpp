@@ -343,8 +343,7 @@ ISOLAW_INLINE Indices<W> cell_of(std::array<double, Count> const& nodes, Batch<W
   return bisect(nodes, Count - 1, x);
 }
 
-// One round of a transposition: exchanges one bit of the row's index with that bit of the lane's. One instruction a
-// vector.
+// A round of a transposition: exchanges a bit of the row's index with that bit of the lane's. One instruction a vector.
 template <std::size_t Bit, std::size_t... Lane>
 ISOLAW_INLINE void exchange(std::array<Vector, vector_lanes>& rows, std::index_sequence<Lane...>) {
   for (std::size_t i = 0; i < vector_lanes; ++i) {

@@ -219,8 +219,7 @@ template <class T>
 }
 
 // |x|^p as 2^(p log2 |x|) for |p| up to 1e20. log2 |x| is kept in two parts, so that a large exponent loses no digits.
-// The floor 1e-290 is added to |x|, which is cheaper than a maximum and gives the same at 0 and from 1e-274 on: 0^p is
-// 1e-290^p.
+// The floor is added to |x|, which is cheaper than a maximum and the same at 0 and from 1e-274 on: 0^p is 1e-290^p.
 template <class T>
 [[gnu::always_inline]] inline T fast_power(T const& x, T const& p) {
   using L = Lanes<T>;
@@ -228,8 +227,8 @@ template <class T>
   auto const split = elementary::split<T>(base);
   T const whole = elementary::whole_of<T>(split), m = elementary::mantissa_of<T>(split);
   T const s = (m - L::all(1.0)) / (m + L::all(1.0));
-  // base - base is NaN if base is not finite, otherwise 0. Rejected: base * 0, which GCC 12 replaces by 0 in vectors
-  // with -fno-signed-zeros.
+  // base - base is NaN if base is not finite, else 0. Rejected: base * 0, which GCC 12 takes for 0 in vectors with
+  // -fno-signed-zeros, NaN or not.
   T const fraction = s * elementary::polynomial<T>(elementary::power_log2_terms, s * s) + (base - base);
   // Its rounding error returns in `rest`. The expression leaves the compiler only one way to fuse it.
   T const exponent = p * (whole + fraction);

@@ -27,8 +27,7 @@ class Stream {
 };
 
 // Sequential draws at one place (a, b) of a stream, for instance (generation, individual). Satisfies
-// UniformRandomBitGenerator. It converts to doubles and indices itself, since the distributions of standard libraries
-// differ.
+// UniformRandomBitGenerator. It makes doubles and indices itself, since distributions of standard libraries differ.
 class Draws {
  public:
   using result_type = std::uint32_t;

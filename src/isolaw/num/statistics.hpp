@@ -1,5 +1,4 @@
-// The descriptive statistics of the method. No value is left out silently: one that is not finite makes the result not
-// finite.
+// The method's descriptive statistics. None leaves a value out: one that is not finite makes the result not finite.
 #pragma once
 
 #include <cstddef>

@@ -22,8 +22,7 @@ namespace tuning {
 
 // --- a descent -------------------------------------------------------------------------------------------------------
 
-// A stage lowers delta to `smoothing` times the mean residual and ends when the gain there is small, or after
-// `iterations`.
+// A stage lowers delta to `smoothing` times the mean residual and ends if it gains little there or after `iterations`.
 struct Stage {
   double smoothing;
   int iterations;

@@ -62,8 +62,7 @@ struct Found {
   bool usable() const { return !best.empty(); }
 };
 
-// How a search ended. After `interrupted`, `best` is the best point so far; genetic.hpp and multistart.hpp explain the
-// others.
+// How a search ended; genetic.hpp and multistart.hpp explain all but `interrupted`, where `best` is the best so far.
 enum class Outcome { confirmed, budget_spent, all_generations, stagnated, no_finite_value, interrupted };
 
 struct SearchResult : Found {
