@@ -40,7 +40,7 @@ void Crew::withdraw(Ahead& work) {
 }
 
 void Crew::changed() {
-  // Whoever is about to wait holds the mutex: it either sees the change or is told of it.
+  // A thread that is about to wait holds the mutex: it either sees the change itself or is woken for it.
   { std::scoped_lock const lock(mutex_); }
   news_.notify_all();
 }
@@ -102,7 +102,7 @@ void Ahead::need(std::size_t i) {
   if (states_[i].compare_exchange_strong(expected, State::taken)) {
     perform(i);
   } else {
-    // Another thread is at it: rather than wait, the next ones.
+    // Another thread is computing item i: this one computes further open items instead of waiting.
     while (states_[i] != State::done && do_one()) continue;
     states_[i].wait(State::taken);
   }

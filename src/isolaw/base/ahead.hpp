@@ -1,4 +1,4 @@
-// Work that one thread takes in order, and that others with nothing else to do take ahead of it.
+// A list of work items that one thread needs in order. Idle threads compute later items ahead of it.
 #pragma once
 
 #include <atomic>
@@ -14,8 +14,8 @@ namespace isolaw {
 
 class Ahead;
 
-// Is told of help, on the thread that gives it, before and after each item; while it lives, of whatever its thread, and
-// who helps it, offers.
+// Notified before and after each item that a helping thread computes, on that thread. It covers all work that is
+// offered during its life by the thread that created it, and by helpers while they work for that thread.
 class HelpWatch {
  public:
   HelpWatch();
@@ -29,15 +29,15 @@ class HelpWatch {
   HelpWatch* before_;
 };
 
-// Threads that help one another. Who is a member (see Membership) offers its work to all others.
+// A group of threads that help one another: each Ahead that a member creates (see Membership) is offered to the others.
 class Crew {
  public:
-  // Of the calling thread; null where it is no member of any.
-  static Crew* current();
+  static Crew* current();  // the calling thread's group, or null
 
-  // Helps with what is offered until `finished` says that nothing more will be. It is asked again at every change.
+  // Computes offered items, and sleeps while there are none, until finished() is true. finished() is called with the
+  // group's mutex held.
   void help_until(std::function<bool()> const& finished);
-  void changed();  // of what `finished` asks for
+  void changed();  // to be called after a change of anything that finished() looks at
 
  private:
   friend class Ahead;
@@ -49,7 +49,7 @@ class Crew {
   std::vector<Ahead*> offered_;
 };
 
-// Makes the calling thread a member, as long as this lives.
+// Makes the calling thread a member of the group for the lifetime of this object.
 class Membership {
  public:
   explicit Membership(Crew& crew);
@@ -61,16 +61,17 @@ class Membership {
   Crew* before_;
 };
 
-// Items 0 to count - 1 of a piece of work. `work` may be called from several threads, once for an item, and for items
-// that are never needed; what it makes of one item must not depend on any other. Without a crew nothing is done ahead.
+// Items 0 to count - 1 of a piece of work. `work` may be called from several threads, at most once for each item, also
+// for items that are never needed; the result of one item must not depend on another. Without a group (see Crew) every
+// item is computed when it is needed.
 class Ahead {
  public:
   Ahead(std::size_t count, std::function<void(std::size_t)> work);
-  ~Ahead();  // what is not needed is not begun; waits for what is under way
+  ~Ahead();  // begins no further item, and waits for those that helpers are computing
   Ahead(Ahead const&) = delete;
   Ahead& operator=(Ahead const&) = delete;
 
-  // Item `i` is done when this returns. Throws what its work threw.
+  // Returns when item `i` is done. Throws what its work threw.
   void need(std::size_t i);
 
  private:

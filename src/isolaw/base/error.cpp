@@ -14,7 +14,7 @@ std::string Error::join(std::vector<Complaint> const& complaints) {
 }
 
 std::string to_string(Complaint const& complaint) {
-  // A complaint may hold the lines of others, and quotes files that others wrote.
+  // The parts may quote files from outside and hold several lines: line breaks stay, other control characters do not.
   auto const clean = [](std::string const& part) { return printable(part, true); };
   std::string text = printable(complaint.where);
   if (!text.empty() && !complaint.found.empty()) text += ": ";

@@ -22,9 +22,9 @@ Json parsed(std::string const& word) {
 }
 
 std::string with(std::string_view key, char from, char to) {
-  std::string made(key);
-  std::ranges::replace(made, from, to);
-  return made;
+  std::string text(key);
+  std::ranges::replace(text, from, to);
+  return text;
 }
 
 }  // namespace

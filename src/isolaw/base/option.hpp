@@ -1,5 +1,5 @@
-// An option of the program as one row of a table: what it is called, what it may be, where it is kept. A way in
-// (command line, lot file, store, Python) makes a JSON value of what it was given; the row alone judges it.
+// An option of the program as one row of a table: its name, its allowed values and the member that holds it. Command
+// line, lot file, store and Python each turn their input into a JSON value; only the row decides whether it is allowed.
 #pragma once
 
 #include <algorithm>
@@ -22,61 +22,58 @@ namespace isolaw {
 
 using Json = nlohmann::ordered_json;
 
-// list: "a,b" on the command line. repeated: the option once for each. assignments: "a=1,b=2", or a table.
+// list: "a,b" on the command line. repeated: the option is given once for each value. assignments: "a=1,b=2", a table.
 enum class Kind { flag, whole, real, text, list, repeated, assignments };
 
-// What a number may be.
 struct Limits {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
-  std::string words = {};  // for messages and help, where "least to most" is not what to say
-  int step = 1;            // of whole numbers, from the least
-  bool or_zero = false;    // which then stands for none
+  std::string words = {};  // for messages and help, instead of "least to most"
+  int step = 1;            // for whole numbers: least, least + step, least + 2 step, ... are allowed
+  bool or_zero = false;    // 0 is allowed too and means "none"
 
   bool allow(double value) const;
   std::string text() const;
 };
 
 struct OptionInfo {
-  std::string_view key;  // as stored and reported
+  std::string_view key;  // the name in the store and in reports
   Kind kind = Kind::text;
   std::string help = {};
   std::optional<Limits> limits = {};
-  std::vector<std::string_view> words = {};  // where it is one of these
-  std::string_view keyword = {};             // in Python, where that is not the key with underscores
-  std::string_view type = {};                // in Python, where kind and words do not say it
+  std::vector<std::string_view> words = {};  // if not empty, the only values allowed
+  std::string_view keyword = {};             // the name in Python, if it differs from the key with underscores
+  std::string_view type = {};                // the type in Python, if it does not follow from kind and words
 
-  std::string option() const;  // on the command line, without its dashes, and in a lot file
+  std::string option() const;  // the name in a lot file and, after two dashes, on the command line
   std::string python() const;
-  std::string python_type() const;  // as the stub of the package has it: float, Literal["best", "ga"]
-  std::string where() const { return "--" + option(); }  // of a complaint
+  std::string python_type() const;                       // for the package's stub: float, Literal["best", "ga"]
+  std::string where() const { return "--" + option(); }  // for complaints
 };
 
 template <class Target>
 struct Option : OptionInfo {
-  std::function<Json(Target const&)> get;         // null: not given
-  std::function<void(Target&, Json const&)> set;  // throws Error, which leaves `where` to the way in
+  std::function<Json(Target const&)> get;         // null if the option was not given
+  std::function<void(Target&, Json const&)> set;  // throws Error without `where`: the caller adds it
 };
 
-// --- ways in and out
-// ---------------------------------------------------------------------------------------------------
+// --- from and to text ------------------------------------------------------------------------------------------------
 
-// What a way in was given, by key.
-using Values = std::map<std::string, Json, std::less<>>;
+using Values = std::map<std::string, Json, std::less<>>;  // the values that were given, by key
 
-// What the command line gives: a number where the words are one.
+// The value that words of the command line mean: a number if the kind asks for one and the word is one.
 Json value_of(Kind kind, std::vector<std::string> const& words);
-// As the command line takes it back; of a list: by commas.
+// The value as the command line accepts it; items of a list are joined with commas.
 std::string text_of(Json const& value);
-// The words of the command line that give an option its value: none for null, false and a list of nothing.
+// The words of a command line that set the option to this value; none for null, false and an empty list.
 std::vector<std::string> words_of(OptionInfo const& option, Json const& value);
 // For messages: 'text', 12, true.
 std::string shown(Json const& value);
 
-// Calls judge() and says of its complaints that they are about `where`, if they do not name an option themselves.
+// Calls judge() and collects its complaints under `where`. A complaint that names an option ("--...") keeps that name.
 void about(std::string const& where, std::vector<Complaint>& complaints, std::function<void()> const& judge);
 
-// Calls judge(row) for every row of a table; throws one Error of all complaints.
+// Calls judge(row) for every row of a table and throws one Error with all complaints.
 template <class Rows, class Judge>
 void judge_each(Rows const& rows, Judge const& judge) {
   std::vector<Complaint> complaints;
@@ -91,8 +88,7 @@ void lay_over(Rows const& rows, Values const& given, Target& target) {
   });
 }
 
-// --- judges: throw Error
-// -----------------------------------------------------------------------------------------------
+// --- the value as a C++ type, or an Error ----------------------------------------------------------------------------
 
 int whole_of(Json const& value, Limits const& limits);
 double real_of(Json const& value, Limits const& limits);
@@ -100,10 +96,9 @@ bool flag_of(Json const& value);
 std::string text_in(Json const& value);
 [[noreturn]] void refuse(Json const& value, std::string allowed);
 
-// --- rows
-// --------------------------------------------------------------------------------------------------------------
+// --- rows ------------------------------------------------------------------------------------------------------------
 
-// The place of a member, or of a member's member.
+// A function from an object to one of its members: at(&A::b), or at(&A::b, &B::c) for a member of a member.
 constexpr auto at(auto... path) {
   return [=](auto& from) -> auto& {
     return (from.*....*path);
@@ -122,7 +117,7 @@ Json or_null(std::optional<T> const& value) {
 // "help, limits (usual)"
 std::string help_of(std::string help, std::string const& limits, std::string const& usual);
 
-// Of an int or a double, optional or not.
+// A row for an int or a double, optional or not.
 template <class Target, class Place>
 Option<Target> number(std::string_view key, std::string help, Place place, Limits limits = {}, std::string usual = {}) {
   using Value = std::remove_cvref_t<decltype(place(std::declval<Target&>()))>;
@@ -145,23 +140,23 @@ Option<Target> flag(std::string_view key, std::string help, Place place) {
           [place](Target& to, Json const& value) { place(to) = flag_of(value); }};
 }
 
-// One of several words, each of which stands for a value. A flag of two words may also be true or false.
+// A row for one of several words, each of which stands for a value. If the values are bool, true and false work too.
 template <class Target, class Place, class T, std::size_t N>
 Option<Target> word(std::string_view key, std::string help, Place place,
                     std::pair<std::string_view, T> const (&words)[N]) {
   std::vector<std::pair<std::string_view, T>> const all(std::begin(words), std::end(words));
-  Option<Target> made{{.key = key, .help = std::move(help)}, {}, {}};
-  for (auto const& [text, meant] : all) made.words.push_back(text);
-  if (std::is_same_v<T, bool>) made.type = "bool";
-  made.get = [=](Target const& from) -> Json {
+  Option<Target> option{{.key = key, .help = std::move(help)}, {}, {}};
+  for (auto const& [text, meant] : all) option.words.push_back(text);
+  if (std::is_same_v<T, bool>) option.type = "bool";
+  option.get = [=](Target const& from) -> Json {
     return std::ranges::find(all, place(from), [](auto& w) { return w.second; })->first;
   };
-  made.set = [=, allowed = joined(made.words)](Target& to, Json const& value) {
+  option.set = [=, allowed = joined(option.words)](Target& to, Json const& value) {
     for (auto const& [text, meant] : all)
       if (value == Json(text) || (std::is_same_v<T, bool> && value == Json(meant))) return void(place(to) = meant);
     refuse(value, allowed);
   };
-  return made;
+  return option;
 }
 
 }  // namespace isolaw

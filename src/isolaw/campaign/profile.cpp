@@ -25,7 +25,7 @@ void Profile::count_evaluations(Phase phase, int evaluations) {
   costs_[static_cast<std::size_t>(phase)].evaluations += static_cast<std::uint64_t>(std::max(evaluations, 0));
 }
 
-void Profile::mark(std::initializer_list<Phase> of) {
+void Profile::mark(std::initializer_list<Phase> ended) {
   std::scoped_lock const lock(mutex_);
   auto const now = Clock::now();
   double const wall_s = std::chrono::duration<double>(now - std::exchange(last_mark_, now)).count();
@@ -34,15 +34,15 @@ void Profile::mark(std::initializer_list<Phase> of) {
     return costs_[i].cpu_s - cpu_at_mark_[i];
   };
   double all = 0.0;
-  for (auto const phase : of) all += spent(phase);
-  for (auto const phase : of)
+  for (auto const phase : ended) all += spent(phase);
+  for (auto const phase : ended)
     costs_[static_cast<std::size_t>(phase)].wall_s +=
-        wall_s * (all > 0.0 ? spent(phase) / all : 1.0 / static_cast<double>(of.size()));
+        wall_s * (all > 0.0 ? spent(phase) / all : 1.0 / static_cast<double>(ended.size()));
   for (std::size_t i = 0; i < costs_.size(); ++i) cpu_at_mark_[i] = costs_[i].cpu_s;
 }
 
 std::array<double, phases.size()> Profile::kernel_seconds(fit::BlockCost const& cost) const {
-  // A kind costs the same in all phases.
+  // Measures each kind of block once, since it costs the same in all phases.
   fit::WorkCount all;
   for (auto const& phase : costs_) all += phase.work;
   fit::kernel_seconds(all, cost);
@@ -81,13 +81,13 @@ void Meter::lap(Phase phase) {
     std::scoped_lock const lock(mutex_);
     work += std::exchange(helped_, {});
     profile_->add(phase, now_s - since_s + std::exchange(helped_s_, 0.0), work);
-  } catch (std::bad_alloc const&) {  // what was measured is done, and may be stored: it must not be done again
+  } catch (std::bad_alloc const&) {  // ignored: the measured work is done and must not be repeated for lack of memory
   }
 }
 
 namespace {
 
-// Of a helper, whose own work is done.
+// The thread time at which this helping thread began its present item.
 thread_local double help_began_s = 0.0;
 
 }  // namespace
@@ -106,7 +106,7 @@ void Meter::help_ends() {
     std::scoped_lock const lock(mutex_);
     helped_ += work;
     helped_s_ += helped_s;
-  } catch (std::bad_alloc const&) {  // as in a lap
+  } catch (std::bad_alloc const&) {  // ignored, as in lap()
   }
 }
 

@@ -59,7 +59,7 @@ void set_seed(S& s, Json const& value) {
   s.seed = *seed;
 }
 
-// The number of a row, or a word that stands for none; `type` is that of both.
+// A row that takes a number like `row`, or a word that means "none"; `type` is the Python type of both.
 template <class Place>
 Setting number_or(std::string_view word, std::string_view type, Place place, Option<S> row) {
   row.get = [=](S const& s) { return place(s) ? Json(*place(s)) : Json(word); };
@@ -98,7 +98,7 @@ Setting blocks(std::string_view key, std::string help, data::Numbers data::Selec
            }}};
 }
 
-// A constant of the genetic algorithm, or of the default search.
+// A constant of the genetic algorithm or of the default search.
 template <class T>
 Setting constant(std::string_view key, T Ga::*member, Limits limits) {
   return {number<S>(key, {}, at(&S::genetic, member), std::move(limits)), Method::genetic, true};
@@ -127,7 +127,7 @@ std::vector<Setting> make_settings() {
                "sampled (default), or interpolated: the path turns between samples, for smooth records",
                at(&S::turning_points), turnings)},
       {number<S>("runs", "independent runs per law and device", at(&S::runs), {.least = 1, .most = 1e5}, "3; ga: 20")},
-      // The upper limits keep the count of evaluations an int; that of the pressure keeps every weight above zero.
+      // The upper limits let the count of evaluations fit an int; that of the pressure keeps every weight above zero.
       {number<S>("population", "of ga: individuals", at(&S::genetic, &Ga::population),
                  {.least = 4, .most = 1e5, .words = "an even number from 4 to 100000", .step = 2}),
        ga},
@@ -171,7 +171,7 @@ std::vector<Setting> make_settings() {
       {word<S>("analysis",
                "what the tests determine, intervals, one law for the lot, devices left out: full (default), or none",
                at(&S::analysis), analyses)},
-      // A quantile of 2.5 % is that of one replicate in forty.
+      // With forty replicates a quantile of 2.5 % is a single one of them.
       {number<S>("replicates", "fits of the bootstrap for intervals", at(&S::replicates),
                  {.least = 40, .most = 1e5, .words = "0 for none, or 40 to 100000", .or_zero = true})},
       {word<S>(
@@ -181,7 +181,7 @@ std::vector<Setting> make_settings() {
   };
 }
 
-// {"K_eff": 1.2, "damping": 15} adds to what is there; text takes its place.
+// {"K_eff": 1.2, "damping": 15} adds to the design values; text replaces them.
 void set_design(Acceptance& to, Json const& value) {
   if (!value.is_object()) {
     if (trimmed(text_in(value)).empty()) refuse(value, "design values, K_eff=1.2,damping=15");
@@ -274,9 +274,9 @@ std::span<Option<Acceptance> const> acceptance_table() {
 }
 
 int parse_lot_size(std::string_view text) {
-  Acceptance made;
-  acceptance_table().back().set(made, value_of(Kind::whole, {std::string(text)}));
-  return *made.lot_size;
+  Acceptance acceptance;
+  acceptance_table().back().set(acceptance, value_of(Kind::whole, {std::string(text)}));
+  return *acceptance.lot_size;
 }
 
 }  // namespace isolaw::campaign

@@ -29,7 +29,7 @@ std::size_t candidates_of(Block block) {
 }  // namespace
 
 double shortest_of_passes(std::vector<double> seconds) {
-  // On a shared host a pass has been counted at a seventh of its time.
+  // A shared host has been seen to count a pass at a seventh of its time.
   auto const place = seconds.begin() + (seconds.size() > 2 ? 1 : 0);
   std::ranges::nth_element(seconds, place);
   return *place;
@@ -45,12 +45,12 @@ SpeedTest::SpeedTest(laws::LawEntry const& law, laws::Integration integration, s
 }
 
 std::vector<double> SpeedTest::objectives() const {
-  std::vector<double> made(candidates);
-  auto const candidate = [&](std::size_t i, std::span<double> values) {
-    box_.expand(std::span(points_).subspan(i * box_.free_count(), box_.free_count()), values);
+  std::vector<double> values(candidates);
+  auto const candidate = [&](std::size_t i, std::span<double> parameters) {
+    box_.expand(std::span(points_).subspan(i * box_.free_count(), box_.free_count()), parameters);
   };
-  model_.objectives(candidates, candidate, made);
-  return made;
+  model_.objectives(candidates, candidate, values);
+  return values;
 }
 
 double SpeedTest::seconds_per_sample(Block block, std::size_t of_candidates, Effort const& effort) const {
@@ -80,18 +80,18 @@ double SpeedTest::seconds_per_sample(Block block, std::size_t of_candidates, Eff
 }
 
 BlockCost measured_cost(double budget_s, std::size_t kinds) {
-  // A record of as many samples as a block had: what a block costs once is a larger part of fewer. No longer than what
-  // `isolaw bench` takes, from where on that part is small.
+  // The test record is as long as the blocks that were counted, since the fixed cost of a block weighs more on a short
+  // record. Beyond the length that `isolaw bench` uses that cost is small.
   constexpr double fewest = 50.0, most = 600.0, resolved_s = 20e-6;
   using Known = std::map<std::tuple<std::size_t, laws::Integration, Block>, double>;
   auto known = std::make_shared<Known>();
   return [=](BlockKind const& kind, double steps_per_block) {
     auto const [entry, is_new] = known->try_emplace({kind.law, kind.integration, kind.block}, 0.0);
     if (is_new) {
-      auto const counted = std::exchange(work_of_this_thread(), {});  // to which measuring adds nothing
+      auto const counted = std::exchange(work_of_this_thread(), {});  // put back below: measuring is not to be counted
       auto const samples = static_cast<std::size_t>(std::clamp(steps_per_block, fewest, most));
       SpeedTest const test(laws::catalogue()[kind.law], kind.integration, samples);
-      // The first pass only tells how many blocks the clock resolves.
+      // The first pass only tells how many blocks take long enough for the clock.
       auto const width = candidates_of(kind.block);
       double const once =
           test.seconds_per_sample(kind.block, width, {.least_passes = 1, .most_passes = 1, .enough_s = 0.0});
@@ -108,9 +108,9 @@ BlockCost measured_cost(double budget_s, std::size_t kinds) {
 
 double kernel_seconds(WorkCount const& work, BlockCost const& cost) {
   double sum = 0.0;
-  work.for_each([&](BlockKind const& kind, BlockWork const& of) {
-    auto const steps = static_cast<double>(of.steps);
-    sum += steps * cost(kind, steps / static_cast<double>(of.blocks));
+  work.for_each([&](BlockKind const& kind, BlockWork const& counted) {
+    auto const steps = static_cast<double>(counted.steps);
+    sum += steps * cost(kind, steps / static_cast<double>(counted.blocks));
   });
   return sum;
 }

@@ -1,4 +1,4 @@
-// What a block of candidates costs here, measured in this process: for `isolaw bench` and a campaign's profile.
+// Measures, in this process, the processor time of a block of candidates; for `isolaw bench` and a campaign's profile.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,11 @@
 
 namespace isolaw::fit {
 
-// The second shortest of three passes or more, the shortest of fewer [s]: what else the machine does only adds time,
-// but a clock of processor time may leave some of one pass out.
+// The second shortest of three or more passes, or the shortest of fewer [s]. Other work on the machine only adds time,
+// but a clock of processor time may miss part of one pass.
 double shortest_of_passes(std::vector<double> seconds);
 
-// A law on the record that speed is measured on, with candidates drawn in its published box.
+// A law on the record that speed is measured on (workload.hpp), with candidates drawn in its published box.
 class SpeedTest {
  public:
   static constexpr std::size_t candidates = 4 * wide_block;
@@ -25,12 +25,13 @@ class SpeedTest {
 
   std::vector<double> objectives() const;
 
-  // How long is measured: these passes at least, then more until so much processor time is spent.
+  // How long to measure: at least least_passes, then up to most_passes until enough_s of processor time is spent [s].
   struct Effort {
     int least_passes, most_passes;
     double enough_s;
   };
-  // Processor time of one sample of a block [s], `shortest_of_passes` of so many candidates in blocks of this kind.
+  // Processor time of one sample of one block [s]. A pass computes `of_candidates` candidates in blocks of this kind;
+  // shortest_of_passes chooses among the passes.
   double seconds_per_sample(Block block, std::size_t of_candidates, Effort const& effort) const;
 
  private:
@@ -40,13 +41,13 @@ class SpeedTest {
   std::vector<double> points_;
 };
 
-// Processor time of one step of a block of this kind, in blocks of about so many steps [s].
+// Processor time of one step of a block of this kind [s], where a block has about `steps_per_block` steps.
 using BlockCost = std::function<double(BlockKind const& kind, double steps_per_block)>;
 
-// Measures every kind once, when it is first asked for; all of them together in about `budget_s`. For one thread.
+// Measures each kind of block when it is first asked for, all `kinds` together in about `budget_s`. Not thread-safe.
 BlockCost measured_cost(double budget_s, std::size_t kinds);
 
-// Every step that was counted at its cost; without what surrounds the laws' code.
+// The processor time of all counted steps [s], without the code around the laws' own.
 double kernel_seconds(WorkCount const& work, BlockCost const& cost);
 
 }  // namespace isolaw::fit

@@ -1,4 +1,4 @@
-// What the laws' code is asked to compute, counted where it is called: one addition for a block, none for a sample.
+// Counts the steps that the laws' code computes, for a campaign's profile; one addition per block of candidates.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 
 namespace isolaw::fit {
 
-// How a law is called: one candidate on plain doubles; narrow_block or wide_block candidates for their objectives;
-// narrow_block or residual_block candidates for their residuals.
+// How a law is called: with one candidate on plain doubles, with narrow_block or wide_block candidates for their
+// objectives, or with narrow_block or residual_block candidates for their residuals.
 enum class Block { scalar, narrow, wide, narrow_residuals, residuals };
 inline constexpr std::size_t block_kinds = 5;
 
@@ -23,7 +23,7 @@ struct BlockKind {
 
 struct BlockWork {
   std::uint64_t blocks = 0;
-  std::uint64_t steps = 0;  // of all of these blocks together; as a rule a sample is one
+  std::uint64_t steps = 0;  // in all of these blocks together; usually one per sample
 
   bool operator==(BlockWork const&) const = default;
 };
@@ -47,7 +47,7 @@ class WorkCount {
     return *this;
   }
 
-  // visit(BlockKind, BlockWork) for everything that was called.
+  // Calls visit(BlockKind, BlockWork) for every kind that was counted.
   template <class Visit>
   void for_each(Visit&& visit) const {
     for (std::size_t law = 0; law < by_law_.size(); ++law)
@@ -58,14 +58,14 @@ class WorkCount {
   }
 
  private:
-  static constexpr std::size_t kinds = 2 * block_kinds;  // of both integrations
+  static constexpr std::size_t kinds = 2 * block_kinds;  // for each of the two integrations
   static std::size_t place(BlockKind const& kind) {
     return static_cast<std::size_t>(kind.integration) * block_kinds + static_cast<std::size_t>(kind.block);
   }
   std::vector<std::array<BlockWork, kinds>> by_law_;
 };
 
-// Of the calling thread, since it was last taken.
+// The count of the calling thread; the caller may reset it.
 WorkCount& work_of_this_thread();
 
 inline void count_block(laws::LawEntry const& law, laws::Integration integration, Block block, laws::Path const& path) {
