@@ -1,9 +1,9 @@
 // Abe: the sum of an elastic part that softens with the peak displacement, a hysteretic part whose yield force grows
-// with displacement, and a hardening part. Source: Cucuzza et al. 2025, Eqs. (15)-(21), after Abe, Yoshida and Fujino
-// 2004; X_h, X_0, X_s of Table 4 are U_h, U_0, U_s. Units kN, mm.  Step: first the hysteretic force follows the exact
-// flow of dF2/dx (saturating_flow.hpp) with the yield force held at its mean over the step; then the effect of the
-// change of the yield force is added. The growth of the yield displacement with the peak is integrated exactly.
-// `paper`: one classical Runge-Kutta step per sample.
+// with displacement, and a hardening part.
+// Source: Cucuzza et al. 2025, Eqs. (15)-(21), after Abe, Yoshida and Fujino 2004; X_h, X_0, X_s of Table 4 are U_h,
+// U_0, U_s. Units kN, mm.  Step: first the hysteretic force follows the exact flow of dF2/dx (saturating_flow.hpp) with
+// the yield force held at its mean over the step; then the effect of the change of the yield force is added. The growth
+// of the yield displacement with the peak is integrated exactly. `paper`: one classical Runge-Kutta step per sample.
 #pragma once
 
 #include <algorithm>

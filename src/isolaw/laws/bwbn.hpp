@@ -1,10 +1,10 @@
 // Bouc-Wen-Baber-Noori: Bouc-Wen whose strength and stiffness degrade with the work of its hysteretic part, and which
-// slips about a small force (pinching). Source: Baber and Noori 1986, Foliente 1995. Units kN, mm, in which p, psi and
-// the others are those of the material BWBN of OpenSees (Ao, zetas, Shi, deltaShi, lamda there), which has no
-// degradation and a zu without A.  Step: u = z / zu follows one curve u' = 1 - |u|^n (..) between reversals
-// (saturating_flow.hpp), at a pace that pinching and degradation slow down. Classical Runge-Kutta steps advance the
-// place on that curve and e; the path alone decides their number, and each takes zu of its middle. No step is unstable;
-// without pinching and degradation all are exact.
+// slips about a small force (pinching).
+// Source: Baber and Noori 1986, Foliente 1995. Units kN, mm, in which p, psi and the others are those of the material
+// BWBN of OpenSees (Ao, zetas, Shi, deltaShi, lamda there), which has no degradation and a zu without A.  Step: u = z /
+// zu follows one curve u' = 1 - |u|^n (..) between reversals (saturating_flow.hpp), at a pace that pinching and
+// degradation slow down. Classical Runge-Kutta steps advance the place on that curve and e; the path alone decides
+// their number, and each takes zu of its middle. No step is unstable; without pinching and degradation all are exact.
 #pragma once
 
 #include <algorithm>

@@ -24,9 +24,8 @@ struct LawEntry {
   LawInfo info;
   std::size_t index = 0;  // in the catalogue
   std::vector<ParameterInfo> parameters;
-  // Writes the force [law's unit] at every sample of the path into `force`, path.samples() values. `parameters` in the
-  // law's order and units. A force that overflows is infinite or NaN; a parameter that is not finite makes all of them
-  // NaN. Throws nothing.
+  // Writes the force [law's unit] at each of path.samples() samples into `force`, for `parameters` in the law's order
+  // and units. A force that overflows is infinite or NaN; a parameter that is not finite makes all NaN. Throws nothing.
   void (*evaluate)(std::span<double const> parameters, Path const& path, Integration integration,
                    std::span<double> force);
 

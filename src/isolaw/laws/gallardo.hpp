@@ -1,9 +1,10 @@
 // Gallardo: an elastic part that softens with the travel on each side, and Bouc-Wen's hysteresis, where the turn before
-// a branch sets that branch's strength. Source: Gallardo, de la Llera, Restrepo and Chen 2023, with the authors'
-// programs; docs/laws.md. Strain there is x over the height of the rubber, here x over 100 mm; uy is a displacement.
-// Units kN, mm.  Step: exact. The states of the elastic part depend on the displacement alone (Memory). Between turns z
-// runs along one curve while z dx < 0 and along another while z dx > 0. The shape of each does not depend on phi, so
-// both are parts of one flow (saturating_flow.hpp), each at its own scale.
+// a branch sets that branch's strength.
+// Source: Gallardo, de la Llera, Restrepo and Chen 2023, with the authors' programs; docs/laws.md. Strain there is x
+// over the height of the rubber, here x over 100 mm; uy is a displacement. Units kN, mm.  Step: exact. The states of
+// the elastic part depend on the displacement alone (Memory). Between turns z runs along one curve while z dx < 0 and
+// along another while z dx > 0. The shape of each does not depend on phi, so both are parts of one flow
+// (saturating_flow.hpp), each at its own scale.
 #pragma once
 
 #include "isolaw/laws/canonical.hpp"
@@ -14,8 +15,7 @@
 
 namespace isolaw::laws {
 
-// The coefficient of (x/100 mm)^power for which this force equals stiffness times displacement at the largest
-// displacement.
+// The coefficient of (x/100 mm)^power that gives stiffness times displacement at the largest displacement.
 template <int power>
 double coefficient_at_reference(RecordScales const& s) {
   return s.stiffness * reference_mm * std::pow(reference_mm / s.disp, power - 1);
@@ -60,20 +60,17 @@ struct Gallardo {
                                  std::nullopt, {0.05, 500.0, coefficient_at_reference<5>}, Scale::logarithmic)},
       {&Params<T>::fs1, parameter("fs1", "1", "softening of the whole elastic force with G", not_negative, std::nullopt,
                                   {0.05, 5.0, rate_at_reference}, Scale::logarithmic)},
-      {&Params<T>::ps1,
-       parameter("ps1", "1", "exponent of the softening by fs1", positive, std::nullopt, {0.05, 1.5, one})},
+      {&Params<T>::ps1, parameter("ps1", "1", "exponent of fs1's softening", positive, std::nullopt, {0.05, 1.5, one})},
       {&Params<T>::fs2, parameter("fs2", "1", "further softening of the cubic part with G", not_negative, std::nullopt,
                                   {10.0, 40.0, rate_at_reference}, Scale::linear, 20.0)},
-      {&Params<T>::ps2, parameter("ps2", "1", "exponent of the softening by fs2", positive, std::nullopt,
-                                  {0.1, 1.0, one}, Scale::linear, 0.3)},
+      {&Params<T>::ps2, parameter("ps2", "1", "exponent of fs2's softening", positive, std::nullopt, {0.1, 1.0, one},
+                                  Scale::linear, 0.3)},
       {&Params<T>::fs3, parameter("fs3", "1", "further softening of the fifth power with G", not_negative, std::nullopt,
                                   {0.1, 10.0, rate_at_reference}, Scale::logarithmic)},
-      {&Params<T>::ps3,
-       parameter("ps3", "1", "exponent of the softening by fs3", positive, std::nullopt, {0.05, 1.5, one})},
+      {&Params<T>::ps3, parameter("ps3", "1", "exponent of fs3's softening", positive, std::nullopt, {0.05, 1.5, one})},
       {&Params<T>::fm, parameter("fm", "1", "softening of the linear part with C", not_negative, std::nullopt,
                                  {0.005, 1.0, rate_at_reference}, Scale::logarithmic)},
-      {&Params<T>::pm,
-       parameter("pm", "1", "exponent of the softening by fm", positive, std::nullopt, {0.05, 1.5, one})},
+      {&Params<T>::pm, parameter("pm", "1", "exponent of fm's softening", positive, std::nullopt, {0.05, 1.5, one})},
       {&Params<T>::uy,
        parameter("uy", "mm", "yield displacement", positive, std::nullopt, {0.002, 0.2, disp}, Scale::logarithmic)},
       {&Params<T>::fy,
@@ -106,8 +103,7 @@ struct Gallardo {
     std::array<Side<T>, 2> sides;
     T z = T(0.0);
     T per_uy;
-    // u is the flow's value. z, positive in the direction of motion, is strongest u before it passes 0, and ahead u
-    // after.
+    // With the flow's u, z along the direction of motion is strongest u before it passes 0, and ahead u after.
     T strongest;                    // the largest strength that any branch can have
     T here = T(1.0);                // strength of the branch that z was on at the last turn
     T ahead = T(1.0);               // strength of the branch that z is on once it has passed 0

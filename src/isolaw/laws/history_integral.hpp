@@ -1,8 +1,8 @@
 // Deformation-history integral: a force that remembers the motion over a length, and an elastic force that softens with
 // the amplitude. The integral of the motion with exponentially fading weights, q(L) = int exp(-(L - l)/D) dx(l) / D
-// over the travel l so far, obeys dq = (dx - q |dx|)/D. Source: Masaki et al., Kasai et al. for high damping rubber;
-// the link of that name in commercial programs sums such terms.
-// Units kN, mm. Step: exact along a straight path.
+// over the travel l so far, obeys dq = (dx - q |dx|)/D.
+// Source: Masaki et al., Kasai et al. for high damping rubber; the link of that name in commercial programs sums such
+// terms. Units kN, mm. Step: exact along a straight path.
 #pragma once
 
 #include "isolaw/laws/canonical.hpp"

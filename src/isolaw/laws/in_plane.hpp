@@ -1,5 +1,4 @@
-// A law in two horizontal directions, chosen by name: in its coupled form where it has one (plane.hpp), or as springs
-// around the circle (springs.hpp).
+// A law in two directions, chosen by name: in its coupled form (plane.hpp), or as springs around the circle.
 #pragma once
 
 #include <array>

@@ -1,9 +1,10 @@
 // Kikuchi-Aiken: loops between the peaks so far, with the secant stiffness, damping and shape of that amplitude, and
-// inner branches by Masing's rules. Source: Kikuchi and Aiken 1997; docs/laws.md. Units kN, mm. Step: exact; every
-// sample depends only on the turning points and the peak of the displacement, which the record decides. Departures: the
-// published outer branch misses the peak that it leads to by 2 exp(-2a) - 2 b exp(-2c) of the hysteretic force (1e-6 to
-// 5e-4 for the published compounds). The missing force is added with (s/2)^8, so that the force is continuous. One rule
-// sets both the cap of a and the strain above which b sets in; this holds for the published compounds too.
+// inner branches by Masing's rules.
+// Source: Kikuchi and Aiken 1997; docs/laws.md. Units kN, mm. Step: exact; every sample depends only on the turning
+// points and the peak of the displacement, which the record decides. Departures: the published outer branch misses the
+// peak that it leads to by 2 exp(-2a) - 2 b exp(-2c) of the hysteretic force (1e-6 to 5e-4 for the published
+// compounds). The missing force is added with (s/2)^8, so that the force is continuous. One rule sets both the cap of a
+// and the strain above which b sets in; this holds for the published compounds too.
 #pragma once
 
 #include <cmath>

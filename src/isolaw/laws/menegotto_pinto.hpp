@@ -1,8 +1,9 @@
 // Menegotto-Pinto: a smooth curve from each reversal, tangent to the elastic line there, to the asymptote of the other
-// side. Source: Menegotto and Pinto 1973 with the R of Filippou et al. 1983, without isotropic hardening. This file
-// does not use the intersection (x0, F0) but F = b E x + (1 - b) z. From its value zr at the reversal z moves towards
-// +-Fy, which is a distance D away, by (D^-R + t^-R)^(-1/R), where t = E |x - xr| is the elastic travel; then E (x0 -
-// xr) = +-D.  Units kN, mm.  Step: exact.
+// side.
+// Source: Menegotto and Pinto 1973 with the R of Filippou et al. 1983, without isotropic hardening. This file does not
+// use the intersection (x0, F0) but F = b E x + (1 - b) z. From its value zr at the reversal z moves towards +-Fy,
+// which is a distance D away, by (D^-R + t^-R)^(-1/R), where t = E |x - xr| is the elastic travel; then E (x0 - xr) =
+// +-D.  Units kN, mm.  Step: exact.
 #pragma once
 
 #include "isolaw/laws/canonical.hpp"

@@ -8,13 +8,11 @@
 
 namespace isolaw::laws {
 
-// A device that starts virgin at 0, in the law's units and seconds. Copies are independent; they share only what does
-// not change.
+// A device that starts virgin at 0, in the law's units and seconds. Copies are independent of one another.
 class Online {
  public:
-  // `parameters` in the order of the catalogue. A law that remembers takes the `dead_band` of the record that it was
-  // fitted to, in its unit of length. Every trial is computed in `parts` equal steps. Throws Error for a law without a
-  // form in online/.
+  // `parameters` in the law's order; `dead_band` [law's length] of the record that a law with memory was fitted to; a
+  // trial takes `parts` equal steps. Throws Error for a law without a form in online/.
   Online(std::string_view law, std::span<double const> parameters, double dead_band = 0.0, int parts = 1);
   ~Online();
   Online(Online const& other);

@@ -1,7 +1,7 @@
 // Power-law Masing with scragging: branches of one power law by Masing's rules, an elastic force that softens with the
-// amplitude of the tests, hardening towards the peak, and a virgin stiffness that travel removes. Source: this project;
-// docs/laws.md. Units kN, mm. Step: exact, without integration; every sample depends only on the turning points and
-// peaks of the displacement, which the record decides.
+// amplitude of the tests, hardening towards the peak, and a virgin stiffness that travel removes.
+// Source: this project; docs/laws.md. Units kN, mm. Step: exact, without integration; every sample depends only on the
+// turning points and peaks of the displacement, which the record decides.
 #pragma once
 
 #include <utility>

@@ -1,6 +1,6 @@
-// Ramberg-Osgood with Masing's rules, in parallel with a spring. Source: Ramberg and Osgood 1943, Jennings 1964;
-// docs/laws.md. Units kN, mm. Step: exact; the force on a branch solves one equation of one unknown, to the last
-// digits.
+// Ramberg-Osgood with Masing's rules, in parallel with a spring.
+// Source: Ramberg and Osgood 1943, Jennings 1964; docs/laws.md. Units kN, mm. Step: exact; the force on a branch solves
+// one equation of one unknown, to the last digits.
 #pragma once
 
 #include "isolaw/laws/law.hpp"

@@ -15,13 +15,13 @@
 // So |u| = x G(v), and back x = |u| H(|u|^(1/5)), with G and H of degree 16. The fit happens once per candidate: the
 // travel to 17 fixed places comes from quadrature, with the pole of 1 / (1 - |u|^n) removed in closed form; H from
 // interpolation; G from its values at 17 fixed v, which Newton's method finds on H. All of this is arithmetic with
-// fixed matrices, the same for all candidates. Largest error in u over n in [0.01, 3], kappa in (-1, 3]: 1e-7 (abe with
-// n < 0.1: 3e-7). For n > 2 with kappa > 1 it grows to 2e-5, and near kappa = -1 the equation magnifies it by up to 1 /
-// (1 + kappa) (tests/verification). Elsewhere, and for abe beyond |u| = 3, a lane takes the table of
-// tabulated_flow.hpp, with an error of 1e-5. Rejected: that table for all (its gathers made AVX2 as slow as SSE2);
-// coefficients as polynomials of n and kappa (2,400 numbers still leave 1e-6); Runge-Kutta with sub-steps (32 per
-// sample still leave 3.8 % in the objective of abe near its optimum); an exponential step with frozen exponent (first
-// order where n < 1 and u crosses 0).
+// fixed matrices, the same for all candidates.
+// Largest error in u over n in [0.01, 3], kappa in (-1, 3]: 1e-7 (abe with n < 0.1: 3e-7). For n > 2 with kappa > 1 it
+// grows to 2e-5, and near kappa = -1 the equation magnifies it by up to 1 / (1 + kappa) (tests/verification).
+// Elsewhere, and for abe beyond |u| = 3, a lane takes the table of tabulated_flow.hpp, with an error of 1e-5. Rejected:
+// that table for all (its gathers made AVX2 as slow as SSE2); coefficients as polynomials of n and kappa (2,400 numbers
+// still leave 1e-6); Runge-Kutta with sub-steps (32 per sample still leave 3.8 % in the objective of abe near its
+// optimum); an exponential step with frozen exponent (first order where n < 1 and u crosses 0).
 #pragma once
 
 #include <array>
@@ -45,8 +45,7 @@ struct Nodes {
   Values fifth;  // place^5
   Values log2_fifth;
   Values inverse_place;
-  std::array<Values, terms>
-      mean;  // row i: weights of the values at the places for the mean of a function over 0 to |u| of place i
+  std::array<Values, terms> mean;  // from values at the places to the mean over 0 to |u| at each place
   // From values at the places to coefficients of the Chebyshev polynomials T_k(y), y = 2 place - 1, and from these to
   // coefficients of y^k. One matrix for both would lose six digits more.
   std::array<Values, terms> chebyshev, power;
@@ -215,8 +214,7 @@ void SaturatingFlow<T, reach>::Side::fit(T const& n, T const& kappa, T const& re
   for (std::size_t k = 1; k < terms; ++k) end = end + inverse[k];
   per_end = one / end;
   for (std::size_t k = 0; k < terms; ++k) inverse[k] = rounded(inverse[k] * per_end);
-  // Finds where v = place H^(1/5) takes its fixed values. It goes downwards, so that the places found before give the
-  // guess.
+  // Finds where v = place H^(1/5) takes its fixed values, going downwards: places found before give the guess.
   bool const sharp = any(n > T(flow_parts::sharp_n));
   std::array<T, terms + 1> place;
   place[terms] = one;

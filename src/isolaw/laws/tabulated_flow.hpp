@@ -4,9 +4,9 @@
 //
 // Nodes are graded geometrically towards u = 0, where u^n is not smooth for n < 1, and towards saturation on both
 // sides. Times between nodes come from four-point Lobatto quadrature; u(t) within a cell is the quintic with the value,
-// slope and curvature of both ends. Largest error in u over n in [0.01, 3]: below 1e-5 for kappa in [-1/2, 3]; below
-// 1e-5 / (2 (1 + kappa)) down to kappa = -0.99, where the equation itself magnifies errors near u = -1
-// (tests/verification).
+// slope and curvature of both ends.
+// Largest error in u over n in [0.01, 3]: below 1e-5 for kappa in [-1/2, 3]; below 1e-5 / (2 (1 + kappa)) down to kappa
+// = -0.99, where the equation itself magnifies errors near u = -1 (tests/verification).
 #pragma once
 
 #include <array>

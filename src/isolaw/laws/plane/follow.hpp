@@ -4,9 +4,10 @@
 //
 // For n < 1 |q|^n is not smooth at the origin: near it a step is a share of the distance from it, down to
 // least_distance. The whole error stays below 1e-6 of the strength for exponents of 0.01 or more, and below 2e-7 from
-// 0.1 (tests/verification/plane_test.cpp). Rejected: tables, which would need a second dimension across the motion and
-// be copied with every trial; an embedded error estimate, which takes twice the work at a kink; splitting into the flow
-// of one direction and the rest, which has a kink that the motion itself does not have.
+// 0.1 (tests/verification/plane_test.cpp).
+// Rejected: tables, which would need a second dimension across the motion and be copied with every trial; an embedded
+// error estimate, which takes twice the work at a kink; splitting into the flow of one direction and the rest, which
+// has a kink that the motion itself does not have.
 #pragma once
 
 #include "isolaw/laws/plane/vector.hpp"
