@@ -38,8 +38,6 @@ using Array = py::array_t<double>;
 using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Contents = campaign::Contents;
 
-// --- views ----------------------------------------------------------------------------------------------------------
-
 // A read-only view, without a copy, of values that `owner` keeps alive.
 Array view(std::vector<double> const& values, py::object owner) {
   Array array(static_cast<py::ssize_t>(values.size()), values.data(), std::move(owner));
@@ -58,15 +56,11 @@ std::vector<double> values_of(std::optional<Rows> const& array, char const* what
   return {array->data(), array->data() + array->size()};
 }
 
-// --- records --------------------------------------------------------------------------------------------------------
-
 struct Record {
   std::string name;
   data::TestRecord raw;
 };
 using RecordPtr = std::shared_ptr<Record>;
-
-// --- options, given as keywords -------------------------------------------------------------------------------------
 
 Json json_of(py::handle value) {
   if (value.is_none()) return {};
@@ -203,8 +197,6 @@ std::string inspected(Record const& record, py::object const& vertical) {
   return render::inspection_json(study::build_summary(contents));
 }
 
-// --- laws -----------------------------------------------------------------------------------------------------------
-
 int steps(int refinement) {
   if (refinement < 1 || refinement > 1000)
     throw Error(
@@ -338,8 +330,6 @@ class Model {
   std::shared_ptr<data::FitRecord const> record_;
   fit::LawOnRecord model_;
 };
-
-// --- campaigns ------------------------------------------------------------------------------------------------------
 
 struct Campaign {
   Contents contents;
@@ -525,8 +515,6 @@ CampaignPtr loaded(std::filesystem::path const& directory) {
   return std::make_shared<Campaign>(campaign::Store::read(directory / store_name));
 }
 
-// --- buildings ------------------------------------------------------------------------------------------------------
-
 using BuildingPtr = std::shared_ptr<StudiedBuilding>;
 
 // A motion, given as (step in s, accelerations along x in m/s2[, along y]) or as a text for building::read_motion.
@@ -568,8 +556,7 @@ BuildingPtr studied(py::object const& file, py::object const& from, py::list con
       });
 }
 
-// `count` neighbouring measures of every draw from `first` on, shape (laws, draws, motions, count): a view of the
-// study.
+// A view of `count` measures of every draw from `first` on, shape (laws, draws, motions, count).
 Array measures(py::object const& self, std::size_t first, std::size_t count) {
   auto const& studied = *self.cast<BuildingPtr>();
   auto const width = static_cast<py::ssize_t>(studied.layout.count()),
@@ -614,8 +601,6 @@ py::dict history_of(StudiedBuilding const& studied, std::size_t law, std::size_t
   result["acceleration_mm_s2"] = acceleration;
   return result;
 }
-
-// --- the module -----------------------------------------------------------------------------------------------------
 
 // isolaw.Error. It is never released, because exceptions may outlive the modules.
 py::handle error_type;

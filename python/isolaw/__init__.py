@@ -107,9 +107,6 @@ def settings():
     }
 
 
-# --- records ----------------------------------------------------------------------------------------------------------
-
-
 @_with_keywords(_OPTIONS["reading"])
 def read_record(path, *, name=None, **reading):
     """Reads a test record from delimited text, Excel, MATLAB or JSON, and recognises dialect, columns and units.
@@ -171,9 +168,6 @@ def properties(record, *, vertical=None):
     ``vertical`` has its stiffness or the reason why there is none. Raises Error for a motion without force.
     """
     return _json.loads(record._inspection_json(_vertical(vertical)))
-
-
-# --- laws -------------------------------------------------------------------------------------------------------------
 
 
 def laws():
@@ -288,9 +282,6 @@ def objective(law, parameters, record, **how):
 def objectives(law, population, record, **how):
     """Objectives of many candidates on a record: Model(law, record, **how).objectives(population)."""
     return Model(law, record, **how).objectives(population)
-
-
-# --- campaigns --------------------------------------------------------------------------------------------------------
 
 
 class Campaign:
@@ -473,9 +464,6 @@ def load(directory):
     Raises Error where the directory has no campaign, or a store that isolaw did not write.
     """
     return Campaign(_core.load(_os.fspath(directory)))
-
-
-# --- the isolated building --------------------------------------------------------------------------------------------
 
 
 class Building:

@@ -44,18 +44,17 @@ class DirectoryLock {
 struct Continued {
   std::vector<std::string> added;  // "2 devices", ...
   std::string released;            // the rule set of the stored campaign, where the continued one has none
-  // "D01 (v.csv)" for devices whose compression test was not given again: it was kept, or dropped with its line in the
-  // lot file.
+  // "D01 (v.csv)" for devices whose compression test was not given again: it was kept, or the lot file dropped it.
   std::vector<std::string> kept_vertical, dropped_vertical;
 };
 
-// What happens to a stored compression test that is not given again. It stays where only records are named; it is gone
-// where a lot file, which says everything about a device, leaves it out.
+// A stored compression test that is not given again stays where only records are named. It is gone where a lot file,
+// which says everything about a device, leaves it out.
 enum class LeftOut { stays, is_gone };
 
 // Takes over into `contents` what the store's interrupted or finished campaign has computed. That campaign must have
-// the same settings and inputs, with the same or fewer devices, laws and runs; Throws Error where it differs. Starts
-// anew where there is no store or where `fresh`.
+// the same settings and inputs, and the same or fewer devices, laws and runs; Error is thrown where it differs. Starts
+// anew where there is no store or `fresh` is true.
 Continued open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh,
                          LeftOut vertical = LeftOut::stays);
 

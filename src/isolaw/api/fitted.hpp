@@ -14,7 +14,6 @@ namespace isolaw {
 
 struct FittedLaw {
   std::vector<double> parameters;  // in the law's order and units
-  // The next two are how the law was integrated in the fit.
   laws::Integration integration = laws::Integration::converged;
   laws::TurningPoints turning_points = laws::TurningPoints::as_sampled;
   int refinement = 1;                          // integration steps per sample in the fit
@@ -26,8 +25,7 @@ struct FittedLaw {
 
 using campaign::whole_lot;
 
-// The law of one device, from its best run, or with `whole_lot` the one law for all devices. Throws Error where the
-// campaign has no such law, with what it has.
+// The law of a device, from its best run, or with `whole_lot` of all. Throws Error, which says what there is.
 FittedLaw fitted_law(campaign::Contents const& contents, std::string_view law, std::string_view device);
 
 }  // namespace isolaw

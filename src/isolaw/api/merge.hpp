@@ -21,8 +21,7 @@ struct MergeCallOptions {
 // Copies the runs of `parts`, which are directories of CalibrateOptions::part or their stores, into `directory` as
 // `isolaw merge` does. Then it finishes as calibrate() of the whole campaign would, with the same bytes in store and
 // reports. After an interruption the contents are incomplete. Throws Error for a part that is damaged or belongs to
-// another campaign, build or instruction set. Also throws where parts or runs are missing, after it has copied what is
-// there.
+// another campaign, build or instruction set, and, after copying the rest, for missing parts or runs.
 campaign::Contents merge(std::filesystem::path const& directory, std::vector<std::filesystem::path> const& parts,
                          MergeCallOptions const& options = {});
 

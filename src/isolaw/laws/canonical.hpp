@@ -21,8 +21,7 @@ struct BoucWenForm {
   double z_max() const { return std::pow(beta + gamma, -1.0 / n); }  // the yield displacement
 };
 
-// F = b E x + (1 - b) z with the branches of Menegotto and Pinto between reversals. cR1 and cR2 reduce the sharpness
-// R0.
+// F = b E x + (1 - b) z with the branches of Menegotto and Pinto between reversals. cR1 and cR2 lower the sharpness R0.
 struct MenegottoPintoForm {
   double E, Fy, b, R0, cR1, cR2;
 };

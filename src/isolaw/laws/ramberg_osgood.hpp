@@ -69,9 +69,8 @@ struct RambergOsgood {
   }
 
  private:
-  // Solves f + a f^r = u. The left side is convex, so Newton's method falls on the root from above. Each term alone
-  // gives a start above the root; the smaller start is at most twice the root, and six steps from there leave only
-  // rounding.
+  // Solves f + a f^r = u, whose left side is convex, so Newton's method falls on the root from above. It starts where
+  // one term alone is u: the smaller such f is at most twice the root, and six steps from there leave only rounding.
   template <class T>
   static T skeleton(Params<T> const& p, State<T> const& state, double x) {
     if (x == 0.0) return T(0.0);

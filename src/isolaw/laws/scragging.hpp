@@ -39,8 +39,7 @@ class Scragging {
 // The rows of g, K, H and C for a law's Params.
 template <class T, class Params>
 constexpr auto scragging_rows = std::to_array<Row<T, Params>>({
-    {&Params::g,
-     parameter("g", "1", "exponent of the softening with amplitude", positive, std::nullopt, {0.05, 1.0, one})},
+    {&Params::g, parameter("g", "1", "exponent of softening with amplitude", positive, std::nullopt, {0.05, 1.0, one})},
     {&Params::K,
      parameter("K", "kN", "elastic force at 100 mm", any_value, std::nullopt, {0.0, 1.5, force_at_reference})},
     {&Params::H, parameter("H", "kN", "hardening towards the peak; a negative value gives reloading negative slopes",

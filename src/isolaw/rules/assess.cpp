@@ -25,25 +25,24 @@ std::string missing_design(Quantity quantity) {
 }
 
 Assessment compared(DerivedValue const& derived, Quantity quantity, Design const& design) {
-  Assessment assessment;
-  assessment.quantity = derived.label;
-  assessment.formula = derived.formula;
-  assessment.value = derived.value;
-  assessment.unit = unit(quantity);
-  assessment.nominal = design.of(quantity);
-  if (assessment.value && assessment.nominal)
-    assessment.deviation_percent = 100.0 * (*assessment.value - *assessment.nominal) / *assessment.nominal;
-  return assessment;
+  Assessment result;
+  result.quantity = derived.label;
+  result.formula = derived.formula;
+  result.value = derived.value;
+  result.unit = unit(quantity);
+  result.nominal = design.of(quantity);
+  if (result.value && result.nominal)
+    result.deviation_percent = 100.0 * (*result.value - *result.nominal) / *result.nominal;
+  return result;
 }
 
 void assess_limit(RuleSet const& rules, Limit const& limit, BlockValues const& block, Design const& design,
                   std::vector<std::string> const& unmet, std::vector<Assessment>& out) {
   for (auto const& derived : derive(rules, limit.quantity, block)) {
-    auto assessment = compared(derived, limit.quantity, design);
+    auto result = compared(derived, limit.quantity, design);
     // `unmet` is about the conditions of the shear test, which do not concern K_v.
-    hold_to(assessment, rules, limit, derived.reason,
-            limit.quantity == Quantity::K_v ? std::vector<std::string>() : unmet);
-    out.push_back(std::move(assessment));
+    hold_to(result, rules, limit, derived.reason, limit.quantity == Quantity::K_v ? std::vector<std::string>() : unmet);
+    out.push_back(std::move(result));
   }
 }
 
@@ -73,47 +72,46 @@ std::optional<double> measured(StabilityLimit const& limit, BlockValues const& b
 Assessment assess_stability(RuleSet const& rules, StabilityLimit const& limit, BlockValues const& block,
                             std::vector<std::string> const& unmet) {
   bool const is_ratio = limit.measure == Measure::min_over_max;
-  Assessment assessment;
-  assessment.quantity = fmt::format("{} over cycles", name(limit.quantity));
-  assessment.clause = limit.clause;
-  assessment.formula = fmt::format("{} of cycles {} to {}", measure_text(limit.measure), limit.first, limit.last);
-  assessment.unit = is_ratio ? "" : "%";
-  assessment.limit = is_ratio ? fmt::format("{:g} or more", limit.bound) : fmt::format("{:g} % or less", limit.bound);
-  assessment.value = measured(limit, block);
-  if (assessment.value)
-    give_verdict(assessment, rules,
-                 is_ratio ? is_at_least(*assessment.value, limit.bound) : is_at_most(*assessment.value, limit.bound),
-                 unmet);
+  Assessment result;
+  result.quantity = fmt::format("{} over cycles", name(limit.quantity));
+  result.clause = limit.clause;
+  result.formula = fmt::format("{} of cycles {} to {}", measure_text(limit.measure), limit.first, limit.last);
+  result.unit = is_ratio ? "" : "%";
+  result.limit = is_ratio ? fmt::format("{:g} or more", limit.bound) : fmt::format("{:g} % or less", limit.bound);
+  result.value = measured(limit, block);
+  if (result.value)
+    give_verdict(result, rules,
+                 is_ratio ? is_at_least(*result.value, limit.bound) : is_at_most(*result.value, limit.bound), unmet);
   else
-    assessment.reason = fmt::format("cycles {} to {} needed; block {} holds {} counted", limit.first, limit.last,
-                                    block.number, block.cycles.size());
-  return assessment;
+    result.reason = fmt::format("cycles {} to {} needed; block {} holds {} counted", limit.first, limit.last,
+                                block.number, block.cycles.size());
+  return result;
 }
 
 void assess_load(RuleSet const& rules, LoadVariation const& limit, Design const& design,
                  std::optional<LoadPair> const& loads, std::vector<std::string> const& unmet,
                  std::vector<Assessment>& out) {
   for (auto const quantity : {Quantity::K_eff, Quantity::damping}) {
-    Assessment assessment;
-    assessment.quantity = fmt::format("{} over vertical load", name(quantity));
-    assessment.clause = limit.clause;
-    assessment.formula = "(value at the largest load - value at the smallest)/design value";
-    assessment.unit = "%";
-    assessment.limit = fmt::format("{:g} % or less", limit.largest_percent);
+    Assessment result;
+    result.quantity = fmt::format("{} over vertical load", name(quantity));
+    result.clause = limit.clause;
+    result.formula = "(value at the largest load - value at the smallest)/design value";
+    result.unit = "%";
+    result.limit = fmt::format("{:g} % or less", limit.largest_percent);
     auto const nominal = design.of(quantity);
     auto const at_largest = loads ? device_value(rules, quantity, loads->largest) : std::nullopt;
     auto const at_smallest = loads ? device_value(rules, quantity, loads->smallest) : std::nullopt;
     if (!loads) {
-      assessment.reason = "needs the same test at the largest and at the smallest vertical load";
+      result.reason = "needs the same test at the largest and at the smallest vertical load";
     } else if (!at_largest || !at_smallest) {
-      assessment.reason = "the cycles that count are missing at one of the loads";
+      result.reason = "the cycles that count are missing at one of the loads";
     } else if (!nominal) {
-      assessment.reason = missing_design(quantity);
+      result.reason = missing_design(quantity);
     } else {
-      assessment.value = 100.0 * std::abs(*at_largest - *at_smallest) / *nominal;
-      give_verdict(assessment, rules, is_at_most(*assessment.value, limit.largest_percent), unmet);
+      result.value = 100.0 * std::abs(*at_largest - *at_smallest) / *nominal;
+      give_verdict(result, rules, is_at_most(*result.value, limit.largest_percent), unmet);
     }
-    out.push_back(std::move(assessment));
+    out.push_back(std::move(result));
   }
 }
 
@@ -160,8 +158,7 @@ std::string limit_text(std::optional<double> lower_percent, std::optional<double
 
 std::string deviation_text(double deviation_percent, std::optional<double> lower_percent,
                            std::optional<double> upper_percent) {
-  // Adds decimals until the printed number is on the same side of the limit as the value. A value that passes only by
-  // the slack counts as on the limit.
+  // Adds decimals until the printed number is on the value's side of the limit; within the slack, a value is on it.
   auto const on_this_side = [&](double shown, std::optional<double> bound, double sign) {
     if (!bound) return true;
     double const over = sign * (deviation_percent - *bound);
@@ -235,11 +232,11 @@ std::vector<Assessment> assess(RuleSet const& rules, BlockValues const& block, D
     bool const asked = design.of(quantity) || quantity == Quantity::K_v;
     if (has_limit(rules, quantity) || !asked) continue;
     for (auto const& derived : derive(rules, quantity, block)) {
-      auto assessment = compared(derived, quantity, design);
-      if (assessment.deviation_percent) assessment.deviation = deviation_text(*assessment.deviation_percent, {}, {});
-      assessment.verdict = derived.value ? Verdict::information : Verdict::not_assessed;
-      assessment.reason = derived.value ? fmt::format("{} has no limit for a device", rules.id) : derived.reason;
-      out.push_back(std::move(assessment));
+      auto result = compared(derived, quantity, design);
+      if (result.deviation_percent) result.deviation = deviation_text(*result.deviation_percent, {}, {});
+      result.verdict = derived.value ? Verdict::information : Verdict::not_assessed;
+      result.reason = derived.value ? fmt::format("{} has no limit for a device", rules.id) : derived.reason;
+      out.push_back(std::move(result));
     }
   }
   return out;

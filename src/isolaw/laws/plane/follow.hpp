@@ -66,7 +66,6 @@ void follow(Split<T>& q, T& l, T const& end, Slope const& slope, Longest const& 
   }
 }
 
-// |q|^2
 template <class T>
 T square(Split<T> const& q) {
   return rounded(q.along * q.along) + q.across * q.across;

@@ -54,7 +54,6 @@ struct Straight {
   }
 };
 
-// Components of a vector along and across a direction.
 template <class T>
 struct Split {
   T along, across;
