@@ -282,7 +282,7 @@ Array force_of(std::string const& law_id, py::object const& parameters, Record c
   return result;
 }
 
-// A law on a record as calibrate() sees it.
+// A law on a record, which is cleaned as calibrate() cleans it.
 class Model {
  public:
   Model(std::string const& law, RecordPtr record, campaign::Settings const& how, int refinement)

@@ -1,4 +1,4 @@
-// One call from records to a finished campaign.
+// One call that fits laws to records and finishes with a campaign and its reports.
 #pragma once
 
 #include <filesystem>

@@ -57,8 +57,8 @@ template <class T>
 struct Constants {
   T log2_Uh = T(0.0);
   T inverse_U0 = T(0.0), Us_over_U0 = T(0.0);
-  T K1_now = T(0.0);      // K1 [beta + (1 - beta) exp(-Umax / alpha)], changes with the peak only
-  T inverse_Ut = T(0.0);  // 1 / Ut, likewise
+  T K1_now = T(0.0);      // K1 [beta + (1 - beta) exp(-Umax / alpha)]; it changes only with the peak
+  T inverse_Ut = T(0.0);  // 1 / Ut; it changes only with the peak
 };
 
 template <class T, class Params>
@@ -180,7 +180,7 @@ struct Abe {
   });
 
   static Canonical canonical(Params<double> const&) { return abe_parts::beyond_programs; }
-  static constexpr bool crowded = true;  // fit/kernels.cpp
+  static constexpr bool crowded = true;  // fewer lanes at once (fit/kernels.cpp)
 
   template <class T>
   struct State {
@@ -206,7 +206,7 @@ struct Abe {
   static T step(Params<T> const& p, State<T>& state, Step const& step) {
     auto& c = state.constants;
     if (step.length > 0.0) {
-      // Shorter pieces about x = 0, where |x|^p is not smooth.
+      // Near x = 0, where |x|^p is not smooth, pieces are shorter.
       double const nearest = step.x0 * step.x1 <= 0.0 ? 0.0 : std::min(std::abs(step.x0), std::abs(step.x1));
       // No piece is longer than a sample of 200 per sine cycle. std::min gives 64 for an infinite displacement.
       int const smooth = static_cast<int>(std::ceil(std::min(64.0, step.length / (0.0317 * step.peak1))));

@@ -1,4 +1,4 @@
-// The list of laws. Adding one: its header, its name and its file here.
+// The list of laws. To add a law, include its header and append its type to AllLaws.
 #pragma once
 
 #include <tuple>

@@ -129,7 +129,7 @@ struct Bwbn {
 
  private:
   static constexpr double pieces_to_the_peak = 50.0;
-  static constexpr double end_of_curve = 1.0 - 1e-12;  // about as far as the flow counts time
+  static constexpr double end_of_curve = 1.0 - 1e-12;  // about the largest u for which the flow still counts time
 
   template <class T>
   static void advance(Params<T> const& p, State<T>& state, double towards, double way) {

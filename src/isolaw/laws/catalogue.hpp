@@ -16,7 +16,7 @@ namespace isolaw::laws {
 
 struct JointLimitEntry {
   std::string_view statement;
-  std::vector<std::size_t> parameters;  // those that it names
+  std::vector<std::size_t> parameters;  // indices of the parameters that the statement names
   bool (*holds)(std::span<double const> parameters);
 };
 

@@ -54,7 +54,7 @@ struct MenegottoPinto {
   template <class T>
   struct State {
     T z = T(0.0);
-    T top = T(0.0), bottom = T(0.0);                           // E xm to both sides
+    T top = T(0.0), bottom = T(0.0);                           // E xm on either side
     T turn_z = T(0.0), distance = T(0.0), sharpness = T(0.0);  // zr, D and R of the branch
     double turn_x = 0.0;
   };

@@ -231,7 +231,7 @@ auto TabulatedFlow<T, reach>::place_of(T const& u) const -> Place {
   T const inside = min(max(key, lowest), last);
   auto const index = cell_of(nodes.key, inside);
   Cell const cell(cells_.get(index));
-  // First guess: the cubic Hermite polynomial of the inverse function; then Newton.
+  // The cubic Hermite polynomial of the inverse function gives a guess, which Newton's method improves.
   T const one(1.0), inverse_rise(at(nodes.inverse_rise, index)), rise = one / inverse_rise;
   T const r = (inside - cell.c[0]) * inverse_rise, left = one - r;
   T const m0 = rise / cell.c[1], m1 = rise / cell.rate(cell.duration);

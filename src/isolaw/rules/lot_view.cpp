@@ -189,7 +189,7 @@ void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& 
   };
   if (given != nullptr && given->spec_min)
     add("contract band", {.min = *given->spec_min, .max = *given->spec_max}, "as agreed in the rule set");
-  if (!view.cov_percent) return;  // one device is no lot
+  if (!view.cov_percent) return;  // a single device has no spread
   add("observed", {.min = *view.min / base, .max = *view.max / base}, "lowest and highest device tested");
   add("statistical, each device", about_mean(*view.tolerance_factor * *view.cov_percent),
       fmt::format("holds 95 % of the devices with confidence 95 %, k = {:.4g}; not for the system",

@@ -63,7 +63,7 @@ struct LotQuantity {
   std::optional<double> tolerance_low, tolerance_high;  // mean +- factor x std
   std::string no_lower;                                 // why fractile_5 or tolerance_low is not there
   std::vector<Outlier> outliers;
-  std::string outlier_note;                            // why none could be named: too few devices
+  std::string outlier_note;                            // says that there are too few devices to name outliers
   std::string limit_individual;                        // the rule set's limit on every single device
   std::optional<double> lower_percent, upper_percent;  // that limit as deviations from nominal
   std::vector<Assessment> mean_limits;                 // the rule set's limits on the lot's mean

@@ -46,7 +46,7 @@ struct TestConditions {
 
 enum class Scope { each, mean };  // every device by itself; the mean over the devices of the lot
 
-// Deviation from the design value, both ends included; without one end the limit is one-sided.
+// A limit on the deviation from the design value. Both ends pass; a limit with one end only is one-sided.
 struct Limit {
   Quantity quantity = Quantity::K_eff;
   Scope scope = Scope::each;
@@ -66,7 +66,7 @@ struct StabilityLimit {
   Quantity quantity = Quantity::K_eff;
   Measure measure = Measure::min_over_max;
   int first = 1, last = 3;
-  double bound = 0.0;  // min_over_max: at least this ratio; otherwise at most so many percent
+  double bound = 0.0;  // the smallest ratio allowed for min_over_max, else the largest percentage
   std::string clause;
 };
 
