@@ -25,7 +25,7 @@ double stiffness(CycleValues const& cycle, Side side) {
   return cycle.K_eff_kN_per_mm;
 }
 
-// E/(2 pi F d) in percent; force and displacement of a side have one sign.
+// E/(2 pi F d) in percent. Force and displacement of a side have the same sign.
 double damping(CycleValues const& cycle, Side side) {
   if (side == Side::both) return cycle.damping_percent;
   double const work = side == Side::positive ? cycle.F_plus_kN * cycle.d_plus_mm : cycle.F_minus_kN * cycle.d_minus_mm;
@@ -73,7 +73,7 @@ std::string cycles_text(CountingCycles const& cycles) {
   return fmt::format("cycles {} to {}", cycles.first, cycles.last);
 }
 
-// The cycles that count are not all there: the reason; empty when they are.
+// Says that the cycles that count are not all there; empty where they are.
 std::string missing_cycles(CountingCycles const& counting, BlockValues const& block) {
   for (int number = counting.first; number <= counting.last; ++number)
     if (block.find(number) == nullptr)
@@ -87,17 +87,17 @@ struct Reduced {
 };
 
 Reduced reduce(RuleSet const& rules, Quantity quantity, Side side, BlockValues const& block) {
-  Reduced made;
+  Reduced reduced;
   for (int number = rules.cycles.first; number <= rules.cycles.last; ++number) {
     double const value = value_of(*block.find(number), quantity, side);
-    made.mean += value / (rules.cycles.last - rules.cycles.first + 1);
-    made.lowest = std::min(made.lowest, value);
-    made.highest = std::max(made.highest, value);
+    reduced.mean += value / (rules.cycles.last - rules.cycles.first + 1);
+    reduced.lowest = std::min(reduced.lowest, value);
+    reduced.highest = std::max(reduced.highest, value);
   }
-  return made;
+  return reduced;
 }
 
-// A value that is no positive number cannot be held to a limit: where a side was not reached, or the cut is no cycle.
+// A value that is not positive cannot be compared with a limit: one side was not reached, or the cut is no cycle.
 void set_value(DerivedValue& derived, double value) {
   if (std::isfinite(value) && value > 0.0)
     derived.value = value;
