@@ -9,6 +9,8 @@
 
 namespace isolaw {
 
+class JsonWriter;
+
 // What is wrong with an input. Empty parts are left out of the message.
 struct Complaint {
   std::string where = {};    // "file:line", a key, an option
@@ -19,6 +21,9 @@ struct Complaint {
 
 // "where: found; allowed: ...; try: ...", control characters spelled out
 std::string to_string(Complaint const& complaint);
+
+// The same as data: an array of objects with the four parts, cleaned as in the message; an empty part is "".
+void write_complaints(JsonWriter& out, std::vector<Complaint> const& complaints);
 
 class Error : public std::runtime_error {
  public:
