@@ -230,6 +230,19 @@ TEST_F(Catalogue, says_what_the_paper_calls_a_parameter) {
   EXPECT_EQ(bilinear[2]["paper_name"], "F_y");
 }
 
+TEST_F(Catalogue, lists_rule_sets_as_json_in_the_order_of_the_list) {
+  auto const listed = isolaw({"rules"}).out;
+  std::size_t at = 0;
+  auto const sets = Json::parse(isolaw({"rules", "--json"}).out);
+  EXPECT_EQ(sets.size() + 1, count_of("\n", listed)) << "and the template";
+  for (auto const& set : sets) {
+    at = listed.find(set["id"].get<std::string>(), at);
+    ASSERT_NE(at, std::string::npos) << set;
+    EXPECT_TRUE(contains(listed, set["title"].get<std::string>()));
+  }
+  expect_refused_as_object(isolaw({"rules", "ntc-2018", "--json"}), {"--json: is given with 'ntc-2018'"});
+}
+
 TEST_F(Catalogue, knows_the_published_boxes) {
   // Table 4 of the paper for law 1.
   auto const bilinear = Json::parse(isolaw({"laws", "bilinear", "--json"}).out)["parameters"];

@@ -293,8 +293,9 @@ int dispatch(CLI::App& app, int argc, char** argv) {
 
   std::string rule_set;
   auto& rules_command = add("rules", "The rule sets, or the file of one; template to write your own",
-                            [&] { return list_rules(rule_set); });
+                            [&] { return list_rules(rule_set, json); });
   rules_command.add_option("name", rule_set, "a rule set, or template");
+  rules_command.add_flag("--json", json, "the list for machines");
 
   auto& bench_command =
       add("bench", "A signature of what is computed, and the speed of every law here", [&] { return bench(json); });
