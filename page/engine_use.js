@@ -18,5 +18,8 @@ export const fileOf = (files, path) => files.find((file) => file.path === path)?
 // A path as an argument that is no option.
 export const argument = (path) => (path.startsWith('-') ? './' + path : path);
 
-// What the program says without its name in front of each line.
-export const messageOf = (stderr) => stderr.replace(/^isolaw: /gm, '').trim();
+// What a command ended with, as the page shows it: the program's complaints, or where there are none, what it said.
+export const complaintsOf = ({ error, stderr = '' }) => error?.complaints ?? asComplaints(stderr);
+
+// A text that is no more than that, each line by itself.
+export const asComplaints = (text) => text.split('\n').filter(Boolean).map((found) => ({ where: '', found, allowed: '', advice: '' }));

@@ -1,7 +1,7 @@
 // Identification: what is asked, how far it is, the report.
 
 import { button, element, fill, place, visible } from './dom.js';
-import { engine, fileOf } from './engine_use.js';
+import { complaintsOf, engine, fileOf } from './engine_use.js';
 import { fileName } from './download.js';
 import { choiceField, textField } from './fields.js';
 import { reportFrame } from './frame.js';
@@ -133,7 +133,7 @@ async function identify({ fail }) {
     if (parts && !fileOf(result.files, 'out/summary.json')) result = await ask(undefined);
     if (state.lots !== lots) return;
     state.parts = [];
-    if (!fileOf(result.files, 'out/summary.json')) throw Object.assign(new Error(text.failed), { stderr: result.stderr });
+    if (!fileOf(result.files, 'out/summary.json')) throw Object.assign(new Error(text.failed), { complaints: complaintsOf(result) });
     setCampaign(result.files, of);
   } catch (error) {
     if (state.lots !== lots) return;
@@ -227,8 +227,8 @@ export function drawLaws(use) {
         settingsOpen = false;
         changed();
       }, { class: 'action' }),
-      element('span', { class: 'muted' }, devices === 0 ? (state.problem ? '' : text.noDevice) : laws.length === 0 ? text.noLaw : visible(text.work(devices, laws.length, runs) + text.workers(workers))),
+      element('span', { class: 'muted' }, devices === 0 ? (state.problems.length > 0 ? '' : text.noDevice) : laws.length === 0 ? text.noLaw : visible(text.work(devices, laws.length, runs) + text.workers(workers))),
     ),
-    devices === 0 && state.problem && element('div', { class: 'poor' }, problemList(state.problem)),
+    devices === 0 && state.problems.length > 0 && element('div', { class: 'poor' }, problemList(state.problems)),
   );
 }

@@ -1,6 +1,6 @@
 // From files to a lot: what is a lot file, a saved campaign, a record; the program reads and writes all of it.
 
-import { argument, asBytes, asText, fileOf, messageOf, run } from './engine_use.js';
+import { argument, asBytes, asText, complaintsOf, fileOf, run } from './engine_use.js';
 import { changed, state } from './state.js';
 import { text } from './text.js';
 import { deviceTables, readToml, valuesOf, withKey, withSetting, writeValue } from './toml.js';
@@ -226,7 +226,7 @@ export const addFiles = async ({ files, title, notes }) => {
   if (!state.title) state.title = title;
   if (own) {
     const lot = asText(own.bytes).replace(/^\ufeff/, '').replace(/\r\n/g, '\n');
-    Object.assign(state, { lot, inspection: null, inspectionFiles: [], problem: '' });
+    Object.assign(state, { lot, inspection: null, inspectionFiles: [], problems: [] });
     rename(namedFiles() ?? new Set());
     const named = namedFiles();
     const records = fresh.filter((path) => !/\.toml$/i.test(path));
@@ -285,7 +285,7 @@ export const inspect = async () => {
       const read = json ? JSON.parse(asText(json)) : null;
       state.inspection = read && { ...read, devices: read.devices ?? [read] };
       state.inspectionFiles = result.files.map(({ path, bytes }) => ({ path: path.slice('isolaw-out/'.length), bytes }));
-      state.problem = json ? '' : messageOf(result.stderr);
+      state.problems = json ? [] : complaintsOf(result);
       changed();
     } while (again);
   } finally {
@@ -304,7 +304,7 @@ export const openStore = async (bytes, of) => {
   const { lots } = state;
   const result = await run(['report', 'out', '--figures', 'none'], [{ path: 'out/campaign.sqlite', bytes }], ['out/*']);
   const files = result.files.some(({ path }) => path === 'out/campaign.sqlite') ? result.files : [...result.files, { path: 'out/campaign.sqlite', bytes }];
-  if (!fileOf(files, 'out/summary.json')) throw Object.assign(new Error(text.failed), { stderr: result.stderr });
+  if (!fileOf(files, 'out/summary.json')) throw Object.assign(new Error(text.failed), { complaints: complaintsOf(result) });
   // The command line keeps what its records were, and not the lot file.
   if (state.lots !== lots) return;
   const { saved } = state;

@@ -2,7 +2,7 @@
 
 import { drawAbout } from './about.js';
 import { button, element, fill, place, visible } from './dom.js';
-import { engine, messageOf } from './engine_use.js';
+import { asComplaints, complaintsOf, engine } from './engine_use.js';
 import { forgetFrames, isFrame, printFrame } from './frame.js';
 import { cancelIdentifying, drawLaws, isIdentifying, knowWorkers } from './laws.js';
 import { addFiles, exampleLot, inspect, lotDevices, openStore, readCatalogue, readRecords, replaces, titleOfAll } from './lot.js';
@@ -67,7 +67,7 @@ const use = {
     if (lotDevices().length === 0) {
       state.inspection = null;
       state.inspectionFiles = [];
-      state.problem = '';
+      state.problems = [];
     }
     changed();
     busy(text.inspecting, inspectIfAny);
@@ -150,12 +150,12 @@ const hush = () => {
 
 function fail(error) {
   const node = place('failure');
-  const said = messageOf(error.stderr ?? '');
+  const complaints = error.complaints ?? complaintsOf(error);
   fill(
     node,
     element('p', { class: 'word' }, visible(error.message || text.failed)),
-    said && problemList(said).slice(0, 5),
-    !said && !error.shown && element('p', { class: 'fine' }, visible(error.name)),
+    problemList(complaints).slice(0, 5),
+    complaints.length === 0 && !error.shown && element('p', { class: 'fine' }, visible(error.name)),
     button(text.close, () => {
       node.hidden = true;
       place('show-' + current)?.focus();
@@ -251,4 +251,4 @@ engine()
     document.body.dataset.ready = '';
     changed();
   })
-  .catch((error) => fail(Object.assign(new Error(text.noEngine + ' ' + text.noEngineTry), { stderr: error.message, shown: true })));
+  .catch((error) => fail(Object.assign(new Error(text.noEngine + ' ' + text.noEngineTry), { complaints: asComplaints(error.message), shown: true })));

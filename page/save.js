@@ -1,7 +1,7 @@
 // What can be taken away: everything as one file, single files, a law for an analysis program.
 
 import { button, element, fill, place, visible } from './dom.js';
-import { asBytes, fileOf, messageOf, run } from './engine_use.js';
+import { asBytes, complaintsOf, fileOf, run } from './engine_use.js';
 import { download, fileName } from './download.js';
 import { choiceField, flagField } from './fields.js';
 import { problemList } from './records.js';
@@ -68,12 +68,12 @@ async function makeExport() {
   const result = await run(words, under(state.campaign.files, 'out/').filter(({ path }) => /\.(sqlite|json)$/.test(path)), ['*']);
   const made = result.files.filter(({ path }) => !path.startsWith('out/'));
   for (const { path, bytes } of made) download(path.replace(/^.*\//, ''), bytes);
-  // What was written is said already.
-  const warnings = messageOf(result.stderr).split('\n').filter((line) => !made.some(({ path }) => line === path || line === 'written: ' + path)).join('\n');
+  // The program names the file that it wrote, as the page does already.
+  const warnings = result.stderr.split('\n').filter((line) => line !== file).join('\n').trim();
   said = [
     made.length > 0 ? element('p', { class: warnings || resultsDoubt() ? 'care' : 'good' }, visible(text.exported(made.map(({ path }) => path).join(', ')))) : null,
     made.length > 0 && resultsDoubt() && element('p', { class: 'care' }, resultsDoubt()),
-    made.length > 0 ? warnings && element('pre', { tabindex: '0' }, visible(warnings)) : element('div', { class: 'poor' }, problemList(warnings)),
+    made.length > 0 ? warnings && element('pre', { tabindex: '0' }, visible(warnings)) : element('div', { class: 'poor' }, problemList(complaintsOf(result))),
   ];
 }
 

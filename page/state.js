@@ -8,7 +8,7 @@ const nothing = () => ({
   notes: [], // what is to be said of the last drop
   inspection: null, // inspection.json
   inspectionFiles: [],
-  problem: '', // why there is none
+  problems: [], // why there is none: the program's complaints
   campaign: null, // {files, summary, of: {lot, digests} or null}: of `calibrate`, below out/; what it was computed of
   parts: [], // files of one that was cancelled
   cancelled: false, // the last identification was

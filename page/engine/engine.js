@@ -9,10 +9,12 @@
 //     onText: (stream, line) => {},                         // 'stdout' | 'stderr', without its line end
 //     signal: abortController.signal,
 //   });
-//   r = { code, stdout, stderr, files: [{ path, bytes }] }  // files made or changed by the command, that `keep` names
+//   r = { code, stdout, stderr, error, files }            // files: [{ path, bytes }], made or changed by the command, that
+//                                                         // `keep` names; error: null, or what errors.js says
 //
 // A command runs in one worker, in an instance of its own (nothing is left of the one before); more commands than workers
-// wait in turn. A wrong input is no rejection: code 2, the message in stderr, as on the command line.
+// wait in turn. A wrong input is no rejection: code 2, the message in stderr as on the command line, and its complaints
+// as objects in `error`.
 // Rejects with an Error whose `name` is
 //   'AbortError'   the signal; the worker is ended at once, and another takes its place
 //   'MemoryError'  the command asked for more memory than the page gives it
@@ -28,7 +30,7 @@
 //     onProgress: ({ done, total, share, secondsLeft, phase }) => {},   // phase 'runs' | 'analyses'; share 0 to 1
 //     onText, signal,
 //   });
-//   r = { code, stdout, stderr, files }                     // files of the whole campaign, below 'out/': out/report.html,
+//   r = { code, stdout, stderr, error, files }              // files of the whole campaign, below 'out/': out/report.html,
 //                                                           // out/summary.json, out/campaign.sqlite, out/tables/...
 // Worker k of n computes `calibrate --part k/n`, then one makes the whole by `merge`. On 'AbortError' `error.parts` holds
 // what was finished, to be given back as `parts`. A saved campaign that is dropped again is `run({ argv: ['report', 'out'],
