@@ -63,8 +63,9 @@ function devicesIn(tables) {
 // [{number, place, table, file, name}] of the devices of the lot file: `number` of its table, `place` among the devices.
 export const lotDevices = () => devicesIn(lotTables().tables ?? []);
 
-// What `isolaw init` says of files it cannot read stands below its devices; here they are devices too, that are refused.
-const NOT_READ = /\n*^# Not read, and no device here:\n(?:#.*\n?)*/m;
+// `isolaw init` names files that it cannot read in a last paragraph of comments, `# file = ...` for each; here they are
+// devices too, which are refused.
+const FILES_LEFT_OUT = /\n\n(?:#.*\n)*# file = .*\n(?:#.*\n)*$/;
 
 const stem = (path) => path.replace(/^.*\//, '').replace(/\.[^.]*$/, '');
 
@@ -80,7 +81,7 @@ async function recognise(paths, like) {
   }
   const result = await run(words, files, ['isolaw-new.toml']);
   const written = fileOf(result.files, 'isolaw-new.toml');
-  const recognised = written && asText(written).replace(NOT_READ, '\n');
+  const recognised = written && asText(written).replace(FILES_LEFT_OUT, '\n');
   const lot = recognised ? (like === null ? withReadInDevices(recognised) : recognised) : like !== null ? like.slice(0, devicesFrom(like)) : empty();
   const named = new Set(readToml(lot).flatMap(filesOf));
   return lot.replace(/\n*$/, '\n') + paths.filter((path) => !named.has(path)).map(deviceOf).join('');
@@ -321,9 +322,9 @@ export function setCampaign(files, of) {
 
 // What the laws and rule sets are called: from the program, so that they are listed once.
 export const readCatalogue = async () => {
-  const [laws, rules] = await Promise.all([run(['laws'], [], []), run(['rules'], [], [])]);
-  state.laws = [...laws.stdout.matchAll(/^(\S+) +(\S+) +(\d+) parameters? +(.*)$/gm)].map(([, id, set, parameters, title]) => ({ id, set, parameters: Number(parameters), title }));
-  state.rules = [...rules.stdout.matchAll(/^(\S+) +(.*)$/gm)].map(([, id, title]) => ({ id, title })).filter(({ id }) => id !== 'template');
+  const [laws, rules] = await Promise.all([run(['laws', '--json'], [], []), run(['rules', '--json'], [], [])]);
+  state.laws = JSON.parse(laws.stdout).map(({ id, title, set, parameters }) => ({ id, title, set, parameters: parameters.length }));
+  state.rules = JSON.parse(rules.stdout).map(({ id, title, verified_by: by }) => ({ id, title, verified: by !== '' }));
 };
 
 // The built-in lot, as if its folder had been dropped.

@@ -18,7 +18,7 @@ const nothing = () => ({
 export const state = {
   ...nothing(),
   laws: [], // {id, title, parameters, set}
-  rules: [], // {id, title}
+  rules: [], // {id, title, verified}
   lots: 0, // that stood here before: what was begun for one of them is not this one's
 };
 

@@ -148,6 +148,7 @@ export const text = {
   differ: 'of all devices; they differ now',
   rulesOf: 'What the tests are held to',
   rules: 'Rule set',
+  notVerified: '; limits not verified: information, no verdict',
   noRules: 'none',
   lotSize: 'Devices of the production lot, tested or not',
   design: 'Design values',

@@ -379,7 +379,7 @@ int fail_without_memory(Reader reader) {
   fmt::memory_buffer object;
   fmt::format_to(
       std::back_inserter(object),
-      R"({{"error":{{"kind":"memory","complaints":[{{"where":"","found":"out of memory","allowed":"","advice":"{}"}}]}},"exit":{}}})",
+      R"({{"error":{{"kind":"memory","complaints":[{{"where":"","found":"out of memory","allowed":"","advice":"{}","names":[]}}]}},"exit":{}}})",
       advice, exit_internal);
   give(reader, {object.data(), object.size()});
   return exit_internal;

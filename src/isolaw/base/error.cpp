@@ -33,9 +33,15 @@ std::string to_string(Complaint const& complaint) {
 
 void write_complaints(JsonWriter& out, std::vector<Complaint> const& complaints) {
   out.begin_array();
-  for (auto const& [where, found, allowed, advice] : complaints) {
-    out.begin_object().member("where", printable(where)).member("found", clean(found));
-    out.member("allowed", clean(allowed)).member("advice", clean(advice)).end_object();
+  for (auto const& complaint : complaints) {
+    out.begin_object().member("where", printable(complaint.where)).member("found", clean(complaint.found));
+    out.member("allowed", clean(complaint.allowed))
+        .member("advice", clean(complaint.advice))
+        .key("names")
+        .begin_array();
+    for (auto const& name : complaint.names)
+      if (!name.empty()) out.value(printable(name));
+    out.end_array().end_object();
   }
   out.end_array();
 }
