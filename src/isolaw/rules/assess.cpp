@@ -27,6 +27,8 @@ std::string missing_design(Quantity quantity) {
 Assessment compared(DerivedValue const& derived, Quantity quantity, Design const& design) {
   Assessment made;
   made.quantity = derived.label;
+  made.property = quantity;
+  made.side = derived.side;
   made.formula = derived.formula;
   made.value = derived.value;
   made.unit = unit(quantity);
@@ -73,6 +75,8 @@ Assessment assess_stability(RuleSet const& rules, StabilityLimit const& limit, B
   bool const is_ratio = limit.measure == Measure::min_over_max;
   Assessment made;
   made.quantity = fmt::format("{} over cycles", name(limit.quantity));
+  made.property = limit.quantity;
+  made.subject = Subject::cycles;
   made.clause = limit.clause;
   made.formula = fmt::format("{} of cycles {} to {}", measure_text(limit.measure), limit.first, limit.last);
   made.unit = is_ratio ? "" : "%";
@@ -93,6 +97,8 @@ void assess_load(RuleSet const& rules, LoadVariation const& limit, Design const&
   for (auto const quantity : {Quantity::K_eff, Quantity::damping}) {
     Assessment made;
     made.quantity = fmt::format("{} over vertical load", name(quantity));
+    made.property = quantity;
+    made.subject = Subject::loads;
     made.clause = limit.clause;
     made.formula = "(value at the largest load - value at the smallest)/design value";
     made.unit = "%";
@@ -172,6 +178,16 @@ std::string deviation_text(double deviation_percent, std::optional<double> lower
   }
 }
 
+std::string_view name(Subject subject) {
+  // In the order of Subject.
+  static constexpr std::array<std::string_view, 5> names{"device", "cycles", "loads", "lot", "sample"};
+  return names.at(static_cast<std::size_t>(subject));
+}
+
+bool is_of(Assessment const& assessment, Quantity property) {
+  return assessment.property == property && assessment.subject == Subject::device;
+}
+
 std::string same_record_as(std::string_view device) {
   return fmt::format("the same record as {}", device);
 }
@@ -179,7 +195,7 @@ std::string same_record_as(std::string_view device) {
 void withhold_verdicts(std::vector<Assessment>& assessments, std::string_view copy_of) {
   for (auto& a : assessments) {
     bool const judged = a.verdict == Verdict::pass || a.verdict == Verdict::fail;
-    if (!judged || a.quantity == name(Quantity::K_v)) continue;  // K_v has a test of its own
+    if (!judged || a.property == Quantity::K_v) continue;  // K_v has a test of its own
     a.verdict = Verdict::not_assessed;
     a.reason = same_record_as(copy_of);
   }
