@@ -481,7 +481,7 @@ async function look_at_analysis() {
         .map((one) => one.id)
         .sort(),
     ),
-    sentences: report.findings.converged.every((text) => said.includes(text.replace(/\s/g, ''))),
+    sentences: report.findings.converged.every(({ sentence }) => said.includes(sentence.replace(/\s/g, ''))),
     cells: cells.length,
     examined: law.devices.flatMap((one) => one.determination?.identifiability ?? []).filter(Boolean).length,
     reached: cells.filter((cell) => cell.tabIndex === 0).length,

@@ -417,7 +417,7 @@ std::string page_data_json(Summary const& summary) {
   auto const seed = std::to_string(summary.seed);  // as text: 64 bits do not fit a JavaScript number
   write_members(out, "isolaw", campaign::text(std::span(summary.makers)), "title", summary.title, "seed", seed, "runs",
                 summary.runs, "missing_runs", summary.missing_runs(), "missing_analyses", summary.missing_analyses(),
-                "command", command_again(summary));
+                "command", command_again(summary), "takes_lot_file", takes_lot_file(summary));
   out.key("settings").begin_object();
   for (auto const& setting : summary.settings) out.key(setting.key).json(setting.json);
   out.end_object();

@@ -22,13 +22,16 @@ export const chosenBlocks = (device) =>
 export const amplitudeText = (block) =>
   counted(block).length > 0 ? '±' + significant(block.amplitude_mm, 3) + THIN + 'mm' : 'no complete cycle';
 
-export function blockText(block) {
+// "2, ±60 mm, 0.5 Hz, sine"
+export function blockFacts(block) {
   return (
-    'block ' + block.number + ', ' + amplitudeText(block) +
+    block.number + ', ' + amplitudeText(block) +
     (isNumber(block.frequency_Hz) ? ', ' + significant(block.frequency_Hz, 2) + THIN + 'Hz' : '') +
     (block.waveform ? ', ' + block.waveform : '')
   );
 }
+
+export const blockText = (block) => 'block ' + blockFacts(block);
 
 export const cycleText = (block, cycle) =>
   'block ' + block.number + ', ' + (cycle.counts ? 'cycle ' + cycle.number : 'not counted: ' + cycle.reason);

@@ -50,9 +50,12 @@ export function significant(value, digits = 3) {
 export const printed = (value, { decimals, significant: digits }) =>
   isNumber(decimals) ? fixed(value, decimals) : significant(value, digits ?? 4);
 
+// As the beginning of a sentence.
+export const capitalised = (text) => text[0].toUpperCase() + text.slice(1);
+
 // A word begins with a capital, a symbol stays as it is.
 export const atTheHead = (title) =>
-  /^[a-z]{4}/.test(title) ? title[0].toUpperCase() + title.slice(1) : title.replace(/-$/, MINUS);
+  /^[a-z]{4}/.test(title) ? capitalised(title) : title.replace(/-$/, MINUS);
 
 export const trimmed = (value) => typeset(String(Number(value.toPrecision(4))));
 

@@ -20,8 +20,8 @@ function certificateRemarks() {
     for (const device of devices) for (const text of textsOf(device)) found.set(text, [...(found.get(text) ?? []), device.name]);
     return [...found].map(([text, names]) => (all(names) ? 'all devices' : enumerate(names)) + ': ' + text);
   };
-  // What the program was told of a record stands with its option in brackets; how columns were recognised does not.
-  const told = (device) => device.recognised.filter((line) => /\(--[a-z]/.test(line));
+  // What the program was told of a record, by an option or the lot file; not what it recognised by itself.
+  const told = (device) => device.recognised.filter(({ option }) => option).map(({ sentence }) => sentence);
   return [
     ...report.findings.warnings.filter((warning) => topics.has(warning.topic)).map((warning) => warning.sentence),
     ...withDevices(({ corrections }) => corrections, 2).map((text) => 'corrected, ' + text),

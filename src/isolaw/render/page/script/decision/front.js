@@ -30,7 +30,7 @@ function frontData() {
   return {
     columns: [
       ...name.columns,
-      ...VIEWS.flatMap((view) => [...view.columns, 'on front ' + view.title.replace('\u2019', "'")]),
+      ...VIEWS.flatMap((view) => [...view.names.map((name) => name + ' [-]'), 'on front ' + view.column]),
       ...grade.columns,
     ],
     rows: ranking.map((law) => [
@@ -168,8 +168,7 @@ function drawFront(look, width) {
       size: symbol === 'circle' ? 12 : 11, symbol, color: look.colour(colour), line: { width: 2, color: look.colour(colour) },
     },
     hovertemplate:
-      '<b>%{text}</b><br>' + view.columns[1].replace(' [-]', '') +
-      ' %{y:.4f}<br>' + view.columns[0].replace(' [-]', '') + ' %{x:.3f}<extra></extra>',
+      '<b>%{text}</b><br>' + view.names[1] + ' %{y:.4f}<br>' + view.names[0] + ' %{x:.3f}<extra></extra>',
   });
   const label = (law, i) => {
     const { x, y, beside } = places[i];

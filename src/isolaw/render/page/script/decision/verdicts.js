@@ -1,7 +1,7 @@
 import { chosen } from '../choice.js';
 import { element, shortList } from '../dom.js';
 import { marker, roleTone } from '../icons.js';
-import { isInadequate, lawName, withBadges } from '../laws.js';
+import { isInadequate, lawName, lawOf, withBadges } from '../laws.js';
 import { TONES, errorText, placedIn, purposeOf, standingsOf, viewOf } from '../purposes.js';
 import { laws, report } from '../report.js';
 import { fixed, sentence } from '../text.js';
@@ -15,8 +15,8 @@ export const convergedFigure = {
     element(
       'ul',
       { class: 'sentences' },
-      ...report.findings.converged.map((text) =>
-        element('li', {}, ...(/\bfront\b/.test(text) ? withBadges(sentence(text)) : [sentence(text)])),
+      ...report.findings.converged.map(({ sentence: text, front }) =>
+        element('li', {}, ...withBadges(sentence(text), front.map(lawOf))),
       ),
     ),
 };
@@ -27,7 +27,7 @@ const ROLES = { taken: 'most accurate', ties: 'most accurate', behind: 'not rank
 
 // Beside the badge of a prediction nothing more is said of it.
 const said = (place, reason) =>
-  reason ? (reason.startsWith('its prediction') ? '' : ', ' + sentence(reason)) : place === 'behind' ? '' : ', ' + place;
+  reason ? (reason.kind === 'prediction' ? '' : ', ' + sentence(reason.sentence)) : place === 'behind' ? '' : ', ' + place;
 
 // What the chosen purpose makes of the laws, best first.
 function verdictList() {

@@ -1,7 +1,7 @@
 import { lotLaws } from '../report.js';
 import { symbol } from '../symbols.js';
 import { table } from '../tables.js';
-import { DASH, fixed, isNumber, rowFormat, significant, superscript, unitText } from '../text.js';
+import { DASH, capitalised, fixed, isNumber, rowFormat, significant, superscript, unitText } from '../text.js';
 import { ofLot } from './of_lot.js';
 
 export const lotParametersFigure = {
@@ -26,11 +26,11 @@ function lotParametersCaption() {
   return (
     law.name +
     ' as one law for all devices, and as the devices scatter: median of the lot, standard deviation between devices without the uncertainty of their fits.' +
-    (law.population?.note ? ' ' + law.population.note[0].toUpperCase() + law.population.note.slice(1) + '.' : '')
+    (law.population?.note ? ' ' + capitalised(law.population.note) + '.' : '')
   );
 }
 
-const atBound = (law, name) => law.lot.at_bound.some((text) => text.startsWith(name + ' '));
+const atBound = (law, name) => law.lot.at_bound.some(({ parameter }) => parameter === name);
 
 // None beyond what the fits themselves leave open.
 const scatterText = (scatter) => (scatter > 0 ? fixed(100 * scatter, 1) : 'not resolvable');

@@ -38,7 +38,7 @@ function stabilityCaption() {
     })
     .filter(Boolean);
   const held = device.assessments.some(
-    (a) => FOLLOWED.some(({ name }) => a.quantity.startsWith(name)) && isNumber(a.nominal),
+    (a) => FOLLOWED.some(({ name }) => a.property === name) && isNumber(a.nominal),
   );
   return (
     (said.length > 0

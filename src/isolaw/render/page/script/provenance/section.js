@@ -32,7 +32,7 @@ const commandFigure = {
   title: 'The command that makes it again',
   wanted: () => report.command !== '',
   caption: () =>
-    report.command.includes(' LOT.toml ')
+    report.takes_lot_file
       ? 'LOT.toml: the lot file that names these devices and says how their files are read. The name of a device is part of its seed.'
       : 'The files as they were named, and every setting. Where columns or units were given, give them again.',
   build: commandLine,
@@ -98,7 +98,7 @@ function commandLine() {
 function stepsList() {
   const items = devices.map((device) => {
     const sentences = [
-      ...device.recognised,
+      ...device.recognised.map(({ sentence }) => sentence),
       ...device.warnings.map((text) => 'Take care: ' + text),
       ...device.notes.map((text) => 'Note: ' + text),
       ...device.corrections.map((text) => 'Corrected: ' + text),

@@ -1,6 +1,6 @@
 import { element, shortList } from '../dom.js';
 import { report } from '../report.js';
-import { sentence } from '../text.js';
+import { capitalised, sentence } from '../text.js';
 import { WORDS, verdictBadge } from '../verdicts.js';
 
 // The verdict of the whole, in a word and a sentence; then what fails and passes, and the devices behind the sentence.
@@ -16,7 +16,7 @@ function band() {
     'div',
     { class: 'band ' + (word ? WORDS[word].tone : 'muted') },
     word ? element('p', { class: 'word' }, word) : null,
-    element('p', { class: 'said' }, sentence(said[0].toUpperCase() + said.slice(1)) + '.'),
+    element('p', { class: 'said' }, sentence(capitalised(said)) + '.'),
     element(
       'ul',
       { class: 'requirements' },
