@@ -2,7 +2,7 @@
 
 import { unseen } from './dom.js';
 import { text } from './text.js';
-import { looksLikeZip, readZip } from './zip.js';
+import { TooLarge, looksLikeZip, readZip } from './zip.js';
 
 const MOST = 768 * 1024 * 1024; // of all files together: workers hold copies of them
 
@@ -91,7 +91,7 @@ export const take = async (chosen, size) => {
     );
     if (looksLikeZip(bytes) && !/\.xlsx$/i.test(path)) {
       const unpacked = await readZip(bytes).catch((error) => {
-        throw failure(error instanceof RangeError && error.message === 'unpacked' ? text.bigZip(path) : text.badZip(path));
+        throw failure(error instanceof TooLarge ? text.bigZip(path) : text.badZip(path));
       });
       // A workbook under another name.
       if (unpacked.some((one) => one.path === '[Content_Types].xml')) files.push({ path: safePath(path), bytes, inFolder });

@@ -18,6 +18,9 @@ function crc32(bytes) {
   return (crc ^ 0xffffffff) >>> 0;
 }
 
+// A file that unpacks to more than is allowed.
+export const TooLarge = class extends RangeError {};
+
 // All bytes that come out of a stream, no more than `most`.
 async function through(bytes, stream, most) {
   const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader();
@@ -27,7 +30,7 @@ async function through(bytes, stream, most) {
     size += step.value.length;
     if (size > most) {
       reader.cancel();
-      throw new RangeError('unpacked');
+      throw new TooLarge();
     }
     parts.push(step.value);
   }
@@ -111,7 +114,7 @@ export const readZip = async (bytes) => {
     if (flags & 1 || ![0, 8].includes(method) || view.getUint32(local, true) !== LOCAL) throw new Error('zip');
     const from = local + 30 + view.getUint16(local + 26, true) + view.getUint16(local + 28, true);
     const data = bytes.subarray(from, from + packed);
-    if (method === 0 && data.length > left) throw new RangeError('unpacked');
+    if (method === 0 && data.length > left) throw new TooLarge();
     const whole = method === 0 ? data.slice() : await through(data, new DecompressionStream('deflate-raw'), left);
     if (crc32(whole) !== crc) throw new Error('zip');
     left -= whole.length;

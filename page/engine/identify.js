@@ -85,7 +85,7 @@ export function identifyWith(pool) {
         },
         signal: ended.signal,
       });
-      said.stderr = said.stderr.replace(/^progress .*\n/gm, '');
+      said.stderr = said.stderr.split('\n').filter((line) => !isProgress(line)).join('\n');
       if (folder === 'out') return said;
       if (said.code !== 0) throw new Refused(said);
       // Nothing was left to do where it was there already.

@@ -267,8 +267,14 @@ const tests = {
   },
 
   'a workbook, a MATLAB file, and files that need to be told': async () => {
-    const page = await open();
     const warts = join(root, 'tests/warts');
+    // What is wrong with a file, as parts of a complaint.
+    const alone = await open();
+    await alone.drop([join(warts, 'no-units.csv')]);
+    const problems = await alone.evaluate("[...document.querySelectorAll('#devices .problem')].map((one) => [one.textContent, [...one.querySelectorAll('b')].map((b) => b.textContent.trim())])");
+    expect(problems.length > 0 && problems.every(([said, [allowed, advice]]) => allowed === 'Allowed' && advice === 'Try' && !/; (allowed|try): |isolaw: /.test(said)), 'complaints in parts: ' + JSON.stringify(problems));
+    await end(alone);
+    const page = await open();
     const matlab = join(root, '../shared/data/mr-damper/ensaio.A.1.mat');
     const paths = [join(warts, 'date-cells.xlsx'), join(warts, 'no-units.csv'), join(warts, 'iso.json')];
     if (existsSync(matlab)) paths.push(matlab);
