@@ -1,4 +1,4 @@
-// How one device is read: a form that is its table in the lot file.
+// The form for one device, which edits its table in the lot file.
 
 import { element, visible } from './dom.js';
 import { choiceField, choicesOf, fieldset, flagField, textField } from './fields.js';
@@ -19,7 +19,7 @@ function linesOf(bytes) {
   if (!wide && head.includes(0)) return null;
   let words;
   try {
-    // The last characters may be cut in two.
+    // Stops at a line's end: the last character of `head` may be cut in two.
     words = new TextDecoder(wide || 'utf-8', { fatal: !wide }).decode(wide ? head : head.subarray(0, head.length === bytes.length ? head.length : head.lastIndexOf(10) + 1));
   } catch {
     words = new TextDecoder('windows-1252').decode(head);
@@ -27,7 +27,8 @@ function linesOf(bytes) {
   return words.split(/\r\n|\r|\n/).slice(0, 16).map((line) => visible(line.slice(0, 300)));
 }
 
-// `found`: of inspection.json, or undefined; `problems`: the program's complaints; `write(key, value)` and `writePart(key, channel, value)` change the lot file.
+// `found`: the device in inspection.json, or undefined; `problems`: the program's complaints. `write(key, value)` and
+// `writePart(key, channel, value)` change the lot file.
 export function deviceForm(device, found, problems, write, writePart) {
   const id = (key) => 'device-' + device.place + '-' + key;
   const value = (key) => device.table.keys.get(key)?.value;

@@ -1,4 +1,4 @@
-// What holds for the whole lot: a form that is the lot file, and the lot file itself.
+// The form for the whole lot, which edits the lot file, and the lot file itself.
 
 import { button, element, place } from './dom.js';
 import { choiceField, fieldset, textField } from './fields.js';

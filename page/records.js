@@ -1,4 +1,4 @@
-// The first screen: what was dropped, what was recognised in it, and how it is corrected.
+// The first screen: the files that were dropped, what was recognised in them, and the forms that correct it.
 
 import { button, element, fill, place, sign, visible } from './dom.js';
 import { deviceForm } from './device_form.js';
@@ -20,7 +20,7 @@ const CHANNELS = ['time', 'disp', 'force', 'load'];
 
 const number = (value, digits) => (typeof value === 'number' ? String(Number(value.toPrecision(digits))).replace('-', '\u2212') : '\u2013');
 
-// The program's complaints; where one is about the file `own`, which stands above, it is not named again.
+// Shows the program's complaints. The file `own` stands above them and is not named again.
 export const problemList = (complaints, own = '') =>
   complaints.map(({ where, found, allowed, advice }) =>
     element(
@@ -32,7 +32,7 @@ export const problemList = (complaints, own = '') =>
     ),
   );
 
-// The devices of the lot file, each with what inspect says of it.
+// The devices of the lot file, each with its result of inspect.
 function devicesFound() {
   const devices = lotDevices();
   const found = state.inspection?.devices ?? [];
@@ -158,7 +158,7 @@ function band(all) {
   const bare = all.filter((one) => one.readable && one.problems.length > 0).length;
   // Where the lot has one device, what is wrong stands in its row.
   const broken = state.problems.length > 0 && !state.inspection && all.length !== 1;
-  // A store alone.
+  // A store without records.
   if (state.lot === null && state.campaign && not === 0) return { read, node: ['muted', text.readBand.results, text.readResults, false] };
   const [tone, word, said] = broken
     ? ['poor', text.readBand.broken, '']

@@ -1,4 +1,4 @@
-// The command line program in the browser: what the page calls. Nothing of the program is written again here.
+// The command line program in the browser, as the page calls it. Nothing of the program is written again here.
 //
 //   const engine = await createEngine({ workers: 4 });      // workers: default navigator.hardwareConcurrency
 //
@@ -47,7 +47,7 @@ import { identifyWith } from './identify.js';
 import { makePool } from './pool.js';
 import { runSelfTest } from './self_test.js';
 
-// What the build put into the document (embed.mjs), and how a worker is started there.
+// The parts that the build put into the document (embed.mjs), and how a worker is started there.
 function ofDocument() {
   const text = (id) => document.getElementById(id).textContent;
   const script = URL.createObjectURL(new Blob([text('isolaw-worker')], { type: 'text/javascript' }));
@@ -65,7 +65,7 @@ export const createEngine = async ({ workers, from = ofDocument() } = {}) => {
   const inflated = new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip')));
   const module = await WebAssembly.compile(await inflated.arrayBuffer());
   const pool = makePool(start, Promise.resolve(module), Math.max(1, workers ?? cores ?? 2));
-  // The caller's bytes stay the caller's: what is posted is copied.
+  // Posting copies the files, so that the caller keeps its bytes.
   const run = (what) => pool.run(what);
   return {
     run,

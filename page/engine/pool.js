@@ -32,7 +32,7 @@ export function makePool(start, module, count) {
     busy.delete(worker);
     if (whole && !closed) idle.push(worker);
     else worker.terminate();
-    // Another is ready before it is asked for.
+    // Its successor starts now, so that the next command need not wait for it.
     if (!whole && !closed && idle.length + busy.size < count) idle.push(open());
     next();
   };

@@ -35,16 +35,16 @@ export async function answerWith(page, program) {
     child.on('close', (code) => {
       clearInterval(tick);
       children.delete(id);
-      const made = all(folder)
+      const changed = all(folder)
         .filter((file) => !before.has(file) || what === 'identify')
         .map((file) => ({ path: relative(folder, file), bytes: readFileSync(file).toString('base64') }))
         .filter(({ path }) => (what === 'run' ? (keep ?? ['*']).some((one) => new RegExp('^' + one.replace(/[.+]/g, '\\$&').replace(/\*/g, '.*') + '$', 's').test(path)) : path.startsWith('out/')));
       rmSync(folder, { recursive: true });
-      if (child.aborted) answer(id, { error: { name: 'AbortError', message: 'cancelled', parts: made.filter(({ path }) => path.endsWith('.sqlite')) } });
+      if (child.aborted) answer(id, { error: { name: 'AbortError', message: 'cancelled', parts: changed.filter(({ path }) => path.endsWith('.sqlite')) } });
       else {
         const lines = stderr.split('\n').slice(0, -1);
         const error = errorIn(lines, code);
-        answer(id, { code, stdout, stderr: lines.map((line) => line + '\n').join(''), error, files: made });
+        answer(id, { code, stdout, stderr: lines.map((line) => line + '\n').join(''), error, files: changed });
       }
     });
   };

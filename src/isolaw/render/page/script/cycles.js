@@ -4,7 +4,7 @@ import { chosen } from './choice.js';
 import { headingOf, headingText, report, resultColumns } from './report.js';
 import { THIN, isNumber, printed, significant } from './text.js';
 
-// The properties that are followed from cycle to cycle: their key in a cycle, their name in `stability` and in rule sets.
+// The properties that are followed from cycle to cycle: `key` in a cycle, `name` in `stability` and in rule sets.
 export const FOLLOWED = report.followed.map(({ name, key }) => {
   const heading = headingOf('cycles', key);
   const text = (value) => printed(value, heading) + THIN + heading.unit;

@@ -9,7 +9,7 @@ export function lawKey(law) {
   return element('span', { class: isAgain(law) ? 'key again' : 'key', style: `border-color: var(--${colourOf(law)})` });
 }
 
-// A law's name; where it does not predict, that stands beside it wherever it is recommended.
+// Wherever a law is recommended that does not predict, this badge stands beside its name.
 function predictionBadge(law, name = '') {
   return element(
     'span',
@@ -40,7 +40,7 @@ export function predictionNote(among) {
     : '';
 }
 
-// Those that do not describe the devices, however they compare.
+// Laws that do not describe the devices, however well they compare with others.
 const inadequate = new Set(
   report.findings.verdicts.filter((verdict) => verdict.role === 'not adequate').map((verdict) => verdict.law),
 );

@@ -1,4 +1,4 @@
-// What the reader wants a law for: what the first screen shows, chart, list, headline and ranking, follows it.
+// The purpose that the reader wants a law for. Chart, list, headline and ranking on the first screen follow it.
 
 import { doesNotPredict, laws, lawsByObjective, report } from './report.js';
 import { enumerate, fixed, isNumber, percentText, withUnit } from './text.js';
@@ -34,7 +34,7 @@ export const errorText = (error) =>
 
 const NAMED_AT_FIRST = 3;
 
-// The laws that are named first wherever laws can be chosen: those of the first answer, none that does not predict.
+// Laws that are chosen at first: those of the first answer, without any that does not predict.
 export const recommended = (() => {
   const purpose = PURPOSES.find(({ id }) => id === FIRST);
   const named = purpose?.recommendation?.law
@@ -45,7 +45,7 @@ export const recommended = (() => {
 
 export const viewOf = (id) => VIEWS.find((view) => view.id === id);
 
-// The laws that the answer names: those that share the first place, or the front.
+// The laws that an answer names: those that share the first place, or those on the front.
 export function answering(purpose, viewId) {
   const { recommendation } = purpose;
   if (recommendation) return recommendation.law ? [recommendation.law, ...recommendation.ties].map((id) => byId.get(id)) : [];
@@ -53,7 +53,7 @@ export function answering(purpose, viewId) {
   return placedIn(view).filter((law) => view.onFront(law));
 }
 
-// The answer in a sentence; of robustness that of the view: the program's of the mean of the runs, else who is on the front.
+// The answer as a sentence. For robustness: the program's sentence in the view of mean runs, else who is on the front.
 export function answerOf(purpose, viewId) {
   if (purpose.recommendation) return purpose.answer;
   const view = viewOf(viewId);

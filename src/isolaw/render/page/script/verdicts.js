@@ -26,7 +26,7 @@ export const VERDICTS = {
   'not assessed': { tone: 'muted', filled: false, path: 'M1.5 6 H10.5', mark: '', symbol: 'line-ew-open' },
 };
 
-// Of the whole, by the colours of those of single limits.
+// The words for the whole lot, in the colours of the verdicts on single limits.
 export const WORDS = { PASS: { tone: 'good', verdict: 'pass' }, FAIL: { tone: 'poor', verdict: 'fail' }, INCOMPLETE: { tone: 'care', verdict: 'not assessed' } };
 
 export function verdictBadge(verdict, text = verdict) {

@@ -1,7 +1,7 @@
 import { laws } from './report.js';
 import { isNumber } from './text.js';
 
-// Accuracy against robustness, three ways; those that some law has both coordinates of.
+// Three views of accuracy against robustness, without those in which no law has both coordinates.
 export const VIEWS = [
   {
     id: 'runs',
@@ -41,7 +41,7 @@ export const VIEWS = [
   },
 ].filter((view) => laws.some((law) => isPlaced(view, law)));
 
-// Without the optimiser's noise where that is known.
+// The view without the optimiser's noise where there is one.
 export const FIRST_VIEW = (VIEWS.find(({ id }) => id === 'converged') ?? VIEWS[0])?.id;
 
 export function isPlaced(view, law) {

@@ -1,4 +1,4 @@
-// What is signed, and the records that it is of.
+// The signatures, and the records that the certificate is about.
 
 import { element } from '../dom.js';
 import { devices, report } from '../report.js';

@@ -4,7 +4,7 @@ import { withBadges } from '../laws.js';
 import { PURPOSES, TONES, answerOf, answering, numbersOf, purposeOf } from '../purposes.js';
 import { capitalised, sentence } from '../text.js';
 
-// The verdict first: one sentence, how sure, three numbers, why, and the test that would tell more.
+// The answer: one sentence, how sure it is, three numbers, the reasons, and the test that would tell more.
 export const answerFigure = { id: 'answer', title: '', depends: ['purpose', 'view'], controls: purposeControl, build: answer };
 
 function answer() {
@@ -28,7 +28,7 @@ function answer() {
   );
 }
 
-// What the sentence above does not say yet: the numbers stand beside it.
+// Reasons that neither the sentence above nor the numbers beside it have given.
 function reasons({ law, why, nearer, weak }) {
   if (!law) return why;
   const doubts = weak.map((one) => one.sentence).join('; ');

@@ -25,11 +25,11 @@ export const verdictsFigure = { id: 'verdicts', width: 'narrow', title: '', depe
 
 const ROLES = { taken: 'most accurate', ties: 'most accurate', behind: 'not ranked', 'ruled out': 'not adequate' };
 
-// Beside the badge of a prediction nothing more is said of it.
+// A reason about the prediction is left out, since the badge beside the name says it.
 const said = (place, reason) =>
   reason ? (reason.kind === 'prediction' ? '' : ', ' + sentence(reason.sentence)) : place === 'behind' ? '' : ', ' + place;
 
-// What the chosen purpose makes of the laws, best first.
+// The laws for the chosen purpose, best first.
 function verdictList() {
   const purpose = purposeOf(chosen.purpose);
   const items = purpose.recommendation
@@ -70,7 +70,7 @@ function rankedList() {
   });
 }
 
-// Warnings by what a reader does about them, each behind its number.
+// Warnings grouped by what a reader should do about them, folded, with their number.
 function cares() {
   const { warnings } = report.findings;
   if (warnings.length === 0)
