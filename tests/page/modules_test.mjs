@@ -1,4 +1,4 @@
-// What the page is made of, without a browser: the lot file as a form edits it, zip files, no way from text to markup.
+// Modules of the page without a browser: the lot file as a form edits it, zip files, no way from text to markup.
 //   node modules_test.mjs
 import assert from 'node:assert/strict';
 import { copyFileSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
