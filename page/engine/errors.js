@@ -3,8 +3,8 @@
 
 export const asksForErrors = (argv) => ['--errors-as-json', ...argv];
 
-// {kind, complaints: [{where, found, allowed, advice}]}, or null; its line is taken out of `lines`, those of standard
-// error. `kind`: 'input', 'memory', 'system', 'internal'.
+// {kind, complaints: [{where, found, allowed, advice, names}]}, or null. Takes its line out of `lines`, those of standard
+// error. `kind`: 'input', 'memory', 'system', 'internal'; `names`: columns that are there, where one was not found.
 export function errorIn(lines, code) {
   if (code === 0 || lines.length === 0) return null;
   try {

@@ -353,7 +353,7 @@ const tests = {
     const found = best(JSON.parse((await page.saved()).bytes)),
       wanted = best(JSON.parse(readFileSync(join(work, 'bearing-native/summary.json'))));
     equal(Object.keys(found).length, 7, 'laws');
-    // Searches count as ended alike within this (docs/performance.md): on a ragged floor instruction sets differ by as much.
+    // Searches count as alike within this (docs/performance.md): on a ragged floor instruction sets differ by as much.
     for (const [law, objective] of Object.entries(wanted)) expect(Math.abs(found[law] / objective - 1) < (law === 'abe' ? 1e-3 : 1e-5), `objective of ${law}: ${found[law]}, natively ${objective}`);
     await end(page);
   },
