@@ -178,7 +178,8 @@ TEST_F(Merge, takes_what_others_have_examined_of_devices) {
   expect_message(isolaw(merge(all(), {"E1", "E2"})), 1, {"24 runs and 6 analyses copied"});
   expect_as_one_machine();
   expect_refused(examine("3/2"), {"--part", "K/N"});
-  expect_refused(isolaw(merge(all(), {"--part", "1/2", "--json"})), {"--json: a part makes a share of the analyses"});
+  expect_refused_as_object(isolaw(merge(all(), {"--part", "1/2", "--json"})),
+                           {"--json: a part makes a share of the analyses"});
 }
 
 TEST_F(Merge, names_what_is_missing_and_who_should_hold_it_and_goes_on_from_there) {
@@ -419,7 +420,7 @@ TEST_F(Merge, part_is_an_ordinary_store_that_knows_it_is_one) {
   *(std::ranges::find(more, "--runs") + 1) = "5";
   expect_refused(isolaw(more), {"P3/campaign.sqlite: part 3/7 of a campaign that is now larger, by 5 runs instead of 4",
                                 "dealt anew"});
-  expect_refused(isolaw(part(3, {"--json"})), {"--json: a part has no summary"});
+  expect_refused_as_object(isolaw(part(3, {"--json"})), {"--json: a part has no summary"});
 }
 
 TEST_F(Merge, parts_are_named_as_they_may_be) {

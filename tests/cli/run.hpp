@@ -216,4 +216,12 @@ inline void expect_refused(Outcome const& o, std::vector<std::string> const& par
   EXPECT_TRUE(o.out.empty()) << o;
 }
 
+// The same of words with --json: standard output holds the complaints as one object, which comes back.
+inline Json expect_refused_as_object(Outcome const& o, std::vector<std::string> const& parts) {
+  expect_message(o, 2, parts);
+  auto const object = Json::parse(o.out, nullptr, false);
+  EXPECT_TRUE(object.is_object() && object["exit"] == 2 && !object["error"]["complaints"].empty()) << o;
+  return object;
+}
+
 }  // namespace isolaw::cli_test

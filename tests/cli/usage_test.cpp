@@ -2,6 +2,7 @@
 #include "cli/published_laws.hpp"
 #include "cli/records.hpp"
 #include "cli/run.hpp"
+#include "isolaw/base/error.hpp"
 
 namespace isolaw::cli_test {
 namespace {
@@ -83,6 +84,47 @@ TEST_F(Usage, every_refusal_says_who_speaks_what_is_allowed_and_what_to_try) {
   EXPECT_TRUE(contains(said({"calibrate", "x", "--jobs", "5000"}), "isolaw: --jobs: '5000' is not allowed; allowed: "));
   EXPECT_TRUE(contains(said({"inspect", "x", "--dt", "fast"}), "isolaw: --dt: 'fast' is no number"));
   EXPECT_TRUE(contains(said({"calibrate", "x", "--out"}), "isolaw: --out: needs a value"));
+}
+
+TEST_F(Usage, a_command_with_json_that_fails_gives_its_complaints_as_an_object) {
+  auto const missing =
+      expect_refused_as_object(isolaw({"inspect", "no\nsuch.csv", "--json"}), {"no\\nsuch.csv: no such"});
+  EXPECT_EQ(missing["error"]["kind"], "input");
+  auto const& complaint = missing["error"]["complaints"][0];
+  EXPECT_EQ(complaint["where"], "no\\nsuch.csv");
+  for (auto const* part : {"where", "found", "allowed", "advice"}) EXPECT_TRUE(complaint[part].is_string()) << part;
+  // Every complaint by itself, in the order of the messages, of which each is made of the four parts.
+  write("bad.csv", "time [s],displacement [mm],force [kN]\n0,0,0\n1,x,0\n2,0,y\n");
+  auto const o = isolaw({"inspect", "bad.csv", "--json"});
+  std::string messages;
+  auto const several = expect_refused_as_object(o, {"bad.csv"});
+  for (auto const& each : several["error"]["complaints"])
+    messages += "isolaw: " + to_string(Complaint{each["where"], each["found"], each["allowed"], each["advice"]}) + "\n";
+  EXPECT_EQ(messages, o.err);
+  EXPECT_EQ(isolaw({"inspect", "bad.csv"}).err, o.err);
+  // Wrong usage too; without --json nothing.
+  auto const usage = expect_refused_as_object(isolaw({"laws", "--json", "--bogus"}), {"--bogus: no such option"});
+  EXPECT_EQ(usage["error"]["complaints"][0]["where"], "--bogus");
+  expect_refused(isolaw({"laws", "--bogus", "--", "--json"}), {"--bogus"});
+  // Where output stands already, at standard error.
+  write("a.csv", csv(record()));
+  write("file", "");
+  auto const partial = isolaw({"inspect", "a.csv", "--json", "--out", "file/below"});
+  EXPECT_EQ(partial.code, 2) << partial;
+  EXPECT_TRUE(Json::parse(partial.out).contains("blocks")) << partial;
+  auto const last = partial.err.rfind('\n', partial.err.size() - 2) + 1;
+  EXPECT_FALSE(Json::parse(partial.err.substr(last))["error"]["complaints"].empty()) << partial;
+}
+
+// The word by which the page's engine asks for the object of every command: always at standard error, below the message.
+TEST_F(Usage, the_pages_engine_gets_the_object_of_every_command) {
+  auto const o = isolaw({"--errors-as-json", "init", "nowhere.csv"});
+  expect_refused(o, {"isolaw: nowhere.csv: no such"});
+  auto const plain = isolaw({"init", "nowhere.csv"}).err;
+  EXPECT_TRUE(o.err.starts_with(plain)) << o;
+  EXPECT_EQ(Json::parse(o.err.substr(plain.size()))["error"]["complaints"][0]["where"], "nowhere.csv");
+  EXPECT_EQ(isolaw({"--errors-as-json", "laws"}).out, isolaw({"laws"}).out);
+  EXPECT_FALSE(contains(isolaw({"--help"}).out, "--errors-as-json"));
 }
 
 TEST_F(Usage, output_that_cannot_be_written_is_no_success) {
@@ -186,6 +228,19 @@ TEST_F(Catalogue, says_what_the_paper_calls_a_parameter) {
   auto const bilinear = Json::parse(isolaw({"laws", "bilinear", "--json"}).out)["parameters"];
   EXPECT_EQ(bilinear[0]["paper_name"], Json(nullptr));
   EXPECT_EQ(bilinear[2]["paper_name"], "F_y");
+}
+
+TEST_F(Catalogue, lists_rule_sets_as_json_in_the_order_of_the_list) {
+  auto const listed = isolaw({"rules"}).out;
+  std::size_t at = 0;
+  auto const sets = Json::parse(isolaw({"rules", "--json"}).out);
+  EXPECT_EQ(sets.size() + 1, count_of("\n", listed)) << "and the template";
+  for (auto const& set : sets) {
+    at = listed.find(set["id"].get<std::string>(), at);
+    ASSERT_NE(at, std::string::npos) << set;
+    EXPECT_TRUE(contains(listed, set["title"].get<std::string>()));
+  }
+  expect_refused_as_object(isolaw({"rules", "ntc-2018", "--json"}), {"--json: is given with 'ntc-2018'"});
 }
 
 TEST_F(Catalogue, knows_the_published_boxes) {

@@ -128,6 +128,9 @@ TEST(Formulas, PerSideAreForceOverDisplacement) {
   auto const &plus = find(lines, "K_eff, positive side"), &minus = find(lines, "K_eff, negative side");
   EXPECT_NEAR(*plus.value, 1.3, 1e-12);
   EXPECT_EQ(plus.formula, "F+/d+, cycle 3");
+  EXPECT_TRUE(is_of(plus, Quantity::K_eff) && !is_of(plus, Quantity::damping));
+  EXPECT_EQ(name(plus.side), "positive");
+  EXPECT_EQ(name(minus.side), "negative");
   EXPECT_EQ(plus.verdict, Verdict::fail);
   EXPECT_NEAR(*minus.value, 1.1, 1e-12);
   EXPECT_EQ(minus.formula, "F-/d-, cycle 3");
@@ -348,10 +351,12 @@ TEST(Stability, ComparesCyclesWithOneAnother) {
   auto const lines = [&] {
     std::vector<Assessment> found;
     for (auto const& line : assess(rules, tested, {}))
-      if (line.quantity.ends_with("over cycles")) found.push_back(line);
+      if (line.subject == Subject::cycles) found.push_back(line);
     return found;
   };
   ASSERT_EQ(lines().size(), 3u);
+  EXPECT_EQ(lines()[0].quantity, "K_eff over cycles");
+  EXPECT_FALSE(is_of(lines()[0], Quantity::K_eff));
   EXPECT_NEAR(*lines()[0].value, 0.6, 1e-12);
   EXPECT_NEAR(*lines()[1].value, 25.0, 1e-9);
   EXPECT_NEAR(*lines()[2].value, 20.0, 1e-9);

@@ -203,7 +203,10 @@ TEST(LotView, ACopyIsNoFurtherDeviceTested) {
   EXPECT_EQ(stiffness.mean_limits.at(0).verdict, Verdict::not_assessed);
   expect_parts(stiffness.mean_limits.at(0).reason,
                {"2 devices with this property, 3 required", "D3: the same record as D2, counted in the mean"});
+  EXPECT_EQ(name(stiffness.mean_limits.at(0).subject), "lot");
   expect_parts(bound(stiffness, "statistical, system").note, {"mean of 3 devices, 2 of them tested"});
+  EXPECT_EQ(name(bound(stiffness, "statistical, system").spread), "system");
+  EXPECT_EQ(name(bound(stiffness, "observed").spread), "device");
   devices.erase(devices.begin());
   auto const one = lot_view(rules, devices, parse_design("K_eff=1.2"), 3);
   expect_parts(one.note, {"one device is no lot"});

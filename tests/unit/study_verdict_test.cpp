@@ -15,6 +15,7 @@ using rules::Verdict;
 Assessment line(std::string quantity, Verdict verdict, std::optional<double> deviation = std::nullopt,
                 std::string limit = "from -20 % to +20 %") {
   Assessment made;
+  if (quantity == "K_v") made.property = rules::Quantity::K_v;
   made.quantity = std::move(quantity);
   made.verdict = verdict;
   made.limit = std::move(limit);

@@ -9,9 +9,11 @@
 #include <exception>
 #include <filesystem>
 #include <functional>
+#include <iterator>
 #include <new>
 #include <ranges>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -21,6 +23,7 @@
 #include "isolaw/app/say.hpp"
 #include "isolaw/app/usage.hpp"
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/json.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/campaign/maker.hpp"
@@ -290,8 +293,9 @@ int dispatch(CLI::App& app, int argc, char** argv) {
 
   std::string rule_set;
   auto& rules_command = add("rules", "The rule sets, or the file of one; template to write your own",
-                            [&] { return list_rules(rule_set); });
+                            [&] { return list_rules(rule_set, json); });
   rules_command.add_option("name", rule_set, "a rule set, or template");
+  rules_command.add_flag("--json", json, "the list for machines");
 
   auto& bench_command =
       add("bench", "A signature of what is computed, and the speed of every law here", [&] { return bench(json); });
@@ -333,15 +337,68 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   return std::ranges::find_if(commands, [](auto const& each) { return each.first->parsed(); })->second();
 }
 
-int without_output() {
-  say("isolaw: standard output cannot be written\n");
+// Who reads a failure besides the person at the terminal: nobody, a program that asked for --json, the page's engine.
+enum class Reader { none, program, engine };
+
+// The engine puts this word before the command, which does not see it.
+constexpr std::string_view word_of_engine = "--errors-as-json";
+
+Reader reader_of(int argc, char** argv) {
+  if (argc > 1 && argv[1] == word_of_engine) return Reader::engine;
+  for (int i = 1; i < argc && argv[i] != std::string_view("--"); ++i)
+    if (argv[i] == std::string_view("--json")) return Reader::program;
+  return Reader::none;
+}
+
+// One line: for a program on standard output, unless something stands there already; else at standard error.
+void give(Reader reader, std::string_view object) {
+  if (reader == Reader::program && !has_printed && std::ferror(stdout) == 0) {
+    print(object);
+    std::fflush(stdout);
+  } else if (reader != Reader::none) {
+    say("{}\n", object);
+  }
+}
+
+// In words, and as an object where somebody reads it; returns the exit code.
+int fail(Reader reader, std::string_view kind, std::vector<Complaint> const& complaints, int code) {
+  for (auto const& complaint : complaints) say("isolaw: {}\n", to_string(complaint));
+  JsonWriter out;
+  out.begin_object().key("error").begin_object().member("kind", kind).key("complaints");
+  write_complaints(out, complaints);
+  out.end_object().member("exit", code).end_object();
+  give(reader, out.take());
+  return code;
+}
+
+int fail_without_memory(Reader reader) {
+  constexpr std::string_view advice =
+      "fewer devices or shorter records at once, fewer --jobs, --samples-per-cycle 200, a smaller --population, or a machine with more memory";
+  say("isolaw: out of memory; try: {}\n", advice);
+  // As fail() has it, without an allocation.
+  fmt::memory_buffer object;
+  fmt::format_to(
+      std::back_inserter(object),
+      R"({{"error":{{"kind":"memory","complaints":[{{"where":"","found":"out of memory","allowed":"","advice":"{}","names":[]}}]}},"exit":{}}})",
+      advice, exit_internal);
+  give(reader, {object.data(), object.size()});
   return exit_internal;
+}
+
+int fail_without_output(Reader reader) {
+  return fail(reader, "system", {{.found = "standard output cannot be written"}}, exit_internal);
 }
 
 }  // namespace
 
 int run(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file above the limit of its size is then a write that fails, with a message
+  auto const reader = reader_of(argc, argv);
+  if (reader == Reader::engine) {
+    argv[1] = argv[0];
+    ++argv;
+    --argc;
+  }
   try {
     CLI::App app("isolaw: from the test records of a production lot of seismic isolators to calibrated, ranked laws",
                  "isolaw");
@@ -349,23 +406,18 @@ int run(int argc, char** argv) {
     app.require_subcommand(1);
     int const code = dispatch(app, argc, argv);
     // Both: what failed while it was printed is no longer there to be flushed.
-    return std::fflush(stdout) != 0 || std::ferror(stdout) != 0 ? without_output() : code;
+    return std::fflush(stdout) != 0 || std::ferror(stdout) != 0 ? fail_without_output(reader) : code;
   } catch (Error const& error) {
-    for (auto const& complaint : error.complaints()) say("isolaw: {}\n", to_string(complaint));
-    return exit_wrong_usage;
+    return fail(reader, "input", error.complaints(), exit_wrong_usage);
   } catch (std::bad_alloc const&) {
-    say("isolaw: out of memory; try: fewer devices or shorter records at once, fewer --jobs, --samples-per-cycle 200, a smaller --population, or a machine with more memory\n");
-    return exit_internal;
+    return fail_without_memory(reader);
   } catch (std::filesystem::filesystem_error const& error) {
-    say("isolaw: {}: {}\n", shown(error.path1()), error.code().message());
-    return exit_internal;
+    return fail(reader, "system", {{.where = error.path1().string(), .found = error.code().message()}}, exit_internal);
   } catch (std::system_error const& error) {
-    if (std::ferror(stdout) != 0) return without_output();
-    say("isolaw: cannot write: {}\n", error.code().message());
-    return exit_internal;
+    if (std::ferror(stdout) != 0) return fail_without_output(reader);
+    return fail(reader, "system", {{.found = "cannot write: " + error.code().message()}}, exit_internal);
   } catch (std::exception const& error) {
-    say("isolaw: internal error: {}\n", printable(error.what()));
-    return exit_internal;
+    return fail(reader, "internal", {{.found = "internal error: " + printable(error.what())}}, exit_internal);
   }
 }
 

@@ -9,6 +9,9 @@
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/example_lot.hpp"
 #include "isolaw/app/say.hpp"
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/json.hpp"
+#include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/laws/catalogue.hpp"
 #include "isolaw/render/terminal/terminal.hpp"
@@ -122,13 +125,26 @@ int example(std::filesystem::path const& directory, bool with_building) {
   return exit_done;
 }
 
-int list_rules(std::string const& name) {
+int list_rules(std::string const& name, bool json) {
   if (!name.empty()) {
+    if (json)
+      throw Error({.where = "--json", .found = "is given with " + in_quotes(name), .allowed = "the list alone"});
     auto const text = rules::rule_set_text(name);
     std::fwrite(text.data(), 1, text.size(), stdout);
     return exit_done;
   }
   auto const sets = rules::built_in_rule_sets();
+  if (json) {
+    JsonWriter out(JsonWriter::Layout::indented);
+    out.begin_array();
+    for (auto const& set : sets) {
+      out.begin_object().member("id", set.id).member("title", set.title).member("edition", set.edition);
+      out.member("source", set.source).member("verified_by", set.verified_by).end_object();
+    }
+    out.end_array();
+    print(out.take());
+    return exit_done;
+  }
   auto const longest = std::ranges::max(sets, {}, [](auto const& set) { return set.id.size(); }).id.size();
   for (auto const& set : sets)
     fmt::print("{:<{}} {}{}\n", set.id, longest, set.title,

@@ -134,7 +134,7 @@ int building(BuildingArguments const& arguments, std::vector<std::string> const&
 // A runnable building file with motions made for it.
 void write_example_building(std::filesystem::path const& directory);
 
-int list_rules(std::string const& name);
+int list_rules(std::string const& name, bool json);
 int check(std::filesystem::path const& directory);
 int bench(bool json);
 int list_laws(std::string const& id, bool json, bool markdown);

@@ -598,6 +598,7 @@ Columns recognise_columns(std::string const& where, Header const& header, std::s
     for (std::size_t i = 0; i < header.names.size(); ++i)
       if (is_counter(header.names[i]))
         columns.recognised.push_back(column_text(i, header) + " counts samples, it is no time");
+  for (auto& complaint : columns.complaints) complaint.names = header.names;
   return columns;
 }
 

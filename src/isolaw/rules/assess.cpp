@@ -27,12 +27,13 @@ std::string missing_design(Quantity quantity) {
 Assessment compared(DerivedValue const& derived, Quantity quantity, Design const& design) {
   Assessment result;
   result.quantity = derived.label;
+  result.property = quantity;
+  result.side = derived.side;
   result.formula = derived.formula;
   result.value = derived.value;
   result.unit = unit(quantity);
   result.nominal = design.of(quantity);
-  if (result.value && result.nominal)
-    result.deviation_percent = 100.0 * (*result.value - *result.nominal) / *result.nominal;
+  if (result.value && result.nominal) result.deviation_percent = 100.0 * (*result.value - *result.nominal) / *result.nominal;
   return result;
 }
 
@@ -74,14 +75,16 @@ Assessment assess_stability(RuleSet const& rules, StabilityLimit const& limit, B
   bool const is_ratio = limit.measure == Measure::min_over_max;
   Assessment result;
   result.quantity = fmt::format("{} over cycles", name(limit.quantity));
+  result.property = limit.quantity;
+  result.subject = Subject::cycles;
   result.clause = limit.clause;
   result.formula = fmt::format("{} of cycles {} to {}", measure_text(limit.measure), limit.first, limit.last);
   result.unit = is_ratio ? "" : "%";
   result.limit = is_ratio ? fmt::format("{:g} or more", limit.bound) : fmt::format("{:g} % or less", limit.bound);
   result.value = measured(limit, block);
   if (result.value)
-    give_verdict(result, rules,
-                 is_ratio ? is_at_least(*result.value, limit.bound) : is_at_most(*result.value, limit.bound), unmet);
+    give_verdict(result, rules, is_ratio ? is_at_least(*result.value, limit.bound) : is_at_most(*result.value, limit.bound),
+                 unmet);
   else
     result.reason = fmt::format("cycles {} to {} needed; block {} holds {} counted", limit.first, limit.last,
                                 block.number, block.cycles.size());
@@ -94,6 +97,8 @@ void assess_load(RuleSet const& rules, LoadVariation const& limit, Design const&
   for (auto const quantity : {Quantity::K_eff, Quantity::damping}) {
     Assessment result;
     result.quantity = fmt::format("{} over vertical load", name(quantity));
+    result.property = quantity;
+    result.subject = Subject::loads;
     result.clause = limit.clause;
     result.formula = "(value at the largest load - value at the smallest)/design value";
     result.unit = "%";
@@ -173,6 +178,16 @@ std::string deviation_text(double deviation_percent, std::optional<double> lower
   }
 }
 
+std::string_view name(Subject subject) {
+  // In the order of Subject.
+  static constexpr std::array<std::string_view, 5> names{"device", "cycles", "loads", "lot", "sample"};
+  return names.at(static_cast<std::size_t>(subject));
+}
+
+bool is_of(Assessment const& assessment, Quantity property) {
+  return assessment.property == property && assessment.subject == Subject::device;
+}
+
 std::string same_record_as(std::string_view device) {
   return fmt::format("the same record as {}", device);
 }
@@ -180,7 +195,7 @@ std::string same_record_as(std::string_view device) {
 void withhold_verdicts(std::vector<Assessment>& assessments, std::string_view copy_of) {
   for (auto& a : assessments) {
     bool const judged = a.verdict == Verdict::pass || a.verdict == Verdict::fail;
-    if (!judged || a.quantity == name(Quantity::K_v)) continue;  // K_v comes from another test
+    if (!judged || a.property == Quantity::K_v) continue;  // K_v has a test of its own
     a.verdict = Verdict::not_assessed;
     a.reason = same_record_as(copy_of);
   }

@@ -20,8 +20,16 @@ namespace isolaw::rules {
 enum class Verdict { pass, fail, information, not_assessed };
 std::string_view name(Verdict verdict);  // "pass", "fail", "information", "not assessed"
 
+// What is held to a limit: a property of one device, its change from cycle to cycle or between vertical loads, its mean
+// over the lot, or how many devices were tested.
+enum class Subject { device, cycles, loads, lot, sample };
+std::string_view name(Subject subject);  // "device", "cycles", "loads", "lot", "sample"
+
 struct Assessment {
-  std::string quantity;  // "K_eff, positive side", "K_eff over cycles", "sample size"
+  std::string quantity;              // in words: "K_eff, positive side", "K_eff over cycles", "sample size"
+  std::optional<Quantity> property;  // of these; none of a sample
+  Subject subject = Subject::device;
+  Side side = Side::both;
   std::string clause, formula;
   std::optional<double> value;
   std::string unit;
@@ -33,6 +41,9 @@ struct Assessment {
   Verdict verdict = Verdict::not_assessed;
   std::string reason;  // why there is no verdict
 };
+
+// Whether it holds that property of a device, one side of it or both, to a limit or its design value.
+bool is_of(Assessment const& assessment, Quantity property);
 
 // Properties of one device at the largest and smallest vertical load, for the limit on that variation.
 struct LoadPair {

@@ -49,6 +49,14 @@ std::string no_lower_bound(double half_width_percent) {
                      half_width_percent);
 }
 
+}  // namespace
+
+std::string_view name(Spread spread) {
+  return spread == Spread::contract ? "contract" : spread == Spread::device ? "device" : "system";
+}
+
+namespace {
+
 void describe_spread(Values const& found, LotQuantity& view) {
   auto const moments = num::moments(found.values);
   auto const [low, high] = std::ranges::minmax_element(found.values);
@@ -120,6 +128,8 @@ void assess_mean(RuleSet const& rules, LotView const& lot, std::span<DeviceValue
     if (limit.quantity != view.quantity || limit.scope != Scope::mean) continue;
     Assessment assessment;
     assessment.quantity = fmt::format("{}, mean of {} devices", name(view.quantity), view.count);
+    assessment.property = view.quantity;
+    assessment.subject = Subject::lot;
     assessment.formula = "mean over the devices";
     assessment.value = view.mean;
     assessment.unit = view.unit;
@@ -167,7 +177,7 @@ void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& 
   // The rule's defaults stand for all effects together, and only for the properties that the set names.
   auto const rule = given == nullptr ? FactorRule{} : rules.factors;
   auto const test = view.test_factors.value_or(TestFactors{}).pair();
-  auto const add = [&](std::string source, FactorPair spec, std::string note) {
+  auto const add = [&](std::string source, Spread spread, FactorPair spec, std::string note) {
     std::string no_lower;
     if (spec.min <= 0.0) {
       no_lower = no_lower_bound(100.0 * (1.0 - spec.min * base / *view.mean));
@@ -175,6 +185,7 @@ void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& 
     }
     auto const combined = combine(rule, environment, test, spec);
     view.bounds.push_back({.source = std::move(source),
+                           .spread = spread,
                            .spec = spec,
                            .combined = combined,
                            .lower = base * combined.min,
@@ -188,18 +199,22 @@ void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& 
                       .max = centre * (1.0 + half_width_percent / 100.0)};
   };
   if (given != nullptr && given->spec_min)
-    add("contract band", {.min = *given->spec_min, .max = *given->spec_max}, "as agreed in the rule set");
-  if (!view.cov_percent) return;  // a single device has no spread
-  add("observed", {.min = *view.min / base, .max = *view.max / base}, "lowest and highest device tested");
-  add("statistical, each device", about_mean(*view.tolerance_factor * *view.cov_percent),
+    add("contract band", Spread::contract, {.min = *given->spec_min, .max = *given->spec_max},
+        "as agreed in the rule set");
+  if (!view.cov_percent) return;  // one device is no lot
+  add("observed", Spread::device, {.min = *view.min / base, .max = *view.max / base},
+      "lowest and highest device tested");
+  add("statistical, each device", Spread::device, about_mean(*view.tolerance_factor * *view.cov_percent),
       fmt::format("holds 95 % of the devices with confidence 95 %, k = {:.4g}; not for the system",
                   *view.tolerance_factor));
   if (!lot_size) return;
   auto const tested = static_cast<int>(view.tested);
-  add("statistical, system", about_mean(system_half_width_percent(*view.cov_percent, *lot_size, tested)),
+  add("statistical, system", Spread::system,
+      about_mean(system_half_width_percent(*view.cov_percent, *lot_size, tested)),
       fmt::format("mean of {} devices, {} of them tested, 95 %; the lot's mean and CoV taken as known", *lot_size,
                   tested));
-  add("statistical, system predicted", about_mean(prediction_half_width_percent(*view.cov_percent, *lot_size, tested)),
+  add("statistical, system predicted", Spread::system,
+      about_mean(prediction_half_width_percent(*view.cov_percent, *lot_size, tested)),
       fmt::format("mean of {} devices predicted from {} tested, 95 %; mean and CoV estimated", *lot_size, tested));
 }
 
@@ -240,6 +255,7 @@ LotQuantity quantity_view(RuleSet const& rules, LotView const& lot, Quantity qua
 Assessment assess_sample(RuleSet const& rules, LotView const& lot) {
   Assessment assessment;
   assessment.quantity = "sample size";
+  assessment.subject = Subject::sample;
   assessment.formula = "devices tested";
   assessment.value = static_cast<double>(lot.devices);
   assessment.unit = "devices";

@@ -35,11 +35,16 @@ std::vector<Outlier> find_outliers(std::string_view quantity, std::string_view u
                                    std::span<std::string const> names, std::span<double const> values);
 inline constexpr std::size_t fewest_for_outliers = 5;
 
-// Factors on the base value, which is the design value or, without one, the lot's mean; and the property they give.
+// Bounds hold for any device as the contract says, for one device, or for the mean of all devices of the system.
+enum class Spread { contract, device, system };
+std::string_view name(Spread spread);  // "contract", "device", "system"
+
+// Factors on the design value (on the lot's mean where there is none), and the property they give.
 struct Bound {
-  std::string source;        // "contract band", "observed", "statistical, each device", "statistical, system", ...
-  FactorPair spec;           // lambda_spec of this source; min, and all that follow from it, NaN without a lower bound
-  CombinedFactors combined;  // with the set's defaults where it has a [[factor]] of the property
+  std::string source;  // "contract band", "observed", "statistical, each device", "statistical, system", ...
+  Spread spread = Spread::device;
+  FactorPair spec;           // lambda_spec of this source; min NaN where it gives no lower bound, and so all lower ones
+  CombinedFactors combined;  // with the defaults of the set where it has a [[factor]] of the property
   double lower = 0.0, upper = 0.0;  // base value x combined, in the quantity's unit
   std::string note;                 // explains the source
   std::string no_lower;             // why there is no lower bound

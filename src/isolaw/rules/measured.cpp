@@ -17,8 +17,6 @@
 namespace isolaw::rules {
 namespace {
 
-enum class Side { both, positive, negative };
-
 double stiffness(CycleValues const& cycle, Side side) {
   if (side == Side::positive) return cycle.F_plus_kN / cycle.d_plus_mm;
   if (side == Side::negative) return cycle.F_minus_kN / cycle.d_minus_mm;
@@ -182,6 +180,10 @@ Design parse_design(std::string_view text) {
   return design;
 }
 
+std::string_view name(Side side) {
+  return side == Side::both ? "both" : side == Side::positive ? "positive" : "negative";
+}
+
 std::vector<DerivedValue> derive(RuleSet const& rules, Quantity quantity, BlockValues const& block) {
   if (quantity == Quantity::K_v)
     return {{.label = "K_v",
@@ -197,6 +199,7 @@ std::vector<DerivedValue> derive(RuleSet const& rules, Quantity quantity, BlockV
     auto const cycles = cycles_text(rules.cycles);
     auto const add = [&](std::string const& extreme, std::string const& how, double Reduced::*member) {
       values.push_back({.label = label + extreme,
+                        .side = side,
                         .formula = fmt::format("{}, {}{}", formula, how, cycles),
                         .value = {},
                         .reason = missing});

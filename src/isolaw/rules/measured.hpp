@@ -53,9 +53,14 @@ struct Design {
 // in kN, disp in mm, frequency in Hz. Throws Error for unknown or repeated names and for values that are not positive.
 Design parse_design(std::string_view text);
 
-// One value that a rule set derives from the counting cycles. Each side and each extreme is a value of its own.
+// The side of the loop that a value is taken from; both: peak to peak, or a value that has no sides.
+enum class Side { both, positive, negative };
+std::string_view name(Side side);  // "both", "positive", "negative"
+
+// One value that a rule set derives from the counting cycles; both sides, or both extremes, are values of their own.
 struct DerivedValue {
-  std::string label;            // "K_eff, positive side"
+  std::string label;  // "K_eff, positive side"
+  Side side = Side::both;
   std::string formula;          // "F+/d+, cycle 3"
   std::optional<double> value;  // nullopt for the reason below
   std::string reason;

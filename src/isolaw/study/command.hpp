@@ -11,5 +11,7 @@ namespace isolaw::study {
 // setting that is an option; not how columns and units were read. LOT.toml in place of the files where a lot file named
 // the devices. Empty for an inspection.
 std::string command_again(Summary const& summary);
+// Whether that command takes a lot file.
+bool takes_lot_file(Summary const& summary);
 
 }  // namespace isolaw::study

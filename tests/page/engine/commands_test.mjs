@@ -41,6 +41,13 @@ test('wrong words are an answer, not a rejection', async () => {
   const said = await engine.run({ argv: ['calibrate', 'nowhere.csv'] });
   assert.equal(said.code, 2);
   assert.match(said.stderr, /nowhere\.csv: no such file/);
+  // Its complaints are objects, whose line stands in no stream.
+  const own = native(['calibrate', 'nowhere.csv']);
+  assert.equal(said.stderr, own.stderr);
+  assert.equal(said.error.kind, 'input');
+  const [{ where, found, allowed, advice }] = said.error.complaints;
+  assert.equal(said.stderr, `isolaw: ${where}: ${found}` + (allowed && '; allowed: ' + allowed) + (advice && '; try: ' + advice) + '\n');
+  assert.equal((await engine.run({ argv: ['laws'] })).error, null);
 });
 
 test('inspection says the same, number by number', async () => {

@@ -30,7 +30,8 @@ constexpr int profile_digits = 6;
 constexpr double curve_levels = 20000.0;
 constexpr std::size_t convergence_points = 120;
 
-// Integer differences of the quantised values; the steps do not add up to a drift. Not finite: the value before.
+// A curve as integer differences of its quantised values, so that rounding does not add up to a drift. A sample that is
+// not finite repeats the one before.
 void write_curve(JsonWriter& out, std::string_view key, std::vector<double> const& values,
                  std::vector<std::size_t> const& samples) {
   double lower = 0.0, upper = 0.0;
@@ -64,7 +65,6 @@ std::size_t stride_of(std::vector<std::size_t> const& drawn) {
   return drawn.size() > 1 ? drawn[1] - drawn[0] : 1;
 }
 
-// What a record has of time, displacement and force.
 template <class Record>
 void write_curves(JsonWriter& out, Record const& record, std::vector<std::size_t> const& drawn) {
   if (drawn.empty()) return;
@@ -73,7 +73,7 @@ void write_curves(JsonWriter& out, Record const& record, std::vector<std::size_t
   write_curve(out, "force_kN", record.force_kN, drawn);
 }
 
-// The raw loop, thinned: sample k of the curves is raw sample min(k stride, samples - 1).
+// The raw loop, thinned: point k of a curve is raw sample min(k stride, samples - 1).
 void write_raw(JsonWriter& out, data::TestRecord const& raw, std::size_t most) {
   auto const drawn = drawn_samples(raw.size(), most);
   out.key("raw").begin_object();
@@ -82,7 +82,7 @@ void write_raw(JsonWriter& out, data::TestRecord const& raw, std::size_t most) {
   out.end_object();
 }
 
-// Ranges of time that laws are judged by; null: all of it.
+// The ranges of time that laws are judged by; null where they are judged by the whole record.
 void write_scored(JsonWriter& out, data::FitRecord const& record) {
   out.key("scored");
   if (record.scored.empty()) {
@@ -124,10 +124,11 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
   out.end_object().end_object();
 }
 
-// What of a parameter is the same on every device: it stands once, in the law.
+// These results of a parameter are the same on every device, so the law holds them once.
 constexpr auto of_the_law = columns(parameter_results, {"unit", "free", "paper_name"});
 
-// Columns, not rows: the names of the properties stand once a fit, those of the parameters in the law.
+// One array for each property instead of one object for each parameter: property names are written once a fit,
+// parameter names once a law.
 void write_parameter_columns(JsonWriter& out, std::vector<ParameterFit> const& parameters) {
   out.begin_object();
   for (auto const& row : parameter_results) {
@@ -148,7 +149,7 @@ void write_examined(JsonWriter& out, Result<ParameterAnalysis> const& row,
     write_value(out, value, row.digits);
 }
 
-// Columns; a parameter that was not examined is null in each. Null as a whole without an analysis.
+// One array for each property, with null for a parameter that was not examined; null as a whole without an analysis.
 void write_determination(JsonWriter& out, DeviceFit const& fit) {
   out.key("determination");
   if (!fit.optimum) {
@@ -164,8 +165,8 @@ void write_determination(JsonWriter& out, DeviceFit const& fit) {
   out.end_object();
 }
 
-// How the runs came down: decimal logarithms of the smallest, median and largest best objective so far over the runs,
-// after each generation or start; a run that ended earlier keeps its last.
+// How the search went: after each generation or start the smallest, median and largest over the runs of the best
+// objective so far, as decimal logarithms. A run that ended earlier keeps its last value.
 void write_convergence(JsonWriter& out, DeviceFit const& fit) {
   std::vector<std::vector<double>> runs;
   std::size_t steps = 0;
@@ -216,7 +217,6 @@ void write_fit(JsonWriter& out, DeviceFit const& fit, int device, std::vector<st
   out.end_object();
 }
 
-// Parameters in the law's order.
 void write_lot_law(JsonWriter& out, LotLaw const& lot) {
   out.begin_object();
   write_results(out, lot_law_results, lot, Digits::shown, [&](std::string_view key) {
@@ -228,7 +228,7 @@ void write_lot_law(JsonWriter& out, LotLaw const& lot) {
   out.end_array().end_object();
 }
 
-// What is shown of it: not its covariances.
+// The page draws correlations and needs no covariances.
 void write_population(JsonWriter& out, lot::Population const& population) {
   out.begin_object().member("devices", std::uint64_t{population.devices}).member("parameters", population.names);
   write_values(out.key("medians"), population.medians, shown_digits);
@@ -296,7 +296,7 @@ void write_conclusions(JsonWriter& out, Summary const& summary) {
   out.end_object();
 }
 
-// In which order laws are shown, which device of the lot is shown first, how laws are marked.
+// The order of the laws, the device that is shown first, and the laws that stand on each view's front.
 void write_shown(JsonWriter& out, Summary const& summary) {
   out.key("by_objective").begin_array();
   for (auto const law : by_objective(summary))
@@ -316,7 +316,7 @@ void write_shown(JsonWriter& out, Summary const& summary) {
   out.end_object();
 }
 
-// What the words of the verdicts mean, so that the page says it with the numbers that were used.
+// The limits behind the words of the verdicts, so that the page states the numbers that were used.
 void write_thresholds(JsonWriter& out) {
   out.key("thresholds").begin_object();
   out.member("found_within", found_within).member("determined_within", analysis::determined_within);
@@ -327,7 +327,7 @@ void write_thresholds(JsonWriter& out) {
   out.end_object();
 }
 
-// What the page's own tables have above the rows of results, key by key, and how they print what is below.
+// For each key the heading of the page's tables and how the numbers below it are printed.
 template <class Of, std::size_t count>
 void write_headings(JsonWriter& out, std::string_view kind, Result<Of> const (&rows)[count]) {
   out.key(kind).begin_object();
@@ -374,14 +374,14 @@ void write_all_headings(JsonWriter& out) {
 }
 
 Notation notation_of(Summary const& summary) {
-  Notation made;
+  Notation notation;
   for (auto const& law : summary.laws)
     for (auto const& parameter : parameters_of(law)) {
-      made.parameters.insert(parameter.name);
-      if (!parameter.paper_name.empty()) made.parameters.insert(parameter.paper_name);
+      notation.parameters.insert(parameter.name);
+      if (!parameter.paper_name.empty()) notation.parameters.insert(parameter.paper_name);
     }
-  for (auto const& device : summary.devices) made.devices.insert(device.name);
-  return made;
+  for (auto const& device : summary.devices) notation.devices.insert(device.name);
+  return notation;
 }
 
 }  // namespace
@@ -390,7 +390,7 @@ void write_notation(JsonWriter& out, Notation const& of) {
   out.key("symbols").begin_array();
   for (auto const& look : law_looks) out.value(look.symbol);
   out.end_array();
-  // "a10", unless a device is called so.
+  // Like "a10", unless a device has that name.
   auto const is_no_other_word = [&](std::string_view name) {
     return name.size() > 1 && std::ranges::any_of(name, is_digit) && !of.devices.contains(name);
   };
@@ -423,7 +423,7 @@ std::string page_data_json(Summary const& summary) {
   auto const seed = std::to_string(summary.seed);  // as text: 64 bits do not fit a JavaScript number
   write_members(out, "isolaw", campaign::text(std::span(summary.makers)), "title", summary.title, "seed", seed, "runs",
                 summary.runs, "missing_runs", summary.missing_runs(), "missing_analyses", summary.missing_analyses(),
-                "command", command_again(summary));
+                "command", command_again(summary), "takes_lot_file", takes_lot_file(summary));
   out.key("settings").begin_object();
   for (auto const& setting : summary.settings) out.key(setting.key).json(setting.json);
   out.end_object();

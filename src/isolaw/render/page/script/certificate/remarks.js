@@ -10,18 +10,18 @@ export const certificateRemarksFigure = {
   build: () => element('ul', { class: 'sentences' }, ...certificateRemarks().map((text) => element('li', {}, sentence(text)))),
 };
 
-// What a reader of the sheet must know of the records: doubts, corrections, what the program was told of them.
+// Whoever signs must know about the records: doubts, corrections, and what the program was told instead of finding it.
 function certificateRemarks() {
   const topics = new Set(['copies', 'record', 'refused']);
-  // 'all devices' is said of `fewest` devices or more.
+  // With fewer than `fewest` devices they are named instead of "all devices".
   const withDevices = (textsOf, fewest) => {
     const all = (names) => names.length === devices.length && names.length >= fewest;
     const found = new Map();
     for (const device of devices) for (const text of textsOf(device)) found.set(text, [...(found.get(text) ?? []), device.name]);
     return [...found].map(([text, names]) => (all(names) ? 'all devices' : enumerate(names)) + ': ' + text);
   };
-  // What the program was told of a record stands with its option in brackets; how columns were recognised does not.
-  const told = (device) => device.recognised.filter((line) => /\(--[a-z]/.test(line));
+  // Readings that an option or the lot file asked for, not those that the program recognised by itself.
+  const told = (device) => device.recognised.filter(({ option }) => option).map(({ sentence }) => sentence);
   return [
     ...report.findings.warnings.filter((warning) => topics.has(warning.topic)).map((warning) => warning.sentence),
     ...withDevices(({ corrections }) => corrections, 2).map((text) => 'corrected, ' + text),

@@ -1,7 +1,7 @@
 import { chosen } from '../choice.js';
 import { element, shortList } from '../dom.js';
 import { marker, roleTone } from '../icons.js';
-import { isInadequate, lawName, withBadges } from '../laws.js';
+import { isInadequate, lawName, lawOf, withBadges } from '../laws.js';
 import { TONES, errorText, placedIn, purposeOf, standingsOf, viewOf } from '../purposes.js';
 import { laws, report } from '../report.js';
 import { fixed, sentence } from '../text.js';
@@ -15,8 +15,8 @@ export const convergedFigure = {
     element(
       'ul',
       { class: 'sentences' },
-      ...report.findings.converged.map((text) =>
-        element('li', {}, ...(/\bfront\b/.test(text) ? withBadges(sentence(text)) : [sentence(text)])),
+      ...report.findings.converged.map(({ sentence: text, front }) =>
+        element('li', {}, ...withBadges(sentence(text), front.map(lawOf))),
       ),
     ),
 };
@@ -25,11 +25,11 @@ export const verdictsFigure = { id: 'verdicts', width: 'narrow', title: '', depe
 
 const ROLES = { taken: 'most accurate', ties: 'most accurate', behind: 'not ranked', 'ruled out': 'not adequate' };
 
-// Beside the badge of a prediction nothing more is said of it.
+// A reason about the prediction is left out, since the badge beside the name says it.
 const said = (place, reason) =>
-  reason ? (reason.startsWith('its prediction') ? '' : ', ' + sentence(reason)) : place === 'behind' ? '' : ', ' + place;
+  reason ? (reason.kind === 'prediction' ? '' : ', ' + sentence(reason.sentence)) : place === 'behind' ? '' : ', ' + place;
 
-// What the chosen purpose makes of the laws, best first.
+// The laws for the chosen purpose, best first.
 function verdictList() {
   const purpose = purposeOf(chosen.purpose);
   const items = purpose.recommendation
@@ -70,7 +70,7 @@ function rankedList() {
   });
 }
 
-// Warnings by what a reader does about them, each behind its number.
+// Warnings grouped by what a reader should do about them, folded, with their number.
 function cares() {
   const { warnings } = report.findings;
   if (warnings.length === 0)
