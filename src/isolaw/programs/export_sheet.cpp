@@ -310,6 +310,7 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units, Remarks
   fact("The law itself", "not here: --to abaqus and --to opensees-cpp write it, in C++ for those programs");
   fact("Text input",
        "none; written from values, because the syntax of .s2k and of LS-DYNA's cards could not be verified");
+  fact("Licence", fmt::format("{}: {}", export_licence, export_licence_text));
   for (auto const& note : subject.notes) fact("Note", note);
   if (!law.traits.rate_independent)
     fact("Rate", "no model below depends on the rate; they hold for the frequency tested");

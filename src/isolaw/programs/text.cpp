@@ -237,6 +237,8 @@ std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, 
                         std::string_view program) {
   auto const& law = subject.law->info;
   std::vector<Fact> made{
+      {"SPDX-License-Identifier", std::string(export_licence)},
+      {"Licence", std::string(export_licence_text)},
       {"Export", fmt::format("isolaw {}, for {}", subject.version, program)},
       {"Calibrated by", "isolaw " + subject.makers},
       {"Law", fmt::format("{}: {} ({})", law.id, law.title, law.source)},

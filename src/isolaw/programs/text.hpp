@@ -34,6 +34,10 @@ std::string briefly(double value);
 struct Fact {
   std::string label, text;
 };
+// An export holds source text of isolaw, which is MIT; as part of an export it asks for no notice (LICENSES/MIT-0.txt).
+inline constexpr std::string_view export_licence = "MIT-0",
+                                  export_licence_text =
+                                      "use, change and pass on what isolaw wrote here as you like; no notice is needed";
 // Law, parameters, units, fidelity, errors, validity, bounds. `program` is the target's name.
 std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
                         std::string_view program);
