@@ -12,9 +12,9 @@ namespace {
 
 // "Kb+" is Kb_p.
 std::string member(std::string_view name) {
-  std::string made;
-  for (char const c : name) made += c == '+' ? std::string("_p") : c == '-' ? std::string("_m") : std::string(1, c);
-  return made;
+  std::string plain;
+  for (char const c : name) plain += c == '+' ? std::string("_p") : c == '-' ? std::string("_m") : std::string(1, c);
+  return plain;
 }
 
 std::string parameters_struct(Subject const& subject) {

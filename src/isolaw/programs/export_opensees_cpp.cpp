@@ -20,14 +20,14 @@ struct Variants {
 };
 
 Variants variants_of(Subject const& subject) {
-  Variants made;
+  Variants variants;
   auto const add = [&](std::string const& name) {
-    made.table += fmt::format(", {{\"{0}\", {0}}}", name);
-    made.names += ", " + name;
+    variants.table += fmt::format(", {{\"{0}\", {0}}}", name);
+    variants.names += ", " + name;
   };
   if (subject.bounds.lower) add("lower");
   if (subject.bounds.upper) add("upper");
-  return made;
+  return variants;
 }
 
 }  // namespace

@@ -269,18 +269,18 @@ constexpr std::string_view tcl_rest = R"tcl(    }
 std::string opensees_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units) {
   auto const numbers = model_numbers(subject, realisation, units);
   auto const space = identifier(subject);
-  ScriptAddition made;
-  made.facts = model_facts(subject, realisation, units);
-  made.usage = run_usage("OpenSees this-file", space + "_results", numbers);
-  made.procedures =
+  ScriptAddition addition;
+  addition.facts = model_facts(subject, realisation, units);
+  addition.usage = run_usage("OpenSees this-file", space + "_results", numbers);
+  addition.procedures =
       tcl_data(numbers, units) + std::string(tcl_build_head) + tcl_isolator(numbers) + std::string(tcl_rest);
-  made.dispatch = fmt::format(
+  addition.dispatch = fmt::format(
       "if {{[info exists argv0] && [info script] eq $argv0 && [info exists argv] && [lindex $argv 0] eq \"run\"}} {{\n"
       "  set folder [expr {{[llength $argv] > 1 ? [lindex $argv 1] : \"{0}_results\"}}]\n"
       "  if {{[catch {{ {0}::run $folder [lrange $argv 2 end] }} message]}} {{\n    puts stderr \"isolaw: $message\"\n    exit 1\n  }}\n"
       "  exit 0\n}}\n",
       space);
-  return opensees_script(subject, realisation, units, made);
+  return opensees_script(subject, realisation, units, addition);
 }
 
 }  // namespace isolaw::programs

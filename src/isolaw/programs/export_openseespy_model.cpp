@@ -237,16 +237,16 @@ def main(arguments):
 std::string openseespy_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units) {
   auto const numbers = model_numbers(subject, realisation, units);
   auto const folder = identifier(subject) + "_results";
-  ScriptAddition made;
-  made.facts = model_facts(subject, realisation, units);
-  made.usage = run_usage("python3 this-file", folder, numbers);
+  ScriptAddition addition;
+  addition.facts = model_facts(subject, realisation, units);
+  addition.usage = run_usage("python3 this-file", folder, numbers);
   auto rest = std::string(python_rest);
   constexpr std::string_view place = "FOLDER\"";
   rest.replace(rest.find(place), place.size(), folder + "\"");
-  made.procedures = "import math\nimport os\nimport sys\n\n" + python_data(numbers, units) +
-                    std::string(python_build_head) + python_isolator(numbers) + rest;
-  made.dispatch = "sys.exit(main(sys.argv[1:]))\n";
-  return openseespy_script(subject, realisation, units, made);
+  addition.procedures = "import math\nimport os\nimport sys\n\n" + python_data(numbers, units) +
+                        std::string(python_build_head) + python_isolator(numbers) + rest;
+  addition.dispatch = "sys.exit(main(sys.argv[1:]))\n";
+  return openseespy_script(subject, realisation, units, addition);
 }
 
 }  // namespace isolaw::programs

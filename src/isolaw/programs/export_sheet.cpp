@@ -31,10 +31,10 @@ struct Set {
 
 template <class Values>
 Set<Values> with_bounds(Subject const& subject, Values const& nominal, std::string how, bool is_near = true) {
-  Set<Values> made{std::move(how), is_near, nominal, {}, {}};
-  if (subject.bounds.lower) made.lower = scaled(nominal, *subject.bounds.lower);
-  if (subject.bounds.upper) made.upper = scaled(nominal, *subject.bounds.upper);
-  return made;
+  Set<Values> variants{std::move(how), is_near, nominal, {}, {}};
+  if (subject.bounds.lower) variants.lower = scaled(nominal, *subject.bounds.lower);
+  if (subject.bounds.upper) variants.upper = scaled(nominal, *subject.bounds.upper);
+  return variants;
 }
 
 // How far a law in the law's place is from it.

@@ -101,14 +101,14 @@ Form bearing_bouc_wen(laws::BoucWenForm const& v) {
 }
 
 std::vector<Form> bouc_wen_forms(laws::BoucWenForm const& v) {
-  std::vector<Form> made{bouc_wen(v), bouc_wen_original(v), bearing_bouc_wen(v)};
+  std::vector<Form> forms{bouc_wen(v), bouc_wen_original(v), bearing_bouc_wen(v)};
   // |z|^n has an infinite slope at 0 then, which Newton's iteration of the program meets and bisection here does not.
   if (v.n < 1.0)
-    for (auto& form : made)
+    for (auto& form : forms)
       form.condition +=
           std::string(form.condition.empty() ? "" : "; ") +
           "where the program's iteration converges: with n below 1 it may fail as z passes 0, see the self-check";
-  return made;
+  return forms;
 }
 
 // The law's canonical form in kN and mm.
@@ -253,14 +253,14 @@ struct ToForms {
     v.Kb *= scale.stiffness;
     v.f0 *= scale.strength;
     v.beta1 *= scale.stiffness;
-    Mapping made{.forms = {hysteretic_asym(v)}, .why = {}};
-    if (v.beta1 != 0.0) return made;
+    Mapping mapping{.forms = {hysteretic_asym(v)}, .why = {}};
+    if (v.beta1 != 0.0) return mapping;
     // Without hardening the branches are those of Bouc-Wen with n = 1, beta = alpha and gamma = 0, which knows no NaN.
     for (auto& form : bouc_wen_forms(without_hardening(v))) {
       if (form.id == "material") form.id = "material_bouc_wen";
-      made.forms.push_back(std::move(form));
+      mapping.forms.push_back(std::move(form));
     }
-    return made;
+    return mapping;
   }
   Mapping operator()(laws::NoForm const& none) const {
     if (!law.info.traits.rate_independent)
@@ -291,13 +291,13 @@ laws::MenegottoPintoForm scaled(laws::MenegottoPintoForm v, BoundFactors const& 
 }
 
 std::vector<Command> in_units(Form const& form, UnitSystem const& units) {
-  std::vector<Command> made;
+  std::vector<Command> commands;
   for (auto const& command : form.commands) {
-    auto& converted = made.emplace_back(Command{.name = command.name, .arguments = {}});
+    auto& converted = commands.emplace_back(Command{.name = command.name, .arguments = {}});
     for (auto const& a : command.arguments)
       converted.arguments.push_back(units.convert(a.value, a.force_power, a.length_power));
   }
-  return made;
+  return commands;
 }
 
 std::optional<laws::BilinearForm> bilinear_values(laws::LawEntry const& law, std::span<double const> parameters) {

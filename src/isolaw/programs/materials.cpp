@@ -248,10 +248,10 @@ std::unique_ptr<Material> make_one(Command const& command, std::vector<std::uniq
 }  // namespace
 
 std::vector<Tags> tags_of(std::span<Command const> commands) {
-  std::vector<Tags> made;
+  std::vector<Tags> all_tags;
   std::vector<std::size_t> free;  // tags that nothing has taken
   for (std::size_t i = 0; i < commands.size(); ++i) {
-    auto& tags = made.emplace_back(Tags{.own = i + 1 == commands.size() ? 0 : i + 1, .inner = {}});
+    auto& tags = all_tags.emplace_back(Tags{.own = i + 1 == commands.size() ? 0 : i + 1, .inner = {}});
     auto const wanted = inner_count(commands[i].name);
     if (free.size() < wanted)
       throw Error({.where = commands[i].name,
@@ -265,7 +265,7 @@ std::vector<Tags> tags_of(std::span<Command const> commands) {
     throw Error({.where = "material",
                  .found = fmt::format("{} that nothing stands on", free.size()),
                  .allowed = "one: the last command"});
-  return made;
+  return all_tags;
 }
 
 std::string refused_by_program(std::span<Command const> commands) {
@@ -281,13 +281,13 @@ std::string refused_by_program(std::span<Command const> commands) {
 
 std::unique_ptr<Material> make_material(std::span<Command const> commands) {
   auto const tags = tags_of(commands);
-  std::vector<std::unique_ptr<Material>> made(commands.size());  // by their own tag
+  std::vector<std::unique_ptr<Material>> materials(commands.size());  // by their own tag
   for (std::size_t i = 0; i < commands.size(); ++i) {
     std::vector<std::unique_ptr<Material>> inner;
-    for (auto const tag : tags[i].inner) inner.push_back(std::move(made[tag]));
-    made[tags[i].own] = make_one(commands[i], std::move(inner));
+    for (auto const tag : tags[i].inner) inner.push_back(std::move(materials[tag]));
+    materials[tags[i].own] = make_one(commands[i], std::move(inner));
   }
-  return std::move(made.front());
+  return std::move(materials.front());
 }
 
 std::vector<double> replay(std::span<Command const> commands, std::span<double const> disp) {

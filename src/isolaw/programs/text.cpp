@@ -17,10 +17,10 @@ namespace {
 constexpr std::string_view acted_on = "\\\"`$[]{}";
 
 std::string replaced(std::string_view text, std::string_view unwanted) {
-  auto made = printable(text);
-  for (char& c : made)
+  auto result = printable(text);
+  for (char& c : result)
     if (unwanted.find(c) != std::string_view::npos) c = '_';
-  return made;
+  return result;
 }
 
 std::string percent(double value) {
@@ -40,29 +40,29 @@ bool same(Deviation const& a, Deviation const& b) {
 
 std::vector<Fact> replay_facts(Subject const& subject, Realisation const& realisation, UnitSystem const& units) {
   auto const& forms = realisation.forms;
-  std::vector<Fact> made;
+  std::vector<Fact> facts;
   for (std::size_t first = 0, next = 0; first < forms.size(); first = next) {
     std::vector<std::string> titles;
     for (next = first; next < forms.size() && same(forms[first].from_law, forms[next].from_law); ++next)
       titles.push_back(forms[next].nominal.title);
     auto const& form = forms[first];
     if (far_off(form.from_law))
-      made.push_back({"Far off", joined(titles) + ": not to be taken for the law without a look at what follows"});
-    made.push_back(
+      facts.push_back({"Far off", joined(titles) + ": not to be taken for the law without a look at what follows"});
+    facts.push_back(
         {joined(titles), fmt::format("replayed on the calibration record{}, steps up to {:.3g} {}, against the law: {}",
                                      subject.lot ? "s (the worst of them)" : "", units.from_mm(form.longest_step_mm),
                                      units.length.symbol, deviation_text(form.from_law))});
     if (form.finer)
-      made.push_back({fmt::format("  in steps {} times smaller", finer_steps), deviation_text(*form.finer)});
+      facts.push_back({fmt::format("  in steps {} times smaller", finer_steps), deviation_text(*form.finer)});
     if (form.from_measured && first == 0)
-      made.push_back({"  against the measured force", deviation_text(*form.from_measured)});
+      facts.push_back({"  against the measured force", deviation_text(*form.from_measured)});
     if (!form.other_cycles.empty())
-      made.push_back(
+      facts.push_back(
           {"  at other amplitudes",
            text(form.other_cycles) +
                (marked(form.other_cycles) ? fmt::format("; MORE THAN {:.0f} % OFF", marked_percent) : std::string())});
     if (form.nominal.exactness == Exactness::small_steps)
-      made.push_back(
+      facts.push_back(
           {"  time step",
            form.steps
                ? fmt::format(
@@ -73,16 +73,16 @@ std::vector<Fact> replay_facts(Subject const& subject, Realisation const& realis
     for (std::size_t i = first; i < next; ++i) {
       auto const& one = forms[i].nominal;
       if (!one.since.empty())
-        made.push_back({"  " + one.title.substr(one.title.find(' ') + 1), "in OpenSees from " + one.since + " on"});
+        facts.push_back({"  " + one.title.substr(one.title.find(' ') + 1), "in OpenSees from " + one.since + " on"});
       if (one.condition.empty()) continue;
-      made.push_back(
+      facts.push_back(
           {"  " + one.title.substr(one.title.find(' ') + 1),
            one.condition + (one.longest_travel_mm
                                 ? fmt::format(": {:.4g} {}", units.from_mm(*one.longest_travel_mm), units.length.symbol)
                                 : std::string())});
     }
   }
-  return made;
+  return facts;
 }
 
 std::string factor_text(BoundFactors const& factors, bool one_factor) {
@@ -102,10 +102,10 @@ std::string harmless_markdown(std::string_view text) {
 }
 
 std::string identifier(Subject const& subject) {
-  auto made = "isolaw_" + plain_name(subject.law->info.id);
-  if (auto const device = plain_name(subject.device); !device.empty()) made += "_" + device;
-  if (subject.number_among_alike > 0) made += fmt::format("_{}", subject.number_among_alike);
-  return made;
+  auto name = "isolaw_" + plain_name(subject.law->info.id);
+  if (auto const device = plain_name(subject.device); !device.empty()) name += "_" + device;
+  if (subject.number_among_alike > 0) name += fmt::format("_{}", subject.number_among_alike);
+  return name;
 }
 
 std::string exactly(double value) {
@@ -187,32 +187,32 @@ std::vector<Fact> validity(Subject const& subject, UnitSystem const& units) {
 }
 
 std::vector<Fact> measured_facts(Subject const& subject) {
-  std::vector<Fact> made;
+  std::vector<Fact> facts;
   if (subject.objective)
-    made.push_back({"Fitted to the tests with",
-                    fmt::format("objective {:.4g}{} (mean deviation over the standard deviation of the force)",
-                                *subject.objective, subject.lot ? ", mean of the devices" : "")});
+    facts.push_back({"Fitted to the tests with",
+                     fmt::format("objective {:.4g}{} (mean deviation over the standard deviation of the force)",
+                                 *subject.objective, subject.lot ? ", mean of the devices" : "")});
   Deviation worst;
   for (auto const& history : subject.histories)
     if (!history.measured_kN.empty()) keep_worst(worst, deviation(history, history.law_kN, history.measured_kN));
   if (worst.largest > 0.0)
-    made.push_back({fmt::format("The law against the measured force{}", subject.lot ? "s (the worst of them)" : ""),
-                    deviation_text(worst)});
-  return made;
+    facts.push_back({fmt::format("The law against the measured force{}", subject.lot ? "s (the worst of them)" : ""),
+                     deviation_text(worst)});
+  return facts;
 }
 
 std::vector<Fact> away_facts(Subject const& subject, Realisation const& realisation) {
-  std::vector<Fact> made;
-  for (auto const& sentence : subject.beyond) made.push_back({"Beyond the tests", sentence});
+  std::vector<Fact> facts;
+  for (auto const& sentence : subject.beyond) facts.push_back({"Beyond the tests", sentence});
   bool const coupled =
       std::ranges::any_of(realisation.forms, [](Realised const& form) { return form.nominal.id == "bearing"; });
   if (auto const springs = coupled ? std::nullopt : two_springs(subject))
-    made.push_back(
+    facts.push_back(
         {"Two directions",
          fmt::format(
              "no coupled element has this law; two springs at right angles, on a circle of the tested amplitude, give up to {:.3g} times the peak force of one and {:.3g} times the energy that a coupled bearing of constant strength would have",
              springs->force, springs->energy)});
-  return made;
+  return facts;
 }
 
 std::vector<Fact> bound_facts(Subject const& subject, bool one_factor) {
@@ -223,14 +223,14 @@ std::vector<Fact> bound_facts(Subject const& subject, bool one_factor) {
     return factor_text(*factors, one_factor) +
            (own ? ", the nominal itself: this one stands at that end of the lot" : "");
   };
-  std::vector<Fact> made{
+  std::vector<Fact> facts{
       {"Lower bound", text(bounds.lower)}, {"Upper bound", text(bounds.upper)}, {"Bounds from", bounds.source}};
   auto const separate = [](auto const& factors) { return factors && factors->separate; };
   if (one_factor && (separate(bounds.lower) || separate(bounds.upper)))
-    made.push_back(
+    facts.push_back(
         {"Bounds act",
          "as one factor on the whole force, which at the amplitude of the cycle that counts is that of K_d and Q_d together; the law's parameters do not tell the two apart"});
-  return made;
+  return facts;
 }
 
 std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
@@ -276,12 +276,12 @@ std::vector<Fact> facts_of_the_law(Subject const& subject, UnitSystem const& uni
   Realisation itself;
   itself.fidelity = Fidelity::exact;
   itself.explanation = std::move(explanation);
-  auto made = facts(subject, itself, units, program);
-  std::erase_if(made, [](Fact const& fact) {
+  auto all = facts(subject, itself, units, program);
+  std::erase_if(all, [](Fact const& fact) {
     return fact.label == "Lower bound" || fact.label == "Upper bound" || fact.label == "Bounds from";
   });
-  for (auto& fact : bound_facts(subject, true)) made.push_back(std::move(fact));
-  return made;
+  for (auto& fact : bound_facts(subject, true)) all.push_back(std::move(fact));
+  return all;
 }
 
 std::vector<std::string> fact_lines(std::vector<Fact> const& facts) {
