@@ -110,7 +110,7 @@ std::vector<std::string> beyond_the_tests(Subject const& subject, UnitSystem con
       sentences.push_back(at + "there is no finite force");
       continue;
     }
-    // A slope below zero where the displacement grows, on the way to a peak and beyond what was tested.
+    // Look for a falling force only where the displacement grows beyond what was tested.
     double steepest_fall = 0.0, fall_at = 0.0;
     for (std::size_t i = 1; i < x.size(); ++i) {
       bool const outwards = std::abs(x[i]) > std::abs(x[i - 1]);
@@ -144,7 +144,7 @@ std::optional<StepsNeeded> steps_needed(Subject const& subject, Form const& form
   if (!(energy > 0.0)) return std::nullopt;
   for (int steps = 20; 2 * steps <= finest; steps *= 2) {
     auto const [x, f] = replayed(steps);
-    // At the same points: what the sum over few points leaves out is no error of the force.
+    // Integrate both over the same points: what a sum over few points leaves out is no error of the force.
     std::vector<double> there;
     for (std::size_t i = 0; i < fine.f.size(); i += static_cast<std::size_t>(finest / steps))
       there.push_back(fine.f[i]);
@@ -155,7 +155,7 @@ std::optional<StepsNeeded> steps_needed(Subject const& subject, Form const& form
 }
 
 std::optional<TwoSprings> two_springs(Subject const& subject) {
-  // One comes from rest to the circle along its axis, then both follow it; the second turn is looked at.
+  // One spring moves from rest along its axis to the circle, then both follow it twice; the second turn counts.
   double const amplitude = subject.tested.disp_mm;
   constexpr int steps = protocol_steps, quarter = steps / 4;
   auto const along_x = cycles_at(subject, 1.0, 1.0);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view the_law_itself = "--to opensees-cpp, abaqus or cpp, the law itself";
 
-// Where the program's materials can give the law, or one near to it.
+// Throws Error where the program's materials can give neither the law nor a substitute.
 Realisation realised(Subject const& subject, Remarks& remarks) {
   auto realisation = realise(subject);
   if (realisation.forms.empty())
@@ -40,7 +40,6 @@ Realisation realised(Subject const& subject, Remarks& remarks) {
   return realisation;
 }
 
-// With the form of every isolator of every draw.
 Realisation realised_model(Subject const& subject, Remarks& remarks) {
   auto realisation = realised(subject, remarks);
   auto const worst = add_draws(realisation, subject);
@@ -69,7 +68,7 @@ constexpr std::array all{
     Target{"opensees-cpp",
            [](Subject const& s, UnitSystem const& units, Remarks&) { return opensees_material(s, units); }},
     Target{"abaqus", [](Subject const& s, UnitSystem const& units, Remarks&) { return abaqus_element(s, units); }},
-    // It holds the law itself, and says of each form how far off it is.
+    // JSON holds the law itself and the error of each form, so that no form speaks against it.
     Target{"json",
            [](Subject const& s, UnitSystem const& units, Remarks&) { return export_json(s, realise(s), units); }},
     Target{"sheet", value_sheet},

@@ -18,10 +18,9 @@
 namespace isolaw::programs {
 namespace {
 
-// A column of a layout: what it may be called, the first of them in messages; its unit in ours.
 struct LayoutColumn {
-  std::vector<std::string_view> names;
-  std::string units;  // what is accepted; "" for text
+  std::vector<std::string_view> names;  // messages use the first
+  std::string units;                    // what is accepted; "" for text
   std::optional<double> (*in_ours)(std::string_view unit);
   void (*set)(Place& place, double value);
   bool required = false, above_zero = false;
@@ -73,7 +72,7 @@ std::vector<LayoutColumn> const& layout_columns() {
   return known;
 }
 
-// "load [kN]", "load (kN)": what stands in the brackets is the unit, of whatever kind.
+// "load [kN]" and "load (kN)" give "load" and "kN".
 std::pair<std::string_view, std::string_view> name_and_unit(std::string_view cell) {
   auto const open = cell.find_first_of("[(");
   if (open == std::string_view::npos) return {trimmed(cell), {}};
@@ -184,11 +183,10 @@ std::vector<Place> read_layout_text(std::string_view bytes, std::string const& n
     return Error({.where = name, .found = "no bearings", .allowed = "a row for each, under " + columns_text()});
   };
   if (!header_line || below == 0) throw nothing();
-  // By the header, as a table of one or two bearings has little else to tell it by.
+  // The header decides: a table of one or two bearings has too few rows to recognise a delimiter from.
   auto const& head = lines[*header_line];
   auto const has = [&](char c) { return head.find(c) != std::string_view::npos; };
   char const delimiter = has(';') ? ';' : has('\t') ? '\t' : has(',') ? ',' : ' ';
-  // Decimal commas stand beside another delimiter than the comma.
   auto const dialect = data::recognise_dialect(lines);
   char const decimal = delimiter != ',' && dialect && dialect->decimal == ',' ? ',' : '.';
   std::vector<std::string_view> cells;

@@ -14,9 +14,9 @@ namespace {
 
 constexpr std::string_view coupled_form = "bearing";
 
-// An analysis takes no longer steps than these: half a hundredth of a second follows what ground motions hold.
+// Upper limit of an analysis step: short enough for the frequencies that ground motions hold.
 constexpr double longest_model_step_s = 0.005;
-// Where the law's own step is not known.
+// Used where no number of steps tried was enough for the form.
 constexpr double careful_model_step_s = 0.001;
 
 Form const* with_id(Mapping const& mapping, std::string_view id) {
@@ -41,7 +41,7 @@ std::string range_text(double low, double high) {
   return low == high ? fmt::format("{:.4g}", low) : fmt::format("{:.4g} to {:.4g}", low, high);
 }
 
-// Whether the form's force changes by more than its sign where its displacement does.
+// True where mirroring the displacement does more than change the force's sign.
 bool is_one_sided(Form const& form, Subject const& subject) {
   auto mirrored = subject.protocol.disp_mm;
   for (double& x : mirrored) x = -x;
@@ -58,7 +58,7 @@ bool is_one_sided(Form const& form, Subject const& subject) {
 
 std::string shown_name(std::string const& name) {
   auto shown = harmless(name);
-  // A cell of the results.
+  // The name becomes a cell of CSV files.
   std::ranges::replace(shown, ',', '_');
   return shown;
 }
@@ -110,7 +110,7 @@ Deviation add_draws(Realisation& realisation, Subject const& subject) {
       if (form == nullptr) throw fails(draw, bearing, mapping.why.empty() ? "it has another form" : mapping.why);
       Realised realised;
       auto const failure = failure_of(*form, one, realised);
-      // A stand-in is not the law, and is told by how far it is off.
+      // A stand-in cannot pass as the law; it only needs a force, and its distance is reported.
       bool const has_force = std::isfinite(realised.from_law.largest);
       if (!failure.empty() && (realisation.substitute.empty() || !has_force)) throw fails(draw, bearing, failure);
       keep_worst(worst, realised.from_law);
@@ -164,7 +164,7 @@ ModelNumbers model_numbers(Subject const& subject, Realisation const& realisatio
 }
 
 std::vector<std::string> model_cautions(Subject const& subject, UnitSystem const& units) {
-  // Laboratories hold the load within so much.
+  // Laboratories keep the load of a test within about this share.
   constexpr double held_within = 0.2;
   auto const &low = subject.tested.load_min_kN, &high = subject.tested.load_max_kN;
   if (!low || !high) return {};

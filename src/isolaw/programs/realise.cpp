@@ -39,12 +39,12 @@ std::vector<double> every(std::span<double const> values, int step) {
   return kept;
 }
 
-// Of the record, not the way to its first sample or a turning point between two; a protocol is its own samples.
+// False on the way to the first sample and at a turning point between two; every point of a protocol is a sample.
 bool is_sample(History const& history, std::size_t i) {
   return history.measured_kN.empty() || std::isfinite(history.measured_kN[i]);
 }
 
-// Stiffness and energy of the cycle that is reported of the law's own loop.
+// Errors of stiffness and energy in the cycle that is reported for the reference force.
 void compare_properties(Deviation& result, History const& history, std::span<double const> force,
                         std::span<double const> other) {
   std::vector<double> x, f, reference, time;
@@ -86,7 +86,7 @@ double longest_step(History const& history) {
   return longest;
 }
 
-// Of the check's path, in every unit system: an iteration of the program begins at a number without a unit.
+// Checks the self-check's path in every unit system: a program's iteration begins at a number without a unit.
 bool has_a_force(Form const& form, Subject const& subject) {
   return std::ranges::all_of(unit_systems, [&](UnitSystem const& units) {
     return std::ranges::all_of(replay_kN(form, units, subject.protocol.disp_mm),
@@ -120,7 +120,7 @@ Realised replayed(Form const& form, Subject const& subject) {
   return realised;
 }
 
-// Tried, and computed where the form says how much travel it stands: rounding decides there, and may spare one record.
+// A form that states its longest swing is judged by that too: rounding decides whether the replay itself breaks.
 bool breaks_beyond_the_test(Form const& form, Subject const& subject, double travel_mm) {
   if (form.longest_swing_mm && *form.longest_swing_mm < overtravel * travel_mm) return true;
   for (auto const& history : subject.histories) {
@@ -132,7 +132,7 @@ bool breaks_beyond_the_test(Form const& form, Subject const& subject, double tra
   return false;
 }
 
-// Bounds by their forms; a factor on a law whose parts cannot be told apart acts on all of it.
+// Maps the law again with each bound's factors and takes the form with the same id, else the one at the same place.
 void add_bounds(Realised& realised, std::size_t index, laws::LawEntry const& law, std::span<double const> parameters,
                 Bounds const& bounds) {
   auto const form = [&](std::optional<BoundFactors> const& factors) -> std::optional<Form> {
@@ -146,7 +146,7 @@ void add_bounds(Realised& realised, std::size_t index, laws::LawEntry const& law
   realised.upper = form(bounds.upper);
 }
 
-// The laws that may stand in, the nearest first.
+// Candidates in the law's place, the nearest first.
 std::vector<InPlace> stand_ins(Subject const& subject) {
   std::vector<InPlace> fitted;
   for (std::string_view const id : {corner_law, smooth_law})
@@ -204,7 +204,6 @@ bool far_off(std::vector<OtherCycle> const& cycles) {
 }
 
 std::string_view name(Fidelity fidelity) {
-  // In the order of Fidelity.
   static constexpr std::array<std::string_view, 4> names{"exact", "exact as the step goes to zero", "re-fitted",
                                                          "not available"};
   return names.at(static_cast<std::size_t>(fidelity));
@@ -290,12 +289,13 @@ std::string failure_of(Form const& form, Subject const& subject, Realised& reali
       found.largest, finer_steps, realised.finer->largest);
 }
 
-// Not to the measured force: the export is of this law, and its distance from the measurement is reported beside.
+// Fits to the law's force, not to the measured one: the export stands for this law, whose distance from the measurement
+// is reported beside it.
 InPlace fit_in_place(Subject const& subject, std::string_view id, std::vector<fit::Override> const& asked) {
   auto const& history = subject.histories.front();
   data::FitRecord record;
   for (std::size_t i = 0; i < history.disp_mm.size(); ++i) {
-    // The way from zero displacement to the first sample takes no time; a record needs times that increase.
+    // The way from zero displacement to the first sample takes no time, but a record's times must increase.
     if (!record.time_s.empty() && history.time_s[i] <= record.time_s.back()) record.time_s.back() -= 1e-9;
     record.time_s.push_back(history.time_s[i]);
     record.disp_mm.push_back(history.disp_mm[i]);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// What a program is driven through: the samples and, where the laws turned between them, the turning points.
+// The motion that replays follow: the samples and, where the law was turned between samples, the turning points.
 History history_of(campaign::Device const& device, laws::TurningPoints turning_points) {
   auto const& record = device.record;
   auto const path = turning_points == laws::TurningPoints::interpolated
@@ -73,7 +73,7 @@ rules::LotQuantity const* quantity_of(study::Summary const& summary, rules::Quan
   return nullptr;
 }
 
-// The property that the factors are relative to: of the device in the cycle that counts, or the mean of the lot.
+// The property that the factors are relative to: the device's in the cycle that counts, or the lot's mean.
 std::optional<double> own_value(study::Summary const& summary, Subject const& subject, rules::LotQuantity const& view) {
   if (subject.lot) return view.mean;
   auto const device = std::ranges::find(summary.devices, subject.device, &study::DeviceResult::name);
@@ -160,7 +160,7 @@ Bounds bounds_of(study::Summary const& summary, Subject const& subject, UnitSyst
     return spread_of_the_lot(summary, subject, units,
                              "rule set " + rules.id + " has no factors of K_d and Q_d for this lot");
   Bounds bounds;
-  // Of the whole force at the amplitude of the cycle that counts: its parts by their shares of it there.
+  // The overall factor weights both by their parts' shares of the force at the amplitude of the cycle that counts.
   double const spring = K_d->own * subject.design_disp_mm, both = spring + Q_d->own;
   auto const factors = [&](std::optional<double> stiffness, std::optional<double> strength) {
     return stiffness && strength
@@ -222,7 +222,7 @@ void add_lot_parameters(Subject& subject, campaign::Contents const& contents, st
   std::ranges::stable_sort(subject.histories, std::ranges::greater{}, reach);
 }
 
-// A law may have fitted a record that begins elsewhere and still have no force on the way there from zero.
+// A law fitted to a record that begins off zero may still have no finite force on the way there from zero.
 void require_finite(Subject const& subject, std::string const& where) {
   auto const finite = [](History const& history) {
     return std::ranges::all_of(history.law_kN, [](double f) { return std::isfinite(f); });
@@ -271,7 +271,7 @@ History two_cycles(double first_mm, double second_mm, double frequency_Hz, int s
     double const phase = 2.0 * std::numbers::pi * i / steps_per_cycle;
     double const size = i <= steps_per_cycle ? first_mm : second_mm;
     history.time_s.push_back(i / (steps_per_cycle * frequency_Hz));
-    // Exactly zero there, whatever sin makes of pi.
+    // sin of a multiple of pi is not exactly zero in floating point.
     history.disp_mm.push_back(i % (steps_per_cycle / 2) == 0 ? 0.0 : size * std::sin(phase));
     history.vel_mm_s.push_back(size * omega * std::cos(phase));
   }
@@ -283,7 +283,7 @@ std::string plain_name(std::string_view name) {
   std::string plain;
   for (char const c : name) {
     bool const kept = static_cast<unsigned char>(c) < 128 && std::isalnum(static_cast<unsigned char>(c)) != 0;
-    // C++ keeps names with two underscores in a row for itself.
+    // C++ reserves names with two underscores in a row.
     if (kept || (!plain.empty() && !plain.ends_with('_'))) plain += kept ? c : '_';
     if (plain.size() == longest) break;
   }
