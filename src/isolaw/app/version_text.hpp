@@ -5,8 +5,8 @@
 
 namespace isolaw::app {
 
-// Three lines: "isolaw 0.2.0 (8394911)", "g++ 12.2.0, avx512", "build 0123456789ab". The build is a hash of the sources that
-// decide numbers, as stores keep it; the commit tells more, but changes with every comment.
+// Three lines: "isolaw 0.2.0 (8394911)", "g++ 12.2.0, avx512", "build 0123456789ab". The build is the hash of the
+// sources that decide numbers, as stores keep it; the commit changes with every comment too.
 std::string version_text();
 
 }  // namespace isolaw::app

@@ -1,6 +1,6 @@
-// Checks away from the tested cycle: a stand-in at smaller amplitudes and at another rate, the law beyond the tests, the
-// step that a program needs, and two springs in place of one bearing. Each looks at the second of two equal cycles from
-// rest.
+// Checks away from the tested cycle: a stand-in at smaller amplitudes and at another rate, the law beyond the tests,
+// the step that a program needs, and two springs in place of one bearing. Each looks at the second of two equal cycles
+// from rest.
 #pragma once
 
 #include <functional>

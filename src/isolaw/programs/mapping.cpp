@@ -64,7 +64,7 @@ Form bouc_wen(laws::BoucWenForm const& v) {
                          {"maxIter", 100.0, 0, 0}}}}};
 }
 
-// This command takes beta before gamma, and its z has no dimension: 1 at the yield displacement, here where z saturates.
+// This command takes beta before gamma, and its z has no dimension: 1 at the yield displacement, where it saturates.
 Form bouc_wen_original(laws::BoucWenForm const& v) {
   double const uy = v.z_max(), scale = std::pow(uy, v.n);
   return {.id = "material_original",

@@ -1,6 +1,6 @@
 // The OpenSees materials and elements that laws are exported to, written again from their published formulas (never
-// from the program's code), with arguments in the order of the command. Whether an export may be called exact is decided
-// by replaying these, not by the formulas that it was derived from.
+// from the program's code), with arguments in the order of the command. Replaying these decides whether an export may
+// be called exact, not the formulas that it was derived from.
 //
 // Sources: Steel01, OpenSees command manual (kinematic hardening, without its optional isotropic part). Steel02:
 // Filippou et al. 1983 as in that manual, likewise. BoucWen: Wen 1976 as in Haukaas and Der Kiureghian 2003, z by

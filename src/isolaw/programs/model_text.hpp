@@ -14,7 +14,7 @@ namespace isolaw::programs {
 Realised& form_of_model(Realisation& realisation);
 Realised const& form_of_model(Realisation const& realisation);
 
-// Adds a variant of the model's form for every bearing of every draw; where another law stands in, it is fitted to each.
+// Adds a variant of the model's form for every bearing of every draw; a law that stands in is fitted to each of them.
 // Throws Error that names the first draw and bearing whose law the program cannot give. Returns the worst deviation of
 // a drawn form from its own law.
 Deviation add_draws(Realisation& realisation, Subject const& subject);

@@ -87,7 +87,7 @@ struct Subject {
 inline constexpr int protocol_steps = 80;
 History two_cycles(double first_mm, double second_mm, double frequency_Hz, int steps_per_cycle = protocol_steps);
 
-// A name that programs accept: at most 40 characters; each run of others than letters and digits becomes one underscore.
+// A name that programs accept: at most 40 characters, each run of others than letters and digits as one underscore.
 std::string plain_name(std::string_view name);
 
 // Throws Error where the campaign has no such law or device (it lists them), where the law has no result on the device

@@ -9,8 +9,8 @@
 
 namespace isolaw::programs {
 
-// Makes foreign text safe in a script's comment: control characters, quotes, backslashes and whatever Tcl, Python or C++
-// could act on become '_'.
+// Makes foreign text safe in a script's comment: control characters, quotes, backslashes and all that Tcl, Python or
+// C++ could act on become '_'.
 std::string harmless(std::string_view text);
 // The same for a cell of a Markdown table.
 std::string harmless_markdown(std::string_view text);

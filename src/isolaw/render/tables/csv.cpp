@@ -7,7 +7,7 @@
 namespace isolaw::render {
 namespace {
 
-// The cells of a value, several of them with commas between.
+// Text of a value; several cells are separated by commas.
 struct Cells {
   std::string operator()(std::monostate) const { return {}; }
   std::string operator()(bool flag) const { return flag ? "yes" : "no"; }

@@ -1,4 +1,4 @@
-// The tables of cyclic properties, verdicts and the lot.
+// Tables of cyclic properties, verdicts and the lot.
 #include <string>
 
 #include "isolaw/base/words.hpp"
@@ -10,7 +10,7 @@
 namespace isolaw::render {
 namespace {
 
-// What of a cycle stands before the frequency of its block, and after it.
+// Columns of a cycle before and after the frequency of its block.
 constexpr auto strain = columns(cycle_results, {"strain_percent"});
 constexpr auto of_cycles = columns(cycle_results, {"period_s",
                                                    "amplitude_mm",
