@@ -1,6 +1,6 @@
-# Writes OUTPUT, which defines isolaw::app::source_commit: the commit of the sources in ROOT, "8394911", "8394911, modified" where a
-# file that git follows differs from it, "unknown commit" in a copy without git. An archive made by `git archive` has its commit in
-# cmake/COMMIT. OUTPUT stays untouched where nothing changed, so that nothing is compiled anew.
+# Writes OUTPUT, which defines isolaw::app::source_commit, the commit of the sources in ROOT: "8394911", or "8394911, modified"
+# if a file that git follows was changed since. Archives made by `git archive` carry their commit in cmake/COMMIT; a copy
+# without either is of an "unknown commit". OUTPUT is only written if it changes, so that nothing is compiled in vain.
 # cmake -DROOT=... -DOUTPUT=... -P commit.cmake
 set(commit "unknown commit")
 file(STRINGS ${ROOT}/cmake/COMMIT packed LIMIT_COUNT 1)

@@ -3,7 +3,7 @@ include(CMakePackageConfigHelpers)
 install(TARGETS isolaw EXPORT isolaw-targets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 
-# The public headers: api/isolaw.hpp, and what it includes.
+# The public headers: api/isolaw.hpp and everything that it includes.
 function(isolaw_public_headers result)
   set(open isolaw/api/isolaw.hpp)
   set(known "")
