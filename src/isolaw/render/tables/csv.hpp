@@ -33,8 +33,8 @@ class CsvTable {
     return *this;
   }
   template <class Of, std::size_t count>
-  CsvTable& cells(std::array<Result<Of>, count> const& columns, Of const& of) {
-    for (auto const& column : columns) put(column.of(of));
+  CsvTable& cells(std::array<Result<Of>, count> const& columns, Of const& object) {
+    for (auto const& column : columns) put(column.of(object));
     return *this;
   }
   CsvTable& empty(std::size_t count) {
