@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What the program writes of itself: tools/reference.sh ISOLAW DIR makes DIR/docs/laws.md, DIR/docs/cli.md and, with the
-# keywords of the tables, DIR/python/isolaw/__init__.pyi.
+# Writes the reference that the program generates: tools/reference.sh ISOLAW DIR makes DIR/docs/laws.md, DIR/docs/cli.md
+# and, with the keywords of the option tables, DIR/python/isolaw/__init__.pyi.
 set -euo pipefail
 shopt -s inherit_errexit
 isolaw=$1 docs=$2/docs stub=python/isolaw/__init__.pyi
@@ -15,7 +15,7 @@ mkdir -p "$docs" "$2/${stub%/*}"
   done
 } | sed -E 's/[[:space:]]+$//' >"$docs/cli.md"
 
-# In the stub, what stands below a comment `isolaw keywords ...` is what this command prints.
+# In the stub, replaces the text below each comment `isolaw keywords ...` by the output of that command.
 written=$(
   keep=yes
   while IFS= read -r line; do

@@ -114,6 +114,7 @@ TEST_F(Export, gives_every_law_to_every_target) {
         EXPECT_TRUE(line.starts_with("warning: ") || line.starts_with("let through: ")) << line;
       EXPECT_TRUE(contains(o.out, law));
       EXPECT_TRUE(contains(o.out, to == "json" ? "\"tested\"" : "Displacement tested"));
+      EXPECT_EQ(contains(o.out, "MIT-0"), to != "json");
       if (to == "json") {
         EXPECT_EQ(exported(law, "a", to).out, o.out);
         auto const j = Json::parse(o.out);

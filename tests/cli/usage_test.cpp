@@ -1,4 +1,6 @@
 // Help, version, wrong usage, and the catalogue of laws.
+#include <regex>
+
 #include "cli/published_laws.hpp"
 #include "cli/records.hpp"
 #include "cli/run.hpp"
@@ -29,11 +31,42 @@ TEST_F(Usage, help_of_calibrate_lists_the_options_that_scripts_rely_on) {
     EXPECT_TRUE(contains(o.out, option));
 }
 
-TEST_F(Usage, version_is_the_projects) {
+TEST_F(Usage, version_says_commit_compiler_instructions_and_build) {
   auto const o = isolaw({"--version"});
   EXPECT_EQ(o.code, 0) << o;
-  EXPECT_EQ(o.out.find(ISOLAW_VERSION ", build "), 0u) << o;
-  EXPECT_EQ(o.out.size(), std::string(ISOLAW_VERSION ", build 0123456789ab\n").size()) << o;
+  std::regex const expected("isolaw " ISOLAW_VERSION
+                            " \\(([0-9a-f]+(, modified)?|unknown commit)\\)\n"
+                            "(g|clang)\\+\\+ [0-9.]+, [a-z0-9]+\nbuild [0-9a-f]{12}\n");
+  EXPECT_TRUE(std::regex_match(o.out, expected)) << o;
+  EXPECT_TRUE(contains(read_file(ISOLAW_SOURCE_DIR "/CITATION.cff"), "\nversion: " ISOLAW_VERSION "\n"));
+}
+
+// What cmake/commit.cmake writes for a copy of the sources in `folder`.
+std::string commit_of(fs::path const& folder) {
+  auto const source = folder / "commit.cpp";
+  auto const command = fmt::format("cmake '-DROOT={}' '-DOUTPUT={}' -P '{}/cmake/commit.cmake'", folder.string(),
+                                   source.string(), ISOLAW_SOURCE_DIR);
+  EXPECT_EQ(std::system(command.c_str()), 0) << command;
+  auto const text = read_file(source);
+  auto const first = text.find('"') + 1;
+  return text.substr(first, text.rfind('"') - first);
+}
+
+TEST_F(Usage, commit_comes_from_an_archive_or_from_git) {
+  write("archive/cmake/COMMIT", "0123abc\n");
+  EXPECT_EQ(commit_of(path("archive")), "0123abc");
+  write("copy/cmake/COMMIT", "$Format:%h$\n");
+  EXPECT_EQ(commit_of(path("copy")), "unknown commit");
+  if (std::system("git --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no git";
+  auto const git = [&](std::string const& words) {
+    auto const command = fmt::format("git -C '{}' -c user.name=a -c user.email=a {}", path("copy").string(), words);
+    return std::system(command.c_str());
+  };
+  ASSERT_EQ(git("init -q") + git("add cmake") + git("commit -q -m a"), 0);
+  auto const clean = commit_of(path("copy"));
+  EXPECT_EQ(clean.find_first_not_of("0123456789abcdef"), std::string::npos) << clean;
+  write("copy/cmake/COMMIT", "$Format:%h$\n\n");
+  EXPECT_EQ(commit_of(path("copy")), clean + ", modified");
 }
 
 TEST_F(Usage, no_command_is_refused) {

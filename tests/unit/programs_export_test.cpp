@@ -232,6 +232,7 @@ TEST(Tables, say_in_their_head_what_they_hold) {
   subject.objective = 0.0123;
   auto const text = protocol_csv(subject, unit_systems[2]);
   auto const head = text.substr(0, text.find("\ntime "));
+  EXPECT_TRUE(head.starts_with("# SPDX-License-Identifier: MIT-0\n# Licence: ")) << head;
   for (auto const* part : {"# Law: jankowski: ", "# Parameters: ", "# Fitted to the tests with: objective 0.0123",
                            "# Units of this file: kip, in, s", "# Protocol: two sine cycles at 0.5 Hz",
                            "with its velocity, on which the law depends", "# Upper bound: force x 1.15"})

@@ -22,11 +22,11 @@
 #include "isolaw/app/part_script.hpp"
 #include "isolaw/app/say.hpp"
 #include "isolaw/app/usage.hpp"
+#include "isolaw/app/version_text.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/json.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
-#include "isolaw/campaign/maker.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/data/reading.hpp"
 #include "isolaw/programs/exports.hpp"
@@ -402,7 +402,7 @@ int run(int argc, char** argv) {
   try {
     CLI::App app("isolaw: from the test records of a production lot of seismic isolators to calibrated, ranked laws",
                  "isolaw");
-    app.set_version_flag("--version", campaign::text(campaign::this_maker()));
+    app.set_version_flag("--version", version_text());
     app.require_subcommand(1);
     int const code = dispatch(app, argc, argv);
     // Both: what failed while it was printed is no longer there to be flushed.

@@ -1,4 +1,4 @@
-// JSON: everything an export knows, for machines.
+// JSON: everything that an export knows, for machines.
 #include "isolaw/base/json.hpp"
 #include "isolaw/programs/exports.hpp"
 #include "isolaw/programs/self_check.hpp"

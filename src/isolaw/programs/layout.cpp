@@ -18,10 +18,9 @@
 namespace isolaw::programs {
 namespace {
 
-// A column of a layout: what it may be called, the first of them in messages; its unit in ours.
 struct LayoutColumn {
-  std::vector<std::string_view> names;
-  std::string units;  // what is accepted; "" for text
+  std::vector<std::string_view> names;  // messages use the first
+  std::string units;                    // what is accepted; "" for text
   std::optional<double> (*in_ours)(std::string_view unit);
   void (*set)(Place& place, double value);
   bool required = false, above_zero = false;
@@ -73,7 +72,7 @@ std::vector<LayoutColumn> const& layout_columns() {
   return known;
 }
 
-// "load [kN]", "load (kN)": what stands in the brackets is the unit, of whatever kind.
+// "load [kN]" and "load (kN)" give "load" and "kN".
 std::pair<std::string_view, std::string_view> name_and_unit(std::string_view cell) {
   auto const open = cell.find_first_of("[(");
   if (open == std::string_view::npos) return {trimmed(cell), {}};
@@ -92,7 +91,7 @@ struct FoundColumn {
 
 std::vector<FoundColumn> found_columns(std::vector<std::string_view> const& header, std::string const& where,
                                        std::vector<Complaint>& complaints) {
-  std::vector<FoundColumn> made;
+  std::vector<FoundColumn> columns;
   for (auto const cell : header) {
     auto const [base, unit] = name_and_unit(cell);
     auto const named = [wanted = lower(base)](LayoutColumn const& column) {
@@ -103,10 +102,10 @@ std::vector<FoundColumn> found_columns(std::vector<std::string_view> const& head
     if (column == known.end()) {
       complaints.push_back(
           {.where = where, .found = fmt::format("column {}", data::in_quotes(cell)), .allowed = columns_text()});
-      made.push_back({});
+      columns.push_back({});
       continue;
     }
-    if (std::ranges::find(made, &*column, &FoundColumn::column) != made.end())
+    if (std::ranges::find(columns, &*column, &FoundColumn::column) != columns.end())
       complaints.push_back(
           {.where = where, .found = fmt::format("column {} twice", column->names.front()), .allowed = "one of them"});
     FoundColumn one{.column = &*column};
@@ -120,13 +119,13 @@ std::vector<FoundColumn> found_columns(std::vector<std::string_view> const& head
              .allowed = fmt::format("'{} [UNIT]', the unit one of {}", column->names.front(), column->units)});
       one.unit = size.value_or(1.0);
     }
-    made.push_back(one);
+    columns.push_back(one);
   }
   for (auto const& column : layout_columns())
-    if (column.required && std::ranges::find(made, &column, &FoundColumn::column) == made.end())
+    if (column.required && std::ranges::find(columns, &column, &FoundColumn::column) == columns.end())
       complaints.push_back(
           {.where = where, .found = fmt::format("no column {}", column.names.front()), .allowed = columns_text()});
-  return made;
+  return columns;
 }
 
 void check_together(std::vector<Place> const& places, std::string const& file, std::vector<Complaint>& complaints) {
@@ -184,11 +183,10 @@ std::vector<Place> read_layout_text(std::string_view bytes, std::string const& n
     return Error({.where = name, .found = "no bearings", .allowed = "a row for each, under " + columns_text()});
   };
   if (!header_line || below == 0) throw nothing();
-  // By the header, as a table of one or two bearings has little else to tell it by.
+  // The header decides: a table of one or two bearings has too few rows to recognise a delimiter from.
   auto const& head = lines[*header_line];
   auto const has = [&](char c) { return head.find(c) != std::string_view::npos; };
   char const delimiter = has(';') ? ';' : has('\t') ? '\t' : has(',') ? ',' : ' ';
-  // Decimal commas stand beside another delimiter than the comma.
   auto const dialect = data::recognise_dialect(lines);
   char const decimal = delimiter != ',' && dialect && dialect->decimal == ',' ? ',' : '.';
   std::vector<std::string_view> cells;
@@ -196,7 +194,7 @@ std::vector<Place> read_layout_text(std::string_view bytes, std::string const& n
   std::vector<Complaint> complaints;
   auto const columns = found_columns(cells, fmt::format("{}:{}", name, *header_line + 1), complaints);
   if (!complaints.empty()) throw Error(std::move(complaints));
-  std::vector<Place> made;
+  std::vector<Place> places;
   for (auto i = *header_line + 1; i < lines.size(); ++i) {
     if (data::is_comment(lines[i]) || data::is_blank(lines[i], delimiter)) continue;
     auto const where = fmt::format("{}:{}", name, i + 1);
@@ -208,7 +206,7 @@ std::vector<Place> read_layout_text(std::string_view bytes, std::string const& n
       continue;
     }
     Place place;
-    place.name = fmt::format("b{}", made.size() + 1);
+    place.name = fmt::format("b{}", places.size() + 1);
     for (std::size_t k = 0; k < cells.size(); ++k) {
       auto const& [column, unit] = columns[k];
       if (column->in_ours == nullptr) {
@@ -226,16 +224,16 @@ std::vector<Place> read_layout_text(std::string_view bytes, std::string const& n
                                   cells[k].empty() ? std::string("missing") : data::in_quotes(cells[k])),
              .allowed = column->above_zero ? "a number above 0" : "a finite number"});
     }
-    made.push_back(std::move(place));
+    places.push_back(std::move(place));
   }
   if (!complaints.empty()) throw Error(std::move(complaints));
-  if (made.empty()) throw nothing();
-  if (made.size() > most_places)
+  if (places.empty()) throw nothing();
+  if (places.size() > most_places)
     throw Error(
-        {.where = name, .found = counted(made.size(), "bearing"), .allowed = fmt::format("1 to {}", most_places)});
-  check_together(made, name, complaints);
+        {.where = name, .found = counted(places.size(), "bearing"), .allowed = fmt::format("1 to {}", most_places)});
+  check_together(places, name, complaints);
   if (!complaints.empty()) throw Error(std::move(complaints));
-  return made;
+  return places;
 }
 
 }  // namespace isolaw::programs

@@ -26,8 +26,11 @@ const same = (said, own, name) => {
     assert.ok(found === wanted[i] || Math.abs(found - wanted[i]) <= 1e-7 * Math.abs(wanted[i]) + 1e-9, `${name}: ${found}, natively ${wanted[i]}`);
 };
 
-test('the version, with the build that computes', async () => {
-  assert.equal(await engine.version(), native(['--version']).stdout.trim());
+test('the version, with the build that computes; the compiler differs', async () => {
+  const [program, compiler, build] = (await engine.version()).split('\n'),
+    own = native(['--version']).stdout.trim().split('\n');
+  assert.deepEqual([program.replace(/ \(.*/, ''), build], [own[0].replace(/ \(.*/, ''), own[2]]);
+  assert.match(compiler, /^emscripten's clang\+\+ [0-9.]+, portable$/);
 });
 
 test('what the page knows of settings is so', async () => {

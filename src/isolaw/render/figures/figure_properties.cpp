@@ -8,7 +8,7 @@
 namespace isolaw::render {
 namespace {
 
-// What a rule set derives, one value or one of each side; without a set the cycle that counts.
+// The rule set's value, or one for each side of the loop; without a rule set that of the cycle that counts.
 std::vector<double> property_values(DeviceResult const& device, rules::Quantity quantity) {
   std::vector<double> values;
   for (auto const& assessment : device.acceptance.assessments)

@@ -10,10 +10,10 @@
 
 namespace isolaw::render {
 
-// Deterministic: equal summaries give equal bytes. Numbers read back as the same doubles; what is undefined is null.
+// Equal summaries give equal bytes. Numbers read back as the same doubles; undefined values are null.
 std::string summary_json(Summary const& summary);
 
-// How many runs were missing when a summary.json was made; empty for a text that does not say so.
+// The number of missing runs that a summary.json states; empty if the text states none.
 std::optional<std::size_t> missing_runs_in(std::string_view summary_json);
 
 }  // namespace isolaw::render

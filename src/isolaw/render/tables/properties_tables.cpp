@@ -1,4 +1,4 @@
-// The tables of cyclic properties, verdicts and the lot.
+// Tables of cyclic properties, verdicts and the lot.
 #include <string>
 
 #include "isolaw/base/words.hpp"
@@ -10,7 +10,7 @@
 namespace isolaw::render {
 namespace {
 
-// What of a cycle stands before the frequency of its block, and after it.
+// Columns of a cycle before and after the frequency of its block.
 constexpr auto strain = columns(cycle_results, {"strain_percent"});
 constexpr auto of_cycles = columns(cycle_results, {"period_s",
                                                    "amplitude_mm",
@@ -42,8 +42,8 @@ void cycle_row(CsvTable& table, DeviceResult const& device, data::Block const& b
   bool const is_reported = reported && reported->block == block.number && reported->number == c.number && c.counts();
   auto const number = c.counts() ? std::optional(c.number) : std::nullopt;
   table.add(device.name, block.number, number, c.counts(), c.not_counted, is_reported);
-  CycleOf const of{c, device};
-  table.cells(strain, of).add(block.frequency_Hz).cells(of_cycles, of).row(device.properties.refusal);
+  CycleOf const row{c, device};
+  table.cells(strain, row).add(block.frequency_Hz).cells(of_cycles, row).row(device.properties.refusal);
 }
 
 }  // namespace
@@ -128,8 +128,8 @@ std::string lambda_csv(Summary const& summary) {
   table.head(of_supply).head(of_test).head(bounds).end_row();
   for (auto const& quantity : summary.acceptance.lot.quantities)
     for (auto const& bound : quantity.bounds) {
-      FactorOf const of{quantity, bound};
-      table.cells(of_supply, of).cells(of_test, quantity).cells(bounds, of).end_row();
+      FactorOf const row{quantity, bound};
+      table.cells(of_supply, row).cells(of_test, quantity).cells(bounds, row).end_row();
     }
   return table.take();
 }
