@@ -29,25 +29,25 @@ std::string with(std::string_view key, char from, char to) {
 
 }  // namespace
 
-std::string_view title(Group group) {
-  switch (group) {
-    case Group::everyday:
+std::string_view title(Heading heading) {
+  switch (heading) {
+    case Heading::everyday:
       return "Everyday options";
-    case Group::reading:
+    case Heading::reading:
       return "Reading records";
-    case Group::corrections:
+    case Heading::corrections:
       return "Correcting for the test rig";
-    case Group::search:
+    case Heading::search:
       return "Laws and search";
-    case Group::plane:
+    case Heading::plane:
       return "Two directions";
-    case Group::analysis:
+    case Heading::analysis:
       return "Analysis";
-    case Group::acceptance:
+    case Heading::acceptance:
       return "Acceptance";
-    case Group::model:
+    case Heading::model:
       return "Whole models (targets opensees-model and openseespy-model)";
-    case Group::running:
+    case Heading::running:
       break;
   }
   return "Running and output";

@@ -26,8 +26,8 @@ using Json = nlohmann::ordered_json;
 enum class Kind { flag, whole, real, text, list, repeated, assignments };
 
 // The heading under which help and docs/cli.md list an option. Headings follow in this order.
-enum class Group { everyday, reading, corrections, search, plane, analysis, acceptance, model, running };
-std::string_view title(Group group);
+enum class Heading { everyday, reading, corrections, search, plane, analysis, acceptance, model, running };
+std::string_view title(Heading heading);
 
 struct Limits {
   double least = -std::numeric_limits<double>::infinity();
@@ -48,7 +48,7 @@ struct OptionInfo {
   std::vector<std::string_view> words = {};  // the values allowed, if it takes one of a few words
   std::string_view keyword = {};             // in Python, if that is not the key with underscores
   std::string_view type = {};                // in Python, if kind and words do not say it
-  Group group = Group::running;
+  Heading heading = Heading::running;
 
   std::string option() const;  // on the command line, without its dashes, and in a lot file
   std::string python() const;
@@ -61,8 +61,8 @@ struct Option : OptionInfo {
   std::function<Json(Target const&)> get;         // null: not given
   std::function<void(Target&, Json const&)> set;  // throws Error; the caller adds `where`
 
-  Option under(Group heading) && {
-    this->group = heading;
+  Option under(Heading chosen) && {
+    this->heading = chosen;
     return std::move(*this);
   }
 };

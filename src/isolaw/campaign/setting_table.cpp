@@ -79,7 +79,7 @@ Setting thinning() {
   return number_or("all", "int | Literal[\"all\"] | None", place,
                    number<S>("samples-per-cycle", "thin records to this many samples per cycle", place,
                              {.least = 20, .most = std::numeric_limits<int>::max(), .words = "20 or more, or all"})
-                       .under(Group::search));
+                       .under(Heading::search));
 }
 
 Setting dead_band() {
@@ -88,12 +88,12 @@ Setting dead_band() {
       "auto", "float | Literal[\"auto\"]", place,
       number<S>("dead-band", "smaller reversals, in mm, are no turning points to laws that remember these", place,
                 {.least = 0, .most = 1e4, .words = "0 to 10000, or auto (default): 3 times each record's noise"})
-          .under(Group::search));
+          .under(Heading::search));
 }
 
 Setting blocks(std::string_view key, std::string help, data::Numbers data::Selection::*numbers) {
   auto const place = at(&S::clean, &Clean::scored, numbers);
-  return {{{.key = key, .help = std::move(help), .group = Group::search},
+  return {{{.key = key, .help = std::move(help), .heading = Heading::search},
            [place](S const& s) -> Json { return place(s).text(); },
            [place, key](S& s, Json const& value) {
              place(s) = data::parse_numbers("--" + std::string(key), text_in(value));
@@ -118,29 +118,29 @@ std::vector<Setting> make_settings() {
       {{{.key = "laws",
          .kind = Kind::list,
          .help = "laws to fit: usual (default), paper, all, or ids from isolaw laws, such as bilinear,bouc-wen",
-         .group = Group::everyday},
+         .heading = Heading::everyday},
         [](S const& s) -> Json { return s.laws; },
         set_laws}},
       {word<S>("method", "best (default): search for the best fit there is; ga: the paper's genetic algorithm",
                at(&S::method), methods)
-           .under(Group::search)},
+           .under(Heading::search)},
       {word<S>("integration", "converged (default), or paper: one Runge-Kutta step per sample", at(&S::integration),
                integrations)
-           .under(Group::search)},
+           .under(Heading::search)},
       {word<S>("turning-points",
                "the motion turns at a sample (sampled, default), or between samples (interpolated: smooth records)",
                at(&S::turning_points), turnings)
-           .under(Group::search)},
+           .under(Heading::search)},
       {number<S>("runs", "independent runs per law and device", at(&S::runs), {.least = 1, .most = 1e5}, "3; ga: 20")
-           .under(Group::search)},
+           .under(Heading::search)},
       // The upper limits keep the count of evaluations an int; that of the pressure keeps every weight above zero.
       {number<S>("population", "with --method ga: individuals", at(&S::genetic, &Ga::population),
                  {.least = 4, .most = 1e5, .words = "an even number from 4 to 100000", .step = 2})
-           .under(Group::search),
+           .under(Heading::search),
        ga},
       {number<S>("generations", "with --method ga: generations, counting the initial one",
                  at(&S::genetic, &Ga::generations), {.least = 1, .most = 20'000})
-           .under(Group::search),
+           .under(Heading::search),
        ga},
       constant("mutation_rate", &Ga::mutation_rate, {.least = 0, .most = 1}),
       constant("stagnation", &Ga::stagnation, {.least = 1, .most = largest, .words = "at least 1 generation"}),
@@ -148,7 +148,7 @@ std::vector<Setting> make_settings() {
                  "with --method ga: 20 generations that improve the fit by no more than this share end a run",
                  at(&S::genetic, &Ga::stagnation_tolerance),
                  {.least = 0, .most = below_1, .words = "0 or more, below 1"})
-           .under(Group::search),
+           .under(Heading::search),
        ga},
       constant("selection_pressure", &Ga::selection_pressure, {.least = 0, .most = 100}),
       constant("least_starts", &Best::least_starts, {.least = 1, .most = 10'000}),
@@ -158,24 +158,24 @@ std::vector<Setting> make_settings() {
       constant("most_evaluations", &Best::most_evaluations, {.least = 1, .most = 1e9}),
       constant("scattered", &Best::scattered, {.least = 1, .most = 10'000}),
       constant("hops", &Best::hops, {.least = 0, .most = 10'000}),
-      {{{.key = "seed", .help = "seed of all random numbers (default 1)", .type = "int", .group = Group::search},
+      {{{.key = "seed", .help = "seed of all random numbers (default 1)", .type = "int", .heading = Heading::search},
         [](S const& s) -> Json { return s.seed; },
         set_seed}},
       {word<S>("box", "range searched for a parameter: auto (default, from each record), or published (paper, Table 4)",
                at(&S::box), boxes)
-           .under(Group::search)},
+           .under(Heading::search)},
       {{{.key = "set",
          .kind = Kind::repeated,
          .help = "fix a parameter: bilinear.K2=0.6; or =0.5:0.7 a range, =free, =K1 tied to K1; may be repeated",
-         .group = Group::search},
+         .heading = Heading::search},
         [](S const& s) { return texts_of(s.overrides); },
         set_overrides}},
       {number<S>("smooth", "smooth records by a centred moving average", at(&S::clean, &Clean::smooth),
                  {.least = 1, .most = largest, .words = "an odd number of samples, 1 for none", .step = 2})
-           .under(Group::search)},
+           .under(Heading::search)},
       thinning(),
       {flag<S>("center", "remove the offset of displacement and force", at(&S::clean, &Clean::center))
-           .under(Group::search)},
+           .under(Heading::search)},
       dead_band(),
       blocks("fit-blocks", "fit laws only to these blocks of each test: 2, 1-3, 2- (default all)",
              &data::Selection::blocks),
@@ -186,16 +186,16 @@ std::vector<Setting> make_settings() {
       {word<S>("analysis",
                "full (default): intervals, what the tests cannot fix, one law for the lot, devices left out; or none",
                at(&S::analysis), analyses)
-           .under(Group::analysis)},
+           .under(Heading::analysis)},
       // The 2.5 % quantile needs at least forty replicates: one of them lies below it.
       {number<S>("replicates", "bootstrap fits for the intervals", at(&S::replicates),
                  {.least = 40, .most = 1e5, .words = "0 for none, or 40 to 100000", .or_zero = true})
-           .under(Group::analysis)},
+           .under(Heading::analysis)},
       {word<S>(
            "bidirectional",
            "springs: also fit laws that have no coupled two-dimensional form as springs, for building; or none (default)",
            at(&S::springs), in_the_plane)
-           .under(Group::analysis)},
+           .under(Heading::analysis)},
   };
 }
 
@@ -226,19 +226,19 @@ std::vector<Option<Acceptance>> make_acceptance() {
       {{.key = "rules",
         .help = "rule set to check the tests against: a name from isolaw rules, such as ntc-2018, or a file",
         .type = "str | PathLike[str]",
-        .group = Group::everyday},
+        .heading = Heading::everyday},
        [=](Acceptance const& a) { return unless_empty(a.rules_file); },
        set_rules},
       {{.key = "design",
         .kind = Kind::assignments,
         .help = "design values in kN, mm, Hz and %: K_eff=1.2,damping=15,disp=150,frequency=0.5,...",
         .type = "str | Mapping[str, float]",
-        .group = Group::everyday},
+        .heading = Heading::everyday},
        [=](Acceptance const& a) { return unless_empty(a.design); },
        set_design},
       number<Acceptance>("lot-size", "devices in the production lot, tested or not", at(&Acceptance::lot_size),
                          {.least = 1, .most = 1e7})
-          .under(Group::acceptance),
+          .under(Heading::acceptance),
   };
 }
 

@@ -37,7 +37,8 @@ Reading by_channel(std::string_view key, std::string help, std::map<Channel, std
         (to.*values)[known] = comma ? text : parsed;
     }
   };
-  return {{{.key = key, .kind = Kind::assignments, .help = std::move(help), .group = Group::everyday}, write, read}};
+  return {
+      {{.key = key, .kind = Kind::assignments, .help = std::move(help), .heading = Heading::everyday}, write, read}};
 }
 
 // A name, or a number without quotes. `written`: the kind in which a lot file writes it.
@@ -50,7 +51,7 @@ Reading name_or_number(std::string_view key, std::string help, Kind written,
     if (!value.is_string() && !value.is_number_integer()) refuse(value, "a name or a whole number");
     to.*choice = parse(text_of(value));
   };
-  return {{{.key = key, .help = std::move(help), .type = "str | int", .group = Group::reading}, write, read}};
+  return {{{.key = key, .help = std::move(help), .type = "str | int", .heading = Heading::reading}, write, read}};
 }
 
 Reading one_of(std::string_view key, std::string help, std::vector<std::string_view> words,
@@ -67,7 +68,7 @@ Reading one_of(std::string_view key, std::string help, std::vector<std::string_v
     for (auto const word : words) texts.push_back(fmt::format("'{}'", word));
     refuse(value, joined(texts, " or "));
   };
-  return {{{.key = key, .help = std::move(help), .words = words, .group = Group::reading}, write, read}};
+  return {{{.key = key, .help = std::move(help), .words = words, .heading = Heading::reading}, write, read}};
 }
 
 std::vector<std::string_view> group_words() {
@@ -113,7 +114,7 @@ Reading rows() {
   auto const read = [](ReadOptions& to, Json const& value) { to.rows = parse_rows(text_in(value)); };
   return {{{.key = "rows",
             .help = "read only rows A:B, such as 101:700, or 101: to the end; row 1 is the first below the header",
-            .group = Group::reading},
+            .heading = Heading::reading},
            write,
            read}};
 }
@@ -121,15 +122,16 @@ Reading rows() {
 // For a motion the option has another name, because --from names a campaign there.
 Reading time_limit(std::string_view key, std::string help, std::optional<double> ReadOptions::*value,
                    std::string_view keyword, std::string_view motion_option) {
-  Reading row{number<ReadOptions>(key, std::move(help), at(value)).under(Group::reading), false, motion_option};
+  Reading row{number<ReadOptions>(key, std::move(help), at(value)).under(Heading::reading), false, motion_option};
   row.keyword = keyword;
   return row;
 }
 
 Reading correction(std::string_view key, std::string help, std::optional<double> Corrections::*value,
                    std::string_view keyword = {}) {
-  Reading row{number<ReadOptions>(key, std::move(help), at(&ReadOptions::corrections, value)).under(Group::corrections),
-              true};
+  Reading row{
+      number<ReadOptions>(key, std::move(help), at(&ReadOptions::corrections, value)).under(Heading::corrections),
+      true};
   row.keyword = keyword;
   return row;
 }
@@ -153,7 +155,7 @@ Reading repair() {
       },
       [](ReadOptions& to, std::string_view) { to.corrections.repair_spikes = true; });
   row.of_test = true;
-  row.group = Group::corrections;
+  row.heading = Heading::corrections;
   return row;
 }
 
@@ -168,7 +170,7 @@ std::vector<Reading> make_table() {
       by_channel("units", "units that the files do not state: disp=cm,force=tonf,time=s", &R::units, parse_units),
       {number<R>("dt", "sampling interval of files without a time column", at(&R::dt_s),
                  {.least = std::numeric_limits<double>::min(), .words = "a positive number of seconds"})
-           .under(Group::reading)},
+           .under(Heading::reading)},
       rows(),
       time_limit("from", "read only from this time on, in seconds of the file", &R::from_s, "from_s", "motion-from"),
       time_limit("to", "read only up to this time, in seconds of the file", &R::to_s, "to_s", "motion-to"),
@@ -179,7 +181,7 @@ std::vector<Reading> make_table() {
                      Kind::text, &R::sheet, [](std::string const& name) { return name; }),
       name_or_number("test", "which test of a file that holds several: a number, or all, one after the other",
                      Kind::whole, &R::test, [](std::string const& text) { return parse_test(text); }),
-      {flag<R>("flip-force", "reverse the sign of the force", at(&R::flip_force)).under(Group::reading), true},
+      {flag<R>("flip-force", "reverse the sign of the force", at(&R::flip_force)).under(Heading::reading), true},
       repair(),
       skew(),
       correction("rig-friction", "subtract this friction of the rig from the force, kN", &C::friction_kN,

@@ -15,7 +15,7 @@ namespace isolaw::programs {
 namespace {
 
 Option<ModelOptions> words(std::string_view key, std::string help, std::optional<std::string> ModelOptions::*place) {
-  return {{.key = key, .help = std::move(help), .group = Group::model},
+  return {{.key = key, .help = std::move(help), .heading = Heading::model},
           [place](ModelOptions const& from) { return or_null(from.*place); },
           [place](ModelOptions& to, Json const& value) { to.*place = text_in(value); }};
 }
@@ -173,13 +173,13 @@ std::vector<Option<ModelOptions>> const& model_table() {
       words("ground-motion-y", "ground acceleration along y", &ModelOptions::ground_motion_y),
       number<ModelOptions>("ground-motion-dt", "seconds between samples, for files without time",
                            at(&ModelOptions::ground_motion_dt), {.least = 1e-6, .most = 10.0})
-          .under(Group::model),
+          .under(Heading::model),
       number<ModelOptions>("scale", "factor on the ground acceleration", at(&ModelOptions::scale),
                            {.least = 1e-6, .most = 1e6})
-          .under(Group::model),
+          .under(Heading::model),
       number<ModelOptions>("draws", "draw every bearing from the lot this many times, instead of the bounds",
                            at(&ModelOptions::draws), {.least = 0, .most = most_drawn_sets})
-          .under(Group::model)};
+          .under(Heading::model)};
   return table;
 }
 
