@@ -31,7 +31,7 @@ std::string together(laws::LawEntry const& law) {
   return joined(law.joint_limits | std::views::transform(&laws::JointLimitEntry::statement));
 }
 
-// docs/laws.md.
+// Prints docs/laws.md.
 void print_markdown() {
   fmt::print(
       "# The laws\n\nFrom the laws' own files, by `./isolaw.sh docs`. x displacement, v velocity, F force, in the law's own units; a step goes from one\nsample to the next, and what is not said starts at zero. *Paper*: the box of Table 4; `isolaw laws ID` says the same. A history that\nstarts elsewhere than at zero displacement finds the device virgin there, as if it had come there without history; analysis\nprograms start at zero.\n");
