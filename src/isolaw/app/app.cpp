@@ -145,13 +145,13 @@ void add_simulate(CLI::App& command, SimulateArguments& arguments) {
   add_reading(command, arguments.read, false);
   for (auto const* key : {"integration", "turning-points", "dead-band"}) {
     auto option = *campaign::find_setting(key);
-    option.help += "; with --from the campaign's";
+    option.help += "; with --from as in the campaign";
     add_option(command, option, arguments.how);
   }
   add(Heading::search, "--refinement", arguments.refinement,
-      "integration steps per sample (default 1; with --from the campaign's)");
+      "integration steps per sample (default 1; with --from as in the campaign)");
   add(Heading::plane, "--bidirectional", arguments.bidirectional,
-      "two displacements, two forces: coupled, if the law has such a form, or springs, around the circle");
+      "for a motion in two directions: coupled, if the law has such a form, or springs: springs around the circle");
   add(Heading::plane, "--second-disp", arguments.second_disp,
       "column of the second displacement; --columns names the first");
   add(Heading::plane, "--softening", arguments.softening,
@@ -271,10 +271,9 @@ int dispatch(CLI::App& app, int argc, char** argv) {
       ->required();
   parts_command.add_option("count", parts_arguments.count, "number of parts; two or three for each thread are usual")
       ->required();
-  under(Heading::everyday,
-        parts_command.add_option("--to", parts_arguments.to,
-                                 "who runs the parts: " + joined(part_script_kinds) +
-                                     " (the reading option `to` has no name here; a lot file sets it)"))
+  under(Heading::everyday, parts_command.add_option("--to", parts_arguments.to,
+                                                    "who runs the parts: " + joined(part_script_kinds) +
+                                                        " (set the end of a record, `to`, in a lot file)"))
       ->required();
   under(Heading::everyday,
         parts_command.add_option("--campaign", parts_arguments.campaign,

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -71,15 +72,15 @@ std::string in_code(std::string_view text) {
 
 // "--jobs INT", "inputs..."
 std::string usage_of(CLI::Option const& option) {
-  bool const positional = option.get_positional(), several = option.get_expected_max() > 1;
+  bool const positional = option.get_positional();
   auto text = option.get_name(positional);
-  if (!positional && option.get_type_size() > 0) text += " " + option.get_type_name();
-  return text + (several ? "..." : "");
+  if (!positional && !option.get_type_name().empty()) text += " " + option.get_type_name();
+  return text + (option.get_expected_max() > 1 ? "..." : "");
 }
 
-void print_table(std::string_view head, Options const& options) {
+void print_table(Options const& options) {
   if (options.empty()) return;
-  fmt::print("\n| {} | |\n|---|---|\n", head);
+  fmt::print("\n| | |\n|---|---|\n");
   for (auto const* option : options)
     fmt::print("| {} | {}{} |\n", in_code(usage_of(*option)), plain_markdown(option->get_description()),
                option->get_required() ? " (required)" : "");
@@ -91,7 +92,7 @@ std::string anchor_of(std::string_view title_text) {
   for (char const c : lower(title_text))
     if (is_letter(c) || is_digit(c))
       anchor += c;
-    else if (c == ' ')
+    else if (c == ' ' || c == '-')
       anchor += '-';
   return anchor;
 }
@@ -110,24 +111,22 @@ std::string reference_to(Heading heading, Options const& shared, CLI::App const&
   return fmt::format("{} ({})", joined(with), link);
 }
 
-void print_command(CLI::App const& command, std::map<std::string, int> const& commands_with, Sections const& shared) {
-  Options arguments, own;
+void print_command(CLI::App const& command, std::set<std::string> const& shared_keys, Sections const& shared) {
+  Options own;
   auto usage = "isolaw " + command.get_name();
   for (auto const* option : command.get_options())
     if (option->get_positional()) {
-      arguments.push_back(option);
-      usage += fmt::format(fmt::runtime(option->get_required() ? " {}" : " [{}]"), usage_of(*option));
+      own.push_back(option);
+      usage += (option->get_required() ? " " : " [") + usage_of(*option) + (option->get_required() ? "" : "]");
     }
   for (auto const& [heading, options] : sections_of(command))
     for (auto const* option : options) {
       if (option->get_required()) usage += " " + usage_of(*option);
-      if (option != command.get_help_ptr() && commands_with.at(key_of(*option)) == 1) own.push_back(option);
+      if (option != command.get_help_ptr() && !shared_keys.contains(key_of(*option))) own.push_back(option);
     }
-  fmt::print("\n## {}\n\n{}.\n\n```\n{} [options]\n```\n\n", command.get_name(),
-             plain_markdown(command.get_description()), usage);
-  fmt::print("{}`{}`\n", example_mark, command.get_footer().substr(example_mark.size()));
-  print_table("argument", arguments);
-  print_table("option", own);
+  fmt::print("\n## {}\n\n{}.\n\n```\n{} [options]\n{}\n```\n", command.get_name(),
+             plain_markdown(command.get_description()), usage, command.get_footer().substr(example_mark.size()));
+  print_table(own);
   std::vector<std::string> also;
   for (auto const& [heading, options] : shared)
     if (auto text = reference_to(heading, options, command); !text.empty()) also.push_back(std::move(text));
@@ -142,13 +141,19 @@ std::shared_ptr<CLI::FormatterBase> help_format() {
 
 void print_reference(CLI::App const& app) {
   auto const commands = app.get_subcommands([](CLI::App const* command) { return !command->get_group().empty(); });
-  std::map<std::string, int> commands_with;
-  Sections shared;
+  // The first command, calibrate, has all the options that are worth a section of their own.
+  auto const& first = *commands.front();
+  std::set<std::string> shared_keys;
   for (auto const* command : commands)
-    for (auto const& [heading, options] : sections_of(*command))
-      for (auto const* option : options)
-        if (option != command->get_help_ptr() && ++commands_with[key_of(*option)] == 2)
-          shared[heading].push_back(option);
+    for (auto const* option : command->get_options())
+      if (command != &first && option->nonpositional() && option != command->get_help_ptr())
+        shared_keys.insert(key_of(*option));
+  auto shared = sections_of(first);
+  for (auto& [heading, options] : shared)
+    std::erase_if(options, [&](auto const* option) { return !shared_keys.contains(key_of(*option)); });
+  shared_keys.clear();
+  for (auto const& [heading, options] : shared)
+    for (auto const* option : options) shared_keys.insert(key_of(*option));
   fmt::print(R"(# The command line
 
 Every command of `isolaw` and every option, as the program describes them. To start:
@@ -159,22 +164,23 @@ isolaw calibrate d01.csv d02.csv --out out/lot                                  
 isolaw export out/lot --law bouc-wen --device lot --to opensees --out bearing.tcl           # take a law with you
 ```
 
-`isolaw COMMAND --help` lists all options of a command in the terminal. This page says each option once: those that several
-commands share are [at the end](#shared-options). `./isolaw.sh docs` writes the page.
+`isolaw COMMAND --help` lists all options of a command in the terminal. Here the options that commands share with
+calibrate are described once, [at the end](#shared-options). Each section shows the form of its command, then an example.
+`./isolaw.sh docs` writes this page.
 
 Results go to standard output, messages and progress to standard error. Exit codes: 0, done; 1, done, but something was refused,
 failed, was interrupted or is outside a limit; 2, wrong usage or nothing usable; 3, internal error.
 
-| command | |
+| | |
 |---|---|
 )");
   for (auto const* command : commands)
     fmt::print("| [{0}](#{0}) | {1} |\n", command->get_name(), plain_markdown(command->get_description()));
-  for (auto const* command : commands) print_command(*command, commands_with, shared);
+  for (auto const* command : commands) print_command(*command, shared_keys, shared);
   fmt::print("\n## Shared options\n");
   for (auto const& [heading, options] : shared) {
     fmt::print("\n### {}\n", title(heading));
-    print_table("option", options);
+    print_table(options);
   }
 }
 

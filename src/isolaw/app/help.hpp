@@ -17,8 +17,8 @@ inline constexpr std::string_view example_mark = "Example: ";
 // Lists options under the headings of base/option.hpp, in their order; few options under a single heading.
 std::shared_ptr<CLI::FormatterBase> help_format();
 
-// docs/cli.md: every command, and each option once. An option that several commands share stands in a section of its
-// own, to which these commands refer.
+// Prints docs/cli.md: every command with its own options. The options that other commands share with calibrate stand in
+// sections of their own, to which the commands refer.
 void print_reference(CLI::App const& app);
 
 }  // namespace isolaw::app

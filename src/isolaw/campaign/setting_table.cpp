@@ -86,7 +86,7 @@ Setting dead_band() {
   auto const place = at(&S::clean, &Clean::dead_band_mm);
   return number_or(
       "auto", "float | Literal[\"auto\"]", place,
-      number<S>("dead-band", "smaller reversals, in mm, are no turning points to laws that remember these", place,
+      number<S>("dead-band", "smaller reversals, in mm, are no turning points", place,
                 {.least = 0, .most = 1e4, .words = "0 to 10000, or auto (default): 3 times each record's noise"})
           .under(Heading::search));
 }
@@ -128,7 +128,7 @@ std::vector<Setting> make_settings() {
                integrations)
            .under(Heading::search)},
       {word<S>("turning-points",
-               "the motion turns at a sample (sampled, default), or between samples (interpolated: smooth records)",
+               "sampled (default), or interpolated: the motion turns between samples, for smooth records",
                at(&S::turning_points), turnings)
            .under(Heading::search)},
       {number<S>("runs", "independent runs per law and device", at(&S::runs), {.least = 1, .most = 1e5}, "3; ga: 20")
@@ -144,10 +144,9 @@ std::vector<Setting> make_settings() {
        ga},
       constant("mutation_rate", &Ga::mutation_rate, {.least = 0, .most = 1}),
       constant("stagnation", &Ga::stagnation, {.least = 1, .most = largest, .words = "at least 1 generation"}),
-      {number<S>("stagnation_tolerance",
-                 "with --method ga: 20 generations that improve the fit by no more than this share end a run",
-                 at(&S::genetic, &Ga::stagnation_tolerance),
-                 {.least = 0, .most = below_1, .words = "0 or more, below 1"})
+      {number<S>(
+           "stagnation_tolerance", "with --method ga: 20 generations without a larger relative improvement end a run",
+           at(&S::genetic, &Ga::stagnation_tolerance), {.least = 0, .most = below_1, .words = "0 or more, below 1"})
            .under(Heading::search),
        ga},
       constant("selection_pressure", &Ga::selection_pressure, {.least = 0, .most = 100}),
@@ -161,12 +160,13 @@ std::vector<Setting> make_settings() {
       {{{.key = "seed", .help = "seed of all random numbers (default 1)", .type = "int", .heading = Heading::search},
         [](S const& s) -> Json { return s.seed; },
         set_seed}},
-      {word<S>("box", "range searched for a parameter: auto (default, from each record), or published (paper, Table 4)",
+      {word<S>("box",
+               "range searched for each parameter: auto (default), from the record, or published: the paper's Table 4",
                at(&S::box), boxes)
            .under(Heading::search)},
       {{{.key = "set",
          .kind = Kind::repeated,
-         .help = "fix a parameter: bilinear.K2=0.6; or =0.5:0.7 a range, =free, =K1 tied to K1; may be repeated",
+         .help = "fix a parameter: bilinear.K2=0.6; or =0.5:0.7 (range), =free, =K1 (equal to K1); may be repeated",
          .heading = Heading::search},
         [](S const& s) { return texts_of(s.overrides); },
         set_overrides}},
@@ -193,7 +193,7 @@ std::vector<Setting> make_settings() {
            .under(Heading::analysis)},
       {word<S>(
            "bidirectional",
-           "springs: also fit laws that have no coupled two-dimensional form as springs, for building; or none (default)",
+           "springs: for building, also fit laws without a coupled two-dimensional form as springs; or none (default)",
            at(&S::springs), in_the_plane)
            .under(Heading::analysis)},
   };
