@@ -227,7 +227,7 @@ TEST_F(Acceptance, what_is_asked_for_is_checked_before_anything_is_read_or_writt
   EXPECT_FALSE(exists("O"));
   write("lot/lot.toml", lot_text("[acceptance]\nlot-size = 0\ndesign = { K_eff = \"x\" }\nrule = \"ntc-2018\"\n"));
   expect_refused(isolaw({"inspect", "lot/lot.toml"}),
-                 {"lot.toml:2", "lot.toml:3", "design.K_eff is no number", "'rule'"});
+                 {"lot.toml:2", "lot.toml:3", "design.K_eff is not a number", "'rule'"});
 }
 
 // --- what the store keeps --------------------------------------------------------------------------------------------
@@ -263,7 +263,8 @@ TEST_F(Stored, a_campaign_continues_under_other_rules_without_another_search) {
   EXPECT_EQ(cell(cells_of(read("O/tables/lot.csv")), 1, "lot size"), "30");
 
   auto const none = calibrate({});  // the same as a campaign that never had any, and said
-  expect_message(none, 0, {"no longer held to rule set en-15129: --rules en-15129 holds the tests to it again"});
+  expect_message(none, 0,
+                 {"the tests are no longer checked against rule set en-15129; --rules en-15129 checks them again"});
   EXPECT_EQ(runs(), before);
   for (auto const* key : {"rules", "rules-file", "design", "lot-size"}) EXPECT_EQ(meta(key), "") << key;
   EXPECT_TRUE(page_data(read("O/report.html"))["assessment"]["rule_set"].is_null());

@@ -205,7 +205,7 @@ TEST_F(Check, reports_made_before_the_last_runs_are_out_of_date_and_no_fault) {
   auto const o = isolaw({"check", "O"});
   EXPECT_EQ(o.code, 1) << o;
   EXPECT_TRUE(contains(o.out, "O/campaign.sqlite: sound"));
-  EXPECT_TRUE(contains(o.out, "made before the last 4 runs; isolaw report O makes them again"));
+  EXPECT_TRUE(contains(o.out, "written before the last 4 runs; isolaw report O writes them again"));
   EXPECT_EQ(isolaw({"report", "O"}).code, 0);
   EXPECT_EQ(isolaw({"check", "O"}).code, 0);
 }
@@ -244,7 +244,7 @@ TEST_F(Check, a_pipe_in_place_of_the_store_is_refused_at_once) {
 
 TEST_F(Check, an_edited_output) {
   write("O/summary.json", read("O/summary.json") + "\n");
-  expect_fault("summary.json is not what the store gives; isolaw report O makes it again");
+  expect_fault("summary.json is not what the store gives; isolaw report O writes it again");
 }
 
 TEST_F(Check, what_readers_rely_on_is_refused_by_all_commands) {

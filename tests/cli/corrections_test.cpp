@@ -174,7 +174,7 @@ TEST_F(Corrections, wrong_values_are_refused_with_what_is_allowed) {
   expect_refused(isolaw({"inspect", "rig.csv", "--skew-ms", "1500"}), {"--skew-ms: 1500 ms", "-1000 to 1000 ms"});
   expect_refused(isolaw({"inspect", "rig.csv", "--rig-friction", "-1"}), {"--rig-friction: -1 kN", "0 to 100000 kN"});
   expect_refused(isolaw({"inspect", "rig.csv", "--rig-friction-coefficient", "0.5"}), {"0.5", "0 to 0.2"});
-  expect_refused(isolaw({"inspect", "rig.csv", "--moving-mass", "x"}), {"--moving-mass: 'x' is no number"});
+  expect_refused(isolaw({"inspect", "rig.csv", "--moving-mass", "x"}), {"--moving-mass: 'x' is not a number"});
   expect_refused(isolaw({"inspect", "rig.csv", "--force-factor", "-1"}), {"--force-factor: -1", "--flip-force"});
   expect_refused(isolaw({"init", "rig.csv", "--rig-friction", "1", "--rig-friction-coefficient", "0.01"}),
                  {"--rig-friction: given with --rig-friction-coefficient", "one of the two"});

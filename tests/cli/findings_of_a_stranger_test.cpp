@@ -56,7 +56,7 @@ TEST_F(SmallThings, init_writes_names_that_lot_files_allow) {
   write(turned, csv(record()));
   expect_refused(isolaw({"init", turned, "--force"}),
                  {"r\\u202el.csv: a file name that no lot file can hold: it has control characters, marks that turn",
-                  "try: rename the file; without a lot file it is read as it is named"});
+                  "try: rename the file, or calibrate it without a lot file"});
   EXPECT_EQ(isolaw({"inspect", turned}).code, 0);
 }
 
@@ -105,7 +105,7 @@ TEST_F(SmallThings, one_thing_is_not_several) {
 }
 
 TEST_F(SmallThings, messages_say_the_programs_name_once_and_break_no_line) {
-  expect_refused(isolaw({}), {"isolaw: a subcommand is required"});
+  expect_refused(isolaw({}), {"isolaw: no command given"});
   expect_refused(isolaw({"frobnicate"}), {"isolaw: frobnicate: no such command"});
   write("bad.csv", "time [s],displacement [mm],force [kN]\n0,1,x\n1,y,3\n2,3,4\n3,4,5\n4,5,6\n5,6,7\n6,7,8\n7,8,9\n");
   auto const o = isolaw({"inspect", "a.csv", "bad.csv"});

@@ -81,8 +81,8 @@ TEST_F(Inspect, files_a_directory_and_a_lot_file_give_the_same_devices) {
   EXPECT_EQ(directory["assessment"], files["assessment"]);
   EXPECT_EQ(directory["title"], "lot");
   write("lot/device.xyz", "1 2 3\n");
-  EXPECT_TRUE(
-      contains(isolaw({"inspect", "lot"}).err, "note: lot: not read, no test records by their names: device.xyz"));
+  EXPECT_TRUE(contains(isolaw({"inspect", "lot"}).err,
+                       "note: lot: not read, because their names are not those of test records: device.xyz"));
   std::string lot = "title = \"Four\"\n";
   for (auto const& name : names_) lot += fmt::format("[[device]]\nname = \"{0}\"\nfile = \"{0}.csv\"\n", name);
   write("lot/lot.toml", lot);

@@ -147,7 +147,7 @@ TEST_F(Merge, takes_what_others_have_examined_of_devices) {
     words[1] = "E" + share.substr(0, 1);
     return isolaw(words);
   };
-  expect_message(examine("1/2"), 0, {"part 1 of 2 of the devices is examined", "isolaw merge OUT PARTS..."});
+  expect_message(examine("1/2"), 0, {"part 1 of 2 of the devices is analysed", "isolaw merge OUT PARTS..."});
   EXPECT_FALSE(exists("E1/summary.json"));
   ASSERT_EQ(examine("2/2").code, 0);
   ASSERT_EQ(examine("2/2").code, 0);  // again: nothing is left to do
@@ -161,7 +161,7 @@ TEST_F(Merge, takes_what_others_have_examined_of_devices) {
     words[1] = "L" + share.substr(0, 1);
     return isolaw(words);
   };
-  expect_message(fit("1/2"), 0, {"part 1 of 2 of the devices and of the lot's laws is examined"});
+  expect_message(fit("1/2"), 0, {"part 1 of 2 of the devices and of the lot's laws is analysed"});
   EXPECT_FALSE(exists("L1/summary.json"));
   ASSERT_EQ(fit("2/2").code, 0);
   auto const rows = [&](char const* table) {
@@ -179,7 +179,7 @@ TEST_F(Merge, takes_what_others_have_examined_of_devices) {
   expect_as_one_machine();
   expect_refused(examine("3/2"), {"--part", "K/N"});
   expect_refused_as_object(isolaw(merge(all(), {"--part", "1/2", "--json"})),
-                           {"--json: a part makes a share of the analyses"});
+                           {"--json: a part computes only a share of the analyses"});
 }
 
 TEST_F(Merge, names_what_is_missing_and_who_should_hold_it_and_goes_on_from_there) {
@@ -603,7 +603,7 @@ TEST_F(PartScripts, are_refused_as_commands_are) {
   none[2] = "0";
   expect_refused(isolaw(none), {"count: 0", "1 to 100000 parts"});
   expect_message(isolaw(Words{"parts", "lot.toml", "50", "--to", "make"} + Words(none.begin() + 5, none.end())), 0,
-                 {"24 runs for 50 parts: some will have none"});
+                 {"24 runs for 50 parts: some parts will have none"});
   // Nothing is left out without a word.
   expect_refused(isolaw(in_parts("make", "O") + Words{"--motion", "m.csv"}),
                  {"--motion: is given for a lot", "--campaign"});

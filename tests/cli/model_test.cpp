@@ -152,7 +152,7 @@ TEST_F(ExportedModel, what_is_asked_for_wrongly_is_refused) {
   write("empty.csv", "x [m],y [m]\n");
   refused(Words{"--layout", "empty.csv"} + axial + motion, {"empty.csv: no bearings"});
   refused(Words{"--layout", "nowhere.csv"} + axial + motion, {"nowhere.csv"});
-  refused(whole_ + Words{"--out", "layout.csv"}, {"layout.csv: read for this, and would be replaced"});
+  refused(whole_ + Words{"--out", "layout.csv"}, {"layout.csv: is an input of this command and would be replaced"});
   // Of the other targets nothing is asked that they have no use for.
   auto const o = exported("bilinear", "opensees", {"--mass", "3t"});
   EXPECT_EQ(o.code, 2) << o;

@@ -133,7 +133,7 @@ TEST_F(Parts, like_another_lot_takes_no_file_of_it) {
   write("next/b.csv", csv(record({.strength_kN = 30.0})));
   auto const o = isolaw({"init", "next", "--like", "recs/lot.toml", "--out", "next/lot.toml"});
   EXPECT_EQ(o.code, 0) << o;
-  EXPECT_TRUE(contains(o.err, "columns force = 'force.csv:force' of recs/lot.toml left out")) << o;
+  EXPECT_TRUE(contains(o.err, "columns force = 'force.csv:force' of recs/lot.toml not taken over")) << o;
   EXPECT_FALSE(contains(read("next/lot.toml"), "force.csv"));
   EXPECT_EQ(inspected({"next/lot.toml"})["blocks"], inspected({"next/b.csv"})["blocks"]);
 }
@@ -144,7 +144,8 @@ TEST_F(Parts, the_file_of_a_channel_is_a_file_of_the_device) {
   write("force.csv", channel(true));
   auto const force = read("force.csv");
   Words const init{"init", "recs/disp.csv", "--columns", "force=force.csv:force", "--force", "--out"};
-  expect_message(isolaw(init + Words{"force.csv"}), 2, {"force.csv: read for this, and would be replaced"});
+  expect_message(isolaw(init + Words{"force.csv"}), 2,
+                 {"force.csv: is an input of this command and would be replaced"});
   EXPECT_EQ(read("force.csv"), force);
   auto const o = isolaw(init + Words{"recs/lot.toml"});
   EXPECT_EQ(o.code, 0) << o;

@@ -208,12 +208,12 @@ TEST_F(Simulate, what_was_read_and_stores_are_not_replaced) {
   auto const motion = read("d.csv"), store = read("O/campaign.sqlite");
   Words const words{"simulate", "bilinear", "--from", "O", "--device", "d", "--motion", "d.csv", "--out"};
   expect_refused(isolaw(words + Words{"d.csv"}),
-                 {"d.csv: read for this, and would be replaced", "another name after --out"});
-  expect_refused(isolaw(words + Words{"O/campaign.sqlite"}), {"a campaign's store, which would be replaced"});
+                 {"d.csv: is an input of this command and would be replaced", "another name after --out"});
+  expect_refused(isolaw(words + Words{"O/campaign.sqlite"}), {"a campaign's store and would be replaced"});
   expect_refused(
       isolaw({"export", "O", "--law", "bilinear", "--device", "d", "--to", "json", "--out", "O/campaign.sqlite"}),
-      {"a campaign's store, which would be replaced"});
-  expect_message(isolaw({"init", "d.csv", "--out", "d.csv", "--force"}), 2, {"d.csv: read for this"});
+      {"a campaign's store and would be replaced"});
+  expect_message(isolaw({"init", "d.csv", "--out", "d.csv", "--force"}), 2, {"d.csv: is an input of this command"});
   EXPECT_EQ(read("d.csv"), motion);
   EXPECT_EQ(read("O/campaign.sqlite"), store);
   EXPECT_EQ(isolaw(words + Words{"f.csv"}).code, 0);

@@ -29,6 +29,13 @@ TEST_F(Usage, help_of_calibrate_lists_the_options_that_scripts_rely_on) {
                              "--jobs", "--box", "--set", "--columns", "--units", "--dt", "--smooth",
                              "--samples-per-cycle", "--center", "--out", "--json", "--fresh"})
     EXPECT_TRUE(contains(o.out, option));
+  std::size_t last = 0;
+  for (auto const* heading : {"\nEveryday options:", "\nReading records:", "\nCorrecting for the test rig:",
+                              "\nLaws and search:", "\nAnalysis:", "\nAcceptance:", "\nRunning and output:"}) {
+    auto const at = o.out.find(heading);
+    EXPECT_TRUE(at != std::string::npos && at > last) << heading;
+    last = at;
+  }
 }
 
 TEST_F(Usage, version_says_commit_compiler_instructions_and_build) {
@@ -70,7 +77,7 @@ TEST_F(Usage, commit_comes_from_an_archive_or_from_git) {
 }
 
 TEST_F(Usage, no_command_is_refused) {
-  expect_refused(isolaw({}), {"subcommand", "--help"});
+  expect_refused(isolaw({}), {"no command given", "--help"});
 }
 
 TEST_F(Usage, unknown_command_is_refused_by_name) {
@@ -110,12 +117,14 @@ TEST_F(Usage, every_refusal_says_who_speaks_what_is_allowed_and_what_to_try) {
   EXPECT_TRUE(contains(said({"calibrate", "x", "--rums", "3"}), "isolaw: --rums: no such option; allowed: "));
   EXPECT_TRUE(contains(said({"calibrate", "x", "--rums=3"}), "try: --runs, or isolaw calibrate --help"));
   EXPECT_TRUE(contains(said({"--bogus"}), "isolaw: --bogus: no such option"));
-  EXPECT_TRUE(contains(said({"laws", "abe", "vaiana"}), "isolaw: vaiana: nothing more is expected here"));
+  EXPECT_TRUE(contains(said({"laws", "abe", "vaiana"}), "isolaw: vaiana: one argument too many"));
   EXPECT_TRUE(contains(said({"calibrate"}), "isolaw calibrate: inputs is required; try: isolaw calibrate --help"));
   EXPECT_TRUE(contains(said({"calibrate", "x", "--runs", "many"}),
-                       "isolaw: --runs: 'many' is no whole number of ordinary size; allowed: independent runs"));
+                       "isolaw: --runs: 'many' is not a whole number; allowed: independent runs"));
   EXPECT_TRUE(contains(said({"calibrate", "x", "--jobs", "5000"}), "isolaw: --jobs: '5000' is not allowed; allowed: "));
-  EXPECT_TRUE(contains(said({"inspect", "x", "--dt", "fast"}), "isolaw: --dt: 'fast' is no number"));
+  EXPECT_TRUE(contains(said({"inspect", "x", "--dt", "fast"}), "isolaw: --dt: 'fast' is not a number"));
+  EXPECT_TRUE(contains(said({"sample", "x", "--law", "abe", "--count", "99999999999"}),
+                       "isolaw: --count: '99999999999' is out of range"));
   EXPECT_TRUE(contains(said({"calibrate", "x", "--out"}), "isolaw: --out: needs a value"));
 }
 

@@ -129,7 +129,8 @@ TEST_F(Terminal, design_values_without_a_rule_set_are_asked_about) {
   auto const o = isolaw({"inspect", "lot/D1.csv", "--design", "K_eff=0.8"});
   EXPECT_EQ(o.code, 0) << o;
   EXPECT_TRUE(contains(
-      o.err, "design values K_eff=0.8: no device is held to them without a rule set; try: --rules NAME, one of "))
+      o.err,
+      "design values K_eff=0.8: without a rule set no device is checked against them; try: --rules NAME, one of "))
       << o;
   EXPECT_TRUE(contains(o.err, "ntc-2018")) << o;
   EXPECT_EQ(isolaw(Words{"inspect", "lot/D1.csv"} + held_to("K_eff=0.8,disp=100")).err, "");

@@ -188,17 +188,17 @@ TEST_F(LotFileTest, UnknownKeysHaveTheirLineAndTheKnownOnes) {
 }
 
 TEST_F(LotFileTest, WrongTypesHaveTheirLine) {
-  expect_parts(calibrate("runs = \"many\""), {"lot.toml:3: runs: 'many' is no whole number", "1 to 100000"});
-  expect_parts(calibrate("runs = 2.5"), {"lot.toml:3: runs: 2.5 is no whole number"});
-  expect_parts(calibrate("runs = true"), {"lot.toml:3: runs: true is no whole number"});
+  expect_parts(calibrate("runs = \"many\""), {"lot.toml:3: runs: 'many' is not a whole number", "1 to 100000"});
+  expect_parts(calibrate("runs = 2.5"), {"lot.toml:3: runs: 2.5 is not a whole number"});
+  expect_parts(calibrate("runs = true"), {"lot.toml:3: runs: true is not a whole number"});
   expect_parts(calibrate("center = \"yes\""), {"lot.toml:3: center: 'yes'", "true or false"});
   expect_parts(calibrate("center = 1"), {"lot.toml:3: center: 1;", "true or false"});
   expect_parts(calibrate("box = 1"), {"lot.toml:3: box: 1;", "published, auto"});
-  expect_parts(calibrate("laws = 3"), {"lot.toml:3: laws: 3 is no text"});
-  expect_parts(calibrate("laws = [\"abe\",\n3]"), {"lot.toml:4: laws: 3 is no text"});
+  expect_parts(calibrate("laws = 3"), {"lot.toml:3: laws: 3 is not text"});
+  expect_parts(calibrate("laws = [\"abe\",\n3]"), {"lot.toml:4: laws: 3 is not text"});
   expect_parts(calibrate("samples-per-cycle = [200]"), {"lot.toml:3: samples-per-cycle: [200]", "all"});
-  expect_parts(device("temperature-C = \"cold\""), {"lot.toml:4: temperature-C: 'cold' is no number"});
-  expect_parts(device("serial = 17"), {"lot.toml:4: serial: 17 is no text"});
+  expect_parts(device("temperature-C = \"cold\""), {"lot.toml:4: temperature-C: 'cold' is not a number"});
+  expect_parts(device("serial = 17"), {"lot.toml:4: serial: 17 is not text"});
   expect_parts(device("columns = 3"), {"lot.toml:4: columns: 3;", "a table, or text"});
   expect_parts(device("columns = { time = true }"), {"lot.toml:4: columns: time: true is neither"});
   expect_parts(complaints("calibrate = 3\n[[device]]\nfile = \"a.csv\"\n"), {"lot.toml:1", "'calibrate'", "table"});
@@ -305,9 +305,8 @@ TEST_F(LotFileTest, AParameterSetTwiceIsRefused) {
 
 TEST_F(LotFileTest, WholeNumbersBeyondAnyRangeSayTheRange) {
   expect_parts(calibrate("smooth = 1000000000001"),
-               {"lot.toml:3: smooth: 1000000000001 is no whole number of ordinary size; allowed: an odd number"});
-  expect_parts(calibrate("generations = 9000000000"),
-               {"generations: 9000000000 is no whole number of ordinary size", "1 to 20000"});
+               {"lot.toml:3: smooth: 1000000000001 is out of range; allowed: an odd number"});
+  expect_parts(calibrate("generations = 9000000000"), {"generations: 9000000000 is out of range", "1 to 20000"});
   expect_parts(calibrate("jobs = -9000000000"), {"'jobs' is -9000000000, out of range", "0 to 4096"});
 }
 

@@ -156,7 +156,7 @@ TEST(Settings, WhatOneMethodAloneHasChoosesItUnlessAnotherOneIsNamed) {
       refusal_of([&] {
         apply({{"population", 40}, {"method", "best"}}, made);
       }),
-      "--population: belongs to method ga, and the method is best; allowed: with method ga, which it also chooses where no method is named");
+      "--population: belongs to method ga, but the method is best; allowed: with method ga, or without a method: it then chooses ga");
 }
 
 TEST(Settings, EverythingWrongIsSaidAtOnce) {

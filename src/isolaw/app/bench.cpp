@@ -1,4 +1,4 @@
-// `isolaw bench`: what this program computes, in one number, and how fast it does so here.
+// `isolaw bench`: a signature of the numbers that this program computes, and its speed on this machine.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ constexpr fit::SpeedTest::Effort effort{.least_passes = 5, .most_passes = 2000, 
 }  // namespace
 
 int bench(bool json) {
-  // Seven digits of every objective: the same for all instruction sets, and another one as soon as a law changes.
+  // Seven digits of every objective: the same for all instruction sets, different as soon as a law changes.
   std::string digits;
   nlohmann::ordered_json converged, paper;
   for (auto const& law : laws::catalogue())

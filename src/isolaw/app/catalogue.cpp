@@ -8,6 +8,7 @@
 #include "isolaw/api/catalogue_json.hpp"
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/example_lot.hpp"
+#include "isolaw/app/markdown.hpp"
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/json.hpp"
@@ -20,21 +21,11 @@
 namespace isolaw::app {
 namespace {
 
-// What Markdown would read as markup in prose or a cell of a table.
-std::string plain_markdown(std::string_view text) {
-  std::string out;
-  for (char const c : text) {
-    if (c == '|' || c == '*' || c == '_' || c == '<' || c == '`') out += '\\';
-    out += c;
-  }
-  return out;
-}
-
 std::string markdown_interval(std::optional<laws::Interval> const& interval) {
   return interval ? fmt::format("{:g} to {:g}", interval->lower, interval->upper) : std::string("–");
 }
 
-// Where its tables call it otherwise.
+// The name in the paper's tables, if it is another one.
 std::string in_the_paper(laws::ParameterInfo const& parameter) {
   return parameter.paper_name.empty() ? std::string() : fmt::format("; {} in the paper's tables", parameter.paper_name);
 }
@@ -43,7 +34,7 @@ std::string together(laws::LawEntry const& law) {
   return joined(law.joint_limits | std::views::transform(&laws::JointLimitEntry::statement));
 }
 
-// The catalogue that docs/laws.md holds.
+// Prints docs/laws.md.
 void print_markdown() {
   fmt::print(
       "# The laws\n\nFrom the laws' own files, by `./isolaw.sh docs`. x displacement, v velocity, F force, in the law's own units; a step goes from one\nsample to the next, and what is not said starts at zero. *Paper*: the box of Table 4; `isolaw laws ID` says the same. A history that\nstarts elsewhere than at zero displacement finds the device virgin there, as if it had come there without history; analysis\nprograms start at zero.\n");

@@ -56,9 +56,9 @@ int exit_code(study::Summary const& summary) {
 std::string what_is_missing(study::Summary const& summary) {
   auto const runs = summary.missing_runs();
   if (summary.part)
-    return fmt::format("this is part {} of {}, {} of its {} runs; isolaw merge OUT PARTS... makes it whole",
+    return fmt::format("this is part {} of {}, {} of its {} runs; isolaw merge OUT PARTS... joins the parts",
                        summary.part->number, summary.part->of, summary.runs, summary.expected_here);
-  return fmt::format("{} {} are missing; the last calibrate command there continues it",
+  return fmt::format("{} {} are missing; repeat the last calibrate command to continue",
                      runs > 0 ? runs : summary.missing_analyses(), runs > 0 ? "runs" : "analyses");
 }
 
@@ -68,7 +68,7 @@ int report(ReportArguments const& arguments) {
   auto contents = campaign::Store::read(directory / store_name);
   apply(arguments.acceptance, contents.acceptance);
   auto const summary = study::build_summary(contents);
-  // What is printed does not depend on the files: a store on read-only media can be looked at as it is.
+  // Print even if the files cannot be written: a store on read-only media can then still be looked at.
   std::optional<Error> not_written;
   try {
     render::write_outputs(summary, arguments.out.value_or(directory));

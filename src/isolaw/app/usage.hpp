@@ -1,4 +1,4 @@
-// Wrong usage in our own words: what was found, what is allowed, what was probably meant.
+// Errors of usage in our own words: what was found, what is allowed, what was probably meant.
 #pragma once
 
 #include <vector>
@@ -12,10 +12,10 @@ class ParseError;
 
 namespace isolaw::app {
 
-// Throws Error where the first word is neither a command of `app` nor an option.
+// Throws Error if the first word is neither a command of `app` nor an option.
 void require_known_command(CLI::App& app, int argc, char** argv);
 
-// About words that `app` has refused with `error`; never empty.
+// The complaints about a command line that `app` refused with `error`; never empty.
 std::vector<Complaint> usage_complaints(CLI::App& app, CLI::ParseError const& error);
 
 }  // namespace isolaw::app

@@ -1,5 +1,5 @@
-// An option of the program as one row of a table: its name, its allowed values and the member that holds it. Command
-// line, lot file, store and Python each turn their input into a JSON value; only the row decides whether it is allowed.
+// An option of the program as one row of a table: its name, the values it allows, where the value is kept. The command
+// line, a lot file, the store and Python each turn what they were given into a JSON value; the row alone checks it.
 #pragma once
 
 #include <algorithm>
@@ -25,12 +25,16 @@ using Json = nlohmann::ordered_json;
 // list: "a,b" on the command line. repeated: the option is given once for each value. assignments: "a=1,b=2", a table.
 enum class Kind { flag, whole, real, text, list, repeated, assignments };
 
+// The heading under which help and docs/cli.md list an option. Headings follow in this order.
+enum class Heading { everyday, reading, corrections, search, plane, analysis, acceptance, model, running };
+std::string_view title(Heading heading);
+
 struct Limits {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
-  std::string words = {};  // for messages and help, instead of "least to most"
-  int step = 1;            // for whole numbers: least, least + step, least + 2 step, ... are allowed
-  bool or_zero = false;    // 0 is allowed too and means "none"
+  std::string words = {};  // for messages and help, where "least to most" would not say it
+  int step = 1;            // between allowed whole numbers, counted from the least
+  bool or_zero = false;    // zero is allowed too and stands for none
 
   bool allow(double value) const;
   std::string text() const;
@@ -41,36 +45,43 @@ struct OptionInfo {
   Kind kind = Kind::text;
   std::string help = {};
   std::optional<Limits> limits = {};
-  std::vector<std::string_view> words = {};  // if not empty, the only values allowed
-  std::string_view keyword = {};             // the name in Python, if it differs from the key with underscores
-  std::string_view type = {};                // the type in Python, if it does not follow from kind and words
+  std::vector<std::string_view> words = {};  // the values allowed, if it takes one of a few words
+  std::string_view keyword = {};             // in Python, if that is not the key with underscores
+  std::string_view type = {};                // in Python, if kind and words do not say it
+  Heading heading = Heading::running;
 
   std::string option() const;  // the name in a lot file and, after two dashes, on the command line
   std::string python() const;
-  std::string python_type() const;                       // for the package's stub: float, Literal["best", "ga"]
-  std::string where() const { return "--" + option(); }  // for complaints
+  std::string python_type() const;                       // in the package's stub: float, Literal["best", "ga"]
+  std::string where() const { return "--" + option(); }  // the place that a complaint names
 };
 
 template <class Target>
 struct Option : OptionInfo {
-  std::function<Json(Target const&)> get;         // null if the option was not given
-  std::function<void(Target&, Json const&)> set;  // throws Error without `where`: the caller adds it
+  std::function<Json(Target const&)> get;         // null: not given
+  std::function<void(Target&, Json const&)> set;  // throws Error; the caller adds `where`
+
+  Option under(Heading chosen) && {
+    this->heading = chosen;
+    return std::move(*this);
+  }
 };
 
-// --- from and to text ------------------------------------------------------------------------------------------------
+// --- values in and out
 
-using Values = std::map<std::string, Json, std::less<>>;  // the values that were given, by key
+// The values given, by key.
+using Values = std::map<std::string, Json, std::less<>>;
 
-// The value that words of the command line mean: a number if the kind asks for one and the word is one.
+// The value of words from the command line; text stays text where the kind asks for a number and it is none.
 Json value_of(Kind kind, std::vector<std::string> const& words);
-// The value as the command line accepts it; items of a list are joined with commas.
+// The value as the command line takes it back; the items of a list are joined by commas.
 std::string text_of(Json const& value);
-// The words of a command line that set the option to this value; none for null, false and an empty list.
+// The words of the command line that give an option its value; none for null, false and an empty list.
 std::vector<std::string> words_of(OptionInfo const& option, Json const& value);
 // For messages: 'text', 12, true.
 std::string shown(Json const& value);
 
-// Calls judge() and collects its complaints under `where`. A complaint that names an option ("--...") keeps that name.
+// Calls judge() and adds its complaints to the list, as complaints about `where` if they do not name an option.
 void about(std::string const& where, std::vector<Complaint>& complaints, std::function<void()> const& judge);
 
 // Calls judge(row) for every row of a table and throws one Error with all complaints.
@@ -88,7 +99,7 @@ void lay_over(Rows const& rows, Values const& given, Target& target) {
   });
 }
 
-// --- the value as a C++ type, or an Error ----------------------------------------------------------------------------
+// --- checks: throw Error
 
 int whole_of(Json const& value, Limits const& limits);
 double real_of(Json const& value, Limits const& limits);
@@ -96,9 +107,9 @@ bool flag_of(Json const& value);
 std::string text_in(Json const& value);
 [[noreturn]] void refuse(Json const& value, std::string allowed);
 
-// --- rows ------------------------------------------------------------------------------------------------------------
+// --- rows
 
-// A function from an object to one of its members: at(&A::b), or at(&A::b, &B::c) for a member of a member.
+// at(&A::b, &B::c): a function that returns a.b.c of an A.
 constexpr auto at(auto... path) {
   return [=](auto& from) -> auto& {
     return (from.*....*path);
@@ -114,10 +125,10 @@ Json or_null(std::optional<T> const& value) {
   return value ? Json(*value) : Json();
 }
 
-// "help, limits (usual)"
+// "help, limits (default usual)"
 std::string help_of(std::string help, std::string const& limits, std::string const& usual);
 
-// A row for an int or a double, optional or not.
+// An option that is an int or a double, optional or not.
 template <class Target, class Place>
 Option<Target> number(std::string_view key, std::string help, Place place, Limits limits = {}, std::string usual = {}) {
   using Value = std::remove_cvref_t<decltype(place(std::declval<Target&>()))>;
@@ -140,23 +151,24 @@ Option<Target> flag(std::string_view key, std::string help, Place place) {
           [place](Target& to, Json const& value) { place(to) = flag_of(value); }};
 }
 
-// A row for one of several words, each of which stands for a value. If the values are bool, true and false work too.
+// An option that is one of several words, each of which stands for a value. If the values are true and false, these
+// may be given in place of the words.
 template <class Target, class Place, class T, std::size_t N>
 Option<Target> word(std::string_view key, std::string help, Place place,
                     std::pair<std::string_view, T> const (&words)[N]) {
   std::vector<std::pair<std::string_view, T>> const all(std::begin(words), std::end(words));
-  Option<Target> option{{.key = key, .help = std::move(help)}, {}, {}};
-  for (auto const& [text, meant] : all) option.words.push_back(text);
-  if (std::is_same_v<T, bool>) option.type = "bool";
-  option.get = [=](Target const& from) -> Json {
+  Option<Target> row{{.key = key, .help = std::move(help)}, {}, {}};
+  for (auto const& [text, meant] : all) row.words.push_back(text);
+  if (std::is_same_v<T, bool>) row.type = "bool";
+  row.get = [=](Target const& from) -> Json {
     return std::ranges::find(all, place(from), [](auto& w) { return w.second; })->first;
   };
-  option.set = [=, allowed = joined(option.words)](Target& to, Json const& value) {
+  row.set = [=, allowed = joined(row.words)](Target& to, Json const& value) {
     for (auto const& [text, meant] : all)
       if (value == Json(text) || (std::is_same_v<T, bool> && value == Json(meant))) return void(place(to) = meant);
     refuse(value, allowed);
   };
-  return option;
+  return row;
 }
 
 }  // namespace isolaw

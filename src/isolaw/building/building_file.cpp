@@ -78,10 +78,10 @@ Limits positive(double most = 1e9) {
 TomlKeys<Settings> const& settings_keys() {
   static TomlKeys<Settings> const keys = [] {
     TomlKeys<Settings> made;
-    made.push_back(text("title", "of the report", &Settings::title));
+    made.push_back(text("title", "title of the report", &Settings::title));
     made.push_back({{{.key = "laws",
                       .kind = Kind::list,
-                      .help = "to compare, by their ids; none: the one that the campaign recommends"},
+                      .help = "laws to compare, by id; an empty list: the one that the campaign recommends"},
                      [](Settings const& s) -> Json { return s.laws; },
                      [](Settings& s, Json const& value) {
                        s.laws.clear();
@@ -89,25 +89,26 @@ TomlKeys<Settings> const& settings_keys() {
                          s.laws.emplace_back(laws::find_law(text_in(law)).info.id);
                      }},
                     false});
-    made.push_back(real<Settings>("draws", "buildings drawn: every bearing that is a draw becomes a device of its own",
+    made.push_back(real<Settings>("draws",
+                                  "buildings to draw; each draws a device of its own for every bearing marked draw",
                                   at(&Settings::draws), {.least = 1, .most = 1e6}));
     made.push_back(real<Settings>("populations",
-                                  "populations as uncertain as the few tests leave them, each with some draws; 0: none",
+                                  "re-estimated lots, which show how uncertain a few tests leave the lot; 0: none",
                                   at(&Settings::populations), {.least = 0, .most = 1e4}));
-    made.push_back(real<Settings>("draws_of_each", "draws of each of them", at(&Settings::draws_of_each),
-                                  {.least = 2, .most = 1e4}));
-    made.push_back(real<Settings>("seed", "of all draws", at(&Settings::seed), {.least = 0, .most = 2147483647}));
-    made.push_back(real<Settings>("damping", "ratio of critical, of every mode of the superstructure on a fixed base",
+    made.push_back(real<Settings>("draws_of_each", "buildings to draw from each of these lots",
+                                  at(&Settings::draws_of_each), {.least = 2, .most = 1e4}));
+    made.push_back(real<Settings>("seed", "seed of all draws", at(&Settings::seed), {.least = 0, .most = 2147483647}));
+    made.push_back(real<Settings>("damping", "damping ratio of every mode of the superstructure on a fixed base",
                                   at(&Settings::damping), {.least = 0.0, .most = 0.5}));
-    made.push_back(real<Settings>("lower", "factor on the forces of every bearing in the lower bound analysis",
+    made.push_back(real<Settings>("lower", "factor on the force of every bearing in the lower bound analysis",
                                   at(&Settings::lower), {.least = 0.05, .most = 1.0}, true));
+    made.push_back(real<Settings>("upper", "and in the upper bound analysis", at(&Settings::upper),
+                                  {.least = 1.0, .most = 20.0}, true));
     made.push_back(
-        real<Settings>("upper", "and in the upper", at(&Settings::upper), {.least = 1.0, .most = 20.0}, true));
-    made.push_back(
-        real<Settings>("step_s", "longest step of integration", at(&Settings::step_s), {.least = 1e-5, .most = 0.05}));
-    made.push_back(real<Settings>("rest_s",
-                                  "seconds without motion of the ground after it, until what remains is measured",
-                                  at(&Settings::rest_s), {.least = 0.0, .most = 120.0}));
+        real<Settings>("step_s", "longest integration step", at(&Settings::step_s), {.least = 1e-5, .most = 0.05}));
+    made.push_back(real<Settings>(
+        "rest_s", "seconds to continue after the ground motion ends, before the residual displacement is read",
+        at(&Settings::rest_s), {.least = 0.0, .most = 120.0}));
     return made;
   }();
   return keys;
@@ -117,7 +118,7 @@ template <class Row>
 void slab_keys(TomlKeys<Row>& made) {
   made.push_back(real<Row>("mass_Mg", "mass in Mg (t)", at(&Row::mass_Mg), positive(), true));
   made.push_back(
-      real<Row>("gyration_m", "radius of gyration about the vertical", at(&Row::gyration_m), positive(1e4), true));
+      real<Row>("gyration_m", "radius of gyration about the vertical axis", at(&Row::gyration_m), positive(1e4), true));
 }
 template <class Row>
 void place_keys(TomlKeys<Row>& made, std::string const& of) {
@@ -143,7 +144,8 @@ TomlKeys<EqualFloors> const& equal_floors_keys() {
     made.push_back(real<EqualFloors>("period_x_s", "first period on a fixed base", at(&EqualFloors::period_x_s),
                                      positive(100.0), true));
     made.push_back(real<EqualFloors>("period_y_s", "", at(&EqualFloors::period_y_s), positive(100.0), true));
-    made.push_back(real<EqualFloors>("rotation_ratio", "first rotation's frequency over the lower of the two",
+    made.push_back(real<EqualFloors>("rotation_ratio",
+                                     "frequency of the first torsional mode over the lower of these two",
                                      at(&EqualFloors::rotation_ratio), positive(100.0)));
     return made;
   }();
@@ -155,11 +157,12 @@ TomlKeys<FloorRow> const& floor_keys() {
     slab_keys(made);
     place_keys(made, "centre of mass");
     Limits const within{.least = -1e4, .most = 1e4};
-    made.push_back(real<FloorRow>("stiffness_x_kN_per_mm", "of the storey below it",
+    made.push_back(real<FloorRow>("stiffness_x_kN_per_mm", "stiffness of the storey below it",
                                   at(&FloorRow::stiffness_x_kN_per_mm), positive(1e12), true));
     made.push_back(
         real<FloorRow>("stiffness_y_kN_per_mm", "", at(&FloorRow::stiffness_y_kN_per_mm), positive(1e12), true));
-    made.push_back(real<FloorRow>("stiffness_rotation_GNm", "GN m per radian, about its centre of stiffness",
+    made.push_back(real<FloorRow>("stiffness_rotation_GNm",
+                                  "torsional stiffness in GN m per radian, about its centre of stiffness",
                                   at(&FloorRow::stiffness_rotation_GNm), positive(1e12), true));
     made.push_back(
         real<FloorRow>("stiffness_at_x_m", "centre of stiffness in plan", at(&FloorRow::stiffness_at_x_m), within));
@@ -169,12 +172,12 @@ TomlKeys<FloorRow> const& floor_keys() {
   return keys;
 }
 constexpr std::string_view stands_help =
-    "draw: a device of the lot's population; lot: its law; lower, upper: its law times that factor; else the name of a tested device";
+    "draw: a device drawn from the lot; lot: the lot's law; lower, upper: that law times the factor above; or the name of a tested device";
 TomlKeys<GridRow> const& grid_keys() {
   static auto const keys = [] {
     Limits const many{.least = 1, .most = 200};
     return TomlKeys<GridRow>{
-        real<GridRow>("along", "bearings along x, about the middle of the plan", at(&GridRow::along), many, true),
+        real<GridRow>("along", "bearings along x, centred on the plan", at(&GridRow::along), many, true),
         real<GridRow>("across", "and along y", at(&GridRow::across), many, true),
         real<GridRow>("spacing_x_m", "", at(&GridRow::spacing_x_m), positive(1e3), true),
         real<GridRow>("spacing_y_m", "", at(&GridRow::spacing_y_m), positive(1e3), true),
@@ -203,9 +206,9 @@ TomlKeys<PlanRow> const& plan_keys() {
 }
 TomlKeys<MotionRow> const& motion_keys() {
   static auto const keys = TomlKeys<MotionRow>{
-      text("x", "file of the ground's acceleration along x: AT2, or columns with units", &MotionRow::x, true),
-      text("y", "and along y; none: one component", &MotionRow::y),
-      real<MotionRow>("scale", "factor on both", at(&MotionRow::scale), positive(1e3)),
+      text("x", "file of the ground acceleration along x: AT2, or columns with units", &MotionRow::x, true),
+      text("y", "and along y; leave out for a single component", &MotionRow::y),
+      real<MotionRow>("scale", "factor on both accelerations", at(&MotionRow::scale), positive(1e3)),
       real<MotionRow>("step_s", "seconds between samples, for files without time", at(&MotionRow::step_s),
                       positive(10.0))};
   return keys;
@@ -215,14 +218,15 @@ TomlKeys<MotionRow> const& motion_keys() {
 struct TableInfo {
   std::string_view name, help;
 };
-constexpr TableInfo of_settings{"building", "What is asked. Lengths in m, masses in Mg (t), time in s."},
-    of_base{"base", "The slab on the bearings. Every place in plan is in one system of axes."},
-    of_floors{"floors", "Equal floors; or [[floor]] for each, from below."},
-    of_floor{"floor", "One floor and the storey below it, in place of [floors]."},
-    of_grid{"grid", "Bearings in equal distances; or [[bearing]] for each."},
-    of_bearing{"bearing", "One bearing, in place of or beside [grid]."},
-    of_plan{"plan", "The slab's edges: where its corners are measured, and no bearing may stand outside."},
-    of_motion{"motion", "One for each motion; files beside this one, or isolaw building --motion in their place."};
+constexpr TableInfo of_settings{"building", "The analysis. Lengths in m, masses in Mg (t), times in s."},
+    of_base{"base", "The slab on the bearings. All coordinates in plan share one system of axes."},
+    of_floors{"floors", "Equal floors; or one [[floor]] for each, from the lowest up."},
+    of_floor{"floor", "One floor and the storey below it, instead of [floors]."},
+    of_grid{"grid", "Bearings on a regular grid; or one [[bearing]] for each."},
+    of_bearing{"bearing", "One bearing, instead of or besides [grid]."},
+    of_plan{"plan",
+            "The edges of the slab. Its corners are where displacements are reported; no bearing may stand outside."},
+    of_motion{"motion", "One ground motion each; files relative to this one. isolaw building --motion replaces them."};
 
 template <class Row>
 void read_row(toml::table const& from, std::string const& file, TableInfo const& info, TomlKeys<Row> const& keys,

@@ -59,7 +59,7 @@ void set_seed(S& s, Json const& value) {
   s.seed = *seed;
 }
 
-// A row that takes a number like `row`, or a word that means "none"; `type` is the Python type of both.
+// A row whose value is a number or a word that stands for none; `type` is the Python type of both.
 template <class Place>
 Setting number_or(std::string_view word, std::string_view type, Place place, Option<S> row) {
   row.get = [=](S const& s) { return place(s) ? Json(*place(s)) : Json(word); };
@@ -78,27 +78,29 @@ Setting thinning() {
   auto const place = at(&S::clean, &Clean::samples_per_cycle);
   return number_or("all", "int | Literal[\"all\"] | None", place,
                    number<S>("samples-per-cycle", "thin records to this many samples per cycle", place,
-                             {.least = 20, .most = std::numeric_limits<int>::max(), .words = "20 or more, or all"}));
+                             {.least = 20, .most = std::numeric_limits<int>::max(), .words = "20 or more, or all"})
+                       .under(Heading::search));
 }
 
 Setting dead_band() {
   auto const place = at(&S::clean, &Clean::dead_band_mm);
   return number_or(
       "auto", "float | Literal[\"auto\"]", place,
-      number<S>("dead-band", "tremor in mm that is no motion to laws that remember turning points", place,
-                {.least = 0, .most = 1e4, .words = "0 to 10000, or auto: three deviations of each record's noise"}));
+      number<S>("dead-band", "smaller reversals, in mm, are no turning points", place,
+                {.least = 0, .most = 1e4, .words = "0 to 10000, or auto (default): 3 times each record's noise"})
+          .under(Heading::search));
 }
 
 Setting blocks(std::string_view key, std::string help, data::Numbers data::Selection::*numbers) {
   auto const place = at(&S::clean, &Clean::scored, numbers);
-  return {{{.key = key, .help = std::move(help)},
+  return {{{.key = key, .help = std::move(help), .heading = Heading::search},
            [place](S const& s) -> Json { return place(s).text(); },
            [place, key](S& s, Json const& value) {
              place(s) = data::parse_numbers("--" + std::string(key), text_in(value));
            }}};
 }
 
-// A constant of the genetic algorithm or of the default search.
+// A constant of the genetic algorithm or of the default search: kept in the store, not an option.
 template <class T>
 Setting constant(std::string_view key, T Ga::*member, Limits limits) {
   return {number<S>(key, {}, at(&S::genetic, member), std::move(limits)), Method::genetic, true};
@@ -115,31 +117,37 @@ std::vector<Setting> make_settings() {
   return {
       {{{.key = "laws",
          .kind = Kind::list,
-         .help =
-             "paper, usual (default: those and what predicts better), all, or ids separated by commas (isolaw laws lists them)"},
+         .help = "laws to fit: usual (default), paper, all, or ids from isolaw laws, such as bilinear,bouc-wen",
+         .heading = Heading::everyday},
         [](S const& s) -> Json { return s.laws; },
         set_laws}},
-      {word<S>("method", "best (default): to the least objective there is; ga: the paper's genetic algorithm",
-               at(&S::method), methods)},
+      {word<S>("method", "best (default): search for the best fit there is; ga: the paper's genetic algorithm",
+               at(&S::method), methods)
+           .under(Heading::search)},
       {word<S>("integration", "converged (default), or paper: one Runge-Kutta step per sample", at(&S::integration),
-               integrations)},
+               integrations)
+           .under(Heading::search)},
       {word<S>("turning-points",
-               "sampled (default), or interpolated: the path turns between samples, for smooth records",
-               at(&S::turning_points), turnings)},
-      {number<S>("runs", "independent runs per law and device", at(&S::runs), {.least = 1, .most = 1e5}, "3; ga: 20")},
-      // The upper limits let the count of evaluations fit an int; that of the pressure keeps every weight above zero.
-      {number<S>("population", "of ga: individuals", at(&S::genetic, &Ga::population),
-                 {.least = 4, .most = 1e5, .words = "an even number from 4 to 100000", .step = 2}),
+               "sampled (default), or interpolated: the motion turns between samples, for smooth records",
+               at(&S::turning_points), turnings)
+           .under(Heading::search)},
+      {number<S>("runs", "independent runs per law and device", at(&S::runs), {.least = 1, .most = 1e5}, "3; ga: 20")
+           .under(Heading::search)},
+      // The upper limits keep the count of evaluations an int; that of the pressure keeps every weight above zero.
+      {number<S>("population", "with --method ga: individuals", at(&S::genetic, &Ga::population),
+                 {.least = 4, .most = 1e5, .words = "an even number from 4 to 100000", .step = 2})
+           .under(Heading::search),
        ga},
-      {number<S>("generations", "of ga: generations, the initial one included", at(&S::genetic, &Ga::generations),
-                 {.least = 1, .most = 20'000}),
+      {number<S>("generations", "with --method ga: generations, counting the initial one",
+                 at(&S::genetic, &Ga::generations), {.least = 1, .most = 20'000})
+           .under(Heading::search),
        ga},
       constant("mutation_rate", &Ga::mutation_rate, {.least = 0, .most = 1}),
       constant("stagnation", &Ga::stagnation, {.least = 1, .most = largest, .words = "at least 1 generation"}),
-      {number<S>("stagnation_tolerance",
-                 "of ga: relative improvement that counts as none; 20 generations without improvement end a run",
-                 at(&S::genetic, &Ga::stagnation_tolerance),
-                 {.least = 0, .most = below_1, .words = "0 or more, below 1"}),
+      {number<S>(
+           "stagnation_tolerance", "with --method ga: 20 generations without a larger relative improvement end a run",
+           at(&S::genetic, &Ga::stagnation_tolerance), {.least = 0, .most = below_1, .words = "0 or more, below 1"})
+           .under(Heading::search),
        ga},
       constant("selection_pressure", &Ga::selection_pressure, {.least = 0, .most = 100}),
       constant("least_starts", &Best::least_starts, {.least = 1, .most = 10'000}),
@@ -149,39 +157,49 @@ std::vector<Setting> make_settings() {
       constant("most_evaluations", &Best::most_evaluations, {.least = 1, .most = 1e9}),
       constant("scattered", &Best::scattered, {.least = 1, .most = 10'000}),
       constant("hops", &Best::hops, {.least = 0, .most = 10'000}),
-      {{{.key = "seed", .help = "seed of the campaign (1)", .type = "int"},
+      {{{.key = "seed", .help = "seed of all random numbers (default 1)", .type = "int", .heading = Heading::search},
         [](S const& s) -> Json { return s.seed; },
         set_seed}},
-      {word<S>("box", "search box: auto, scaled from each record (default), or published, Table 4 of the paper",
-               at(&S::box), boxes)},
+      {word<S>("box",
+               "range searched for each parameter: auto (default), from the record, or published: the paper's Table 4",
+               at(&S::box), boxes)
+           .under(Heading::search)},
       {{{.key = "set",
          .kind = Kind::repeated,
-         .help = "law.parameter=value | lower:upper | free | another parameter, to tie it; may be repeated"},
+         .help = "fix a parameter: bilinear.K2=0.6; or =0.5:0.7 (range), =free, =K1 (equal to K1); may be repeated",
+         .heading = Heading::search},
         [](S const& s) { return texts_of(s.overrides); },
         set_overrides}},
-      {number<S>("smooth", "window of the centred moving average", at(&S::clean, &Clean::smooth),
-                 {.least = 1, .most = largest, .words = "an odd number of samples, 1 for none", .step = 2})},
+      {number<S>("smooth", "smooth records by a centred moving average", at(&S::clean, &Clean::smooth),
+                 {.least = 1, .most = largest, .words = "an odd number of samples, 1 for none", .step = 2})
+           .under(Heading::search)},
       thinning(),
-      {flag<S>("center", "remove the offset of displacement and force", at(&S::clean, &Clean::center))},
+      {flag<S>("center", "remove the offset of displacement and force", at(&S::clean, &Clean::center))
+           .under(Heading::search)},
       dead_band(),
-      blocks("fit-blocks", "judge laws by these blocks of the test alone: 2, 1-3, 2- (all)", &data::Selection::blocks),
-      blocks("fit-cycles", "and by these cycles of each: 2- leaves out scragging (all)", &data::Selection::cycles),
-      blocks("score-blocks", "with --fit-blocks: predict these blocks by the laws fitted to those (all others)",
+      blocks("fit-blocks", "fit laws only to these blocks of each test: 2, 1-3, 2- (default all)",
+             &data::Selection::blocks),
+      blocks("fit-cycles", "and only to these cycles of each block: 2- leaves out scragging (default all)",
+             &data::Selection::cycles),
+      blocks("score-blocks", "with --fit-blocks: predict these blocks with the fitted laws (default all others)",
              &data::Selection::predicted),
       {word<S>("analysis",
-               "what the tests determine, intervals, one law for the lot, devices left out: full (default), or none",
-               at(&S::analysis), analyses)},
-      // With forty replicates a quantile of 2.5 % is a single one of them.
-      {number<S>("replicates", "fits of the bootstrap for intervals", at(&S::replicates),
-                 {.least = 40, .most = 1e5, .words = "0 for none, or 40 to 100000", .or_zero = true})},
+               "full (default): intervals, what the tests cannot fix, one law for the lot, devices left out; or none",
+               at(&S::analysis), analyses)
+           .under(Heading::analysis)},
+      // The 2.5 % quantile needs at least forty replicates: one of them lies below it.
+      {number<S>("replicates", "bootstrap fits for the intervals", at(&S::replicates),
+                 {.least = 40, .most = 1e5, .words = "0 for none, or 40 to 100000", .or_zero = true})
+           .under(Heading::analysis)},
       {word<S>(
-          "bidirectional",
-          "springs: the analyses fit laws without a coupled form in the plane as springs around the circle too, for buildings; none (default)",
-          at(&S::springs), in_the_plane)},
+           "bidirectional",
+           "springs: for building, also fit laws without a coupled two-dimensional form as springs; or none (default)",
+           at(&S::springs), in_the_plane)
+           .under(Heading::analysis)},
   };
 }
 
-// {"K_eff": 1.2, "damping": 15} adds to the design values; text replaces them.
+// A table {"K_eff": 1.2, "damping": 15} adds to the design values given so far; text replaces them.
 void set_design(Acceptance& to, Json const& value) {
   if (!value.is_object()) {
     if (trimmed(text_in(value)).empty()) refuse(value, "design values, K_eff=1.2,damping=15");
@@ -189,8 +207,9 @@ void set_design(Acceptance& to, Json const& value) {
   }
   for (auto const& [key, item] : value.items()) {
     if (!item.is_number())
-      throw Error(
-          {.where = {}, .found = fmt::format("design.{} is no number", key), .allowed = "K_eff = 1.2, damping = 15.0"});
+      throw Error({.where = {},
+                   .found = fmt::format("design.{} is not a number", key),
+                   .allowed = "K_eff = 1.2, damping = 15.0"});
     to.design += fmt::format("{}{}={}", to.design.empty() ? "" : ",", key, item.get<double>());
   }
 }
@@ -205,18 +224,21 @@ std::vector<Option<Acceptance>> make_acceptance() {
   auto const unless_empty = [](std::string const& text) { return text.empty() ? Json() : Json(text); };
   return {
       {{.key = "rules",
-        .help = "rule set the tests are held to: a name (isolaw rules) or a file",
-        .type = "str | PathLike[str]"},
+        .help = "rule set to check the tests against: a name from isolaw rules, such as ntc-2018, or a file",
+        .type = "str | PathLike[str]",
+        .heading = Heading::everyday},
        [=](Acceptance const& a) { return unless_empty(a.rules_file); },
        set_rules},
       {{.key = "design",
         .kind = Kind::assignments,
-        .help = "design values: K_eff=1.2,damping=15,disp=150,frequency=0.5,...",
-        .type = "str | Mapping[str, float]"},
+        .help = "design values in kN, mm, Hz and %: K_eff=1.2,damping=15,disp=150,frequency=0.5,...",
+        .type = "str | Mapping[str, float]",
+        .heading = Heading::everyday},
        [=](Acceptance const& a) { return unless_empty(a.design); },
        set_design},
-      number<Acceptance>("lot-size", "devices of the production lot, tested or not", at(&Acceptance::lot_size),
-                         {.least = 1, .most = 1e7}),
+      number<Acceptance>("lot-size", "devices in the production lot, tested or not", at(&Acceptance::lot_size),
+                         {.least = 1, .most = 1e7})
+          .under(Heading::acceptance),
   };
 }
 
@@ -239,8 +261,8 @@ void take(Setting const& setting, Json const& value, bool method_given, Settings
                chosen = methods[settings.method == Method::genetic].first;
     if (method_given)
       throw Error({.where = {},
-                   .found = fmt::format("belongs to method {}, and the method is {}", own, chosen),
-                   .allowed = fmt::format("with method {}, which it also chooses where no method is named", own)});
+                   .found = fmt::format("belongs to method {}, but the method is {}", own, chosen),
+                   .allowed = fmt::format("with method {}, or without a method: it then chooses {}", own, own)});
     settings.method = *setting.of;
   }
   setting.set(settings, value);

@@ -1,5 +1,5 @@
-// Two tables: the settings of a campaign, and the options of its acceptance (rules, design values, lot size). Command
-// line, lot file, store, comparison on resume, the command in the report, Python and docs/cli.md follow from them.
+// Every setting of a campaign once, and every option of the rules that its tests are checked against. The command line,
+// lot file, store, comparison on resume, the command in the report, Python and docs/cli.md are built from these tables.
 #pragma once
 
 #include <optional>
@@ -11,33 +11,33 @@
 namespace isolaw::campaign {
 
 struct Setting : Option<Settings> {
-  std::optional<Method> of = {};  // the only method that has this setting; nullopt: all have it
-  bool stored_only = false;       // a constant of the method, stored with the results; users cannot set it
+  std::optional<Method> of = {};  // the only method that has it, if not all do
+  bool stored_only = false;       // a constant of its method, kept with the results: no way to set it
 
   bool belongs_to(Method method) const { return !of || *of == method; }
   std::string where() const { return stored_only ? std::string(key) : Option::where(); }
 };
 
-// In the order of stores and reports: a method comes before the settings that only it has.
+// In the order of stores and reports: the method before the settings that it alone has.
 std::span<Setting const> setting_table();
 // nullptr for an unknown key.
 Setting const* find_setting(std::string_view key);
 
-// Sets one setting. A setting that only one method has also chooses that method, unless `method_given` tells that the
-// user named the method. Throws Error without `where`, which the caller fills in.
+// Sets one setting. A setting that only one method has also chooses that method, unless `method_given` says that the
+// method was named. Throws Error; the caller adds `where`.
 void take(Setting const& setting, Json const& value, bool method_given, Settings& settings);
-// Takes all given values into `settings`. Throws one Error whose `where` are the options.
+// Sets all settings that were given. Throws one Error of all complaints, each with its option.
 void apply(Values const& given, Settings& settings);
 
-// How messages call the two places that are compared.
+// The two places that differ, as messages name them.
 struct Sides {
   std::string one = "there", other = "now";
 };
-// "method: ga there, best now", for each setting that differs. If the methods differ, settings that only one of them
-// has are left out.
+// "method: ga there, best now", for each setting that differs. Settings that only one of two methods has are left out:
+// the difference of method says enough.
 std::vector<std::string> differences(Settings const& there, Settings const& now, Sides const& sides = {});
 
-// The options of the acceptance. The value of "rules" is only a name: the caller decides what it means and loads it.
+// The options of the rules that tests are checked against. `rules` is stored as named; the file is not loaded here.
 std::span<Option<Acceptance> const> acceptance_table();
 
 }  // namespace isolaw::campaign

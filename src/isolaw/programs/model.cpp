@@ -15,7 +15,7 @@ namespace isolaw::programs {
 namespace {
 
 Option<ModelOptions> words(std::string_view key, std::string help, std::optional<std::string> ModelOptions::*place) {
-  return {{.key = key, .help = std::move(help)},
+  return {{.key = key, .help = std::move(help), .heading = Heading::model},
           [place](ModelOptions const& from) { return or_null(from.*place); },
           [place](ModelOptions& to, Json const& value) { to.*place = text_in(value); }};
 }
@@ -160,29 +160,26 @@ void add_draws(Model& model, ModelOptions const& options, campaign::Contents con
 
 std::vector<Option<ModelOptions>> const& model_table() {
   static std::vector<Option<ModelOptions>> const table{
-      words("layout",
-            "of a model: table of the isolators, columns x and y, also name, load, K_v, angle, units in its header",
+      words("layout", "table of the isolators: columns x and y, optionally name, load, K_v, angle; units in the header",
             &ModelOptions::layout),
-      words(
-          "mass",
-          "of a model: what the isolators carry, as a mass or a weight: 1200t, 12000kN (the sum of the layout's loads)",
-          &ModelOptions::mass),
-      words("gyration", "of a model: radius of gyration of that mass, 8.5m (of a rectangle around the bearings)",
+      words("mass", "what the isolators carry, as mass or weight: 1200t or 12000kN (default: the layout's loads)",
+            &ModelOptions::mass),
+      words("gyration", "radius of gyration of that mass, such as 8.5m (default: of a rectangle around the bearings)",
             &ModelOptions::gyration),
-      words("axial",
-            "of a model: vertical stiffness of a bearing, 1200kN/mm (the layout's K_v, or of the compression tests)",
+      words("axial", "vertical stiffness of a bearing, 1200kN/mm (default: from the layout or compression tests)",
             &ModelOptions::axial),
-      words("ground-motion", "of a model: acceleration of the ground along x: an AT2 file, or columns with units",
+      words("ground-motion", "ground acceleration along x: an AT2 file, or columns with units",
             &ModelOptions::ground_motion),
-      words("ground-motion-y", "of a model: the same along y", &ModelOptions::ground_motion_y),
-      number<ModelOptions>("ground-motion-dt", "of a model: seconds between samples, for a file without time,",
-                           at(&ModelOptions::ground_motion_dt), {.least = 1e-6, .most = 10.0}),
-      number<ModelOptions>("scale", "of a model: factor on the acceleration,", at(&ModelOptions::scale),
-                           {.least = 1e-6, .most = 1e6}),
-      number<ModelOptions>(
-          "draws",
-          "of a model: in place of the bounds, so many draws of the lot's population, each bearing one of its own;",
-          at(&ModelOptions::draws), {.least = 0, .most = most_drawn_sets})};
+      words("ground-motion-y", "ground acceleration along y", &ModelOptions::ground_motion_y),
+      number<ModelOptions>("ground-motion-dt", "seconds between samples, for files without time",
+                           at(&ModelOptions::ground_motion_dt), {.least = 1e-6, .most = 10.0})
+          .under(Heading::model),
+      number<ModelOptions>("scale", "factor on the ground acceleration", at(&ModelOptions::scale),
+                           {.least = 1e-6, .most = 1e6})
+          .under(Heading::model),
+      number<ModelOptions>("draws", "draw every bearing from the lot this many times, instead of the bounds",
+                           at(&ModelOptions::draws), {.least = 0, .most = most_drawn_sets})
+          .under(Heading::model)};
   return table;
 }
 
