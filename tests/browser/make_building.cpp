@@ -43,7 +43,7 @@ void write(std::filesystem::path const& dir, int laws) {
     study.laws[1].devices["constructor"] = study.laws[1].median;
   }
   std::filesystem::create_directories(dir);
-  building::RunStore store(dir / "building.sqlite", building::traits_of(study), true);
+  building::RunStore store(dir / "building.sqlite", building::properties_of(study), true);
   building::run_all(study, store, 1);
   render::write_building_outputs(study, building::answer(study, store), dir);
 }

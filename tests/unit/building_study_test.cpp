@@ -221,13 +221,13 @@ class BuildingRuns : public testing::Test {
   std::string json(Study const& study, std::size_t threads, bool interrupted = false) const {
     fs::remove(file_);
     if (interrupted) {
-      RunStore store(file_, traits_of(study), false);
+      RunStore store(file_, properties_of(study), false);
       EXPECT_THROW(
           run_all(study, store, threads, {.progress = [](RunProgress const&) { throw std::runtime_error("stop"); }}),
           std::runtime_error);
       EXPECT_GT(store.runs_there(), 0u);
     }
-    RunStore store(file_, traits_of(study), false);
+    RunStore store(file_, properties_of(study), false);
     run_all(study, store, threads);
     return render::building_json(study, answer(study, store));
   }
@@ -242,17 +242,17 @@ TEST_F(BuildingRuns, same_bytes_for_any_threads_and_after_an_interruption) {
   EXPECT_EQ(json(study, 2, true), one);
   auto other = study;
   other.file.settings.seed = 2;
-  auto const refused = refusal_of([&] { RunStore(file_, traits_of(other), false); });
+  auto const refused = refusal_of([&] { RunStore(file_, properties_of(other), false); });
   EXPECT_TRUE(contains(refused, "the runs of another building") && contains(refused, "seed: 1 there, 2 now") &&
               contains(refused, "--fresh"))
       << refused;
-  RunStore const fresh(file_, traits_of(other), true);
+  RunStore const fresh(file_, properties_of(other), true);
   EXPECT_EQ(fresh.runs_there(), 0u);
 }
 
 TEST_F(BuildingRuns, answers) {
   auto const study = usual_study(0.07, 120, 4);
-  RunStore store(file_, traits_of(study), false);
+  RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
   auto const made = answer(study, store);
   auto const& law = made.laws.at(0);
@@ -276,16 +276,16 @@ TEST_F(BuildingRuns, answers) {
   for (auto const& checked : law.checked) {
     EXPECT_EQ(checked.outcome, "completed");
     EXPECT_LT(std::abs(checked.balance), 1e-3);
-    EXPECT_LT(std::abs(checked.lanes_off_percent), 0.5);
+    EXPECT_LT(std::abs(checked.draws_error_percent), 0.5);
     EXPECT_GT(checked.equivalent_mm, 0.0);
   }
   EXPECT_TRUE(contains(made.verdict, ": with Bilinear the bounds cover ") && contains(made.verdict, "of 120 buildings"))
       << made.verdict;
   EXPECT_TRUE(std::ranges::any_of(made.warnings, [](auto const& w) { return w.starts_with("2 motions: codes take"); }));
-  if (law.coverage[0].inside < enough)
+  if (law.coverage[0].inside < wanted_share)
     EXPECT_EQ(made.bounds_are_enough, false);
   else
-    EXPECT_EQ(made.bounds_are_enough.has_value(), law.coverage[0].interval_low >= enough);
+    EXPECT_EQ(made.bounds_are_enough.has_value(), law.coverage[0].interval_low >= wanted_share);
   std::uint64_t drawn = 0;
   for (auto const count : isolator.histogram.counts) drawn += count;
   EXPECT_EQ(drawn, 120u);
@@ -329,7 +329,7 @@ TEST_F(BuildingRuns, answers) {
 TEST_F(BuildingRuns, without_draws_bounds_have_nothing_to_cover) {
   auto study = usual_study(0.07, 3);
   for (auto& bearing : study.file.bearings) bearing.stands = Stands::lot;
-  RunStore store(file_, traits_of(study), false);
+  RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
   auto const made = answer(study, store);
   EXPECT_TRUE(contains(made.verdict, "No bearing is a draw")) << made.verdict;
@@ -339,7 +339,7 @@ TEST_F(BuildingRuns, without_draws_bounds_have_nothing_to_cover) {
 // One building between the bounds shows nothing of a share of 95 %.
 TEST_F(BuildingRuns, a_few_draws_do_not_show_that_bounds_are_enough) {
   auto study = usual_study(0.001, 3);
-  RunStore store(file_, traits_of(study), false);
+  RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
   auto const made = answer(study, store);
   EXPECT_EQ(made.laws.front().coverage.front().inside, 1.0);
@@ -355,11 +355,11 @@ TEST_F(BuildingRuns, bounds_of_one_law_are_held_to_the_others) {
   for (double& logarithm : other.population.mean) logarithm += std::log(2.0);
   study.laws.push_back(other);
   study.file.settings.laws.push_back(other.law);
-  RunStore store(file_, traits_of(study), false);
+  RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
   auto const made = answer(study, store);
   ASSERT_TRUE(made.laws[1].by_first_bounds.has_value());
-  EXPECT_LT(*made.laws[1].by_first_bounds, enough) << made.verdict;
+  EXPECT_LT(*made.laws[1].by_first_bounds, wanted_share) << made.verdict;
   EXPECT_EQ(made.bounds_are_enough, false);
   EXPECT_TRUE(made.verdict.starts_with("No: with Bilinear the bounds cover ")) << made.verdict;
   EXPECT_TRUE(contains(made.verdict, "they cover 0 %")) << made.verdict;
@@ -374,7 +374,7 @@ TEST_F(BuildingRuns, bounds_of_one_law_cover_as_much_of_the_same_law) {
   study.file.settings.upper = 1.02;
   study.laws.push_back(study.laws.front());
   study.file.settings.laws.push_back(study.laws.front().law);
-  RunStore store(file_, traits_of(study), false);
+  RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
   auto const made = answer(study, store);
   auto const inside = made.laws[0].coverage.front().inside;
@@ -394,11 +394,11 @@ TEST(BuildingAnswers, factors_are_said_where_they_mean_something) {
 // Bounds of which both move less than the nominal building cover nothing, whatever their factors: that is said.
 TEST_F(BuildingRuns, bounds_on_one_side_of_the_nominal_building_are_told) {
   auto const study = usual_study(0.001, 40);
-  RunStore store(file_, traits_of(study), false);
+  RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
   // The two bound analyses with a tenth of what they gave.
   auto const other = file_.string() + "-2";
-  RunStore changed(other, traits_of(study), true);
+  RunStore changed(other, properties_of(study), true);
   for (std::size_t motion = 0; motion < 2; ++motion) {
     std::vector<RunStore::Row> rows;
     store.each(0, motion, [&](std::size_t place, std::vector<double> const& measured) {
@@ -420,7 +420,7 @@ TEST_F(BuildingRuns, bounds_on_one_side_of_the_nominal_building_are_told) {
 TEST_F(BuildingRuns, says_what_is_known_against_a_law) {
   auto study = usual_study(0.07, 4);
   study.laws[0].doubts = {"Bilinear: the tests do not determine Dy", "a was refused", "a was refused"};
-  RunStore store(file_, traits_of(study), false);
+  RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
   auto const made = answer(study, store);
   EXPECT_EQ(made.laws[0].doubts, study.laws[0].doubts);
@@ -429,7 +429,7 @@ TEST_F(BuildingRuns, says_what_is_known_against_a_law) {
   EXPECT_EQ(std::ranges::count(made.warnings, "of the calibration: a was refused"), 1);
   auto other = study;
   other.laws[0].doubts.clear();
-  EXPECT_EQ(traits_of(other), traits_of(study));
+  EXPECT_EQ(properties_of(other), properties_of(study));
 }
 
 // Springs are told of one by one, and a run asked to end keeps those that it finished.
@@ -442,7 +442,7 @@ TEST_F(BuildingRuns, of_springs_are_told_one_by_one_and_can_be_interrupted) {
   study.file.settings.rest_s = 0.0;
   std::size_t told = 0;
   {
-    RunStore store(file_, traits_of(study), false);
+    RunStore store(file_, properties_of(study), false);
     EXPECT_FALSE(run_all(study, store, 1,
                          {.progress = [&](RunProgress const& p) { told = p.done; },
                           .part = {},
@@ -451,7 +451,7 @@ TEST_F(BuildingRuns, of_springs_are_told_one_by_one_and_can_be_interrupted) {
     EXPECT_EQ(store.runs_there(), 3u);
     EXPECT_TRUE(run_all(study, store, 2));
   }
-  RunStore const store(file_, traits_of(study), false);
+  RunStore const store(file_, properties_of(study), false);
   auto const made = answer(study, store);
   EXPECT_EQ(form(made.laws[0]), "springs");
 }

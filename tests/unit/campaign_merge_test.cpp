@@ -35,7 +35,7 @@ class MergeTest : public testing::Folder {
 TEST_F(MergeTest, RunsAreDealtEvenlyByTheirCost) {
   auto const contents = prepared({"bilinear", "abe", "hwang-wu", "vaiana"}, 6);
   for (int const parts : {1, 2, 5, 7, 48, 60}) {
-    Deal const deal(contents, parts);
+    RunAssignment const deal(contents, parts);
     std::vector<std::size_t> runs(static_cast<std::size_t>(parts));
     std::vector<std::uint64_t> cost(runs.size());
     std::uint64_t dearest = 0;
@@ -60,7 +60,7 @@ TEST_F(MergeTest, RunsAreDealtEvenlyByTheirCost) {
 TEST_F(MergeTest, DevicesAreDealtByWhatExaminingThemCosts) {
   auto const contents = prepared({"bilinear", "abe", "hwang-wu", "vaiana"}, 1);
   for (int const parts : {1, 2, 3, 20}) {
-    auto const dealt = campaign::deal_of_analyses(contents, parts);
+    auto const dealt = campaign::assign_analyses(contents, parts);
     std::vector<std::uint64_t> cost(static_cast<std::size_t>(parts));
     std::uint64_t dearest = 0;
     for (std::size_t s = 0; s < contents.searches.size(); ++s) {
@@ -75,7 +75,7 @@ TEST_F(MergeTest, DevicesAreDealtByWhatExaminingThemCosts) {
 // Wherever and whenever: parts of one campaign are computed by machines that never met.
 TEST_F(MergeTest, TheDealIsTheSameOnEveryMachine) {
   auto const contents = prepared({"bilinear", "abe"}, 3);
-  Deal const deal(contents, 4);
+  RunAssignment const deal(contents, 4);
   std::vector<int> dealt;
   for (std::size_t s = 0; s < contents.searches.size(); ++s)
     for (int number = 1; number <= 3; ++number) dealt.push_back(deal.part_of(s, number));

@@ -55,7 +55,7 @@ Case const& usual_case() {
     of.study.file.bearings[0] = {.at = of.study.file.bearings[0].at, .stands = building::Stands::lot, .device = {}};
     auto const file = fs::temp_directory_path() / fmt::format("isolaw-render-building-{}.sqlite", ::getpid());
     fs::remove(file);
-    building::RunStore store(file, building::traits_of(of.study), true);
+    building::RunStore store(file, building::properties_of(of.study), true);
     building::run_all(of.study, store, 1);
     of.answers = building::answer(of.study, store);
     fs::remove(file);

@@ -205,7 +205,7 @@ class Examination {
   // False if a profile found a lower objective; the profiles after it are then not used.
   bool profile_all(bool may_restart) {
     std::vector<Sides> sides(free_.size());
-    Ahead profiles(sides.size(), [&](std::size_t k) { sides[k] = profiled(k, may_restart); });
+    WorkAhead profiles(sides.size(), [&](std::size_t k) { sides[k] = profiled(k, may_restart); });
     for (std::size_t k = 0; k < sides.size(); ++k) {
       if (interrupted_ && interrupted_()) throw GivenUp();
       profiles.need(k);

@@ -204,7 +204,7 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
                                                             freedom_lost(result.samples, n, neighbours.correlation));
     auto const count = static_cast<std::size_t>(std::max(0, options.replicates));
     std::vector<opt::Found> fits(count);
-    Ahead replicates(count, [&](std::size_t i) {
+    WorkAhead replicates(count, [&](std::size_t i) {
       num::Draws draws(stream, static_cast<std::uint32_t>(i), 0);
       Reweighted const resampled(problem, drawn(model.residual_weights(), result.samples, result.block, draws));
       fits[i] = opt::descend(resampled, start, 0.3, true);

@@ -100,7 +100,7 @@ std::optional<OneLaw> least_mean(std::span<fit::LawOnRecord const* const> models
   opt::Found best;
   int evaluations = 0;
   std::vector<opt::Found> ends(starts.size());
-  Ahead descents(starts.size(), [&](std::size_t i) { ends[i] = opt::descend(problem, starts[i], 1.0); });
+  WorkAhead descents(starts.size(), [&](std::size_t i) { ends[i] = opt::descend(problem, starts[i], 1.0); });
   for (std::size_t i = 0; i < starts.size(); ++i) {
     if (interrupted && interrupted()) return std::nullopt;
     descents.need(i);

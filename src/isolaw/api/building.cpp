@@ -65,7 +65,7 @@ BuildingHistory Building::history(std::size_t law, std::size_t motion) const {
 
 Building study_building(BuildingInput const& input, campaign::Contents const& contents,
                         BuildingOptions const& options) {
-  building::InPlace in_place{.motions = {}, .settings = values_of(input.settings)};
+  building::ReplacedKeys in_place{.motions = {}, .settings = values_of(input.settings)};
   constexpr double mm_in_m = 1e3;
   for (auto const& [name, step_s, x, y] : input.motions) {
     auto& motion =

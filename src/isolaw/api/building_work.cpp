@@ -82,8 +82,8 @@ StudiedBuilding study_building(building::Study study, BuildingWork const& option
   make_directory(directory);
   DirectoryLock const lock(directory);
   auto const file = directory / building_store_name;
-  auto traits = building::traits_of(study);
-  traits.insert(traits.end(), options.words_of_part.begin(), options.words_of_part.end());
+  auto traits = building::properties_of(study);
+  traits.insert(traits.end(), options.properties_of_part.begin(), options.properties_of_part.end());
   render::remove_leftovers(directory);
   if (options.fresh) render::remove_building_outputs(directory);
   std::optional<building::RunStore> store(std::in_place, file, traits, options.fresh);

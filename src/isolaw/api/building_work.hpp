@@ -33,7 +33,7 @@ struct BuildingWork {
   std::optional<std::filesystem::path> directory = {};  // where runs and reports are kept; empty: nowhere
   bool fresh = false;                                   // start over where the directory holds a study
   std::optional<campaign::Part> part = {};              // compute only this share of the runs; needs a directory
-  std::vector<building::Trait> words_of_part = {};      // stored with a part, for the answers of the whole
+  std::vector<building::StudyProperty> properties_of_part = {};  // stored with a part, for the answers of the whole
   std::function<void(building::RunProgress const&)> progress = {};
   std::function<bool()> interrupted = {};
 };

@@ -129,8 +129,9 @@ Json or_null(std::optional<T> const& value) {
 std::string help_of(std::string help, std::string const& limits, std::string const& usual);
 
 // An option that is an int or a double, optional or not.
-template <class Target, class Place>
-Option<Target> number(std::string_view key, std::string help, Place place, Limits limits = {}, std::string usual = {}) {
+template <class Target, class Access>
+Option<Target> number(std::string_view key, std::string help, Access place, Limits limits = {},
+                      std::string usual = {}) {
   using Value = std::remove_cvref_t<decltype(place(std::declval<Target&>()))>;
   constexpr bool whole = std::is_same_v<Value, int> || std::is_same_v<Value, std::optional<int>>;
   auto const get = [place](Target const& from) { return or_null(place(from)); };
@@ -144,8 +145,8 @@ Option<Target> number(std::string_view key, std::string help, Place place, Limit
   return {{.key = key, .kind = whole ? Kind::whole : Kind::real, .help = help, .limits = limits}, get, set};
 }
 
-template <class Target, class Place>
-Option<Target> flag(std::string_view key, std::string help, Place place) {
+template <class Target, class Access>
+Option<Target> flag(std::string_view key, std::string help, Access place) {
   return {{.key = key, .kind = Kind::flag, .help = std::move(help)},
           [place](Target const& from) -> Json { return place(from); },
           [place](Target& to, Json const& value) { place(to) = flag_of(value); }};
@@ -153,8 +154,8 @@ Option<Target> flag(std::string_view key, std::string help, Place place) {
 
 // An option that is one of several words, each of which stands for a value. If the values are true and false, these
 // may be given in place of the words.
-template <class Target, class Place, class T, std::size_t N>
-Option<Target> word(std::string_view key, std::string help, Place place,
+template <class Target, class Access, class T, std::size_t N>
+Option<Target> word(std::string_view key, std::string help, Access place,
                     std::pair<std::string_view, T> const (&words)[N]) {
   std::vector<std::pair<std::string_view, T>> const all(std::begin(words), std::end(words));
   Option<Target> row{{.key = key, .help = std::move(help)}, {}, {}};

@@ -201,7 +201,7 @@ Coverage covered(Quantity const& of, std::vector<double> const& draws, Distribut
   for (std::uint32_t a = 0; a <= grid_half; ++a) {
     for (double const v : {grid[grid_half - a], grid[grid_half + a]}) low = std::min(low, v), high = std::max(high, v);
     auto const within = std::ranges::count_if(draws, [&](double v) { return v >= low && v <= high; });
-    if (static_cast<double>(within) < enough * n) continue;
+    if (static_cast<double>(within) < wanted_share * n) continue;
     made.factor_low = grid_factor(grid_half - a);
     made.factor_high = grid_factor(grid_half + a);
     break;
@@ -234,11 +234,11 @@ std::vector<Finding> verdict_of(Study const& study, Answers const& answers) {
                 .words = {{"answer", !answers.bounds_are_enough   ? "No answer yet"
                                      : *answers.bounds_are_enough ? "Yes"
                                                                   : "No"},
-                          {"nominal_outside", c.monotony && c.inside < enough ? "yes" : "no"}}};
+                          {"nominal_outside", c.monotony && c.inside < wanted_share ? "yes" : "no"}}};
   for (auto& number : covering_factors(c).numbers) cover.numbers.push_back(std::move(number));
   std::vector<Finding> verdict{std::move(cover)};
   for (auto const& law : answers.laws)
-    if (law.by_first_bounds && *law.by_first_bounds < enough)
+    if (law.by_first_bounds && *law.by_first_bounds < wanted_share)
       verdict.push_back({.kind = FindingKind::building_bounds_cover_with,
                          .law = law.law,
                          .numbers = {{"inside", *law.by_first_bounds}}});
@@ -253,11 +253,11 @@ std::vector<Finding> verdict_of(Study const& study, Answers const& answers) {
 std::optional<bool> bounds_are_enough(Study const& study, Answers const& answers) {
   if (!has_draws(study) || answers.laws.empty()) return {};
   auto const& own = answers.laws.front().coverage.front();
-  bool const refuted = own.inside < enough || std::ranges::any_of(answers.laws, [](LawAnswer const& law) {
-                         return law.by_first_bounds && *law.by_first_bounds < enough;
+  bool const refuted = own.inside < wanted_share || std::ranges::any_of(answers.laws, [](LawAnswer const& law) {
+                         return law.by_first_bounds && *law.by_first_bounds < wanted_share;
                        });
   if (refuted) return false;
-  return own.interval_low >= enough ? std::optional(true) : std::nullopt;
+  return own.interval_low >= wanted_share ? std::optional(true) : std::nullopt;
 }
 
 std::string_view form_sentence(LawAnswer const& law) {
@@ -326,7 +326,7 @@ void add_spectra(std::vector<std::vector<double>>& to, Response const& run, doub
 // say nothing of.
 void warn_of_coverage(LawAnswer const& law, std::vector<Finding>& warnings) {
   for (auto const& c : law.coverage) {
-    if (c.inside >= enough) continue;
+    if (c.inside >= wanted_share) continue;
     if (c.monotony) {
       auto& warning = warnings.emplace_back(*c.monotony);
       warning.law = law.law;
@@ -334,7 +334,7 @@ void warn_of_coverage(LawAnswer const& law, std::vector<Finding>& warnings) {
     } else if (&c != &law.coverage.front()) {
       warnings.push_back({.kind = FindingKind::bounds_cover_less,
                           .law = law.law,
-                          .numbers = {{"inside", c.inside}, {"enough", enough}},
+                          .numbers = {{"inside", c.inside}, {"enough", wanted_share}},
                           .words = {{"quantity", std::string(quantity(c.quantity).title)}}});
     }
   }
@@ -416,7 +416,7 @@ std::string_view form(LawAnswer const& law) {
 
 Finding covering_factors(Coverage const& coverage) {
   Finding finding{.kind = FindingKind::covering_factors,
-                  .numbers = {{"enough", enough},
+                  .numbers = {{"enough", wanted_share},
                               {"grid_low", grid_factor(0)},
                               {"grid_high", grid_factor(2 * grid_half)},
                               {"grid_step", grid_step}}};
@@ -620,7 +620,7 @@ Answers answer(Study const& study, RunStore const& store) {
       checked.balance = run.of(Measure::balance);
       checked.step_s = run.step_s;
       checked.missed_mm = richardson(run, fine)[static_cast<std::size_t>(Measure::isolator)];
-      checked.lanes_off_percent = 100.0 * (kept[motion][0][0] / checked.isolator_mm - 1.0);
+      checked.draws_error_percent = 100.0 * (kept[motion][0][0] / checked.isolator_mm - 1.0);
       equivalent_linear(checked, devices, study.file.motions[motion], nominal, model.structure().mass()(0, 0));
       checked.equivalent_error_percent = 100.0 * (checked.equivalent_mm / run.of(Measure::centre) - 1.0);
     }
@@ -651,8 +651,9 @@ Answers answer(Study const& study, RunStore const& store) {
   made.bounds_are_enough = bounds_are_enough(study, made);
   made.verdict = verdict_of(study, made);
   if (has_draws(study) && !made.laws.empty() && !made.bounds_are_enough)
-    made.warnings.push_back({.kind = FindingKind::draws_too_few,
-                             .numbers = {{"draws", static_cast<double>(made.laws.front().draws)}, {"enough", enough}}});
+    made.warnings.push_back(
+        {.kind = FindingKind::draws_too_few,
+         .numbers = {{"draws", static_cast<double>(made.laws.front().draws)}, {"enough", wanted_share}}});
   if (auto const motions = study.file.motions.size(); motions < motions_for_a_mean)
     made.warnings.push_back(
         {.kind = FindingKind::motions_too_few,

@@ -47,7 +47,7 @@ struct Distribution {
 };
 
 // The share of buildings that bounds should cover.
-inline constexpr double enough = 0.95;
+inline constexpr double wanted_share = 0.95;
 
 struct Coverage {
   std::string_view quantity;                       // its key
@@ -73,7 +73,7 @@ struct Checked {  // the nominal building by the implicit path, under each motio
   std::string outcome;
   double isolator_mm = 0.0, balance = 0.0, step_s = 0.0;
   double missed_mm = 0.0;                                      // a third of the difference to half the step
-  double lanes_off_percent = 0.0;                              // the explicit path from it
+  double draws_error_percent = 0.0;                            // the explicit path from it
   double equivalent_mm = 0.0, equivalent_error_percent = 0.0;  // equivalent linear analysis, of the centre
   double equivalent_period_s = 0.0, equivalent_damping = 0.0;
 };

@@ -57,8 +57,8 @@ using TomlKey = FileKey<Target>;
 template <class Target>
 using TomlKeys = std::vector<TomlKey<Target>>;
 
-template <class Target, class Place>
-TomlKey<Target> real(std::string_view key, std::string help, Place place, Limits limits = {}, bool required = false) {
+template <class Target, class Access>
+TomlKey<Target> real(std::string_view key, std::string help, Access place, Limits limits = {}, bool required = false) {
   auto made = number<Target>(key, help, place, std::move(limits));
   made.help = std::move(help);
   return {std::move(made), required};
@@ -453,7 +453,7 @@ void require_sound(Motion const& motion) {
 namespace {
 
 BuildingFile read_parsed(toml::table parsed, std::string const& name, std::filesystem::path const& folder,
-                         InPlace const& in_place) {
+                         ReplacedKeys const& in_place) {
   if (!in_place.settings.empty()) {
     auto* const settings = parsed.insert(of_settings.name, toml::table()).first->second.as_table();
     for (auto const& [key, value] : in_place.settings)
@@ -548,18 +548,18 @@ BuildingFile read_parsed(toml::table parsed, std::string const& name, std::files
 }  // namespace
 
 BuildingFile read_building_text(std::string_view content, std::string const& name, std::filesystem::path const& folder,
-                                InPlace const& in_place) {
+                                ReplacedKeys const& in_place) {
   return read_parsed(parse_toml(content, name, {.kind = "building file", .advice = "isolaw building --template"}), name,
                      folder, in_place);
 }
 
-BuildingFile building_of(Json const& tables, InPlace const& in_place) {
+BuildingFile building_of(Json const& tables, ReplacedKeys const& in_place) {
   if (!tables.is_object())
     throw Error({.where = "building", .found = shown(tables), .allowed = "tables as a building file has them"});
   return read_parsed(table_of(tables, 0), "building", {}, in_place);
 }
 
-BuildingFile read_building(std::filesystem::path const& file, InPlace const& in_place) {
+BuildingFile read_building(std::filesystem::path const& file, ReplacedKeys const& in_place) {
   return read_building_text(read_file(file, {.largest_bytes = 1 << 20,
                                              .allowed = "a building file",
                                              .when_too_large = "isolaw building --template"}),

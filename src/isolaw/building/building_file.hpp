@@ -59,7 +59,7 @@ struct FileKey : Option<Target> {
 std::span<FileKey<Settings> const> settings_table();
 
 // In place of what a building file has.
-struct InPlace {
+struct ReplacedKeys {
   std::vector<Motion> motions = {};  // of those of the file, where there are any
   isolaw::Values settings = {};      // of the keys of [building], by key
 };
@@ -72,11 +72,11 @@ std::vector<Motion> read_motions(std::vector<std::string> const& files);
 void require_sound(Motion const& motion);
 
 // Throws one Error of everything wrong, with lines.
-BuildingFile read_building(std::filesystem::path const& file, InPlace const& in_place = {});
+BuildingFile read_building(std::filesystem::path const& file, ReplacedKeys const& in_place = {});
 BuildingFile read_building_text(std::string_view text, std::string const& name, std::filesystem::path const& folder,
-                                InPlace const& in_place = {});
+                                ReplacedKeys const& in_place = {});
 // Tables as a file has them, by their names; files of motions are sought in the working directory.
-BuildingFile building_of(Json const& tables, InPlace const& in_place = {});
+BuildingFile building_of(Json const& tables, ReplacedKeys const& in_place = {});
 
 // A commented file of a building with five floors on 28 bearings.
 std::string building_template();

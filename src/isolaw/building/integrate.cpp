@@ -217,7 +217,7 @@ class ImplicitRun {
   }
 
   Model const& model_;
-  Skeleton skeleton_;
+  StructureArrays skeleton_;
   std::span<std::unique_ptr<Bearing> const> bearings_;
   Options const& options_;
   Steps steps_;
@@ -266,7 +266,7 @@ Model::Model(Structure structure, Plan plan) : structure_(std::move(structure)),
     for (Eigen::Index j = 0; j < 3; ++j) mass_.push_back(structure_.mass()(i, j));
 }
 
-Skeleton Model::skeleton() const {
+StructureArrays Model::skeleton() const {
   return {.modes = structure_.modes(),
           .floors = structure_.floors(),
           .bearings = plan_.bearings.size(),

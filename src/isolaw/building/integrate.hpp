@@ -71,7 +71,7 @@ class Model {
   Structure const& structure() const { return structure_; }
   Plan const& plan() const { return plan_; }
   Layout layout() const { return {structure_.floors(), plan_.bearings.size()}; }
-  Skeleton skeleton() const;
+  StructureArrays skeleton() const;
   // Of every mode for a step of this length, and M - sum share participation participation^T.
   std::vector<double> shares(double dt) const;
   Matrix3 condensed_mass(double dt) const;

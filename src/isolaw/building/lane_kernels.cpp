@@ -14,7 +14,7 @@ template <class Law, class T = num::Batch<lane_width>>
 void run_lanes(LaneRun const& in) {
   using Params = typename Law::template Params<T>;
   using State = typename Law::template State<T>;
-  using Place = laws::plane::Vector<T>;
+  using Point = laws::plane::Vector<T>;
   constexpr auto& members = laws::members<typename Law::OneDirection, T>;
   constexpr auto count = laws::parameter_count<typename Law::OneDirection>;
   auto* const states = static_cast<State*>(in.memory);
@@ -31,9 +31,9 @@ void run_lanes(LaneRun const& in) {
   double const dt = in.step.dt;
   explicit_run(run, in.skeleton, in.step, in.inverse, in.ground,
                [&](std::size_t j, T const& x, T const& y, T const&, T const&, T& fx, T& fy) ISOLAW_LAMBDA {
-                 Place const from{per_length * run.d[2 * j], per_length * run.d[2 * j + 1]};
-                 Place const to{per_length * x, per_length * y};
-                 Place const force = Law::template step<T>(params[j], states[j], from, to, dt);
+                 Point const from{per_length * run.d[2 * j], per_length * run.d[2 * j + 1]};
+                 Point const to{per_length * x, per_length * y};
+                 Point const force = Law::template step<T>(params[j], states[j], from, to, dt);
                  fx = per_force * force.x, fy = per_force * force.y;
                });
   Layout const layout{in.skeleton.floors, in.skeleton.bearings};

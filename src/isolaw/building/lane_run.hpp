@@ -13,7 +13,7 @@ inline constexpr std::size_t lane_width = 8;
 
 // What a kernel needs; `parameters` [bearing][parameter][lane], `memory` of 64-byte alignment.
 struct LaneRun {
-  Skeleton skeleton;
+  StructureArrays skeleton;
   ModeStep step;
   double const* inverse = nullptr;
   Ground ground;

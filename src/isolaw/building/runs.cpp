@@ -29,7 +29,7 @@ extern char const* const sources_hash;  // made while building, see CMakeLists.t
 
 namespace {
 
-using Kind = Trait::Kind;
+using Kind = StudyProperty::Kind;
 using Path = std::filesystem::path;
 
 // In the order of Kind; as the store has them.
@@ -62,9 +62,9 @@ void require_sound(Path const& file, std::string const& again) {
                  .advice = "copying it once more, or " + again});
 }
 
-std::vector<Trait> read_traits(Connection const& db, Path const& file) {
+std::vector<StudyProperty> read_traits(Connection const& db, Path const& file) {
   return read_as_study(file, [&] {
-    std::vector<Trait> made;
+    std::vector<StudyProperty> made;
     Statement select(db, "SELECT kind, name, value FROM study ORDER BY rowid");
     while (select.row()) {
       std::string kind;
@@ -86,19 +86,20 @@ std::size_t runs_in(Connection const& db) {
   return count;
 }
 
-std::vector<Trait> without(std::vector<Trait> traits, Kind kind) {
-  std::erase_if(traits, [&](Trait const& trait) { return trait.kind == kind; });
+std::vector<StudyProperty> without(std::vector<StudyProperty> traits, Kind kind) {
+  std::erase_if(traits, [&](StudyProperty const& trait) { return trait.kind == kind; });
   return traits;
 }
 
-std::vector<Trait> of_kind(std::span<Trait const> traits, Kind kind) {
-  std::vector<Trait> found;
-  std::ranges::copy_if(traits, std::back_inserter(found), [&](Trait const& trait) { return trait.kind == kind; });
+std::vector<StudyProperty> of_kind(std::span<StudyProperty const> traits, Kind kind) {
+  std::vector<StudyProperty> found;
+  std::ranges::copy_if(traits, std::back_inserter(found),
+                       [&](StudyProperty const& trait) { return trait.kind == kind; });
   return found;
 }
 
 // Numbers of two builds may differ, and in last digits those of two instruction sets do.
-void require_same_maker(Path const& file, std::span<Trait const> there, campaign::Maker const& now,
+void require_same_maker(Path const& file, std::span<StudyProperty const> there, campaign::Maker const& now,
                         std::string const& again) {
   auto const maker = maker_of(there);
   if (!campaign::same_build(maker, now))
@@ -127,32 +128,32 @@ std::string of_part(std::optional<campaign::Part> const& part) {
 
 }  // namespace
 
-campaign::Maker maker_of(std::span<Trait const> traits) {
+campaign::Maker maker_of(std::span<StudyProperty const> traits) {
   return {.version = value_of(traits, Kind::maker, "version"),
           .build = value_of(traits, Kind::maker, "build"),
           .instruction_set = value_of(traits, Kind::maker, "instruction_set")};
 }
 
-std::optional<campaign::Part> part_of(std::span<Trait const> traits) {
+std::optional<campaign::Part> part_of(std::span<StudyProperty const> traits) {
   auto const text = value_of(traits, Kind::part, "part");
   return text.empty() ? std::nullopt : std::optional(campaign::parse_part(text));
 }
 
-std::string value_of(std::span<Trait const> traits, Kind kind, std::string_view name) {
-  auto const found =
-      std::ranges::find_if(traits, [&](Trait const& trait) { return trait.kind == kind && trait.name == name; });
+std::string value_of(std::span<StudyProperty const> traits, Kind kind, std::string_view name) {
+  auto const found = std::ranges::find_if(
+      traits, [&](StudyProperty const& trait) { return trait.kind == kind && trait.name == name; });
   return found == traits.end() ? std::string() : found->value;
 }
 
-std::vector<Trait> traits_of(campaign::Part const& part, std::string const& building_file, std::string const& campaign,
-                             std::vector<std::string> const& motions) {
-  std::vector<Trait> made{
+std::vector<StudyProperty> properties_of(campaign::Part const& part, std::string const& building_file,
+                                         std::string const& campaign, std::vector<std::string> const& motions) {
+  std::vector<StudyProperty> made{
       {Kind::part, "part", campaign::text(part)}, {Kind::part, "file", building_file}, {Kind::part, "from", campaign}};
   for (auto const& motion : motions) made.push_back({Kind::part, "motion", motion});
   return made;
 }
 
-std::vector<std::string> differences(std::span<Trait const> there, std::span<Trait const> now,
+std::vector<std::string> differences(std::span<StudyProperty const> there, std::span<StudyProperty const> now,
                                      campaign::Sides const& sides) {
   std::vector<std::string> found;
   for (auto const kind : {Kind::setting, Kind::building, Kind::motion, Kind::law}) {
@@ -200,7 +201,7 @@ struct RunStore::Handle {
   Connection db;
 };
 
-RunStore::RunStore(std::filesystem::path const& file, std::vector<Trait> const& of, bool fresh) {
+RunStore::RunStore(std::filesystem::path const& file, std::vector<StudyProperty> const& of, bool fresh) {
   campaign::sqlite::remove_unfinished(file);
   campaign::sqlite::require_plain(file);
   if (fresh || !std::filesystem::exists(file)) {
@@ -226,7 +227,7 @@ RunStore::RunStore(std::filesystem::path const& file, std::vector<Trait> const& 
   require_same_maker(file, found, maker_of(of), "--fresh to start over, or another --out");
 }
 
-void RunStore::create(Path const& file, std::vector<Trait> const& of) {
+void RunStore::create(Path const& file, std::vector<StudyProperty> const& of) {
   auto const aside = campaign::sqlite::unfinished(file);
   {
     auto const db = Connection::create(aside);
@@ -284,8 +285,8 @@ void RunStore::put_in_order(std::filesystem::path const& file) {
   campaign::sqlite::put_in_order(file, create_run_tables);
 }
 
-std::vector<Trait> traits_of(Study const& study) {
-  std::vector<Trait> made;
+std::vector<StudyProperty> properties_of(Study const& study) {
+  std::vector<StudyProperty> made;
   std::string all;
   auto const add = [&](auto const&... values) { ((all += fmt::format("{};", values)), ...); };
   auto const add_all = [&](auto const& values) {
@@ -470,7 +471,7 @@ bool run_all(Study const& study, RunStore& store, std::size_t threads, RunAllOpt
 
 namespace {
 
-Blocks blocks_of(std::span<Trait const> traits, std::vector<Case>& cases, Path const& file) {
+Blocks blocks_of(std::span<StudyProperty const> traits, std::vector<Case>& cases, Path const& file) {
   auto const whole = [&](std::string_view name) {
     auto const number = number_in<int>(value_of(traits, Kind::setting, name));
     constexpr int most = 100'000'000;
@@ -561,7 +562,7 @@ void refuse_part(Path const& out, std::optional<campaign::Part> const& part) {
 MergedStudy merge(Path const& out, std::vector<Path> const& parts, MergeOptions const& options) {
   auto const me = building_maker();
   MergedStudy merged;
-  std::optional<std::pair<Path, std::vector<Trait>>> first;
+  std::optional<std::pair<Path, std::vector<StudyProperty>>> first;
   auto const examine = [&](Path const& file) {
     require_sound(file, again_as_part);
     auto const traits = read_traits(Connection::to_read(file), file);

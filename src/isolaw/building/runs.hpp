@@ -26,23 +26,24 @@ struct Study {
 };
 
 // What the runs of a store are of, a row for each thing that they depend on; of a part also which one it is.
-struct Trait {
+struct StudyProperty {
   enum class Kind { setting, building, motion, law, maker, part };
   Kind kind = Kind::setting;
   std::string name, value;
-  bool operator==(Trait const&) const = default;
+  bool operator==(StudyProperty const&) const = default;
 };
 // Everything that the numbers depend on: settings by their values, inputs by hashes, who computes.
-std::vector<Trait> traits_of(Study const& study);
+std::vector<StudyProperty> properties_of(Study const& study);
 // Of a part: which one, and the words that its answers take: the building file, the campaign, files of motions.
-std::vector<Trait> traits_of(campaign::Part const& part, std::string const& building_file, std::string const& campaign,
-                             std::vector<std::string> const& motions);
+std::vector<StudyProperty> properties_of(campaign::Part const& part, std::string const& building_file,
+                                         std::string const& campaign, std::vector<std::string> const& motions);
 // "seed: 1 there, 2 now", ...; of parts and makers nothing.
-std::vector<std::string> differences(std::span<Trait const> there, std::span<Trait const> now,
+std::vector<std::string> differences(std::span<StudyProperty const> there, std::span<StudyProperty const> now,
                                      campaign::Sides const& sides = {});
-campaign::Maker maker_of(std::span<Trait const> traits);
-std::optional<campaign::Part> part_of(std::span<Trait const> traits);
-std::string value_of(std::span<Trait const> traits, Trait::Kind kind, std::string_view name);  // empty: not there
+campaign::Maker maker_of(std::span<StudyProperty const> traits);
+std::optional<campaign::Part> part_of(std::span<StudyProperty const> traits);
+std::string value_of(std::span<StudyProperty const> traits, StudyProperty::Kind kind,
+                     std::string_view name);  // empty: not there
 
 // The runs of a study as they are computed and dealt: in blocks, by law, motion, place in cases_of().
 class Blocks {
@@ -67,13 +68,13 @@ class Blocks {
 class RunStore {
  public:
   // Opens or creates the file. `of` says what the runs are of: another in the file is refused (Error), unless `fresh`.
-  RunStore(std::filesystem::path const& file, std::vector<Trait> const& of, bool fresh);
+  RunStore(std::filesystem::path const& file, std::vector<StudyProperty> const& of, bool fresh);
   ~RunStore();
   RunStore(RunStore const&) = delete;
   RunStore& operator=(RunStore const&) = delete;
 
   // Replaces a file of that name; when it is stopped, the former or the new one is there, whole.
-  static void create(std::filesystem::path const& file, std::vector<Trait> const& of);
+  static void create(std::filesystem::path const& file, std::vector<StudyProperty> const& of);
 
   struct Row {
     std::size_t law = 0, motion = 0, place = 0;  // place: in cases_of()
@@ -98,7 +99,7 @@ struct MissingRun {
   int part = 0;  // that should hold it; 0: nobody knows how the study was dealt
 };
 struct MergedStudy : campaign::Merged {
-  std::vector<Trait> part;  // of the first part: the words that its answers take
+  std::vector<StudyProperty> part;  // of the first part: the words that its answers take
 };
 struct MergeOptions {
   std::function<void()> before_replacing = {};          // of what is made of a study that is there

@@ -22,7 +22,7 @@
 namespace isolaw::building {
 
 // A structure on its bearings as arrays (Structure says what they hold); places relative to the base's centre of mass.
-struct Skeleton {
+struct StructureArrays {
   std::size_t modes = 0, floors = 0, bearings = 0, corners = 0;
   double const *mass = nullptr, *frequency = nullptr, *damping = nullptr, *participation = nullptr, *shape = nullptr,
                *rigid = nullptr, *deformation = nullptr, *shear = nullptr;
@@ -72,7 +72,7 @@ ISOLAW_AWAY constexpr std::size_t run_scalars(std::size_t modes, Layout const& l
 }
 
 template <class T>
-inline void start_run(Run<T>& run, Skeleton const& s, T* memory) {
+inline void start_run(Run<T>& run, StructureArrays const& s, T* memory) {
   Layout const layout{s.floors, s.bearings};
   for (std::size_t i = 0; i < run_scalars(s.modes, layout); ++i) memory[i] = T(0.0);
   for (std::size_t i = 0; i < 3; ++i) run.u[i] = run.v[i] = run.A[i] = run.f[i] = T(0.0);
@@ -88,7 +88,7 @@ inline void start_run(Run<T>& run, Skeleton const& s, T* memory) {
 
 // The free part of every mode at the end of the step, and what all of them do to the base there.
 template <class T>
-inline void modes_freely(Run<T>& run, Skeleton const& s, ModeStep const& step, T (&on_base)[3]) {
+inline void modes_freely(Run<T>& run, StructureArrays const& s, ModeStep const& step, T (&on_base)[3]) {
   for (std::size_t i = 0; i < 3; ++i) on_base[i] = T(0.0);
   double const dt = step.dt;
   for (std::size_t k = 0; k < s.modes; ++k) {
@@ -103,7 +103,7 @@ inline void modes_freely(Run<T>& run, Skeleton const& s, ModeStep const& step, T
 
 // The modes at the end of the step, the base's acceleration there being run.A.
 template <class T>
-inline void modes_reach(Run<T>& run, Skeleton const& s, ModeStep const& step) {
+inline void modes_reach(Run<T>& run, StructureArrays const& s, ModeStep const& step) {
   double const dt = step.dt;
   for (std::size_t k = 0; k < s.modes; ++k) {
     T drive = run.free_part[k];
@@ -139,7 +139,7 @@ inline void at_point(T const (&base)[3], double const* at, T& x, T& y) {
 
 // In space, of a diaphragm's centre of mass, the base being the first.
 template <class T>
-inline void acceleration_of(Run<T> const& run, Skeleton const& s, std::size_t diaphragm, T& x, T& y) {
+inline void acceleration_of(Run<T> const& run, StructureArrays const& s, std::size_t diaphragm, T& x, T& y) {
   x = run.A[0], y = run.A[1];
   if (diaphragm == 0) return;
   auto const add = [&](std::size_t i, T& a) ISOLAW_AWAY {
@@ -156,7 +156,7 @@ inline void acceleration_of(Run<T> const& run, Skeleton const& s, std::size_t di
 // Takes one step's end: `u0`, `v0` and `f0` are of its start, ground accelerations of both ends;
 // momenta as momentum() gives them.
 template <class T>
-inline void measure(Run<T>& run, Skeleton const& s, double dt, T const (&u0)[3], T const (&v0)[3],
+inline void measure(Run<T>& run, StructureArrays const& s, double dt, T const (&u0)[3], T const (&v0)[3],
                     double const (&ground0)[2], double const (&ground1)[2], T const& momentum0_x, T const& momentum0_y,
                     T const& momentum1_x, T const& momentum1_y) {
   using num::abs;
@@ -214,7 +214,7 @@ inline void measure(Run<T>& run, Skeleton const& s, double dt, T const (&u0)[3],
 
 // Takes the force of bearing j at its new place, the base's motion being given at both ends of the step.
 template <class T>
-inline void measure_bearing(Run<T>& run, Skeleton const& s, std::size_t j, T const& x, T const& y, T const& fx,
+inline void measure_bearing(Run<T>& run, StructureArrays const& s, std::size_t j, T const& x, T const& y, T const& fx,
                             T const& fy) {
   Layout const layout{s.floors, s.bearings};
   T *d = run.d + 2 * j, *f = run.force + 2 * j;
@@ -224,7 +224,8 @@ inline void measure_bearing(Run<T>& run, Skeleton const& s, std::size_t j, T con
 
 // The displacement of every bearing over the step; after the velocity at its end is known.
 template <class T>
-inline void measure_displacements(Run<T>& run, Skeleton const& s, double dt, T const (&u0)[3], T const (&v0)[3]) {
+inline void measure_displacements(Run<T>& run, StructureArrays const& s, double dt, T const (&u0)[3],
+                                  T const (&v0)[3]) {
   using num::max;
   Layout const layout{s.floors, s.bearings};
   for (std::size_t j = 0; j < s.bearings; ++j) {
@@ -242,7 +243,7 @@ inline void measure_displacements(Run<T>& run, Skeleton const& s, double dt, T c
 
 // Momentum of all along x or y (i), relative to the ground.
 template <class T>
-inline T momentum(Run<T> const& run, Skeleton const& s, std::size_t i) {
+inline T momentum(Run<T> const& run, StructureArrays const& s, std::size_t i) {
   T made(0.0);
   for (std::size_t j = 0; j < 3; ++j)
     if (double const m = s.mass[3 * i + j]; m != 0.0) made += T(m) * run.v[j];
@@ -254,7 +255,7 @@ inline T momentum(Run<T> const& run, Skeleton const& s, std::size_t i) {
 // Lengths from their squares, and the balance: what is left of the input that is neither moving, strained, damped nor
 // taken by the bearings, over the larger of the input and what they took.
 template <class T>
-inline void finish_run(Run<T>& run, Skeleton const& s) {
+inline void finish_run(Run<T>& run, StructureArrays const& s) {
   using num::abs;
   using num::max;
   using num::sqrt;
@@ -310,7 +311,7 @@ struct Ground {
 // force_of(j, x, y, fx, fy, vx, vy, dt): of bearing j at its new displacement, with a velocity that is good to the
 // second order; it keeps the bearing's state.
 template <class T, class Force>
-inline void explicit_run(Run<T>& run, Skeleton const& s, ModeStep const& step, double const* inverse,
+inline void explicit_run(Run<T>& run, StructureArrays const& s, ModeStep const& step, double const* inverse,
                          Ground const& ground, Force const& force_of) {
   double const dt = step.dt;
   double g0[2], g1[2];

@@ -100,7 +100,7 @@ class Analysis {
 
   void examine_devices() {
     std::vector<Search const*> tasks;
-    auto const dealt = options_.share ? deal_of_analyses(contents_, options_.share->of) : std::vector<int>();
+    auto const dealt = options_.share ? assign_analyses(contents_, options_.share->of) : std::vector<int>();
     auto const is_of_share = [&](Search const& search) {
       return dealt.empty() ||
              dealt[static_cast<std::size_t>(&search - contents_.searches.data())] == options_.share->number;
@@ -168,7 +168,7 @@ class Analysis {
   std::vector<LawOnLot> laws_on_lot() const {
     std::vector<LawOnLot> lots;
     auto const& laws = contents_.settings.laws;
-    auto const dealt = options_.share ? deal_of_laws(contents_, options_.share->of) : std::vector<int>();
+    auto const dealt = options_.share ? assign_laws(contents_, options_.share->of) : std::vector<int>();
     for (std::size_t i = 0; i < laws.size(); ++i) {
       if (options_.share && dealt[i] != options_.share->number) continue;
       auto const& law = laws[i];

@@ -131,7 +131,7 @@ void refit_in_finer_steps(Target const& target, fit::LawOnRecord model, Run& run
 std::vector<Task> missing_runs(Contents const& contents, std::vector<Target> const& targets) {
   std::set<std::tuple<std::size_t, std::string, int>> present;
   for (auto const& run : contents.runs) present.emplace(run.device, run.law, run.number);
-  std::optional<Deal> deal;
+  std::optional<RunAssignment> deal;
   if (contents.part) deal.emplace(contents, contents.part->of);
   auto const is_of_this_part = [&](Target const& target, int number) {
     return !deal || deal->part_of(target.place, number) == contents.part->number;

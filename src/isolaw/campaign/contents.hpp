@@ -118,7 +118,7 @@ inline constexpr auto by_device_and_law = [](auto const& item) {
 
 // Analyses of the campaign when it had fewer runs. That of a device is still valid if its best run is one of those,
 // that of the lot if those of all its devices are.
-struct HeldOver {
+struct EarlierAnalyses {
   int runs = 0;  // the number per device and law then
   std::vector<DeviceAnalysis> devices = {};
   std::vector<LotAnalysis> lots = {};
@@ -161,7 +161,7 @@ struct Contents {
   std::vector<LeftOutAnalysis> left_out = {};        // by device, law
   std::vector<Maker> makers = {};                    // the first read the records; empty: only this program
   std::optional<Part> part = {};                     // the only part computed and stored here; nullopt: all
-  HeldOver held_over = {};                           // from before the campaign grew; not stored
+  EarlierAnalyses held_over = {};                    // from before the campaign grew; not stored
 
   std::size_t expected_runs() const;  // of all parts, over the searches that were not refused
   std::size_t expected_here() const;  // of this part

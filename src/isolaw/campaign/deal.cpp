@@ -47,7 +47,8 @@ std::uint64_t relative_cost(Contents const& contents, Search const& search) {
   return laws::find_law(search.law).info.step_cost * evaluations * contents.devices[search.device].record.size();
 }
 
-Deal::Deal(Contents const& contents, int parts) : runs_(static_cast<std::size_t>(contents.settings.runs)) {
+RunAssignment::RunAssignment(Contents const& contents, int parts)
+    : runs_(static_cast<std::size_t>(contents.settings.runs)) {
   part_.resize(contents.searches.size() * runs_);
   int next = 0;
   for (auto const& [cost, search] : dearest_first(contents))
@@ -57,11 +58,11 @@ Deal::Deal(Contents const& contents, int parts) : runs_(static_cast<std::size_t>
     }
 }
 
-std::vector<int> deal_of_analyses(Contents const& contents, int parts) {
+std::vector<int> assign_analyses(Contents const& contents, int parts) {
   return even_by_cost(dearest_first(contents), contents.searches.size(), parts);
 }
 
-std::vector<int> deal_of_laws(Contents const& contents, int parts) {
+std::vector<int> assign_laws(Contents const& contents, int parts) {
   auto const& laws = contents.settings.laws;
   Costs costs;
   for (std::size_t i = 0; i < laws.size(); ++i) {

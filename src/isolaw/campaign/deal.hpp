@@ -10,10 +10,10 @@
 
 namespace isolaw::campaign {
 
-class Deal {
+class RunAssignment {
  public:
   // `contents` must hold the records.
-  Deal(Contents const& contents, int parts);
+  RunAssignment(Contents const& contents, int parts);
 
   // The part, from 1, of run `number` of contents.searches[search], which must not be refused.
   int part_of(std::size_t search, int number) const {
@@ -27,9 +27,9 @@ class Deal {
 
 // For each of contents.searches the part that analyses the device for the law (campaign/analyse.hpp), or 0 if the
 // search was refused. The costliest are assigned first, each to the part with the least load.
-std::vector<int> deal_of_analyses(Contents const& contents, int parts);
+std::vector<int> assign_analyses(Contents const& contents, int parts);
 // For each of settings.laws the part that fits the law to the lot and without each device.
-std::vector<int> deal_of_laws(Contents const& contents, int parts);
+std::vector<int> assign_laws(Contents const& contents, int parts);
 
 // The estimated cost of a run; only ratios have a meaning.
 std::uint64_t relative_cost(Contents const& contents, Search const& search);

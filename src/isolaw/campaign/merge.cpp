@@ -102,7 +102,7 @@ void tell_missing(Path const& out, Merged& merged, MergeOptions const& options) 
   });
   merged.missing = campaign.expected_runs() - count;
   if (merged.missing == 0) return;
-  std::optional<Deal> deal;
+  std::optional<RunAssignment> deal;
   if (merged.parts > 0) deal.emplace(Store::read_beginning_and_series(out), merged.parts);
   for (auto const& [key, place] : places)
     for (std::size_t run = 0; run < runs; ++run) {

@@ -51,7 +51,7 @@ class Profile {
 };
 
 // Adds the work of the calling thread, and of threads that help it, to a profile; does nothing without one.
-class Meter final : HelpWatch {
+class Meter final : HelpListener {
  public:
   explicit Meter(Profile* profile);
   // Assigns the work since the last lap, or since construction, to this phase.

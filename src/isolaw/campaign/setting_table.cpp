@@ -60,8 +60,8 @@ void set_seed(S& s, Json const& value) {
 }
 
 // A row whose value is a number or a word that stands for none; `type` is the Python type of both.
-template <class Place>
-Setting number_or(std::string_view word, std::string_view type, Place place, Option<S> row) {
+template <class Access>
+Setting number_or(std::string_view word, std::string_view type, Access place, Option<S> row) {
   row.get = [=](S const& s) { return place(s) ? Json(*place(s)) : Json(word); };
   row.set = [=, judge = row.set, kind = row.kind](S& s, Json const& value) {
     if (value == Json(word))

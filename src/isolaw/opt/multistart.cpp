@@ -385,7 +385,7 @@ class Search {
       num::Draws draws(stream_, round, 0);
       auto const points = latin_hypercube(problem_.dimension(), static_cast<std::size_t>(options_.scattered), draws);
       std::vector<FinishedDescent> results(points.size());
-      Ahead descents(points.size(), [&](std::size_t i) { results[i] = descent_from(points[i]); });
+      WorkAhead descents(points.size(), [&](std::size_t i) { results[i] = descent_from(points[i]); });
       for (std::size_t i = 0; i < points.size() && !enough(); ++i) {
         if (interrupted && interrupted()) return ended(Outcome::interrupted);
         descents.need(i);

@@ -78,7 +78,7 @@ Wen sharp(Corner const& v) {
 }
 
 std::optional<Wen> fitted_bouc_wen(Subject const& subject, std::vector<fit::Override> const& overrides, Errors& error) {
-  auto const found = fit_in_place(subject, smooth_law, overrides);
+  auto const found = fit_substitute(subject, smooth_law, overrides);
   if (found.law == nullptr) return std::nullopt;
   error = errors_of(subject, *found.law, found.parameters);
   return bouc_wen_values(*found.law, found.parameters);
@@ -135,7 +135,7 @@ WenSet free_bouc_wen(Subject const& subject, WenSet const& wen) {
 
 CornerSet bilinear(Subject const& subject) {
   if (auto const v = bilinear_values(*subject.law, subject.parameters)) return with_bounds(subject, *v, "exact");
-  auto const found = fit_in_place(subject, corner_law);
+  auto const found = fit_substitute(subject, corner_law);
   if (found.law == nullptr) return std::nullopt;
   auto const error = errors_of(subject, *found.law, found.parameters);
   return fitted_set(subject, *bilinear_values(*found.law, found.parameters), "re-fitted; from the law", error);

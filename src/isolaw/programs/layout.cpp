@@ -22,7 +22,7 @@ struct LayoutColumn {
   std::vector<std::string_view> names;  // messages use the first
   std::string units;                    // what is accepted; "" for text
   std::optional<double> (*in_ours)(std::string_view unit);
-  void (*set)(Place& place, double value);
+  void (*set)(LayoutRow& place, double value);
   bool required = false, above_zero = false;
 };
 
@@ -48,27 +48,27 @@ std::vector<LayoutColumn> const& layout_columns() {
       {.names = {"x"},
        .units = known_units(Dimension::length),
        .in_ours = length_in_mm,
-       .set = [](Place& place, double value) { place.x_mm = value; },
+       .set = [](LayoutRow& place, double value) { place.x_mm = value; },
        .required = true},
       {.names = {"y"},
        .units = known_units(Dimension::length),
        .in_ours = length_in_mm,
-       .set = [](Place& place, double value) { place.y_mm = value; },
+       .set = [](LayoutRow& place, double value) { place.y_mm = value; },
        .required = true},
       {.names = {"load", "vertical load", "weight", "n"},
        .units = known_units(Dimension::force),
        .in_ours = force_in_kN,
-       .set = [](Place& place, double value) { place.load_kN = value; },
+       .set = [](LayoutRow& place, double value) { place.load_kN = value; },
        .above_zero = true},
       {.names = {"K_v", "kv", "axial"},
        .units = "kN/mm, kN/m, N/m and the like",
        .in_ours = parse_stiffness,
-       .set = [](Place& place, double value) { place.K_v_kN_per_mm = value; },
+       .set = [](LayoutRow& place, double value) { place.K_v_kN_per_mm = value; },
        .above_zero = true},
       {.names = {"angle", "orientation"},
        .units = "deg, rad",
        .in_ours = angle_in_deg,
-       .set = [](Place& place, double value) { place.angle_deg = value; }}};
+       .set = [](LayoutRow& place, double value) { place.angle_deg = value; }}};
   return known;
 }
 
@@ -128,7 +128,7 @@ std::vector<FoundColumn> found_columns(std::vector<std::string_view> const& head
   return columns;
 }
 
-void check_together(std::vector<Place> const& places, std::string const& file, std::vector<Complaint>& complaints) {
+void check_together(std::vector<LayoutRow> const& places, std::string const& file, std::vector<Complaint>& complaints) {
   constexpr double apart_mm = 1.0;
   for (std::size_t i = 0; i < places.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
@@ -163,11 +163,11 @@ std::optional<double> parse_stiffness(std::string_view unit) {
   return force && length ? std::optional(*force / *length) : std::nullopt;
 }
 
-std::vector<Place> read_layout(std::filesystem::path const& file) {
+std::vector<LayoutRow> read_layout(std::filesystem::path const& file) {
   return read_layout_text(data::load_text(file), file.generic_string());
 }
 
-std::vector<Place> read_layout_text(std::string_view bytes, std::string const& name) {
+std::vector<LayoutRow> read_layout_text(std::string_view bytes, std::string const& name) {
   data::check_text(name, bytes);
   auto const lines = data::split_lines(bytes).lines;
   std::optional<std::size_t> header_line;
@@ -194,7 +194,7 @@ std::vector<Place> read_layout_text(std::string_view bytes, std::string const& n
   std::vector<Complaint> complaints;
   auto const columns = found_columns(cells, fmt::format("{}:{}", name, *header_line + 1), complaints);
   if (!complaints.empty()) throw Error(std::move(complaints));
-  std::vector<Place> places;
+  std::vector<LayoutRow> places;
   for (auto i = *header_line + 1; i < lines.size(); ++i) {
     if (data::is_comment(lines[i]) || data::is_blank(lines[i], delimiter)) continue;
     auto const where = fmt::format("{}:{}", name, i + 1);
@@ -205,7 +205,7 @@ std::vector<Place> read_layout_text(std::string_view bytes, std::string const& n
                             .allowed = fmt::format("{}, as the header has", columns.size())});
       continue;
     }
-    Place place;
+    LayoutRow place;
     place.name = fmt::format("b{}", places.size() + 1);
     for (std::size_t k = 0; k < cells.size(); ++k) {
       auto const& [column, unit] = columns[k];
@@ -228,9 +228,9 @@ std::vector<Place> read_layout_text(std::string_view bytes, std::string const& n
   }
   if (!complaints.empty()) throw Error(std::move(complaints));
   if (places.empty()) throw nothing();
-  if (places.size() > most_places)
+  if (places.size() > most_rows)
     throw Error(
-        {.where = name, .found = counted(places.size(), "bearing"), .allowed = fmt::format("1 to {}", most_places)});
+        {.where = name, .found = counted(places.size(), "bearing"), .allowed = fmt::format("1 to {}", most_rows)});
   check_together(places, name, complaints);
   if (!complaints.empty()) throw Error(std::move(complaints));
   return places;

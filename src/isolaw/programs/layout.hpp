@@ -10,20 +10,20 @@
 
 namespace isolaw::programs {
 
-struct Place {
+struct LayoutRow {
   std::string name;
   double x_mm = 0.0, y_mm = 0.0;
   double angle_deg = 0.0;  // from the axis x to the bearing's own first axis, in plan
   std::optional<double> load_kN, K_v_kN_per_mm;
 };
 
-inline constexpr std::size_t most_places = 2000;
+inline constexpr std::size_t most_rows = 2000;
 
 // Throws one Error that lists everything wrong: no rows, a column that is unknown, missing or without its unit, values
 // that are no finite numbers, loads and stiffnesses not above zero, loads for some bearings only, two bearings with the
 // same name or at the same place.
-std::vector<Place> read_layout(std::filesystem::path const& file);
-std::vector<Place> read_layout_text(std::string_view bytes, std::string const& name);
+std::vector<LayoutRow> read_layout(std::filesystem::path const& file);
+std::vector<LayoutRow> read_layout_text(std::string_view bytes, std::string const& name);
 
 // "2400 kN" gives 2400 and "kN"; nullopt where the text does not begin with a finite number.
 std::optional<std::pair<double, std::string_view>> number_and_unit(std::string_view text);

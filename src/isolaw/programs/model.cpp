@@ -39,14 +39,14 @@ std::optional<double> as_length(std::string_view text) {
   return unit && unit->dimension == Dimension::length ? std::optional(unit->in_record_units) : std::nullopt;
 }
 
-void add_bearings(Model& model, std::vector<Place> const& places) {
+void add_bearings(Model& model, std::vector<LayoutRow> const& places) {
   for (auto const& place : places)
     model.bearings.push_back(
         {.name = place.name, .x_mm = place.x_mm, .y_mm = place.y_mm, .angle_deg = place.angle_deg});
 }
 
 // Shares the carried weight as the layout's loads are, or equally without loads.
-void add_weight(Model& model, ModelOptions const& options, std::vector<Place> const& places) {
+void add_weight(Model& model, ModelOptions const& options, std::vector<LayoutRow> const& places) {
   bool const loads = places.front().load_kN.has_value();
   double sum = 0.0;
   for (auto const& place : places) sum += place.load_kN.value_or(0.0);
@@ -87,7 +87,7 @@ void add_weight(Model& model, ModelOptions const& options, std::vector<Place> co
   if (model.bearings.size() == 1) model.gyration_mm = 1000.0;
 }
 
-void add_vertical_stiffness(Model& model, ModelOptions const& options, std::vector<Place> const& places,
+void add_vertical_stiffness(Model& model, ModelOptions const& options, std::vector<LayoutRow> const& places,
                             study::Summary const& summary, std::string_view device, bool lot) {
   bool const column = places.front().K_v_kN_per_mm.has_value();
   if (column && options.axial)

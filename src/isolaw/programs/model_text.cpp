@@ -100,7 +100,7 @@ Deviation add_draws(Realisation& realisation, Subject const& subject) {
       auto const* law = one.law;
       auto parameters = one.parameters;
       if (!realisation.substitute.empty()) {
-        auto fitted = fit_in_place(one, realisation.substitute);
+        auto fitted = fit_substitute(one, realisation.substitute);
         if (fitted.law == nullptr) throw fails(draw, bearing, "no " + realisation.substitute + " law could be fitted");
         law = fitted.law;
         parameters = std::move(fitted.parameters);

@@ -147,11 +147,11 @@ void add_bounds(Realised& realised, std::size_t index, laws::LawEntry const& law
 }
 
 // Candidates in the law's place, the nearest first.
-std::vector<InPlace> stand_ins(Subject const& subject) {
-  std::vector<InPlace> fitted;
+std::vector<Substitute> stand_ins(Subject const& subject) {
+  std::vector<Substitute> fitted;
   for (std::string_view const id : {corner_law, smooth_law})
-    if (auto found = fit_in_place(subject, id); found.law != nullptr) fitted.push_back(std::move(found));
-  std::ranges::stable_sort(fitted, {}, &InPlace::objective);
+    if (auto found = fit_substitute(subject, id); found.law != nullptr) fitted.push_back(std::move(found));
+  std::ranges::stable_sort(fitted, {}, &Substitute::objective);
   return fitted;
 }
 
@@ -291,7 +291,7 @@ std::string failure_of(Form const& form, Subject const& subject, Realised& reali
 
 // Fits to the law's force, not to the measured one: the export stands for this law, whose distance from the measurement
 // is reported beside it.
-InPlace fit_in_place(Subject const& subject, std::string_view id, std::vector<fit::Override> const& asked) {
+Substitute fit_substitute(Subject const& subject, std::string_view id, std::vector<fit::Override> const& asked) {
   auto const& history = subject.histories.front();
   data::FitRecord record;
   for (std::size_t i = 0; i < history.disp_mm.size(); ++i) {
@@ -313,7 +313,8 @@ InPlace fit_in_place(Subject const& subject, std::string_view id, std::vector<fi
   num::Stream const stream = num::Stream(subject.seed).split(stable_hash("export")).split(stable_hash(id));
   auto const found = opt::minimise_multistart(problem, stream);
   if (!found.usable()) return {};
-  InPlace fitted{.law = &law, .parameters = std::vector<double>(law.parameters.size()), .objective = found.best_value};
+  Substitute fitted{
+      .law = &law, .parameters = std::vector<double>(law.parameters.size()), .objective = found.best_value};
   box.expand(found.best, fitted.parameters);
   return fitted;
 }

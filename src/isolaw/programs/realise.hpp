@@ -76,12 +76,13 @@ bool far_off(Deviation const& from_law);
 bool far_off(std::vector<OtherCycle> const& cycles);
 
 // Another law, with the parameters that bring it nearest to the subject's force on the first history.
-struct InPlace {
+struct Substitute {
   laws::LawEntry const* law = nullptr;  // null: none gave a force
   std::vector<double> parameters;
   double objective = 0.0;
 };
-InPlace fit_in_place(Subject const& subject, std::string_view law, std::vector<fit::Override> const& overrides = {});
+Substitute fit_substitute(Subject const& subject, std::string_view law,
+                          std::vector<fit::Override> const& overrides = {});
 
 // How far a law with these parameters is from the subject's; the worst over the histories.
 Deviation deviation_of_law(Subject const& subject, laws::LawEntry const& law, std::span<double const> parameters);

@@ -58,7 +58,7 @@ inline constexpr Result<building::Checked> checked_results[]{
     {"step_s", "s", "step", "step of integration", get<&building::Checked::step_s>},
     {"missed_mm", "mm", "missed", "a third of the change with half the step", get<&building::Checked::missed_mm>},
     {"lanes_off_percent", "%", "draws' path", "error of the draws' integration in `isolator_mm`",
-     get<&building::Checked::lanes_off_percent>},
+     get<&building::Checked::draws_error_percent>},
     {"equivalent_mm", "mm", "equivalent linear", "displacement of the centre by equivalent linear analysis",
      get<&building::Checked::equivalent_mm>},
     {"equivalent_error_percent", "%", "its error", "its error against the implicit integration",

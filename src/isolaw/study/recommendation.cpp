@@ -248,7 +248,7 @@ std::optional<Finding> ruled_out(Summary const& summary, LawResult const& law, b
 // Where every law stands, the chosen ones first, in their order.
 std::vector<Standing> standings_of(Summary const& summary, bool untested, std::vector<Candidate> const& chosen) {
   std::vector<Standing> made, out;
-  for (auto const& c : chosen) made.push_back({c.index, made.empty() ? Place::taken : Place::tied, c.known.error, {}});
+  for (auto const& c : chosen) made.push_back({c.index, made.empty() ? Rank::taken : Rank::tied, c.known.error, {}});
   auto const first_behind = static_cast<std::ptrdiff_t>(made.size());
   for (std::size_t i = 0; i < summary.laws.size(); ++i) {
     if (std::ranges::find(chosen, i, &Candidate::index) != chosen.end()) continue;
@@ -257,7 +257,7 @@ std::vector<Standing> standings_of(Summary const& summary, bool untested, std::v
     auto const error = known ? std::optional(known->error) : std::nullopt;
     auto reason = ruled_out(summary, law, known.has_value(), error.value_or(0.0));
     auto& list = reason ? out : made;
-    list.push_back({i, reason ? Place::ruled_out : Place::behind, error, std::move(reason)});
+    list.push_back({i, reason ? Rank::ruled_out : Rank::behind, error, std::move(reason)});
   }
   auto const by_error = [](Standing const& s) { return s.error.value_or(std::numeric_limits<double>::infinity()); };
   std::ranges::stable_sort(made.begin() + first_behind, made.end(), {}, by_error);
@@ -381,7 +381,7 @@ std::string_view name(Purpose purpose) {
   return names[static_cast<std::size_t>(purpose)];
 }
 
-std::string_view name(Place place) {
+std::string_view name(Rank place) {
   constexpr std::string_view names[]{"taken", "ties", "behind", "ruled out"};
   return names[static_cast<std::size_t>(place)];
 }

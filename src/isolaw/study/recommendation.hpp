@@ -24,11 +24,11 @@ enum class Sure { clear, tie, weak };
 std::string_view name(Sure sure);
 
 // Where a law stands for a purpose.
-enum class Place { taken, tied, behind, ruled_out };
-std::string_view name(Place place);  // "taken", "ties", "behind", "ruled out"
+enum class Rank { taken, tied, behind, ruled_out };
+std::string_view name(Rank place);  // "taken", "ties", "behind", "ruled out"
 struct Standing {
   std::size_t law = 0;  // index into Summary::laws
-  Place place = Place::behind;
+  Rank place = Rank::behind;
   std::optional<double> error;    // as the purpose measures it
   std::optional<Finding> reason;  // why it is ruled out
 };

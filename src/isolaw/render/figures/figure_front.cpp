@@ -43,7 +43,7 @@ double overlap(Box const& a, Box const& b) {
   return wide > 0.0 && tall > 0.0 ? wide * tall : 0.0;
 }
 
-// Place of a name relative to its marker.
+// Rank of a name relative to its marker.
 struct NamePlace {
   double dx_mm = 0.0, dy_mm = 0.0;
   std::string_view align;

@@ -23,7 +23,7 @@ class BuildingWriter {
     out_.member("schema", building_schema).member("isolaw", version()).member("title", s.title);
     out_.member("verdict", wording::paragraph(answers_.verdict)).key("bounds_are_enough");
     answers_.bounds_are_enough ? out_.value(*answers_.bounds_are_enough) : out_.null();
-    out_.member("enough", building::enough).member("warnings", building_warnings(answers_));
+    out_.member("enough", building::wanted_share).member("warnings", building_warnings(answers_));
     write_findings(out_, "findings", answers_.warnings, wording::with_building);
     write_findings(out_, "calibration", answers_.calibration, wording::with_building);
     out_.member("assumed", answers_.assumed);

@@ -356,13 +356,13 @@ std::string short_table(Summary const& summary, Recommendation const& answer) {
   for (auto const& standing : answer.standings) {
     if (rows.size() > most) break;
     auto const& law = summary.laws[standing.law];
-    Row row{standing.place == Place::taken ? "●" : "○",
+    Row row{standing.place == Rank::taken ? "●" : "○",
             printable(laws::called(law.id)),
             {percent(law.objective_converged ? law.objective_converged : law.objective.mean)}};
     if (devices) row.cells.insert(row.cells.end(), {percent(law.loo_objective), percent(law.loo_worst)});
     if (blocks) row.cells.push_back(percent(law.predicted_objective));
     row.cells.push_back(std::to_string(std::ranges::count_if(study::parameters_of(law), &ParameterFit::free)));
-    if (standing.place == Place::tied) row.remark = "   as good";
+    if (standing.place == Rank::tied) row.remark = "   as good";
     if (standing.reason) row.remark = "   " + wording::remark(*standing.reason);
     rows.push_back(std::move(row));
   }

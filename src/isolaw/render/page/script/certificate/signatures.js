@@ -26,7 +26,7 @@ function signatureBlock() {
       'div',
       { class: 'signer' },
       element('b', {}, role),
-      ...['Name', 'Place, date', 'Signature'].map((label) =>
+      ...['Name', 'Rank, date', 'Signature'].map((label) =>
         element('div', {}, element('span', { class: 'muted' }, label), blank(role + ': ' + label.toLowerCase())),
       ),
     );
