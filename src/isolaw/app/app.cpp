@@ -122,13 +122,18 @@ void add_campaign(CLI::App& command, CalibrateArguments& arguments) {
   add_allow_outside(command, arguments.allow_outside);
 }
 
+void add_printing(CLI::App& command, bool& json, bool& details) {
+  under(Heading::running, command.add_flag("--json", json, "print summary.json and the profile instead of the answer"));
+  under(Heading::running, command.add_flag("--details", details, "print every table, finding and warning"));
+}
+
 void add_calibrate(CLI::App& command, CalibrateArguments& arguments) {
   command.add_option("inputs", arguments.inputs, "a lot file (.toml), test records, or a directory of them")
       ->required();
   add_campaign(command, arguments);
   add_part(command, arguments.part);
   add_fresh(command, arguments.fresh);
-  command.add_flag("--json", arguments.json, "print summary.json and the profile instead of the ranking");
+  add_printing(command, arguments.json, arguments.details);
 }
 
 void add_simulate(CLI::App& command, SimulateArguments& arguments) {
@@ -240,7 +245,7 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   under(Heading::everyday, report_command.add_option("--out", report_arguments.out,
                                                      "directory for the results (default: the campaign's)"));
   add_figures(report_command, report_arguments.figures);
-  report_command.add_flag("--json", report_arguments.json, "print summary.json instead of the ranking");
+  add_printing(report_command, report_arguments.json, report_arguments.details);
 
   MergeArguments merge_arguments;
   auto& merge_command = add("merge", "Join the parts of a campaign or building study that several machines computed",
@@ -258,7 +263,7 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   merge_command.add_flag("--copy-only", merge_arguments.copy_only,
                          "copy the runs only; isolaw merge DIRECTORY makes analyses and reports later");
   add_fresh(merge_command, merge_arguments.fresh);
-  merge_command.add_flag("--json", merge_arguments.json, "print summary.json and the profile instead of the ranking");
+  add_printing(merge_command, merge_arguments.json, merge_arguments.details);
 
   PartsArguments parts_arguments;
   auto& parts_command =

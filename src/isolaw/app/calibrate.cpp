@@ -67,8 +67,11 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
     say("continuing: {} {} there already\n", counted(contents.runs.size(), "run"),
         contents.runs.size() == 1 ? "is" : "are");
 
-  return work.finish(
-      contents, {.directory = directory, .jobs = lot.jobs.value_or(0), .figures = figures, .json = arguments.json});
+  return work.finish(contents, {.directory = directory,
+                                .jobs = lot.jobs.value_or(0),
+                                .figures = figures,
+                                .json = arguments.json,
+                                .details = arguments.details});
 }
 
 }  // namespace isolaw::app

@@ -100,8 +100,7 @@ int CampaignWork::finish(campaign::Contents& contents, HowToWork const& how) {
                                .cpu_s = cpu_s,
                                .jobs = how.jobs > 0 ? how.jobs : static_cast<int>(std::thread::hardware_concurrency()),
                                .profile = profiled}));
-  print(summary, how.json, profiled);
-  say("results: {} (open {})\n", shown(directory), shown(directory / "report.html"));
+  print(summary, directory, {.json = how.json, .details = how.details}, profiled);
   return exit_code(summary);
 }
 

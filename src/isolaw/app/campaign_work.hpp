@@ -19,7 +19,7 @@ struct HowToWork {
   int jobs = 0;
   std::optional<campaign::Part> share = {};  // compute this share of the analyses only, and no report
   render::FigureChoice figures = {};
-  bool json = false;
+  bool json = false, details = false;
 };
 
 // Construct it when the command starts: reported times count from then.

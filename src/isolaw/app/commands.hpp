@@ -25,7 +25,7 @@ struct CalibrateArguments {
   std::string figures = "lot";
   bool fresh = false;
   bool allow_outside = false;  // the lot file may name files outside its folder
-  bool json = false;
+  bool json = false, details = false;
 };
 int calibrate(CalibrateArguments const& arguments, std::vector<std::string> const& command_line);
 
@@ -35,7 +35,7 @@ struct MergeArguments {
   std::optional<std::string> part;  // "3/40", of the analyses
   std::optional<int> jobs;
   std::string figures = "lot";
-  bool copy_only = false, fresh = false, json = false;
+  bool copy_only = false, fresh = false, json = false, details = false;
 };
 // Joins the parts of a campaign or building study; the result is as one machine would have computed it. Lists what is
 // missing.
@@ -80,7 +80,7 @@ struct ReportArguments {
   std::optional<std::filesystem::path> out;  // for the results; empty: the campaign's directory
   Values acceptance;
   std::string figures = "lot";
-  bool json = false;
+  bool json = false, details = false;
 };
 int report(ReportArguments const& arguments);
 

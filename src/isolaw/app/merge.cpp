@@ -64,7 +64,8 @@ int merge(MergeArguments const& arguments, std::vector<std::string> const& comma
                                 .jobs = arguments.jobs.value_or(0),
                                 .share = share,
                                 .figures = figures,
-                                .json = arguments.json});
+                                .json = arguments.json,
+                                .details = arguments.details});
 }
 
 }  // namespace isolaw::app

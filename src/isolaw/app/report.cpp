@@ -36,11 +36,16 @@ void draw_figures(study::Summary const& summary, render::FigureChoice choice, st
   say_drawn(render::write_figures(summary, choice, directory), directory, "isolaw report");
 }
 
-void print(study::Summary const& summary, bool json, std::string_view profile) {
-  auto text =
-      json ? render::summary_json(summary) : render::ranking(summary, std::min(terminal_width(STDOUT_FILENO), 120));
-  if (auto const verdicts = study::verdict_summary(summary); !json && !verdicts.empty()) text += "\n" + verdicts;
-  if (json && !profile.empty()) text = render::with_profile(std::move(text), profile);
+void print(study::Summary const& summary, std::filesystem::path const& directory, Printed how,
+           std::string_view profile) {
+  if (how.json) {
+    auto text = render::summary_json(summary);
+    app::print(profile.empty() ? text : render::with_profile(std::move(text), profile));
+    return;
+  }
+  int const width = std::min(terminal_width(STDOUT_FILENO), 120);
+  auto text = how.details ? render::ranking(summary, width) : render::answer(summary, shown(directory), width);
+  if (auto const verdicts = study::verdict_summary(summary); !verdicts.empty()) text += "\n" + verdicts;
   app::print(text);
 }
 
@@ -76,7 +81,7 @@ int report(ReportArguments const& arguments) {
   } catch (Error const& error) {
     not_written = error;
   }
-  print(summary, arguments.json);
+  print(summary, arguments.out.value_or(directory), {.json = arguments.json, .details = arguments.details});
   if (!contents.complete() || contents.part) say("the campaign is not complete: {}\n", what_is_missing(summary));
   if (not_written) throw *not_written;
   return contents.complete() ? exit_code(summary) : exit_with_refusals;

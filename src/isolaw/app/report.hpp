@@ -15,8 +15,13 @@ namespace isolaw::app {
 void say_drawn(render::FigureOutcome const& outcome, std::filesystem::path const& directory, std::string_view again);
 void draw_figures(study::Summary const& summary, render::FigureChoice choice, std::filesystem::path const& directory);
 
-// The ranking and the verdicts, or summary.json, with a campaign's profile where there is one.
-void print(study::Summary const& summary, bool json, std::string_view profile = {});
+struct Printed {
+  bool json = false, details = false;
+};
+// The answer of a campaign whose results lie in `directory`: on one screen, with all details, or summary.json with the
+// campaign's profile where there is one. Verdicts of a rule set follow the answer.
+void print(study::Summary const& summary, std::filesystem::path const& directory, Printed how,
+           std::string_view profile = {});
 
 // 1 if a device was refused, a law could not be fitted to a device, a run failed, or a limit of the rule set is exceeded.
 int exit_code(study::Summary const& summary);

@@ -93,6 +93,7 @@ void write_recommendations(JsonWriter& out, study::Summary const& summary,
     each.law ? out.value(summary.laws[*each.law].id) : out.null();
     out.member("sure", study::name(each.sure)).member("error", each.error);
     out.member("why", wording::paragraph(each.why));
+    write_reasons("reasons", each.why);
     write_reasons("weak", each.weak);
     out.member("would_decide", wording::paragraph(each.surer, "; "));
     write_reasons("surer", each.surer);
@@ -148,7 +149,10 @@ void write_findings(JsonWriter& out, std::string_view key, std::vector<Finding> 
     auto const& row = wording::row(group.front().kind);
     out.begin_object().member("kind", row.key).member("topic", row.topic);
     out.member("severity", wording::name(row.severity)).member("sentence", wording::sentence(group));
-    out.member("action", row.action).member("law", group.front().law);
+    out.member("certificate", (row.appears & wording::on_certificate) != 0)
+        .member("action", row.action)
+        .member("law", group.front().law);
+    out.member("other_laws", group.front().other_laws);
     out.member("devices", wording::devices_of(group)).member("parameters", wording::parameters_of(group));
     out.key("blocks").begin_array();
     for (int const block : wording::blocks_of(group)) out.value(block);

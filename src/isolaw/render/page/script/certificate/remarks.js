@@ -12,7 +12,6 @@ export const certificateRemarksFigure = {
 
 // Whoever signs must know about the records: doubts, corrections, and what the program was told instead of finding it.
 function certificateRemarks() {
-  const topics = new Set(['copies', 'record', 'refused']);
   // With fewer than `fewest` devices they are named instead of "all devices".
   const withDevices = (textsOf, fewest) => {
     const all = (names) => names.length === devices.length && names.length >= fewest;
@@ -23,7 +22,7 @@ function certificateRemarks() {
   // Readings that an option or the lot file asked for, not those that the program recognised by itself.
   const told = (device) => device.recognised.filter(({ option }) => option).map(({ sentence }) => sentence);
   return [
-    ...report.findings.warnings.filter((warning) => topics.has(warning.topic)).map((warning) => warning.sentence),
+    ...report.findings.warnings.filter((warning) => warning.certificate).map((warning) => warning.sentence),
     ...withDevices(({ corrections }) => corrections, 2).map((text) => 'corrected, ' + text),
     ...withDevices(told, 1),
   ];

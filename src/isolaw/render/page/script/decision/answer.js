@@ -2,7 +2,7 @@ import { choose, chosen, onChoice } from '../choice.js';
 import { element } from '../dom.js';
 import { withBadges } from '../laws.js';
 import { PURPOSES, TONES, answerOf, answering, numbersOf, purposeOf } from '../purposes.js';
-import { capitalised, sentence } from '../text.js';
+import { sentence } from '../text.js';
 
 // The answer: one sentence, how sure it is, three numbers, the reasons, and the test that would tell more.
 export const answerFigure = { id: 'answer', title: '', depends: ['purpose', 'view'], controls: purposeControl, build: answer };
@@ -23,16 +23,17 @@ function answer() {
     element('p', { class: 'headline' }, ...withBadges(answerOf(purpose, chosen.view), answering(purpose, chosen.view)), ...(sure ? [' ', sure] : [])),
     element('div', { class: 'numbers' }, ...numbers),
     recommendation ? element('p', { class: 'why' }, reasons(recommendation)) : null,
-    open ? element('p', { class: 'why' }, 'Would tell more: ' + open + '.') : null,
+    open ? element('p', { class: 'why' }, 'To be surer: ' + open + '.') : null,
     recommendation?.programs ? element('p', { class: 'why' }, recommendation.programs + '.') : null,
   );
 }
 
 // Reasons that neither the sentence above nor the numbers beside it have given.
-function reasons({ law, why, nearer, weak }) {
+function reasons({ law, why, reasons: all, weak }) {
   if (!law) return why;
+  const closer = all.filter(({ kind }) => kind === 'why-closer-refused').map((one) => one.sentence);
   const doubts = weak.map((one) => one.sentence).join('; ');
-  return [nearer && capitalised(nearer.sentence) + '.', doubts && 'Weak: ' + doubts + '.'].filter(Boolean).map(sentence).join(' ');
+  return [...closer, doubts && 'Low confidence: ' + doubts + '.'].filter(Boolean).map(sentence).join(' ');
 }
 
 function purposeControl() {

@@ -15,8 +15,8 @@ export const convergedFigure = {
     element(
       'ul',
       { class: 'sentences' },
-      ...report.findings.converged.map(({ sentence: text, front }) =>
-        element('li', {}, ...withBadges(sentence(text), front.map(lawOf))),
+      ...report.findings.converged.map(({ kind, sentence: text, other_laws: others }) =>
+        element('li', {}, ...withBadges(sentence(text), kind === 'converged-front' ? others.map(lawOf) : [])),
       ),
     ),
 };
@@ -26,19 +26,19 @@ export const verdictsFigure = { id: 'verdicts', width: 'narrow', title: '', depe
 const ROLES = { taken: 'most accurate', ties: 'most accurate', behind: 'not ranked', 'ruled out': 'not adequate' };
 
 // A reason about the prediction is left out, since the badge beside the name says it.
-const said = (place, reason) =>
-  reason ? (reason.kind === 'prediction' ? '' : ', ' + sentence(reason.sentence)) : place === 'behind' ? '' : ', ' + place;
+const said = (place, reason, kind) =>
+  reason ? (kind === 'out-prediction' ? '' : ', ' + sentence(reason)) : place === 'behind' ? '' : ', ' + place;
 
 // The laws for the chosen purpose, best first.
 function verdictList() {
   const purpose = purposeOf(chosen.purpose);
   const items = purpose.recommendation
-    ? standingsOf(purpose).map(({ law, place, error, reason }) =>
+    ? standingsOf(purpose).map(({ law, place, error, reason, reason_kind: kind }) =>
         element(
           'li',
           { class: place === 'taken' || place === 'ties' ? null : 'brief' },
           marker(ROLES[place], place === 'taken' ? TONES[purpose.recommendation.sure] : undefined),
-          element('div', {}, lawName(law), ' ' + errorText(error) + said(place, reason)),
+          element('div', {}, lawName(law), ' ' + errorText(error) + said(place, reason, kind)),
         ),
       )
     : chosen.view === 'runs'
