@@ -288,7 +288,7 @@ TEST_F(Stored, a_report_by_other_rules_leaves_the_store_alone) {
   EXPECT_EQ(cell(cells_of(read("O/tables/lot.csv")), 1, "lot size"), "20");
   auto const check = isolaw({"check", "O"});  // the reports beside it say by which rules they were made
   EXPECT_EQ(check.code, 0) << check;
-  EXPECT_TRUE(contains(check.out, "made with other rules, design values or lot size than the store holds"));
+  EXPECT_TRUE(contains(check.out, "written with other rules, design values or lot size than the store holds"));
   EXPECT_EQ(isolaw({"report", "O"}).code, 0);
   EXPECT_EQ(read("O/tables/tests.csv"), tests);
   EXPECT_EQ(isolaw({"check", "O"}).code, 0);

@@ -48,7 +48,7 @@ TEST_F(Example, second_call_leaves_everything_as_it_is) {
 
 TEST_F(Example, does_not_overwrite_a_changed_file) {
   write("ex/device-03.txt", "mine");
-  expect_refused(isolaw({"example", "ex"}), {"ex/device-03.txt", "another content", "empty directory"});
+  expect_refused(isolaw({"example", "ex"}), {"ex/device-03.txt", "with other content", "empty directory"});
   EXPECT_EQ(read("ex/device-03.txt"), "mine");
 }
 

@@ -82,7 +82,7 @@ TEST_F(HeldTo, a_report_with_other_rules_is_no_fault) {
   ASSERT_EQ(isolaw({"report", "O", "--rules", "iso-22762-sa", "--design", "K_eff=0.7,disp=100"}).code, 0);
   auto const other = isolaw({"check", "O"});
   EXPECT_EQ(other.code, 0) << other;
-  EXPECT_TRUE(contains(other.out, "made with other rules, design values or lot size than the store holds"));
+  EXPECT_TRUE(contains(other.out, "written with other rules, design values or lot size than the store holds"));
   // Compared all the same.
   write("O/tables/tests.csv", read("O/tables/tests.csv") + "x");
   auto const edited = isolaw({"check", "O"});

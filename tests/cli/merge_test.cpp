@@ -187,7 +187,7 @@ TEST_F(Merge, names_what_is_missing_and_who_should_hold_it_and_goes_on_from_ther
   auto const o = isolaw(merge(all()));
   expect_message(o, 1,
                  {"P5/campaign.sqlite: not there", "runs copied to O/campaign.sqlite",
-                  "not complete: ", "of part 5/7 (", "then again: isolaw merge O PARTS..."});
+                  "not complete: ", "of part 5/7 (", "then repeat: isolaw merge O PARTS..."});
   EXPECT_FALSE(exists("O/summary.json"));
   // Exactly the runs of that part.
   compute({5});

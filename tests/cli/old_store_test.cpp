@@ -64,7 +64,7 @@ TEST_P(Old, is_reported_with_its_maker_and_the_settings_of_its_time) {
 TEST_P(Old, is_checked) {
   ASSERT_EQ(isolaw({"report", "O"}).code, 1);
   auto const o = isolaw({"check", "O"});
-  EXPECT_TRUE(contains(o.out, "made by " + GetParam().maker() + "; this is")) << o;
+  EXPECT_TRUE(contains(o.out, "computed by " + GetParam().maker() + "; this is")) << o;
   EXPECT_EQ(o.out.find("fault"), std::string::npos) << o;
 }
 

@@ -134,7 +134,7 @@ TEST_F(Resume, threads_that_cannot_be_made_are_done_without) {
   if (o.code == 0) {
     EXPECT_EQ(read("O/summary.json"), read("P/summary.json"));
     EXPECT_TRUE(contains(o.err, "the system gave no more threads or memory: "));
-    EXPECT_TRUE(contains(o.err, " worked; try: --jobs "));
+    EXPECT_TRUE(contains(o.err, " did the work; try: --jobs "));
   } else {
     expect_message(o, 3, {"out of memory", "fewer --jobs", "finished runs are kept in O/campaign.sqlite"});
   }

@@ -225,7 +225,7 @@ TEST_F(LotFileTest, OptionsOfTheGeneticAlgorithmChooseIt) {
   EXPECT_EQ(method("stagnation-tolerance = 1e-4"), Method::genetic);
   EXPECT_EQ(method("method = \"ga\""), Method::genetic);
   expect_parts(calibrate("method = \"best\"\ngenerations = 30"),
-               {"lot.toml:4: generations: belongs to method ga, and the method is best"});
+               {"lot.toml:4: generations: belongs to method ga, but the method is best"});
 }
 
 // "Throws one Error that holds every problem of the file with its line: ..., values that are not allowed".

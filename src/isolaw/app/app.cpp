@@ -19,7 +19,6 @@
 #include <vector>
 
 #include "isolaw/app/commands.hpp"
-#include "isolaw/app/help.hpp"
 #include "isolaw/app/part_script.hpp"
 #include "isolaw/app/say.hpp"
 #include "isolaw/app/usage.hpp"
@@ -72,121 +71,117 @@ void add_reading(CLI::App& command, Values& read, bool of_test = true) {
   }
 }
 
-void add_acceptance(CLI::App& command, Values& acceptance) {
-  for (auto const& option : campaign::acceptance_table()) add_option(command, option, acceptance);
+void add_acceptance(CLI::App& c, Values& acceptance) {
+  for (auto const& option : campaign::acceptance_table()) add_option(c, option, acceptance);
 }
 
-void add_vertical(CLI::App& command, std::vector<std::string>& vertical) {
-  under(
-      Heading::acceptance,
-      command.add_option("--vertical", vertical,
-                         "DEVICE=FILE: compression test of a device, for its vertical stiffness K_v; may be repeated"))
+void add_vertical(CLI::App& c, std::vector<std::string>& vertical) {
+  under(Heading::acceptance,
+        c.add_option("--vertical", vertical,
+                     "DEVICE=FILE: compression test of a device, for its vertical stiffness K_v; may be repeated"))
       ->allow_extra_args(false);
 }
 
-void add_allow_outside(CLI::App& command, bool& allow_outside) {
-  under(Heading::reading, command.add_flag("--allow-outside", allow_outside,
-                                           "allow the lot file to name records outside its own folder"));
+void add_allow_outside(CLI::App& c, bool& allow_outside) {
+  under(Heading::reading,
+        c.add_flag("--allow-outside", allow_outside, "allow the lot file to name records outside its own folder"));
 }
 
-void add_figures(CLI::App& command, std::string& figures) {
-  command.add_option("--figures", figures,
-                     "figures for print, with data and gnuplot scripts: lot (default), all (each device too), or none");
+void add_figures(CLI::App& c, std::string& figures) {
+  under(
+      Heading::running,
+      c.add_option("--figures", figures,
+                   "figures for print, with data and gnuplot scripts: lot (default), all (each device too), or none"));
 }
 
-void add_jobs(CLI::App& command, std::optional<int>& jobs) {
+void add_jobs(CLI::App& c, std::optional<int>& jobs) {
   auto const help =
       fmt::format("threads, 0 to {} (default 0: one per core); results do not depend on it", campaign::most_jobs);
-  command.add_option("--jobs", jobs, help)->check(CLI::Range(0, campaign::most_jobs).description(""));
+  under(Heading::running, c.add_option("--jobs", jobs, help))
+      ->check(CLI::Range(0, campaign::most_jobs).description(""));
 }
 
-void add_part(CLI::App& command, std::optional<std::string>& part) {
-  command.add_option("--part", part, "K/N, such as 3/40: compute only this share of the runs; isolaw merge joins them");
+void add_part(CLI::App& c, std::optional<std::string>& part) {
+  under(Heading::running,
+        c.add_option("--part", part, "K/N, such as 3/40: only this share of the runs, for isolaw merge"));
 }
 
-void add_fresh(CLI::App& command, bool& fresh) {
-  command.add_flag("--fresh", fresh, "start over, even if the directory holds another campaign");
+void add_fresh(CLI::App& c, bool& fresh) {
+  under(Heading::running, c.add_flag("--fresh", fresh, "start over, even if the directory holds another campaign"));
 }
 
 // The options of calibrate that parts has too: they decide the results, or where these go.
-void add_campaign(CLI::App& command, CalibrateArguments& arguments) {
+void add_campaign(CLI::App& c, CalibrateArguments& a) {
   for (auto const& setting : campaign::setting_table())
-    if (!setting.stored_only) add_option(command, setting, arguments.settings);
-  add_reading(command, arguments.read);
-  add_acceptance(command, arguments.acceptance);
-  add_vertical(command, arguments.vertical);
-  add_jobs(command, arguments.jobs);
-  under(Heading::everyday,
-        command.add_option("--out", arguments.out, "directory for the results (default out/<name of the lot>)"));
-  add_figures(command, arguments.figures);
-  add_allow_outside(command, arguments.allow_outside);
+    if (!setting.stored_only) add_option(c, setting, a.settings);
+  add_reading(c, a.read);
+  add_acceptance(c, a.acceptance);
+  add_vertical(c, a.vertical);
+  add_jobs(c, a.jobs);
+  c.add_option("--out", a.out, "directory for the results (default out/<name of the lot>)");
+  add_figures(c, a.figures);
+  add_allow_outside(c, a.allow_outside);
 }
 
-void add_printing(CLI::App& command, bool& json, bool& details) {
-  under(Heading::running, command.add_flag("--json", json, "print summary.json and the profile instead of the answer"));
-  under(Heading::running, command.add_flag("--details", details, "print every table, finding and warning"));
+void add_printing(CLI::App& c, bool& json, bool& details) {
+  under(Heading::running, c.add_flag("--json", json, "print summary.json and the profile instead of the answer"));
+  under(Heading::running, c.add_flag("--details", details, "print every table, finding and warning"));
 }
 
-void add_calibrate(CLI::App& command, CalibrateArguments& arguments) {
-  command.add_option("inputs", arguments.inputs, "a lot file (.toml), test records, or a directory of them")
+void add_calibrate(CLI::App& c, CalibrateArguments& a) {
+  c.add_option("inputs", a.inputs, "a lot file (.toml), test records, or a directory of them")->required();
+  add_campaign(c, a);
+  add_part(c, a.part);
+  add_fresh(c, a.fresh);
+  add_printing(c, a.json, a.details);
+}
+
+void add_simulate(CLI::App& c, SimulateArguments& a) {
+  c.add_option("law", a.law, "id of a law (isolaw laws lists them)")->required();
+  c.add_option("--motion", a.motion, "file of the displacement history, read like a record; force is not needed")
       ->required();
-  add_campaign(command, arguments);
-  add_part(command, arguments.part);
-  add_fresh(command, arguments.fresh);
-  add_printing(command, arguments.json, arguments.details);
-}
-
-void add_simulate(CLI::App& command, SimulateArguments& arguments) {
-  auto const add = [&](Heading heading, char const* name, auto& value, char const* help) {
-    return under(heading, command.add_option(name, value, help));
-  };
-  add(Heading::everyday, "law", arguments.law, "id of a law (isolaw laws lists them)")->required();
-  add(Heading::everyday, "--motion", arguments.motion,
-      "file of the displacement history, read like a record; force is not needed")
-      ->required();
-  add(Heading::everyday, "--from", arguments.from, "directory of the campaign that fitted the law, with --device");
-  add(Heading::everyday, "--device", arguments.device, "with --from: the device, or lot for the one law of the lot");
-  add(Heading::everyday, "--parameters", arguments.parameters,
-      "instead of --from: file of parameters, name = value in TOML or JSON, in the law's units");
-  add(Heading::everyday, "--set", arguments.set, "change a parameter of the file or campaign: K1=2.5; may be repeated")
+  c.add_option("--from", a.from, "directory of the campaign that fitted the law, with --device");
+  c.add_option("--device", a.device, "with --from: the device, or lot for the one law of the lot");
+  c.add_option("--parameters", a.parameters,
+               "instead of --from: file of parameters, name = value in TOML or JSON, in the law's units");
+  c.add_option("--set", a.set, "change a parameter of the file or campaign: K1=2.5; may be repeated")
       ->allow_extra_args(false);
-  add_reading(command, arguments.read, false);
+  add_reading(c, a.read, false);
   for (auto const* key : {"integration", "turning-points", "dead-band"}) {
     auto option = *campaign::find_setting(key);
     option.help += "; with --from as in the campaign";
-    add_option(command, option, arguments.how);
+    add_option(c, option, a.how);
   }
-  add(Heading::search, "--refinement", arguments.refinement,
-      "integration steps per sample (default 1; with --from as in the campaign)");
-  add(Heading::plane, "--bidirectional", arguments.bidirectional,
+  auto const add = [&](Heading heading, char const* name, auto& value, char const* help) {
+    under(heading, c.add_option(name, value, help));
+  };
+  add(Heading::search, "--refinement", a.refinement, "steps per sample (default 1; with --from as in the campaign)");
+  add(Heading::plane, "--bidirectional", a.bidirectional,
       "for a motion in two directions: coupled, if the law has such a form, or springs: springs around the circle");
-  add(Heading::plane, "--second-disp", arguments.second_disp,
-      "column of the second displacement; --columns names the first");
-  add(Heading::plane, "--softening", arguments.softening,
+  add(Heading::plane, "--second-disp", a.second_disp, "column of the second displacement; --columns names the first");
+  add(Heading::plane, "--softening", a.softening,
       "with coupled: by distance (default), or axis: by the largest displacement along each axis");
-  add(Heading::plane, "--springs", arguments.springs,
+  add(Heading::plane, "--springs", a.springs,
       "with springs: fitted to the device's record (default with --from), or given: the law's own parameters");
-  add(Heading::everyday, "--out", arguments.out, "file to write (default: standard output)");
-  command.add_flag("--anyway", arguments.anyway, "with --from: simulate even if the law predicts unusably");
+  c.add_option("--out", a.out, "file to write (default: standard output)");
+  c.add_flag("--anyway", a.anyway, "with --from: simulate even if the law predicts unusably");
 }
 
-void add_building(CLI::App& command, BuildingArguments& arguments) {
-  command.add_option("file", arguments.file, "a building file (isolaw building --template prints one)");
-  command.add_option("--from", arguments.from, "directory of the campaign whose lot supplies the bearings");
-  command.add_option("--motion", arguments.motions,
-                     "FILE, or FILE,FILE for two components, instead of the file's motions; several may follow");
-  command.add_option("--out", arguments.out, "directory for the results (default out/building)");
-  add_jobs(command, arguments.jobs);
-  add_part(command, arguments.part);
-  command.add_option("--figures", arguments.figures,
-                     "figures for print, with data and gnuplot scripts: lot (default), or none");
-  command.add_flag("--nominal", arguments.nominal,
-                   "only the nominal building: its response to every motion over time, as CSV");
-  command.add_flag("--arrange", arguments.arrange,
-                   "also print where to put each tested device for the least eccentricity of stiffness");
-  command.add_flag("--fresh", arguments.fresh, "start over, even if the directory holds runs of another building");
-  command.add_flag("--template", arguments.print_template, "print a commented building file");
-  command.add_flag("--json", arguments.json, "print building.json");
+void add_building(CLI::App& c, BuildingArguments& a) {
+  c.add_option("file", a.file, "a building file (isolaw building --template prints one)");
+  c.add_option("--from", a.from, "directory of the campaign whose lot supplies the bearings");
+  c.add_option("--motion", a.motions,
+               "FILE, or FILE,FILE for two components, instead of the file's motions; several may follow");
+  c.add_option("--out", a.out, "directory for the results (default out/building)");
+  add_jobs(c, a.jobs);
+  add_part(c, a.part);
+  c.add_option("--figures", a.figures, "figures for print, with data and gnuplot scripts: lot (default), or none");
+  c.add_flag("--nominal", a.nominal, "only the nominal building: its response to every motion over time, as CSV");
+  c.add_flag("--arrange", a.arrange,
+             "also print where to put each tested device for the least eccentricity of stiffness");
+  c.add_flag("--fresh", a.fresh, "start over, even if the directory holds runs of another building");
+  c.add_flag("--template", a.print_template, "print a commented building file");
+  c.add_flag("--json", a.json, "print building.json");
 }
 
 int dispatch(CLI::App& app, int argc, char** argv) {
@@ -194,6 +189,7 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   auto const add = [&](char const* name, char const* description, char const* example,
                        std::function<int()> run) -> CLI::App& {
     auto* const command = app.add_subcommand(name, description)->group("Commands");
+    under(Heading::running, command->get_help_ptr());
     command->footer(std::string(example_mark) + example);
     return *commands.emplace_back(command, std::move(run)).first;
   };
@@ -211,10 +207,8 @@ int dispatch(CLI::App& app, int argc, char** argv) {
                            "isolaw init d01.csv d02.csv --out lot.toml", [&] { return init(init_arguments); });
   init_command.add_option("files", init_arguments.files, "test records, or a directory of them")->required();
   add_reading(init_command, init_arguments.read);
-  under(Heading::everyday, init_command.add_option("--like", init_arguments.like,
-                                                   "a lot file to copy the settings and the way of reading from"));
-  under(Heading::everyday,
-        init_command.add_option("--out", init_arguments.out, "lot file to write (default lot.toml)"));
+  init_command.add_option("--like", init_arguments.like, "a lot file to copy the settings and the way of reading from");
+  init_command.add_option("--out", init_arguments.out, "lot file to write (default lot.toml)");
   init_command.add_flag("--force", init_arguments.force, "overwrite the lot file");
 
   InspectArguments inspect_arguments;
@@ -228,8 +222,7 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   add_reading(inspect_command, inspect_arguments.read);
   add_acceptance(inspect_command, inspect_arguments.acceptance);
   add_vertical(inspect_command, inspect_arguments.vertical);
-  under(Heading::everyday, inspect_command.add_option("--out", inspect_arguments.out,
-                                                      "directory for a page with drawn loops, tables and JSON"));
+  inspect_command.add_option("--out", inspect_arguments.out, "directory for a page with drawn loops, tables and JSON");
   add_allow_outside(inspect_command, inspect_arguments.allow_outside);
   inspect_command.add_flag("--json", inspect_arguments.json, "print inspection.json instead of text");
 
@@ -242,8 +235,7 @@ int dispatch(CLI::App& app, int argc, char** argv) {
                              [&] { return report(report_arguments); });
   report_command.add_option("directory", report_arguments.directory, a_campaign)->required();
   add_acceptance(report_command, report_arguments.acceptance);
-  under(Heading::everyday, report_command.add_option("--out", report_arguments.out,
-                                                     "directory for the results (default: the campaign's)"));
+  report_command.add_option("--out", report_arguments.out, "directory for the results (default: the campaign's)");
   add_figures(report_command, report_arguments.figures);
   add_printing(report_command, report_arguments.json, report_arguments.details);
 
@@ -279,15 +271,14 @@ int dispatch(CLI::App& app, int argc, char** argv) {
       ->required();
   parts_command.add_option("count", parts_arguments.count, "number of parts; two or three for each thread are usual")
       ->required();
-  under(Heading::everyday, parts_command.add_option("--to", parts_arguments.to,
-                                                    "who runs the parts: " + joined(part_script_kinds) +
-                                                        " (set the end of a record, `to`, in a lot file)"))
+  parts_command
+      .add_option(
+          "--to", parts_arguments.to,
+          "who runs the parts: " + joined(part_script_kinds) + " (set the end of a record, `to`, in a lot file)")
       ->required();
-  under(Heading::everyday,
-        parts_command.add_option("--campaign", parts_arguments.campaign,
-                                 "for a building file: directory of the campaign whose lot supplies the bearings"));
-  under(Heading::everyday, parts_command.add_option("--motion", parts_arguments.motions,
-                                                    "for a building file: motions, as in isolaw building"));
+  parts_command.add_option("--campaign", parts_arguments.campaign,
+                           "for a building file: directory of the campaign whose lot supplies the bearings");
+  parts_command.add_option("--motion", parts_arguments.motions, "for a building file: motions, as in isolaw building");
   add_campaign(parts_command, parts_arguments.calibrate);
 
   SampleArguments sample_arguments;
@@ -306,22 +297,23 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   auto& export_command = add("export", "Write a fitted law for an analysis program, with a check of it",
                              "isolaw export out/lot --law bouc-wen --device lot --to opensees --out bearing.tcl",
                              [&] { return export_law(export_arguments); });
-  auto const add_export = [&](char const* name, auto& value, std::string const& help) {
-    return under(Heading::everyday, export_command.add_option(name, value, help));
-  };
-  add_export("directory", export_arguments.directory, a_campaign)->required();
-  add_export("--law", export_arguments.law, "id of the law")->required();
-  add_export("--device", export_arguments.device, "name of the device, or lot for the one law of the lot")->required();
-  add_export("--to", export_arguments.to, joined(programs::targets() | std::views::transform(&programs::Target::name)))
+  export_command.add_option("directory", export_arguments.directory, a_campaign)->required();
+  export_command.add_option("--law", export_arguments.law, "id of the law")->required();
+  export_command
+      .add_option("--device", export_arguments.device, "name of the device, or lot for the one law of the lot")
+      ->required();
+  export_command
+      .add_option("--to", export_arguments.to,
+                  joined(programs::targets() | std::views::transform(&programs::Target::name)))
       ->required();
   add_acceptance(export_command, export_arguments.acceptance);
-  add_export(
+  export_command.add_option(
       "--units", export_arguments.units,
       fmt::format("{} (default {})", joined(programs::unit_systems | std::views::transform(&programs::UnitSystem::id)),
                   programs::unit_systems[0].id));
   for (auto const& option : programs::model_table()) add_option(export_command, option, export_arguments.model);
   add_option(export_command, seed, export_arguments.seed);
-  add_export("--out", export_arguments.out, "file to write (default: standard output)");
+  export_command.add_option("--out", export_arguments.out, "file to write (default: standard output)");
   export_command.add_flag("--anyway", export_arguments.anyway,
                           "export even if the law predicts unusably, or the program's own law is far off");
 

@@ -1,5 +1,5 @@
 // The commands behind the command line: each takes its parsed options, writes results to standard output and messages
-// to standard error, and returns the exit code. Wrong input throws isolaw::Error.
+// to standard error, and returns the exit code. Wrong input throws isolaw::Error. app.cpp holds what each command does.
 #pragma once
 
 #include <filesystem>
@@ -53,7 +53,6 @@ struct PartsArguments {
   int count = 0;
   std::string to;  // one of part_script_kinds
 };
-// Prints a script that computes a campaign or building study in `count` parts and merges them.
 int parts(PartsArguments const& arguments, std::string const& program);
 
 struct InspectArguments {
@@ -90,7 +89,6 @@ struct SampleArguments {
   int count = 100;
   Values seed;  // from campaign::setting_table()
 };
-// Prints devices drawn from the lot as CSV, one row each.
 int sample(SampleArguments const& arguments);
 
 struct ExportArguments {
@@ -102,7 +100,6 @@ struct ExportArguments {
   Values model, seed;   // from programs::model_table(), and from campaign::setting_table() for the draws
   bool anyway = false;  // export despite objections
 };
-// Writes a law of a campaign for an analysis program.
 int export_law(ExportArguments const& arguments);
 
 struct SimulateArguments {
@@ -118,7 +115,6 @@ struct SimulateArguments {
   bool anyway = false;  // even if its prediction is unusable
   std::optional<std::string> bidirectional, second_disp, softening, springs;
 };
-// Writes the force of a law under a displacement history as CSV.
 int simulate(SimulateArguments const& arguments);
 
 struct BuildingArguments {
@@ -129,7 +125,6 @@ struct BuildingArguments {
   std::string figures = "lot";
   bool print_template = false, fresh = false, arrange = false, nominal = false, json = false;
 };
-// Analyses an isolated building with bearings drawn from the lot, and with the bounds.
 int building(BuildingArguments const& arguments, std::vector<std::string> const& command_line);
 // Writes a building file that can be run, with synthetic motions.
 void write_example_building(std::filesystem::path const& directory);

@@ -1,5 +1,4 @@
-#include "isolaw/app/help.hpp"
-
+// The text of --help, and docs/cli.md.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -10,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "isolaw/app/markdown.hpp"
+#include "isolaw/app/usage.hpp"
 #include "isolaw/base/option.hpp"
 #include "isolaw/base/words.hpp"
 
@@ -20,10 +19,11 @@ namespace {
 using Options = std::vector<CLI::Option const*>;
 using Sections = std::map<Heading, Options>;
 
+// An option that was given no heading is an everyday one.
 Heading heading_of(CLI::Option const& option) {
-  auto heading = Heading::everyday;
-  while (heading != Heading::running && title(heading) != option.get_group())
-    heading = static_cast<Heading>(static_cast<int>(heading) + 1);
+  auto heading = Heading::running;
+  while (heading != Heading::everyday && title(heading) != option.get_group())
+    heading = static_cast<Heading>(static_cast<int>(heading) - 1);
   return heading;
 }
 
@@ -50,7 +50,7 @@ class HelpFormat final : public CLI::Formatter {
 
  private:
   std::string options_of(CLI::App const& command) const {
-    constexpr std::size_t few = 12;
+    constexpr std::size_t few = 14;
     auto const sections = sections_of(command);
     Options all;
     for (auto const& [heading, options] : sections) all.insert(all.end(), options.begin(), options.end());
@@ -66,10 +66,6 @@ std::string key_of(CLI::Option const& option) {
   return option.get_name() + "\n" + option.get_description();
 }
 
-std::string in_code(std::string_view text) {
-  return fmt::format("`{}`", text);
-}
-
 // "--jobs INT", "inputs..."
 std::string usage_of(CLI::Option const& option) {
   bool const positional = option.get_positional();
@@ -78,23 +74,10 @@ std::string usage_of(CLI::Option const& option) {
   return text + (option.get_expected_max() > 1 ? "..." : "");
 }
 
-void print_table(Options const& options) {
-  if (options.empty()) return;
-  fmt::print("\n| | |\n|---|---|\n");
+void print_list(Options const& options) {
   for (auto const* option : options)
-    fmt::print("| {} | {}{} |\n", in_code(usage_of(*option)), plain_markdown(option->get_description()),
+    fmt::print("- `{}`: {}{}\n", usage_of(*option), plain_markdown(option->get_description()),
                option->get_required() ? " (required)" : "");
-}
-
-// "laws-and-search", as GitHub names the section.
-std::string anchor_of(std::string_view title_text) {
-  std::string anchor;
-  for (char const c : lower(title_text))
-    if (is_letter(c) || is_digit(c))
-      anchor += c;
-    else if (c == ' ' || c == '-')
-      anchor += '-';
-  return anchor;
 }
 
 // "[Reading records](#reading-records) without `--to`", or "`--rules`, `--design` ([Everyday options](#everyday-options))"
@@ -102,38 +85,43 @@ std::string reference_to(Heading heading, Options const& shared, CLI::App const&
   std::vector<std::string> with, without;
   for (auto const* option : shared) {
     auto const* const own = command.get_option_no_throw(option->get_name());
-    (own != nullptr && key_of(*own) == key_of(*option) ? with : without).push_back(in_code(option->get_name()));
+    bool const same = own != nullptr && key_of(*own) == key_of(*option);
+    (same ? with : without).push_back(fmt::format("`{}`", option->get_name()));
   }
-  if (with.empty()) return {};
-  auto const link = fmt::format("[{}](#{})", title(heading), anchor_of(title(heading)));
-  if (without.empty()) return link;
-  if (without.size() <= 2 && with.size() > 3) return fmt::format("{} without {}", link, joined(without));
-  return fmt::format("{} ({})", joined(with), link);
+  auto anchor = lower(title(heading));
+  std::ranges::replace(anchor, ' ', '-');
+  auto const link = fmt::format("[{}](#{})", title(heading), anchor);
+  if (with.empty() || without.empty()) return with.empty() ? std::string() : link;
+  return without.size() <= 2 && with.size() > 3 ? fmt::format("{} without {}", link, joined(without))
+                                                : fmt::format("{} ({})", joined(with), link);
 }
 
 void print_command(CLI::App const& command, std::set<std::string> const& shared_keys, Sections const& shared) {
-  Options own;
-  auto usage = "isolaw " + command.get_name();
-  for (auto const* option : command.get_options())
-    if (option->get_positional()) {
-      own.push_back(option);
-      usage += (option->get_required() ? " " : " [") + usage_of(*option) + (option->get_required() ? "" : "]");
-    }
+  auto own = command.get_options([](CLI::Option const* option) { return option->get_positional(); });
   for (auto const& [heading, options] : sections_of(command))
-    for (auto const* option : options) {
-      if (option->get_required()) usage += " " + usage_of(*option);
+    for (auto const* option : options)
       if (option != command.get_help_ptr() && !shared_keys.contains(key_of(*option))) own.push_back(option);
-    }
-  fmt::print("\n## {}\n\n{}.\n\n```\n{} [options]\n{}\n```\n", command.get_name(),
-             plain_markdown(command.get_description()), usage, command.get_footer().substr(example_mark.size()));
-  print_table(own);
+  auto usage = HelpFormat().make_usage(&command, "isolaw " + command.get_name());
+  usage = usage.substr(usage.find(' ') + 1, usage.find('\n') - usage.find(' ') - 1);
+  fmt::print("\n## {}\n\n{}. Use `{}`, such as `{}`.\n", command.get_name(), plain_markdown(command.get_description()),
+             usage, command.get_footer().substr(example_mark.size()));
+  print_list(own);
   std::vector<std::string> also;
   for (auto const& [heading, options] : shared)
     if (auto text = reference_to(heading, options, command); !text.empty()) also.push_back(std::move(text));
-  if (!also.empty()) fmt::print("\nShared options: {}.\n", joined(also, "; "));
+  if (!also.empty()) fmt::print("- Shared options: {}\n", joined(also, "; "));
 }
 
 }  // namespace
+
+std::string plain_markdown(std::string_view text) {
+  std::string out;
+  for (char const c : text) {
+    if (c == '|' || c == '*' || c == '_' || c == '<' || c == '`') out += '\\';
+    out += c;
+  }
+  return out;
+}
 
 std::shared_ptr<CLI::FormatterBase> help_format() {
   return std::make_shared<HelpFormat>();
@@ -164,23 +152,18 @@ isolaw calibrate d01.csv d02.csv --out out/lot                                  
 isolaw export out/lot --law bouc-wen --device lot --to opensees --out bearing.tcl           # take a law with you
 ```
 
-`isolaw COMMAND --help` lists all options of a command in the terminal. Here the options that commands share with
-calibrate are described once, [at the end](#shared-options). Each section shows the form of its command, then an example.
-`./isolaw.sh docs` writes this page.
+`isolaw COMMAND --help` lists all options of a command in the terminal. Here the options that other
+commands share with `calibrate` are described once, [at the end](#shared-options). Each section
+shows the form of its command, then an example. `./isolaw.sh docs` writes this page.
 
 Results go to standard output, messages and progress to standard error. Exit codes: 0, done; 1, done, but something was refused,
 failed, was interrupted or is outside a limit; 2, wrong usage or nothing usable; 3, internal error.
-
-| | |
-|---|---|
 )");
-  for (auto const* command : commands)
-    fmt::print("| [{0}](#{0}) | {1} |\n", command->get_name(), plain_markdown(command->get_description()));
   for (auto const* command : commands) print_command(*command, shared_keys, shared);
   fmt::print("\n## Shared options\n");
   for (auto const& [heading, options] : shared) {
-    fmt::print("\n### {}\n", title(heading));
-    print_table(options);
+    fmt::print("\n### {}\n\n", title(heading));
+    print_list(options);
   }
 }
 

@@ -30,27 +30,16 @@ std::string with(std::string_view key, char from, char to) {
 }  // namespace
 
 std::string_view title(Heading heading) {
-  switch (heading) {
-    case Heading::everyday:
-      return "Everyday options";
-    case Heading::reading:
-      return "Reading records";
-    case Heading::corrections:
-      return "Correcting for the test rig";
-    case Heading::search:
-      return "Laws and search";
-    case Heading::plane:
-      return "Two directions";
-    case Heading::analysis:
-      return "Analysis";
-    case Heading::acceptance:
-      return "Acceptance";
-    case Heading::model:
-      return "Whole models (targets opensees-model and openseespy-model)";
-    case Heading::running:
-      break;
-  }
-  return "Running and output";
+  constexpr std::string_view titles[]{"Everyday options",
+                                      "Reading records",
+                                      "Correcting for the test rig",
+                                      "Laws and search",
+                                      "Two directions",
+                                      "Analysis",
+                                      "Acceptance",
+                                      "Whole models (targets opensees-model and openseespy-model)",
+                                      "Running and output"};
+  return titles[static_cast<std::size_t>(heading)];
 }
 
 bool Limits::allow(double value) const {

@@ -48,7 +48,7 @@ struct OptionInfo {
   std::vector<std::string_view> words = {};  // the values allowed, if it takes one of a few words
   std::string_view keyword = {};             // in Python, if that is not the key with underscores
   std::string_view type = {};                // in Python, if kind and words do not say it
-  Heading heading = Heading::running;
+  Heading heading = Heading::search;         // that of most settings
 
   std::string option() const;  // the name in a lot file and, after two dashes, on the command line
   std::string python() const;
@@ -66,8 +66,6 @@ struct Option : OptionInfo {
     return std::move(*this);
   }
 };
-
-// --- values in and out
 
 // The values given, by key.
 using Values = std::map<std::string, Json, std::less<>>;
@@ -99,15 +97,12 @@ void lay_over(Rows const& rows, Values const& given, Target& target) {
   });
 }
 
-// --- checks: throw Error
-
+// These check a value given, and throw Error without `where`.
 int whole_of(Json const& value, Limits const& limits);
 double real_of(Json const& value, Limits const& limits);
 bool flag_of(Json const& value);
 std::string text_in(Json const& value);
 [[noreturn]] void refuse(Json const& value, std::string allowed);
-
-// --- rows
 
 // at(&A::b, &B::c): a function that returns a.b.c of an A.
 constexpr auto at(auto... path) {

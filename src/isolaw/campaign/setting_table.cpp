@@ -78,8 +78,7 @@ Setting thinning() {
   auto const place = at(&S::clean, &Clean::samples_per_cycle);
   return number_or("all", "int | Literal[\"all\"] | None", place,
                    number<S>("samples-per-cycle", "thin records to this many samples per cycle", place,
-                             {.least = 20, .most = std::numeric_limits<int>::max(), .words = "20 or more, or all"})
-                       .under(Heading::search));
+                             {.least = 20, .most = std::numeric_limits<int>::max(), .words = "20 or more, or all"}));
 }
 
 Setting dead_band() {
@@ -87,13 +86,12 @@ Setting dead_band() {
   return number_or(
       "auto", "float | Literal[\"auto\"]", place,
       number<S>("dead-band", "smaller reversals, in mm, are no turning points", place,
-                {.least = 0, .most = 1e4, .words = "0 to 10000, or auto (default): 3 times each record's noise"})
-          .under(Heading::search));
+                {.least = 0, .most = 1e4, .words = "0 to 10000, or auto (default): 3 times each record's noise"}));
 }
 
 Setting blocks(std::string_view key, std::string help, data::Numbers data::Selection::*numbers) {
   auto const place = at(&S::clean, &Clean::scored, numbers);
-  return {{{.key = key, .help = std::move(help), .heading = Heading::search},
+  return {{{.key = key, .help = std::move(help)},
            [place](S const& s) -> Json { return place(s).text(); },
            [place, key](S& s, Json const& value) {
              place(s) = data::parse_numbers("--" + std::string(key), text_in(value));
@@ -122,32 +120,25 @@ std::vector<Setting> make_settings() {
         [](S const& s) -> Json { return s.laws; },
         set_laws}},
       {word<S>("method", "best (default): search for the best fit there is; ga: the paper's genetic algorithm",
-               at(&S::method), methods)
-           .under(Heading::search)},
+               at(&S::method), methods)},
       {word<S>("integration", "converged (default), or paper: one Runge-Kutta step per sample", at(&S::integration),
-               integrations)
-           .under(Heading::search)},
+               integrations)},
       {word<S>("turning-points",
                "sampled (default), or interpolated: the motion turns between samples, for smooth records",
-               at(&S::turning_points), turnings)
-           .under(Heading::search)},
-      {number<S>("runs", "independent runs per law and device", at(&S::runs), {.least = 1, .most = 1e5}, "3; ga: 20")
-           .under(Heading::search)},
+               at(&S::turning_points), turnings)},
+      {number<S>("runs", "independent runs per law and device", at(&S::runs), {.least = 1, .most = 1e5}, "3; ga: 20")},
       // The upper limits keep the count of evaluations an int; that of the pressure keeps every weight above zero.
       {number<S>("population", "with --method ga: individuals", at(&S::genetic, &Ga::population),
-                 {.least = 4, .most = 1e5, .words = "an even number from 4 to 100000", .step = 2})
-           .under(Heading::search),
+                 {.least = 4, .most = 1e5, .words = "an even number from 4 to 100000", .step = 2}),
        ga},
       {number<S>("generations", "with --method ga: generations, counting the initial one",
-                 at(&S::genetic, &Ga::generations), {.least = 1, .most = 20'000})
-           .under(Heading::search),
+                 at(&S::genetic, &Ga::generations), {.least = 1, .most = 20'000}),
        ga},
       constant("mutation_rate", &Ga::mutation_rate, {.least = 0, .most = 1}),
       constant("stagnation", &Ga::stagnation, {.least = 1, .most = largest, .words = "at least 1 generation"}),
       {number<S>(
            "stagnation_tolerance", "with --method ga: 20 generations without a larger relative improvement end a run",
-           at(&S::genetic, &Ga::stagnation_tolerance), {.least = 0, .most = below_1, .words = "0 or more, below 1"})
-           .under(Heading::search),
+           at(&S::genetic, &Ga::stagnation_tolerance), {.least = 0, .most = below_1, .words = "0 or more, below 1"}),
        ga},
       constant("selection_pressure", &Ga::selection_pressure, {.least = 0, .most = 100}),
       constant("least_starts", &Best::least_starts, {.least = 1, .most = 10'000}),
@@ -157,25 +148,21 @@ std::vector<Setting> make_settings() {
       constant("most_evaluations", &Best::most_evaluations, {.least = 1, .most = 1e9}),
       constant("scattered", &Best::scattered, {.least = 1, .most = 10'000}),
       constant("hops", &Best::hops, {.least = 0, .most = 10'000}),
-      {{{.key = "seed", .help = "seed of all random numbers (default 1)", .type = "int", .heading = Heading::search},
+      {{{.key = "seed", .help = "seed of all random numbers (default 1)", .type = "int"},
         [](S const& s) -> Json { return s.seed; },
         set_seed}},
       {word<S>("box",
                "range searched for each parameter: auto (default), from the record, or published: the paper's Table 4",
-               at(&S::box), boxes)
-           .under(Heading::search)},
+               at(&S::box), boxes)},
       {{{.key = "set",
          .kind = Kind::repeated,
-         .help = "fix a parameter: bilinear.K2=0.6; or =0.5:0.7 (range), =free, =K1 (equal to K1); may be repeated",
-         .heading = Heading::search},
+         .help = "fix a parameter: bilinear.K2=0.6; or =0.5:0.7 (range), =free, =K1 (equal to K1); may be repeated"},
         [](S const& s) { return texts_of(s.overrides); },
         set_overrides}},
       {number<S>("smooth", "smooth records by a centred moving average", at(&S::clean, &Clean::smooth),
-                 {.least = 1, .most = largest, .words = "an odd number of samples, 1 for none", .step = 2})
-           .under(Heading::search)},
+                 {.least = 1, .most = largest, .words = "an odd number of samples, 1 for none", .step = 2})},
       thinning(),
-      {flag<S>("center", "remove the offset of displacement and force", at(&S::clean, &Clean::center))
-           .under(Heading::search)},
+      {flag<S>("center", "remove the offset of displacement and force", at(&S::clean, &Clean::center))},
       dead_band(),
       blocks("fit-blocks", "fit laws only to these blocks of each test: 2, 1-3, 2- (default all)",
              &data::Selection::blocks),
