@@ -7,6 +7,7 @@
 #include "isolaw/data/clean.hpp"
 #include "isolaw/data/properties.hpp"
 #include "isolaw/data/read.hpp"
+#include "isolaw/wording/table.hpp"
 
 namespace isolaw::fuzz {
 
@@ -17,8 +18,9 @@ inline void read_record(std::string_view bytes, std::string const& name, data::R
     require(length >= 3 && record.force_kN.size() == length, "channels have one length");
     require(record.time_s.empty() || record.time_s.size() == length, "time has the length of the others");
     require(record.load_kN.empty() || record.load_kN.size() == length, "load has the length of the others");
-    for (auto const* sentences : {&record.recognised, &record.warnings})
-      for (auto const& sentence : *sentences) require(is_printable(sentence), "a sentence is printable");
+    for (auto const* findings : {&record.recognised, &record.warnings})
+      for (auto const& sentence : wording::remarks(*findings))
+        require(is_printable(sentence), "a sentence is printable");
     for (std::size_t i = 0; i < length; ++i)
       require(std::isfinite(record.disp_mm[i]) && std::isfinite(record.force_kN[i]), "values are finite");
     auto const properties = data::cyclic_properties(record);

@@ -27,6 +27,7 @@
 #include "isolaw/data/reading.hpp"
 #include "isolaw/render/json/building_json.hpp"
 #include "isolaw/render/json/inspection_json.hpp"
+#include "isolaw/wording/table.hpp"
 
 namespace py = pybind11;
 
@@ -679,10 +680,11 @@ PYBIND11_MODULE(_core, m) {
           "load_kN", [](py::object self) { return view_or_none(self.cast<Record&>().raw.load_kN, self); },
           "Vertical loads in kN, shape (samples,): a read-only view; None without.")
       .def_property_readonly(
-          "recognised", [](Record const& r) { return r.raw.recognised; },
+          "recognised", [](Record const& r) { return wording::remarks(r.raw.recognised); },
           "A sentence for each decision of the reader, with its reason.")
       .def_property_readonly(
-          "warnings", [](Record const& r) { return r.raw.warnings; }, "Sentences about doubtful things in the file.")
+          "warnings", [](Record const& r) { return wording::remarks(r.raw.warnings); },
+          "Sentences about doubtful things in the file.")
       .def(
           "__len__", [](Record const& r) { return r.raw.size(); }, "Number of samples.")
       .def(

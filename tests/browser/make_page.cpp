@@ -13,6 +13,7 @@
 #include <string_view>
 #include <utility>
 
+#include "finding_text.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/render/terminal/terminal.hpp"
 #include "isolaw/render/write.hpp"
@@ -135,7 +136,7 @@ int main(int argc, char** argv) {
     summary.laws.back().devices.back().integration_shift = 0.0021;
     summary.laws.back().devices.front().failed_runs = 1;
     summary.laws.back().devices.front().failure = "the computed force became infinite";
-    summary.devices.front().raw.warnings.push_back("the vertical load column is constant");
+    summary.devices.front().raw.warnings.push_back(stated("the vertical load column is constant"));
     render::write_outputs(summary, argv[1]);
     std::cout << render::ranking(summary);
   } catch (Error const& error) {

@@ -70,22 +70,24 @@ Contents full() {
   first.raw.disp_mm = {-0.0, std::numeric_limits<double>::denorm_min(), -1e308};
   first.raw.force_kN = {1.0 / 3.0, infinity, -2.0};
   first.raw.load_kN = {1632.0, 1633.0, 1634.0};
-  first.raw.recognised = {attack, "", unicode};
-  first.raw.corrections = {attack};
-  first.raw.warnings = {"[\"not\", \"a list\"]"};
+  first.raw.recognised = {data::decision(FindingKind::file_format, attack), data::decision(FindingKind::rows_read, ""),
+                          data::decision(FindingKind::units_given, unicode, "--units")};
+  first.raw.corrections = {{.kind = FindingKind::friction_removed, .numbers = {{"friction_kN", 0.1 + 0.2}}}};
+  first.raw.warnings = {
+      {.kind = FindingKind::drift, .blocks = {2}, .words = {{"unit", "[\"not\", \"a list\"]"}, {"channel", attack}}}};
   first.record = {.time_s = {0.0, 1.0},
                   .disp_mm = {1.0, 2.0},
                   .vel_mm_s = {3.0, 4.0},
                   .force_kN = {5.0, 6.0},
                   .scored = {0.0, 1.0},
-                  .cleaning = {"", attack}};
+                  .cleaning = {{.kind = FindingKind::not_smoothed}, {.kind = FindingKind::velocity_computed}}};
 
   first.vertical = {.file = attack + ".csv",
                     .sha256 = sha256("2"),
                     .disp_mm = {0.0, -0.1, 0.30000000000000004},
                     .load_kN = {-1.0, 1.0 / 3.0, 1e300},
                     .loads = data::LoadRange{0.1 + 0.2, 1000.0},
-                    .recognised = {attack, "", unicode}};
+                    .recognised = {data::decision(FindingKind::column_taken, unicode, attack)}};
 
   Device refused;
   refused.vertical = {.file = "v.csv", .sha256 = {}, .refusal = "v.csv: " + attack};
@@ -430,14 +432,14 @@ TEST_F(StoreTest, RefusesANewerSchemaAndChangesNothing) {
 }
 
 // Stores that lack it could not be read: see tests/stores/README.md before changing this.
-TEST(Schema, OfTheseSettingsIsNine) {
+TEST(Schema, OfTheseSettingsIsTen) {
   std::set<std::string> keys;
   for (auto const method : {Method::best, Method::genetic}) {
     Settings settings;
     settings.method = method;
     for (auto const& [key, value] : to_pairs(settings)) keys.insert(key);
   }
-  EXPECT_EQ(schema_version, 9);
+  EXPECT_EQ(schema_version, 10);
   EXPECT_EQ(keys, (std::set<std::string>{"analysis",
                                          "bidirectional",
                                          "box",

@@ -1,4 +1,5 @@
 // From a campaign's contents to the numbers of the report: hand-made runs whose statistics are worked out by hand.
+#include "finding_text.hpp"
 #include "isolaw/study/build_summary.hpp"
 
 #include <gtest/gtest.h>
@@ -363,13 +364,13 @@ TEST(Summary, WarnsOfWhatTheMovingAverageTakes) {
     contents.settings.clean.smooth = smooth;
     auto const summary = build_summary(contents);
     std::string all;
-    for (auto const& warning : summary.devices[0].raw.warnings) all += warning + "\n";
+    all = text_of(summary.devices[0].raw.warnings);
     return all;
   };
   EXPECT_EQ(warnings(1).find("moving average"), std::string::npos);
   EXPECT_EQ(warnings(3).find("moving average"), std::string::npos);  // 0.033 %: a note
-  for (auto const* part : {"moving average over 31 of 200.0 samples takes 3.9 %", "what the laws are fitted to",
-                           "properties are of raw values"})
+  for (auto const* part : {"moving average over 31 samples, of 200 in a cycle, takes 3.9 %", "That concerns the laws",
+                           "properties are computed from raw values"})
     EXPECT_NE(warnings(31).find(part), std::string::npos) << warnings(31);
 }
 

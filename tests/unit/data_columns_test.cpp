@@ -205,8 +205,8 @@ TEST_F(ColumnsTest, OfAMachineMayBeNamedAfterItsAxis) {
   auto const record = read(mts + axial + rows);
   EXPECT_EQ(record.disp_mm, (std::vector<double>{1, 2, 3}));
   EXPECT_EQ(record.force_kN, (std::vector<double>{2, 3, 1}));
-  EXPECT_TRUE(says(record.warnings,
-                   "'Axial Force [kN]' is named after the machine's axis, and taken for the horizontal force"));
+  EXPECT_TRUE(
+      says(record.warnings, "'Axial Force [kN]' is named after the machine's axis and taken for the horizontal force"));
   EXPECT_NE(refusal(axial + rows).find("no column is recognised as the horizontal displacement"), std::string::npos);
   auto const both = read(mts + "Time [s]\tDisplacement [mm]\tForce [kN]\tAxial Force [kN]" + rows);
   EXPECT_EQ(both.force_kN, (std::vector<double>{2, 3, 1}));

@@ -1,10 +1,11 @@
-// Corrections undo what a rig did, leave their sentence, and refuse what makes no sense.
+// Corrections undo what a rig did, leave their finding, and refuse what makes no sense.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <string>
 
+#include "finding_text.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/data/corrections.hpp"
 #include "motions.hpp"
@@ -33,7 +34,7 @@ TestRecord bearing(double late_s = 0.0) {
 
 Cycle reported(TestRecord const& record) {
   auto const properties = cyclic_properties(record);
-  EXPECT_TRUE(properties.reported) << properties.refusal;
+  EXPECT_TRUE(properties.reported) << text_of(properties.refusal);
   return properties.reported.value_or(Cycle{});
 }
 
@@ -69,7 +70,8 @@ TEST(Corrections, ASkewedForceIsMovedBack) {
     EXPECT_EQ(record.size(), record.force_kN.size());
     EXPECT_EQ(record.size(), record.load_kN.size());
     ASSERT_EQ(record.corrections.size(), 1u);
-    EXPECT_EQ(record.recognised, std::vector<std::string>{"corrected: " + record.corrections[0]});
+    EXPECT_EQ(record.recognised, record.corrections);
+    EXPECT_EQ(record.corrections[0].word("option"), "--skew-ms");
   }
 }
 
@@ -85,7 +87,7 @@ TEST(Corrections, FrictionOfTheRigIsTakenOff) {
   correct(record, {.friction_kN = 15.0});
   expect_same(reported(record), truth, 1e-3);
   EXPECT_EQ(record.force_kN.front(), 0.0) << "at rest before the test";
-  EXPECT_EQ(record.corrections.at(0), "friction of the rig of 15 kN taken off along the motion");
+  EXPECT_EQ(text_of(record.corrections), "the rig's friction of 15 kN taken off along the motion");
   correct(by_load, {.friction_coefficient = 0.005});
   EXPECT_EQ(by_load.force_kN, record.force_kN);
 }
@@ -124,7 +126,7 @@ TEST(Corrections, InertiaOfAMovingMassIsTakenOff) {
   correct(record, {.moving_mass_kg = mass});
   // What is left is 0.5 % of the 0.049 kN/mm.
   EXPECT_NEAR(reported(record).K_eff_kN_per_mm, truth.K_eff_kN_per_mm, 0.0005);
-  EXPECT_NE(record.corrections.at(0).find("moving mass of 5000 kg"), std::string::npos);
+  EXPECT_NE(text_of(record.corrections).find("moving mass of 5000 kg"), std::string::npos);
 }
 
 TEST(Corrections, TheInertiaOfANoisyMotionIsNoNoise) {
@@ -175,7 +177,7 @@ TEST(Corrections, CountTheSamplesLostToASkew) {
     auto record = bearing();  // 0.005 s apart
     auto const before = record.size();
     correct(record, {.skew_s = skew_s});
-    return std::pair(before - record.size(), record.corrections.at(0));
+    return std::pair(before - record.size(), text_of(record.corrections));
   };
   auto const [one, of_one] = said(0.004);
   EXPECT_EQ(one, 1u);

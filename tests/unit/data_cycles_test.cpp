@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "finding_text.hpp"
 #include "motions.hpp"
 
 namespace isolaw::data::testing {
@@ -22,7 +23,7 @@ TEST(Segment, StagesFromFiveToTwoHundredPercent) {
   motion.end();
   for (double const noise : {0.0, 0.4}) {
     auto const cut = motion.noise(noise).cut();
-    EXPECT_TRUE(cut.cyclic) << cut.refusal;
+    EXPECT_TRUE(cut.cyclic) << text_of(cut.refusal);
     EXPECT_EQ(counted_per_block(cut), Counts(7, 3)) << noise;
     EXPECT_EQ(cut.cycles.size(), 21u);
   }
@@ -39,14 +40,14 @@ TEST(Segment, OneCyclePerStageIsCyclic) {
     Motion motion;
     for (double const amplitude : {20.0, 50.0, 100.0, 150.0, 200.0}) motion.sine(sign * amplitude, 0.5, 1);
     auto const cut = motion.end().cut();
-    EXPECT_TRUE(cut.cyclic) << cut.refusal;
+    EXPECT_TRUE(cut.cyclic) << text_of(cut.refusal);
     EXPECT_EQ(counted_per_block(cut), Counts(5, 1));
   }
 }
 
 TEST(Segment, OneCycleIsCyclic) {
   auto const cut = Motion().sine(100.0, 0.5, 1).end().cut();
-  EXPECT_TRUE(cut.cyclic) << cut.refusal;
+  EXPECT_TRUE(cut.cyclic) << text_of(cut.refusal);
   EXPECT_EQ(counted_per_block(cut), Counts{1});
 }
 
@@ -145,7 +146,7 @@ TEST(Segment, APreLoadEitherWayCostsNoCycle) {
         motion.ramp(0.0, sign * to, seconds).ramp(sign * to, 0.0, seconds).sine(sign * 150.0, 0.5, cycles).end();
         auto const properties = motion.noise(noise).loop(0.6, 25.0).properties();
         auto const cut = motion.cut();
-        ASSERT_TRUE(cut.cyclic) << cut.refusal;
+        ASSERT_TRUE(cut.cyclic) << text_of(cut.refusal);
         EXPECT_EQ(counted_per_block(cut), Counts{cycles});
         EXPECT_TRUE(cut.cycles[0].partial);
         EXPECT_TRUE(cut.cycles[0].not_counted.starts_with("pre-load: to ")) << cut.cycles[0].not_counted;
@@ -295,7 +296,7 @@ TEST(Segment, ARecordThatStartsAndEndsAnywhereInItsCyclesIsCyclic) {
     for (int const samples : {450, 520, 600, 650, 700, 730, 799, 801, 900, 1101}) {
       auto const from = whole.disp_mm.begin() + start;
       auto const cut = segment(std::vector<double>(from, from + samples));
-      EXPECT_TRUE(cut.cyclic) << "from sample " << start << ", " << samples << ": " << cut.refusal;
+      EXPECT_TRUE(cut.cyclic) << "from sample " << start << ", " << samples << ": " << text_of(cut.refusal);
       auto const counted = std::ranges::count_if(cut.cycles, [](CycleCut const& c) { return c.number > 0; });
       EXPECT_GE(counted, (samples - 1) / 200 - 1) << "from sample " << start << ", " << samples;
       EXPECT_EQ(counted, std::ranges::count(cut.cycles, false, &CycleCut::partial));
@@ -317,7 +318,7 @@ TEST(Segment, RampedEndsBelongToTheirBlock) {
     motion.add(25.0 * std::min({1.0, t / 4.0, (14.0 - t) / 4.0}) * std::sin(pi * t));
   }
   auto const cut = motion.cut();
-  EXPECT_TRUE(cut.cyclic) << cut.refusal;
+  EXPECT_TRUE(cut.cyclic) << text_of(cut.refusal);
   EXPECT_EQ(std::ranges::count(cut.cycles, false, &CycleCut::partial), 7);
   EXPECT_EQ(counted_per_block(cut), Counts{3});
 }
@@ -337,7 +338,7 @@ TEST(Segment, ADriftingMiddleStaysCyclic) {
   Motion motion = Motion().sine(100.0, 0.5, 10).end();
   for (std::size_t i = 0; i < motion.disp_mm.size(); ++i) motion.disp_mm[i] += 3.0 * motion.time_s[i] - 30.0;
   auto const cut = motion.cut();
-  EXPECT_TRUE(cut.cyclic) << cut.refusal;
+  EXPECT_TRUE(cut.cyclic) << text_of(cut.refusal);
   EXPECT_GE(counted_per_block(cut).at(0), 8);
 }
 
@@ -362,8 +363,8 @@ TEST(Segment, ResponsesToIrregularMotionAreNotCyclic) {
     auto const cut = motion.cut();
     cyclic += cut.cyclic ? 1 : 0;
     if (cut.cyclic) continue;
-    EXPECT_TRUE(cut.refusal.starts_with("not cyclic: ")) << cut.refusal;
-    EXPECT_NE(cut.refusal.find("80 % or more"), std::string::npos) << cut.refusal;
+    EXPECT_TRUE(text_of(cut.refusal).starts_with("the motion is not cyclic: ")) << text_of(cut.refusal);
+    EXPECT_NE(text_of(cut.refusal).find("80 % or more"), std::string::npos) << text_of(cut.refusal);
     for (auto const& cycle : cut.cycles) {
       EXPECT_EQ(cycle.number, 0);
       EXPECT_FALSE(cycle.not_counted.starts_with("pre-load")) << "of nothing";
@@ -373,14 +374,15 @@ TEST(Segment, ResponsesToIrregularMotionAreNotCyclic) {
 }
 
 TEST(Segment, HistoriesThatDoNotMoveAreRefused) {
-  EXPECT_EQ(segment({}).refusal, "no samples");
+  EXPECT_EQ(text_of(segment({}).refusal), "there are no samples.");
   for (auto const& x : {Values{1.0}, Values{1.0, 2.0}, Values(100, 7.0)}) {
     auto const cut = segment(x);
     EXPECT_FALSE(cut.cyclic);
-    EXPECT_TRUE(cut.refusal.starts_with("less than one complete cycle")) << cut.refusal;
+    EXPECT_TRUE(text_of(cut.refusal).starts_with("less than one complete cycle")) << text_of(cut.refusal);
   }
   auto const monotone = Motion().ramp(0.0, 100.0, 10.0).cut();
-  EXPECT_TRUE(monotone.refusal.starts_with("less than one complete cycle: displacement runs from 0 to 99.9 mm"));
+  EXPECT_TRUE(
+      text_of(monotone.refusal).starts_with("less than one complete cycle: displacement goes from 0 to 99.9 mm"));
 }
 
 // --- what leaves the cut as it is --------------------------------------------------------------------------------
@@ -414,7 +416,7 @@ class Draw : public ::testing::TestWithParam<unsigned> {
 TEST_P(Draw, IsCutIntoItsStages) {
   auto const motion = random();
   auto const cut = motion.cut();
-  EXPECT_TRUE(cut.cyclic) << cut.refusal;
+  EXPECT_TRUE(cut.cyclic) << text_of(cut.refusal);
   EXPECT_EQ(counted_per_block(cut), expected_);
 }
 
@@ -447,7 +449,7 @@ TEST_P(Draw, ThePhysicsSurviveRescalingShiftResamplingAndReversal) {
   if (motion.disp_mm.size() % 2 == 0) motion.end();  // the last sample stays when every second is left out
   motion.loop();
   auto const reference = motion.properties();
-  ASSERT_TRUE(reference.reported) << reference.refusal;
+  ASSERT_TRUE(reference.reported) << text_of(reference.refusal);
   auto const& cycle = *reference.reported;
   auto reversed = motion;
   for (double& x : reversed.disp_mm) x = -x;
@@ -476,7 +478,7 @@ TEST_P(Draw, ThePhysicsSurviveRescalingShiftResamplingAndReversal) {
     half.force_kN.push_back(motion.force_kN[i]);
   }
   auto const thinned = half.properties();
-  ASSERT_TRUE(thinned.reported) << thinned.refusal;
+  ASSERT_TRUE(thinned.reported) << text_of(thinned.refusal);
   ASSERT_EQ(thinned.counted().size(), reference.counted().size());
   EXPECT_NEAR(thinned.reported->K_eff_kN_per_mm, cycle.K_eff_kN_per_mm, 0.02 * cycle.K_eff_kN_per_mm);
   EXPECT_NEAR(thinned.reported->energy_kN_mm, cycle.energy_kN_mm, 0.02 * cycle.energy_kN_mm);

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "finding_text.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/data/read.hpp"
 #include "refusal.hpp"
@@ -66,12 +67,6 @@ inline ReadOptions with(std::string_view columns, std::string_view units = {}) {
   options.columns = parse_columns(columns);
   options.units = parse_units(units);
   return options;
-}
-
-inline bool says(std::vector<std::string> const& sentences, std::string_view part) {
-  for (auto const& sentence : sentences)
-    if (sentence.find(part) != std::string::npos) return true;
-  return false;
 }
 
 // An elliptic loop F = K x + C v/omega: dissipates, positive stiffness.

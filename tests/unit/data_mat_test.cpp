@@ -65,7 +65,7 @@ TEST_P(Matlab, DatenumIsReadAsSeconds) {
   }));
   ASSERT_EQ(record.time_s.size(), 4u);
   EXPECT_NEAR(record.time_s[3], 1.5, 1e-4);
-  EXPECT_TRUE(says(record.recognised, "2024-05-02 at 09:00:00")) << record.recognised.back();
+  EXPECT_TRUE(says(record.recognised, "2024-05-02 at 09:00:00")) << text_of(record.recognised.back());
   auto const odd =
       made([&](MatWriter& w) { w.array("datenum", time_s).array("disp_mm", four_disp).array("force_kN", four_force); });
   EXPECT_NE(refusal(odd).find("0 is no day of a test; allowed: days of MATLAB's datenum, 1954 to 2119"),

@@ -100,7 +100,7 @@ TEST(Measured, FullScaleBearingWhoseForceIsClippedIsNamed) {
   auto const file = folder / "hdrb-gallardo-device/cyclic-24-49-98pct.csv";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not here";
   auto const record = read_record(file);
-  EXPECT_TRUE(record.faults.empty()) << record.faults.front().sentence;
+  EXPECT_TRUE(record.faults.empty()) << text_of(record.faults.front().finding);
   for (double const noise_kN : {0.002, 0.2}) {
     std::mt19937 generator(1);
     std::normal_distribution<double> noise(0.0, noise_kN);
@@ -136,9 +136,9 @@ TEST(Measured, MrDampersAreReadAndCutIntoTheirCycles) {
     auto const record = read_record(file, options);
     EXPECT_EQ(record.size(), 1501u);
     EXPECT_DOUBLE_EQ(record.time_s.back(), 15.0);
-    EXPECT_TRUE(record.faults.empty()) << record.faults.front().sentence;
+    EXPECT_TRUE(record.faults.empty()) << text_of(record.faults.front().finding);
     auto const cut = segment(record.disp_mm, record.time_s);
-    EXPECT_TRUE(cut.cyclic) << cut.refusal;
+    EXPECT_TRUE(cut.cyclic) << text_of(cut.refusal);
     auto const complete = std::ranges::count(cut.cycles, false, &CycleCut::partial);
     EXPECT_TRUE(std::cmp_equal(complete, test.complete)) << complete;
     auto turned = record.disp_mm;
@@ -185,7 +185,7 @@ TEST_F(Quakes, OfABuildingOnIsolatorsAreNotCyclic) {
     auto const cut = segment(disp);
     EXPECT_FALSE(cut.cyclic) << run;
     EXPECT_LT(cut.regular_share, 0.5) << run;
-    EXPECT_TRUE(cut.refusal.starts_with("not cyclic: ")) << cut.refusal;
+    EXPECT_TRUE(text_of(cut.refusal).starts_with("the motion is not cyclic: ")) << text_of(cut.refusal);
     EXPECT_GT(std::ranges::count(cut.cycles, false, &CycleCut::partial), 8) << "the swings are shown nevertheless";
   }
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "finding_text.hpp"
 #include "isolaw/data/holds.hpp"
 #include "isolaw/data/signal_faults.hpp"
 #include "motions.hpp"
@@ -34,7 +35,7 @@ bool stands(std::vector<SignalFault> const& faults, std::string_view channel) {
 
 std::string text_of(std::vector<SignalFault> const& faults) {
   std::string text;
-  for (auto const& fault : faults) text += "\n  " + fault.sentence;
+  for (auto const& fault : faults) text += "\n  " + text_of(fault.finding);
   return text;
 }
 
@@ -353,8 +354,8 @@ TEST(Signals, a_dropout_is_said_with_its_samples) {
   auto const faults = signal_faults(disp, force, time);
   ASSERT_EQ(faults.size(), 1u) << text_of(faults);
   EXPECT_EQ(said_of(faults.front().kind), "interrupted");
-  EXPECT_EQ(faults.front().sentence.find("force drops out, from sample 213 (2.12 s): 0 kN in 5 samples, between "), 0u)
-      << faults.front().sentence;
+  EXPECT_EQ(text_of(faults.front().finding).find("the force drops out: 0 kN for 5 samples between "), 0u)
+      << text_of(faults.front().finding);
 }
 
 TEST(Signals, a_channel_without_its_sign_is_found) {
@@ -379,15 +380,17 @@ TEST(Signals, sentences_name_the_word_the_sample_and_the_time) {
   for (double& x : clipped.disp_mm) x = std::min(x, 95.0);
   auto const faults = signal_faults(clipped.disp_mm, clipped.force_kN, clipped.time_s);
   ASSERT_EQ(faults.size(), 1u);
-  EXPECT_EQ(faults.front().sentence,
-            "displacement is clipped at 95 mm: it stays there for up to 21 samples, from samples 41 (0.4 s), 241 "
-            "(2.4 s) and 441 (4.4 s), while the force goes on");
+  EXPECT_EQ(
+      text_of(faults.front().finding),
+      "the displacement is clipped at 95 mm for up to 21 samples from 0.4 s (sample 41), 2.4 s (sample 241) and "
+      "4.4 s (sample 441), while the force goes on. Whatever is computed from such a signal is wrong: test again, "
+      "or give a channel that was not disturbed.");
   motion.force_kN[212] += 8.0;
   auto const spike = signal_faults(motion.disp_mm, motion.force_kN, motion.time_s);
   ASSERT_EQ(spike.size(), 1u);
-  EXPECT_NE(spike.front().sentence.find("force has a spike of a single sample, at sample 213 (2.12 s): "),
+  EXPECT_NE(text_of(spike.front().finding).find("the force has a single-sample spike at 2.12 s (sample 213): +"),
             std::string::npos)
-      << spike.front().sentence;
+      << text_of(spike.front().finding);
 }
 
 // Elastic and plastic, and a spring with play, without noise or digits, the force a few samples late or not.
@@ -487,7 +490,7 @@ TEST(Signals, energy_given_back_refuses) {
     motion.force_kN[i] = 2.0 * 0.5 * motion.disp_mm[i] - motion.force_kN[i];
   auto const properties = motion.properties();
   EXPECT_FALSE(properties.reported);
-  EXPECT_NE(properties.refusal.find("gives back"), std::string::npos) << properties.refusal;
+  EXPECT_NE(text_of(properties.refusal).find("gives back"), std::string::npos) << text_of(properties.refusal);
 }
 
 }  // namespace

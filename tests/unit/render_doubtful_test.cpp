@@ -6,6 +6,7 @@
 #include <string>
 
 #include "contains.hpp"
+#include "finding_text.hpp"
 #include "isolaw/render/tables/tables.hpp"
 #include "isolaw/render/terminal/terminal.hpp"
 #include "isolaw/study/findings.hpp"
@@ -23,7 +24,7 @@ Summary two_devices() {
     device.status = "ok";
     device.raw.disp_mm = {0.0, 1.0, name == "A" ? 2.0 : 2.5};
     device.raw.force_kN = {0.0, 1.0, 2.0};
-    device.properties.refusal = "no cycles";
+    device.properties.refusal = {stated("no cycles")};
     summary.devices.push_back(device);
   }
   for (std::string const id : {"abe", "bilinear"}) {
@@ -74,7 +75,7 @@ TEST(Doubtful, CopiesOfARecordAreNamed) {
   EXPECT_EQ(copies->sentence,
             "A and B hold the same record, which counts 2 times in every mean and spread over the devices");
   // Of one device alone its own warnings say it.
-  summary.devices[1].raw.warnings.push_back("a column is constant");
+  summary.devices[1].raw.warnings.push_back(stated("a column is constant"));
   EXPECT_EQ(device_warnings(summary), (std::vector<std::vector<std::string>>{
                                           {"the same record as B"}, {"a column is constant", "the same record as A"}}));
   summary.devices[1].raw.force_kN.back() = 7.0;  // another device in the same file

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "contains.hpp"
+#include "finding_text.hpp"
 #include "isolaw/study/adequacy.hpp"
 #include "isolaw/study/build_analysis.hpp"
 #include "isolaw/study/doubts.hpp"
@@ -117,7 +118,7 @@ TEST(Doubts, AreOfTheLawAndTheDevice) {
   auto& lot = law(summary, "bilinear").lot.emplace();
   lot.parameters = {1.0, 1.0, 1.0};
   lot.at_bound = {"K2 at its upper bound"};
-  summary.devices[0].raw.warnings = {"a channel may be late"};
+  summary.devices[0].raw.warnings = {stated("a channel may be late")};
   summary.expected_runs = summary.runs + 5;
   auto const joined = [](std::vector<std::string> const& lines) {
     std::string text;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "finding_text.hpp"
 #include "isolaw/study/summary.hpp"
 
 namespace isolaw::study::fixture {
@@ -127,7 +128,7 @@ inline DeviceResult device(std::string name, double scatter, int samples_per_cyc
   device.status = "ok";
   device.rubber_thickness_mm = 208.0;
   device.temperature_C = 21.5;
-  device.record.cleaning = {"centred moving average over 5 samples on displacement and force"};
+  device.record.cleaning = {stated("centred moving average over 5 samples on displacement and force")};
   for (int i = 0; i <= 3 * samples_per_cycle; ++i) {
     double const t = 2.0 * i / samples_per_cycle;
     device.record.time_s.push_back(t);
@@ -139,8 +140,8 @@ inline DeviceResult device(std::string name, double scatter, int samples_per_cyc
   device.raw.time_s = device.record.time_s;
   device.raw.disp_mm = device.record.disp_mm;
   device.raw.force_kN = device.record.force_kN;
-  device.raw.recognised = {"comma separated, decimal point: one number per column in every row",
-                           "force in kN, displacement in mm, time in s: units stand in row 2"};
+  device.raw.recognised = {stated("comma separated, decimal point: one number per column in every row"),
+                           stated("force in kN, displacement in mm, time in s: units stand in row 2")};
   auto& block = device.properties.blocks.emplace_back();
   block.number = 1;
   block.amplitude_mm = 208.0;
@@ -182,7 +183,7 @@ inline Summary lot(int device_count = 3, int law_count = 3) {
   refused.message = "line 7: not a number: \"<script>alert(2)</script>\"";
   summary.devices.push_back(refused);
 
-  refused.properties.refusal = refused.message;
+  refused.properties.refusal = {stated(refused.message)};
   summary.devices.back() = refused;
   rules::Design design;
   design.K_eff_kN_per_mm = 0.6;

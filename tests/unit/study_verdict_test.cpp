@@ -1,4 +1,5 @@
 // What the lines of a device come to: never a bare pass where something was not compared.
+#include "finding_text.hpp"
 #include "isolaw/study/verdict.hpp"
 
 #include <gtest/gtest.h>
@@ -91,7 +92,7 @@ TEST(VerdictOnADevice, IsNotAssessedWhereItsRecordHasNoPropertiesAndNothingWhere
   LotAcceptance lot;
   DeviceResult device;
   EXPECT_FALSE(verdict_on(lot, device));
-  device.properties.refusal = "not cyclic";
+  device.properties.refusal = {stated("not cyclic")};
   EXPECT_FALSE(verdict_on(lot, device));
   lot.rules.id = "mine";
   ASSERT_TRUE(verdict_on(lot, device));
@@ -300,29 +301,8 @@ TEST(ValueDoubts, ALeadOrFrictionSaysWhatTheDampingWouldBe) {
   EXPECT_EQ(value_doubts(device)[0].text(), "damping 18.5 %, or 20.5 % if the force, a late channel, is moved back");
   device.effects = {{data::damping_by_rig_friction, 1.5, "points", std::nullopt, false}};
   EXPECT_EQ(value_doubts(device)[0].otherwise, 17.0);
-  device.raw.corrections = {"friction of the rig of 2 kN taken off along the motion"};
+  device.raw.corrections = {{.kind = FindingKind::friction_removed, .numbers = {{"friction_kN", 2.0}}}};
   EXPECT_TRUE(value_doubts(device).empty());
-}
-
-TEST(InFewLines, RemarksThatDifferInTheirNumbersAloneAreOne) {
-  Summary summary;
-  for (std::string const name : {"D01", "D02", "D03", "D04", "D05"}) {
-    auto& device = summary.devices.emplace_back();
-    device.name = name;
-    device.status = "ok";
-    auto const k = summary.devices.size();
-    device.raw.disp_mm = device.raw.force_kN = {0.0, static_cast<double>(k)};
-    device.raw.warnings = {"noise of 0." + std::to_string(k) + " mm, K2 of -1e-0" + std::to_string(k)};
-    device.properties.reported.emplace();
-  }
-  summary.devices[4].raw.warnings.push_back("a column is constant");
-  auto const all = warnings(summary);
-  ASSERT_EQ(all.size(), 6u);
-  EXPECT_EQ(all[1].sentence, "D02: noise of 0.2 mm, K2 of -1e-02");  // whole in JSON and on the page
-  auto const few = in_few_lines(all);
-  ASSERT_EQ(few.size(), 2u);
-  EXPECT_EQ(few[0].sentence, "D01, D02 and 3 more: noise of 0.1 to 0.5 mm, K2 of -1e-01 to -1e-05");
-  EXPECT_EQ(few[1].sentence, "D05: a column is constant");
 }
 
 }  // namespace

@@ -23,6 +23,7 @@
 #include "isolaw/render/terminal/inspection_text.hpp"
 #include "isolaw/render/write.hpp"
 #include "isolaw/study/build_summary.hpp"
+#include "isolaw/wording/table.hpp"
 
 namespace isolaw::app {
 namespace {
@@ -158,7 +159,7 @@ int init(InitArguments const& arguments) {
       fmt::print("{}: {}\n",
                  device.name == campaign::name_of_file(device.files.front()) ? device.shown_file : device.name,
                  counted(record.size(), "sample"));
-      for (auto const& line : record.recognised) fmt::print("  {}\n", line);
+      for (auto const& line : wording::remarks(record.recognised)) fmt::print("  {}\n", line);
     } catch (Error const& error) {
       complaints.insert(complaints.end(), error.complaints().begin(), error.complaints().end());
       remarks.left_out.emplace_back(device.files.front(), to_string(error.complaints().front()));

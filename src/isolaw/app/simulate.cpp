@@ -132,9 +132,9 @@ std::vector<std::string> facts(Chosen const& chosen) {
 
 void say_what_it_is(laws::LawEntry const& law, Chosen const& chosen, data::TestRecord const& motion) {
   say("{}\n", shown(motion.file));
-  for (auto const& line : motion.recognised)
-    if (!line.starts_with("no time column")) say("  {}\n", line);
-  for (auto const& line : motion.warnings) say("  warning: {}\n", line);
+  for (auto const& finding : motion.recognised)
+    if (finding.kind != FindingKind::no_time_column) say("  {}\n", wording::remark(finding));
+  for (auto const& line : wording::remarks(motion.warnings)) say("  warning: {}\n", line);
   if (!motion.has_time()) say("  no time: the force of {} does not depend on it\n", law.info.id);
   say("{}\n ", law.info.id);
   for (std::size_t i = 0; i < law.parameters.size(); ++i)

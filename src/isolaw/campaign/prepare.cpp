@@ -14,6 +14,7 @@
 #include "isolaw/data/properties.hpp"
 #include "isolaw/data/text.hpp"
 #include "isolaw/fit/joint_limits.hpp"
+#include "isolaw/wording/table.hpp"
 
 namespace isolaw::campaign {
 namespace {
@@ -32,6 +33,11 @@ std::string with_shown_files(std::string text, std::filesystem::path const& dire
   if (prefix.empty()) return text;
   for (std::size_t at = 0; (at = text.find(prefix, at)) != std::string::npos;) text.erase(at, prefix.size());
   return text;
+}
+
+void show_files(std::vector<Finding>& findings, std::filesystem::path const& directory) {
+  for (auto& finding : findings)
+    for (auto& word : finding.words) word.text = with_shown_files(std::move(word.text), directory);
 }
 
 // A hash of a refused device's readable files, so that a later change of them is noticed.
@@ -55,8 +61,8 @@ Device prepare_device(DeviceInput const& input, data::CleanOptions const& cleani
   try {
     device.raw = read_history(input);
     device.record = data::clean(device.raw, cleaning);
-    for (auto* lines : {&device.raw.recognised, &device.raw.warnings})
-      for (auto& line : *lines) line = with_shown_files(std::move(line), input.directory);
+    show_files(device.raw.recognised, input.directory);
+    show_files(device.raw.warnings, input.directory);
   } catch (Error const& error) {
     device.refusal = with_shown_files(error.what(), input.directory);
     device.raw = {};
@@ -132,7 +138,7 @@ Device cleaned(NamedRecord&& given, data::CleanOptions const& cleaning) {
 void refuse_false_signals(Device& device) {
   if (!device.usable()) return;
   auto const properties = data::cyclic_properties(device.raw);
-  if (properties.is_false) refuse_device(device, properties.refusal);
+  if (properties.is_false) refuse_device(device, wording::reasons(properties.refusal));
 }
 
 Contents with_searches(Contents contents, std::vector<std::string> const& laws) {
@@ -178,7 +184,7 @@ data::VerticalTest prepare_vertical(VerticalInput const& given, std::filesystem:
     test.refusal = with_shown_files(joined(texts, "; "), directory);
   }
   test.file = given.shown_file;
-  for (auto& line : test.recognised) line = with_shown_files(std::move(line), directory);
+  show_files(test.recognised, directory);
   return test;
 }
 

@@ -15,6 +15,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/campaign/analysis_json.hpp"
 #include "isolaw/campaign/schema.hpp"
+#include "isolaw/wording/finding_json.hpp"
 
 namespace isolaw::campaign {
 namespace {
@@ -22,29 +23,24 @@ namespace {
 using sqlite::Connection;
 using sqlite::Statement;
 
-std::string to_json(std::vector<std::string> const& lines) {
-  return nlohmann::json(lines).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-std::vector<std::string> lines_of(std::string const& json) {
-  return nlohmann::json::parse(json).get<std::vector<std::string>>();
-}
-
 // All of a compression test but its series; empty: there is none.
 std::string to_json(data::VerticalTest const& test) {
   if (!test.given()) return {};
-  nlohmann::json made{
-      {"file", test.file}, {"sha256", test.sha256}, {"recognised", test.recognised}, {"refusal", test.refusal}};
+  nlohmann::ordered_json made{{"file", test.file},
+                              {"sha256", test.sha256},
+                              {"recognised", nlohmann::ordered_json::parse(wording::findings_json(test.recognised))},
+                              {"refusal", test.refusal}};
   if (test.loads) made["loads_kN"] = {test.loads->low_kN, test.loads->high_kN};
   if (test.stated_kN_per_mm) made["stated_kN_per_mm"] = *test.stated_kN_per_mm;
   if (test.found_kN_per_mm) made["K_v_kN_per_mm"] = *test.found_kN_per_mm;
   if (!test.curve_sha256.empty()) made["curve_sha256"] = test.curve_sha256;
-  return made.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return made.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 data::VerticalTest vertical_of(std::string const& json) {
   if (json.empty()) return {};
-  auto const from = nlohmann::json::parse(json);
+  auto const from = nlohmann::ordered_json::parse(json);
   data::VerticalTest test{.file = from.at("file").get<std::string>(), .sha256 = from.at("sha256").get<std::string>()};
-  test.recognised = from.at("recognised").get<std::vector<std::string>>();
+  test.recognised = wording::findings_of(from.at("recognised").dump());
   test.refusal = from.at("refusal").get<std::string>();
   if (from.contains("loads_kN"))
     test.loads = {from["loads_kN"].at(0).get<double>(), from["loads_kN"].at(1).get<double>()};
@@ -101,8 +97,9 @@ void write_devices(Connection const& db, Contents const& contents) {
     auto const& d = contents.devices[id];
     device.bind(id, d.name, d.file, d.raw.sha256, d.usable() ? "ok" : "refused", d.refusal);
     bind(device, d.info);
-    device.bind(to_json(d.raw.recognised), to_json(d.raw.corrections), to_json(d.raw.warnings));
-    device.bind(to_json(d.record.cleaning), d.record.dead_band_mm, to_json(d.vertical)).insert();
+    for (auto const* findings : {&d.raw.recognised, &d.raw.corrections, &d.raw.warnings, &d.record.cleaning})
+      device.bind(wording::findings_json(*findings));
+    device.bind(d.record.dead_band_mm, to_json(d.vertical)).insert();
     for_each_series(d, series.of(id));
   }
 }
@@ -154,10 +151,10 @@ void read_devices(Connection const& db, Contents& contents) {
     device.read(recognised, corrections, warnings, cleaning, d.record.dead_band_mm, vertical);
     d.raw.file = d.file;
     if (status == "refused") d.refusal = message.empty() ? status : message;
-    d.raw.recognised = lines_of(recognised);
-    d.raw.corrections = lines_of(corrections);
-    d.raw.warnings = lines_of(warnings);
-    d.record.cleaning = lines_of(cleaning);
+    d.raw.recognised = wording::findings_of(recognised);
+    d.raw.corrections = wording::findings_of(corrections);
+    d.raw.warnings = wording::findings_of(warnings);
+    d.record.cleaning = wording::findings_of(cleaning);
     d.vertical = vertical_of(vertical);
   }
 }

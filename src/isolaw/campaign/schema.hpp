@@ -9,7 +9,7 @@
 
 namespace isolaw::campaign {
 
-inline constexpr int schema_version = 9;
+inline constexpr int schema_version = 10;
 
 void create_tables(sqlite::Connection const& db);
 // One of an older schema reads as one of the present from here on; its file is not changed. Throws Error for what is no

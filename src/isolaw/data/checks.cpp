@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <optional>
 
@@ -13,6 +12,7 @@
 #include "isolaw/data/error_budget.hpp"
 #include "isolaw/data/holds.hpp"
 #include "isolaw/data/properties.hpp"
+#include "isolaw/data/record_parts.hpp"
 #include "isolaw/data/time_stamp.hpp"
 
 namespace isolaw::data {
@@ -143,13 +143,15 @@ void warn_about_magnitude(TestRecord& record) {
     auto const found = record.layout.units.find(channel);
     return found == record.layout.units.end() ? std::string("?") : found->second;
   };
-  record.warnings.push_back(fmt::format(
-      "{:.4g} kN over {:.4g} mm is {}: are displacements really in {} and forces in {}? (--units disp=UNIT,force=UNIT)",
-      largest_F - least_F, largest_x - least_x,
-      plausible ? std::string("a way that no isolator goes")
-                : fmt::format("a stiffness of {:.4g} kN/mm, {} than any isolator's", stiffness,
-                              stiffness > stiffest_kN_per_mm ? "stiffer" : "softer"),
-      unit(Channel::disp), unit(Channel::force)));
+  record.warnings.push_back({.kind = FindingKind::units_implausible,
+                             .numbers = {{"force_kN", largest_F - least_F},
+                                         {"way_mm", largest_x - least_x},
+                                         {"stiffness_kN_per_mm", stiffness}},
+                             .words = {{"disp_unit", unit(Channel::disp)},
+                                       {"force_unit", unit(Channel::force)},
+                                       {"than_any", plausible                        ? "longer"
+                                                    : stiffness > stiffest_kN_per_mm ? "stiffer"
+                                                                                     : "softer"}}});
 }
 
 // A rest that was not recorded takes its time by the clock: nothing is left out then.
@@ -158,10 +160,12 @@ void warn_of_gaps(TestRecord& record) {
   std::erase_if(gaps, [](Gap const& gap) { return gap.taken_s >= gap.length_s; });
   if (gaps.empty()) return;
   auto const& gap = *std::ranges::max_element(gaps, {}, &Gap::length_s);
-  record.warnings.push_back(fmt::format(
-      "time jumps {} by {:.4g} s after sample {} ({:.6g} s): {:.4g} s of it are taken for the motion, by its speed on both sides, and periods and frequency leave out the rest",
-      gaps.size() == 1 ? "once," : fmt::format("{} times, at most", gaps.size()), gap.length_s, gap.after + 1,
-      record.time_s[gap.after], gap.taken_s));
+  record.warnings.push_back({.kind = FindingKind::time_jumps,
+                             .numbers = {{"count", static_cast<double>(gaps.size())},
+                                         {"length_s", gap.length_s},
+                                         {"sample", gap.after + 1.0},
+                                         {"time_s", record.time_s[gap.after]},
+                                         {"taken_s", gap.taken_s}}});
 }
 
 // Days of a spreadsheet under a name with seconds: each cell a date, all of a test within a part of a day.
@@ -171,9 +175,9 @@ void warn_of_days(TestRecord& record) {
   double const length = record.time_s.back() - record.time_s.front();
   double const rate = static_cast<double>(record.time_s.size() - 1) / length;
   if (length > 1.0 || rate < fastest_Hz) return;
-  record.warnings.push_back(fmt::format(
-      "time runs from {:.10g} to {:.10g} s, {:.4g} samples a second: these look like days of a spreadsheet; try: --units time=d",
-      record.time_s.front(), record.time_s.back(), rate));
+  record.warnings.push_back(
+      {.kind = FindingKind::time_in_days,
+       .numbers = {{"first_s", record.time_s.front()}, {"last_s", record.time_s.back()}, {"rate_Hz", rate}}});
 }
 
 }  // namespace
@@ -225,27 +229,24 @@ void check_physics(TestRecord const& record, std::string const& exchange_advice,
 }
 
 void add_warnings(TestRecord& record) {
+  auto& warnings = record.warnings;
   warn_about_magnitude(record);
   auto const properties = cyclic_properties(record);
-  // No other diagnosis of a signal that cannot be true.
-  if (!properties.faults.empty()) {
-    record.warnings.push_back("no cyclic properties: " + properties.refusal);
-    return;
-  }
+  // Nothing else is diagnosed of a signal that cannot be true.
+  if (!properties.faults.empty()) return append(warnings, properties.refusal);
   auto const [least, largest] = std::ranges::minmax(record.disp_mm);
-  double const half_range = (largest - least) / 2.0;
-  if (std::abs(record.disp_mm.front()) > 0.05 * half_range)
-    record.warnings.push_back(fmt::format(
-        "the first sample is at {:.4g} mm, {:.0f} % of the half range of {:.4g} mm: laws start at rest at zero",
-        record.disp_mm.front(), 100.0 * std::abs(record.disp_mm.front()) / half_range, half_range));
+  double const half_range = (largest - least) / 2.0, start = record.disp_mm.front();
+  if (std::abs(start) > 0.05 * half_range)
+    warnings.push_back(
+        {.kind = FindingKind::starts_off_zero,
+         .numbers = {
+             {"disp_mm", start}, {"percent", 100.0 * std::abs(start) / half_range}, {"half_range_mm", half_range}}});
   warn_of_gaps(record);
   warn_of_days(record);
   if (properties.reported && !properties.reported->damping())
-    record.warnings.push_back(
-        "equivalent damping is not defined: it relates the loop's energy to an effective stiffness, and hardly any of this device's force is one");
-  auto budget = error_budget(record, properties);
-  std::ranges::move(budget.warnings, std::back_inserter(record.warnings));
-  if (!properties.refusal.empty()) record.warnings.push_back("no cyclic properties: " + properties.refusal);
+    warnings.push_back({.kind = FindingKind::damping_undefined});
+  append(warnings, error_budget(record, properties).warnings);
+  append(warnings, properties.refusal);
 }
 
 }  // namespace isolaw::data

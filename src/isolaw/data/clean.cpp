@@ -40,17 +40,14 @@ class PrefixSums {
 
 // Samples [first, end) whose extremes centre the record: the reported cycle, or everything.
 struct Range {
-  std::size_t first = 0;
-  std::size_t end = 0;
-  std::string text = "the whole record, which has no cycle to report";
+  std::size_t first = 0, end = 0;
 };
 
 Range centring_range(Properties const& properties, std::size_t size) {
   if (!properties.reported) return {.end = size};
   auto const& cycle = *properties.reported;
   return {.first = static_cast<std::size_t>(std::floor(cycle.first)),
-          .end = std::min(size, static_cast<std::size_t>(std::ceil(cycle.last)) + 1),
-          .text = fmt::format("cycle {} of block {}", cycle.number, cycle.block)};
+          .end = std::min(size, static_cast<std::size_t>(std::ceil(cycle.last)) + 1)};
 }
 
 double remove_middle(std::vector<double>& values, Range const& range) {
@@ -64,9 +61,11 @@ void center(FitRecord& record, Properties const& properties) {
   auto const range = centring_range(properties, record.size());
   double const disp_mm = remove_middle(record.disp_mm, range);
   double const force_kN = remove_middle(record.force_kN, range);
-  record.cleaning.push_back(
-      fmt::format("centred: {:.4g} mm taken from displacement and {:.4g} kN from force, (max + min) / 2 over {}",
-                  disp_mm, force_kN, range.text));
+  auto& step = record.cleaning.emplace_back(
+      Finding{.kind = FindingKind::centred, .numbers = {{"disp_mm", disp_mm}, {"force_kN", force_kN}}});
+  if (!properties.reported) return;
+  step.blocks = {properties.reported->block};
+  step.numbers.push_back({"cycle", static_cast<double>(properties.reported->number)});
 }
 
 void average(FitRecord& record, int window) {
@@ -77,21 +76,19 @@ void average(FitRecord& record, int window) {
 // Keep every how many-th sample; 1 where nothing is dropped. Says why.
 std::size_t thinning_step(FitRecord& record, Properties const& properties, std::optional<int> wanted) {
   if (!wanted) {
-    record.cleaning.push_back("all samples kept, as asked for");
+    record.cleaning.push_back({.kind = FindingKind::all_samples_kept, .words = {{"option", "--samples-per-cycle"}}});
     return 1;
   }
   if (!properties.samples_per_cycle) {
-    record.cleaning.push_back(fmt::format("all samples kept: thinning needs cycles, and {}{}",
-                                          properties.refusal.starts_with("not cyclic") ? "the record is " : "there is ",
-                                          properties.refusal));
+    record.cleaning.push_back({.kind = FindingKind::all_samples_kept});
     return 1;
   }
   double const found = *properties.samples_per_cycle;
   // The tolerance keeps an exact multiple a multiple: crossings are interpolated to rounding error.
   auto const step = static_cast<std::size_t>(std::floor(found / *wanted * (1.0 + 1e-9)));
   if (step >= 2) return step;
-  record.cleaning.push_back(
-      fmt::format("all samples kept: {:.1f} per cycle is less than twice the {} asked for", found, *wanted));
+  record.cleaning.push_back({.kind = FindingKind::all_samples_kept,
+                             .numbers = {{"samples_per_cycle", found}, {"wanted", static_cast<double>(*wanted)}}});
   return 1;
 }
 
@@ -113,9 +110,10 @@ void choose_scored(FitRecord& record, TestRecord const& raw, Selection const& se
   auto const segmentation = segment(raw.disp_mm, raw.time_s);
   record.scored = scored_samples(selection, segmentation, raw.size());
   record.block = block_numbers(selection, segmentation, raw.size());
-  record.cleaning.push_back(fmt::format(
-      "laws are judged by {} of {} samples (blocks {}, cycles {}); the rest of the history only acts on their state",
-      std::ranges::count(record.scored, 1.0), raw.size(), selection.blocks.text(), selection.cycles.text()));
+  record.cleaning.push_back({.kind = FindingKind::scored_in_part,
+                             .numbers = {{"samples", static_cast<double>(std::ranges::count(record.scored, 1.0))},
+                                         {"of", static_cast<double>(raw.size())}},
+                             .words = {{"blocks", selection.blocks.text()}, {"cycles", selection.cycles.text()}}});
 }
 
 // An average over a quarter of a cycle takes a tenth of its amplitude; nothing identified from that means anything.
@@ -125,14 +123,6 @@ void refuse_wide_window(int window, Properties const& properties) {
                fmt::format("the average spans {:.2f} cycles of {:.1f} samples", window / *properties.samples_per_cycle,
                            *properties.samples_per_cycle),
                "less than a quarter of a cycle", "--smooth 5"});
-}
-
-// What the average takes from the motion, ready to be appended.
-std::string attenuation(int window, Properties const& properties) {
-  if (!properties.samples_per_cycle) return {};
-  double const samples = *properties.samples_per_cycle;
-  return fmt::format(": takes {:.2g} % from a sine of the test's frequency, {:.2g} % from its third harmonic",
-                     average_loss_percent(window, samples), average_loss_percent(window, samples / 3.0));
 }
 
 std::vector<double> sample_numbers(std::size_t size) {
@@ -196,10 +186,14 @@ FitRecord clean(TestRecord const& raw, CleanOptions const& options) {
   refuse_wide_window(options.smooth, properties);
   if (options.smooth > 1) {
     average(record, options.smooth);
-    record.cleaning.push_back(fmt::format("displacement and force averaged over {} samples, fewer at the ends{}",
-                                          options.smooth, attenuation(options.smooth, properties)));
+    auto& step = record.cleaning.emplace_back(
+        Finding{.kind = FindingKind::smoothed, .numbers = {{"window_samples", static_cast<double>(options.smooth)}}});
+    if (auto const samples = properties.samples_per_cycle) {
+      step.numbers.push_back({"percent", average_loss_percent(options.smooth, *samples)});
+      step.numbers.push_back({"third_harmonic_percent", average_loss_percent(options.smooth, *samples / 3.0)});
+    }
   } else {
-    record.cleaning.push_back("no smoothing");
+    record.cleaning.push_back({.kind = FindingKind::not_smoothed});
   }
   choose_scored(record, raw, options.scored);
   auto const step = thinning_step(record, properties, options.samples_per_cycle);
@@ -207,16 +201,19 @@ FitRecord clean(TestRecord const& raw, CleanOptions const& options) {
   if (step >= 2) average(record, window);
   if (raw.has_time()) {
     record.vel_mm_s = central_difference(record.time_s, record.disp_mm);
-    record.cleaning.push_back("velocity by central differences of the averaged displacement at the true times");
+    record.cleaning.push_back({.kind = FindingKind::velocity_computed});
   } else {
-    record.cleaning.push_back("no velocity: the record has no time, which counts samples instead");
+    record.cleaning.push_back({.kind = FindingKind::no_velocity});
   }
   if (step >= 2) {
     drop_samples(record, step);
-    record.cleaning.push_back(fmt::format(
-        "thinned from {:.1f} to {:.1f} samples per cycle: every {}th of {} samples kept ({}), each the average of {}",
-        *properties.samples_per_cycle, *properties.samples_per_cycle / static_cast<double>(step), step, raw.size(),
-        record.size(), window));
+    record.cleaning.push_back({.kind = FindingKind::samples_thinned,
+                               .numbers = {{"from_per_cycle", *properties.samples_per_cycle},
+                                           {"to_per_cycle", *properties.samples_per_cycle / static_cast<double>(step)},
+                                           {"every", static_cast<double>(step)},
+                                           {"of_samples", static_cast<double>(raw.size())},
+                                           {"samples", static_cast<double>(record.size())},
+                                           {"window_samples", static_cast<double>(window)}}});
   }
   record.dead_band_mm = options.dead_band_mm.value_or(dead_band_of(record.disp_mm));
   return record;

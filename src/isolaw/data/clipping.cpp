@@ -1,7 +1,5 @@
 #include "isolaw/data/clipping.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -53,9 +51,9 @@ class Clipping {
   }
 
  private:
-  void add(FaultKind kind, std::string channel, std::vector<std::size_t> samples, std::string sentence) {
-    found_.push_back(
-        {.kind = kind, .channel = std::move(channel), .samples = std::move(samples), .sentence = std::move(sentence)});
+  void add(std::string const& channel, std::string_view unit, std::vector<std::size_t> const& first, double level,
+           std::size_t longest) {
+    found_.push_back(standing_fault(FaultKind::clipped, channel, unit, first, pair_.time, level, longest));
   }
 
   // Stretches of samples within `width` below the largest value of sign * x.
@@ -176,11 +174,8 @@ class Clipping {
     std::vector<std::size_t> first;
     for (auto const& plateau : runs) first.push_back(plateau.run.first);
     auto const& shown = runs.front().run;
-    add(FaultKind::clipped, "displacement", first,
-        fmt::format("displacement is clipped at {:.5g} mm: it stays there for up to {} samples, from {}, while the "
-                    "force goes on",
-                    num::median(std::span(pair_.disp.x).subspan(shown.first, shown.last + 1 - shown.first)), longest,
-                    pair_.at(first)));
+    add("displacement", "mm", first,
+        num::median(std::span(pair_.disp.x).subspan(shown.first, shown.last + 1 - shown.first)), longest);
     return true;
   }
 
@@ -227,15 +222,8 @@ class Clipping {
       longest = std::max(longest, run.size());
     }
     if (first.empty()) return false;
-    name_clipped_force(pair_.force.x[first.front()], longest, first);
+    add("force", "kN", first, pair_.force.x[first.front()], longest);
     return true;
-  }
-
-  void name_clipped_force(double level, std::size_t longest, std::vector<std::size_t> const& first) {
-    add(FaultKind::clipped, "force", first,
-        fmt::format("force is clipped at {:.5g} kN: it stays there for up to {} samples, from {}, while the device "
-                    "moves",
-                    level, longest, pair_.at(first)));
   }
 
   // Where a plateau of force in noise lies, and what the force does before and after it, added up over the plateaus.
@@ -331,7 +319,7 @@ class Clipping {
       Tops tops;
       for (auto const& run : tops_of(sign, level - top_deviations * noise)) add_top(sign, level, noise, run, tops);
       if (!is_clipped(tops, noise)) continue;
-      name_clipped_force(sign * level, tops.longest, tops.first);
+      add("force", "kN", tops.first, sign * level, tops.longest);
       return;
     }
   }

@@ -90,8 +90,9 @@ class Resolver {
     if (wanted == options_.columns.end()) return;
     bool const optional_channel = channel == Channel::time || (channel == Channel::load && !wanted_.vertical);
     if (optional_channel && lower(wanted->second) == "none" && !find_named(wanted->second)) {
-      result_.recognised.push_back(
-          fmt::format("{}: not read, as asked for (--columns {}=none)", name(channel), name(channel)));
+      result_.recognised.push_back(decision(
+          FindingKind::column_taken,
+          fmt::format("{}: not read, as asked for (--columns {}=none)", name(channel), name(channel)), "--columns"));
       return;
     }
     if (auto const index = find_column(channel, wanted->second)) {
@@ -188,7 +189,9 @@ class Resolver {
           stated_unit(column.index) != column.unit->symbol)
         given.push_back(fmt::format("{}={}", name(channel), column.unit->symbol));
     if (!given.empty())
-      result_.recognised.push_back(fmt::format("units given with the file (--units {})", joined(given, ",")));
+      result_.recognised.push_back(decision(FindingKind::units_given,
+                                            fmt::format("units given with the file (--units {})", joined(given, ",")),
+                                            "--units"));
   }
 
   void say_unused() {
@@ -200,11 +203,16 @@ class Resolver {
       if (is_taken(i) || date || counter) continue;
       texts.push_back(column_text(i, header_));
       if (!wanted_.force && !wanted_.part && i < header_.names.size() && names_a_velocity(header_.names[i]))
-        result_.warnings.push_back(
-            fmt::format("{} is not used: velocities are computed from displacement and time", column_text(i, header_)));
+        warn(FindingKind::velocity_unused, {{"column", column_text(i, header_)}});
     }
     constexpr std::size_t shown = 10;
-    if (!texts.empty()) result_.recognised.push_back("not used: " + shortened(std::move(texts), shown));
+    if (!texts.empty())
+      result_.recognised.push_back(
+          decision(FindingKind::columns_unused, "not used: " + shortened(std::move(texts), shown)));
+  }
+
+  void warn(FindingKind kind, std::vector<FindingWord> words) {
+    result_.warnings.push_back({.kind = kind, .words = std::move(words)});
   }
 
   // Indices of the columns for which `matches` holds.
@@ -306,12 +314,15 @@ class Resolver {
   void report_ambiguity(Channel channel, std::vector<std::size_t> const& found) {
     std::vector<std::string> texts;
     for (auto const index : found) texts.push_back(column_text(index, header_));
-    auto const text = fmt::format("{} may each be the {}", shortened(std::move(texts), 10), meaning_text(channel));
     if (channel == Channel::load && !wanted_.vertical) {
-      result_.warnings.push_back(fmt::format("{}: none is read ({} says which)", text, options_for(channel, found)));
+      warn(FindingKind::loads_ambiguous, {{"columns", shortened(std::move(texts), 10)},
+                                          {"channel", std::string(meaning_text(channel))},
+                                          {"options", options_for(channel, found)}});
       return;
     }
-    complain(header_place(), text, fmt::format("one column for {}", name(channel)), options_for(channel, found));
+    complain(header_place(),
+             fmt::format("{} may each be the {}", shortened(std::move(texts), 10), meaning_text(channel)),
+             fmt::format("one column for {}", name(channel)), options_for(channel, found));
   }
 
   void report_missing(Channel channel) {
@@ -368,9 +379,8 @@ class Resolver {
     });
     std::erase_if(found, [&](auto index) { return is_taken(index); });
     if (found.size() == 1)
-      result_.warnings.push_back(
-          fmt::format("{} is named after the machine's axis, and taken for the {}: nothing else in the file is",
-                      column_text(found.front(), header_), meaning_text(channel)));
+      warn(FindingKind::axis_taken_for_channel,
+           {{"column", column_text(found.front(), header_)}, {"channel", std::string(meaning_text(channel))}});
     return found;
   }
 
@@ -463,8 +473,10 @@ class Resolver {
     if (!options_.units.contains(channel) || !has_names()) return;
     auto const stated = parse_unit(dissect_name(header_.names[column.index]).unit);
     if (stated && stated->symbol != used.symbol)
-      result_.warnings.push_back(fmt::format("{} says {}, and is read in {} as asked for by --units",
-                                             column_text(column.index, header_), stated->symbol, used.symbol));
+      warn(FindingKind::unit_overridden, {{"column", column_text(column.index, header_)},
+                                          {"stated", std::string(stated->symbol)},
+                                          {"used", std::string(used.symbol)},
+                                          {"option", "--units"}});
   }
 
   void resolve_unit(Channel channel, Column& column) {
@@ -477,8 +489,9 @@ class Resolver {
       auto const date =
           column.date_column ? fmt::format(" with the dates of {}", column_text(*column.date_column, header_)) : "";
       result_.recognised.push_back(
-          fmt::format("{}: {}{}, {}; {}, read in s", name(channel), text, date, why_.at(channel),
-                      column.stamp == StampKind::serial_number ? "days of a spreadsheet" : "time stamps"));
+          decision(FindingKind::column_taken,
+                   fmt::format("{}: {}{}, {}; {}, read in s", name(channel), text, date, why_.at(channel),
+                               column.stamp == StampKind::serial_number ? "days of a spreadsheet" : "time stamps")));
       return;
     }
     auto const allowed = known_units(dimension(channel));
@@ -488,7 +501,7 @@ class Resolver {
         channel == Channel::load && !wanted_.vertical && !asked_for(channel) && !options_.units.contains(channel);
     auto const refuse = [&](std::string place, std::string found) {
       if (may_be_left)
-        result_.warnings.push_back(fmt::format("{}: the vertical load is not read ({} says its unit)", found, advice));
+        warn(FindingKind::load_unit_unclear, {{"reason", std::move(found)}, {"options", advice}});
       else
         complain(std::move(place), std::move(found), allowed, advice);
     };
@@ -508,8 +521,9 @@ class Resolver {
     }
     warn_of_other_unit(channel, column, *unit);
     column.unit = unit;
-    result_.recognised.push_back(
-        fmt::format("{}: {}, {}; unit {} {}", name(channel), text, why_.at(channel), unit->symbol, first.source));
+    result_.recognised.push_back(decision(
+        FindingKind::column_taken,
+        fmt::format("{}: {}, {}; unit {} {}", name(channel), text, why_.at(channel), unit->symbol, first.source)));
   }
 
   std::string file_;
@@ -597,7 +611,8 @@ Columns recognise_columns(std::string const& where, Header const& header, std::s
   if (!columns.channels.contains(Channel::time))
     for (std::size_t i = 0; i < header.names.size(); ++i)
       if (is_counter(header.names[i]))
-        columns.recognised.push_back(column_text(i, header) + " counts samples, it is no time");
+        columns.recognised.push_back(
+            decision(FindingKind::columns_unused, column_text(i, header) + " counts samples, it is no time"));
   for (auto& complaint : columns.complaints) complaint.names = header.names;
   return columns;
 }

@@ -44,8 +44,8 @@ struct Column {
 struct Columns {
   std::map<Channel, Column> channels;
   std::vector<Complaint> complaints;
-  std::vector<std::string> recognised;
-  std::vector<std::string> warnings;
+  std::vector<Finding> recognised;
+  std::vector<Finding> warnings;
 };
 
 // `where` is the file as given, or the part of it that holds the `count` columns. Never throws: problems are collected.

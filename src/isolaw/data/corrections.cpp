@@ -39,24 +39,28 @@ void check(std::vector<Complaint>& complaints, std::string const& option, std::o
                         .advice = advice});
 }
 
-void note(TestRecord& record, std::string sentence) {
-  record.recognised.push_back("corrected: " + sentence);
-  record.corrections.push_back(std::move(sentence));
+void note(TestRecord& record, FindingKind kind, std::string option, std::vector<FindingNumber> numbers) {
+  record.corrections.push_back({.kind = kind, .numbers = std::move(numbers), .words = {{"option", std::move(option)}}});
+  record.recognised.push_back(record.corrections.back());
 }
 
-void repair_channel(TestRecord& record, std::vector<double>& values, std::string_view name, std::string_view unit) {
+void repair_channel(TestRecord& record, std::vector<double>& values, std::string const& name, std::string_view unit) {
   auto const found = spikes(values);
-  std::vector<std::string> samples;
-  for (auto const& spike : found) {
-    std::size_t const at[]{spike.at};
-    samples.push_back(fmt::format("{} from {:.5g} to {:.5g} {}", sample_text(at, record.time_s), values[spike.at],
-                                  spike.expected, unit));
-    values[spike.at] = spike.expected;
+  std::vector<std::size_t> samples;
+  for (auto const& spike : found) samples.push_back(spike.at);
+  auto finding = finding_at(FindingKind::spikes_repaired, name, unit, samples, record.time_s);
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    auto const which = k == 0 ? std::string() : fmt::format("_{}", k + 1);
+    auto& value = values[found[k].at];
+    if (finding.has_number("sample" + which)) {
+      finding.numbers.push_back({fmt::format("from_{}{}", unit, which), value});
+      finding.numbers.push_back({fmt::format("to_{}{}", unit, which), found[k].expected});
+    }
+    value = found[k].expected;
   }
-  note(record, found.empty() ? fmt::format("no spikes of {} to repair", name)
-                             : fmt::format("{} of {} repaired by what the neighbours say: {}",
-                                           found.size() == 1 ? "a spike" : fmt::format("{} spikes", found.size()), name,
-                                           shortened(std::move(samples), 10)));
+  finding.words.push_back({"option", "--repair"});
+  record.recognised.push_back(finding);
+  record.corrections.push_back(std::move(finding));
 }
 
 void remove_skew(TestRecord& record, double skew_s) {
@@ -81,12 +85,8 @@ void remove_skew(TestRecord& record, double skew_s) {
   record.force_kN = std::move(moved);
   for (auto* channel : {&record.time_s, &record.disp_mm, &record.force_kN, &record.load_kN})
     keep({.first = begin, .count = end - begin}, *channel);
-  note(
-      record,
-      fmt::format(
-          "force moved {} by {:.6g} ms, between samples by interpolation; {} sample{} without a force dropped at the {}",
-          skew_s > 0.0 ? "back" : "forward", 1000.0 * std::abs(skew_s), dropped, dropped == 1 ? "" : "s",
-          skew_s > 0.0 ? "end" : "start"));
+  note(record, FindingKind::skew_removed, "--skew-ms",
+       {{"skew_ms", 1000.0 * skew_s}, {"dropped_samples", static_cast<double>(dropped)}});
 }
 
 // Where friction turns about a reversal: from the way of approach to the other at `at`, where `there` of it acts.
@@ -163,10 +163,8 @@ void remove_friction(TestRecord& record, Corrections const& corrections) {
     for (std::size_t i = 0; i < record.size(); ++i) friction[i] *= std::abs(record.load_kN[i]);
   auto const direction = directions(record.disp_mm, record.force_kN, friction);
   for (std::size_t i = 0; i < record.size(); ++i) record.force_kN[i] -= direction[i] * friction[i];
-  note(record,
-       constant
-           ? fmt::format("friction of the rig of {:.6g} kN taken off along the motion", factor)
-           : fmt::format("friction of the rig of {:.6g} times the vertical load taken off along the motion", factor));
+  note(record, FindingKind::friction_removed, constant ? "--rig-friction" : "--rig-friction-coefficient",
+       {{constant ? "friction_kN" : "coefficient", factor}});
 }
 
 // Second difference over `reach` intervals to each side, at true times.
@@ -195,11 +193,8 @@ void remove_inertia(TestRecord& record, double mass_kg) {
     inertia[i] = kN_per_kg_mm_s2 * mass_kg * second_difference(smooth, record.time_s, i, reach);
   for (std::size_t i = 0; i < record.size(); ++i) record.force_kN[i] -= inertia[i];
   auto const [least, largest] = std::ranges::minmax(inertia);
-  note(
-      record,
-      fmt::format(
-          "inertia of a moving mass of {:.6g} kg taken off: {:.3g} to {:.3g} kN, from displacement averaged three times over {} samples",
-          mass_kg, least, largest, window));
+  note(record, FindingKind::inertia_removed, "--moving-mass",
+       {{"mass_kg", mass_kg}, {"least_kN", least}, {"largest_kN", largest}, {"window_samples", window * 1.0}});
 }
 
 void require_channels(TestRecord const& record, Corrections const& corrections) {
@@ -254,7 +249,7 @@ void correct(TestRecord& record, Corrections const& corrections) {
   if (corrections.moving_mass_kg) remove_inertia(record, *corrections.moving_mass_kg);
   if (!corrections.force_factor) return;
   for (double& force : record.force_kN) force *= *corrections.force_factor;
-  note(record, fmt::format("force multiplied by {:.6g}", *corrections.force_factor));
+  note(record, FindingKind::force_multiplied, "--force-factor", {{"factor", *corrections.force_factor}});
 }
 
 }  // namespace isolaw::data

@@ -1,4 +1,4 @@
-// Corrections of a record for what the rig did to it, only on request; each leaves a sentence in the record.
+// Corrections of a record for what the rig did to it, only on request; each leaves a finding in the record.
 #pragma once
 
 #include <optional>

@@ -233,16 +233,18 @@ std::vector<CycleCut> with_parts(std::vector<CycleCut> cycles, Motion const& mot
   return all;
 }
 
-std::string too_short(std::span<double const> x, Motion const& motion, Segmentation const& made) {
+Finding too_short(std::span<double const> x, Motion const& motion, Segmentation const& made) {
   auto const [least, largest] = std::ranges::minmax(x);
   // Lobes of the first motion's side start at such a crossing.
   auto const first = std::ranges::find(motion.lobes, false, &Lobe::starts_open);
   auto const crossings =
       std::count_if(first, motion.lobes.end(), [&](Lobe const& lobe) { return lobe.positive == first->positive; });
-  return fmt::format(
-      "less than one complete cycle: displacement runs from {:.4g} to {:.4g} mm and {} crossings of {} in the direction of the first motion were found, 2 with a swing to each side between them are needed (swings of less than {:.3g} mm are taken for noise)",
-      least, largest, crossings,
-      made.centre_mm == 0.0 ? "zero" : fmt::format("its centre at {:.4g} mm", made.centre_mm), 2.0 * made.band_mm);
+  return {.kind = FindingKind::no_complete_cycle,
+          .numbers = {{"least_mm", least},
+                      {"largest_mm", largest},
+                      {"crossings", static_cast<double>(crossings)},
+                      {"centre_mm", made.centre_mm},
+                      {"noise_mm", 2.0 * made.band_mm}}};
 }
 
 // Travel of the swings before the first cut and after the last that are as large as the regular cycle beside them:
@@ -281,14 +283,16 @@ double regular_share(std::vector<Shape> const& shapes, Swings const& swings, Mot
   return all > 0.0 ? regular / all : 0.0;
 }
 
-std::string not_cyclic(std::vector<Shape> const& shapes, double share) {
+Finding not_cyclic(std::vector<Shape> const& shapes, double share) {
   auto const [least, largest] =
       std::ranges::minmax(shapes, {}, [](Shape const& shape) { return shape.largest - shape.least; });
-  auto const regular = std::ranges::count_if(shapes, &Shape::regular);
-  return fmt::format(
-      "not cyclic: {} of {} swings to and fro repeat an amplitude or are symmetric within 5 %, {:.0f} % of the travel where a cyclic test has {:.0f} % or more; amplitudes run from {:.3g} to {:.3g} mm",
-      regular, shapes.size(), 100.0 * share, 100.0 * least_regular_share, (least.largest - least.least) / 2.0,
-      (largest.largest - largest.least) / 2.0);
+  return {.kind = FindingKind::not_cyclic,
+          .numbers = {{"regular_swings", static_cast<double>(std::ranges::count_if(shapes, &Shape::regular))},
+                      {"swings", static_cast<double>(shapes.size())},
+                      {"travel_percent", 100.0 * share},
+                      {"needed_percent", 100.0 * least_regular_share},
+                      {"least_mm", (least.largest - least.least) / 2.0},
+                      {"largest_mm", (largest.largest - largest.least) / 2.0}}};
 }
 
 }  // namespace
@@ -351,7 +355,7 @@ Segmentation segment(std::span<double const> disp_mm, std::span<double const> ti
   if (!moving.empty()) time_s = moving;
   Segmentation made;
   if (disp_mm.empty()) {
-    made.refusal = "no samples";
+    made.refusal = Finding{.kind = FindingKind::no_complete_cycle};
     return made;
   }
   auto const found = reversals(disp_mm);

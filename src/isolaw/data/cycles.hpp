@@ -9,9 +9,12 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "isolaw/base/finding.hpp"
 
 namespace isolaw::data {
 
@@ -30,11 +33,11 @@ struct CycleCut {
 
 struct Segmentation {
   bool cyclic = false;
-  std::string refusal;           // "not cyclic: ...", "less than one complete cycle: ..."; empty when cyclic
-  double band_mm = 0.0;          // swings of less than twice this are no motion
-  double centre_mm = 0.0;        // level of the cuts: 0 unless the record is clearly off zero
-  double regular_share = 0.0;    // of the travel: in cycles that repeat an amplitude or are symmetric
-  std::vector<CycleCut> cycles;  // in order, partial start and end ones included; complete ones even when not cyclic
+  std::optional<Finding> refusal;  // not_cyclic or no_complete_cycle; empty when cyclic
+  double band_mm = 0.0;            // swings of less than twice this are no motion
+  double centre_mm = 0.0;          // level of the cuts: 0 unless the record is clearly off zero
+  double regular_share = 0.0;      // of the travel: in cycles that repeat an amplitude or are symmetric
+  std::vector<CycleCut> cycles;    // in order, partial start and end ones included; complete ones even when not cyclic
 };
 
 // disp_mm and time_s in mm and s; time_s of equal length, or empty: periods are then compared in samples. Never throws;

@@ -74,15 +74,22 @@ class Assessment {
 
  private:
   Cycle const& cycle() const { return *properties_.reported; }
-  std::string where() const { return fmt::format("cycle {} of block {}", cycle().number, cycle().block); }
 
   bool add(std::string effect, double value, std::string unit, std::optional<double> limit = {}) {
     bool const exceeds = limit && std::abs(value) > *limit;
     budget_.effects.push_back({std::move(effect), value, std::move(unit), limit, exceeds});
     return exceeds;
   }
-  void say(bool exceeds, std::string sentence) {
-    (exceeds ? budget_.warnings : budget_.notes).push_back(std::move(sentence));
+  void warn(FindingKind kind, std::vector<FindingNumber> numbers, std::vector<FindingWord> words = {}) {
+    budget_.warnings.push_back({.kind = kind, .numbers = std::move(numbers), .words = std::move(words)});
+  }
+  void note(FindingKind kind, std::vector<FindingNumber> numbers, std::vector<FindingWord> words = {}) {
+    budget_.notes.push_back({.kind = kind, .numbers = std::move(numbers), .words = std::move(words)});
+  }
+  // The finding on one cycle.
+  static void locate(std::vector<Finding>& findings, Cycle const& at) {
+    findings.back().blocks = {at.block};
+    findings.back().numbers.push_back({"cycle", static_cast<double>(at.number)});
   }
 
   void uneven_time() {
@@ -96,8 +103,7 @@ class Assessment {
       largest = std::max(largest, time[i] - time[i - 1]);
     }
     if (add("uneven time", percent(std::max(largest - mean, mean - least), mean), "%", most_jitter))
-      say(true, fmt::format("sampling is not uniform: intervals from {:.6g} to {:.6g} s, {:.6g} s on average", least,
-                            largest, mean));
+      warn(FindingKind::time_uneven, {{"least_s", least}, {"largest_s", largest}, {"mean_s", mean}});
   }
 
   // Stages of different amplitude: the reported cycle speaks for its own stage alone.
@@ -106,10 +112,10 @@ class Assessment {
     auto const by_amplitude = [](Cycle const* c) { return c->amplitude_mm; };
     auto const [least, largest] = std::ranges::minmax(counted, {}, by_amplitude);
     if (largest->amplitude_mm < 1.1 * least->amplitude_mm) return;
-    say(true,
-        fmt::format(
-            "cycles of several amplitudes, {:.4g} to {:.4g} mm: the reported stiffness, energy and damping are those of {} at {:.4g} mm",
-            least->amplitude_mm, largest->amplitude_mm, where(), cycle().amplitude_mm));
+    warn(FindingKind::several_amplitudes, {{"least_mm", least->amplitude_mm},
+                                           {"largest_mm", largest->amplitude_mm},
+                                           {"amplitude_mm", cycle().amplitude_mm}});
+    locate(budget_.warnings, cycle());
   }
 
   // Cycles of one amplitude change little by little after the first: one that does not has something else in it, a
@@ -140,9 +146,8 @@ class Assessment {
           share = found;
         }
       if (oddest == nullptr) continue;
-      say(true, fmt::format("cycle {} of block {}: the force at a peak is {:.0f} % of that of the cycles beside it: a "
-                            "channel may have dropped out or changed its range there, and the cycle's values are wrong",
-                            oddest->number, block.number, 100.0 * share));
+      warn(FindingKind::cycle_unlike_neighbours, {{"percent", 100.0 * share}});
+      locate(budget_.warnings, *oddest);
     }
   }
 
@@ -154,8 +159,9 @@ class Assessment {
     double const peak = peak_loss_percent(samples);
     add("energy lost between samples", energy, "%");
     add("peak missed between samples", peak, "%");
-    say(few, fmt::format("{:.1f} samples per cycle: the energy comes out {:.2g} % too small, a peak up to {:.2g} %{}",
-                         samples, energy, peak, few ? fmt::format("; {:.0f} or more are wanted", wanted_samples) : ""));
+    std::vector<FindingNumber> numbers{
+        {"samples", samples}, {"energy_percent", energy}, {"peak_percent", peak}, {"wanted", wanted_samples}};
+    few ? warn(FindingKind::samples_few, std::move(numbers)) : note(FindingKind::samples_per_cycle, std::move(numbers));
   }
 
   // Extremes of noisy samples lie beyond those of the motion; the formulas are of raw values nevertheless.
@@ -173,10 +179,12 @@ class Assessment {
     bool const biased = add("extremes moved by noise", beyond, "%", most_noise_bias);
     bool const scattered = add("scatter of stiffness by noise", scatter, "%", most_noise_scatter);
     if (biased || scattered)
-      say(true,
-          fmt::format(
-              "noise of {:.2g} mm in displacement ({:.2g} % of the amplitude) and {:.2g} kN in force ({:.2g} %): the extremes of {} lie about {:.2g} % too far out and K_eff comes out at least as much too small; K_eff of one cycle is uncertain by {:.2g} % besides (one standard deviation)",
-              disp, percent(disp, amplitude), force, percent(force, force_amplitude), where(), beyond, scatter));
+      warn(FindingKind::noise, {{"disp_mm", disp},
+                                {"disp_percent", percent(disp, amplitude)},
+                                {"force_kN", force},
+                                {"force_percent", percent(force, force_amplitude)},
+                                {"beyond_percent", beyond},
+                                {"scatter_percent", scatter}});
   }
 
   // Rests and holds between the cuts of cycles that count, other than before the first motion.
@@ -191,11 +199,8 @@ class Assessment {
     }
     if (longest == nullptr) return;
     add("longest rest or hold", *longest->still_s, "s");
-    say(false,
-        fmt::format(
-            "the device stands still for {:.3g} s in cycle {} of block {}, longer than its period{}: no part of period, frequency and samples per cycle, but rubber recovers and cools meanwhile",
-            *longest->still_s, longest->number, longest->block,
-            count > 1 ? fmt::format(", and for longer than a period in {} more", count - 1) : std::string()));
+    note(FindingKind::stands_still, {{"still_s", *longest->still_s}, {"others", count - 1.0}});
+    locate(budget_.notes, *longest);
   }
 
   void skew(Jump const& jump) {
@@ -210,20 +215,14 @@ class Assessment {
     budget_.effects.push_back({"skew", late, unit, scale * found->uncertainty, is_late});
     budget_.effects.push_back(
         {damping_by_skew, found->significant() ? -std::copysign(points, late) : 0.0, "points", std::nullopt, is_late});
-    auto const times = fmt::format("{:.3g} {} (+- {:.2g}, {} reversals)", std::abs(late), unit,
-                                   scale * found->uncertainty, found->reversals);
-    auto const beside = jump.said ? std::string(", its jump there taken off") : std::string();
-    if (is_late)
-      say(true,
-          fmt::format(
-              "force turns {} after displacement{}: no device does so, a channel is late; damping comes out about {:.2g} points too small (pi f dt){}",
-              times, beside, points,
-              timed ? fmt::format("; --skew-ms {:.3g} moves the force back", late) : std::string()));
-    else if (found->significant())
-      say(false,
-          fmt::format(
-              "force turns {} before displacement{}: viscosity of the device, or an early channel{}; if it is the channel, damping comes out about {:.2g} points too large (pi f dt)",
-              times, beside, jump.said ? "" : ", or friction too small to be named", points));
+    if (!found->significant()) return;
+    std::vector<FindingNumber> numbers{{"by_" + unit, std::abs(late)},
+                                       {"uncertainty_" + unit, scale * found->uncertainty},
+                                       {"reversals", static_cast<double>(found->reversals)},
+                                       {"damping_points", points}};
+    std::vector<FindingWord> words{{"unit", unit}, {"without_jump", jump.said ? "yes" : "no"}};
+    is_late ? warn(FindingKind::force_late, std::move(numbers), std::move(words))
+            : note(FindingKind::force_early, std::move(numbers), std::move(words));
   }
 
   void rig_friction() {
@@ -231,10 +230,8 @@ class Assessment {
     double const friction = assumed_friction * std::abs(*cycle().N_mean_kN);
     double const points = friction_damping_points(friction, cycle().K_eff_kN_per_mm, cycle().amplitude_mm);
     add(damping_by_rig_friction, points, "points");
-    say(false,
-        fmt::format(
-            "rig friction of 0.5 % of the vertical load of {:.4g} kN would be {:.3g} kN and add {:.2g} points of damping (2 F_f / (pi K D))",
-            *cycle().N_mean_kN, friction, points));
+    note(FindingKind::rig_friction,
+         {{"load_kN", *cycle().N_mean_kN}, {"friction_kN", friction}, {"damping_points", points}});
   }
 
   // Force lost within 0.2 % of the amplitude of a reversal, beyond what the slope after it explains.
@@ -282,10 +279,10 @@ class Assessment {
     if (!found.said) return found;
     double const points = friction_damping_points(typical / 2.0, cycle().K_eff_kN_per_mm, cycle().amplitude_mm);
     bool const exceeds = add(damping_by_jump, points, "points", most_friction_points);
-    say(exceeds,
-        fmt::format(
-            "force drops by {:.3g} kN at once where motion reverses, as friction of {:.3g} kN does: if that is the rig's, it adds {:.2g} points of damping (--rig-friction {:.3g} takes it off)",
-            typical, typical / 2.0, points, typical / 2.0));
+    std::vector<FindingNumber> numbers{
+        {"jump_kN", typical}, {"friction_kN", typical / 2.0}, {"damping_points", points}};
+    exceeds ? warn(FindingKind::friction_in_force, std::move(numbers))
+            : note(FindingKind::jump_of_force, std::move(numbers));
     return found;
   }
 
@@ -293,10 +290,9 @@ class Assessment {
     if (!block_->frequency_Hz) return;
     double const stiffness = mass_stiffness_kN_per_mm(1000.0, *block_->frequency_Hz);
     add("stiffness taken by a tonne of moving mass", stiffness, "kN/mm");
-    say(false,
-        fmt::format(
-            "each tonne that moves between the device and the load cell takes {:.2g} kN/mm from the stiffness at {:.3g} Hz, {:.2g} % of it (m w^2)",
-            stiffness, *block_->frequency_Hz, std::abs(percent(stiffness, cycle().K_eff_kN_per_mm))));
+    note(FindingKind::moving_mass, {{"stiffness_kN_per_mm", stiffness},
+                                    {"frequency_Hz", *block_->frequency_Hz},
+                                    {"percent", std::abs(percent(stiffness, cycle().K_eff_kN_per_mm))}});
   }
 
   // How far the middle of the extremes moves through a block. The first cycle is left out: the force of a device that
@@ -307,11 +303,11 @@ class Assessment {
     std::vector<double> middles;
     for (auto const* cycle : counted | std::views::drop(1)) middles.push_back(middle(*cycle));
     auto const [least, largest] = std::ranges::minmax(middles);
-    if (add("drift of " + what, percent(largest - least, 2.0 * amplitude), "%", most_drift))
-      say(true,
-          fmt::format(
-              "{} drifts: the middle of its cycles moves by {:.3g} {} through block {}, {:.2g} % of the whole travel (limit {:.0f} %)",
-              what, largest - least, unit, block_->number, percent(largest - least, 2.0 * amplitude), most_drift));
+    double const share = percent(largest - least, 2.0 * amplitude);
+    if (!add("drift of " + what, share, "%", most_drift)) return;
+    warn(FindingKind::drift, {{"drift_" + unit, largest - least}, {"percent", share}, {"limit_percent", most_drift}},
+         {{"channel", what}, {"unit", unit}});
+    budget_.warnings.back().blocks = {block_->number};
   }
 
   void drift() {
@@ -326,12 +322,13 @@ class Assessment {
 
   void closure() {
     double const open = percent(cycle().closure_mm, 2.0 * cycle().amplitude_mm);
-    if (add("closure of the loop", open, "%", most_closure))
-      say(true,
-          fmt::format(
-              "{} ends {:.3g} mm from where it starts, {:.2g} % of the whole travel (limit {:.0f} %): energy may be wrong by force times that, {:.3g} kN mm",
-              where(), cycle().closure_mm, std::abs(open), most_closure,
-              std::abs(cycle().closure_mm * value_at(view_.force_kN, cycle().first))));
+    if (!add("closure of the loop", open, "%", most_closure)) return;
+    double const energy = std::abs(cycle().closure_mm * value_at(view_.force_kN, cycle().first));
+    warn(FindingKind::loop_open, {{"closure_mm", cycle().closure_mm},
+                                  {"percent", std::abs(open)},
+                                  {"limit_percent", most_closure},
+                                  {"energy_kN_mm", energy}});
+    locate(budget_.warnings, cycle());
   }
 
   std::pair<double, double> range(std::span<double const> values, Cycle const& of) const {
@@ -346,19 +343,16 @@ class Assessment {
     auto const [least, largest] = range(values, cycle());
     double const offset = (largest + least) / 2.0;
     double const share = percent(offset, (largest - least) / 2.0);
-    if (add("offset of " + what, share, "%", limit))
-      say(true,
-          fmt::format(
-              "{} is off centre by {:.4g} {} in {}, {:.0f} % of its amplitude: peak to peak stiffness and energy do not feel it, F/d of one side and the laws do; nothing is removed unless isolaw calibrate is given --center",
-              what, offset, unit, where(), std::abs(share)));
+    if (!add("offset of " + what, share, "%", limit)) return;
+    warn(FindingKind::off_centre, {{"offset_" + unit, offset}, {"percent", std::abs(share)}},
+         {{"channel", what}, {"unit", unit}});
+    locate(budget_.warnings, cycle());
   }
 
   void offsets() {
     offset_of(view_.disp_mm, "displacement", "mm", most_disp_offset);
     offset_of(view_.force_kN, "force", "kN", most_force_offset);
-    if (properties_.centre_mm != 0.0)
-      say(false, fmt::format("cycles are cut where displacement passes {:.4g} mm, the centre of the motion",
-                             properties_.centre_mm));
+    if (properties_.centre_mm != 0.0) note(FindingKind::cut_off_zero, {{"centre_mm", properties_.centre_mm}});
   }
 
   void velocity() {
@@ -369,10 +363,12 @@ class Assessment {
     bool const known = block_->waveform != "other";
     bool const exceeds =
         add("v_max beside its closed form", deviation, "%", known ? std::optional(most_v_max_error) : std::nullopt);
-    say(exceeds, fmt::format("v_max {:.4g} mm/s in block {}, {:+.1f} % from the {:.4g} mm/s of {} ({} f D); {}",
-                             *block_->v_max_mm_s, block_->number, deviation, expected,
-                             triangle ? "a triangle" : "a sine", triangle ? "4" : "2 pi",
-                             known ? "the motion is one" : "the motion is neither a sine nor a triangle"));
+    std::vector<FindingNumber> numbers{
+        {"v_max_mm_s", *block_->v_max_mm_s}, {"percent", deviation}, {"expected_mm_s", expected}};
+    std::vector<FindingWord> words{{"of", triangle ? "triangle" : "sine"}, {"waveform", block_->waveform}};
+    exceeds ? warn(FindingKind::speed_off, std::move(numbers), std::move(words))
+            : note(FindingKind::largest_speed, std::move(numbers), std::move(words));
+    (exceeds ? budget_.warnings : budget_.notes).back().blocks = {block_->number};
   }
 
   void smoothing(int window) {
@@ -382,10 +378,12 @@ class Assessment {
     double const third = average_loss_percent(window, samples / 3.0);
     bool const exceeds = add("taken by the moving average", first, "%", most_average_loss);
     add("taken by the moving average from the third harmonic", third, "%");
-    say(exceeds,
-        fmt::format(
-            "the moving average over {} of {:.1f} samples takes {:.2g} % from the motion at the test's frequency and {:.2g} % from its third harmonic: from what the laws are fitted to, the properties are of raw values{}",
-            window, samples, first, third, exceeds ? "; a smaller --smooth takes less" : ""));
+    std::vector<FindingNumber> numbers{{"window_samples", static_cast<double>(window)},
+                                       {"samples_per_cycle", samples},
+                                       {"percent", first},
+                                       {"third_harmonic_percent", third}};
+    exceeds ? warn(FindingKind::average_too_wide, std::move(numbers))
+            : note(FindingKind::average_over_samples, std::move(numbers));
   }
 
   CycleView const& view_;

@@ -19,9 +19,9 @@ struct Effect {
 };
 
 struct Budget {
-  std::vector<std::string> warnings;  // something exceeds its limit
-  std::vector<std::string> notes;     // numbers worth knowing
-  std::vector<Effect> effects;        // all that was assessed
+  std::vector<Finding> warnings;  // something exceeds its limit
+  std::vector<Finding> notes;     // numbers worth knowing
+  std::vector<Effect> effects;    // all that was assessed
 };
 
 // Effects on the damping, in points that they add to it.

@@ -399,9 +399,11 @@ class Document {
       for (auto const& [at, part] : handler_.parts)
         if (part.element == element && is_table(part)) tests.tables.push_back(table(at, file, title_of(element)));
     if (auto const other = handler_.passed_over[path]; !other.empty())
-      tests.recognised.push_back(fmt::format("{} of the list {} no table of numbers, {} passed over",
-                                             sheet_list(other, other.size() == 1 ? "element" : "elements"),
-                                             other.size() == 1 ? "holds" : "hold", other.size() == 1 ? "is" : "are"));
+      tests.recognised.push_back(
+          decision(FindingKind::test_chosen,
+                   fmt::format("{} of the list {} no table of numbers, {} passed over",
+                               sheet_list(other, other.size() == 1 ? "element" : "elements"),
+                               other.size() == 1 ? "holds" : "hold", other.size() == 1 ? "is" : "are")));
   }
 
  private:

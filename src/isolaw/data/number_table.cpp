@@ -131,7 +131,8 @@ Rows NumberTable::read(Columns const& columns, RowChoice const& choice, std::vec
     raw.values = std::move(time.time_s);
     rows.origin_s = time.origin_s;
     rows.dated = time.dated;
-    for (auto const& sentence : time.sentences) rows.recognised.push_back(raw.column + ", " + sentence);
+    for (auto const& sentence : time.sentences)
+      rows.recognised.push_back(decision(FindingKind::time_scale, raw.column + ", " + sentence));
   }
   return rows;
 }

@@ -29,7 +29,7 @@ class NumberTable : public Table {
   NumberTable(std::string place, std::vector<NumberColumn> columns, std::string_view row, std::string recognised,
               std::string title = {});
 
-  std::vector<std::string> recognised() const override { return {recognised_}; }
+  std::vector<Finding> recognised() const override { return {decision(FindingKind::file_format, recognised_)}; }
   Rows read(Columns const& columns, RowChoice const& choice, std::vector<Complaint>& complaints) const override;
 
  protected:

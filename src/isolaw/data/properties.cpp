@@ -231,35 +231,37 @@ double noise_of_area(Cycle const& cycle, CycleView const& view, Noise const& noi
   return std::sqrt(noise.force_kN * noise.force_kN * ways + noise.disp_mm * noise.disp_mm * forces);
 }
 
+Finding of_cycle(FindingKind kind, Cycle const& cycle, FindingNumber number) {
+  return {.kind = kind,
+          .blocks = {cycle.block},
+          .numbers = {{"cycle", static_cast<double>(cycle.number)}, std::move(number)}};
+}
+
 // Why no device does so; empty where one may.
-std::string impossible(Cycle const& cycle, CycleView const& view, Noise const& noise) {
+std::vector<Finding> impossible(Cycle const& cycle, CycleView const& view, Noise const& noise) {
   double const size = std::abs(cycle.K_eff_kN_per_mm) * cycle.amplitude_mm * cycle.amplitude_mm;
   double const least = rounding_of_energy * size + noise_of_energy * noise_of_area(cycle, view, noise);
   if (cycle.energy_kN_mm < -least)
-    return fmt::format(
-        "cycle {} of block {} gives back {:.4g} kN mm of energy: no device does; a channel without its sign, late or exchanged?",
-        cycle.number, cycle.block, -cycle.energy_kN_mm);
+    return {of_cycle(FindingKind::cycle_gives_energy, cycle, {"energy_kN_mm", -cycle.energy_kN_mm})};
   if (!(cycle.K_eff_kN_per_mm > 0.0))
-    return fmt::format(
-        "cycle {} of block {} has an effective stiffness of {:.4g} kN/mm: no device does; a force that wraps around, is late, exchanged or of the other sign?",
-        cycle.number, cycle.block, cycle.K_eff_kN_per_mm);
+    return {of_cycle(FindingKind::cycle_not_stiff, cycle, {"K_eff_kN_per_mm", cycle.K_eff_kN_per_mm})};
   return {};
 }
 
 // Of the first cycle that no device makes.
-std::string why_impossible(Properties const& properties, CycleView const& view) {
+std::vector<Finding> why_impossible(Properties const& properties, CycleView const& view) {
   Noise const noise{.disp_mm = noise_deviation(view.disp_mm), .force_kN = noise_deviation(view.force_kN)};
   for (auto const* cycle : properties.counted())
     if (auto why = impossible(*cycle, view, noise); !why.empty()) return why;
   return {};
 }
 
-std::string refusal_of(Segmentation const& cut, Properties const& properties) {
-  if (!cut.refusal.empty()) return cut.refusal;
-  if (!properties.samples_per_cycle) return "no cycle counts";
+std::vector<Finding> refusal_of(Segmentation const& cut, Properties const& properties) {
+  if (cut.refusal) return {*cut.refusal};
+  if (!properties.samples_per_cycle) return {{.kind = FindingKind::no_cycle_counts}};
   if (*properties.samples_per_cycle < least_samples_per_cycle * (1.0 - 1e-9))
-    return fmt::format("{:.1f} samples per cycle, fewer than the {:.0f} that stiffness and energy need",
-                       *properties.samples_per_cycle, least_samples_per_cycle);
+    return {{.kind = FindingKind::samples_too_few,
+             .numbers = {{"samples", *properties.samples_per_cycle}, {"needed", least_samples_per_cycle}}}};
   return {};
 }
 
@@ -350,7 +352,8 @@ Properties cyclic_properties(TestRecord const& record) {
   auto properties = cyclic_properties(CycleView{record.disp_mm, record.force_kN, record.time_s, record.load_kN});
   properties.faults = record.faults;
   if (properties.faults.empty()) return properties;
-  properties.refusal = why_unusable(properties.faults);
+  properties.refusal.clear();
+  for (auto const& fault : properties.faults) properties.refusal.push_back(fault.finding);
   properties.is_false = true;
   properties.reported.reset();
   properties.samples_per_cycle.reset();
@@ -365,20 +368,6 @@ Properties cyclic_properties(TestRecord const& record) {
     }
   }
   return properties;
-}
-
-std::string why_unusable(std::vector<SignalFault> const& faults) {
-  std::string text;
-  bool repairable = !faults.empty();
-  for (auto const& fault : faults) {
-    text += (text.empty() ? "" : "; ") + fault.sentence;
-    repairable = repairable && fault.kind == FaultKind::spike;
-  }
-  if (faults.empty()) return text;
-  return text +
-         (repairable
-              ? ": --repair spikes replaces them by what their neighbours say"
-              : ": what is computed from such a signal is wrong, test again or give the channel that was not disturbed");
 }
 
 Properties cyclic_properties(std::span<double const> disp_mm, std::span<double const> force_kN) {

@@ -74,7 +74,7 @@ struct Properties {
   std::optional<Cycle> reported;
   // Why there is none: a signal that cannot be true, not cyclic, less than one cycle, fewer than 20 samples per cycle,
   // a counted cycle that gives energy back or has no positive stiffness.
-  std::string refusal;
+  std::vector<Finding> refusal;
   bool is_false = false;                    // it is of a signal that cannot be true, or of such a cycle
   std::vector<SignalFault> faults;          // of a whole record; no cycle counts where there are any
   std::optional<double> samples_per_cycle;  // median over the cycles that count, rests and holds left out
@@ -97,8 +97,6 @@ struct CycleView {
 Properties cyclic_properties(CycleView const& view);
 // Of a record as it was read: none where a signal cannot be true.
 Properties cyclic_properties(TestRecord const& record);
-// What makes a record of no use, with what to do: one sentence for all of its faults; empty where there are none.
-std::string why_unusable(std::vector<SignalFault> const& faults);
 // Without time and load: periods are compared in samples.
 Properties cyclic_properties(std::span<double const> disp_mm, std::span<double const> force_kN);
 

@@ -67,8 +67,9 @@ TestRecord read_tests(std::string_view bytes, std::string const& name, ReadOptio
   if (tests.tables.size() > 1) {
     history->layout.test = parse_test(*options.test);
     history->recognised.push_back(
-        fmt::format("{} tests in the file, {} is read", tests.tables.size(),
-                    chosen.size() > 1 ? "one history of all" : fmt::format("test {}", chosen.front() + 1)));
+        decision(FindingKind::test_chosen,
+                 fmt::format("{} tests in the file, {} is read", tests.tables.size(),
+                             chosen.size() > 1 ? "one history of all" : fmt::format("test {}", chosen.front() + 1))));
   }
   return *std::move(history);
 }
@@ -154,8 +155,7 @@ TestRecord read_motion_text(std::string_view bytes, std::string const& name, Rea
     auto motion = read_tests(bytes, name, options, Wanted::motion());
     // A column of that name is one of displacements, whatever stands beside it.
     if (acceleration && options.columns.contains(Channel::disp))
-      motion.warnings.push_back(fmt::format("the file speaks of acceleration ({}): what is read must be {}",
-                                            in_quotes(*acceleration), displacement_needed));
+      motion.warnings.push_back({.kind = FindingKind::about_acceleration, .words = {{"line", *acceleration}}});
     return motion;
   } catch (Error const& error) {
     if (!acceleration) throw;
@@ -209,7 +209,8 @@ TestRecord record_of_values(std::string const& name, Values values) {
   TestRecord record;
   record.file = name;
   record.sha256 = sha256(bytes);
-  record.recognised.push_back(fmt::format("{} samples given as values, in mm, kN and s", samples));
+  record.recognised.push_back(
+      decision(FindingKind::rows_read, fmt::format("{} samples given as values, in mm, kN and s", samples)));
   for (auto& channel : channels) values_of(record, channel.channel) = std::move(channel.values);
   if (record.force_kN.empty()) return record;
   record.faults = signal_faults(record.disp_mm, record.force_kN, record.time_s);
@@ -239,13 +240,17 @@ void continue_with(TestRecord& history, TestRecord const& next, std::string cons
   add(history.disp_mm, next.disp_mm);
   add(history.force_kN, next.force_kN);
   if (loads) add(history.load_kN, next.load_kN);
-  history.recognised.push_back(fmt::format("{} continues the history with {} samples", label, next.size()));
+  history.recognised.push_back(
+      decision(FindingKind::test_chosen, fmt::format("{} continues the history with {} samples", label, next.size())));
   for (auto fault : next.faults) {
     for (auto& sample : fault.samples) sample += before;
-    fault.sentence = label + ": " + fault.sentence;
+    fault.finding.words.push_back({"part", label});
     history.faults.push_back(std::move(fault));
   }
-  for (auto const& line : next.warnings) history.warnings.push_back(label + ": " + line);
+  for (auto warning : next.warnings) {
+    warning.words.push_back({"part", label});
+    history.warnings.push_back(std::move(warning));
+  }
   history.sha256 = sha256(history.sha256 + next.sha256);
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "isolaw/base/finding.hpp"
 #include "isolaw/data/corrections.hpp"
 #include "isolaw/data/signal_faults.hpp"
 
@@ -24,6 +25,13 @@ struct RowRange {
   std::optional<std::size_t> last;  // nullopt: to the end
   bool operator==(RowRange const&) const = default;
 };
+
+// A decision in reading a file, in one sentence; `option` is the one that asked for it ("--units"), empty where none did.
+inline Finding decision(FindingKind kind, std::string text, std::string option = {}) {
+  Finding finding{.kind = kind, .words = {{"text", std::move(text)}}};
+  if (!option.empty()) finding.words.push_back({"option", std::move(option)});
+  return finding;
+}
 
 // How to read a file. What is missing is recognised.
 struct ReadOptions {
@@ -57,10 +65,10 @@ struct TestRecord {
   ReadOptions layout;
   // What the file says of its device, by the key of a lot file, as it is written.
   std::vector<std::pair<std::string, std::string>> particulars;
-  std::vector<std::string> recognised;   // one sentence per decision: dialect, columns, units, sampling, and why
-  std::vector<std::string> corrections;  // one sentence per correction asked for, also in `recognised`
-  std::vector<std::string> warnings;     // what a careful reader would want to know
-  std::vector<SignalFault> faults;       // of the signals as they were recorded, but for spikes repaired; not stored
+  std::vector<Finding> recognised;   // each decision, made with decision(), and why
+  std::vector<Finding> corrections;  // each correction asked for, also in `recognised`
+  std::vector<Finding> warnings;     // what a careful reader would want to know
+  std::vector<SignalFault> faults;   // of the signals as they were recorded, but for spikes repaired; not stored
 
   bool has_time() const { return !time_s.empty(); }
   std::size_t size() const { return disp_mm.size(); }
@@ -76,7 +84,7 @@ struct FitRecord {
   std::vector<double> scored = {};  // 1 where a law is judged, 0 where it only runs along; empty: everywhere
   std::vector<double> block = {};  // number of the block that a sample belongs to, where some are predicted; else empty
   double dead_band_mm = 0.0;  // displacement is followed with this much play by laws that remember its turning points
-  std::vector<std::string> cleaning;  // one sentence per step applied, with its numbers
+  std::vector<Finding> cleaning;  // each step applied, with its numbers
 
   bool has_time() const { return !vel_mm_s.empty(); }
   bool is_scored(std::size_t i) const { return scored.empty() || scored[i] != 0.0; }

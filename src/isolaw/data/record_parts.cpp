@@ -95,11 +95,13 @@ std::optional<Span> span_of_time(std::vector<double> const& time_s, ReadOptions 
   return Span{static_cast<std::size_t>(first - time_s.begin()), static_cast<std::size_t>(end - first)};
 }
 
-void describe_span(Span const& span, std::size_t of, ReadOptions const& options, std::vector<std::string>& recognised,
+void describe_span(Span const& span, std::size_t of, ReadOptions const& options, std::vector<Finding>& recognised,
                    std::string_view dashes) {
   if (options.from_s || options.to_s)
-    recognised.push_back(fmt::format("samples {} to {} of {} are read ({})", span.first + 1, span.first + span.count,
-                                     of, asked_time(options, dashes)));
+    recognised.push_back(decision(FindingKind::rows_read,
+                                  fmt::format("samples {} to {} of {} are read ({})", span.first + 1,
+                                              span.first + span.count, of, asked_time(options, dashes)),
+                                  std::string(dashes) + (options.from_s ? "from" : "to")));
 }
 
 std::string without_row(RowRange const& range, std::size_t row, std::size_t of) {
@@ -123,8 +125,8 @@ std::vector<double>& values_of(TestRecord& record, Channel channel) {
   }
 }
 
-void append(std::vector<std::string>& sentences, std::vector<std::string> const& more) {
-  sentences.insert(sentences.end(), more.begin(), more.end());
+void append(std::vector<Finding>& findings, std::vector<Finding> const& more) {
+  findings.insert(findings.end(), more.begin(), more.end());
 }
 
 void join_channels(RecordPart& main, RecordPart other) {
@@ -171,11 +173,14 @@ void join_channels(RecordPart& main, RecordPart other) {
       constexpr double most_of_it = 0.9;
       if (share < most_of_it)
         record.warnings.push_back(
-            fmt::format("only {} of {} samples lie in the time of {} too", span->count, rows, more.file));
+            {.kind = FindingKind::shared_time_short,
+             .numbers = {{"samples", static_cast<double>(span->count)}, {"of", static_cast<double>(rows)}},
+             .words = {{"file", more.file}}});
       if (mean_interval(more.time_s) > 1.5 * interval)
         record.warnings.push_back(
-            fmt::format("{} has a sample every {:.4g} s, {} every {:.4g} s: between them its values are interpolated",
-                        more.file, mean_interval(more.time_s), record.file, interval));
+            {.kind = FindingKind::channel_interpolated,
+             .numbers = {{"interval_s", mean_interval(more.time_s)}, {"other_interval_s", interval}},
+             .words = {{"file", more.file}, {"other_file", record.file}}});
     }
   } else {
     if (rows != more_rows)
@@ -193,7 +198,10 @@ void join_channels(RecordPart& main, RecordPart other) {
   for (auto const channel : measured_channels)
     if (auto& values = values_of(more, channel); !values.empty()) values_of(record, channel) = std::move(values);
   append(record.warnings, more.warnings);
-  for (auto const& line : more.recognised) record.recognised.push_back(fmt::format("{}: {}", more.file, line));
+  for (auto& line : more.recognised) {
+    line.words.push_back({"part", more.file});
+    record.recognised.push_back(std::move(line));
+  }
   std::vector<std::string> specs;
   for (auto const channel : measured_channels)
     if (auto const found = more.layout.columns.find(channel);
@@ -202,8 +210,11 @@ void join_channels(RecordPart& main, RecordPart other) {
       record.layout.units[channel] = more.layout.units.at(channel);
       specs.push_back(fmt::format("{}={}:{}", name(channel), more.file, found->second));
     }
-  record.recognised.push_back(fmt::format("{} is joined to {}, {} (--columns {}); SHA-256 {} and {}", more.file,
-                                          record.file, how, joined(specs, ","), more.sha256, record.sha256));
+  record.recognised.push_back(
+      decision(FindingKind::file_joined,
+               fmt::format("{} is joined to {}, {} (--columns {}); SHA-256 {} and {}", more.file, record.file, how,
+                           joined(specs, ","), more.sha256, record.sha256),
+               "--columns"));
   record.sha256 = sha256(record.sha256 + more.sha256);
 }
 

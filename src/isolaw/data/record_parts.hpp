@@ -24,7 +24,7 @@ struct Span {
 std::optional<Span> span_of_time(std::vector<double> const& time_s, ReadOptions const& options,
                                  std::string const& place, std::vector<Complaint>& complaints,
                                  std::string_view dashes = "--");
-void describe_span(Span const& span, std::size_t of, ReadOptions const& options, std::vector<std::string>& recognised,
+void describe_span(Span const& span, std::size_t of, ReadOptions const& options, std::vector<Finding>& recognised,
                    std::string_view dashes = "--");
 
 // What to type to read the others of `of` rows without this one: the longer part of what was asked for, before it or
@@ -49,7 +49,7 @@ struct RecordPart {
 // The values of a channel.
 std::vector<double>& values_of(TestRecord& record, Channel channel);
 
-void append(std::vector<std::string>& sentences, std::vector<std::string> const& more);
+void append(std::vector<Finding>& findings, std::vector<Finding> const& more);
 
 // Brings the channels of another file to the samples of `main`: by time where both have one, else row by row. Throws
 // Error where they cannot be brought together.

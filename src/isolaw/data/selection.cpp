@@ -104,7 +104,7 @@ std::vector<double> scored_samples(Selection const& selection, Segmentation cons
   auto const where = fmt::format("--fit-blocks {} --fit-cycles {}", selection.blocks.text(), selection.cycles.text());
   if (!segmentation.cyclic)
     throw Error({.where = where,
-                 .found = "the record has no cycles to choose among: " + segmentation.refusal,
+                 .found = "the record is not cyclic: it has no cycles to choose among",
                  .allowed = "all",
                  .advice = "leave out --fit-blocks and --fit-cycles for this record"});
   std::vector<double> scored(samples, 0.0);

@@ -20,13 +20,13 @@ namespace {
 constexpr double one_signed = 0.02;  // of the range: it hardly leaves zero
 constexpr double clear_force = 0.3;  // of the largest, at a peak
 
-SignalFault without_sign(std::string channel, std::vector<std::size_t> samples, std::string_view why,
+SignalFault without_sign(std::string channel, std::string_view unit, std::vector<std::size_t> samples,
                          SignalPair const& pair) {
-  auto sentence = fmt::format("{} is recorded without its sign: {}, at {}", channel, why, pair.at(samples));
+  auto finding = finding_at(FindingKind::signal_without_sign, channel, unit, samples, pair.time);
   return {.kind = FaultKind::rectified,
           .channel = std::move(channel),
           .samples = std::move(samples),
-          .sentence = std::move(sentence)};
+          .finding = std::move(finding)};
 }
 
 // A device that is at one place at every peak has one force there; forces of both signs belong to two places.
@@ -53,12 +53,11 @@ std::vector<SignalFault> rectified_channels(SignalPair const& pair) {
     if (F < -clear_force * size_F) ++pulled;
   }
   if ((positive || negative) && std::min(pushed, pulled) * 4 >= peaks.size() && std::min(pushed, pulled) > 0)
-    return {without_sign("displacement", peaks,
-                         "it stays on one side of zero, and the force at its peaks goes both ways", pair)};
+    return {without_sign("displacement", "mm", peaks, pair)};
   bool const one_sign_F = std::min(std::abs(least_F), std::abs(largest_F)) <= one_signed * (largest_F - least_F);
   if (one_sign_F && !positive && !negative && alike == inner.size() && largest * -least > 0.0 &&
       std::min(largest, -least) > 0.5 * pair.disp.half_range)
-    return {without_sign("force", inner, "displacement goes both ways, the force at its peaks does not", pair)};
+    return {without_sign("force", "kN", inner, pair)};
   return {};
 }
 
@@ -67,6 +66,20 @@ std::vector<SignalFault> rectified_channels(SignalPair const& pair) {
 std::string_view said_of(FaultKind kind) {
   constexpr std::string_view names[]{"clipped", "stuck", "disturbed by spikes", "without its sign", "interrupted"};
   return names[static_cast<std::size_t>(kind)];
+}
+
+Finding finding_at(FindingKind kind, std::string const& channel, std::string_view unit,
+                   std::span<std::size_t const> samples, std::span<double const> time_s) {
+  constexpr std::size_t most = 5;
+  Finding finding{.kind = kind,
+                  .numbers = {{"count", static_cast<double>(samples.size())}},
+                  .words = {{"channel", channel}, {"unit", std::string(unit)}}};
+  for (std::size_t k = 0; k < std::min(most, samples.size()); ++k) {
+    auto const which = k == 0 ? std::string() : fmt::format("_{}", k + 1);
+    finding.numbers.push_back({"sample" + which, static_cast<double>(samples[k] + 1)});
+    if (!time_s.empty()) finding.numbers.push_back({"time_s" + which, time_s[samples[k]]});
+  }
+  return finding;
 }
 
 std::string sample_text(std::span<std::size_t const> samples, std::span<double const> time_s) {
@@ -82,6 +95,16 @@ std::string sample_text(std::span<std::size_t const> samples, std::span<double c
   return text;
 }
 
+SignalFault standing_fault(FaultKind kind, std::string const& channel, std::string_view unit,
+                           std::vector<std::size_t> samples, std::span<double const> time_s, double level,
+                           std::size_t longest) {
+  auto finding = finding_at(kind == FaultKind::clipped ? FindingKind::signal_clipped : FindingKind::signal_stuck,
+                            channel, unit, samples, time_s);
+  finding.numbers.push_back({fmt::format("level_{}", unit), level});
+  finding.numbers.push_back({"longest_samples", static_cast<double>(longest)});
+  return {.kind = kind, .channel = channel, .samples = std::move(samples), .finding = std::move(finding)};
+}
+
 std::vector<SignalFault> spike_faults(std::string const& channel, std::string_view unit, std::vector<Spike> const& off,
                                       std::span<double const> time_s) {
   if (off.empty()) return {};
@@ -91,11 +114,10 @@ std::vector<SignalFault> spike_faults(std::string const& channel, std::string_vi
     samples.push_back(spike.at);
     if (std::abs(spike.value - spike.expected) > std::abs(largest->value - largest->expected)) largest = &spike;
   }
-  auto sentence = fmt::format("{} has {} of a single sample, at {}: {:.5g} {} where its neighbours say {:.5g}", channel,
-                              off.size() == 1 ? "a spike" : fmt::format("{} spikes, each", off.size()),
-                              sample_text(samples, time_s), largest->value, unit, largest->expected);
-  return {
-      {.kind = FaultKind::spike, .channel = channel, .samples = std::move(samples), .sentence = std::move(sentence)}};
+  auto finding = finding_at(FindingKind::signal_spike, channel, unit, samples, time_s);
+  finding.numbers.push_back({fmt::format("value_{}", unit), largest->value});
+  finding.numbers.push_back({fmt::format("expected_{}", unit), largest->expected});
+  return {{.kind = FaultKind::spike, .channel = channel, .samples = std::move(samples), .finding = std::move(finding)}};
 }
 
 std::vector<SignalFault> dropout_faults(std::string const& channel, std::string_view unit,
@@ -107,11 +129,13 @@ std::vector<SignalFault> dropout_faults(std::string const& channel, std::string_
     samples.push_back(one.samples.first);
     if (one.samples.size() > longest->samples.size()) longest = &one;
   }
-  auto sentence = fmt::format("{} drops out, from {}: {:.5g} {} in {} samples, between {:.5g} and {:.5g}", channel,
-                              sample_text(samples, time_s), longest->level, unit, longest->samples.size(),
-                              longest->before, longest->after);
+  auto finding = finding_at(FindingKind::signal_interrupted, channel, unit, samples, time_s);
+  finding.numbers.push_back({fmt::format("level_{}", unit), longest->level});
+  finding.numbers.push_back({"longest_samples", static_cast<double>(longest->samples.size())});
+  finding.numbers.push_back({fmt::format("before_{}", unit), longest->before});
+  finding.numbers.push_back({fmt::format("after_{}", unit), longest->after});
   return {
-      {.kind = FaultKind::dropout, .channel = channel, .samples = std::move(samples), .sentence = std::move(sentence)}};
+      {.kind = FaultKind::dropout, .channel = channel, .samples = std::move(samples), .finding = std::move(finding)}};
 }
 
 std::vector<SignalFault> signal_faults(std::span<double const> disp_mm, std::span<double const> force_kN,

@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "isolaw/base/finding.hpp"
 #include "isolaw/data/dropouts.hpp"
 #include "isolaw/data/spikes.hpp"
 
@@ -28,13 +29,22 @@ struct SignalFault {
   FaultKind kind = FaultKind::clipped;
   std::string channel;               // "displacement" or "force"
   std::vector<std::size_t> samples;  // first of each plateau or stretch, each spike, each peak; from 0, rising
-  std::string sentence;              // with sample numbers from 1, and times where there are any
+  Finding finding = {};              // with sample numbers from 1, and times where there are any
 };
+
+// Starts a finding on a channel at these samples (from 0): "sample", "time_s", "sample_2", "time_s_2", ... of at most
+// five, and their "count".
+Finding finding_at(FindingKind kind, std::string const& channel, std::string_view unit,
+                   std::span<std::size_t const> samples, std::span<double const> time_s);
 
 // time_s may be empty; else all are of one length. O(n log n) in time, O(n) in memory.
 std::vector<SignalFault> signal_faults(std::span<double const> disp_mm, std::span<double const> force_kN,
                                        std::span<double const> time_s = {});
 
+// A channel that keeps a level (clipped or stuck): the first sample of each stretch, and how many the longest has.
+SignalFault standing_fault(FaultKind kind, std::string const& channel, std::string_view unit,
+                           std::vector<std::size_t> samples, std::span<double const> time_s, double level,
+                           std::size_t longest);
 // One fault for all spikes, and one for all dropouts, of a channel; none where there are none.
 std::vector<SignalFault> spike_faults(std::string const& channel, std::string_view unit, std::vector<Spike> const& off,
                                       std::span<double const> time_s);

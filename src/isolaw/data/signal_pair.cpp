@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "isolaw/data/cycles.hpp"
-#include "isolaw/data/signal_faults.hpp"
 #include "isolaw/num/statistics.hpp"
 
 namespace isolaw::data {
@@ -59,10 +58,6 @@ bool SignalPair::gap_after(std::size_t i) const {
 bool SignalPair::has_noise(Signal const& signal) const {
   double const smooth = 4.0 * std::pow(std::numbers::pi / static_cast<double>(half_cycle), 4.0) * signal.half_range;
   return signal.noise > std::max(3.0 * signal.quantum, smooth);
-}
-
-std::string SignalPair::at(std::span<std::size_t const> samples) const {
-  return sample_text(samples, time);
 }
 
 double mean_of(std::span<double const> x, std::size_t begin, std::size_t end) {

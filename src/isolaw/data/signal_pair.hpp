@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "isolaw/data/spikes.hpp"
@@ -46,7 +45,6 @@ struct SignalPair {
   // A channel with noise does not repeat itself to the last digit. What a smooth signal leaves in the measure of noise
   // is none.
   bool has_noise(Signal const& signal) const;
-  std::string at(std::span<std::size_t const> samples) const;  // "samples 3 (0.02 s) and 17 (0.16 s)"
 };
 
 double mean_of(std::span<double const> x, std::size_t begin, std::size_t end);

@@ -1,7 +1,5 @@
 #include "isolaw/data/sticking.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -33,9 +31,9 @@ class Sticking {
   }
 
  private:
-  void add(FaultKind kind, std::string channel, std::vector<std::size_t> samples, std::string sentence) {
-    found_.push_back(
-        {.kind = kind, .channel = std::move(channel), .samples = std::move(samples), .sentence = std::move(sentence)});
+  void add(std::string const& channel, std::string_view unit, std::vector<std::size_t> const& first, double level,
+           std::size_t longest) {
+    found_.push_back(standing_fault(FaultKind::stuck, channel, unit, first, pair_.time, level, longest));
   }
 
   std::vector<SampleRange> stretches(Signal const& signal) const {
@@ -175,9 +173,7 @@ class Sticking {
       if (is_stuck(run)) keep(run);
     if (first.empty()) std::ranges::for_each(stuck_in_noise(pair_.disp, pair_.force, 0.1), keep);
     if (first.empty() || static_cast<double>(covered) > most_stretches * static_cast<double>(pair_.size())) return;
-    add(FaultKind::stuck, "displacement", first,
-        fmt::format("displacement is stuck at {:.5g} mm for {} samples, from {}, while the force goes on",
-                    pair_.disp.x[first.front()], longest, pair_.at(first)));
+    add("displacement", "mm", first, pair_.disp.x[first.front()], longest);
   }
 
   // No force at all, which it comes to at a reversal or without a jump: the device has play.
@@ -237,9 +233,7 @@ class Sticking {
       for (auto const& run : stuck_in_noise(pair_.force, pair_.disp, 0.15))
         if (is_elsewhere(run) && !is_backlash(run, std::max<std::size_t>(2, pair_.half_cycle / 48))) keep(run);
     if (first.empty() || static_cast<double>(covered) > most_stretches * static_cast<double>(pair_.size())) return;
-    add(FaultKind::stuck, "force", first,
-        fmt::format("force is stuck at {:.5g} kN for {} samples, from {}, while the device moves",
-                    pair_.force.x[first.front()], longest, pair_.at(first)));
+    add("force", "kN", first, pair_.force.x[first.front()], longest);
   }
 
   SignalPair const& pair_;

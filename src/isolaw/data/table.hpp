@@ -28,7 +28,7 @@ struct Rows {
   std::vector<std::size_t> numbers;  // place of each sample, counted from 1: line, row of the sheet, element
   std::size_t comments = 0;          // comment lines among the rows
   std::size_t of = 0;                // rows there are, where only a part was to be read
-  std::vector<std::string> recognised;
+  std::vector<Finding> recognised;
   std::optional<double> origin_s;  // what the time counts from, where it was read from stamps
   bool dated = false;              // since 1970; else since midnight
 };
@@ -66,7 +66,7 @@ class Table {
   // The place of one column, where columns have places of their own: "d01.mat:dist".
   virtual std::string place_of(std::size_t /*column*/) const { return place_; }
   // One sentence per decision that led to the table.
-  virtual std::vector<std::string> recognised() const = 0;
+  virtual std::vector<Finding> recognised() const = 0;
   // What the table is like may already be wrong.
   virtual void check(std::vector<Complaint>& /*complaints*/) const {}
   // The values of the columns that were chosen; what is no number is among the complaints. Throws Error where nothing
@@ -87,7 +87,7 @@ struct Tests {
   std::vector<std::unique_ptr<Table>> tables;   // at least one where a file was read
   std::vector<std::string> sheets;              // the parts of the file that hold tables, where it has parts
   std::optional<std::string> sheet;             // the one these tables come from, where there are several
-  std::vector<std::string> recognised;          // about the file as a whole
+  std::vector<Finding> recognised;              // about the file as a whole
   ParticularList particulars;                   // of sheets without tables
   std::vector<std::string> sheets_passed_over;  // with rows of numbers, but without the name of any channel
 };

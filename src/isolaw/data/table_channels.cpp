@@ -17,30 +17,36 @@ namespace {
 
 // --- sentences ------------------------------------------------------------------------------------------------------
 
-void describe_part(Rows const& rows, RowRange const& range, std::vector<std::string>& recognised) {
+void describe_part(Rows const& rows, RowRange const& range, std::vector<Finding>& recognised) {
   if (range == RowRange{}) return;
-  recognised.push_back(fmt::format("rows {} to {} of {} are read (--rows {})", range.first,
-                                   range.last.value_or(rows.of), rows.of, rows_text(range)));
+  recognised.push_back(decision(FindingKind::rows_read,
+                                fmt::format("rows {} to {} of {} are read (--rows {})", range.first,
+                                            range.last.value_or(rows.of), rows.of, rows_text(range)),
+                                "--rows"));
 }
 
 void describe_rows(Rows const& rows, Header const& header, TestRecord const& record, bool timed, bool of_header,
-                   std::vector<std::string>& recognised) {
+                   std::vector<Finding>& recognised) {
   auto const row = header.row;
-  recognised.push_back(fmt::format("{}, {}s {} to {}", counted(rows.numbers.size(), "sample"), row,
-                                   rows.numbers.front(), rows.numbers.back()));
+  recognised.push_back(
+      decision(FindingKind::rows_read, fmt::format("{}, {}s {} to {}", counted(rows.numbers.size(), "sample"), row,
+                                                   rows.numbers.front(), rows.numbers.back())));
   if (rows.comments > 0)
-    recognised.push_back(fmt::format("{} among the rows {} passed over", counted(rows.comments, "comment line"),
-                                     rows.comments == 1 ? "is" : "are"));
+    recognised.push_back(decision(
+        FindingKind::rows_read, fmt::format("{} among the rows {} passed over", counted(rows.comments, "comment line"),
+                                            rows.comments == 1 ? "is" : "are")));
   if (!timed) return;
   if (!record.has_time()) {
-    recognised.push_back("no time column: rate-dependent laws need --dt SECONDS, the sampling interval");
+    recognised.push_back({.kind = FindingKind::no_time_column});
     return;
   }
   double const mean = (record.time_s.back() - record.time_s.front()) / static_cast<double>(record.time_s.size() - 1);
-  recognised.push_back(fmt::format("sampling interval {:.6g} s ({:.6g} Hz), {}", mean, 1.0 / mean,
-                                   of_header            ? std::string("as the header of the file has it (Delta_X)")
-                                   : record.layout.dt_s ? fmt::format("as asked for (--dt {})", *record.layout.dt_s)
-                                                        : "on average over the time column"));
+  auto const source = of_header            ? std::string("as the header of the file has it (Delta_X)")
+                      : record.layout.dt_s ? fmt::format("as asked for (--dt {})", *record.layout.dt_s)
+                                           : "on average over the time column";
+  recognised.push_back(decision(FindingKind::time_scale,
+                                fmt::format("sampling interval {:.6g} s ({:.6g} Hz), {}", mean, 1.0 / mean, source),
+                                record.layout.dt_s && !of_header ? "--dt" : ""));
 }
 
 // Of a file without a time column: counted from the first row of the file, whatever part of it is read.
@@ -128,7 +134,7 @@ void store_channels(Rows& rows, Columns const& columns, std::size_t skipped, Tes
       record.time_s.push_back(time_of_row(i + skipped, record.layout));
   if (!record.layout.flip_force || record.force_kN.empty()) return;
   for (double& value : record.force_kN) value = -value;
-  record.recognised.push_back("the force is multiplied by -1, as asked for (--flip-force)");
+  record.recognised.push_back({.kind = FindingKind::force_flipped, .words = {{"option", "--flip-force"}}});
 }
 
 }  // namespace

@@ -85,7 +85,9 @@ class RowReader {
       ++count;
     }
     if (count == 0 || count > longest_footer || 2 * count > end - header_.first_data) {
-      if (choice_.skip_footer) rows_.recognised.push_back("no text stands below the rows (--footer skip)");
+      if (choice_.skip_footer)
+        rows_.recognised.push_back(
+            decision(FindingKind::rows_read, "no text stands below the rows (--footer skip)", "--footer"));
       return;
     }
     while (end > first && is_open(end - 1)) --end;
@@ -94,8 +96,11 @@ class RowReader {
                                   : fmt::format("{}s {} to {}", header_.row, first + 1, end);
     auto const text = in_quotes(lines_.data()[first]);
     if (choice_.skip_footer)
-      rows_.recognised.push_back(fmt::format("below the rows, {} {} text, {}{}, and left out (--footer skip)", where,
-                                             count == 1 ? "is" : "are", text, count == 1 ? "" : " and so on"));
+      rows_.recognised.push_back(
+          decision(FindingKind::rows_read,
+                   fmt::format("below the rows, {} {} text, {}{}, and left out (--footer skip)", where,
+                               count == 1 ? "is" : "are", text, count == 1 ? "" : " and so on"),
+                   "--footer"));
     else if (!choice_.range.last)  // which ends before it
       complaints.push_back(
           {fmt::format("{}:{}", place_, first + 1), fmt::format("text below the rows of numbers, {}: {}", where, text),
@@ -155,7 +160,8 @@ class RowReader {
     rows_.channels[*stamped_].values = std::move(time.time_s);
     rows_.origin_s = time.origin_s;
     rows_.dated = time.dated;
-    for (auto& sentence : time.sentences) rows_.recognised.push_back(column + ", " + std::move(sentence));
+    for (auto& sentence : time.sentences)
+      rows_.recognised.push_back(decision(FindingKind::time_scale, column + ", " + std::move(sentence)));
   }
 
   // The stamp of a row, with the date beside it; nullopt where the cells hold another kind than most rows.
@@ -334,21 +340,23 @@ class TextTable : public Table {
     start_ = (header_.name_line ? *header_.name_line : header_.first_data) + 1;
   }
 
-  std::vector<std::string> recognised() const override {
-    std::vector<std::string> sentences;
+  std::vector<Finding> recognised() const override {
+    std::vector<Finding> decisions;
+    auto const decide = [&](std::string text) {
+      decisions.push_back(decision(FindingKind::header_found, std::move(text)));
+    };
     auto const row = header_.row;
     if (header_.name_line)
-      sentences.push_back(
-          fmt::format("{} {} is the header{}", row, *header_.name_line + 1,
-                      header_.unit_line ? fmt::format(", {} {} gives the units", row, *header_.unit_line + 1) : ""));
+      decide(fmt::format("{} {} is the header{}", row, *header_.name_line + 1,
+                         header_.unit_line ? fmt::format(", {} {} gives the units", row, *header_.unit_line + 1) : ""));
     else
-      sentences.push_back(header_.unit_line ? fmt::format("{} {} gives the units; no {} names the columns", row,
-                                                          *header_.unit_line + 1, row)
-                                            : fmt::format("no {} names the columns", row));
+      decide(header_.unit_line
+                 ? fmt::format("{} {} gives the units; no {} names the columns", row, *header_.unit_line + 1, row)
+                 : fmt::format("no {} names the columns", row));
     if (!header_.passed_over.empty())
-      sentences.push_back(fmt::format("above the data, {} {} {} passed over", row, line_list(header_.passed_over),
-                                      header_.passed_over.size() == 1 ? "is" : "are"));
-    return sentences;
+      decide(fmt::format("above the data, {} {} {} passed over", row, line_list(header_.passed_over),
+                         header_.passed_over.size() == 1 ? "is" : "are"));
+    return decisions;
   }
 
   // Whole numbers separated by commas without names may be decimals with a comma: "1,5,2,0".
@@ -458,14 +466,17 @@ Tests text_tests(std::string_view bytes, std::string const& file, TextOptions co
   page->dialect = require_dialect(file, page->text.lines, options);
   refuse_width(file, page->dialect);
   auto tests = tests_of(page, file);
-  if (page->exporter) tests.recognised.push_back(fmt::format("read as: {}", page->exporter->name));
-  if (page->text.byte_order_mark) tests.recognised.push_back("a UTF-8 byte order mark is left out");
-  if (legacy) tests.recognised.push_back(fmt::format("the text is read as {}", legacy->encoding));
-  if (page->text.windows_1252) tests.recognised.push_back("bytes that are no UTF-8 are read as Windows-1252");
-  tests.recognised.push_back(page->dialect.why);
+  auto const decide = [&](std::string text, std::string option = {}) {
+    tests.recognised.push_back(decision(FindingKind::file_format, std::move(text), std::move(option)));
+  };
+  if (page->exporter) decide(fmt::format("read as: {}", page->exporter->name));
+  if (page->text.byte_order_mark) decide("a UTF-8 byte order mark is left out");
+  if (legacy) decide(fmt::format("the text is read as {}", legacy->encoding));
+  if (page->text.windows_1252) decide("bytes that are no UTF-8 are read as Windows-1252");
+  decide(page->dialect.why);
   if (options.thousands) {
     auto const& group = digit_group(*options.thousands);
-    tests.recognised.push_back(fmt::format("digits are grouped by {} (--thousands {})", group.said, group.word));
+    decide(fmt::format("digits are grouped by {} (--thousands {})", group.said, group.word), "--thousands");
   }
   return tests;
 }

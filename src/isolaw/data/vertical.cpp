@@ -183,7 +183,7 @@ void refuse_faults(VerticalTest const& test, Compression const& compression) {
   for (auto const& fault : vertical_faults(compression.disp_mm, compression.load_kN))
     complaints.push_back(
         {.where = test.file,
-         .found = fault.sentence,
+         .found = fmt::format("{} is {} at {}", fault.channel, said_of(fault.kind), sample_text(fault.samples, {})),
          .allowed = {},
          .advice = "another test, the part of the file that was not disturbed (rows), or K_v as stated"});
   if (!complaints.empty()) throw Error(std::move(complaints));
@@ -192,9 +192,9 @@ void refuse_faults(VerticalTest const& test, Compression const& compression) {
 void warn_about_size(VerticalStiffness& made) {
   constexpr double softest = 1.0, stiffest = 1e5;
   if (made.K_v_kN_per_mm >= softest && made.K_v_kN_per_mm <= stiffest) return;
-  made.warnings.push_back(
-      fmt::format("a vertical stiffness of {} kN/mm is {} than any isolator's: are the units right?",
-                  number_text(made.K_v_kN_per_mm), made.K_v_kN_per_mm > stiffest ? "stiffer" : "softer"));
+  made.warnings.push_back({.kind = FindingKind::vertical_stiffness_implausible,
+                           .numbers = {{"K_v_kN_per_mm", made.K_v_kN_per_mm}},
+                           .words = {{"than_any", made.K_v_kN_per_mm > stiffest ? "stiffer" : "softer"}}});
 }
 
 std::string_view ordinal_end(int number) {

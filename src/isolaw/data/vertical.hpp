@@ -30,7 +30,7 @@ struct VerticalTest {
   std::vector<double> disp_mm = {}, load_kN = {};  // as recorded, whatever their signs
   std::optional<LoadRange> loads = {};             // between which the stiffness is taken
   std::optional<double> stated_kN_per_mm = {};     // without a record
-  std::vector<std::string> recognised = {};        // one sentence per decision in reading
+  std::vector<Finding> recognised = {};            // each decision in reading
   std::string refusal = {};                        // why it gives no stiffness; empty for a usable one
   // What it gave when it was read, by which a store is checked: the stiffness, and the hash of both signals. Empty
   // without, as of stores that hold neither.
@@ -50,7 +50,7 @@ struct VerticalStiffness {
   std::optional<int> loading = {};                            // which loading counts, from 1
   std::vector<double> loadings_kN_per_mm = {};                // every loading that reaches the largest load
   std::vector<std::string> turned = {};                       // signals read with the other sign
-  std::vector<std::string> warnings = {};
+  std::vector<Finding> warnings = {};
 };
 
 // Reads vertical displacement and load of a file as records are read. Throws Error, worded for a vertical test.

@@ -1,7 +1,5 @@
 #include "isolaw/data/vertical_signals.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -131,19 +129,14 @@ class Plateaus {
   bool is_load_;
 };
 
-void add_standing(VerticalChannel const& stands, StandingStill found, VerticalChannel const& other,
-                  std::vector<SignalFault>& faults) {
-  auto const add = [&](FaultKind kind, Standing still, std::string_view what) {
-    auto& samples = still.samples;
-    if (samples.empty()) return;
-    auto sentence =
-        fmt::format("{} is {} at {:.5g} {} for {} samples, from {}, while {} {}", stands.name, said_of(kind),
-                    still.level, stands.unit, still.longest, sample_text(samples, {}), other.name, what);
-    faults.push_back(
-        {.kind = kind, .channel = stands.name, .samples = std::move(samples), .sentence = std::move(sentence)});
+void add_standing(VerticalChannel const& stands, StandingStill found, std::vector<SignalFault>& faults) {
+  auto const add = [&](FaultKind kind, Standing still) {
+    if (!still.samples.empty())
+      faults.push_back(
+          standing_fault(kind, stands.name, stands.unit, std::move(still.samples), {}, still.level, still.longest));
   };
-  add(FaultKind::clipped, std::move(found.clipped), "rises beyond and comes back");
-  add(FaultKind::stuck, std::move(found.stuck), "goes on");
+  add(FaultKind::clipped, std::move(found.clipped));
+  add(FaultKind::stuck, std::move(found.stuck));
 }
 
 // What lies off in both channels at once is a load that was there; a press that lifts off between two loadings moves
@@ -181,8 +174,8 @@ std::vector<SignalFault> vertical_faults(std::span<double const> disp_mm, std::s
              of_load = channel_of("vertical load", "kN", load);
   std::vector<SignalFault> found;
   if (of_disp.range > 0.0 && of_load.range > 0.0 && std::isfinite(of_disp.range + of_load.range)) {
-    add_standing(of_disp, Plateaus(of_disp, of_load, false).find(), of_load, found);
-    add_standing(of_load, Plateaus(of_load, of_disp, true).find(), of_disp, found);
+    add_standing(of_disp, Plateaus(of_disp, of_load, false).find(), found);
+    add_standing(of_load, Plateaus(of_load, of_disp, true).find(), found);
   }
   auto const add = [&](std::vector<SignalFault> more) { std::ranges::move(more, std::back_inserter(found)); };
   add(dropout_faults(of_disp.name, of_disp.unit, gone_disp, {}));

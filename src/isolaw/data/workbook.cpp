@@ -410,7 +410,8 @@ Tests workbook_tests(std::string_view bytes, std::string const& file, std::optio
                             .found = "no rows of numbers",
                             .allowed = sheet_list(names, "sheets")});
     if (names.size() > 1) tests.sheet = sheet_key(names, index);
-    tests.recognised.push_back(fmt::format("an Excel workbook, sheet {}", in_quotes(names[index])));
+    tests.recognised.push_back(
+        decision(FindingKind::file_format, fmt::format("an Excel workbook, sheet {}", in_quotes(names[index]))));
     constexpr std::size_t most_beside = 30;  // notes stand among the first
     for (std::size_t i = 0; i < std::min(names.size(), most_beside); ++i)
       if (i != index) append(tests.particulars, workbook.particulars(workbook.sheets()[i]));
@@ -444,14 +445,16 @@ Tests workbook_tests(std::string_view bytes, std::string const& file, std::optio
                           .allowed = "two or more columns of numbers",
                           .advice = "a sheet with displacement and force"});
   if (names.size() > 1) first.sheet = found.front();
-  first.recognised.push_back(fmt::format("an Excel workbook, sheet {}{}", in_quotes(found.front()),
-                                         names.size() == 1       ? ""
-                                         : without_names.empty() ? ", the only one with rows of numbers"
-                                                                 : ", the only test"));
+  first.recognised.push_back(
+      decision(FindingKind::file_format, fmt::format("an Excel workbook, sheet {}{}", in_quotes(found.front()),
+                                                     names.size() == 1       ? ""
+                                                     : without_names.empty() ? ", the only one with rows of numbers"
+                                                                             : ", the only test")));
   if (!without_names.empty())
-    first.recognised.push_back(fmt::format("{} {} no time, displacement or force, passed over",
-                                           sheet_list(without_names, without_names.size() == 1 ? "sheet" : "sheets"),
-                                           without_names.size() == 1 ? "names" : "name"));
+    first.recognised.push_back(decision(
+        FindingKind::test_chosen, fmt::format("{} {} no time, displacement or force, passed over",
+                                              sheet_list(without_names, without_names.size() == 1 ? "sheet" : "sheets"),
+                                              without_names.size() == 1 ? "names" : "name")));
   first.particulars = std::move(particulars);
   first.sheets_passed_over = std::move(without_names);
   first.sheets = std::move(found);

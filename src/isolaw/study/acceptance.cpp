@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "isolaw/base/words.hpp"
+#include "isolaw/wording/table.hpp"
 
 namespace isolaw::study {
 namespace {
@@ -60,7 +61,7 @@ std::optional<rules::LoadPair> load_pair(AssessedTest const& test, data::Block c
 DeviceAcceptance choose_block(data::Properties const& properties, rules::Design const& design) {
   DeviceAcceptance chosen;
   if (!properties.reported) {
-    chosen.choice = properties.refusal;
+    chosen.choice = wording::reasons(properties.refusal);
     return chosen;
   }
   chosen.block = properties.reported->block;

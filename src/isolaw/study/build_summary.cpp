@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <span>
 #include <utility>
 #include <variant>
@@ -48,18 +49,16 @@ void add_vertical(DeviceResult& result) {
   } catch (Error const& error) {
     test.refusal = error.what();
   }
-  auto const warn = [&](std::string const& text) { result.raw.warnings.push_back("vertical test: " + text); };
-  if (!test.refusal.empty()) warn(test.refusal);
-  if (result.vertical)
-    for (auto const& warning : result.vertical->warnings) warn(warning);
+  auto& warnings = result.raw.warnings;
+  if (!test.refusal.empty())
+    warnings.push_back({.kind = FindingKind::vertical_test_refused, .words = {{"reason", test.refusal}}});
+  if (result.vertical) std::ranges::copy(result.vertical->warnings, std::back_inserter(warnings));
   // Bearings carry: each is far stiffer down than aside.
   constexpr double least_ratio = 3.0;
   auto const& reported = result.properties.reported;
   if (result.vertical && reported && result.vertical->K_v_kN_per_mm < least_ratio * reported->K_eff_kN_per_mm)
-    warn(
-        fmt::format("{} kN/mm is less than {:.0f} times the horizontal stiffness: is it a compression test, in the "
-                    "units that its file states?",
-                    number_text(result.vertical->K_v_kN_per_mm), least_ratio));
+    warnings.push_back({.kind = FindingKind::vertical_softer_than_expected,
+                        .numbers = {{"K_v_kN_per_mm", result.vertical->K_v_kN_per_mm}, {"least_ratio", least_ratio}}});
 }
 
 rules::VerticalValue vertical_value(DeviceResult const& device) {
@@ -90,7 +89,7 @@ DeviceResult device_result(campaign::Device const& device, int smooth) {
   if (device.usable())
     result.properties = data::cyclic_properties(device.raw);
   else
-    result.properties.refusal = device.refusal;
+    result.properties.refusal = {{.kind = FindingKind::no_cyclic_properties, .words = {{"reason", device.refusal}}}};
   add_vertical(result);
   if (!device.usable()) return result;
   auto budget = data::error_budget(device.raw, result.properties, smooth);

@@ -145,8 +145,7 @@ inline constexpr Result<DeviceResult> vertical_results[]{
     {"file", "", "file", "record of the vertical test; empty where the laboratory only states the stiffness",
      get<&DeviceResult::vertical_test, &data::VerticalTest::file>},
     {"sha256", "", "sha256", "hash of that file", get<&DeviceResult::vertical_test, &data::VerticalTest::sha256>},
-    {"recognised", "", "", "one sentence for each decision in reading",
-     get<&DeviceResult::vertical_test, &data::VerticalTest::recognised>},
+    {"recognised", "", "", "one sentence for each decision in reading", nested<DeviceResult>},
     {"refusal", "", "no stiffness", "why the test gives no stiffness; empty otherwise",
      get<&DeviceResult::vertical_test, &data::VerticalTest::refusal>},
 };

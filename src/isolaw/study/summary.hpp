@@ -158,7 +158,7 @@ struct DeviceResult {
   data::Properties properties;                      // from raw values
   data::VerticalTest vertical_test;                 // with the reason where it gives no stiffness
   std::optional<data::VerticalStiffness> vertical;  // from raw values
-  std::vector<std::string> notes;  // numbers of the error budget that are worth knowing, beside the record's warnings
+  std::vector<Finding> notes;  // numbers of the error budget that are worth knowing, beside the record's warnings
   std::vector<data::Effect> effects;  // all of the error budget, for machines
   DeviceAcceptance acceptance;
 };

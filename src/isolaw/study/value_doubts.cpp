@@ -52,8 +52,8 @@ std::vector<ValueDoubt> value_doubts(DeviceResult const& device) {
   add(skew,
       skew.value_or(0.0) < 0.0 ? "the force, a late channel, is moved back" : "the lead of the force is a channel's");
   auto const jump = effect_of(device, data::damping_by_jump);
-  bool const friction_is_off = std::ranges::any_of(
-      device.raw.corrections, [](auto const& text) { return text.starts_with("friction of the rig"); });
+  bool const friction_is_off = std::ranges::find(device.raw.corrections, FindingKind::friction_removed,
+                                                 &Finding::kind) != device.raw.corrections.end();
   add(jump, "the jump of force at reversals is the rig's friction");
   if (!jump && !friction_is_off)
     add(effect_of(device, data::damping_by_rig_friction), "the rig's friction is 0.5 % of the vertical load");

@@ -15,6 +15,7 @@
 #include "isolaw/study/findings.hpp"
 #include "isolaw/study/spoken.hpp"
 #include "isolaw/study/value_doubts.hpp"
+#include "isolaw/wording/table.hpp"
 
 namespace isolaw::study {
 namespace {
@@ -71,7 +72,7 @@ void add_device(OverallVerdict& made, DeviceResult const& device) {
   auto const& lines = device.acceptance.assessments;
   auto const name = printable(device.name);
   if (device.status != "ok" || lines.empty()) {
-    auto const& why = device.status != "ok" ? device.message : device.properties.refusal;
+    auto const why = device.status != "ok" ? device.message : wording::reasons(device.properties.refusal);
     made.not_assessed.push_back({.device = name, .remark = printable(on_one_line(why))});
     return;
   }

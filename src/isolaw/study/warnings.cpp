@@ -247,15 +247,12 @@ class Collector {
   std::vector<Finding> all_;
 };
 
-// Reading the record may have found already that it has no cyclic properties.
+// Reading the record may have found already why it has no cyclic properties.
 std::vector<Finding> Collector::record_findings(DeviceResult const& device) {
-  std::vector<Finding> found;
-  for (auto const& text : device.raw.warnings)
-    found.push_back({.kind = stated_by_older_store, .devices = {device.name}, .words = {{"text", text}}});
-  bool const told = std::ranges::find(found, no_cyclic_properties, &Finding::kind) != found.end();
-  if (!told && !device.properties.reported && !device.properties.refusal.empty())
-    found.push_back(
-        {.kind = no_cyclic_properties, .devices = {device.name}, .words = {{"reason", device.properties.refusal}}});
+  auto found = device.raw.warnings;
+  for (auto const& reason : device.properties.refusal)
+    if (std::ranges::find(found, reason) == found.end()) found.push_back(reason);
+  for (auto& finding : found) finding.devices = {device.name};
   return found;
 }
 

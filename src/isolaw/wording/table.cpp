@@ -20,6 +20,7 @@ void add_once(std::vector<T>& all, std::vector<T> const& more) {
 
 bool belongs(Finding const& finding, Finding const& first, unsigned grouping) {
   if (finding.kind != first.kind || (grouping & each_alone) != 0) return false;
+  if (finding.word("part") != first.word("part")) return false;
   return ((grouping & by_law) == 0 || finding.law == first.law) &&
          ((grouping & by_device) == 0 || finding.devices == first.devices) &&
          ((grouping & by_words) == 0 || finding.words == first.words);
@@ -58,6 +59,14 @@ std::span<Row const> rows() {
                                     keep_blocks = "Keep blocks of the tests from the fit";
   static constexpr unsigned everywhere = in_report | with_law | with_building, reports = in_report,
                             on_its_own = anywhere;
+  // Of a record: what anyone who uses its numbers must know, and what is worth knowing, shown beside the record alone.
+  constexpr auto warning = [](FindingKind kind, std::string_view key, Severity severity, unsigned grouping,
+                              std::string (*text)(Group)) {
+    return Row{kind, key, "record", severity, records, grouping, everywhere | on_certificate, devices, text};
+  };
+  constexpr auto of_record = [](FindingKind kind, std::string_view key, std::string (*text)(Group)) {
+    return Row{kind, key, "record", note, records, each_alone, anywhere, devices, text};
+  };
   // In the order of FindingKind.
   static constexpr Row table[]{
       // [campaign]
@@ -235,10 +244,83 @@ std::span<Row const> rows() {
       {motions_too_few, "motions-too-few", "motions", caution, "Use more motions", each_alone, with_building, none,
        wording::motions_too_few},
       // [records]
-      {no_cyclic_properties, "no-cyclic-properties", "record", serious, records, by_words, everywhere | on_certificate,
-       devices, wording::no_cyclic_properties},
-      {stated_by_older_store, "stated-by-older-store", "record", caution, records, by_words,
-       everywhere | on_certificate, devices, wording::stated_by_older_store},
+      warning(no_cyclic_properties, "no-cyclic-properties", serious, by_words, wording::no_cyclic_properties),
+      warning(signal_clipped, "signal-clipped", serious, by_words, wording::signal_clipped),
+      warning(signal_stuck, "signal-stuck", serious, by_words, wording::signal_stuck),
+      warning(signal_without_sign, "signal-without-sign", serious, by_words, wording::signal_without_sign),
+      warning(signal_interrupted, "signal-interrupted", serious, by_words, wording::signal_interrupted),
+      warning(signal_spike, "signal-spike", serious, by_words, wording::signal_spike),
+      warning(cycle_gives_energy, "cycle-gives-energy", serious, one_sentence, wording::cycle_gives_energy),
+      warning(cycle_not_stiff, "cycle-not-stiff", serious, one_sentence, wording::cycle_not_stiff),
+      warning(not_cyclic, "not-cyclic", serious, one_sentence, wording::not_cyclic),
+      warning(no_complete_cycle, "no-complete-cycle", serious, one_sentence, wording::no_complete_cycle),
+      warning(no_cycle_counts, "no-cycle-counts", serious, one_sentence, wording::no_cycle_counts),
+      warning(samples_too_few, "samples-too-few", serious, one_sentence, wording::samples_too_few),
+      warning(vertical_test_refused, "vertical-test-refused", serious, by_words, wording::vertical_test_refused),
+      warning(units_implausible, "units-implausible", serious, by_words, wording::units_implausible),
+      warning(vertical_stiffness_implausible, "vertical-stiffness-implausible", serious, by_words,
+              wording::vertical_stiffness_implausible),
+      warning(vertical_softer_than_expected, "vertical-softer-than-expected", serious, one_sentence,
+              wording::vertical_softer_than_expected),
+      warning(time_in_days, "time-in-days", serious, one_sentence, wording::time_in_days),
+      warning(about_acceleration, "about-acceleration", serious, by_words, wording::about_acceleration),
+      warning(cycle_unlike_neighbours, "cycle-unlike-neighbours", caution, one_sentence,
+              wording::cycle_unlike_neighbours),
+      warning(force_late, "force-late", caution, by_words, wording::force_late),
+      warning(friction_in_force, "friction-in-force", caution, one_sentence, wording::friction_in_force),
+      warning(samples_few, "samples-few", caution, one_sentence, wording::samples_few),
+      warning(time_uneven, "time-uneven", caution, one_sentence, wording::time_uneven),
+      warning(time_jumps, "time-jumps", caution, one_sentence, wording::time_jumps),
+      warning(noise, "noise", caution, one_sentence, wording::noise),
+      warning(drift, "drift", caution, by_words, wording::drift),
+      warning(loop_open, "loop-open", caution, one_sentence, wording::loop_open),
+      warning(speed_off, "speed-off", caution, by_words, wording::speed_off),
+      warning(off_centre, "off-centre", caution, by_words, wording::off_centre),
+      warning(starts_off_zero, "starts-off-zero", caution, one_sentence, wording::starts_off_zero),
+      warning(several_amplitudes, "several-amplitudes", caution, one_sentence, wording::several_amplitudes),
+      warning(damping_undefined, "damping-undefined", caution, one_sentence, wording::damping_undefined),
+      warning(average_too_wide, "average-too-wide", caution, one_sentence, wording::average_too_wide),
+      warning(shared_time_short, "shared-time-short", caution, by_words, wording::shared_time_short),
+      warning(channel_interpolated, "channel-interpolated", caution, by_words, wording::channel_interpolated),
+      warning(axis_taken_for_channel, "axis-taken-for-channel", caution, by_words, wording::axis_taken_for_channel),
+      warning(unit_overridden, "unit-overridden", caution, by_words, wording::unit_overridden),
+      warning(loads_ambiguous, "loads-ambiguous", caution, by_words, wording::loads_ambiguous),
+      warning(load_unit_unclear, "load-unit-unclear", caution, by_words, wording::load_unit_unclear),
+      warning(velocity_unused, "velocity-unused", caution, by_words, wording::velocity_unused),
+      warning(stated_by_older_store, "stated-by-older-store", caution, by_words, wording::stated),
+      of_record(samples_per_cycle, "samples-per-cycle", wording::samples_per_cycle),
+      of_record(force_early, "force-early", wording::force_early),
+      of_record(jump_of_force, "jump-of-force", wording::jump_of_force),
+      of_record(rig_friction, "rig-friction", wording::rig_friction),
+      of_record(moving_mass, "moving-mass", wording::moving_mass),
+      of_record(stands_still, "stands-still", wording::stands_still),
+      of_record(cut_off_zero, "cut-off-zero", wording::cut_off_zero),
+      of_record(largest_speed, "largest-speed", wording::largest_speed),
+      of_record(average_over_samples, "average-over-samples", wording::average_over_samples),
+      of_record(file_format, "file-format", wording::stated),
+      of_record(header_found, "header-found", wording::stated),
+      of_record(column_taken, "column-taken", wording::stated),
+      of_record(columns_unused, "columns-unused", wording::stated),
+      of_record(units_given, "units-given", wording::stated),
+      of_record(time_scale, "time-scale", wording::stated),
+      of_record(no_time_column, "no-time-column", wording::no_time_column),
+      of_record(rows_read, "rows-read", wording::stated),
+      of_record(test_chosen, "test-chosen", wording::stated),
+      of_record(file_joined, "file-joined", wording::stated),
+      of_record(force_flipped, "force-flipped", wording::force_flipped),
+      of_record(spikes_repaired, "spikes-repaired", wording::spikes_repaired),
+      of_record(skew_removed, "skew-removed", wording::skew_removed),
+      of_record(friction_removed, "friction-removed", wording::friction_removed),
+      of_record(inertia_removed, "inertia-removed", wording::inertia_removed),
+      of_record(force_multiplied, "force-multiplied", wording::force_multiplied),
+      of_record(centred, "centred", wording::centred),
+      of_record(smoothed, "smoothed", wording::smoothed),
+      of_record(not_smoothed, "not-smoothed", wording::not_smoothed),
+      of_record(scored_in_part, "scored-in-part", wording::scored_in_part),
+      of_record(all_samples_kept, "all-samples-kept", wording::all_samples_kept),
+      of_record(velocity_computed, "velocity-computed", wording::velocity_computed),
+      of_record(no_velocity, "no-velocity", wording::no_velocity),
+      of_record(samples_thinned, "samples-thinned", wording::samples_thinned),
   };
   static_assert(
       [] {
@@ -258,7 +340,8 @@ Row const* find_row(std::string_view key) {
 }
 
 std::string remark(Group group) {
-  return row(group.front().kind).text(group);
+  auto const part = group.front().word("part");
+  return (part.empty() ? std::string() : std::string(part) + ": ") + row(group.front().kind).text(group);
 }
 std::string remark(Finding const& finding) {
   return remark(Group(&finding, 1));
@@ -268,6 +351,17 @@ std::string sentence(Group group, std::size_t most_names) {
 }
 std::string sentence(Finding const& finding) {
   return sentence(Group(&finding, 1));
+}
+
+std::vector<std::string> remarks(std::vector<Finding> const& findings) {
+  std::vector<std::string> all;
+  for (auto const& finding : findings) all.push_back(remark(finding));
+  return all;
+}
+std::string reasons(std::vector<Finding> const& findings) {
+  std::string text;
+  for (auto const& finding : findings) text += text.empty() ? remark(finding) : " " + capitalised(remark(finding));
+  return text;
 }
 
 std::vector<std::vector<Finding>> grouped(std::vector<Finding> const& findings, unsigned place) {

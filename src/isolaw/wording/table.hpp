@@ -58,6 +58,9 @@ std::string sentence(Finding const& finding);
 // The same without the subject, for a place where that is said already.
 std::string remark(Group group);
 std::string remark(Finding const& finding);
+// One for each finding, for a list; and all of them one after the other, to follow a colon.
+std::vector<std::string> remarks(std::vector<Finding> const& findings);
+std::string reasons(std::vector<Finding> const& findings);
 
 // Every finding that may stand in `place`, in the order of the table; those that are said in one sentence together.
 std::vector<std::vector<Finding>> grouped(std::vector<Finding> const& findings, unsigned place = in_report);

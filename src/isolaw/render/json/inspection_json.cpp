@@ -10,6 +10,7 @@
 #include "isolaw/study/cycle_results.hpp"
 #include "isolaw/study/findings.hpp"
 #include "isolaw/study/verdict.hpp"
+#include "isolaw/wording/table.hpp"
 
 namespace isolaw::render {
 namespace {
@@ -37,7 +38,7 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
   out.end_object();
   // Sheet and test are null where the file has but one.
   write_members(out, "sheet", device.raw.layout.sheet, "test", device.raw.layout.test, "recognised",
-                device.raw.recognised, "warnings", wording::sentences(findings, wording::anywhere));
+                wording::remarks(device.raw.recognised), "warnings", wording::sentences(findings, wording::anywhere));
   write_findings(out, "findings", findings, wording::anywhere);
   write_properties(out, lot, device);
   write_effects(out, device.effects);

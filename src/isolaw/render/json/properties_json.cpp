@@ -9,6 +9,7 @@
 #include "isolaw/study/cycle_results.hpp"
 #include "isolaw/study/value_doubts.hpp"
 #include "isolaw/study/verdict.hpp"
+#include "isolaw/wording/table.hpp"
 
 namespace isolaw::render {
 namespace {
@@ -60,8 +61,11 @@ void write_vertical(JsonWriter& out, DeviceResult const& device) {
     return;
   }
   out.begin_object();
-  write_results(out, vertical_results, device, Digits::shown, [&](std::string_view) {
-    write_values(out, device.vertical ? device.vertical->loadings_kN_per_mm : std::vector<double>(), shown_digits);
+  write_results(out, vertical_results, device, Digits::shown, [&](std::string_view key) {
+    if (key == "recognised")
+      out.value(wording::remarks(device.vertical_test.recognised));
+    else
+      write_values(out, device.vertical ? device.vertical->loadings_kN_per_mm : std::vector<double>(), shown_digits);
   });
   out.end_object();
 }
@@ -192,10 +196,10 @@ void write_properties(JsonWriter& out, LotAcceptance const& lot, DeviceResult co
         .end_object();
   else
     out.null();
-  out.member("properties_refusal", properties.refusal);
+  out.member("properties_refusal", wording::reasons(properties.refusal));
   out.key("samples_per_cycle").rounded(properties.samples_per_cycle, 6);
-  write_members(out, "notes", device.notes, "corrections", device.raw.corrections, "counting_block", acceptance.block,
-                "counting_block_choice", acceptance.choice);
+  write_members(out, "notes", wording::remarks(device.notes), "corrections", wording::remarks(device.raw.corrections),
+                "counting_block", acceptance.block, "counting_block_choice", acceptance.choice);
   write_levels(out, device);
   write_vertical(out, device);
   out.key("verdict");

@@ -22,6 +22,7 @@
 #include "isolaw/study/published_results.hpp"
 #include "isolaw/study/typical_device.hpp"
 #include "isolaw/study/verdict.hpp"
+#include "isolaw/wording/table.hpp"
 
 namespace isolaw::render {
 namespace {
@@ -114,8 +115,15 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
   out.member("rubber_area_mm2", device.rubber_area_mm2);
   write_properties(out, lot, device);
   write_raw(out, device.raw, most);
-  write_members(out, "recognised", device.raw.recognised, "warnings", wording::sentences(findings, wording::anywhere),
-                "cleaning", record.cleaning);
+  out.key("recognised").begin_array();
+  for (auto const& finding : device.raw.recognised)
+    out.begin_object()
+        .member("sentence", wording::remark(finding))
+        .member("option", finding.word("option"))
+        .end_object();
+  out.end_array();
+  write_members(out, "warnings", wording::sentences(findings, wording::anywhere), "cleaning",
+                wording::remarks(record.cleaning));
   write_findings(out, "findings", findings, wording::anywhere);
   write_scored(out, record);
   out.key("record").begin_object();

@@ -6,6 +6,7 @@
 #include "isolaw/render/tables/tables.hpp"
 #include "isolaw/study/acceptance_results.hpp"
 #include "isolaw/study/cycle_results.hpp"
+#include "isolaw/wording/table.hpp"
 
 namespace isolaw::render {
 namespace {
@@ -43,7 +44,10 @@ void cycle_row(CsvTable& table, DeviceResult const& device, data::Block const& b
   auto const number = c.counts() ? std::optional(c.number) : std::nullopt;
   table.add(device.name, block.number, number, c.counts(), c.not_counted, is_reported);
   CycleOf const row{c, device};
-  table.cells(strain, row).add(block.frequency_Hz).cells(of_cycles, row).row(device.properties.refusal);
+  table.cells(strain, row)
+      .add(block.frequency_Hz)
+      .cells(of_cycles, row)
+      .row(wording::reasons(device.properties.refusal));
 }
 
 }  // namespace
@@ -57,7 +61,9 @@ std::string cycles_csv(Summary const& summary) {
     for (auto const& block : device.properties.blocks)
       for (auto const& cycle : block.cycles) cycle_row(table, device, block, cycle);
     if (device.properties.blocks.empty())
-      table.add(device.name).empty(width - 2).row(device.status == "ok" ? device.properties.refusal : device.message);
+      table.add(device.name)
+          .empty(width - 2)
+          .row(device.status == "ok" ? wording::reasons(device.properties.refusal) : device.message);
   }
   return table.take();
 }

@@ -138,7 +138,7 @@ void print_vertical(std::string& text, DeviceResult const& device) {
     return;
   }
   add(text, "\n{}\n", vertical_text(device));
-  print_list(text, "Recognised in the vertical test", device.vertical_test.recognised);
+  print_list(text, "Recognised in the vertical test", wording::remarks(device.vertical_test.recognised));
   if (!device.vertical) return;
   for (auto const& turned : device.vertical->turned) add(text, "  {}\n", turned);
   if (device.vertical->loadings_kN_per_mm.size() > 1)
@@ -162,15 +162,16 @@ void print_device_in_full(std::string& text, DeviceResult const& device) {
   auto const& acceptance = device.acceptance;
   add(text, "{}: {}, sha256 {}\n", printable(device.file), counted(device.raw.size(), "sample"),
       device.sha256.substr(0, 16));
-  print_list(text, "Recognised", device.raw.recognised);
-  print_list(text, "Corrected, as asked for", device.raw.corrections);
+  print_list(text, "Recognised", wording::remarks(device.raw.recognised));
+  print_list(text, "Corrected, as asked for", wording::remarks(device.raw.corrections));
   text += "\nChannels\n";
   print_channel(text, "time", device.raw.time_s, "s");
   print_channel(text, "displacement", device.raw.disp_mm, "mm");
   print_channel(text, "force", device.raw.force_kN, "kN");
   print_channel(text, "vertical load", device.raw.load_kN, "kN");
   for (auto const& block : device.properties.blocks) print_block(text, device, block);
-  if (!device.properties.refusal.empty()) add(text, "\nNo cyclic properties: {}\n", device.properties.refusal);
+  auto const& refusal = device.properties.refusal;
+  if (!refusal.empty()) add(text, "\nNo cyclic properties: {}\n", wording::reasons(refusal));
   if (!acceptance.assessments.empty()) {
     add(text, "\nAssessed on block {}, {}\n", *acceptance.block, acceptance.choice);
     for (auto const& assessment : acceptance.assessments) print_assessment(text, assessment);
@@ -178,9 +179,9 @@ void print_device_in_full(std::string& text, DeviceResult const& device) {
   }
   print_vertical(text, device);
   auto warnings = device.raw.warnings;
-  std::erase(warnings, "no cyclic properties: " + device.properties.refusal);  // said above
-  print_list(text, "Warnings", warnings);
-  print_list(text, "Notes", device.notes);
+  std::erase_if(warnings, [&](auto const& each) { return std::ranges::find(refusal, each) != refusal.end(); });
+  print_list(text, "Warnings", wording::remarks(warnings));
+  print_list(text, "Notes", wording::remarks(device.notes));
 }
 
 void print_devices(std::string& text, Summary const& summary) {
@@ -195,7 +196,7 @@ void print_devices(std::string& text, Summary const& summary) {
     if (device.status != "ok")
       add(text, "refused: {}\n", on_one_line(device.message));
     else if (cycle == nullptr)
-      add(text, "no cyclic properties: {}\n", device.properties.refusal);
+      add(text, "no cyclic properties: {}\n", wording::reasons(device.properties.refusal));
     else
       add(text, "{:>5} {:>5} {:>9.2f} {:>9.4f} {:>10} {:>8}  {}\n", cycle->block, cycle->number, cycle->amplitude_mm,
           cycle->K_eff_kN_per_mm, number_text(cycle->energy_kN_mm), number(cycle->damping(), 2),

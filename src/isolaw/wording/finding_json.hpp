@@ -1,0 +1,18 @@
+// Findings as a store keeps them: an array of objects {kind, law, other_laws, devices, parameters, blocks, numbers,
+// words}, empty members left out. `kind` is the key of the kind's row in the table.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/base/finding.hpp"
+
+namespace isolaw::wording {
+
+std::string findings_json(std::vector<Finding> const& findings);
+// Throws Error, or nlohmann::json::exception, for what findings_json() does not write. Stores of schema 9 and before
+// hold texts, which read as stated_by_older_store with the word "text".
+std::vector<Finding> findings_of(std::string_view json);
+
+}  // namespace isolaw::wording

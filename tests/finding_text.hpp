@@ -1,0 +1,37 @@
+// Findings as the sentences that tests compare.
+#pragma once
+
+#include <optional>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "isolaw/wording/table.hpp"
+
+namespace isolaw {
+
+inline void PrintTo(Finding const& finding, std::ostream* out) {
+  *out << wording::remark(finding);
+}
+inline std::string text_of(Finding const& finding) {
+  return wording::remark(finding);
+}
+inline std::string text_of(std::optional<Finding> const& finding) {
+  return finding ? wording::remark(*finding) : std::string();
+}
+inline std::string text_of(std::vector<Finding> const& findings) {
+  return wording::reasons(findings);
+}
+// One that says no more than this text.
+inline Finding stated(std::string text) {
+  return {.kind = FindingKind::stated_by_older_store, .words = {{"text", std::move(text)}}};
+}
+inline bool says(std::vector<Finding> const& findings, std::string_view part) {
+  for (auto const& text : wording::remarks(findings))
+    if (text.find(part) != std::string::npos) return true;
+  return false;
+}
+
+}  // namespace isolaw

@@ -1,0 +1,1 @@
+isolaw_test(unit_wording wording_records_test.cpp wording_finding_json_test.cpp)
