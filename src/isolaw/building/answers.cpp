@@ -172,7 +172,7 @@ Coverage covered(Quantity const& quantity, std::vector<double> const& draws, Dis
                  Settings const& settings, std::vector<double> const& grid) {
   auto const [least, most] = std::minmax(d.lower, d.upper);
   Coverage coverage{.quantity = quantity.key, .factor_low = {}, .factor_high = {}, .not_monotonic = {}};
-  constexpr double rounding = 1e-9;  // of its size: what does not change is monotonic
+  constexpr double rounding = 1e-9;  // relative; a response that does not change is monotonic
   if (d.nominal < least - rounding * std::abs(least) || d.nominal > most + rounding * std::abs(most)) {
     coverage.monotony =
         Finding{.kind = FindingKind::bounds_not_monotonic,

@@ -26,7 +26,7 @@ struct Quantity {
 std::span<Quantity const> quantities();
 Quantity const& quantity(std::string_view key);
 
-inline constexpr std::array shares{0.16, 0.50, 0.84, 0.95};  // of the fractiles
+inline constexpr std::array shares{0.16, 0.50, 0.84, 0.95};  // at which fractiles are given
 
 // Equal bins from the smallest value to the largest; a single bin if all values are equal.
 struct Histogram {
@@ -43,7 +43,7 @@ struct Distribution {
   std::optional<double> uncertain_std_ln;          // standard deviation of ln(median) over the re-estimated populations
   std::vector<std::array<double, 4>> by_motion;    // [motion] fractiles of the draws
   std::vector<double> nominal_by_motion;
-  Histogram histogram = {};  // of the draws' means over motions
+  Histogram histogram = {};  // the draws' means over motions
 };
 
 // The bounds are judged enough if they cover this share of the drawn buildings.
@@ -74,7 +74,7 @@ struct Checked {
   std::string outcome;
   double isolator_mm = 0.0, balance = 0.0, step_s = 0.0;
   double missed_mm = 0.0;                                      // step error of isolator_mm, by richardson()
-  double draws_error_percent = 0.0;                            // of isolator_mm by the path that the draws take
+  double draws_error_percent = 0.0;                            // error of isolator_mm by the path of the draws
   double equivalent_mm = 0.0, equivalent_error_percent = 0.0;  // equivalent linear analysis: displacement of the centre
   double equivalent_period_s = 0.0, equivalent_damping = 0.0;
 };
@@ -136,7 +136,7 @@ struct Answers {
   std::vector<Finding> warnings;          // about the analyses of the building
   std::vector<Finding> calibration;       // doubts about the laws, without repetitions
   std::vector<std::string> assumed;       // the assumptions, a sentence each
-  std::vector<Point> corners;             // of the slab, where displacements were measured
+  std::vector<Point> corners;             // the slab's, where displacements were measured
 };
 Answers answer(Study const& study, RunStore const& store);
 
@@ -155,7 +155,7 @@ Effective effective(std::string_view law, std::span<double const> parameters, do
 // arrangement of all. There are at least as many devices as places.
 struct Arrangement {
   std::vector<std::size_t> device;                  // [place]
-  double eccentricity_mm = 0.0, in_order_mm = 0.0;  // of this arrangement, and of the devices in the order given
+  double eccentricity_mm = 0.0, in_order_mm = 0.0;  // with this arrangement, and with the devices in order
 };
 Arrangement arrange(std::span<Point const> places, Point centre, std::span<double const> stiffness);
 

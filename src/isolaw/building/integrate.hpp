@@ -31,7 +31,7 @@ struct Options {
   double rest_s = 0.0;                             // time to continue after the motion
   bool histories = false, bearing_forces = false;  // bearing_forces needs histories
   Vector pulled_to = {0.0, 0.0};                   // the base is pulled there straight, and released from rest
-  int most_halvings = 10;                          // of one step
+  int most_halvings = 10;                          // how often one step may be halved
 };
 
 enum class Outcome { completed, not_converged, not_finite };
@@ -40,7 +40,7 @@ std::string_view name(Outcome outcome);
 struct History {
   std::vector<double> time_s;
   std::vector<std::array<double, 3>> base;        // mm, mm, rad, relative to the ground
-  std::vector<std::array<double, 3>> velocity;    // of the base
+  std::vector<std::array<double, 3>> velocity;    // mm/s, mm/s, rad/s
   std::vector<std::array<double, 2>> shear_kN;    // sum over the bearings
   std::vector<std::vector<double>> bearing_kN;    // [sample][2 bearings], x and y; if bearing_forces
   std::vector<std::vector<double>> acceleration;  // [sample][2 (1 + floors)], mm/s2 in space, x and y of diaphragms
@@ -50,7 +50,7 @@ struct Response {
   Outcome outcome = Outcome::completed;
   std::string why;                                                          // the reason if it did not complete
   std::vector<double> measured;                                             // as Layout orders them
-  double step_s = 0.0;                                                      // of the integration
+  double step_s = 0.0;                                                      // integration step
   std::size_t steps = 0, iterations = 0, first_tangents = 0, halvings = 0;  // first_tangents: steps that tried them
   History history;
 
@@ -60,7 +60,7 @@ struct Response {
 // Places in the axes of the structure's plan.
 struct Plan {
   std::vector<Point> bearings;
-  std::vector<Point> corners = {};  // of the slab; empty: the rectangle around the bearings
+  std::vector<Point> corners = {};  // the slab's; empty: the rectangle around the bearings
 };
 
 // A structure and its plan. Owns the arrays that skeleton() points to.

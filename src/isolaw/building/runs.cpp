@@ -185,14 +185,14 @@ std::vector<std::string> differences(std::span<StudyProperty const> there, std::
 
 Blocks::Block Blocks::at(std::size_t number) const {
   constexpr std::size_t size = 2 * lane_width;
-  auto const from = number % of_motion() * size;
-  return {.law = number / of_motion() / motions_,
-          .motion = number / of_motion() % motions_,
+  auto const from = number % blocks_per_motion() * size;
+  return {.law = number / blocks_per_motion() / motions_,
+          .motion = number / blocks_per_motion() % motions_,
           .from = from,
           .to = std::min(cases_, from + size)};
 }
 
-std::size_t Blocks::of_motion() const {
+std::size_t Blocks::blocks_per_motion() const {
   constexpr std::size_t size = 2 * lane_width;
   return (cases_ + size - 1) / size;
 }

@@ -52,7 +52,7 @@ class Blocks {
   struct Block {
     std::size_t law, motion, from, to;  // places from <= place < to
   };
-  std::size_t count() const { return laws_ * motions_ * of_motion(); }
+  std::size_t count() const { return laws_ * motions_ * blocks_per_motion(); }
   Block at(std::size_t number) const;
   std::size_t runs() const { return laws_ * motions_ * cases_; }
   // The part, counted from 1, that computes a block. Blocks of one law cost the same, so dealing in turn is even.
@@ -61,7 +61,7 @@ class Blocks {
   }
 
  private:
-  std::size_t of_motion() const;
+  std::size_t blocks_per_motion() const;
   std::size_t laws_, motions_, cases_;
 };
 
@@ -99,7 +99,7 @@ struct MissingRun {
   int part = 0;  // the part that should hold it; 0: into how many parts the study was cut is not known
 };
 struct MergedStudy : campaign::Merged {
-  std::vector<StudyProperty> part;  // of the first part: its rows of kind part
+  std::vector<StudyProperty> part;  // the rows of kind part in the first part
 };
 struct MergeOptions {
   std::function<void()> before_replacing = {};          // called when the study's outputs become outdated

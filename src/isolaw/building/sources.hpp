@@ -69,7 +69,7 @@ class Devices {
   Devices(LawSource source, BuildingFile const& file);
 
   LawSource const& source() const { return source_; }
-  Coupling coupling() const { return coupling_; }  // of all bearings
+  Coupling coupling() const { return coupling_; }  // the same for all bearings
   // Virgin bearings with parameters as `of` returns them.
   std::vector<std::unique_ptr<Bearing>> bearings(std::vector<double> const& values) const;
   std::vector<double> of(Case const& which) const;  // [bearing][parameter]

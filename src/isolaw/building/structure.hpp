@@ -90,7 +90,7 @@ class Structure {
   Frame frame_;
   Matrix3 mass_, base_mass_;
   num::Vector masses_;     // [degree of freedom], the base first
-  num::Matrix stiffness_;  // of the storeys, without bearings
+  num::Matrix stiffness_;  // storeys only, without bearings
   std::vector<double> frequency_, damping_, participation_, shape_, rigid_, deformation_, shear_;
 };
 
