@@ -1,5 +1,5 @@
-// Compiled once for every instruction set, with ISOLAW_LANE_KERNELS the name of what it defines; fit/kernels.cpp says
-// what that asks for.
+// The explicit path for lanes, compiled once per instruction set. ISOLAW_LANE_KERNELS is the name of the only object
+// that this file may define for others (fit/kernels.cpp says why).
 #include <tuple>
 
 #include "isolaw/building/lane_run.hpp"
@@ -9,7 +9,7 @@
 namespace isolaw::building {
 namespace {
 
-// States and parameters of all bearings, then the scalars of the run.
+// in.memory holds the states of all bearings, their parameters, and the scalars of the run.
 template <class Law, class T = num::Batch<lane_width>>
 void run_lanes(LaneRun const& in) {
   using Params = typename Law::template Params<T>;
