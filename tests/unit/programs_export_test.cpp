@@ -25,7 +25,7 @@ struct Case {
   std::string law;
   std::vector<double> parameters;
   std::vector<std::string> procedures;
-  double tolerance;  // of the peak force
+  double tolerance;  // share of the peak force
 };
 
 std::vector<Case> exact_cases() {
