@@ -1,5 +1,5 @@
-// The made-up lot of study_fixture.hpp as if it had been analysed: every verdict, a law whose prediction collapses, a
-// population whose correlation has a hole, a device that stands apart.
+// The made-up lot of study_fixture.hpp as if it had been analysed: it has every verdict, a law whose prediction
+// collapses, a population with a correlation missing, and a device that stands apart.
 #pragma once
 
 #include <array>
@@ -101,8 +101,8 @@ inline void analyse(LawResult& law) {
   law.population = population(law);
 }
 
-// The first law is on the front of every view; the second, where there is one, is off those without noise, and its
-// prediction collapses.
+// The first law is on the front of every view. The second, if there is one, is on no front of the views without noise,
+// and its prediction collapses.
 inline Summary analysed(Summary summary) {
   for (std::size_t j = 0; j < summary.laws.size(); ++j) {
     auto& law = summary.laws[j];

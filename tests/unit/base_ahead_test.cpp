@@ -1,4 +1,4 @@
-// Work done ahead: each item once, in time, whoever does it; what fails is told to who needs it.
+// Work done ahead: any thread does an item, once and in time; a failure reaches the thread that needs the item.
 #include "isolaw/base/ahead.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ TEST(WorkAhead, WhatFailedIsToldToWhoNeedsIt) {
   EXPECT_THROW(work.need(1), std::runtime_error);
 }
 
-// One task for four threads: the others can only help with what it offers.
+// There is one task for four threads, so the other three can only help with the items that it offers.
 TEST(WorkAhead, ThreadsWithoutATaskHelp) {
   std::atomic<int> at_once = 0, most = 0;
   std::vector<std::atomic<int>> done(64);
@@ -42,7 +42,7 @@ TEST(WorkAhead, ThreadsWithoutATaskHelp) {
     WorkAhead work(done.size(), [&](std::size_t i) {
       int const now = ++at_once;
       for (int seen = most; seen < now && !most.compare_exchange_weak(seen, now);) continue;
-      // Until another one is there as well; given up after a while on a machine that is too busy to start it.
+      // Wait until another thread is here too. Give up after a while if the machine is too busy to start one.
       for (int waited = 0; most < 2 && waited < 5000; ++waited)
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
       ++done[i];

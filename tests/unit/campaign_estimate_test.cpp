@@ -34,7 +34,7 @@ TEST(EstimateTest, ATaskUnderWayIsPartlyDoneAndOneGivenUpIsNot) {
   auto const second = estimate.begin(TaskKind::run, "a", 10.0);
   EXPECT_DOUBLE_EQ(estimate.left_s(14.0), 16.0);
   EXPECT_DOUBLE_EQ(estimate.share(14.0), 14.0 / 30.0);
-  EXPECT_DOUBLE_EQ(estimate.left_s(100.0), 10.0);  // longer than others took, and no less than nothing
+  EXPECT_DOUBLE_EQ(estimate.left_s(100.0), 10.0);  // longer than the others took; nothing is left of it
   estimate.give_up(second);
   EXPECT_DOUBLE_EQ(estimate.left_s(100.0), 20.0);
 }
@@ -51,13 +51,13 @@ TEST(EstimateTest, WhatWasNotMeasuredGoesByItsLawsSpeedAndItsKindsEvaluations) {
   for (auto const kind : {TaskKind::run, TaskKind::device})
     for (auto const* law : {"a", "b"})
       estimate.expect(kind, law, {.evaluations = kind == TaskKind::run ? 10.0 : 40.0, .evaluation_s = 1.0}, 1, 0);
-  // Twice as long an evaluation, and many more of them than likely: of this record's searches alone.
+  // Evaluations take twice as long, which holds for all tasks; there are more of them, which holds for searches alone.
   estimate.end(estimate.begin(TaskKind::run, "a", 0.0), 30, 60.0);
-  double const runs = (30.0 + 2.0) / (10.0 + 2.0);  // with the doubt of a tenth of each group
+  double const runs = (30.0 + 2.0) / (10.0 + 2.0);  // a tenth of what the group was expected to need is added to both
   EXPECT_DOUBLE_EQ(estimate.left_s(60.0), runs * 10.0 * 2.0 + 2 * 40.0 * 2.0);
   estimate.end(estimate.begin(TaskKind::run, "b", 60.0), 10, 65.0);
   EXPECT_DOUBLE_EQ(estimate.left_s(65.0), 40.0 * 2.0 + 40.0 * 0.5);
-  // Of the other law too, half as many.
+  // The analysis took half as many evaluations as expected, so that of the other law may need fewer too.
   estimate.end(estimate.begin(TaskKind::device, "a", 65.0), 20, 105.0);
   EXPECT_DOUBLE_EQ(estimate.left_s(105.0), (20.0 + 8.0) / (40.0 + 8.0) * 40.0 * 0.5);
 }
@@ -128,7 +128,7 @@ TEST_F(ShareOfCampaign, IsOfRunsAndAnalysesTogether) {
                          EXPECT_GT(task.evaluations, 0);
                          EXPECT_GT(task.seconds, 0.0);
                        }}));
-  ASSERT_EQ(told.size(), 11u);  // six runs, two devices, a law of the lot, and that twice without one
+  ASSERT_EQ(told.size(), 11u);  // six runs, two devices, one law for the lot, and two with a device left out
   EXPECT_EQ(tasks, (std::map<TaskKind, int>{
                        {TaskKind::run, 6}, {TaskKind::device, 2}, {TaskKind::lot, 1}, {TaskKind::left_out, 2}}));
   EXPECT_EQ(told[5].done, told[5].total);
@@ -152,7 +152,7 @@ TEST_F(ShareOfCampaign, CountsWhatAnInterruptedCampaignHad) {
   EXPECT_TRUE(run(contents, file(),
                   {.jobs = 1, .progress = [&](Progress const& p) { shares.push_back(p.share); }, .interrupted = {}}));
   ASSERT_EQ(shares.size(), 2u);
-  EXPECT_NEAR(shares[0], 5.0 / 6.0, 1e-9);  // of one law, so that each is as much as the others
+  EXPECT_NEAR(shares[0], 5.0 / 6.0, 1e-9);  // all runs are of one law, so each counts the same
   EXPECT_EQ(shares[1], 1.0);
 }
 
@@ -165,7 +165,7 @@ struct Logged {
   double seconds;
 };
 
-// In the order in which tasks begin; of two threads of one core.
+// The tasks in the order in which they began, measured with two threads on one core.
 std::vector<Logged> logged(std::string_view campaign) {
   std::ifstream file(ISOLAW_SOURCE_DIR "/tests/unit/task_times.csv");
   std::vector<Logged> tasks;
@@ -189,7 +189,7 @@ struct Campaign {
   bool genetic;
 };
 
-// What expect_all() measured then: ns of a step of one candidate, for residuals and in populations; free parameters.
+// Costs when the times were logged: ns per step of a candidate, for residuals and in populations; free parameters.
 struct LawThen {
   std::string_view law;
   double residuals_ns, population_ns;
@@ -199,8 +199,8 @@ constexpr LawThen laws_then[]{{"bilinear", 1.78, 0.22, 3}, {"jankowski", 3.58, 2
                               {"bouc-wen", 7.36, 5.48, 6}, {"abe", 62.6, 34.2, 13},       {"abe-y0", 10.8, 6.90, 12},
                               {"hwang-wu", 13.8, 8.93, 10}};
 
-// Plays a campaign back on so many threads and asks after every task how long all of it takes: the largest ratio, to
-// either side, of that to what it took, once a tenth of the work is done.
+// Plays a campaign back on so many threads. After every task, once a tenth of the work is done, it asks when all will
+// be done. Returns the largest ratio, up or down, between that answer and the true end.
 double worst_ratio(Campaign const& campaign, std::size_t threads) {
   auto const tasks = logged(campaign.name);
   Estimate estimate(threads);
@@ -227,7 +227,7 @@ double worst_ratio(Campaign const& campaign, std::size_t threads) {
     bool operator<(Ending const& other) const { return at > other.at; }
   };
   std::priority_queue<Ending> running;
-  std::vector<std::pair<double, double>> told;  // when, and the end that was told then
+  std::vector<std::pair<double, double>> told;  // time of the answer, and the end that it predicted
   double now = 0.0, done = 0.0;
   auto const finish_one = [&] {
     auto const ending = running.top();

@@ -1,4 +1,4 @@
-// The lot file: everything it can say, what it says about mistakes (each with its line), and writing it.
+// The lot file: every key it may hold, the complaint about every mistake with its line, and writing one.
 #include "isolaw/campaign/lot_file.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ class LotFileTest : public testing::Folder {
     return read_lot_file(write("lot.toml", text), options);
   }
 
-  // The complaints, one a line, without the folder's name; "" when the file was read.
+  // The complaints, one per line, without the folder's name; "" if the file could be read.
   std::string complaints(std::string_view text) const {
     try {
       read(text);
@@ -36,7 +36,7 @@ class LotFileTest : public testing::Folder {
     }
     return "";
   }
-  // A file with these lines after [calibrate] (so that the first of them is line 3), and one device.
+  // A file with these lines after [calibrate], so that the first of them is line 3, and with one device.
   std::string calibrate(std::string_view lines) const {
     return complaints(
         fmt::format("title = \"lot\"\n[calibrate]\n{}\n[[device]]\nname = \"A\"\nfile = \"a.csv\"\n", lines));
@@ -127,7 +127,7 @@ columns = "disp=2,force=3"
   using enum data::Channel;
   EXPECT_EQ(a.read.columns,
             (std::map<data::Channel, std::string>{{time, "1"}, {disp, "Weg, horizontal"}, {force, "Kraft"}}));
-  EXPECT_EQ(a.read.units, (std::map<data::Channel, std::string>{{disp, "cm"}, {force, "tonf"}}));  // [read] and its own
+  EXPECT_EQ(a.read.units, (std::map<data::Channel, std::string>{{disp, "cm"}, {force, "tonf"}}));  // cm from [read]
   EXPECT_EQ(a.read.dt_s, 0.01);
   EXPECT_TRUE(a.read.flip_force);
   EXPECT_EQ(a.read.sheet, "Prüfung 2");
@@ -265,7 +265,7 @@ TEST_F(LotFileTest, FilesOutsideTheFolderHaveTheirLine) {
   EXPECT_EQ(read("[[device]]\nfile = \"../b.csv\"\n", {.allow_outside = true}).devices.size(), 1u);
 }
 
-// Whether it is there or not, and whatever lies in the current directory.
+// Refused whether the file exists or not, and whatever the current directory holds.
 TEST_F(LotFileTest, RulesOutsideTheFolderHaveTheirLine) {
   auto const built_in = [](std::string_view name) { return name == "known"; };
   auto const lot = [](std::string const& name) {
@@ -346,7 +346,7 @@ TEST_F(LotFileTest, NamesHaveALongestLength) {
                {"lot.toml:4: serial: ", "is 513 bytes long", "512 or fewer"});
 }
 
-// toml++ takes tables apart by recursion: a hundred thousand of them end its stack.
+// toml++ reads nested tables by recursion: a hundred thousand levels overflow its stack.
 TEST_F(LotFileTest, DeepNestingIsRefused) {
   std::string const found = "nested deeper than any lot file needs";
   auto const repeated = [](std::string_view part, std::size_t times) {
@@ -360,7 +360,7 @@ TEST_F(LotFileTest, DeepNestingIsRefused) {
   expect_parts(complaints("a = " + repeated("{a.a.a=[\n", 200'000)), {"lot.toml:", found});
   expect_parts(complaints("a = \"\"\"\"\\\"\"\"\"\nb = 'x' # '\n" + repeated("a.", 1'000'000) + "a = 1\n"),
                {"lot.toml:3: ", found});
-  // Text, comments and many short tables are no nesting.
+  // Brackets in text and comments, and many short tables, do not count as nesting.
   EXPECT_EQ(complaints("title = \"" + repeated("[{.", 150) + "\" # " + repeated("[{.", 200) +
                        "\n[[device]]\nfile = \"a.csv\"\n"),
             "");
@@ -382,7 +382,7 @@ TEST_F(LotFileTest, ADeviceHasALargestNumberOfFiles) {
 
 TEST_F(LotFileTest, ALargeOrSpecialFileIsNotRead) {
   auto const file = write("large.toml", "x");
-  std::filesystem::resize_file(file, std::uintmax_t{1} << 40);  // a hole: takes no space
+  std::filesystem::resize_file(file, std::uintmax_t{1} << 40);  // a sparse file takes no space on disk
   auto const said = [](std::filesystem::path const& path) -> std::string {
     try {
       read_lot_file(path);
@@ -581,7 +581,7 @@ TEST(LotOfFiles, NamesDevicesAfterTheirFiles) {
   EXPECT_EQ(lot.devices[1].shown_file, "b.csv");
 }
 
-// A comma before three digits may group them: nobody's thousand millimetres become one.
+// A comma before three digits may group thousands, so 1,200 mm is not read as a number at all.
 TEST_F(LotFileTest, NumbersOfAFileThatMayBeGroupedAreLeftToAPerson) {
   DeviceInfo info;
   auto left = take_particulars({{"rubber-area-mm2", "282,743 mm2"}, {"rubber-thickness-mm", "1,200 mm"}}, info);

@@ -70,7 +70,7 @@ TEST(ProfileTest, KernelSecondsOfAPhaseAreItsCountTimesTheCost) {
     if (lengths.size() < 2) lengths.push_back(steps_per_block);
     return kind.law == 0 ? 2.0 : 0.1;
   });
-  EXPECT_EQ(lengths, (std::vector<double>{300.0, 50.0}));  // measured for all phases together
+  EXPECT_EQ(lengths, (std::vector<double>{300.0, 50.0}));  // mean steps per block, over all phases together
   EXPECT_EQ(seconds[static_cast<std::size_t>(Phase::search)], 1200.0);
   EXPECT_DOUBLE_EQ(seconds[static_cast<std::size_t>(Phase::determination)], 605.0);
   EXPECT_EQ(seconds[static_cast<std::size_t>(Phase::lot)], 0.0);
@@ -100,7 +100,7 @@ TEST_F(ProfileOfCampaign, EvaluationsOfAPhaseAreThoseThatItsResultsSay) {
   }
 }
 
-// Of processor time, which waiting does not add to.
+// Compares processor time, because waiting does not add to it.
 TEST_F(ProfileOfCampaign, PhasesAddUpToTheProcessorTimeOfTheProcess) {
   Profile profile;
   auto campaign = lot("jankowski,bouc-wen", true);

@@ -27,7 +27,7 @@ std::vector<Counted> counted(WorkCount const& work) {
   return all;
 }
 
-// What `compute` asks of the laws.
+// The work that `compute` adds to this thread's count.
 template <class Compute>
 WorkCount work_of(Compute&& compute) {
   work_of_this_thread() = {};
@@ -68,8 +68,8 @@ TEST(ShortestOfPasses, is_not_the_one_that_a_clock_cut_short) {
 TEST_F(BlockCounts, EveryBlockIsCountedWithItsStepsByLawIntegrationAndWidth) {
   if (instruction_set() == InstructionSet::scalar) GTEST_SKIP() << "no blocks";
   auto const work = work_of([] {
-    objectives(model("bilinear"), 100);  // three of 32, and one of 8 that four candidates half fill
-    residuals(model("bilinear"), 18);    // one of 16, one of 8
+    objectives(model("bilinear"), 100);  // three blocks of 32, and one of 8 half filled by the last four
+    residuals(model("bilinear"), 18);    // one block of 16, one of 8
     objectives(model("bouc-wen", paper), 8);
   });
   EXPECT_EQ(counted(work), (std::vector<Counted>{{"bilinear", converged, Block::narrow, {1, 100}},
@@ -81,7 +81,7 @@ TEST_F(BlockCounts, EveryBlockIsCountedWithItsStepsByLawIntegrationAndWidth) {
 
 TEST_F(BlockCounts, ScalarEvaluationsFinerStepsAndTheFinePathOfTheShiftCount) {
   auto const fine = model("hwang-wu", converged, 4);
-  std::size_t const steps = fine.samples() * 4 - 3;  // none before the first sample
+  std::size_t const steps = fine.samples() * 4 - 3;  // one per finer step; the first sample needs none
   auto const work = work_of([&] {
     objectives(fine, 3, InstructionSet::scalar);
     residuals(fine, 2, InstructionSet::scalar);
@@ -114,7 +114,7 @@ TEST_F(BlockCounts, KernelSecondsAreEveryStepAtItsCost) {
   EXPECT_DOUBLE_EQ(seconds, 300 * 2.0 + 200 * 50.0 + 200 * 1e-3);
 }
 
-// By processor time, which other work on the machine does not change by such factors.
+// Uses processor time, which other work on the machine does not change by such factors.
 TEST_F(BlockCounts, TheMeasuredCostIsOfTheSizeOfWhatTheWorkTook) {
   for (auto const* law : {"bilinear", "bouc-wen", "abe"}) {
     auto const of_law = model(law);

@@ -1,5 +1,5 @@
-// Grades of prediction, what is adequate, whose parameters the box holds, and what goes with a law that is taken from a
-// campaign; docs/decision.md.
+// Grades of prediction, when a law is adequate, which laws have parameters that only the box holds, and the warnings
+// that go with a law taken from a campaign; see docs/decision.md.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ TEST(Prediction, CollapsesWhereABlockIsLostOrFarBeyondTheFit) {
   EXPECT_EQ(graded(0.02, 0.08, 1.01), unusable);  // worse than a constant somewhere
   EXPECT_EQ(graded(0.02, 0.20, 0.25), fair);      // ten times the fit, no more
   EXPECT_EQ(graded(0.019, 0.20, 0.25), unusable);
-  EXPECT_EQ(graded(0.001, 0.19, 0.19), fair);  // what the eye does not see may be any multiple of nothing
+  EXPECT_EQ(graded(0.001, 0.19, 0.19), fair);  // errors too small to see may be any multiple of the fit
   double const nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
   EXPECT_EQ(graded(0.02, nan, nan), unusable);
   EXPECT_EQ(graded(0.02, infinite, infinite), unusable);
@@ -62,7 +62,7 @@ TEST(Adequacy, OfALawThatMissesTheForceOrTheStiffness) {
     EXPECT_FALSE(contains(findings(summary).headline, id)) << findings(summary).headline;
   }
   EXPECT_TRUE(contains(findings(summary).headline, "worth considering"));
-  // Who takes it away is told, and so is who reads the warnings alone.
+  // Whoever takes the law away is told, and so is whoever reads the warnings alone.
   auto const with_it = doubts(summary, "jankowski", summary.devices.front().name).warnings;
   EXPECT_TRUE(
       contains(with_it.front(), "Jankowski does not describe the devices: it misses the measured force by 51.0 %"));
@@ -70,7 +70,7 @@ TEST(Adequacy, OfALawThatMissesTheForceOrTheStiffness) {
   EXPECT_TRUE(findings(summary).headline.starts_with("No law describes these devices: ")) << findings(summary).headline;
 }
 
-// Eight of ten parameters at one bound scatter little: beta is small, and nothing is robust about it.
+// Eight of ten parameters lie at one bound and so hardly scatter: beta is small, but nothing is robust about it.
 TEST(Adequacy, ParametersAtBoundsMakeNoLawRobust) {
   auto summary = fixture::lot(10, 6);
   EXPECT_EQ(verdict(summary, "bilinear").role, Role::most_robust);
@@ -107,7 +107,7 @@ TEST(Prediction, ThatIsPoorIsNoCompromiseAndIsSaid) {
   EXPECT_TRUE(contains(doubts(summary, "vaiana", summary.devices.front().name).objection, "unusable"));
 }
 
-// What concerns the law on the device, and nothing of the other laws and devices.
+// Doubts concern this law on this device, not other laws and devices.
 TEST(Doubts, AreOfTheLawAndTheDevice) {
   auto summary = fixture::lot();
   auto const devices = device_names(summary);
@@ -143,7 +143,7 @@ void miss_the_stiffness(LawResult& law) {
   for (auto& fit : law.devices) fit.K_eff_error_percent = 467.0;
 }
 
-// A law that does not describe the devices beats none that does.
+// A law that does not describe the devices dominates none that does.
 TEST(Adequacy, OfALawOnTheFrontHidesNoOther) {
   auto summary = fixture::lot(10, 6);
   ASSERT_EQ(verdict(summary, "bouc-wen").role, Role::dominated);  // by vaiana alone
@@ -191,7 +191,7 @@ TEST(Adequacy, AFrontThatTheBoxHoldsHasNoRobustEnd) {
       << findings(summary).headline;
 }
 
-// One device agrees with itself: its box has no part in that.
+// A single device always agrees with itself, so no box can be the reason.
 TEST(Adequacy, OneDeviceIsHeldByNoBox) {
   auto summary = fixture::lot(1, 2);
   for (auto& one : summary.laws) hold_by_the_box(one);
@@ -256,7 +256,7 @@ TEST(Doubts, OfDegradationAreOfTheLawAlone) {
   EXPECT_FALSE(contains(doubts_of(summary, "bilinear", "D1"), "--fit-cycles"));
 }
 
-// Adequate or not is a law over all devices: a part of them mixes populations.
+// Adequacy is a property of a law on all devices; a part of them would mix populations.
 TEST(Doubts, TakeAdequacyFromTheWhole) {
   auto summary = fixture::lot(10, 3);
   law(summary, "bilinear").devices[0].K_eff_error_percent = 60.0;
@@ -288,7 +288,7 @@ TEST(Doubts, NameCopiesOfARecord) {
   EXPECT_FALSE(contains(doubts_of(summary, "bilinear", "D3"), copies));
 }
 
-// Who takes the law of a lot away hears that the lot fails, and which of its devices the law says nothing of.
+// Whoever takes the law of a lot away is told that the lot fails, and which of its devices the law does not cover.
 TEST(Doubts, SayWhatIsNotKeptAndWhichDevicesWereRefused) {
   auto summary = fixture::lot();
   auto const count = summary.devices.size();

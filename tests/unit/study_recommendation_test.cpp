@@ -1,4 +1,4 @@
-// Which law is recommended, on cases whose answer is known.
+// The recommended law in cases whose answer is known.
 #include "isolaw/study/recommendation.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 struct Law {
   std::string id;
-  std::vector<double> errors;  // least objective, of each device
+  std::vector<double> errors;  // least objective on each device
   std::vector<double> left_out = {};
   std::optional<double> predicted = {};
   int parameters = 4, open = 0, at_bound = 0;
@@ -108,7 +108,7 @@ TEST(Recommendation, OfLawsWithinTheScatterOfTheDevicesIsATie) {
   EXPECT_NE(made.would_decide, "");
 }
 
-// As near as it gets to what it was fitted to, and wrong elsewhere.
+// A law may come nearest to the tests that it was fitted to and be wrong elsewhere.
 TEST(Recommendation, IsNeverALawThatPredictsBadly) {
   auto const summary =
       summary_of({{"overfit", {0.01}, {}, 2.7}, {"poor", {0.015}, {}, 0.4}, {"sound", {0.05}, {}, 0.08}});
@@ -172,7 +172,7 @@ TEST(Recommendation, IsWeakWhereTheTestsLeaveParametersOpenOrTheBoxHoldsThem) {
   EXPECT_EQ(of(held, Purpose::untested_device).sure, Sure::weak) << of(held, Purpose::untested_device).why;
 }
 
-// Of one law there is nothing to choose from, however near it comes.
+// With one law there is no choice, however near it comes.
 TEST(Recommendation, OfTheOnlyLawIsWeak) {
   auto const summary = summary_of({{"only", {0.02, 0.021, 0.022}, {0.03, 0.031, 0.032}}});
   for (auto const& made : recommendations(summary)) {
@@ -200,7 +200,7 @@ TEST(Recommendation, LeavesOutALawThatWasRefusedOnADevice) {
   summary.laws[0].devices[1].device = "D1";
   summary.laws[0].devices[1].refusal = "no time channel";
   for (auto const& made : recommendations(summary)) EXPECT_EQ(law_of(summary, made), "whole");
-  // A device that could not be read is no device of the choice.
+  // A device that could not be read takes no part in the choice.
   DeviceResult refused;
   refused.name = "bad";
   refused.status = "refused";
