@@ -1,5 +1,4 @@
-// An error that instructions.sh must find: compiled for a wide set and for the baseline, both objects hold this
-// function.
+// instructions.sh must find this error: compiled for a wide set and for the baseline, both objects hold the function.
 #include "kernels/breach.hpp"
 
 double ISOLAW_BREACH(double const* values) {

@@ -16,8 +16,7 @@ namespace {
 
 using laws::Integration;
 
-// Largest error relative to the peak force; the reference is the same path, 128 times refined, with the same
-// integration.
+// Largest error relative to the peak force, against the path refined 128 times with the same integration.
 template <class Law>
 double error_at(Values<Law> const& values, Motion const& motion, int refinement, Integration integration) {
   auto const reference = forces<Law>(values, motion, 128, integration);

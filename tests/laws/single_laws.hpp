@@ -16,7 +16,7 @@
 namespace isolaw::law_tests {
 
 // Parameter values that take a law's force beyond the largest double on any record of ordinary size. For a law that is
-// not named here, all parameters get huge values together.
+// not named here: every parameter without a physical upper limit.
 inline std::vector<std::pair<std::string_view, double>> overflowing_values(laws::LawEntry const& law) {
   std::map<std::string_view, std::vector<std::pair<std::string_view, double>>> const known{
       {"bilinear", {{"K2", 1e307}}}, {"jankowski", {{"a1", 1.7e308}, {"a6", 1.7e308}}},

@@ -57,8 +57,7 @@ TYPED_TEST(Traits, ARecordWithoutTimeServesARateIndependentLaw) {
   EXPECT_EQ(without == with, TypeParam::info.traits.rate_independent);
 }
 
-// Every operation commutes with the sign, so the mirrored force is exact. The forces of a law that is not odd differ
-// visibly.
+// Every operation commutes with the sign, so the mirrored force is exact. A law that is not odd differs visibly.
 TYPED_TEST(Traits, OddSymmetry) {
   auto const motion = slower_motion(), mirrored = scaled(motion, -1.0, -1.0);
   for (auto const integration : both_integrations)
