@@ -11,7 +11,7 @@ struct OldStore {
   std::string name;
   int schema;
   std::string method;
-  std::string version = "0.1.0", build = {};  // of the program that wrote it; empty if not known
+  std::string version = "0.1.0", build = {};  // the writing program's; empty if not known
 
   std::string maker() const { return "isolaw " + version + ", build " + (build.empty() ? "not known" : build); }
 };

@@ -165,7 +165,7 @@ Matrix matrix(SquareMatrix const& rows) {
 // The moments of the parameters' logarithms: true, of the devices drawn, and recovered from the tests.
 struct Recovered {
   Vector true_mean, drawn_mean, mean;
-  Matrix true_covariance, drawn_covariance;  // of the population; of these devices
+  Matrix true_covariance, drawn_covariance;  // the population's; these devices'
   Matrix covariance, S, C;                   // recovered; of the estimates; mean covariance of their errors
   Population population;
 };
