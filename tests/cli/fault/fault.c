@@ -1,4 +1,4 @@
-// Loaded before the C library (LD_PRELOAD): counts operations that change files in one directory and makes them fail.
+// Loaded before the C library (LD_PRELOAD): counts operations that change files below a directory and makes them fail.
 //
 //   ISOLAW_FAULT_DIR   the directory; everything elsewhere is left alone
 //   ISOLAW_FAULT_MODE  count  nothing goes wrong
@@ -127,12 +127,8 @@ static int truncate_to(int (*next)(int, off_t), int file, off_t size) {
   if (watched_file(file) && (grows ? next_operation(0) == fail : frees_space_fails())) return -1;
   return next(file, size);
 }
-int ftruncate(int file, off_t size) {
-  return truncate_to(NEXT(ftruncate), file, size);
-}
-int ftruncate64(int file, off_t size) {
-  return truncate_to(NEXT(ftruncate64), file, size);
-}
+int ftruncate(int file, off_t size) { return truncate_to(NEXT(ftruncate), file, size); }
+int ftruncate64(int file, off_t size) { return truncate_to(NEXT(ftruncate64), file, size); }
 
 int fsync(int file) {
   if (watched_file(file) && next_operation(0) == fail) return -1;
@@ -150,17 +146,15 @@ static int opening_fails(const char* path, int flags) {
   // On a full disk existing files can still be opened.
   return makes ? next_operation(0) == fail : frees_space_fails();
 }
-static int mode_of(int flags, va_list arguments) {
-  return (flags & O_CREAT) ? va_arg(arguments, int) : 0;
-}
+static int mode_of(int flags, va_list arguments) { return (flags & O_CREAT) ? va_arg(arguments, int) : 0; }
 
-#define OPENS(name)                                                                      \
-  int name(const char* path, int flags, ...) {                                           \
-    va_list arguments;                                                                   \
-    va_start(arguments, flags);                                                          \
-    int const mode = mode_of(flags, arguments);                                          \
-    va_end(arguments);                                                                   \
-    if (opening_fails(path, flags)) return -1;                                           \
+#define OPENS(name)                                                              \
+  int name(const char* path, int flags, ...) {                                   \
+    va_list arguments;                                                           \
+    va_start(arguments, flags);                                                  \
+    int const mode = mode_of(flags, arguments);                                  \
+    va_end(arguments);                                                           \
+    if (opening_fails(path, flags)) return -1;                                   \
     return ((int (*)(const char*, int, ...))dlsym(RTLD_NEXT, #name))(path, flags, mode); \
   }
 OPENS(open)
