@@ -536,7 +536,7 @@ building::Motion motion_of(py::handle const& given, std::size_t place) {
 
 BuildingPtr studied(py::object const& file, py::object const& from, py::list const& motions, py::dict const& given,
                     BuildingWork options, py::object const& progress) {
-  building::InPlace in_place{.motions = {}, .settings = given_of(building::settings_table(), given)};
+  building::ReplacedKeys in_place{.motions = {}, .settings = given_of(building::settings_table(), given)};
   for (auto const& motion : motions) in_place.motions.push_back(motion_of(motion, in_place.motions.size()));
   auto read = py::isinstance<py::dict>(file) ? building::building_of(json_of(file), in_place)
                                              : building::read_building(file.cast<std::filesystem::path>(), in_place);

@@ -1,4 +1,4 @@
-// Small things that a person met who saw the program for the first time: input that is let through or quoted oddly.
+// Small findings of a first-time user: input that was accepted without a word, or quoted oddly.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 
@@ -37,7 +37,7 @@ TEST_F(SmallThings, init_leaves_out_a_date_or_a_temperature_that_is_none_and_say
   EXPECT_TRUE(contains(text, "-100 to 200")) << text;
 }
 
-// Devices are named after files; what init writes is read, and what cannot be written says why.
+// Devices are named after files. isolaw reads what init writes, and explains which names cannot be written.
 TEST_F(SmallThings, init_writes_names_that_lot_files_allow) {
   for (auto const* file : {" lead.csv", "trail .csv"}) {
     write(file, csv(record()));
@@ -148,7 +148,7 @@ TEST_F(SmallThings, days_under_a_name_with_seconds_are_remarked) {
               Json::parse(isolaw({"inspect", "--json", "a.csv"}).out)["blocks"][0]["frequency_Hz"].get<double>(), 1e-3);
 }
 
-// Force without any stiffness: what damping relates the energy to is rounding.
+// For a force without stiffness, the denominator of damping is only rounding.
 TEST_F(SmallThings, damping_without_stiffness_is_not_defined) {
   write("v.csv", csv(record(), "Time [s],Displacement [mm],Force [kN]", [](std::size_t i, Sample const& s) {
           double const phase = std::asin(std::clamp(s.disp_mm / 100.0, -1.0, 1.0));

@@ -1,4 +1,4 @@
-// lot.toml: what it carries, and every mistake in it with its line.
+// lot.toml: what it may contain, and that every mistake is reported with its line.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 #include "cli/store.hpp"
@@ -18,11 +18,11 @@ class LotFile : public InFreshDirectory {
     write("lot.toml", lot);
     return isolaw(Words{"calibrate", "lot.toml", "--out", "O", "--fresh"} + more);
   }
-  // Small whatever the lot file says: for mistakes that may be overlooked.
+  // Runs a small search whatever the lot file says, for mistakes that might go unnoticed.
   Outcome run_limited(std::string const& lot) {
     return run(lot, {"--laws", "bilinear", "--runs", "1", "--population", "4", "--generations", "1"});
   }
-  // With settings small enough to run, given in the lot file itself.
+  // Puts the settings of a small search into the lot file itself.
   Outcome run_small(std::string const& rest) {
     return run("[calibrate]\nlaws = \"bilinear\"\nruns = 1\npopulation = 4\ngenerations = 1\n" + rest);
   }
@@ -84,7 +84,7 @@ TEST_F(LotFile, several_files_of_a_device_are_one_history) {
   auto const store = path("O/campaign.sqlite");
   EXPECT_EQ(query(store, "SELECT count FROM series WHERE kind = 'raw' AND channel = 'disp_mm'"), Words{"1202"});
   EXPECT_EQ(json("O/summary.json")["devices"][0]["file"], "a.csv, b.csv");
-  EXPECT_EQ(count_of("long,", read("O/tables/cycles.csv")), 6u);  // three cycles of each
+  EXPECT_EQ(count_of("long,", read("O/tables/cycles.csv")), 6u);  // three cycles of each device
   EXPECT_TRUE(
       contains(query(store, "SELECT recognised FROM device").at(0), "b.csv continues the history with 601 samples"));
 }

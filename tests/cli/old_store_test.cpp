@@ -1,5 +1,5 @@
-// Stores of every schema there was, written by the programs of their time (tests/stores/README.md): read forward,
-// reported, checked, exported; and not continued.
+// Stores of every former schema, written by the programs of their time (tests/stores/README.md), can be read, reported,
+// checked and exported, but not continued.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 #include "cli/store.hpp"
@@ -11,7 +11,7 @@ struct OldStore {
   std::string name;
   int schema;
   std::string method;
-  std::string version = "0.1.0", build = {};  // of its maker, empty: not known
+  std::string version = "0.1.0", build = {};  // the writing program's; empty if not known
 
   std::string maker() const { return "isolaw " + version + ", build " + (build.empty() ? "not known" : build); }
 };
