@@ -45,7 +45,8 @@ struct Row {
   unsigned grouping;
   unsigned appears;
   Subject subject;
-  std::string (*text)(Group);  // the sentence without its subject
+  std::string_view text;  // the sentence without its subject, with fields in braces (wording/fill.hpp)
+  std::string (*compose)(Group) = nullptr;  // makes it instead, where a text cannot
 };
 
 std::span<Row const> rows();
