@@ -1,5 +1,5 @@
-// How the energy of a cycle falls through a block: on the device by heat, wear and damage, and by a law. The fall counts
-// from the third counted cycle on: the loss before it is scragging, which laws without wear may follow.
+// How the energy of a cycle falls through a block: on the device by heat, wear and damage, and by a law. It counts from
+// the third counted cycle on, since the loss before that is scragging, which laws without wear may follow.
 #pragma once
 
 #include <optional>
