@@ -13,7 +13,6 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/campaign/store.hpp"
-#include "isolaw/render/json/run_json.hpp"
 #include "isolaw/render/json/summary_json.hpp"
 #include "isolaw/render/terminal/terminal.hpp"
 #include "isolaw/render/write.hpp"
@@ -37,10 +36,9 @@ void draw_figures(study::Summary const& summary, render::FigureChoice choice, st
 }
 
 void print(study::Summary const& summary, bool json, std::string_view profile) {
-  auto text =
-      json ? render::summary_json(summary) : render::ranking(summary, std::min(terminal_width(STDOUT_FILENO), 120));
+  auto text = json ? render::summary_json(summary, profile)
+                   : render::ranking(summary, std::min(terminal_width(STDOUT_FILENO), 120));
   if (auto const verdicts = study::verdict_summary(summary); !json && !verdicts.empty()) text += "\n" + verdicts;
-  if (json && !profile.empty()) text = render::with_profile(std::move(text), profile);
   app::print(text);
 }
 
