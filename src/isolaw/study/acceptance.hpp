@@ -37,7 +37,7 @@ struct LotAcceptance {
 };
 
 bool any_failed(std::vector<rules::Assessment> const& assessments);
-// True where the lot's size or one of its means does not keep a limit of a verified rule set.
+// True where the sample size or a mean over the lot does not keep a limit of a verified rule set.
 bool lot_failed(LotAcceptance const& acceptance);
 
 // The third counted cycle of the block, or the last where fewer count; nullptr where none counts.

@@ -11,7 +11,7 @@
 
 namespace isolaw::study {
 
-// Limits on means over the devices: of the objective, and of the errors' magnitudes on the compared cycle.
+// A law is adequate up to these means over the devices: of the objective, and of the errors on the compared cycle.
 inline constexpr double adequate_objective = 0.3;
 inline constexpr double adequate_K_eff_percent = 15.0, adequate_energy_percent = 30.0;
 

@@ -12,7 +12,7 @@ namespace isolaw::study {
 
 // A run that ends within this relative distance of the campaign's least objective has found it.
 inline constexpr double found_within = 1e-3;
-// Grades of a prediction: the largest mean objective on the predicted blocks for each. Above the last it is unusable.
+// The largest mean objective on the predicted blocks for each grade; above the last a prediction is unusable.
 inline constexpr double good_prediction = 0.1, fair_prediction = 0.3, poor_prediction = 0.6;
 // A prediction that collapses is unusable too. Either the objective on some block exceeds collapsed_objective, which a
 // constant force gives too, or the mean objective is at least collapsed_least and more than collapsed_ratio times that

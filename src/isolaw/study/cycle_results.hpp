@@ -113,7 +113,7 @@ inline constexpr Result<Level> level_results[]{
     {"reference", "", "reference", "this is the counting block itself", get<&Level::reference>},
 };
 
-// A member of the vertical stiffness; undefined for a device without one.
+// A number of the device's vertical stiffness; undefined for a device without one.
 template <auto... members>
 Value of_vertical(DeviceResult const& device) {
   return device.vertical ? get<members...>(*device.vertical) : Value();
@@ -161,7 +161,7 @@ inline constexpr Result<data::Effect> effect_results[]{
 // A property that is followed from cycle to cycle of a block, by its short name; key: its row in cycle_results.
 struct FollowedProperty {
   std::string_view name, key;
-  double data::Cycle::*of;
+  double data::Cycle::*value;
 };
 inline constexpr FollowedProperty followed_properties[]{{"K_eff", "K_eff_kN_per_mm", &data::Cycle::K_eff_kN_per_mm},
                                                         {"energy", "energy_kN_mm", &data::Cycle::energy_kN_mm},

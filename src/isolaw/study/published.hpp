@@ -16,7 +16,7 @@ struct PublishedNumbers {
   std::optional<double> std_over_runs;     // mean over the devices of the standard deviation over the runs
   std::optional<double> std_over_devices;  // standard deviation of the devices' means
   std::optional<double> beta;
-  bool on_front = false;  // the front of objective against beta, among the study's laws
+  bool on_front = false;  // on that of objective against beta, among the study's laws
 };
 
 struct PublishedLaw {

@@ -87,7 +87,7 @@ struct Candidate {
   std::vector<Finding> weak = {};  // why choosing it is not sure
 };
 
-// True for a law that may be taken: identified on every device, adequate, and with a prediction that holds if any.
+// True for a law that may be taken: identified on every device, adequate, and not refuted by its prediction.
 bool may_be_taken(Summary const& summary, LawResult const& law) {
   auto const usable = device_names(summary).size();
   auto const identified = static_cast<std::size_t>(

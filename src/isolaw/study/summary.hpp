@@ -101,7 +101,7 @@ inline std::string_view fit_status(DeviceFit const& fit) {
   return fit.objective.mean ? "ok" : "failed";
 }
 
-// One law for all devices: by least mean objective (`parameters`), and by least objective on the worst device.
+// One vector of all parameters, in the law's order, for all devices: of least mean and of least worst objective.
 struct LotLaw {
   std::vector<double> parameters, worst_parameters;
   double mean = 0.0, worst = 0.0;  // mean and largest objective with `parameters`
@@ -119,7 +119,7 @@ constexpr std::string_view name(PredictionGrade grade) {
 
 struct LawResult {
   std::string id, title;
-  Statistic objective;  // mean and best over devices and runs
+  Statistic objective;  // mean of the devices' means; std and best over all devices and runs
   std::optional<double> beta;
   std::string beta_note;  // why beta is empty
   bool on_front = false;

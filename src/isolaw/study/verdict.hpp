@@ -31,7 +31,7 @@ struct DeviceVerdict {
 DeviceVerdict device_verdict(DeviceAcceptance const& acceptance);
 
 // The verdict on a device of an inspection or a campaign: not assessed where its record has no properties to compare
-// with the rule set; nullopt where there is no rule set.
+// with the rule set; nullopt where nothing was asked.
 std::optional<rules::Verdict> verdict_on(LotAcceptance const& lot, DeviceResult const& device);
 
 // A requirement of the set, listed once for all devices and sides: "K_eff", "sample size", "mean K_eff".
