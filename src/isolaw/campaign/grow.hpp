@@ -12,7 +12,7 @@ namespace isolaw::campaign {
 // The reasons why the campaign asked for can neither continue the stored one nor grow from it; empty if it can.
 std::vector<std::string> obstacles(Contents const& stored, Contents const& asked, Sides const& sides = {});
 
-// What is asked for beyond the stored campaign, in words: "2 devices", "law gallardo", "20 runs instead of 10", or
+// Everything asked for beyond the stored campaign, in words: "2 devices", "law gallardo", "20 runs instead of 10", or
 // another order of the devices. Empty if the stored campaign was asked for the same, whether or not it is complete.
 std::vector<std::string> growth(Contents const& stored, Contents const& asked);
 

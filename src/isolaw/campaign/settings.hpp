@@ -32,7 +32,7 @@ struct Settings {
   fit::BoxKind box = fit::BoxKind::scaled;
   std::vector<fit::Override> overrides;
   data::CleanOptions clean;
-  bool analysis = true;  // what the tests determine, intervals, one law for the lot
+  bool analysis = true;  // also analyse: what the tests determine, intervals, one law for the lot
   int replicates = 100;  // bootstrap replicates of an analysis
   bool springs = false;  // the analyses also fit spring models for laws that have no coupled two-dimensional form
 

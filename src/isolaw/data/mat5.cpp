@@ -1,6 +1,6 @@
 // Reads MATLAB files of version 5, and of 7, where elements are compressed (MathWorks, "MAT-File Format", 2017). Own
 // code reads from a stream that is inflated on the way: a size that a file states is a number of bytes to pass over or
-// to stop at, and is never allocated. docs/decisions/0001-dependencies.md says why no library does it.
+// to stop at, never one to allocate. docs/decisions/0001-dependencies.md says why no library does it.
 #include <fmt/format.h>
 #include <zlib.h>
 

@@ -55,7 +55,7 @@ Row row_of(double distance, bool before) {
   return before ? Row{1.0, s, s * s, 0.0, 0.0, 0.0} : Row{1.0, 0.0, 0.0, s, s * s, s * s * s};
 }
 
-// Sum of squares that the columns leave of the values, by modified Gram-Schmidt, a column at a time.
+// The residual sum of squares of the values after fitting the columns, by modified Gram-Schmidt, a column at a time.
 double residual(std::vector<Row>& rows, std::vector<double>& values) {
   for (std::size_t k = 0; k < unknowns; ++k) {
     double size = 0.0;
